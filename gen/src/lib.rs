@@ -1,0 +1,1 @@
+//! Prints a circuit as Verilog with a self-checking testbench.

@@ -1,0 +1,1 @@
+//! A synchronous hardware language embedded in Rust.

@@ -1,0 +1,1 @@
+//! Whole rendering machines: programs, hardware, a scene, a frame.

@@ -1,0 +1,1 @@
+//! Scenes, triangle set-up in integers, and the golden rasterizer.

@@ -1,0 +1,1 @@
+//! Runs a circuit cycle by cycle: engines, testbenches, waves.
