@@ -1,0 +1,265 @@
+//! A value of a known width: what a signal holds at one moment.
+
+use std::fmt;
+
+/// A bit vector of a fixed width, 1 bit to thousands, in two's complement where it stands for a signed number.
+///
+/// Bits above the width are always zero, so that two equal values compare equal.
+///
+/// ```
+/// use tilewright_hdl::Bits;
+/// let a = Bits::new(8, 0xa5);
+/// assert_eq!(a.slice(4..8), Bits::new(4, 0xa));
+/// assert_eq!(a, 0xa5);
+/// assert_eq!(a.to_string(), "8'ha5");
+/// ```
+#[derive(Clone, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Bits {
+    width: u32,
+    limbs: Limbs,
+}
+
+/// Up to 64 bits live in place, so that a testbench does not allocate for each value.
+#[derive(Clone, PartialEq, Eq, Hash, PartialOrd, Ord)]
+enum Limbs {
+    One(u64),
+    Many(Box<[u64]>),
+}
+
+/// The number of 64-bit limbs that hold `width` bits.
+pub const fn limbs_for(width: u32) -> usize {
+    width.div_ceil(64) as usize
+}
+
+/// The mask of the bits in use of a value's highest limb.
+pub const fn top_mask(width: u32) -> u64 {
+    match width % 64 {
+        0 => u64::MAX,
+        used => (1 << used) - 1,
+    }
+}
+
+impl Bits {
+    /// The low `width` bits of `value`.
+    pub fn new(width: u32, value: u64) -> Bits {
+        Bits::from_limbs(width, &[value])
+    }
+
+    /// The low `width` bits of `value`.
+    pub fn from_u128(width: u32, value: u128) -> Bits {
+        Bits::from_limbs(width, &[value as u64, (value >> 64) as u64])
+    }
+
+    /// `value` in two's complement, sign-extended or cut to `width` bits.
+    pub fn from_i128(width: u32, value: i128) -> Bits {
+        let mut limbs = vec![if value < 0 { u64::MAX } else { 0 }; limbs_for(width).max(2)];
+        limbs[0] = value as u64;
+        limbs[1] = (value >> 64) as u64;
+        Bits::from_limbs(width, &limbs)
+    }
+
+    /// The value whose limbs, lowest first, are given; missing limbs are zero, bits above the width are dropped.
+    pub fn from_limbs(width: u32, limbs: &[u64]) -> Bits {
+        assert!(width > 0, "a value has at least 1 bit");
+        let limb = |i: usize| limbs.get(i).copied().unwrap_or(0);
+        let limbs = match limbs_for(width) {
+            1 => Limbs::One(limb(0) & top_mask(width)),
+            n => {
+                let mut all: Box<[u64]> = (0..n).map(limb).collect();
+                all[n - 1] &= top_mask(width);
+                Limbs::Many(all)
+            }
+        };
+        Bits { width, limbs }
+    }
+
+    /// All bits zero.
+    pub fn zero(width: u32) -> Bits {
+        Bits::new(width, 0)
+    }
+
+    /// All bits one.
+    pub fn ones(width: u32) -> Bits {
+        Bits::from_limbs(width, &vec![u64::MAX; limbs_for(width)])
+    }
+
+    /// The number of bits.
+    pub fn width(&self) -> u32 {
+        self.width
+    }
+
+    /// The limbs, lowest first; there are [`limbs_for`]`(width)` of them.
+    pub fn limbs(&self) -> &[u64] {
+        match &self.limbs {
+            Limbs::One(limb) => std::slice::from_ref(limb),
+            Limbs::Many(limbs) => limbs,
+        }
+    }
+
+    /// Bit `index`, counted from the least significant.
+    pub fn bit(&self, index: u32) -> bool {
+        assert!(index < self.width, "bit {index} of a value of {} bits", self.width);
+        self.limbs()[index as usize / 64] >> (index % 64) & 1 == 1
+    }
+
+    /// Whether every bit is zero.
+    pub fn is_zero(&self) -> bool {
+        self.limbs().iter().all(|&limb| limb == 0)
+    }
+
+    /// The value as an unsigned number, or `None` if it needs more than 64 bits.
+    pub fn to_u64(&self) -> Option<u64> {
+        let (low, rest) = self.limbs().split_first()?;
+        rest.iter().all(|&limb| limb == 0).then_some(*low)
+    }
+
+    /// The value as an unsigned number, or `None` if it needs more than 128 bits.
+    pub fn to_u128(&self) -> Option<u128> {
+        let limbs = self.limbs();
+        let high = limbs.get(1).copied().unwrap_or(0);
+        (limbs.iter().skip(2).all(|&limb| limb == 0)).then(|| u128::from(high) << 64 | u128::from(limbs[0]))
+    }
+
+    /// The value read as two's complement, or `None` if it does not fit.
+    pub fn to_i128(&self) -> Option<i128> {
+        let extended = self.sext(self.width.max(128));
+        let limbs = extended.limbs();
+        let value = (u128::from(limbs[1]) << 64 | u128::from(limbs[0])) as i128;
+        let filler = if value < 0 { u64::MAX } else { 0 };
+        let rest = Bits::from_limbs(self.width.max(128), &vec![filler; limbs.len()]);
+        (limbs[2..] == rest.limbs()[2..]).then_some(value)
+    }
+
+    /// The bits of `range`, lowest first, as in `z.slice(0..12)`.
+    pub fn slice(&self, range: std::ops::Range<u32>) -> Bits {
+        assert!(range.start < range.end && range.end <= self.width, "slice {range:?} of {} bits", self.width);
+        let (skip, shift) = (range.start as usize / 64, range.start % 64);
+        let limb = |i: usize| self.limbs().get(i).copied().unwrap_or(0);
+        let moved = |i: usize| match shift {
+            0 => limb(skip + i),
+            _ => limb(skip + i) >> shift | limb(skip + i + 1) << (64 - shift),
+        };
+        let width = range.end - range.start;
+        Bits::from_limbs(width, &(0..limbs_for(width)).map(moved).collect::<Vec<_>>())
+    }
+
+    /// `self` above `low`: the width is the sum of both.
+    pub fn concat(&self, low: &Bits) -> Bits {
+        let width = self.width + low.width;
+        let mut limbs = vec![0; limbs_for(width)];
+        limbs[..low.limbs().len()].copy_from_slice(low.limbs());
+        let (skip, shift) = (low.width as usize / 64, low.width % 64);
+        for (i, &limb) in self.limbs().iter().enumerate() {
+            limbs[skip + i] |= limb << shift;
+            if shift > 0 && skip + i + 1 < limbs.len() {
+                limbs[skip + i + 1] |= limb >> (64 - shift);
+            }
+        }
+        Bits::from_limbs(width, &limbs)
+    }
+
+    /// Cut, or widened with zeros, to `width` bits.
+    pub fn resize(&self, width: u32) -> Bits {
+        Bits::from_limbs(width, self.limbs())
+    }
+
+    /// Cut, or widened with the sign bit, to `width` bits.
+    pub fn sext(&self, width: u32) -> Bits {
+        if !self.bit(self.width - 1) {
+            return self.resize(width);
+        }
+        let mut limbs = self.limbs().to_vec();
+        *limbs.last_mut().expect("a value has a limb") |= !top_mask(self.width);
+        limbs.resize(limbs_for(width).max(limbs.len()), u64::MAX);
+        Bits::from_limbs(width, &limbs)
+    }
+
+    /// Every bit inverted.
+    pub fn not(&self) -> Bits {
+        Bits::from_limbs(self.width, &self.limbs().iter().map(|limb| !limb).collect::<Vec<_>>())
+    }
+}
+
+impl fmt::LowerHex for Bits {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let digits = self.width.div_ceil(4) as usize;
+        let text: String = self.limbs().iter().rev().map(|limb| format!("{limb:016x}")).collect();
+        f.write_str(&text[text.len() - digits..])
+    }
+}
+
+impl fmt::Binary for Bits {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        (0..self.width).rev().try_for_each(|i| f.write_str(if self.bit(i) { "1" } else { "0" }))
+    }
+}
+
+/// As a sized Verilog literal, `12'h0a5`.
+impl fmt::Display for Bits {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        write!(f, "{}'h{self:x}", self.width)
+    }
+}
+
+impl fmt::Debug for Bits {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
+}
+
+/// A one-bit value.
+impl From<bool> for Bits {
+    fn from(value: bool) -> Bits {
+        Bits::new(1, u64::from(value))
+    }
+}
+
+macro_rules! equals_integer {
+    ($($ty:ty)*) => {$(
+        /// Equal as an unsigned number; a negative one is compared in two's complement of the width.
+        impl PartialEq<$ty> for Bits {
+            fn eq(&self, other: &$ty) -> bool {
+                let other = *other as i128;
+                if other < 0 { *self == Bits::from_i128(self.width, other) } else { self.to_u128() == Some(other as u128) }
+            }
+        }
+    )*};
+}
+equals_integer!(u8 u16 u32 u64 usize i32 i64);
+
+/// Equal to 0 or 1.
+impl PartialEq<bool> for Bits {
+    fn eq(&self, other: &bool) -> bool {
+        *self == u8::from(*other)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bits_above_the_width_are_dropped() {
+        assert_eq!(Bits::new(4, 0xff), Bits::new(4, 0xf));
+        assert_eq!(Bits::ones(65).limbs(), [u64::MAX, 1]);
+    }
+
+    #[test]
+    fn slices_and_concatenations_cross_limbs() {
+        let high = Bits::new(40, 0xab_cdef_0123);
+        let low = Bits::new(50, 0x2_4567_89ab_cdef);
+        let both = high.concat(&low);
+        assert_eq!(both.width(), 90);
+        assert_eq!(both.slice(50..90), high);
+        assert_eq!(both.slice(0..50), low);
+        assert_eq!(format!("{:x}", Bits::new(9, 0x1a5)), "1a5");
+    }
+
+    #[test]
+    fn signs_extend_over_limbs() {
+        assert_eq!(Bits::new(4, 0b1000).sext(130), Bits::from_i128(130, -8));
+        assert_eq!(Bits::from_i128(200, -5).to_i128(), Some(-5));
+        assert_eq!(Bits::new(7, 0x7f), -1);
+        assert_eq!(Bits::ones(129).to_u128(), None);
+    }
+}

@@ -1,0 +1,500 @@
+//! The circuit: what elaboration makes of a description, and what simulators and printers read.
+//!
+//! A [`Design`] is a list of modules; each was elaborated once for its block type and parameters, however many
+//! instances it has. A module is a graph of [`Node`]s, each an expression of a known width, with the objects of
+//! the schematic (registers, memories, instances) beside it. Everything in a `Design` has passed the checks:
+//! widths agree, every wire is driven once, no combinational loop, every name unique and legal in Verilog.
+//!
+//! An instance array is one [`Instance`] with a lane count. Its outputs are nodes with lanes; so are the nodes that
+//! feed its inputs. Lane nodes are only: [`Op::Broadcast`], [`Op::PerLane`], [`Op::Shifted`] and [`Op::Output`] of
+//! an array; [`Op::Lane`] and [`Op::Reduce`] lead back to plain nodes.
+
+use crate::bits::Bits;
+use crate::clock::Period;
+use crate::loc::Loc;
+
+/// A whole circuit.
+#[derive(Debug, Clone)]
+pub struct Design {
+    /// The modules, children before the modules that instantiate them; the top is the last.
+    pub modules: Vec<Module>,
+}
+
+/// A module's place in [`Design::modules`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct ModuleId(pub u32);
+
+/// A node's place in [`Module::nodes`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct NodeId(pub u32);
+
+/// A clock's place in [`Module::clocks`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct ClockId(pub u32);
+
+/// A register's place in [`Module::registers`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct RegisterId(pub u32);
+
+/// A memory's place in [`Module::memories`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct MemoryId(pub u32);
+
+/// An instance's place in [`Module::instances`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct InstanceId(pub u32);
+
+/// One module definition.
+#[derive(Debug, Clone)]
+pub struct Module {
+    /// Its name in Verilog, unique in the design.
+    pub name: String,
+    /// What it is, for people.
+    pub about: About,
+    /// The block's parameters as Rust prints them, such as `Counter { width: 8 }`.
+    pub parameters: String,
+    /// Where the block is described.
+    pub loc: Loc,
+    /// The clocks it uses, the default clock first if it uses that one.
+    pub clocks: Vec<Clock>,
+    /// Input ports, in order of declaration.
+    pub inputs: Vec<Input>,
+    /// Output ports, in order of declaration.
+    pub outputs: Vec<Output>,
+    /// The expressions.
+    pub nodes: Vec<Node>,
+    /// The registers.
+    pub registers: Vec<Register>,
+    /// The memories.
+    pub memories: Vec<Memory>,
+    /// The instances and instance arrays.
+    pub instances: Vec<Instance>,
+    /// What must hold at every edge.
+    pub asserts: Vec<Assert>,
+}
+
+/// A block's description in words, carried into the Verilog header and the documentation.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct About {
+    /// What the block does, one or a few sentences.
+    pub summary: String,
+    /// Clocks from an input to the output it causes, in words or a number, such as `4`.
+    pub latency: String,
+    /// The paper and the rule, such as `VC-1, section 3.3 (VC1-MU)`.
+    pub source: String,
+}
+
+/// A clock port of a module, and the reset that goes with it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Clock {
+    /// The clock port's name in Verilog: `clk` for the default clock, `NAME_clk` for a named one.
+    pub port: String,
+    /// The reset port's name, `rst` or `NAME_rst`; `None` if nothing on this clock has a reset.
+    pub reset: Option<String>,
+    /// `None` for the default clock of a module that takes whatever clock its instance is given. At the top of a
+    /// design every clock has a period.
+    pub period: Option<Period>,
+    /// `None` for the default clock, otherwise the clock's name.
+    pub name: Option<String>,
+}
+
+/// An input port.
+#[derive(Debug, Clone)]
+pub struct Input {
+    /// The port's name: the path of the bundle's fields joined by `_`.
+    pub name: String,
+    /// The path in the bundle, such as `left.z`.
+    pub path: String,
+    /// The [`Op::Input`] node.
+    pub node: NodeId,
+    /// The clock that its values are synchronous to; `None` in a module without clocks.
+    pub clock: Option<ClockId>,
+}
+
+/// An output port.
+#[derive(Debug, Clone)]
+pub struct Output {
+    /// The port's name: the path of the bundle's fields joined by `_`.
+    pub name: String,
+    /// The path in the bundle, such as `pixel.z`.
+    pub path: String,
+    /// What drives it.
+    pub node: NodeId,
+}
+
+/// An expression of a known width.
+#[derive(Debug, Clone)]
+pub struct Node {
+    /// How it is computed.
+    pub op: Op,
+    /// Its width in bits, at least 1.
+    pub width: u32,
+    /// `Some(n)` for a value with one element per lane of an array, `None` for a plain one.
+    pub lanes: Option<u32>,
+    /// The name that the description gave it; unique in the module, legal in Verilog and VCD. Inputs, registers and
+    /// wires always have one.
+    pub name: Option<String>,
+    /// Where the description made it.
+    pub loc: Loc,
+}
+
+/// Operators of one operand.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Unary {
+    /// Every bit inverted.
+    Not,
+    /// 1 bit: all bits are one.
+    AllOnes,
+    /// 1 bit: some bit is one.
+    AnyOne,
+    /// 1 bit: the number of ones is odd.
+    Parity,
+}
+
+/// Operators of two operands of equal widths, with a result of that width except where said.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Binary {
+    /// Bitwise and.
+    And,
+    /// Bitwise or.
+    Or,
+    /// Bitwise exclusive or.
+    Xor,
+    /// Sum, modulo 2 to the width.
+    Add,
+    /// Difference, modulo 2 to the width.
+    Sub,
+    /// Unsigned product; operands of any widths, the result's width is their sum.
+    Mul,
+    /// Two's complement product; operands of any widths, the result's width is their sum.
+    MulSigned,
+}
+
+/// Comparisons.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Relation {
+    /// Equal.
+    Eq,
+    /// Not equal.
+    Ne,
+    /// Less than.
+    Lt,
+    /// Less than or equal.
+    Le,
+    /// Greater than.
+    Gt,
+    /// Greater than or equal.
+    Ge,
+}
+
+/// Shifts by an amount that is a signal.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Shift {
+    /// Towards the most significant bit, filled with zeros.
+    Left,
+    /// Towards the least significant bit, filled with zeros.
+    Right,
+    /// Towards the least significant bit, filled with the sign.
+    RightSigned,
+}
+
+/// Combinations of all lanes into one plain value.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Reduction {
+    /// Bitwise and of all lanes.
+    And,
+    /// Bitwise or of all lanes.
+    Or,
+    /// Bitwise exclusive or of all lanes.
+    Xor,
+    /// Sum of all lanes, modulo 2 to the width.
+    Add,
+}
+
+/// How a node is computed.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Op {
+    /// The input port of that index in [`Module::inputs`].
+    Input(u32),
+    /// A constant of the node's width.
+    Const(Bits),
+    /// An operator of one operand.
+    Unary(Unary, NodeId),
+    /// An operator of two operands.
+    Binary(Binary, NodeId, NodeId),
+    /// 1 bit; operands of equal widths; in two's complement if `signed`.
+    Compare {
+        /// The relation.
+        relation: Relation,
+        /// Whether the operands are in two's complement.
+        signed: bool,
+        /// Left and right operand.
+        operands: [NodeId; 2],
+    },
+    /// The operand shifted by an unsigned amount of any width; an amount of the width or more leaves only filling.
+    Shift(Shift, NodeId, NodeId),
+    /// `if select { on_true } else { on_false }`; `select` has 1 bit.
+    Mux {
+        /// 1 bit.
+        select: NodeId,
+        /// The value where `select` is 1.
+        on_true: NodeId,
+        /// The value where `select` is 0.
+        on_false: NodeId,
+    },
+    /// The value of the first arm whose 1-bit condition holds, else the default.
+    Select {
+        /// Condition and value, highest priority first.
+        arms: Vec<(NodeId, NodeId)>,
+        /// The value where no condition holds.
+        default: NodeId,
+    },
+    /// The value of the arm whose key equals the subject, else the default; keys differ and have the subject's width.
+    Case {
+        /// What is compared.
+        subject: NodeId,
+        /// Key and value.
+        arms: Vec<(Bits, NodeId)>,
+        /// The value where no key equals the subject.
+        default: NodeId,
+    },
+    /// Bits `low .. low + width` of the operand.
+    Slice {
+        /// The operand.
+        of: NodeId,
+        /// The lowest bit taken.
+        low: u32,
+    },
+    /// The operands side by side, the most significant first.
+    Concat(Vec<NodeId>),
+    /// The operand side by side with itself, so many times.
+    Repeat(NodeId, u32),
+    /// The operand widened, with its sign bit if `signed`, otherwise with zeros.
+    Extend {
+        /// The operand, narrower than the node.
+        of: NodeId,
+        /// Whether the sign bit fills the new bits.
+        signed: bool,
+    },
+    /// The present value of a register.
+    Register(RegisterId),
+    /// The data of a memory's read port of that index in [`Memory::reads`].
+    Read(MemoryId, u32),
+    /// A named net declared before its driver.
+    Wire(NodeId),
+    /// The operand, which the description declares stable whenever another clock samples it, with the reason.
+    QuasiStatic(NodeId, String),
+    /// The output port of an instance; with lanes if the instance is an array.
+    Output(InstanceId, u32),
+    /// Lanes: the plain operand in every lane.
+    Broadcast(NodeId),
+    /// Lanes: plain operands, one for each lane.
+    PerLane(Vec<NodeId>),
+    /// Lanes: lane `i` is lane `i - by` of the operand, or the plain `edge` where there is no such lane.
+    Shifted {
+        /// The operand, with as many lanes.
+        of: NodeId,
+        /// How many lanes towards the higher index; negative towards the lower.
+        by: i32,
+        /// Plain: what enters at the end.
+        edge: NodeId,
+    },
+    /// Plain: one lane of the operand.
+    Lane(NodeId, u32),
+    /// Plain: all lanes of the operand combined.
+    Reduce(Reduction, NodeId),
+}
+
+/// A register. At an edge of its clock: `reset` if that clock's reset is high and there is a reset value; else `next`
+/// if `enable` is absent or high; else unchanged.
+#[derive(Debug, Clone)]
+pub struct Register {
+    /// The [`Op::Register`] node, which has the name, the width and the place.
+    pub node: NodeId,
+    /// Its clock.
+    pub clock: ClockId,
+    /// The value after a reset; `None` for a register that a reset does not touch.
+    pub reset: Option<Bits>,
+    /// 1 bit: whether it takes `next`; `None` means always.
+    pub enable: Option<NodeId>,
+    /// The value it takes.
+    pub next: NodeId,
+    /// For a state machine: the state's names, by code.
+    pub states: Option<States>,
+}
+
+/// The names of a state machine's states.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct States {
+    /// The enum's name, such as `Phase`.
+    pub name: String,
+    /// The states' names; the index is the code in the register.
+    pub names: Vec<String>,
+}
+
+/// What a read gives when its word is written at the same edge.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum ReadUnderWrite {
+    /// The word as it was before the edge.
+    Old,
+    /// Nothing that may be relied on; the cheapest memory on every FPGA. The simulator gives the old word inverted.
+    Any,
+}
+
+/// What a memory holds at the start.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Contents {
+    /// Nothing that may be relied on.
+    Unknown,
+    /// The same word everywhere.
+    Fill(Bits),
+    /// These words from address 0; the rest is zero.
+    Words(Vec<Bits>),
+}
+
+/// A memory. At an edge every port on that clock samples at once; a later write port of the same clock wins over an
+/// earlier one. A read beyond the depth gives zero, a write beyond it does nothing.
+#[derive(Debug, Clone)]
+pub struct Memory {
+    /// Its name, unique in the module.
+    pub name: String,
+    /// The number of words.
+    pub depth: u32,
+    /// The width of a word in bits.
+    pub width: u32,
+    /// What a synchronous read gives when its word is written at the same edge.
+    pub policy: ReadUnderWrite,
+    /// What it holds at the start.
+    pub contents: Contents,
+    /// Read ports.
+    pub reads: Vec<ReadPort>,
+    /// Write ports.
+    pub writes: Vec<WritePort>,
+    /// Where it is declared.
+    pub loc: Loc,
+}
+
+/// A read port.
+#[derive(Debug, Clone)]
+pub struct ReadPort {
+    /// `Some` for a synchronous port: the data is a register that takes the word at the edge. `None`: asynchronous.
+    pub clock: Option<ClockId>,
+    /// The address; enough bits for the depth, at least 1.
+    pub address: NodeId,
+    /// 1 bit: a synchronous port keeps its data where this is low; `None` means always reading.
+    pub enable: Option<NodeId>,
+    /// The [`Op::Read`] node.
+    pub node: NodeId,
+}
+
+/// A write port.
+#[derive(Debug, Clone)]
+pub struct WritePort {
+    /// Its clock.
+    pub clock: ClockId,
+    /// 1 bit: whether it writes.
+    pub enable: NodeId,
+    /// The address, as wide as those of the read ports.
+    pub address: NodeId,
+    /// The word.
+    pub data: NodeId,
+}
+
+/// An instance, or an array of instances that differ only in what their lanes are fed.
+#[derive(Debug, Clone)]
+pub struct Instance {
+    /// Its name, unique in the module, such as `u_merger`.
+    pub name: String,
+    /// What it is an instance of.
+    pub module: ModuleId,
+    /// `Some(n)` for an array of `n` lanes, at least 1.
+    pub lanes: Option<u32>,
+    /// What drives the inputs, in the order of the child's ports; with lanes if and only if this is an array.
+    pub inputs: Vec<NodeId>,
+    /// The [`Op::Output`] nodes, in the order of the child's ports.
+    pub outputs: Vec<NodeId>,
+    /// For each clock of the child, the clock of this module that drives it.
+    pub clocks: Vec<ClockId>,
+    /// Where it is made.
+    pub loc: Loc,
+}
+
+/// A condition that must hold at every edge of its clock while that clock's reset is low.
+#[derive(Debug, Clone)]
+pub struct Assert {
+    /// Its clock.
+    pub clock: ClockId,
+    /// 1 bit.
+    pub condition: NodeId,
+    /// What is wrong if it does not hold.
+    pub message: String,
+    /// Where it is stated.
+    pub loc: Loc,
+}
+
+impl Design {
+    /// The module that is not instantiated by another.
+    pub fn top(&self) -> &Module {
+        self.modules.last().expect("a design has a top module")
+    }
+
+    /// The module of that id.
+    pub fn module(&self, id: ModuleId) -> &Module {
+        &self.modules[id.0 as usize]
+    }
+}
+
+impl Module {
+    /// The node of that id.
+    pub fn node(&self, id: NodeId) -> &Node {
+        &self.nodes[id.0 as usize]
+    }
+
+    /// The width of a node in bits.
+    pub fn width(&self, id: NodeId) -> u32 {
+        self.node(id).width
+    }
+
+    /// The name of a register: its node's.
+    pub fn register_name(&self, register: &Register) -> &str {
+        self.node(register.node).name.as_deref().expect("a register has a name")
+    }
+}
+
+impl Op {
+    /// Calls `visit` with every node of the same module that this one is computed from in the same clock cycle,
+    /// except through an instance or an asynchronous read.
+    pub fn for_each_operand(&self, mut visit: impl FnMut(NodeId)) {
+        match self {
+            Op::Input(_) | Op::Const(_) | Op::Register(_) | Op::Read(..) | Op::Output(..) => {}
+            Op::Unary(_, a)
+            | Op::Slice { of: a, .. }
+            | Op::Repeat(a, _)
+            | Op::Extend { of: a, .. }
+            | Op::Wire(a)
+            | Op::QuasiStatic(a, _)
+            | Op::Broadcast(a)
+            | Op::Lane(a, _)
+            | Op::Reduce(_, a) => visit(*a),
+            Op::Binary(_, a, b) | Op::Compare { operands: [a, b], .. } | Op::Shift(_, a, b) => {
+                visit(*a);
+                visit(*b);
+            }
+            Op::Shifted { of, edge, .. } => {
+                visit(*of);
+                visit(*edge);
+            }
+            Op::Mux { select, on_true, on_false } => [select, on_true, on_false].into_iter().for_each(|n| visit(*n)),
+            Op::Select { arms, default } => {
+                arms.iter().flat_map(|(c, v)| [*c, *v]).for_each(&mut visit);
+                visit(*default);
+            }
+            Op::Case { subject, arms, default } => {
+                visit(*subject);
+                arms.iter().for_each(|(_, v)| visit(*v));
+                visit(*default);
+            }
+            Op::Concat(parts) | Op::PerLane(parts) => parts.iter().for_each(|n| visit(*n)),
+        }
+    }
+}

@@ -1,0 +1,48 @@
+//! A place in the user's source.
+
+use std::fmt;
+use std::panic::Location;
+
+/// The place of a call, as `rtl/src/merger/unit.rs:41:9`.
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Loc(&'static Location<'static>);
+
+impl Loc {
+    /// The place where the function that calls this was called, through every `#[track_caller]` above it.
+    #[track_caller]
+    pub fn caller() -> Loc {
+        Loc(Location::caller())
+    }
+
+    /// The file, relative to the workspace; for a file outside of it, its last three components, so that no
+    /// path of the machine reaches an output.
+    pub fn file(&self) -> &'static str {
+        let file = self.0.file();
+        if !file.starts_with('/') {
+            return file;
+        }
+        file.rmatch_indices('/').nth(2).map_or(file, |(at, _)| &file[at + 1..])
+    }
+
+    /// The line, from 1.
+    pub fn line(&self) -> u32 {
+        self.0.line()
+    }
+
+    /// The column, from 1.
+    pub fn column(&self) -> u32 {
+        self.0.column()
+    }
+}
+
+impl fmt::Display for Loc {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        write!(f, "{}:{}:{}", self.file(), self.line(), self.column())
+    }
+}
+
+impl fmt::Debug for Loc {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
+}
