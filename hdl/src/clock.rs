@@ -9,7 +9,10 @@ pub struct Period(u64);
 impl Period {
     /// A period of so many picoseconds, an even number, since half of it is the clock's high time.
     pub const fn ps(picoseconds: u64) -> Period {
-        assert!(picoseconds > 0 && picoseconds % 2 == 0, "a clock period is an even number of picoseconds above 0");
+        assert!(
+            picoseconds > 0 && picoseconds.is_multiple_of(2),
+            "a clock period is an even number of picoseconds above 0"
+        );
         Period(picoseconds)
     }
 

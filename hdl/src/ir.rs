@@ -95,7 +95,7 @@ pub struct Clock {
     /// design every clock has a period.
     pub period: Option<Period>,
     /// `None` for the default clock, otherwise the clock's name.
-    pub name: Option<String>,
+    pub name: Option<&'static str>,
 }
 
 /// An input port.

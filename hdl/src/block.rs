@@ -1,0 +1,149 @@
+//! Blocks: parameters in a plain struct, and a function from an input bundle to an output bundle.
+
+use crate::bundle::{Bundle, Fields};
+use crate::clock::Period;
+use crate::draft::Draft;
+use crate::elaboration;
+use crate::finish;
+use crate::ir::{About, Design, Input, ModuleId, Op};
+use crate::loc::Loc;
+use crate::module::{Module, port_name};
+use crate::names;
+use crate::problem::{Problem, Problems};
+use crate::signal::Signal;
+use crate::width::Width;
+use std::any::Any;
+use std::fmt::Debug;
+use std::rc::Rc;
+
+/// A hardware block: the struct holds its parameters, [`build`](Block::build) describes it. Instances of one type with
+/// equal parameters (as `Debug` prints them) are one module.
+pub trait Block: Debug + 'static {
+    /// The input bundle.
+    type In: Bundle;
+    /// The output bundle; its widths follow from the description.
+    type Out: Bundle;
+
+    /// The widths of the inputs.
+    fn inputs(&self) -> <Self::In as Bundle>::Of<Width>;
+
+    /// Describes the block.
+    fn build(&self, m: Module, i: Self::In) -> Self::Out;
+
+    /// What the block is, for people: the header of its Verilog and its documentation.
+    fn about(&self) -> About {
+        About::default()
+    }
+
+    /// The name of its module in Verilog: by default the type's name in snake case with the parameters behind it, as
+    /// `counter_width8`.
+    fn name(&self) -> String {
+        names::module_name(std::any::type_name::<Self>(), &format!("{self:?}"))
+    }
+}
+
+/// The period of the default clock of [`elaborate`].
+pub const DEFAULT_PERIOD: Period = Period::ns(10);
+
+/// Builds the circuit of `block` and checks it. The default clock has a period of [`DEFAULT_PERIOD`].
+///
+/// # Errors
+///
+/// Every mistake found in the description, each with the places in the user's source.
+#[track_caller]
+pub fn elaborate<B: Block>(block: &B) -> Result<Design, Problems> {
+    elaborate_at(block, DEFAULT_PERIOD)
+}
+
+/// As [`elaborate`], with another period of the default clock.
+#[track_caller]
+pub fn elaborate_at<B: Block>(block: &B, period: Period) -> Result<Design, Problems> {
+    elaborate_typed(block, period).map(|(design, ..)| design)
+}
+
+/// The circuit, and its ports as bundles of their indices among the design's inputs and outputs.
+pub type Typed<B> = (Design, <<B as Block>::In as Bundle>::Of<usize>, <<B as Block>::Out as Bundle>::Of<usize>);
+
+/// As [`elaborate_at`], with the ports as bundles: what a typed testbench needs.
+#[track_caller]
+pub fn elaborate_typed<B: Block>(block: &B, period: Period) -> Result<Typed<B>, Problems> {
+    let loc = Loc::caller();
+    let mut ports = None;
+    let ended = elaboration::run(|| {
+        let child = elaborate_module(block, loc);
+        let (mut input, mut output) = (0.., 0..);
+        ports = Some((
+            B::In::convert(&block.inputs(), &mut |_, _: &Width| input.next().expect("endless")),
+            child.outputs::<B>().of(&mut |_, _| output.next().expect("endless")),
+        ));
+        elaboration::with(names::check_module_names);
+    })?;
+    let mut design = Design { modules: ended.done };
+    let top = design.modules.last_mut().expect("the top was elaborated");
+    top.clocks.iter_mut().filter(|clock| clock.period.is_none()).for_each(|clock| clock.period = Some(period));
+    let (inputs, outputs) = ports.expect("the description ran");
+    Ok((design, inputs, outputs))
+}
+
+/// A module that has been elaborated, with the output bundle that its `build` returned.
+pub(crate) struct Elaborated {
+    pub id: ModuleId,
+    outputs: Rc<dyn Any>,
+}
+
+impl Elaborated {
+    /// The output bundle, in the child's own signals: good for its shape.
+    pub fn outputs<B: Block>(&self) -> &B::Out {
+        self.outputs.downcast_ref().expect("the shape was stored under its block's type")
+    }
+}
+
+/// Deeper nesting than this is a block that instantiates itself without end.
+const DEEPEST: usize = 100;
+
+/// The module of `block`: the one made before for the same type and parameters, or a new one.
+pub(crate) fn elaborate_module<B: Block>(block: &B, loc: Loc) -> Elaborated {
+    let key = (std::any::type_name::<B>(), format!("{block:?}"));
+    let cached = elaboration::with(|e| e.cache.get(&key).copied().map(|id| (id, e.shapes[id.0 as usize].clone())));
+    if let Some((id, outputs)) = cached {
+        return Elaborated { id, outputs };
+    }
+    let parameters = key.1.clone();
+    elaboration::with(|e| {
+        assert!(
+            e.drafts.len() < DEEPEST,
+            "`{parameters}`, at {loc}, is nested more than {DEEPEST} deep: does it instantiate itself?"
+        );
+        e.drafts_begun += 1;
+        let serial = e.drafts_begun;
+        e.drafts.push(Draft::new(serial, names::short(key.0), loc));
+    });
+    let widths = block.inputs();
+    let inputs = B::In::signals(&widths, &mut |path, width| declare_input(path, *width));
+    let out = block.build(Module { clock: None }, inputs);
+    let outputs = out.leaves().into_iter().map(|(path, signal)| (path, signal.id())).collect();
+    elaboration::with(|e| {
+        finish::finish(e, outputs, block.name(), block.about(), parameters);
+        let id = ModuleId(e.done.len() as u32 - 1);
+        e.cache.insert(key, id);
+        let outputs: Rc<dyn Any> = Rc::new(out);
+        e.shapes.push(outputs.clone());
+        Elaborated { id, outputs }
+    })
+}
+
+fn declare_input(path: &str, width: Width) -> Signal {
+    elaboration::with(|e| {
+        let name = port_name("", path);
+        if width.bits == 0 {
+            e.report(Problem::new(width.loc, format!("input `{name}` has no bits")).help("a width is at least 1"));
+        }
+        let draft = e.draft();
+        let index = draft.inputs.len() as u32;
+        let node = draft.add(Op::Input(index), width.bits.max(1), None, width.loc);
+        draft.node_mut(node).name = Some(name.clone());
+        draft.inputs.push(Input { name, path: path.to_owned(), node, clock: None });
+        draft.input_clocks.push(width.clock);
+        Signal::at(e, node)
+    })
+}

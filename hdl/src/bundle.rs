@@ -1,0 +1,192 @@
+//! Bundles: one record type serves as widths, signals, values and names.
+
+use crate::lanes::Lanes;
+use crate::signal::Signal;
+use crate::width::Width;
+use crate::{Bits, Loc};
+
+/// What may stand in a bundle's fields: a signal, a width, a value, a handle.
+pub trait Leaf: Clone {}
+
+impl Leaf for Signal {}
+impl Leaf for Lanes {}
+impl Leaf for Width {}
+impl Leaf for Bits {}
+impl Leaf for Loc {}
+impl Leaf for String {}
+impl Leaf for bool {}
+impl Leaf for u32 {}
+impl Leaf for u64 {}
+impl Leaf for usize {}
+impl Leaf for u128 {}
+
+/// A record whose leaves are `T`: a leaf itself, an array or a list of records, or a struct made by
+/// [`bundle!`](crate::bundle!).
+pub trait Fields<T: Leaf>: Sized {
+    /// The same record with leaves `U`.
+    type With<U: Leaf>: Fields<U>;
+
+    /// The record with `f` of each leaf, in order of declaration; `f` also gets the leaf's path, such as `left.z`.
+    fn map_fields<U: Leaf>(&self, path: &str, f: &mut dyn FnMut(&str, &T) -> U) -> Self::With<U>;
+
+    /// The record with `f` of each leaf.
+    fn map<U: Leaf>(&self, mut f: impl FnMut(&T) -> U) -> Self::With<U> {
+        self.map_fields("", &mut |_, leaf| f(leaf))
+    }
+
+    /// Each leaf with its path, in order of declaration.
+    fn leaves(&self) -> Vec<(String, T)> {
+        let mut leaves = Vec::new();
+        self.map_fields("", &mut |path, leaf| {
+            leaves.push((path.to_owned(), leaf.clone()));
+            leaf.clone()
+        });
+        leaves
+    }
+}
+
+impl<T: Leaf> Fields<T> for T {
+    type With<U: Leaf> = U;
+
+    fn map_fields<U: Leaf>(&self, path: &str, f: &mut dyn FnMut(&str, &T) -> U) -> U {
+        f(path, self)
+    }
+}
+
+/// Elements are named by their index.
+impl<T: Leaf, B: Fields<T>> Fields<T> for Vec<B> {
+    type With<U: Leaf> = Vec<B::With<U>>;
+
+    fn map_fields<U: Leaf>(&self, path: &str, f: &mut dyn FnMut(&str, &T) -> U) -> Self::With<U> {
+        self.iter().enumerate().map(|(i, element)| element.map_fields(&join(path, &i.to_string()), f)).collect()
+    }
+}
+
+/// Elements are named by their index.
+impl<T: Leaf, B: Fields<T>, const N: usize> Fields<T> for [B; N] {
+    type With<U: Leaf> = [B::With<U>; N];
+
+    fn map_fields<U: Leaf>(&self, path: &str, f: &mut dyn FnMut(&str, &T) -> U) -> Self::With<U> {
+        std::array::from_fn(|i| self[i].map_fields(&join(path, &i.to_string()), f))
+    }
+}
+
+/// No fields: the inputs of a block that has none.
+impl<T: Leaf> Fields<T> for () {
+    type With<U: Leaf> = ();
+
+    fn map_fields<U: Leaf>(&self, _: &str, _: &mut dyn FnMut(&str, &T) -> U) {}
+}
+
+/// A record of signals, with the family of records that it belongs to. [`bundle!`](crate::bundle!) implements it.
+pub trait Bundle: Fields<Signal> + 'static {
+    /// The same record with other leaves.
+    type Of<T: Leaf>: Fields<T>;
+
+    /// The record of `f` of each signal and its path.
+    fn of<U: Leaf>(&self, f: &mut dyn FnMut(&str, &Signal) -> U) -> Self::Of<U>;
+
+    /// The record of signals that `f` makes of each leaf and its path.
+    fn signals<T: Leaf>(of: &Self::Of<T>, f: &mut dyn FnMut(&str, &T) -> Signal) -> Self;
+
+    /// The record of `f` of each leaf and its path.
+    fn convert<T: Leaf, U: Leaf>(of: &Self::Of<T>, f: &mut dyn FnMut(&str, &T) -> U) -> Self::Of<U>;
+}
+
+impl Bundle for () {
+    type Of<T: Leaf> = ();
+
+    fn of<U: Leaf>(&self, _: &mut dyn FnMut(&str, &Signal) -> U) {}
+
+    fn signals<T: Leaf>(_: &(), _: &mut dyn FnMut(&str, &T) -> Signal) {}
+
+    fn convert<T: Leaf, U: Leaf>(_: &(), _: &mut dyn FnMut(&str, &T) -> U) {}
+}
+
+#[doc(hidden)]
+pub fn join(path: &str, field: &str) -> String {
+    let field = field.strip_prefix("r#").unwrap_or(field);
+    if path.is_empty() { field.to_owned() } else { format!("{path}.{field}") }
+}
+
+/// Declares records that serve as widths, signals, values and names at once.
+///
+/// Written as a plain generic struct; the leaf is `Signal` where it is left out. Records nest, and may hold arrays
+/// and `Vec`s of leaves or records.
+///
+/// ```
+/// use tilewright_hdl::{bundle, bits, Bits, Fields, Width};
+///
+/// bundle! {
+///     /// A sample of an image.
+///     pub struct Pixel<T> {
+///         /// Depth; nearer is smaller.
+///         pub z: T,
+///         /// Colour.
+///         pub rgb: T,
+///     }
+///
+///     /// What a comparison sees.
+///     pub struct Pair<T> {
+///         pub left: Pixel<T>,
+///         pub right: Pixel<T>,
+///     }
+/// }
+///
+/// let widths: Pixel<Width> = Pixel { z: bits(24), rgb: bits(24) };
+/// let value: Pair<u64> = Pair { left: Pixel { z: 5, rgb: 0 }, right: Pixel { z: 7, rgb: 1 } };
+/// assert_eq!(value.leaves()[2], ("right.z".to_owned(), 7));
+/// # let _ = widths;
+/// ```
+#[macro_export]
+macro_rules! bundle {
+    ($($(#[$attribute:meta])* $vis:vis struct $name:ident<$leaf:ident> {
+        $($(#[$field_attribute:meta])* $field_vis:vis $field:ident: $ty:ty),* $(,)?
+    })*) => {$(
+        $(#[$attribute])*
+        #[derive(Debug, Clone, PartialEq)]
+        $vis struct $name<$leaf = $crate::Signal> {
+            $($(#[$field_attribute])* $field_vis $field: $ty),*
+        }
+
+        impl<$leaf: Copy> Copy for $name<$leaf> where $($ty: Copy),* {}
+
+        impl<$leaf: $crate::Leaf> $crate::Fields<$leaf> for $name<$leaf> {
+            type With<U: $crate::Leaf> = $name<U>;
+
+            fn map_fields<U: $crate::Leaf>(
+                &self,
+                path: &str,
+                f: &mut dyn FnMut(&str, &$leaf) -> U,
+            ) -> $name<U> {
+                $name { $($field: <$ty as $crate::Fields<$leaf>>::map_fields(
+                    &self.$field,
+                    &$crate::join(path, stringify!($field)),
+                    f,
+                )),* }
+            }
+        }
+
+        impl $crate::Bundle for $name {
+            type Of<$leaf: $crate::Leaf> = $name<$leaf>;
+
+            fn of<U: $crate::Leaf>(&self, f: &mut dyn FnMut(&str, &$crate::Signal) -> U) -> $name<U> {
+                $crate::Fields::map_fields(self, "", f)
+            }
+
+            fn signals<T: $crate::Leaf>(
+                of: &$name<T>,
+                f: &mut dyn FnMut(&str, &T) -> $crate::Signal,
+            ) -> $name {
+                $crate::Fields::map_fields(of, "", f)
+            }
+
+            fn convert<T: $crate::Leaf, U: $crate::Leaf>(
+                of: &$name<T>,
+                f: &mut dyn FnMut(&str, &T) -> U,
+            ) -> $name<U> {
+                $crate::Fields::map_fields(of, "", f)
+            }
+        }
+    )*};
+}

@@ -1,0 +1,7 @@
+//! The checks of a finished description. Each looks at one draft, and reports every mistake that it finds.
+
+pub(crate) mod domains;
+pub(crate) mod drives;
+pub(crate) mod loops;
+pub(crate) mod naming;
+pub(crate) mod unused;

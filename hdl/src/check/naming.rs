@@ -1,0 +1,97 @@
+//! Names: legal, unique in their module, and no reserved words.
+
+use crate::draft::Draft;
+use crate::ir::{NodeId, Op};
+use crate::loc::Loc;
+use crate::module::port_name;
+use crate::names::{is_legal, is_reserved};
+use crate::problem::Problem;
+use std::collections::BTreeMap;
+
+pub(crate) fn check(
+    draft: &mut Draft,
+    outputs: &[(String, NodeId)],
+    resets: &[Option<String>],
+    problems: &mut Vec<Problem>,
+) {
+    let mut names = Names { taken: BTreeMap::new(), problems };
+    for (i, clock) in draft.clocks.iter().enumerate().filter(|(i, _)| draft.clock_used[*i]) {
+        let port = clock.map_or("clk".to_owned(), |clock| format!("{}_clk", clock.name));
+        names.port("clock", &port, draft.loc);
+        resets[i].iter().for_each(|reset| names.port("reset", reset, draft.loc));
+    }
+    for input in &draft.inputs {
+        names.port("input", &input.name, draft.node(input.node).loc);
+    }
+    for (path, node) in outputs {
+        names.port("output", &port_name("", path), draft.node(*node).loc);
+    }
+    name_reads(draft);
+    for i in 0..draft.nodes.len() {
+        let node = &draft.nodes[i];
+        if let Some(name) = node.name.clone().filter(|_| !matches!(node.op, Op::Input(_))) {
+            // A net that has the name of the output it drives is that output.
+            let is_output = outputs.iter().any(|(path, out)| out.0 as usize == i && port_name("", path) == name);
+            if !is_output {
+                let loc = node.loc;
+                draft.nodes[i].name = Some(names.inner("net", name, loc));
+            }
+        }
+    }
+    for memory in draft.memories.iter_mut().map(|draft| &mut draft.memory) {
+        memory.name = names.inner("memory", memory.name.clone(), memory.loc);
+    }
+    for instance in &mut draft.instances {
+        instance.name = names.inner("instance", instance.name.clone(), instance.loc);
+    }
+}
+
+/// The data register of a synchronous read is `MEMORY_read`, with the port's number if there are several.
+fn name_reads(draft: &mut Draft) {
+    for m in 0..draft.memories.len() {
+        let memory = &draft.memories[m].memory;
+        let ports: Vec<_> = memory.reads.iter().filter(|read| read.clock.is_some()).map(|read| read.node).collect();
+        let name = memory.name.clone();
+        for (i, port) in ports.iter().enumerate() {
+            let number = if ports.len() > 1 { i.to_string() } else { String::new() };
+            draft.node_mut(*port).name.get_or_insert(format!("{name}_read{number}"));
+        }
+    }
+}
+
+struct Names<'a> {
+    taken: BTreeMap<String, (&'static str, Loc)>,
+    problems: &'a mut Vec<Problem>,
+}
+
+impl Names<'_> {
+    /// A port is seen from outside: a reserved word is a problem, not something to rename.
+    fn port(&mut self, kind: &'static str, name: &str, loc: Loc) {
+        if is_reserved(name) {
+            let problem = Problem::new(loc, format!("{kind} `{name}` has a reserved word of Verilog for a name"));
+            self.problems.push(problem.help(format!("call it `{name}_` or something else")));
+        }
+        self.take(kind, name, loc);
+    }
+
+    fn inner(&mut self, kind: &'static str, name: String, loc: Loc) -> String {
+        let name = if is_reserved(&name) { format!("{name}_") } else { name };
+        self.take(kind, &name, loc);
+        name
+    }
+
+    fn take(&mut self, kind: &'static str, name: &str, loc: Loc) {
+        if !is_legal(name) {
+            let problem = Problem::new(loc, format!("`{name}` cannot be the name of a {kind}"));
+            self.problems.push(problem.help("a name is letters, digits and `_`, and does not start with a digit"));
+        }
+        if let Some((other, first)) = self.taken.get(name) {
+            let problem = Problem::new(loc, format!("{kind} `{name}` has the name of another {other}"));
+            self.problems.push(
+                problem.note(format!("the other {other} `{name}` is declared"), *first).help("rename one of them"),
+            );
+            return;
+        }
+        self.taken.insert(name.to_owned(), (kind, loc));
+    }
+}

@@ -1,0 +1,30 @@
+//! Inputs that nothing reads.
+
+use crate::draft::Draft;
+use crate::ir::NodeId;
+use crate::problem::Problem;
+
+pub(crate) fn check(draft: &Draft, outputs: &[(String, NodeId)], problems: &mut Vec<Problem>) {
+    let mut used = vec![false; draft.nodes.len()];
+    let mut mark = |node: NodeId| used[node.0 as usize] = true;
+    draft.nodes.iter().for_each(|node| node.op.for_each_operand(&mut mark));
+    outputs.iter().for_each(|(_, node)| mark(*node));
+    draft.ignored.iter().for_each(|node| mark(*node));
+    draft.asserts.iter().for_each(|assert| mark(assert.condition));
+    for register in &draft.registers {
+        register.next.iter().chain(&register.enable).for_each(|(node, _)| mark(*node));
+    }
+    for memory in draft.memories.iter().map(|draft| &draft.memory) {
+        memory.reads.iter().for_each(|read| read.enable.into_iter().chain([read.address]).for_each(&mut mark));
+        memory
+            .writes
+            .iter()
+            .for_each(|write| [write.enable, write.address, write.data].into_iter().for_each(&mut mark));
+    }
+    draft.instances.iter().for_each(|instance| instance.inputs.iter().for_each(|node| mark(*node)));
+    for input in draft.inputs.iter().filter(|input| !used[input.node.0 as usize]) {
+        let message = format!("input `{}` of `{}` is never used", input.name, draft.block);
+        let help = format!("remove it, or say `m.ignore(&i.{})` if that is meant", input.path);
+        problems.push(Problem::new(draft.node(input.node).loc, message).help(help));
+    }
+}

@@ -1,0 +1,204 @@
+//! A module under construction.
+
+use crate::clock::Clock;
+use crate::ir::*;
+use crate::loc::Loc;
+use std::collections::BTreeSet;
+
+/// What a description has declared so far. The parts that may still be missing are `Option`s here and plain in
+/// [`Module`].
+pub(crate) struct Draft {
+    /// Tells this module's handles from another's.
+    pub serial: u32,
+    pub block: &'static str,
+    pub loc: Loc,
+    /// The clocks used so far; the first is the default clock, `None`.
+    pub clocks: Vec<Option<Clock>>,
+    pub clock_used: Vec<bool>,
+    pub inputs: Vec<Input>,
+    pub input_clocks: Vec<Option<Clock>>,
+    pub nodes: Vec<Node>,
+    pub registers: Vec<DraftRegister>,
+    pub wires: Vec<DraftWire>,
+    pub memories: Vec<DraftMemory>,
+    pub instances: Vec<Instance>,
+    /// The names of each instance's output ports.
+    pub instance_outputs: Vec<Vec<String>>,
+    pub asserts: Vec<Assert>,
+    /// Inputs that the description says it leaves unused.
+    pub ignored: BTreeSet<NodeId>,
+}
+
+pub(crate) struct DraftRegister {
+    pub node: NodeId,
+    pub clock: ClockId,
+    pub reset: Option<(crate::Bits, Loc)>,
+    pub enable: Option<(NodeId, Loc)>,
+    pub next: Option<(NodeId, Loc)>,
+    pub states: Option<States>,
+}
+
+pub(crate) struct DraftWire {
+    pub node: NodeId,
+    pub driver: Option<(NodeId, Loc)>,
+}
+
+pub(crate) struct DraftMemory {
+    pub memory: Memory,
+    pub true_dual_port: bool,
+}
+
+/// The node that a wire points to until it is driven.
+pub(crate) const UNDRIVEN: NodeId = NodeId(u32::MAX);
+
+impl Draft {
+    pub fn new(serial: u32, block: &'static str, loc: Loc) -> Draft {
+        Draft {
+            serial,
+            block,
+            loc,
+            clocks: vec![None],
+            clock_used: vec![false],
+            inputs: Vec::new(),
+            input_clocks: Vec::new(),
+            nodes: Vec::new(),
+            registers: Vec::new(),
+            wires: Vec::new(),
+            memories: Vec::new(),
+            instances: Vec::new(),
+            instance_outputs: Vec::new(),
+            asserts: Vec::new(),
+            ignored: BTreeSet::new(),
+        }
+    }
+
+    pub fn add(&mut self, op: Op, width: u32, lanes: Option<u32>, loc: Loc) -> NodeId {
+        self.nodes.push(Node { op, width, lanes, name: None, loc });
+        NodeId(self.nodes.len() as u32 - 1)
+    }
+
+    pub fn node(&self, id: NodeId) -> &Node {
+        &self.nodes[id.0 as usize]
+    }
+
+    pub fn node_mut(&mut self, id: NodeId) -> &mut Node {
+        &mut self.nodes[id.0 as usize]
+    }
+
+    /// The place of a clock among this module's, added if it is new.
+    pub fn clock(&mut self, clock: Option<Clock>) -> ClockId {
+        let found = self.clocks.iter().position(|known| match (known, &clock) {
+            (None, None) => true,
+            (Some(a), Some(b)) => a.name == b.name,
+            _ => false,
+        });
+        let index = found.unwrap_or_else(|| {
+            self.clocks.push(clock);
+            self.clock_used.push(false);
+            self.clocks.len() - 1
+        });
+        ClockId(index as u32)
+    }
+
+    /// As [`Draft::clock`], for something that runs on it.
+    pub fn use_clock(&mut self, clock: Option<Clock>) -> ClockId {
+        let id = self.clock(clock);
+        self.clock_used[id.0 as usize] = true;
+        id
+    }
+
+    /// What is wrong if `clock` has another period here than where it was first named.
+    pub fn check_period(&self, id: ClockId, clock: Clock) -> Option<String> {
+        let known = self.clocks[id.0 as usize].filter(|known| known.period != clock.period)?;
+        Some(format!("clock `{}` has a period of {} here and of {} elsewhere", clock.name, clock.period, known.period))
+    }
+
+    /// The name of a clock for messages.
+    pub fn clock_name(&self, id: ClockId) -> &'static str {
+        self.clocks[id.0 as usize].map_or("clk", |clock| clock.name)
+    }
+
+    /// A node as a reader of the description would say it: its name, or its expression, cut short.
+    pub fn describe(&self, id: NodeId) -> String {
+        self.describe_to(id, 3)
+    }
+
+    fn describe_to(&self, id: NodeId, depth: u32) -> String {
+        let node = self.node(id);
+        if let Some(name) = &node.name {
+            return name.clone();
+        }
+        if depth == 0 {
+            return "..".to_owned();
+        }
+        let say = |id: &NodeId| self.describe_to(*id, depth - 1);
+        let list = |ids: &[NodeId]| ids.iter().map(say).collect::<Vec<_>>().join(", ");
+        let inner = |id: &NodeId| match self.node(*id) {
+            Node { name: None, op: Op::Binary(..) | Op::Compare { .. } | Op::Shift(..), .. } => {
+                format!("({})", say(id))
+            }
+            _ => say(id),
+        };
+        match &node.op {
+            Op::Input(index) => self.inputs[*index as usize].name.clone(),
+            Op::Const(value) => value.to_u64().map_or_else(|| value.to_string(), |v| v.to_string()),
+            Op::Unary(Unary::Not, a) => format!("!{}", inner(a)),
+            Op::Unary(Unary::AllOnes, a) => format!("{}.all_ones()", inner(a)),
+            Op::Unary(Unary::AnyOne, a) => format!("{}.any_one()", inner(a)),
+            Op::Unary(Unary::Parity, a) => format!("{}.parity()", inner(a)),
+            Op::Binary(op, a, b) => format!("{} {} {}", inner(a), op.symbol(), inner(b)),
+            Op::Compare { relation, operands: [a, b], .. } => format!("{}.{}({})", inner(a), relation.method(), say(b)),
+            Op::Shift(Shift::Left, a, b) => format!("{} << {}", inner(a), inner(b)),
+            Op::Shift(_, a, b) => format!("{} >> {}", inner(a), inner(b)),
+            Op::Mux { select, on_true, on_false } => format!("mux({})", list(&[*select, *on_true, *on_false])),
+            Op::Select { .. } => "select(..)".to_owned(),
+            Op::Case { subject, .. } => format!("case({}, ..)", say(subject)),
+            Op::Slice { of, low } if node.width == 1 => format!("{}.bit({low})", inner(of)),
+            Op::Slice { of, low } => format!("{}.slice({low}..{})", inner(of), low + node.width),
+            Op::Concat(parts) => format!("cat![{}]", list(parts)),
+            Op::Repeat(a, n) => format!("{}.repeat({n})", inner(a)),
+            Op::Extend { of, signed: false } => format!("{}.zext({})", inner(of), node.width),
+            Op::Extend { of, signed: true } => format!("{}.sext({})", inner(of), node.width),
+            Op::Read(memory, _) => format!("{}.read(..)", self.memories[memory.0 as usize].memory.name),
+            Op::Output(instance, port) => {
+                let index = instance.0 as usize;
+                format!("{}.{}", self.instances[index].name, self.instance_outputs[index][*port as usize])
+            }
+            Op::QuasiStatic(a, _) | Op::Wire(a) => say(a),
+            Op::Broadcast(a) => format!("all({})", say(a)),
+            Op::PerLane(_) => "each(..)".to_owned(),
+            Op::Shifted { of, by, .. } => format!("{}.shifted({by}, ..)", inner(of)),
+            Op::Lane(a, i) => format!("{}.lane({i})", inner(a)),
+            Op::Reduce(_, a) => format!("{}.reduce(..)", inner(a)),
+            Op::Register(_) => "a register".to_owned(),
+        }
+    }
+}
+
+impl Binary {
+    /// The operator as Rust writes it.
+    pub fn symbol(self) -> &'static str {
+        match self {
+            Binary::And => "&",
+            Binary::Or => "|",
+            Binary::Xor => "^",
+            Binary::Add => "+",
+            Binary::Sub => "-",
+            Binary::Mul | Binary::MulSigned => "*",
+        }
+    }
+}
+
+impl Relation {
+    /// The method's name.
+    pub fn method(self) -> &'static str {
+        match self {
+            Relation::Eq => "eq",
+            Relation::Ne => "ne",
+            Relation::Lt => "lt",
+            Relation::Le => "le",
+            Relation::Gt => "gt",
+            Relation::Ge => "ge",
+        }
+    }
+}

@@ -1,0 +1,95 @@
+//! The arena that a description writes into while it runs.
+//!
+//! Signals are `Copy` handles into it, so that expressions need no lifetimes and helpers are plain functions. There is
+//! at most one elaboration a thread; a guard clears it even when a description panics, and every handle carries the
+//! elaboration's stamp and its module's number, so that a stale or foreign handle is a clear error.
+
+use crate::draft::Draft;
+use crate::ir::{Module, ModuleId};
+use crate::loc::Loc;
+use crate::problem::{Problem, Problems};
+use crate::summary::Summary;
+use std::any::Any;
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+use std::rc::Rc;
+use std::sync::atomic::{AtomicU32, Ordering};
+
+/// Everything known so far about the design that is being elaborated on this thread.
+pub(crate) struct Elaboration {
+    pub stamp: u32,
+    pub done: Vec<Module>,
+    pub summaries: Vec<Summary>,
+    /// For each finished module the output bundle of its block, as a shape.
+    pub shapes: Vec<Rc<dyn Any>>,
+    /// Block type and parameters, to the module that they were elaborated to.
+    pub cache: BTreeMap<(&'static str, String), ModuleId>,
+    /// The modules under construction, the innermost last.
+    pub drafts: Vec<Draft>,
+    pub drafts_begun: u32,
+    pub problems: Vec<Problem>,
+}
+
+thread_local! {
+    static CURRENT: RefCell<Option<Elaboration>> = const { RefCell::new(None) };
+}
+
+static STAMPS: AtomicU32 = AtomicU32::new(1);
+
+/// Clears the arena when elaboration ends, by return or by panic.
+struct Guard;
+
+impl Drop for Guard {
+    fn drop(&mut self) {
+        CURRENT.with_borrow_mut(|current| *current = None);
+    }
+}
+
+/// Runs `describe` with a fresh arena and gives what it left there.
+pub(crate) fn run(describe: impl FnOnce()) -> Result<Elaboration, Problems> {
+    CURRENT.with_borrow_mut(|current| {
+        assert!(current.is_none(), "`elaborate` was called inside a block's `build`: use `m.instance` there");
+        *current = Some(Elaboration {
+            stamp: STAMPS.fetch_add(1, Ordering::Relaxed),
+            done: Vec::new(),
+            summaries: Vec::new(),
+            shapes: Vec::new(),
+            cache: BTreeMap::new(),
+            drafts: Vec::new(),
+            drafts_begun: 0,
+            problems: Vec::new(),
+        });
+    });
+    let guard = Guard;
+    describe();
+    let ended = CURRENT.with_borrow_mut(Option::take).expect("the arena lives until its guard drops");
+    drop(guard);
+    if ended.problems.is_empty() { Ok(ended) } else { Err(Problems(ended.problems)) }
+}
+
+/// Calls `f` with the current arena.
+#[track_caller]
+pub(crate) fn with<R>(f: impl FnOnce(&mut Elaboration) -> R) -> R {
+    let loc = Loc::caller();
+    CURRENT.with_borrow_mut(|current| match current {
+        Some(elaboration) => f(elaboration),
+        None => panic!("a signal is used outside of `elaborate`, at {loc}: signals exist only while a block is built"),
+    })
+}
+
+/// Calls `f` with the module under construction.
+#[track_caller]
+pub(crate) fn draft<R>(f: impl FnOnce(&mut Draft) -> R) -> R {
+    with(|e| f(e.draft()))
+}
+
+impl Elaboration {
+    /// The module under construction.
+    pub fn draft(&mut self) -> &mut Draft {
+        self.drafts.last_mut().expect("a module is being built")
+    }
+
+    pub fn report(&mut self, problem: Problem) {
+        self.problems.push(problem);
+    }
+}

@@ -1,0 +1,145 @@
+//! From a draft to a finished module: every check, then the plain form.
+
+use crate::bits::Bits;
+use crate::check;
+use crate::draft::{Draft, UNDRIVEN};
+use crate::elaboration::Elaboration;
+use crate::ir::*;
+use crate::module::port_name;
+use crate::summary;
+
+/// Takes the innermost draft, checks it, and adds it to the finished modules. With problems, what is added is good
+/// enough for the parents to be checked too.
+pub(crate) fn finish(
+    e: &mut Elaboration,
+    outputs: Vec<(String, NodeId)>,
+    name: String,
+    about: About,
+    parameters: String,
+) {
+    let mut draft = e.drafts.pop().expect("a module is being built");
+    let problems = &mut e.problems;
+    check::drives::check(&mut draft, problems);
+    let renumber = place_clocks(&mut draft);
+    let resets = find_resets(&draft, &e.done);
+    check::naming::check(&mut draft, &outputs, &resets, problems);
+    check::unused::check(&draft, &outputs, problems);
+    let sound = check::loops::check(&draft, &e.summaries, problems);
+    check::domains::check(&draft, &e.done, &e.summaries, problems);
+    let nodes: Vec<_> = outputs.iter().map(|(_, node)| *node).collect();
+    let summary = match sound {
+        true => summary::summarize(&draft, &e.summaries, &nodes, &renumber),
+        false => summary::Summary {
+            outputs: nodes.iter().map(|_| summary::Dependence { inputs: vec![], clocks: vec![] }).collect(),
+        },
+    };
+    e.summaries.push(summary);
+    e.done.push(module(draft, outputs, &renumber, &resets, name, about, parameters));
+}
+
+/// Says which clock each input belongs to, and where each clock of the draft stands among those in use.
+fn place_clocks(draft: &mut Draft) -> Vec<Option<u32>> {
+    for i in 0..draft.inputs.len() {
+        if let Some(clock) = draft.input_clocks[i] {
+            let id = draft.clock(Some(clock));
+            draft.inputs[i].clock = Some(id);
+        }
+    }
+    // An input that names no clock is synchronous to the block's own, or to the only one in use.
+    let used: Vec<_> = (0..draft.clocks.len() as u32).filter(|id| draft.clock_used[*id as usize]).collect();
+    let own = if draft.clock_used[0] { Some(0) } else { used.first().copied().filter(|_| used.len() == 1) };
+    draft.inputs.iter_mut().for_each(|input| input.clock = input.clock.or(own.map(ClockId)));
+    let mut place = 0..;
+    draft.clock_used.iter().map(|used| used.then(|| place.next().expect("endless"))).collect()
+}
+
+/// For each clock of the draft the name of its reset port, if anything on it is reset.
+fn find_resets(draft: &Draft, done: &[Module]) -> Vec<Option<String>> {
+    let mut resets = vec![None; draft.clocks.len()];
+    let mut needs = |clock: ClockId| {
+        let name = draft.clocks[clock.0 as usize].map_or("rst".to_owned(), |clock| format!("{}_rst", clock.name));
+        resets[clock.0 as usize] = Some(name);
+    };
+    draft.registers.iter().filter(|register| register.reset.is_some()).for_each(|register| needs(register.clock));
+    for instance in &draft.instances {
+        let child = &done[instance.module.0 as usize];
+        let reset = child.clocks.iter().zip(&instance.clocks).filter(|(clock, _)| clock.reset.is_some());
+        reset.for_each(|(_, driver)| needs(*driver));
+    }
+    resets
+}
+
+fn module(
+    draft: Draft,
+    outputs: Vec<(String, NodeId)>,
+    renumber: &[Option<u32>],
+    resets: &[Option<String>],
+    name: String,
+    about: About,
+    parameters: String,
+) -> Module {
+    let place = |clock: ClockId| ClockId(renumber[clock.0 as usize].expect("a clock in use has a place"));
+    let loc = draft.inputs.first().map(|input| draft.node(input.node).loc);
+    let loc = loc.or(draft.nodes.first().map(|node| node.loc)).unwrap_or(draft.loc);
+    let clocks = draft.clocks.iter().zip(resets).zip(renumber).filter(|(_, place)| place.is_some());
+    let clocks = clocks.map(|((clock, reset), _)| Clock {
+        port: clock.map_or("clk".to_owned(), |clock| format!("{}_clk", clock.name)),
+        reset: reset.clone(),
+        period: clock.map(|clock| clock.period),
+        name: clock.map(|clock| clock.name),
+    });
+    let clocks = clocks.collect();
+    let known = |clock: Option<ClockId>| clock.and_then(|clock| renumber[clock.0 as usize]).map(ClockId);
+    let inputs = draft.inputs.into_iter().map(|input| Input { clock: known(input.clock), ..input }).collect();
+    let outputs = outputs.into_iter().map(|(path, node)| Output { name: port_name("", &path), path, node }).collect();
+    let registers = draft.registers.into_iter().map(|register| Register {
+        node: register.node,
+        clock: place(register.clock),
+        reset: register.reset.map(|(value, _)| value),
+        enable: register.enable.map(|(node, _)| node),
+        next: register.next.map_or(register.node, |(node, _)| node),
+        states: register.states,
+    });
+    let registers = registers.collect();
+    let memories = draft.memories.into_iter().map(|draft| {
+        let mut memory = draft.memory;
+        memory.reads.iter_mut().for_each(|read| read.clock = read.clock.map(place));
+        memory.writes.iter_mut().for_each(|write| write.clock = place(write.clock));
+        memory
+    });
+    let memories = memories.collect();
+    let instances = draft.instances.into_iter().map(|mut instance| {
+        instance.clocks.iter_mut().for_each(|clock| *clock = place(*clock));
+        instance
+    });
+    let instances = instances.collect();
+    let asserts = draft.asserts.into_iter().map(|assert| Assert { clock: place(assert.clock), ..assert }).collect();
+    Module {
+        name,
+        about,
+        parameters,
+        loc,
+        clocks,
+        inputs,
+        outputs,
+        nodes: draft.nodes,
+        registers,
+        memories,
+        instances,
+        asserts,
+    }
+}
+
+/// Gives every wire its driver; one that has none stands at zero.
+pub(crate) fn connect_wires(draft: &mut Draft) {
+    for i in 0..draft.wires.len() {
+        let node = draft.wires[i].node;
+        let (width, loc) = (draft.node(node).width, draft.node(node).loc);
+        let driver = match draft.wires[i].driver {
+            Some((driver, _)) => driver,
+            None => draft.add(Op::Const(Bits::zero(width)), width, None, loc),
+        };
+        debug_assert_eq!(draft.node(node).op, Op::Wire(UNDRIVEN));
+        draft.node_mut(node).op = Op::Wire(driver);
+    }
+}

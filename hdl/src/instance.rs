@@ -1,0 +1,149 @@
+//! Instances and instance arrays.
+
+use crate::bits::Bits;
+use crate::block::{Block, elaborate_module};
+use crate::bundle::{Bundle, Fields};
+use crate::clock::Clock;
+use crate::elaboration::{self, Elaboration};
+use crate::ir::{self, ClockId, Instance, InstanceId, ModuleId, NodeId, Op};
+use crate::lanes::{Array, Lanes};
+use crate::loc::Loc;
+use crate::module::Module;
+use crate::problem::Problem;
+use crate::signal::{Signal, bits_text};
+
+impl Module {
+    /// An instance of `block`. Its own clock is this handle's; its named clocks are this module's of the same names.
+    #[track_caller]
+    pub fn instance<B: Block>(self, name: &str, block: &B, inputs: B::In) -> B::Out {
+        let loc = Loc::caller();
+        let child = elaborate_module(block, loc);
+        let drivers = inputs.leaves().iter().map(|(_, signal)| (signal.id(), signal.width)).collect();
+        let instance = self.declare(name, child.id, None, loc);
+        self.feed(instance.id, child.id, drivers, loc);
+        let mut outputs = instance.outputs.into_iter();
+        let next = &mut |_: &str, _: &Signal| {
+            let node = outputs.next().expect("as many outputs as the bundle has leaves");
+            elaboration::with(|e| Signal::at(e, node))
+        };
+        B::Out::signals(&child.outputs::<B>().of(&mut |_, signal| *signal), next)
+    }
+
+    /// An array of `lanes` instances of `block`, kept as an array in the simulator, in Verilog and in waves. `feed`
+    /// says what the inputs of every lane are; it may look at the array's outputs, which is how neighbours are linked.
+    #[track_caller]
+    pub fn array<B: Block>(
+        self,
+        name: &str,
+        lanes: u32,
+        block: &B,
+        feed: impl FnOnce(Array<<B::Out as Bundle>::Of<Lanes>>) -> <B::In as Bundle>::Of<Lanes>,
+    ) -> <B::Out as Bundle>::Of<Lanes>
+    where
+        <B::Out as Bundle>::Of<Lanes>: Clone,
+    {
+        let loc = Loc::caller();
+        let child = elaborate_module(block, loc);
+        if lanes == 0 {
+            let problem = Problem::new(loc, format!("the array `{name}` has no lanes"));
+            elaboration::with(|e| e.report(problem.help("an array has at least 1 lane")));
+        }
+        let lanes = lanes.max(1);
+        let instance = self.declare(name, child.id, Some(lanes), loc);
+        let mut outputs = instance.outputs.iter();
+        let out = child.outputs::<B>().of(&mut |_, _| {
+            let node = *outputs.next().expect("as many outputs as the bundle has leaves");
+            elaboration::with(|e| {
+                let (stamp, draft) = (e.stamp, e.draft());
+                Lanes { stamp, module: draft.serial, node, width: draft.node(node).width, count: lanes }
+            })
+        });
+        let fed = feed(Array { out: out.clone(), lanes });
+        let drivers = fed.leaves().iter().map(|(_, lanes)| (lanes.id(), lanes.width)).collect();
+        self.feed(instance.id, child.id, drivers, loc);
+        out
+    }
+
+    /// Declares an instance whose inputs come later, with its output nodes.
+    fn declare(self, name: &str, child: ModuleId, lanes: Option<u32>, loc: Loc) -> Declared {
+        elaboration::with(|e| {
+            let module = &e.done[child.0 as usize];
+            let child_clocks = module.clocks.clone();
+            let ports: Vec<_> = module.outputs.iter().map(|o| (o.name.clone(), module.width(o.node))).collect();
+            let clocks = child_clocks.iter().map(|clock| self.bind(e, clock, loc)).collect();
+            let draft = e.draft();
+            let id = InstanceId(draft.instances.len() as u32);
+            let output = |(port, (_, width)): (usize, &(String, u32))| {
+                draft.add(Op::Output(id, port as u32), *width, lanes, loc)
+            };
+            let outputs: Vec<_> = ports.iter().enumerate().map(output).collect();
+            let name = name.to_owned();
+            let instance =
+                Instance { name, module: child, lanes, inputs: Vec::new(), outputs: outputs.clone(), clocks, loc };
+            draft.instances.push(instance);
+            draft.instance_outputs.push(ports.into_iter().map(|(name, _)| name).collect());
+            Declared { id, outputs }
+        })
+    }
+
+    /// The clock of this module that drives a clock of a child.
+    fn bind(self, e: &mut Elaboration, clock: &ir::Clock, loc: Loc) -> ClockId {
+        let (Some(name), Some(period)) = (clock.name, clock.period) else {
+            return e.draft().use_clock(self.clock);
+        };
+        let wanted = Clock { name, period };
+        let id = e.draft().use_clock(Some(wanted));
+        if let Some(message) = e.draft().check_period(id, wanted) {
+            e.report(Problem::new(loc, message).help("a clock has one period in the whole design"));
+        }
+        id
+    }
+
+    /// Says what drives the inputs of a declared instance.
+    fn feed(self, id: InstanceId, child: ModuleId, drivers: Vec<(NodeId, u32)>, loc: Loc) {
+        elaboration::with(|e| {
+            let module = &e.done[child.0 as usize];
+            let ports: Vec<_> = module.inputs.iter().map(|i| Port::of(i.name.clone(), module.node(i.node))).collect();
+            let fit = |(port, (driver, width)): (&Port, (NodeId, u32))| {
+                if width == port.width { driver } else { stand_in(e, id, port, driver, loc) }
+            };
+            let inputs = ports.iter().zip(drivers).map(fit).collect();
+            e.draft().instances[id.0 as usize].inputs = inputs;
+        });
+    }
+}
+
+/// An input port of a child.
+struct Port {
+    name: String,
+    width: u32,
+    declared: Loc,
+}
+
+impl Port {
+    fn of(name: String, node: &ir::Node) -> Port {
+        Port { name, width: node.width, declared: node.loc }
+    }
+}
+
+/// Reports a driver of another width than its port, and gives a zero of the right width.
+fn stand_in(e: &mut Elaboration, id: InstanceId, port: &Port, driver: NodeId, loc: Loc) -> NodeId {
+    let draft = e.draft();
+    let (instance, text) = (&draft.instances[id.0 as usize].name, draft.describe(driver));
+    let (place, lanes, width) = (draft.node(driver).loc, draft.node(driver).lanes, draft.node(driver).width);
+    let (needs, has) = (bits_text(port.width), bits_text(width));
+    let message = format!("input `{}` of `{instance}` has {needs}, but `{text}` has {has}", port.name);
+    let zero = draft.add(Op::Const(Bits::zero(port.width)), port.width, None, loc);
+    let zero = if lanes.is_some() { draft.add(Op::Broadcast(zero), port.width, lanes, loc) } else { zero };
+    let problem = Problem::new(loc, message)
+        .note(format!("`{}` is declared", port.name), port.declared)
+        .note(format!("`{text}` is made"), place);
+    e.report(problem.help("spell the change of width where the instance is fed"));
+    zero
+}
+
+/// An instance whose inputs are not known yet.
+struct Declared {
+    id: InstanceId,
+    outputs: Vec<NodeId>,
+}

@@ -1,0 +1,169 @@
+//! Memories: any number of read and write ports, each on its clock.
+
+use crate::bits::Bits;
+use crate::clock::Clock;
+use crate::elaboration;
+use crate::ir::{Contents, MemoryId, Op, ReadPort, WritePort};
+use crate::loc::Loc;
+use crate::operand::Operand;
+use crate::problem::Problem;
+use crate::select::condition;
+use crate::signal::Signal;
+
+/// A memory, seen from one clock. Made by [`Module::memory`](crate::Module::memory).
+#[derive(Debug, Clone, Copy)]
+pub struct Mem {
+    pub(crate) stamp: u32,
+    pub(crate) module: u32,
+    pub(crate) index: u32,
+    pub(crate) address_width: u32,
+    pub(crate) width: u32,
+    pub(crate) clock: Option<Clock>,
+}
+
+impl Mem {
+    /// The same memory; ports made through this handle are on `clock`.
+    pub fn on(self, clock: Clock) -> Mem {
+        Mem { clock: Some(clock), ..self }
+    }
+
+    /// The width of an address in bits.
+    pub fn address_width(self) -> u32 {
+        self.address_width
+    }
+
+    /// The width of a word in bits.
+    pub fn width(self) -> u32 {
+        self.width
+    }
+
+    /// Every word is `word` at the start.
+    #[track_caller]
+    pub fn fill(self, word: Bits) -> Mem {
+        self.contents(Contents::Fill(word.clone()), std::slice::from_ref(&word))
+    }
+
+    /// Holds `words` from address 0 at the start, and zeros above.
+    #[track_caller]
+    pub fn words(self, words: impl IntoIterator<Item = Bits>) -> Mem {
+        let words: Vec<_> = words.into_iter().collect();
+        self.contents(Contents::Words(words.clone()), &words)
+    }
+
+    #[track_caller]
+    fn contents(self, contents: Contents, words: &[Bits]) -> Mem {
+        let loc = Loc::caller();
+        elaboration::with(|e| {
+            let index = self.index as usize;
+            let memory = &mut e.draft().memories[index].memory;
+            memory.contents = contents;
+            let (name, depth, width) = (memory.name.clone(), memory.depth, memory.width);
+            let mut complain = |message: String| {
+                e.report(
+                    Problem::new(loc, message)
+                        .help("the contents are at most `depth` words, each of the memory's width"),
+                );
+            };
+            if words.len() > depth as usize {
+                complain(format!("memory `{name}` has {depth} words, but its contents have {}", words.len()));
+            }
+            if let Some((at, word)) = words.iter().enumerate().find(|(_, word)| word.width() != width) {
+                complain(format!(
+                    "memory `{name}` is {width} bits wide, but word {at} of its contents has {}",
+                    word.width()
+                ));
+            }
+        });
+        self
+    }
+
+    /// Allows more than one write port. Few FPGAs have such memories: elsewhere this becomes registers.
+    #[track_caller]
+    pub fn true_dual_port(self) -> Mem {
+        elaboration::draft(|draft| draft.memories[self.index as usize].true_dual_port = true);
+        self
+    }
+
+    #[track_caller]
+    fn address(self, address: impl Operand) -> Signal {
+        let shape = crate::lit(self.address_width, 0).named_for_message(self);
+        address.value().with_width_of(shape, "address")
+    }
+
+    /// A synchronous read: the word at `address` appears after the next edge.
+    #[track_caller]
+    pub fn read(self, address: impl Operand) -> Signal {
+        let address = self.address(address);
+        self.read_port(address, None, true)
+    }
+
+    /// As [`Mem::read`], where `enable` is high; elsewhere the data stays.
+    #[track_caller]
+    pub fn read_when(self, enable: impl Into<Signal>, address: impl Operand) -> Signal {
+        let (address, enable) = (self.address(address), enable.into());
+        self.read_port(address, Some(enable), true)
+    }
+
+    /// An asynchronous read: the word at `address`, in the same cycle. On an FPGA it costs distributed memory.
+    #[track_caller]
+    pub fn read_async(self, address: impl Operand) -> Signal {
+        let address = self.address(address);
+        self.read_port(address, None, false)
+    }
+
+    #[track_caller]
+    fn read_port(self, address: Signal, enable: Option<Signal>, synchronous: bool) -> Signal {
+        let loc = Loc::caller();
+        let address = address.id();
+        let enable = enable.map(|enable| condition(enable, "read_when"));
+        elaboration::with(|e| {
+            crate::signal::check_stamp(e, self.stamp);
+            let draft = e.draft();
+            let clock = synchronous.then(|| draft.use_clock(self.clock));
+            let port = draft.memories[self.index as usize].memory.reads.len() as u32;
+            let node = draft.add(Op::Read(MemoryId(self.index), port), self.width, None, loc);
+            draft.memories[self.index as usize].memory.reads.push(ReadPort { clock, address, enable, node });
+            Signal::at(e, node)
+        })
+    }
+
+    /// Writes `data` at `address` at each edge where `enable` is high.
+    #[track_caller]
+    pub fn write(self, enable: impl Into<Signal>, address: impl Operand, data: impl Operand) {
+        let loc = Loc::caller();
+        let enable = condition(enable.into(), "write");
+        let address = self.address(address).id();
+        let shape = crate::lit(self.width, 0).named_for_message(self);
+        let data = data.value().with_width_of(shape, "data").id();
+        elaboration::with(|e| {
+            crate::signal::check_stamp(e, self.stamp);
+            let clock = e.draft().use_clock(self.clock);
+            let draft = &mut e.draft().memories[self.index as usize];
+            draft.memory.writes.push(WritePort { clock, enable, address, data });
+            if draft.memory.writes.len() > 1 && !draft.true_dual_port {
+                let (name, declared) = (draft.memory.name.clone(), draft.memory.loc);
+                let problem = Problem::new(loc, format!("memory `{name}` gets a second write port"))
+                    .note(format!("`{name}` is declared"), declared)
+                    .help("share one port with `mux`, or say `.true_dual_port()` if the target has such memories");
+                e.report(problem);
+            }
+        });
+    }
+}
+
+impl Signal {
+    /// Lends a literal the memory's place, so that a width problem names the memory.
+    #[track_caller]
+    fn named_for_message(self, memory: Mem) -> Signal {
+        elaboration::with(|e| {
+            assert!(
+                e.draft().serial == memory.module,
+                "a memory of another module is used, at {}: memories stay in the module that declares them",
+                Loc::caller()
+            );
+            let loc = e.draft().memories[memory.index as usize].memory.loc;
+            e.draft().node_mut(self.node).loc = loc;
+        });
+        self
+    }
+}

@@ -1,0 +1,157 @@
+//! The module under construction, as a block's `build` sees it.
+
+use crate::bundle::Fields;
+use crate::clock::Clock;
+use crate::draft::{DraftMemory, DraftRegister, DraftWire, UNDRIVEN};
+use crate::elaboration;
+use crate::ir::{self, Assert, Contents, Memory, Op, ReadUnderWrite, RegisterId};
+use crate::loc::Loc;
+use crate::memory::Mem;
+use crate::problem::Problem;
+use crate::register::{Reg, StateReg, States};
+use crate::select::condition;
+use crate::signal::Signal;
+use crate::width::index_width;
+use crate::wire::Wire;
+use std::marker::PhantomData;
+
+/// The module under construction, seen from one clock. It declares the objects of the schematic; the operators of
+/// [`Signal`] do the rest.
+#[derive(Debug, Clone, Copy)]
+pub struct Module {
+    pub(crate) clock: Option<Clock>,
+}
+
+impl Module {
+    /// The same module; what is declared through this handle runs on `clock`.
+    pub fn on(self, clock: Clock) -> Module {
+        Module { clock: Some(clock) }
+    }
+
+    /// A register of `width` bits.
+    #[track_caller]
+    pub fn reg(self, name: &str, width: u32) -> Reg {
+        let loc = Loc::caller();
+        self.register(name, width, None, loc)
+    }
+
+    fn register(self, name: &str, width: u32, states: Option<ir::States>, loc: Loc) -> Reg {
+        elaboration::with(|e| {
+            let draft = e.draft();
+            let clock = draft.use_clock(self.clock);
+            let index = draft.registers.len();
+            let node = draft.add(Op::Register(RegisterId(index as u32)), width.max(1), None, loc);
+            draft.node_mut(node).name = Some(name.to_owned());
+            draft.registers.push(DraftRegister { node, clock, reset: None, enable: None, next: None, states });
+            if width == 0 {
+                e.report(Problem::new(loc, format!("register `{name}` has no bits")).help("a width is at least 1"));
+            }
+            Reg { signal: Signal::at(e, node), index }
+        })
+    }
+
+    /// A state machine over the variants of an enum, which a reset puts into `initial`.
+    #[track_caller]
+    pub fn fsm<S: States>(self, name: &str, initial: S) -> StateReg<S> {
+        let names = S::ALL.iter().map(|state| state.name().to_owned()).collect();
+        let states = ir::States { name: S::NAME.to_owned(), names };
+        let register = self.register(name, index_width(S::ALL.len() as u64), Some(states), Loc::caller());
+        StateReg { register: register.reset(initial.code()), states: PhantomData }
+    }
+
+    /// `value`, one clock later: a register without reset for each field, named `name` or `name_FIELD`.
+    #[track_caller]
+    pub fn pipe<B: Fields<Signal>>(self, name: &str, value: B) -> B::With<Signal> {
+        let loc = Loc::caller();
+        value.map_fields("", &mut |path, signal| {
+            let name = port_name(name, path);
+            let register = self.register(&name, signal.width, None, loc);
+            register.next(*signal);
+            register.value()
+        })
+    }
+
+    /// A net of `width` bits that is read before it is driven.
+    #[track_caller]
+    pub fn wire(self, name: &str, width: u32) -> Wire {
+        let loc = Loc::caller();
+        elaboration::with(|e| {
+            let draft = e.draft();
+            let node = draft.add(Op::Wire(UNDRIVEN), width, None, loc);
+            draft.node_mut(node).name = Some(name.to_owned());
+            let index = draft.wires.len();
+            draft.wires.push(DraftWire { node, driver: None });
+            Wire { signal: Signal::at(e, node), index }
+        })
+    }
+
+    /// A memory of `depth` words of `width` bits. What a synchronous read gives when its word is written at the same
+    /// edge is always written down. An address has [`index_width`]`(depth)` bits.
+    #[track_caller]
+    pub fn memory(self, name: &str, depth: u32, width: u32, policy: ReadUnderWrite) -> Mem {
+        let loc = Loc::caller();
+        elaboration::with(|e| {
+            if depth == 0 || width == 0 {
+                let problem =
+                    Problem::new(loc, format!("memory `{name}` of {depth} words of {width} bits holds nothing"));
+                e.report(problem.help("depth and width are at least 1"));
+            }
+            let (depth, width) = (depth.max(1), width.max(1));
+            let (stamp, draft) = (e.stamp, e.draft());
+            let index = draft.memories.len() as u32;
+            draft.memories.push(DraftMemory {
+                memory: Memory {
+                    name: name.to_owned(),
+                    depth,
+                    width,
+                    policy,
+                    contents: Contents::Unknown,
+                    reads: Vec::new(),
+                    writes: Vec::new(),
+                    loc,
+                },
+                true_dual_port: false,
+            });
+            let (module, address_width) = (draft.serial, index_width(depth.into()));
+            Mem { stamp, module, index, address_width, width, clock: self.clock }
+        })
+    }
+
+    /// `signal` of another clock, 1 bit, brought into this one through two registers, `NAME_meta` and `NAME`.
+    #[track_caller]
+    pub fn synchronize(self, name: &str, signal: Signal) -> Signal {
+        condition(signal, "synchronize");
+        let entered = signal.quasi_static("enters a synchronizer");
+        let meta = self.reg(&format!("{name}_meta"), 1).reset(0);
+        let stable = self.reg(name, 1).reset(0);
+        meta.next(entered);
+        stable.next(meta);
+        stable.value()
+    }
+
+    /// States that `condition` holds at every edge while the reset is low.
+    #[track_caller]
+    pub fn assert(self, holds: impl Into<Signal>, message: &str) {
+        let loc = Loc::caller();
+        let condition = condition(holds.into(), "assert");
+        elaboration::draft(|draft| {
+            let clock = draft.use_clock(self.clock);
+            draft.asserts.push(Assert { clock, condition, message: message.to_owned(), loc });
+        });
+    }
+
+    /// States that an input is not used on purpose; for a bundle, that none of its fields need be.
+    pub fn ignore<B: Fields<Signal>>(self, inputs: &B) {
+        let ids: Vec<_> = inputs.leaves().iter().map(|(_, signal)| signal.id()).collect();
+        elaboration::draft(|draft| draft.ignored.extend(ids));
+    }
+}
+
+/// The name of a port or register: the path of its fields joined by `_`.
+pub(crate) fn port_name(prefix: &str, path: &str) -> String {
+    match (prefix.is_empty(), path.is_empty()) {
+        (true, _) => path.replace('.', "_"),
+        (false, true) => prefix.to_owned(),
+        (false, false) => format!("{prefix}_{}", path.replace('.', "_")),
+    }
+}

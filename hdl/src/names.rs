@@ -1,0 +1,93 @@
+//! Names that are legal in Verilog and in waves.
+
+use crate::elaboration::Elaboration;
+use crate::problem::Problem;
+
+/// The reserved words of Verilog (1364-2005) and SystemVerilog (1800-2017).
+const RESERVED: &str = include_str!("reserved_words.txt");
+
+/// Whether `name` is a word of Verilog or SystemVerilog.
+pub(crate) fn is_reserved(name: &str) -> bool {
+    RESERVED.split_whitespace().any(|word| word == name)
+}
+
+/// Whether `name` is letters, digits and `_`, and does not start with a digit.
+pub(crate) fn is_legal(name: &str) -> bool {
+    let mut chars = name.chars();
+    chars.next().is_some_and(|c| c.is_ascii_alphabetic() || c == '_')
+        && chars.all(|c| c.is_ascii_alphanumeric() || c == '_')
+}
+
+/// The last part of a type's path, without its generic arguments.
+pub(crate) fn short(type_name: &'static str) -> &'static str {
+    let plain = type_name.split('<').next().unwrap_or(type_name);
+    plain.rsplit("::").next().unwrap_or(plain)
+}
+
+/// `Counter` and `Counter { width: 8, limit: 10 }` make `counter_width8_limit10`.
+pub(crate) fn module_name(type_name: &'static str, parameters: &str) -> String {
+    let mut name = snake_case(short(type_name));
+    let values = parameters.strip_prefix(short(type_name)).unwrap_or(parameters);
+    let words = values.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').filter(|word| !word.is_empty());
+    let mut after_key = false;
+    for word in words {
+        if !after_key {
+            name.push('_');
+        }
+        name.push_str(&snake_case(word));
+        after_key = !after_key && word.starts_with(|c: char| c.is_ascii_lowercase());
+    }
+    if is_reserved(&name) { format!("{name}_") } else { name }
+}
+
+fn snake_case(name: &str) -> String {
+    let mut snake = String::new();
+    let mut previous = '_';
+    for c in name.chars() {
+        if c.is_ascii_uppercase() && (previous.is_ascii_lowercase() || previous.is_ascii_digit()) {
+            snake.push('_');
+        }
+        snake.push(c.to_ascii_lowercase());
+        previous = c;
+    }
+    snake
+}
+
+/// Two modules of different contents may not share a name.
+pub(crate) fn check_module_names(e: &mut Elaboration) {
+    let mut problems = Vec::new();
+    for (i, module) in e.done.iter().enumerate() {
+        if let Some(other) = e.done[..i].iter().find(|other| other.name == module.name) {
+            let message =
+                format!("`{}` and `{}` are both called `{}`", other.parameters, module.parameters, module.name);
+            let problem = Problem::new(module.loc, message).note("the other one is described", other.loc);
+            problems.push(problem.help("tell them apart in the block's `fn name`"));
+        } else if is_reserved(&module.name) || !is_legal(&module.name) {
+            let message = format!("`{}` cannot be the name of a module", module.name);
+            let problem = Problem::new(module.loc, message);
+            problems.push(problem.help("a name is letters, digits and `_`, and no reserved word of Verilog"));
+        }
+    }
+    problems.into_iter().for_each(|problem| e.report(problem));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn module_names_carry_the_parameters() {
+        assert_eq!(module_name("a::b::Counter", "Counter { width: 8, limit: 10 }"), "counter_width8_limit10");
+        assert_eq!(module_name("Pim", "Pim"), "pim");
+        assert_eq!(module_name("x::PageIdGenerator", "PageIdGenerator(12)"), "page_id_generator_12");
+        assert_eq!(module_name("Table", "Table"), "table_");
+    }
+
+    #[test]
+    fn reserved_words_of_both_standards_are_known() {
+        for word in ["module", "table", "cell", "logic", "priority", "do"] {
+            assert!(is_reserved(word), "{word}");
+        }
+        assert!(!is_reserved("patch"));
+    }
+}

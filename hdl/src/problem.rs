@@ -1,0 +1,82 @@
+//! What is wrong with a description, in whole sentences that name the user's own lines.
+
+use crate::loc::Loc;
+use std::fmt;
+
+/// One mistake in a hardware description.
+///
+/// Printed as the sentence, the place, the declarations involved and a way to mend it:
+///
+/// ```text
+/// `+` needs equal widths: `count` has 8 bits, `limit` has 7
+///   --> src/counter.rs:11:25
+///   `count` is declared at src/counter.rs:8:47
+///   `limit` is declared at src/counter.rs:8:67
+///   help: widen one side with `.zext(8)` or cut the other with `.trunc(7)`
+/// ```
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Problem {
+    /// The sentence.
+    pub message: String,
+    /// Where it was noticed: the operator or the call.
+    pub loc: Loc,
+    /// The other places that matter, each with what stands there.
+    pub notes: Vec<(String, Loc)>,
+    /// How to mend it.
+    pub help: String,
+}
+
+impl Problem {
+    pub(crate) fn new(loc: Loc, message: impl Into<String>) -> Problem {
+        Problem { message: message.into(), loc, notes: Vec::new(), help: String::new() }
+    }
+
+    pub(crate) fn note(mut self, what: impl Into<String>, loc: Loc) -> Problem {
+        self.notes.push((what.into(), loc));
+        self
+    }
+
+    pub(crate) fn help(mut self, help: impl Into<String>) -> Problem {
+        self.help = help.into();
+        self
+    }
+}
+
+impl fmt::Display for Problem {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        write!(f, "{}\n  --> {}", self.message, self.loc)?;
+        for (what, loc) in &self.notes {
+            write!(f, "\n  {what} at {loc}")?;
+        }
+        if !self.help.is_empty() {
+            write!(f, "\n  help: {}", self.help)?;
+        }
+        Ok(())
+    }
+}
+
+/// All the mistakes found in a description, in the order in which they were noticed.
+#[derive(Clone, PartialEq, Eq)]
+pub struct Problems(pub Vec<Problem>);
+
+impl fmt::Display for Problems {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        for (i, problem) in self.0.iter().enumerate() {
+            let gap = if i > 0 { "\n\n" } else { "" };
+            write!(f, "{gap}{problem}")?;
+        }
+        match self.0.len() {
+            1 => Ok(()),
+            n => write!(f, "\n\n{n} problems in this description"),
+        }
+    }
+}
+
+/// As [`Display`](fmt::Display), after a line break, so that `elaborate(..).unwrap()` reads well.
+impl fmt::Debug for Problems {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        write!(f, "\n{self}")
+    }
+}
+
+impl std::error::Error for Problems {}

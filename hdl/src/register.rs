@@ -1,0 +1,237 @@
+//! Registers, and registers that hold the state of a state machine.
+
+use crate::bits::Bits;
+use crate::elaboration;
+use crate::ir::Op;
+use crate::loc::Loc;
+use crate::operand::{Operand, Value};
+use crate::select::{condition, select};
+use crate::signal::{Signal, bits_text};
+use crate::wire::report_second_driver;
+use std::marker::PhantomData;
+use std::ops::Deref;
+
+/// A register. It reads as its present value; [`next`](Reg::next) must be called exactly once.
+///
+/// At an edge of its clock it takes the [`reset`](Reg::reset) value if its clock's reset is high and it has one; else
+/// the next value if it is enabled; else it keeps what it holds.
+#[derive(Debug, Clone, Copy)]
+#[must_use]
+pub struct Reg {
+    pub(crate) signal: Signal,
+    pub(crate) index: usize,
+}
+
+impl Deref for Reg {
+    type Target = Signal;
+
+    fn deref(&self) -> &Signal {
+        &self.signal
+    }
+}
+
+impl Reg {
+    /// The present value.
+    pub fn value(self) -> Signal {
+        self.signal
+    }
+
+    /// Whether the handle is of the module under construction; if not, that is reported.
+    #[track_caller]
+    fn is_here(self) -> bool {
+        self.signal.id() == self.signal.node
+    }
+
+    /// The value after a reset: an integer, a [`Bits`], a `bool`.
+    #[track_caller]
+    pub fn reset(self, value: impl Operand) -> Reg {
+        let loc = Loc::caller();
+        let constant = match value.value() {
+            Value::Literal(literal) => literal.sized(self.width, false),
+            Value::Signal(signal) => signal,
+        };
+        let id = constant.id();
+        let bits = elaboration::with(|e| match &e.draft().node(id).op {
+            Op::Const(bits) if bits.width() == self.width => bits.clone(),
+            _ => {
+                let name = e.draft().describe(self.signal.node);
+                let message = format!("the reset value of `{name}` is not a constant of {}", bits_text(self.width));
+                e.report(
+                    crate::Problem::new(loc, message).help("a reset value is a number known while the block is built"),
+                );
+                Bits::zero(self.width)
+            }
+        });
+        if self.is_here() {
+            elaboration::draft(|draft| draft.registers[self.index].reset = Some((bits, loc)));
+        }
+        self
+    }
+
+    /// Takes its next value only where `condition`, 1 bit, is high.
+    #[track_caller]
+    pub fn enable(self, enable: impl Into<Signal>) -> Reg {
+        let loc = Loc::caller();
+        let enable = condition(enable.into(), "enable");
+        if self.is_here() {
+            let before = elaboration::draft(|draft| draft.registers[self.index].enable.replace((enable, loc)));
+            report_second_driver(before, self.signal.node, "enabled", loc);
+        }
+        self
+    }
+
+    /// The value that the register takes at the next edge.
+    #[track_caller]
+    pub fn next(self, value: impl Operand) {
+        let loc = Loc::caller();
+        let next = value.value().with_width_of(self.signal, "next").id();
+        if self.is_here() {
+            let before = elaboration::draft(|draft| draft.registers[self.index].next.replace((next, loc)));
+            report_second_driver(before, self.signal.node, "given a next value", loc);
+        }
+    }
+}
+
+/// An enum whose variants are the states of a machine. [`states!`](crate::states!) implements it.
+pub trait States: Copy + 'static {
+    /// The enum's name.
+    const NAME: &'static str;
+    /// Every state, in order of its code.
+    const ALL: &'static [Self];
+
+    /// The state's name, as waves and Verilog show it.
+    fn name(self) -> &'static str;
+
+    /// The state's code in the register.
+    fn code(self) -> u64;
+}
+
+/// Declares the states of a machine: a plain enum, whose codes count from 0 in order of declaration.
+///
+/// ```
+/// use tilewright_hdl::{states, States};
+///
+/// states! {
+///     /// What the pump does.
+///     pub enum Phase { Idle, Fill, Drain }
+/// }
+///
+/// assert_eq!(Phase::Drain.code(), 2);
+/// assert_eq!(Phase::Fill.name(), "Fill");
+/// ```
+#[macro_export]
+macro_rules! states {
+    ($(#[$attribute:meta])* $vis:vis enum $name:ident {
+        $($(#[$state_attribute:meta])* $state:ident),+ $(,)?
+    }) => {
+        $(#[$attribute])*
+        #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+        $vis enum $name { $($(#[$state_attribute])* $state),+ }
+
+        impl $crate::States for $name {
+            const NAME: &'static str = stringify!($name);
+            const ALL: &'static [Self] = &[$($name::$state),+];
+
+            fn name(self) -> &'static str {
+                match self { $($name::$state => stringify!($state)),+ }
+            }
+
+            fn code(self) -> u64 {
+                self as u64
+            }
+        }
+    };
+}
+
+/// A register that holds a state. Made by [`Module::fsm`](crate::Module::fsm).
+#[derive(Debug)]
+#[must_use]
+pub struct StateReg<S> {
+    pub(crate) register: Reg,
+    pub(crate) states: PhantomData<S>,
+}
+
+impl<S> Clone for StateReg<S> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<S> Copy for StateReg<S> {}
+
+impl<S> Deref for StateReg<S> {
+    type Target = Signal;
+
+    fn deref(&self) -> &Signal {
+        &self.register.signal
+    }
+}
+
+impl<S: States> StateReg<S> {
+    /// 1 bit: the machine is in `state`.
+    #[track_caller]
+    pub fn is(self, state: S) -> Signal {
+        self.register.eq(state.code())
+    }
+
+    /// The next state, for each present one: `match` it, and say [`goto`], [`when`] or [`hold`].
+    #[track_caller]
+    pub fn next(self, transition: impl Fn(S) -> Transition<S>) {
+        let next = self.pick(|state| {
+            let Transition { arms, last } = transition(state);
+            let arms = arms.into_iter().map(|(condition, to)| (condition, self.code(to)));
+            let last = self.code(last.unwrap_or(state));
+            let arms: Vec<_> = arms.collect();
+            if arms.is_empty() { last } else { select(arms, last) }
+        });
+        self.register.next(next);
+    }
+
+    #[track_caller]
+    fn code(self, state: S) -> Signal {
+        crate::lit(self.register.width, state.code())
+    }
+
+    /// The value that `of` gives for the present state; all of one width.
+    #[track_caller]
+    pub fn pick(self, of: impl Fn(S) -> Signal) -> Signal {
+        let values: Vec<_> = S::ALL.iter().map(|state| (state.code(), of(*state))).collect();
+        let (last, arms) = values.split_last().expect("a machine has a state");
+        crate::case(*self, arms.iter().copied(), last.1)
+    }
+}
+
+/// Where a machine goes from a state.
+#[must_use]
+pub struct Transition<S> {
+    arms: Vec<(Signal, S)>,
+    last: Option<S>,
+}
+
+/// To `state` at the next edge, whatever happens.
+pub fn goto<S>(state: S) -> Transition<S> {
+    Transition { arms: Vec::new(), last: Some(state) }
+}
+
+/// Stay.
+pub fn hold<S>() -> Transition<S> {
+    Transition { arms: Vec::new(), last: None }
+}
+
+/// To `state` if `condition`, else stay; [`or_when`](Transition::or_when) and [`or_else`](Transition::or_else) go on.
+pub fn when<S>(condition: impl Into<Signal>, state: S) -> Transition<S> {
+    Transition { arms: vec![(condition.into(), state)], last: None }
+}
+
+impl<S> Transition<S> {
+    /// Else, to `state` if `condition`.
+    pub fn or_when(mut self, condition: impl Into<Signal>, state: S) -> Transition<S> {
+        self.arms.push((condition.into(), state));
+        self
+    }
+
+    /// Else, to `state`.
+    pub fn or_else(self, state: S) -> Transition<S> {
+        Transition { last: Some(state), ..self }
+    }
+}

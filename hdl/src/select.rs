@@ -1,0 +1,144 @@
+//! Choices and concatenations: `mux`, `select`, `case`, `cat!`, literals.
+
+use crate::bits::Bits;
+use crate::bundle::Fields;
+use crate::elaboration;
+use crate::ir::Op;
+use crate::loc::Loc;
+use crate::operand::{Literal, Operand, Value};
+use crate::problem::Problem;
+use crate::signal::{Signal, bits_text};
+
+/// A constant of `width` bits.
+#[track_caller]
+pub fn lit(width: u32, value: u64) -> Signal {
+    Literal::Integer(value.into()).sized(width, false)
+}
+
+/// The signals side by side, the first most significant. [`cat!`](crate::cat!) reads better.
+#[track_caller]
+pub fn concat(parts: &[Signal]) -> Signal {
+    match parts {
+        [] => panic!("a concatenation of nothing, at {}: give it at least one signal", Loc::caller()),
+        [one] => *one,
+        _ => {
+            let ids = parts.iter().map(|part| part.id()).collect();
+            Signal::make(Op::Concat(ids), parts.iter().map(|part| part.width).sum())
+        }
+    }
+}
+
+/// Signals side by side, the first most significant, as Verilog's `{a, b}`.
+#[macro_export]
+macro_rules! cat {
+    ($($part:expr),+ $(,)?) => {
+        $crate::concat(&[$($crate::Signal::from($part)),+])
+    };
+}
+
+/// `let NAME = EXPRESSION;` that also names the net: `net!(at_end = count.eq(limit - 1));`
+#[macro_export]
+macro_rules! net {
+    ($name:ident = $value:expr) => {
+        let $name = $value.named(stringify!($name));
+    };
+}
+
+/// A select must have one bit.
+#[track_caller]
+pub(crate) fn condition(signal: Signal, of: &str) -> crate::ir::NodeId {
+    let (loc, id) = (Loc::caller(), signal.id());
+    if signal.width != 1 {
+        elaboration::with(|e| {
+            let draft = e.draft();
+            let (text, place) = (draft.describe(id), draft.node(id).loc);
+            let message = format!("the condition of `{of}` is 1 bit, but `{text}` has {}", bits_text(signal.width));
+            let help = "compare it, as in `.ne(0)`, or take one `.bit(i)`";
+            e.report(Problem::new(loc, message).note(format!("`{text}` is made"), place).help(help));
+            e.draft().add(Op::Const(Bits::zero(1)), 1, None, loc)
+        })
+    } else {
+        id
+    }
+}
+
+/// The operands as signals of one width, the first signal's; a problem if there are only literals.
+#[track_caller]
+fn sized(values: Vec<Value>, of: &str) -> Vec<Signal> {
+    let loc = Loc::caller();
+    let first = values.iter().find_map(|value| match value {
+        Value::Signal(signal) => Some(*signal),
+        Value::Literal(_) => None,
+    });
+    let Some(first) = first else {
+        return values
+            .into_iter()
+            .enumerate()
+            .map(|(i, value)| match value {
+                Value::Literal(Literal::Exact(bits)) => Signal::make(Op::Const(bits.clone()), bits.width()),
+                Value::Literal(literal) if i == 0 => elaboration::with(|e| {
+                    let message = format!("`{of}` has only integers to choose from, which leaves its width open");
+                    e.report(Problem::new(loc, message).help(format!("give one a width, as in `lit(8, {literal})`")));
+                    Signal::make_in(e, Op::Const(Bits::zero(1)), 1, loc)
+                }),
+                _ => lit(1, 0),
+            })
+            .collect();
+    };
+    values.into_iter().map(|value| value.with_width_of(first, of)).collect()
+}
+
+/// `on_true` where `select` is 1, else `on_false`.
+#[track_caller]
+pub fn mux(select: impl Into<Signal>, on_true: impl Operand, on_false: impl Operand) -> Signal {
+    let select = condition(select.into(), "mux");
+    let values = sized(vec![on_true.value(), on_false.value()], "mux");
+    let (on_true, on_false) = (values[0], values[1]);
+    Signal::make(Op::Mux { select, on_true: on_true.id(), on_false: on_false.id() }, on_true.width)
+}
+
+/// [`mux`] of each field of two bundles.
+#[track_caller]
+pub fn mux_bundle<B: Fields<Signal>>(select: impl Into<Signal>, on_true: &B, on_false: &B) -> B::With<Signal> {
+    let select = select.into();
+    let mut others = on_false.leaves().into_iter();
+    on_true.map(|leaf| mux(select, *leaf, others.next().expect("two bundles of one shape").1))
+}
+
+/// The value of the first arm whose condition holds, else `default`.
+#[track_caller]
+pub fn select<V: Operand>(arms: impl IntoIterator<Item = (Signal, V)>, default: impl Operand) -> Signal {
+    let (conditions, values): (Vec<_>, Vec<_>) = arms.into_iter().unzip();
+    let conditions: Vec<_> = conditions.into_iter().map(|signal| condition(signal, "select")).collect();
+    let values = values.into_iter().map(V::value).chain([default.value()]).collect();
+    let values = sized(values, "select");
+    let (default, values) = values.split_last().expect("a select has a default");
+    let arms = conditions.into_iter().zip(values.iter().map(|value| value.id())).collect();
+    Signal::make(Op::Select { arms, default: default.id() }, default.width)
+}
+
+/// The value of the arm whose key equals `subject`, else `default`. Keys must differ.
+#[track_caller]
+pub fn case<V: Operand>(
+    subject: impl Into<Signal>,
+    arms: impl IntoIterator<Item = (u64, V)>,
+    default: impl Operand,
+) -> Signal {
+    let (loc, subject) = (Loc::caller(), subject.into());
+    let (keys, values): (Vec<_>, Vec<_>) = arms.into_iter().unzip();
+    for (i, key) in keys.iter().enumerate() {
+        let problem = if Bits::new(subject.width, *key) != *key {
+            format!("the key {key} of `case` does not fit in {}", bits_text(subject.width))
+        } else if keys[..i].contains(key) {
+            format!("the key {key} of `case` stands twice")
+        } else {
+            continue;
+        };
+        elaboration::with(|e| e.report(Problem::new(loc, problem).help("each key is a value of the subject, once")));
+    }
+    let values = sized(values.into_iter().map(V::value).chain([default.value()]).collect(), "case");
+    let (default, values) = values.split_last().expect("a case has a default");
+    let keys = keys.into_iter().map(|key| Bits::new(subject.width, key));
+    let arms = keys.zip(values.iter().map(|value| value.id())).collect();
+    Signal::make(Op::Case { subject: subject.id(), arms, default: default.id() }, default.width)
+}

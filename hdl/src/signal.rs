@@ -1,0 +1,369 @@
+//! Signals: handles to the expressions of a circuit, and what may be done with them.
+
+use crate::elaboration::{self, Elaboration};
+use crate::ir::{Binary, NodeId, Op, Relation, Shift, Unary};
+use crate::loc::Loc;
+use crate::operand::{Operand, Value};
+use crate::problem::Problem;
+use crate::signed::Signed;
+use std::ops::Range;
+
+/// An unsigned value in the circuit, of a width that is known while the circuit is built.
+///
+/// `+ - & | ^` need operands of equal widths and wrap; `*` gives the sum of the widths. A change of width is always
+/// spelled: [`zext`](Signal::zext), [`sext`](Signal::sext), [`trunc`](Signal::trunc), [`slice`](Signal::slice),
+/// [`cat!`](crate::cat!). An integer on the right takes the width of the left, and must fit. Signals are compared with
+/// [`eq`](Signal::eq) and its like; `==` does not compile.
+#[derive(Debug, Clone, Copy)]
+#[must_use]
+pub struct Signal {
+    pub(crate) stamp: u32,
+    pub(crate) module: u32,
+    pub(crate) node: NodeId,
+    pub(crate) width: u32,
+}
+
+/// A handle from an elaboration that has ended is a mistake in Rust code, not in the hardware: a panic.
+#[track_caller]
+pub(crate) fn check_stamp(e: &Elaboration, stamp: u32) {
+    assert!(stamp == e.stamp, "a signal of an earlier elaboration is used here: signals live only while theirs runs");
+}
+
+impl Signal {
+    /// Adds a plain node to the module under construction.
+    #[track_caller]
+    pub(crate) fn make(op: Op, width: u32) -> Signal {
+        let loc = Loc::caller();
+        elaboration::with(|e| Signal::make_in(e, op, width, loc))
+    }
+
+    pub(crate) fn make_in(e: &mut Elaboration, op: Op, width: u32, loc: Loc) -> Signal {
+        let node = e.draft().add(op, width, None, loc);
+        Signal::at(e, node)
+    }
+
+    /// The handle of a plain node of the module under construction.
+    pub(crate) fn at(e: &mut Elaboration, node: NodeId) -> Signal {
+        let (stamp, draft) = (e.stamp, e.draft());
+        Signal { stamp, module: draft.serial, node, width: draft.node(node).width }
+    }
+
+    /// The node in the module under construction; a signal of another module is a problem, and stands in as zero.
+    #[track_caller]
+    pub(crate) fn id(self) -> NodeId {
+        let loc = Loc::caller();
+        elaboration::with(|e| {
+            check_stamp(e, self.stamp);
+            if e.draft().serial == self.module {
+                return self.node;
+            }
+            let block = e.draft().block;
+            let owner = e.drafts.iter().find(|draft| draft.serial == self.module);
+            let problem = match owner {
+                Some(owner) => {
+                    let place = owner.node(self.node).loc;
+                    let what = owner.describe(self.node);
+                    let message = format!("`{what}` belongs to `{}` but is used inside of `{block}`", owner.block);
+                    Problem::new(loc, message).note(format!("`{what}` is made"), place)
+                }
+                None => Problem::new(loc, format!("a signal of a module already finished is used inside of `{block}`")),
+            };
+            e.report(problem.help("give the block an input for it"));
+            e.draft().add(Op::Const(crate::Bits::zero(self.width)), self.width, None, loc)
+        })
+    }
+
+    /// The width in bits.
+    pub fn width(self) -> u32 {
+        self.width
+    }
+
+    /// Names the net; waves and Verilog show it by this name. [`net!`](crate::net!) does it for a `let`.
+    #[track_caller]
+    pub fn named(self, name: &str) -> Signal {
+        let (loc, id) = (Loc::caller(), self.id());
+        elaboration::with(|e| {
+            let node = e.draft().node_mut(id);
+            // A port or a register keeps its own name: the net is an alias.
+            let has_own = node.name.is_some() || matches!(node.op, Op::Input(_) | Op::Const(_));
+            let id = if has_own { e.draft().add(Op::Wire(id), self.width, None, loc) } else { id };
+            let node = e.draft().node_mut(id);
+            node.name = Some(name.to_owned());
+            node.loc = loc;
+            Signal::at(e, id)
+        })
+    }
+
+    #[track_caller]
+    fn unary(self, op: Unary) -> Signal {
+        let width = if op == Unary::Not { self.width } else { 1 };
+        Signal::make(Op::Unary(op, self.id()), width)
+    }
+
+    #[track_caller]
+    pub(crate) fn binary(self, op: Binary, right: impl Operand) -> Signal {
+        let right = right.value().with_width_of(self, op.symbol());
+        Signal::make(Op::Binary(op, self.id(), right.id()), self.width)
+    }
+
+    #[track_caller]
+    pub(crate) fn compare(self, relation: Relation, signed: bool, right: Signal) -> Signal {
+        Signal::make(Op::Compare { relation, signed, operands: [self.id(), right.id()] }, 1)
+    }
+
+    #[track_caller]
+    fn relate(self, relation: Relation, right: impl Operand) -> Signal {
+        let right = right.value().with_width_of(self, relation.method());
+        self.compare(relation, false, right)
+    }
+
+    /// 1 bit: equal.
+    #[track_caller]
+    pub fn eq(self, right: impl Operand) -> Signal {
+        self.relate(Relation::Eq, right)
+    }
+
+    /// 1 bit: not equal.
+    #[track_caller]
+    pub fn ne(self, right: impl Operand) -> Signal {
+        self.relate(Relation::Ne, right)
+    }
+
+    /// 1 bit: less than, unsigned.
+    #[track_caller]
+    pub fn lt(self, right: impl Operand) -> Signal {
+        self.relate(Relation::Lt, right)
+    }
+
+    /// 1 bit: less than or equal, unsigned.
+    #[track_caller]
+    pub fn le(self, right: impl Operand) -> Signal {
+        self.relate(Relation::Le, right)
+    }
+
+    /// 1 bit: greater than, unsigned.
+    #[track_caller]
+    pub fn gt(self, right: impl Operand) -> Signal {
+        self.relate(Relation::Gt, right)
+    }
+
+    /// 1 bit: greater than or equal, unsigned.
+    #[track_caller]
+    pub fn ge(self, right: impl Operand) -> Signal {
+        self.relate(Relation::Ge, right)
+    }
+
+    /// 1 bit: every bit is one.
+    #[track_caller]
+    pub fn all_ones(self) -> Signal {
+        self.unary(Unary::AllOnes)
+    }
+
+    /// 1 bit: some bit is one.
+    #[track_caller]
+    pub fn any_one(self) -> Signal {
+        self.unary(Unary::AnyOne)
+    }
+
+    /// 1 bit: the number of ones is odd.
+    #[track_caller]
+    pub fn parity(self) -> Signal {
+        self.unary(Unary::Parity)
+    }
+
+    #[track_caller]
+    pub(crate) fn inverted(self) -> Signal {
+        self.unary(Unary::Not)
+    }
+
+    /// The sum with its carry: one bit wider than the operands.
+    #[track_caller]
+    pub fn add_carry(self, right: impl Operand) -> Signal {
+        let right = right.value().with_width_of(self, "add_carry");
+        self.zext(self.width + 1).binary(Binary::Add, right.zext(self.width + 1))
+    }
+
+    /// The unsigned product; its width is the sum of the operands' widths.
+    #[track_caller]
+    pub fn times(self, right: Signal) -> Signal {
+        Signal::make(Op::Binary(Binary::Mul, self.id(), right.id()), self.width + right.width)
+    }
+
+    /// Bit `index`, counted from the least significant.
+    #[track_caller]
+    pub fn bit(self, index: u32) -> Signal {
+        self.slice(index..index + 1)
+    }
+
+    /// The most significant bit.
+    #[track_caller]
+    pub fn msb(self) -> Signal {
+        self.bit(self.width - 1)
+    }
+
+    /// The bits of `range`, lowest first and the end not included: `z.slice(0..12)` is Verilog's `z[11:0]`.
+    #[track_caller]
+    pub fn slice(self, range: Range<u32>) -> Signal {
+        if range.start >= range.end || range.end > self.width {
+            return self.bad_width(
+                format!("the slice {}..{} is outside of", range.start, range.end),
+                range.end.saturating_sub(range.start).max(1),
+                format!("a slice is `low..high` with low < high <= {}", self.width),
+            );
+        }
+        if range == (0..self.width) {
+            return self;
+        }
+        Signal::make(Op::Slice { of: self.id(), low: range.start }, range.end - range.start)
+    }
+
+    /// The lowest `width` bits.
+    #[track_caller]
+    pub fn trunc(self, width: u32) -> Signal {
+        if width == 0 || width > self.width {
+            return self.bad_width(
+                format!("`.trunc({width})` cannot cut"),
+                width.max(1),
+                "`.zext(n)` and `.sext(n)` widen".to_owned(),
+            );
+        }
+        self.slice(0..width)
+    }
+
+    /// Widened with zeros to `width` bits.
+    #[track_caller]
+    pub fn zext(self, width: u32) -> Signal {
+        self.extend(width, false)
+    }
+
+    /// Widened with copies of the most significant bit to `width` bits.
+    #[track_caller]
+    pub fn sext(self, width: u32) -> Signal {
+        self.extend(width, true)
+    }
+
+    #[track_caller]
+    fn extend(self, width: u32, signed: bool) -> Signal {
+        if width < self.width {
+            let name = if signed { "sext" } else { "zext" };
+            return self.bad_width(
+                format!("`.{name}({width})` cannot widen"),
+                width.max(1),
+                "`.trunc(n)` and slices cut".to_owned(),
+            );
+        }
+        if width == self.width {
+            return self;
+        }
+        Signal::make(Op::Extend { of: self.id(), signed }, width)
+    }
+
+    #[track_caller]
+    fn bad_width(self, what: String, width: u32, help: String) -> Signal {
+        let (loc, id) = (Loc::caller(), self.id());
+        elaboration::with(|e| {
+            let draft = e.draft();
+            let (name, place) = (draft.describe(id), draft.node(id).loc);
+            let message = format!("{what} `{name}`, which has {}", bits_text(self.width));
+            e.report(Problem::new(loc, message).note(format!("`{name}` is made"), place).help(help));
+            Signal::make_in(e, Op::Const(crate::Bits::zero(width)), width, loc)
+        })
+    }
+
+    /// The signal side by side with itself, `times` times.
+    #[track_caller]
+    pub fn repeat(self, times: u32) -> Signal {
+        if times == 0 {
+            return self.bad_width("`.repeat(0)` leaves nothing of".to_owned(), 1, "repeat at least once".to_owned());
+        }
+        if times == 1 {
+            return self;
+        }
+        Signal::make(Op::Repeat(self.id(), times), self.width * times)
+    }
+
+    #[track_caller]
+    pub(crate) fn shift(self, shift: Shift, amount: Signal) -> Signal {
+        Signal::make(Op::Shift(shift, self.id(), amount.id()), self.width)
+    }
+
+    /// Shifted by a constant: wiring, not a shifter.
+    #[track_caller]
+    pub(crate) fn shift_by(self, shift: Shift, amount: u32) -> Signal {
+        let kept = self.width.saturating_sub(amount);
+        match (shift, kept) {
+            (_, kept) if kept == self.width => self,
+            (Shift::Left, 0) | (Shift::Right, 0) => crate::lit(self.width, 0),
+            (Shift::RightSigned, 0) => self.msb().repeat(self.width),
+            (Shift::Left, _) => crate::concat(&[self.trunc(kept), crate::lit(amount, 0)]),
+            (Shift::Right, _) => self.slice(amount..self.width).zext(self.width),
+            (Shift::RightSigned, _) => self.slice(amount..self.width).sext(self.width),
+        }
+    }
+
+    /// The same bits read as two's complement.
+    pub fn signed(self) -> Signed {
+        Signed(self)
+    }
+
+    /// Declares that another clock may sample this signal as it is, because it is stable whenever that happens. The
+    /// reason is printed beside it in the Verilog.
+    #[track_caller]
+    pub fn quasi_static(self, reason: &str) -> Signal {
+        Signal::make(Op::QuasiStatic(self.id(), reason.to_owned()), self.width)
+    }
+}
+
+/// `1 bit`, `8 bits`.
+pub(crate) fn bits_text(width: u32) -> String {
+    if width == 1 { "1 bit".to_owned() } else { format!("{width} bits") }
+}
+
+impl Value {
+    /// The operand as a signal as wide as `left`, with which it meets in `operator`.
+    #[track_caller]
+    pub(crate) fn with_width_of(self, left: Signal, operator: &str) -> Signal {
+        let loc = Loc::caller();
+        let right = match self {
+            Value::Literal(literal) => return literal.sized(left.width, false),
+            Value::Signal(right) if right.width == left.width => return right,
+            Value::Signal(right) => right,
+        };
+        let (left_id, right_id) = (left.id(), right.id());
+        elaboration::with(|e| {
+            e.report(width_mismatch(
+                e.drafts.last().expect("a module is being built"),
+                operator,
+                left_id,
+                right_id,
+                loc,
+            ));
+            Signal::make_in(e, Op::Const(crate::Bits::zero(left.width)), left.width, loc)
+        })
+    }
+}
+
+pub(crate) fn width_mismatch(
+    draft: &crate::draft::Draft,
+    operator: &str,
+    left: NodeId,
+    right: NodeId,
+    loc: Loc,
+) -> Problem {
+    let (l, r) = (draft.node(left), draft.node(right));
+    let (left_text, right_text) = (draft.describe(left), draft.describe(right));
+    let (wide, narrow) = (l.width.max(r.width), l.width.min(r.width));
+    Problem::new(
+        loc,
+        format!(
+            "`{operator}` needs equal widths: `{left_text}` has {}, `{right_text}` has {}",
+            bits_text(l.width),
+            bits_text(r.width)
+        ),
+    )
+    .note(format!("`{left_text}` is made"), l.loc)
+    .note(format!("`{right_text}` is made"), r.loc)
+    .help(format!(
+        "widen the narrow side with `.zext({wide})` or `.sext({wide})`, or cut the wide one with `.trunc({narrow})`"
+    ))
+}

@@ -1,0 +1,94 @@
+//! What a parent needs to know of a finished module: which inputs and clocks each output depends on within a cycle.
+
+use crate::draft::Draft;
+use crate::graph::{Edges, Sets};
+use crate::ir::{NodeId, Op};
+
+/// For each output of a module, what it depends on without a register between.
+pub(crate) struct Summary {
+    pub outputs: Vec<Dependence>,
+}
+
+pub(crate) struct Dependence {
+    /// Indices of input ports.
+    pub inputs: Vec<u32>,
+    /// Indices of clocks whose registers or memories it reads.
+    pub clocks: Vec<u32>,
+}
+
+/// The combinational edges of a module, from a node to those it is computed from.
+pub(crate) fn combinational_edges(draft: &Draft, summaries: &[Summary]) -> Edges {
+    Edges::new(draft.nodes.len(), |node, push| operands(draft, summaries, NodeId(node), &mut |id| push(id.0)))
+}
+
+/// Every node that `id` is computed from in the same cycle, through instances and asynchronous reads too.
+pub(crate) fn operands(draft: &Draft, summaries: &[Summary], id: NodeId, visit: &mut dyn FnMut(NodeId)) {
+    let op = &draft.node(id).op;
+    match op {
+        Op::Read(memory, port) => {
+            let read = &draft.memories[memory.0 as usize].memory.reads[*port as usize];
+            if read.clock.is_none() {
+                visit(read.address);
+            }
+        }
+        Op::Output(instance, port) => {
+            let instance = &draft.instances[instance.0 as usize];
+            let inputs = &summaries[instance.module.0 as usize].outputs[*port as usize].inputs;
+            inputs.iter().filter_map(|input| instance.inputs.get(*input as usize)).for_each(|id| visit(*id));
+        }
+        _ => op.for_each_operand(visit),
+    }
+}
+
+/// Where the clocks of input ports count as theirs: inside the module they do, for a parent they do not, as it knows
+/// what it feeds them.
+#[derive(Clone, Copy, PartialEq)]
+pub(crate) enum View {
+    Inside,
+    Outside,
+}
+
+/// The clocks whose state each node depends on within a cycle; a quasi-static signal hides what is behind it.
+pub(crate) fn clock_sets(draft: &Draft, summaries: &[Summary], view: View) -> Sets {
+    let edges = Edges::new(draft.nodes.len(), |node, push| match draft.node(NodeId(node)).op {
+        Op::QuasiStatic(..) => {}
+        _ => operands(draft, summaries, NodeId(node), &mut |id| push(id.0)),
+    });
+    let mut sets = Sets::new(draft.nodes.len(), draft.clocks.len());
+    for (i, node) in draft.nodes.iter().enumerate() {
+        let mut add = |clock: crate::ir::ClockId| sets.insert(i as u32, clock.0 as usize);
+        match &node.op {
+            Op::Register(register) => add(draft.registers[register.0 as usize].clock),
+            Op::Read(memory, port) => {
+                let memory = &draft.memories[memory.0 as usize].memory;
+                match memory.reads[*port as usize].clock {
+                    Some(clock) => add(clock),
+                    None => memory.writes.iter().for_each(|write| add(write.clock)),
+                }
+            }
+            Op::Input(index) if view == View::Inside => draft.inputs[*index as usize].clock.into_iter().for_each(add),
+            Op::Output(instance, port) => {
+                let instance = &draft.instances[instance.0 as usize];
+                let clocks = &summaries[instance.module.0 as usize].outputs[*port as usize].clocks;
+                clocks.iter().for_each(|clock| add(instance.clocks[*clock as usize]));
+            }
+            _ => {}
+        }
+    }
+    sets.spread(&edges);
+    sets
+}
+
+/// The summary of a draft whose clocks are numbered as in the finished module by `renumber`.
+pub(crate) fn summarize(draft: &Draft, summaries: &[Summary], outputs: &[NodeId], renumber: &[Option<u32>]) -> Summary {
+    let edges = combinational_edges(draft, summaries);
+    let mut inputs = Sets::new(draft.nodes.len(), draft.inputs.len());
+    draft.inputs.iter().enumerate().for_each(|(i, input)| inputs.insert(input.node.0, i));
+    inputs.spread(&edges);
+    let clocks = clock_sets(draft, summaries, View::Outside);
+    let dependence = |output: &NodeId| Dependence {
+        inputs: inputs.members(output.0).map(|i| i as u32).collect(),
+        clocks: clocks.members(output.0).filter_map(|clock| renumber[clock]).collect(),
+    };
+    Summary { outputs: outputs.iter().map(dependence).collect() }
+}

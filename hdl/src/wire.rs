@@ -1,0 +1,53 @@
+//! Forward wires: a net that is read before its driver is described, as a ready signal is.
+
+use crate::elaboration;
+use crate::ir::NodeId;
+use crate::loc::Loc;
+use crate::operand::Operand;
+use crate::problem::Problem;
+use crate::signal::Signal;
+use std::ops::Deref;
+
+/// A net declared before its driver. It reads as its value; [`drive`](Wire::drive) must be called exactly once.
+#[derive(Debug, Clone, Copy)]
+#[must_use]
+pub struct Wire {
+    pub(crate) signal: Signal,
+    pub(crate) index: usize,
+}
+
+impl Deref for Wire {
+    type Target = Signal;
+
+    fn deref(&self) -> &Signal {
+        &self.signal
+    }
+}
+
+impl Wire {
+    /// Says what drives the wire.
+    #[track_caller]
+    pub fn drive(self, value: impl Operand) {
+        let loc = Loc::caller();
+        let driver = value.value().with_width_of(self.signal, "drive").id();
+        // A wire of another module is reported here; its index means nothing in this one.
+        if self.signal.id() == self.signal.node {
+            let slot = elaboration::draft(|draft| draft.wires[self.index].driver.replace((driver, loc)));
+            report_second_driver(slot, self.signal.node, "driven", loc);
+        }
+    }
+}
+
+/// A problem if `before` holds an earlier driver of `node`.
+pub(crate) fn report_second_driver(before: Option<(NodeId, Loc)>, node: NodeId, verb: &str, loc: Loc) {
+    let Some((_, first)) = before else { return };
+    elaboration::with(|e| {
+        let draft = e.draft();
+        let (name, place) = (draft.describe(node), draft.node(node).loc);
+        let problem = Problem::new(loc, format!("`{name}` is {verb} twice"))
+            .note("the first time is", first)
+            .note(format!("`{name}` is declared"), place)
+            .help("choose between the two with `mux` or `select`");
+        e.report(problem);
+    });
+}
