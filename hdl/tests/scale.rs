@@ -1,0 +1,75 @@
+//! Descriptions of a size that would show anything worse than linear.
+
+use tilewright_hdl::*;
+
+bundle! {
+    struct Word<T> { x: T }
+}
+
+/// One word in, one word out, described by a function.
+#[derive(Debug)]
+struct Big(fn(Module, Signal) -> Signal);
+
+impl Block for Big {
+    type In = Word;
+    type Out = Word;
+
+    fn inputs(&self) -> Word<Width> {
+        Word { x: bits(8) }
+    }
+
+    fn build(&self, m: Module, i: Word) -> Word {
+        Word { x: (self.0)(m, i.x) + 0 }
+    }
+
+    fn name(&self) -> String {
+        "big".to_owned()
+    }
+}
+
+#[test]
+fn shared_expressions_cost_once() {
+    let design = elaborate(&Big(|_, x| (0..64).fold(x, |x, _| x ^ (x + x)))).unwrap();
+    assert_eq!(design.top().nodes.len(), 1 + 2 * 64 + 2);
+}
+
+#[test]
+fn a_chain_of_a_hundred_thousand_operators() {
+    let design = elaborate(&Big(|_, x| (0..100_000).fold(x, |sum, _| sum + x))).unwrap();
+    assert_eq!(design.top().nodes.len(), 1 + 100_000 + 2);
+}
+
+#[test]
+fn a_chain_of_wires_in_the_wrong_order() {
+    let design = elaborate(&Big(|m, x| {
+        let wires: Vec<_> = (0..20_000).map(|i| m.wire(&format!("w{i}"), 8)).collect();
+        wires.windows(2).for_each(|pair| pair[0].drive(pair[1]));
+        wires.last().unwrap().drive(x);
+        *wires[0]
+    }));
+    design.unwrap();
+}
+
+#[test]
+fn an_array_of_sixteen_thousand_lanes_is_one_instance() {
+    /// Adds one.
+    #[derive(Debug)]
+    struct Increment;
+    impl Block for Increment {
+        type In = Word;
+        type Out = Word;
+        fn inputs(&self) -> Word<Width> {
+            Word { x: bits(8) }
+        }
+        fn build(&self, _: Module, i: Word) -> Word {
+            Word { x: i.x + 1 }
+        }
+    }
+    let design = elaborate(&Big(|m, x| {
+        m.array("u_cell", 16_384, &Increment, |cells| Word { x: cells.out.x.previous(x) }).x.last()
+    }))
+    .unwrap();
+    let top = design.top();
+    assert_eq!((top.instances.len(), top.instances[0].lanes), (1, Some(16_384)));
+    assert!(top.nodes.len() < 10);
+}
