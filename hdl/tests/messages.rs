@@ -9,8 +9,11 @@ bundle! {
     struct Out<T> { out: T }
 }
 
+/// Describes the one output of a [`Case`].
+type Build = fn(Module, In) -> Signal;
+
 /// A block of three inputs (8, 7 and 1 bits), described by a function.
-struct Case(fn(Module, In) -> Signal);
+struct Case(Build);
 
 impl std::fmt::Debug for Case {
     fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
@@ -49,7 +52,7 @@ fn problems<B: Block>(block: &B) -> String {
 }
 
 #[track_caller]
-fn expect(build: fn(Module, In) -> Signal, expected: &str) {
+fn expect(build: Build, expected: &str) {
     let lines: Vec<_> = expected.lines().map(str::trim_start).collect();
     let found = problems(&Case(build));
     let found: Vec<_> = found.lines().map(str::trim_start).collect();
@@ -83,7 +86,7 @@ fn operands_that_are_expressions_are_shown() {
 /// Widths meet in every operator, choice and sink, and the message names which.
 #[test]
 fn every_meeting_of_widths_is_checked() {
-    let cases: [(fn(Module, In) -> Signal, &str); 14] = [
+    let cases: [(Build, &str); 14] = [
         (|_, i| i.a - i.b, "`-`"),
         (|_, i| i.a & i.b, "`&`"),
         (|_, i| i.a | i.b, "`|`"),

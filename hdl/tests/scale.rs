@@ -4,6 +4,7 @@ use tilewright_hdl::*;
 
 bundle! {
     struct Word<T> { x: T }
+    struct Result<T> { y: T }
 }
 
 /// One word in, one word out, described by a function.
@@ -12,14 +13,14 @@ struct Big(fn(Module, Signal) -> Signal);
 
 impl Block for Big {
     type In = Word;
-    type Out = Word;
+    type Out = Result;
 
     fn inputs(&self) -> Word<Width> {
         Word { x: bits(8) }
     }
 
-    fn build(&self, m: Module, i: Word) -> Word {
-        Word { x: (self.0)(m, i.x) + 0 }
+    fn build(&self, m: Module, i: Word) -> Result {
+        Result { y: (self.0)(m, i.x) + 0 }
     }
 
     fn name(&self) -> String {
@@ -57,16 +58,16 @@ fn an_array_of_sixteen_thousand_lanes_is_one_instance() {
     struct Increment;
     impl Block for Increment {
         type In = Word;
-        type Out = Word;
+        type Out = Result;
         fn inputs(&self) -> Word<Width> {
             Word { x: bits(8) }
         }
-        fn build(&self, _: Module, i: Word) -> Word {
-            Word { x: i.x + 1 }
+        fn build(&self, _: Module, i: Word) -> Result {
+            Result { y: i.x + 1 }
         }
     }
     let design = elaborate(&Big(|m, x| {
-        m.array("u_cell", 16_384, &Increment, |cells| Word { x: cells.out.x.previous(x) }).x.last()
+        m.array("u_cell", 16_384, &Increment, |cells| Word { x: cells.out.y.previous(x) }).y.last()
     }))
     .unwrap();
     let top = design.top();
