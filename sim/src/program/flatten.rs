@@ -331,7 +331,7 @@ fn key_of(parent: &ArrayKey, instance: &Instance) -> ArrayKey {
 
 fn program_clock(clock: &tilewright_hdl::ir::Clock) -> Clock {
     Clock {
-        name: clock.name.clone().unwrap_or_else(|| clock.port.clone()),
+        name: clock.name.unwrap_or(&clock.port).to_string(),
         port: clock.port.clone(),
         reset: clock.reset.clone(),
         period: clock.period.map_or(DEFAULT_PERIOD, |period| period.picoseconds()),
