@@ -1,0 +1,115 @@
+//! What can go wrong, in whole sentences.
+
+use std::fmt;
+use std::path::PathBuf;
+
+use tilewright_hdl::{Loc, Problems};
+
+use crate::program::Looping;
+
+/// Why a simulation could not be made or could not go on.
+#[derive(Debug, thiserror::Error)]
+pub enum Error {
+    /// The description has mistakes.
+    #[error(transparent)]
+    Description(#[from] Problems),
+    /// A design that was not checked has a combinational cycle.
+    #[error(transparent)]
+    Looping(#[from] Looping),
+    /// Assertions do not hold.
+    #[error("{}", sentences(.0))]
+    Violated(Vec<Violation>),
+    /// There is no such name.
+    #[error("{0}")]
+    Unknown(#[from] UnknownName),
+    /// A step needs a clock.
+    #[error("the design has no clock to step: use `set` and `get` alone")]
+    NoClock,
+    /// A trace could not be written.
+    #[error("cannot write the trace {}: {source}", .path.display())]
+    Trace {
+        /// The file.
+        path: PathBuf,
+        /// What the system says.
+        source: std::io::Error,
+    },
+}
+
+fn sentences(violations: &[Violation]) -> String {
+    violations.iter().map(Violation::to_string).collect::<Vec<_>>().join("\n")
+}
+
+/// An assertion that does not hold at an edge of its clock.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Violation {
+    /// The assertion's message.
+    pub message: String,
+    /// The instance's path below the top; the top module's name for the top itself.
+    pub instance: String,
+    /// The clock.
+    pub clock: String,
+    /// The cycle of that clock that ends with this edge, from 0.
+    pub cycle: u64,
+    /// The time of the edge in picoseconds.
+    pub time: u64,
+    /// Where the description states it.
+    pub loc: Loc,
+}
+
+impl fmt::Display for Violation {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let Violation { message, instance, clock, cycle, time, loc } = self;
+        write!(f, "assertion failed in `{instance}` in cycle {cycle} of `{clock}`, at {time} ps: {message}\n  --> {loc}")
+    }
+}
+
+/// A name that the circuit does not have.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct UnknownName {
+    /// What was looked for: `signal`, `memory`, `clock`, `port`.
+    pub what: &'static str,
+    /// The name as given.
+    pub name: String,
+    /// The nearest name that there is, or what there is to choose from.
+    pub hint: String,
+}
+
+impl UnknownName {
+    /// The error with the nearest of `names` as its hint.
+    pub(crate) fn new(what: &'static str, name: &str, names: &[String]) -> UnknownName {
+        let nearest = names.iter().min_by_key(|candidate| distance(name, candidate));
+        let hint = match nearest {
+            Some(nearest) if distance(name, nearest) <= 2 + name.len() / 4 => format!("did you mean `{nearest}`?"),
+            _ if names.is_empty() => "there is none here".to_string(),
+            _ => {
+                let some: Vec<String> = names.iter().take(12).map(|name| format!("`{name}`")).collect();
+                let more = if names.len() > 12 { ", ..." } else { "" };
+                format!("there are {}{more}", some.join(", "))
+            }
+        };
+        UnknownName { what, name: name.to_string(), hint }
+    }
+}
+
+impl fmt::Display for UnknownName {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        write!(f, "there is no {} `{}`: {}", self.what, self.name, self.hint)
+    }
+}
+
+impl std::error::Error for UnknownName {}
+
+/// The Levenshtein distance: how many characters have to be added, removed or replaced.
+fn distance(a: &str, b: &str) -> usize {
+    let b: Vec<char> = b.chars().collect();
+    let mut row: Vec<usize> = (0..=b.len()).collect();
+    for (i, a) in a.chars().enumerate() {
+        let mut diagonal = std::mem::replace(&mut row[0], i + 1);
+        for (j, b) in b.iter().enumerate() {
+            let replaced = diagonal + usize::from(a != *b);
+            diagonal = row[j + 1];
+            row[j + 1] = replaced.min(row[j] + 1).min(diagonal + 1);
+        }
+    }
+    row[b.len()]
+}

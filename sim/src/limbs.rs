@@ -1,0 +1,62 @@
+//! Arithmetic on numbers of any width as 64-bit limbs, the lowest first. Results fill all of `out`; the caller clears
+//! the bits above the width.
+
+use std::cmp::Ordering;
+
+/// `a + b`, or `a - b`.
+pub(crate) fn add(out: &mut [u64], a: &[u64], b: &[u64], subtract: bool) {
+    let flip = if subtract { u64::MAX } else { 0 };
+    let mut carry = subtract;
+    for (out, (a, b)) in out.iter_mut().zip(a.iter().zip(b)) {
+        let (sum, first) = a.overflowing_add(b ^ flip);
+        let (sum, second) = sum.overflowing_add(u64::from(carry));
+        (*out, carry) = (sum, first | second);
+    }
+}
+
+/// `a * b` modulo the size of `out`, both unsigned.
+pub(crate) fn multiply(out: &mut [u64], a: &[u64], b: &[u64]) {
+    out.fill(0);
+    for (i, &a) in a.iter().enumerate() {
+        let mut carry = 0;
+        for (j, &b) in b.iter().enumerate().take(out.len().saturating_sub(i)) {
+            let sum = u128::from(a) * u128::from(b) + u128::from(out[i + j]) + u128::from(carry);
+            (out[i + j], carry) = (sum as u64, (sum >> 64) as u64);
+        }
+        if let Some(next) = out.get_mut(i + b.len()) {
+            *next = carry;
+        }
+    }
+}
+
+/// `a` compared with `b`, of as many limbs, unsigned.
+pub(crate) fn compare(a: &[u64], b: &[u64]) -> Ordering {
+    a.iter().rev().cmp(b.iter().rev())
+}
+
+/// Bit `index`.
+pub(crate) fn bit(a: &[u64], index: u32) -> bool {
+    a[index as usize / 64] >> (index % 64) & 1 == 1
+}
+
+/// Copies bits `from .. from + count` of `a` to bits `to ..` of `out`, which must be zero there.
+pub(crate) fn copy(out: &mut [u64], to: u32, a: &[u64], from: u32, count: u32) {
+    let mut done = 0;
+    while done < count {
+        let (source, target) = (from + done, to + done);
+        let step = (count - done).min(64 - source % 64).min(64 - target % 64);
+        let bits = a[source as usize / 64] >> (source % 64) & (u64::MAX >> (64 - step));
+        out[target as usize / 64] |= bits << (target % 64);
+        done += step;
+    }
+}
+
+/// Sets bits `from .. to`.
+pub(crate) fn set(out: &mut [u64], from: u32, to: u32) {
+    let mut at = from;
+    while at < to {
+        let step = (to - at).min(64 - at % 64);
+        out[at as usize / 64] |= (u64::MAX >> (64 - step)) << (at % 64);
+        at += step;
+    }
+}

@@ -1,0 +1,102 @@
+//! Handles of ports, and what may be put into one.
+
+use tilewright_hdl::{Bits, Leaf};
+
+/// An input or output port of a simulation; the leaf of the bundles `sim.i` and `sim.o`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Port {
+    /// Inputs first, in order of declaration, then outputs.
+    pub(crate) index: u32,
+}
+
+impl Leaf for Port {}
+
+/// What a signal of some width can be set to: an integer, a `bool` or [`Bits`].
+///
+/// A negative integer is taken in two's complement. Nothing is cut off: a value that does not fit is an error.
+pub trait IntoValue {
+    /// The value in `width` bits, or a sentence's end such as `cannot hold 300`.
+    ///
+    /// # Errors
+    ///
+    /// It needs more bits, or it is [`Bits`] of another width.
+    fn into_value(self, width: u32) -> Result<Bits, String>;
+}
+
+macro_rules! unsigned {
+    ($($ty:ty)*) => {$(
+        impl IntoValue for $ty {
+            fn into_value(self, width: u32) -> Result<Bits, String> {
+                match width >= <$ty>::BITS || self >> width == 0 {
+                    true => Ok(Bits::from_u128(width, self as u128)),
+                    false => Err(format!("cannot hold {self}")),
+                }
+            }
+        }
+    )*};
+}
+unsigned!(u8 u16 u32 usize u128);
+
+impl IntoValue for u64 {
+    fn into_value(self, width: u32) -> Result<Bits, String> {
+        match width >= 64 || self >> width == 0 {
+            true => Ok(Bits::new(width, self)),
+            false => Err(format!("cannot hold {self}")),
+        }
+    }
+}
+
+macro_rules! signed {
+    ($($ty:ty)*) => {$(
+        impl IntoValue for $ty {
+            fn into_value(self, width: u32) -> Result<Bits, String> {
+                let fits = match self >= 0 {
+                    true => width >= <$ty>::BITS || self >> width == 0,
+                    false => width >= <$ty>::BITS || self >> (width - 1) == -1,
+                };
+                match fits {
+                    true => Ok(Bits::from_i128(width, self as i128)),
+                    false => Err(format!("cannot hold {self}")),
+                }
+            }
+        }
+    )*};
+}
+signed!(i8 i16 i32 i64 isize i128);
+
+impl IntoValue for bool {
+    fn into_value(self, width: u32) -> Result<Bits, String> {
+        Ok(Bits::new(width, u64::from(self)))
+    }
+}
+
+impl IntoValue for Bits {
+    fn into_value(self, width: u32) -> Result<Bits, String> {
+        match self.width() == width {
+            true => Ok(self),
+            false => Err(format!("is set to {self}, of {} bits: resize the value", self.width())),
+        }
+    }
+}
+
+impl IntoValue for &Bits {
+    fn into_value(self, width: u32) -> Result<Bits, String> {
+        self.clone().into_value(width)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn integers_fit_or_are_refused() {
+        assert_eq!(255u8.into_value(8), Ok(Bits::new(8, 255)));
+        assert_eq!((-1i32).into_value(4), Ok(Bits::ones(4)));
+        assert_eq!((-8i32).into_value(4), Ok(Bits::new(4, 8)));
+        assert_eq!((-9i32).into_value(4), Err("cannot hold -9".to_string()));
+        assert_eq!(16u64.into_value(4), Err("cannot hold 16".to_string()));
+        assert_eq!((-1i64).into_value(100), Ok(Bits::ones(100)));
+        assert!(Bits::new(5, 1).into_value(4).unwrap_err().contains("of 5 bits"));
+    }
+}

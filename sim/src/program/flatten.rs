@@ -1,0 +1,390 @@
+//! From modules and instances to one flat netlist. Instance arrays stay whole, except those asked to be unrolled.
+
+use std::collections::{BTreeSet, VecDeque};
+
+use tilewright_hdl::ir::{Design, Instance, MemoryId, Module, ModuleId, Node, NodeId, Op};
+
+use super::hierarchy::{ClockPort, Replication, Role, Scope, ScopeId, Signal};
+use super::netlist::{ArrayKey, Cell, Netlist};
+use super::{Assert, Clock, Kind, Memory, Port, ReadPort, Register, Triggers, ValueId, WritePort};
+
+/// The period of a top module's clock that has none, in picoseconds.
+const DEFAULT_PERIOD: u64 = 10_000;
+
+/// The design as cells; the arrays of `unrolled` become single instances.
+pub(super) fn flatten(design: &Design, unrolled: &BTreeSet<ArrayKey>) -> Netlist {
+    let mut flatten = Flatten { design, unrolled, netlist: Netlist::default(), open: VecDeque::new() };
+    flatten.top();
+    while let Some(body) = flatten.open.pop_front() {
+        flatten.body(body);
+    }
+    flatten.netlist
+}
+
+struct Flatten<'a> {
+    design: &'a Design,
+    unrolled: &'a BTreeSet<ArrayKey>,
+    netlist: Netlist,
+    /// Instances whose cells have ids but are not filled in yet.
+    open: VecDeque<Body>,
+}
+
+/// The inside of an instance.
+struct Body {
+    module: ModuleId,
+    key: ArrayKey,
+    scope: ScopeId,
+    lanes: u32,
+    /// The cell of the module's first node; the others follow.
+    base: u32,
+    /// The first of a node's cells for single lanes, for nodes with lanes in a module with an unrolled array.
+    split: Vec<Option<u32>>,
+    /// What drives the inputs; empty for the top, whose inputs are state.
+    inputs: Vec<ValueId>,
+    /// The program's clock for each clock of the module.
+    clocks: Vec<u32>,
+    /// Per instance, the bases of its body, or of its bodies if it is unrolled.
+    children: Vec<Vec<u32>>,
+}
+
+impl Body {
+    fn whole(&self, node: NodeId) -> ValueId {
+        ValueId(self.base + node.0)
+    }
+
+    /// One lane of a node with lanes, where arrays are unrolled.
+    fn lane(&self, node: NodeId, lane: u32) -> ValueId {
+        ValueId(self.split[node.0 as usize].expect("lanes are split where an array is unrolled") + lane)
+    }
+}
+
+impl Flatten<'_> {
+    fn top(&mut self) {
+        let module = self.design.top();
+        let id = ModuleId(self.design.modules.len() as u32 - 1);
+        self.netlist.clocks = module.clocks.iter().map(program_clock).collect();
+        let clocks = (0..module.clocks.len() as u32).collect();
+        let scope = self.scope(None, module.name.clone(), id, Replication::Single, 1);
+        let base = self.enter(id, Vec::new(), scope, 1, Vec::new(), clocks);
+        let value = |node: NodeId| ValueId(base + node.0);
+        for input in &module.inputs {
+            let clock = input.clock.map_or(0, |clock| clock.0 as usize);
+            self.netlist.inputs.push(Port {
+                name: input.name.clone(),
+                path: input.path.clone(),
+                value: value(input.node),
+                triggers: Triggers::inputs(clock),
+            });
+        }
+        for output in &module.outputs {
+            self.netlist.outputs.push(Port {
+                name: output.name.clone(),
+                path: output.path.clone(),
+                value: value(output.node),
+                triggers: Triggers::NONE,
+            });
+        }
+    }
+
+    /// Adds a scope to the hierarchy.
+    fn scope(
+        &mut self,
+        parent: Option<ScopeId>,
+        name: String,
+        module: ModuleId,
+        replication: Replication,
+        lanes: u32,
+    ) -> ScopeId {
+        let scopes = &mut self.netlist.hierarchy.scopes;
+        let id = ScopeId(scopes.len() as u32);
+        if let Some(parent) = parent {
+            scopes[parent.0 as usize].children.push(id);
+        }
+        scopes.push(Scope {
+            name,
+            module: self.design.module(module).name.clone(),
+            parent,
+            replication,
+            lanes,
+            clocks: Vec::new(),
+            signals: Vec::new(),
+            memories: Vec::new(),
+            children: Vec::new(),
+        });
+        id
+    }
+
+    /// Gives cells to the nodes of an instance, to be filled in later; returns the first.
+    fn enter(
+        &mut self,
+        module: ModuleId,
+        key: ArrayKey,
+        scope: ScopeId,
+        lanes: u32,
+        inputs: Vec<ValueId>,
+        clocks: Vec<u32>,
+    ) -> u32 {
+        let definition = self.design.module(module);
+        let base = self.netlist.cells.len() as u32;
+        for (index, node) in definition.nodes.iter().enumerate() {
+            self.cell(lanes * node.lanes.unwrap_or(1), node.width, Some((module, index as u32)));
+        }
+        let splits = definition
+            .instances
+            .iter()
+            .any(|instance| instance.lanes.is_some() && self.unrolled.contains(&key_of(&key, instance)));
+        let mut split = vec![None; definition.nodes.len()];
+        if splits {
+            for (index, node) in definition.nodes.iter().enumerate() {
+                split[index] = node.lanes.map(|n| {
+                    let origin = Some((module, index as u32));
+                    let first = self.cell(lanes, node.width, origin);
+                    (1..n).for_each(|_| drop(self.cell(lanes, node.width, origin)));
+                    first
+                });
+            }
+        }
+        self.open.push_back(Body { module, key, scope, lanes, base, split, inputs, clocks, children: Vec::new() });
+        base
+    }
+
+    fn cell(&mut self, lanes: u32, width: u32, origin: Option<(ModuleId, u32)>) -> u32 {
+        self.netlist.cells.push(Cell { kind: Kind::State, lanes, width, origin });
+        self.netlist.cells.len() as u32 - 1
+    }
+
+    /// Fills in the cells of an instance and adds its state and names.
+    fn body(&mut self, body: Body) {
+        let module = self.design.module(body.module);
+        let children = module.instances.iter().map(|instance| self.instance(&body, instance)).collect();
+        let body = &Body { children, ..body };
+        let memories = self.state(body, module);
+        for (index, node) in module.nodes.iter().enumerate() {
+            let id = NodeId(index as u32);
+            self.netlist.cells[body.whole(id).index()].kind = self.kind(body, module, node, &memories);
+            if body.split[index].is_some() {
+                self.split(body, id, node);
+            }
+        }
+        self.name(body, module, &memories);
+    }
+
+    /// Enters an instance, as many times as it is unrolled to; returns the bases.
+    fn instance(&mut self, body: &Body, instance: &Instance) -> Vec<u32> {
+        let key = key_of(&body.key, instance);
+        let clocks: Vec<u32> = instance.clocks.iter().map(|clock| body.clocks[clock.0 as usize]).collect();
+        let unrolled = self.unrolled.contains(&key);
+        let mut enter = |replication, lanes, inputs| {
+            let scope = self.scope(Some(body.scope), instance.name.clone(), instance.module, replication, lanes);
+            self.enter(instance.module, key.clone(), scope, lanes, inputs, clocks.clone())
+        };
+        let whole = || instance.inputs.iter().map(|&node| body.whole(node)).collect();
+        let lane = |i| instance.inputs.iter().map(|&node| body.lane(node, i)).collect();
+        match instance.lanes {
+            None => vec![enter(Replication::Single, body.lanes, whole())],
+            Some(n) if unrolled => {
+                (0..n).map(|i| enter(Replication::Element(i), body.lanes, lane(i))).collect()
+            }
+            Some(n) => {
+                let base = enter(Replication::Whole(n), body.lanes * n, whole());
+                for &node in &instance.outputs {
+                    self.netlist.array_outputs.push((body.whole(node), key.clone()));
+                }
+                vec![base]
+            }
+        }
+    }
+
+    /// Adds registers, memories and asserts; returns the program's memory for each memory of the module.
+    fn state(&mut self, body: &Body, module: &Module) -> Vec<u32> {
+        let clock = |id: tilewright_hdl::ir::ClockId| body.clocks[id.0 as usize];
+        for register in &module.registers {
+            self.netlist.registers.push(Register {
+                value: body.whole(register.node),
+                clock: clock(register.clock),
+                reset: register.reset.clone(),
+                enable: register.enable.map(|node| body.whole(node)),
+                next: body.whole(register.next),
+            });
+        }
+        for assert in &module.asserts {
+            self.netlist.asserts.push(Assert {
+                clock: clock(assert.clock),
+                condition: body.whole(assert.condition),
+                message: assert.message.clone(),
+                loc: assert.loc,
+                scope: body.scope,
+            });
+        }
+        let first = self.netlist.memories.len() as u32;
+        for memory in &module.memories {
+            let reads = memory.reads.iter().filter_map(|read| {
+                Some(ReadPort {
+                    clock: clock(read.clock?),
+                    address: body.whole(read.address),
+                    enable: read.enable.map(|node| body.whole(node)),
+                    value: body.whole(read.node),
+                })
+            });
+            let writes = memory.writes.iter().map(|write| WritePort {
+                clock: clock(write.clock),
+                enable: body.whole(write.enable),
+                address: body.whole(write.address),
+                data: body.whole(write.data),
+            });
+            self.netlist.memories.push(Memory {
+                lanes: body.lanes,
+                depth: memory.depth,
+                width: memory.width,
+                policy: memory.policy,
+                contents: memory.contents.clone(),
+                reads: reads.collect(),
+                writes: writes.collect(),
+            });
+        }
+        (first..first + module.memories.len() as u32).collect()
+    }
+
+    /// How a node's cell is computed, all lanes together.
+    fn kind(&self, body: &Body, module: &Module, node: &Node, memories: &[u32]) -> Kind {
+        let at = |id: &NodeId| body.whole(*id);
+        let group = |of: &NodeId| module.node(*of).lanes.expect("a lane operator has an operand with lanes");
+        match &node.op {
+            Op::Input(index) => body.inputs.get(*index as usize).map_or(Kind::State, |&from| Kind::Alias(from)),
+            Op::Const(bits) => Kind::Const(bits.clone()),
+            Op::Unary(op, a) => Kind::Unary(*op, at(a)),
+            Op::Binary(op, a, b) => Kind::Binary(*op, at(a), at(b)),
+            Op::Compare { relation, signed, operands: [a, b] } => Kind::Compare(*relation, *signed, at(a), at(b)),
+            Op::Shift(op, a, by) => Kind::Shift(*op, at(a), at(by)),
+            Op::Mux { select, on_true, on_false } => {
+                Kind::Mux { select: at(select), on_true: at(on_true), on_false: at(on_false) }
+            }
+            Op::Select { arms, default } => {
+                Kind::Select { arms: arms.iter().map(|(c, v)| (at(c), at(v))).collect(), default: at(default) }
+            }
+            Op::Case { subject, arms, default } => Kind::Case {
+                subject: at(subject),
+                arms: arms.iter().map(|(key, v)| (key.clone(), at(v))).collect(),
+                default: at(default),
+            },
+            Op::Slice { of, low } => Kind::Slice(at(of), *low),
+            Op::Concat(parts) => Kind::Concat(parts.iter().map(at).collect()),
+            Op::Repeat(of, times) => Kind::Repeat(at(of), *times),
+            Op::Extend { of, signed } => Kind::Extend(at(of), *signed),
+            Op::Register(_) => Kind::State,
+            Op::Read(memory, port) => read_kind(body, module, *memory, *port, memories),
+            Op::Wire(of) | Op::QuasiStatic(of, _) => Kind::Alias(at(of)),
+            Op::Output(instance, port) => {
+                let child = &module.instances[instance.0 as usize];
+                let driver = self.design.module(child.module).outputs[*port as usize].node;
+                let from = |base: &u32| ValueId(base + driver.0);
+                match (child.lanes, body.children[instance.0 as usize].as_slice()) {
+                    (Some(_), lanes) if self.unrolled.contains(&key_of(&body.key, child)) => {
+                        Kind::PerLane(lanes.iter().map(from).collect())
+                    }
+                    (_, bases) => Kind::Alias(from(&bases[0])),
+                }
+            }
+            Op::Broadcast(of) => Kind::Broadcast(at(of), node.lanes.expect("a broadcast has lanes")),
+            Op::PerLane(parts) => Kind::PerLane(parts.iter().map(at).collect()),
+            Op::Shifted { of, by, edge } => Kind::Shifted { of: at(of), by: *by, edge: at(edge), group: group(of) },
+            Op::Lane(of, index) if body.split[of.0 as usize].is_some() => Kind::Alias(body.lane(*of, *index)),
+            Op::Lane(of, index) => Kind::Lane { of: at(of), index: *index, group: group(of) },
+            Op::Reduce(by, of) => Kind::Reduce { by: *by, of: at(of), group: group(of) },
+        }
+    }
+
+    /// Fills in the cells of a node's single lanes, which depend on no more than they have to.
+    fn split(&mut self, body: &Body, id: NodeId, node: &Node) {
+        let n = node.lanes.expect("only nodes with lanes are split");
+        for lane in 0..n {
+            let kind = match &node.op {
+                Op::Broadcast(of) => Kind::Alias(body.whole(*of)),
+                Op::PerLane(parts) => Kind::Alias(body.whole(parts[lane as usize])),
+                Op::Shifted { of, by, edge } => match lane.checked_add_signed(-by).filter(|&from| from < n) {
+                    Some(from) => Kind::Alias(body.lane(*of, from)),
+                    None => Kind::Alias(body.whole(*edge)),
+                },
+                _ => match &self.netlist.cell(body.whole(id)).kind {
+                    Kind::PerLane(parts) => Kind::Alias(parts[lane as usize]),
+                    _ => Kind::Lane { of: body.whole(id), index: lane, group: n },
+                },
+            };
+            self.netlist.cells[body.lane(id, lane).index()].kind = kind;
+        }
+    }
+
+    /// Enters the names of an instance's ports, registers, read data, nets and memories.
+    fn name(&mut self, body: &Body, module: &Module, memories: &[u32]) {
+        let scope = &mut self.netlist.hierarchy.scopes[body.scope.0 as usize];
+        scope.clocks = (module.clocks.iter().zip(&body.clocks))
+            .map(|(ports, &clock)| ClockPort { port: ports.port.clone(), reset: ports.reset.clone(), clock })
+            .collect();
+        scope.memories = module.memories.iter().map(|memory| memory.name.clone()).zip(memories.iter().copied()).collect();
+        scope.signals = signals(module, |node| body.whole(node));
+    }
+}
+
+fn key_of(parent: &ArrayKey, instance: &Instance) -> ArrayKey {
+    parent.iter().cloned().chain([instance.name.clone()]).collect()
+}
+
+fn program_clock(clock: &tilewright_hdl::ir::Clock) -> Clock {
+    Clock {
+        name: clock.name.unwrap_or(&clock.port).to_string(),
+        port: clock.port.clone(),
+        reset: clock.reset.clone(),
+        period: clock.period.map_or(DEFAULT_PERIOD, |period| period.picoseconds()),
+        triggers: Triggers::NONE,
+        registers: Vec::new(),
+        reads: Vec::new(),
+        writes: Vec::new(),
+        asserts: Vec::new(),
+    }
+}
+
+fn read_kind(body: &Body, module: &Module, memory: MemoryId, port: u32, memories: &[u32]) -> Kind {
+    let read = &module.memories[memory.0 as usize].reads[port as usize];
+    match read.clock {
+        Some(_) => Kind::State,
+        None => Kind::Read { memory: memories[memory.0 as usize], address: body.whole(read.address) },
+    }
+}
+
+/// What of a module has a name in waves: ports first, then the rest in order of declaration.
+fn signals(module: &Module, value: impl Fn(NodeId) -> ValueId) -> Vec<Signal> {
+    let mut all: Vec<Signal> = Vec::new();
+    let mut taken = BTreeSet::new();
+    let mut add = |name: String, role, node: NodeId| {
+        if taken.insert(name.clone()) {
+            let shape = module.node(node);
+            all.push(Signal { name, role, value: value(node), width: shape.width, group: shape.lanes, states: None });
+        }
+    };
+    module.inputs.iter().for_each(|port| add(port.name.clone(), Role::Input, port.node));
+    let is_register = |node: &Node| matches!(node.op, Op::Register(_));
+    for port in &module.outputs {
+        let node = module.node(port.node);
+        let named_alike = is_register(node) && node.name.as_ref() == Some(&port.name);
+        add(port.name.clone(), if named_alike { Role::Register } else { Role::Output }, port.node);
+    }
+    for (index, node) in module.nodes.iter().enumerate() {
+        if let Some(name) = &node.name {
+            let role = if is_register(node) { Role::Register } else { Role::Net };
+            add(name.clone(), role, NodeId(index as u32));
+        }
+    }
+    for memory in &module.memories {
+        let synchronous: Vec<_> = memory.reads.iter().filter(|read| read.clock.is_some()).collect();
+        for (index, read) in synchronous.iter().enumerate() {
+            let number = if synchronous.len() > 1 { index.to_string() } else { String::new() };
+            add(format!("{}_read{number}", memory.name), Role::ReadData, read.node);
+        }
+    }
+    for register in &module.registers {
+        let name = module.register_name(register);
+        let named = all.iter_mut().filter(|signal| signal.value == value(register.node) || signal.name == name);
+        named.for_each(|signal| signal.states = register.states.clone());
+    }
+    all
+}

@@ -1,0 +1,167 @@
+//! The names of a program: the tree of instances as the Verilog has it, and the value behind each name.
+
+use tilewright_hdl::ir::States;
+
+use super::ValueId;
+
+/// A scope's place in [`Hierarchy::scopes`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct ScopeId(pub u32);
+
+/// The tree of scopes; the first is the top module.
+#[derive(Debug, Clone, Default)]
+pub struct Hierarchy {
+    /// Every scope, parents before their children.
+    pub scopes: Vec<Scope>,
+}
+
+/// An instance, or all lanes of an instance array.
+#[derive(Debug, Clone)]
+pub struct Scope {
+    /// The instance's name; the module's name for the top.
+    pub name: String,
+    /// The name of its module.
+    pub module: String,
+    /// The scope that it stands in.
+    pub parent: Option<ScopeId>,
+    /// What it is one of.
+    pub replication: Replication,
+    /// How many instances it stands for: the lanes of its values.
+    pub lanes: u32,
+    /// The clocks of the module, by the names of its ports.
+    pub clocks: Vec<ClockPort>,
+    /// Its signals in order of declaration: ports, then the rest.
+    pub signals: Vec<Signal>,
+    /// Its memories: name and index in [`Program::memories`](super::Program::memories).
+    pub memories: Vec<(String, u32)>,
+    /// The scopes in it.
+    pub children: Vec<ScopeId>,
+}
+
+/// Whether a scope is an instance or an array.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Replication {
+    /// A single instance.
+    Single,
+    /// All of an array of so many instances, side by side in lanes.
+    Whole(u32),
+    /// One element of an array that does not run in lanes.
+    Element(u32),
+}
+
+/// A clock port of a scope.
+#[derive(Debug, Clone)]
+pub struct ClockPort {
+    /// The clock port.
+    pub port: String,
+    /// The reset port.
+    pub reset: Option<String>,
+    /// The clock, by index in [`Program::clocks`](super::Program::clocks).
+    pub clock: u32,
+}
+
+/// A named value.
+#[derive(Debug, Clone)]
+pub struct Signal {
+    /// Its name.
+    pub name: String,
+    /// What it is.
+    pub role: Role,
+    /// Its value, with the lanes of its scope, times `group` if it has one.
+    pub value: ValueId,
+    /// The width of one lane in bits.
+    pub width: u32,
+    /// The lane count of the array that it feeds or comes from, for a value with lanes in its own scope.
+    pub group: Option<u32>,
+    /// The states' names, if it is the register of a state machine.
+    pub states: Option<States>,
+}
+
+/// What a named value is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Role {
+    /// An input port.
+    Input,
+    /// An output port, unless a register of the same name drives it.
+    Output,
+    /// A register, which may be an output port as well.
+    Register,
+    /// The data register of a synchronous memory read.
+    ReadData,
+    /// A named net.
+    Net,
+}
+
+/// One instance: a scope and its lane there.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Place {
+    /// The scope.
+    pub scope: ScopeId,
+    /// The lane.
+    pub lane: u32,
+}
+
+impl Hierarchy {
+    /// The scope of that id.
+    pub fn scope(&self, id: ScopeId) -> &Scope {
+        &self.scopes[id.0 as usize]
+    }
+
+    /// The top module's instance.
+    pub fn top(&self) -> Place {
+        Place { scope: ScopeId(0), lane: 0 }
+    }
+
+    /// The instances directly in an instance, with their names: `u_cell[3]` for an element of an array.
+    pub fn children(&self, of: Place) -> Vec<(String, Place)> {
+        let element = |scope: ScopeId| {
+            let child = self.scope(scope);
+            let count = if let Replication::Whole(n) = child.replication { n } else { 1 };
+            (0..count).map(move |i| match child.replication {
+                Replication::Single => (child.name.clone(), Place { scope, lane: of.lane }),
+                Replication::Element(i) => (format!("{}[{i}]", child.name), Place { scope, lane: of.lane }),
+                Replication::Whole(n) => (format!("{}[{i}]", child.name), Place { scope, lane: of.lane * n + i }),
+            })
+        };
+        self.scope(of.scope).children.iter().flat_map(|&child| element(child)).collect()
+    }
+
+    /// An instance's path below the top, such as `u_row[1].u_cell[3]`; empty for the top.
+    pub fn path(&self, place: Place) -> String {
+        let mut names = Vec::new();
+        let Place { mut scope, mut lane } = place;
+        while let Some(parent) = self.scope(scope).parent {
+            let here = self.scope(scope);
+            names.push(match here.replication {
+                Replication::Single => here.name.clone(),
+                Replication::Element(i) => format!("{}[{i}]", here.name),
+                Replication::Whole(n) => format!("{}[{}]", here.name, lane % n),
+            });
+            if let Replication::Whole(n) = here.replication {
+                lane /= n;
+            }
+            scope = parent;
+        }
+        names.reverse();
+        names.join(".")
+    }
+
+    /// The path of something named in an instance.
+    pub fn path_in(&self, place: Place, name: &str) -> String {
+        match self.path(place) {
+            path if path.is_empty() => name.to_string(),
+            path => format!("{path}.{name}"),
+        }
+    }
+
+    /// Every instance, each before those in it, in order of declaration.
+    pub fn places(&self) -> Vec<Place> {
+        let mut open = vec![self.top()];
+        let mut all = Vec::new();
+        while let Some(place) = open.pop() {
+            all.push(place);
+            open.extend(self.children(place).into_iter().rev().map(|(_, child)| child));
+        }
+        all
+    }
+}

@@ -1,0 +1,70 @@
+//! The flat circuit before it is scheduled: cells in no particular order, and what holds state beside them.
+
+use tilewright_hdl::ir::ModuleId;
+
+use super::{Assert, Clock, Hierarchy, Kind, Memory, Port, Register, ValueId};
+
+/// The flat circuit. Ids of values are indices into `cells`.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Netlist {
+    pub cells: Vec<Cell>,
+    pub clocks: Vec<Clock>,
+    pub inputs: Vec<Port>,
+    pub outputs: Vec<Port>,
+    pub registers: Vec<Register>,
+    pub memories: Vec<Memory>,
+    pub asserts: Vec<Assert>,
+    pub hierarchy: Hierarchy,
+    /// The outputs of arrays that are kept whole, with the array that each is of.
+    pub array_outputs: Vec<(ValueId, ArrayKey)>,
+}
+
+/// An instance array, the same one whatever lane it is looked at from: the instances' names from the top down.
+pub(super) type ArrayKey = Vec<String>;
+
+/// A value and how it comes about.
+#[derive(Debug, Clone)]
+pub(super) struct Cell {
+    pub kind: Kind,
+    pub lanes: u32,
+    pub width: u32,
+    /// The node that it was made from, for error messages.
+    pub origin: Option<(ModuleId, u32)>,
+}
+
+impl Netlist {
+    pub fn cell(&self, id: ValueId) -> &Cell {
+        &self.cells[id.index()]
+    }
+
+    /// Calls `visit` with every reference from outside the cells, which it may replace: ports, registers, memories,
+    /// asserts and names.
+    pub fn rewrite_roots(&mut self, mut visit: impl FnMut(&mut ValueId)) {
+        self.rewrite_sinks(&mut visit);
+        self.inputs.iter_mut().for_each(|port| visit(&mut port.value));
+        self.registers.iter_mut().for_each(|register| visit(&mut register.value));
+        self.memories.iter_mut().flat_map(|memory| &mut memory.reads).for_each(|read| visit(&mut read.value));
+        for scope in &mut self.hierarchy.scopes {
+            scope.signals.iter_mut().for_each(|signal| visit(&mut signal.value));
+        }
+    }
+
+    /// Calls `visit` with every value that an edge samples or an output port shows.
+    fn rewrite_sinks(&mut self, mut visit: impl FnMut(&mut ValueId)) {
+        self.outputs.iter_mut().for_each(|port| visit(&mut port.value));
+        for register in &mut self.registers {
+            visit(&mut register.next);
+            register.enable.iter_mut().for_each(&mut visit);
+        }
+        for memory in &mut self.memories {
+            for read in &mut memory.reads {
+                visit(&mut read.address);
+                read.enable.iter_mut().for_each(&mut visit);
+            }
+            for write in &mut memory.writes {
+                [&mut write.enable, &mut write.address, &mut write.data].into_iter().for_each(&mut visit);
+            }
+        }
+        self.asserts.iter_mut().for_each(|assert| visit(&mut assert.condition));
+    }
+}

@@ -1,0 +1,93 @@
+//! Makes the netlist smaller without changing what it computes: names for one value become one, constants are
+//! computed now, equal expressions are computed once, what is the same in all lanes is computed once, and what nobody
+//! can see is not computed.
+
+use std::collections::HashMap;
+
+use super::fold::fold;
+use super::netlist::{Cell, Netlist};
+use super::{Kind, ValueId};
+
+/// Simplifies; `order` has each cell after its operands.
+pub(super) fn simplify(netlist: &mut Netlist, order: &[ValueId]) {
+    let mut same: Vec<ValueId> = (0..netlist.cells.len() as u32).map(ValueId).collect();
+    let mut known: HashMap<(Kind, u32, u32), ValueId> = HashMap::new();
+    for &id in order {
+        netlist.cells[id.index()].kind.rewrite(|operand| *operand = same[operand.index()]);
+        if let Some(bits) = fold(netlist, id) {
+            netlist.cells[id.index()].kind = Kind::Const(bits);
+        }
+        same[id.index()] = match alias(netlist, id) {
+            Some(of) => of,
+            None => {
+                uniform(netlist, &mut known, id);
+                share(netlist, &mut known, id)
+            }
+        };
+    }
+    netlist.rewrite_roots(|value| *value = same[value.index()]);
+}
+
+/// The earlier cell that computes the same, or the cell itself.
+fn share(netlist: &Netlist, known: &mut HashMap<(Kind, u32, u32), ValueId>, id: ValueId) -> ValueId {
+    match netlist.cell(id) {
+        Cell { kind: Kind::State, .. } => id,
+        Cell { kind, lanes, width, .. } => *known.entry((kind.clone(), *lanes, *width)).or_insert(id),
+    }
+}
+
+/// The operand that a cell is the same as.
+fn alias(netlist: &Netlist, id: ValueId) -> Option<ValueId> {
+    let cell = netlist.cell(id);
+    let constant = |of: ValueId| match &netlist.cell(of).kind {
+        Kind::Const(bits) => Some(bits),
+        _ => None,
+    };
+    match &cell.kind {
+        Kind::Alias(of) | Kind::Repeat(of, 1) | Kind::Broadcast(of, 1) => Some(*of),
+        Kind::Slice(of, 0) | Kind::Extend(of, _) if netlist.cell(*of).width == cell.width => Some(*of),
+        Kind::Concat(parts) | Kind::PerLane(parts) if parts.len() == 1 => Some(parts[0]),
+        Kind::Lane { of, group: 1, .. } | Kind::Reduce { of, group: 1, .. } | Kind::Shifted { of, by: 0, .. } => Some(*of),
+        Kind::Mux { on_true, on_false, .. } if on_true == on_false => Some(*on_true),
+        Kind::Mux { select, on_true, on_false } => {
+            constant(*select).map(|select| if select.is_zero() { *on_false } else { *on_true })
+        }
+        Kind::Lane { of, index, group } => match &netlist.cell(*of).kind {
+            Kind::Broadcast(plain, n) if n == group => Some(*plain),
+            Kind::PerLane(parts) if parts.len() == *group as usize => Some(parts[*index as usize]),
+            _ => None,
+        },
+        Kind::Select { arms, default } if arms.iter().all(|(_, value)| value == default) => Some(*default),
+        _ => None,
+    }
+}
+
+/// Where every operand is a broadcast to the same groups or a constant, computes before the broadcast.
+fn uniform(netlist: &mut Netlist, known: &mut HashMap<(Kind, u32, u32), ValueId>, id: ValueId) {
+    let cell = netlist.cell(id);
+    if !cell.kind.is_elementwise() {
+        return;
+    }
+    let mut groups: Option<u32> = None;
+    let mut all = true;
+    cell.kind.for_each_operand(|operand| match &netlist.cell(operand).kind {
+        Kind::Broadcast(_, n) => all &= *groups.get_or_insert(*n) == *n,
+        Kind::Const(_) => {}
+        _ => all = false,
+    });
+    let Some(group) = groups.filter(|_| all) else { return };
+    let (mut kind, lanes, width, origin) = (cell.kind.clone(), cell.lanes / group, cell.width, cell.origin);
+    kind.rewrite(|operand| {
+        *operand = match netlist.cells[operand.index()].kind.clone() {
+            Kind::Broadcast(plain, _) => plain,
+            constant => {
+                let width = netlist.cells[operand.index()].width;
+                netlist.cells.push(Cell { kind: constant, lanes, width, origin: None });
+                share(netlist, known, ValueId(netlist.cells.len() as u32 - 1))
+            }
+        }
+    });
+    netlist.cells.push(Cell { kind, lanes, width, origin });
+    let plain = share(netlist, known, ValueId(netlist.cells.len() as u32 - 1));
+    netlist.cells[id.index()].kind = Kind::Broadcast(plain, group);
+}

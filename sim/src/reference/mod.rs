@@ -1,0 +1,146 @@
+//! The reference engine: a plain interpreter of a [`Program`], the meaning that every other engine is held to.
+//!
+//! All values stand in one array of limbs in the program's order, so that operands always lie before results.
+
+mod edge;
+mod memory;
+mod narrow;
+mod start;
+mod wide;
+
+use std::sync::Arc;
+
+use crate::program::{Kind, Program, Readers, Triggers, ValueId};
+
+pub(crate) use edge::Failed;
+
+/// The state of a running circuit.
+#[derive(Debug, Clone)]
+pub(crate) struct Engine {
+    program: Arc<Program>,
+    /// Every value; [`Program::values`] says where.
+    limbs: Vec<u64>,
+    /// The words of every memory: lane by lane, address by address.
+    memories: Vec<Vec<u64>>,
+    /// What has changed since segments were last marked stale.
+    pending: Triggers,
+    /// Per segment: its results must be computed again before they are read.
+    stale: Vec<bool>,
+    /// Per segment: whether all its values have up to 64 bits.
+    narrow: Vec<bool>,
+    /// Per clock: its last edge changed nothing, and nothing that it depends on has changed since.
+    idle: Vec<bool>,
+    plan: edge::Plan,
+}
+
+impl Engine {
+    /// The circuit as it is after a reset; what a reset does not set starts from `seed`, all zeros if that is 0.
+    pub fn new(program: Arc<Program>, seed: u64) -> Engine {
+        let mut limbs = vec![0; program.storage];
+        for (value, bits) in &program.constants {
+            let value = program.value(*value);
+            limbs[value.range()].chunks_exact_mut(value.limbs()).for_each(|lane| lane.copy_from_slice(bits.limbs()));
+        }
+        let mut engine = Engine {
+            limbs,
+            memories: Vec::new(),
+            pending: Triggers::NONE,
+            stale: vec![true; program.segments.len()],
+            narrow: program.operations.iter().map(|operation| is_narrow(&program, &operation.kind, operation.result)).collect(),
+            idle: vec![false; program.clocks.len()],
+            plan: edge::Plan::new(&program),
+            program,
+        };
+        engine.start(seed);
+        engine
+    }
+
+    /// The limbs of a value in all lanes, computed if they have to be.
+    pub fn read(&mut self, id: ValueId) -> &[u64] {
+        let value = *self.program.value(id);
+        if let Some(segment) = value.segment {
+            self.mark();
+            if self.stale[segment as usize] {
+                self.settle(segment);
+            }
+        }
+        &self.limbs[value.range()]
+    }
+
+    /// Sets an input, all lanes of it.
+    pub fn write(&mut self, id: ValueId, limbs: &[u64], triggers: Triggers) {
+        let range = self.program.value(id).range();
+        if self.limbs[range.clone()] != *limbs {
+            self.limbs[range].copy_from_slice(limbs);
+            self.pending = self.pending.with(triggers);
+        }
+    }
+
+    /// A word of a memory.
+    pub fn word(&self, memory: u32, lane: u32, address: u32) -> &[u64] {
+        &self.memories[memory as usize][memory::word(&self.program.memories[memory as usize], lane, address)]
+    }
+
+    /// Replaces a word of a memory.
+    pub fn set_word(&mut self, memory: u32, lane: u32, address: u32, limbs: &[u64]) {
+        let range = memory::word(&self.program.memories[memory as usize], lane, address);
+        self.memories[memory as usize][range].copy_from_slice(limbs);
+        let clocks = 0..self.program.clocks.len();
+        self.pending = clocks.fold(self.pending, |all, clock| all.with(Triggers::state(clock)));
+        self.stale.fill(true);
+    }
+
+    /// Marks what pending changes make stale.
+    fn mark(&mut self) {
+        if self.pending == Triggers::NONE {
+            return;
+        }
+        for (stale, segment) in self.stale.iter_mut().zip(&self.program.segments) {
+            *stale |= segment.triggers.meet(self.pending);
+        }
+        for (idle, clock) in self.idle.iter_mut().zip(&self.program.clocks) {
+            *idle &= !clock.triggers.meet(self.pending);
+        }
+        self.pending = Triggers::NONE;
+    }
+
+    /// Computes a stale segment and the stale ones that it needs.
+    fn settle(&mut self, segment: u32) {
+        let program = self.program.clone();
+        for &needed in program.segments[segment as usize].needs.iter().chain([&segment]) {
+            self.refresh(needed as usize);
+        }
+    }
+
+    /// Computes every stale segment of these readers.
+    fn settle_for(&mut self, readers: Readers) {
+        let program = self.program.clone();
+        for (index, segment) in program.segments.iter().enumerate() {
+            if segment.readers.meet(readers) {
+                self.refresh(index);
+            }
+        }
+    }
+
+    fn refresh(&mut self, segment: usize) {
+        if !std::mem::take(&mut self.stale[segment]) {
+            return;
+        }
+        let program = self.program.clone();
+        for index in program.segments[segment].operations.clone() {
+            let operation = &program.operations[index];
+            match (&operation.kind, self.narrow[index]) {
+                (Kind::Read { memory, address }, _) => self.read_memory(operation.result, *memory, *address),
+                (kind, true) => narrow::evaluate(&program, kind, operation.result, &mut self.limbs),
+                (kind, false) => wide::evaluate(&program, kind, operation.result, &mut self.limbs),
+            }
+        }
+    }
+}
+
+/// Whether the result and every operand of an operation have up to 64 bits.
+fn is_narrow(program: &Program, kind: &Kind, result: ValueId) -> bool {
+    let mut narrow = program.value(result).width <= 64;
+    kind.for_each_operand(|operand| narrow &= program.value(operand).width <= 64);
+    narrow
+}

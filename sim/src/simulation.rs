@@ -1,0 +1,343 @@
+//! A running circuit and its testbench interface.
+
+use std::sync::{Arc, Mutex};
+
+use tilewright_hdl::{Bits, Block, Bundle, DEFAULT_PERIOD, Design, Period, elaborate_typed};
+
+use crate::error::{Error, UnknownName};
+use crate::lookup::{self, Found};
+use crate::port::{IntoValue, Port};
+use crate::program::{self, Program, ValueId};
+use crate::reference::Engine;
+use crate::timeline::Timeline;
+use crate::trace::{Observer, Recorder, Recording, Wave};
+
+/// A running circuit.
+///
+/// `I` and `O` are the block's input and output bundles; a simulation made by [`Simulation::from_design`] has none and
+/// finds its ports by name.
+pub struct Simulation<I: Bundle = (), O: Bundle = ()> {
+    /// The input ports.
+    pub i: I::Of<Port>,
+    /// The output ports.
+    pub o: O::Of<Port>,
+    pub(crate) program: Arc<Program>,
+    pub(crate) engine: Engine,
+    pub(crate) timeline: Timeline,
+    pub(crate) resets: Vec<bool>,
+    pub(crate) observers: Vec<Box<dyn Observer + Send>>,
+    seed: u64,
+    /// The clocks of the coming instant; kept to save an allocation.
+    pub(crate) rising: Vec<usize>,
+}
+
+impl Simulation {
+    /// Elaborates and compiles a block; its default clock has a period of 10 ns.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Description`] lists every mistake in the description.
+    #[track_caller]
+    pub fn of<B: Block>(block: &B) -> Result<Simulation<B::In, B::Out>, Error> {
+        Simulation::at(block, DEFAULT_PERIOD)
+    }
+
+    /// As [`Simulation::of`], with another period of the default clock.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Description`] lists every mistake in the description.
+    #[track_caller]
+    pub fn at<B: Block>(block: &B, period: Period) -> Result<Simulation<B::In, B::Out>, Error> {
+        let (design, inputs, outputs) = elaborate_typed(block, period)?;
+        let first_output = design.top().inputs.len();
+        let port = |index: usize| Port { index: index as u32 };
+        let i = B::In::convert(&inputs, &mut |_, index: &usize| port(*index));
+        let o = B::Out::convert(&outputs, &mut |_, index: &usize| port(first_output + *index));
+        Simulation::new(&design, i, o)
+    }
+
+    /// Compiles a design; ports are found by [`Simulation::port`].
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Looping`] if the design was not checked and has a combinational cycle.
+    pub fn from_design(design: &Design) -> Result<Simulation, Error> {
+        Simulation::new(design, (), ())
+    }
+}
+
+impl<I: Bundle, O: Bundle> Simulation<I, O> {
+    fn new(design: &Design, i: I::Of<Port>, o: O::Of<Port>) -> Result<Simulation<I, O>, Error> {
+        let program = Arc::new(program::compile(design)?);
+        Ok(Simulation {
+            i,
+            o,
+            engine: Engine::new(program.clone(), 0),
+            timeline: Timeline::new(&program),
+            resets: vec![false; program.clocks.len()],
+            observers: Vec::new(),
+            seed: 0,
+            rising: Vec::new(),
+            program,
+        })
+    }
+
+    /// The same circuit at time 0, with registers that a reset does not set and memories of unknown contents filled
+    /// from `seed`, deterministically; 0 means zeros, as does not calling this. Inputs become zero.
+    ///
+    /// # Panics
+    ///
+    /// After the first step, or with a trace attached.
+    #[track_caller]
+    pub fn seeded(mut self, seed: u64) -> Self {
+        assert!(self.timeline.time == 0, "a seed can only be given before the first step");
+        assert!(self.observers.is_empty(), "give the seed before attaching a trace");
+        self.engine = Engine::new(self.program.clone(), seed);
+        self.seed = seed;
+        self
+    }
+
+    /// The compiled circuit.
+    pub fn program(&self) -> &Program {
+        &self.program
+    }
+
+    /// The port of that Verilog name or bundle path.
+    ///
+    /// # Errors
+    ///
+    /// There is none.
+    pub fn port(&self, name: &str) -> Result<Port, UnknownName> {
+        let ports = || self.program.inputs.iter().chain(&self.program.outputs);
+        let found = ports().position(|port| port.name == name || port.path == name);
+        found.map(|index| Port { index: index as u32 }).ok_or_else(|| {
+            UnknownName::new("port", name, &ports().map(|port| port.name.clone()).collect::<Vec<_>>())
+        })
+    }
+
+    /// The declaration of a port.
+    #[track_caller]
+    pub(crate) fn declared(&self, port: Port) -> &program::Port {
+        let index = port.index as usize;
+        let inputs = self.program.inputs.len();
+        let found = if index < inputs { Some(&self.program.inputs[index]) } else { self.program.outputs.get(index - inputs) };
+        found.expect("the port is of another simulation")
+    }
+
+    /// Sets an input from now on. Several inputs may be set in any order; nothing happens before the next step.
+    ///
+    /// # Panics
+    ///
+    /// The value does not fit, or the port is an output.
+    #[track_caller]
+    pub fn set(&mut self, port: Port, value: impl IntoValue) {
+        let Some(input) = self.program.inputs.get(port.index as usize) else {
+            panic!("`{}` is an output and cannot be set", self.declared(port).name)
+        };
+        let width = self.program.value(input.value).width;
+        match value.into_value(width) {
+            Ok(bits) => self.engine.write(input.value, bits.limbs(), input.triggers),
+            Err(problem) => {
+                let bits = if width == 1 { "1 bit".to_string() } else { format!("{width} bits") };
+                panic!("input `{}` has {bits} and {problem}", input.name)
+            }
+        }
+    }
+
+    /// The value of a port, settled: an output as it follows from the state and the inputs of this moment.
+    #[track_caller]
+    pub fn get(&mut self, port: Port) -> Bits {
+        let value = self.declared(port).value;
+        self.lane(value, 0)
+    }
+
+    /// As [`Simulation::get`], for a port of up to 64 bits.
+    ///
+    /// # Panics
+    ///
+    /// The port is wider.
+    #[track_caller]
+    pub fn get_u64(&mut self, port: Port) -> u64 {
+        let value = self.declared(port).value;
+        match self.engine.read(value) {
+            [limb] => *limb,
+            _ => panic!("`{}` is wider than 64 bits: use `get`", self.declared(port).name),
+        }
+    }
+
+    /// Sets every input; [`Simulation::drive_bits`] takes values wider than 64 bits.
+    ///
+    /// # Panics
+    ///
+    /// A value does not fit.
+    #[track_caller]
+    pub fn drive(&mut self, values: I::Of<u64>) {
+        let values = I::convert(&values, &mut |_, value: &u64| u128::from(*value));
+        self.drive_each(&values);
+    }
+
+    /// Sets every input.
+    ///
+    /// # Panics
+    ///
+    /// A value has another width than its port.
+    #[track_caller]
+    pub fn drive_bits(&mut self, values: I::Of<Bits>) {
+        self.drive_each(&values);
+    }
+
+    #[track_caller]
+    fn drive_each<V: IntoValue + tilewright_hdl::Leaf>(&mut self, values: &I::Of<V>) {
+        use tilewright_hdl::Fields;
+        for ((_, port), (_, value)) in self.i.leaves().into_iter().zip(values.leaves()) {
+            self.set(port, value);
+        }
+    }
+
+    /// Every output, settled.
+    pub fn read(&mut self) -> O::Of<Bits> {
+        let (program, engine) = (&self.program, &mut self.engine);
+        O::convert(&self.o, &mut |_, port: &Port| {
+            let value = program.outputs[port.index as usize - program.inputs.len()].value;
+            Bits::from_limbs(program.value(value).width, engine.read(value))
+        })
+    }
+
+    /// Every output as a number, settled; easy to compare with an expected bundle.
+    ///
+    /// # Panics
+    ///
+    /// An output is wider than 64 bits and does not fit.
+    #[track_caller]
+    pub fn read_u64(&mut self) -> O::Of<u64> {
+        O::convert(&self.read(), &mut |path, bits: &Bits| {
+            bits.to_u64().unwrap_or_else(|| panic!("output `{path}` does not fit 64 bits: use `read`"))
+        })
+    }
+
+    /// The value of anything with a name, settled: a port, a register, a named net, the data of a synchronous memory
+    /// read, such as `u_cell[3].sum`.
+    ///
+    /// # Errors
+    ///
+    /// There is no such name; the error has the nearest one.
+    pub fn peek(&mut self, path: &str) -> Result<Bits, UnknownName> {
+        let Found { signal, lane } = lookup::signal(&self.program.hierarchy, path)?;
+        let value = signal.value;
+        Ok(self.lane(value, lane))
+    }
+
+    /// A word of a memory.
+    ///
+    /// # Errors
+    ///
+    /// There is no such memory.
+    ///
+    /// # Panics
+    ///
+    /// The address is beyond its depth.
+    #[track_caller]
+    pub fn peek_memory(&self, path: &str, address: u32) -> Result<Bits, UnknownName> {
+        let (memory, lane) = self.memory(path, address)?;
+        Ok(Bits::from_limbs(self.program.memories[memory as usize].width, self.engine.word(memory, lane, address)))
+    }
+
+    /// Replaces a word of a memory at once.
+    ///
+    /// # Errors
+    ///
+    /// There is no such memory.
+    ///
+    /// # Panics
+    ///
+    /// The address is beyond its depth, or the value does not fit.
+    #[track_caller]
+    pub fn poke_memory(&mut self, path: &str, address: u32, value: impl IntoValue) -> Result<(), UnknownName> {
+        let (memory, lane) = self.memory(path, address)?;
+        match value.into_value(self.program.memories[memory as usize].width) {
+            Ok(bits) => self.engine.set_word(memory, lane, address, bits.limbs()),
+            Err(problem) => panic!("a word of `{path}` {problem}"),
+        }
+        Ok(())
+    }
+
+    #[track_caller]
+    fn memory(&self, path: &str, address: u32) -> Result<(u32, u32), UnknownName> {
+        let (memory, lane) = lookup::memory(&self.program.hierarchy, path)?;
+        let depth = self.program.memories[memory as usize].depth;
+        assert!(address < depth, "address {address} of memory `{path}`, which has {depth} words");
+        Ok((memory, lane))
+    }
+
+    fn lane(&mut self, id: ValueId, lane: u32) -> Bits {
+        let value = *self.program.value(id);
+        let start = lane as usize * value.limbs();
+        Bits::from_limbs(value.width, &self.engine.read(id)[start..start + value.limbs()])
+    }
+
+    /// Records inputs and outputs at every instant from here on.
+    ///
+    /// # Panics
+    ///
+    /// After the first step, or with a seed: a replay could not start from the same state.
+    #[track_caller]
+    pub fn recording(&mut self) -> Arc<Mutex<Recording>> {
+        assert!(self.timeline.time == 0, "a recording starts before the first step");
+        assert!(self.seed == 0, "a recording starts from zeros, not from seed {}", self.seed);
+        let recording = Arc::new(Mutex::new(Recording::new(&self.program)));
+        self.observers.push(Box::new(Recorder(recording.clone())));
+        recording
+    }
+
+    /// Draws a wave of these ports and signals, by [`Port`] or by name, from here on.
+    ///
+    /// # Panics
+    ///
+    /// There is no such name.
+    #[track_caller]
+    pub fn record(&mut self, what: impl IntoIterator<Item = impl Into<Probe>>) -> Wave {
+        let sources = what.into_iter().map(|probe| self.source(probe.into())).collect();
+        let clocks = self.program.clocks.iter().map(|clock| (clock.port.clone(), clock.period)).collect();
+        let wave = Wave::new(clocks, sources);
+        self.observers.push(Box::new(crate::trace::Draw(wave.clone())));
+        wave
+    }
+}
+
+/// What a wave shows: a port, or anything with a name.
+#[derive(Debug, Clone)]
+pub enum Probe {
+    /// A port of the top module.
+    Port(Port),
+    /// A hierarchical name.
+    Path(String),
+}
+
+impl From<Port> for Probe {
+    fn from(port: Port) -> Probe {
+        Probe::Port(port)
+    }
+}
+
+impl From<&str> for Probe {
+    fn from(path: &str) -> Probe {
+        Probe::Path(path.to_string())
+    }
+}
+
+impl<I: Bundle, O: Bundle> Simulation<I, O> {
+    #[track_caller]
+    fn source(&self, probe: Probe) -> crate::trace::Source {
+        let name = match probe {
+            Probe::Port(port) => self.declared(port).name.clone(),
+            Probe::Path(path) => path,
+        };
+        match lookup::signal(&self.program.hierarchy, &name) {
+            Ok(Found { signal, lane }) => {
+                crate::trace::Source { value: signal.value, lane, states: signal.states.clone(), name }
+            }
+            Err(unknown) => panic!("{unknown}"),
+        }
+    }
+}

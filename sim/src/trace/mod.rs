@@ -1,0 +1,43 @@
+//! What watches a run: waveform files, waves in text, recordings. A run without any pays nothing for them.
+
+mod recording;
+mod wave;
+
+use crate::error::Error;
+use crate::program::Program;
+use crate::reference::Engine;
+
+pub use recording::{Recording, Step};
+pub use wave::Wave;
+pub(crate) use recording::Recorder;
+pub(crate) use wave::{Draw, Source};
+
+/// What an observer sees: the circuit settled before an edge.
+pub(crate) struct View<'a> {
+    pub program: &'a Program,
+    pub engine: &'a mut Engine,
+    /// The last instant, in picoseconds: the values have been in force since.
+    pub since: u64,
+    /// The coming instant.
+    pub until: u64,
+    /// The clocks that rise at the coming instant.
+    pub rising: &'a [usize],
+    /// Which resets are high, by clock.
+    pub resets: &'a [bool],
+}
+
+/// Something that watches every instant.
+pub(crate) trait Observer {
+    /// The circuit as it is just before an edge.
+    fn sample(&mut self, view: &mut View) -> Result<(), Error>;
+
+    /// An assertion failed; the sample before this call shows it.
+    fn failed(&mut self) -> Result<(), Error> {
+        Ok(())
+    }
+
+    /// The run ends; `view` shows the circuit after the last edge.
+    fn finish(&mut self, _view: &mut View) -> Result<(), Error> {
+        Ok(())
+    }
+}
