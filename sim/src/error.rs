@@ -59,7 +59,10 @@ pub struct Violation {
 impl fmt::Display for Violation {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let Violation { message, instance, clock, cycle, time, loc } = self;
-        write!(f, "assertion failed in `{instance}` in cycle {cycle} of `{clock}`, at {time} ps: {message}\n  --> {loc}")
+        write!(
+            f,
+            "assertion failed in `{instance}` in cycle {cycle} of `{clock}`, at {time} ps: {message}\n  --> {loc}"
+        )
     }
 }
 

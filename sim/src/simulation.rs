@@ -111,9 +111,9 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     pub fn port(&self, name: &str) -> Result<Port, UnknownName> {
         let ports = || self.program.inputs.iter().chain(&self.program.outputs);
         let found = ports().position(|port| port.name == name || port.path == name);
-        found.map(|index| Port { index: index as u32 }).ok_or_else(|| {
-            UnknownName::new("port", name, &ports().map(|port| port.name.clone()).collect::<Vec<_>>())
-        })
+        found
+            .map(|index| Port { index: index as u32 })
+            .ok_or_else(|| UnknownName::new("port", name, &ports().map(|port| port.name.clone()).collect::<Vec<_>>()))
     }
 
     /// The declaration of a port.
@@ -121,7 +121,8 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     pub(crate) fn declared(&self, port: Port) -> &program::Port {
         let index = port.index as usize;
         let inputs = self.program.inputs.len();
-        let found = if index < inputs { Some(&self.program.inputs[index]) } else { self.program.outputs.get(index - inputs) };
+        let found =
+            if index < inputs { Some(&self.program.inputs[index]) } else { self.program.outputs.get(index - inputs) };
         found.expect("the port is of another simulation")
     }
 

@@ -182,9 +182,7 @@ impl Flatten<'_> {
         let lane = |i| instance.inputs.iter().map(|&node| body.lane(node, i)).collect();
         match instance.lanes {
             None => vec![enter(Replication::Single, body.lanes, whole())],
-            Some(n) if unrolled => {
-                (0..n).map(|i| enter(Replication::Element(i), body.lanes, lane(i))).collect()
-            }
+            Some(n) if unrolled => (0..n).map(|i| enter(Replication::Element(i), body.lanes, lane(i))).collect(),
             Some(n) => {
                 let base = enter(Replication::Whole(n), body.lanes * n, whole());
                 for &node in &instance.outputs {
@@ -320,7 +318,8 @@ impl Flatten<'_> {
         scope.clocks = (module.clocks.iter().zip(&body.clocks))
             .map(|(ports, &clock)| ClockPort { port: ports.port.clone(), reset: ports.reset.clone(), clock })
             .collect();
-        scope.memories = module.memories.iter().map(|memory| memory.name.clone()).zip(memories.iter().copied()).collect();
+        scope.memories =
+            module.memories.iter().map(|memory| memory.name.clone()).zip(memories.iter().copied()).collect();
         scope.signals = signals(module, |node| body.whole(node));
     }
 }

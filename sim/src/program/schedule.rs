@@ -109,9 +109,11 @@ fn sampled(netlist: &Netlist) -> Vec<(usize, Vec<ValueId>)> {
     let registers = netlist.registers.iter().map(|register| {
         (register.clock as usize, [Some(register.next), register.enable].into_iter().flatten().collect())
     });
-    let reads = netlist.memories.iter().flat_map(|memory| &memory.reads).map(|read| {
-        (read.clock as usize, [Some(read.address), read.enable].into_iter().flatten().collect())
-    });
+    let reads = netlist
+        .memories
+        .iter()
+        .flat_map(|memory| &memory.reads)
+        .map(|read| (read.clock as usize, [Some(read.address), read.enable].into_iter().flatten().collect()));
     let writes = netlist
         .memories
         .iter()

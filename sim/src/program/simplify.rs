@@ -47,7 +47,9 @@ fn alias(netlist: &Netlist, id: ValueId) -> Option<ValueId> {
         Kind::Alias(of) | Kind::Repeat(of, 1) | Kind::Broadcast(of, 1) => Some(*of),
         Kind::Slice(of, 0) | Kind::Extend(of, _) if netlist.cell(*of).width == cell.width => Some(*of),
         Kind::Concat(parts) | Kind::PerLane(parts) if parts.len() == 1 => Some(parts[0]),
-        Kind::Lane { of, group: 1, .. } | Kind::Reduce { of, group: 1, .. } | Kind::Shifted { of, by: 0, .. } => Some(*of),
+        Kind::Lane { of, group: 1, .. } | Kind::Reduce { of, group: 1, .. } | Kind::Shifted { of, by: 0, .. } => {
+            Some(*of)
+        }
         Kind::Mux { on_true, on_false, .. } if on_true == on_false => Some(*on_true),
         Kind::Mux { select, on_true, on_false } => {
             constant(*select).map(|select| if select.is_zero() { *on_false } else { *on_true })

@@ -42,7 +42,8 @@ impl Plan {
         let staged = program.registers.iter();
         let staged = staged.map(|it| samples_state(it.next, it.enable).then(|| room(it.value))).collect();
         let data = |&(memory, port): &(u32, u32)| program.memories[memory as usize].reads[port as usize].value;
-        let reads = program.clocks.iter().map(|clock| clock.reads.iter().map(|read| room(data(read))).collect()).collect();
+        let reads =
+            program.clocks.iter().map(|clock| clock.reads.iter().map(|read| room(data(read))).collect()).collect();
         let entangled = (0..program.clocks.len()).map(|clock| is_entangled(program, clock as u32)).collect();
         let resets = vec![false; program.clocks.len()];
         Plan { staged, reads, entangled, resets, waiting: vec![0; size] }
@@ -203,7 +204,9 @@ fn take(out: &mut [u64], next: &[u64], enable: Option<&[u64]>, limbs: usize) -> 
         }
         Some(enable) => {
             let lanes = out.chunks_exact_mut(limbs).zip(next.chunks_exact(limbs)).zip(enable);
-            lanes.filter(|(_, enable)| **enable != 0).fold(false, |changed, ((out, next), _)| replace(out, next) | changed)
+            lanes
+                .filter(|(_, enable)| **enable != 0)
+                .fold(false, |changed, ((out, next), _)| replace(out, next) | changed)
         }
     }
 }

@@ -46,7 +46,11 @@ impl Engine {
             memories: Vec::new(),
             pending: Triggers::NONE,
             stale: vec![true; program.segments.len()],
-            narrow: program.operations.iter().map(|operation| is_narrow(&program, &operation.kind, operation.result)).collect(),
+            narrow: program
+                .operations
+                .iter()
+                .map(|operation| is_narrow(&program, &operation.kind, operation.result))
+                .collect(),
             idle: vec![false; program.clocks.len()],
             plan: edge::Plan::new(&program),
             program,

@@ -28,7 +28,9 @@ impl Engine {
         for register in &program.registers {
             if let Some(reset) = &register.reset {
                 let value = program.value(register.value);
-                self.limbs[value.range()].chunks_exact_mut(value.limbs()).for_each(|at| at.copy_from_slice(reset.limbs()));
+                self.limbs[value.range()]
+                    .chunks_exact_mut(value.limbs())
+                    .for_each(|at| at.copy_from_slice(reset.limbs()));
             }
         }
     }
@@ -85,8 +87,8 @@ fn mix(seed: u64) -> u64 {
 
 /// The FNV-1a hash of a name, mixed with the seed.
 fn hash(seed: u64, name: &str) -> u64 {
-    let fnv = name.bytes().fold(0xcbf2_9ce4_8422_2325, |hash: u64, byte| {
-        (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)
-    });
+    let fnv = name
+        .bytes()
+        .fold(0xcbf2_9ce4_8422_2325, |hash: u64, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3));
     mix(seed ^ mix(fnv))
 }

@@ -7,9 +7,9 @@ use crate::error::Error;
 use crate::program::Program;
 use crate::reference::Engine;
 
+pub(crate) use recording::Recorder;
 pub use recording::{Recording, Step};
 pub use wave::Wave;
-pub(crate) use recording::Recorder;
 pub(crate) use wave::{Draw, Source};
 
 /// What an observer sees: the circuit settled before an edge.

@@ -40,9 +40,8 @@ pub struct Step {
 
 impl Recording {
     pub(crate) fn new(program: &Program) -> Recording {
-        let ports = |ports: &[Port]| {
-            ports.iter().map(|port| (port.name.clone(), program.value(port.value).width)).collect()
-        };
+        let ports =
+            |ports: &[Port]| ports.iter().map(|port| (port.name.clone(), program.value(port.value).width)).collect();
         let (zeroed_registers, zeroed_memories) = crate::start::unset(program);
         Recording {
             inputs: ports(&program.inputs),

@@ -165,7 +165,13 @@ impl Row {
         for (i, &now) in high.iter().enumerate() {
             line.extend(std::iter::repeat_n(level(now), column - 1));
             line.push(match high.get(i + 1) {
-                Some(&next) if next != now => if next { '/' } else { '\\' },
+                Some(&next) if next != now => {
+                    if next {
+                        '/'
+                    } else {
+                        '\\'
+                    }
+                }
                 _ => level(now),
             });
         }

@@ -1,0 +1,53 @@
+//! A counter: described, tested, shown as a wave, printed as Verilog.
+//!
+//! `cargo run -p tilewright-hdl --example counter`
+
+use tilewright_hdl::*;
+use tilewright_sim::Simulation;
+
+bundle! {
+    struct CounterIn<T> { enable: T }
+    struct CounterOut<T> { count: T, wraps: T }
+}
+
+/// Counts from 0 to `limit - 1` and starts again.
+#[derive(Debug)]
+struct Counter {
+    width: u32,
+    limit: u64,
+}
+
+impl Block for Counter {
+    type In = CounterIn;
+    type Out = CounterOut;
+
+    fn inputs(&self) -> CounterIn<Width> {
+        CounterIn { enable: bit() }
+    }
+
+    fn build(&self, m: Module, i: CounterIn) -> CounterOut {
+        let count = m.reg("count", self.width).reset(0);
+        net!(at_end = count.eq(self.limit - 1));
+        count.enable(i.enable).next(mux(at_end, 0, count + 1));
+        CounterOut { count: count.value(), wraps: at_end & i.enable }
+    }
+}
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let counter = Counter { width: 4, limit: 3 };
+
+    let mut sim = Simulation::of(&counter)?;
+    let wave = sim.record([sim.i.enable, sim.o.count, sim.o.wraps]);
+    for (enable, count) in [(1, 0), (1, 1), (0, 2), (1, 2), (1, 0)] {
+        sim.drive(CounterIn { enable });
+        assert_eq!(sim.get(sim.o.count), count);
+        sim.step();
+    }
+    println!("{wave}");
+
+    #[cfg(any())]
+    for file in tilewright_gen::verilog(&elaborate(&counter)?) {
+        print!("{}", file.text);
+    }
+    Ok(())
+}
