@@ -1,1 +1,28 @@
 //! Scenes, triangle set-up in integers, and the golden rasterizer.
+
+pub mod angle;
+pub mod builtin;
+mod camera;
+mod checksum;
+mod clip;
+mod error;
+pub mod frame;
+pub mod golden;
+mod light;
+mod mesh;
+pub mod packet;
+mod project;
+mod scene;
+mod setup;
+mod size;
+
+pub use camera::Camera;
+pub use error::SceneError;
+pub use frame::Frame;
+pub use light::{Light, Lighting};
+pub use mesh::{BoundingBox, Mesh, MeshTriangle, smooth_normals};
+pub use packet::{Edge, PixelBox, Plane, ScreenVertex, Triangle};
+pub use project::{Counts, Projection, project, project_sample};
+pub use scene::Scene;
+pub use setup::{pixel_bounds, set_up, signed_area2};
+pub use size::{MAX_SIDE, Size};

@@ -1,0 +1,69 @@
+//! Measures the built-in scenes: what a machine will meet, and the checksums that `tests/pinned.rs` holds.
+//!
+//! `cargo run --release -p tilewright-scenes --example measure [WIDTH HEIGHT]`
+
+use std::error::Error;
+use std::time::Instant;
+use tilewright_scenes::{Scene, Size, builtin, golden, project};
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let sides: Vec<u32> = std::env::args()
+        .skip(1)
+        .map(|a| a.parse())
+        .collect::<Result<_, _>>()?;
+    for name in builtin::NAMES {
+        let begun = Instant::now();
+        let Some(scene) = Scene::builtin(name) else {
+            continue;
+        };
+        let size = match sides[..] {
+            [width, height] => Size::new(width, height)?,
+            _ => scene.size,
+        };
+        let made = begun.elapsed();
+        let projection = project(&scene, size)?;
+        let projected = begun.elapsed();
+        let triangles = &projection.triangles;
+        let frame = golden::render(size, triangles, scene.background);
+        let rendered = begun.elapsed();
+        let ties = golden::ties(size, triangles);
+        let area: f64 = triangles.iter().map(|t| t.area()).sum();
+        let largest = triangles.iter().map(|t| t.area()).fold(0.0, f64::max);
+        let blank = tilewright_scenes::frame::blank(scene.background);
+        let patches = (0..size.height().div_ceil(4))
+            .flat_map(|y| (0..size.width().div_ceil(4)).map(move |x| (x, y)))
+            .filter(|&(px, py)| {
+                (0..16).any(|i| {
+                    let (x, y) = (4 * px + i % 4, 4 * py + i / 4);
+                    x < size.width() && y < size.height() && frame.word(x, y) != blank
+                })
+            })
+            .count();
+        println!("{name} at {size}");
+        println!("  {:?}", projection.counts);
+        println!(
+            "  packets {}, mean area {:.2} px, largest {largest:.0} px",
+            triangles.len(),
+            area / triangles.len() as f64
+        );
+        println!(
+            "  covered {:.1} %, {patches} patches of 4x4",
+            100.0 * ties.covered as f64 / size.pixels() as f64
+        );
+        println!(
+            "  exact ties at {} pixels, {} of them decided by colour",
+            ties.pixels, ties.decided_by_colour
+        );
+        println!(
+            "  mesh checksum {:#018x}, frame checksum {:#018x}",
+            scene.mesh.checksum(),
+            frame.checksum()
+        );
+        println!(
+            "  built in {made:.0?}, projected in {:.0?}, rendered in {:.0?}",
+            projected - made,
+            rendered - projected
+        );
+    }
+    Ok(())
+}

@@ -1,0 +1,83 @@
+//! The built-in scenes: those of the VC-1 paper, with exactly its polygon counts (facts D, VC1-SCENE).
+//!
+//! Cameras are the ones of facts D; light and background are ours.
+
+pub mod teapot;
+pub mod terrain;
+
+use crate::camera::Camera;
+use crate::light::{Light, Lighting};
+use crate::mesh::Mesh;
+use crate::scene::Scene;
+use crate::size::Size;
+use glam::{DVec3, dvec3};
+
+/// The built-in scenes' names.
+pub const NAMES: [&str; 3] = ["teapot", "ter1k", "ter250"];
+
+/// A built-in scene, or `None` if there is none of that name.
+pub fn scene(name: &str) -> Option<Scene> {
+    let (mesh, camera) = match name {
+        "teapot" => (teapot::mesh(8), teapot_camera()),
+        "ter1k" => (terrain::mesh(4), terrain_camera()),
+        "ter250" => (terrain::mesh(1), terrain_camera()),
+        _ => return None,
+    };
+    Some(with_defaults(name, mesh, camera))
+}
+
+/// A scene with the light, the background and the size that everything gets unless it asks for others.
+pub(crate) fn with_defaults(name: &str, mesh: Mesh, camera: Camera) -> Scene {
+    Scene {
+        name: name.to_owned(),
+        mesh,
+        lighting: default_lighting(&camera),
+        camera,
+        background: BACKGROUND,
+        size: Size::VGA,
+        warnings: Vec::new(),
+    }
+}
+
+/// Night blue: visible against a black border, dark behind every scene.
+pub(crate) const BACKGROUND: [u8; 3] = [24, 28, 44];
+
+/// A key light from behind the eye's left shoulder and a weak one from the right, whatever the camera.
+pub(crate) fn default_lighting(camera: &Camera) -> Lighting {
+    let back = camera.eye - camera.target;
+    let right = camera.up.cross(back);
+    let length = |v: DVec3| v.dot(v).sqrt();
+    let (back, right, up) = (
+        back / length(back),
+        right / length(right),
+        camera.up / length(camera.up),
+    );
+    let light = |toward: DVec3, intensity: f64| Light { toward, intensity };
+    Lighting {
+        ambient: 0.2,
+        lights: vec![
+            light(back * 0.5 - right * 0.6 + up * 0.7, 0.75),
+            light(back * 0.3 + right + up * 0.2, 0.2),
+        ],
+    }
+}
+
+fn teapot_camera() -> Camera {
+    Camera {
+        eye: dvec3(0.0, -9.5, 5.2),
+        target: dvec3(0.2, 0.0, 1.45),
+        up: DVec3::Z,
+        fov: 30.0,
+    }
+}
+
+/// 62 km out and 38 km up from the middle of the map, which is 79.75 km square and lies on the plane z = 0.
+fn terrain_camera() -> Camera {
+    let centre = dvec3(terrain::MIDDLE, terrain::MIDDLE, 0.0);
+    Camera {
+        eye: centre + dvec3(0.0, -62.0, 38.0),
+        target: centre,
+        up: DVec3::Z,
+        fov: 50.0,
+    }
+}

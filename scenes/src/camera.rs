@@ -1,0 +1,147 @@
+//! The camera: where the eye is, what it looks at, and how wide it sees.
+//!
+//! The recipe for views round a scene (VC1-T1: 48 azimuths) is [`Camera::orbited`].
+
+use crate::SceneError;
+use crate::angle;
+use crate::mesh::{BoundingBox, representable};
+use crate::size::Size;
+use glam::DVec3;
+
+/// A perspective camera.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Camera {
+    /// Where the eye is, in the mesh's unit.
+    pub eye: DVec3,
+    /// The point in the middle of the picture.
+    pub target: DVec3,
+    /// The direction that is up in the picture; not parallel to the line of sight.
+    pub up: DVec3,
+    /// Vertical field of view in degrees, above 0 and below 180.
+    pub fov: f64,
+}
+
+/// A camera's axes, unit vectors at right angles, and the picture's scale.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct View {
+    eye: DVec3,
+    right: DVec3,
+    down: DVec3,
+    forward: DVec3,
+    /// Half the picture's height at distance 1.
+    pub(crate) half_height: f64,
+}
+
+impl Camera {
+    /// A camera that shows the whole of a box, seen from `direction` (from the box towards the eye).
+    pub fn framing(
+        bounds: BoundingBox,
+        direction: DVec3,
+        up: DVec3,
+        fov: f64,
+        size: Size,
+    ) -> Camera {
+        let centre = bounds.min / 2.0 + bounds.max / 2.0;
+        let half = bounds.max / 2.0 - bounds.min / 2.0;
+        // A single point still needs a distance.
+        let radius = half.dot(half).sqrt().max(1e-9);
+        // The sphere round the box must fit the narrower field of view.
+        let aspect = f64::from(size.width()) / f64::from(size.height());
+        let tangent = angle::tan(fov / 2.0) * aspect.min(1.0);
+        let sine = tangent / (1.0 + tangent * tangent).sqrt();
+        let towards = direction / direction.dot(direction).sqrt();
+        Camera {
+            eye: centre + towards * (radius / sine),
+            target: centre,
+            up,
+            fov,
+        }
+    }
+
+    /// The camera turned round the axis through the target along `up`, counter-clockwise seen from above, in degrees.
+    pub fn orbited(&self, degrees: f64) -> Camera {
+        let axis = self.up / self.up.dot(self.up).sqrt();
+        let arm = self.eye - self.target;
+        let (s, c) = angle::sin_cos(degrees);
+        let turned = arm * c + axis.cross(arm) * s + axis * (axis.dot(arm) * (1.0 - c));
+        Camera {
+            eye: self.target + turned,
+            ..*self
+        }
+    }
+
+    /// Checks the camera.
+    ///
+    /// # Errors
+    /// [`SceneError::Invalid`] if a number is not finite, the eye is at the target, up is parallel to the line of sight, or the
+    /// field of view is out of range.
+    pub fn check(&self) -> Result<(), SceneError> {
+        self.view().map(|_| ())
+    }
+
+    pub(crate) fn view(&self) -> Result<View, SceneError> {
+        for (name, v) in [("eye", self.eye), ("target", self.target), ("up", self.up)] {
+            if !representable(v) {
+                return Err(SceneError::invalid(
+                    format!("the camera's {name} is {v}"),
+                    "give three finite numbers below 1e100",
+                ));
+            }
+        }
+        if !(self.fov > 0.0 && self.fov < 180.0) {
+            return Err(SceneError::invalid(
+                format!("the camera's field of view is {} degrees", self.fov),
+                "give an angle above 0 and below 180",
+            ));
+        }
+        let sight = self.target - self.eye;
+        if sight == DVec3::ZERO {
+            return Err(SceneError::invalid(
+                format!(
+                    "the camera's eye and target are the same point, {}",
+                    self.eye
+                ),
+                "move one of them",
+            ));
+        }
+        let forward = unit(sight);
+        let right = forward.cross(unit(self.up));
+        let sine2 = right.dot(right);
+        // An up of length zero is NaN here.
+        if sine2.is_nan() || sine2 < 1e-12 {
+            return Err(SceneError::invalid(
+                format!(
+                    "the camera's up, {}, is zero or parallel to its line of sight",
+                    self.up
+                ),
+                "choose another up",
+            ));
+        }
+        let right = unit(right);
+        Ok(View {
+            eye: self.eye,
+            right,
+            down: forward.cross(right),
+            forward,
+            half_height: angle::tan(self.fov / 2.0),
+        })
+    }
+}
+
+impl View {
+    /// A point as (right, down, forward) of the eye, in the mesh's unit.
+    pub(crate) fn of_point(&self, p: DVec3) -> DVec3 {
+        let arm = p - self.eye;
+        DVec3::new(
+            self.right.dot(arm),
+            self.down.dot(arm),
+            self.forward.dot(arm),
+        )
+    }
+}
+
+/// `v` at length 1; NaN if it has none.
+fn unit(v: DVec3) -> DVec3 {
+    let scaled = v / v.abs().max_element();
+    scaled / scaled.dot(scaled).sqrt()
+}

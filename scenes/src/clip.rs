@@ -1,0 +1,54 @@
+//! Clipping in view space: a triangle against the near plane and, where it leaves the guard band, against that.
+//!
+//! Source: facts E0 (vertices are 16 bits of 1/16 pixel, so the front end clips); the method is Sutherland and Hodgman's, 1974.
+//! An edge is always cut from its inner end to its outer one, so two triangles that share it get the same new vertex.
+
+use glam::DVec3;
+
+/// A vertex in view space: (right, down, forward) of the eye, and its colour.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct ViewVertex {
+    pub(crate) at: DVec3,
+    pub(crate) rgb: DVec3,
+}
+
+/// A plane of view space; a point is inside if `normal . p >= offset`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct ClipPlane {
+    pub(crate) normal: DVec3,
+    pub(crate) offset: f64,
+}
+
+impl ClipPlane {
+    /// How far inside a point is; negative outside.
+    pub(crate) fn inside_by(&self, p: DVec3) -> f64 {
+        self.normal.dot(p) - self.offset
+    }
+
+    /// The part of a convex polygon inside the plane; empty if none.
+    pub(crate) fn clip(&self, polygon: &[ViewVertex]) -> Vec<ViewVertex> {
+        let mut kept = Vec::with_capacity(polygon.len() + 1);
+        for (i, &from) in polygon.iter().enumerate() {
+            let to = polygon[(i + 1) % polygon.len()];
+            let (d, e) = (self.inside_by(from.at), self.inside_by(to.at));
+            if d >= 0.0 {
+                kept.push(from);
+            }
+            if d >= 0.0 && e < 0.0 {
+                kept.push(cut(from, d, to, e));
+            } else if d < 0.0 && e >= 0.0 {
+                kept.push(cut(to, e, from, d));
+            }
+        }
+        kept
+    }
+}
+
+/// Where the edge from `inner` (inside by d) to `outer` (by e, negative) meets the plane.
+fn cut(inner: ViewVertex, d: f64, outer: ViewVertex, e: f64) -> ViewVertex {
+    let t = d / (d - e);
+    ViewVertex {
+        at: inner.at + (outer.at - inner.at) * t,
+        rgb: inner.rgb + (outer.rgb - inner.rgb) * t,
+    }
+}

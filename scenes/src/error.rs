@@ -1,0 +1,99 @@
+//! Everything a user can get wrong, each as one sentence that names the place and the remedy.
+
+use std::path::PathBuf;
+
+/// A mistake in a scene, a file or a name. `Display` is the whole sentence.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum SceneError {
+    /// A width or height out of range.
+    #[error(
+        "an image of {width}x{height} pixels cannot be rendered: give a width and a height between 1 and 2048"
+    )]
+    Size {
+        /// The width asked for, in pixels.
+        width: i64,
+        /// The height asked for, in pixels.
+        height: i64,
+    },
+    /// A name that is neither a built-in scene nor a file's.
+    #[error("there is no scene `{name}`: {remedy}")]
+    UnknownScene {
+        /// What was asked for.
+        name: String,
+        /// What to type instead.
+        remedy: String,
+    },
+    /// A file that cannot be opened or read.
+    #[error("{}: cannot be read ({reason}): {remedy}", path.display())]
+    Read {
+        /// The file.
+        path: PathBuf,
+        /// What the system said.
+        reason: String,
+        /// What to do.
+        remedy: String,
+    },
+    /// A file that cannot be written; nothing of it is left behind.
+    #[error("{}: cannot be written ({reason}): {remedy}", path.display())]
+    Write {
+        /// The file.
+        path: PathBuf,
+        /// What the system said.
+        reason: String,
+        /// What to do.
+        remedy: String,
+    },
+    /// A mistake in a line of a file.
+    #[error("{}:{line}: {problem}: {remedy}", path.display())]
+    Line {
+        /// The file.
+        path: PathBuf,
+        /// The line, counted from 1.
+        line: usize,
+        /// What is wrong there.
+        problem: String,
+        /// What to write instead.
+        remedy: String,
+    },
+    /// A mistake at a place of a scene file.
+    #[error("{}:{line}:{column}: {problem}: {remedy}", path.display())]
+    Place {
+        /// The file.
+        path: PathBuf,
+        /// The line, counted from 1.
+        line: usize,
+        /// The column in characters, counted from 1.
+        column: usize,
+        /// What is wrong there.
+        problem: String,
+        /// What to write instead.
+        remedy: String,
+    },
+    /// A mistake in a file as a whole.
+    #[error("{}: {problem}: {remedy}", path.display())]
+    File {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong.
+        problem: String,
+        /// What to do.
+        remedy: String,
+    },
+    /// A mesh, camera or light made in code that makes no picture.
+    #[error("{problem}: {remedy}")]
+    Invalid {
+        /// What is wrong.
+        problem: String,
+        /// What to do.
+        remedy: String,
+    },
+}
+
+impl SceneError {
+    pub(crate) fn invalid(problem: impl Into<String>, remedy: impl Into<String>) -> SceneError {
+        SceneError::Invalid {
+            problem: problem.into(),
+            remedy: remedy.into(),
+        }
+    }
+}

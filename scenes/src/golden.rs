@@ -1,0 +1,129 @@
+//! The golden rasterizer: the plainest double loop over the integer contract, against which every machine is compared.
+//!
+//! Source: facts E0. It shares the packet's type with the machines and nothing else: products are formed directly in i64, with
+//! no increments, no tree and no early exit, so that it can be checked by reading.
+
+use crate::frame::{Frame, depth_of, rgb_of, word};
+use crate::packet::*;
+use crate::size::Size;
+
+impl Triangle {
+    /// Whether the triangle covers pixel (x, y): all three reduced edge functions are at least 0 (DES-EDGE).
+    pub fn covers(&self, x: u32, y: u32) -> bool {
+        self.edges.iter().all(|e| {
+            i64::from(e.a) * i64::from(x) + i64::from(e.b) * i64::from(y) + i64::from(e.c) >= 0
+        })
+    }
+
+    /// Depth at pixel (x, y), 24 bits; meaningful where the triangle covers the pixel (DES-Z).
+    pub fn depth(&self, x: u32, y: u32) -> u32 {
+        plane_at(&self.z, x, y, DEPTH_PLANE_BITS) as u32
+    }
+
+    /// Red, green and blue at pixel (x, y); meaningful where the triangle covers the pixel.
+    pub fn rgb(&self, x: u32, y: u32) -> [u8; 3] {
+        self.rgb
+            .map(|plane| plane_at(&plane, x, y, COLOUR_PLANE_BITS) as u8)
+    }
+
+    /// The visibility word at pixel (x, y): `z << 24 | r << 16 | g << 8 | b`.
+    pub fn word(&self, x: u32, y: u32) -> u64 {
+        word(self.depth(x, y), self.rgb(x, y))
+    }
+}
+
+/// The whole part of a plane of `bits` bits at pixel (x, y).
+fn plane_at(plane: &Plane, x: u32, y: u32, bits: u32) -> u64 {
+    let sum = u128::from(plane.x) * u128::from(x)
+        + u128::from(plane.y) * u128::from(y)
+        + u128::from(plane.origin);
+    ((sum % (1u128 << bits)) >> FRACTION_BITS) as u64
+}
+
+/// Renders triangles over a background: each pixel keeps the least word (DES-MIN), so their order does not matter.
+pub fn render(size: Size, triangles: &[Triangle], background: [u8; 3]) -> Frame {
+    let mut frame = Frame::blank(size, background);
+    each_fragment(size, triangles, |pixel, fragment| {
+        let kept = &mut frame.words[pixel];
+        *kept = (*kept).min(fragment);
+    });
+    frame
+}
+
+/// Renders triangles with the strict rule: depth alone decides, and of equal depths the first submitted stays (facts E0).
+pub fn render_strict(size: Size, triangles: &[Triangle], background: [u8; 3]) -> Frame {
+    let mut frame = Frame::blank(size, background);
+    each_fragment(size, triangles, |pixel, fragment| {
+        let kept = &mut frame.words[pixel];
+        if depth_of(fragment) < depth_of(*kept) {
+            *kept = fragment;
+        }
+    });
+    frame
+}
+
+/// How often exact depth ties decide a frame (facts E0: to be counted per scene).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Ties {
+    /// Pixels whose least depth is reached by two or more triangles.
+    pub pixels: u64,
+    /// Those among them where the tied triangles differ in colour, so that a rule is needed: least word, or first submitted.
+    pub decided_by_colour: u64,
+    /// Pixels that some triangle covers.
+    pub covered: u64,
+}
+
+/// Counts the exact depth ties of a frame.
+pub fn ties(size: Size, triangles: &[Triangle]) -> Ties {
+    #[derive(Clone, Copy)]
+    struct Front {
+        depth: u32,
+        rgb: [u8; 3],
+        tied: bool,
+        coloured: bool,
+    }
+    let mut front: Vec<Option<Front>> = vec![None; size.pixels()];
+    each_fragment(size, triangles, |pixel, fragment| {
+        let (depth, rgb) = (depth_of(fragment), rgb_of(fragment));
+        match &mut front[pixel] {
+            Some(kept) if kept.depth < depth => {}
+            Some(kept) if kept.depth == depth => {
+                kept.tied = true;
+                kept.coloured |= kept.rgb != rgb;
+            }
+            nearer => {
+                *nearer = Some(Front {
+                    depth,
+                    rgb,
+                    tied: false,
+                    coloured: false,
+                });
+            }
+        }
+    });
+    let mut ties = Ties::default();
+    for kept in front.into_iter().flatten() {
+        ties.covered += 1;
+        ties.pixels += u64::from(kept.tied);
+        ties.decided_by_colour += u64::from(kept.coloured);
+    }
+    ties
+}
+
+/// Calls `visit(pixel index, word)` for every pixel that each triangle covers, triangle by triangle.
+fn each_fragment(size: Size, triangles: &[Triangle], mut visit: impl FnMut(usize, u64)) {
+    for triangle in triangles {
+        let bounds = triangle.bounds;
+        // A packet set up for a larger screen is cut to this one.
+        for y in bounds.top..=bounds.bottom.min(size.height() - 1) {
+            for x in bounds.left..=bounds.right.min(size.width() - 1) {
+                if triangle.covers(x, y) {
+                    visit(
+                        y as usize * size.width() as usize + x as usize,
+                        triangle.word(x, y),
+                    );
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,279 @@
+//! The front end: a scene becomes triangle packets for a screen.
+//!
+//! Transform, light, clip, project, snap to 1/16 pixel, set up (facts E0). Depth is `(1 - near/w) * far/(far - near)` for a
+//! distance w along the line of sight: linear in 1/w, so that a plane in space is a plane on the screen. `near` and `far` are taken
+//! from the scene: they enclose what is in front of the eye, near being at least far/1000.
+//!
+//! Float results are bit-equal on every machine: only + - * / and square roots of f64 are used (see [`crate::angle`]).
+
+use crate::SceneError;
+use crate::camera::View;
+use crate::clip::{ClipPlane, ViewVertex};
+use crate::light::{Lighting, facing};
+use crate::mesh::{MeshTriangle, unit_or_z};
+use crate::packet::*;
+use crate::scene::Scene;
+use crate::setup::{set_up, signed_area2};
+use crate::size::Size;
+use glam::DVec3;
+
+/// What becomes of a scene's polygons; every polygon is counted once, in `drawn` or in one of the four fields after it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Counts {
+    /// Triangles of the mesh.
+    pub polygons: u32,
+    /// Polygons with at least one packet.
+    pub drawn: u32,
+    /// Polygons wholly nearer than the near plane, or behind the eye.
+    pub behind: u32,
+    /// Polygons wholly outside the screen.
+    pub off_screen: u32,
+    /// Polygons of zero area after snapping.
+    pub degenerate: u32,
+    /// Polygons on the screen that enclose no pixel centre along one of the axes.
+    pub between_centres: u32,
+    /// Polygons that clipping turned into two packets or more; they count as drawn too.
+    pub split: u32,
+}
+
+/// A scene on a screen.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Projection {
+    /// The screen.
+    pub size: Size,
+    /// Packets in order of submission; [`Triangle::polygon`] tells which polygon of the mesh each is of, never decreasing.
+    pub triangles: Vec<Triangle>,
+    /// The three vertices that each packet was set up from, in the same order as `triangles`.
+    pub vertices: Vec<[ScreenVertex; 3]>,
+    /// What became of the polygons.
+    pub counts: Counts,
+}
+
+/// Projects a scene onto a screen.
+///
+/// # Errors
+/// [`SceneError`] if the camera or the lights are no good, or if nothing of the mesh is in front of the camera.
+pub fn project(scene: &Scene, size: Size) -> Result<Projection, SceneError> {
+    project_sample(scene, size, [0, 0])
+}
+
+/// Projects a scene with every vertex moved by `shift`, in 1/16 pixel: one sample of a multi-pass antialiased frame (facts E0, AA).
+///
+/// # Errors
+/// As [`project`]; also if a shift exceeds a pixel.
+pub fn project_sample(
+    scene: &Scene,
+    size: Size,
+    shift: [i32; 2],
+) -> Result<Projection, SceneError> {
+    if shift.iter().any(|s| s.abs() > SUBPIXELS) {
+        return Err(SceneError::invalid(
+            format!("a sample's shift is {shift:?} sixteenths of a pixel"),
+            "give numbers from -16 to 16",
+        ));
+    }
+    scene.lighting.check()?;
+    let view = scene.camera.view()?;
+    let seen: Vec<DVec3> = scene
+        .mesh
+        .positions()
+        .iter()
+        .map(|&p| view.of_point(p))
+        .collect();
+    let screen = Screen::new(scene, &seen, view, size, shift)?;
+    let lighting = scene.lighting.normalized();
+    let mut projection = Projection {
+        size,
+        triangles: Vec::with_capacity(scene.mesh.triangles().len()),
+        vertices: Vec::with_capacity(scene.mesh.triangles().len()),
+        counts: Counts::default(),
+    };
+    for (polygon, triangle) in (0..).zip(scene.mesh.triangles()) {
+        let lit = light_corners(scene, &lighting, triangle);
+        let corners = [0, 1, 2].map(|i| ViewVertex {
+            at: seen[triangle.positions[i] as usize],
+            rgb: lit[i],
+        });
+        projection.counts.polygons += 1;
+        match screen.clip(corners) {
+            Ok(pieces) => projection.submit(polygon, &pieces, &screen),
+            Err(Clipped::Behind) => projection.counts.behind += 1,
+            Err(Clipped::OffScreen) => projection.counts.off_screen += 1,
+        }
+    }
+    Ok(projection)
+}
+
+impl Projection {
+    /// Sets up the pieces of one polygon and counts what became of it.
+    fn submit(&mut self, polygon: u32, pieces: &[[ViewVertex; 3]], screen: &Screen) {
+        let before = self.triangles.len();
+        let (mut proper, mut on_screen) = (false, false);
+        for piece in pieces {
+            let vertices = piece.map(|v| screen.snap(v));
+            proper |= signed_area2(&vertices) != 0;
+            on_screen |= screen.meets(&vertices);
+            if let Some(mut packet) = set_up(&vertices, self.size) {
+                packet.polygon = polygon;
+                self.triangles.push(packet);
+                self.vertices.push(vertices);
+            }
+        }
+        let counts = &mut self.counts;
+        let fate = match self.triangles.len() - before {
+            0 if !proper => &mut counts.degenerate,
+            0 if !on_screen => &mut counts.off_screen,
+            0 => &mut counts.between_centres,
+            packets => {
+                counts.split += u32::from(packets > 1);
+                &mut counts.drawn
+            }
+        };
+        *fate += 1;
+    }
+}
+
+/// The colours of a triangle's corners, each channel 0 to 1.
+fn light_corners(scene: &Scene, lighting: &Lighting, triangle: &MeshTriangle) -> [DVec3; 3] {
+    let [p, q, r] = triangle
+        .positions
+        .map(|i| scene.mesh.positions()[i as usize]);
+    let face = (q - p).cross(r - p);
+    let diffuse = DVec3::from_array(triangle.diffuse);
+    triangle.normals.map(|i| {
+        let normal = unit_or_z(scene.mesh.normals()[i as usize]);
+        diffuse * lighting.at(facing(normal, face, scene.camera.eye - p))
+    })
+}
+
+/// What clipping left nothing of, and on which side it was.
+#[derive(Clone, Copy)]
+enum Clipped {
+    Behind,
+    OffScreen,
+}
+
+/// The screen as the front end sees it: view space to 1/16 pixels.
+struct Screen {
+    size: Size,
+    shift: [i32; 2],
+    /// Middle of the screen, in pixels.
+    centre: [f64; 2],
+    /// Pixels per unit of right/forward.
+    scale: f64,
+    near: f64,
+    /// far / (far - near).
+    depth_scale: f64,
+    near_plane: ClipPlane,
+    guard: [ClipPlane; 4],
+}
+
+impl Screen {
+    fn new(
+        scene: &Scene,
+        seen: &[DVec3],
+        view: View,
+        size: Size,
+        shift: [i32; 2],
+    ) -> Result<Screen, SceneError> {
+        let corners = scene.mesh.triangles().iter().flat_map(|t| t.positions);
+        let depths = corners.map(|i| seen[i as usize].z).filter(|&w| w > 0.0);
+        let (nearest, far) = depths.fold((f64::INFINITY, 0.0_f64), |(near, far), w| {
+            (near.min(w), far.max(w))
+        });
+        if far == 0.0 {
+            return Err(SceneError::invalid(
+                format!(
+                    "nothing of the mesh is in front of the camera at {} looking towards {}",
+                    scene.camera.eye, scene.camera.target
+                ),
+                "move the eye or the target",
+            ));
+        }
+        let near = nearest.max(far / 1000.0);
+        // A mesh at one distance: any far plane behind it serves.
+        let far = far.max(near * 1.001);
+        let centre = [
+            f64::from(size.width()) / 2.0,
+            f64::from(size.height()) / 2.0,
+        ];
+        let scale = centre[1] / view.half_height;
+        // The guard band less the shift, so that a moved vertex is still 16 bits.
+        let limits = |axis: usize| {
+            let sub = |position: i32| f64::from(position - shift[axis]) / f64::from(SUBPIXELS);
+            (sub(i16::MIN.into()), sub(i16::MAX.into()))
+        };
+        let ((left, right), (top, bottom)) = (limits(0), limits(1));
+        let plane = |x: f64, y: f64, w: f64| ClipPlane {
+            normal: DVec3::new(x, y, w),
+            offset: 0.0,
+        };
+        Ok(Screen {
+            size,
+            shift,
+            centre,
+            scale,
+            near,
+            depth_scale: far / (far - near),
+            near_plane: ClipPlane {
+                normal: DVec3::Z,
+                offset: near,
+            },
+            guard: [
+                plane(scale, 0.0, centre[0] - left),
+                plane(-scale, 0.0, right - centre[0]),
+                plane(0.0, scale, centre[1] - top),
+                plane(0.0, -scale, bottom - centre[1]),
+            ],
+        })
+    }
+
+    /// The pieces of a triangle that are beyond the near plane and, where it leaves the guard band, inside that; at least one.
+    fn clip(&self, corners: [ViewVertex; 3]) -> Result<Vec<[ViewVertex; 3]>, Clipped> {
+        let planes = [(&self.near_plane, Clipped::Behind)]
+            .into_iter()
+            .chain(self.guard.iter().map(|plane| (plane, Clipped::OffScreen)));
+        let mut polygon = corners.to_vec();
+        for (plane, outside) in planes {
+            if polygon.iter().any(|v| plane.inside_by(v.at) < 0.0) {
+                polygon = plane.clip(&polygon);
+            }
+            if polygon.len() < 3 {
+                return Err(outside);
+            }
+        }
+        Ok((2..polygon.len())
+            .map(|i| [polygon[0], polygon[i - 1], polygon[i]])
+            .collect())
+    }
+
+    /// A vertex at its 1/16 pixel.
+    fn snap(&self, v: ViewVertex) -> ScreenVertex {
+        let w = v.at.z;
+        let place = |axis: usize, offset: f64| {
+            let pixels = self.centre[axis] + offset * self.scale / w;
+            let snapped = (pixels * f64::from(SUBPIXELS) + 0.5).floor() as i32;
+            snapped
+                .saturating_add(self.shift[axis])
+                .clamp(i16::MIN.into(), i16::MAX.into())
+        };
+        let range = f64::from(FARTHEST_VERTEX - NEAREST_VERTEX);
+        let depth = ((1.0 - self.near / w) * self.depth_scale).clamp(0.0, 1.0);
+        ScreenVertex {
+            x: place(0, v.at.x),
+            y: place(1, v.at.y),
+            z: NEAREST_VERTEX + (depth * range + 0.5).floor() as u32,
+            rgb: v.rgb.to_array().map(|c| (c * 255.0 + 0.5).floor() as u8),
+        }
+    }
+
+    /// Whether the box round the vertices meets the screen.
+    fn meets(&self, vertices: &[ScreenVertex; 3]) -> bool {
+        let axis = |positions: [i32; 3], side: u32| {
+            positions.iter().any(|&p| p > 0)
+                && positions.iter().any(|&p| p < side as i32 * SUBPIXELS)
+        };
+        axis(vertices.map(|v| v.x), self.size.width())
+            && axis(vertices.map(|v| v.y), self.size.height())
+    }
+}
