@@ -1,4 +1,60 @@
 //! A synchronous hardware language embedded in Rust.
+//!
+//! A block is a struct of parameters and a function from an input bundle to an output bundle:
+//!
+//! ```
+//! use tilewright_hdl::*;
+//!
+//! bundle! {
+//!     pub struct CounterIn<T> { pub enable: T }
+//!     pub struct CounterOut<T> { pub count: T, pub wraps: T }
+//! }
+//!
+//! /// Counts from 0 to `limit - 1` and starts again.
+//! #[derive(Debug)]
+//! pub struct Counter { pub width: u32, pub limit: u64 }
+//!
+//! impl Block for Counter {
+//!     type In = CounterIn;
+//!     type Out = CounterOut;
+//!
+//!     fn inputs(&self) -> CounterIn<Width> {
+//!         CounterIn { enable: bit() }
+//!     }
+//!
+//!     fn build(&self, m: Module, i: CounterIn) -> CounterOut {
+//!         let count = m.reg("count", self.width).reset(0);
+//!         net!(at_end = count.eq(self.limit - 1));
+//!         count.enable(i.enable).next(mux(at_end, 0, count + 1));
+//!         CounterOut { count: count.value(), wraps: at_end & i.enable }
+//!     }
+//! }
+//!
+//! let design = elaborate(&Counter { width: 8, limit: 10 })?;
+//! assert_eq!(design.top().name, "counter_width8_limit10");
+//! # Ok::<(), Problems>(())
+//! ```
+//!
+//! | to say | write |
+//! |---|---|
+//! | a port | a field of a [`bundle!`], as wide as [`bit`]`()` or [`bits`]`(n)` in [`Block::inputs`] |
+//! | an expression | `+ - & \| ^ ! << >>` and methods of [`Signal`]; integers take the width of what they meet |
+//! | a change of width | [`zext`](Signal::zext) [`sext`](Signal::sext) [`trunc`](Signal::trunc) [`slice`](Signal::slice) [`bit`](Signal::bit) [`cat!`] [`repeat`](Signal::repeat) |
+//! | a choice | [`mux`], [`select`] (first that holds), [`case`] (by value), [`mux_bundle`] |
+//! | signed arithmetic | [`Signal::signed`], a type of its own |
+//! | a named net | `net!(at_end = ..)`, or [`Signal::named`] |
+//! | a net read before it is driven | [`Module::wire`] |
+//! | a register | [`Module::reg`], then [`reset`](Reg::reset), [`enable`](Reg::enable), [`next`](Reg::next); [`Module::pipe`] for a pipeline stage |
+//! | a state machine | [`states!`], [`Module::fsm`], [`StateReg::next`] |
+//! | a memory | [`Module::memory`], [`Mem::read`], [`Mem::read_async`], [`Mem::write`] |
+//! | an instance, an array of them | [`Module::instance`], [`Module::array`] with [`Lanes`] |
+//! | another clock | [`Module::on`], [`Mem::on`], [`Width::on`]; [`Module::synchronize`], [`Signal::quasi_static`] to cross |
+//! | what must hold | [`Module::assert`] |
+//!
+//! Both sides of an operator have equal widths, results wrap, and `==` does not compile: [`Signal::eq`] does. Every mistake
+//! in a description is found when it is elaborated, and all of them are reported at once ([`Problems`]), each with the lines
+//! of the description that it involves. What comes out, [`Design`], is the circuit that `tilewright-sim` runs and
+//! `tilewright-gen` prints.
 
 mod bits;
 mod block;
