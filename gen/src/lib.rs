@@ -1,1 +1,19 @@
 //! Prints a circuit as Verilog with a self-checking testbench.
+//!
+//! [`verilog`] turns a [`Design`](tilewright_hdl::ir::Design) into one file a module, in the Verilog-2001 subset that
+//! Verilator, Icarus and Yosys agree on. [`testbench`] replays a recorded run against those files. [`tools`] runs the
+//! external programs that check both.
+
+pub mod tools;
+mod verilog;
+
+pub use verilog::verilog;
+
+/// A file of the printed design: Verilog, or the data that a memory is loaded with.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct VerilogFile {
+    /// The file's name, such as `counter_width8.v`; data files end in `.hex` and belong beside the Verilog.
+    pub name: String,
+    /// The whole text.
+    pub text: String,
+}

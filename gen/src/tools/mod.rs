@@ -1,0 +1,52 @@
+//! Runs the programs that check printed Verilog: four linters, two simulators, and Yosys's replay of a dump.
+//!
+//! Made for tests, of this crate and of others. Where a program is missing a check says `skipped: NAME is not
+//! installed` and counts as skipped; with the environment variable `CI` set it fails instead, so that no pipeline
+//! passes by leaving out its checks.
+
+mod linters;
+mod replay;
+mod run;
+
+pub use linters::lint;
+pub use replay::{replay_in_icarus, replay_in_verilator, yosys_replay_vcd};
+
+use std::fmt;
+
+/// What became of a check that found nothing wrong.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[must_use]
+pub enum Checked {
+    /// It ran.
+    Passed,
+    /// The program is not installed.
+    Skipped,
+}
+
+/// What the programs complain about.
+#[derive(Clone, PartialEq, Eq)]
+pub struct Problems(pub Vec<Problem>);
+
+/// What one program complains about.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Problem {
+    /// The program, such as `verilator 5.006`.
+    pub tool: String,
+    /// What it printed.
+    pub output: String,
+}
+
+impl fmt::Display for Problems {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        self.0.iter().try_for_each(|problem| writeln!(f, "{} says:\n{}", problem.tool, problem.output.trim_end()))
+    }
+}
+
+/// As [`Display`](fmt::Display), so that a failed `unwrap` in a test is readable.
+impl fmt::Debug for Problems {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        write!(f, "\n{self}")
+    }
+}
+
+impl std::error::Error for Problems {}

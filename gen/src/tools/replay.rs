@@ -1,0 +1,84 @@
+//! Replays: a testbench in Icarus and in Verilator, and a dump against the printed Verilog in Yosys.
+
+use super::run::{Folder, Verilator, is_installed, missing, problem, sources, top};
+use super::{Checked, Problems};
+use crate::VerilogFile;
+use std::path::Path;
+use std::process::Command;
+
+/// Runs the testbench in Icarus.
+///
+/// # Errors
+///
+/// What Icarus or the testbench printed, if that is not `PASS`.
+pub fn replay_in_icarus(files: &[VerilogFile], bench: &VerilogFile) -> Result<Checked, Problems> {
+    if !is_installed("iverilog") || !is_installed("vvp") {
+        return Ok(missing("iverilog"));
+    }
+    let folder = folder_with(files, bench);
+    let mut compile = Command::new("iverilog");
+    compile.args(["-g2005", "-Wall", "-o", "bench.vvp", &bench.name]).args(sources(files));
+    let (succeeded, output) = folder.run(&mut compile);
+    if !succeeded || !output.is_empty() {
+        return Err(problem("iverilog", output));
+    }
+    let (_, output) = folder.run(Command::new("vvp").args(["-n", "bench.vvp"]));
+    verdict("iverilog", output)
+}
+
+/// Builds the testbench with Verilator and runs it; takes a C++ compiler and some ten seconds.
+///
+/// # Errors
+///
+/// What Verilator, the compiler or the testbench printed, if that is not `PASS`.
+pub fn replay_in_verilator(files: &[VerilogFile], bench: &VerilogFile) -> Result<Checked, Problems> {
+    let verilators = [Verilator::System, Verilator::Python];
+    let Some((tool, mut build)) = verilators.into_iter().find_map(|v| Some((v.name(), v.command()?))) else {
+        return Ok(missing("verilator"));
+    };
+    let folder = folder_with(files, bench);
+    let top = bench.name.trim_end_matches(".v");
+    build.args(["--binary", "--Mdir", "build", "-o", "bench", "--top-module", top, &bench.name]).args(sources(files));
+    let (succeeded, output) = folder.run(&mut build);
+    if !succeeded {
+        return Err(problem(tool, output));
+    }
+    let (_, output) = folder.run(&mut Command::new(folder.path().join("build/bench")));
+    verdict(tool, output)
+}
+
+fn folder_with(files: &[VerilogFile], bench: &VerilogFile) -> Folder {
+    let mut all = files.to_vec();
+    all.push(bench.clone());
+    Folder::with(&all)
+}
+
+fn verdict(tool: &str, output: String) -> Result<Checked, Problems> {
+    match output.lines().any(|line| line.starts_with("PASS: ")) {
+        true => Ok(Checked::Passed),
+        false => Err(problem(tool, output)),
+    }
+}
+
+/// Replays a dump (VCD or FST) against the Verilog in Yosys and compares every signal that is in both: inputs are
+/// driven from the dump, the rest must follow.
+///
+/// `scope` is the top module's scope in the dump, such as `tb.dut`; `clocks` are the names of its clocks in it.
+///
+/// # Errors
+///
+/// What Yosys printed, if it found a difference.
+pub fn yosys_replay_vcd(files: &[VerilogFile], dump: &Path, scope: &str, clocks: &[&str]) -> Result<Checked, Problems> {
+    if !is_installed("yosys") {
+        return Ok(missing("yosys"));
+    }
+    let folder = Folder::with(files);
+    let dump = dump.canonicalize().unwrap_or_else(|error| panic!("{} cannot be read: {error}", dump.display()));
+    let clocks: String = clocks.iter().map(|clock| format!("-clock {clock} ")).collect();
+    let (sources, top) = (sources(files).join(" "), top(files));
+    let dump = dump.display();
+    let script =
+        format!("read_verilog {sources}; prep -top {top}; sim -r {dump} -scope {scope} {clocks}-sim-cmp {top}");
+    let (succeeded, output) = folder.run(Command::new("yosys").args(["-q", "-p", &script]));
+    if succeeded && !output.contains("ERROR") { Ok(Checked::Passed) } else { Err(problem("yosys", output)) }
+}

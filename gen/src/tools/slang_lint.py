@@ -1,0 +1,24 @@
+"""Lints Verilog files with slang (pyslang): slang_lint.py TOP FILE...
+
+Everything slang knows is a warning here and every warning fails, except:
+  unused-net        Verilator decides what is unused; it knows `_unused_ok` by its name, slang does not.
+"""
+
+import sys
+
+from pyslang.driver import Driver
+
+ALLOWED = ["unused-net"]
+
+top, files = sys.argv[1], sys.argv[2:]
+flags = ["-Weverything"] + ["-Wno-" + name for name in ALLOWED]
+driver = Driver()
+driver.addStandardArgs()
+ok = driver.parseCommandLine(" ".join(["slang", "-Werror", "--top", top] + flags + files))
+ok = ok and driver.processOptions() and driver.parseAllSources()
+if ok:
+    compilation = driver.createCompilation()
+    driver.reportCompilation(compilation, True)
+    driver.runAnalysis(compilation)
+    ok = driver.reportDiagnostics(True)
+sys.exit(0 if ok else 1)

@@ -1,0 +1,122 @@
+//! Choices as statements: the `if` chains and `case`s of registers and of `always @*` blocks.
+
+use super::expression::Printer;
+use super::literal::{Style, literal};
+use super::plan::Form;
+use super::statement::Statement;
+use tilewright_hdl::ir::{NodeId, Op};
+
+/// What statements assign to.
+pub struct Target {
+    /// Its name.
+    pub name: String,
+    /// `<=` for a register, `=` for a net.
+    pub assign: &'static str,
+    /// The node whose value it keeps where nothing is assigned: a register's own.
+    pub hold: Option<NodeId>,
+    /// The states that it takes.
+    pub states: Option<usize>,
+}
+
+impl Printer<'_> {
+    /// The statements that give `target` the value of a node; none where a register keeps its value.
+    pub fn statements(&mut self, id: NodeId, target: &Target) -> Vec<Statement> {
+        match &self.module.node(id).op {
+            _ if target.hold == Some(id) => Vec::new(),
+            Op::Case { .. } if self.is_choice(id) => vec![self.case(id, target)],
+            Op::Mux { .. } | Op::Select { .. } if self.is_choice(id) => vec![self.if_chain(id, target)],
+            _ => self.leaf(id, target),
+        }
+    }
+
+    /// A value inside of a choice: a further choice only if it is part of this block.
+    fn branch(&mut self, id: NodeId, target: &Target) -> Vec<Statement> {
+        match self.plan.form(id) {
+            Form::Block => self.leaf(id, target),
+            _ => self.statements(id, target),
+        }
+    }
+
+    /// As [`Self::branch`], with the assignment spelled where a register keeps its value.
+    fn full_branch(&mut self, id: NodeId, target: &Target) -> Vec<Statement> {
+        match self.branch(id, target) {
+            body if body.is_empty() => vec![target.keep()],
+            body => body,
+        }
+    }
+
+    fn leaf(&mut self, id: NodeId, target: &Target) -> Vec<Statement> {
+        if target.hold == Some(id) {
+            return Vec::new();
+        }
+        let value = self.state(id, target.states).unwrap_or_else(|| self.value(id));
+        vec![Statement::Assign(format!("{} {} {value};", target.name, target.assign))]
+    }
+
+    fn is_choice(&self, id: NodeId) -> bool {
+        matches!(self.plan.form(id), Form::Branches | Form::Block)
+    }
+
+    fn case(&mut self, id: NodeId, target: &Target) -> Statement {
+        let Op::Case { subject, arms, default } = &self.module.node(id).op else { unreachable!("a case") };
+        let states = self.states.of(*subject);
+        let subject = self.value(*subject);
+        let mut printed = Vec::with_capacity(arms.len());
+        for (key, value) in arms {
+            let label = match states {
+                Some(states) => self.states.name(states, key),
+                None => literal(key, Style::Count),
+            };
+            printed.push((label, self.full_branch(*value, target)));
+        }
+        Statement::Case(subject, printed, self.full_branch(*default, target))
+    }
+
+    fn if_chain(&mut self, id: NodeId, target: &Target) -> Statement {
+        let (mut arms, last) = self.chain(id);
+        let holds = |id: NodeId| target.hold == Some(id);
+        while holds(last) && arms.last().is_some_and(|&(_, value)| holds(value)) {
+            arms.pop();
+        }
+        if let [(condition, value)] = arms[..]
+            && holds(value)
+        {
+            let condition = format!("!{}", self.operand(condition, Style::Count));
+            return Statement::If(vec![(condition, self.branch(last, target))], Vec::new());
+        }
+        let mut printed = Vec::with_capacity(arms.len());
+        for (condition, value) in arms {
+            let condition = self.value(condition);
+            printed.push((condition, self.full_branch(value, target)));
+        }
+        Statement::If(printed, self.branch(last, target))
+    }
+
+    /// The conditions and values of choices that follow each other in the `else`, and the last `else`.
+    fn chain(&self, mut id: NodeId) -> (Vec<(NodeId, NodeId)>, NodeId) {
+        let mut arms = Vec::new();
+        loop {
+            id = match &self.module.node(id).op {
+                Op::Mux { select, on_true, on_false } => {
+                    arms.push((*select, *on_true));
+                    *on_false
+                }
+                Op::Select { arms: more, default } => {
+                    arms.extend(more);
+                    *default
+                }
+                _ => return (arms, id),
+            };
+            if self.plan.form(id) != Form::Branches {
+                return (arms, id);
+            }
+        }
+    }
+}
+
+impl Target {
+    /// The assignment that changes nothing.
+    pub fn keep(&self) -> Statement {
+        Statement::Assign(format!("{0} {1} {0};", self.name, self.assign))
+    }
+}

@@ -1,0 +1,242 @@
+//! Expressions as text. Both sides of an operator have equal widths and every change of width is spelled, so that no
+//! context of Verilog's own widens or truncates anything; an operand that is itself an operator has parentheses.
+
+use super::array::ArrayNames;
+use super::literal::{Style, literal};
+use super::memory::{ReadNames, name_reads};
+use super::names::{Taken, name_nodes};
+use super::plan::{Form, Plan};
+use super::states::StateNames;
+use super::usage::Usage;
+use std::collections::{BTreeMap, BTreeSet};
+use tilewright_hdl::ir::{Binary, Design, InstanceId, Module, NodeId, Op, Relation, Shift, Unary};
+
+/// A folded module while it is being printed.
+pub struct Printer<'a> {
+    pub design: &'a Design,
+    pub module: &'a Module,
+    pub plan: Plan,
+    pub taken: Taken,
+    /// The names of the nodes that have one.
+    pub names: Vec<Option<String>>,
+    /// The names of synchronous read ports, by memory and port.
+    pub reads: Vec<Vec<Option<ReadNames>>>,
+    pub states: StateNames,
+    pub arrays: ArrayNames,
+    pub usage: Usage,
+    /// Which lanes of an array's output something reads whole.
+    pub lanes_read: BTreeMap<NodeId, Vec<bool>>,
+    /// Clock and reset ports that something reads.
+    pub clocks_read: BTreeSet<String>,
+}
+
+impl<'a> Printer<'a> {
+    pub fn new(design: &'a Design, module: &'a Module) -> Printer<'a> {
+        let plan = Plan::new(module);
+        let mut taken = Taken::of(module);
+        let reads = name_reads(module, &mut taken);
+        let names = name_nodes(design, module, &plan, &reads, &mut taken);
+        let states = StateNames::new(module, &mut taken);
+        let arrays = ArrayNames::new(design, module, &mut taken);
+        let usage = Usage::new(module.nodes.len());
+        let (lanes_read, clocks_read) = (BTreeMap::new(), BTreeSet::new());
+        Printer { design, module, plan, taken, names, reads, states, arrays, usage, lanes_read, clocks_read }
+    }
+
+    /// The name of a node that has one.
+    pub fn name(&self, id: NodeId) -> &str {
+        self.names[id.0 as usize].as_deref().expect("a declared node has a name")
+    }
+
+    /// The expression of a node where it is used: its name if it has one.
+    pub fn value(&mut self, id: NodeId) -> String {
+        self.value_as(id, Style::Count)
+    }
+
+    fn value_as(&mut self, id: NodeId, style: Style) -> String {
+        match self.plan.form(id) {
+            Form::Declared | Form::Net | Form::Block => {
+                self.usage.mark(id, 0, self.module.width(id));
+                self.name(id).to_string()
+            }
+            _ => self.expression(id, style),
+        }
+    }
+
+    /// The operator of a node, whatever its name.
+    pub fn expression(&mut self, id: NodeId, style: Style) -> String {
+        let module = self.module;
+        let node = module.node(id);
+        match &node.op {
+            Op::Const(value) => literal(value, style),
+            Op::Unary(unary, a) => self.unary(*unary, *a),
+            Op::Binary(binary, a, b) => self.binary(*binary, *a, *b, node.width),
+            Op::Compare { relation, signed, operands } => self.compare(*relation, *signed, *operands),
+            Op::Shift(Shift::RightSigned, a, amount) => {
+                let (a, amount) = (self.value(*a), self.operand(*amount, Style::Count));
+                format!("$signed({a}) >>> {amount}")
+            }
+            Op::Shift(shift, a, amount) => {
+                let operator = if *shift == Shift::Left { "<<" } else { ">>" };
+                format!("{} {operator} {}", self.operand(*a, style), self.operand(*amount, Style::Count))
+            }
+            Op::Mux { select, on_true, on_false } => {
+                let states = self.states.of(id);
+                let select = self.operand(*select, style);
+                let on_true = self.state(*on_true, states).unwrap_or_else(|| self.operand(*on_true, style));
+                let on_false = self.state(*on_false, states).unwrap_or_else(|| self.operand(*on_false, style));
+                format!("{select} ? {on_true} : {on_false}")
+            }
+            Op::Slice { of, low } => self.slice(*of, *low, node.width),
+            Op::Concat(parts) => {
+                let parts: Vec<String> = parts.iter().map(|&part| self.value_as(part, Style::Pattern)).collect();
+                format!("{{{}}}", parts.join(", "))
+            }
+            Op::Repeat(a, times) => format!("{{{times}{{{}}}}}", self.value_as(*a, Style::Pattern)),
+            Op::Extend { of, signed: false } => {
+                let zeros = node.width - module.width(*of);
+                format!("{{{zeros}'d0, {}}}", self.value_as(*of, Style::Pattern))
+            }
+            Op::Extend { of, signed: true } => self.extend_signed(*of, node.width),
+            Op::Wire(a) | Op::QuasiStatic(a, _) => self.value_as(*a, style),
+            Op::Lane(of, lane) => {
+                self.read_lane(*of, *lane);
+                self.lane_name(*of, *lane)
+            }
+            Op::Read(memory, port) => self.asynchronous_read(*memory, *port),
+            Op::Reduce(..) | Op::Select { .. } | Op::Case { .. } => unreachable!("printed as a net of its own"),
+            Op::Input(_) | Op::Register(_) | Op::Output(..) => self.value(id),
+            Op::Broadcast(_) | Op::PerLane(_) | Op::Shifted { .. } => unreachable!("printed in its array"),
+        }
+    }
+
+    /// The expression of an operand, in parentheses if it is an operator.
+    pub fn operand(&mut self, id: NodeId, style: Style) -> String {
+        let mut inner = id;
+        while let (Form::Inline, Op::Wire(to) | Op::QuasiStatic(to, _)) =
+            (self.plan.form(inner), &self.module.node(inner).op)
+        {
+            inner = *to;
+        }
+        let text = self.value_as(inner, style);
+        let operator = match &self.module.node(inner).op {
+            Op::Unary(unary, _) => *unary != Unary::Not,
+            Op::Binary(..) | Op::Compare { .. } | Op::Shift(..) | Op::Mux { .. } => true,
+            _ => false,
+        };
+        if operator && self.plan.form(inner) == Form::Inline { format!("({text})") } else { text }
+    }
+
+    fn unary(&mut self, unary: Unary, a: NodeId) -> String {
+        let operator = match unary {
+            Unary::Not if self.module.width(a) == 1 => "!",
+            Unary::Not => "~",
+            Unary::AllOnes => "&",
+            Unary::AnyOne => "|",
+            Unary::Parity => "^",
+        };
+        format!("{operator}{}", self.operand(a, Style::Pattern))
+    }
+
+    fn binary(&mut self, binary: Binary, a: NodeId, b: NodeId, width: u32) -> String {
+        let operator = match binary {
+            Binary::And => "&",
+            Binary::Or => "|",
+            Binary::Xor => "^",
+            Binary::Add => "+",
+            Binary::Sub => "-",
+            Binary::Mul => return format!("{} * {}", self.widened(a, width), self.widened(b, width)),
+            Binary::MulSigned => return format!("$signed({}) * $signed({})", self.value(a), self.value(b)),
+        };
+        let style = if matches!(binary, Binary::Add | Binary::Sub) { Style::Count } else { Style::Pattern };
+        format!("{} {operator} {}", self.operand(a, style), self.operand(b, style))
+    }
+
+    /// A factor of an unsigned product, at the product's width.
+    fn widened(&mut self, a: NodeId, width: u32) -> String {
+        match &self.module.node(a).op {
+            Op::Const(value) => literal(&value.resize(width), Style::Count),
+            _ => format!("{{{}'d0, {}}}", width - self.module.width(a), self.value(a)),
+        }
+    }
+
+    fn compare(&mut self, relation: Relation, signed: bool, [a, b]: [NodeId; 2]) -> String {
+        let operator = match relation {
+            Relation::Eq => "==",
+            Relation::Ne => "!=",
+            Relation::Lt => "<",
+            Relation::Le => "<=",
+            Relation::Gt => ">",
+            Relation::Ge => ">=",
+        };
+        if signed && !matches!(relation, Relation::Eq | Relation::Ne) {
+            return format!("$signed({}) {operator} $signed({})", self.value(a), self.value(b));
+        }
+        let (left, right) = (self.state_or_operand(a, b), self.state_or_operand(b, a));
+        format!("{left} {operator} {right}")
+    }
+
+    /// An operand of a comparison: a constant that is compared with a state has the state's name.
+    fn state_or_operand(&mut self, id: NodeId, other: NodeId) -> String {
+        self.state(id, self.states.of(other)).unwrap_or_else(|| self.operand(id, Style::Count))
+    }
+
+    /// The state that a constant stands for where a state of that enum is expected.
+    pub fn state(&mut self, id: NodeId, states: Option<usize>) -> Option<String> {
+        match (&self.module.node(id).op, self.plan.form(id), states) {
+            (Op::Const(value), Form::Inline, Some(states)) => Some(self.states.name(states, value)),
+            _ => None,
+        }
+    }
+
+    fn slice(&mut self, of: NodeId, low: u32, width: u32) -> String {
+        let name = self.sliced(of, low, width);
+        if width == 1 { format!("{name}[{low}]") } else { format!("{name}[{}:{low}]", low + width - 1) }
+    }
+
+    /// The name that a slice is taken of.
+    fn sliced(&mut self, of: NodeId, low: u32, width: u32) -> String {
+        match self.module.node(of).op {
+            Op::Lane(array, lane) if self.plan.form(of) == Form::Inline => self.lane_name(array, lane),
+            _ => {
+                self.usage.mark(of, low, width);
+                self.name(of).to_string()
+            }
+        }
+    }
+
+    fn extend_signed(&mut self, of: NodeId, width: u32) -> String {
+        let (inner, missing) = (self.module.width(of), width - self.module.width(of));
+        let value = self.value(of);
+        let sign = match self.module.node(of).op {
+            _ if inner == 1 => return format!("{{{width}{{{value}}}}}"),
+            Op::Slice { of, low } if self.plan.form(of) != Form::Dead && !value.ends_with(')') => {
+                let base = self.sliced(of, low, inner);
+                format!("{base}[{}]", low + inner - 1)
+            }
+            _ => format!("{value}[{}]", inner - 1),
+        };
+        format!("{{{{{missing}{{{sign}}}}}, {value}}}")
+    }
+
+    /// The name of one lane of an array's output, seen from outside the array.
+    pub fn lane_name(&self, of: NodeId, lane: u32) -> String {
+        let (instance, port) = self.array_output(of);
+        let instance_name = &self.module.instances[instance.0 as usize].name;
+        format!("{instance_name}[{lane}].{}", self.lane_port(instance, port))
+    }
+
+    /// Notes that a whole lane is read.
+    pub fn read_lane(&mut self, of: NodeId, lane: u32) {
+        let lanes = self.module.node(of).lanes.expect("an array's output has lanes");
+        self.lanes_read.entry(of).or_insert_with(|| vec![false; lanes as usize])[lane as usize] = true;
+    }
+
+    /// The array and the port that a lane node comes from.
+    pub fn array_output(&self, of: NodeId) -> (InstanceId, u32) {
+        match self.module.node(of).op {
+            Op::Output(instance, port) => (instance, port),
+            _ => unreachable!("folding leaves only outputs to pick lanes of"),
+        }
+    }
+}

@@ -1,0 +1,73 @@
+//! Instances, with every port connected by name.
+
+use super::expression::Printer;
+use super::layout::{range, with_place};
+use tilewright_hdl::ir::{Instance, InstanceId, Module};
+
+impl Printer<'_> {
+    /// The nets that take the outputs of plain instances.
+    pub fn output_nets(&self) -> Vec<String> {
+        let module = self.module;
+        let outputs = module.instances.iter().filter(|instance| instance.lanes.is_none()).flat_map(|i| &i.outputs);
+        let declare = |id| {
+            let declaration = format!("wire {}{};", range(module.width(id)), self.name(id));
+            with_place(declaration, module.node(id).loc)
+        };
+        outputs.copied().filter(|&id| !self.is_port(id)).map(declare).collect()
+    }
+
+    /// The instances and instance arrays.
+    pub fn instances(&mut self) -> Vec<String> {
+        let module = self.module;
+        let mut out = Vec::new();
+        for (index, instance) in module.instances.iter().enumerate() {
+            match instance.lanes {
+                Some(lanes) => out.extend(self.array(InstanceId(index as u32), instance, lanes)),
+                None => out.extend(self.plain_instance(instance)),
+            }
+            out.push(String::new());
+        }
+        out
+    }
+
+    fn plain_instance(&mut self, instance: &Instance) -> Vec<String> {
+        let child = self.design.module(instance.module);
+        let mut connections = self.clock_connections(instance, child);
+        for (port, &input) in child.inputs.iter().zip(&instance.inputs) {
+            connections.push((port.name.clone(), self.value(input)));
+        }
+        for (port, &output) in child.outputs.iter().zip(&instance.outputs) {
+            connections.push((port.name.clone(), self.name(output).to_string()));
+        }
+        let mut out = connect(&child.name, &instance.name, &connections);
+        out[0] = with_place(std::mem::take(&mut out[0]), instance.loc);
+        out
+    }
+
+    /// The clocks and resets of an instance.
+    pub fn clock_connections(&mut self, instance: &Instance, child: &Module) -> Vec<(String, String)> {
+        let mut connections = Vec::new();
+        for (clock, &driver) in child.clocks.iter().zip(&instance.clocks) {
+            connections.push((clock.port.clone(), self.clock_port(driver)));
+            if let Some(reset) = &clock.reset {
+                connections.push((reset.clone(), self.reset_port(driver)));
+            }
+        }
+        connections
+    }
+}
+
+/// An instance of `module` with its connections aligned.
+pub fn connect(module: &str, name: &str, connections: &[(String, String)]) -> Vec<String> {
+    if connections.is_empty() {
+        return vec![format!("{module} {name} ();")];
+    }
+    let longest = connections.iter().map(|(port, _)| port.len()).max().unwrap_or(0);
+    let mut out = vec![format!("{module} {name} (")];
+    for (index, (port, value)) in connections.iter().enumerate() {
+        let comma = if index + 1 < connections.len() { "," } else { "" };
+        out.push(format!("    .{port:longest$} ({value}){comma}"));
+    }
+    out.push(");".to_string());
+    out
+}

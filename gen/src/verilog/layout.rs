@@ -1,0 +1,36 @@
+//! Small pieces of layout that every part of a module shares.
+
+use tilewright_hdl::Loc;
+
+/// Where a declaration's place in the source begins, if the declaration is shorter.
+const PLACE_COLUMN: usize = 60;
+
+/// `[7:0] `, or nothing for a single bit.
+pub fn range(width: u32) -> String {
+    if width == 1 { String::new() } else { format!("[{}:0] ", width - 1) }
+}
+
+/// The line with its place in the description as a trailing comment.
+pub fn with_place(line: String, loc: Loc) -> String {
+    format!("{line:PLACE_COLUMN$} // {}:{}", loc.file(), loc.line())
+}
+
+/// Items joined by commas, broken into lines of at most about 90 columns that are indented by `indent` spaces.
+pub fn wrapped(items: &[String], indent: usize) -> String {
+    let mut out = String::new();
+    let mut column = indent;
+    for (index, item) in items.iter().enumerate() {
+        let comma = if index + 1 < items.len() { "," } else { "" };
+        if index > 0 && column + item.len() + 2 > 90 {
+            out.push('\n');
+            out.push_str(&" ".repeat(indent));
+            column = indent;
+        } else if index > 0 {
+            out.push(' ');
+        }
+        out.push_str(item);
+        out.push_str(comma);
+        column += item.len() + 2;
+    }
+    out
+}

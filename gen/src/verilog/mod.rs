@@ -1,0 +1,42 @@
+//! The printer: a fold, a plan, names, and then the text of each part of a module.
+
+mod adopt;
+mod array;
+mod branches;
+mod constant;
+mod expression;
+mod fold;
+mod instance;
+mod layout;
+mod literal;
+mod memory;
+mod module;
+mod names;
+mod nets;
+mod order;
+mod plan;
+mod registers;
+mod statement;
+mod states;
+mod usage;
+
+use crate::VerilogFile;
+use expression::Printer;
+use tilewright_hdl::ir::Design;
+
+/// The design as Verilog, one file a module, each followed by the data files of its memories; the top is the last
+/// module.
+///
+/// The text is a Verilog-2001 subset with ANSI ports: free of warnings in Verilator, Icarus, Yosys and slang, the same
+/// bytes for the same design, and with the names of the description.
+pub fn verilog(design: &Design) -> Vec<VerilogFile> {
+    let mut files = Vec::new();
+    for module in &design.modules {
+        let mut folded = fold::fold(module);
+        adopt::adopt_names(&mut folded);
+        let text = module::print(&mut Printer::new(design, &folded));
+        files.push(VerilogFile { name: format!("{}.v", module.name), text });
+        files.extend(memory::data_files(&folded));
+    }
+    files
+}

@@ -1,0 +1,213 @@
+//! A whole module, in this order: header, ports, state names, registers and memories, nets, instances, always blocks,
+//! outputs, and what nothing reads.
+
+use super::array::UNREAD;
+use super::expression::Printer;
+use super::layout::{range, with_place, wrapped};
+use super::plan::Form;
+use tilewright_hdl::ir::{InstanceId, Module, NodeId, Op};
+
+/// The text of a folded module.
+pub fn print(printer: &mut Printer) -> String {
+    let mut body = Body::default();
+    let nets = printer.nets();
+    let instances = printer.instances();
+    let memories = printer.memory_declarations();
+    let contents = printer.memory_contents();
+    let memory_ports = printer.memory_ports();
+    let registers = printer.registers();
+    let outputs = printer.output_assigns();
+    body.section(printer.states.declarations());
+    body.section(printer.register_declarations());
+    body.section(memories);
+    body.section(contents);
+    body.section(printer.output_nets());
+    body.section(nets.before);
+    body.section(printer.genvar());
+    body.section(instances);
+    body.section(nets.after);
+    body.section(memory_ports);
+    body.section(registers);
+    body.section(outputs);
+    body.section(printer.unused());
+    let body = printer.fill_in_unread(body.lines);
+    let module = printer.module;
+    format!("{}{}{}endmodule\n`default_nettype wire\n", header(module), printer.ports(), body)
+}
+
+/// The lines between the ports and `endmodule`; sections are set apart by a blank line.
+#[derive(Default)]
+struct Body {
+    lines: Vec<String>,
+}
+
+impl Body {
+    fn section(&mut self, mut lines: Vec<String>) {
+        while lines.last().is_some_and(String::is_empty) {
+            lines.pop();
+        }
+        if !lines.is_empty() {
+            self.lines.push(String::new());
+            self.lines.extend(lines);
+        }
+    }
+}
+
+fn header(module: &Module) -> String {
+    let mut lines = vec![module.name.clone()];
+    let about = &module.about;
+    if !about.summary.is_empty() {
+        lines.push(String::new());
+        let words: Vec<&str> = about.summary.split_whitespace().collect();
+        let mut line = String::new();
+        for word in words {
+            if line.len() + word.len() > 90 {
+                lines.push(std::mem::take(&mut line));
+            }
+            line.push_str(if line.is_empty() { "" } else { " " });
+            line.push_str(word);
+        }
+        lines.push(line);
+    }
+    lines.push(String::new());
+    let facts = [("Parameters", &module.parameters), ("Latency", &about.latency), ("Source", &about.source)];
+    for (title, text) in facts.into_iter().filter(|(_, text)| !text.is_empty()) {
+        lines.push(format!("{title:11} {text}"));
+    }
+    lines.push(format!("{:11} {}:{}", "Described", module.loc.file(), module.loc.line()));
+    let comment = |line: &String| if line.is_empty() { "//\n".to_string() } else { format!("// {line}\n") };
+    format!("{}`default_nettype none\n\n", lines.iter().map(comment).collect::<String>())
+}
+
+impl Printer<'_> {
+    fn ports(&self) -> String {
+        let module = self.module;
+        let mut ports: Vec<(&str, u32, &str)> = Vec::new();
+        for clock in &module.clocks {
+            ports.push(("input  wire", 1, &clock.port));
+            ports.extend(clock.reset.iter().map(|reset| ("input  wire", 1, reset.as_str())));
+        }
+        ports.extend(module.inputs.iter().map(|input| ("input  wire", module.width(input.node), input.name.as_str())));
+        for output in &module.outputs {
+            let own = self.is_port(output.node) && self.names[output.node.0 as usize].as_ref() == Some(&output.name);
+            let direction = if own && self.is_variable(output.node) { "output reg " } else { "output wire" };
+            ports.push((direction, module.width(output.node), &output.name));
+        }
+        let longest = ports.iter().map(|&(_, width, _)| range(width).len()).max().unwrap_or(0);
+        let mut out = format!("module {} (", module.name);
+        for (index, (direction, width, name)) in ports.iter().enumerate() {
+            let comma = if index + 1 < ports.len() { "," } else { "" };
+            out.push_str(&format!("\n    {direction} {:longest$}{name}{comma}", range(*width)));
+        }
+        out.push_str("\n);\n");
+        out
+    }
+
+    /// Whether the name of a node is assigned in an always block.
+    fn is_variable(&self, id: NodeId) -> bool {
+        match self.module.node(id).op {
+            Op::Register(_) => true,
+            Op::Read(memory, port) => {
+                let names = &self.reads[memory.0 as usize][port as usize];
+                names.as_ref().is_some_and(|names| names.raw.is_none())
+            }
+            _ => self.plan.form(id) == Form::Block,
+        }
+    }
+
+    /// Whether a node's name is the name of the output port that it drives.
+    pub fn is_port(&self, id: NodeId) -> bool {
+        let name = self.names[id.0 as usize].as_ref();
+        self.module.outputs.iter().any(|output| output.node == id && Some(&output.name) == name)
+    }
+
+    fn register_declarations(&self) -> Vec<String> {
+        let module = self.module;
+        let inner = module.registers.iter().filter(|register| !self.is_port(register.node));
+        let declare = |id: NodeId| {
+            let declaration = format!("reg {}{};", range(module.width(id)), self.name(id));
+            with_place(declaration, module.node(id).loc)
+        };
+        inner.map(|register| declare(register.node)).collect()
+    }
+
+    fn output_assigns(&mut self) -> Vec<String> {
+        let module = self.module;
+        let mut out = Vec::new();
+        for output in &module.outputs {
+            if self.names[output.node.0 as usize].as_ref() != Some(&output.name) {
+                let value = self.value(output.node);
+                out.push(format!("assign {} = {value};", output.name));
+            }
+        }
+        out
+    }
+
+    /// Everything that the text does not read, in one reduction that linters know by its name.
+    fn unused(&mut self) -> Vec<String> {
+        let module = self.module;
+        let mut items: Vec<String> = Vec::new();
+        for clock in &module.clocks {
+            let ports = [Some(&clock.port), clock.reset.as_ref()].into_iter().flatten();
+            items.extend(ports.filter(|port| !self.clocks_read.contains(*port)).cloned());
+        }
+        for id in (0..module.nodes.len() as u32).map(NodeId) {
+            if !self.is_declared(id) || self.is_port(id) {
+                continue;
+            }
+            let (name, width) = (self.name(id), module.width(id));
+            for (low, count) in self.usage.unread(id, width) {
+                items.push(match count {
+                    _ if count == width => name.to_string(),
+                    1 => format!("{name}[{low}]"),
+                    _ => format!("{name}[{}:{low}]", low + count - 1),
+                });
+            }
+        }
+        let unread = module.memories.iter().filter(|memory| memory.reads.is_empty());
+        items.extend(unread.map(|memory| format!("{}[0]", memory.name)));
+        if items.is_empty() {
+            return Vec::new();
+        }
+        items.insert(0, "1'b0".to_string());
+        vec![format!("wire _unused_ok = &{{{}}};", wrapped(&items, 8).replace('\n', "\n    "))]
+    }
+
+    fn is_declared(&self, id: NodeId) -> bool {
+        let node = self.module.node(id);
+        if node.lanes.is_some() {
+            return false;
+        }
+        match node.op {
+            Op::Input(_) | Op::Register(_) | Op::Output(..) => true,
+            Op::Read(memory, port) => {
+                let read = &self.module.memories[memory.0 as usize].reads[port as usize];
+                read.node == id && (read.clock.is_some() || self.plan.is_net(id))
+            }
+            _ => self.plan.is_net(id),
+        }
+    }
+
+    /// Indents the body, and says at the end of each array what of its lanes nothing reads.
+    fn fill_in_unread(&self, lines: Vec<String>) -> String {
+        let module = self.module;
+        let arrays = (0..module.instances.len()).filter(|&index| module.instances[index].lanes.is_some());
+        let mut arrays = arrays.map(|index| InstanceId(index as u32));
+        let mut out = String::new();
+        for line in lines {
+            let line = match line.trim_start() == UNREAD {
+                false => Some(line),
+                true => {
+                    let array = arrays.next().expect("as many marks as arrays");
+                    self.tie_lanes(array).map(|tie| line.replace(UNREAD, &tie))
+                }
+            };
+            match line {
+                Some(line) if line.is_empty() => out.push('\n'),
+                Some(line) => out.push_str(&format!("    {line}\n")),
+                None => {}
+            }
+        }
+        out
+    }
+}

@@ -1,0 +1,176 @@
+//! Names: those of the description as they are, and for the few nets that have none a name made of the consumer's
+//! name and the operator, such as `count_sum`. An edit elsewhere in the module renames nothing.
+
+use super::memory::ReadNames;
+use super::order::for_each_read;
+use super::plan::{Form, Plan};
+use std::collections::BTreeSet;
+use tilewright_hdl::ir::{Binary, Design, Module, NodeId, Op, Relation, Unary};
+
+/// The names in use in a module; Verilog tells them apart by case, people and some tools do not.
+pub struct Taken(BTreeSet<String>);
+
+impl Taken {
+    /// Every name that the module declares.
+    pub fn of(module: &Module) -> Taken {
+        let clocks = module.clocks.iter().flat_map(|clock| [Some(&clock.port), clock.reset.as_ref()]).flatten();
+        let ports = module.inputs.iter().map(|port| &port.name).chain(module.outputs.iter().map(|port| &port.name));
+        let nodes = module.nodes.iter().filter_map(|node| node.name.as_ref());
+        let memories = module.memories.iter().map(|memory| &memory.name);
+        let instances = module.instances.iter().map(|instance| &instance.name);
+        let all = clocks.chain(ports).chain(nodes).chain(memories).chain(instances);
+        Taken(all.map(|name| name.to_lowercase()).collect())
+    }
+
+    /// Whether the name is in use.
+    pub fn contains(&self, name: &str) -> bool {
+        self.0.contains(&name.to_lowercase())
+    }
+
+    /// The wanted name, or the first of `wanted_2`, `wanted_3` ... that is free; it is in use from now on.
+    pub fn fresh(&mut self, wanted: &str) -> String {
+        let numbered = (2..).map(|n| format!("{wanted}_{n}"));
+        let free = std::iter::once(wanted.to_string()).chain(numbered).find(|name| !self.contains(name));
+        let name = free.expect("some number is free");
+        self.0.insert(name.to_lowercase());
+        name
+    }
+}
+
+/// The name of every node that is referred to by one.
+pub fn name_nodes(
+    design: &Design,
+    module: &Module,
+    plan: &Plan,
+    reads: &[Vec<Option<ReadNames>>],
+    taken: &mut Taken,
+) -> Vec<Option<String>> {
+    let mut namer = Namer { module, plan, taken, names: module.nodes.iter().map(|node| node.name.clone()).collect() };
+    namer.name_declared(design, reads);
+    for id in (0..module.nodes.len() as u32).map(NodeId) {
+        if let Some(name) = &module.node(id).name {
+            namer.name_below(id, name, name);
+        }
+    }
+    for register in &module.registers {
+        let name = module.register_name(register);
+        namer.name_below(register.next, name, &format!("{name}_next"));
+        if let Some(enable) = register.enable {
+            namer.name_below(enable, name, &format!("{name}_enable"));
+        }
+    }
+    namer.name_memory_ports();
+    for instance in &module.instances {
+        for (port, &input) in design.module(instance.module).inputs.iter().zip(&instance.inputs) {
+            let base = format!("{}_{}", instance.name, port.name);
+            namer.name_below(input, &base, &base);
+        }
+    }
+    namer.names
+}
+
+struct Namer<'a> {
+    module: &'a Module,
+    plan: &'a Plan,
+    taken: &'a mut Taken,
+    names: Vec<Option<String>>,
+}
+
+impl Namer<'_> {
+    fn give(&mut self, id: NodeId, wanted: &str) {
+        if self.names[id.0 as usize].is_none() {
+            self.names[id.0 as usize] = Some(self.taken.fresh(wanted));
+        }
+    }
+
+    /// Data of memories and outputs of instances.
+    fn name_declared(&mut self, design: &Design, reads: &[Vec<Option<ReadNames>>]) {
+        for (memory, names) in self.module.memories.iter().zip(reads) {
+            let asynchronous = memory.reads.iter().filter(|read| read.clock.is_none()).count();
+            let mut index = 0;
+            for (read, names) in memory.reads.iter().zip(names) {
+                match names {
+                    Some(names) => self.names[read.node.0 as usize] = Some(names.data.clone()),
+                    None => {
+                        let number = if asynchronous > 1 { index.to_string() } else { String::new() };
+                        index += 1;
+                        self.give(read.node, &format!("{}_word{number}", memory.name));
+                    }
+                }
+            }
+        }
+        for instance in self.module.instances.iter().filter(|instance| instance.lanes.is_none()) {
+            for (port, &node) in design.module(instance.module).outputs.iter().zip(&instance.outputs) {
+                self.give(node, &format!("{}_{}", instance.name, port.name));
+            }
+        }
+    }
+
+    fn name_memory_ports(&mut self) {
+        for memory in &self.module.memories {
+            let name = &memory.name;
+            for read in &memory.reads {
+                let base = format!("{name}_read");
+                self.name_below(read.address, &base, &format!("{base}_address"));
+                read.enable.iter().for_each(|&id| self.name_below(id, &base, &format!("{base}_enable")));
+            }
+            for write in &memory.writes {
+                let base = format!("{name}_write");
+                self.name_below(write.enable, &base, &format!("{base}_enable"));
+                self.name_below(write.address, &base, &format!("{base}_address"));
+                self.name_below(write.data, &base, &format!("{base}_data"));
+            }
+        }
+    }
+
+    /// Names the nets that `root` is computed from and that nobody has named yet; `root` itself is called `itself`.
+    fn name_below(&mut self, root: NodeId, base: &str, itself: &str) {
+        let mut stack = vec![root];
+        let module = self.module;
+        while let Some(id) = stack.pop() {
+            let form = self.plan.form(id);
+            let fresh = matches!(form, Form::Net | Form::Block) && self.names[id.0 as usize].is_none();
+            if fresh && id == root {
+                self.give(id, itself);
+            } else if fresh {
+                self.give(id, &format!("{base}_{}", suffix(&module.node(id).op)));
+            }
+            if id == root || fresh || matches!(form, Form::Inline | Form::Branches | Form::Lanes) {
+                let first = stack.len();
+                for_each_read(module, id, |operand| stack.push(operand));
+                stack[first..].reverse();
+            }
+        }
+    }
+}
+
+/// What a value is called after the operator that makes it.
+fn suffix(op: &Op) -> &'static str {
+    match op {
+        Op::Unary(Unary::Not, _) => "inverse",
+        Op::Unary(Unary::AllOnes, _) => "all",
+        Op::Unary(Unary::AnyOne, _) => "any",
+        Op::Unary(Unary::Parity, _) => "parity",
+        Op::Binary(Binary::And, ..) => "and",
+        Op::Binary(Binary::Or, ..) => "or",
+        Op::Binary(Binary::Xor, ..) => "xor",
+        Op::Binary(Binary::Add, ..) => "sum",
+        Op::Binary(Binary::Sub, ..) => "difference",
+        Op::Binary(Binary::Mul | Binary::MulSigned, ..) => "product",
+        Op::Compare { relation: Relation::Eq, .. } => "equal",
+        Op::Compare { relation: Relation::Ne, .. } => "differs",
+        Op::Compare { relation: Relation::Lt, .. } => "less",
+        Op::Compare { relation: Relation::Le, .. } => "at_most",
+        Op::Compare { relation: Relation::Gt, .. } => "greater",
+        Op::Compare { relation: Relation::Ge, .. } => "at_least",
+        Op::Shift(..) => "shifted",
+        Op::Mux { .. } | Op::Select { .. } | Op::Case { .. } => "choice",
+        Op::Slice { .. } => "part",
+        Op::Concat(_) | Op::Repeat(..) => "joined",
+        Op::Extend { .. } => "extended",
+        Op::Lane(..) | Op::PerLane(_) | Op::Broadcast(_) | Op::Shifted { .. } => "lane",
+        Op::Reduce(..) => "reduced",
+        Op::Input(_) | Op::Const(_) | Op::Register(_) | Op::Read(..) => "value",
+        Op::Output(..) | Op::Wire(_) | Op::QuasiStatic(..) => "value",
+    }
+}

@@ -1,0 +1,286 @@
+//! Decides how each node of a module appears in the text: inline where it is used, as a net of its own, as branches
+//! of an always block, or not at all.
+
+use super::memory::can_exceed;
+use super::order::operands_first;
+use tilewright_hdl::ir::{Binary, Module, NodeId, Op, Shift, Unary};
+
+/// An expression longer than this, in columns, is split.
+const LONGEST: usize = 84;
+/// What a name is taken to need, in columns, before names are given.
+const NAME: usize = 16;
+/// Branches of an always block nest no deeper than this.
+const DEEPEST: u32 = 4;
+
+/// How a node appears.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Form {
+    /// Not at all.
+    Dead,
+    /// By a name that is declared as something else than a net: a port, a register, an instance's output.
+    Declared,
+    /// As its expression, wherever it is used.
+    Inline,
+    /// As branches in the always block of the register or net that it leads to.
+    Branches,
+    /// As a net with a continuous assignment.
+    Net,
+    /// As a net that an `always @*` block computes.
+    Block,
+    /// With lanes: in the text of an instance array.
+    Lanes,
+}
+
+/// The decision for each node, by id.
+pub struct Plan(Vec<Form>);
+
+impl Plan {
+    /// Decides for a folded module.
+    pub fn new(module: &Module) -> Plan {
+        let order = operands_first(module);
+        let mut planner =
+            Planner { module, form: vec![Form::Dead; module.nodes.len()], uses: vec![0; module.nodes.len()] };
+        planner.find_live(&order);
+        planner.find_nets(&order);
+        planner.find_branches(&order);
+        planner.split_long(&order);
+        Plan(planner.form)
+    }
+
+    /// How a node appears.
+    pub fn form(&self, id: NodeId) -> Form {
+        self.0[id.0 as usize]
+    }
+
+    /// Whether a node is a net with a declaration among the nets.
+    pub fn is_net(&self, id: NodeId) -> bool {
+        matches!(self.form(id), Form::Net | Form::Block)
+    }
+}
+
+/// Calls `visit` with every node that a register, memory, instance or port takes its value from, as often as the text
+/// names it.
+pub fn for_each_root(module: &Module, mut visit: impl FnMut(NodeId)) {
+    for register in &module.registers {
+        register.enable.iter().for_each(|&id| visit(id));
+        visit(register.next);
+    }
+    for memory in &module.memories {
+        for read in &memory.reads {
+            read.enable.iter().for_each(|&id| visit(id));
+            visit(read.address);
+            if can_exceed(module, memory, read.address) {
+                visit(read.address);
+            }
+        }
+        for write in &memory.writes {
+            [write.enable, write.address, write.data].into_iter().for_each(&mut visit);
+        }
+    }
+    module.instances.iter().flat_map(|instance| &instance.inputs).for_each(|&id| visit(id));
+    module.outputs.iter().for_each(|output| visit(output.node));
+}
+
+struct Planner<'a> {
+    module: &'a Module,
+    form: Vec<Form>,
+    uses: Vec<u32>,
+}
+
+impl Planner<'_> {
+    fn form(&self, id: NodeId) -> Form {
+        self.form[id.0 as usize]
+    }
+
+    fn set(&mut self, id: NodeId, form: Form) {
+        self.form[id.0 as usize] = form;
+    }
+
+    /// Counts uses from what is printed; whatever has a name is printed.
+    fn find_live(&mut self, order: &[NodeId]) {
+        let module = self.module;
+        for_each_root(module, |id| self.uses[id.0 as usize] += 1);
+        for &id in order.iter().rev() {
+            let node = module.node(id);
+            let named = node.name.is_some() && node.lanes.is_none();
+            if self.uses[id.0 as usize] == 0 && !named {
+                continue;
+            }
+            self.set(id, self.first_form(id));
+            node.op.for_each_operand(|operand| self.uses[operand.0 as usize] += 1);
+        }
+    }
+
+    fn first_form(&self, id: NodeId) -> Form {
+        let node = self.module.node(id);
+        match &node.op {
+            _ if node.lanes.is_some() => Form::Lanes,
+            Op::Input(_) | Op::Register(_) | Op::Output(..) => Form::Declared,
+            Op::Read(memory, port) => {
+                let read = &self.module.memories[memory.0 as usize].reads[*port as usize];
+                if read.clock.is_none() { Form::Net } else { Form::Declared }
+            }
+            Op::Reduce(..) => Form::Net,
+            _ if node.name.is_some() => Form::Net,
+            Op::Binary(Binary::MulSigned, ..) | Op::Shift(Shift::RightSigned, ..) => Form::Net,
+            _ => Form::Inline,
+        }
+    }
+
+    /// An inline node becomes a net where Verilog needs a name, or where it is used twice and worth one.
+    fn find_nets(&mut self, order: &[NodeId]) {
+        for &id in order {
+            if self.form(id) == Form::Inline && self.uses[id.0 as usize] > 1 && !self.is_trivial(id) {
+                self.set(id, Form::Net);
+            }
+            if self.form(id) == Form::Dead {
+                continue;
+            }
+            if let Some(of) = self.must_be_net(id) {
+                self.set(of, Form::Net);
+            }
+        }
+    }
+
+    /// The operand that a node needs a name for: Verilog takes bits of names alone.
+    fn must_be_net(&self, id: NodeId) -> Option<NodeId> {
+        let module = self.module;
+        let op = |of: NodeId| &module.node(of).op;
+        let of = match *op(id) {
+            Op::Slice { of, .. } | Op::Wire(of) | Op::QuasiStatic(of, _) => {
+                Some(of).filter(|&of| !matches!(op(of), Op::Lane(..) | Op::Const(_)))
+            }
+            Op::Extend { of, signed: true } if module.width(of) > 1 => {
+                Some(of).filter(|&of| !matches!(op(of), Op::Slice { .. } | Op::Lane(..)))
+            }
+            _ => None,
+        };
+        of.filter(|&of| self.form(of) == Form::Inline)
+    }
+
+    /// Whether a node reads no worse than the name that would stand for it.
+    fn is_trivial(&self, id: NodeId) -> bool {
+        let declared = |id: NodeId| matches!(self.form(id), Form::Declared | Form::Net | Form::Block);
+        match &self.module.node(id).op {
+            Op::Const(_) | Op::Slice { .. } | Op::Lane(..) => true,
+            Op::Unary(Unary::Not, a) | Op::Extend { of: a, signed: false } => declared(*a),
+            _ => false,
+        }
+    }
+
+    /// Selects become branches: of the register that they lead to, else of an `always @*` block.
+    fn find_branches(&mut self, order: &[NodeId]) {
+        let module = self.module;
+        for register in &module.registers {
+            self.branch(register.next, DEEPEST);
+        }
+        for &id in order.iter().rev() {
+            let wants_block = match (self.form(id), &module.node(id).op) {
+                (Form::Inline | Form::Net, Op::Select { .. } | Op::Case { .. }) => true,
+                (Form::Net, Op::Mux { .. }) => self.mux_chain(id) > 2,
+                _ => false,
+            };
+            if wants_block {
+                self.set(id, Form::Block);
+                self.branch_operands(id, DEEPEST);
+            }
+        }
+    }
+
+    /// How many choices follow each other in the `else` of a choice.
+    fn mux_chain(&self, mut id: NodeId) -> u32 {
+        let mut length = 0;
+        while let Op::Mux { on_false, .. } = self.module.node(id).op {
+            length += 1;
+            if self.form(on_false) != Form::Inline {
+                break;
+            }
+            id = on_false;
+        }
+        length
+    }
+
+    fn branch(&mut self, id: NodeId, depth: u32) {
+        let choice = matches!(self.module.node(id).op, Op::Mux { .. } | Op::Select { .. } | Op::Case { .. });
+        if choice && self.form(id) == Form::Inline && depth > 0 {
+            self.set(id, Form::Branches);
+            self.branch_operands(id, depth);
+        }
+    }
+
+    /// The last `else` may go on as `else if` without nesting deeper.
+    fn branch_operands(&mut self, mut id: NodeId, depth: u32) {
+        let module = self.module;
+        loop {
+            id = match &module.node(id).op {
+                Op::Mux { on_true, on_false, .. } => {
+                    self.branch(*on_true, depth - 1);
+                    *on_false
+                }
+                Op::Select { arms, default } => {
+                    arms.iter().for_each(|&(_, value)| self.branch(value, depth - 1));
+                    *default
+                }
+                Op::Case { arms, default, .. } => {
+                    arms.iter().for_each(|&(_, value)| self.branch(value, depth - 1));
+                    return self.branch(*default, depth - 1);
+                }
+                _ => return,
+            };
+            if self.form(id) != Form::Inline {
+                return;
+            }
+            match module.node(id).op {
+                Op::Mux { .. } | Op::Select { .. } => self.set(id, Form::Branches),
+                _ => return self.branch(id, depth - 1),
+            }
+        }
+    }
+
+    /// Turns the longest operands of an over-long expression into nets.
+    fn split_long(&mut self, order: &[NodeId]) {
+        let module = self.module;
+        let mut columns = vec![NAME; module.nodes.len()];
+        for &id in order {
+            let node = module.node(id);
+            let printed = matches!(self.form(id), Form::Inline | Form::Net);
+            if !printed || node.lanes.is_some() {
+                continue;
+            }
+            let mut operands = Vec::new();
+            node.op.for_each_operand(|operand| operands.push(operand));
+            let total = loop {
+                let length = |id: NodeId| columns[id.0 as usize];
+                let total = overhead(&node.op) + operands.iter().map(|&operand| length(operand) + 3).sum::<usize>();
+                let longest = operands.iter().copied().max_by_key(|&operand| length(operand));
+                match longest.filter(|&longest| total > LONGEST && length(longest) > NAME + 4) {
+                    Some(longest) if self.form(longest) == Form::Inline && self.can_split(longest) => {
+                        self.set(longest, Form::Net);
+                        columns[longest.0 as usize] = NAME;
+                    }
+                    _ => break total,
+                }
+            };
+            columns[id.0 as usize] = match (self.form(id), &node.op) {
+                (Form::Inline, Op::Const(value)) => 5 + value.width() as usize / 4,
+                (Form::Inline, _) => total,
+                _ => NAME,
+            };
+        }
+    }
+
+    fn can_split(&self, id: NodeId) -> bool {
+        !matches!(self.module.node(id).op, Op::Const(_) | Op::Slice { .. } | Op::Lane(..))
+    }
+}
+
+/// The columns of an operator without its operands.
+fn overhead(op: &Op) -> usize {
+    match op {
+        Op::Slice { .. } => 4,
+        Op::Extend { .. } => 8,
+        Op::Compare { signed: true, .. } => 18,
+        Op::Binary(Binary::Mul, ..) => 16,
+        _ => 2,
+    }
+}

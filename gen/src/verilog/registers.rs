@@ -1,0 +1,99 @@
+//! Registers: an always block for those that share clock, reset and enable, in the shape that power and lint tools
+//! look for.
+
+use super::branches::Target;
+use super::expression::Printer;
+use super::literal::{Style, literal};
+use super::statement::{Statement, lines};
+use tilewright_hdl::ir::{ClockId, NodeId, Register};
+
+/// What the registers of one always block have in common.
+#[derive(Clone, Copy, PartialEq, Eq)]
+struct Group {
+    clock: ClockId,
+    has_reset: bool,
+    enable: Option<NodeId>,
+}
+
+impl Printer<'_> {
+    /// The always blocks, first those without reset.
+    pub fn registers(&mut self) -> Vec<String> {
+        let module = self.module;
+        let group = |register: &Register| Group {
+            clock: register.clock,
+            has_reset: register.reset.is_some(),
+            enable: register.enable,
+        };
+        let mut groups: Vec<(Group, Vec<&Register>)> = Vec::new();
+        for register in &module.registers {
+            let key = group(register);
+            match groups.iter_mut().find(|(known, _)| *known == key) {
+                Some((_, members)) => members.push(register),
+                None => groups.push((key, vec![register])),
+            }
+        }
+        groups.sort_by_key(|(group, _)| group.has_reset);
+        groups.into_iter().flat_map(|(group, members)| self.register_block(group, &members)).collect()
+    }
+
+    fn register_block(&mut self, group: Group, members: &[&Register]) -> Vec<String> {
+        let enable = group.enable.map(|enable| self.value(enable));
+        let body: Vec<Statement> = members.iter().flat_map(|register| self.next_value(register)).collect();
+        let resets: Vec<Statement> = members.iter().filter_map(|register| self.reset_value(register)).collect();
+        let body = match (group.has_reset, enable) {
+            (false, None) => body,
+            (false, Some(enable)) => vec![Statement::If(vec![(enable, body)], Vec::new())],
+            (true, None) => vec![Statement::If(vec![(self.reset_port(group.clock), resets)], body)],
+            (true, Some(enable)) => {
+                vec![Statement::If(vec![(self.reset_port(group.clock), resets), (enable, body)], Vec::new())]
+            }
+        };
+        self.always_at(group.clock, &body)
+    }
+
+    fn next_value(&mut self, register: &Register) -> Vec<Statement> {
+        let target = Target {
+            name: self.name(register.node).to_string(),
+            assign: "<=",
+            hold: Some(register.node),
+            states: self.states.of(register.node),
+        };
+        match self.statements(register.next, &target) {
+            body if body.is_empty() => vec![target.keep()],
+            body => body,
+        }
+    }
+
+    fn reset_value(&mut self, register: &Register) -> Option<Statement> {
+        let value = register.reset.as_ref()?;
+        let value = match self.states.of(register.node) {
+            Some(states) => self.states.name(states, value),
+            None => literal(value, Style::Count),
+        };
+        Some(Statement::Assign(format!("{} <= {value};", self.name(register.node))))
+    }
+
+    /// The statements at the rising edge of a clock.
+    pub fn always_at(&mut self, clock: ClockId, body: &[Statement]) -> Vec<String> {
+        let port = self.clock_port(clock);
+        let mut out = vec![format!("always @(posedge {port}) begin")];
+        out.extend(lines(body, 1));
+        out.extend(["end".to_string(), String::new()]);
+        out
+    }
+
+    /// The name of a clock's port, which is read from here on.
+    pub fn clock_port(&mut self, clock: ClockId) -> String {
+        let port = self.module.clocks[clock.0 as usize].port.clone();
+        self.clocks_read.insert(port.clone());
+        port
+    }
+
+    /// The name of the reset port that goes with a clock, which is read from here on.
+    pub fn reset_port(&mut self, clock: ClockId) -> String {
+        let reset = self.module.clocks[clock.0 as usize].reset.clone();
+        let reset = reset.expect("a clock with a reset register has a reset port");
+        self.clocks_read.insert(reset.clone());
+        reset
+    }
+}

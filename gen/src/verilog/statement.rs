@@ -1,0 +1,72 @@
+//! Statements of always blocks, laid out.
+
+/// A statement.
+pub enum Statement {
+    /// `target <= value;` or `target = value;`, whole.
+    Assign(String),
+    /// `if ... else if ... else`: conditions with bodies, then the last `else`, which may be empty.
+    If(Vec<(String, Vec<Statement>)>, Vec<Statement>),
+    /// `case (subject)` with labels and bodies, then `default`.
+    Case(String, Vec<(String, Vec<Statement>)>, Vec<Statement>),
+}
+
+/// The lines of the statements, indented by `indent` steps.
+pub fn lines(statements: &[Statement], indent: usize) -> Vec<String> {
+    let mut out = Vec::new();
+    statements.iter().for_each(|statement| print(statement, indent, &mut out));
+    out
+}
+
+fn print(statement: &Statement, indent: usize, out: &mut Vec<String>) {
+    let pad = "    ".repeat(indent);
+    match statement {
+        Statement::Assign(text) => out.push(format!("{pad}{text}")),
+        Statement::If(arms, last) => {
+            let short = arms.iter().map(|(_, body)| body).chain([last]).all(|body| is_short(body));
+            let mut head = format!("{pad}if ");
+            for (condition, body) in arms {
+                print_body(&format!("{head}({condition})"), body, short, indent, out);
+                head = if short { format!("{pad}else if ") } else { format!("{pad}end else if ") };
+            }
+            if !last.is_empty() {
+                let head = if short { format!("{pad}else") } else { format!("{pad}end else") };
+                print_body(&head, last, short, indent, out);
+            }
+            if !short {
+                out.push(format!("{pad}end"));
+            }
+        }
+        Statement::Case(subject, arms, default) => {
+            out.push(format!("{pad}case ({subject})"));
+            let default = ("default".to_string(), default);
+            for (label, body) in arms.iter().map(|(label, body)| (label.clone(), body)).chain([default]) {
+                let head = format!("{pad}    {label}:");
+                let short = is_short(body);
+                print_body(&head, body, short, indent + 1, out);
+                if !short {
+                    out.push(format!("{pad}    end"));
+                }
+            }
+            out.push(format!("{pad}endcase"));
+        }
+    }
+}
+
+/// Whether the body fits behind its condition.
+fn is_short(body: &[Statement]) -> bool {
+    match body {
+        [] => true,
+        [Statement::Assign(text)] => text.len() < 60,
+        _ => false,
+    }
+}
+
+fn print_body(head: &str, body: &[Statement], short: bool, indent: usize, out: &mut Vec<String>) {
+    match body {
+        [Statement::Assign(text)] if short => out.push(format!("{head} {text}")),
+        _ => {
+            out.push(format!("{head} begin"));
+            out.extend(lines(body, indent + 1));
+        }
+    }
+}

@@ -1,0 +1,161 @@
+//! Small blocks that the tests of this crate print.
+#![allow(dead_code, reason = "each test uses some of them")]
+
+use tilewright_hdl::*;
+
+bundle! {
+    pub struct CounterIn<T> { pub enable: T }
+    pub struct CounterOut<T> { pub count: T, pub wrapped: T }
+}
+
+/// Counts up to a limit.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Counter {
+    pub width: u32,
+    pub limit: u64,
+}
+
+impl Block for Counter {
+    type In = CounterIn;
+    type Out = CounterOut;
+
+    fn inputs(&self) -> CounterIn<Width> {
+        CounterIn { enable: bit() }
+    }
+
+    fn build(&self, m: Module, i: CounterIn) -> CounterOut {
+        let count = m.reg("count", self.width).reset(0);
+        net!(at_end = count.eq(self.limit - 1));
+        count.enable(i.enable).next(mux(at_end, 0, count + 1));
+        CounterOut { count: count.value(), wrapped: at_end & i.enable }
+    }
+
+    fn about(&self) -> About {
+        About {
+            summary: "Counts the clocks with `enable` high and starts again at a limit.".into(),
+            latency: "1".into(),
+            source: String::new(),
+        }
+    }
+}
+
+states! {
+    /// What the pump does.
+    pub enum Phase { Idle, Fill, Drain }
+}
+
+bundle! {
+    pub struct PumpIn<T> { pub start: T, pub full: T, pub empty: T }
+    pub struct PumpOut<T> { pub busy: T, pub valve: T }
+}
+
+/// A state machine.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Pump;
+
+impl Block for Pump {
+    type In = PumpIn;
+    type Out = PumpOut;
+
+    fn inputs(&self) -> PumpIn<Width> {
+        PumpIn { start: bit(), full: bit(), empty: bit() }
+    }
+
+    fn build(&self, m: Module, i: PumpIn) -> PumpOut {
+        let phase = m.fsm("phase", Phase::Idle);
+        phase.next(|phase| match phase {
+            Phase::Idle => when(i.start & !i.full, Phase::Fill).or_when(i.start, Phase::Drain),
+            Phase::Fill => when(i.full, Phase::Drain),
+            Phase::Drain => when(i.empty, Phase::Idle),
+        });
+        let valve = phase.pick(|phase| lit(4, [0, 0b0011, 0b1100][phase.code() as usize]));
+        PumpOut { busy: !phase.is(Phase::Idle), valve }
+    }
+}
+
+bundle! {
+    pub struct LineIn<T> { pub write: T, pub write_x: T, pub z: T, pub x: T, pub gain: T }
+    pub struct LineOut<T> { pub nearest: T, pub scaled: T }
+}
+
+/// A line buffer of 1000 words and a table.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LineBuffer;
+
+impl Block for LineBuffer {
+    type In = LineIn;
+    type Out = LineOut;
+
+    fn inputs(&self) -> LineIn<Width> {
+        LineIn { write: bit(), write_x: bits(10), z: bits(24), x: bits(10), gain: bits(2) }
+    }
+
+    fn build(&self, m: Module, i: LineIn) -> LineOut {
+        let line = m.memory("line", 1000, 24, ReadUnderWrite::Any).fill(Bits::ones(24));
+        line.write(i.write, i.write_x, i.z);
+        let gains = m.memory("gains", 4, 8, ReadUnderWrite::Old).words([1, 2, 4, 8].map(|gain| Bits::new(8, gain)));
+        let nearest = line.read(i.x);
+        let scaled = nearest.times(gains.read_async(i.gain));
+        LineOut { nearest, scaled }
+    }
+}
+
+bundle! {
+    pub struct CellIn<T> { pub op: T, pub x: T, pub left: T, pub weight: T }
+    pub struct CellOut<T> { pub q: T, pub hit: T, pub sum: T }
+}
+
+/// A cell of a systolic row.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Cell;
+
+impl Block for Cell {
+    type In = CellIn;
+    type Out = CellOut;
+
+    fn inputs(&self) -> CellIn<Width> {
+        CellIn { op: bit(), x: bits(4), left: bits(8), weight: bits(8) }
+    }
+
+    fn build(&self, m: Module, i: CellIn) -> CellOut {
+        let q = m.reg("q", 8);
+        q.next(mux(i.op, i.left + i.x.zext(8), q));
+        CellOut { q: q.value(), hit: q.eq(i.left), sum: (i.left ^ i.weight) + q }
+    }
+}
+
+bundle! {
+    pub struct RowIn<T> { pub op: T, pub seed: T }
+    pub struct RowOut<T> { pub any: T, pub all: T, pub last: T, pub total: T, pub third: T }
+}
+
+/// A chain of cells.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Row {
+    pub lanes: u32,
+}
+
+impl Block for Row {
+    type In = RowIn;
+    type Out = RowOut;
+
+    fn inputs(&self) -> RowIn<Width> {
+        RowIn { op: bit(), seed: bits(8) }
+    }
+
+    fn build(&self, m: Module, i: RowIn) -> RowOut {
+        let cells = m.array("u_cell", self.lanes, &Cell, |row| CellIn {
+            op: row.all(&i.op),
+            x: row.index(4),
+            left: row.out.sum.previous(i.seed),
+            weight: row.constants(8, |lane| u64::from(lane * lane % 7 * 31)),
+        });
+        RowOut {
+            any: cells.hit.or_all(),
+            all: cells.hit.and_all(),
+            last: cells.q.last(),
+            total: cells.q.sum(),
+            third: cells.sum.lane(2),
+        }
+    }
+}

@@ -1,0 +1,30 @@
+// counter_width8_limit10
+//
+// Counts the clocks with `enable` high and starts again at a limit.
+//
+// Parameters  Counter { width: 8, limit: 10 }
+// Latency     1
+// Described   gen/tests/blocks/mod.rs:23
+`default_nettype none
+
+module counter_width8_limit10 (
+    input  wire       clk,
+    input  wire       rst,
+    input  wire       enable,
+    output reg  [7:0] count,
+    output wire       wrapped
+);
+
+    wire at_end = count == 8'd9;                                 // gen/tests/blocks/mod.rs:28
+    assign wrapped = at_end & enable;                            // gen/tests/blocks/mod.rs:30
+
+    always @(posedge clk) begin
+        if (rst) begin
+            count <= 8'd0;
+        end else if (enable) begin
+            if (at_end) count <= 8'd0;
+            else count <= count + 8'd1;
+        end
+    end
+endmodule
+`default_nettype wire

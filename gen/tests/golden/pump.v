@@ -1,0 +1,54 @@
+// pump
+//
+// Parameters  Pump
+// Described   gen/tests/blocks/mod.rs:61
+`default_nettype none
+
+module pump (
+    input  wire       clk,
+    input  wire       rst,
+    input  wire       start,
+    input  wire       full,
+    input  wire       empty,
+    output wire       busy,
+    output reg  [3:0] valve
+);
+
+    localparam [1:0] PHASE_IDLE  = 2'd0;
+    localparam [1:0] PHASE_FILL  = 2'd1;
+    localparam [1:0] PHASE_DRAIN = 2'd2;
+
+    reg [1:0] phase;                                             // gen/tests/blocks/mod.rs:65
+
+    always @* begin
+        case (phase)
+            PHASE_IDLE: valve = 4'd0;
+            PHASE_FILL: valve = 4'd3;
+            default: valve = 4'd12;
+        endcase
+    end
+    assign busy = phase != PHASE_IDLE;                           // gen/tests/blocks/mod.rs:72
+
+    always @(posedge clk) begin
+        if (rst) begin
+            phase <= PHASE_IDLE;
+        end else begin
+            case (phase)
+                PHASE_IDLE: begin
+                    if (start & !full) phase <= PHASE_FILL;
+                    else if (start) phase <= PHASE_DRAIN;
+                    else phase <= PHASE_IDLE;
+                end
+                PHASE_FILL: begin
+                    if (full) phase <= PHASE_DRAIN;
+                    else phase <= PHASE_FILL;
+                end
+                default: begin
+                    if (empty) phase <= PHASE_IDLE;
+                    else phase <= PHASE_DRAIN;
+                end
+            endcase
+        end
+    end
+endmodule
+`default_nettype wire
