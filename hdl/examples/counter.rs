@@ -45,7 +45,6 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     }
     println!("{wave}");
 
-    #[cfg(any())]
     for file in tilewright_gen::verilog(&elaborate(&counter)?) {
         print!("{}", file.text);
     }

@@ -138,6 +138,7 @@ fn declare_input(path: &str, width: Width) -> Signal {
         if width.bits == 0 {
             e.report(Problem::new(width.loc, format!("input `{name}` has no bits")).help("a width is at least 1"));
         }
+        width.clock.into_iter().for_each(|clock| e.meet_clock(clock, width.loc));
         let draft = e.draft();
         let index = draft.inputs.len() as u32;
         let node = draft.add(Op::Input(index), width.bits.max(1), None, width.loc);

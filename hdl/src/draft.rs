@@ -107,12 +107,6 @@ impl Draft {
         id
     }
 
-    /// What is wrong if `clock` has another period here than where it was first named.
-    pub fn check_period(&self, id: ClockId, clock: Clock) -> Option<String> {
-        let known = self.clocks[id.0 as usize].filter(|known| known.period != clock.period)?;
-        Some(format!("clock `{}` has a period of {} here and of {} elsewhere", clock.name, clock.period, known.period))
-    }
-
     /// The name of a clock for messages.
     pub fn clock_name(&self, id: ClockId) -> &'static str {
         self.clocks[id.0 as usize].map_or("clk", |clock| clock.name)

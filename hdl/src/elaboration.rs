@@ -4,6 +4,7 @@
 //! at most one elaboration a thread; a guard clears it even when a description panics, and every handle carries the
 //! elaboration's stamp and its module's number, so that a stale or foreign handle is a clear error.
 
+use crate::clock::{Clock, Period};
 use crate::draft::Draft;
 use crate::ir::{Module, ModuleId};
 use crate::loc::Loc;
@@ -27,6 +28,8 @@ pub(crate) struct Elaboration {
     /// The modules under construction, the innermost last.
     pub drafts: Vec<Draft>,
     pub drafts_begun: u32,
+    /// Every named clock, with its period and where it was first used.
+    pub clocks: BTreeMap<&'static str, (Period, Loc)>,
     pub problems: Vec<Problem>,
 }
 
@@ -57,6 +60,7 @@ pub(crate) fn run(describe: impl FnOnce()) -> Result<Elaboration, Problems> {
             cache: BTreeMap::new(),
             drafts: Vec::new(),
             drafts_begun: 0,
+            clocks: BTreeMap::new(),
             problems: Vec::new(),
         });
     });
@@ -87,6 +91,17 @@ impl Elaboration {
     /// The module under construction.
     pub fn draft(&mut self) -> &mut Draft {
         self.drafts.last_mut().expect("a module is being built")
+    }
+
+    /// Takes note of a clock; its name stands for one period in the whole design.
+    pub fn meet_clock(&mut self, clock: Clock, loc: Loc) {
+        let (period, first) = *self.clocks.entry(clock.name).or_insert((clock.period, loc));
+        if period != clock.period {
+            let message =
+                format!("clock `{}` has a period of {} here and of {period} elsewhere", clock.name, clock.period);
+            let problem = Problem::new(loc, message).note(format!("`{}` is first used", clock.name), first);
+            self.report(problem.help("a clock has one period in the whole design"));
+        }
     }
 
     pub fn report(&mut self, problem: Problem) {

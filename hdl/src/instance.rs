@@ -70,7 +70,7 @@ impl Module {
             let module = &e.done[child.0 as usize];
             let child_clocks = module.clocks.clone();
             let ports: Vec<_> = module.outputs.iter().map(|o| (o.name.clone(), module.width(o.node))).collect();
-            let clocks = child_clocks.iter().map(|clock| self.bind(e, clock, loc)).collect();
+            let clocks = child_clocks.iter().map(|clock| self.bind(e, clock)).collect();
             let draft = e.draft();
             let id = InstanceId(draft.instances.len() as u32);
             let output = |(port, (_, width)): (usize, &(String, u32))| {
@@ -86,17 +86,11 @@ impl Module {
         })
     }
 
-    /// The clock of this module that drives a clock of a child.
-    fn bind(self, e: &mut Elaboration, clock: &ir::Clock, loc: Loc) -> ClockId {
-        let (Some(name), Some(period)) = (clock.name, clock.period) else {
-            return e.draft().use_clock(self.clock);
-        };
-        let wanted = Clock { name, period };
-        let id = e.draft().use_clock(Some(wanted));
-        if let Some(message) = e.draft().check_period(id, wanted) {
-            e.report(Problem::new(loc, message).help("a clock has one period in the whole design"));
-        }
-        id
+    /// The clock of this module that drives a clock of a child: this handle's for the child's own, otherwise the one of
+    /// that name.
+    fn bind(self, e: &mut Elaboration, clock: &ir::Clock) -> ClockId {
+        let named = clock.name.zip(clock.period).map(|(name, period)| Clock { name, period });
+        e.draft().use_clock(named.or(self.clock))
     }
 
     /// Says what drives the inputs of a declared instance.

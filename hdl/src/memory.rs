@@ -23,7 +23,10 @@ pub struct Mem {
 
 impl Mem {
     /// The same memory; ports made through this handle are on `clock`.
+    #[track_caller]
     pub fn on(self, clock: Clock) -> Mem {
+        let loc = Loc::caller();
+        elaboration::with(|e| e.meet_clock(clock, loc));
         Mem { clock: Some(clock), ..self }
     }
 

@@ -24,7 +24,10 @@ pub struct Module {
 
 impl Module {
     /// The same module; what is declared through this handle runs on `clock`.
+    #[track_caller]
     pub fn on(self, clock: Clock) -> Module {
+        let loc = Loc::caller();
+        elaboration::with(|e| e.meet_clock(clock, loc));
         Module { clock: Some(clock) }
     }
 

@@ -94,12 +94,20 @@ macro_rules! constant_shift_amounts {
         impl ShiftAmount for $ty {
             #[track_caller]
             fn shift(self, operand: Signal, shift: Shift) -> Signal {
-                operand.shift_by(shift, u32::try_from(self).expect("a shift amount is not negative"))
+                let Ok(amount) = u32::try_from(self) else { panic!("a shift by {self} bits: an amount is 0 or more") };
+                operand.shift_by(shift, amount)
             }
         }
     )*};
 }
-constant_shift_amounts!(u32 i32 usize);
+constant_shift_amounts!(i32 u64 usize);
+
+impl ShiftAmount for u32 {
+    #[track_caller]
+    fn shift(self, operand: Signal, shift: Shift) -> Signal {
+        operand.shift_by(shift, self)
+    }
+}
 
 impl ShiftAmount for Signal {
     #[track_caller]

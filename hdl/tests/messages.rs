@@ -458,7 +458,13 @@ fn a_clock_has_one_period() {
         let one = m.instance("u_one", &Timed(FAST), Link { x: lit(8, 1) }).out;
         m.instance("u_two", &Timed(OTHER), Link { x: lit(8, 1) }).out & one
     }));
-    assert!(text.starts_with("clock `fast` has a period of 6 ns here and of 4 ns elsewhere"), "{text}");
+    let places = [
+        "clock `fast` has a period of 6 ns here and of 4 ns elsewhere",
+        "  --> [Link { x: bits(8).on(self.0) }]",
+        "  `fast` is first used at [Link { x: bits(8).on(self.0) }]",
+        "  help: a clock has one period in the whole design",
+    ];
+    assert!(text.starts_with(&places.join("\n")), "{text}");
 }
 
 #[test]
@@ -624,6 +630,118 @@ fn modules_of_one_name_and_different_contents() {
         m.instance("u_a", &Twin(8), Link { x: i.a }).out & b.zext(8)
     }));
     assert!(text.starts_with("`Twin(7)` and `Twin(8)` are both called `twin`"), "{text}");
+}
+
+#[test]
+#[should_panic(expected = "a concatenation of nothing")]
+fn concatenations_of_nothing() {
+    let _ = elaborate(&Case(|_, _| concat(&[])));
+}
+
+#[test]
+#[should_panic(expected = "a shift by -1 bits: an amount is 0 or more")]
+fn shifts_by_less_than_nothing() {
+    let _ = elaborate(&Case(|_, i| i.a << -1));
+}
+
+#[test]
+#[should_panic(expected = "a clock period is an even number of picoseconds above 0")]
+fn periods_that_have_no_half() {
+    let _ = Period::ps(3);
+}
+
+/// What a block may wrongly keep from the module that instantiates it.
+#[derive(Clone, Copy)]
+enum Kept {
+    Memory(Mem),
+    Lanes(Lanes),
+    Result(Signal),
+}
+
+thread_local!(static KEPT: std::cell::Cell<Option<Kept>> = const { std::cell::Cell::new(None) });
+
+/// Uses what another module left.
+#[derive(Debug)]
+struct Keeper;
+
+impl Block for Keeper {
+    type In = ();
+    type Out = Out;
+
+    fn inputs(&self) {}
+
+    fn build(&self, _: Module, _: ()) -> Out {
+        let out = match KEPT.get().unwrap() {
+            Kept::Memory(memory) => memory.read_async(0),
+            Kept::Lanes(lanes) => lanes.lane(0),
+            Kept::Result(signal) => !signal,
+        };
+        Out { out }
+    }
+}
+
+#[test]
+#[should_panic(expected = "a memory of another module is used")]
+fn memories_of_another_module() {
+    let _ = elaborate(&Case(|m, _| {
+        KEPT.set(Some(Kept::Memory(m.memory("words", 4, 8, ReadUnderWrite::Old))));
+        m.instance("u_keeper", &Keeper, ()).out
+    }));
+}
+
+#[test]
+#[should_panic(expected = "lanes of another module are used")]
+fn lanes_of_another_module() {
+    let _ = elaborate(&Case(|m, i| {
+        let block = Inverter { registered: true };
+        KEPT.set(Some(Kept::Lanes(m.array("u_cell", 2, &block, |cells| Link { x: cells.all(&i.a) }).out)));
+        m.instance("u_keeper", &Keeper, ()).out
+    }));
+}
+
+#[test]
+fn signals_of_a_finished_module() {
+    /// Leaves its output where others find it.
+    #[derive(Debug)]
+    struct Leaver;
+    impl Block for Leaver {
+        type In = ();
+        type Out = Out;
+        fn inputs(&self) {}
+        fn build(&self, _: Module, _: ()) -> Out {
+            let out = lit(8, 1);
+            KEPT.set(Some(Kept::Result(out)));
+            Out { out }
+        }
+    }
+    let text = problems(&Case(|m, _| {
+        let one = m.instance("u_leaver", &Leaver, ()).out;
+        m.instance("u_keeper", &Keeper, ()).out & one
+    }));
+    assert!(text.starts_with("a signal of a module already finished is used inside of `Keeper`"), "{text}");
+}
+
+#[test]
+fn modules_with_illegal_names() {
+    /// Called by a word of Verilog.
+    #[derive(Debug)]
+    struct Unnameable;
+    impl Block for Unnameable {
+        type In = Link;
+        type Out = Out;
+        fn inputs(&self) -> Link<Width> {
+            Link { x: bits(0) }
+        }
+        fn build(&self, _: Module, i: Link) -> Out {
+            Out { out: i.x }
+        }
+        fn name(&self) -> String {
+            "endmodule".to_owned()
+        }
+    }
+    let text = problems(&Unnameable);
+    assert!(text.starts_with("input `x` has no bits\n  --> [Link { x: bits(0) }]"), "{text}");
+    assert!(text.contains("`endmodule` cannot be the name of a module"), "{text}");
 }
 
 #[test]
