@@ -30,21 +30,21 @@ impl Block for Crossing {
 
     fn build(&self, m: Module, i: CrossingIn) -> CrossingOut {
         let light = m.fsm("light", Light::Green);
-        let clocks = m.reg("clocks", 8).reset(0);
+        let clocks = m.reg("clocks", 4).reset(1);
         net!(
-            over = clocks.ge(light.pick(|light| match light {
-                Light::Green => lit(8, self.green - 1),
-                Light::Amber => lit(8, self.amber - 1),
-                Light::Red => lit(8, self.red - 1),
+            over = clocks.eq(light.constants(4, |light| match light {
+                Light::Green => self.green,
+                Light::Amber => self.amber,
+                Light::Red => self.red,
             }))
         );
-        light.next(|light| match light {
-            Light::Green => when(i.button & over, Light::Amber),
-            Light::Amber => when(over, Light::Red),
-            Light::Red => when(over, Light::Green),
-        });
         net!(changes = over & (i.button | !light.is(Light::Green)));
-        clocks.next(select([(changes, lit(8, 0)), (over, clocks.value())], clocks + 1));
+        clocks.enable(changes | !over).next(mux(changes, 1, clocks + 1));
+        light.next(|light| match light {
+            Light::Green => when(changes, Light::Amber),
+            Light::Amber => when(changes, Light::Red),
+            Light::Red => when(changes, Light::Green),
+        });
         CrossingOut { cars_stop: !light.is(Light::Green), walk: light.is(Light::Red) }
     }
 }

@@ -192,7 +192,13 @@ impl<S: States> StateReg<S> {
         crate::lit(self.register.width, state.code())
     }
 
-    /// The value that `of` gives for the present state; all of one width.
+    /// The number that `of` gives for the present state, in `width` bits.
+    #[track_caller]
+    pub fn constants(self, width: u32, of: impl Fn(S) -> u64) -> Signal {
+        self.pick(|state| crate::lit(width, of(state)))
+    }
+
+    /// The signal that `of` gives for the present state; all of one width.
     #[track_caller]
     pub fn pick(self, of: impl Fn(S) -> Signal) -> Signal {
         let values: Vec<_> = S::ALL.iter().map(|state| (state.code(), of(*state))).collect();
