@@ -36,6 +36,7 @@ fn main() -> Result<(), Box<dyn Error>> {
                 })
             })
             .count();
+        frame.write_png(std::env::temp_dir().join(format!("{name}.png")))?;
         println!("{name} at {size}");
         println!("  {:?}", projection.counts);
         println!(

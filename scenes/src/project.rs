@@ -2,7 +2,7 @@
 //!
 //! Transform, light, clip, project, snap to 1/16 pixel, set up (facts E0). Depth is `(1 - near/w) * far/(far - near)` for a
 //! distance w along the line of sight: linear in 1/w, so that a plane in space is a plane on the screen. `near` and `far` are taken
-//! from the scene: they enclose what is in front of the eye, near being at least far/1000.
+//! from the scene: they enclose what is in front of the eye, near being at least far/4096.
 //!
 //! Float results are bit-equal on every machine: only + - * / and square roots of f64 are used (see [`crate::angle`]).
 
@@ -132,6 +132,24 @@ fn light_corners(scene: &Scene, lighting: &Lighting, triangle: &MeshTriangle) ->
     })
 }
 
+/// The greatest ratio of far to near: 24 bits then still tell apart what is 1/4000 of the far distance deep.
+const DEPTH_RATIO: f64 = 4096.0;
+
+/// The least and the greatest distance along the line of sight of what is in front of the eye; far is 0 if nothing is, and near is 0
+/// if a triangle passes the eye.
+fn depth_range(scene: &Scene, seen: &[DVec3]) -> (f64, f64) {
+    let mut range = (f64::INFINITY, 0.0_f64);
+    for triangle in scene.mesh.triangles() {
+        let w = triangle.positions.map(|i| seen[i as usize].z);
+        let nearest = w[0].min(w[1]).min(w[2]);
+        let farthest = w[0].max(w[1]).max(w[2]);
+        if farthest > 0.0 {
+            range = (range.0.min(nearest.max(0.0)), range.1.max(farthest));
+        }
+    }
+    range
+}
+
 /// What clipping left nothing of, and on which side it was.
 #[derive(Clone, Copy)]
 enum Clipped {
@@ -155,10 +173,21 @@ struct Screen {
 }
 
 impl Screen {
+<<<<<<< HEAD
     fn new(scene: &Scene, seen: &[DVec3], view: View, size: Size, shift: [i32; 2]) -> Result<Screen, SceneError> {
         let corners = scene.mesh.triangles().iter().flat_map(|t| t.positions);
         let depths = corners.map(|i| seen[i as usize].z).filter(|&w| w > 0.0);
         let (nearest, far) = depths.fold((f64::INFINITY, 0.0_f64), |(near, far), w| (near.min(w), far.max(w)));
+=======
+    fn new(
+        scene: &Scene,
+        seen: &[DVec3],
+        view: View,
+        size: Size,
+        shift: [i32; 2],
+    ) -> Result<Screen, SceneError> {
+        let (nearest, far) = depth_range(scene, seen);
+>>>>>>> scenes
         if far == 0.0 {
             return Err(SceneError::invalid(
                 format!(
@@ -168,7 +197,7 @@ impl Screen {
                 "move the eye or the target",
             ));
         }
-        let near = nearest.max(far / 1000.0);
+        let near = nearest.max(far / DEPTH_RATIO);
         // A mesh at one distance: any far plane behind it serves.
         let far = far.max(near * 1.001);
         let centre = [f64::from(size.width()) / 2.0, f64::from(size.height()) / 2.0];

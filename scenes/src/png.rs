@@ -1,0 +1,68 @@
+//! Frames as PNG files: colours alone, 8 bits a channel.
+
+use crate::SceneError;
+use crate::frame::{Frame, blank};
+use crate::input::read_bytes;
+use crate::output::write_whole;
+use crate::size::Size;
+use image::{ExtendedColorType, ImageEncoder, ImageFormat, codecs::png::PngEncoder};
+use std::path::Path;
+
+impl Frame {
+    /// The frame's colours as the bytes of a PNG file.
+    pub fn to_png(&self) -> Vec<u8> {
+        let mut bytes = Vec::new();
+        PngEncoder::new(&mut bytes)
+            .write_image(
+                &self.rgb_bytes(),
+                self.size().width(),
+                self.size().height(),
+                ExtendedColorType::Rgb8,
+            )
+            .expect("a PNG of at most 2048x2048 pixels fits in memory");
+        bytes
+    }
+
+    /// Writes the frame's colours as a PNG file, whole or not at all.
+    ///
+    /// # Errors
+    /// [`SceneError::Write`], naming the file.
+    pub fn write_png(&self, path: impl AsRef<Path>) -> Result<(), SceneError> {
+        write_whole(path.as_ref(), &self.to_png())
+    }
+
+    /// Reads a PNG file. It holds no depths: every pixel gets the greatest one, so compare such a frame with
+    /// [`crate::compare_colours`]. Transparency is dropped, 16-bit channels are rounded to 8.
+    ///
+    /// # Errors
+    /// [`SceneError::Read`] if there is no such file, [`SceneError::File`] if it is not a PNG of at most 2048x2048 pixels.
+    pub fn read_png(path: impl AsRef<Path>) -> Result<Frame, SceneError> {
+        let path = path.as_ref();
+        let wrong = |problem: String, remedy: &str| SceneError::File {
+            path: path.to_owned(),
+            problem,
+            remedy: remedy.to_owned(),
+        };
+        let bytes = read_bytes(path, "name a PNG file")?;
+        let picture = image::load_from_memory_with_format(&bytes, ImageFormat::Png)
+            .map_err(|error| {
+                wrong(
+                    format!("is not a sound PNG file ({error})"),
+                    "make it again, or name another",
+                )
+            })?
+            .into_rgb8();
+        let size = Size::new(picture.width(), picture.height()).map_err(|_| {
+            let (width, height) = picture.dimensions();
+            wrong(
+                format!("holds {width}x{height} pixels, and a frame has at most 2048x2048"),
+                "name a smaller picture",
+            )
+        })?;
+        let mut frame = Frame::blank(size, [0; 3]);
+        for (word, pixel) in frame.words.iter_mut().zip(picture.pixels()) {
+            *word = blank(pixel.0);
+        }
+        Ok(frame)
+    }
+}

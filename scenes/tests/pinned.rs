@@ -1,0 +1,77 @@
+//! The built-in scenes to the last bit: meshes and 640x480 golden frames by checksum, so that a machine with another processor or
+//! another compiler that disagrees is noticed.
+//!
+//! New values are printed by `cargo run --release -p tilewright-scenes --example measure`, which also leaves the pictures in the
+//! folder for temporary files: look at them before you pin them.
+
+use tilewright_scenes::{Counts, Scene, golden};
+
+struct Pinned {
+    name: &'static str,
+    mesh: u64,
+    frame: u64,
+    counts: Counts,
+}
+
+fn check(pinned: &Pinned) {
+    let scene = Scene::builtin(pinned.name).expect("a built-in scene");
+    let projection = scene.project().expect("a built-in scene projects");
+    let frame = golden::render(scene.size, &projection.triangles, scene.background);
+    assert_eq!(projection.counts, pinned.counts, "{}", pinned.name);
+    assert_eq!(
+        scene.mesh.checksum(),
+        pinned.mesh,
+        "{}: the mesh",
+        pinned.name
+    );
+    assert_eq!(frame.checksum(), pinned.frame, "{}: the frame", pinned.name);
+}
+
+#[test]
+fn teapot() {
+    check(&Pinned {
+        name: "teapot",
+        mesh: 0x8997_b1ae_854c_bbd1,
+        frame: 0x0203_fe02_1359_3e75,
+        counts: Counts {
+            polygons: 4096,
+            drawn: 4009,
+            degenerate: 64,
+            between_centres: 23,
+            ..Counts::default()
+        },
+    });
+}
+
+#[test]
+fn ter1k() {
+    check(&Pinned {
+        name: "ter1k",
+        mesh: 0x2e62_89a1_6bdb_830b,
+        frame: 0x6848_17bd_3580_d3c6,
+        counts: Counts {
+            polygons: 12482,
+            drawn: 11380,
+            off_screen: 1046,
+            between_centres: 56,
+            ..Counts::default()
+        },
+    });
+}
+
+#[test]
+fn ter250() {
+    check(&Pinned {
+        name: "ter250",
+        mesh: 0x5302_f009_049a_ed3d,
+        frame: 0x9d3f_27d9_69d3_652f,
+        counts: Counts {
+            polygons: 203_522,
+            drawn: 156_729,
+            off_screen: 18_940,
+            degenerate: 109,
+            between_centres: 27_744,
+            ..Counts::default()
+        },
+    });
+}

@@ -1,0 +1,119 @@
+//! PNG files: written whole or not at all, and read back.
+
+use std::fs;
+use std::path::PathBuf;
+use tilewright_scenes::{Frame, SceneError, Size, compare_colours, write_whole};
+
+/// A new, empty folder for one test.
+fn folder(test: &str) -> PathBuf {
+    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("png_{test}"));
+    let _ = fs::remove_dir_all(&path);
+    fs::create_dir_all(&path).unwrap();
+    path
+}
+
+fn picture() -> Frame {
+    let size = Size::new(31, 17).unwrap();
+    let words = (0..size.pixels() as u64)
+        .map(|i| i * 0x1_0203_0507 & 0xffff_ffff_ffff)
+        .collect();
+    Frame::from_words(size, words).unwrap()
+}
+
+fn names(path: &PathBuf) -> Vec<String> {
+    let mut names: Vec<_> = fs::read_dir(path)
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .collect();
+    names.sort();
+    names
+}
+
+#[test]
+fn a_frame_comes_back_with_its_colours() {
+    let path = folder("round_trip").join("frame.png");
+    picture().write_png(&path).unwrap();
+    let back = Frame::read_png(&path).unwrap();
+    assert!(compare_colours(&picture(), &back).is_equal());
+    assert_eq!(back.depth(3, 3), 0xff_ffff);
+}
+
+#[test]
+fn an_old_file_is_replaced_and_nothing_is_left_beside_it() {
+    let folder = folder("replace");
+    let path = folder.join("frame.png");
+    fs::write(&path, "old").unwrap();
+    picture().write_png(&path).unwrap();
+    assert_eq!(fs::read(&path).unwrap(), picture().to_png());
+    assert_eq!(names(&folder), ["frame.png"]);
+}
+
+#[test]
+fn a_failed_write_leaves_nothing_behind() {
+    let folder = folder("failed");
+    let path = folder.join("a_folder");
+    fs::create_dir(&path).unwrap();
+    let error = picture().write_png(&path).unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        format!(
+            "{}: cannot be written (is a directory): name a file in that folder",
+            path.display()
+        )
+    );
+    let missing = folder.join("nowhere/frame.png");
+    let error = picture().write_png(&missing).unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        format!(
+            "{}: cannot be written (no such file or directory): make the folder `{}` first",
+            missing.display(),
+            folder.join("nowhere").display()
+        )
+    );
+    assert_eq!(names(&folder), ["a_folder"]);
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn a_full_device_is_reported() {
+    let error = picture().write_png("/dev/full").unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        "/dev/full: cannot be written (no space left on device): make room, or choose another disk"
+    );
+    write_whole("/dev/null".as_ref(), b"swallowed").unwrap();
+}
+
+#[test]
+#[cfg(unix)]
+fn a_link_stays_a_link() {
+    let folder = folder("link");
+    fs::write(folder.join("real.png"), "old").unwrap();
+    std::os::unix::fs::symlink("real.png", folder.join("link.png")).unwrap();
+    picture().write_png(folder.join("link.png")).unwrap();
+    assert!(folder.join("link.png").is_symlink());
+    assert_eq!(
+        fs::read(folder.join("real.png")).unwrap(),
+        picture().to_png()
+    );
+}
+
+#[test]
+fn a_file_that_is_no_png_is_refused() {
+    let path = folder("not_a_png").join("frame.png");
+    fs::write(&path, "GIF89a").unwrap();
+    let error = Frame::read_png(&path).unwrap_err();
+    assert!(matches!(error, SceneError::File { .. }), "{error:?}");
+    assert!(
+        error
+            .to_string()
+            .contains("frame.png: is not a sound PNG file"),
+        "{error}"
+    );
+
+    let mut cut = picture().to_png();
+    cut.truncate(cut.len() / 2);
+    fs::write(&path, cut).unwrap();
+    assert!(Frame::read_png(&path).is_err());
+}
