@@ -7,7 +7,10 @@ use std::time::Instant;
 use tilewright_scenes::{Scene, Size, builtin, golden, project};
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let sides: Vec<u32> = std::env::args().skip(1).map(|a| a.parse()).collect::<Result<_, _>>()?;
+    let sides: Vec<u32> = std::env::args()
+        .skip(1)
+        .map(|a| a.parse())
+        .collect::<Result<_, _>>()?;
     for name in builtin::NAMES {
         let begun = Instant::now();
         let Some(scene) = Scene::builtin(name) else {
@@ -44,9 +47,19 @@ fn main() -> Result<(), Box<dyn Error>> {
             triangles.len(),
             area / triangles.len() as f64
         );
-        println!("  covered {:.1} %, {patches} patches of 4x4", 100.0 * ties.covered as f64 / size.pixels() as f64);
-        println!("  exact ties at {} pixels, {} of them decided by colour", ties.pixels, ties.decided_by_colour);
-        println!("  mesh checksum {:#018x}, frame checksum {:#018x}", scene.mesh.checksum(), frame.checksum());
+        println!(
+            "  covered {:.1} %, {patches} patches of 4x4",
+            100.0 * ties.covered as f64 / size.pixels() as f64
+        );
+        println!(
+            "  exact ties at {} pixels, {} of them decided by colour",
+            ties.pixels, ties.decided_by_colour
+        );
+        println!(
+            "  mesh checksum {:#018x}, frame checksum {:#018x}",
+            scene.mesh.checksum(),
+            frame.checksum()
+        );
         println!(
             "  built in {made:.0?}, projected in {:.0?}, rendered in {:.0?}",
             projected - made,
