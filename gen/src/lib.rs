@@ -4,9 +4,11 @@
 //! Verilator, Icarus and Yosys agree on. [`testbench`] replays a recorded run against those files. [`tools`] runs the
 //! external programs that check both.
 
+mod bench;
 pub mod tools;
 mod verilog;
 
+pub use bench::{Initial, Replay, ReplayStep, testbench};
 pub use verilog::verilog;
 
 /// A file of the printed design: Verilog, or the data that a memory is loaded with.

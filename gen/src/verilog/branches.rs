@@ -49,7 +49,7 @@ impl Printer<'_> {
         if target.hold == Some(id) {
             return Vec::new();
         }
-        let value = self.state(id, target.states).unwrap_or_else(|| self.value(id));
+        let value = self.state_text(id, target.states).unwrap_or_else(|| self.value(id));
         vec![Statement::Assign(format!("{} {} {value};", target.name, target.assign))]
     }
 

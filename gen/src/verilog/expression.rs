@@ -83,8 +83,8 @@ impl<'a> Printer<'a> {
             Op::Mux { select, on_true, on_false } => {
                 let states = self.states.of(id);
                 let select = self.operand(*select, style);
-                let on_true = self.state(*on_true, states).unwrap_or_else(|| self.operand(*on_true, style));
-                let on_false = self.state(*on_false, states).unwrap_or_else(|| self.operand(*on_false, style));
+                let on_true = self.state_text(*on_true, states).unwrap_or_else(|| self.operand(*on_true, style));
+                let on_false = self.state_text(*on_false, states).unwrap_or_else(|| self.operand(*on_false, style));
                 format!("{select} ? {on_true} : {on_false}")
             }
             Op::Slice { of, low } => self.slice(*of, *low, node.width),
@@ -178,11 +178,11 @@ impl<'a> Printer<'a> {
 
     /// An operand of a comparison: a constant that is compared with a state has the state's name.
     fn state_or_operand(&mut self, id: NodeId, other: NodeId) -> String {
-        self.state(id, self.states.of(other)).unwrap_or_else(|| self.operand(id, Style::Count))
+        self.state_text(id, self.states.of(other)).unwrap_or_else(|| self.operand(id, Style::Count))
     }
 
     /// The state that a constant stands for where a state of that enum is expected.
-    pub fn state(&mut self, id: NodeId, states: Option<usize>) -> Option<String> {
+    pub fn state_text(&mut self, id: NodeId, states: Option<usize>) -> Option<String> {
         match (&self.module.node(id).op, self.plan.form(id), states) {
             (Op::Const(value), Form::Inline, Some(states)) => Some(self.states.name(states, value)),
             _ => None,

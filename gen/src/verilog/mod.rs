@@ -16,13 +16,17 @@ mod nets;
 mod order;
 mod plan;
 mod registers;
+mod state;
 mod statement;
 mod states;
 mod usage;
 
 use crate::VerilogFile;
 use expression::Printer;
-use tilewright_hdl::ir::Design;
+pub use instance::connect;
+pub use layout::range;
+pub use state::State;
+use tilewright_hdl::ir::{Design, Module};
 
 /// The design as Verilog, one file a module, each followed by the data files of its memories; the top is the last
 /// module.
@@ -32,11 +36,21 @@ use tilewright_hdl::ir::Design;
 pub fn verilog(design: &Design) -> Vec<VerilogFile> {
     let mut files = Vec::new();
     for module in &design.modules {
-        let mut folded = fold::fold(module);
-        adopt::adopt_names(&mut folded);
+        let folded = simplified(module);
         let text = module::print(&mut Printer::new(design, &folded));
         files.push(VerilogFile { name: format!("{}.v", module.name), text });
         files.extend(memory::data_files(&folded));
     }
     files
+}
+
+/// What holds state in a module, by the names that its text has.
+pub fn state(design: &Design, module: &Module) -> Vec<State> {
+    Printer::new(design, &simplified(module)).state()
+}
+
+fn simplified(module: &Module) -> Module {
+    let mut folded = fold::fold(module);
+    adopt::adopt_names(&mut folded);
+    folded
 }

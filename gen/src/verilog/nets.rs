@@ -91,7 +91,7 @@ impl Printer<'_> {
 
     fn state_or_expression(&mut self, id: NodeId) -> String {
         if let Op::Wire(to) = self.module.node(id).op
-            && let Some(state) = self.state(to, self.states.of(id))
+            && let Some(state) = self.state_text(to, self.states.of(id))
         {
             return state;
         }

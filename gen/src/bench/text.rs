@@ -1,0 +1,228 @@
+//! The text of a replay testbench.
+
+use super::{Replay, start};
+use crate::verilog::{connect, range};
+use std::fmt::Write;
+use tilewright_hdl::Bits;
+use tilewright_hdl::ir::{Design, Module};
+
+/// Mismatches beyond this many are counted and not shown.
+const MOST_SHOWN: u32 = 10;
+
+/// A port of the top: its name and width.
+type Port<'a> = (&'a str, u32);
+
+pub fn print(design: &Design, replay: &Replay, name: &str) -> String {
+    let bench = Bench::new(design.top(), replay);
+    let mut body = bench.declarations();
+    body.extend(bench.device(design.top()));
+    body.extend(generate_start(design));
+    body.extend(bench.run(&start::special(design, replay)));
+    body.extend(bench.tables());
+    let mut text = format!(
+        "// {name}\n//\n// Replays {} recorded steps of {} and compares every output before every edge.\n\
+         `default_nettype none\n\nmodule {name};\n",
+        replay.steps.len(),
+        design.top().name
+    );
+    for line in body {
+        let _ = if line.is_empty() { writeln!(text) } else { writeln!(text, "    {line}") };
+    }
+    text + "endmodule\n`default_nettype wire\n"
+}
+
+struct Bench<'a> {
+    replay: &'a Replay,
+    clocks: Vec<&'a str>,
+    /// Resets, then inputs: what is driven.
+    driven: Vec<Port<'a>>,
+    /// For each clock, whether it has a reset.
+    has_reset: Vec<bool>,
+    outputs: Vec<Port<'a>>,
+    /// Goes before the bench's own names where a port has such a name.
+    prefix: &'static str,
+    /// The gap between steps, if it is always the same.
+    period: Option<u64>,
+}
+
+impl<'a> Bench<'a> {
+    fn new(top: &'a Module, replay: &'a Replay) -> Bench<'a> {
+        let resets = top.clocks.iter().filter_map(|clock| Some((clock.reset.as_deref()?, 1)));
+        let inputs = top.inputs.iter().map(|input| (input.name.as_str(), top.width(input.node)));
+        let outputs = top.outputs.iter().map(|output| (output.name.as_str(), top.width(output.node)));
+        let mut bench = Bench {
+            replay,
+            clocks: top.clocks.iter().map(|clock| clock.port.as_str()).collect(),
+            driven: resets.chain(inputs).collect(),
+            has_reset: top.clocks.iter().map(|clock| clock.reset.is_some()).collect(),
+            outputs: outputs.collect(),
+            prefix: "",
+            period: None,
+        };
+        let own = ["stimulus", "expected", "gap", "rising", "cycle", "errors", "dut", "fill", "run"];
+        let ports = || bench.driven.iter().chain(&bench.outputs).map(|port| port.0).chain(bench.clocks.iter().copied());
+        if ports().any(|port| own.contains(&port) || port.starts_with("want_") || port.starts_with("lane")) {
+            bench.prefix = "tb_";
+        }
+        let gaps = bench.gaps();
+        bench.period = gaps.first().copied().filter(|first| gaps.iter().all(|gap| gap == first));
+        bench
+    }
+
+    fn gaps(&self) -> Vec<u64> {
+        let mut before = 0;
+        self.replay.steps.iter().map(|step| step.time_ps - std::mem::replace(&mut before, step.time_ps)).collect()
+    }
+
+    fn own(&self, name: &str) -> String {
+        format!("{}{name}", self.prefix)
+    }
+
+    fn width(ports: &[Port]) -> u32 {
+        ports.iter().map(|port| port.1).sum()
+    }
+
+    fn declarations(&self) -> Vec<String> {
+        let last = self.replay.steps.len().max(1) - 1;
+        let table = |width: u32, name: &str| format!("reg {}{} [0:{last}];", range(width), self.own(name));
+        let mut out = vec![String::new()];
+        out.extend(self.clocks.iter().map(|clock| format!("reg {clock};")));
+        out.extend(self.driven.iter().map(|&(name, width)| format!("reg {}{name};", range(width))));
+        out.extend(self.outputs.iter().map(|&(name, width)| format!("wire {}{name};", range(width))));
+        out.extend(self.outputs.iter().map(|&(name, width)| format!("reg {}{};", range(width), self.want(name))));
+        out.push(String::new());
+        if !self.driven.is_empty() {
+            out.push(table(Self::width(&self.driven), "stimulus"));
+        }
+        if !self.outputs.is_empty() {
+            out.push(table(Self::width(&self.outputs), "expected"));
+        }
+        if self.period.is_none() {
+            out.push(table(64, "gap"));
+        }
+        if self.clocks.len() > 1 {
+            out.push(table(self.clocks.len() as u32, "rising"));
+        }
+        out.extend([format!("integer {};", self.own("cycle")), format!("integer {};", self.own("errors"))]);
+        out
+    }
+
+    fn want(&self, output: &str) -> String {
+        self.own(&format!("want_{output}"))
+    }
+
+    fn device(&self, top: &Module) -> Vec<String> {
+        let names = self.clocks.iter().copied().chain(self.driven.iter().chain(&self.outputs).map(|port| port.0));
+        let connections: Vec<(String, String)> = names.map(|name| (name.to_string(), name.to_string())).collect();
+        let mut out = vec![String::new()];
+        out.extend(connect(&top.name, "dut", &connections));
+        out
+    }
+
+    fn run(&self, special: &[String]) -> Vec<String> {
+        let (cycle, errors, steps) = (self.own("cycle"), self.own("errors"), self.replay.steps.len());
+        let mut out = vec![String::new(), format!("initial begin : {}", self.own("run"))];
+        let mut line = |indent: usize, text: String| out.push(format!("{}{text}", "    ".repeat(indent)));
+        line(1, format!("{errors} = 0;"));
+        self.clocks.iter().for_each(|clock| line(1, format!("{clock} = 1'b0;")));
+        if !special.is_empty() {
+            line(1, "#1;".to_string());
+        }
+        special.iter().for_each(|assign| line(1, assign.clone()));
+        line(1, format!("for ({cycle} = 0; {cycle} < {steps}; {cycle} = {cycle} + 1) begin"));
+        let (half, rest) = self.waits(&cycle);
+        line(2, half);
+        self.clocks.iter().for_each(|clock| line(2, format!("{clock} = 1'b0;")));
+        if !self.driven.is_empty() {
+            line(2, format!("{} = {}[{cycle}];", names(&self.driven), self.own("stimulus")));
+        }
+        line(2, rest);
+        if !self.outputs.is_empty() {
+            let wants: Vec<String> = self.outputs.iter().map(|(name, _)| self.want(name)).collect();
+            line(2, format!("{{{}}} = {}[{cycle}];", wants.join(", "), self.own("expected")));
+        }
+        for (name, _) in &self.outputs {
+            let want = self.want(name);
+            line(2, format!("if ({name} !== {want}) begin"));
+            line(3, format!("if ({errors} < {MOST_SHOWN})"));
+            let message = format!("FAIL: cycle %0d: {name} is %h, expected %h");
+            line(4, format!("$display(\"{message}\", {cycle}, {name}, {want});"));
+            line(3, format!("{errors} = {errors} + 1;"));
+            line(2, "end".to_string());
+        }
+        for (index, clock) in self.clocks.iter().enumerate() {
+            match self.clocks.len() {
+                1 => line(2, format!("{clock} = 1'b1;")),
+                _ => line(2, format!("if ({}[{cycle}][{index}]) {clock} = 1'b1;", self.own("rising"))),
+            }
+        }
+        line(1, "end".to_string());
+        line(1, format!("if ({errors} == 0) $display(\"PASS: {steps} cycles\");"));
+        line(1, format!("else $display(\"FAIL: %0d mismatches in {steps} cycles\", {errors});"));
+        line(1, "$finish;".to_string());
+        out.push("end".to_string());
+        out
+    }
+
+    /// The waits before and after the middle of a step.
+    fn waits(&self, cycle: &str) -> (String, String) {
+        match self.period {
+            Some(period) => (format!("#{};", period / 2), format!("#{};", period - period / 2)),
+            None => {
+                let gap = format!("{}[{cycle}]", self.own("gap"));
+                (format!("#({gap} / 2);"), format!("#({gap} - {gap} / 2);"))
+            }
+        }
+    }
+
+    fn tables(&self) -> Vec<String> {
+        let mut out = vec![String::new(), format!("initial begin : {}", self.own("fill"))];
+        let gaps = self.gaps();
+        for (cycle, step) in self.replay.steps.iter().enumerate() {
+            let mut columns = Vec::new();
+            if !self.driven.is_empty() {
+                let resets = (0..self.clocks.len()).filter(|&clock| self.has_reset[clock]);
+                let resets = resets.map(|clock| Bits::from(step.resets.contains(&clock)));
+                columns.push(("stimulus", joined(resets.chain(step.inputs.iter().cloned()))));
+            }
+            if !self.outputs.is_empty() {
+                columns.push(("expected", joined(step.outputs.iter().cloned())));
+            }
+            if self.period.is_none() {
+                columns.push(("gap", Bits::new(64, gaps[cycle])));
+            }
+            if self.clocks.len() > 1 {
+                let mask = step.rising.iter().fold(0u64, |mask, &clock| mask | 1 << clock);
+                columns.push(("rising", Bits::new(self.clocks.len() as u32, mask)));
+            }
+            let assigns: Vec<String> =
+                columns.into_iter().map(|(table, value)| format!("{}[{cycle}] = {value};", self.own(table))).collect();
+            out.push(format!("    {}", assigns.join(" ")));
+        }
+        out.push("end".to_string());
+        out
+    }
+}
+
+/// The values side by side, the first the most significant.
+fn joined(values: impl Iterator<Item = Bits>) -> Bits {
+    values.reduce(|high, low| high.concat(&low)).expect("at least one value")
+}
+
+fn names(ports: &[Port]) -> String {
+    let names: Vec<&str> = ports.iter().map(|port| port.0).collect();
+    format!("{{{}}}", names.join(", "))
+}
+
+fn generate_start(design: &Design) -> Vec<String> {
+    let lines = start::usual(design);
+    if lines.is_empty() {
+        return Vec::new();
+    }
+    let mut out = vec![String::new()];
+    out.extend((0..start::array_depth(design)).map(|depth| format!("genvar lane{depth};")));
+    out.push("generate".to_string());
+    out.extend(lines.into_iter().map(|line| format!("    {line}")));
+    out.push("endgenerate".to_string());
+    out
+}

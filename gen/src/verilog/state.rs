@@ -1,0 +1,44 @@
+//! What holds state in a module, by the names that the printed text has: for testbenches, which set it.
+
+use super::expression::Printer;
+use tilewright_hdl::Bits;
+use tilewright_hdl::ir::{Contents, Memory, Register};
+
+/// Something that holds state.
+pub enum State {
+    /// A register that starts at `start` if nobody says otherwise.
+    Register { name: String, start: Bits },
+    /// The data of a synchronous read whose word is gated: the word's register and the flag that lets it through.
+    GatedRead { name: String, word: String, inside: String, width: u32 },
+    /// A memory of unknown contents.
+    Memory { name: String, depth: u32, width: u32 },
+}
+
+impl Printer<'_> {
+    /// The state of the module itself, not of its instances: registers, read data, memories of unknown contents.
+    pub fn state(&self) -> Vec<State> {
+        let module = self.module;
+        let registers = module.registers.iter().map(|register| self.register_state(register));
+        let memories = module.memories.iter().enumerate().flat_map(|(index, memory)| self.memory_state(index, memory));
+        registers.chain(memories).collect()
+    }
+
+    fn register_state(&self, register: &Register) -> State {
+        let width = self.module.width(register.node);
+        let start = register.reset.clone().unwrap_or_else(|| Bits::zero(width));
+        State::Register { name: self.name(register.node).to_string(), start }
+    }
+
+    fn memory_state(&self, index: usize, memory: &Memory) -> Vec<State> {
+        let width = memory.width;
+        let reads = self.reads[index].iter().flatten().map(|names| match names.raw.clone() {
+            None => State::Register { name: names.data.clone(), start: Bits::zero(width) },
+            Some(raw) => State::GatedRead { name: names.data.clone(), word: raw.word, inside: raw.inside, width },
+        });
+        let mut all: Vec<State> = reads.collect();
+        if memory.contents == Contents::Unknown {
+            all.push(State::Memory { name: memory.name.clone(), depth: memory.depth, width });
+        }
+        all
+    }
+}
