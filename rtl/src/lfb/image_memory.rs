@@ -1,0 +1,158 @@
+//! The image memory, with the second stage of the access pipeline on its front side, and read-and-clear on its back
+//! side (VC1-ACC, VC1-CLR1).
+//!
+//! ```text
+//! draw --> address --------.   .--------------.                  .------.
+//!      '-> word ---.       +-->| image memory |--- old word ---->|      |
+//!                  |       |   | front, back  |                  |  <   |-- nearer: write
+//!                  '-------|-->|              |    .-- word ---->|      |
+//!                          |   '--------------'    |             '------'
+//! send --------------------'     ^ EMPTY   '-------|-----------> word
+//! ```
+//!
+//! Latency and throughput: a drawn pixel takes 3 clocks (read, compare, write), and the next one is accepted in the last
+//! of them. The scan gets a word one clock after its address, a word a clock.
+//!
+//! The word kept is the smaller one, which is the nearer. What the scan has read is cleared at once, so that after a whole
+//! scan the buffer is empty and ready for the processor.
+//!
+//! Both buffers are one memory, whose lowest address bit tells them apart: a port for the processor, a port for the
+//! scan, which takes the old word and leaves [`empty`] at the same edge.
+
+use tilewright_hdl::ir::About;
+use tilewright_hdl::{
+    Block, Module, ReadUnderWrite, Width, bit, bits, bundle, cat, goto, index_width, mux, net, states, when,
+};
+
+use crate::clocks::{MERGE, PE};
+use crate::word::{WORD, empty};
+
+bundle! {
+    /// A pixel to draw.
+    pub struct Draw<T> {
+        /// There is one.
+        pub valid: T,
+        /// Its page.
+        pub page: T,
+        /// The pixel's place in the page.
+        pub offset: T,
+        /// Depth above colour.
+        pub word: T,
+    }
+
+    /// A pixel to send to the merger.
+    pub struct SendPixel<T> {
+        /// The scan advances; where it is low the word sent stays.
+        pub enable: T,
+        /// The pixel has a page; if not, [`empty`] is sent.
+        pub resident: T,
+        /// Its page.
+        pub page: T,
+        /// The pixel's place in the page.
+        pub offset: T,
+        /// The buffer to read and clear.
+        pub buffer: T,
+    }
+
+    /// The inputs of [`ImageMemory`].
+    pub struct ImageMemoryIn<T> {
+        /// From the first stage.
+        pub draw: Draw<T>,
+        /// The buffer to draw into.
+        pub front: T,
+        /// From the scan counter, by way of the patch table.
+        pub send: SendPixel<T>,
+    }
+
+    /// The outputs of [`ImageMemory`].
+    pub struct ImageMemoryOut<T> {
+        /// A pixel is accepted at this edge.
+        pub ready: T,
+        /// No pixel is under way.
+        pub idle: T,
+        /// The word sent.
+        pub sent: T,
+    }
+}
+
+states! {
+    /// The clocks of an access.
+    enum Stage2 { Idle, Read, Compare, Write }
+}
+
+/// Two buffers of pages.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ImageMemory {
+    /// The number of pages in a buffer.
+    pub pages: u32,
+    /// The number of pixels in a page, a power of two.
+    pub page_pixels: u32,
+}
+
+impl Block for ImageMemory {
+    type In = ImageMemoryIn;
+    type Out = ImageMemoryOut;
+
+    fn inputs(&self) -> ImageMemoryIn<Width> {
+        let page = bits(index_width(self.pages.into()));
+        let offset = bits(index_width(self.page_pixels.into()));
+        ImageMemoryIn {
+            draw: Draw { valid: bit().on(PE), page: page.on(PE), offset: offset.on(PE), word: bits(WORD).on(PE) },
+            front: bit().on(PE),
+            send: SendPixel {
+                enable: bit().on(MERGE),
+                resident: bit().on(MERGE),
+                page: page.on(MERGE),
+                offset: offset.on(MERGE),
+                buffer: bit().on(MERGE),
+            },
+        }
+    }
+
+    fn build(&self, m: Module, i: ImageMemoryIn) -> ImageMemoryOut {
+        let words = 2 * self.pages * self.page_pixels;
+        let memory = m.memory("image_memory", words, WORD, ReadUnderWrite::Old).true_dual_port().fill(empty());
+
+        let front = m.on(PE);
+        let stage = front.fsm("stage2", Stage2::Idle);
+        net!(can_accept = stage.is(Stage2::Idle) | stage.is(Stage2::Write));
+        net!(accept = i.draw.valid & can_accept);
+        front.assert(!i.draw.valid | can_accept, "the second stage ends before the first has a page again");
+        stage.next(|state| match state {
+            Stage2::Idle => when(accept, Stage2::Read),
+            Stage2::Read => goto(Stage2::Compare),
+            Stage2::Compare => goto(Stage2::Write),
+            Stage2::Write => when(accept, Stage2::Read).or_else(Stage2::Idle),
+        });
+
+        let address = front.reg("address", memory.address_width());
+        let word = front.reg("word", WORD);
+        let nearer = front.reg("nearer", 1);
+        address.enable(accept).next(cat!(i.draw.page, i.draw.offset, i.front));
+        word.enable(accept).next(i.draw.word);
+        net!(old_word = memory.on(PE).read_when(stage.is(Stage2::Read), address));
+        nearer.enable(stage.is(Stage2::Compare)).next(word.lt(old_word));
+        memory.on(PE).write(stage.is(Stage2::Write) & nearer, address, word);
+
+        let back = m.on(MERGE);
+        net!(send_address = cat!(i.send.page, i.send.offset, i.send.buffer));
+        net!(take = i.send.enable & i.send.resident);
+        net!(taken_word = memory.on(MERGE).read_when(take, send_address));
+        memory.on(MERGE).write(take, send_address, empty());
+        let resident = back.reg("resident", 1).reset(0);
+        resident.enable(i.send.enable).next(i.send.resident);
+        ImageMemoryOut { ready: can_accept, idle: stage.is(Stage2::Idle), sent: mux(resident, taken_word, empty()) }
+    }
+
+    fn about(&self) -> About {
+        About {
+            summary: format!(
+                "Holds two buffers of {} pages of {} pixels: keeps the nearer word of each pixel drawn, and clears what it \
+                 sends.",
+                self.pages, self.page_pixels
+            ),
+            latency: "3 clocks of the processor to draw, 1 clock of the merger to send".to_owned(),
+            source: "VC-1, section 3.3, image memory (VC1-ACC, VC1-CLR1)".to_owned(),
+        }
+    }
+}
