@@ -49,7 +49,8 @@ pub struct ScanCounter {
 }
 
 impl ScanCounter {
-    /// The preset of the counter at a position of the chain; 0 is the first, fed by the global frame buffer.
+    /// The preset of the counter at a position of the chain; 0 is the first, fed by the global frame buffer. The chain
+    /// has at most a quarter as many positions as the screen has pixels.
     pub fn preset(screen: Screen, position: u32) -> Position<u64> {
         let frame = u64::from(screen.pixels());
         let behind = u64::from(LEAD) * u64::from(position) % frame;
@@ -98,6 +99,98 @@ impl Block for ScanCounter {
             summary: "Counts the pixels of the screen in raster order, freely, from a preset on.".to_owned(),
             latency: "1".to_owned(),
             source: "VC-1, section 3.3, scan counter (VC1-SCAN)".to_owned(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use tilewright_sim::Simulation;
+
+    use super::*;
+
+    #[test]
+    fn the_counter_goes_in_raster_order_and_holds_without_enable() {
+        let screen = Screen { width: 3, height: 2 };
+        let mut sim = Simulation::of(&ScanCounter { screen }).unwrap();
+        let (i, o) = (sim.i, sim.o);
+        let wave = sim.record([i.scan.restart, i.scan.enable, o.pixel.x, o.pixel.y, o.armed]);
+        sim.reset();
+        let preset = ScanCounter::preset(screen, 1);
+        let restart = [1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0];
+        let enable = [0, 1, 1, 1, 0, 1, 1, 1, 1, 1, 1, 0];
+        for (restart, enable) in restart.into_iter().zip(enable) {
+            sim.drive(ScanCounterIn { scan: ScanControl { restart, enable }, preset });
+            sim.step();
+        }
+        wave.expect(
+            r"
+            clk          |___/~\_/~\_/~\_/~\_/~\_/~\_/~\_/~\_/~\_/~\_/~\_/~\_/
+            scan_restart |___/~~~\___________________________________/~~~\____
+            scan_enable  |_______/~~~~~~~~~~~\___/~~~~~~~~~~~~~~~~~~~~~~~\____
+            pixel_x      | 0     | 2 | 0 | 1 | 2     | 0 | 1 | 2 | 0 | 1 | 2 |
+            pixel_y      |___________/~~~~~~~~~~~~~~~\___________/~~~~~~~\____
+            armed        |___________________________/~~~~~~~~~~~~~~~~~~~\____
+            ",
+        );
+    }
+
+    /// A chain of counters with the presets of their positions.
+    #[derive(Debug)]
+    struct Chain {
+        screen: Screen,
+        length: u32,
+    }
+
+    bundle! {
+        struct Pixels<T> { pixel: Vec<Position<T>>, armed: Vec<T> }
+    }
+
+    impl Block for Chain {
+        type In = ScanControl;
+        type Out = Pixels;
+
+        fn inputs(&self) -> ScanControl<Width> {
+            ScanControl { restart: bit(), enable: bit() }
+        }
+
+        fn build(&self, m: Module, i: ScanControl) -> Pixels {
+            let widths = ScanCounter::position(self.screen);
+            let preset = |position| ScanCounter::preset(self.screen, position);
+            let counters =
+                m.array("scan_counter", self.length, &ScanCounter { screen: self.screen }, |a| ScanCounterIn {
+                    scan: a.all(&i),
+                    preset: Position {
+                        x: a.constants(widths.x.bits(), |lane| preset(lane).x),
+                        y: a.constants(widths.y.bits(), |lane| preset(lane).y),
+                    },
+                });
+            let (x, y) = (counters.pixel.x.to_vec(), counters.pixel.y.to_vec());
+            Pixels {
+                pixel: x.into_iter().zip(y).map(|(x, y)| Position { x, y }).collect(),
+                armed: counters.armed.to_vec(),
+            }
+        }
+    }
+
+    #[test]
+    fn each_counter_runs_4_pixels_ahead_of_the_succeeding_one_and_sends_from_its_first_whole_frame() {
+        let (screen, length) = (Screen { width: 7, height: 5 }, 8);
+        let frame = u64::from(screen.pixels());
+        let mut sim = Simulation::of(&Chain { screen, length }).unwrap();
+        sim.reset();
+        sim.drive(ScanControl { restart: 1, enable: 0 });
+        sim.step();
+        sim.drive(ScanControl { restart: 0, enable: 1 });
+        for clock in 0..3 * frame {
+            let Pixels { pixel, armed } = sim.read_u64();
+            let numbers: Vec<u64> = pixel.iter().map(|at| at.y * u64::from(screen.width) + at.x).collect();
+            assert!(numbers.windows(2).all(|pair| pair[0] == (pair[1] + 4) % frame), "{numbers:?} in clock {clock}");
+            for (position, armed) in (0..).zip(armed) {
+                let first = 4 * position;
+                assert_eq!(armed == 1, clock >= first, "position {position} in clock {clock}");
+            }
+            sim.step();
         }
     }
 }

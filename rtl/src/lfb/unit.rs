@@ -249,18 +249,4 @@ impl Block for LfbUnit {
 }
 
 #[cfg(test)]
-mod tests {
-    use tilewright_hdl::elaborate;
-
-    use super::*;
-    use crate::parameter::Screen;
-
-    #[test]
-    fn every_size_elaborates() {
-        for edge in [4, 8, 16] {
-            for pages in [2, 75, 600, 1200] {
-                elaborate(&LfbUnit::new(Patches::new(Screen::VC1, edge).unwrap(), pages).unwrap()).unwrap();
-            }
-        }
-    }
-}
+mod tests;
