@@ -1,0 +1,257 @@
+//! The image memory, with the second stage of the access pipeline on its front side, and read-and-clear on its back
+//! side (VC1-ACC, VC1-CLR1).
+//!
+//! ```text
+//! draw --> address --------.   .--------------.                  .------.
+//!      '-> word ---.       +-->| image memory |--- old word ---->|      |
+//!                  |       |   | front, back  |                  |  <   |-- nearer: write
+//!                  '-------|-->|              |    .-- word ---->|      |
+//!                          |   '--------------'    |             '------'
+//! send --------------------'     ^ EMPTY   '-------|-----------> word
+//! ```
+//!
+//! Latency and throughput: a drawn pixel takes 3 clocks (read, compare, write), and the next one is accepted in the last
+//! of them. The scan gets a word one clock after its address, a word a clock.
+//!
+//! The word kept is the smaller one, which is the nearer. What the scan has read is cleared at once, so that after a whole
+//! scan the buffer is empty and ready for the processor.
+//!
+//! Both buffers are one memory, whose lowest address bit tells them apart: a port for the processor, a port for the
+//! scan, which takes the old word and leaves [`empty`] at the same edge.
+
+use tilewright_hdl::ir::About;
+use tilewright_hdl::{
+    Block, Module, ReadUnderWrite, Width, bit, bits, bundle, cat, goto, index_width, mux, net, states, when,
+};
+
+use crate::clocks::{MERGE, PE};
+use crate::word::{WORD, empty};
+
+bundle! {
+    /// A pixel to draw.
+    pub struct Draw<T> {
+        /// There is one.
+        pub valid: T,
+        /// Its page.
+        pub page: T,
+        /// The pixel's place in the page.
+        pub offset: T,
+        /// Depth above colour.
+        pub word: T,
+    }
+
+    /// A pixel to send to the merger.
+    pub struct SendPixel<T> {
+        /// The scan advances; where it is low the word sent stays.
+        pub enable: T,
+        /// The pixel has a page; if not, [`empty`] is sent.
+        pub resident: T,
+        /// Its page.
+        pub page: T,
+        /// The pixel's place in the page.
+        pub offset: T,
+        /// The buffer to read and clear.
+        pub buffer: T,
+    }
+
+    /// The inputs of [`ImageMemory`].
+    pub struct ImageMemoryIn<T> {
+        /// From the first stage.
+        pub draw: Draw<T>,
+        /// The buffer to draw into.
+        pub front: T,
+        /// From the scan counter, by way of the patch table.
+        pub send: SendPixel<T>,
+    }
+
+    /// The outputs of [`ImageMemory`].
+    pub struct ImageMemoryOut<T> {
+        /// A pixel is accepted at this edge.
+        pub ready: T,
+        /// No pixel is under way.
+        pub idle: T,
+        /// The word sent.
+        pub sent: T,
+    }
+}
+
+states! {
+    /// The clocks of an access.
+    enum Stage2 { Idle, Read, Compare, Write }
+}
+
+/// Two buffers of pages.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ImageMemory {
+    /// The number of pages in a buffer.
+    pub pages: u32,
+    /// The number of pixels in a page, a power of two.
+    pub page_pixels: u32,
+}
+
+impl Block for ImageMemory {
+    type In = ImageMemoryIn;
+    type Out = ImageMemoryOut;
+
+    fn inputs(&self) -> ImageMemoryIn<Width> {
+        let page = bits(index_width(self.pages.into()));
+        let offset = bits(index_width(self.page_pixels.into()));
+        ImageMemoryIn {
+            draw: Draw { valid: bit().on(PE), page: page.on(PE), offset: offset.on(PE), word: bits(WORD).on(PE) },
+            front: bit().on(PE),
+            send: SendPixel {
+                enable: bit().on(MERGE),
+                resident: bit().on(MERGE),
+                page: page.on(MERGE),
+                offset: offset.on(MERGE),
+                buffer: bit().on(MERGE),
+            },
+        }
+    }
+
+    fn build(&self, m: Module, i: ImageMemoryIn) -> ImageMemoryOut {
+        let words = 2 * self.pages * self.page_pixels;
+        let memory = m.memory("image_memory", words, WORD, ReadUnderWrite::Old).true_dual_port().fill(empty());
+
+        let front = m.on(PE);
+        let stage = front.fsm("stage2", Stage2::Idle);
+        net!(can_accept = stage.is(Stage2::Idle) | stage.is(Stage2::Write));
+        net!(accept = i.draw.valid & can_accept);
+        front.assert(!i.draw.valid | can_accept, "the second stage ends before the first has a page again");
+        stage.next(|state| match state {
+            Stage2::Idle => when(accept, Stage2::Read),
+            Stage2::Read => goto(Stage2::Compare),
+            Stage2::Compare => goto(Stage2::Write),
+            Stage2::Write => when(accept, Stage2::Read).or_else(Stage2::Idle),
+        });
+
+        let address = front.reg("address", memory.address_width());
+        let word = front.reg("word", WORD);
+        let nearer = front.reg("nearer", 1);
+        address.enable(accept).next(cat!(i.draw.page, i.draw.offset, i.front));
+        word.enable(accept).next(i.draw.word);
+        net!(old_word = memory.on(PE).read_when(stage.is(Stage2::Read), address));
+        nearer.enable(stage.is(Stage2::Compare)).next(word.lt(old_word));
+        memory.on(PE).write(stage.is(Stage2::Write) & nearer, address, word);
+
+        let back = m.on(MERGE);
+        net!(send_address = cat!(i.send.page, i.send.offset, i.send.buffer));
+        net!(take = i.send.enable & i.send.resident);
+        net!(taken_word = memory.on(MERGE).read_when(take, send_address));
+        memory.on(MERGE).write(take, send_address, empty());
+        let resident = back.reg("resident", 1).reset(0);
+        resident.enable(i.send.enable).next(i.send.resident);
+        ImageMemoryOut { ready: can_accept, idle: stage.is(Stage2::Idle), sent: mux(resident, taken_word, empty()) }
+    }
+
+    fn about(&self) -> About {
+        About {
+            summary: format!(
+                "Holds two buffers of {} pages of {} pixels: keeps the nearer word of each pixel drawn, and clears what it \
+                 sends.",
+                self.pages, self.page_pixels
+            ),
+            latency: "3 clocks of the processor to draw, 1 clock of the merger to send".to_owned(),
+            source: "VC-1, section 3.3, image memory (VC1-ACC, VC1-CLR1)".to_owned(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use tilewright_hdl::States;
+    use tilewright_sim::Simulation;
+
+    use super::*;
+
+    type Sim = Simulation<ImageMemoryIn, ImageMemoryOut>;
+
+    const EMPTY: u64 = (1 << WORD) - 1;
+
+    fn memory() -> Sim {
+        let mut sim = Simulation::of(&ImageMemory { pages: 3, page_pixels: 16 }).unwrap();
+        sim.reset();
+        sim
+    }
+
+    /// Draws as soon as that is accepted; gives the states on the way.
+    fn draw(sim: &mut Sim, [page, offset, word]: [u64; 3]) -> Vec<&'static str> {
+        let i = sim.i.draw;
+        for (port, value) in [(i.page, page), (i.offset, offset), (i.word, word)] {
+            sim.set(port, value);
+        }
+        let mut states = Vec::new();
+        while sim.get(sim.o.ready) != 1 {
+            states.extend(clocks(sim, 1));
+        }
+        sim.set(i.valid, 1);
+        states.extend(clocks(sim, 1));
+        sim.set(i.valid, 0);
+        states
+    }
+
+    fn clocks(sim: &mut Sim, n: u64) -> Vec<&'static str> {
+        let state = |sim: &mut Sim| {
+            let code = sim.peek("stage2").unwrap().to_u64().unwrap();
+            sim.step_clock("pe", 1);
+            Stage2::ALL[code as usize].name()
+        };
+        (0..n).map(|_| state(sim)).collect()
+    }
+
+    /// What the scan gets from a place of a buffer.
+    fn take(sim: &mut Sim, [buffer, page, offset]: [u64; 3]) -> u64 {
+        let i = sim.i.send;
+        for (port, value) in [(i.enable, 1), (i.resident, 1), (i.page, page), (i.offset, offset), (i.buffer, buffer)] {
+            sim.set(port, value);
+        }
+        sim.step_clock("merge", 1);
+        sim.set(i.enable, 0);
+        sim.get_u64(sim.o.sent)
+    }
+
+    #[test]
+    fn a_pixel_takes_3_clocks_and_the_smaller_word_stays() {
+        let mut sim = memory();
+        assert_eq!(draw(&mut sim, [2, 5, 70]), ["Idle"]);
+        assert_eq!(draw(&mut sim, [2, 5, 60]), ["Read", "Compare", "Write"]);
+        assert_eq!(draw(&mut sim, [2, 5, 61]), ["Read", "Compare", "Write"]);
+        assert_eq!(draw(&mut sim, [1, 5, 80]), ["Read", "Compare", "Write"]);
+        assert_eq!(clocks(&mut sim, 4), ["Read", "Compare", "Write", "Idle"]);
+        assert_eq!([[0, 2, 5], [0, 1, 5], [0, 0, 5]].map(|place| take(&mut sim, place)), [60, 80, EMPTY]);
+    }
+
+    #[test]
+    fn what_is_sent_is_cleared_and_the_other_buffer_is_not() {
+        let mut sim = memory();
+        draw(&mut sim, [1, 7, 42]);
+        clocks(&mut sim, 3);
+        sim.set(sim.i.front, 1);
+        draw(&mut sim, [1, 7, 43]);
+        clocks(&mut sim, 3);
+        assert_eq!([[0, 1, 7], [0, 1, 7], [1, 1, 7]].map(|place| take(&mut sim, place)), [42, EMPTY, 43]);
+    }
+
+    #[test]
+    fn a_pixel_under_way_stays_in_its_buffer_when_the_buffers_are_swapped() {
+        let mut sim = memory();
+        draw(&mut sim, [0, 3, 9]);
+        sim.set(sim.i.front, 1);
+        clocks(&mut sim, 3);
+        assert_eq!([[1, 0, 3], [0, 0, 3]].map(|place| take(&mut sim, place)), [EMPTY, 9]);
+    }
+
+    #[test]
+    fn the_word_sent_stays_while_the_scan_does_not_advance() {
+        let mut sim = memory();
+        draw(&mut sim, [0, 0, 5]);
+        clocks(&mut sim, 3);
+        assert_eq!(take(&mut sim, [0, 0, 0]), 5);
+        sim.set(sim.i.send.resident, 0);
+        sim.step_clock("merge", 3);
+        assert_eq!(sim.get_u64(sim.o.sent), 5);
+        sim.set(sim.i.send.enable, 1);
+        sim.step_clock("merge", 1);
+        assert_eq!(sim.get_u64(sim.o.sent), EMPTY, "a pixel without a page is empty");
+    }
+}

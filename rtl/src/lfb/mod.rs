@@ -1,0 +1,15 @@
+//! The local frame buffer of the VC-1: a full screen in the memory of a part of it, by demand paging of patches.
+
+mod image_memory;
+mod page_id_generator;
+mod patch_table;
+mod patches;
+mod scan_counter;
+mod unit;
+
+pub use image_memory::{Draw, ImageMemory, ImageMemoryIn, ImageMemoryOut, SendPixel};
+pub use page_id_generator::{PageIdGenerator, PageIdGeneratorIn, PageIdGeneratorOut};
+pub use patch_table::{LookUp, PatchTable, PatchTableIn, PatchTableOut, ScanLookUp};
+pub use patches::{Patches, Place};
+pub use scan_counter::{ScanCounter, ScanCounterIn, ScanCounterOut};
+pub use unit::{Clear, LfbUnit, LfbUnitIn, LfbUnitOut, Request};

@@ -1,0 +1,106 @@
+//! The page ID generator: a counter that names the next free page of image memory (VC1-PIG).
+//!
+//! ```text
+//! restart --.    .------.
+//! take -----+--->| used |--+--> page        the next free page
+//!           +1   '------'  +--> used        how many are taken
+//!                          '--> exhausted   used = pages
+//! ```
+//!
+//! Latency 1 clock from `take` to the next page; a page a clock.
+//!
+//! Its value is the ID of the next free page; a first access to a patch takes it. It restarts when the buffers are swapped.
+
+use tilewright_hdl::ir::About;
+use tilewright_hdl::{Block, Module, Width, bit, bundle, index_width, mux, net};
+
+bundle! {
+    /// The inputs of [`PageIdGenerator`].
+    pub struct PageIdGeneratorIn<T> {
+        /// All pages are free again; wins over `take`.
+        pub restart: T,
+        /// The next free page is taken.
+        pub take: T,
+    }
+
+    /// The outputs of [`PageIdGenerator`].
+    pub struct PageIdGeneratorOut<T> {
+        /// The next free page, unless all are taken.
+        pub page: T,
+        /// How many pages are taken.
+        pub used: T,
+        /// All pages are taken.
+        pub exhausted: T,
+    }
+}
+
+/// Hands out the pages 0, 1, 2 ... of an image memory.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct PageIdGenerator {
+    /// The number of pages.
+    pub pages: u32,
+}
+
+impl Block for PageIdGenerator {
+    type In = PageIdGeneratorIn;
+    type Out = PageIdGeneratorOut;
+
+    fn inputs(&self) -> PageIdGeneratorIn<Width> {
+        PageIdGeneratorIn { restart: bit(), take: bit() }
+    }
+
+    fn build(&self, m: Module, i: PageIdGeneratorIn) -> PageIdGeneratorOut {
+        let pages = u64::from(self.pages);
+        let used = m.reg("used", index_width(pages + 1)).reset(0);
+        net!(exhausted = used.eq(pages));
+        m.assert(!(i.take & exhausted), "a page is taken only while one is free");
+        used.enable(i.restart | i.take).next(mux(i.restart, 0, used + 1));
+        PageIdGeneratorOut { page: used.trunc(index_width(pages)), used: used.value(), exhausted }
+    }
+
+    fn about(&self) -> About {
+        About {
+            summary: format!("Names the next free page of an image memory of {} pages.", self.pages),
+            latency: "1".to_owned(),
+            source: "VC-1, section 3.3, page ID generator (VC1-PIG)".to_owned(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use tilewright_sim::Simulation;
+
+    use super::*;
+
+    #[test]
+    fn pages_come_in_order_until_all_are_taken_and_again_after_a_restart() {
+        let mut sim = Simulation::of(&PageIdGenerator { pages: 3 }).unwrap();
+        let (i, o) = (sim.i, sim.o);
+        let wave = sim.record([i.restart, i.take, o.page, o.used, o.exhausted]);
+        sim.reset();
+        for (restart, take) in [(0, 1), (0, 0), (0, 1), (0, 1), (0, 0), (1, 0), (0, 1), (1, 1), (0, 0)] {
+            sim.drive(PageIdGeneratorIn { restart, take });
+            sim.step();
+        }
+        wave.expect(
+            r"
+            clk       |___/~\_/~\_/~\_/~\_/~\_/~\_/~\_/~\_/~\_/
+            restart   |_______________________/~~~\___/~~~\____
+            take      |___/~~~\___/~~~~~~~\_______/~~~~~~~\____
+            page      | 0     | 1     | 2 | 3     | 0 | 1 | 0 |
+            used      | 0     | 1     | 2 | 3     | 0 | 1 | 0 |
+            exhausted |___________________/~~~~~~~\____________
+            ",
+        );
+    }
+
+    #[test]
+    #[should_panic(expected = "a page is taken only while one is free")]
+    fn taking_a_page_when_none_is_free_is_an_error() {
+        let mut sim = Simulation::of(&PageIdGenerator { pages: 2 }).unwrap();
+        sim.reset();
+        sim.set(sim.i.take, 1);
+        sim.run(3);
+    }
+}

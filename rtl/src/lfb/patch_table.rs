@@ -1,0 +1,352 @@
+//! The patch table, with the first stage of the access pipeline (VC1-PT, VC1-ACC).
+//!
+//! ```text
+//! look_up --> patch --.   .-------------.     resident?  yes -------------> page
+//!                     +-->| patch table |--->                  page ID -->
+//! clear --------------'   | front, back |     no: write the entry <- generator
+//!                         '-------------'
+//! scan -----------------------^    '--------> scan_entry
+//! ```
+//!
+//! Latency and throughput: a look-up takes 3 clocks if the patch has a page, else 4; the next one is accepted in the
+//! last of them. A clear takes 3 clocks. The scan looks up a patch for every clock of the merger.
+//!
+//! An entry is a page existence flag and a page ID. A look-up that finds the flag clear takes the next free page from the
+//! page ID generator and writes it into the entry, with the flag set, which costs the fourth clock. The processor clears
+//! the table by software, entry by entry, after each swap (VC1-CLR2).
+//!
+//! A miss when all pages are taken is an overflow: the look-up is held until the processor has swapped the buffers and
+//! cleared the table, and says `resume`.
+//!
+//! Both tables are one memory, whose lowest address bit tells the buffers apart: a port for the processor, a port
+//! for the scan.
+
+use tilewright_hdl::ir::About;
+use tilewright_hdl::{
+    Block, Module, ReadUnderWrite, Width, bit, bits, bundle, cat, goto, index_width, mux, net, states, when,
+};
+
+use super::page_id_generator::{PageIdGenerator, PageIdGeneratorIn};
+use crate::clocks::{MERGE, PE};
+
+/// The clocks that a clear takes.
+const CLEAR_CLOCKS: u64 = 3;
+
+bundle! {
+    /// A patch of which the processor wants something: its page, or its entry cleared.
+    pub struct LookUp<T> {
+        /// There is one.
+        pub valid: T,
+        /// Its number.
+        pub patch: T,
+    }
+
+    /// A patch of which the scan wants the page.
+    pub struct ScanLookUp<T> {
+        /// The scan advances; where it is low the entry stays.
+        pub enable: T,
+        /// Its number.
+        pub patch: T,
+        /// The buffer to look into.
+        pub buffer: T,
+    }
+
+    /// An entry of the table.
+    pub struct Entry<T> {
+        /// The page existence flag.
+        pub resident: T,
+        /// The page ID.
+        pub page: T,
+    }
+
+    /// The inputs of [`PatchTable`].
+    pub struct PatchTableIn<T> {
+        /// A request for the page of a patch.
+        pub look_up: LookUp<T>,
+        /// A request to clear an entry.
+        pub clear: LookUp<T>,
+        /// The front buffer, 0 or 1.
+        pub front: T,
+        /// The scan has left the front buffer.
+        pub settled: T,
+        /// All pages are free again.
+        pub restart: T,
+        /// The held look-up is tried again.
+        pub resume: T,
+        /// The scan's look-up.
+        pub scan: ScanLookUp<T>,
+    }
+
+    /// The outputs of [`PatchTable`].
+    pub struct PatchTableOut<T> {
+        /// A look-up is accepted at this edge.
+        pub ready: T,
+        /// A clear is accepted at this edge. If a look-up is too, the clear comes first.
+        pub clear_ready: T,
+        /// A look-up is held, because all pages are taken.
+        pub overflow: T,
+        /// No look-up is under way.
+        pub idle: T,
+        /// How many pages are taken.
+        pub pages_used: T,
+        /// The look-up ends with this clock.
+        pub found: T,
+        /// The page it found.
+        pub page: T,
+        /// What the scan asked for one clock before.
+        pub scan_entry: Entry<T>,
+    }
+}
+
+states! {
+    /// The clocks of a look-up.
+    enum Stage1 { Idle, Read, Examine, Allocate, Found, Overflow }
+}
+
+/// Two tables that give each patch of the screen its page of image memory.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct PatchTable {
+    /// The number of patches.
+    pub patches: u32,
+    /// The number of pages.
+    pub pages: u32,
+}
+
+impl Block for PatchTable {
+    type In = PatchTableIn;
+    type Out = PatchTableOut;
+
+    fn inputs(&self) -> PatchTableIn<Width> {
+        let patch = bits(index_width(self.patches.into()));
+        let look_up = LookUp { valid: bit().on(PE), patch: patch.on(PE) };
+        PatchTableIn {
+            look_up,
+            clear: look_up,
+            front: bit().on(PE),
+            settled: bit().on(PE),
+            restart: bit().on(PE),
+            resume: bit().on(PE),
+            scan: ScanLookUp { enable: bit().on(MERGE), patch: patch.on(MERGE), buffer: bit().on(MERGE) },
+        }
+    }
+
+    fn build(&self, m: Module, i: PatchTableIn) -> PatchTableOut {
+        let m = m.on(PE);
+        let page_width = index_width(self.pages.into());
+        let stage = m.fsm("stage1", Stage1::Idle);
+        let clearing = m.reg("clearing", 2).reset(0);
+
+        net!(can_clear = clearing.eq(0));
+        net!(can_accept = stage.is(Stage1::Idle) | stage.is(Stage1::Found));
+        net!(clear_ready = can_clear & (can_accept | stage.is(Stage1::Overflow)));
+        net!(accept = i.look_up.valid & can_accept);
+        net!(clear = i.clear.valid & clear_ready);
+        clearing.enable(clear | !can_clear).next(mux(clear, CLEAR_CLOCKS - 1, clearing - 1));
+
+        let patch = m.reg("patch", i.look_up.patch.width());
+        patch.enable(accept).next(i.look_up.patch);
+
+        // A collision of the two ports gives the scan a word of a buffer that it is leaving: all of it was sent.
+        let table = m.memory("patch_table", 2 * self.patches, 1 + page_width, ReadUnderWrite::Any);
+        let table = table.fill(tilewright_hdl::Bits::zero(1 + page_width));
+        net!(address = cat!(mux(clear, i.clear.patch, patch), i.front));
+        net!(read = stage.is(Stage1::Read) & can_clear & i.settled);
+        net!(entry = table.on(PE).read_when(read, address));
+
+        let resident = entry.msb();
+        net!(allocate = stage.is(Stage1::Allocate));
+        let free = m.instance(
+            "page_id_generator",
+            &PageIdGenerator { pages: self.pages },
+            PageIdGeneratorIn { restart: i.restart, take: allocate },
+        );
+        stage.next(|state| match state {
+            Stage1::Idle => when(accept, Stage1::Read),
+            Stage1::Read => when(read, Stage1::Examine),
+            Stage1::Examine => {
+                when(resident, Stage1::Found).or_when(free.exhausted, Stage1::Overflow).or_else(Stage1::Allocate)
+            }
+            Stage1::Allocate => goto(Stage1::Found),
+            Stage1::Found => when(accept, Stage1::Read).or_else(Stage1::Idle),
+            Stage1::Overflow => when(i.resume, Stage1::Read),
+        });
+
+        let page = m.reg("page", page_width);
+        page.enable(stage.is(Stage1::Examine)).next(mux(resident, entry.trunc(page_width), free.page));
+        table.on(PE).write(allocate | clear, address, cat!(allocate, page));
+
+        let scanned = table.on(MERGE).read_when(i.scan.enable, cat!(i.scan.patch, i.scan.buffer));
+        net!(scanned_entry = scanned);
+        PatchTableOut {
+            ready: can_accept,
+            clear_ready,
+            overflow: stage.is(Stage1::Overflow),
+            idle: stage.is(Stage1::Idle),
+            pages_used: free.used,
+            found: stage.is(Stage1::Found),
+            page: page.value(),
+            scan_entry: Entry { resident: scanned_entry.msb(), page: scanned_entry.trunc(page_width) },
+        }
+    }
+
+    fn about(&self) -> About {
+        About {
+            summary: format!(
+                "Gives each of {} patches one of {} pages of image memory on its first access, for the buffer in front \
+                 and for the one behind.",
+                self.patches, self.pages
+            ),
+            latency: "3 clocks for a patch that has a page, else 4".to_owned(),
+            source: "VC-1, section 3.3, patch table (VC1-PT, VC1-ACC)".to_owned(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use tilewright_hdl::States;
+    use tilewright_sim::{Port, Simulation};
+
+    use super::*;
+
+    type Sim = Simulation<PatchTableIn, PatchTableOut>;
+
+    fn table(patches: u32, pages: u32) -> Sim {
+        let mut sim = Simulation::of(&PatchTable { patches, pages }).unwrap();
+        sim.set(sim.i.settled, 1);
+        sim.reset();
+        sim
+    }
+
+    /// Asks for the page of a patch until that is accepted; gives the states on the way.
+    fn look_up(sim: &mut Sim, patch: u64) -> Vec<&'static str> {
+        let (valid, number, ready) = (sim.i.look_up.valid, sim.i.look_up.patch, sim.o.ready);
+        offer(sim, [valid, number], patch, ready)
+    }
+
+    /// As [`look_up`], to clear an entry.
+    fn clear(sim: &mut Sim, patch: u64) -> Vec<&'static str> {
+        let (valid, number, ready) = (sim.i.clear.valid, sim.i.clear.patch, sim.o.clear_ready);
+        offer(sim, [valid, number], patch, ready)
+    }
+
+    fn offer(sim: &mut Sim, [valid, number]: [Port; 2], patch: u64, ready: Port) -> Vec<&'static str> {
+        sim.set(valid, 1);
+        sim.set(number, patch);
+        let mut states = Vec::new();
+        loop {
+            let accepted = sim.get(ready) == 1;
+            states.extend(clocks(sim, 1));
+            if accepted {
+                sim.set(valid, 0);
+                return states;
+            }
+        }
+    }
+
+    /// Lets clocks pass; gives the states in them.
+    fn clocks(sim: &mut Sim, n: u64) -> Vec<&'static str> {
+        let state = |sim: &mut Sim| {
+            let code = sim.peek("stage1").unwrap().to_u64().unwrap();
+            sim.step_clock("pe", 1);
+            Stage1::ALL[code as usize].name()
+        };
+        (0..n).map(|_| state(sim)).collect()
+    }
+
+    fn pulse(port: Port, sim: &mut Sim) {
+        sim.set(port, 1);
+        sim.step_clock("pe", 1);
+        sim.set(port, 0);
+    }
+
+    #[test]
+    fn a_look_up_takes_4_clocks_at_first_and_3_from_then_on() {
+        let mut sim = table(6, 4);
+        assert_eq!(look_up(&mut sim, 5), ["Idle"]);
+        assert_eq!(look_up(&mut sim, 5), ["Read", "Examine", "Allocate", "Found"]);
+        assert_eq!(look_up(&mut sim, 2), ["Read", "Examine", "Found"]);
+        assert_eq!(look_up(&mut sim, 5), ["Read", "Examine", "Allocate", "Found"]);
+        assert_eq!(clocks(&mut sim, 4), ["Read", "Examine", "Found", "Idle"]);
+        assert_eq!((sim.get_u64(sim.o.page), sim.get_u64(sim.o.pages_used)), (0, 2));
+    }
+
+    #[test]
+    fn a_clear_takes_3_clocks_and_comes_before_a_look_up_of_the_same_edge() {
+        let mut sim = table(6, 4);
+        look_up(&mut sim, 3);
+        clocks(&mut sim, 4);
+        assert_eq!(clear(&mut sim, 0), ["Idle"]);
+        assert_eq!(clear(&mut sim, 1), ["Idle"; 3]);
+        clocks(&mut sim, 2);
+        sim.drive(PatchTableIn {
+            look_up: LookUp { valid: 1, patch: 3 },
+            clear: LookUp { valid: 1, patch: 3 },
+            settled: 1,
+            ..idle()
+        });
+        assert_eq!(clocks(&mut sim, 1), ["Idle"]);
+        sim.drive(PatchTableIn { settled: 1, ..idle() });
+        assert_eq!(clocks(&mut sim, 6), ["Read", "Read", "Read", "Examine", "Allocate", "Found"]);
+        assert_eq!(sim.get_u64(sim.o.page), 1, "a cleared patch gets a new page");
+    }
+
+    fn idle() -> PatchTableIn<u64> {
+        PatchTableIn {
+            look_up: LookUp { valid: 0, patch: 0 },
+            clear: LookUp { valid: 0, patch: 0 },
+            front: 0,
+            settled: 0,
+            restart: 0,
+            resume: 0,
+            scan: ScanLookUp { enable: 0, patch: 0, buffer: 0 },
+        }
+    }
+
+    #[test]
+    fn an_overflow_holds_the_look_up_until_it_is_resumed() {
+        let mut sim = table(6, 2);
+        for patch in [4, 5, 4, 0] {
+            look_up(&mut sim, patch);
+        }
+        assert_eq!(clocks(&mut sim, 5), ["Read", "Examine", "Overflow", "Overflow", "Overflow"]);
+        assert_eq!((sim.get_u64(sim.o.overflow), sim.get_u64(sim.o.ready)), (1, 0));
+
+        // Nothing is free yet: the overflow goes on.
+        pulse(sim.i.resume, &mut sim);
+        assert_eq!(clocks(&mut sim, 3), ["Read", "Examine", "Overflow"]);
+
+        // The processor swaps, clears, and resumes while the last clear still goes on.
+        sim.set(sim.i.front, 1);
+        pulse(sim.i.restart, &mut sim);
+        assert_eq!((0..6).map(|patch| clear(&mut sim, patch).len()).collect::<Vec<_>>(), [1, 3, 3, 3, 3, 3]);
+        pulse(sim.i.resume, &mut sim);
+        assert_eq!(clocks(&mut sim, 5), ["Read", "Read", "Examine", "Allocate", "Found"]);
+        assert_eq!((sim.get_u64(sim.o.page), sim.get_u64(sim.o.pages_used)), (0, 1));
+    }
+
+    #[test]
+    fn a_look_up_waits_until_the_scan_has_left_the_front_buffer() {
+        let mut sim = table(6, 2);
+        sim.set(sim.i.settled, 0);
+        look_up(&mut sim, 1);
+        assert_eq!(clocks(&mut sim, 3), ["Read"; 3]);
+        sim.set(sim.i.settled, 1);
+        assert_eq!(clocks(&mut sim, 4), ["Read", "Examine", "Allocate", "Found"]);
+    }
+
+    #[test]
+    fn the_scan_reads_the_buffer_it_names() {
+        let mut sim = table(6, 4);
+        look_up(&mut sim, 1);
+        look_up(&mut sim, 3);
+        clocks(&mut sim, 5);
+        let mut entry = |patch, buffer| {
+            sim.drive(PatchTableIn { scan: ScanLookUp { enable: 1, patch, buffer }, ..idle() });
+            sim.step_clock("merge", 1);
+            let Entry { resident, page } = sim.read_u64().scan_entry;
+            (resident == 1).then_some(page)
+        };
+        assert_eq!([entry(1, 0), entry(3, 0), entry(2, 0), entry(3, 1)], [Some(0), Some(1), None, None]);
+    }
+}

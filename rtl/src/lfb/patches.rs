@@ -1,0 +1,122 @@
+//! The screen divided into patches, and where a pixel lies among them (VC1-PT).
+//!
+//! ```text
+//! x  [ column        | low bits ]      patch  = row * columns + column
+//! y  [ row           | low bits ]      offset = { low bits of y, low bits of x }
+//! ```
+
+use tilewright_hdl::{Signal, bundle, cat, index_width, lit};
+
+use crate::parameter::{ParameterError, Screen};
+use crate::scan::Position;
+
+bundle! {
+    /// Where a pixel lies: its patch, and its place in the patch.
+    pub struct Place<T> {
+        /// The number of the patch, row by row from the upper left.
+        pub patch: T,
+        /// The number of the pixel in the patch, row by row.
+        pub offset: T,
+    }
+}
+
+/// A screen divided into square patches. A page of image memory holds one patch.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Patches {
+    screen: Screen,
+    edge: u32,
+}
+
+impl Patches {
+    /// Patches with an edge of 4 (the best), 8 or 16 pixels.
+    ///
+    /// # Errors
+    ///
+    /// The edge is another one, or the screen is smaller than 2 x 2 patches.
+    pub fn new(screen: Screen, edge: u32) -> Result<Patches, ParameterError> {
+        if ![4, 8, 16].contains(&edge) {
+            return Err(ParameterError(format!("patches of {edge} x {edge} pixels: the edge has to be 4, 8 or 16")));
+        }
+        if screen.width <= edge || screen.height <= edge {
+            let Screen { width, height } = screen;
+            return Err(ParameterError(format!(
+                "a screen of {width} x {height} pixels has fewer than 2 x 2 patches of {edge} x {edge}: \
+                 take a larger screen or smaller patches"
+            )));
+        }
+        Ok(Patches { screen, edge })
+    }
+
+    /// The screen.
+    pub fn screen(&self) -> Screen {
+        self.screen
+    }
+
+    /// The edge of a patch in pixels.
+    pub fn edge(&self) -> u32 {
+        self.edge
+    }
+
+    /// The number of patches side by side; the last one may stand out to the right.
+    pub fn columns(&self) -> u32 {
+        self.screen.width.div_ceil(self.edge)
+    }
+
+    /// The number of patches on the screen.
+    pub fn count(&self) -> u32 {
+        self.columns() * self.screen.height.div_ceil(self.edge)
+    }
+
+    /// The number of pixels in a patch, and of words in a page.
+    pub fn pixels(&self) -> u32 {
+        self.edge * self.edge
+    }
+
+    /// The width of a patch number in bits.
+    pub fn patch_width(&self) -> u32 {
+        index_width(self.count().into())
+    }
+
+    /// The width of a pixel's place in its patch in bits.
+    pub fn offset_width(&self) -> u32 {
+        index_width(self.pixels().into())
+    }
+
+    /// Where the pixel lies, as hardware.
+    pub fn locate(&self, pixel: Position) -> Place {
+        let shift = self.edge.ilog2();
+        let high = |signal: Signal| signal.slice(shift..signal.width()).zext(self.patch_width());
+        let columns = lit(self.patch_width(), self.columns().into());
+        let first_of_row = high(pixel.y).times(columns).trunc(self.patch_width());
+        Place { patch: first_of_row + high(pixel.x), offset: cat!(pixel.y.trunc(shift), pixel.x.trunc(shift)) }
+    }
+
+    /// Where the pixel lies, in numbers.
+    pub fn place(&self, x: u32, y: u32) -> Place<u64> {
+        let patch = y / self.edge * self.columns() + x / self.edge;
+        let offset = y % self.edge * self.edge + x % self.edge;
+        Place { patch: patch.into(), offset: offset.into() }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_vc1_has_the_patch_counts_of_the_paper() {
+        let count = |edge| Patches::new(Screen::VC1, edge).unwrap().count();
+        assert_eq!([4, 8, 16].map(count), [19200, 4800, 1200]);
+    }
+
+    #[test]
+    fn a_patch_that_cannot_be_is_refused_in_a_sentence() {
+        let problem = |width, edge| Patches::new(Screen { width, height: 480 }, edge).unwrap_err().to_string();
+        assert_eq!(problem(640, 5), "patches of 5 x 5 pixels: the edge has to be 4, 8 or 16");
+        assert_eq!(
+            problem(16, 16),
+            "a screen of 16 x 480 pixels has fewer than 2 x 2 patches of 16 x 16: \
+             take a larger screen or smaller patches"
+        );
+    }
+}

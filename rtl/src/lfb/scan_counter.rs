@@ -1,0 +1,196 @@
+//! The scan counter: which pixel a local frame buffer sends next to the image merger (VC1-SCAN).
+//!
+//! ```text
+//!                .---.          .---.
+//! enable --+---->| x |--- end ->| y |--- end of the frame ---> armed
+//!          |     '---'          '---'
+//! restart -+-- preset.x ---- preset.y
+//! ```
+//!
+//! Latency 1 clock; a pixel for every clock with `enable`.
+//!
+//! The counter runs freely in raster order, from the upper left to the lower right, and then at once from the start. In
+//! the chain each runs 4 pixels ahead of the succeeding one, the latency of a merging unit, so that all samples
+//! of a pixel meet. A restart therefore finds the counters behind the first at the end of a frame that nobody asked for:
+//! `armed` tells the pixels of the first whole frame, and of those after it, from these.
+
+use tilewright_hdl::ir::About;
+use tilewright_hdl::{Block, Module, Width, bit, bits, bundle, index_width, mux, net};
+
+use crate::parameter::Screen;
+use crate::scan::{Position, ScanControl};
+
+/// How far a scan counter runs ahead of the succeeding one, in pixels.
+pub const LEAD: u32 = 4;
+
+bundle! {
+    /// The inputs of [`ScanCounter`].
+    pub struct ScanCounterIn<T> {
+        /// From the global frame buffer.
+        pub scan: ScanControl<T>,
+        /// Where a restart puts the counter; a constant.
+        pub preset: Position<T>,
+    }
+
+    /// The outputs of [`ScanCounter`].
+    pub struct ScanCounterOut<T> {
+        /// The pixel to send.
+        pub pixel: Position<T>,
+        /// The pixel belongs to a whole frame after the restart.
+        pub armed: T,
+    }
+}
+
+/// Counts the pixels of a screen in raster order.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ScanCounter {
+    /// The screen.
+    pub screen: Screen,
+}
+
+impl ScanCounter {
+    /// The preset of the counter at a position of the chain; 0 is the first, fed by the global frame buffer. The chain
+    /// has at most a quarter as many positions as the screen has pixels.
+    pub fn preset(screen: Screen, position: u32) -> Position<u64> {
+        let frame = u64::from(screen.pixels());
+        let behind = u64::from(LEAD) * u64::from(position) % frame;
+        let pixel = (frame - behind) % frame;
+        Position { x: pixel % u64::from(screen.width), y: pixel / u64::from(screen.width) }
+    }
+
+    /// The widths of a position on the screen.
+    pub fn position(screen: Screen) -> Position<Width> {
+        Position { x: bits(index_width(screen.width.into())), y: bits(index_width(screen.height.into())) }
+    }
+}
+
+impl Block for ScanCounter {
+    type In = ScanCounterIn;
+    type Out = ScanCounterOut;
+
+    fn inputs(&self) -> ScanCounterIn<Width> {
+        ScanCounterIn {
+            scan: ScanControl { restart: bit(), enable: bit() },
+            preset: ScanCounter::position(self.screen),
+        }
+    }
+
+    fn build(&self, m: Module, i: ScanCounterIn) -> ScanCounterOut {
+        let ScanControl { restart, enable } = i.scan;
+        let x = m.reg("x", i.preset.x.width()).reset(0);
+        let y = m.reg("y", i.preset.y.width()).reset(0);
+        let armed = m.reg("armed", 1).reset(0);
+        net!(line_end = enable & x.eq(self.screen.width - 1));
+        net!(last_line = y.eq(self.screen.height - 1));
+
+        x.enable(restart | enable).next(mux(restart, i.preset.x, mux(line_end, 0, x + 1)));
+        y.enable(restart | line_end).next(mux(restart, i.preset.y, mux(last_line, 0, y + 1)));
+        net!(at_start = i.preset.x.eq(0) & i.preset.y.eq(0));
+        armed.enable(restart | (line_end & last_line)).next(mux(restart, at_start, 1));
+        ScanCounterOut { pixel: Position { x: x.value(), y: y.value() }, armed: armed.value() }
+    }
+
+    fn name(&self) -> String {
+        format!("scan_counter_{}x{}", self.screen.width, self.screen.height)
+    }
+
+    fn about(&self) -> About {
+        About {
+            summary: "Counts the pixels of the screen in raster order, freely, from a preset on.".to_owned(),
+            latency: "1".to_owned(),
+            source: "VC-1, section 3.3, scan counter (VC1-SCAN)".to_owned(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use tilewright_sim::Simulation;
+
+    use super::*;
+
+    #[test]
+    fn the_counter_goes_in_raster_order_and_holds_without_enable() {
+        let screen = Screen { width: 3, height: 2 };
+        let mut sim = Simulation::of(&ScanCounter { screen }).unwrap();
+        let (i, o) = (sim.i, sim.o);
+        let wave = sim.record([i.scan.restart, i.scan.enable, o.pixel.x, o.pixel.y, o.armed]);
+        sim.reset();
+        let preset = ScanCounter::preset(screen, 1);
+        let restart = [1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0];
+        let enable = [0, 1, 1, 1, 0, 1, 1, 1, 1, 1, 1, 0];
+        for (restart, enable) in restart.into_iter().zip(enable) {
+            sim.drive(ScanCounterIn { scan: ScanControl { restart, enable }, preset });
+            sim.step();
+        }
+        wave.expect(
+            r"
+            clk          |___/~\_/~\_/~\_/~\_/~\_/~\_/~\_/~\_/~\_/~\_/~\_/~\_/
+            scan_restart |___/~~~\___________________________________/~~~\____
+            scan_enable  |_______/~~~~~~~~~~~\___/~~~~~~~~~~~~~~~~~~~~~~~\____
+            pixel_x      | 0     | 2 | 0 | 1 | 2     | 0 | 1 | 2 | 0 | 1 | 2 |
+            pixel_y      |___________/~~~~~~~~~~~~~~~\___________/~~~~~~~\____
+            armed        |___________________________/~~~~~~~~~~~~~~~~~~~\____
+            ",
+        );
+    }
+
+    /// A chain of counters with the presets of their positions.
+    #[derive(Debug)]
+    struct Chain {
+        screen: Screen,
+        length: u32,
+    }
+
+    bundle! {
+        struct Pixels<T> { pixel: Vec<Position<T>>, armed: Vec<T> }
+    }
+
+    impl Block for Chain {
+        type In = ScanControl;
+        type Out = Pixels;
+
+        fn inputs(&self) -> ScanControl<Width> {
+            ScanControl { restart: bit(), enable: bit() }
+        }
+
+        fn build(&self, m: Module, i: ScanControl) -> Pixels {
+            let widths = ScanCounter::position(self.screen);
+            let preset = |position| ScanCounter::preset(self.screen, position);
+            let counters =
+                m.array("scan_counter", self.length, &ScanCounter { screen: self.screen }, |a| ScanCounterIn {
+                    scan: a.all(&i),
+                    preset: Position {
+                        x: a.constants(widths.x.bits(), |lane| preset(lane).x),
+                        y: a.constants(widths.y.bits(), |lane| preset(lane).y),
+                    },
+                });
+            let (x, y) = (counters.pixel.x.to_vec(), counters.pixel.y.to_vec());
+            Pixels {
+                pixel: x.into_iter().zip(y).map(|(x, y)| Position { x, y }).collect(),
+                armed: counters.armed.to_vec(),
+            }
+        }
+    }
+
+    #[test]
+    fn each_counter_runs_4_pixels_ahead_of_the_succeeding_one_and_sends_from_its_first_whole_frame() {
+        let (screen, length) = (Screen { width: 7, height: 5 }, 8);
+        let frame = u64::from(screen.pixels());
+        let mut sim = Simulation::of(&Chain { screen, length }).unwrap();
+        sim.reset();
+        sim.drive(ScanControl { restart: 1, enable: 0 });
+        sim.step();
+        sim.drive(ScanControl { restart: 0, enable: 1 });
+        for clock in 0..3 * frame {
+            let Pixels { pixel, armed } = sim.read_u64();
+            let numbers: Vec<u64> = pixel.iter().map(|at| at.y * u64::from(screen.width) + at.x).collect();
+            assert!(numbers.windows(2).all(|pair| pair[0] == (pair[1] + 4) % frame), "{numbers:?} in clock {clock}");
+            for (position, armed) in (0..).zip(armed) {
+                let first = 4 * position;
+                assert_eq!(armed == 1, clock >= first, "position {position} in clock {clock}");
+            }
+            sim.step();
+        }
+    }
+}

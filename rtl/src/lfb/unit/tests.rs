@@ -1,0 +1,320 @@
+//! The local frame buffer unit against a plain software model, clock by clock.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use proptest::prelude::*;
+use tilewright_hdl::elaborate;
+use tilewright_sim::Simulation;
+
+use super::*;
+use crate::parameter::Screen;
+
+const EMPTY: u64 = (1 << WORD) - 1;
+
+/// A virtual local frame buffer in software: a map from pixel to word, and the patches that have a page.
+#[derive(Default)]
+struct Model {
+    pixels: BTreeMap<(u64, u64), u64>,
+    resident: BTreeSet<u64>,
+}
+
+impl Model {
+    fn draw(&mut self, patch: u64, pixel: (u64, u64), word: u64) {
+        self.resident.insert(patch);
+        let kept = self.pixels.entry(pixel).or_insert(EMPTY);
+        *kept = word.min(*kept);
+    }
+}
+
+/// A unit with its processor, a scan that runs all the time, and the model.
+struct Bench {
+    sim: Simulation<LfbUnitIn, LfbUnitOut>,
+    unit: LfbUnit,
+    /// The front buffer.
+    model: Model,
+    /// What the back buffer has to send, and what it has sent.
+    expected: BTreeMap<(u64, u64), u64>,
+    sent: BTreeMap<(u64, u64), u64>,
+    /// The unit's place in the chain.
+    position: u32,
+    /// How many pixels the scan has advanced since its restart, and how many of them since the last swap.
+    advanced: u64,
+    since_swap: u64,
+    overflows: u64,
+}
+
+impl Bench {
+    fn new(screen: Screen, edge: u32, pages: u32, position: u32) -> Bench {
+        let unit = LfbUnit::new(Patches::new(screen, edge).unwrap(), pages).unwrap();
+        let mut sim = Simulation::of(&unit).unwrap();
+        sim.reset();
+        let (x, y) = (sim.i.preset.x, sim.i.preset.y);
+        let preset = ScanCounter::preset(screen, position);
+        sim.set(x, preset.x);
+        sim.set(y, preset.y);
+        sim.set(sim.i.scan.restart, 1);
+        sim.step_clock("merge", 1);
+        sim.set(sim.i.scan.restart, 0);
+        sim.set(sim.i.scan.enable, 1);
+        Bench {
+            sim,
+            unit,
+            model: Model::default(),
+            expected: BTreeMap::new(),
+            sent: BTreeMap::new(),
+            position,
+            advanced: 0,
+            since_swap: 0,
+            overflows: 0,
+        }
+    }
+
+    fn frame(&self) -> u64 {
+        self.unit.patches.screen().pixels().into()
+    }
+
+    fn now(&self) -> u64 {
+        self.sim.cycles("pe").unwrap()
+    }
+
+    /// Lets a clock of the processor pass, and takes what the merger gets meanwhile.
+    fn clock(&mut self) {
+        let now = self.now();
+        while self.now() == now {
+            let word = self.sim.get_u64(self.sim.o.word);
+            let merged = self.sim.cycles("merge").unwrap();
+            self.sim.step();
+            if self.sim.cycles("merge").unwrap() > merged {
+                self.merge(word);
+            }
+        }
+    }
+
+    /// An edge of the merge clock has passed, at which the merging unit saw `word`.
+    fn merge(&mut self, word: u64) {
+        if self.sim.get_u64(self.sim.i.scan.enable) == 1 {
+            self.advanced += 1;
+            self.since_swap += 1;
+            // The word of a pixel is there 2 clocks after the counter shows it: 3 edges have passed.
+            if word != EMPTY {
+                let screen = self.unit.patches.screen();
+                let from_start = self.advanced.checked_sub(3 + 4 * u64::from(self.position));
+                let number = from_start.expect("nothing is sent before the first pixel of a frame") % self.frame();
+                let pixel = (number % u64::from(screen.width), number / u64::from(screen.width));
+                let before = self.sent.insert(pixel, word);
+                assert_eq!(before, None, "pixel {pixel:?} is sent twice");
+            }
+        }
+        // As in every line of the real scan, there are clocks in which the chain holds.
+        let merged = self.sim.cycles("merge").unwrap();
+        self.sim.set(self.sim.i.scan.enable, merged % 11 > 1);
+    }
+
+    /// Draws as soon as that is accepted; gives the clock of the acceptance. After an overflow, goes on with the next
+    /// buffer.
+    fn draw(&mut self, (x, y): (u64, u64), word: u64) -> u64 {
+        self.sim.set(self.sim.i.request.valid, 1);
+        self.sim.set(self.sim.i.request.x, x);
+        self.sim.set(self.sim.i.request.y, y);
+        self.sim.set(self.sim.i.request.word, word);
+        while self.sim.get(self.sim.o.ready) != 1 {
+            self.clock();
+        }
+        let accepted = self.now();
+        self.clock();
+        self.sim.set(self.sim.i.request.valid, 0);
+
+        let patch = self.unit.patches.place(x as u32, y as u32).patch;
+        if self.model.resident.len() == self.unit.pages as usize && !self.model.resident.contains(&patch) {
+            self.clock();
+            self.clock();
+            assert_eq!(self.sim.get_u64(self.sim.o.overflow), 1, "the third clock shows the overflow");
+            self.overflows += 1;
+            self.swap();
+            self.sim.set(self.sim.i.resume, 1);
+            self.clock();
+            self.sim.set(self.sim.i.resume, 0);
+        }
+        self.model.draw(patch, (x, y), word);
+        accepted
+    }
+
+    fn settle(&mut self) {
+        while self.sim.get_u64(self.sim.o.idle) | self.sim.get_u64(self.sim.o.overflow) == 0 {
+            self.clock();
+        }
+    }
+
+    /// Swaps when the back buffer has been sent, and clears the patch table.
+    fn swap(&mut self) {
+        self.settle();
+        assert_eq!(self.sim.get_u64(self.sim.o.pages_used), self.model.resident.len() as u64);
+        self.finish_scan();
+        self.sim.set(self.sim.i.swap, 1);
+        self.clock();
+        self.sim.set(self.sim.i.swap, 0);
+        self.expected = std::mem::take(&mut self.model).pixels;
+        self.since_swap = 0;
+        for patch in 0..self.unit.patches.count() {
+            self.clear(patch);
+        }
+    }
+
+    /// Clears an entry of the patch table as soon as that is accepted; gives the clock of the acceptance.
+    fn clear(&mut self, patch: u32) -> u64 {
+        self.sim.set(self.sim.i.clear.valid, 1);
+        self.sim.set(self.sim.i.clear.patch, patch);
+        while self.sim.get(self.sim.o.clear_ready) != 1 {
+            self.clock();
+        }
+        let accepted = self.now();
+        self.clock();
+        self.sim.set(self.sim.i.clear.valid, 0);
+        accepted
+    }
+
+    /// Waits until every pixel of the back buffer has been sent, and sees that it was what had been drawn.
+    fn finish_scan(&mut self) {
+        // The merger follows a swap after 2 clocks, and a word comes 2 clocks after its pixel is counted.
+        while self.since_swap < self.frame() + 5 {
+            self.clock();
+        }
+        assert_eq!(std::mem::take(&mut self.sent), std::mem::take(&mut self.expected));
+    }
+
+    /// The number of words of each buffer that are not empty.
+    fn words_held(&self) -> [usize; 2] {
+        let words = self.unit.pages * self.unit.patches.pixels();
+        [0, 1].map(|buffer| {
+            let word = |i| self.sim.peek_memory("image_memory.image_memory", 2 * i + buffer).unwrap();
+            (0..words).filter(|i| word(*i).to_u64() != Some(EMPTY)).count()
+        })
+    }
+}
+
+/// The clocks from each acceptance to the next.
+fn intervals(accepted: &[u64]) -> Vec<u64> {
+    accepted.windows(2).map(|pair| pair[1] - pair[0]).collect()
+}
+
+const SMALL: Screen = Screen { width: 24, height: 20 };
+
+#[test]
+fn hits_are_accepted_every_3_clocks_and_misses_every_4() {
+    let mut bench = Bench::new(SMALL, 4, 30, 0);
+    let misses: Vec<u64> = (0..6).map(|i| bench.draw((4 * i, 0), 9)).collect();
+    assert_eq!(intervals(&misses), [4; 5]);
+    bench.settle();
+    let hits: Vec<u64> = (0..24).map(|x| bench.draw((x, 1), 9)).collect();
+    assert_eq!(intervals(&hits), [3; 23]);
+    bench.settle();
+    let mixed = [(0, 2), (0, 4), (0, 3), (4, 4), (8, 4), (5, 4)].map(|pixel| bench.draw(pixel, 9));
+    assert_eq!(intervals(&mixed), [3, 4, 3, 4, 4]);
+}
+
+#[test]
+fn a_clear_takes_3_clocks() {
+    let mut bench = Bench::new(SMALL, 4, 30, 0);
+    let accepted: Vec<u64> = (0..5).map(|patch| bench.clear(patch)).collect();
+    assert_eq!(intervals(&accepted), [3; 4]);
+}
+
+#[test]
+fn an_overflow_holds_the_request_until_the_buffers_are_swapped() {
+    let mut bench = Bench::new(SMALL, 8, 2, 0);
+    for (pixel, word) in [((0, 0), 3), ((8, 0), 4), ((1, 1), 5), ((16, 0), 6), ((17, 1), 7)] {
+        bench.draw(pixel, word);
+    }
+    assert_eq!(bench.overflows, 1);
+    assert_eq!(bench.expected, BTreeMap::from([((0, 0), 3), ((8, 0), 4), ((1, 1), 5)]));
+    bench.swap();
+    assert_eq!(bench.expected, BTreeMap::from([((16, 0), 6), ((17, 1), 7)]));
+    bench.finish_scan();
+}
+
+#[test]
+fn after_a_whole_scan_the_back_buffer_is_empty() {
+    let mut bench = Bench::new(SMALL, 4, 30, 0);
+    for y in 0..20 {
+        for x in 0..24 {
+            bench.draw((x, y), 100 * y + x);
+        }
+    }
+    bench.swap();
+    bench.draw((3, 3), 1);
+    bench.settle();
+    assert!(bench.words_held()[0] > 300, "{:?}: the scan is not far yet", bench.words_held());
+    bench.finish_scan();
+    assert_eq!(bench.words_held(), [0, 1]);
+}
+
+#[test]
+fn of_the_words_drawn_on_a_pixel_the_smallest_is_sent() {
+    let mut bench = Bench::new(SMALL, 16, 4, 3);
+    for word in [8, 5, 7, 5, 6] {
+        bench.draw((23, 19), word);
+    }
+    bench.swap();
+    assert_eq!(bench.expected, BTreeMap::from([((23, 19), 5)]));
+    bench.finish_scan();
+}
+
+#[test]
+fn every_size_elaborates() {
+    for edge in [4, 8, 16] {
+        for pages in [2, 75, 600, 1200] {
+            elaborate(&LfbUnit::new(Patches::new(Screen::VC1, edge).unwrap(), pages).unwrap()).unwrap();
+        }
+    }
+}
+
+/// What the processor does next.
+#[derive(Debug, Clone)]
+enum Step {
+    Draw { x: u64, y: u64, word: u64 },
+    Wait(u8),
+    Swap,
+}
+
+fn step(screen: Screen) -> impl Strategy<Value = Step> {
+    let draw = (0..u64::from(screen.width), 0..u64::from(screen.height), 0..4u64, 0..4u64);
+    prop_oneof![
+        30 => draw.prop_map(|(x, y, z, rgb)| Step::Draw { x, y, word: z << 24 | rgb }),
+        3 => (1..12u8).prop_map(Step::Wait),
+        1 => Just(Step::Swap),
+    ]
+}
+
+fn run() -> impl Strategy<Value = (Screen, Vec<Step>)> {
+    (17..40u32, 17..30u32).prop_flat_map(|(width, height)| {
+        let screen = Screen { width, height };
+        (Just(screen), prop::collection::vec(step(screen), 0..80))
+    })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 24, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn what_is_sent_is_what_was_drawn(
+        (screen, steps) in run(),
+        edge in prop::sample::select(vec![4, 8, 16]),
+        pages in 2..12u32,
+        position in 0..4u32,
+    ) {
+        let pages = pages.min(Patches::new(screen, edge).unwrap().count());
+        let mut bench = Bench::new(screen, edge, pages, position);
+        for step in steps {
+            match step {
+                Step::Draw { x, y, word } => {
+                    bench.draw((x, y), word);
+                }
+                Step::Wait(clocks) => (0..clocks).for_each(|_| bench.clock()),
+                Step::Swap => bench.swap(),
+            }
+        }
+        bench.swap();
+        bench.finish_scan();
+        prop_assert_eq!(bench.words_held(), [0, 0]);
+    }
+}

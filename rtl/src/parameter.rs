@@ -1,0 +1,46 @@
+//! What the machines' blocks are built for, and what is wrong with it if it cannot be built.
+
+use std::fmt;
+
+/// A parameter for which there is no hardware; one sentence that says why, and what would do.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ParameterError(pub String);
+
+impl fmt::Display for ParameterError {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+impl std::error::Error for ParameterError {}
+
+/// The screen's size in pixels.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Screen {
+    /// Pixels in a scan line.
+    pub width: u32,
+    /// Scan lines.
+    pub height: u32,
+}
+
+impl Screen {
+    /// The screen of the VC-1.
+    pub const VC1: Screen = Screen { width: 640, height: 480 };
+
+    /// A screen of up to 2048 x 2048 pixels, the range of the integer contract.
+    ///
+    /// # Errors
+    ///
+    /// A side is 0 or above 2048.
+    pub fn new(width: u32, height: u32) -> Result<Screen, ParameterError> {
+        if [width, height].iter().all(|side| (1..=2048).contains(side)) {
+            return Ok(Screen { width, height });
+        }
+        Err(ParameterError(format!("a screen of {width} x {height} pixels: each side has to be from 1 to 2048")))
+    }
+
+    /// The number of pixels.
+    pub const fn pixels(self) -> u32 {
+        self.width * self.height
+    }
+}

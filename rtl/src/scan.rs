@@ -1,0 +1,21 @@
+//! What the global frame buffer unit tells the chain of local frame buffers and merging units.
+
+use tilewright_hdl::bundle;
+
+bundle! {
+    /// The control of the scan, the same for every unit of the chain.
+    pub struct ScanControl<T> {
+        /// For one clock: every scan counter takes its preset.
+        pub restart: T,
+        /// The counters, the read-out and the merging units advance by a pixel; where it is low they hold.
+        pub enable: T,
+    }
+
+    /// A pixel of the screen.
+    pub struct Position<T> {
+        /// Counted from the left.
+        pub x: T,
+        /// Counted from the top.
+        pub y: T,
+    }
+}

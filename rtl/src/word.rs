@@ -1,0 +1,16 @@
+//! The visibility word: depth above colour, so that the nearer of two samples is the smaller word.
+//!
+//! ```text
+//! 47      24 23       0
+//! |   z     |   rgb   |
+//! ```
+
+use tilewright_hdl::Bits;
+
+/// The width of the word in bits: a depth of 24 above a colour of 24.
+pub const WORD: u32 = 48;
+
+/// The word of a pixel where nothing was drawn: the greatest, which every other one replaces.
+pub fn empty() -> Bits {
+    Bits::ones(WORD)
+}
