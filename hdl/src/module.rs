@@ -65,10 +65,21 @@ impl Module {
     /// `value`, one clock later: a register without reset for each field, named `name` or `name_FIELD`.
     #[track_caller]
     pub fn pipe<B: Fields<Signal>>(self, name: &str, value: B) -> B::With<Signal> {
-        let loc = Loc::caller();
+        self.stage(None, name, value, Loc::caller())
+    }
+
+    /// As [`Module::pipe`], in a pipeline that advances only where `enable` is high.
+    #[track_caller]
+    pub fn pipe_when<B: Fields<Signal>>(self, enable: impl Into<Signal>, name: &str, value: B) -> B::With<Signal> {
+        self.stage(Some(enable.into()), name, value, Loc::caller())
+    }
+
+    fn stage<B: Fields<Signal>>(self, enable: Option<Signal>, name: &str, value: B, loc: Loc) -> B::With<Signal> {
         value.map_fields("", &mut |path, signal| {
-            let name = port_name(name, path);
-            let register = self.register(&name, signal.width, None, loc);
+            let register = self.register(&port_name(name, path), signal.width, None, loc);
+            if let Some(enable) = enable {
+                let _ = register.enable(enable);
+            }
             register.next(*signal);
             register.value()
         })

@@ -1,7 +1,11 @@
 //! The hardware blocks of the rendering machines.
 
+pub mod catalog;
 pub mod clocks;
+pub mod gfb;
 pub mod lfb;
+pub mod merger;
 pub mod parameter;
 pub mod scan;
+pub mod vc1;
 pub mod word;

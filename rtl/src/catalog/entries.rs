@@ -1,0 +1,96 @@
+//! The entries of the catalogue.
+
+use tilewright_hdl::elaborate;
+
+use super::scenario::Script;
+use super::{CatalogError, Entry, Parameter, Scenario, Values};
+use crate::clocks::MERGE;
+use crate::gfb::{GfbUnit, GfbUnitIn, Host};
+use crate::merger::{ImageMerger, ImageMergerIn, MergingUnit, MergingUnitIn};
+use crate::parameter::Screen;
+
+const EMPTY: u64 = (1 << 48) - 1;
+
+const WIDTH: Parameter =
+    Parameter { name: "width", default: 16, min: 2, max: 2048, meaning: "pixels in a scan line of the screen" };
+const HEIGHT: Parameter =
+    Parameter { name: "height", default: 8, min: 2, max: 2048, meaning: "scan lines of the screen" };
+const UNITS: Parameter =
+    Parameter { name: "units", default: 4, min: 1, max: 256, meaning: "merging units in the chain" };
+
+/// Every block, in the order of the data's way through the machine.
+pub const ENTRIES: &[Entry] = &[
+    Entry {
+        name: "merging-unit",
+        summary: "sends on the nearer of two pixels, in 4 stages",
+        parameters: &[],
+        design: |_| Ok(elaborate(&MergingUnit)?),
+        scenario: |_| Ok(merging_unit()),
+    },
+    Entry {
+        name: "image-merger",
+        summary: "a chain of merging units",
+        parameters: &[UNITS],
+        design: |values| Ok(elaborate(&image_merger(values))?),
+        scenario: |values| Ok(a_marked_pixel(&image_merger(values))),
+    },
+    Entry {
+        name: "gfb-unit",
+        summary: "leads the scan, feeds the merger and keeps the frame",
+        parameters: &[
+            WIDTH,
+            HEIGHT,
+            UNITS,
+            Parameter {
+                name: "overhead",
+                default: 20,
+                min: 1,
+                max: 255,
+                meaning: "clocks of overhead after a scan line",
+            },
+        ],
+        design: |values| Ok(elaborate(&gfb_unit(values)?)?),
+        scenario: |values| Ok(two_rounds(&gfb_unit(values)?)),
+    },
+];
+
+fn merging_unit() -> Scenario {
+    let mut script = Script::new(&MergingUnit, MERGE.period);
+    let pairs = [(5, 7), (9, 8), (EMPTY, 6), (4, EMPTY), (3, 3), (EMPTY, EMPTY)];
+    for (left, right) in pairs.into_iter().chain([(EMPTY, EMPTY); 6]) {
+        script.clock(&MergingUnitIn { left, right, enable: 1 });
+    }
+    script.finish("six pairs of pixels; the nearer of each comes out 4 clocks later")
+}
+
+fn image_merger(values: &Values) -> ImageMerger {
+    ImageMerger { units: values.get_u32("units") }
+}
+
+fn a_marked_pixel(merger: &ImageMerger) -> Scenario {
+    let mut script = Script::new(merger, MERGE.period);
+    let mut inputs = ImageMergerIn { left: 7, samples: vec![EMPTY; merger.units as usize], enable: 1 };
+    script.clock(&inputs);
+    inputs.left = EMPTY;
+    script.clock(&inputs);
+    script.wait(u64::from(4 * merger.units) + 2);
+    script.finish("a marked pixel enters at the left and comes out 4 clocks a unit later")
+}
+
+fn gfb_unit(values: &Values) -> Result<GfbUnit, CatalogError> {
+    let screen = Screen::new(values.get_u32("width"), values.get_u32("height"))?;
+    Ok(GfbUnit { screen, units: values.get_u32("units"), overhead: values.get_u32("overhead") })
+}
+
+fn two_rounds(gfb: &GfbUnit) -> Scenario {
+    let mut script = Script::new(gfb, MERGE.period);
+    let host = |start, swap, read_address| Host { start, swap, read_address, background: 0xffffff_102030 };
+    for merged in [21, 42] {
+        script.clock(&GfbUnitIn { host: host(1, 0, 0), merged });
+        script.clock(&GfbUnitIn { host: host(0, 0, 0), merged });
+        script.wait(gfb.merge_clocks() + 4);
+        script.clock(&GfbUnitIn { host: host(0, 1, 0), merged });
+        (0..4).for_each(|pixel| script.clock(&GfbUnitIn { host: host(0, 0, pixel), merged }));
+    }
+    script.finish("two frames: a round of merging each, a swap of the banks, and a look at the first pixels")
+}

@@ -1,0 +1,67 @@
+//! Scenarios: what a block's inputs do over time, as plain data that any simulator can play.
+
+use tilewright_hdl::{Bits, Block, Bundle, Fields, Period, Width};
+
+/// What the inputs do over time. A reset comes first, at one edge of every clock; inputs not mentioned are zero.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Scenario {
+    /// What it shows.
+    pub about: &'static str,
+    /// The changes of inputs, in order of time.
+    pub events: Vec<Event>,
+    /// When it ends, in picoseconds after the reset.
+    pub end_ps: u64,
+}
+
+/// A change of an input.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Event {
+    /// When, in picoseconds after the reset; never at an edge.
+    pub at_ps: u64,
+    /// The input port's name.
+    pub input: String,
+    /// What it becomes.
+    pub value: Bits,
+}
+
+/// Writes a scenario row by row: the inputs in each clock.
+pub struct Script<B: Block> {
+    widths: <B::In as Bundle>::Of<Width>,
+    period: u64,
+    clocks: u64,
+    last: Vec<u64>,
+    events: Vec<Event>,
+}
+
+impl<B: Block> Script<B> {
+    /// An empty script for a block, in clocks of `period`.
+    pub fn new(block: &B, period: Period) -> Script<B> {
+        let widths = block.inputs();
+        let last = vec![0; widths.leaves().len()];
+        Script { widths, period: period.picoseconds(), clocks: 0, last, events: Vec::new() }
+    }
+
+    /// One clock with these inputs.
+    pub fn clock(&mut self, inputs: &<B::In as Bundle>::Of<u64>) {
+        let at_ps = self.clocks * self.period + self.period / 4;
+        let widths = self.widths.leaves();
+        for (((path, value), (_, width)), last) in inputs.leaves().into_iter().zip(widths).zip(&mut self.last) {
+            if value != *last {
+                let input = path.replace('.', "_");
+                self.events.push(Event { at_ps, input, value: Bits::new(width.bits(), value) });
+                *last = value;
+            }
+        }
+        self.clocks += 1;
+    }
+
+    /// The same inputs for some clocks more.
+    pub fn wait(&mut self, clocks: u64) {
+        self.clocks += clocks;
+    }
+
+    /// The scenario written so far.
+    pub fn finish(self, about: &'static str) -> Scenario {
+        Scenario { about, events: self.events, end_ps: self.clocks * self.period }
+    }
+}

@@ -1,0 +1,5 @@
+//! The global frame buffer unit.
+
+mod unit;
+
+pub use unit::{GfbUnit, GfbUnitIn, GfbUnitOut, Host, View};

@@ -1,0 +1,119 @@
+//! The pipelined image merger: a linear chain of merging units (VC1-PIM).
+//!
+//! ```text
+//!            samples[0]    samples[1]          samples[n-1]
+//!                |             |                    |
+//!                v             v                    v
+//! left --> [merging unit]->[merging unit]-> .. ->[merging unit] --> merged
+//! ```
+//!
+//! Latency 4 n clocks, a pixel every clock. Everything holds where `enable` is low. The sample of unit `i` has to
+//! come 4 i clocks after the left one of the same pixel, which the scan counters' lead takes care of (VC1-SCAN).
+
+use tilewright_hdl::ir::About;
+use tilewright_hdl::{Block, Module, Width, bit, bits, bundle};
+
+use super::unit::{MergingUnit, MergingUnitIn};
+use crate::word::WORD;
+
+bundle! {
+    /// The inputs of [`ImageMerger`].
+    pub struct ImageMergerIn<T> {
+        /// What enters the chain at its left end.
+        pub left: T,
+        /// The pixel of each local frame buffer.
+        pub samples: Vec<T>,
+        /// The chain advances.
+        pub enable: T,
+    }
+
+    /// The outputs of [`ImageMerger`].
+    pub struct ImageMergerOut<T> {
+        /// The nearest of what met in the chain.
+        pub merged: T,
+    }
+}
+
+/// A chain of merging units.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ImageMerger {
+    /// How many, at least 1.
+    pub units: u32,
+}
+
+impl Block for ImageMerger {
+    type In = ImageMergerIn;
+    type Out = ImageMergerOut;
+
+    fn inputs(&self) -> ImageMergerIn<Width> {
+        ImageMergerIn { left: bits(WORD), samples: vec![bits(WORD); self.units as usize], enable: bit() }
+    }
+
+    fn build(&self, m: Module, i: ImageMergerIn) -> ImageMergerOut {
+        let units = m.array("merging_unit", self.units, &MergingUnit, |units| MergingUnitIn {
+            left: units.out.nearer.previous(i.left),
+            right: units.each(i.samples),
+            enable: units.all(&i.enable),
+        });
+        ImageMergerOut { merged: units.nearer.last() }
+    }
+
+    fn about(&self) -> About {
+        About {
+            summary: format!(
+                "Merges the images of {} local frame buffers: of each pixel the nearest sample.",
+                self.units
+            ),
+            latency: format!("{} clocks with `enable`", 4 * self.units),
+            source: "VC-1, section 3.3, pipelined image merger (VC1-PIM)".to_owned(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+    use tilewright_sim::Simulation;
+
+    use super::*;
+
+    const EMPTY: u64 = (1 << 48) - 1;
+
+    /// A pixel marked at the left end comes out after 4 n clocks, 64 for the VC-1's 16 units.
+    #[test]
+    fn a_marked_pixel_takes_4_clocks_a_unit() {
+        for units in [1, 2, 3, 16] {
+            let mut sim = Simulation::of(&ImageMerger { units }).unwrap();
+            let samples = vec![EMPTY; units as usize];
+            let drive = |sim: &mut Simulation<ImageMergerIn, ImageMergerOut>, left| {
+                sim.drive(ImageMergerIn { left, samples: samples.clone(), enable: 1 });
+                sim.step();
+            };
+            (0..100).for_each(|_| drive(&mut sim, EMPTY));
+            drive(&mut sim, 7);
+            let mut clocks = 1;
+            while sim.get_u64(sim.o.merged) != 7 {
+                drive(&mut sim, EMPTY);
+                clocks += 1;
+            }
+            assert_eq!(clocks, 4 * units);
+        }
+    }
+
+    proptest! {
+        /// Streams in step with the chain, each unit's 4 clocks after the preceding one's, merge to their minimum.
+        #[test]
+        fn the_nearest_of_all_comes_out(pixels in prop::collection::vec([0..50u64, 0..50u64, 0..50u64, 0..50u64], 1..20)) {
+            let mut sim = Simulation::of(&ImageMerger { units: 3 }).unwrap();
+            let at = |clock: usize, stream: usize| pixels.get(clock).map_or(EMPTY, |pixel| pixel[stream]);
+            for clock in 0..pixels.len() + 12 {
+                if clock >= 12 {
+                    prop_assert_eq!(sim.get_u64(sim.o.merged), *pixels[clock - 12].iter().min().unwrap());
+                }
+                let samples = (0..3).map(|unit| at(clock.wrapping_sub(4 * unit), unit + 1)).collect();
+                sim.drive(ImageMergerIn { left: at(clock, 0), samples, enable: 1 });
+                sim.step();
+            }
+        }
+    }
+}

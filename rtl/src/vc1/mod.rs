@@ -1,0 +1,188 @@
+//! The VC-1's frame buffer subsystem: everything of the machine that is hardware here (section 3.3 of the paper).
+//!
+//! ```text
+//!    processor 0        processor 1               processor n-1
+//!        |                  |                          |
+//!   [ LFB unit ]       [ LFB unit ]               [ LFB unit ]
+//!        |                  |                          |
+//!        v                  v                          v
+//!  .->[merging unit]-->[merging unit]--> .. -->[merging unit]--.
+//!  |                                                           |
+//!  '-------------------- [ GFB unit ] <------------------------'
+//!                             |
+//!                           host
+//! ```
+//!
+//! The processors' programs and the host are behind the ports. Each processor draws into its own virtual local frame
+//! buffer at its own pace; when all have swapped theirs, the host starts a round of merging, which fills a bank of the global
+//! frame buffer, and swaps that to where it can be read.
+
+use tilewright_hdl::ir::About;
+use tilewright_hdl::{Block, Lanes, Module, Signal, Width, bundle};
+
+use crate::clocks::MERGE;
+use crate::gfb::{GfbUnit, GfbUnitIn, Host, View};
+use crate::lfb::{Clear, LfbUnit, LfbUnitIn, Patches, Request, ScanCounter};
+use crate::merger::{ImageMerger, ImageMergerIn, STAGES};
+use crate::parameter::ParameterError;
+use crate::scan::Position;
+
+/// The scan line overhead of the VC-1, beta, in clocks of the merger (VC1-TM).
+pub const OVERHEAD: u32 = 20;
+
+bundle! {
+    /// What a processor says to its local frame buffer.
+    pub struct ProcessorIn<T> {
+        /// A pixel to draw.
+        pub request: Request<T>,
+        /// A patch table entry to clear.
+        pub clear: Clear<T>,
+        /// For one clock, when idle or in overflow: exchange the buffers.
+        pub swap: T,
+        /// For one clock, in overflow: try the held request again.
+        pub resume: T,
+    }
+
+    /// What a processor sees of its local frame buffer.
+    pub struct ProcessorOut<T> {
+        /// The request is accepted at this edge.
+        pub ready: T,
+        /// The clear is accepted at this edge.
+        pub clear_ready: T,
+        /// The request is held: all pages are taken.
+        pub overflow: T,
+        /// How many pages are taken.
+        pub pages_used: T,
+        /// Nothing is under way.
+        pub idle: T,
+    }
+
+    /// The inputs of [`Vc1`].
+    pub struct Vc1In<T> {
+        /// Of each processor.
+        pub processors: Vec<ProcessorIn<T>>,
+        /// Of the host.
+        pub gfb: Host<T>,
+    }
+
+    /// The outputs of [`Vc1`].
+    pub struct Vc1Out<T> {
+        /// To each processor.
+        pub processors: Vec<ProcessorOut<T>>,
+        /// To the host.
+        pub gfb: View<T>,
+    }
+}
+
+/// The frame buffer subsystem of a VC-1.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Vc1 {
+    lfb: LfbUnit,
+    processors: u32,
+}
+
+impl Vc1 {
+    /// The subsystem for a screen of such patches, with that many pages in each of the two buffers of every processor.
+    ///
+    /// # Errors
+    ///
+    /// The pages do not suit the screen; no processors, or more than a quarter of the screen's pixels, as each scan counter
+    /// runs 4 pixels ahead of the succeeding one.
+    pub fn new(patches: Patches, pages: u32, processors: u32) -> Result<Vc1, ParameterError> {
+        let most = patches.screen().pixels() / STAGES;
+        if !(1..=most).contains(&processors) {
+            return Err(ParameterError(format!("{processors} processors: this screen allows from 1 to {most}")));
+        }
+        Ok(Vc1 { lfb: LfbUnit::new(patches, pages)?, processors })
+    }
+
+    /// Its global frame buffer unit.
+    pub fn gfb(&self) -> GfbUnit {
+        GfbUnit { screen: self.lfb.patches().screen(), units: self.processors, overhead: OVERHEAD }
+    }
+}
+
+impl Block for Vc1 {
+    type In = Vc1In;
+    type Out = Vc1Out;
+
+    fn inputs(&self) -> Vc1In<Width> {
+        let LfbUnitIn { request, clear, swap, resume, .. } = self.lfb.inputs();
+        let Host { start, swap: exchange, read_address, background } = self.gfb().inputs().host;
+        let processor = ProcessorIn { request, clear, swap, resume };
+        Vc1In {
+            processors: vec![processor; self.processors as usize],
+            gfb: Host {
+                start: start.on(MERGE),
+                swap: exchange.on(MERGE),
+                read_address: read_address.on(MERGE),
+                background: background.on(MERGE),
+            },
+        }
+    }
+
+    fn build(&self, m: Module, i: Vc1In) -> Vc1Out {
+        let merge = m.on(MERGE);
+        let screen = self.lfb.patches().screen();
+
+        let merged = merge.wire("merged", crate::word::WORD);
+        let gfb = merge.instance("gfb", &self.gfb(), GfbUnitIn { host: i.gfb, merged: *merged });
+
+        let lfb = m.array("lfb", self.processors, &self.lfb, |units| {
+            let each = |of: fn(&ProcessorIn) -> Signal| units.each(i.processors.iter().map(of));
+            let widths = ScanCounter::position(screen);
+            let preset = |position| ScanCounter::preset(screen, position);
+            LfbUnitIn {
+                request: Request {
+                    valid: each(|p| p.request.valid),
+                    x: each(|p| p.request.x),
+                    y: each(|p| p.request.y),
+                    word: each(|p| p.request.word),
+                },
+                clear: Clear { valid: each(|p| p.clear.valid), patch: each(|p| p.clear.patch) },
+                swap: each(|p| p.swap),
+                resume: each(|p| p.resume),
+                scan: units.all(&gfb.scan),
+                preset: Position {
+                    x: units.constants(widths.x.bits(), |position| preset(position).x),
+                    y: units.constants(widths.y.bits(), |position| preset(position).y),
+                },
+            }
+        });
+
+        let chain = ImageMerger { units: self.processors };
+        let inputs = ImageMergerIn { left: gfb.left, samples: lfb.word.to_vec(), enable: gfb.scan.enable };
+        merged.drive(merge.instance("merger", &chain, inputs).merged);
+
+        let processor = |index: u32| {
+            let of = |lanes: Lanes| lanes.lane(index);
+            ProcessorOut {
+                ready: of(lfb.ready),
+                clear_ready: of(lfb.clear_ready),
+                overflow: of(lfb.overflow),
+                pages_used: of(lfb.pages_used),
+                idle: of(lfb.idle),
+            }
+        };
+        Vc1Out { processors: (0..self.processors).map(processor).collect(), gfb: gfb.view }
+    }
+
+    fn name(&self) -> String {
+        format!("vc1_n{}_{}", self.processors, self.lfb.name().trim_start_matches("lfb_unit_"))
+    }
+
+    fn about(&self) -> About {
+        About {
+            summary: format!(
+                "The frame buffer subsystem of a VC-1 with {} processors: virtual local frame buffers, pipelined image \
+                 merger, global frame buffer.",
+                self.processors
+            ),
+            latency: format!("a round of merging takes {} clocks", self.gfb().merge_clocks()),
+            source: "VC-1, section 3.3 (VC1-LFB, VC1-PIM, VC1-GFB)".to_owned(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;

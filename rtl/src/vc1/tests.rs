@@ -1,0 +1,159 @@
+use proptest::prelude::*;
+use tilewright_sim::{Port, Simulation};
+
+use super::*;
+use crate::parameter::Screen;
+
+const EMPTY: u64 = (1 << 48) - 1;
+const BLANK: u64 = 0xffffff << 24 | 0x102030;
+
+type Sim = Simulation<Vc1In, Vc1Out>;
+
+/// A machine and its host, who knows how to draw, merge and look.
+struct Machine {
+    sim: Sim,
+    screen: Screen,
+    merge_clocks: u64,
+}
+
+impl Machine {
+    fn new(screen: Screen, edge: u32, pages: u32, processors: u32) -> Machine {
+        let vc1 = Vc1::new(Patches::new(screen, edge).unwrap(), pages, processors).unwrap();
+        let mut sim = Simulation::of(&vc1).unwrap();
+        sim.reset();
+        sim.set(sim.i.gfb.background, BLANK);
+        Machine { sim, screen, merge_clocks: vc1.gfb().merge_clocks() }
+    }
+
+    /// Draws pixels on a processor, one after the other.
+    fn draw(&mut self, processor: usize, pixels: impl IntoIterator<Item = (u64, u64, u64)>) {
+        let request = self.sim.i.processors[processor].request;
+        let ready = self.sim.o.processors[processor].ready;
+        for (x, y, word) in pixels {
+            self.sim.set(request.valid, 1);
+            self.sim.set(request.x, x);
+            self.sim.set(request.y, y);
+            self.sim.set(request.word, word);
+            while self.sim.get_u64(ready) != 1 {
+                self.sim.step_clock("pe", 1);
+            }
+            self.sim.step_clock("pe", 1);
+            self.sim.set(request.valid, 0);
+        }
+        while self.sim.get_u64(self.sim.o.processors[processor].idle) != 1 {
+            self.sim.step_clock("pe", 1);
+        }
+    }
+
+    fn pulse(&mut self, port: Port, clock: &str) {
+        self.sim.set(port, 1);
+        self.sim.step_clock(clock, 1);
+        self.sim.set(port, 0);
+        // The other clock's synchronizers.
+        self.sim.step_clock("merge", 8);
+    }
+
+    /// Swaps a processor's buffers.
+    fn swap(&mut self, processor: usize) {
+        self.pulse(self.sim.i.processors[processor].swap, "pe");
+    }
+
+    /// A round of merging; gives the clocks that the hardware counted.
+    fn merge(&mut self) -> u64 {
+        self.sim.set(self.sim.i.gfb.start, 1);
+        self.sim.step_clock("merge", 1);
+        self.sim.set(self.sim.i.gfb.start, 0);
+        while self.sim.get_u64(self.sim.o.gfb.busy) == 1 {
+            self.sim.step_clock("merge", 1);
+        }
+        self.sim.get_u64(self.sim.o.gfb.clocks)
+    }
+
+    /// Exchanges the banks.
+    fn show(&mut self) {
+        self.pulse(self.sim.i.gfb.swap, "merge");
+    }
+
+    /// The picture on display.
+    fn picture(&mut self) -> Vec<u64> {
+        let read = |pixel: u32| {
+            self.sim.set(self.sim.i.gfb.read_address, u64::from(pixel));
+            self.sim.step_clock("merge", 1);
+            self.sim.get_u64(self.sim.o.gfb.read_word)
+        };
+        (0..self.screen.pixels()).map(read).collect()
+    }
+}
+
+/// The nearest of what was drawn, in raster order.
+fn nearest(screen: Screen, drawn: &[(u64, u64, u64)], under: &[u64]) -> Vec<u64> {
+    let mut picture = under.to_vec();
+    for &(x, y, word) in drawn {
+        let pixel = &mut picture[(y * u64::from(screen.width) + x) as usize];
+        *pixel = word.min(*pixel);
+    }
+    picture
+}
+
+fn blank(screen: Screen) -> Vec<u64> {
+    vec![BLANK; screen.pixels() as usize]
+}
+
+#[test]
+fn a_round_takes_t_m() {
+    for (width, height, processors) in [(16, 8, 1), (16, 8, 16), (33, 5, 3), (8, 8, 16)] {
+        let screen = Screen { width, height };
+        let mut machine = Machine::new(screen, 4, 2, processors);
+        let t_m = u64::from((width + 20) * height + 4 * processors);
+        assert_eq!(machine.merge(), t_m, "{width} x {height}, {processors} processors");
+        assert_eq!(machine.merge_clocks, t_m);
+    }
+    let full = Vc1::new(Patches::new(Screen::VC1, 4).unwrap(), 4096, 16).unwrap();
+    assert_eq!(full.gfb().merge_clocks(), 316_864);
+}
+
+#[test]
+fn later_rounds_accumulate_and_a_swap_starts_afresh() {
+    let screen = Screen { width: 16, height: 8 };
+    let mut machine = Machine::new(screen, 4, 8, 3);
+    let first = [(0, 0, 50), (15, 7, 60), (3, 3, 70)];
+    machine.draw(0, first);
+    (0..3).for_each(|processor| machine.swap(processor));
+    machine.merge();
+    // An extra swap of one processor, whose pixels join those of the first round.
+    let second = [(0, 0, 40), (15, 7, 61), (8, 2, 80)];
+    machine.draw(2, second);
+    machine.swap(2);
+    machine.merge();
+    machine.show();
+    let drawn: Vec<_> = first.into_iter().chain(second).collect();
+    assert_eq!(machine.picture(), nearest(screen, &drawn, &blank(screen)));
+    // Nothing of it is left in the next frame, nor in the frame after, which goes into the bank shown now.
+    for _ in 0..2 {
+        machine.merge();
+        machine.show();
+        assert_eq!(machine.picture(), blank(screen));
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+    #[test]
+    fn the_picture_is_the_nearest_of_all(
+        processors in 1u32..5,
+        edge in prop::sample::select(vec![4u32, 8]),
+        pixels in prop::collection::vec((0u32..4, 0u64..18, 0u64..11, 0..EMPTY), 0..40),
+    ) {
+        let screen = Screen { width: 18, height: 11 };
+        let pages = Patches::new(screen, edge).unwrap().count();
+        let mut machine = Machine::new(screen, edge, pages, processors);
+        for &(processor, x, y, word) in &pixels {
+            machine.draw((processor % processors) as usize, [(x, y, word)]);
+        }
+        (0..processors).for_each(|processor| machine.swap(processor as usize));
+        machine.merge();
+        machine.show();
+        let drawn: Vec<_> = pixels.into_iter().map(|(_, x, y, word)| (x, y, word)).collect();
+        prop_assert_eq!(machine.picture(), nearest(screen, &drawn, &blank(screen)));
+    }
+}
