@@ -80,6 +80,12 @@ impl Camera {
     }
 
     pub(crate) fn view(&self) -> Result<View, SceneError> {
+        if !(self.fov > 0.0 && self.fov < 180.0) {
+            return Err(SceneError::invalid(
+                format!("the camera's field of view is {} degrees", self.fov),
+                "give an angle above 0 and below 180",
+            ));
+        }
         for (name, v) in [("eye", self.eye), ("target", self.target), ("up", self.up)] {
             if !representable(v) {
                 return Err(SceneError::invalid(
@@ -87,12 +93,6 @@ impl Camera {
                     "give three finite numbers below 1e100",
                 ));
             }
-        }
-        if !(self.fov > 0.0 && self.fov < 180.0) {
-            return Err(SceneError::invalid(
-                format!("the camera's field of view is {} degrees", self.fov),
-                "give an angle above 0 and below 180",
-            ));
         }
         let sight = self.target - self.eye;
         if sight == DVec3::ZERO {

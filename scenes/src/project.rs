@@ -146,6 +146,25 @@ fn light_corners(scene: &Scene, lighting: &Lighting, triangle: &MeshTriangle) ->
     })
 }
 
+/// The error of a scene of which nothing is in front of the eye, or `None` if something is; what is wrong with the camera itself
+/// is an error of its own.
+pub(crate) fn nothing_in_front(scene: &Scene) -> Result<Option<SceneError>, SceneError> {
+    let view = scene.camera.view()?;
+    let positions = scene.mesh.positions().iter();
+    let seen: Vec<DVec3> = positions.map(|&p| view.of_point(p)).collect();
+    Ok((depth_range(scene, &seen).1 == 0.0).then(|| behind(scene)))
+}
+
+fn behind(scene: &Scene) -> SceneError {
+    SceneError::invalid(
+        format!(
+            "nothing of the mesh is in front of the camera at {} looking towards {}",
+            scene.camera.eye, scene.camera.target
+        ),
+        "move the eye or the target",
+    )
+}
+
 /// The greatest ratio of far to near: 24 bits then still tell apart what is 1/4000 of the far distance deep.
 const DEPTH_RATIO: f64 = 4096.0;
 
@@ -196,13 +215,7 @@ impl Screen {
     ) -> Result<Screen, SceneError> {
         let (nearest, far) = depth_range(scene, seen);
         if far == 0.0 {
-            return Err(SceneError::invalid(
-                format!(
-                    "nothing of the mesh is in front of the camera at {} looking towards {}",
-                    scene.camera.eye, scene.camera.target
-                ),
-                "move the eye or the target",
-            ));
+            return Err(behind(scene));
         }
         let near = nearest.max(far / DEPTH_RATIO);
         // A mesh at one distance: any far plane behind it serves.

@@ -15,7 +15,7 @@ fn folder(test: &str) -> PathBuf {
 fn picture() -> Frame {
     let size = Size::new(31, 17).unwrap();
     let words = (0..size.pixels() as u64)
-        .map(|i| i * 0x1_0203_0507 & 0xffff_ffff_ffff)
+        .map(|i| (i * 0x1_0203_0507) & 0xffff_ffff_ffff)
         .collect();
     Frame::from_words(size, words).unwrap()
 }
