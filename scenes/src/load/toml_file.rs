@@ -249,6 +249,8 @@ impl Source<'_> {
         let span = error.span().unwrap_or(0..0);
         // The library's sentences name the remedy after "expected".
         let (problem, remedy) = match message.split_once(", expected ") {
+            Some((problem, "i64")) => (problem, "write a whole number".to_owned()),
+            Some((problem, "f64")) => (problem, "write a number".to_owned()),
             Some((problem, expected)) => (problem, format!("write {expected}")),
             None if message.starts_with("missing field") => (&*message, "add it".to_owned()),
             None => (&*message, "correct the TOML".to_owned()),
