@@ -71,6 +71,8 @@ fn a_failed_write_leaves_nothing_behind() {
             folder.join("nowhere").display()
         )
     );
+    // Here the bytes are written aside, and only taking the name fails.
+    assert!(picture().write_png(folder.join("frame.png/")).is_err());
     assert_eq!(names(&folder), ["a_folder"]);
 }
 

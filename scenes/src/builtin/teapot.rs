@@ -98,7 +98,8 @@ fn corner(patch: &[[Exact; 4]; 4], i: u32, j: u32, n: u32) -> Corner {
     };
     let along_u = nonzero(blend(patch, &du, &v), j);
     let along_v = nonzero(blend(patch, &u, &dv), i);
-    let unit = 1e5 * f64::from(n).powi(6);
+    // Below 2^53, so exact.
+    let unit = (100_000 * u64::from(n).pow(6)) as f64;
     Corner {
         position: DVec3::from_array(point.map(|c| c as f64)) / unit,
         normal: normal(along_u, along_v),
