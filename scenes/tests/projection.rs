@@ -262,6 +262,34 @@ fn the_largest_screen_is_filled_to_its_last_pixel() {
 proptest! {
     #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(200) })]
 
+    /// A wall of triangles that reaches far beyond the screen, seen slantwise, covers every pixel exactly once: clipping opens no crack
+    /// between neighbours and draws nothing twice.
+    #[test]
+    fn clipping_opens_no_cracks(
+        jitter in proptest::collection::vec((-0.3..0.3f64, -0.3..0.3f64), 36),
+        eye in (-0.5..0.5f64, -0.5..0.5f64, 0.8..3.0f64),
+        target in (-0.8..0.8f64, -0.8..0.8f64),
+        stretch in prop_oneof![Just(4.0), Just(40.0), Just(300.0)],
+    ) {
+        let positions: Vec<_> = (0..36)
+            .map(|i| (f64::from(i % 6) - 2.5, f64::from(i / 6) - 2.5, jitter[i as usize]))
+            .map(|(x, y, (dx, dy))| dvec3((x + dx) * stretch, (y + dy) * stretch, 0.0))
+            .collect();
+        let quads = (0..25u32).map(|i| i / 5 * 6 + i % 5);
+        let triangles: Vec<_> = quads.flat_map(|i| [[i, i + 1, i + 7], [i, i + 7, i + 6]]).collect();
+        let mut scene = scene(mesh(positions, &triangles), 1.0);
+        scene.camera.eye = dvec3(eye.0, eye.1, eye.2);
+        scene.camera.target = dvec3(target.0 + eye.0, target.1 + eye.1, 0.0);
+        scene.camera.fov = 20.0;
+        let p = scene.project().unwrap();
+        for y in 0..48 {
+            for x in 0..64 {
+                let times = p.triangles.iter().filter(|t| t.covers(x, y)).count();
+                prop_assert_eq!(times, 1, "pixel ({}, {}) of {:?}", x, y, p.counts);
+            }
+        }
+    }
+
     /// Whatever the triangles and wherever the eye, every polygon is counted once, every vertex is in range, and nothing panics.
     #[test]
     fn every_polygon_is_accounted_for(
