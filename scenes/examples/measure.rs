@@ -24,10 +24,7 @@ fn measure() -> Result<(), SceneError> {
     for name in names {
         let begun = Instant::now();
         let scene = Scene::load(&name)?;
-        scene
-            .warnings
-            .iter()
-            .for_each(|warning| println!("{warning}"));
+        scene.warnings.iter().for_each(|warning| println!("{warning}"));
         let (name, size) = (&scene.name, scene.size);
         let made = begun.elapsed();
         let projection = scene.project()?;
@@ -56,19 +53,9 @@ fn measure() -> Result<(), SceneError> {
             triangles.len(),
             area / triangles.len() as f64
         );
-        println!(
-            "  covered {:.1} %, {patches} patches of 4x4",
-            100.0 * ties.covered as f64 / size.pixels() as f64
-        );
-        println!(
-            "  exact ties at {} pixels, {} of them decided by colour",
-            ties.pixels, ties.decided_by_colour
-        );
-        println!(
-            "  mesh checksum {:#018x}, frame checksum {:#018x}",
-            scene.mesh.checksum(),
-            frame.checksum()
-        );
+        println!("  covered {:.1} %, {patches} patches of 4x4", 100.0 * ties.covered as f64 / size.pixels() as f64);
+        println!("  exact ties at {} pixels, {} of them decided by colour", ties.pixels, ties.decided_by_colour);
+        println!("  mesh checksum {:#018x}, frame checksum {:#018x}", scene.mesh.checksum(), frame.checksum());
         println!(
             "  built in {made:.0?}, projected in {:.0?}, rendered in {:.0?}",
             projected - made,

@@ -47,10 +47,7 @@ impl ClipPlane {
 /// Where the edge from `inner` (inside by d) to `outer` (by e, negative) meets the plane.
 fn cut(inner: ViewVertex, d: f64, outer: ViewVertex, e: f64) -> ViewVertex {
     let t = d / (d - e);
-    ViewVertex {
-        at: inner.at + (outer.at - inner.at) * t,
-        rgb: inner.rgb + (outer.rgb - inner.rgb) * t,
-    }
+    ViewVertex { at: inner.at + (outer.at - inner.at) * t, rgb: inner.rgb + (outer.rgb - inner.rgb) * t }
 }
 
 #[cfg(test)]

@@ -30,9 +30,7 @@ impl Scene {
         match extension.as_deref() {
             Some("obj") => obj_scene(path),
             Some("toml") => toml_file::load(path),
-            None if !path.exists() && path.components().count() == 1 => {
-                Err(unknown_name(name_or_path))
-            }
+            None if !path.exists() && path.components().count() == 1 => Err(unknown_name(name_or_path)),
             _ => {
                 read_bytes(path, READ_REMEDY)?;
                 Err(SceneError::File {
@@ -66,18 +64,14 @@ fn obj_scene(path: &Path) -> Result<Scene, SceneError> {
 /// A camera that shows the whole of an OBJ file's mesh.
 fn framing_camera(mesh: &Mesh, up: DVec3, fov: f64, size: Size) -> Camera {
     // If up is turned, the direction turns with it: over the same shoulder, wherever the shoulder is.
-    let direction = if up.z.abs() > up.y.abs() {
-        dvec3(OBJ_DIRECTION.x, -OBJ_DIRECTION.z, OBJ_DIRECTION.y)
-    } else {
-        OBJ_DIRECTION
-    };
+    let direction =
+        if up.z.abs() > up.y.abs() { dvec3(OBJ_DIRECTION.x, -OBJ_DIRECTION.z, OBJ_DIRECTION.y) } else { OBJ_DIRECTION };
     Camera::framing(mesh.bounding_box(), direction, up, fov, size)
 }
 
 /// A file's name without folder and extension.
 fn stem(path: &Path) -> String {
-    path.file_stem()
-        .map_or_else(String::new, |stem| stem.to_string_lossy().into_owned())
+    path.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned())
 }
 
 fn unknown_name(name: &str) -> SceneError {
@@ -122,12 +116,7 @@ mod tests {
 
     #[test]
     fn distances_are_counted() {
-        let cases = [
-            ("teapot", "teapot", 0),
-            ("tepot", "teapot", 1),
-            ("", "abc", 3),
-            ("ter1", "ter250", 3),
-        ];
+        let cases = [("teapot", "teapot", 0), ("tepot", "teapot", 1), ("", "abc", 3), ("ter1", "ter250", 3)];
         for (left, right, edits) in cases {
             assert_eq!(distance(left, right), edits, "{left} {right}");
         }

@@ -67,24 +67,15 @@ fn files_that_cannot_be_read_are_named() {
     };
     let remedy = "name an .obj or a .toml file that you may read, or a built-in scene";
     for missing in ["none.obj", "none.toml"] {
-        assert_eq!(
-            error(missing),
-            format!("{missing}: cannot be read (no such file or directory): {remedy}")
-        );
+        assert_eq!(error(missing), format!("{missing}: cannot be read (no such file or directory): {remedy}"));
     }
-    assert_eq!(
-        error("dir.obj"),
-        format!("dir.obj: cannot be read (is a directory): {remedy}")
-    );
+    assert_eq!(error("dir.obj"), format!("dir.obj: cannot be read (is a directory): {remedy}"));
     assert_eq!(
         error("mesh.gltf"),
         "mesh.gltf: is neither a scene file nor a mesh, going by its name: name a .toml or an .obj file"
     );
     let sentence = load(&folder).unwrap_err();
-    assert!(
-        sentence.contains("cannot be read (is a directory)"),
-        "{sentence}"
-    );
+    assert!(sentence.contains("cannot be read (is a directory)"), "{sentence}");
 }
 
 #[test]
@@ -102,10 +93,7 @@ fn an_obj_file_keeps_order_colours_and_normals() {
                  l 1 2 3 4\np 1\n\
                  g two\nusemtl plain\nf 1//1 2//1 4//1 # the last\n",
             ),
-            (
-                "my colours.mtl",
-                "# two\nnewmtl dark red\nKa 1\nKd 0.5 0 0\nnewmtl plain\nKd 2\nillum 2\n",
-            ),
+            ("my colours.mtl", "# two\nnewmtl dark red\nKa 1\nKd 0.5 0 0\nnewmtl plain\nKd 2\nillum 2\n"),
         ],
     );
     let scene = load(&folder.join("mesh.obj")).unwrap();
@@ -116,22 +104,13 @@ fn an_obj_file_keeps_order_colours_and_normals() {
     assert_eq!(places, [[0, 1, 2], [0, 2, 3], [0, 1, 3]]);
     let colours: Vec<_> = triangles.iter().map(|t| t.diffuse).collect();
     assert_eq!(colours, [[0.5, 0.0, 0.0], [0.5, 0.0, 0.0], [1.0, 1.0, 1.0]]);
-    assert!(
-        triangles
-            .iter()
-            .flat_map(|t| t.normals)
-            .all(|n| scene.mesh.normals()[n as usize] == dvec3(0.0, 0.0, 2.0))
-    );
+    assert!(triangles.iter().flat_map(|t| t.normals).all(|n| scene.mesh.normals()[n as usize] == dvec3(0.0, 0.0, 2.0)));
     assert_eq!(scene.mesh.positions()[3], DVec3::Y);
 }
 
 #[test]
 fn a_framed_mesh_is_wholly_on_the_screen() {
-    for (name, up) in [
-        ("y up", "[0, 1, 0]"),
-        ("z up", "[0, 0, 1]"),
-        ("x up", "[1, 0, 0]"),
-    ] {
+    for (name, up) in [("y up", "[0, 1, 0]"), ("z up", "[0, 0, 1]"), ("x up", "[1, 0, 0]")] {
         for size in ["[640, 480]", "[100, 400]"] {
             let text = format!("mesh = 'mesh.obj'\nsize = {size}\ncamera.up = {up}\n");
             let box_obj = "v 3 0 0\nv 9 0 0\nv 9 5 0\nv 3 5 0\nv 3 0 7\nv 9 0 7\nv 9 5 7\nv 3 5 7\n\
@@ -140,23 +119,11 @@ fn a_framed_mesh_is_wholly_on_the_screen() {
             let scene = load(&folder.join("scene.toml")).unwrap();
             let p = scene.project().unwrap();
             assert_eq!((p.counts.polygons, p.counts.drawn), (12, 12), "{name}");
-            let (width, height) = (
-                scene.size.width() as i32 * 16,
-                scene.size.height() as i32 * 16,
-            );
+            let (width, height) = (scene.size.width() as i32 * 16, scene.size.height() as i32 * 16);
             let inside = |x: i32, side: i32| x >= 0 && x <= side;
-            assert!(
-                p.vertices
-                    .iter()
-                    .flatten()
-                    .all(|v| inside(v.x, width) && inside(v.y, height)),
-                "{name}"
-            );
+            assert!(p.vertices.iter().flatten().all(|v| inside(v.x, width) && inside(v.y, height)), "{name}");
             let ties = golden::ties(p.size, &p.triangles);
-            assert!(
-                ties.covered * 12 > p.size.pixels() as u64,
-                "{name}: the mesh is tiny"
-            );
+            assert!(ties.covered * 12 > p.size.pixels() as u64, "{name}: the mesh is tiny");
         }
     }
 }
@@ -165,10 +132,7 @@ fn a_framed_mesh_is_wholly_on_the_screen() {
 fn normals_are_computed_where_they_lack() {
     let folder = folder(
         "normals",
-        &[(
-            "mesh.obj",
-            "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 -1\nvn 1 0 0\nf 1 2 3\nf 1//1 3//1 4//1\n",
-        )],
+        &[("mesh.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 -1\nvn 1 0 0\nf 1 2 3\nf 1//1 3//1 4//1\n")],
     );
     let scene = load(&folder.join("mesh.obj")).unwrap();
     assert_eq!(scene.mesh.normals()[1], DVec3::Z);
@@ -184,13 +148,7 @@ fn normals_are_computed_where_they_lack() {
 
 #[test]
 fn a_missing_material_is_a_warning() {
-    let folder = folder(
-        "no_mtl",
-        &[(
-            "mesh.obj",
-            &format!("mtllib lost.mtl\nusemtl red\n{TRIANGLE}"),
-        )],
-    );
+    let folder = folder("no_mtl", &[("mesh.obj", &format!("mtllib lost.mtl\nusemtl red\n{TRIANGLE}"))]);
     let scene = load(&folder.join("mesh.obj")).unwrap();
     assert_eq!(scene.mesh.triangles()[0].diffuse, [0.8; 3]);
     assert_eq!(
@@ -212,45 +170,18 @@ fn a_missing_material_is_a_warning() {
     );
     fs::write(folder.join("lost.mtl"), "newmtl red\nKd 0 1\n").unwrap();
     let error = load(&folder.join("mesh.obj")).unwrap_err();
-    assert!(
-        error.ends_with("lost.mtl:2: `Kd` with 2 numbers: give 1 or 3"),
-        "{error}"
-    );
+    assert!(error.ends_with("lost.mtl:2: `Kd` with 2 numbers: give 1 or 3"), "{error}");
 }
 
 #[test]
 fn malformed_meshes_are_refused_with_their_line() {
     let cases = [
-        (
-            "number",
-            "v 0 0 0\nv 1 x 0\n",
-            "mesh.obj:2: `x` after `v` is not a number: write it as in 1.5 or -2e-3",
-        ),
-        (
-            "nan",
-            "v 0 NaN 0\n",
-            "mesh.obj:1: `v` with the number `NaN`: give finite numbers below 1e100",
-        ),
-        (
-            "inf",
-            "# c\nvn 0 1e999 0\n",
-            "mesh.obj:2: `vn` with the number `1e999`: give finite numbers below 1e100",
-        ),
-        (
-            "count",
-            "v 0 0\n",
-            "mesh.obj:1: `v` with 2 numbers: give 3 or 4 or 6 or 7",
-        ),
-        (
-            "weight",
-            "v 0 0 0 2\n",
-            "mesh.obj:1: `v` with the weight 2: remove it: weights belong to free-form surfaces",
-        ),
-        (
-            "few",
-            "v 0 0 0\nf 1 1\n",
-            "mesh.obj:2: a face with 2 corners: give at least three",
-        ),
+        ("number", "v 0 0 0\nv 1 x 0\n", "mesh.obj:2: `x` after `v` is not a number: write it as in 1.5 or -2e-3"),
+        ("nan", "v 0 NaN 0\n", "mesh.obj:1: `v` with the number `NaN`: give finite numbers below 1e100"),
+        ("inf", "# c\nvn 0 1e999 0\n", "mesh.obj:2: `vn` with the number `1e999`: give finite numbers below 1e100"),
+        ("count", "v 0 0\n", "mesh.obj:1: `v` with 2 numbers: give 3 or 4 or 6 or 7"),
+        ("weight", "v 0 0 0 2\n", "mesh.obj:1: `v` with the weight 2: remove it: weights belong to free-form surfaces"),
+        ("few", "v 0 0 0\nf 1 1\n", "mesh.obj:2: a face with 2 corners: give at least three"),
         (
             "range",
             "v 0 0 0\nv 1 0 0\nv 0 1 0\n\nf 1 2 4\n",
@@ -281,21 +212,13 @@ fn malformed_meshes_are_refused_with_their_line() {
             "v 0 0 0\nface 1 2 3\n",
             "mesh.obj:2: unknown statement `face`: an OBJ file of polygons has v, vn, vt, f, o, g, s, usemtl and mtllib; remove the line or export polygons",
         ),
-        (
-            "usemtl",
-            "usemtl\n",
-            "mesh.obj:1: `usemtl` without a name: give the name after it",
-        ),
+        ("usemtl", "usemtl\n", "mesh.obj:1: `usemtl` without a name: give the name after it"),
         (
             "empty",
             "v 0 0 0\n",
             "mesh.obj: holds no face: export the mesh with its polygons (lines that begin with `f`)",
         ),
-        (
-            "nothing",
-            "",
-            "mesh.obj: holds no face: export the mesh with its polygons (lines that begin with `f`)",
-        ),
+        ("nothing", "", "mesh.obj: holds no face: export the mesh with its polygons (lines that begin with `f`)"),
     ];
     for (name, text, sentence) in cases {
         assert_eq!(obj_error(name, text), sentence, "{name}");
@@ -314,34 +237,19 @@ fn a_scene_file_says_what_differs() {
                  [camera]\neye = [0, 0, 5]\ntarget = [0.5, 0.5, 0]\nfov = 60\n\
                  [[light]]\ntoward = [0, 0, 1]\nintensity = 0.25\n",
             ),
-            (
-                "turned.toml",
-                "mesh = 'teapot'\n[camera]\neye = [9, 0, 3]\n",
-            ),
+            ("turned.toml", "mesh = 'teapot'\n[camera]\neye = [9, 0, 3]\n"),
         ],
     );
     let scene = load(&folder.join("scene.toml")).unwrap();
     assert_eq!((scene.size.width(), scene.size.height()), (320, 200));
     assert_eq!((scene.background, scene.lighting.ambient), ([1, 2, 3], 0.5));
-    assert_eq!(
-        (scene.camera.eye, scene.camera.fov),
-        (dvec3(0.0, 0.0, 5.0), 60.0)
-    );
-    assert_eq!(
-        (
-            scene.lighting.lights.len(),
-            scene.lighting.lights[0].intensity
-        ),
-        (1, 0.25)
-    );
+    assert_eq!((scene.camera.eye, scene.camera.fov), (dvec3(0.0, 0.0, 5.0), 60.0));
+    assert_eq!((scene.lighting.lights.len(), scene.lighting.lights[0].intensity), (1, 0.25));
     assert_eq!(scene.name, "scene");
     let turned = load(&folder.join("turned.toml")).unwrap();
     let teapot = Scene::builtin("teapot").unwrap();
     assert_eq!(turned.camera.eye, dvec3(9.0, 0.0, 3.0));
-    assert_eq!(
-        (turned.camera.target, turned.mesh),
-        (teapot.camera.target, teapot.mesh)
-    );
+    assert_eq!((turned.camera.target, turned.mesh), (teapot.camera.target, teapot.mesh));
 }
 
 #[test]
@@ -350,26 +258,14 @@ fn bad_scene_files_are_refused_with_their_place() {
     let camera = |rest: &str| mesh(&format!("[camera]\n{rest}"));
     let light = |rest: &str| mesh(&format!("[[light]]\n{rest}"));
     let cases = [
-        (
-            "syntax",
-            mesh("size = [640,\n"),
-            "scene.toml:2:13: unclosed array: write `]`",
-        ),
+        ("syntax", mesh("size = [640,\n"), "scene.toml:2:13: unclosed array: write `]`"),
         (
             "key",
             camera("eyes = [0, 0, 1]"),
             "scene.toml:3:1: unknown key `eyes`: write one of `eye`, `target`, `up`, `fov`",
         ),
-        (
-            "type",
-            mesh("size = 'large'"),
-            "scene.toml:2:8: invalid type: string \"large\": write an array of length 2",
-        ),
-        (
-            "no_mesh",
-            "size = [6, 4]".into(),
-            "scene.toml:1:1: missing key `mesh`: add it",
-        ),
+        ("type", mesh("size = 'large'"), "scene.toml:2:8: invalid type: string \"large\": write an array of length 2"),
+        ("no_mesh", "size = [6, 4]".into(), "scene.toml:1:1: missing key `mesh`: add it"),
         (
             "zero",
             mesh("size = [0, 480]"),
@@ -420,11 +316,7 @@ fn bad_scene_files_are_refused_with_their_place() {
             mesh("background = [0, 0, 256]"),
             "scene.toml:2:14: the background is [0, 0, 256]: give red, green and blue from 0 to 255",
         ),
-        (
-            "ambient",
-            mesh("ambient = -1"),
-            "scene.toml:2:11: the ambient light is -1: give a number from 0 to 1",
-        ),
+        ("ambient", mesh("ambient = -1"), "scene.toml:2:11: the ambient light is -1: give a number from 0 to 1"),
         (
             "light",
             light("toward = [0, 0, 0]\nintensity = 1"),
@@ -453,16 +345,7 @@ fn bad_scene_files_are_refused_with_their_place() {
 
 #[test]
 fn a_bad_mesh_of_a_scene_file_is_named_itself() {
-    let folder = folder(
-        "inner",
-        &[
-            ("scene.toml", "mesh = 'mesh.obj'"),
-            ("mesh.obj", "v 0 0 0\nf 1 2 3\n"),
-        ],
-    );
+    let folder = folder("inner", &[("scene.toml", "mesh = 'mesh.obj'"), ("mesh.obj", "v 0 0 0\nf 1 2 3\n")]);
     let error = load(&folder.join("scene.toml")).unwrap_err();
-    assert!(
-        error.contains("mesh.obj:2: the corner `2` names vertex 2"),
-        "{error}"
-    );
+    assert!(error.contains("mesh.obj:2: the corner `2` names vertex 2"), "{error}");
 }

@@ -23,11 +23,7 @@ fn try_out(path: &Path) -> Result<(), TestCaseError> {
         Err(error) => {
             let sentence = error.to_string();
             prop_assert!(!sentence.contains('\n'), "{}", sentence);
-            prop_assert!(
-                sentence.contains(path.file_name().unwrap().to_str().unwrap()),
-                "{}",
-                sentence
-            );
+            prop_assert!(sentence.contains(path.file_name().unwrap().to_str().unwrap()), "{}", sentence);
         }
     }
     Ok(())
@@ -68,13 +64,11 @@ fn toml_line() -> impl Strategy<Value = String> {
         Just("{ eye = [1, 2, 3], fov = 1e-300 }".to_owned()),
         Just("[{ toward = [1, 0, 0], intensity = 1 }]".to_owned()),
     ];
-    (key, value).prop_map(|(key, value)| {
-        if key.starts_with('[') {
-            format!("{key}\n")
-        } else {
-            format!("{key} = {value}\n")
-        }
-    })
+    (key, value).prop_map(
+        |(key, value)| {
+            if key.starts_with('[') { format!("{key}\n") } else { format!("{key} = {value}\n") }
+        },
+    )
 }
 
 proptest! {

@@ -13,11 +13,7 @@ pub(super) const GREY: [f64; 3] = [0.8; 3];
 
 /// The MTL files of an OBJ file, in a plain form for `tobj`: `newmtl` and `Kd` alone, and names as [`Scan::materials`] numbers
 /// them. What is odd goes to `warnings`.
-pub(super) fn plain_materials(
-    obj: &Path,
-    scan: &Scan,
-    warnings: &mut Vec<String>,
-) -> Result<String, SceneError> {
+pub(super) fn plain_materials(obj: &Path, scan: &Scan, warnings: &mut Vec<String>) -> Result<String, SceneError> {
     let mut found: Vec<(String, [f64; 3])> = Vec::new();
     let mut complete = true;
     for (line, operand) in &scan.libraries {
@@ -57,10 +53,7 @@ fn library_paths(obj: &Path, operand: &str) -> Vec<PathBuf> {
     if whole.exists() || !operand.to_lowercase().contains(".mtl ") {
         return vec![whole];
     }
-    operand
-        .split_whitespace()
-        .map(|name| folder.join(name))
-        .collect()
+    operand.split_whitespace().map(|name| folder.join(name)).collect()
 }
 
 fn read_library(path: &Path, found: &mut Vec<(String, [f64; 3])>) -> Result<(), SceneError> {

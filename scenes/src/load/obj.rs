@@ -31,19 +31,15 @@ pub(super) fn load(path: &Path) -> Result<Loaded, SceneError> {
     }
     let materials = plain_materials(path, &scan, &mut warnings)?;
     let text = format!("mtllib plain\n{}", scan.plain);
-    let options = tobj::LoadOptions {
-        triangulate: true,
-        ..Default::default()
-    };
+    let options = tobj::LoadOptions { triangulate: true, ..Default::default() };
     let unsound = |error: &dyn std::fmt::Display| SceneError::File {
         path: path.to_owned(),
         problem: format!("is not a sound OBJ file ({error})"),
         remedy: "export the mesh again".to_owned(),
     };
-    let (models, materials) = tobj::load_obj_buf(&mut text.as_bytes(), &options, |_| {
-        tobj::load_mtl_buf(&mut materials.as_bytes())
-    })
-    .map_err(|error| unsound(&error))?;
+    let (models, materials) =
+        tobj::load_obj_buf(&mut text.as_bytes(), &options, |_| tobj::load_mtl_buf(&mut materials.as_bytes()))
+            .map_err(|error| unsound(&error))?;
     let materials = materials.map_err(|error| unsound(&error))?;
     let mut parts = Parts::default();
     for model in &models {
@@ -51,9 +47,7 @@ pub(super) fn load(path: &Path) -> Result<Loaded, SceneError> {
         let diffuse = material.and_then(|m| m.diffuse).unwrap_or(GREY);
         parts.add(&model.mesh, diffuse);
     }
-    let mesh = parts
-        .into_mesh(scan.has_normals)
-        .map_err(|error| unsound(&error))?;
+    let mesh = parts.into_mesh(scan.has_normals).map_err(|error| unsound(&error))?;
     Ok(Loaded { mesh, warnings })
 }
 
@@ -68,15 +62,11 @@ struct Parts {
 
 impl Parts {
     fn add(&mut self, part: &tobj::Mesh, diffuse: [f64; 3]) {
-        let places: Vec<u32> = part
-            .positions
-            .chunks_exact(3)
-            .map(|p| self.place(DVec3::new(p[0], p[1], p[2])))
-            .collect();
+        let places: Vec<u32> =
+            part.positions.chunks_exact(3).map(|p| self.place(DVec3::new(p[0], p[1], p[2]))).collect();
         let first_normal = self.normals.len() as u32;
         let vectors = part.normals.chunks_exact(3);
-        self.normals
-            .extend(vectors.map(|n| DVec3::new(n[0], n[1], n[2])));
+        self.normals.extend(vectors.map(|n| DVec3::new(n[0], n[1], n[2])));
         let mut normals = part.normal_indices.chunks_exact(3);
         for corners in part.indices.chunks_exact(3) {
             let at = |i: usize| places[corners[i] as usize];

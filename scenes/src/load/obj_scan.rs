@@ -32,12 +32,7 @@ pub(super) struct At<'a> {
 
 impl At<'_> {
     pub(super) fn error(self, problem: impl Into<String>, remedy: impl Into<String>) -> SceneError {
-        SceneError::Line {
-            path: self.path.to_owned(),
-            line: self.line,
-            problem: problem.into(),
-            remedy: remedy.into(),
-        }
+        SceneError::Line { path: self.path.to_owned(), line: self.line, problem: problem.into(), remedy: remedy.into() }
     }
 }
 
@@ -107,10 +102,7 @@ pub(super) fn scan(path: &Path, text: &str) -> Result<Scan, SceneError> {
                 faces.push((line, face(at, &words, &seen)?));
             }
             "usemtl" | "mtllib" if operand.is_empty() => {
-                return Err(at.error(
-                    format!("`{keyword}` without a name"),
-                    "give the name after it",
-                ));
+                return Err(at.error(format!("`{keyword}` without a name"), "give the name after it"));
             }
             "usemtl" => {
                 let known = scan.materials.iter().position(|(_, name)| name == operand);
@@ -140,19 +132,14 @@ pub(super) fn scan(path: &Path, text: &str) -> Result<Scan, SceneError> {
     let without = |(_, corners): &&(usize, Vec<Corner>)| corners.iter().any(|c| c.1.is_none());
     let bare = faces.iter().find(without);
     scan.has_normals = bare.is_none();
-    let some = faces
-        .iter()
-        .flat_map(|(_, corners)| corners)
-        .any(|c| c.1.is_some());
+    let some = faces.iter().flat_map(|(_, corners)| corners).any(|c| c.1.is_some());
     scan.mixed_at = bare.map(|(line, _)| *line).filter(|_| some);
     for statement in body {
         match statement {
             Statement::Material(index) => {
                 let _ = writeln!(scan.plain, "usemtl {index}");
             }
-            Statement::Face(index) => {
-                face_plain(&mut scan.plain, &faces[index].1, scan.has_normals)
-            }
+            Statement::Face(index) => face_plain(&mut scan.plain, &faces[index].1, scan.has_normals),
         }
     }
     Ok(scan)
@@ -215,10 +202,9 @@ pub(super) fn numbers<const N: usize>(
 ) -> Result<[f64; N], SceneError> {
     if !counts.contains(&words.len()) {
         let counts: Vec<String> = counts.iter().map(usize::to_string).collect();
-        return Err(at.error(
-            format!("`{keyword}` with {} numbers", words.len()),
-            format!("give {}", counts.join(" or ")),
-        ));
+        return Err(
+            at.error(format!("`{keyword}` with {} numbers", words.len()), format!("give {}", counts.join(" or ")))
+        );
     }
     let mut values = [0.0; N];
     for (i, word) in words.iter().enumerate() {
@@ -233,14 +219,8 @@ pub(super) fn numbers<const N: usize>(
 fn number(at: At, keyword: &str, word: &str) -> Result<f64, SceneError> {
     match word.parse::<f64>() {
         Ok(value) if value.abs() < 1e100 => Ok(value),
-        Ok(_) => Err(at.error(
-            format!("`{keyword}` with the number `{word}`"),
-            "give finite numbers below 1e100",
-        )),
-        Err(_) => Err(at.error(
-            format!("`{word}` after `{keyword}` is not a number"),
-            "write it as in 1.5 or -2e-3",
-        )),
+        Ok(_) => Err(at.error(format!("`{keyword}` with the number `{word}`"), "give finite numbers below 1e100")),
+        Err(_) => Err(at.error(format!("`{word}` after `{keyword}` is not a number"), "write it as in 1.5 or -2e-3")),
     }
 }
 
@@ -248,20 +228,14 @@ fn number(at: At, keyword: &str, word: &str) -> Result<f64, SceneError> {
 fn vertex(at: At, words: &[&str]) -> Result<[f64; 3], SceneError> {
     let [x, y, z, w] = numbers::<4>(at, "v", words, &[3, 4, 6, 7])?;
     if matches!(words.len(), 4 | 7) && w != 1.0 {
-        return Err(at.error(
-            format!("`v` with the weight {w}"),
-            "remove it: weights belong to free-form surfaces",
-        ));
+        return Err(at.error(format!("`v` with the weight {w}"), "remove it: weights belong to free-form surfaces"));
     }
     Ok([x, y, z])
 }
 
 fn face(at: At, words: &[&str], seen: &Seen) -> Result<Vec<Corner>, SceneError> {
     if words.len() < 3 {
-        return Err(at.error(
-            format!("a face with {} corners", words.len()),
-            "give at least three",
-        ));
+        return Err(at.error(format!("a face with {} corners", words.len()), "give at least three"));
     }
     words.iter().map(|word| corner(at, word, seen)).collect()
 }
@@ -269,13 +243,7 @@ fn face(at: At, words: &[&str], seen: &Seen) -> Result<Vec<Corner>, SceneError> 
 /// `v`, `v/vt`, `v//vn` or `v/vt/vn`.
 fn corner(at: At, word: &str, seen: &Seen) -> Result<Corner, SceneError> {
     let mut parts = word.split('/');
-    let vertex = index(
-        at,
-        word,
-        parts.next().unwrap_or_default(),
-        "vertex",
-        seen.vertices,
-    )?;
+    let vertex = index(at, word, parts.next().unwrap_or_default(), "vertex", seen.vertices)?;
     match parts.next() {
         None | Some("") => {}
         Some(texture) => {
@@ -295,23 +263,13 @@ fn corner(at: At, word: &str, seen: &Seen) -> Result<Corner, SceneError> {
 /// An index counted from 1; a negative one counts back from the last element so far.
 fn index(at: At, word: &str, part: &str, what: &str, count: usize) -> Result<usize, SceneError> {
     let number: i64 = part.parse().map_err(|_| malformed(at, word))?;
-    let from_one = if number < 0 {
-        count as i64 + 1 + number
-    } else {
-        number
-    };
+    let from_one = if number < 0 { count as i64 + 1 + number } else { number };
     if (1..=count as i64).contains(&from_one) {
         return Ok(from_one as usize);
     }
-    let what_if = if number == 0 {
-        ", and counting begins at 1"
-    } else {
-        ""
-    };
+    let what_if = if number == 0 { ", and counting begins at 1" } else { "" };
     Err(at.error(
-        format!(
-            "the corner `{word}` names {what} {number}, but {count} are defined above{what_if}"
-        ),
+        format!("the corner `{word}` names {what} {number}, but {count} are defined above{what_if}"),
         "correct the index, or move the definition above the face",
     ))
 }

@@ -54,10 +54,7 @@ pub(super) fn load(path: &Path) -> Result<Scene, SceneError> {
     let bytes = read_bytes(path, READ_REMEDY)?;
     let text = String::from_utf8(bytes).map_err(|error| SceneError::File {
         path: path.to_owned(),
-        problem: format!(
-            "is not UTF-8 text from byte {} on",
-            error.utf8_error().valid_up_to()
-        ),
+        problem: format!("is not UTF-8 text from byte {} on", error.utf8_error().valid_up_to()),
         remedy: "save it as UTF-8".to_owned(),
     })?;
     let source = Source { path, text: &text };
@@ -94,21 +91,13 @@ impl Source<'_> {
                     intensity: *light.intensity.as_ref(),
                 });
                 let wrong_length = light.toward.as_ref() == &[0.0; 3];
-                let culprit = if wrong_length {
-                    light.toward.span()
-                } else {
-                    light.intensity.span()
-                };
+                let culprit = if wrong_length { light.toward.span() } else { light.intensity.span() };
                 self.place(culprit, scene.lighting.check())?;
             }
         }
         if let Some(error) = nothing_in_front(&scene)? {
             let camera = &table.camera;
-            let span = camera
-                .eye
-                .as_ref()
-                .or(camera.target.as_ref())
-                .map(Spanned::span);
+            let span = camera.eye.as_ref().or(camera.target.as_ref()).map(Spanned::span);
             self.place(span.unwrap_or(table.mesh.span()), Err(error))?;
         }
         Ok(scene)
@@ -116,11 +105,7 @@ impl Source<'_> {
 
     /// Mesh and size, and the camera and light that come with them.
     fn base(&self, table: &SceneTable) -> Result<Scene, SceneError> {
-        let size = table
-            .size
-            .as_ref()
-            .map(|size| self.size(size))
-            .transpose()?;
+        let size = table.size.as_ref().map(|size| self.size(size)).transpose()?;
         let name = table.mesh.as_ref();
         let mut scene = match builtin::scene(name) {
             Some(scene) => scene,
@@ -128,10 +113,7 @@ impl Source<'_> {
                 let (mesh, warnings) = self.mesh(&table.mesh)?;
                 let camera = &table.camera;
                 // What these are good for is checked with the rest of the camera.
-                let up = camera
-                    .up
-                    .as_ref()
-                    .map_or(OBJ_UP, |up| DVec3::from_array(*up.as_ref()));
+                let up = camera.up.as_ref().map_or(OBJ_UP, |up| DVec3::from_array(*up.as_ref()));
                 let fov = camera.fov.as_ref().map_or(FRAMING_FOV, |fov| *fov.as_ref());
                 let framing = framing_camera(&mesh, up, fov, size.unwrap_or(Size::VGA));
                 let mut scene = with_defaults(name, mesh, framing);
@@ -145,16 +127,10 @@ impl Source<'_> {
 
     fn mesh(&self, name: &Spanned<String>) -> Result<(Mesh, Vec<String>), SceneError> {
         let file = Path::new(name.as_ref());
-        if !file
-            .extension()
-            .is_some_and(|e| e.eq_ignore_ascii_case("obj"))
-        {
+        if !file.extension().is_some_and(|e| e.eq_ignore_ascii_case("obj")) {
             return Err(self.error(
                 name.span(),
-                format!(
-                    "the mesh `{}` is neither an .obj file nor a built-in scene",
-                    name.as_ref()
-                ),
+                format!("the mesh `{}` is neither an .obj file nor a built-in scene", name.as_ref()),
                 format!("name an .obj file, or one of {}", builtin::NAMES.join(", ")),
             ));
         }
@@ -182,11 +158,7 @@ impl Source<'_> {
 
     fn set_camera(&self, table: &CameraTable, scene: &mut Scene) -> Result<(), SceneError> {
         let camera = &mut scene.camera;
-        let vectors = [
-            (&table.eye, &mut camera.eye),
-            (&table.target, &mut camera.target),
-            (&table.up, &mut camera.up),
-        ];
+        let vectors = [(&table.eye, &mut camera.eye), (&table.target, &mut camera.target), (&table.up, &mut camera.up)];
         let mut first = None;
         for (given, kept) in vectors {
             if let Some(given) = given {
@@ -227,12 +199,7 @@ impl Source<'_> {
         })
     }
 
-    fn error(
-        &self,
-        span: Range<usize>,
-        problem: impl Into<String>,
-        remedy: impl Into<String>,
-    ) -> SceneError {
+    fn error(&self, span: Range<usize>, problem: impl Into<String>, remedy: impl Into<String>) -> SceneError {
         let before = self.text.get(..span.start).unwrap_or(self.text);
         let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
         SceneError::Place {
