@@ -1,27 +1,33 @@
-//! Measures the built-in scenes: what a machine will meet, and the checksums that `tests/pinned.rs` holds.
+//! Measures scenes, the built-in ones unless others are named: what a machine will meet, and the checksums that `tests/pinned.rs` holds.
 //!
-//! `cargo run --release -p tilewright-scenes --example measure [WIDTH HEIGHT]`
+//! `cargo run --release -p tilewright-scenes --example measure [SCENE ...]`
 
-use std::error::Error;
+use std::process::ExitCode;
 use std::time::Instant;
-use tilewright_scenes::{Scene, Size, builtin, golden, project};
+use tilewright_scenes::{Scene, SceneError, builtin, golden};
 
-fn main() -> Result<(), Box<dyn Error>> {
-    let sides: Vec<u32> = std::env::args()
-        .skip(1)
-        .map(|a| a.parse())
-        .collect::<Result<_, _>>()?;
-    for name in builtin::NAMES {
+fn main() -> ExitCode {
+    match measure() {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("{error}");
+            ExitCode::from(2)
+        }
+    }
+}
+
+fn measure() -> Result<(), SceneError> {
+    let mut names: Vec<String> = std::env::args().skip(1).collect();
+    if names.is_empty() {
+        names = builtin::NAMES.map(str::to_owned).to_vec();
+    }
+    for name in names {
         let begun = Instant::now();
-        let Some(scene) = Scene::builtin(name) else {
-            continue;
-        };
-        let size = match sides[..] {
-            [width, height] => Size::new(width, height)?,
-            _ => scene.size,
-        };
+        let scene = Scene::load(&name)?;
+        scene.warnings.iter().for_each(|warning| println!("{warning}"));
+        let (name, size) = (&scene.name, scene.size);
         let made = begun.elapsed();
-        let projection = project(&scene, size)?;
+        let projection = scene.project()?;
         let projected = begun.elapsed();
         let triangles = &projection.triangles;
         let frame = golden::render(size, triangles, scene.background);
@@ -47,19 +53,9 @@ fn main() -> Result<(), Box<dyn Error>> {
             triangles.len(),
             area / triangles.len() as f64
         );
-        println!(
-            "  covered {:.1} %, {patches} patches of 4x4",
-            100.0 * ties.covered as f64 / size.pixels() as f64
-        );
-        println!(
-            "  exact ties at {} pixels, {} of them decided by colour",
-            ties.pixels, ties.decided_by_colour
-        );
-        println!(
-            "  mesh checksum {:#018x}, frame checksum {:#018x}",
-            scene.mesh.checksum(),
-            frame.checksum()
-        );
+        println!("  covered {:.1} %, {patches} patches of 4x4", 100.0 * ties.covered as f64 / size.pixels() as f64);
+        println!("  exact ties at {} pixels, {} of them decided by colour", ties.pixels, ties.decided_by_colour);
+        println!("  mesh checksum {:#018x}, frame checksum {:#018x}", scene.mesh.checksum(), frame.checksum());
         println!(
             "  built in {made:.0?}, projected in {:.0?}, rendered in {:.0?}",
             projected - made,

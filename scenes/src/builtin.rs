@@ -47,37 +47,20 @@ pub(crate) fn default_lighting(camera: &Camera) -> Lighting {
     let back = camera.eye - camera.target;
     let right = camera.up.cross(back);
     let length = |v: DVec3| v.dot(v).sqrt();
-    let (back, right, up) = (
-        back / length(back),
-        right / length(right),
-        camera.up / length(camera.up),
-    );
+    let (back, right, up) = (back / length(back), right / length(right), camera.up / length(camera.up));
     let light = |toward: DVec3, intensity: f64| Light { toward, intensity };
     Lighting {
         ambient: 0.2,
-        lights: vec![
-            light(back * 0.5 - right * 0.6 + up * 0.7, 0.75),
-            light(back * 0.3 + right + up * 0.2, 0.2),
-        ],
+        lights: vec![light(back * 0.5 - right * 0.6 + up * 0.7, 0.75), light(back * 0.3 + right + up * 0.2, 0.2)],
     }
 }
 
 fn teapot_camera() -> Camera {
-    Camera {
-        eye: dvec3(0.0, -9.5, 5.2),
-        target: dvec3(0.2, 0.0, 1.45),
-        up: DVec3::Z,
-        fov: 30.0,
-    }
+    Camera { eye: dvec3(0.0, -9.5, 5.2), target: dvec3(0.2, 0.0, 1.45), up: DVec3::Z, fov: 30.0 }
 }
 
 /// 62 km out and 38 km up from the middle of the map, which is 79.75 km square and lies on the plane z = 0.
 fn terrain_camera() -> Camera {
     let centre = dvec3(terrain::MIDDLE, terrain::MIDDLE, 0.0);
-    Camera {
-        eye: centre + dvec3(0.0, -62.0, 38.0),
-        target: centre,
-        up: DVec3::Z,
-        fov: 50.0,
-    }
+    Camera { eye: centre + dvec3(0.0, -62.0, 38.0), target: centre, up: DVec3::Z, fov: 50.0 }
 }

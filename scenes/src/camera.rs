@@ -34,13 +34,7 @@ pub(crate) struct View {
 
 impl Camera {
     /// A camera that shows the whole of a box, seen from `direction` (from the box towards the eye).
-    pub fn framing(
-        bounds: BoundingBox,
-        direction: DVec3,
-        up: DVec3,
-        fov: f64,
-        size: Size,
-    ) -> Camera {
+    pub fn framing(bounds: BoundingBox, direction: DVec3, up: DVec3, fov: f64, size: Size) -> Camera {
         let centre = bounds.min / 2.0 + bounds.max / 2.0;
         let half = bounds.max / 2.0 - bounds.min / 2.0;
         // A single point still needs a distance.
@@ -50,12 +44,7 @@ impl Camera {
         let tangent = angle::tan(fov / 2.0) * aspect.min(1.0);
         let sine = tangent / (1.0 + tangent * tangent).sqrt();
         let towards = direction / direction.dot(direction).sqrt();
-        Camera {
-            eye: centre + towards * (radius / sine),
-            target: centre,
-            up,
-            fov,
-        }
+        Camera { eye: centre + towards * (radius / sine), target: centre, up, fov }
     }
 
     /// The camera turned round the axis through the target along `up`, counter-clockwise seen from above, in degrees.
@@ -64,10 +53,7 @@ impl Camera {
         let arm = self.eye - self.target;
         let (s, c) = angle::sin_cos(degrees);
         let turned = arm * c + axis.cross(arm) * s + axis * (axis.dot(arm) * (1.0 - c));
-        Camera {
-            eye: self.target + turned,
-            ..*self
-        }
+        Camera { eye: self.target + turned, ..*self }
     }
 
     /// Checks the camera.
@@ -80,6 +66,12 @@ impl Camera {
     }
 
     pub(crate) fn view(&self) -> Result<View, SceneError> {
+        if !(self.fov > 0.0 && self.fov < 180.0) {
+            return Err(SceneError::invalid(
+                format!("the camera's field of view is {} degrees", self.fov),
+                "give an angle above 0 and below 180",
+            ));
+        }
         for (name, v) in [("eye", self.eye), ("target", self.target), ("up", self.up)] {
             if !representable(v) {
                 return Err(SceneError::invalid(
@@ -88,19 +80,10 @@ impl Camera {
                 ));
             }
         }
-        if !(self.fov > 0.0 && self.fov < 180.0) {
-            return Err(SceneError::invalid(
-                format!("the camera's field of view is {} degrees", self.fov),
-                "give an angle above 0 and below 180",
-            ));
-        }
         let sight = self.target - self.eye;
         if sight == DVec3::ZERO {
             return Err(SceneError::invalid(
-                format!(
-                    "the camera's eye and target are the same point, {}",
-                    self.eye
-                ),
+                format!("the camera's eye and target are the same point, {}", self.eye),
                 "move one of them",
             ));
         }
@@ -110,21 +93,12 @@ impl Camera {
         // An up of length zero is NaN here.
         if sine2.is_nan() || sine2 < 1e-12 {
             return Err(SceneError::invalid(
-                format!(
-                    "the camera's up, {}, is zero or parallel to its line of sight",
-                    self.up
-                ),
+                format!("the camera's up, {}, is zero or parallel to its line of sight", self.up),
                 "choose another up",
             ));
         }
         let right = unit(right);
-        Ok(View {
-            eye: self.eye,
-            right,
-            down: forward.cross(right),
-            forward,
-            half_height: angle::tan(self.fov / 2.0),
-        })
+        Ok(View { eye: self.eye, right, down: forward.cross(right), forward, half_height: angle::tan(self.fov / 2.0) })
     }
 }
 
@@ -132,11 +106,7 @@ impl View {
     /// A point as (right, down, forward) of the eye, in the mesh's unit.
     pub(crate) fn of_point(&self, p: DVec3) -> DVec3 {
         let arm = p - self.eye;
-        DVec3::new(
-            self.right.dot(arm),
-            self.down.dot(arm),
-            self.forward.dot(arm),
-        )
+        DVec3::new(self.right.dot(arm), self.down.dot(arm), self.forward.dot(arm))
     }
 }
 

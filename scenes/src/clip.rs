@@ -47,8 +47,36 @@ impl ClipPlane {
 /// Where the edge from `inner` (inside by d) to `outer` (by e, negative) meets the plane.
 fn cut(inner: ViewVertex, d: f64, outer: ViewVertex, e: f64) -> ViewVertex {
     let t = d / (d - e);
-    ViewVertex {
-        at: inner.at + (outer.at - inner.at) * t,
-        rgb: inner.rgb + (outer.rgb - inner.rgb) * t,
+    ViewVertex { at: inner.at + (outer.at - inner.at) * t, rgb: inner.rgb + (outer.rgb - inner.rgb) * t }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn vertex() -> impl Strategy<Value = ViewVertex> {
+        [-9.0..9.0f64, -9.0..9.0f64, -9.0..9.0f64].prop_map(|at| ViewVertex {
+            at: DVec3::from_array(at),
+            rgb: DVec3::from_array(at.map(|c| (c + 9.0) / 18.0)),
+        })
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(500) })]
+
+        /// Two triangles run along a shared edge in opposite directions; to the last bit, they must get the same new vertices.
+        #[test]
+        fn an_edge_is_cut_alike_from_both_sides(corners in [vertex(), vertex(), vertex()], normal in vertex(), offset in -3.0..3.0f64) {
+            let plane = ClipPlane { normal: normal.at, offset };
+            let [p, q, r] = corners;
+            let mut other = plane.clip(&[r, q, p]);
+            other.reverse();
+            let one = plane.clip(&corners);
+            prop_assert_eq!(one.len(), other.len());
+            for vertex in one {
+                prop_assert!(other.contains(&vertex), "{:?} against {:?}", vertex, other);
+            }
+        }
     }
 }

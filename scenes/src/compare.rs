@@ -44,13 +44,8 @@ pub fn compare_colours(left: &Frame, right: &Frame) -> Comparison {
 }
 
 fn compare_under(left: &Frame, right: &Frame, mask: u64) -> Comparison {
-    let mut found = Comparison {
-        sizes: [left.size(), right.size()],
-        differing: 0,
-        in_colour: 0,
-        first: None,
-        picture: None,
-    };
+    let mut found =
+        Comparison { sizes: [left.size(), right.size()], differing: 0, in_colour: 0, first: None, picture: None };
     if !found.same_size() {
         return found;
     }
@@ -70,12 +65,7 @@ fn compare_under(left: &Frame, right: &Frame, mask: u64) -> Comparison {
         if differs {
             found.differing += 1;
             found.in_colour += u64::from(in_colour);
-            found.first.get_or_insert(Difference {
-                x,
-                y,
-                left: l,
-                right: r,
-            });
+            found.first.get_or_insert(Difference { x, y, left: l, right: r });
         }
     }
     found.picture = Some(picture);
@@ -178,10 +168,7 @@ mod tests {
         let other = Frame::blank(Size::new(4, 5)?, [0; 3]);
         let found = compare(&left, &other);
         assert!(!found.is_equal() && found.picture().is_none());
-        assert_eq!(
-            found.to_string(),
-            "the frames differ in size: 5x4 and 4x5 pixels"
-        );
+        assert_eq!(found.to_string(), "the frames differ in size: 5x4 and 4x5 pixels");
         Ok(())
     }
 }

@@ -6,9 +6,7 @@ use std::path::PathBuf;
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum SceneError {
     /// A width or height out of range.
-    #[error(
-        "an image of {width}x{height} pixels cannot be rendered: give a width and a height between 1 and 2048"
-    )]
+    #[error("an image of {width}x{height} pixels cannot be rendered: give a width and a height between 1 and 2048")]
     Size {
         /// The width asked for, in pixels.
         width: i64,
@@ -91,9 +89,6 @@ pub enum SceneError {
 
 impl SceneError {
     pub(crate) fn invalid(problem: impl Into<String>, remedy: impl Into<String>) -> SceneError {
-        SceneError::Invalid {
-            problem: problem.into(),
-            remedy: remedy.into(),
-        }
+        SceneError::Invalid { problem: problem.into(), remedy: remedy.into() }
     }
 }

@@ -38,10 +38,7 @@ pub fn blank(background: [u8; 3]) -> u64 {
 impl Frame {
     /// A frame of blank pixels.
     pub fn blank(size: Size, background: [u8; 3]) -> Frame {
-        Frame {
-            size,
-            words: vec![blank(background); size.pixels()],
-        }
+        Frame { size, words: vec![blank(background); size.pixels()] }
     }
 
     /// A frame of the given words, row by row, or `None` unless there is exactly one word of 48 bits per pixel.
@@ -65,11 +62,7 @@ impl Frame {
     /// # Panics
     /// If the pixel is outside the frame, as indexing a slice does.
     pub fn word(&self, x: u32, y: u32) -> u64 {
-        assert!(
-            x < self.size.width(),
-            "column {x} of a frame of {}",
-            self.size
-        );
+        assert!(x < self.size.width(), "column {x} of a frame of {}", self.size);
         self.words[self.index(x, y)]
     }
 

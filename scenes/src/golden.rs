@@ -10,9 +10,7 @@ use crate::size::Size;
 impl Triangle {
     /// Whether the triangle covers pixel (x, y): all three reduced edge functions are at least 0 (DES-EDGE).
     pub fn covers(&self, x: u32, y: u32) -> bool {
-        self.edges.iter().all(|e| {
-            i64::from(e.a) * i64::from(x) + i64::from(e.b) * i64::from(y) + i64::from(e.c) >= 0
-        })
+        self.edges.iter().all(|e| i64::from(e.a) * i64::from(x) + i64::from(e.b) * i64::from(y) + i64::from(e.c) >= 0)
     }
 
     /// Depth at pixel (x, y), 24 bits; meaningful where the triangle covers the pixel (DES-Z).
@@ -22,8 +20,7 @@ impl Triangle {
 
     /// Red, green and blue at pixel (x, y); meaningful where the triangle covers the pixel.
     pub fn rgb(&self, x: u32, y: u32) -> [u8; 3] {
-        self.rgb
-            .map(|plane| plane_at(&plane, x, y, COLOUR_PLANE_BITS) as u8)
+        self.rgb.map(|plane| plane_at(&plane, x, y, COLOUR_PLANE_BITS) as u8)
     }
 
     /// The visibility word at pixel (x, y): `z << 24 | r << 16 | g << 8 | b`.
@@ -34,9 +31,7 @@ impl Triangle {
 
 /// The whole part of a plane of `bits` bits at pixel (x, y).
 fn plane_at(plane: &Plane, x: u32, y: u32, bits: u32) -> u64 {
-    let sum = u128::from(plane.x) * u128::from(x)
-        + u128::from(plane.y) * u128::from(y)
-        + u128::from(plane.origin);
+    let sum = u128::from(plane.x) * u128::from(x) + u128::from(plane.y) * u128::from(y) + u128::from(plane.origin);
     ((sum % (1u128 << bits)) >> FRACTION_BITS) as u64
 }
 
@@ -92,12 +87,7 @@ pub fn ties(size: Size, triangles: &[Triangle]) -> Ties {
                 kept.coloured |= kept.rgb != rgb;
             }
             nearer => {
-                *nearer = Some(Front {
-                    depth,
-                    rgb,
-                    tied: false,
-                    coloured: false,
-                });
+                *nearer = Some(Front { depth, rgb, tied: false, coloured: false });
             }
         }
     });
@@ -118,10 +108,7 @@ fn each_fragment(size: Size, triangles: &[Triangle], mut visit: impl FnMut(usize
         for y in bounds.top..=bounds.bottom.min(size.height() - 1) {
             for x in bounds.left..=bounds.right.min(size.width() - 1) {
                 if triangle.covers(x, y) {
-                    visit(
-                        y as usize * size.width() as usize + x as usize,
-                        triangle.word(x, y),
-                    );
+                    visit(y as usize * size.width() as usize + x as usize, triangle.word(x, y));
                 }
             }
         }

@@ -1,4 +1,4 @@
-//! Scenes, triangle set-up in integers, and the golden rasterizer.
+#![doc = include_str!("../README.md")]
 
 pub mod angle;
 pub mod builtin;
@@ -11,6 +11,7 @@ pub mod frame;
 pub mod golden;
 mod input;
 mod light;
+mod load;
 mod mesh;
 mod output;
 pub mod packet;

@@ -58,21 +58,16 @@ impl Lighting {
 
     /// The lights with directions of length 1, ready for [`Lighting::at`].
     pub(crate) fn normalized(&self) -> Lighting {
-        let unit = |light: &Light| Light {
-            toward: unit_or_z(light.toward),
-            intensity: light.intensity,
-        };
-        Lighting {
-            ambient: self.ambient,
-            lights: self.lights.iter().map(unit).collect(),
-        }
+        let unit = |light: &Light| Light { toward: unit_or_z(light.toward), intensity: light.intensity };
+        Lighting { ambient: self.ambient, lights: self.lights.iter().map(unit).collect() }
     }
 
     /// How much light a corner reflects, 0 to 1; `normal` has length 1 and points to the lit side.
     pub(crate) fn at(&self, normal: DVec3) -> f64 {
-        let sum = self.lights.iter().fold(self.ambient, |sum, light| {
-            sum + light.intensity * normal.dot(light.toward).max(0.0)
-        });
+        let sum = self
+            .lights
+            .iter()
+            .fold(self.ambient, |sum, light| sum + light.intensity * normal.dot(light.toward).max(0.0));
         sum.min(1.0)
     }
 }

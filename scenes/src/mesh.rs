@@ -41,16 +41,9 @@ impl Mesh {
     /// # Errors
     /// [`SceneError::Invalid`] if there is no triangle, an index is out of range, or a number is not finite or a colour is
     /// outside 0 to 1.
-    pub fn new(
-        positions: Vec<DVec3>,
-        normals: Vec<DVec3>,
-        triangles: Vec<MeshTriangle>,
-    ) -> Result<Mesh, SceneError> {
+    pub fn new(positions: Vec<DVec3>, normals: Vec<DVec3>, triangles: Vec<MeshTriangle>) -> Result<Mesh, SceneError> {
         if triangles.is_empty() {
-            return Err(SceneError::invalid(
-                "the mesh has no triangle",
-                "give at least one",
-            ));
+            return Err(SceneError::invalid("the mesh has no triangle", "give at least one"));
         }
         let vectors = [("position", &positions), ("normal", &normals)];
         for (what, list) in vectors {
@@ -62,19 +55,11 @@ impl Mesh {
             }
         }
         for (i, t) in triangles.iter().enumerate() {
-            let in_range = |indices: [u32; 3], count: usize| {
-                indices.iter().all(|&index| (index as usize) < count)
-            };
+            let in_range = |indices: [u32; 3], count: usize| indices.iter().all(|&index| (index as usize) < count);
             if !in_range(t.positions, positions.len()) || !in_range(t.normals, normals.len()) {
                 return Err(SceneError::invalid(
-                    format!(
-                        "triangle {i} of the mesh names a vertex or normal that does not exist"
-                    ),
-                    format!(
-                        "use indices below {} and {}",
-                        positions.len(),
-                        normals.len()
-                    ),
+                    format!("triangle {i} of the mesh names a vertex or normal that does not exist"),
+                    format!("use indices below {} and {}", positions.len(), normals.len()),
                 ));
             }
             if !t.diffuse.iter().all(|c| (0.0..=1.0).contains(c)) {
@@ -84,11 +69,7 @@ impl Mesh {
                 ));
             }
         }
-        Ok(Mesh {
-            positions,
-            normals,
-            triangles,
-        })
+        Ok(Mesh { positions, normals, triangles })
     }
 
     /// Vertex positions.
@@ -109,16 +90,10 @@ impl Mesh {
     /// The box round the vertices that triangles use.
     pub fn bounding_box(&self) -> BoundingBox {
         let corners = self.triangles.iter().flat_map(|t| t.positions);
-        let empty = BoundingBox {
-            min: DVec3::INFINITY,
-            max: DVec3::NEG_INFINITY,
-        };
+        let empty = BoundingBox { min: DVec3::INFINITY, max: DVec3::NEG_INFINITY };
         corners.fold(empty, |bounds, corner| {
             let p = self.positions[corner as usize];
-            BoundingBox {
-                min: bounds.min.min(p),
-                max: bounds.max.max(p),
-            }
+            BoundingBox { min: bounds.min.min(p), max: bounds.max.max(p) }
         })
     }
 

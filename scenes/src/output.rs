@@ -24,13 +24,9 @@ pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), SceneError> {
     match fs::metadata(path) {
         Ok(known) if known.is_dir() => Err(failed(io::ErrorKind::IsADirectory.into())),
         Ok(known) if device || !known.is_file() => write_directly(path, bytes).map_err(failed),
-        Ok(known) if known.permissions().readonly() => {
-            Err(failed(io::ErrorKind::PermissionDenied.into()))
-        }
+        Ok(known) if known.permissions().readonly() => Err(failed(io::ErrorKind::PermissionDenied.into())),
         // Through a link, the file that it points to is replaced and the link stays.
-        Ok(_) => fs::canonicalize(path)
-            .and_then(|real| replace(&real, bytes))
-            .map_err(failed),
+        Ok(_) => fs::canonicalize(path).and_then(|real| replace(&real, bytes)).map_err(failed),
         Err(_) => replace(path, bytes).map_err(failed),
     }
 }

@@ -13,12 +13,7 @@ impl Frame {
     pub fn to_png(&self) -> Vec<u8> {
         let mut bytes = Vec::new();
         PngEncoder::new(&mut bytes)
-            .write_image(
-                &self.rgb_bytes(),
-                self.size().width(),
-                self.size().height(),
-                ExtendedColorType::Rgb8,
-            )
+            .write_image(&self.rgb_bytes(), self.size().width(), self.size().height(), ExtendedColorType::Rgb8)
             .expect("a PNG of at most 2048x2048 pixels fits in memory");
         bytes
     }
@@ -45,19 +40,11 @@ impl Frame {
         };
         let bytes = read_bytes(path, "name a PNG file")?;
         let picture = image::load_from_memory_with_format(&bytes, ImageFormat::Png)
-            .map_err(|error| {
-                wrong(
-                    format!("is not a sound PNG file ({error})"),
-                    "make it again, or name another",
-                )
-            })?
+            .map_err(|error| wrong(format!("is not a sound PNG file ({error})"), "make it again, or name another"))?
             .into_rgb8();
         let size = Size::new(picture.width(), picture.height()).map_err(|_| {
             let (width, height) = picture.dimensions();
-            wrong(
-                format!("holds {width}x{height} pixels, and a frame has at most 2048x2048"),
-                "name a smaller picture",
-            )
+            wrong(format!("holds {width}x{height} pixels, and a frame has at most 2048x2048"), "name a smaller picture")
         })?;
         let mut frame = Frame::blank(size, [0; 3]);
         for (word, pixel) in frame.words.iter_mut().zip(picture.pixels()) {

@@ -61,11 +61,7 @@ pub fn project(scene: &Scene, size: Size) -> Result<Projection, SceneError> {
 ///
 /// # Errors
 /// As [`project`]; also if a shift exceeds a pixel.
-pub fn project_sample(
-    scene: &Scene,
-    size: Size,
-    shift: [i32; 2],
-) -> Result<Projection, SceneError> {
+pub fn project_sample(scene: &Scene, size: Size, shift: [i32; 2]) -> Result<Projection, SceneError> {
     if shift.iter().any(|s| s.abs() > SUBPIXELS) {
         return Err(SceneError::invalid(
             format!("a sample's shift is {shift:?} sixteenths of a pixel"),
@@ -74,12 +70,7 @@ pub fn project_sample(
     }
     scene.lighting.check()?;
     let view = scene.camera.view()?;
-    let seen: Vec<DVec3> = scene
-        .mesh
-        .positions()
-        .iter()
-        .map(|&p| view.of_point(p))
-        .collect();
+    let seen: Vec<DVec3> = scene.mesh.positions().iter().map(|&p| view.of_point(p)).collect();
     let screen = Screen::new(scene, &seen, view, size, shift)?;
     let lighting = scene.lighting.normalized();
     let mut projection = Projection {
@@ -90,10 +81,7 @@ pub fn project_sample(
     };
     for (polygon, triangle) in (0..).zip(scene.mesh.triangles()) {
         let lit = light_corners(scene, &lighting, triangle);
-        let corners = [0, 1, 2].map(|i| ViewVertex {
-            at: seen[triangle.positions[i] as usize],
-            rgb: lit[i],
-        });
+        let corners = [0, 1, 2].map(|i| ViewVertex { at: seen[triangle.positions[i] as usize], rgb: lit[i] });
         projection.counts.polygons += 1;
         match screen.clip(corners) {
             Ok(pieces) => projection.submit(polygon, &pieces, &screen),
@@ -135,15 +123,32 @@ impl Projection {
 
 /// The colours of a triangle's corners, each channel 0 to 1.
 fn light_corners(scene: &Scene, lighting: &Lighting, triangle: &MeshTriangle) -> [DVec3; 3] {
-    let [p, q, r] = triangle
-        .positions
-        .map(|i| scene.mesh.positions()[i as usize]);
+    let [p, q, r] = triangle.positions.map(|i| scene.mesh.positions()[i as usize]);
     let face = (q - p).cross(r - p);
     let diffuse = DVec3::from_array(triangle.diffuse);
     triangle.normals.map(|i| {
         let normal = unit_or_z(scene.mesh.normals()[i as usize]);
         diffuse * lighting.at(facing(normal, face, scene.camera.eye - p))
     })
+}
+
+/// The error of a scene of which nothing is in front of the eye, or `None` if something is; what is wrong with the camera itself
+/// is an error of its own.
+pub(crate) fn nothing_in_front(scene: &Scene) -> Result<Option<SceneError>, SceneError> {
+    let view = scene.camera.view()?;
+    let positions = scene.mesh.positions().iter();
+    let seen: Vec<DVec3> = positions.map(|&p| view.of_point(p)).collect();
+    Ok((depth_range(scene, &seen).1 == 0.0).then(|| behind(scene)))
+}
+
+fn behind(scene: &Scene) -> SceneError {
+    SceneError::invalid(
+        format!(
+            "nothing of the mesh is in front of the camera at {} looking towards {}",
+            scene.camera.eye, scene.camera.target
+        ),
+        "move the eye or the target",
+    )
 }
 
 /// The greatest ratio of far to near: 24 bits then still tell apart what is 1/4000 of the far distance deep.
@@ -187,30 +192,15 @@ struct Screen {
 }
 
 impl Screen {
-    fn new(
-        scene: &Scene,
-        seen: &[DVec3],
-        view: View,
-        size: Size,
-        shift: [i32; 2],
-    ) -> Result<Screen, SceneError> {
+    fn new(scene: &Scene, seen: &[DVec3], view: View, size: Size, shift: [i32; 2]) -> Result<Screen, SceneError> {
         let (nearest, far) = depth_range(scene, seen);
         if far == 0.0 {
-            return Err(SceneError::invalid(
-                format!(
-                    "nothing of the mesh is in front of the camera at {} looking towards {}",
-                    scene.camera.eye, scene.camera.target
-                ),
-                "move the eye or the target",
-            ));
+            return Err(behind(scene));
         }
         let near = nearest.max(far / DEPTH_RATIO);
         // A mesh at one distance: any far plane behind it serves.
         let far = far.max(near * 1.001);
-        let centre = [
-            f64::from(size.width()) / 2.0,
-            f64::from(size.height()) / 2.0,
-        ];
+        let centre = [f64::from(size.width()) / 2.0, f64::from(size.height()) / 2.0];
         let scale = centre[1] / view.half_height;
         // The guard band less the shift, so that a moved vertex is still 16 bits.
         let limits = |axis: usize| {
@@ -218,10 +208,7 @@ impl Screen {
             (sub(i16::MIN.into()), sub(i16::MAX.into()))
         };
         let ((left, right), (top, bottom)) = (limits(0), limits(1));
-        let plane = |x: f64, y: f64, w: f64| ClipPlane {
-            normal: DVec3::new(x, y, w),
-            offset: 0.0,
-        };
+        let plane = |x: f64, y: f64, w: f64| ClipPlane { normal: DVec3::new(x, y, w), offset: 0.0 };
         Ok(Screen {
             size,
             shift,
@@ -229,10 +216,7 @@ impl Screen {
             scale,
             near,
             depth_scale: far / (far - near),
-            near_plane: ClipPlane {
-                normal: DVec3::Z,
-                offset: near,
-            },
+            near_plane: ClipPlane { normal: DVec3::Z, offset: near },
             guard: [
                 plane(scale, 0.0, centre[0] - left),
                 plane(-scale, 0.0, right - centre[0]),
@@ -256,9 +240,7 @@ impl Screen {
                 return Err(outside);
             }
         }
-        Ok((2..polygon.len())
-            .map(|i| [polygon[0], polygon[i - 1], polygon[i]])
-            .collect())
+        Ok((2..polygon.len()).map(|i| [polygon[0], polygon[i - 1], polygon[i]]).collect())
     }
 
     /// A vertex at its 1/16 pixel.
@@ -267,9 +249,7 @@ impl Screen {
         let place = |axis: usize, offset: f64| {
             let pixels = self.centre[axis] + offset * self.scale / w;
             let snapped = (pixels * f64::from(SUBPIXELS) + 0.5).floor() as i32;
-            snapped
-                .saturating_add(self.shift[axis])
-                .clamp(i16::MIN.into(), i16::MAX.into())
+            snapped.saturating_add(self.shift[axis]).clamp(i16::MIN.into(), i16::MAX.into())
         };
         let range = f64::from(FARTHEST_VERTEX - NEAREST_VERTEX);
         let depth = ((1.0 - self.near / w) * self.depth_scale).clamp(0.0, 1.0);
@@ -284,10 +264,8 @@ impl Screen {
     /// Whether the box round the vertices meets the screen.
     fn meets(&self, vertices: &[ScreenVertex; 3]) -> bool {
         let axis = |positions: [i32; 3], side: u32| {
-            positions.iter().any(|&p| p > 0)
-                && positions.iter().any(|&p| p < side as i32 * SUBPIXELS)
+            positions.iter().any(|&p| p > 0) && positions.iter().any(|&p| p < side as i32 * SUBPIXELS)
         };
-        axis(vertices.map(|v| v.x), self.size.width())
-            && axis(vertices.map(|v| v.y), self.size.height())
+        axis(vertices.map(|v| v.x), self.size.width()) && axis(vertices.map(|v| v.y), self.size.height())
     }
 }

@@ -24,12 +24,8 @@ pub fn set_up(vertices: &[ScreenVertex; 3], size: Size) -> Option<Triangle> {
         (v1, v2, area2) = (v2, v1, -area2);
     }
     let bounds = pixel_bounds(vertices, size)?;
-    let plane = Anchor {
-        corners: [v0, v1, v2],
-        area2,
-    };
-    let channel =
-        |i: usize| plane.through([v0, v1, v2].map(|v| i64::from(v.rgb[i])), COLOUR_PLANE_BITS);
+    let plane = Anchor { corners: [v0, v1, v2], area2 };
+    let channel = |i: usize| plane.through([v0, v1, v2].map(|v| i64::from(v.rgb[i])), COLOUR_PLANE_BITS);
     Some(Triangle {
         edges: [edge(v0, v1), edge(v1, v2), edge(v2, v0)],
         z: plane.through([v0, v1, v2].map(|v| i64::from(v.z)), DEPTH_PLANE_BITS),
@@ -50,12 +46,7 @@ pub fn signed_area2(v: &[ScreenVertex; 3]) -> i64 {
 pub fn pixel_bounds(v: &[ScreenVertex; 3], size: Size) -> Option<PixelBox> {
     let (left, right) = centres_between(v.map(|v| v.x), size.width())?;
     let (top, bottom) = centres_between(v.map(|v| v.y), size.height())?;
-    Some(PixelBox {
-        left,
-        top,
-        right,
-        bottom,
-    })
+    Some(PixelBox { left, top, right, bottom })
 }
 
 /// First and last pixel of a row of `side` pixels whose centres (16*i + 8) lie between the least and the greatest position.
@@ -64,29 +55,20 @@ fn centres_between(positions: [i32; 3], side: u32) -> Option<(u32, u32)> {
     let half = i64::from(SUBPIXELS / 2);
     let sub = i64::from(SUBPIXELS);
     let first = (p.min(q).min(r) - half + sub - 1).div_euclid(sub).max(0);
-    let last = (p.max(q).max(r) - half)
-        .div_euclid(sub)
-        .min(i64::from(side) - 1);
+    let last = (p.max(q).max(r) - half).div_euclid(sub).min(i64::from(side) - 1);
     (first <= last).then_some((first as u32, last as u32))
 }
 
 /// The reduced edge function from `p` to `q` (DES-EDGE).
 fn edge(p: ScreenVertex, q: ScreenVertex) -> Edge {
-    let (dx, dy) = (
-        i64::from(q.x) - i64::from(p.x),
-        i64::from(q.y) - i64::from(p.y),
-    );
+    let (dx, dy) = (i64::from(q.x) - i64::from(p.x), i64::from(q.y) - i64::from(p.y));
     let (a, b) = (-dy, dx);
     let c = -(a * i64::from(p.x) + b * i64::from(p.y));
     // An edge that is neither a left nor a top one does not own the centres on it: one unit less keeps them out.
     let top_left = dy < 0 || (dy == 0 && dx > 0);
     let reduced = (8 * (a + b) + c - i64::from(!top_left)).div_euclid(i64::from(SUBPIXELS));
     // Vertices in the guard band keep |value| < 2^30 (DES-W), so nothing is cut off here.
-    Edge {
-        a: a as i32,
-        b: b as i32,
-        c: reduced as i32,
-    }
+    Edge { a: a as i32, b: b as i32, c: reduced as i32 }
 }
 
 /// What all planes of one triangle share.
@@ -104,8 +86,7 @@ impl Anchor {
         // Gradient times area2, per 1/16 pixel. Below 2^42, so that the shifted products below stay under 2^63.
         let nx = d1 * d(v2.y, v0.y) - d2 * d(v1.y, v0.y);
         let ny = d2 * d(v1.x, v0.x) - d1 * d(v2.x, v0.x);
-        let gradient =
-            |n: i64| ((n * i64::from(SUBPIXELS)) << FRACTION_BITS).div_euclid(self.area2);
+        let gradient = |n: i64| ((n * i64::from(SUBPIXELS)) << FRACTION_BITS).div_euclid(self.area2);
         let (x, y) = (gradient(nx), gradient(ny));
         // The anchor is the centre of v0's pixel: near v0, so that the rounding of the gradients counts least.
         let (px, py) = (i64::from(v0.x >> 4), i64::from(v0.y >> 4));
@@ -115,13 +96,7 @@ impl Anchor {
             + (1 << (FRACTION_BITS - 1));
         let mask = (1u64 << bits) - 1;
         // Wrapping on purpose: a sliver's gradients may be huge, and only their residues are kept.
-        let origin = at_anchor
-            .wrapping_sub(x.wrapping_mul(px))
-            .wrapping_sub(y.wrapping_mul(py));
-        Plane {
-            x: x as u64 & mask,
-            y: y as u64 & mask,
-            origin: origin as u64 & mask,
-        }
+        let origin = at_anchor.wrapping_sub(x.wrapping_mul(px)).wrapping_sub(y.wrapping_mul(py));
+        Plane { x: x as u64 & mask, y: y as u64 & mask, origin: origin as u64 & mask }
     }
 }

@@ -15,10 +15,7 @@ pub struct Size {
 
 impl Size {
     /// The VC-1's screen, 640 x 480 (VC1-TM).
-    pub const VGA: Size = Size {
-        width: 640,
-        height: 480,
-    };
+    pub const VGA: Size = Size { width: 640, height: 480 };
 
     /// A size of `width` x `height` pixels.
     ///
@@ -29,10 +26,7 @@ impl Size {
         if side.contains(&width) && side.contains(&height) {
             Ok(Size { width, height })
         } else {
-            Err(SceneError::Size {
-                width: width.into(),
-                height: height.into(),
-            })
+            Err(SceneError::Size { width: width.into(), height: height.into() })
         }
     }
 

@@ -31,12 +31,7 @@ fn depth() -> impl Strategy<Value = u32> {
 }
 
 fn vertex() -> impl Strategy<Value = ScreenVertex> {
-    (position(), position(), depth(), any::<[u8; 3]>()).prop_map(|(x, y, z, rgb)| ScreenVertex {
-        x,
-        y,
-        z,
-        rgb,
-    })
+    (position(), position(), depth(), any::<[u8; 3]>()).prop_map(|(x, y, z, rgb)| ScreenVertex { x, y, z, rgb })
 }
 
 fn corners() -> impl Strategy<Value = [ScreenVertex; 3]> {
@@ -220,10 +215,7 @@ proptest! {
 fn set_up_gives_the_reference_numbers() {
     let largest = Size::new(2048, 2048).unwrap();
     let mut compared = 0;
-    for row in include_str!("data/set_up.txt")
-        .lines()
-        .filter(|l| !l.starts_with('#'))
-    {
+    for row in include_str!("data/set_up.txt").lines().filter(|l| !l.starts_with('#')) {
         let words: Vec<i64> = row.split(' ').filter_map(|w| w.parse().ok()).collect();
         let vertex = |i: usize| ScreenVertex {
             x: words[3 * i] as i32,
@@ -235,8 +227,7 @@ fn set_up_gives_the_reference_numbers() {
         let Some(t) = packet else {
             assert!(
                 row.ends_with("none")
-                    || tilewright_scenes::pixel_bounds(&[vertex(0), vertex(1), vertex(2)], largest)
-                        .is_none(),
+                    || tilewright_scenes::pixel_bounds(&[vertex(0), vertex(1), vertex(2)], largest).is_none(),
                 "{row}"
             );
             continue;

@@ -18,12 +18,7 @@ fn check(pinned: &Pinned) {
     let projection = scene.project().expect("a built-in scene projects");
     let frame = golden::render(scene.size, &projection.triangles, scene.background);
     assert_eq!(projection.counts, pinned.counts, "{}", pinned.name);
-    assert_eq!(
-        scene.mesh.checksum(),
-        pinned.mesh,
-        "{}: the mesh",
-        pinned.name
-    );
+    assert_eq!(scene.mesh.checksum(), pinned.mesh, "{}: the mesh", pinned.name);
     assert_eq!(frame.checksum(), pinned.frame, "{}: the frame", pinned.name);
 }
 
@@ -33,13 +28,7 @@ fn teapot() {
         name: "teapot",
         mesh: 0x8997_b1ae_854c_bbd1,
         frame: 0x0203_fe02_1359_3e75,
-        counts: Counts {
-            polygons: 4096,
-            drawn: 4009,
-            degenerate: 64,
-            between_centres: 23,
-            ..Counts::default()
-        },
+        counts: Counts { polygons: 4096, drawn: 4009, degenerate: 64, between_centres: 23, ..Counts::default() },
     });
 }
 
@@ -49,13 +38,7 @@ fn ter1k() {
         name: "ter1k",
         mesh: 0x2e62_89a1_6bdb_830b,
         frame: 0x6848_17bd_3580_d3c6,
-        counts: Counts {
-            polygons: 12482,
-            drawn: 11380,
-            off_screen: 1046,
-            between_centres: 56,
-            ..Counts::default()
-        },
+        counts: Counts { polygons: 12482, drawn: 11380, off_screen: 1046, between_centres: 56, ..Counts::default() },
     });
 }
 

@@ -14,17 +14,13 @@ fn folder(test: &str) -> PathBuf {
 
 fn picture() -> Frame {
     let size = Size::new(31, 17).unwrap();
-    let words = (0..size.pixels() as u64)
-        .map(|i| i * 0x1_0203_0507 & 0xffff_ffff_ffff)
-        .collect();
+    let words = (0..size.pixels() as u64).map(|i| (i * 0x1_0203_0507) & 0xffff_ffff_ffff).collect();
     Frame::from_words(size, words).unwrap()
 }
 
 fn names(path: &PathBuf) -> Vec<String> {
-    let mut names: Vec<_> = fs::read_dir(path)
-        .unwrap()
-        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
-        .collect();
+    let mut names: Vec<_> =
+        fs::read_dir(path).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
     names.sort();
     names
 }
@@ -56,10 +52,7 @@ fn a_failed_write_leaves_nothing_behind() {
     let error = picture().write_png(&path).unwrap_err();
     assert_eq!(
         error.to_string(),
-        format!(
-            "{}: cannot be written (is a directory): name a file in that folder",
-            path.display()
-        )
+        format!("{}: cannot be written (is a directory): name a file in that folder", path.display())
     );
     let missing = folder.join("nowhere/frame.png");
     let error = picture().write_png(&missing).unwrap_err();
@@ -71,6 +64,8 @@ fn a_failed_write_leaves_nothing_behind() {
             folder.join("nowhere").display()
         )
     );
+    // Here the bytes are written aside, and only taking the name fails.
+    assert!(picture().write_png(folder.join("frame.png/")).is_err());
     assert_eq!(names(&folder), ["a_folder"]);
 }
 
@@ -93,10 +88,7 @@ fn a_link_stays_a_link() {
     std::os::unix::fs::symlink("real.png", folder.join("link.png")).unwrap();
     picture().write_png(folder.join("link.png")).unwrap();
     assert!(folder.join("link.png").is_symlink());
-    assert_eq!(
-        fs::read(folder.join("real.png")).unwrap(),
-        picture().to_png()
-    );
+    assert_eq!(fs::read(folder.join("real.png")).unwrap(), picture().to_png());
 }
 
 #[test]
@@ -105,12 +97,7 @@ fn a_file_that_is_no_png_is_refused() {
     fs::write(&path, "GIF89a").unwrap();
     let error = Frame::read_png(&path).unwrap_err();
     assert!(matches!(error, SceneError::File { .. }), "{error:?}");
-    assert!(
-        error
-            .to_string()
-            .contains("frame.png: is not a sound PNG file"),
-        "{error}"
-    );
+    assert!(error.to_string().contains("frame.png: is not a sound PNG file"), "{error}");
 
     let mut cut = picture().to_png();
     cut.truncate(cut.len() / 2);

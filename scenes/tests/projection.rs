@@ -4,16 +4,12 @@ use glam::{DVec3, dvec3};
 use proptest::prelude::*;
 use tilewright_scenes::packet::{FARTHEST_VERTEX, NEAREST_VERTEX};
 use tilewright_scenes::{
-    Camera, Light, Lighting, Mesh, MeshTriangle, Projection, Scene, Size, frame, golden, project,
-    project_sample,
+    Camera, Light, Lighting, Mesh, MeshTriangle, Projection, Scene, Size, frame, golden, project, project_sample,
 };
 
 fn mesh(positions: Vec<DVec3>, triangles: &[[u32; 3]]) -> Mesh {
-    let triangles = triangles.iter().map(|&positions| MeshTriangle {
-        positions,
-        normals: [0; 3],
-        diffuse: [0.5, 1.0, 0.25],
-    });
+    let triangles =
+        triangles.iter().map(|&positions| MeshTriangle { positions, normals: [0; 3], diffuse: [0.5, 1.0, 0.25] });
     Mesh::new(positions, vec![DVec3::Z], triangles.collect()).unwrap()
 }
 
@@ -22,16 +18,8 @@ fn scene(mesh: Mesh, distance: f64) -> Scene {
     Scene {
         name: "test".into(),
         mesh,
-        camera: Camera {
-            eye: dvec3(0.0, 0.0, distance),
-            target: DVec3::ZERO,
-            up: DVec3::Y,
-            fov: 90.0,
-        },
-        lighting: Lighting {
-            ambient: 1.0,
-            lights: Vec::new(),
-        },
+        camera: Camera { eye: dvec3(0.0, 0.0, distance), target: DVec3::ZERO, up: DVec3::Y, fov: 90.0 },
+        lighting: Lighting { ambient: 1.0, lights: Vec::new() },
         background: [0; 3],
         size: Size::new(64, 48).unwrap(),
         warnings: Vec::new(),
@@ -46,17 +34,10 @@ fn accounted(p: &Projection) -> u32 {
 #[test]
 fn a_vertex_lands_where_perspective_puts_it() {
     // Field of view 90 degrees: at distance 2, two units are half the picture's height, 24 pixels.
-    let corners = vec![
-        dvec3(0.0, 0.0, 0.0),
-        dvec3(2.0, 0.0, 0.0),
-        dvec3(0.0, 2.0, 0.0),
-    ];
+    let corners = vec![dvec3(0.0, 0.0, 0.0), dvec3(2.0, 0.0, 0.0), dvec3(0.0, 2.0, 0.0)];
     let p = scene(mesh(corners, &[[0, 1, 2]]), 2.0).project().unwrap();
     let places = p.vertices[0].map(|v| (v.x, v.y));
-    assert_eq!(
-        places,
-        [(32 * 16, 24 * 16), (56 * 16, 24 * 16), (32 * 16, 0)]
-    );
+    assert_eq!(places, [(32 * 16, 24 * 16), (56 * 16, 24 * 16), (32 * 16, 0)]);
     assert_eq!(p.vertices[0].map(|v| v.rgb), [[128, 255, 64]; 3]);
     // Everything at one distance is at the near plane.
     assert_eq!(p.vertices[0].map(|v| v.z), [NEAREST_VERTEX; 3]);
@@ -64,19 +45,12 @@ fn a_vertex_lands_where_perspective_puts_it() {
 
 #[test]
 fn depth_runs_from_the_nearest_to_the_farthest_vertex() {
-    let corners = vec![
-        dvec3(-1.0, 0.0, 1.0),
-        dvec3(1.0, 0.0, -1.0),
-        dvec3(0.0, 1.0, 0.0),
-    ];
+    let corners = vec![dvec3(-1.0, 0.0, 1.0), dvec3(1.0, 0.0, -1.0), dvec3(0.0, 1.0, 0.0)];
     let p = scene(mesh(corners, &[[0, 1, 2]]), 3.0).project().unwrap();
     let [near, far, middle] = p.vertices[0].map(|v| v.z);
     assert_eq!((near, far), (NEAREST_VERTEX, FARTHEST_VERTEX));
     // Linear in 1/w: (1/2 - 1/3) / (1/2 - 1/4) = 2/3 of the range.
-    assert_eq!(
-        middle,
-        NEAREST_VERTEX + (2 * (FARTHEST_VERTEX - NEAREST_VERTEX) + 1) / 3
-    );
+    assert_eq!(middle, NEAREST_VERTEX + (2 * (FARTHEST_VERTEX - NEAREST_VERTEX) + 1) / 3);
 }
 
 #[test]
@@ -102,42 +76,22 @@ fn each_fate_is_counted() {
         dvec3(0.05, 0.5, 0.0),
         dvec3(0.01, 0.5, 0.0),
     ];
-    let triangles = [
-        [0, 1, 2],
-        [3, 4, 5],
-        [6, 7, 8],
-        [9, 10, 11],
-        [0, 12, 12],
-        [13, 14, 15],
-        [0, 1, 3],
-    ];
+    let triangles = [[0, 1, 2], [3, 4, 5], [6, 7, 8], [9, 10, 11], [0, 12, 12], [13, 14, 15], [0, 1, 3]];
     let p = scene(mesh(corners, &triangles), 4.0).project().unwrap();
     let c = p.counts;
     assert_eq!((c.polygons, c.drawn, c.behind), (7, 2, 1), "{c:?}");
-    assert_eq!(
-        (c.off_screen, c.degenerate, c.between_centres),
-        (2, 1, 1),
-        "{c:?}"
-    );
+    assert_eq!((c.off_screen, c.degenerate, c.between_centres), (2, 1, 1), "{c:?}");
     // The last one reaches behind the eye: two pieces.
     assert_eq!(c.split, 1);
     let polygons: Vec<_> = p.triangles.iter().map(|t| t.polygon).collect();
     assert_eq!(polygons[0], 0);
-    assert!(
-        polygons.len() >= 3 && polygons[1..].iter().all(|&i| i == 6),
-        "{polygons:?}"
-    );
+    assert!(polygons.len() >= 3 && polygons[1..].iter().all(|&i| i == 6), "{polygons:?}");
 }
 
 #[test]
 fn a_floor_that_passes_under_the_eye_fills_the_lower_half() {
     let far = 1e3;
-    let corners = vec![
-        dvec3(-far, -1.0, -far),
-        dvec3(far, -1.0, -far),
-        dvec3(far, -1.0, far),
-        dvec3(-far, -1.0, far),
-    ];
+    let corners = vec![dvec3(-far, -1.0, -far), dvec3(far, -1.0, -far), dvec3(far, -1.0, far), dvec3(-far, -1.0, far)];
     for triangles in [[[0, 1, 2], [0, 2, 3]], [[1, 2, 3], [1, 3, 0]]] {
         let scene = scene(mesh(corners.clone(), &triangles), 4.0);
         let p = scene.project().unwrap();
@@ -145,11 +99,7 @@ fn a_floor_that_passes_under_the_eye_fills_the_lower_half() {
         let frame = golden::render(p.size, &p.triangles, [0; 3]);
         for y in 0..48 {
             for x in 0..64 {
-                let covered = p
-                    .triangles
-                    .iter()
-                    .filter(|t| t.bounds.contains(x, y) && t.covers(x, y))
-                    .count();
+                let covered = p.triangles.iter().filter(|t| t.bounds.contains(x, y) && t.covers(x, y)).count();
                 assert!(covered <= 1, "pixel ({x}, {y}) is covered {covered} times");
                 if y < 24 {
                     assert_eq!(frame.word(x, y), frame::blank([0; 3]), "sky at ({x}, {y})");
@@ -164,14 +114,8 @@ fn a_floor_that_passes_under_the_eye_fills_the_lower_half() {
 
 #[test]
 fn nothing_in_front_of_the_camera_is_an_error() {
-    let corners = vec![
-        dvec3(0.0, 0.0, 9.0),
-        dvec3(1.0, 0.0, 9.0),
-        dvec3(0.0, 1.0, 9.0),
-    ];
-    let error = scene(mesh(corners, &[[0, 1, 2]]), 4.0)
-        .project()
-        .unwrap_err();
+    let corners = vec![dvec3(0.0, 0.0, 9.0), dvec3(1.0, 0.0, 9.0), dvec3(0.0, 1.0, 9.0)];
+    let error = scene(mesh(corners, &[[0, 1, 2]]), 4.0).project().unwrap_err();
     assert_eq!(
         error.to_string(),
         "nothing of the mesh is in front of the camera at [0, 0, 4] looking towards [0, 0, 0]: move the eye or the target"
@@ -180,20 +124,10 @@ fn nothing_in_front_of_the_camera_is_an_error() {
 
 #[test]
 fn both_sides_are_lit_alike() {
-    let corners = vec![
-        dvec3(-1.0, -1.0, 0.0),
-        dvec3(1.0, -1.0, 0.0),
-        dvec3(0.0, 1.0, 0.0),
-    ];
+    let corners = vec![dvec3(-1.0, -1.0, 0.0), dvec3(1.0, -1.0, 0.0), dvec3(0.0, 1.0, 0.0)];
     let lit = |triangle: [u32; 3], toward: DVec3| {
         let mut scene = scene(mesh(corners.clone(), &[triangle]), 2.0);
-        scene.lighting = Lighting {
-            ambient: 0.1,
-            lights: vec![Light {
-                toward,
-                intensity: 0.5,
-            }],
-        };
+        scene.lighting = Lighting { ambient: 0.1, lights: vec![Light { toward, intensity: 0.5 }] };
         scene.project().unwrap().vertices[0][0].rgb
     };
     // Ambient and full light on the half-bright red: (0.1 + 0.5) * 0.5 * 255 = 76.5.
@@ -208,19 +142,12 @@ fn both_sides_are_lit_alike() {
 fn a_sample_is_the_frame_moved() {
     let scene = Scene::builtin("teapot").unwrap();
     let size = Size::new(160, 120).unwrap();
-    let (whole, moved) = (
-        project(&scene, size).unwrap(),
-        project_sample(&scene, size, [16, -16]).unwrap(),
-    );
+    let (whole, moved) = (project(&scene, size).unwrap(), project_sample(&scene, size, [16, -16]).unwrap());
     let render = |p: &Projection| golden::render(size, &p.triangles, [0; 3]);
     let (whole, moved) = (render(&whole), render(&moved));
     for y in 1..120 {
         for x in 0..159 {
-            assert_eq!(
-                whole.word(x, y),
-                moved.word(x + 1, y - 1),
-                "pixel ({x}, {y})"
-            );
+            assert_eq!(whole.word(x, y), moved.word(x + 1, y - 1), "pixel ({x}, {y})");
         }
     }
     assert!(project_sample(&scene, size, [17, 0]).is_err());
@@ -242,12 +169,7 @@ fn orbiting_keeps_distance_and_height() {
 #[test]
 fn the_largest_screen_is_filled_to_its_last_pixel() {
     let far = 1e4;
-    let corners = vec![
-        dvec3(-far, -far, 0.0),
-        dvec3(far, -far, 0.0),
-        dvec3(far, far, 0.0),
-        dvec3(-far, far, 0.0),
-    ];
+    let corners = vec![dvec3(-far, -far, 0.0), dvec3(far, -far, 0.0), dvec3(far, far, 0.0), dvec3(-far, far, 0.0)];
     let scene = scene(mesh(corners, &[[0, 1, 2], [0, 2, 3]]), 1.0);
     let size = Size::new(2048, 2048).unwrap();
     for shift in [[0, 0], [8, 7], [-8, -7]] {
@@ -261,6 +183,34 @@ fn the_largest_screen_is_filled_to_its_last_pixel() {
 
 proptest! {
     #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(200) })]
+
+    /// A wall of triangles that reaches far beyond the screen, seen slantwise, covers every pixel exactly once: clipping opens no crack
+    /// between neighbours and draws nothing twice.
+    #[test]
+    fn clipping_opens_no_cracks(
+        jitter in proptest::collection::vec((-0.3..0.3f64, -0.3..0.3f64), 36),
+        eye in (-0.5..0.5f64, -0.5..0.5f64, 0.8..3.0f64),
+        target in (-0.8..0.8f64, -0.8..0.8f64),
+        stretch in prop_oneof![Just(4.0), Just(40.0), Just(300.0)],
+    ) {
+        let positions: Vec<_> = (0..36)
+            .map(|i| (f64::from(i % 6) - 2.5, f64::from(i / 6) - 2.5, jitter[i as usize]))
+            .map(|(x, y, (dx, dy))| dvec3((x + dx) * stretch, (y + dy) * stretch, 0.0))
+            .collect();
+        let quads = (0..25u32).map(|i| i / 5 * 6 + i % 5);
+        let triangles: Vec<_> = quads.flat_map(|i| [[i, i + 1, i + 7], [i, i + 7, i + 6]]).collect();
+        let mut scene = scene(mesh(positions, &triangles), 1.0);
+        scene.camera.eye = dvec3(eye.0, eye.1, eye.2);
+        scene.camera.target = dvec3(target.0 + eye.0, target.1 + eye.1, 0.0);
+        scene.camera.fov = 20.0;
+        let p = scene.project().unwrap();
+        for y in 0..48 {
+            for x in 0..64 {
+                let times = p.triangles.iter().filter(|t| t.covers(x, y)).count();
+                prop_assert_eq!(times, 1, "pixel ({}, {}) of {:?}", x, y, p.counts);
+            }
+        }
+    }
 
     /// Whatever the triangles and wherever the eye, every polygon is counted once, every vertex is in range, and nothing panics.
     #[test]

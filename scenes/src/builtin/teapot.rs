@@ -40,11 +40,7 @@ pub fn mesh(n: u32) -> Mesh {
                 let (p, q) = (index(i, j), index(i + 1, j));
                 let (r, s) = (index(i + 1, j + 1), index(i, j + 1));
                 for corners in [[p, s, r], [p, r, q]] {
-                    triangles.push(MeshTriangle {
-                        positions: corners,
-                        normals: corners,
-                        diffuse: [0.82, 0.64, 0.42],
-                    });
+                    triangles.push(MeshTriangle { positions: corners, normals: corners, diffuse: [0.82, 0.64, 0.42] });
                 }
             }
         }
@@ -79,9 +75,7 @@ fn decimal(text: &str) -> i64 {
     let (sign, digits) = text.strip_prefix('-').map_or((1, text), |rest| (-1, rest));
     let (whole, part) = digits.split_once('.').unwrap_or((digits, ""));
     assert!(part.len() <= 5, "{text} has more than five places");
-    let number: i64 = format!("{whole}{part:0<5}")
-        .parse()
-        .expect("a decimal number");
+    let number: i64 = format!("{whole}{part:0<5}").parse().expect("a decimal number");
     sign * number
 }
 
@@ -98,11 +92,9 @@ fn corner(patch: &[[Exact; 4]; 4], i: u32, j: u32, n: u32) -> Corner {
     };
     let along_u = nonzero(blend(patch, &du, &v), j);
     let along_v = nonzero(blend(patch, &u, &dv), i);
-    let unit = 1e5 * f64::from(n).powi(6);
-    Corner {
-        position: DVec3::from_array(point.map(|c| c as f64)) / unit,
-        normal: normal(along_u, along_v),
-    }
+    // Below 2^53, so exact.
+    let unit = (100_000 * u64::from(n).pow(6)) as f64;
+    Corner { position: DVec3::from_array(point.map(|c| c as f64)) / unit, normal: normal(along_u, along_v) }
 }
 
 /// The four cubic weights at i/n, in units of 1/n^3.
@@ -120,28 +112,16 @@ fn slopes(i: u32, n: u32) -> [i64; 4] {
 /// The sum of the control points, weighted by row and by column.
 fn blend(patch: &[[Exact; 4]; 4], row: &[i64; 4], column: &[i64; 4]) -> Exact {
     [0, 1, 2].map(|axis| {
-        let sum = |points: &[Exact; 4]| -> i64 {
-            points.iter().zip(column).map(|(p, w)| p[axis] * w).sum()
-        };
-        patch
-            .iter()
-            .zip(row)
-            .map(|(points, w)| sum(points) * w)
-            .sum()
+        let sum = |points: &[Exact; 4]| -> i64 { points.iter().zip(column).map(|(p, w)| p[axis] * w).sum() };
+        patch.iter().zip(row).map(|(points, w)| sum(points) * w).sum()
     })
 }
 
 /// The unit normal along the exact cross product of v and u, which points out of the pot.
 fn normal(u: Exact, v: Exact) -> DVec3 {
-    let product = |p: usize, q: usize| {
-        i128::from(v[p]) * i128::from(u[q]) - i128::from(v[q]) * i128::from(u[p])
-    };
+    let product = |p: usize, q: usize| i128::from(v[p]) * i128::from(u[q]) - i128::from(v[q]) * i128::from(u[p]);
     // The conversion from i128 rounds to nearest, everywhere alike.
-    unit_or_z(dvec3(
-        product(1, 2) as f64,
-        product(2, 0) as f64,
-        product(0, 1) as f64,
-    ))
+    unit_or_z(dvec3(product(1, 2) as f64, product(2, 0) as f64, product(0, 1) as f64))
 }
 
 #[cfg(test)]
@@ -156,11 +136,7 @@ mod tests {
     #[test]
     fn has_the_papers_polygon_counts() {
         assert_eq!(mesh(8).triangles().len(), 4096, "VC1-SCENE: teapot");
-        assert_eq!(
-            mesh(32).triangles().len(),
-            65536,
-            "VC1-SCENE: teapot16 as one fine teapot"
-        );
+        assert_eq!(mesh(32).triangles().len(), 65536, "VC1-SCENE: teapot16 as one fine teapot");
     }
 
     #[test]
@@ -172,10 +148,7 @@ mod tests {
 
     #[test]
     fn decimals_are_read_exactly() {
-        assert_eq!(
-            ["2.53125", "-0.784", "3", "0.15"].map(decimal),
-            [253_125, -78_400, 300_000, 15_000]
-        );
+        assert_eq!(["2.53125", "-0.784", "3", "0.15"].map(decimal), [253_125, -78_400, 300_000, 15_000]);
     }
 
     #[test]

@@ -26,9 +26,7 @@ pub fn mesh(step: u32) -> Mesh {
     let side = SIDE.div_ceil(step);
     let spacing = f64::from(step) * SPACING;
     // One height beyond each border, for the normals there.
-    let height = |x: i64, y: i64| {
-        decimetres(x * i64::from(step), y * i64::from(step)) as f64 * EXAGGERATION / 10_000.0
-    };
+    let height = |x: i64, y: i64| decimetres(x * i64::from(step), y * i64::from(step)) as f64 * EXAGGERATION / 10_000.0;
     let mut positions = Vec::new();
     let mut normals = Vec::new();
     for y in 0..i64::from(side) {
@@ -62,10 +60,8 @@ pub fn mesh(step: u32) -> Mesh {
 
 /// The height at a fine sample in decimetres, not below sea level.
 fn decimetres(x: i64, y: i64) -> i128 {
-    let sum: i128 = (0..)
-        .zip(OCTAVES)
-        .map(|(octave, (cell, amplitude))| noise(x.into(), y.into(), octave, cell, amplitude))
-        .sum();
+    let sum: i128 =
+        (0..).zip(OCTAVES).map(|(octave, (cell, amplitude))| noise(x.into(), y.into(), octave, cell, amplitude)).sum();
     (sum - SEA).max(0)
 }
 
@@ -131,9 +127,6 @@ mod tests {
         let sea = mesh.positions().iter().filter(|p| p.z == 0.0).count();
         assert!((300..3200).contains(&sea), "{sea} of 6400 heights are sea");
         let top = mesh.bounding_box().max.z / EXAGGERATION;
-        assert!(
-            (0.9..1.9).contains(&top),
-            "the highest point is at {top} km"
-        );
+        assert!((0.9..1.9).contains(&top), "the highest point is at {top} km");
     }
 }

@@ -31,19 +31,12 @@ fn from_to(p: &ScreenVertex, q: &ScreenVertex) -> (i128, i128) {
 /// The side of the directed edge p -> q that the sample of pixel (x, y) is on: 1 or -1; 0 only if p = q.
 fn side(p: &ScreenVertex, q: &ScreenVertex, x: u32, y: u32) -> i128 {
     let edge = from_to(p, q);
-    let centre = (
-        i128::from(16 * x + 8) - i128::from(p.x),
-        i128::from(16 * y + 8) - i128::from(p.y),
-    );
+    let centre = (i128::from(16 * x + 8) - i128::from(p.x), i128::from(16 * y + 8) - i128::from(p.y));
     // The infinitesimals count in turn, each only if everything larger is zero.
-    [
-        cross(edge, centre),
-        cross(edge, (1, 0)),
-        cross(edge, (0, 1)),
-    ]
-    .into_iter()
-    .find(|&c| c != 0)
-    .map_or(0, i128::signum)
+    [cross(edge, centre), cross(edge, (1, 0)), cross(edge, (0, 1))]
+        .into_iter()
+        .find(|&c| c != 0)
+        .map_or(0, i128::signum)
 }
 
 /// Whether the triangle covers the sample of pixel (x, y).
@@ -54,18 +47,11 @@ pub fn covers(v: &[ScreenVertex; 3], x: u32, y: u32) -> bool {
 
 /// The exact value, at the centre of pixel (x, y), of the plane through one value per vertex.
 pub fn plane(v: &[ScreenVertex; 3], value: [i128; 3], x: u32, y: u32) -> Fraction {
-    let centre = ScreenVertex {
-        x: 16 * x as i32 + 8,
-        y: 16 * y as i32 + 8,
-        ..v[0]
-    };
+    let centre = ScreenVertex { x: 16 * x as i32 + 8, y: 16 * y as i32 + 8, ..v[0] };
     // Barycentric: each value is weighted by the triangle that the centre makes with the other two vertices.
     let weight = |p: usize, q: usize| cross(from_to(&centre, &v[p]), from_to(&centre, &v[q]));
     let weights = [weight(1, 2), weight(2, 0), weight(0, 1)];
     let area: i128 = weights.iter().sum();
     let numerator: i128 = weights.iter().zip(value).map(|(w, v)| w * v).sum();
-    Fraction {
-        numerator: numerator * area.signum(),
-        denominator: area.abs(),
-    }
+    Fraction { numerator: numerator * area.signum(), denominator: area.abs() }
 }

@@ -1,0 +1,227 @@
+//! Scene files: a mesh, and what is to differ from the defaults, in TOML.
+//! The keys are in the crate's README. Every mistake is reported with its line and column; unknown keys are mistakes.
+
+use super::{FRAMING_FOV, OBJ_UP, READ_REMEDY, framing_camera, obj, stem};
+use crate::builtin::{self, default_lighting, with_defaults};
+use crate::input::read_bytes;
+use crate::light::Light;
+use crate::mesh::representable;
+use crate::project::nothing_in_front;
+use crate::scene::Scene;
+use crate::size::Size;
+use crate::{SceneError, mesh::Mesh};
+use glam::DVec3;
+use serde::Deserialize;
+use std::ops::Range;
+use std::path::Path;
+use toml::Spanned;
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct SceneTable {
+    mesh: Spanned<String>,
+    size: Option<Spanned<[i64; 2]>>,
+    background: Option<Spanned<[i64; 3]>>,
+    ambient: Option<Spanned<f64>>,
+    #[serde(default)]
+    camera: CameraTable,
+    light: Option<Vec<LightTable>>,
+}
+
+#[derive(Deserialize, Default)]
+#[serde(deny_unknown_fields)]
+struct CameraTable {
+    eye: Option<Spanned<[f64; 3]>>,
+    target: Option<Spanned<[f64; 3]>>,
+    up: Option<Spanned<[f64; 3]>>,
+    fov: Option<Spanned<f64>>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct LightTable {
+    toward: Spanned<[f64; 3]>,
+    intensity: Spanned<f64>,
+}
+
+/// The file, to turn byte ranges into places.
+struct Source<'a> {
+    path: &'a Path,
+    text: &'a str,
+}
+
+pub(super) fn load(path: &Path) -> Result<Scene, SceneError> {
+    let bytes = read_bytes(path, READ_REMEDY)?;
+    let text = String::from_utf8(bytes).map_err(|error| SceneError::File {
+        path: path.to_owned(),
+        problem: format!("is not UTF-8 text from byte {} on", error.utf8_error().valid_up_to()),
+        remedy: "save it as UTF-8".to_owned(),
+    })?;
+    let source = Source { path, text: &text };
+    let table: SceneTable = toml::from_str(&text).map_err(|error| source.not_toml(&error))?;
+    source.scene(&table)
+}
+
+impl Source<'_> {
+    fn scene(&self, table: &SceneTable) -> Result<Scene, SceneError> {
+        let mut scene = self.base(table)?;
+        scene.name = stem(self.path);
+        self.set_camera(&table.camera, &mut scene)?;
+        if let Some(background) = &table.background {
+            let channels = background.as_ref().map(u8::try_from);
+            let [Ok(r), Ok(g), Ok(b)] = channels else {
+                return Err(self.error(
+                    background.span(),
+                    format!("the background is {:?}", background.as_ref()),
+                    "give red, green and blue from 0 to 255",
+                ));
+            };
+            scene.background = [r, g, b];
+        }
+        if let Some(ambient) = &table.ambient {
+            scene.lighting.ambient = *ambient.as_ref();
+            self.place(ambient.span(), scene.lighting.check())?;
+        }
+        if let Some(lights) = &table.light {
+            scene.lighting.lights.clear();
+            for light in lights {
+                self.vector(&light.toward)?;
+                scene.lighting.lights.push(Light {
+                    toward: DVec3::from_array(*light.toward.as_ref()),
+                    intensity: *light.intensity.as_ref(),
+                });
+                let wrong_length = light.toward.as_ref() == &[0.0; 3];
+                let culprit = if wrong_length { light.toward.span() } else { light.intensity.span() };
+                self.place(culprit, scene.lighting.check())?;
+            }
+        }
+        if let Some(error) = nothing_in_front(&scene)? {
+            let camera = &table.camera;
+            let span = camera.eye.as_ref().or(camera.target.as_ref()).map(Spanned::span);
+            self.place(span.unwrap_or(table.mesh.span()), Err(error))?;
+        }
+        Ok(scene)
+    }
+
+    /// Mesh and size, and the camera and light that come with them.
+    fn base(&self, table: &SceneTable) -> Result<Scene, SceneError> {
+        let size = table.size.as_ref().map(|size| self.size(size)).transpose()?;
+        let name = table.mesh.as_ref();
+        let mut scene = match builtin::scene(name) {
+            Some(scene) => scene,
+            None => {
+                let (mesh, warnings) = self.mesh(&table.mesh)?;
+                let camera = &table.camera;
+                // What these are good for is checked with the rest of the camera.
+                let up = camera.up.as_ref().map_or(OBJ_UP, |up| DVec3::from_array(*up.as_ref()));
+                let fov = camera.fov.as_ref().map_or(FRAMING_FOV, |fov| *fov.as_ref());
+                let framing = framing_camera(&mesh, up, fov, size.unwrap_or(Size::VGA));
+                let mut scene = with_defaults(name, mesh, framing);
+                scene.warnings = warnings;
+                scene
+            }
+        };
+        scene.size = size.unwrap_or(scene.size);
+        Ok(scene)
+    }
+
+    fn mesh(&self, name: &Spanned<String>) -> Result<(Mesh, Vec<String>), SceneError> {
+        let file = Path::new(name.as_ref());
+        if !file.extension().is_some_and(|e| e.eq_ignore_ascii_case("obj")) {
+            return Err(self.error(
+                name.span(),
+                format!("the mesh `{}` is neither an .obj file nor a built-in scene", name.as_ref()),
+                format!("name an .obj file, or one of {}", builtin::NAMES.join(", ")),
+            ));
+        }
+        let path = self.path.parent().unwrap_or(Path::new("")).join(file);
+        if !path.exists() {
+            return Err(self.error(
+                name.span(),
+                format!("there is no mesh {}", path.display()),
+                "the path is relative to the scene file's folder; correct it",
+            ));
+        }
+        let loaded = obj::load(&path)?;
+        Ok((loaded.mesh, loaded.warnings))
+    }
+
+    fn size(&self, size: &Spanned<[i64; 2]>) -> Result<Size, SceneError> {
+        let [width, height] = *size.as_ref();
+        let sides = u32::try_from(width).ok().zip(u32::try_from(height).ok());
+        let made = match sides {
+            Some((w, h)) => Size::new(w, h),
+            None => Err(SceneError::Size { width, height }),
+        };
+        self.place(size.span(), made)
+    }
+
+    fn set_camera(&self, table: &CameraTable, scene: &mut Scene) -> Result<(), SceneError> {
+        let camera = &mut scene.camera;
+        let vectors = [(&table.eye, &mut camera.eye), (&table.target, &mut camera.target), (&table.up, &mut camera.up)];
+        let mut first = None;
+        for (given, kept) in vectors {
+            if let Some(given) = given {
+                self.vector(given)?;
+                *kept = DVec3::from_array(*given.as_ref());
+                first.get_or_insert(given.span());
+            }
+        }
+        if let Some(fov) = &table.fov {
+            camera.fov = *fov.as_ref();
+            // A wrong angle is the only mistake left that is not about the vectors.
+            if !(camera.fov > 0.0 && camera.fov < 180.0) {
+                self.place(fov.span(), camera.check())?;
+            }
+        }
+        self.place(first.unwrap_or(0..0), camera.check())?;
+        scene.lighting = default_lighting(camera);
+        Ok(())
+    }
+
+    fn vector(&self, given: &Spanned<[f64; 3]>) -> Result<(), SceneError> {
+        if representable(DVec3::from_array(*given.as_ref())) {
+            return Ok(());
+        }
+        Err(self.error(
+            given.span(),
+            format!("{:?} is not a point or a direction", given.as_ref()),
+            "give three finite numbers below 1e100",
+        ))
+    }
+
+    /// Gives an error without a place the place of `span`.
+    fn place<T>(&self, span: Range<usize>, result: Result<T, SceneError>) -> Result<T, SceneError> {
+        result.map_err(|error| {
+            let sentence = error.to_string();
+            let (problem, remedy) = sentence.rsplit_once(": ").unwrap_or((&sentence, ""));
+            self.error(span, problem, remedy)
+        })
+    }
+
+    fn error(&self, span: Range<usize>, problem: impl Into<String>, remedy: impl Into<String>) -> SceneError {
+        let before = self.text.get(..span.start).unwrap_or(self.text);
+        let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
+        SceneError::Place {
+            path: self.path.to_owned(),
+            line: before.matches('\n').count() + 1,
+            column: before[line_start..].chars().count() + 1,
+            problem: problem.into(),
+            remedy: remedy.into(),
+        }
+    }
+
+    fn not_toml(&self, error: &toml::de::Error) -> SceneError {
+        let message = error.message().trim().replace('\n', ", ");
+        let span = error.span().unwrap_or(0..0);
+        // The library's sentences name the remedy after "expected".
+        let (problem, remedy) = match message.split_once(", expected ") {
+            Some((problem, "i64")) => (problem, "write a whole number".to_owned()),
+            Some((problem, "f64")) => (problem, "write a number".to_owned()),
+            Some((problem, expected)) => (problem, format!("write {expected}")),
+            None if message.starts_with("missing field") => (&*message, "add it".to_owned()),
+            None => (&*message, "correct the TOML".to_owned()),
+        };
+        self.error(span, problem.replace("field", "key"), remedy)
+    }
+}
