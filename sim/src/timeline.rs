@@ -32,11 +32,6 @@ impl Timeline {
         rising.extend((0..self.next.len()).filter(|&clock| self.next[clock] == time));
     }
 
-    /// When a clock rises next.
-    pub fn next_edge(&self, clock: usize) -> u64 {
-        self.next[clock]
-    }
-
     /// How many edges a clock has had.
     pub fn cycles(&self, clock: usize) -> u64 {
         self.cycles[clock]

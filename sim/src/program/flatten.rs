@@ -138,9 +138,8 @@ impl Flatten<'_> {
             for (index, node) in definition.nodes.iter().enumerate() {
                 split[index] = node.lanes.map(|n| {
                     let origin = Some((module, index as u32));
-                    let first = self.cell(lanes, node.width, origin);
-                    (1..n).for_each(|_| drop(self.cell(lanes, node.width, origin)));
-                    first
+                    let ids: Vec<u32> = (0..n).map(|_| self.cell(lanes, node.width, origin)).collect();
+                    ids[0]
                 });
             }
         }

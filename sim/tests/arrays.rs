@@ -1,0 +1,313 @@
+//! Instance arrays as lanes: against the same circuit as single instances, nested, and unrolled where they must be.
+#![allow(missing_docs)]
+
+use proptest::prelude::*;
+use tilewright_hdl::ir::{Design, Instance, InstanceId, Module as IrModule, Node, NodeId, Op, Reduction};
+use tilewright_hdl::{Bits, Block, Module, ReadUnderWrite, Width, bit, bits, bundle, elaborate, mux};
+use tilewright_sim::{Error, Simulation};
+
+bundle! {
+    pub struct CellIn<T> { pub left: T, pub common: T, pub own: T }
+    pub struct CellOut<T> { pub value: T, pub at_once: T }
+}
+
+/// A cell with a memory, a register and a path from its left neighbour at once.
+#[derive(Debug)]
+struct Cell {
+    width: u32,
+    /// Whether `at_once` depends on the neighbour within the cycle.
+    chained: bool,
+}
+
+impl Block for Cell {
+    type In = CellIn;
+    type Out = CellOut;
+
+    fn inputs(&self) -> CellIn<Width> {
+        CellIn { left: bits(self.width), common: bits(self.width), own: bits(self.width) }
+    }
+
+    fn build(&self, m: Module, i: CellIn) -> CellOut {
+        let value = m.reg("value", self.width);
+        let store = m.memory("store", 4, self.width, ReadUnderWrite::Any);
+        store.write(i.own.bit(0), value.slice(0..2), i.left + i.own);
+        let read = store.read(i.left.slice(0..2));
+        value.next(mux(i.common.gt(i.own), value + i.left, read ^ (i.common + 3)));
+        let seen = if self.chained { i.left } else { i.common };
+        CellOut { value: value.value(), at_once: seen ^ value.value() }
+    }
+}
+
+bundle! {
+    pub struct RowIn<T> { pub common: T, pub entering: T }
+    pub struct RowOut<T> { pub sum: T, pub any: T, pub last: T, pub all: T }
+}
+
+/// A chain of cells, linked through `value` or, if chained, through `at_once`.
+#[derive(Debug)]
+struct Row {
+    lanes: u32,
+    width: u32,
+    chained: bool,
+}
+
+impl Block for Row {
+    type In = RowIn;
+    type Out = RowOut;
+
+    fn inputs(&self) -> RowIn<Width> {
+        RowIn { common: bits(self.width), entering: bits(self.width) }
+    }
+
+    fn build(&self, m: Module, i: RowIn) -> RowOut {
+        let cell = Cell { width: self.width, chained: self.chained };
+        let out = m.array("u_cell", self.lanes, &cell, |a| CellIn {
+            left: if self.chained { a.out.at_once.previous(i.entering) } else { a.out.value.following(i.entering) },
+            common: a.all(&i.common),
+            own: a.constants(self.width, |lane| u64::from(3 * lane % 8)),
+        });
+        RowOut {
+            sum: out.value.sum(),
+            any: out.at_once.or_all() ^ out.value.and_all(),
+            last: out.at_once.last(),
+            all: out.value.xor_all(),
+        }
+    }
+}
+
+/// The same design with every array as single instances, lane by lane: the definition of what an array means.
+fn without_arrays(design: &Design) -> Design {
+    Design { modules: design.modules.iter().map(single_instances).collect() }
+}
+
+fn single_instances(module: &IrModule) -> IrModule {
+    let mut out = module.clone();
+    let count = module.nodes.len();
+    // Node `n`'s lane `i` is `lanes[n] + i`.
+    let mut lanes = vec![0; count];
+    for (index, node) in module.nodes.iter().enumerate() {
+        lanes[index] = out.nodes.len() as u32;
+        for _ in 0..node.lanes.unwrap_or(0) {
+            out.nodes.push(Node { lanes: None, name: None, ..node.clone() });
+        }
+    }
+    let lane = |node: NodeId, i: u32| NodeId(lanes[node.0 as usize] + i);
+    let mut instances: Vec<Instance> = Vec::new();
+    let mut first = Vec::new();
+    for instance in &module.instances {
+        first.push(instances.len() as u32);
+        let count = instance.lanes.unwrap_or(1);
+        for i in 0..count {
+            let each = |node: &NodeId| if instance.lanes.is_some() { lane(*node, i) } else { *node };
+            instances.push(Instance {
+                name: if instance.lanes.is_some() { format!("{}_{i}", instance.name) } else { instance.name.clone() },
+                lanes: None,
+                inputs: instance.inputs.iter().map(each).collect(),
+                outputs: instance.outputs.iter().map(each).collect(),
+                ..instance.clone()
+            });
+        }
+    }
+    out.instances = instances;
+    for (index, node) in module.nodes.iter().enumerate() {
+        let n = node.lanes.unwrap_or(0);
+        for i in 0..n {
+            out.nodes[lanes[index] as usize + i as usize].op = match &node.op {
+                Op::Output(instance, port) => Op::Output(InstanceId(first[instance.0 as usize] + i), *port),
+                Op::Broadcast(of) => Op::Wire(*of),
+                Op::PerLane(parts) => Op::Wire(parts[i as usize]),
+                Op::Shifted { of, by, edge } => match i.checked_add_signed(-by).filter(|&from| from < n) {
+                    Some(from) => Op::Wire(lane(*of, from)),
+                    None => Op::Wire(*edge),
+                },
+                other => panic!("{other:?} has no lanes"),
+            };
+        }
+        out.nodes[index] = match &node.op {
+            Op::Lane(of, i) => Node { op: Op::Wire(lane(*of, *i)), ..node.clone() },
+            Op::Reduce(by, of) => reduced(&mut out, module, *by, *of, lane, node),
+            Op::Output(instance, port) if n == 0 => {
+                Node { op: Op::Output(InstanceId(first[instance.0 as usize]), *port), ..node.clone() }
+            }
+            _ if n > 0 => Node { op: Op::Const(Bits::zero(node.width)), lanes: None, ..node.clone() },
+            _ => continue,
+        };
+    }
+    out
+}
+
+/// A reduction as a chain of two-operand nodes.
+fn reduced(
+    out: &mut IrModule,
+    module: &IrModule,
+    by: Reduction,
+    of: NodeId,
+    lane: impl Fn(NodeId, u32) -> NodeId,
+    node: &Node,
+) -> Node {
+    use tilewright_hdl::ir::Binary;
+    let op = match by {
+        Reduction::And => Binary::And,
+        Reduction::Or => Binary::Or,
+        Reduction::Xor => Binary::Xor,
+        Reduction::Add => Binary::Add,
+    };
+    let mut all = lane(of, 0);
+    for i in 1..module.node(of).lanes.expect("it has lanes") {
+        out.nodes.push(Node { op: Op::Binary(op, all, lane(of, i)), name: None, ..node.clone() });
+        all = NodeId(out.nodes.len() as u32 - 1);
+    }
+    Node { op: Op::Wire(all), ..node.clone() }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 40, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn an_array_is_as_many_instances(
+        lanes in 1..9u32,
+        width in prop_oneof![3..20u32, Just(64), Just(65), Just(130)],
+        chained: bool,
+        stimulus in prop::collection::vec((any::<u64>(), any::<u64>()), 1..20),
+    ) {
+        let design = elaborate(&Row { lanes, width, chained }).unwrap();
+        let mut whole = Simulation::from_design(&design).unwrap();
+        let mut single = Simulation::from_design(&without_arrays(&design)).unwrap();
+        let lanes_kept = whole.program().hierarchy.scopes.iter().any(|scope| scope.lanes == lanes);
+        prop_assert_eq!(lanes_kept, !chained || lanes == 1);
+        for (common, entering) in stimulus {
+            for sim in [&mut whole, &mut single] {
+                sim.set(sim.port("common").unwrap(), Bits::from_limbs(width, &[common, entering, common]));
+                sim.set(sim.port("entering").unwrap(), Bits::from_limbs(width, &[entering, common]));
+                sim.step();
+            }
+            for name in ["sum", "any", "last", "all"] {
+                let port = whole.port(name).unwrap();
+                prop_assert_eq!(whole.get(port), single.get(port), "{}", name);
+            }
+            for lane in 0..lanes {
+                let value = single.peek(&format!("u_cell_{lane}.value")).unwrap();
+                prop_assert_eq!(whole.peek(&format!("u_cell[{lane}].value")).unwrap(), value.clone());
+                prop_assert_eq!(whole.peek(&format!("u_cell[{lane}].lane.value")).unwrap(), value);
+            }
+        }
+    }
+
+    #[test]
+    fn a_seed_fills_an_array_alike_in_lanes_and_unrolled(seed in 1..u64::MAX) {
+        let start = |chained| {
+            let mut sim = Simulation::of(&Row { lanes: 3, width: 70, chained }).unwrap().seeded(seed);
+            let word = |sim: &Simulation<_, _>, lane| sim.peek_memory(&format!("u_cell[{lane}].store"), 3).unwrap();
+            (0..3).map(|lane| (sim.peek(&format!("u_cell[{lane}].value")).unwrap(), word(&sim, lane))).collect::<Vec<_>>()
+        };
+        prop_assert_eq!(start(false), start(true));
+    }
+}
+
+/// Rows in an array: lanes of lanes.
+#[derive(Debug)]
+struct Grid;
+
+bundle! {
+    pub struct GridOut<T> { pub total: T }
+}
+
+impl Block for Grid {
+    type In = RowIn;
+    type Out = GridOut;
+
+    fn inputs(&self) -> RowIn<Width> {
+        RowIn { common: bits(8), entering: bits(8) }
+    }
+
+    fn build(&self, m: Module, i: RowIn) -> GridOut {
+        let row = Row { lanes: 3, width: 8, chained: false };
+        let rows = m.array("u_row", 2, &row, |a| RowIn { common: a.all(&i.common), entering: a.index(8) });
+        m.ignore(&i.entering);
+        GridOut { total: rows.sum.sum() }
+    }
+}
+
+#[test]
+fn arrays_nest() {
+    let mut sim = Simulation::of(&Grid).unwrap();
+    sim.drive(RowIn { common: 200, entering: 0 });
+    sim.run(5);
+    let mut total = 0;
+    for row in 0..2 {
+        let mut alone = Simulation::of(&Row { lanes: 3, width: 8, chained: false }).unwrap();
+        alone.drive(RowIn { common: 200, entering: row });
+        alone.run(5);
+        for cell in 0..3 {
+            let value = sim.peek(&format!("u_row[{row}].u_cell[{cell}].value")).unwrap();
+            assert_eq!(value, alone.peek(&format!("u_cell[{cell}].value")).unwrap());
+            total += value.to_u64().unwrap();
+        }
+    }
+    assert_eq!(sim.get(sim.o.total), total % 256);
+    let error = sim.peek("u_row[2].u_cell[0].value").unwrap_err().to_string();
+    assert_eq!(error, "there is no signal `u_row[2]`: did you mean `u_row[0]`?");
+}
+
+/// A chain of adders as deep as it is long.
+#[derive(Debug)]
+struct Deep {
+    depth: u32,
+}
+
+bundle! {
+    pub struct DeepIn<T> { pub x: T }
+    pub struct DeepOut<T> { pub y: T }
+}
+
+impl Block for Deep {
+    type In = DeepIn;
+    type Out = DeepOut;
+
+    fn inputs(&self) -> DeepIn<Width> {
+        DeepIn { x: bits(32) }
+    }
+
+    fn build(&self, _: Module, i: DeepIn) -> DeepOut {
+        DeepOut { y: (0..self.depth).fold(i.x, |y, _| y + i.x) }
+    }
+}
+
+#[test]
+fn a_chain_100000_deep_compiles_and_runs() {
+    let mut sim = Simulation::of(&Deep { depth: 100_000 }).unwrap();
+    sim.set(sim.i.x, 7);
+    assert_eq!(sim.get(sim.o.y), 700_007);
+}
+
+/// Passes its input through.
+#[derive(Debug)]
+struct Through;
+
+impl Block for Through {
+    type In = DeepIn;
+    type Out = DeepOut;
+
+    fn inputs(&self) -> DeepIn<Width> {
+        DeepIn { x: bit() }
+    }
+
+    fn build(&self, _: Module, i: DeepIn) -> DeepOut {
+        DeepOut { y: !i.x }
+    }
+}
+
+#[test]
+fn a_cycle_in_an_unchecked_design_is_reported() {
+    let mut design = elaborate(&Through).unwrap();
+    let module = &mut design.modules[0];
+    let not = module.nodes.iter().position(|node| matches!(node.op, Op::Unary(..))).unwrap();
+    module.nodes[not].op = Op::Wire(NodeId(not as u32));
+    let error = Simulation::from_design(&design).err().expect("it goes in a circle");
+    assert!(matches!(error, Error::Looping(_)));
+    let text = error.to_string();
+    assert!(
+        text.starts_with("the circuit has a combinational cycle through `through` (") && text.contains("arrays.rs:"),
+        "{text}"
+    );
+}

@@ -1,0 +1,381 @@
+//! The testbench interface: setting, reading, stepping, looking inside, and every error.
+#![allow(missing_docs)]
+
+use tilewright_hdl::{
+    Bits, Block, Clock, Module, Period, ReadUnderWrite, Signal, Width, bit, bits, bundle, mux, net, states, when,
+};
+use tilewright_sim::{Error, Simulation};
+
+bundle! {
+    pub struct CounterIn<T> { pub enable: T }
+    pub struct CounterOut<T> { pub count: T, pub wrapped: T }
+}
+
+#[derive(Debug, Clone, PartialEq)]
+struct Counter {
+    width: u32,
+    limit: u64,
+}
+
+impl Block for Counter {
+    type In = CounterIn;
+    type Out = CounterOut;
+
+    fn inputs(&self) -> CounterIn<Width> {
+        CounterIn { enable: bit() }
+    }
+
+    fn build(&self, m: Module, i: CounterIn) -> CounterOut {
+        let count = m.reg("count", self.width).reset(0);
+        net!(at_end = count.eq(self.limit - 1));
+        count.enable(i.enable).next(mux(at_end, 0, count + 1));
+        CounterOut { count: count.value(), wrapped: at_end & i.enable }
+    }
+}
+
+const COUNTER: Counter = Counter { width: 4, limit: 3 };
+
+#[test]
+fn outputs_settle_and_registers_step() {
+    let mut sim = Simulation::of(&COUNTER).unwrap();
+    sim.set(sim.i.enable, 1);
+    assert_eq!(sim.get(sim.o.count), 0);
+    sim.run(2);
+    assert_eq!(sim.read_u64(), CounterOut { count: 2, wrapped: 1 });
+    sim.drive(CounterIn { enable: 0 });
+    assert_eq!(sim.get_u64(sim.o.wrapped), 0);
+    sim.step();
+    assert_eq!(sim.get(sim.o.count), 2);
+    sim.drive_bits(CounterIn { enable: Bits::new(1, 1) });
+    sim.step();
+    assert_eq!(sim.read(), CounterOut { count: Bits::new(4, 0), wrapped: Bits::new(1, 0) });
+    assert_eq!((sim.time(), sim.cycles("clk")), (40_000, Ok(4)));
+}
+
+#[test]
+fn a_reset_returns_to_the_reset_values() {
+    let mut sim = Simulation::of(&COUNTER).unwrap();
+    sim.set(sim.i.enable, true);
+    sim.run(2);
+    sim.reset();
+    assert_eq!(sim.get(sim.o.count), 0);
+    sim.step();
+    assert_eq!(sim.get(sim.o.count), 1);
+}
+
+#[test]
+fn names_inside_can_be_read() {
+    let mut sim = Simulation::of(&COUNTER).unwrap();
+    assert_eq!(sim.peek("at_end").unwrap(), 0);
+    let error = sim.peek("at_ned").unwrap_err().to_string();
+    assert_eq!(error, "there is no signal `at_ned`: did you mean `at_end`?");
+    let error = sim.peek("u_core.count").unwrap_err().to_string();
+    assert_eq!(error, "there is no signal `u_core`: there is none here");
+    assert!(sim.port("enabel").unwrap_err().to_string().ends_with("did you mean `enable`?"));
+    assert!(sim.cycles("slow").unwrap_err().to_string().contains("there is no clock `slow`: did you mean `clk`?"));
+}
+
+#[test]
+#[should_panic(expected = "input `enable` has 1 bit and cannot hold 2")]
+fn a_value_that_does_not_fit_is_refused() {
+    let mut sim = Simulation::of(&COUNTER).unwrap();
+    sim.set(sim.i.enable, 2);
+}
+
+#[test]
+#[should_panic(expected = "`count` is an output and cannot be set")]
+fn an_output_cannot_be_set() {
+    let mut sim = Simulation::of(&COUNTER).unwrap();
+    sim.set(sim.o.count, 2);
+}
+
+#[test]
+fn mistakes_in_the_description_are_reported() {
+    let error = Simulation::of(&Counter { width: 4, limit: 100 }).err().expect("100 does not fit 4 bits");
+    assert!(matches!(error, Error::Description(_)), "{error}");
+}
+
+bundle! {
+    pub struct Request<T> { pub request: T }
+    pub struct Answer<T> { pub answer: T }
+}
+
+/// Combinational, and wider than an integer.
+#[derive(Debug)]
+struct Inverter;
+
+impl Block for Inverter {
+    type In = Request;
+    type Out = Answer;
+
+    fn inputs(&self) -> Request<Width> {
+        Request { request: bits(100) }
+    }
+
+    fn build(&self, _: Module, i: Request) -> Answer {
+        Answer { answer: !i.request }
+    }
+}
+
+#[test]
+fn a_design_without_clocks_can_be_read_but_not_stepped() {
+    let mut sim = Simulation::of(&Inverter).unwrap();
+    sim.set(sim.i.request, Bits::ones(100));
+    assert_eq!(sim.get(sim.o.answer), 0);
+    sim.set(sim.i.request, -2);
+    assert_eq!(sim.get(sim.o.answer), 1);
+    assert!(matches!(sim.try_step(), Err(Error::NoClock)));
+}
+
+#[test]
+#[should_panic(expected = "is wider than 64 bits: use `get`")]
+fn a_wide_port_is_not_cut_to_an_integer() {
+    let mut sim = Simulation::of(&Inverter).unwrap();
+    sim.get_u64(sim.o.answer);
+}
+
+states! {
+    enum Phase { Idle, Busy }
+}
+
+/// Asserts that it is not started twice.
+#[derive(Debug)]
+struct Worker;
+
+impl Block for Worker {
+    type In = Request;
+    type Out = Answer;
+
+    fn inputs(&self) -> Request<Width> {
+        Request { request: bit() }
+    }
+
+    fn build(&self, m: Module, Request { request: start }: Request) -> Answer {
+        let phase = m.fsm("phase", Phase::Idle);
+        phase.next(|now| match now {
+            Phase::Idle => when(start, Phase::Busy),
+            Phase::Busy => tilewright_hdl::goto(Phase::Idle),
+        });
+        m.assert(!(phase.is(Phase::Busy) & start), "started while busy");
+        Answer { answer: phase.is(Phase::Busy) }
+    }
+}
+
+#[test]
+fn a_failed_assertion_names_cycle_time_and_place() {
+    let mut sim = Simulation::of(&Worker).unwrap();
+    sim.set(sim.i.request, 1);
+    sim.step();
+    let Err(Error::Violated(violations)) = sim.try_step() else { panic!("the assertion holds") };
+    let text = violations[0].to_string();
+    let expected = "assertion failed in `worker` in cycle 1 of `clk`, at 20000 ps: started while busy\n  --> ";
+    assert!(text.starts_with(expected) && text.contains("testbench.rs:"), "{text}");
+    assert_eq!(sim.time(), 10_000, "the edge does not happen");
+    assert_eq!(sim.peek("phase").unwrap(), 1);
+    sim.set(sim.i.request, 0);
+    sim.step();
+    assert_eq!(sim.time(), 20_000);
+}
+
+#[test]
+#[should_panic(expected = "started while busy")]
+fn a_step_panics_if_an_assertion_fails() {
+    let mut sim = Simulation::of(&Worker).unwrap();
+    sim.set(sim.i.request, 1);
+    sim.run(2);
+}
+
+#[test]
+fn assertions_rest_while_the_reset_is_high() {
+    let mut sim = Simulation::of(&Worker).unwrap();
+    sim.set(sim.i.request, 1);
+    sim.step();
+    sim.reset();
+    assert_eq!(sim.get(sim.o.answer), 0);
+}
+
+#[test]
+fn a_wave_shows_clock_levels_buses_and_states() {
+    let mut sim = Simulation::of(&COUNTER).unwrap();
+    let wave = sim.record([sim.i.enable, sim.o.count, sim.o.wrapped]);
+    for enable in [0, 1, 1, 1, 0, 0] {
+        sim.set(sim.i.enable, enable);
+        sim.step();
+    }
+    wave.expect(
+        r"
+        clk     |___/~\_/~\_/~\_/~\_/~\_/
+        enable  |___/~~~~~~~~~~~\________
+        count   | 0     | 1 | 2 | 0     |
+        wrapped |___________/~~~\________",
+    );
+
+    let mut sim = Simulation::of(&Worker).unwrap();
+    let wave = sim.record(["phase"]);
+    for start in [1, 0, 0] {
+        sim.set(sim.i.request, start);
+        sim.step();
+    }
+    wave.expect(
+        r"
+        clk   |______/~~\___/~~\___/
+        phase | Idle | Busy | Idle |",
+    );
+}
+
+#[test]
+#[should_panic(expected = "the wave differs.\nexpected:\nclk |____\nactual:\nclk |___/")]
+fn a_wave_that_differs_is_shown() {
+    let mut sim = Simulation::of(&COUNTER).unwrap();
+    let wave = sim.record([""; 0]);
+    sim.step();
+    wave.expect("clk |____");
+}
+
+#[test]
+fn a_recording_has_the_values_before_each_edge() {
+    let mut sim = Simulation::of(&COUNTER).unwrap();
+    let recording = sim.recording();
+    for enable in [1, 0] {
+        sim.set(sim.i.enable, enable);
+        sim.step();
+    }
+    let recording = recording.lock().unwrap();
+    assert_eq!(recording.inputs, [("enable".to_string(), 1)]);
+    assert_eq!(recording.outputs.len(), 2);
+    let [first, second] = &recording.steps[..] else { panic!("two steps") };
+    assert_eq!((first.time, &first.clocks[..], &first.resets[..]), (10_000, &[0][..], &[][..]));
+    assert_eq!((&first.inputs[0], &first.outputs[0]), (&Bits::new(1, 1), &Bits::new(4, 0)));
+    assert_eq!((&second.inputs[0], &second.outputs[0]), (&Bits::new(1, 0), &Bits::new(4, 1)));
+}
+
+bundle! {
+    pub struct StoreIn<T> { pub write: T, pub to: T, pub from: T, pub data: T }
+}
+
+/// A memory with one port each way, of a policy.
+#[derive(Debug)]
+struct Store {
+    policy: ReadUnderWrite,
+}
+
+impl Block for Store {
+    type In = StoreIn;
+    type Out = Answer;
+
+    fn inputs(&self) -> StoreIn<Width> {
+        StoreIn { write: bit(), to: bits(3), from: bits(3), data: bits(70) }
+    }
+
+    fn build(&self, m: Module, i: StoreIn) -> Answer {
+        let store = m.memory("store", 6, 70, self.policy);
+        store.write(i.write, i.to, i.data);
+        Answer { answer: store.read(i.from) }
+    }
+}
+
+/// What a read gives that collides with the write of 5 over `old`.
+fn collision(policy: ReadUnderWrite) -> Bits {
+    let mut sim = Simulation::of(&Store { policy }).unwrap();
+    sim.poke_memory("store", 2, 9).unwrap();
+    sim.drive(StoreIn { write: 1, to: 2, from: 2, data: 5 });
+    sim.step();
+    assert_eq!(sim.peek_memory("store", 2).unwrap(), 5);
+    sim.peek("store_read").unwrap()
+}
+
+#[test]
+fn a_read_under_write_follows_the_policy() {
+    assert_eq!(collision(ReadUnderWrite::Old), 9);
+    assert_eq!(collision(ReadUnderWrite::Any), -10);
+}
+
+#[test]
+fn addresses_beyond_the_depth_read_zero_and_write_nothing() {
+    let mut sim = Simulation::of(&Store { policy: ReadUnderWrite::Old }).unwrap().seeded(7);
+    sim.drive(StoreIn { write: 1, to: 7, from: 3, data: 5 });
+    sim.step();
+    assert_ne!(sim.get(sim.o.answer), 0, "the seed fills memories");
+    sim.drive(StoreIn { write: 0, to: 0, from: 7, data: 5 });
+    sim.step();
+    assert_eq!(sim.get(sim.o.answer), 0);
+    let error = sim.peek_memory("stor", 0).unwrap_err().to_string();
+    assert_eq!(error, "there is no memory `stor`: did you mean `store`?");
+}
+
+#[test]
+#[should_panic(expected = "address 6 of memory `store`, which has 6 words")]
+fn a_memory_has_no_word_beyond_its_depth() {
+    let sim = Simulation::of(&Store { policy: ReadUnderWrite::Old }).unwrap();
+    let _ = sim.peek_memory("store", 6);
+}
+
+#[test]
+fn equal_seeds_start_alike_and_others_do_not() {
+    let start = |seed| {
+        let sim = Simulation::of(&Store { policy: ReadUnderWrite::Old }).unwrap().seeded(seed);
+        (0..6).map(|address| sim.peek_memory("store", address).unwrap()).collect::<Vec<_>>()
+    };
+    assert_eq!(start(3), start(3));
+    assert_ne!(start(3), start(4));
+    assert!(start(0).iter().all(Bits::is_zero));
+}
+
+const FAST: Clock = Clock::new("fast", Period::ps(2_000));
+const SLOW: Clock = Clock::new("slow", Period::ps(3_000));
+
+/// A count on each of two clocks; each is sampled by the other.
+#[derive(Debug)]
+struct Pair;
+
+bundle! {
+    pub struct PairOut<T> { pub fast: T, pub slow: T, pub fast_seen: T, pub slow_seen: T }
+}
+
+impl Block for Pair {
+    type In = ();
+    type Out = PairOut;
+
+    fn inputs(&self) {}
+
+    fn build(&self, m: Module, _: ()) -> PairOut {
+        let count = |name: &str, clock| {
+            let count = m.on(clock).reg(name, 8).reset(0);
+            count.next(count + 1);
+            count.value()
+        };
+        let seen = |name: &str, clock, of: Signal| m.on(clock).pipe(name, of.quasi_static("the test samples it"));
+        let (fast, slow) = (count("fast_count", FAST), count("slow_count", SLOW));
+        PairOut { fast, slow, fast_seen: seen("fast_seen", SLOW, fast), slow_seen: seen("slow_seen", FAST, slow) }
+    }
+}
+
+#[test]
+fn clocks_that_rise_together_sample_together() {
+    let mut sim = Simulation::of(&Pair).unwrap();
+    let mut seen = Vec::new();
+    while sim.time() < 6_000 {
+        sim.step();
+        let out = sim.read_u64();
+        seen.push((sim.time(), out.fast, out.slow, out.fast_seen, out.slow_seen));
+    }
+    assert_eq!(seen, [(2_000, 1, 0, 0, 0), (3_000, 1, 1, 1, 0), (4_000, 2, 1, 1, 1), (6_000, 3, 2, 2, 1)]);
+    sim.step_clock("slow", 2);
+    assert_eq!((sim.time(), sim.cycles("fast"), sim.cycles("slow_clk")), (12_000, Ok(6), Ok(4)));
+    sim.run_until(14_999);
+    assert_eq!(sim.time(), 14_000);
+}
+
+#[test]
+fn a_wave_of_two_clocks_shows_both() {
+    let mut sim = Simulation::of(&Pair).unwrap();
+    let wave = sim.record([sim.o.fast, sim.o.slow]);
+    sim.run(6);
+    wave.expect(
+        r"
+        fast_clk |___/~~~\___/~\_/~\_/~~~\
+        slow_clk |_______/~~~~~\_/~\_____/
+        fast     | 0 | 1     | 2 | 3 | 4 |
+        slow     | 0     | 1     | 2     |",
+    );
+}
