@@ -1,1 +1,3 @@
 //! Whole rendering machines: programs, hardware, a scene, a frame.
+
+pub mod vc1;
