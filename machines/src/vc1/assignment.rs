@@ -33,7 +33,8 @@ impl Assignment {
         let mut assignment =
             Assignment { polygons: vec![Vec::new(); processors as usize], loads: vec![0; processors as usize] };
         for cluster in all.chunks(cluster as usize) {
-            let least = (0..assignment.loads.len()).min_by_key(|&i| assignment.loads[i]).expect("at least one processor");
+            let least =
+                (0..assignment.loads.len()).min_by_key(|&i| assignment.loads[i]).expect("at least one processor");
             assignment.loads[least] += cluster.iter().map(|polygon| load(projection, polygon, costs)).sum::<u64>();
             assignment.polygons[least].extend_from_slice(cluster);
         }

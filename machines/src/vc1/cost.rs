@@ -41,25 +41,3 @@ impl CostTable {
 pub(crate) fn rows(packet: &Triangle) -> u32 {
     packet.bounds.bottom - packet.bounds.top + 1
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use tilewright_scenes::{Scene, project};
-
-    /// Table 1 averages ter1k over 48 view angles.
-    #[test]
-    fn ter1k_takes_the_754_clocks_of_table_1() {
-        let mut scene = Scene::builtin("ter1k").expect("a built-in scene");
-        let costs = CostTable::default();
-        let camera = scene.camera;
-        let (mut clocks, mut polygons) = (0, 0);
-        for view in 0..48 {
-            scene.camera = camera.orbited(7.5 * f64::from(view));
-            let projection = project(&scene, scene.size).expect("the terrain is in sight");
-            clocks += projection.triangles.iter().map(|packet| costs.estimate(packet)).sum::<u64>();
-            polygons += u64::from(projection.counts.polygons);
-        }
-        assert_eq!(clocks.div_ceil(polygons), 755);
-    }
-}

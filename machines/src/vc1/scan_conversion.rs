@@ -110,8 +110,12 @@ mod tests {
 
     fn vertex() -> impl Strategy<Value = ScreenVertex> {
         let position = -2000..4000_i32;
-        (position.clone(), position, 1..0xff_fffe_u32, any::<[u8; 3]>())
-            .prop_map(|(x, y, z, rgb)| ScreenVertex { x, y, z, rgb })
+        (position.clone(), position, 1..0xff_fffe_u32, any::<[u8; 3]>()).prop_map(|(x, y, z, rgb)| ScreenVertex {
+            x,
+            y,
+            z,
+            rgb,
+        })
     }
 
     proptest! {
