@@ -23,7 +23,10 @@ const SWAP_CROSSING: u64 = 3;
 pub(crate) struct Host<'a, 'w> {
     pub hardware: &'a mut Hardware,
     pub watch: &'a mut Watch<'w>,
+    /// The phases that are over.
     pub phases: Vec<Phase>,
+    /// The phase that runs.
+    current: &'static str,
 }
 
 /// Why drawing stopped early.
@@ -39,15 +42,16 @@ impl From<Error> for Stop {
     }
 }
 
-impl Host<'_, '_> {
+impl<'a, 'w> Host<'a, 'w> {
+    pub fn new(hardware: &'a mut Hardware, watch: &'a mut Watch<'w>) -> Host<'a, 'w> {
+        Host { hardware, watch, phases: Vec::new(), current: "" }
+    }
+
     /// Runs the programs until the sync line is high.
     pub fn draw(&mut self, processors: &mut [Processor]) -> Result<(), Stop> {
-        self.phase("clearing", |host| {
-            let left = |it: &Processor| it.entries_left();
-            host.run_processors("clearing", processors, left)
-        })?;
+        self.phase("clearing", |host| host.run_processors(processors, |it| it.entries_left()))?;
         self.phase("drawing", |host| {
-            host.run_processors("drawing", processors, |it| usize::from(!it.ended()) + it.polygons_left())?;
+            host.run_processors(processors, |it| usize::from(!it.ended()) + it.polygons_left())?;
             while !(0..processors.len()).all(|k| host.hardware.idle(k)) {
                 host.expect_pages()?;
                 host.clock(processors)?;
@@ -57,17 +61,12 @@ impl Host<'_, '_> {
     }
 
     /// Runs the programs until nothing is left of any.
-    fn run_processors(
-        &mut self,
-        phase: &'static str,
-        processors: &mut [Processor],
-        left: impl Fn(&Processor) -> usize,
-    ) -> Result<(), Stop> {
+    fn run_processors(&mut self, processors: &mut [Processor], left: impl Fn(&Processor) -> usize) -> Result<(), Stop> {
         let all: usize = processors.iter().map(&left).sum();
         for clock in 0.. {
             if clock % PROGRESS_CLOCKS == 0 {
                 let rest: usize = processors.iter().map(&left).sum();
-                self.progress(phase, 1.0 - rest as f64 / all.max(1) as f64)?;
+                self.progress(1.0 - rest as f64 / all.max(1) as f64)?;
             }
             if processors.iter().all(|it| left(it) == 0) {
                 break;
@@ -109,7 +108,7 @@ impl Host<'_, '_> {
             host.hardware.start_merging()?;
             for clock in 0.. {
                 if clock % PROGRESS_CLOCKS == 0 {
-                    host.progress("merging", (clock as f64 / pixels as f64).min(1.0))?;
+                    host.progress((clock as f64 / pixels as f64).min(1.0))?;
                 }
                 if !host.hardware.merging() {
                     break;
@@ -126,7 +125,7 @@ impl Host<'_, '_> {
             let mut words = Vec::with_capacity(pixels as usize);
             for address in 0..pixels {
                 if address % PROGRESS_CLOCKS == 0 {
-                    host.progress(Report::READ_OUT, address as f64 / pixels as f64)?;
+                    host.progress(address as f64 / pixels as f64)?;
                 }
                 words.push(host.hardware.read_displayed(address)?);
             }
@@ -136,6 +135,7 @@ impl Host<'_, '_> {
 
     /// Does a phase and notes what it took.
     fn phase<T, E>(&mut self, name: &'static str, body: impl FnOnce(&mut Self) -> Result<T, E>) -> Result<T, E> {
+        self.current = name;
         let before = self.hardware.now();
         let result = body(self)?;
         let after = self.hardware.now();
@@ -148,11 +148,11 @@ impl Host<'_, '_> {
         Ok(result)
     }
 
-    /// Tells the caller how far the frame is, and stops if the caller wants it.
-    fn progress(&mut self, phase: &'static str, fraction: f64) -> Result<(), Error> {
-        self.watch.report(phase, fraction);
+    /// Tells the caller how far the phase is, and stops if the caller wants it.
+    fn progress(&mut self, fraction: f64) -> Result<(), Error> {
+        self.watch.report(self.current, fraction);
         match self.watch.cancelled() {
-            true => Err(Error::Cancelled { phase, time: self.hardware.now().time }),
+            true => Err(Error::Cancelled { phase: self.current, time: self.hardware.now().time }),
             false => Ok(()),
         }
     }

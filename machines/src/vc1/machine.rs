@@ -80,7 +80,7 @@ impl Machine {
         let pixels = size.pixels() as u64;
 
         self.hardware.reset(background)?;
-        let mut host = Host { hardware: &mut self.hardware, watch, phases: Vec::new() };
+        let mut host = Host::new(&mut self.hardware, watch);
         host.draw(&mut processors).map_err(|stop| match stop {
             Stop::Overflow(k) => {
                 let pages = demand(&assignment, &projection.triangles, &self.patches).iter().map(|it| it.pages).max();

@@ -86,10 +86,38 @@ impl Report {
         busy().sum::<u64>() as f64 / most as f64
     }
 
-    /// Pixels that had to wait at a local frame buffer's port, and the clocks they waited, per pixel drawn.
+    /// Clocks for which a pixel waited at the port of a local frame buffer, per pixel drawn.
     pub fn stalls_per_pixel(&self) -> f64 {
         let stalls: u64 = self.processors.iter().map(|processor| processor.stalls).sum();
         stalls as f64 / self.pixels.max(1) as f64
+    }
+
+    fn write_phases(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(f, "{:14} {:>11} {:>13} {:>10}", "phase", "PE clocks", "merge clocks", "ms")?;
+        for phase in &self.phases {
+            let Phase { name, pe_clocks, merge_clocks, .. } = phase;
+            writeln!(f, "{name:14} {pe_clocks:>11} {merge_clocks:>13} {:>10.3}", phase.milliseconds())?;
+        }
+        let frame = self.frame_picoseconds() as f64 / 1e9;
+        writeln!(f, "The frame takes {frame:.3} ms before it is read out; T_m is {} merge clocks.", self.merge_clocks)
+    }
+
+    fn write_processors(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(
+            f,
+            "{:>2} {:>9} {:>9} {:>6} {:>10} {:>10} {:>8} {:>10}",
+            "PE", "polygons", "pixels", "pages", "geometry", "raster", "stalls", "waiting"
+        )?;
+        for (number, it) in self.processors.iter().enumerate() {
+            let ProcessorReport { polygons, pixels, pages, stalls, waiting, .. } = it;
+            let Work { geometry, rasterization, .. } = it.work;
+            writeln!(
+                f,
+                "{number:>2} {polygons:>9} {pixels:>9} {pages:>6} {geometry:>10} {rasterization:>10} {stalls:>8} {waiting:>10}"
+            )?;
+        }
+        write!(f, "The load is {:.1} % balanced; a pixel stalls for ", 100.0 * self.balance())?;
+        write!(f, "{:.3} clocks on average.", self.stalls_per_pixel())
     }
 }
 
@@ -98,29 +126,12 @@ impl fmt::Display for Report {
         let Built { width, height, processors, patch, patches, pages, cluster, .. } = self.machine;
         writeln!(
             f,
-            "VC-1: {processors} processing elements, {width}x{height} pixels, {patches} patches of {patch}x{patch}, \
-             {pages} pages each, clusters of {cluster}"
+            "VC-1 of {processors} processing elements: {width}x{height} pixels, {patches} patches of {patch}x{patch},"
         )?;
-        writeln!(f, "{} polygons, {} packets, {} pixels drawn", self.polygons, self.packets, self.pixels)?;
+        writeln!(f, "{pages} pages in each local frame buffer, clusters of {cluster} polygons")?;
+        writeln!(f, "{} polygons, {} packets, {} pixels drawn\n", self.polygons, self.packets, self.pixels)?;
+        self.write_phases(f)?;
         writeln!(f)?;
-        writeln!(f, "phase              PE clocks  merge clocks          ms")?;
-        for phase in &self.phases {
-            let Phase { name, pe_clocks, merge_clocks, .. } = phase;
-            writeln!(f, "{name:16} {pe_clocks:>11} {merge_clocks:>13} {:>11.3}", phase.milliseconds())?;
-        }
-        let frame = self.frame_picoseconds() as f64 / 1e9;
-        writeln!(f, "frame                                      {frame:>11.3}")?;
-        writeln!(f, "T_m = {} merge clocks (VC1-TM)", self.merge_clocks)?;
-        writeln!(f)?;
-        writeln!(f, "PE  polygons    pixels  pages   geometry     raster   stalls    waiting")?;
-        for (number, it) in self.processors.iter().enumerate() {
-            let Work { geometry, rasterization, .. } = it.work;
-            writeln!(
-                f,
-                "{number:2} {:>9} {:>9} {:>6} {geometry:>10} {rasterization:>10} {:>8} {:>10}",
-                it.polygons, it.pixels, it.pages, it.stalls, it.waiting
-            )?;
-        }
-        write!(f, "load balance {:.1} %, {:.3} stalls per pixel", 100.0 * self.balance(), self.stalls_per_pixel())
+        self.write_processors(f)
     }
 }
