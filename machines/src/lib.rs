@@ -1,1 +1,8 @@
 //! Whole rendering machines: programs, hardware, a scene, a frame.
+
+mod error;
+mod run;
+pub mod vc1;
+
+pub use error::Error;
+pub use run::{Progress, Watch};

@@ -1,0 +1,27 @@
+//! What can keep a machine from rendering a frame, in whole sentences.
+
+use tilewright_rtl::parameter::ParameterError;
+
+use crate::vc1::Overflow;
+
+/// Why there is no frame. `Display` is the whole sentence.
+#[derive(Debug, thiserror::Error)]
+pub enum Error {
+    /// The machine cannot be built as asked.
+    #[error(transparent)]
+    Parameter(#[from] ParameterError),
+    /// A local frame buffer has too few pages.
+    #[error(transparent)]
+    Overflow(#[from] Overflow),
+    /// The cancellation flag was raised.
+    #[error("the run was interrupted at {time} ps of simulated time, while the machine was {phase}")]
+    Cancelled {
+        /// What the machine did, such as `drawing`.
+        phase: &'static str,
+        /// Simulated picoseconds since the reset began.
+        time: u64,
+    },
+    /// The hardware could not be simulated, or an assertion of it does not hold.
+    #[error(transparent)]
+    Simulation(#[from] tilewright_sim::Error),
+}

@@ -1,0 +1,92 @@
+//! The sizes of a VC-1, with the paper's as defaults.
+
+use serde::Serialize;
+use tilewright_rtl::lfb::Patches;
+use tilewright_rtl::parameter::{ParameterError, Screen};
+use tilewright_scenes::Size;
+
+use super::cost::CostTable;
+
+/// Pixels of an image memory: 4096 pages of 4x4, 1/4.7 of the screen (VC1-LFB).
+const IMAGE_MEMORY_PIXELS: u32 = 65_536;
+
+/// What a VC-1 is built for and how it is programmed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Config {
+    /// The screen in pixels; 640x480 in the paper (VC1-TM).
+    pub size: Size,
+    /// Processing elements, 1 to [`Config::MAX_PROCESSORS`]; 16 in the paper (VC1-PE).
+    pub processors: u32,
+    /// The edge of a patch in pixels: 4, 8 or 16; usually 4 (VC1-PT).
+    pub patch: u32,
+    /// Pages of image memory in each buffer; `None` means the paper's 65536 pixels (VC1-LFB), or the whole screen if that is less.
+    pub pages: Option<u32>,
+    /// Polygons of a cluster, at least 1 (VC1-CLU).
+    pub cluster: u32,
+    /// What the processing elements' program costs.
+    pub costs: CostTable,
+}
+
+impl Config {
+    /// The most processing elements.
+    pub const MAX_PROCESSORS: u32 = 16;
+
+    /// The VC-1 of the paper for a screen of that size.
+    pub fn new(size: Size) -> Config {
+        Config { size, processors: 16, patch: 4, pages: None, cluster: 32, costs: CostTable::default() }
+    }
+
+    /// The patches of the screen.
+    ///
+    /// # Errors
+    /// There is no such patch, or the screen is smaller than 2x2 of them.
+    pub fn patches(&self) -> Result<Patches, ParameterError> {
+        Patches::new(Screen::new(self.size.width(), self.size.height())?, self.patch)
+    }
+
+    /// Pages of image memory in each buffer.
+    ///
+    /// # Errors
+    /// As [`Config::patches`].
+    pub fn pages(&self) -> Result<u32, ParameterError> {
+        let patches = self.patches()?;
+        Ok(self.pages.unwrap_or_else(|| (IMAGE_MEMORY_PIXELS / patches.pixels()).min(patches.count())))
+    }
+
+    /// Checks what the hardware does not check itself.
+    pub(crate) fn check(&self) -> Result<(), ParameterError> {
+        let Config { processors, cluster, costs, .. } = *self;
+        let problem = if !(1..=Config::MAX_PROCESSORS).contains(&processors) {
+            let most = Config::MAX_PROCESSORS;
+            format!("a VC-1 of {processors} processing elements: it has to have from 1 to {most}")
+        } else if cluster == 0 {
+            "clusters of 0 polygons: they have to have at least 1".to_owned()
+        } else if costs.pixel == 0 || costs.clear == 0 {
+            "a cost table with accesses in 0 clocks: a pixel and a cleared entry take at least 1 each".to_owned()
+        } else {
+            return Ok(());
+        };
+        Err(ParameterError(problem))
+    }
+}
+
+/// A configuration as a report shows it.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Built {
+    /// Pixels in a row.
+    pub width: u32,
+    /// Rows.
+    pub height: u32,
+    /// Processing elements.
+    pub processors: u32,
+    /// The edge of a patch in pixels.
+    pub patch: u32,
+    /// Patches of the screen.
+    pub patches: u32,
+    /// Pages of image memory in each buffer.
+    pub pages: u32,
+    /// Polygons of a cluster.
+    pub cluster: u32,
+    /// Clocks of the program's steps.
+    pub costs: CostTable,
+}

@@ -1,0 +1,159 @@
+//! The host's program: the phases of a frame, from the command to draw to the picture read out.
+//!
+//! Source: VC1-FLOW, VC1-SW1, VC1-SW2. All processing elements clear their patch tables and draw; when all have ended and their
+//! local frame buffers are idle, the sync line is high and all local frame buffers are swapped; a merging round moves the picture
+//! into the global frame buffer, whose banks are then swapped; the host reads the displayed bank.
+
+use tilewright_rtl::clocks::{MERGE, PE};
+
+use super::config::Config;
+use super::hardware::Hardware;
+use super::processor::Processor;
+use super::report::{Phase, Report};
+use crate::error::Error;
+use crate::run::Watch;
+
+/// Clocks between two reports of progress, and between two looks at the cancellation flag.
+const PROGRESS_CLOCKS: u64 = 1024;
+
+/// Clocks of the merger until a swap of the local frame buffers is known there: two of the synchronizer, one to see it.
+const SWAP_CROSSING: u64 = 3;
+
+/// The host during a frame.
+pub(crate) struct Host<'a, 'w> {
+    pub hardware: &'a mut Hardware,
+    pub watch: &'a mut Watch<'w>,
+    /// The phases that are over.
+    pub phases: Vec<Phase>,
+    /// The phase that runs.
+    current: &'static str,
+}
+
+/// Why drawing stopped early.
+pub(crate) enum Stop {
+    /// This processing element found no page for a pixel.
+    Overflow(usize),
+    Error(Error),
+}
+
+impl From<Error> for Stop {
+    fn from(error: Error) -> Stop {
+        Stop::Error(error)
+    }
+}
+
+impl<'a, 'w> Host<'a, 'w> {
+    pub fn new(hardware: &'a mut Hardware, watch: &'a mut Watch<'w>) -> Host<'a, 'w> {
+        Host { hardware, watch, phases: Vec::new(), current: "" }
+    }
+
+    /// Runs the programs until the sync line is high.
+    pub fn draw(&mut self, processors: &mut [Processor]) -> Result<(), Stop> {
+        self.phase("clearing", |host| host.run_processors(processors, |it| it.entries_left()))?;
+        self.phase("drawing", |host| {
+            host.run_processors(processors, |it| usize::from(!it.ended()) + it.polygons_left())?;
+            while !(0..processors.len()).all(|k| host.hardware.idle(k)) {
+                host.expect_pages()?;
+                host.clock(processors)?;
+            }
+            Ok(())
+        })
+    }
+
+    /// Runs the programs until nothing is left of any.
+    fn run_processors(&mut self, processors: &mut [Processor], left: impl Fn(&Processor) -> usize) -> Result<(), Stop> {
+        let all: usize = processors.iter().map(&left).sum();
+        for clock in 0.. {
+            if clock % PROGRESS_CLOCKS == 0 {
+                let rest: usize = processors.iter().map(&left).sum();
+                self.progress(1.0 - rest as f64 / all.max(1) as f64)?;
+            }
+            if processors.iter().all(|it| left(it) == 0) {
+                break;
+            }
+            self.clock(processors)?;
+        }
+        Ok(())
+    }
+
+    /// One clock of the processing elements.
+    fn clock(&mut self, processors: &mut [Processor]) -> Result<(), Stop> {
+        let mut taken = [false; Config::MAX_PROCESSORS as usize];
+        for (k, processor) in processors.iter().enumerate() {
+            let access = processor.access();
+            self.hardware.present(k, access);
+            taken[k] = self.hardware.takes(k);
+            if access.is_some() && !taken[k] && self.hardware.overflow(k) {
+                return Err(Stop::Overflow(k));
+            }
+        }
+        self.hardware.tick(PE)?;
+        processors.iter_mut().zip(taken).for_each(|(processor, taken)| processor.edge(taken));
+        Ok(())
+    }
+
+    /// That no pixel is held for want of a page.
+    fn expect_pages(&mut self) -> Result<(), Stop> {
+        let overflowed = (0..self.hardware.processors()).find(|&k| self.hardware.overflow(k));
+        overflowed.map_or(Ok(()), |k| Err(Stop::Overflow(k)))
+    }
+
+    /// Swaps the local frame buffers, merges, and swaps the global frame buffer.
+    pub fn compose(&mut self, pixels: u64) -> Result<(), Error> {
+        self.phase("swapping", |host| {
+            host.hardware.swap_local_buffers()?;
+            (0..SWAP_CROSSING).try_for_each(|_| host.hardware.tick(MERGE))
+        })?;
+        self.phase("merging", |host| {
+            host.hardware.start_merging()?;
+            for clock in 0.. {
+                if clock % PROGRESS_CLOCKS == 0 {
+                    host.progress((clock as f64 / pixels as f64).min(1.0))?;
+                }
+                if !host.hardware.merging() {
+                    break;
+                }
+                host.hardware.tick(MERGE)?;
+            }
+            host.hardware.swap_global_buffer()
+        })
+    }
+
+    /// Reads the displayed bank of the global frame buffer, row by row from the upper left.
+    pub fn read_out(&mut self, pixels: u64) -> Result<Vec<u64>, Error> {
+        self.phase(Report::READ_OUT, |host| {
+            let mut words = Vec::with_capacity(pixels as usize);
+            for address in 0..pixels {
+                if address % PROGRESS_CLOCKS == 0 {
+                    host.progress(address as f64 / pixels as f64)?;
+                }
+                words.push(host.hardware.read_displayed(address)?);
+            }
+            Ok(words)
+        })
+    }
+
+    /// Does a phase and notes what it took.
+    fn phase<T, E>(&mut self, name: &'static str, body: impl FnOnce(&mut Self) -> Result<T, E>) -> Result<T, E> {
+        self.current = name;
+        let before = self.hardware.now();
+        let result = body(self)?;
+        let after = self.hardware.now();
+        self.phases.push(Phase {
+            name,
+            pe_clocks: after.pe_clocks - before.pe_clocks,
+            merge_clocks: after.merge_clocks - before.merge_clocks,
+            picoseconds: after.time - before.time,
+        });
+        Ok(result)
+    }
+
+    /// Tells the caller how far the phase is, and stops if the caller wants it.
+    fn progress(&mut self, fraction: f64) -> Result<(), Error> {
+        self.watch.report(self.current, fraction);
+        match self.watch.cancelled() {
+            true => Err(Error::Cancelled { phase: self.current, time: self.hardware.now().time }),
+            false => Ok(()),
+        }
+    }
+}

@@ -1,0 +1,46 @@
+//! The VC-1: processing elements that draw into virtual local frame buffers, whose contents are merged by depth.
+//!
+//! ```text
+//! polygons -> clusters -> PE 0 -> local frame buffer -> merging unit --.
+//!                         PE 1 -> local frame buffer -> merging unit <-'
+//!                          ...                                       --> global frame buffer -> frame
+//! ```
+//!
+//! Source: Nishimura and Kunii, "VC-1: A Scalable Graphics Computer with Virtual Local Frame Buffers", facts A1. The processing
+//! elements and the host are programs in Rust, which count clocks by a cost table; everything behind a processing element's port
+//! is the hardware of `tilewright-rtl`, simulated clock by clock.
+//!
+//! ```no_run
+//! use tilewright_machines::{Watch, vc1};
+//! use tilewright_scenes::{Scene, golden, project};
+//!
+//! let scene = Scene::builtin("teapot").expect("a built-in scene");
+//! let projection = project(&scene, scene.size)?;
+//! let machine = vc1::Machine::new(vc1::Config::new(scene.size))?;
+//! let (frame, report) = machine.render(&projection, scene.background, &mut Watch::default())?;
+//! assert_eq!(frame, golden::render(scene.size, &projection.triangles, scene.background));
+//! println!("{report}");
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod assignment;
+mod config;
+mod cost;
+mod demand;
+mod hardware;
+mod host;
+mod machine;
+mod overflow;
+mod processor;
+mod program;
+mod report;
+mod scan_conversion;
+
+pub use assignment::{Assignment, Polygon};
+pub use config::{Built, Config};
+pub use cost::CostTable;
+pub use demand::{Demand, demand};
+pub use machine::Machine;
+pub use overflow::Overflow;
+pub use program::Work;
+pub use report::{Phase, ProcessorReport, Report};

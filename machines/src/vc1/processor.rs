@@ -1,0 +1,164 @@
+//! A processing element: runs its program clock by clock against the ports of its local frame buffer unit.
+//!
+//! Source: VC1-PE, VC1-ACC. The i860 goes on computing as soon as the local frame buffer has taken an access, and stalls as long as
+//! it has not.
+
+use super::program::{Access, Program, Step, Work};
+
+/// A processing element in the middle of a frame.
+pub(crate) struct Processor<'a> {
+    program: Program<'a>,
+    state: State,
+    /// Clocks since the frame's beginning.
+    clock: u64,
+    tally: Tally,
+    /// The polygon that the access at hand is of, and that of the pixel that was taken last.
+    polygon: Option<u32>,
+    last_drawn: Option<u32>,
+}
+
+/// What a processing element did in a frame so far.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Tally {
+    /// Pixels that the local frame buffer took.
+    pub requests: u64,
+    /// Clocks for which it did not take what stood at its ports.
+    pub stalls: u64,
+    /// The clock at whose edge the program ended.
+    pub ended_at: u64,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum State {
+    /// Computing for so many clocks more, at least 1, before an access or the end.
+    Computing(u64, Option<Access>),
+    /// At the port.
+    Accessing(Access),
+    Ended,
+}
+
+impl<'a> Processor<'a> {
+    pub fn new(program: Program<'a>) -> Processor<'a> {
+        let mut processor = Processor {
+            program,
+            state: State::Ended,
+            clock: 0,
+            tally: Tally::default(),
+            polygon: None,
+            last_drawn: None,
+        };
+        processor.fetch();
+        processor
+    }
+
+    /// What stands at its ports in the coming clock.
+    pub fn access(&self) -> Option<Access> {
+        match self.state {
+            State::Accessing(access) => Some(access),
+            State::Computing(..) | State::Ended => None,
+        }
+    }
+
+    /// Whether its program has ended: its contribution to the sync line.
+    pub fn ended(&self) -> bool {
+        self.state == State::Ended
+    }
+
+    /// An edge of its clock; `taken` says whether its local frame buffer took the access.
+    pub fn edge(&mut self, taken: bool) {
+        self.clock += 1;
+        match self.state {
+            State::Computing(left, then) => self.compute(left - 1, then),
+            State::Accessing(_) if !taken => self.tally.stalls += 1,
+            State::Accessing(access) => {
+                if let Access::Draw(_) = access {
+                    self.tally.requests += 1;
+                    self.last_drawn = self.polygon;
+                }
+                self.fetch();
+            }
+            State::Ended => {}
+        }
+    }
+
+    fn fetch(&mut self) {
+        let Step { clocks, access } = self.program.step();
+        self.polygon = self.program.polygon();
+        // The last clock of an access is the one at the port.
+        self.compute(clocks - u64::from(access.is_some()), access);
+    }
+
+    fn compute(&mut self, clocks: u64, then: Option<Access>) {
+        self.state = match (clocks, then) {
+            (1.., _) => State::Computing(clocks, then),
+            (0, Some(access)) => State::Accessing(access),
+            (0, None) => {
+                self.tally.ended_at = self.clock;
+                State::Ended
+            }
+        };
+    }
+
+    pub fn tally(&self) -> Tally {
+        self.tally
+    }
+
+    pub fn work(&self) -> Work {
+        self.program.work
+    }
+
+    /// The polygon of the pixel that was taken last.
+    pub fn last_drawn(&self) -> Option<u32> {
+        self.last_drawn
+    }
+
+    /// Polygons that it has not begun.
+    pub fn polygons_left(&self) -> usize {
+        self.program.polygons_left()
+    }
+
+    /// Entries of the patch table that are not yet cleared.
+    pub fn entries_left(&self) -> usize {
+        let in_hand = match self.state {
+            State::Computing(_, Some(Access::Clear(_))) | State::Accessing(Access::Clear(_)) => 1,
+            _ => 0,
+        };
+        in_hand + self.program.entries_left()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::vc1::assignment::Polygon;
+    use crate::vc1::cost::CostTable;
+    use tilewright_scenes::{ScreenVertex, Size, set_up};
+
+    /// A row of two pixels, then a polygon without packets; the local frame buffer is busy for two clocks at the second pixel.
+    #[test]
+    fn it_computes_waits_for_its_local_frame_buffer_and_ends() {
+        let at = |x, y| ScreenVertex { x, y, z: 1, rgb: [0; 3] };
+        let packet = set_up(&[at(0, 0), at(30, 0), at(0, 100)], Size::new(4, 1).expect("in range"));
+        let packets = [packet.expect("covers pixels")];
+        let polygons = [(7, 0..1), (8, 1..1)].map(|(number, packets)| Polygon { number, packets });
+        let costs = CostTable { geometry: 3, set_up: 0, row: 0, pixel: 2, clear: 1 };
+        let mut processor = Processor::new(Program::new(costs, &packets, &polygons, 1));
+        let mut wave = String::new();
+        let busy = [7, 8];
+        for clock in 0..14 {
+            let access = processor.access();
+            let taken = access.is_some() && !busy.contains(&clock);
+            wave.push(match access {
+                Some(Access::Clear(_)) => 'c',
+                Some(Access::Draw(_)) if taken => 'd',
+                Some(Access::Draw(_)) => 'w',
+                None if processor.ended() => ' ',
+                None => '.',
+            });
+            processor.edge(taken);
+        }
+        assert_eq!(wave, "c....d.wwd... ");
+        assert_eq!(processor.tally(), Tally { requests: 2, stalls: 2, ended_at: 13 });
+        assert_eq!(processor.last_drawn(), Some(7));
+    }
+}

@@ -1,0 +1,201 @@
+//! The rendering program of a processing element: a sequence of accesses to its local frame buffer, each after so many clocks of
+//! computation.
+//!
+//! Source: section 4 and VC1-SW1 of the paper. After a swap the program clears its patch table, entry by entry (VC1-CLR2), then
+//! takes its polygons in order of submission: geometry, and for each packet set-up and scan conversion. It knows nothing of
+//! time: [`super::processor`] runs it.
+
+use super::assignment::Polygon;
+use super::cost::{CostTable, rows};
+use super::scan_conversion::{Pixel, Pixels};
+use serde::Serialize;
+use std::ops::Range;
+use tilewright_scenes::Triangle;
+
+/// What a program does next, and for how long it computes before.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Step {
+    /// Clocks of the step, the access's own included if the local frame buffer takes it at once.
+    pub clocks: u64,
+    /// `None` ends the program.
+    pub access: Option<Access>,
+}
+
+/// An access to the local frame buffer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Access {
+    /// Clears the patch-table entry of a patch.
+    Clear(u32),
+    /// Draws a pixel.
+    Draw(Pixel),
+}
+
+/// Where the clocks of a program go, stalls apart.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Work {
+    /// Clocks of clearing the patch table.
+    pub clear: u64,
+    /// Clocks of geometry.
+    pub geometry: u64,
+    /// Clocks of set-up, rows and pixels.
+    pub rasterization: u64,
+}
+
+impl Work {
+    /// All clocks.
+    pub fn total(&self) -> u64 {
+        self.clear + self.geometry + self.rasterization
+    }
+}
+
+/// A program at some point of its execution.
+pub(crate) struct Program<'a> {
+    costs: CostTable,
+    packets: &'a [Triangle],
+    /// Patches whose table entries are still to be cleared.
+    patches: Range<u32>,
+    /// Polygons that are still to be drawn.
+    polygons: std::slice::Iter<'a, Polygon>,
+    /// The polygon being drawn, or the last one.
+    polygon: Option<&'a Polygon>,
+    /// Packets of it that are still to be drawn.
+    rest: Range<usize>,
+    span: Option<Spans<'a>>,
+    /// What has been worked so far, the step just given out included.
+    pub work: Work,
+}
+
+/// A packet being drawn.
+struct Spans<'a> {
+    pixels: Pixels<'a>,
+    /// The row after the last one that was charged.
+    row: u32,
+    bottom: u32,
+}
+
+impl<'a> Program<'a> {
+    /// The program that clears the table of `patches` patches and draws `polygons`, whose packets are among `packets`.
+    pub fn new(costs: CostTable, packets: &'a [Triangle], polygons: &'a [Polygon], patches: u32) -> Program<'a> {
+        Program {
+            costs,
+            packets,
+            patches: 0..patches,
+            polygons: polygons.iter(),
+            polygon: None,
+            rest: 0..0,
+            span: None,
+            work: Work::default(),
+        }
+    }
+
+    /// The number of the polygon being drawn, if it has come to one.
+    pub fn polygon(&self) -> Option<u32> {
+        self.polygon.map(|polygon| polygon.number)
+    }
+
+    /// Entries of the patch table that it has not begun to clear.
+    pub fn entries_left(&self) -> usize {
+        self.patches.len()
+    }
+
+    /// Polygons that it has not begun.
+    pub fn polygons_left(&self) -> usize {
+        self.polygons.len()
+    }
+
+    /// The next step. After the end it ends again, in 0 clocks.
+    pub fn step(&mut self) -> Step {
+        if let Some(patch) = self.patches.next() {
+            self.work.clear += self.costs.clear;
+            return Step { clocks: self.costs.clear, access: Some(Access::Clear(patch)) };
+        }
+        let before = self.work.total();
+        let access = self.next_pixel().map(Access::Draw);
+        Step { clocks: self.work.total() - before, access }
+    }
+
+    /// Works up to the next pixel, through polygons that have none; `None` at the end.
+    fn next_pixel(&mut self) -> Option<Pixel> {
+        loop {
+            if let Some(span) = &mut self.span {
+                let pixel = span.pixels.next();
+                let end = pixel.map_or(span.bottom, |pixel| pixel.y) + 1;
+                self.work.rasterization += u64::from(end - span.row) * self.costs.row;
+                span.row = end;
+                if pixel.is_some() {
+                    self.work.rasterization += self.costs.pixel;
+                    return pixel;
+                }
+                self.span = None;
+            } else if let Some(packet) = self.rest.next() {
+                let packet = &self.packets[packet];
+                let bottom = packet.bounds.bottom;
+                self.work.rasterization += self.costs.set_up;
+                self.span = Some(Spans { pixels: Pixels::of(packet), row: bottom + 1 - rows(packet), bottom });
+            } else {
+                let polygon = self.polygons.next()?;
+                self.work.geometry += self.costs.geometry;
+                self.rest = polygon.packets.clone();
+                self.polygon = Some(polygon);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::vc1::assignment::Assignment;
+    use tilewright_scenes::{Scene, ScreenVertex, Size, project, set_up};
+
+    /// A triangle of 3 pixels, in a box of 3 rows of which the last has none; a polygon without packets; a triangle of 1 pixel.
+    #[test]
+    fn every_clock_of_the_cost_table_is_charged_once() {
+        let at = |x, y| ScreenVertex { x, y, z: 1, rgb: [0; 3] };
+        let size = Size::new(8, 8).expect("in range");
+        let packets = [
+            set_up(&[at(0, 0), at(40, 0), at(0, 40)], size).expect("covers pixels"),
+            set_up(&[at(0, 48), at(20, 48), at(0, 68)], size).expect("covers a pixel"),
+        ];
+        let polygons = [(0, 0..1), (1, 1..1), (2, 1..2)].map(|(number, packets)| Polygon { number, packets });
+        let costs = CostTable { geometry: 10_000, set_up: 1000, row: 100, pixel: 5, clear: 3 };
+        let mut program = Program::new(costs, &packets, &polygons, 2);
+        let mut steps = Vec::new();
+        while steps.last().is_none_or(|(_, access)| *access != "end") {
+            let Step { clocks, access } = program.step();
+            steps.push((
+                clocks,
+                match access {
+                    Some(Access::Clear(_)) => "clear",
+                    Some(Access::Draw(_)) => "draw",
+                    None => "end",
+                },
+            ));
+        }
+        let expected =
+            [(3, "clear"), (3, "clear"), (11_105, "draw"), (5, "draw"), (105, "draw"), (21_205, "draw"), (0, "end")];
+        assert_eq!(steps, expected);
+        assert_eq!(program.work, Work { clear: 6, geometry: 30_000, rasterization: 2420 });
+        assert_eq!(program.step(), Step { clocks: 0, access: None });
+    }
+
+    /// Table 1 averages ter1k over 48 view angles (VC1-T1).
+    #[test]
+    fn ter1k_takes_the_clocks_of_table_1() {
+        let mut scene = Scene::builtin("ter1k").expect("a built-in scene");
+        let camera = scene.camera;
+        let (mut work, mut polygons) = (Work::default(), 0);
+        for view in 0..48 {
+            scene.camera = camera.orbited(7.5 * f64::from(view));
+            let projection = project(&scene, scene.size).expect("the terrain is in sight");
+            let costs = CostTable::default();
+            let assignment = Assignment::new(&projection, 1, 32, &costs);
+            let mut program = Program::new(costs, &projection.triangles, &assignment.polygons[0], 0);
+            while program.step().access.is_some() {}
+            work.geometry += program.work.geometry;
+            work.rasterization += program.work.rasterization;
+            polygons += u64::from(projection.counts.polygons);
+        }
+        assert_eq!((work.geometry / polygons, work.rasterization / polygons), (631, 754));
+    }
+}

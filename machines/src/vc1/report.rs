@@ -1,0 +1,137 @@
+//! What a frame took: counts and clocks, the same on every run.
+
+use std::fmt;
+
+use serde::Serialize;
+
+use super::config::Built;
+use super::program::Work;
+
+/// The report of a frame. Everything in it is counted in the simulated machine; nothing depends on the computer that runs it.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Report {
+    /// The machine.
+    pub machine: Built,
+    /// Polygons of the scene.
+    pub polygons: u32,
+    /// Triangle packets, after clipping.
+    pub packets: u64,
+    /// Pixels drawn, each as often as it was drawn.
+    pub pixels: u64,
+    /// What each processing element did.
+    pub processors: Vec<ProcessorReport>,
+    /// The frame's phases, one after another.
+    pub phases: Vec<Phase>,
+    /// T_m in clocks of the merger, as the global frame buffer unit counted it (VC1-TM).
+    pub merge_clocks: u64,
+}
+
+/// What a processing element did.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct ProcessorReport {
+    /// Polygons assigned to it.
+    pub polygons: u32,
+    /// Clocks that the assignment expected them to take.
+    pub expected: u64,
+    /// Pixels that it drew.
+    pub pixels: u64,
+    /// Pages of image memory that they took.
+    pub pages: u32,
+    /// Clocks of its program.
+    pub work: Work,
+    /// Clocks for which it waited for its local frame buffer.
+    pub stalls: u64,
+    /// Clocks for which it waited for the others.
+    pub waiting: u64,
+}
+
+/// A part of a frame.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct Phase {
+    /// What the machine did, such as `drawing`.
+    pub name: &'static str,
+    /// Clocks of the processing elements.
+    pub pe_clocks: u64,
+    /// Clocks of the merger.
+    pub merge_clocks: u64,
+    /// Simulated time.
+    pub picoseconds: u64,
+}
+
+impl Phase {
+    /// Simulated milliseconds.
+    pub fn milliseconds(&self) -> f64 {
+        self.picoseconds as f64 / 1e9
+    }
+}
+
+impl Report {
+    /// The name of the phase in which the host reads the picture; it is not part of the frame's time.
+    pub const READ_OUT: &'static str = "reading out";
+
+    /// Simulated picoseconds from the command to draw until the picture can be displayed.
+    pub fn frame_picoseconds(&self) -> u64 {
+        self.phases.iter().filter(|phase| phase.name != Report::READ_OUT).map(|phase| phase.picoseconds).sum()
+    }
+
+    /// Clock edges that were simulated, of both clocks.
+    pub fn clocks(&self) -> u64 {
+        self.phases.iter().map(|phase| phase.pe_clocks + phase.merge_clocks).sum()
+    }
+
+    /// How evenly the work was shared: the mean of the processing elements' busy clocks over the greatest, from 0 to 1.
+    pub fn balance(&self) -> f64 {
+        let busy = || self.processors.iter().map(|processor| processor.work.total() + processor.stalls);
+        let most = busy().max().unwrap_or(0).max(1) * self.processors.len() as u64;
+        busy().sum::<u64>() as f64 / most as f64
+    }
+
+    /// Clocks for which a pixel waited at the port of a local frame buffer, per pixel drawn.
+    pub fn stalls_per_pixel(&self) -> f64 {
+        let stalls: u64 = self.processors.iter().map(|processor| processor.stalls).sum();
+        stalls as f64 / self.pixels.max(1) as f64
+    }
+
+    fn write_phases(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(f, "{:14} {:>11} {:>13} {:>10}", "phase", "PE clocks", "merge clocks", "ms")?;
+        for phase in &self.phases {
+            let Phase { name, pe_clocks, merge_clocks, .. } = phase;
+            writeln!(f, "{name:14} {pe_clocks:>11} {merge_clocks:>13} {:>10.3}", phase.milliseconds())?;
+        }
+        let frame = self.frame_picoseconds() as f64 / 1e9;
+        writeln!(f, "The frame takes {frame:.3} ms before it is read out; T_m is {} merge clocks.", self.merge_clocks)
+    }
+
+    fn write_processors(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(
+            f,
+            "{:>2} {:>9} {:>9} {:>6} {:>10} {:>10} {:>8} {:>10}",
+            "PE", "polygons", "pixels", "pages", "geometry", "raster", "stalls", "waiting"
+        )?;
+        for (number, it) in self.processors.iter().enumerate() {
+            let ProcessorReport { polygons, pixels, pages, stalls, waiting, .. } = it;
+            let Work { geometry, rasterization, .. } = it.work;
+            writeln!(
+                f,
+                "{number:>2} {polygons:>9} {pixels:>9} {pages:>6} {geometry:>10} {rasterization:>10} {stalls:>8} {waiting:>10}"
+            )?;
+        }
+        write!(f, "The load is {:.1} % balanced; a pixel stalls for ", 100.0 * self.balance())?;
+        write!(f, "{:.3} clocks on average.", self.stalls_per_pixel())
+    }
+}
+
+impl fmt::Display for Report {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Built { width, height, processors, patch, patches, pages, cluster, .. } = self.machine;
+        writeln!(
+            f,
+            "VC-1 of {processors} processing elements: {width}x{height} pixels, {patches} patches of {patch}x{patch},"
+        )?;
+        writeln!(f, "{pages} pages in each local frame buffer, clusters of {cluster} polygons")?;
+        writeln!(f, "{} polygons, {} packets, {} pixels drawn\n", self.polygons, self.packets, self.pixels)?;
+        self.write_phases(f)?;
+        writeln!(f)?;
+        self.write_processors(f)
+    }
+}

@@ -1,0 +1,189 @@
+//! Whole frames of the VC-1 against the golden rasterizer.
+
+use std::sync::atomic::AtomicBool;
+
+use proptest::prelude::*;
+use tilewright_machines::vc1::{Assignment, Config, CostTable, Machine, Report, demand};
+use tilewright_machines::{Error, Progress, Watch};
+use tilewright_scenes::{Counts, Frame, Projection, Scene, ScreenVertex, Size, golden, project, set_up};
+
+const BACKGROUND: [u8; 3] = [24, 28, 44];
+
+/// Programs that compute little, so that the local frame buffers are busy all the time.
+const HASTY: CostTable = CostTable { geometry: 4, set_up: 2, row: 1, pixel: 1, clear: 1 };
+
+/// A built-in scene on a screen of that size.
+fn on_screen(scene: &str, width: u32, height: u32) -> Projection {
+    let scene = Scene::builtin(scene).expect("a built-in scene");
+    project(&scene, Size::new(width, height).expect("in range")).expect("the scene is in sight")
+}
+
+fn golden_frame(projection: &Projection) -> Frame {
+    golden::render(projection.size, &projection.triangles, BACKGROUND)
+}
+
+fn render(config: Config, projection: &Projection) -> Result<(Frame, Report), Error> {
+    Machine::new(config)?.render(projection, BACKGROUND, &mut Watch::default())
+}
+
+/// Pixels that triangles cover, each as often as one does.
+fn covered(projection: &Projection) -> u64 {
+    let of = |t: &tilewright_scenes::Triangle| {
+        let b = t.bounds;
+        let pixels = (b.top..=b.bottom).flat_map(|y| (b.left..=b.right).map(move |x| (x, y)));
+        pixels.filter(|&(x, y)| t.covers(x, y)).count() as u64
+    };
+    projection.triangles.iter().map(of).sum()
+}
+
+/// (M + beta) * N + 4 * n (VC1-TM).
+fn merge_clocks(config: &Config) -> u64 {
+    let (width, height) = (u64::from(config.size.width()), u64::from(config.size.height()));
+    (width + 20) * height + 4 * u64::from(config.processors)
+}
+
+#[test]
+fn every_number_of_processors_and_every_patch_draws_the_golden_frame() {
+    for scene in ["teapot", "ter1k"] {
+        let projection = on_screen(scene, 80, 60);
+        let golden = golden_frame(&projection);
+        for (processors, patch) in [(1, 8), (2, 16), (3, 4), (4, 4), (8, 8), (16, 4), (16, 16)] {
+            let config = Config { processors, patch, costs: HASTY, ..Config::new(projection.size) };
+            let (frame, report) = render(config, &projection).expect("there are pages for all patches");
+            assert!(frame == golden, "{scene} on {processors} processors with patches of {patch} differs");
+            assert_eq!(report.merge_clocks, merge_clocks(&config));
+        }
+    }
+}
+
+#[test]
+fn the_report_counts_what_the_dry_run_expects() {
+    let projection = on_screen("teapot", 96, 72);
+    let config = Config { processors: 5, cluster: 20, costs: HASTY, ..Config::new(projection.size) };
+    let (_, report) = render(config, &projection).expect("there are pages for all patches");
+    let assignment = Assignment::new(&projection, 5, 20, &HASTY);
+    let expected = demand(&assignment, &projection.triangles, &config.patches().expect("4x4 fits"));
+    for (it, expected) in report.processors.iter().zip(&expected) {
+        assert_eq!((it.pixels, it.pages), (expected.pixels, expected.pages));
+    }
+    assert_eq!(report.pixels, covered(&projection));
+    assert_eq!(report.polygons, 4096);
+    assert_eq!(report.processors.iter().map(|it| it.polygons).sum::<u32>(), 4096);
+    assert_eq!(report.processors.iter().map(|it| it.waiting).min(), Some(0));
+}
+
+#[test]
+fn a_report_is_the_same_on_every_run() {
+    let projection = on_screen("ter1k", 48, 36);
+    let config = Config { processors: 3, ..Config::new(projection.size) };
+    let (_, first) = render(config, &projection).expect("renders");
+    let (_, second) = render(config, &projection).expect("renders");
+    assert_eq!(first, second);
+}
+
+/// The paper's machine on the paper's scene: 4096 polygons, T_m of 25.3 ms (VC1-TM).
+#[test]
+fn the_machine_of_the_paper_draws_the_teapot() {
+    let projection = on_screen("teapot", 640, 480);
+    let (frame, report) = render(Config::new(projection.size), &projection).expect("4096 pages are enough");
+    assert!(frame == golden_frame(&projection));
+    assert_eq!(report.merge_clocks, 316_864);
+    assert_eq!(report.pixels, covered(&projection));
+    assert!(report.balance() > 0.95, "{report}");
+}
+
+#[test]
+fn an_overflow_says_how_many_pages_would_do() {
+    let projection = on_screen("teapot", 80, 60);
+    let config = Config { processors: 2, costs: HASTY, ..Config::new(projection.size) };
+    let Err(Error::Overflow(overflow)) = render(Config { pages: Some(20), ..config }, &projection) else {
+        panic!("20 pages are not enough")
+    };
+    assert_eq!(
+        overflow.to_string(),
+        "processor 0 ran out of its 20 image memory pages at polygon 436: at least 120 pages per processor would do: pass \
+         --pages 120"
+    );
+    assert!(render(Config { pages: Some(120), ..config }, &projection).is_ok());
+    assert!(matches!(render(Config { pages: Some(119), ..config }, &projection), Err(Error::Overflow(_))));
+}
+
+#[test]
+fn a_machine_that_cannot_be_is_refused_in_a_sentence() {
+    let config = Config::new(Size::VGA);
+    let refused = |config| Machine::new(config).err().expect("cannot be built").to_string();
+    let costs = CostTable { pixel: 0, ..config.costs };
+    let problems = [
+        (Config { processors: 0, ..config }, "a VC-1 of 0 processing elements: it has to have from 1 to 16"),
+        (Config { processors: 17, ..config }, "a VC-1 of 17 processing elements: it has to have from 1 to 16"),
+        (Config { cluster: 0, ..config }, "clusters of 0 polygons: they have to have at least 1"),
+        (Config { patch: 5, ..config }, "patches of 5 x 5 pixels: the edge has to be 4, 8 or 16"),
+        (
+            Config { costs, ..config },
+            "a cost table with accesses in 0 clocks: a pixel and a cleared entry take at least 1 each",
+        ),
+    ];
+    for (config, problem) in problems {
+        assert_eq!(refused(config), problem);
+    }
+    let error = render(config, &on_screen("teapot", 80, 60)).expect_err("the sizes differ").to_string();
+    assert_eq!(error, "a projection of 80x60 pixels on a machine of 640x480: project the scene again");
+}
+
+#[test]
+fn progress_goes_through_the_phases_and_a_run_can_be_cancelled() {
+    let projection = on_screen("teapot", 48, 36);
+    let mut seen: Vec<Progress> = Vec::new();
+    let mut progress = |it| seen.push(it);
+    let machine = Machine::new(Config::new(projection.size)).expect("can be built");
+    let mut watch = Watch { progress: Some(&mut progress), cancel: None };
+    machine.render(&projection, BACKGROUND, &mut watch).expect("renders");
+    let mut phases: Vec<_> = seen.iter().map(|it| it.phase).collect();
+    phases.dedup();
+    assert_eq!(phases, ["clearing", "drawing", "merging", "reading out"]);
+    for pair in seen.windows(2) {
+        assert!(pair[0].phase != pair[1].phase || pair[0].fraction <= pair[1].fraction, "{pair:?}");
+    }
+    assert!(seen.iter().all(|it| (0.0..=1.0).contains(&it.fraction)));
+
+    let machine = Machine::new(Config::new(projection.size)).expect("can be built");
+    let cancel = AtomicBool::new(true);
+    let error = machine.render(&projection, BACKGROUND, &mut Watch { progress: None, cancel: Some(&cancel) });
+    assert!(matches!(error, Err(Error::Cancelled { phase: "clearing", .. })));
+}
+
+/// Triangles anywhere, up to several of the same depth and place.
+fn soup() -> impl Strategy<Value = Vec<[ScreenVertex; 3]>> {
+    let position = -200..800_i32;
+    let vertex = (position.clone(), position, 1..40_u32, 0..4_u8).prop_map(|(x, y, z, grey)| ScreenVertex {
+        x,
+        y,
+        z,
+        rgb: [grey * 80; 3],
+    });
+    prop::collection::vec([vertex.clone(), vertex.clone(), vertex], 0..24)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(48))]
+
+    #[test]
+    fn any_triangles_make_the_golden_frame(
+        soup in soup(), processors in 1..=5_u32, cluster in 1..4_u32, patch in prop::sample::select(vec![4_u32, 8, 16]),
+    ) {
+        let size = Size::new(37, 29).expect("in range");
+        let mut projection = Projection { size, triangles: Vec::new(), vertices: Vec::new(), counts: Counts::default() };
+        for vertices in soup {
+            if let Some(mut packet) = set_up(&vertices, size) {
+                packet.polygon = projection.counts.polygons;
+                projection.triangles.push(packet);
+                projection.vertices.push(vertices);
+            }
+            projection.counts.polygons += 1;
+        }
+        let config = Config { processors, cluster, patch, costs: HASTY, ..Config::new(size) };
+        let (frame, report) = render(config, &projection).expect("there are pages for all patches");
+        prop_assert_eq!(&frame, &golden_frame(&projection));
+        prop_assert_eq!(report.pixels, covered(&projection));
+    }
+}
