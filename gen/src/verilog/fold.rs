@@ -4,7 +4,7 @@
 use super::constant;
 use super::order::{map_operands, operands_first};
 use tilewright_hdl::Bits;
-use tilewright_hdl::ir::{Binary, Module, Node, NodeId, Op, Reduction, Relation, Shift, Unary};
+use tilewright_hdl::ir::{Binary, Contents, Module, Node, NodeId, Op, Reduction, Relation, Shift, Unary};
 
 /// Shift amounts above this width are cut, with the fill where a dropped bit is set: some tools take no more.
 const WIDEST_AMOUNT: u32 = 16;
@@ -16,6 +16,7 @@ pub fn fold(module: &Module) -> Module {
         fold.visit(id);
     }
     fold.rewire();
+    fold.settle_memories();
     fold.module
 }
 
@@ -76,11 +77,35 @@ impl Fold {
             for write in &mut memory.writes {
                 [&mut write.enable, &mut write.address, &mut write.data].into_iter().for_each(to);
             }
-            memory.writes.retain(|write| constant(&module.nodes, write.enable) != Some(false));
         }
         module.instances.iter_mut().flat_map(|instance| &mut instance.inputs).for_each(to);
         module.outputs.iter_mut().for_each(|output| to(&mut output.node));
         module.asserts.iter_mut().for_each(|assert| to(&mut assert.condition));
+    }
+
+    /// Drops writes that never happen. A memory that is never written is zero, rather than undriven. A constant write
+    /// address gets a net, for Yosys takes a memory with a literal one apart into registers.
+    fn settle_memories(&mut self) {
+        for index in 0..self.module.memories.len() {
+            let mut memory = self.module.memories[index].clone();
+            let depth = u64::from(memory.depth);
+            memory.writes.retain(|write| {
+                let address = self.constant(write.address);
+                let never = self.constant(write.enable).is_some_and(|enable| enable.is_zero());
+                !never && address.is_none_or(|address| address.to_u64().is_some_and(|address| address < depth))
+            });
+            for write in &mut memory.writes {
+                if let Op::Const(_) = self.module.node(write.address).op {
+                    let node = Node { op: Op::Wire(write.address), ..self.module.node(write.address).clone() };
+                    write.address = NodeId(self.module.nodes.len() as u32);
+                    self.module.nodes.push(node);
+                }
+            }
+            if memory.writes.is_empty() && memory.contents == Contents::Unknown {
+                memory.contents = Contents::Fill(Bits::zero(memory.width));
+            }
+            self.module.memories[index] = memory;
+        }
     }
 
     /// The value of a node that is constant, also behind a name.
@@ -178,6 +203,13 @@ impl Fold {
         let zero = |value: &Option<Bits>| value.as_ref().is_some_and(Bits::is_zero);
         let ones = |value: &Option<Bits>| value.as_ref().is_some_and(|value| value.not().is_zero());
         match binary {
+            Binary::Xor | Binary::Sub if a == b => Is(Op::Const(Bits::zero(self.width(a)))),
+            Binary::And | Binary::Or if a == b => Same(a),
+            Binary::And if self.are_opposite(a, b) => Is(Op::Const(Bits::zero(self.width(a)))),
+            Binary::Or | Binary::Xor if self.are_opposite(a, b) => Is(Op::Const(Bits::ones(self.width(a)))),
+            Binary::Mul | Binary::MulSigned if zero(&values.0) || zero(&values.1) => {
+                Is(Op::Const(Bits::zero(self.width(a) + self.width(b))))
+            }
             Binary::Add | Binary::Or | Binary::Xor if zero(&values.0) => Same(b),
             Binary::Add | Binary::Sub | Binary::Or | Binary::Xor if zero(&values.1) => Same(a),
             Binary::And if zero(&values.0) || ones(&values.1) => Same(a),
@@ -186,6 +218,12 @@ impl Fold {
             Binary::Or if ones(&values.1) => Same(b),
             _ => Is(Op::Binary(binary, a, b)),
         }
+    }
+
+    /// Whether one is the other inverted.
+    fn are_opposite(&self, a: NodeId, b: NodeId) -> bool {
+        let inverts = |a, b| self.module.node(a).op == Op::Unary(Unary::Not, b);
+        inverts(a, b) || inverts(b, a)
     }
 
     fn compare(&self, relation: Relation, signed: bool, a: NodeId, b: NodeId) -> Outcome {
@@ -299,6 +337,9 @@ impl Fold {
         if let Some(amount) = self.constant(amount) {
             let amount = amount.to_u64().map_or(width, |amount| amount.min(u64::from(width)) as u32);
             return self.shift_by(id, shift, a, amount);
+        }
+        if self.constant(a).is_some_and(|value| value.is_zero()) {
+            return Same(a);
         }
         let amount_width = self.width(amount);
         if amount_width <= WIDEST_AMOUNT || width >= 1 << WIDEST_AMOUNT {
