@@ -1,6 +1,10 @@
 //! Designs of every kind pass every linter: several clocks, loaded memories, gathers, hostile names, dead values.
 
+mod blocks;
+
+use blocks::LineBuffer;
 use std::fmt::Debug;
+use tilewright_gen::tools::Target;
 use tilewright_gen::{VerilogFile, tools, verilog};
 use tilewright_hdl::*;
 
@@ -46,9 +50,6 @@ fn print(name: &'static str, build: fn(Module, Pair) -> Signal) -> Vec<VerilogFi
 /// The text of the top module, free of complaints.
 fn clean(name: &'static str, build: fn(Module, Pair) -> Signal) -> String {
     let files = print(name, build);
-    if let Ok(folder) = std::env::var("KEEP") {
-        files.iter().for_each(|file| std::fs::write(format!("{folder}/{}", file.name), &file.text).unwrap());
-    }
     tools::lint(&files).unwrap();
     files.into_iter().rfind(|file| file.name.ends_with(".v")).expect("there is a top module").text
 }
@@ -180,6 +181,19 @@ fn an_array_of_any_size_is_the_same_text() {
     };
     let (small, large) = (print(1000), print(9000));
     assert_eq!(small.replace("1000", "N").lines().count(), large.replace("9000", "N").lines().count());
+}
+
+#[test]
+fn memories_become_block_ram() {
+    let files = verilog(&elaborate(&LineBuffer).expect("the block is sound"));
+    // Of 1000 words of 24 bits, with the flag of an address inside as the only flip-flop.
+    for (target, ram, count, flip_flop) in
+        [(Target::Ice40, "SB_RAM40_4K", 6, "SB_DFF"), (Target::Ecp5, "DP16KD", 2, "TRELLIS_FF")]
+    {
+        if let Some(cells) = tools::cells(&files, target).unwrap() {
+            assert_eq!((cells.get(ram), cells.get(flip_flop)), (Some(&count), Some(&1)), "{cells:?}");
+        }
+    }
 }
 
 /// An array of registers in a chain.

@@ -69,7 +69,8 @@ impl Printer<'_> {
             };
             printed.push((label, self.full_branch(*value, target)));
         }
-        Statement::Case(subject, printed, self.full_branch(*default, target))
+        let note = states.and_then(|states| self.states.remaining(states, arms.iter().map(|(key, _)| key)));
+        Statement::Case { subject, arms: printed, default: self.full_branch(*default, target), note }
     }
 
     fn if_chain(&mut self, id: NodeId, target: &Target) -> Statement {

@@ -123,19 +123,18 @@ impl Printer<'_> {
             let name = &memory.name;
             let mut body = match &memory.contents {
                 Contents::Unknown => continue,
-                Contents::Fill(word) => self.fill(memory, word),
+                Contents::Fill(word) => self.fill(memory, 0, word),
                 Contents::Words(words) if words.len() > MOST_INLINE_WORDS => {
                     out.push(format!("initial $readmemh(\"{}\", {name});", data_file(module, memory)));
                     out.push(String::new());
                     continue;
                 }
                 Contents::Words(words) => {
-                    let mut body = Vec::new();
-                    if words.len() < memory.depth as usize {
-                        body = self.fill(memory, &Bits::zero(memory.width));
-                    }
                     let word = |(address, word)| format!("    {name}[{address}] = {};", literal(word, Style::Pattern));
-                    body.extend(words.iter().enumerate().map(word));
+                    let mut body: Vec<String> = words.iter().enumerate().map(word).collect();
+                    if words.len() < memory.depth as usize {
+                        body.splice(0..0, self.fill(memory, words.len(), &Bits::zero(memory.width)));
+                    }
                     body
                 }
             };
@@ -147,13 +146,14 @@ impl Printer<'_> {
         out
     }
 
-    fn fill(&mut self, memory: &Memory, word: &Bits) -> Vec<String> {
+    /// Gives every word from an address on the same value.
+    fn fill(&mut self, memory: &Memory, from: usize, word: &Bits) -> Vec<String> {
         let index = if self.taken.contains("i") { "word_index" } else { "i" };
         let (name, word) = (&memory.name, literal(word, Style::Pattern));
         vec![
             format!("    integer {index};"),
             format!(
-                "    for ({index} = 0; {index} < {}; {index} = {index} + 1) {name}[{index}] = {word};",
+                "    for ({index} = {from}; {index} < {}; {index} = {index} + 1) {name}[{index}] = {word};",
                 memory.depth
             ),
         ]
