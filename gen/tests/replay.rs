@@ -2,22 +2,23 @@
 
 mod blocks;
 
-use blocks::{Counter, Row};
+use blocks::{Clocks, Counter, Row};
 use tilewright_gen::tools::{self, Problems};
 use tilewright_gen::{Initial, Replay, ReplayStep, testbench, verilog};
 use tilewright_hdl::{Bits, Block, elaborate};
 
-/// Steps of one clock of 10 ns: reset, inputs, outputs, each with its width.
-fn replay(steps: &[(bool, &[(u32, u64)], &[(u32, u64)])]) -> Replay {
-    let bits = |values: &[(u32, u64)]| values.iter().map(|&(width, value)| Bits::new(width, value)).collect();
-    let step = |(cycle, &(reset, inputs, outputs)): (usize, &(bool, &[(u32, u64)], &[(u32, u64)]))| ReplayStep {
-        time_ps: 10_000 * (cycle as u64 + 1),
-        rising: vec![0],
-        resets: if reset { vec![0] } else { vec![] },
-        inputs: bits(inputs),
-        outputs: bits(outputs),
-    };
-    Replay { steps: steps.iter().enumerate().map(step).collect(), initial: Vec::new() }
+/// A value and its width.
+type Value = (u32, u64);
+
+fn bits(values: &[Value]) -> Vec<Bits> {
+    values.iter().map(|&(width, value)| Bits::new(width, value)).collect()
+}
+
+/// A step of one clock of 10 ns: its cycle, whether the reset is high, inputs, outputs.
+fn step(cycle: u64, reset: bool, inputs: &[Value], outputs: &[Value]) -> ReplayStep {
+    let resets = if reset { vec![0] } else { vec![] };
+    let time_ps = 10_000 * (cycle + 1);
+    ReplayStep { time_ps, rising: vec![0], resets, inputs: bits(inputs), outputs: bits(outputs) }
 }
 
 fn run<B: Block>(block: &B, replay: &Replay) -> Result<(), Problems> {
@@ -29,15 +30,15 @@ fn run<B: Block>(block: &B, replay: &Replay) -> Result<(), Problems> {
 }
 
 fn counting() -> Replay {
-    let on: &[(u32, u64)] = &[(1, 1)];
-    replay(&[
-        (true, on, &[(8, 0), (1, 0)]),
-        (false, on, &[(8, 0), (1, 0)]),
-        (false, &[(1, 0)], &[(8, 1), (1, 0)]),
-        (false, on, &[(8, 1), (1, 0)]),
-        (false, on, &[(8, 2), (1, 1)]),
-        (false, on, &[(8, 0), (1, 0)]),
-    ])
+    let steps = vec![
+        step(0, true, &[(1, 1)], &[(8, 0), (1, 0)]),
+        step(1, false, &[(1, 1)], &[(8, 0), (1, 0)]),
+        step(2, false, &[(1, 0)], &[(8, 1), (1, 0)]),
+        step(3, false, &[(1, 1)], &[(8, 1), (1, 0)]),
+        step(4, false, &[(1, 1)], &[(8, 2), (1, 1)]),
+        step(5, false, &[(1, 1)], &[(8, 0), (1, 0)]),
+    ];
+    Replay { steps, initial: Vec::new() }
 }
 
 #[test]
@@ -62,10 +63,53 @@ fn a_wrong_expectation_fails_with_port_and_cycle() {
 
 #[test]
 fn lanes_and_memories_start_from_what_the_replay_says() {
-    let inputs: &[(u32, u64)] = &[(1, 0), (8, 5)];
-    let mut row = replay(&[(false, inputs, &[(1, 0), (1, 0), (8, 9), (8, 12), (8, 0x67)])]);
-    row.initial = [(0, 1), (1, 2), (4, 9)]
-        .map(|(lane, value)| Initial { path: format!("u_cell[{lane}].q"), words: vec![Bits::new(8, value)] })
-        .to_vec();
-    run(&Row { lanes: 5 }, &row).unwrap();
+    let outputs = [(1, 0), (1, 0), (8, 9), (8, 12), (8, 0x67)];
+    let initial = [(0, 1), (1, 2), (4, 9)]
+        .map(|(lane, value)| Initial { path: format!("u_cell[{lane}].q"), words: vec![Bits::new(8, value)] });
+    let replay = Replay { steps: vec![step(0, false, &[(1, 0), (8, 5)], &outputs)], initial: initial.to_vec() };
+    run(&Row { lanes: 5 }, &replay).unwrap();
+}
+
+#[test]
+fn several_clocks_keep_their_relative_times() {
+    // Every 10 ns `count` grows, every 14 ns `seen` takes it; at 70 ns both edges see the values before.
+    let steps = [10, 14, 20, 28, 30, 40, 42, 50, 56, 60, 70, 80].map(|ns: u64| {
+        let rising: Vec<usize> =
+            [10, 14].iter().enumerate().filter(|(_, period)| ns.is_multiple_of(**period)).map(|at| at.0).collect();
+        let (count, seen) = ((ns - 1) / 10, (ns - 1) / 14 * 14);
+        let seen = if seen == 70 { 6 } else { seen / 10 };
+        ReplayStep {
+            time_ps: ns * 1000,
+            rising,
+            resets: vec![],
+            inputs: vec![],
+            outputs: bits(&[(8, count), (8, seen)]),
+        }
+    });
+    run(&Clocks, &Replay { steps: steps.to_vec(), initial: vec![] }).unwrap();
+}
+
+#[test]
+fn a_dump_is_replayed_against_the_verilog() {
+    let design = elaborate(&Counter { width: 8, limit: 3 }).expect("the block is sound");
+    let folder = tempfile::tempdir().expect("a temporary folder can be made");
+    let check = |last: &str| {
+        let mut dump = String::from("$timescale 1ps $end\n$scope module tb $end\n$scope module dut $end\n");
+        for (id, width, name) in [("c", 1, "clk"), ("r", 1, "rst"), ("e", 1, "enable"), ("n", 8, "count")] {
+            dump += &format!("$var wire {width} {id} {name} $end\n");
+        }
+        dump += "$upscope $end\n$upscope $end\n$enddefinitions $end\n#0\n0c\n1r\n1e\nb0 n\n";
+        for (cycle, count) in ["0", "1", "10", last].iter().enumerate() {
+            let reset = if cycle == 0 { "0r\n" } else { "" };
+            dump += &format!("#{}\n1c\nb{count} n\n#{}\n0c\n{reset}", 10 + 20 * cycle, 20 + 20 * cycle);
+        }
+        let path = folder.path().join("run.vcd");
+        std::fs::write(&path, dump + "#100\n").expect("a dump can be written");
+        tools::yosys_replay_vcd(&verilog(&design), &path, "tb.dut", &["clk"])
+    };
+    let _ = check("0").unwrap();
+    match check("11") {
+        Ok(checked) => assert_eq!(checked, tools::Checked::Skipped, "Yosys accepts a wrong dump"),
+        Err(problems) => assert!(problems.to_string().contains("difference"), "{problems}"),
+    }
 }

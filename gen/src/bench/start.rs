@@ -28,7 +28,10 @@ fn scope(design: &Design, states: &[Vec<State>], id: ModuleId, path: &str, depth
         let path = format!("{path}.{}[{index}].lane", instance.name);
         let inner = scope(design, states, instance.module, &path, depth + 1);
         if !inner.is_empty() {
-            out.push(format!("for ({index} = 0; {index} < {lanes}; {index} = {index} + 1) begin : {}", label(&path)));
+            out.push(format!(
+                "for ({index} = 0; {index} < {lanes}; {index} = {index} + 1) begin : start_{}",
+                label(&path)
+            ));
             out.extend(inner.into_iter().map(|line| format!("    {line}")));
             out.push("end".to_string());
         }
@@ -50,11 +53,11 @@ fn deepest(module: &Module, depths: &[usize]) -> usize {
     module.instances.iter().map(below).max().unwrap_or(0)
 }
 
-/// A path as a label: `dut.u_row.u_cell[lane0].lane` is `start_u_row_u_cell`.
+/// A path as a label: `dut.u_row.u_cell[lane0].lane` is `u_row_u_cell`.
 fn label(path: &str) -> String {
     let named = path.split('.').skip(1).filter(|part| *part != "lane");
     let words: Vec<&str> = named.map(|part| part.split('[').next().unwrap_or(part)).collect();
-    format!("start_{}", words.join("_"))
+    words.join("_")
 }
 
 fn start(path: &str, state: &State) -> Vec<String> {
@@ -65,7 +68,7 @@ fn start(path: &str, state: &State) -> Vec<String> {
         }
         State::Memory { name, depth, width } => {
             let zero = Bits::zero(*width);
-            let block = format!("{}_{name}", label(&format!("{path}.x")));
+            let block = format!("fill_{}", label(&format!("{path}.{name}")));
             vec![
                 format!("initial begin : {block}"),
                 format!("    integer {ADDRESS};"),

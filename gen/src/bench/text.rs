@@ -61,7 +61,13 @@ impl<'a> Bench<'a> {
         };
         let own = ["stimulus", "expected", "gap", "rising", "cycle", "errors", "dut", "fill", "run"];
         let ports = || bench.driven.iter().chain(&bench.outputs).map(|port| port.0).chain(bench.clocks.iter().copied());
-        if ports().any(|port| own.contains(&port) || port.starts_with("want_") || port.starts_with("lane")) {
+        if ports().any(|port| {
+            own.contains(&port)
+                || port.starts_with("want_")
+                || port.starts_with("lane")
+                || port.starts_with("start_")
+                || port.starts_with("fill_")
+        }) {
             bench.prefix = "tb_";
         }
         let gaps = bench.gaps();

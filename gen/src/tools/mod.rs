@@ -7,9 +7,11 @@
 mod linters;
 mod replay;
 mod run;
+mod synthesis;
 
 pub use linters::lint;
 pub use replay::{replay_in_icarus, replay_in_verilator, yosys_replay_vcd};
+pub use synthesis::{Target, cells};
 
 use std::fmt;
 

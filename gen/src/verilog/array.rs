@@ -21,30 +21,36 @@ pub struct ArrayNames {
     genvar: String,
     /// For each instance the nets of a lane's outputs, empty for a plain instance.
     outputs: Vec<Vec<String>>,
-    /// The net in a lane's scope, and the array, of each value that is made there.
-    local: BTreeMap<NodeId, (InstanceId, String)>,
+    /// A net of the module that is called `lane`, and what it is called inside of arrays, where `lane` is the instance.
+    hidden: Option<(NodeId, String)>,
+    /// For each array, the nets of the values that are made in its lanes.
+    local: BTreeMap<(InstanceId, NodeId), String>,
 }
 
 impl ArrayNames {
     pub fn new(design: &Design, module: &Module, taken: &mut Taken) -> ArrayNames {
         let arrays = || module.instances.iter().enumerate().filter(|(_, instance)| instance.lanes.is_some());
-        let genvar = if arrays().next().is_some() { taken.fresh("i") } else { String::new() };
-        let mut names =
-            ArrayNames { genvar, outputs: vec![Vec::new(); module.instances.len()], local: BTreeMap::new() };
+        let free = ["i", "j", "k", "n"].into_iter().find(|name| !taken.contains(name)).unwrap_or("lane_index");
+        let genvar = if arrays().next().is_some() { taken.fresh(free) } else { String::new() };
+        let hidden = module.nodes.iter().position(|node| node.name.as_deref() == Some("lane") && node.lanes.is_none());
+        let hidden = hidden.filter(|_| !genvar.is_empty()).map(|id| (NodeId(id as u32), taken.fresh("lane_value")));
+        let outputs = vec![Vec::new(); module.instances.len()];
+        let mut names = ArrayNames { genvar, outputs, hidden, local: BTreeMap::new() };
         for (index, instance) in arrays() {
+            let array = InstanceId(index as u32);
             let mut scope = Scope { taken, used: vec!["lane".to_string()] };
             let child = design.module(instance.module);
             names.outputs[index] = child.outputs.iter().map(|port| scope.name(&port.name)).collect();
             for (port, &input) in child.inputs.iter().zip(&instance.inputs) {
                 let mut next = Some(input);
-                while let Some(id) = next.filter(|id| !names.local.contains_key(id)) {
+                while let Some(id) = next.filter(|&id| !names.local.contains_key(&(array, id))) {
                     let (made_here, operand) = match module.node(id).op {
                         Op::Shifted { of, .. } => (true, Some(of)),
                         Op::PerLane(_) => (true, None),
                         _ => (false, None),
                     };
                     if made_here {
-                        names.local.insert(id, (InstanceId(index as u32), scope.name(&port.name)));
+                        names.local.insert((array, id), scope.name(&port.name));
                     }
                     next = operand;
                 }
@@ -77,10 +83,25 @@ impl Printer<'_> {
         &self.arrays.outputs[array.0 as usize][port as usize]
     }
 
-    /// The declaration of the loop variable, if the module has an array.
-    pub fn genvar(&self) -> Vec<String> {
-        let genvar = &self.arrays.genvar;
-        if genvar.is_empty() { Vec::new() } else { vec![format!("genvar {genvar};")] }
+    /// The declarations that arrays need, of which this is the text.
+    pub fn array_declarations(&self, arrays: &[String]) -> Vec<String> {
+        let mut out = Vec::new();
+        if let Some((id, alias)) = &self.arrays.hidden
+            && arrays.iter().any(|line| line.contains(alias))
+        {
+            out.push(format!("wire {}{alias} = {};", range(self.module.width(*id)), self.name(*id)));
+        }
+        if !self.arrays.genvar.is_empty() {
+            out.push(format!("genvar {};", self.arrays.genvar));
+        }
+        out
+    }
+
+    /// Calls a net named `lane` by its other name while a lane's scope is printed, and back.
+    fn swap_hidden(&mut self) {
+        if let Some((id, alias)) = &mut self.arrays.hidden {
+            std::mem::swap(self.names[id.0 as usize].as_mut().expect("the net has a name"), alias);
+        }
     }
 
     /// One array.
@@ -90,14 +111,10 @@ impl Printer<'_> {
         for (port, output) in child.outputs.iter().enumerate() {
             body.push(format!("wire {}{};", range(child.width(output.node)), self.lane_port(id, port as u32)));
         }
-        let here: Vec<(NodeId, String)> = self
-            .arrays
-            .local
-            .iter()
-            .filter(|(_, (array, _))| *array == id)
-            .map(|(&node, (_, name))| (node, name.clone()))
-            .collect();
-        for (node, name) in here {
+        let local = self.arrays.local.range((id, NodeId(0))..=(id, NodeId(u32::MAX)));
+        let local: Vec<(NodeId, String)> = local.map(|(&(_, node), name)| (node, name.clone())).collect();
+        self.swap_hidden();
+        for (node, name) in local {
             body.extend(self.local_value(id, node, &name));
         }
         let mut connections = self.clock_connections(instance, child);
@@ -105,6 +122,7 @@ impl Printer<'_> {
             let value = self.lane_input(id, input);
             connections.push((port.name.clone(), value));
         }
+        self.swap_hidden();
         for (port, output) in child.outputs.iter().enumerate() {
             connections.push((output.name.clone(), self.lane_port(id, port as u32).to_string()));
         }
@@ -125,7 +143,7 @@ impl Printer<'_> {
         match &self.module.node(id).op {
             Op::Broadcast(plain) => self.value(*plain),
             Op::PerLane(parts) => {
-                let name = self.arrays.local[&id].1.clone();
+                let name = self.arrays.local[&(array, id)].clone();
                 match self.progression(parts) {
                     Some(_) => progression_value(&name, self.module.width(id)),
                     None => self.lane_value(array, id, 0),
@@ -142,7 +160,7 @@ impl Printer<'_> {
                 self.read_lanes_behind(id, by);
                 (home, self.lane_port(home, port).to_string())
             }
-            _ => self.arrays.local[&id].clone(),
+            _ => (array, self.arrays.local[&(array, id)].clone()),
         };
         let (i, scope) = (&self.arrays.genvar, &self.module.instances[home.0 as usize].name);
         match by {
@@ -286,7 +304,7 @@ impl Printer<'_> {
         let is_read = |id: NodeId| self.lanes_read.get(&id).is_some_and(|lanes| lanes.iter().all(|&read| read));
         let unread = instance.outputs.iter().enumerate().filter(|&(_, &id)| !is_read(id));
         let nets: Vec<String> = unread.map(|(port, _)| self.lane_port(array, port as u32).to_string()).collect();
-        (!nets.is_empty()).then(|| format!("wire _unused_ok = &{{1'b0, {}}};", nets.join(", ")))
+        (!nets.is_empty()).then(|| format!("wire _unused_lane = &{{1'b0, {}}};", nets.join(", ")))
     }
 }
 

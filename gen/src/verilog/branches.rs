@@ -4,7 +4,7 @@ use super::expression::Printer;
 use super::literal::{Style, literal};
 use super::plan::Form;
 use super::statement::Statement;
-use tilewright_hdl::ir::{NodeId, Op};
+use tilewright_hdl::ir::{NodeId, Op, Unary};
 
 /// What statements assign to.
 pub struct Target {
@@ -69,7 +69,8 @@ impl Printer<'_> {
             };
             printed.push((label, self.full_branch(*value, target)));
         }
-        Statement::Case(subject, printed, self.full_branch(*default, target))
+        let note = states.and_then(|states| self.states.remaining(states, arms.iter().map(|(key, _)| key)));
+        Statement::Case { subject, arms: printed, default: self.full_branch(*default, target), note }
     }
 
     fn if_chain(&mut self, id: NodeId, target: &Target) -> Statement {
@@ -81,7 +82,7 @@ impl Printer<'_> {
         if let [(condition, value)] = arms[..]
             && holds(value)
         {
-            let condition = format!("!{}", self.operand(condition, Style::Count));
+            let condition = self.negated(condition);
             return Statement::If(vec![(condition, self.branch(last, target))], Vec::new());
         }
         let mut printed = Vec::with_capacity(arms.len());
@@ -90,6 +91,14 @@ impl Printer<'_> {
             printed.push((condition, self.full_branch(value, target)));
         }
         Statement::If(printed, self.branch(last, target))
+    }
+
+    /// A condition that holds where the given one does not.
+    fn negated(&mut self, condition: NodeId) -> String {
+        match self.module.node(condition).op {
+            Op::Unary(Unary::Not, inner) if self.plan.form(condition) == Form::Inline => self.value(inner),
+            _ => format!("!{}", self.operand(condition, Style::Count)),
+        }
     }
 
     /// The conditions and values of choices that follow each other in the `else`, and the last `else`.

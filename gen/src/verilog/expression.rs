@@ -28,6 +28,8 @@ pub struct Printer<'a> {
     pub lanes_read: BTreeMap<NodeId, Vec<bool>>,
     /// Clock and reset ports that something reads.
     pub clocks_read: BTreeSet<String>,
+    /// Memories of which something reads a word.
+    pub memories_read: BTreeSet<String>,
 }
 
 impl<'a> Printer<'a> {
@@ -39,8 +41,21 @@ impl<'a> Printer<'a> {
         let states = StateNames::new(module, &mut taken);
         let arrays = ArrayNames::new(design, module, &mut taken);
         let usage = Usage::new(module.nodes.len());
-        let (lanes_read, clocks_read) = (BTreeMap::new(), BTreeSet::new());
-        Printer { design, module, plan, taken, names, reads, states, arrays, usage, lanes_read, clocks_read }
+        let (lanes_read, clocks_read, memories_read) = (BTreeMap::new(), BTreeSet::new(), BTreeSet::new());
+        Printer {
+            design,
+            module,
+            plan,
+            taken,
+            names,
+            reads,
+            states,
+            arrays,
+            usage,
+            lanes_read,
+            clocks_read,
+            memories_read,
+        }
     }
 
     /// The name of a node that has one.
@@ -135,7 +150,9 @@ impl<'a> Printer<'a> {
             Unary::AnyOne => "|",
             Unary::Parity => "^",
         };
-        format!("{operator}{}", self.operand(a, Style::Pattern))
+        let operand = self.operand(a, Style::Pattern);
+        // `^~b` would be one operator, a different one.
+        if operand.starts_with(['~', '!']) { format!("{operator}({operand})") } else { format!("{operator}{operand}") }
     }
 
     fn binary(&mut self, binary: Binary, a: NodeId, b: NodeId, width: u32) -> String {
@@ -216,7 +233,10 @@ impl<'a> Printer<'a> {
             }
             _ => format!("{value}[{}]", inner - 1),
         };
-        format!("{{{{{missing}{{{sign}}}}}, {value}}}")
+        match missing {
+            1 => format!("{{{sign}, {value}}}"),
+            _ => format!("{{{{{missing}{{{sign}}}}}, {value}}}"),
+        }
     }
 
     /// The name of one lane of an array's output, seen from outside the array.

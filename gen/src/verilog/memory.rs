@@ -58,12 +58,23 @@ impl Printer<'_> {
         format!("{} < {depth}", self.operand(address, Style::Count))
     }
 
+    /// The word at an address, which is zero at a constant address beyond the depth.
+    fn word(&mut self, memory: &Memory, address: NodeId) -> String {
+        match constant_address(self.module, address) {
+            Some(address) if address >= u64::from(memory.depth) => literal(&Bits::zero(memory.width), Style::Count),
+            _ => {
+                self.memories_read.insert(memory.name.clone());
+                format!("{}[{}]", memory.name, self.value(address))
+            }
+        }
+    }
+
     /// The word of an asynchronous port, zero beyond the depth.
     pub fn asynchronous_read(&mut self, memory: MemoryId, port: u32) -> String {
         let module = self.module;
         let memory = &module.memories[memory.0 as usize];
         let address = memory.reads[port as usize].address;
-        let word = format!("{}[{}]", memory.name, self.value(address));
+        let word = self.word(memory, address);
         if !can_exceed(module, memory, address) {
             return word;
         }
@@ -112,19 +123,18 @@ impl Printer<'_> {
             let name = &memory.name;
             let mut body = match &memory.contents {
                 Contents::Unknown => continue,
-                Contents::Fill(word) => self.fill(memory, word),
+                Contents::Fill(word) => self.fill(memory, 0, word),
                 Contents::Words(words) if words.len() > MOST_INLINE_WORDS => {
                     out.push(format!("initial $readmemh(\"{}\", {name});", data_file(module, memory)));
                     out.push(String::new());
                     continue;
                 }
                 Contents::Words(words) => {
-                    let mut body = Vec::new();
-                    if words.len() < memory.depth as usize {
-                        body = self.fill(memory, &Bits::zero(memory.width));
-                    }
                     let word = |(address, word)| format!("    {name}[{address}] = {};", literal(word, Style::Pattern));
-                    body.extend(words.iter().enumerate().map(word));
+                    let mut body: Vec<String> = words.iter().enumerate().map(word).collect();
+                    if words.len() < memory.depth as usize {
+                        body.splice(0..0, self.fill(memory, words.len(), &Bits::zero(memory.width)));
+                    }
                     body
                 }
             };
@@ -136,13 +146,14 @@ impl Printer<'_> {
         out
     }
 
-    fn fill(&mut self, memory: &Memory, word: &Bits) -> Vec<String> {
+    /// Gives every word from an address on the same value.
+    fn fill(&mut self, memory: &Memory, from: usize, word: &Bits) -> Vec<String> {
         let index = if self.taken.contains("i") { "word_index" } else { "i" };
         let (name, word) = (&memory.name, literal(word, Style::Pattern));
         vec![
             format!("    integer {index};"),
             format!(
-                "    for ({index} = 0; {index} < {}; {index} = {index} + 1) {name}[{index}] = {word};",
+                "    for ({index} = {from}; {index} < {}; {index} = {index} + 1) {name}[{index}] = {word};",
                 memory.depth
             ),
         ]
@@ -175,17 +186,30 @@ impl Printer<'_> {
         }
         for (port, read) in memory.reads.iter().enumerate().filter(|(_, read)| read.clock == Some(clock)) {
             let names = self.reads[id.0 as usize][port].clone().expect("a synchronous port has a register");
-            let word = format!("{}[{}]", memory.name, self.value(read.address));
-            let assigns = match names.raw {
-                None => vec![Statement::Assign(format!("{} <= {word};", names.data))],
-                Some(raw) => vec![
-                    Statement::Assign(format!("{} <= {word};", raw.word)),
-                    Statement::Assign(format!("{} <= {};", raw.inside, self.inside(memory, read.address))),
-                ],
+            let assign = |name: &str, value: String| Statement::Assign(format!("{name} <= {value};"));
+            let assigns = match (names.raw, self.is_never(read.enable)) {
+                (None, true) => vec![assign(&names.data, names.data.clone())],
+                (Some(raw), true) => {
+                    vec![assign(&raw.word, raw.word.clone()), assign(&raw.inside, raw.inside.clone())]
+                }
+                (None, false) => vec![assign(&names.data, self.word(memory, read.address))],
+                (Some(raw), false) => {
+                    let word = self.word(memory, read.address);
+                    vec![assign(&raw.word, word), assign(&raw.inside, self.inside(memory, read.address))]
+                }
             };
+            if self.is_never(read.enable) {
+                body.extend(assigns);
+                continue;
+            }
             body.extend(self.when(read.enable, assigns));
         }
         body
+    }
+
+    /// Whether an enable is always low; a port so disabled keeps its data.
+    fn is_never(&self, enable: Option<NodeId>) -> bool {
+        enable.is_some_and(|id| matches!(&self.module.node(id).op, Op::Const(value) if value.is_zero()))
     }
 
     fn when(&mut self, enable: Option<NodeId>, body: Vec<Statement>) -> Vec<Statement> {
@@ -203,15 +227,23 @@ fn highest_value(width: u32) -> u64 {
     if width >= 64 { u64::MAX } else { (1 << width) - 1 }
 }
 
-/// Whether the address of a read port can exceed the depth.
+/// The value of an address that is constant; one of more than 64 bits counts as the largest.
+fn constant_address(module: &Module, address: NodeId) -> Option<u64> {
+    match &module.node(address).op {
+        Op::Const(value) => Some(value.to_u64().unwrap_or(u64::MAX)),
+        Op::Wire(to) => constant_address(module, *to),
+        _ => None,
+    }
+}
+
+/// Whether the address of a read port can exceed the depth, and is not known to.
 pub fn can_exceed(module: &Module, memory: &Memory, address: NodeId) -> bool {
     let node = module.node(address);
     let highest = match &node.op {
-        Op::Const(value) => value.to_u64().unwrap_or(u64::MAX),
         Op::Extend { of, signed: false } => highest_value(module.width(*of)),
         _ => highest_value(node.width),
     };
-    highest >= u64::from(memory.depth)
+    constant_address(module, address).is_none() && highest >= u64::from(memory.depth)
 }
 
 /// The names of every read port, by memory; asynchronous ports have none.

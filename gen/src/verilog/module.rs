@@ -23,7 +23,7 @@ pub fn print(printer: &mut Printer) -> String {
     body.section(contents);
     body.section(printer.output_nets());
     body.section(nets.before);
-    body.section(printer.genvar());
+    body.section(printer.array_declarations(&instances));
     body.section(instances);
     body.section(nets.after);
     body.section(memory_ports);
@@ -164,7 +164,7 @@ impl Printer<'_> {
                 });
             }
         }
-        let unread = module.memories.iter().filter(|memory| memory.reads.is_empty());
+        let unread = module.memories.iter().filter(|memory| !self.memories_read.contains(&memory.name));
         items.extend(unread.map(|memory| format!("{}[0]", memory.name)));
         if items.is_empty() {
             return Vec::new();

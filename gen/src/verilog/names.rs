@@ -4,11 +4,15 @@
 use super::memory::ReadNames;
 use super::order::for_each_read;
 use super::plan::{Form, Plan};
-use std::collections::BTreeSet;
-use tilewright_hdl::ir::{Binary, Design, Module, NodeId, Op, Relation, Unary};
+use std::collections::{BTreeMap, BTreeSet};
+use tilewright_hdl::ir::{Binary, Design, Module, NodeId, Op, Reduction, Relation, Unary};
 
 /// The names in use in a module; Verilog tells them apart by case, people and some tools do not.
-pub struct Taken(BTreeSet<String>);
+pub struct Taken {
+    names: BTreeSet<String>,
+    /// For each name that was wanted more than once, the number to try next.
+    numbers: BTreeMap<String, u32>,
+}
 
 impl Taken {
     /// Every name that the module declares.
@@ -19,20 +23,23 @@ impl Taken {
         let memories = module.memories.iter().map(|memory| &memory.name);
         let instances = module.instances.iter().map(|instance| &instance.name);
         let all = clocks.chain(ports).chain(nodes).chain(memories).chain(instances);
-        Taken(all.map(|name| name.to_lowercase()).collect())
+        Taken { names: all.map(|name| name.to_lowercase()).collect(), numbers: BTreeMap::new() }
     }
 
     /// Whether the name is in use.
     pub fn contains(&self, name: &str) -> bool {
-        self.0.contains(&name.to_lowercase())
+        self.names.contains(&name.to_lowercase())
     }
 
     /// The wanted name, or the first of `wanted_2`, `wanted_3` ... that is free; it is in use from now on.
     pub fn fresh(&mut self, wanted: &str) -> String {
-        let numbered = (2..).map(|n| format!("{wanted}_{n}"));
-        let free = std::iter::once(wanted.to_string()).chain(numbered).find(|name| !self.contains(name));
-        let name = free.expect("some number is free");
-        self.0.insert(name.to_lowercase());
+        let mut name = wanted.to_string();
+        while self.contains(&name) {
+            let number = self.numbers.entry(wanted.to_string()).or_insert(2);
+            name = format!("{wanted}_{number}");
+            *number += 1;
+        }
+        self.names.insert(name.to_lowercase());
         name
     }
 }
@@ -45,8 +52,9 @@ pub fn name_nodes(
     reads: &[Vec<Option<ReadNames>>],
     taken: &mut Taken,
 ) -> Vec<Option<String>> {
-    let mut namer = Namer { module, plan, taken, names: module.nodes.iter().map(|node| node.name.clone()).collect() };
-    namer.name_declared(design, reads);
+    let mut namer =
+        Namer { design, module, plan, taken, names: module.nodes.iter().map(|node| node.name.clone()).collect() };
+    namer.name_declared(reads);
     for id in (0..module.nodes.len() as u32).map(NodeId) {
         if let Some(name) = &module.node(id).name {
             namer.name_below(id, name, name);
@@ -70,6 +78,7 @@ pub fn name_nodes(
 }
 
 struct Namer<'a> {
+    design: &'a Design,
     module: &'a Module,
     plan: &'a Plan,
     taken: &'a mut Taken,
@@ -84,7 +93,7 @@ impl Namer<'_> {
     }
 
     /// Data of memories and outputs of instances.
-    fn name_declared(&mut self, design: &Design, reads: &[Vec<Option<ReadNames>>]) {
+    fn name_declared(&mut self, reads: &[Vec<Option<ReadNames>>]) {
         for (memory, names) in self.module.memories.iter().zip(reads) {
             let asynchronous = memory.reads.iter().filter(|read| read.clock.is_none()).count();
             let mut index = 0;
@@ -100,7 +109,7 @@ impl Namer<'_> {
             }
         }
         for instance in self.module.instances.iter().filter(|instance| instance.lanes.is_none()) {
-            for (port, &node) in design.module(instance.module).outputs.iter().zip(&instance.outputs) {
+            for (port, &node) in self.design.module(instance.module).outputs.iter().zip(&instance.outputs) {
                 self.give(node, &format!("{}_{}", instance.name, port.name));
             }
         }
@@ -123,6 +132,15 @@ impl Namer<'_> {
         }
     }
 
+    /// A combination of all lanes is called after the array, as in `u_cell_hit_any`.
+    fn reduction_name(&self, id: NodeId) -> Option<String> {
+        let Op::Reduce(reduction, of) = self.module.node(id).op else { return None };
+        let Op::Output(instance, port) = self.module.node(of).op else { return None };
+        let instance = &self.module.instances[instance.0 as usize];
+        let port = &self.design.module(instance.module).outputs[port as usize].name;
+        Some(format!("{}_{port}_{}", instance.name, combined(reduction)))
+    }
+
     /// Names the nets that `root` is computed from and that nobody has named yet; `root` itself is called `itself`.
     fn name_below(&mut self, root: NodeId, base: &str, itself: &str) {
         let mut stack = vec![root];
@@ -133,7 +151,9 @@ impl Namer<'_> {
             if fresh && id == root {
                 self.give(id, itself);
             } else if fresh {
-                self.give(id, &format!("{base}_{}", suffix(&module.node(id).op)));
+                let wanted =
+                    self.reduction_name(id).unwrap_or_else(|| format!("{base}_{}", suffix(&module.node(id).op)));
+                self.give(id, &wanted);
             }
             if id == root || fresh || matches!(form, Form::Inline | Form::Branches | Form::Lanes) {
                 let first = stack.len();
@@ -141,6 +161,16 @@ impl Namer<'_> {
                 stack[first..].reverse();
             }
         }
+    }
+}
+
+/// What all lanes of an output make together.
+fn combined(reduction: Reduction) -> &'static str {
+    match reduction {
+        Reduction::And => "all",
+        Reduction::Or => "any",
+        Reduction::Xor => "xor",
+        Reduction::Add => "sum",
     }
 }
 
@@ -169,7 +199,7 @@ fn suffix(op: &Op) -> &'static str {
         Op::Concat(_) | Op::Repeat(..) => "joined",
         Op::Extend { .. } => "extended",
         Op::Lane(..) | Op::PerLane(_) | Op::Broadcast(_) | Op::Shifted { .. } => "lane",
-        Op::Reduce(..) => "reduced",
+        Op::Reduce(reduction, _) => combined(*reduction),
         Op::Input(_) | Op::Const(_) | Op::Register(_) | Op::Read(..) => "value",
         Op::Output(..) | Op::Wire(_) | Op::QuasiStatic(..) => "value",
     }

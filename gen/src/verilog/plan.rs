@@ -120,7 +120,7 @@ impl Planner<'_> {
                 let read = &self.module.memories[memory.0 as usize].reads[*port as usize];
                 if read.clock.is_none() { Form::Net } else { Form::Declared }
             }
-            Op::Reduce(..) => Form::Net,
+            Op::Reduce(..) | Op::Wire(_) => Form::Net,
             _ if node.name.is_some() => Form::Net,
             Op::Binary(Binary::MulSigned, ..) | Op::Shift(Shift::RightSigned, ..) => Form::Net,
             _ => Form::Inline,

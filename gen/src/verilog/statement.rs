@@ -7,7 +7,13 @@ pub enum Statement {
     /// `if ... else if ... else`: conditions with bodies, then the last `else`, which may be empty.
     If(Vec<(String, Vec<Statement>)>, Vec<Statement>),
     /// `case (subject)` with labels and bodies, then `default`.
-    Case(String, Vec<(String, Vec<Statement>)>, Vec<Statement>),
+    Case {
+        subject: String,
+        arms: Vec<(String, Vec<Statement>)>,
+        default: Vec<Statement>,
+        /// What the default stands for, as a comment.
+        note: Option<String>,
+    },
 }
 
 /// The lines of the statements, indented by `indent` steps.
@@ -36,19 +42,27 @@ fn print(statement: &Statement, indent: usize, out: &mut Vec<String>) {
                 out.push(format!("{pad}end"));
             }
         }
-        Statement::Case(subject, arms, default) => {
+        Statement::Case { subject, arms, default, note } => {
             out.push(format!("{pad}case ({subject})"));
-            let default = ("default".to_string(), default);
-            for (label, body) in arms.iter().map(|(label, body)| (label.clone(), body)).chain([default]) {
-                let head = format!("{pad}    {label}:");
-                let short = is_short(body);
-                print_body(&head, body, short, indent + 1, out);
-                if !short {
-                    out.push(format!("{pad}    end"));
-                }
+            for (label, body) in arms {
+                print_arm(label, body, indent + 1, out);
+            }
+            let head = out.len();
+            print_arm("default", default, indent + 1, out);
+            if let Some(note) = note {
+                out[head].push_str(&format!(" // {note}"));
             }
             out.push(format!("{pad}endcase"));
         }
+    }
+}
+
+fn print_arm(label: &str, body: &[Statement], indent: usize, out: &mut Vec<String>) {
+    let pad = "    ".repeat(indent);
+    let short = is_short(body);
+    print_body(&format!("{pad}{label}:"), body, short, indent, out);
+    if !short {
+        out.push(format!("{pad}end"));
     }
 }
 

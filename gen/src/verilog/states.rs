@@ -85,6 +85,15 @@ impl StateNames {
         }
     }
 
+    /// The state that is none of these, if there is exactly one.
+    pub fn remaining<'a>(&self, index: usize, keys: impl Iterator<Item = &'a Bits>) -> Option<String> {
+        let keys: BTreeSet<u64> = keys.filter_map(Bits::to_u64).collect();
+        let names = self.enums[index].localparams.iter().enumerate();
+        let mut others = names.filter(|(code, _)| !keys.contains(&(*code as u64))).map(|(_, name)| name);
+        let only = others.next().cloned();
+        only.filter(|_| others.next().is_none())
+    }
+
     /// The declarations; a state that the text does not mention becomes a comment, so that no linter warns.
     pub fn declarations(&self) -> Vec<String> {
         let mut lines = Vec::new();

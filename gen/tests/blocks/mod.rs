@@ -1,5 +1,5 @@
 //! Small blocks that the tests of this crate print.
-#![allow(dead_code, reason = "each test uses some of them")]
+#![allow(dead_code, missing_docs, reason = "each test uses some of them, and the names say it all")]
 
 use tilewright_hdl::*;
 
@@ -157,5 +157,28 @@ impl Block for Row {
             total: cells.q.sum(),
             third: cells.sum.lane(2),
         }
+    }
+}
+
+bundle! {
+    pub struct ClocksOut<T> { pub count: T, pub seen: T }
+}
+
+/// A count of one clock, sampled by another.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Clocks;
+
+impl Block for Clocks {
+    type In = ();
+    type Out = ClocksOut;
+
+    fn inputs(&self) {}
+
+    fn build(&self, m: Module, (): ()) -> ClocksOut {
+        let count = m.reg("count", 8);
+        count.next(count + 1);
+        let seen = m.on(Clock::new("slow", Period::ns(14))).reg("seen", 8);
+        seen.next(count.quasi_static("the test looks at what a race would spoil"));
+        ClocksOut { count: count.value(), seen: seen.value() }
     }
 }

@@ -24,7 +24,7 @@ module pump (
         case (phase)
             PHASE_IDLE: valve = 4'd0;
             PHASE_FILL: valve = 4'd3;
-            default: valve = 4'd12;
+            default: valve = 4'd12; // PHASE_DRAIN
         endcase
     end
     assign busy = phase != PHASE_IDLE;                           // gen/tests/blocks/mod.rs:72
@@ -43,7 +43,7 @@ module pump (
                     if (full) phase <= PHASE_DRAIN;
                     else phase <= PHASE_FILL;
                 end
-                default: begin
+                default: begin // PHASE_DRAIN
                     if (empty) phase <= PHASE_IDLE;
                     else phase <= PHASE_DRAIN;
                 end

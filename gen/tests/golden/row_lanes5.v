@@ -44,7 +44,7 @@ module row_lanes5 (
                 .hit    (hit),
                 .sum    (sum)
             );
-            wire _unused_ok = &{1'b0, sum};
+            wire _unused_lane = &{1'b0, sum};
         end
     endgenerate
 

@@ -1,0 +1,54 @@
+//! Synthesis by Yosys: what a design costs on an FPGA.
+
+use super::Problems;
+use super::run::{Folder, is_installed, missing, problem, sources, top};
+use crate::VerilogFile;
+use std::collections::BTreeMap;
+use std::process::Command;
+
+/// An FPGA family.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Target {
+    /// Lattice iCE40.
+    Ice40,
+    /// Lattice ECP5.
+    Ecp5,
+    /// Xilinx 7 series.
+    Xilinx,
+}
+
+impl Target {
+    fn pass(self) -> &'static str {
+        match self {
+            Target::Ice40 => "synth_ice40",
+            Target::Ecp5 => "synth_ecp5",
+            Target::Xilinx => "synth_xilinx",
+        }
+    }
+}
+
+/// The cells of the whole design on that family, by type; `None` if Yosys is not installed.
+///
+/// # Errors
+///
+/// What Yosys printed, if it stopped.
+pub fn cells(files: &[VerilogFile], target: Target) -> Result<Option<BTreeMap<String, u64>>, Problems> {
+    if !is_installed("yosys") {
+        let _ = missing("yosys");
+        return Ok(None);
+    }
+    let folder = Folder::with(files);
+    let (sources, top, pass) = (sources(files).join(" "), top(files), target.pass());
+    let script = format!("read_verilog {sources}; {pass} -top {top} -flatten; tee -o stat.txt stat");
+    let (succeeded, output) = folder.run(Command::new("yosys").args(["-q", "-p", &script]));
+    let stat = std::fs::read_to_string(folder.path().join("stat.txt")).unwrap_or_default();
+    if !succeeded {
+        return Err(problem("yosys", output));
+    }
+    let cell = |line: &str| {
+        let mut words = line.split_whitespace();
+        let (name, count) = (words.next()?, words.next()?.parse().ok()?);
+        (words.next().is_none() && line.starts_with("     ")).then(|| (name.to_string(), count))
+    };
+    Ok(Some(stat.lines().filter_map(cell).collect()))
+}

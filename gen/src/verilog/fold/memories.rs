@@ -1,0 +1,32 @@
+//! Memories that some tool would take apart or complain about.
+
+use super::Fold;
+use tilewright_hdl::Bits;
+use tilewright_hdl::ir::{Contents, Node, NodeId, Op};
+
+impl Fold {
+    /// Drops writes that never happen. A memory that is never written is zero, rather than undriven. A constant write
+    /// address gets a net, for Yosys takes a memory with a literal one apart into registers.
+    pub(super) fn settle_memories(&mut self) {
+        for index in 0..self.module.memories.len() {
+            let mut memory = self.module.memories[index].clone();
+            let depth = u64::from(memory.depth);
+            memory.writes.retain(|write| {
+                let address = self.constant(write.address);
+                let never = self.constant(write.enable).is_some_and(|enable| enable.is_zero());
+                !never && address.is_none_or(|address| address.to_u64().is_some_and(|address| address < depth))
+            });
+            for write in &mut memory.writes {
+                if let Op::Const(_) = self.module.node(write.address).op {
+                    let node = Node { op: Op::Wire(write.address), ..self.module.node(write.address).clone() };
+                    write.address = NodeId(self.module.nodes.len() as u32);
+                    self.module.nodes.push(node);
+                }
+            }
+            if memory.writes.is_empty() && memory.contents == Contents::Unknown {
+                memory.contents = Contents::Fill(Bits::zero(memory.width));
+            }
+            self.module.memories[index] = memory;
+        }
+    }
+}

@@ -1,0 +1,157 @@
+//! Makes a module printable: constants are folded, so that no linter meets `a >= 8'd0`; shifts by a constant become
+//! slices; nodes that only pass a value on disappear unless they have a name.
+
+mod lanes;
+mod memories;
+mod operators;
+mod shift;
+
+use super::order::{map_operands, operands_first};
+use tilewright_hdl::Bits;
+use tilewright_hdl::ir::{Module, Node, NodeId, Op};
+
+/// The same circuit, simplified. Nodes keep their ids; new ones are appended.
+pub fn fold(module: &Module) -> Module {
+    let mut fold = Fold { module: module.clone(), same: (0..module.nodes.len() as u32).map(NodeId).collect() };
+    for id in operands_first(module) {
+        fold.visit(id);
+    }
+    fold.rewire();
+    fold.settle_memories();
+    fold.module
+}
+
+struct Fold {
+    module: Module,
+    /// For each node, the node that stands for it.
+    same: Vec<NodeId>,
+}
+
+/// What a node turns out to be.
+enum Outcome {
+    /// An operator on other nodes.
+    Op(Op),
+    /// Another node.
+    Same(NodeId),
+}
+
+use Outcome::{Op as Is, Same};
+
+impl Fold {
+    fn visit(&mut self, id: NodeId) {
+        let op = map_operands(&self.module.node(id).op, |operand| self.same[operand.0 as usize]);
+        let outcome = self.simplify(id, op);
+        let named = self.module.node(id).name.is_some();
+        match outcome {
+            Is(Op::Wire(to)) | Is(Op::QuasiStatic(to, _)) | Same(to) if !named => self.same[id.0 as usize] = to,
+            Same(to) => self.module.nodes[id.0 as usize].op = Op::Wire(to),
+            Is(op) => self.module.nodes[id.0 as usize].op = op,
+        }
+    }
+
+    /// Lets registers, memories, instances, outputs and asserts refer to the nodes that are left.
+    fn rewire(&mut self) {
+        let same = &self.same;
+        let to = |id: &mut NodeId| *id = same[id.0 as usize];
+        let module = &mut self.module;
+        let constant = |nodes: &[Node], id: NodeId| match &nodes[id.0 as usize].op {
+            Op::Const(bits) => Some(!bits.is_zero()),
+            _ => None,
+        };
+        for register in &mut module.registers {
+            to(&mut register.next);
+            register.enable.iter_mut().for_each(to);
+            match register.enable.and_then(|enable| constant(&module.nodes, enable)) {
+                Some(true) => register.enable = None,
+                Some(false) => (register.enable, register.next) = (None, register.node),
+                None => {}
+            }
+        }
+        for memory in &mut module.memories {
+            for read in &mut memory.reads {
+                to(&mut read.address);
+                read.enable.iter_mut().for_each(to);
+                if read.enable.and_then(|enable| constant(&module.nodes, enable)) == Some(true) {
+                    read.enable = None;
+                }
+            }
+            for write in &mut memory.writes {
+                [&mut write.enable, &mut write.address, &mut write.data].into_iter().for_each(to);
+            }
+        }
+        module.instances.iter_mut().flat_map(|instance| &mut instance.inputs).for_each(to);
+        module.outputs.iter_mut().for_each(|output| to(&mut output.node));
+        module.asserts.iter_mut().for_each(|assert| to(&mut assert.condition));
+    }
+
+    /// The value of a node that is constant, also behind a name.
+    fn constant(&self, mut id: NodeId) -> Option<Bits> {
+        loop {
+            match &self.module.node(id).op {
+                Op::Const(bits) => return Some(bits.clone()),
+                Op::Wire(to) | Op::QuasiStatic(to, _) => id = *to,
+                _ => return None,
+            }
+        }
+    }
+
+    fn width(&self, id: NodeId) -> u32 {
+        self.module.width(id)
+    }
+
+    /// A new unnamed node, in the place of `of`.
+    fn add(&mut self, of: NodeId, width: u32, op: Op) -> NodeId {
+        let id = NodeId(self.module.nodes.len() as u32);
+        let loc = self.module.node(of).loc;
+        self.module.nodes.push(Node { op, width, lanes: None, name: None, loc });
+        self.same.push(id);
+        self.visit(id);
+        self.same[id.0 as usize]
+    }
+
+    fn simplify(&mut self, id: NodeId, op: Op) -> Outcome {
+        let width = self.width(id);
+        match op {
+            Op::Unary(unary, a) => self.unary(unary, a),
+            Op::Binary(binary, a, b) => self.binary(binary, a, b),
+            Op::Compare { relation, signed, operands: [a, b] } => self.compare(relation, signed, a, b),
+            Op::Shift(shift, a, amount) => self.shift(id, shift, a, amount),
+            Op::Mux { select, on_true, on_false } => self.mux(select, on_true, on_false),
+            Op::Select { arms, default } => self.select(arms, default),
+            Op::Case { subject, arms, default } => match self.constant(subject) {
+                Some(value) => Same(arms.iter().find(|(key, _)| *key == value).map_or(default, |&(_, value)| value)),
+                None if arms.iter().all(|&(_, value)| value == default) => Same(default),
+                None => Is(Op::Case { subject, arms, default }),
+            },
+            Op::Slice { of, low } => self.slice(of, low, width),
+            Op::Concat(parts) => self.concat(parts),
+            Op::Repeat(a, 1) => Same(a),
+            Op::Repeat(a, times) => match self.constant(a) {
+                Some(value) => Is(Op::Const((1..times).fold(value.clone(), |all, _| all.concat(&value)))),
+                None => Is(Op::Repeat(a, times)),
+            },
+            Op::Extend { of, signed } => match self.constant(of) {
+                _ if self.width(of) == width => Same(of),
+                Some(value) if signed => Is(Op::Const(value.sext(width))),
+                Some(value) => Is(Op::Const(value.resize(width))),
+                None => Is(Op::Extend { of, signed }),
+            },
+            Op::Shifted { by: 0, of, .. } => Same(of),
+            Op::Shifted { by, edge, .. } if Some(by.unsigned_abs()) >= self.module.node(id).lanes => {
+                Is(Op::Broadcast(edge))
+            }
+            Op::Shifted { of, by, edge } => match self.module.node(of).op.clone() {
+                Op::Broadcast(plain) if plain == edge => Same(of),
+                Op::PerLane(_) | Op::Broadcast(_) => {
+                    let lanes = self.module.node(id).lanes.expect("a shifted value has lanes");
+                    Is(Op::PerLane((0..lanes).map(|lane| self.shifted_lane(of, lane, by, edge, lanes)).collect()))
+                }
+                _ => Is(Op::Shifted { of, by, edge }),
+            },
+            Op::PerLane(parts) if parts.iter().all(|&part| part == parts[0]) => Is(Op::Broadcast(parts[0])),
+            Op::Lane(of, lane) => self.lane(of, lane),
+            Op::Reduce(reduction, of) => self.reduce(id, reduction, of),
+            other => Is(other),
+        }
+    }
+}

@@ -1,0 +1,174 @@
+//! Operators with constant operands, or whose result one operand alone decides.
+
+use super::Fold;
+use super::Outcome::{self, Op as Is, Same};
+use crate::verilog::constant;
+use tilewright_hdl::Bits;
+use tilewright_hdl::ir::{Binary, Node, NodeId, Op, Relation, Unary};
+
+impl Fold {
+    pub(super) fn unary(&self, unary: Unary, a: NodeId) -> Outcome {
+        match self.constant(a) {
+            Some(value) => Is(Op::Const(constant::unary(unary, &value))),
+            None if unary != Unary::Not && self.width(a) == 1 => Same(a),
+            None => match self.module.node(a) {
+                Node { op: Op::Unary(Unary::Not, inner), name: None, .. } if unary == Unary::Not => Same(*inner),
+                Node { op: Op::Compare { relation, signed, operands }, name: None, .. } if unary == Unary::Not => {
+                    Is(Op::Compare { relation: opposite(*relation), signed: *signed, operands: *operands })
+                }
+                _ => Is(Op::Unary(unary, a)),
+            },
+        }
+    }
+
+    pub(super) fn binary(&self, binary: Binary, a: NodeId, b: NodeId) -> Outcome {
+        let values = (self.constant(a), self.constant(b));
+        if let (Some(a), Some(b)) = &values
+            && let Some(value) = constant::binary(binary, a, b)
+        {
+            return Is(Op::Const(value));
+        }
+        let zero = |value: &Option<Bits>| value.as_ref().is_some_and(Bits::is_zero);
+        let ones = |value: &Option<Bits>| value.as_ref().is_some_and(|value| value.not().is_zero());
+        match binary {
+            Binary::Xor | Binary::Sub if a == b => Is(Op::Const(Bits::zero(self.width(a)))),
+            Binary::And | Binary::Or if a == b => Same(a),
+            Binary::And if self.are_opposite(a, b) => Is(Op::Const(Bits::zero(self.width(a)))),
+            Binary::Or | Binary::Xor if self.are_opposite(a, b) => Is(Op::Const(Bits::ones(self.width(a)))),
+            Binary::Mul | Binary::MulSigned if zero(&values.0) || zero(&values.1) => {
+                Is(Op::Const(Bits::zero(self.width(a) + self.width(b))))
+            }
+            Binary::Add | Binary::Or | Binary::Xor if zero(&values.0) => Same(b),
+            Binary::Add | Binary::Sub | Binary::Or | Binary::Xor if zero(&values.1) => Same(a),
+            Binary::And if zero(&values.0) || ones(&values.1) => Same(a),
+            Binary::And if zero(&values.1) || ones(&values.0) => Same(b),
+            Binary::Or if ones(&values.0) => Same(a),
+            Binary::Or if ones(&values.1) => Same(b),
+            _ => Is(Op::Binary(binary, a, b)),
+        }
+    }
+
+    /// Whether one is the other inverted.
+    fn are_opposite(&self, a: NodeId, b: NodeId) -> bool {
+        let inverts = |a, b| self.module.node(a).op == Op::Unary(Unary::Not, b);
+        inverts(a, b) || inverts(b, a)
+    }
+
+    pub(super) fn compare(&self, relation: Relation, signed: bool, a: NodeId, b: NodeId) -> Outcome {
+        let width = self.width(a);
+        let (lowest, highest) = constant::range(width, signed);
+        let truth = |value: bool| Is(Op::Const(Bits::from(value)));
+        let is = |value: &Option<Bits>, what: &Bits| value.as_ref() == Some(what);
+        let (left, right) = (self.constant(a), self.constant(b));
+        if let (Some(left), Some(right)) = (&left, &right) {
+            return truth(constant::compare(relation, signed, left, right));
+        }
+        if a == b {
+            return truth(matches!(relation, Relation::Eq | Relation::Le | Relation::Ge));
+        }
+        match relation {
+            Relation::Lt if is(&right, &lowest) || is(&left, &highest) => truth(false),
+            Relation::Gt if is(&right, &highest) || is(&left, &lowest) => truth(false),
+            Relation::Le if is(&right, &highest) || is(&left, &lowest) => truth(true),
+            Relation::Ge if is(&right, &lowest) || is(&left, &highest) => truth(true),
+            Relation::Eq | Relation::Ne if width == 1 && (left.is_some() || right.is_some()) => {
+                let (value, other) = if let Some(value) = left { (value, b) } else { (right.expect("a constant"), a) };
+                match (relation == Relation::Eq) != value.is_zero() {
+                    true => Same(other),
+                    false => self.unary(Unary::Not, other),
+                }
+            }
+            _ => Is(Op::Compare { relation, signed, operands: [a, b] }),
+        }
+    }
+
+    pub(super) fn mux(&self, select: NodeId, on_true: NodeId, on_false: NodeId) -> Outcome {
+        if let Some(select) = self.constant(select) {
+            return Same(if select.is_zero() { on_false } else { on_true });
+        }
+        if on_true == on_false {
+            return Same(on_true);
+        }
+        let bit = |id: NodeId| (self.width(id) == 1).then(|| self.constant(id)).flatten().map(|value| !value.is_zero());
+        match (bit(on_true), bit(on_false)) {
+            (Some(true), Some(false)) => Same(select),
+            (Some(false), Some(true)) => self.unary(Unary::Not, select),
+            _ => Is(Op::Mux { select, on_true, on_false }),
+        }
+    }
+
+    pub(super) fn select(&self, arms: Vec<(NodeId, NodeId)>, default: NodeId) -> Outcome {
+        let (mut kept, mut default) = (Vec::with_capacity(arms.len()), default);
+        for (condition, value) in arms {
+            match self.constant(condition) {
+                Some(never) if never.is_zero() => {}
+                Some(_) => {
+                    default = value;
+                    break;
+                }
+                None => kept.push((condition, value)),
+            }
+        }
+        while kept.last().is_some_and(|&(_, value)| value == default) {
+            kept.pop();
+        }
+        match kept[..] {
+            [] => Same(default),
+            [(select, on_true)] => self.mux(select, on_true, default),
+            _ => Is(Op::Select { arms: kept, default }),
+        }
+    }
+
+    pub(super) fn slice(&self, of: NodeId, low: u32, width: u32) -> Outcome {
+        if width == self.width(of) {
+            return Same(of);
+        }
+        if let Some(value) = self.constant(of) {
+            return Is(Op::Const(value.slice(low..low + width)));
+        }
+        let node = self.module.node(of);
+        if node.name.is_some() {
+            return Is(Op::Slice { of, low });
+        }
+        match &node.op {
+            Op::Slice { of: inner, low: base } => self.slice(*inner, base + low, width),
+            Op::Extend { of: inner, .. } if low + width <= self.width(*inner) => self.slice(*inner, low, width),
+            Op::Extend { of: inner, signed: false } if low >= self.width(*inner) => Is(Op::Const(Bits::zero(width))),
+            Op::Concat(parts) => {
+                let mut base = 0;
+                for &part in parts.iter().rev() {
+                    let part_width = self.width(part);
+                    if low >= base && low + width <= base + part_width {
+                        return self.slice(part, low - base, width);
+                    }
+                    base += part_width;
+                }
+                Is(Op::Slice { of, low })
+            }
+            _ => Is(Op::Slice { of, low }),
+        }
+    }
+
+    pub(super) fn concat(&self, parts: Vec<NodeId>) -> Outcome {
+        if let [part] = parts[..] {
+            return Same(part);
+        }
+        let values: Option<Vec<Bits>> = parts.iter().map(|&part| self.constant(part)).collect();
+        match values.and_then(|values| values.into_iter().reduce(|high, low| high.concat(&low))) {
+            Some(value) => Is(Op::Const(value)),
+            None => Is(Op::Concat(parts)),
+        }
+    }
+}
+
+/// The relation that holds where this one does not.
+fn opposite(relation: Relation) -> Relation {
+    match relation {
+        Relation::Eq => Relation::Ne,
+        Relation::Ne => Relation::Eq,
+        Relation::Lt => Relation::Ge,
+        Relation::Ge => Relation::Lt,
+        Relation::Gt => Relation::Le,
+        Relation::Le => Relation::Gt,
+    }
+}

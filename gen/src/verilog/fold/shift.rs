@@ -1,0 +1,65 @@
+//! Shifts: by a constant they are slices; by a very wide amount they are cut, for some tools take no more.
+
+use super::Fold;
+use super::Outcome::{self, Op as Is, Same};
+use tilewright_hdl::Bits;
+use tilewright_hdl::ir::{NodeId, Op, Shift, Unary};
+
+/// Shift amounts above this width are cut, with the fill where a dropped bit is set.
+const WIDEST_AMOUNT: u32 = 16;
+
+impl Fold {
+    pub(super) fn shift(&mut self, id: NodeId, shift: Shift, a: NodeId, amount: NodeId) -> Outcome {
+        let width = self.width(a);
+        if let Some(amount) = self.constant(amount) {
+            let amount = amount.to_u64().map_or(width, |amount| amount.min(u64::from(width)) as u32);
+            return self.shift_by(id, shift, a, amount);
+        }
+        if self.constant(a).is_some_and(|value| value.is_zero()) {
+            return Same(a);
+        }
+        let amount_width = self.width(amount);
+        if amount_width <= WIDEST_AMOUNT || width >= 1 << WIDEST_AMOUNT {
+            return Is(Op::Shift(shift, a, amount));
+        }
+        let high = self.add(id, amount_width - WIDEST_AMOUNT, Op::Slice { of: amount, low: WIDEST_AMOUNT });
+        let beyond = self.add(id, 1, Op::Unary(Unary::AnyOne, high));
+        let low = self.add(id, WIDEST_AMOUNT, Op::Slice { of: amount, low: 0 });
+        let shifted = self.add(id, width, Op::Shift(shift, a, low));
+        let filling = self.shift_by(id, shift, a, width);
+        let filling = self.settle(id, width, filling);
+        self.mux(beyond, filling, shifted)
+    }
+
+    /// The node of an outcome.
+    fn settle(&mut self, of: NodeId, width: u32, outcome: Outcome) -> NodeId {
+        match outcome {
+            Same(id) => id,
+            Is(op) => self.add(of, width, op),
+        }
+    }
+
+    fn shift_by(&mut self, id: NodeId, shift: Shift, a: NodeId, amount: u32) -> Outcome {
+        let width = self.width(a);
+        if amount == 0 {
+            return Same(a);
+        }
+        if amount >= width {
+            if shift != Shift::RightSigned {
+                return Is(Op::Const(Bits::zero(width)));
+            }
+            let sign = self.add(id, 1, Op::Slice { of: a, low: width - 1 });
+            return if width == 1 { Same(a) } else { Is(Op::Repeat(sign, width)) };
+        }
+        let low = if shift == Shift::Left { 0 } else { amount };
+        let kept = self.add(id, width - amount, Op::Slice { of: a, low });
+        match shift {
+            Shift::Left => {
+                let zeros = self.add(id, amount, Op::Const(Bits::zero(amount)));
+                Is(Op::Concat(vec![kept, zeros]))
+            }
+            Shift::Right => Is(Op::Extend { of: kept, signed: false }),
+            Shift::RightSigned => Is(Op::Extend { of: kept, signed: true }),
+        }
+    }
+}

@@ -1,0 +1,234 @@
+//! Designs of every kind pass every linter: several clocks, loaded memories, gathers, hostile names, dead values.
+
+mod blocks;
+
+use blocks::LineBuffer;
+use std::fmt::Debug;
+use tilewright_gen::tools::Target;
+use tilewright_gen::{VerilogFile, tools, verilog};
+use tilewright_hdl::*;
+
+bundle! {
+    struct Pair<T> { a: T, b: T }
+    struct One<T> { y: T }
+}
+
+/// A block of two inputs of 8 bits and one output, described by a function.
+struct Small {
+    name: &'static str,
+    build: fn(Module, Pair) -> Signal,
+}
+
+impl Debug for Small {
+    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+        f.write_str(self.name)
+    }
+}
+
+impl Block for Small {
+    type In = Pair;
+    type Out = One;
+
+    fn inputs(&self) -> Pair<Width> {
+        Pair { a: bits(8), b: bits(8) }
+    }
+
+    fn build(&self, m: Module, i: Pair) -> One {
+        m.ignore(&i);
+        One { y: (self.build)(m, i) }
+    }
+
+    fn name(&self) -> String {
+        self.name.to_string()
+    }
+}
+
+fn print(name: &'static str, build: fn(Module, Pair) -> Signal) -> Vec<VerilogFile> {
+    verilog(&elaborate(&Small { name, build }).unwrap_or_else(|problems| panic!("{problems}")))
+}
+
+/// The text of the top module, free of complaints.
+fn clean(name: &'static str, build: fn(Module, Pair) -> Signal) -> String {
+    let files = print(name, build);
+    tools::lint(&files).unwrap();
+    files.into_iter().rfind(|file| file.name.ends_with(".v")).expect("there is a top module").text
+}
+
+const SLOW: Clock = Clock::new("slow", Period::ns(14));
+
+#[test]
+fn a_memory_between_two_clocks() {
+    let text = clean("two_clocks", |m, i| {
+        let memory = m.memory("words", 256, 8, ReadUnderWrite::Any);
+        let write = m.reg("write", 1).reset(0);
+        write.next(!write.value());
+        memory.write(write, i.a, i.b);
+        let address = m.on(SLOW).reg("address", 8).reset(0);
+        address.next(address + 1);
+        memory.on(SLOW).read(address)
+    });
+    assert!(text.contains("always @(posedge slow_clk) begin\n        words_read <= words[address];"), "{text}");
+}
+
+#[test]
+fn a_memory_written_by_two_clocks() {
+    clean("two_writers", |m, i| {
+        let memory = m.memory("words", 200, 8, ReadUnderWrite::Old).true_dual_port();
+        memory.write(i.a.bit(0), i.a, i.b);
+        let address = m.on(SLOW).reg("address", 8).reset(0);
+        address.next(address + 1);
+        memory.on(SLOW).write(lit(1, 1), address, address);
+        memory.read(i.b)
+    });
+}
+
+#[test]
+fn a_table_too_long_for_the_text() {
+    let build = |m: Module, i: Pair| {
+        let table = m.memory("squares", 2000, 8, ReadUnderWrite::Old);
+        let table = table.words((0..1500).map(|at| Bits::new(8, at * at)));
+        table.read(cat![i.a.trunc(3), i.b]) ^ table.read(i.a.zext(11))
+    };
+    let text = clean("loaded", build);
+    assert!(text.contains("$readmemh(\"loaded_squares.hex\", squares);"), "{text}");
+    let files = print("loaded", build);
+    let data = files.iter().find(|file| file.name == "loaded_squares.hex").expect("the data are a file");
+    assert_eq!(data.text.lines().count(), 2000);
+    assert_eq!(data.text.lines().nth(20), Some("90"));
+}
+
+#[test]
+fn lanes_that_feed_each_other_are_no_loop() {
+    clean("gathered", |m, i| {
+        let adder = Small { name: "adder", build: |_, i| i.a + i.b };
+        let sums = m.array("u_sum", 4, &adder, |row| {
+            let y = row.out.y;
+            Pair { a: row.each([i.a, y.lane(0), y.lane(1), y.lane(0)]), b: row.each([i.b, i.a, y.lane(0), y.lane(2)]) }
+        });
+        sums.y.last()
+    });
+}
+
+#[test]
+fn names_that_arrays_use_are_free_for_others() {
+    clean("hostile", |m, i| {
+        let inner = Small { name: "inner", build: |_, i| i.a + i.b };
+        net!(y_ = i.a ^ 3);
+        net!(u_cell_y = !i.b);
+        net!(lane = i.b & y_);
+        let genvar = (lane | i.a).named("i");
+        let cells = m.array("u_cell", 3, &inner, |row| Pair { a: row.out.y.previous(lane), b: row.all(&lane) });
+        let more = m.array("u_more", 3, &inner, |row| Pair { a: row.index(8), b: row.all(&u_cell_y) });
+        cells.y.sum() ^ genvar ^ y_ ^ more.y.or_all()
+    });
+}
+
+#[test]
+fn what_nothing_reads_is_tied() {
+    let text = clean("unread", |m, i| {
+        let child = Small { name: "pass", build: |_, i| i.a };
+        let _ = m.instance("u_idle", &child, Pair { a: i.a, b: i.b });
+        net!(checked = i.a.lt(i.b));
+        m.assert(checked, "a stays below b");
+        m.assert((i.a + i.b).ne(0), "the sum is not zero");
+        let idle = m.reg("idle", 8);
+        idle.next(i.b);
+        i.a.trunc(4).zext(8)
+    });
+    assert!(text.contains("wire _unused_ok = &{1'b0, "), "{text}");
+    assert!(!text.contains("!= 8'd0"), "an expression of an assertion alone is not printed:\n{text}");
+}
+
+#[test]
+fn constants_do_not_reach_a_comparison() {
+    let text = clean("constant", |_, i| {
+        let always = i.a.ge(0) & i.b.le(255) & !i.a.gt(255);
+        mux(always, case(i.a.slice(0..2), [(1, i.b), (2, lit(8, 7))], i.a), i.b)
+    });
+    assert!(!text.contains(">=") && !text.contains("<="), "{text}");
+}
+
+#[test]
+fn signed_operators_have_a_net_of_their_own() {
+    let text = clean("signed_ops", |_, i| {
+        let shifted = (i.a.signed() >> i.b.slice(0..3)).bits();
+        let product = i.a.signed().times(i.b.signed()).bits().slice(4..12);
+        (i.b.bit(7).repeat(8) & shifted) + product
+    });
+    assert!(text.contains("wire [7:0] y_shifted = $signed(a) >>> b[2:0];"), "{text}");
+    assert!(text.contains("wire [15:0] y_product = $signed(a) * $signed(b);"), "{text}");
+}
+
+#[test]
+fn shared_expressions_are_printed_once() {
+    let text = clean("shared", |_, i| (0..64).fold(i.a ^ i.b, |x, _| x ^ (x + x)));
+    assert_eq!(text.matches(" + ").count(), 64, "{text}");
+}
+
+#[test]
+fn chains_of_any_length_do_not_overflow_the_stack() {
+    let files = print("long", |_, i| (0..100_000).fold(i.a, |x, step| if step % 2 == 0 { x + i.b } else { x ^ 5 }));
+    assert!(files[0].text.lines().all(|line| line.len() < 200));
+    let muxes = print("choices", |_, i| (0..20_000).fold(i.a, |x, step| mux(i.b.eq(step % 256), step % 255, x)));
+    assert!(muxes[0].text.len() > 20_000);
+}
+
+#[test]
+fn an_array_of_any_size_is_the_same_text() {
+    let print = |lanes: u32| {
+        let design = elaborate(&Wide { lanes }).unwrap_or_else(|problems| panic!("{problems}"));
+        verilog(&design).pop().expect("there is a top module").text
+    };
+    let (small, large) = (print(1000), print(9000));
+    assert_eq!(small.replace("1000", "N").lines().count(), large.replace("9000", "N").lines().count());
+}
+
+#[test]
+fn memories_become_block_ram() {
+    let files = verilog(&elaborate(&LineBuffer).expect("the block is sound"));
+    // Of 1000 words of 24 bits, with the flag of an address inside as the only flip-flop.
+    for (target, ram, count, flip_flop) in
+        [(Target::Ice40, "SB_RAM40_4K", 6, "SB_DFF"), (Target::Ecp5, "DP16KD", 2, "TRELLIS_FF")]
+    {
+        if let Some(cells) = tools::cells(&files, target).unwrap() {
+            assert_eq!((cells.get(ram), cells.get(flip_flop)), (Some(&count), Some(&1)), "{cells:?}");
+        }
+    }
+}
+
+/// An array of registers in a chain.
+#[derive(Debug)]
+struct Wide {
+    lanes: u32,
+}
+
+impl Block for Wide {
+    type In = Pair;
+    type Out = One;
+
+    fn inputs(&self) -> Pair<Width> {
+        Pair { a: bits(8), b: bits(16) }
+    }
+
+    fn build(&self, m: Module, i: Pair) -> One {
+        let cell = Cell;
+        let cells = m.array("u_cell", self.lanes, &cell, |row| Pair { a: row.out.y.previous(i.a), b: row.index(16) });
+        One { y: cells.y.xor_all() ^ i.b.trunc(8) }
+    }
+}
+
+#[derive(Debug)]
+struct Cell;
+
+impl Block for Cell {
+    type In = Pair;
+    type Out = One;
+
+    fn inputs(&self) -> Pair<Width> {
+        Pair { a: bits(8), b: bits(16) }
+    }
+
+    fn build(&self, m: Module, i: Pair) -> One {
+        One { y: m.pipe("y", i.a ^ i.b.trunc(8) ^ i.b.slice(8..16)) }
+    }
+}
