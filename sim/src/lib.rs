@@ -1,5 +1,6 @@
 //! Runs a circuit cycle by cycle: engines, testbenches, waves.
 
+mod attach;
 mod error;
 mod lane;
 mod limbs;
@@ -13,7 +14,8 @@ mod start;
 mod timeline;
 mod trace;
 
+pub use attach::Probe;
 pub use error::{Error, UnknownName, Violation};
 pub use port::{IntoValue, Port};
-pub use simulation::{Probe, Simulation};
-pub use trace::{Recording, Step, Wave};
+pub use simulation::Simulation;
+pub use trace::{Recording, Step, Vcd, Wave};

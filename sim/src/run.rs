@@ -124,7 +124,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     ///
     /// [`Error::Trace`] if a file could not be written to its end.
     pub fn finish(&mut self) -> Result<(), Error> {
-        let until = self.timeline.next_time().unwrap_or(0);
+        let until = self.timeline.next_time().unwrap_or(1);
         self.rising.clear();
         let mut observers = std::mem::take(&mut self.observers);
         observers.iter_mut().try_for_each(|observer| observer.finish(&mut self.view(until)))
@@ -144,7 +144,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         Ok(self.timeline.cycles(self.clock(clock)?))
     }
 
-    fn clock(&self, name: &str) -> Result<usize, UnknownName> {
+    pub(crate) fn clock(&self, name: &str) -> Result<usize, UnknownName> {
         let clocks = &self.program.clocks;
         clocks.iter().position(|clock| clock.name == name || clock.port == name).ok_or_else(|| {
             UnknownName::new("clock", name, &clocks.iter().map(|clock| clock.name.clone()).collect::<Vec<_>>())

@@ -1,6 +1,6 @@
 //! A running circuit and its testbench interface.
 
-use std::sync::{Arc, Mutex};
+use std::sync::Arc;
 
 use tilewright_hdl::{Bits, Block, Bundle, DEFAULT_PERIOD, Design, Period, elaborate_typed};
 
@@ -10,7 +10,7 @@ use crate::port::{IntoValue, Port};
 use crate::program::{self, Program, ValueId};
 use crate::reference::Engine;
 use crate::timeline::Timeline;
-use crate::trace::{Observer, Recorder, Recording, Wave};
+use crate::trace::Observer;
 
 /// A running circuit.
 ///
@@ -26,7 +26,7 @@ pub struct Simulation<I: Bundle = (), O: Bundle = ()> {
     pub(crate) timeline: Timeline,
     pub(crate) resets: Vec<bool>,
     pub(crate) observers: Vec<Box<dyn Observer + Send>>,
-    seed: u64,
+    pub(crate) seed: u64,
     /// The clocks of the coming instant; kept to save an allocation.
     pub(crate) rising: Vec<usize>,
 }
@@ -275,70 +275,5 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         let value = *self.program.value(id);
         let start = lane as usize * value.limbs();
         Bits::from_limbs(value.width, &self.engine.read(id)[start..start + value.limbs()])
-    }
-
-    /// Records inputs and outputs at every instant from here on.
-    ///
-    /// # Panics
-    ///
-    /// After the first step, or with a seed: a replay could not start from the same state.
-    #[track_caller]
-    pub fn recording(&mut self) -> Arc<Mutex<Recording>> {
-        assert!(self.timeline.time == 0, "a recording starts before the first step");
-        assert!(self.seed == 0, "a recording starts from zeros, not from seed {}", self.seed);
-        let recording = Arc::new(Mutex::new(Recording::new(&self.program)));
-        self.observers.push(Box::new(Recorder(recording.clone())));
-        recording
-    }
-
-    /// Draws a wave of these ports and signals, by [`Port`] or by name, from here on.
-    ///
-    /// # Panics
-    ///
-    /// There is no such name.
-    #[track_caller]
-    pub fn record(&mut self, what: impl IntoIterator<Item = impl Into<Probe>>) -> Wave {
-        let sources = what.into_iter().map(|probe| self.source(probe.into())).collect();
-        let clocks = self.program.clocks.iter().map(|clock| (clock.port.clone(), clock.period)).collect();
-        let wave = Wave::new(clocks, sources);
-        self.observers.push(Box::new(crate::trace::Draw(wave.clone())));
-        wave
-    }
-}
-
-/// What a wave shows: a port, or anything with a name.
-#[derive(Debug, Clone)]
-pub enum Probe {
-    /// A port of the top module.
-    Port(Port),
-    /// A hierarchical name.
-    Path(String),
-}
-
-impl From<Port> for Probe {
-    fn from(port: Port) -> Probe {
-        Probe::Port(port)
-    }
-}
-
-impl From<&str> for Probe {
-    fn from(path: &str) -> Probe {
-        Probe::Path(path.to_string())
-    }
-}
-
-impl<I: Bundle, O: Bundle> Simulation<I, O> {
-    #[track_caller]
-    fn source(&self, probe: Probe) -> crate::trace::Source {
-        let name = match probe {
-            Probe::Port(port) => self.declared(port).name.clone(),
-            Probe::Path(path) => path,
-        };
-        match lookup::signal(&self.program.hierarchy, &name) {
-            Ok(Found { signal, lane }) => {
-                crate::trace::Source { value: signal.value, lane, states: signal.states.clone(), name }
-            }
-            Err(unknown) => panic!("{unknown}"),
-        }
     }
 }

@@ -218,7 +218,7 @@ fn a_wave_shows_clock_levels_buses_and_states() {
     }
     wave.expect(
         r"
-        clk   |______/~~\___/~~\___/
+        clk   |______/~~~\__/~~~\__/
         phase | Idle | Busy | Idle |",
     );
 }

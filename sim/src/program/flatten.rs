@@ -349,7 +349,8 @@ fn read_kind(body: &Body, module: &Module, memory: MemoryId, port: u32, memories
     }
 }
 
-/// What of a module has a name in waves: ports first, then the rest in order of declaration.
+/// What of a module has a name in waves: ports first, then the data of synchronous reads (called `MEMORY_read`, or
+/// `MEMORY_read0` and so on if there are several, where the description has no name for it), then the rest.
 fn signals(module: &Module, value: impl Fn(NodeId) -> ValueId) -> Vec<Signal> {
     let mut all: Vec<Signal> = Vec::new();
     let mut taken = BTreeSet::new();
@@ -366,17 +367,18 @@ fn signals(module: &Module, value: impl Fn(NodeId) -> ValueId) -> Vec<Signal> {
         let named_alike = is_register(node) && node.name.as_ref() == Some(&port.name);
         add(port.name.clone(), if named_alike { Role::Register } else { Role::Output }, port.node);
     }
-    for (index, node) in module.nodes.iter().enumerate() {
-        if let Some(name) = &node.name {
-            let role = if is_register(node) { Role::Register } else { Role::Net };
-            add(name.clone(), role, NodeId(index as u32));
-        }
-    }
     for memory in &module.memories {
         let synchronous: Vec<_> = memory.reads.iter().filter(|read| read.clock.is_some()).collect();
         for (index, read) in synchronous.iter().enumerate() {
             let number = if synchronous.len() > 1 { index.to_string() } else { String::new() };
-            add(format!("{}_read{number}", memory.name), Role::ReadData, read.node);
+            let named = module.node(read.node).name.clone();
+            add(named.unwrap_or_else(|| format!("{}_read{number}", memory.name)), Role::ReadData, read.node);
+        }
+    }
+    for (index, node) in module.nodes.iter().enumerate() {
+        if let Some(name) = &node.name {
+            let role = if is_register(node) { Role::Register } else { Role::Net };
+            add(name.clone(), role, NodeId(index as u32));
         }
     }
     for register in &module.registers {

@@ -1,6 +1,9 @@
 //! What watches a run: waveform files, waves in text, recordings. A run without any pays nothing for them.
 
+mod glob;
 mod recording;
+mod vcd;
+mod vcd_header;
 mod wave;
 
 use crate::error::Error;
@@ -9,6 +12,9 @@ use crate::reference::Engine;
 
 pub(crate) use recording::Recorder;
 pub use recording::{Recording, Step};
+pub use vcd::Vcd;
+pub(crate) use vcd::{Dump, Window};
+pub(crate) use vcd_header::header;
 pub use wave::Wave;
 pub(crate) use wave::{Draw, Source};
 

@@ -195,7 +195,7 @@ fn clock(period: u64, columns: &[(u64, u64)], width: usize) -> String {
         let body = width - 1;
         match is_high(since) {
             true if fall < until => {
-                let high = (body - 1) / 2;
+                let high = (body - 1).div_ceil(2);
                 line.extend(std::iter::repeat_n('~', high));
                 line.push('\\');
                 line.extend(std::iter::repeat_n('_', body - 1 - high));

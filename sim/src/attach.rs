@@ -1,0 +1,93 @@
+//! What can watch a simulation, and how it is attached.
+
+use std::sync::{Arc, Mutex};
+
+use tilewright_hdl::Bundle;
+
+use crate::error::Error;
+use crate::lookup::{self, Found};
+use crate::port::Port;
+use crate::simulation::Simulation;
+use crate::trace::{Draw, Dump, Recorder, Recording, Source, Vcd, Wave, Window, header};
+
+/// What a wave shows: a port, or anything with a name.
+#[derive(Debug, Clone)]
+pub enum Probe {
+    /// A port of the top module.
+    Port(Port),
+    /// A hierarchical name.
+    Path(String),
+}
+
+impl From<Port> for Probe {
+    fn from(port: Port) -> Probe {
+        Probe::Port(port)
+    }
+}
+
+impl From<&str> for Probe {
+    fn from(path: &str) -> Probe {
+        Probe::Path(path.to_string())
+    }
+}
+
+impl<I: Bundle, O: Bundle> Simulation<I, O> {
+    /// Writes a waveform file from here on; [`Simulation::finish`] ends it.
+    ///
+    /// # Errors
+    ///
+    /// The file cannot be created, a pattern matches nothing, or there is no such clock.
+    pub fn trace(&mut self, vcd: Vcd) -> Result<(), Error> {
+        let header = header(&self.program, &vcd.patterns)?;
+        let window = match &vcd.window {
+            None => 0..u64::MAX,
+            Some(Window::Time(times)) => times.clone(),
+            Some(Window::Cycles(clock, cycles)) => {
+                let period = self.program.clocks[self.clock(clock)?].period;
+                cycles.start * period..cycles.end.saturating_mul(period)
+            }
+        };
+        self.observers.push(Box::new(Dump::new(vcd, header, window)?));
+        Ok(())
+    }
+
+    /// Records inputs and outputs at every instant from here on.
+    ///
+    /// # Panics
+    ///
+    /// After the first step, or with a seed: a replay could not start from the same state.
+    #[track_caller]
+    pub fn recording(&mut self) -> Arc<Mutex<Recording>> {
+        assert!(self.timeline.time == 0, "a recording starts before the first step");
+        assert!(self.seed == 0, "a recording starts from zeros, not from seed {}", self.seed);
+        let recording = Arc::new(Mutex::new(Recording::new(&self.program)));
+        self.observers.push(Box::new(Recorder(recording.clone())));
+        recording
+    }
+
+    /// Draws a wave of these ports and signals, by [`Port`] or by name, from here on.
+    ///
+    /// # Panics
+    ///
+    /// There is no such name.
+    #[track_caller]
+    pub fn record(&mut self, what: impl IntoIterator<Item = impl Into<Probe>>) -> Wave {
+        let sources = what.into_iter().map(|probe| self.source(probe.into())).collect();
+        let clocks = self.program.clocks.iter().map(|clock| (clock.port.clone(), clock.period)).collect();
+        let wave = Wave::new(clocks, sources);
+        self.observers.push(Box::new(Draw(wave.clone())));
+        wave
+    }
+
+    #[track_caller]
+    fn source(&self, probe: Probe) -> Source {
+        let name = match probe {
+            Probe::Port(port) => self.declared(port).name.clone(),
+            Probe::Path(path) => path,
+        };
+        match lookup::signal(&self.program.hierarchy, &name) {
+            Ok(Found { signal, lane }) => Source { value: signal.value, lane, states: signal.states.clone(), name },
+            Err(unknown) => panic!("{unknown}"),
+        }
+    }
+}

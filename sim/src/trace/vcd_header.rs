@@ -1,0 +1,234 @@
+//! The header of a waveform file: scopes, variables, and where their values come from.
+
+use std::collections::HashMap;
+use std::io;
+
+use tilewright_hdl::ir::States;
+use vcd::{IdCode, ReferenceIndex, ScopeType, TimescaleUnit, VarType, Writer};
+
+use super::glob;
+use crate::error::UnknownName;
+use crate::program::hierarchy::{Place, Replication, Role, Signal};
+use crate::program::{Program, ValueId};
+
+/// The header and what the changes after it refer to.
+pub(crate) struct Header {
+    /// From `$version` to `$enddefinitions`.
+    pub text: Vec<u8>,
+    /// The values to take at each step, one behind the other.
+    pub values: Vec<ValueId>,
+    /// How many limbs they take together.
+    pub limbs: usize,
+    pub variables: Vec<Variable>,
+    pub clocks: Vec<Clock>,
+}
+
+/// A variable and where its value stands among those taken.
+pub(crate) struct Variable {
+    pub id: IdCode,
+    pub kind: VariableKind,
+    limbs: std::ops::Range<usize>,
+}
+
+pub(crate) enum VariableKind {
+    /// So many bits.
+    Bits(u32),
+    /// The name of a state.
+    State(States),
+}
+
+impl Variable {
+    pub fn limbs<'a>(&self, taken: &'a [u64]) -> &'a [u64] {
+        &taken[self.limbs.clone()]
+    }
+}
+
+/// A clock and its reset; without ids if nothing shows them.
+pub(crate) struct Clock {
+    period: u64,
+    pub id: Option<IdCode>,
+    pub reset_id: Option<IdCode>,
+}
+
+impl Clock {
+    /// Its level from this time on.
+    pub fn is_high(&self, time: u64) -> bool {
+        time >= self.period && time % self.period < self.period / 2
+    }
+
+    /// The times after `since` and before `until` at which clocks fall, with those clocks, in order.
+    pub fn falls(clocks: &[Clock], since: u64, until: u64) -> Vec<(u64, Vec<usize>)> {
+        let fall = |clock: &Clock| since - since % clock.period + clock.period / 2;
+        let mut falls: Vec<(u64, usize)> = (0..clocks.len())
+            .filter(|&i| clocks[i].is_high(since) && fall(&clocks[i]) < until)
+            .map(|i| (fall(&clocks[i]), i))
+            .collect();
+        falls.sort_unstable();
+        falls.chunk_by(|a, b| a.0 == b.0).map(|at| (at[0].0, at.iter().map(|fall| fall.1).collect())).collect()
+    }
+}
+
+/// The header for the signals that match one of `patterns`, or for all if there are none.
+pub(crate) fn header(program: &Program, patterns: &[String]) -> Result<Header, UnknownName> {
+    let mut build = Build {
+        program,
+        patterns,
+        used: vec![false; patterns.len()],
+        writer: Writer::new(Vec::new()),
+        ids: HashMap::new(),
+        strings: HashMap::new(),
+        next: IdCode::FIRST,
+        header: Header { text: Vec::new(), values: Vec::new(), limbs: 0, variables: Vec::new(), clocks: Vec::new() },
+        offsets: HashMap::new(),
+    };
+    let clock = |clock: &crate::program::Clock| Clock { period: clock.period, id: None, reset_id: None };
+    build.header.clocks = program.clocks.iter().map(clock).collect();
+    build.write().expect("writing to memory does not fail");
+    match build.used.iter().position(|used| !used) {
+        Some(unused) => Err(UnknownName {
+            what: "signal that matches",
+            name: patterns[unused].clone(),
+            hint: "names are as `u_cell[3].value`, `*` stands for anything but a dot, `**` for anything".to_string(),
+        }),
+        None => {
+            build.header.text = std::mem::take(build.writer.writer());
+            Ok(build.header)
+        }
+    }
+}
+
+struct Build<'a> {
+    program: &'a Program,
+    patterns: &'a [String],
+    /// Which patterns have matched something.
+    used: Vec<bool>,
+    writer: Writer<Vec<u8>>,
+    /// One id for each lane of a value, whatever its names.
+    ids: HashMap<(ValueId, u32), IdCode>,
+    strings: HashMap<(ValueId, u32), IdCode>,
+    next: IdCode,
+    header: Header,
+    /// Where a value stands among those taken.
+    offsets: HashMap<ValueId, usize>,
+}
+
+impl Build<'_> {
+    fn write(&mut self) -> io::Result<()> {
+        self.writer.version(concat!("Tilewright ", env!("CARGO_PKG_VERSION")))?;
+        self.writer.timescale(1, TimescaleUnit::PS)?;
+        let top = self.program.hierarchy.top();
+        self.writer.scope_def(ScopeType::Module, &self.program.hierarchy.scope(top.scope).name)?;
+        self.scope(top, "")?;
+        self.writer.upscope()?;
+        self.writer.enddefinitions()
+    }
+
+    /// The inside of an instance: clocks, signals, instances.
+    fn scope(&mut self, place: Place, path: &str) -> io::Result<()> {
+        let program = self.program;
+        let scope = program.hierarchy.scope(place.scope);
+        for ports in &scope.clocks {
+            let clock = ports.clock as usize;
+            if self.shows(path, &ports.port) {
+                let id = self.header.clocks[clock].id;
+                self.header.clocks[clock].id = Some(self.wire(id, &ports.port)?);
+            }
+            if let Some(reset) = ports.reset.as_ref().filter(|reset| self.shows(path, reset)) {
+                let id = self.header.clocks[clock].reset_id;
+                self.header.clocks[clock].reset_id = Some(self.wire(id, reset)?);
+            }
+        }
+        for signal in scope.signals.iter().filter(|signal| signal.group.is_none()) {
+            if self.shows(path, &signal.name) {
+                self.signal(signal, place.lane)?;
+            }
+        }
+        for (name, child) in program.hierarchy.children(place) {
+            self.child(&name, child, path)?;
+        }
+        Ok(())
+    }
+
+    /// An instance, and nothing if nothing in it is shown.
+    fn child(&mut self, name: &str, place: Place, path: &str) -> io::Result<()> {
+        let path = if path.is_empty() { name.to_string() } else { format!("{path}.{name}") };
+        let start = self.writer.writer().len();
+        let in_array = self.program.hierarchy.scope(place.scope).replication != Replication::Single;
+        if in_array {
+            self.writer.scope_def(ScopeType::Begin, name)?;
+        }
+        self.writer.scope_def(ScopeType::Module, if in_array { "lane" } else { name })?;
+        let inside = self.writer.writer().len();
+        self.scope(place, &path)?;
+        let is_empty = self.writer.writer().len() == inside;
+        self.writer.upscope()?;
+        if in_array {
+            self.writer.upscope()?;
+        }
+        if is_empty {
+            self.writer.writer().truncate(start);
+        }
+        Ok(())
+    }
+
+    /// Whether a pattern asks for this name; a clock of the top is always shown.
+    fn shows(&mut self, path: &str, name: &str) -> bool {
+        let full = if path.is_empty() { name.to_string() } else { format!("{path}.{name}") };
+        let mut shown = self.patterns.is_empty();
+        for (pattern, used) in self.patterns.iter().zip(&mut self.used) {
+            if glob::matches(pattern, &full) {
+                (*used, shown) = (true, true);
+            }
+        }
+        let is_top_clock = path.is_empty() && self.program.clocks.iter().any(|clock| clock.port == name);
+        shown || is_top_clock
+    }
+
+    fn wire(&mut self, id: Option<IdCode>, name: &str) -> io::Result<IdCode> {
+        let id = id.unwrap_or_else(|| fresh(&mut self.next));
+        self.writer.var_def(VarType::Wire, 1, id, name, None)?;
+        Ok(id)
+    }
+
+    fn signal(&mut self, signal: &Signal, lane: u32) -> io::Result<()> {
+        let known = self.ids.get(&(signal.value, lane)).copied();
+        let id = known.unwrap_or_else(|| fresh(&mut self.next));
+        let kind = match signal.role {
+            Role::Register | Role::ReadData => VarType::Reg,
+            Role::Input | Role::Output | Role::Net => VarType::Wire,
+        };
+        let index = (signal.width > 1).then(|| ReferenceIndex::Range(signal.width as i32 - 1, 0));
+        self.writer.var_def(kind, signal.width, id, &signal.name, index)?;
+        if known.is_none() {
+            self.ids.insert((signal.value, lane), id);
+            self.variable(id, VariableKind::Bits(signal.width), signal.value, lane);
+        }
+        let Some(states) = &signal.states else { return Ok(()) };
+        let known = self.strings.get(&(signal.value, lane)).copied();
+        let id = known.unwrap_or_else(|| fresh(&mut self.next));
+        self.writer.var_def(VarType::String, 1, id, &format!("{}_state", signal.name), None)?;
+        if known.is_none() {
+            self.strings.insert((signal.value, lane), id);
+            self.variable(id, VariableKind::State(states.clone()), signal.value, lane);
+        }
+        Ok(())
+    }
+
+    fn variable(&mut self, id: IdCode, kind: VariableKind, of: ValueId, lane: u32) {
+        let value = self.program.value(of);
+        let offset = *self.offsets.entry(of).or_insert_with(|| {
+            let offset = self.header.limbs;
+            self.header.values.push(of);
+            self.header.limbs += value.range().len();
+            offset
+        });
+        let start = offset + lane as usize * value.limbs();
+        self.header.variables.push(Variable { id, kind, limbs: start..start + value.limbs() });
+    }
+}
+
+fn fresh(next: &mut IdCode) -> IdCode {
+    let id = *next;
+    *next = id.next();
+    id
+}
