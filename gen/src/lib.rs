@@ -3,6 +3,38 @@
 //! [`verilog`] turns a [`Design`](tilewright_hdl::ir::Design) into one file a module, in the Verilog-2001 subset that
 //! Verilator, Icarus and Yosys agree on. [`testbench`] replays a recorded run against those files. [`tools`] runs the
 //! external programs that check both.
+//!
+//! ```
+//! use tilewright_gen::verilog;
+//! use tilewright_hdl::{Block, Module, Width, bit, bundle, elaborate};
+//!
+//! bundle! {
+//!     struct ToggleIn<T> { flip: T }
+//!     struct ToggleOut<T> { on: T }
+//! }
+//!
+//! #[derive(Debug)]
+//! struct Toggle;
+//!
+//! impl Block for Toggle {
+//!     type In = ToggleIn;
+//!     type Out = ToggleOut;
+//!
+//!     fn inputs(&self) -> ToggleIn<Width> {
+//!         ToggleIn { flip: bit() }
+//!     }
+//!
+//!     fn build(&self, m: Module, i: ToggleIn) -> ToggleOut {
+//!         let on = m.reg("on", 1).reset(0);
+//!         on.enable(i.flip).next(!on.value());
+//!         ToggleOut { on: on.value() }
+//!     }
+//! }
+//!
+//! let files = verilog(&elaborate(&Toggle).unwrap());
+//! assert_eq!(files[0].name, "toggle.v");
+//! assert!(files[0].text.contains("else if (flip) on <= !on;"));
+//! ```
 
 mod bench;
 pub mod tools;

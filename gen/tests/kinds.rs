@@ -184,6 +184,25 @@ fn an_array_of_any_size_is_the_same_text() {
 }
 
 #[test]
+fn constants_of_lanes_are_formulas_or_tables() {
+    let text = clean("positions", |m, i| {
+        let adder = Small { name: "adder", build: |_, i| i.a + i.b };
+        let grid = m.array("u_grid", 64, &adder, |row| Pair {
+            a: row.constants(8, |lane| u64::from(lane % 8)),
+            b: row.constants(8, |lane| u64::from(lane / 8)),
+        });
+        let scattered = m.array("u_scattered", 64, &adder, |row| Pair {
+            a: row.constants(8, |lane| u64::from(lane * lane % 251)),
+            b: row.all(&i.b),
+        });
+        grid.y.xor_all() ^ scattered.y.xor_all() ^ i.a
+    });
+    assert!(text.contains("localparam [31:0] lane_a = i % 8;"), "{text}");
+    assert!(text.contains("localparam [31:0] lane_b = i / 8;"), "{text}");
+    assert!(text.contains("localparam [511:0] u_scattered_lane_a = {"), "{text}");
+}
+
+#[test]
 fn memories_become_block_ram() {
     let files = verilog(&elaborate(&LineBuffer).expect("the block is sound"));
     // Of 1000 words of 24 bits, with the flag of an address inside as the only flip-flop.

@@ -8,12 +8,13 @@ use super::instance::connect;
 use super::layout::{range, with_place, wrapped};
 use super::literal::{Style, literal};
 use super::names::Taken;
+use super::pattern::Pattern;
 use std::collections::BTreeMap;
 use tilewright_hdl::Bits;
 use tilewright_hdl::ir::{Design, Instance, InstanceId, Module, NodeId, Op, Reduction};
 
 /// A table of constants wider than this is given lane by lane: tools limit the width of a vector.
-const WIDEST_TABLE: u32 = 16_384;
+const WIDEST_TABLE: u64 = 65_536;
 
 /// The names that arrays need.
 pub struct ArrayNames {
@@ -25,6 +26,8 @@ pub struct ArrayNames {
     hidden: Option<(NodeId, String)>,
     /// For each array, the nets of the values that are made in its lanes.
     local: BTreeMap<(InstanceId, NodeId), String>,
+    /// For each array, the tables of constants of its lanes; declared outside of the lanes, or every lane has a copy.
+    tables: BTreeMap<(InstanceId, NodeId), String>,
 }
 
 impl ArrayNames {
@@ -35,7 +38,7 @@ impl ArrayNames {
         let hidden = module.nodes.iter().position(|node| node.name.as_deref() == Some("lane") && node.lanes.is_none());
         let hidden = hidden.filter(|_| !genvar.is_empty()).map(|id| (NodeId(id as u32), taken.fresh("lane_value")));
         let outputs = vec![Vec::new(); module.instances.len()];
-        let mut names = ArrayNames { genvar, outputs, hidden, local: BTreeMap::new() };
+        let mut names = ArrayNames { genvar, outputs, hidden, local: BTreeMap::new(), tables: BTreeMap::new() };
         for (index, instance) in arrays() {
             let array = InstanceId(index as u32);
             let mut scope = Scope { taken, used: vec!["lane".to_string()] };
@@ -114,8 +117,16 @@ impl Printer<'_> {
         let local = self.arrays.local.range((id, NodeId(0))..=(id, NodeId(u32::MAX)));
         let local: Vec<(NodeId, String)> = local.map(|(&(_, node), name)| (node, name.clone())).collect();
         self.swap_hidden();
+        let mut out = Vec::new();
         for (node, name) in local {
-            body.extend(self.local_value(id, node, &name));
+            match self.table(node) {
+                Some(words) => {
+                    let table = self.taken.fresh(&format!("{}_{name}", instance.name));
+                    out.extend(table_text(&table, &words));
+                    self.arrays.tables.insert((id, node), table);
+                }
+                None => body.extend(self.local_value(id, node, &name)),
+            }
         }
         let mut connections = self.clock_connections(instance, child);
         for (port, &input) in child.inputs.iter().zip(&instance.inputs) {
@@ -130,7 +141,8 @@ impl Printer<'_> {
         body.extend(connect(&child.name, "lane", &connections));
         body.push(UNREAD.to_string());
         let head = with_place(format!("{} begin : {}", self.for_lanes(lanes), instance.name), instance.loc);
-        generate(head, body)
+        out.extend(generate(head, body));
+        out
     }
 
     fn for_lanes(&self, lanes: u32) -> String {
@@ -142,11 +154,14 @@ impl Printer<'_> {
     fn lane_input(&mut self, array: InstanceId, id: NodeId) -> String {
         match &self.module.node(id).op {
             Op::Broadcast(plain) => self.value(*plain),
-            Op::PerLane(parts) => {
-                let name = self.arrays.local[&(array, id)].clone();
-                match self.progression(parts) {
-                    Some(_) => progression_value(&name, self.module.width(id)),
-                    None => self.lane_value(array, id, 0),
+            Op::PerLane(parts) if self.pattern(parts).is_some() => {
+                formula_value(&self.arrays.local[&(array, id)], self.module.width(id))
+            }
+            Op::PerLane(_) if self.arrays.tables.contains_key(&(array, id)) => {
+                let (table, i) = (&self.arrays.tables[&(array, id)], &self.arrays.genvar);
+                match self.module.width(id) {
+                    1 => format!("{table}[{i}]"),
+                    width => format!("{table}[{i} * {width} +: {width}]"),
                 }
             }
             _ => self.lane_value(array, id, 0),
@@ -203,25 +218,9 @@ impl Printer<'_> {
                     "end".to_string(),
                 ]
             }
-            Op::PerLane(parts) => match (self.progression(parts), self.constants(parts)) {
-                (Some((first, step)), _) => {
-                    vec![format!("localparam [31:0] {name} = {};", progression_text(first, step, &i))]
-                }
-                (None, Some(values)) if values.len() as u32 * node.width <= WIDEST_TABLE => {
-                    let words: Vec<String> = values.iter().rev().map(|value| literal(value, Style::Pattern)).collect();
-                    let all = values.len() as u32 * node.width;
-                    let index = match node.width {
-                        1 => i,
-                        width => format!("{i} * {width} +: {width}"),
-                    };
-                    vec![
-                        format!("localparam [{}:0] {name}_table = {{", all - 1),
-                        format!("    {}", wrapped(&words, 4).replace('\n', "\n        ")),
-                        "};".to_string(),
-                        format!("wire {range}{name} = {name}_table[{index}];"),
-                    ]
-                }
-                _ => self.lane_cases(parts, name, &range),
+            Op::PerLane(parts) => match self.pattern(parts) {
+                Some(pattern) => vec![format!("localparam [31:0] {name} = {};", pattern.text(&i))],
+                None => self.lane_cases(parts, name, &range),
             },
             _ => unreachable!("only shifted and per-lane values are made in a lane's scope"),
         }
@@ -247,13 +246,16 @@ impl Printer<'_> {
         parts.iter().map(value).collect()
     }
 
-    /// The first value and the step of constants that grow evenly.
-    fn progression(&self, parts: &[NodeId]) -> Option<(i64, i64)> {
-        let small = |value: &Bits| value.to_u64().filter(|&value| value < 1 << 31).map(|value| value as i64);
-        let values: Vec<i64> = self.constants(parts)?.iter().map(small).collect::<Option<_>>()?;
-        let step = values.get(1).map_or(0, |second| second - values[0]);
-        let even = values.windows(2).all(|pair| pair[1] - pair[0] == step);
-        even.then_some((values[0], step))
+    /// The words of a table, for constants that follow no rule.
+    fn table(&self, id: NodeId) -> Option<Vec<Bits>> {
+        let node = self.module.node(id);
+        let Op::PerLane(parts) = &node.op else { return None };
+        let words = self.constants(parts).filter(|words| words.len() as u64 * u64::from(node.width) <= WIDEST_TABLE)?;
+        Pattern::of(&words).is_none().then_some(words)
+    }
+
+    fn pattern(&self, parts: &[NodeId]) -> Option<Pattern> {
+        Pattern::of(&self.constants(parts)?)
     }
 
     /// The net that combines all lanes of an output.
@@ -319,19 +321,19 @@ fn generate(head: String, body: Vec<String>) -> Vec<String> {
     out
 }
 
-fn progression_text(first: i64, step: i64, i: &str) -> String {
-    let term = match step.abs() {
-        1 => i.to_string(),
-        step => format!("{step} * {i}"),
-    };
-    match (first, step) {
-        (first, 0) => first.to_string(),
-        (0, step) if step > 0 => term,
-        (first, step) => format!("{first} {} {term}", if step > 0 { "+" } else { "-" }),
-    }
+/// Lane 0 is in the lowest bits.
+fn table_text(name: &str, words: &[Bits]) -> Vec<String> {
+    let width: u32 = words.iter().map(Bits::width).sum();
+    let words: Vec<String> = words.iter().rev().map(|word| literal(word, Style::Pattern)).collect();
+    vec![
+        format!("localparam [{}:0] {name} = {{", width - 1),
+        format!("    {}", wrapped(&words, 4).replace('\n', "\n    ")),
+        "};".to_string(),
+    ]
 }
 
-fn progression_value(name: &str, width: u32) -> String {
+/// The bits in use of a formula's 32.
+fn formula_value(name: &str, width: u32) -> String {
     match width {
         1 => format!("{name}[0]"),
         32 => name.to_string(),

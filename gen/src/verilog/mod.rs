@@ -14,6 +14,7 @@ mod module;
 mod names;
 mod nets;
 mod order;
+mod pattern;
 mod plan;
 mod registers;
 mod state;

@@ -3,11 +3,11 @@
 
 use super::memory::can_exceed;
 use super::order::operands_first;
-use tilewright_hdl::ir::{Binary, Module, NodeId, Op, Shift, Unary};
+use tilewright_hdl::ir::{Binary, Module, Node, NodeId, Op, Shift, Unary};
 
 /// An expression longer than this, in columns, is split.
 const LONGEST: usize = 84;
-/// What a name is taken to need, in columns, before names are given.
+/// What the name of a node without one is taken to need, in columns, before names are given.
 const NAME: usize = 16;
 /// Branches of an always block nest no deeper than this.
 const DEEPEST: u32 = 4;
@@ -240,7 +240,8 @@ impl Planner<'_> {
     /// Turns the longest operands of an over-long expression into nets.
     fn split_long(&mut self, order: &[NodeId]) {
         let module = self.module;
-        let mut columns = vec![NAME; module.nodes.len()];
+        let name = |node: &Node| node.name.as_ref().map_or(NAME, String::len);
+        let mut columns: Vec<usize> = module.nodes.iter().map(name).collect();
         for &id in order {
             let node = module.node(id);
             let printed = matches!(self.form(id), Form::Inline | Form::Net);
@@ -264,7 +265,7 @@ impl Planner<'_> {
             columns[id.0 as usize] = match (self.form(id), &node.op) {
                 (Form::Inline, Op::Const(value)) => 5 + value.width() as usize / 4,
                 (Form::Inline, _) => total,
-                _ => NAME,
+                _ => name(node),
             };
         }
     }

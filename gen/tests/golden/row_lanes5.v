@@ -17,6 +17,9 @@ module row_lanes5 (
 
     genvar i;
 
+    localparam [39:0] u_cell_weight = {
+        8'h3e, 8'h3e, 8'h7c, 8'h1f, 8'h00
+    };
     generate
         for (i = 0; i < 5; i = i + 1) begin : u_cell                 // gen/tests/blocks/mod.rs:147
             wire [7:0] q;
@@ -29,17 +32,13 @@ module row_lanes5 (
             end else begin : left_link
                 assign left = u_cell[i - 1].sum;
             end
-            localparam [39:0] weight_table = {
-                8'h3e, 8'h3e, 8'h7c, 8'h1f, 8'h00
-            };
-            wire [7:0] weight = weight_table[i * 8 +: 8];
 
             cell_ lane (
                 .clk    (clk),
                 .op     (op),
                 .x      (x[3:0]),
                 .left   (left),
-                .weight (weight),
+                .weight (u_cell_weight[i * 8 +: 8]),
                 .q      (q),
                 .hit    (hit),
                 .sum    (sum)
