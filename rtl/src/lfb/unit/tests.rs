@@ -137,11 +137,11 @@ impl Bench {
         accepted
     }
 
-    /// Lets clocks pass until an output is high, which takes no more of them than the two stages have.
+    /// Lets clocks pass until an output is high, which takes no more of them than a clear and the two stages have.
     fn wait_until(&mut self, output: impl Fn(&LfbUnitOut<Port>) -> Port) {
         let (port, start) = (output(&self.sim.o), self.now());
         while self.sim.get(port) != 1 {
-            assert!(self.now() < start + 7, "the unit does not go on");
+            assert!(self.now() < start + 9, "the unit does not go on");
             self.clock();
         }
     }
