@@ -93,7 +93,7 @@ impl Bench {
 
     /// An edge of the merge clock has passed, at which the merging unit saw `word`.
     fn merge(&mut self, word: u64) {
-        let scan = self.sim.i.scan.clone();
+        let scan = self.sim.i.scan;
         if self.sim.get_u64(scan.enable) == 1 {
             self.advanced += 1;
             // The word of a pixel is there 2 clocks after the counter shows it: 3 edges have passed.
