@@ -1,37 +1,42 @@
 //! The entries of the catalogue.
 
-use tilewright_hdl::elaborate;
+use tilewright_hdl::elaborate_at;
 
 use super::scenario::Script;
-use super::{CatalogError, Entry, Parameter, Scenario, Values};
+use super::{CatalogError, Entry, Parameter, Scenario, Values, lfb};
 use crate::clocks::MERGE;
 use crate::gfb::{GfbUnit, GfbUnitIn, Host};
 use crate::merger::{ImageMerger, ImageMergerIn, MergingUnit, MergingUnitIn};
 use crate::parameter::Screen;
 
-const EMPTY: u64 = (1 << 48) - 1;
+pub(super) const EMPTY: u64 = (1 << 48) - 1;
 
-const WIDTH: Parameter =
+pub(super) const WIDTH: Parameter =
     Parameter { name: "width", default: 16, min: 2, max: 2048, meaning: "pixels in a scan line of the screen" };
-const HEIGHT: Parameter =
+pub(super) const HEIGHT: Parameter =
     Parameter { name: "height", default: 8, min: 2, max: 2048, meaning: "scan lines of the screen" };
 const UNITS: Parameter =
     Parameter { name: "units", default: 4, min: 1, max: 256, meaning: "merging units in the chain" };
 
 /// Every block, in the order of the data's way through the machine.
 pub const ENTRIES: &[Entry] = &[
+    lfb::LFB_UNIT,
+    lfb::PATCH_TABLE,
+    lfb::PAGE_ID_GENERATOR,
+    lfb::IMAGE_MEMORY,
+    lfb::SCAN_COUNTER,
     Entry {
         name: "merging-unit",
         summary: "sends on the nearer of two pixels, in 4 stages",
         parameters: &[],
-        design: |_| Ok(elaborate(&MergingUnit)?),
+        design: |_| Ok(elaborate_at(&MergingUnit, MERGE.period)?),
         scenario: |_| Ok(merging_unit()),
     },
     Entry {
         name: "image-merger",
         summary: "a chain of merging units",
         parameters: &[UNITS],
-        design: |values| Ok(elaborate(&image_merger(values))?),
+        design: |values| Ok(elaborate_at(&image_merger(values), MERGE.period)?),
         scenario: |values| Ok(a_marked_pixel(&image_merger(values))),
     },
     Entry {
@@ -49,7 +54,7 @@ pub const ENTRIES: &[Entry] = &[
                 meaning: "clocks of overhead after a scan line",
             },
         ],
-        design: |values| Ok(elaborate(&gfb_unit(values)?)?),
+        design: |values| Ok(elaborate_at(&gfb_unit(values)?, MERGE.period)?),
         scenario: |values| Ok(two_rounds(&gfb_unit(values)?)),
     },
 ];

@@ -1,6 +1,7 @@
 //! Every block by name, with its parameters and a scenario: what the command line lists, prints and shows as a wave.
 
 mod entries;
+mod lfb;
 mod scenario;
 
 use std::collections::BTreeMap;

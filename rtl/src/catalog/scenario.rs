@@ -55,6 +55,12 @@ impl<B: Block> Script<B> {
         self.clocks += 1;
     }
 
+    /// Some clocks with these inputs.
+    pub fn hold(&mut self, inputs: &<B::In as Bundle>::Of<u64>, clocks: u64) {
+        self.clock(inputs);
+        self.wait(clocks - 1);
+    }
+
     /// The same inputs for some clocks more.
     pub fn wait(&mut self, clocks: u64) {
         self.clocks += clocks;

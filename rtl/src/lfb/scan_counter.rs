@@ -2,7 +2,7 @@
 //!
 //! ```text
 //!                .---.          .---.
-//! enable --+---->| x |--- end ->| y |--- end of the frame ---> armed
+//! enable --+---->| x |--- end ->| y |--- end of the frame --> [ pass ] --> armed
 //!          |     '---'          '---'
 //! restart -+-- preset.x ---- preset.y
 //! ```
@@ -11,11 +11,13 @@
 //!
 //! The counter runs freely in raster order, from the upper left to the lower right, and then at once from the start. In
 //! the chain each runs 4 pixels ahead of the succeeding one, the latency of a merging unit, so that all samples
-//! of a pixel meet. A restart therefore finds the counters behind the first at the end of a frame that nobody asked for:
-//! `armed` tells the pixels of the first whole frame, and of those after it, from these.
+//! of a pixel meet. A restart therefore puts the counters behind the first near the end of a frame, and when the last
+//! pixel leaves the chain, the first counters are in the next frame. Those pixels would be sent, and cleared, for nobody: `armed`
+//! tells the one whole frame after a restart from what comes before and after it. Each pixel is so sent once in a round of
+//! merging, at whatever time in it the buffers are swapped.
 
 use tilewright_hdl::ir::About;
-use tilewright_hdl::{Block, Module, Width, bit, bits, bundle, index_width, mux, net};
+use tilewright_hdl::{Block, Module, Width, bit, bits, bundle, index_width, mux, net, states, when};
 
 use crate::parameter::Screen;
 use crate::scan::{Position, ScanControl};
@@ -36,9 +38,14 @@ bundle! {
     pub struct ScanCounterOut<T> {
         /// The pixel to send.
         pub pixel: Position<T>,
-        /// The pixel belongs to a whole frame after the restart.
+        /// The pixel belongs to the whole frame after the restart.
         pub armed: T,
     }
+}
+
+states! {
+    /// Where the counter is in respect of the whole frame after the restart.
+    enum Pass { Before, Frame, After }
 }
 
 /// Counts the pixels of a screen in raster order.
@@ -79,15 +86,22 @@ impl Block for ScanCounter {
         let ScanControl { restart, enable } = i.scan;
         let x = m.reg("x", i.preset.x.width()).reset(0);
         let y = m.reg("y", i.preset.y.width()).reset(0);
-        let armed = m.reg("armed", 1).reset(0);
+        let pass = m.fsm("pass", Pass::After);
         net!(line_end = enable & x.eq(self.screen.width - 1));
         net!(last_line = y.eq(self.screen.height - 1));
+        net!(frame_end = line_end & last_line);
 
         x.enable(restart | enable).next(mux(restart, i.preset.x, mux(line_end, 0, x + 1)));
         y.enable(restart | line_end).next(mux(restart, i.preset.y, mux(last_line, 0, y + 1)));
         net!(at_start = i.preset.x.eq(0) & i.preset.y.eq(0));
-        armed.enable(restart | (line_end & last_line)).next(mux(restart, at_start, 1));
-        ScanCounterOut { pixel: Position { x: x.value(), y: y.value() }, armed: armed.value() }
+        pass.next(|state| {
+            let passed = match state {
+                Pass::Before => Pass::Frame,
+                Pass::Frame | Pass::After => Pass::After,
+            };
+            when(restart & at_start, Pass::Frame).or_when(restart, Pass::Before).or_when(frame_end, passed)
+        });
+        ScanCounterOut { pixel: Position { x: x.value(), y: y.value() }, armed: pass.is(Pass::Frame) }
     }
 
     fn name(&self) -> String {
@@ -174,7 +188,7 @@ mod tests {
     }
 
     #[test]
-    fn each_counter_runs_4_pixels_ahead_of_the_succeeding_one_and_sends_from_its_first_whole_frame() {
+    fn each_counter_runs_4_pixels_ahead_of_the_succeeding_one_and_sends_one_whole_frame() {
         let (screen, length) = (Screen { width: 7, height: 5 }, 8);
         let frame = u64::from(screen.pixels());
         let mut sim = Simulation::of(&Chain { screen, length }).unwrap();
@@ -188,7 +202,7 @@ mod tests {
             assert!(numbers.windows(2).all(|pair| pair[0] == (pair[1] + 4) % frame), "{numbers:?} in clock {clock}");
             for (position, armed) in (0..).zip(armed) {
                 let first = 4 * position;
-                assert_eq!(armed == 1, clock >= first, "position {position} in clock {clock}");
+                assert_eq!(armed == 1, (first..first + frame).contains(&clock), "position {position} in clock {clock}");
             }
             sim.step();
         }

@@ -136,6 +136,27 @@ fn later_rounds_accumulate_and_a_swap_starts_afresh() {
     }
 }
 
+#[test]
+fn a_swap_during_a_round_loses_nothing() {
+    let screen = Screen { width: 16, height: 8 };
+    let drawn: Vec<_> = (0..8).flat_map(|y| (0..16).map(move |x| (x, y, 100 * y + x))).collect();
+    for delay in [1, 3, 4, 20, 150, 280, 290, 300] {
+        let mut machine = Machine::new(screen, 4, 8, 4);
+        machine.draw(0, drawn.iter().copied());
+        machine.sim.set(machine.sim.i.gfb.start, 1);
+        machine.sim.step_clock("merge", 1);
+        machine.sim.set(machine.sim.i.gfb.start, 0);
+        machine.sim.step_clock("merge", delay);
+        machine.swap(0);
+        while machine.sim.get_u64(machine.sim.o.gfb.busy) == 1 {
+            machine.sim.step_clock("merge", 1);
+        }
+        machine.merge();
+        machine.show();
+        assert_eq!(machine.picture(), nearest(screen, &drawn, &blank(screen)), "a swap {delay} clocks after the start");
+    }
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(24))]
     #[test]

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use proptest::prelude::*;
 use tilewright_hdl::elaborate;
-use tilewright_sim::Simulation;
+use tilewright_sim::{Port, Simulation};
 
 use super::*;
 use crate::parameter::Screen;
@@ -26,7 +26,7 @@ impl Model {
     }
 }
 
-/// A unit with its processor, a scan that runs all the time, and the model.
+/// A unit with its processor, a scan that goes from round to round, and the model.
 struct Bench {
     sim: Simulation<LfbUnitIn, LfbUnitOut>,
     unit: LfbUnit,
@@ -37,8 +37,9 @@ struct Bench {
     sent: BTreeMap<(u64, u64), u64>,
     /// The unit's place in the chain.
     position: u32,
-    /// How many pixels the scan has advanced since its restart, and how many of them since the last swap.
+    /// How many pixels the scan has advanced since its restart.
     advanced: u64,
+    /// How many pixels were sent since the last swap.
     since_swap: u64,
     overflows: u64,
 }
@@ -92,22 +93,33 @@ impl Bench {
 
     /// An edge of the merge clock has passed, at which the merging unit saw `word`.
     fn merge(&mut self, word: u64) {
-        if self.sim.get_u64(self.sim.i.scan.enable) == 1 {
+        let scan = self.sim.i.scan;
+        if self.sim.get_u64(scan.enable) == 1 {
             self.advanced += 1;
-            self.since_swap += 1;
             // The word of a pixel is there 2 clocks after the counter shows it: 3 edges have passed.
-            if word != EMPTY {
-                let screen = self.unit.patches.screen();
-                let from_start = self.advanced.checked_sub(3 + 4 * u64::from(self.position));
-                let number = from_start.expect("nothing is sent before the first pixel of a frame") % self.frame();
-                let pixel = (number % u64::from(screen.width), number / u64::from(screen.width));
-                let before = self.sent.insert(pixel, word);
-                assert_eq!(before, None, "pixel {pixel:?} is sent twice");
+            let first = 3 + 4 * u64::from(self.position);
+            match self.advanced.checked_sub(first).filter(|number| *number < self.frame()) {
+                Some(number) => self.merge_pixel(number, word),
+                None => assert_eq!(word, EMPTY, "only the pixels of a whole frame are sent"),
             }
         }
-        // As in every line of the real scan, there are clocks in which the chain holds.
+        // The chain is longer than this unit's place in it, and holds now and then, as it does after each line.
+        let restart = self.advanced == self.frame() + 19;
+        if restart {
+            self.advanced = 0;
+        }
         let merged = self.sim.cycles("merge").unwrap();
-        self.sim.set(self.sim.i.scan.enable, merged % 11 > 1);
+        self.sim.set(scan.restart, restart);
+        self.sim.set(scan.enable, !restart && merged % 11 > 1);
+    }
+
+    fn merge_pixel(&mut self, number: u64, word: u64) {
+        self.since_swap += 1;
+        let width = u64::from(self.unit.patches.screen().width);
+        let pixel = (number % width, number / width);
+        if word != EMPTY {
+            assert_eq!(self.sent.insert(pixel, word), None, "pixel {pixel:?} is sent twice");
+        }
     }
 
     /// Draws as soon as that is accepted; gives the clock of the acceptance. After an overflow, goes on with the next
@@ -117,9 +129,7 @@ impl Bench {
         self.sim.set(self.sim.i.request.x, x);
         self.sim.set(self.sim.i.request.y, y);
         self.sim.set(self.sim.i.request.word, word);
-        while self.sim.get(self.sim.o.ready) != 1 {
-            self.clock();
-        }
+        self.wait_until(|o| o.ready);
         let accepted = self.now();
         self.clock();
         self.sim.set(self.sim.i.request.valid, 0);
@@ -139,15 +149,20 @@ impl Bench {
         accepted
     }
 
-    fn settle(&mut self) {
-        while self.sim.get_u64(self.sim.o.idle) | self.sim.get_u64(self.sim.o.overflow) == 0 {
+    /// Lets clocks pass until an output is high, which takes no more of them than a clear and the two stages have.
+    fn wait_until(&mut self, output: impl Fn(&LfbUnitOut<Port>) -> Port) {
+        let (port, start) = (output(&self.sim.o), self.now());
+        while self.sim.get(port) != 1 {
+            assert!(self.now() < start + 9, "the unit does not go on");
             self.clock();
         }
     }
 
     /// Swaps when the back buffer has been sent, and clears the patch table.
     fn swap(&mut self) {
-        self.settle();
+        if self.sim.get(self.sim.o.overflow) != 1 {
+            self.wait_until(|o| o.idle);
+        }
         assert_eq!(self.sim.get_u64(self.sim.o.pages_used), self.model.resident.len() as u64);
         self.finish_scan();
         self.sim.set(self.sim.i.swap, 1);
@@ -164,9 +179,7 @@ impl Bench {
     fn clear(&mut self, patch: u32) -> u64 {
         self.sim.set(self.sim.i.clear.valid, 1);
         self.sim.set(self.sim.i.clear.patch, patch);
-        while self.sim.get(self.sim.o.clear_ready) != 1 {
-            self.clock();
-        }
+        self.wait_until(|o| o.clear_ready);
         let accepted = self.now();
         self.clock();
         self.sim.set(self.sim.i.clear.valid, 0);
@@ -176,7 +189,7 @@ impl Bench {
     /// Waits until every pixel of the back buffer has been sent, and sees that it was what had been drawn.
     fn finish_scan(&mut self) {
         // The merger follows a swap after 2 clocks, and a word comes 2 clocks after its pixel is counted.
-        while self.since_swap < self.frame() + 5 {
+        while self.since_swap < self.frame() + 4 {
             self.clock();
         }
         assert_eq!(std::mem::take(&mut self.sent), std::mem::take(&mut self.expected));
@@ -204,10 +217,10 @@ fn hits_are_accepted_every_3_clocks_and_misses_every_4() {
     let mut bench = Bench::new(SMALL, 4, 30, 0);
     let misses: Vec<u64> = (0..6).map(|i| bench.draw((4 * i, 0), 9)).collect();
     assert_eq!(intervals(&misses), [4; 5]);
-    bench.settle();
+    bench.wait_until(|o| o.idle);
     let hits: Vec<u64> = (0..24).map(|x| bench.draw((x, 1), 9)).collect();
     assert_eq!(intervals(&hits), [3; 23]);
-    bench.settle();
+    bench.wait_until(|o| o.idle);
     let mixed = [(0, 2), (0, 4), (0, 3), (4, 4), (8, 4), (5, 4)].map(|pixel| bench.draw(pixel, 9));
     assert_eq!(intervals(&mixed), [3, 4, 3, 4, 4]);
 }
@@ -242,7 +255,7 @@ fn after_a_whole_scan_the_back_buffer_is_empty() {
     }
     bench.swap();
     bench.draw((3, 3), 1);
-    bench.settle();
+    bench.wait_until(|o| o.idle);
     assert!(bench.words_held()[0] > 300, "{:?}: the scan is not far yet", bench.words_held());
     bench.finish_scan();
     assert_eq!(bench.words_held(), [0, 1]);

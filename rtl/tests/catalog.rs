@@ -1,0 +1,54 @@
+//! The scenarios of the catalogue, played in the simulator.
+
+use tilewright_rtl::catalog::{ENTRIES, Entry, find};
+use tilewright_sim::Simulation;
+
+/// A step shorter than any clock's period, in picoseconds.
+const STEP: usize = 5000;
+
+/// Plays an entry's scenario; gives the values that a signal takes one after the other.
+fn play(entry: &Entry, set: &[(&str, u64)], signal: Option<&str>) -> Vec<u64> {
+    let values = entry.values(set.iter().copied()).unwrap();
+    let scenario = entry.scenario(&values).unwrap();
+    let mut sim = Simulation::from_design(&entry.design(&values).unwrap()).unwrap();
+    sim.reset();
+
+    let start = sim.time();
+    let mut seen = Vec::new();
+    let mut run_until = |sim: &mut Simulation, time: u64| {
+        for instant in (sim.time()..time).step_by(STEP).chain([time]) {
+            sim.run_until(instant);
+            seen.extend(signal.map(|name| sim.peek(name).unwrap().to_u64().unwrap()));
+        }
+    };
+    for event in &scenario.events {
+        run_until(&mut sim, start + event.at_ps);
+        assert!(sim.time() < start + event.at_ps, "{}: `{}` changes at an edge", entry.name, event.input);
+        sim.set(sim.port(&event.input).unwrap(), &event.value);
+    }
+    run_until(&mut sim, start + scenario.end_ps);
+    seen.dedup();
+    seen
+}
+
+#[test]
+fn every_scenario_plays_without_a_violation() {
+    for entry in ENTRIES {
+        play(entry, &[], None);
+    }
+}
+
+#[test]
+fn the_local_frame_buffer_shows_what_its_scenarios_say() {
+    const EMPTY: u64 = (1 << 48) - 1;
+    let shown = |name, set: &[_], signal| play(find(name).unwrap(), set, Some(signal));
+    assert_eq!(shown("page-id-generator", &[], "used"), [0, 1, 2, 0, 1]);
+    assert_eq!(shown("patch-table", &[], "scan_entry_resident"), [0, 1, 0]);
+    assert_eq!(shown("image-memory", &[], "sent"), [EMPTY, 60, EMPTY]);
+    assert_eq!(shown("scan-counter", &[("position", 2)], "armed"), [0, 1, 0]);
+    for patch in [4, 8, 16] {
+        let set = [("width", 40), ("height", 24), ("patch", patch), ("pages", 2)];
+        assert_eq!(shown("lfb-unit", &set, "word"), [EMPTY, 70, 50, EMPTY, 40, EMPTY], "patches of {patch}");
+    }
+    assert_eq!(shown("lfb-unit", &[("width", 640), ("height", 480), ("pages", 4096)], "pages_used"), [0, 1, 2, 0, 1]);
+}
