@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use tilewright_machines::Watch;
 use tilewright_machines::vc1::{Config, Machine};
-use tilewright_scenes::{Scene, golden};
+use tilewright_scenes::{Scene, compare, golden};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut arguments = std::env::args().skip(1);
@@ -21,7 +21,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let seconds = begin.elapsed().as_secs_f64();
     println!("{report}");
     let golden = golden::render(scene.size, &projection.triangles, scene.background);
-    println!("{}", if frame == golden { "equal to the golden frame" } else { "NOT equal to the golden frame" });
+    println!("Against the golden frame: {}.", compare(&frame, &golden));
     eprintln!("{seconds:.2} s, {:.0} clocks a second", report.clocks() as f64 / seconds);
     Ok(())
 }

@@ -16,8 +16,8 @@ use crate::run::Watch;
 /// Clocks between two reports of progress, and between two looks at the cancellation flag.
 const PROGRESS_CLOCKS: u64 = 1024;
 
-/// Clocks of the merger until a swap of the local frame buffers is known there: two of the synchronizer, one to see it.
-const SWAP_CROSSING: u64 = 3;
+/// Clocks of the merger until a swap of the local frame buffers has come through the synchronizer to its side.
+const SWAP_CROSSING: u64 = 2;
 
 /// The host during a frame.
 pub(crate) struct Host<'a, 'w> {
