@@ -145,7 +145,7 @@ fn progress_goes_through_the_phases_and_a_run_can_be_cancelled() {
     machine.render(&projection, BACKGROUND, &mut watch).expect("renders");
     let mut phases: Vec<_> = seen.iter().map(|it| it.phase).collect();
     phases.dedup();
-    assert_eq!(phases, ["clearing", "drawing", "merging", "reading out"]);
+    assert_eq!(phases, ["clearing", "drawing", "swapping", "merging", "reading out"]);
     for pair in seen.windows(2) {
         assert!(pair[0].phase != pair[1].phase || pair[0].fraction <= pair[1].fraction, "{pair:?}");
     }
