@@ -5,7 +5,9 @@ use std::sync::atomic::AtomicBool;
 use proptest::prelude::*;
 use tilewright_machines::vc1::{Assignment, Config, CostTable, Machine, Report, demand};
 use tilewright_machines::{Error, Progress, Watch};
-use tilewright_scenes::{Counts, Frame, Projection, Scene, ScreenVertex, Size, golden, project, set_up};
+use tilewright_scenes::{
+    Comparison, Counts, Frame, Projection, Scene, ScreenVertex, Size, compare, golden, project, set_up,
+};
 
 const BACKGROUND: [u8; 3] = [24, 28, 44];
 
@@ -18,8 +20,9 @@ fn on_screen(scene: &str, width: u32, height: u32) -> Projection {
     project(&scene, Size::new(width, height).expect("in range")).expect("the scene is in sight")
 }
 
-fn golden_frame(projection: &Projection) -> Frame {
-    golden::render(projection.size, &projection.triangles, BACKGROUND)
+/// How a frame compares with the golden one.
+fn against_golden(frame: &Frame, projection: &Projection) -> Comparison {
+    compare(frame, &golden::render(projection.size, &projection.triangles, BACKGROUND))
 }
 
 fn render(config: Config, projection: &Projection) -> Result<(Frame, Report), Error> {
@@ -46,11 +49,11 @@ fn merge_clocks(config: &Config) -> u64 {
 fn every_number_of_processors_and_every_patch_draws_the_golden_frame() {
     for scene in ["teapot", "ter1k"] {
         let projection = on_screen(scene, 80, 60);
-        let golden = golden_frame(&projection);
         for (processors, patch) in [(1, 8), (2, 16), (3, 4), (4, 4), (8, 8), (16, 4), (16, 16)] {
             let config = Config { processors, patch, costs: HASTY, ..Config::new(projection.size) };
             let (frame, report) = render(config, &projection).expect("there are pages for all patches");
-            assert!(frame == golden, "{scene} on {processors} processors with patches of {patch} differs");
+            let comparison = against_golden(&frame, &projection);
+            assert!(comparison.is_equal(), "{scene}, {processors} processors, patches of {patch}: {comparison}");
             assert_eq!(report.merge_clocks, merge_clocks(&config));
         }
     }
@@ -86,8 +89,10 @@ fn a_report_is_the_same_on_every_run() {
 fn the_machine_of_the_paper_draws_the_teapot() {
     let projection = on_screen("teapot", 640, 480);
     let (frame, report) = render(Config::new(projection.size), &projection).expect("4096 pages are enough");
-    assert!(frame == golden_frame(&projection));
+    let comparison = against_golden(&frame, &projection);
+    assert!(comparison.is_equal(), "{comparison}");
     assert_eq!(report.merge_clocks, 316_864);
+    assert_eq!(report.phases[0].pe_clocks, 3 * 19_200, "clearing the patch table");
     assert_eq!(report.pixels, covered(&projection));
     assert!(report.balance() > 0.95, "{report}");
 }
@@ -140,7 +145,7 @@ fn progress_goes_through_the_phases_and_a_run_can_be_cancelled() {
     machine.render(&projection, BACKGROUND, &mut watch).expect("renders");
     let mut phases: Vec<_> = seen.iter().map(|it| it.phase).collect();
     phases.dedup();
-    assert_eq!(phases, ["clearing", "drawing", "merging", "reading out"]);
+    assert_eq!(phases, ["clearing", "drawing", "swapping", "merging", "reading out"]);
     for pair in seen.windows(2) {
         assert!(pair[0].phase != pair[1].phase || pair[0].fraction <= pair[1].fraction, "{pair:?}");
     }
@@ -183,7 +188,8 @@ proptest! {
         }
         let config = Config { processors, cluster, patch, costs: HASTY, ..Config::new(size) };
         let (frame, report) = render(config, &projection).expect("there are pages for all patches");
-        prop_assert_eq!(&frame, &golden_frame(&projection));
+        let comparison = against_golden(&frame, &projection);
+        prop_assert!(comparison.is_equal(), "{}", comparison);
         prop_assert_eq!(report.pixels, covered(&projection));
     }
 }

@@ -53,6 +53,21 @@ impl Config {
         Ok(self.pages.unwrap_or_else(|| (IMAGE_MEMORY_PIXELS / patches.pixels()).min(patches.count())))
     }
 
+    /// As a report shows it.
+    pub(crate) fn built(&self) -> Result<Built, ParameterError> {
+        let Config { size, processors, patch, cluster, costs, .. } = *self;
+        Ok(Built {
+            width: size.width(),
+            height: size.height(),
+            processors,
+            patch,
+            patches: self.patches()?.count(),
+            pages: self.pages()?,
+            cluster,
+            costs,
+        })
+    }
+
     /// Checks what the hardware does not check itself.
     pub(crate) fn check(&self) -> Result<(), ParameterError> {
         let Config { processors, cluster, costs, .. } = *self;

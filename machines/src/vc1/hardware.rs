@@ -4,6 +4,7 @@
 use tilewright_hdl::Clock;
 use tilewright_rtl::clocks::{MERGE, PE};
 use tilewright_rtl::vc1::{Vc1, Vc1In, Vc1Out};
+use tilewright_scenes::frame::blank;
 use tilewright_sim::Simulation;
 
 use super::program::Access;
@@ -14,6 +15,8 @@ pub(crate) struct Hardware {
     pub sim: Simulation<Vc1In, Vc1Out>,
     /// By processing element: what stands at its ports.
     at_port: Vec<Option<Access>>,
+    /// T_m as the hardware is built for it.
+    pub round_clocks: u64,
 }
 
 /// A moment: how often each clock has risen, and the simulated time in picoseconds.
@@ -27,14 +30,13 @@ pub(crate) struct Moment {
 impl Hardware {
     pub fn new(machine: &Vc1) -> Result<Hardware, Error> {
         let sim = Simulation::of(machine)?;
-        Ok(Hardware { at_port: vec![None; sim.i.processors.len()], sim })
+        Ok(Hardware { at_port: vec![None; sim.i.processors.len()], round_clocks: machine.gfb().merge_clocks(), sim })
     }
 
-    /// Resets everything.
-    pub fn reset(&mut self, background: [u8; 3]) -> Result<(), Error> {
-        self.sim.set(self.sim.i.gfb.background, tilewright_scenes::frame::blank(background));
+    /// Resets everything, and gives the colour of a pixel that nothing covers.
+    pub fn reset(&mut self, background: [u8; 3]) {
+        self.sim.set(self.sim.i.gfb.background, blank(background));
         self.sim.reset();
-        Ok(())
     }
 
     /// The number of processing elements.
@@ -77,9 +79,9 @@ impl Hardware {
         self.flag(self.sim.o.processors[processor].overflow)
     }
 
-    /// Whether no pixel is under way in the local frame buffer.
-    pub fn idle(&mut self, processor: usize) -> bool {
-        self.flag(self.sim.o.processors[processor].idle)
+    /// Whether no pixel is under way in any local frame buffer.
+    pub fn all_idle(&mut self) -> bool {
+        (0..self.processors()).all(|k| self.flag(self.sim.o.processors[k].idle))
     }
 
     /// Pages taken in the front buffer.
@@ -118,7 +120,7 @@ impl Hardware {
         self.flag(self.sim.o.gfb.busy)
     }
 
-    /// Clocks of the merger in the last round (VC1-TM).
+    /// Clocks of the merger in this round so far, or in the last one (VC1-TM).
     pub fn merge_clocks(&mut self) -> u64 {
         self.sim.get_u64(self.sim.o.gfb.clocks)
     }

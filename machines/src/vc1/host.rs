@@ -8,6 +8,7 @@ use tilewright_rtl::clocks::{MERGE, PE};
 
 use super::config::Config;
 use super::hardware::Hardware;
+use super::job::Job;
 use super::processor::Processor;
 use super::report::{Phase, Report};
 use crate::error::Error;
@@ -16,44 +17,31 @@ use crate::run::Watch;
 /// Clocks between two reports of progress, and between two looks at the cancellation flag.
 const PROGRESS_CLOCKS: u64 = 1024;
 
-/// Clocks of the merger until a swap of the local frame buffers is known there: two of the synchronizer, one to see it.
-const SWAP_CROSSING: u64 = 3;
+/// Clocks of the merger until a swap of the local frame buffers has come through the synchronizer to its side.
+const SWAP_CROSSING: u64 = 2;
 
 /// The host during a frame.
 pub(crate) struct Host<'a, 'w> {
-    pub hardware: &'a mut Hardware,
-    pub watch: &'a mut Watch<'w>,
+    hardware: &'a mut Hardware,
+    job: &'a Job<'a>,
+    watch: &'a mut Watch<'w>,
     /// The phases that are over.
     pub phases: Vec<Phase>,
     /// The phase that runs.
     current: &'static str,
 }
 
-/// Why drawing stopped early.
-pub(crate) enum Stop {
-    /// This processing element found no page for a pixel.
-    Overflow(usize),
-    Error(Error),
-}
-
-impl From<Error> for Stop {
-    fn from(error: Error) -> Stop {
-        Stop::Error(error)
-    }
-}
-
 impl<'a, 'w> Host<'a, 'w> {
-    pub fn new(hardware: &'a mut Hardware, watch: &'a mut Watch<'w>) -> Host<'a, 'w> {
-        Host { hardware, watch, phases: Vec::new(), current: "" }
+    pub fn new(hardware: &'a mut Hardware, job: &'a Job<'a>, watch: &'a mut Watch<'w>) -> Host<'a, 'w> {
+        Host { hardware, job, watch, phases: Vec::new(), current: "" }
     }
 
-    /// Runs the programs until the sync line is high.
-    pub fn draw(&mut self, processors: &mut [Processor]) -> Result<(), Stop> {
-        self.phase("clearing", |host| host.run_processors(processors, |it| it.entries_left()))?;
+    /// Runs the programs until the sync line is high: all have ended, and no pixel is under way.
+    pub fn draw(&mut self, processors: &mut [Processor]) -> Result<(), Error> {
+        self.phase("clearing", |host| host.run(processors, |it| it.entries_left()))?;
         self.phase("drawing", |host| {
-            host.run_processors(processors, |it| usize::from(!it.ended()) + it.polygons_left())?;
-            while !(0..processors.len()).all(|k| host.hardware.idle(k)) {
-                host.expect_pages()?;
+            host.run(processors, |it| usize::from(!it.ended()) + it.polygons_left())?;
+            while !host.hardware.all_idle() {
                 host.clock(processors)?;
             }
             Ok(())
@@ -61,14 +49,14 @@ impl<'a, 'w> Host<'a, 'w> {
     }
 
     /// Runs the programs until nothing is left of any.
-    fn run_processors(&mut self, processors: &mut [Processor], left: impl Fn(&Processor) -> usize) -> Result<(), Stop> {
+    fn run(&mut self, processors: &mut [Processor], left: impl Fn(&Processor) -> usize) -> Result<(), Error> {
         let all: usize = processors.iter().map(&left).sum();
         for clock in 0.. {
+            let rest: usize = processors.iter().map(&left).sum();
             if clock % PROGRESS_CLOCKS == 0 {
-                let rest: usize = processors.iter().map(&left).sum();
                 self.progress(1.0 - rest as f64 / all.max(1) as f64)?;
             }
-            if processors.iter().all(|it| left(it) == 0) {
+            if rest == 0 {
                 break;
             }
             self.clock(processors)?;
@@ -77,41 +65,38 @@ impl<'a, 'w> Host<'a, 'w> {
     }
 
     /// One clock of the processing elements.
-    fn clock(&mut self, processors: &mut [Processor]) -> Result<(), Stop> {
+    fn clock(&mut self, processors: &mut [Processor]) -> Result<(), Error> {
         let mut taken = [false; Config::MAX_PROCESSORS as usize];
         for (k, processor) in processors.iter().enumerate() {
-            let access = processor.access();
-            self.hardware.present(k, access);
-            taken[k] = self.hardware.takes(k);
-            if access.is_some() && !taken[k] && self.hardware.overflow(k) {
-                return Err(Stop::Overflow(k));
+            if self.hardware.overflow(k) {
+                let polygon = processor.last_drawn().expect("it drew the pixel that is held");
+                return Err(self.job.overflow(k, polygon).into());
             }
+            self.hardware.present(k, processor.access());
+            taken[k] = self.hardware.takes(k);
         }
         self.hardware.tick(PE)?;
         processors.iter_mut().zip(taken).for_each(|(processor, taken)| processor.edge(taken));
         Ok(())
     }
 
-    /// That no pixel is held for want of a page.
-    fn expect_pages(&mut self) -> Result<(), Stop> {
-        let overflowed = (0..self.hardware.processors()).find(|&k| self.hardware.overflow(k));
-        overflowed.map_or(Ok(()), |k| Err(Stop::Overflow(k)))
+    /// By processing element: the pages that it has taken since the last swap.
+    pub fn pages_used(&mut self) -> Vec<u32> {
+        (0..self.hardware.processors()).map(|k| self.hardware.pages_used(k)).collect()
     }
 
     /// Swaps the local frame buffers, merges, and swaps the global frame buffer.
-    pub fn compose(&mut self, pixels: u64) -> Result<(), Error> {
+    pub fn compose(&mut self) -> Result<(), Error> {
         self.phase("swapping", |host| {
             host.hardware.swap_local_buffers()?;
             (0..SWAP_CROSSING).try_for_each(|_| host.hardware.tick(MERGE))
         })?;
         self.phase("merging", |host| {
             host.hardware.start_merging()?;
-            for clock in 0.. {
-                if clock % PROGRESS_CLOCKS == 0 {
-                    host.progress((clock as f64 / pixels as f64).min(1.0))?;
-                }
-                if !host.hardware.merging() {
-                    break;
+            while host.hardware.merging() {
+                let clocks = host.hardware.merge_clocks();
+                if clocks % PROGRESS_CLOCKS == 0 {
+                    host.progress(clocks as f64 / host.hardware.round_clocks as f64)?;
                 }
                 host.hardware.tick(MERGE)?;
             }
@@ -134,10 +119,11 @@ impl<'a, 'w> Host<'a, 'w> {
     }
 
     /// Does a phase and notes what it took.
-    fn phase<T, E>(&mut self, name: &'static str, body: impl FnOnce(&mut Self) -> Result<T, E>) -> Result<T, E> {
+    fn phase<T>(&mut self, name: &'static str, body: impl FnOnce(&mut Self) -> Result<T, Error>) -> Result<T, Error> {
         self.current = name;
         let before = self.hardware.now();
         let result = body(self)?;
+        self.watch.report(name, 1.0);
         let after = self.hardware.now();
         self.phases.push(Phase {
             name,

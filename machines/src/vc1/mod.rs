@@ -29,6 +29,7 @@ mod cost;
 mod demand;
 mod hardware;
 mod host;
+mod job;
 mod machine;
 mod overflow;
 mod processor;

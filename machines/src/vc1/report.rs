@@ -124,10 +124,7 @@ impl Report {
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Built { width, height, processors, patch, patches, pages, cluster, .. } = self.machine;
-        writeln!(
-            f,
-            "VC-1 of {processors} processing elements: {width}x{height} pixels, {patches} patches of {patch}x{patch},"
-        )?;
+        writeln!(f, "VC-1, n = {processors}: {width}x{height} pixels, {patches} patches of {patch}x{patch},")?;
         writeln!(f, "{pages} pages in each local frame buffer, clusters of {cluster} polygons")?;
         writeln!(f, "{} polygons, {} packets, {} pixels drawn\n", self.polygons, self.packets, self.pixels)?;
         self.write_phases(f)?;

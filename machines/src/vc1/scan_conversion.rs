@@ -3,8 +3,8 @@
 //! Source: facts E0. Sums are exact (edges) or modulo a power of two (planes), so that stepping from pixel to pixel ends at the
 //! very words that direct evaluation gives (DES-EDGE, DES-Z).
 
-use tilewright_scenes::Triangle;
 use tilewright_scenes::packet::{COLOUR_PLANE_BITS, DEPTH_PLANE_BITS, FRACTION_BITS};
+use tilewright_scenes::{Edge, Plane, Triangle};
 
 /// A covered pixel and its visibility word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,15 +24,19 @@ struct Interpolants {
 }
 
 impl Interpolants {
-    /// The change over `x` pixels to the right and `y` down; with `origins` the value at (x, y) itself.
-    fn of(packet: &Triangle, x: u32, y: u32, origins: bool) -> Interpolants {
-        let (dx, dy, one) = (u64::from(x), u64::from(y), u64::from(origins));
-        let plane = |p: tilewright_scenes::Plane| {
-            p.x.wrapping_mul(dx).wrapping_add(p.y.wrapping_mul(dy)).wrapping_add(p.origin * one)
-        };
-        let edge = |e: tilewright_scenes::Edge| {
-            i64::from(e.a) * dx as i64 + i64::from(e.b) * dy as i64 + i64::from(e.c) * one as i64
-        };
+    /// At pixel (0, 0).
+    fn origin(packet: &Triangle) -> Interpolants {
+        Interpolants {
+            edges: packet.edges.map(|e| e.c.into()),
+            z: packet.z.origin,
+            rgb: packet.rgb.map(|plane| plane.origin),
+        }
+    }
+
+    /// The change over `x` pixels to the right and `y` rows down.
+    fn change(packet: &Triangle, x: u32, y: u32) -> Interpolants {
+        let edge = |e: Edge| i64::from(e.a) * i64::from(x) + i64::from(e.b) * i64::from(y);
+        let plane = |p: Plane| p.x.wrapping_mul(x.into()).wrapping_add(p.y.wrapping_mul(y.into()));
         Interpolants { edges: packet.edges.map(edge), z: plane(packet.z), rgb: packet.rgb.map(plane) }
     }
 
@@ -69,9 +73,10 @@ pub(crate) struct Pixels<'a> {
 impl<'a> Pixels<'a> {
     pub fn of(packet: &'a Triangle) -> Pixels<'a> {
         let (x, y) = (packet.bounds.left, packet.bounds.top);
-        let left = Interpolants::of(packet, x, y, true);
-        let right_step = Interpolants::of(packet, 1, 0, false);
-        let down_step = Interpolants::of(packet, 0, 1, false);
+        let mut left = Interpolants::origin(packet);
+        left.step(&Interpolants::change(packet, x, y));
+        let right_step = Interpolants::change(packet, 1, 0);
+        let down_step = Interpolants::change(packet, 0, 1);
         Pixels { packet, x, y, here: left, left, right_step, down_step }
     }
 
