@@ -58,15 +58,21 @@ impl Tool {
     }
 }
 
-/// What a tool printed when it did not take the designs.
+/// Why a tool did not run the designs.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Refused(pub String);
+pub enum Refused {
+    /// It does not take the Verilog; what it printed.
+    Verilog(String),
+    /// It broke on what it made of the Verilog itself, which says nothing about the Verilog. Known of Icarus 11: a
+    /// constant that comes out of an instance and is shifted by a signal.
+    Itself(String),
+}
 
 /// Runs the benches of all designs together: for each, nothing if it passed, else what it printed.
 ///
 /// # Errors
 ///
-/// The tool's messages, if it refuses any of the files or warns of them.
+/// The tool does not run them; one design is enough for that.
 pub fn run(tool: Tool, designs: &[Printed]) -> Result<Vec<Option<String>>, Refused> {
     let folder = TempDir::with_prefix("tilewright-cosim-").expect("a temporary folder can be made");
     let mut text = String::new();
@@ -116,12 +122,13 @@ fn verdicts(output: &str, count: usize) -> Vec<Option<String>> {
 }
 
 fn icarus(folder: &TempDir) -> Result<String, Refused> {
-    let compile = ["-g2005", "-Wall", "-s", "all_benches", "-o", "all_benches.vvp", "all_benches.v"];
+    let compile = ["-g2005", "-s", "all_benches", "-o", "all_benches.vvp", "all_benches.v"];
     let (succeeded, output) = execute(folder, Command::new("iverilog").args(compile));
-    if !succeeded || !output.is_empty() {
-        return Err(Refused(output));
+    if !succeeded {
+        return Err(Refused::Verilog(output));
     }
-    Ok(execute(folder, Command::new("vvp").args(["-n", "all_benches.vvp"])).1)
+    let (succeeded, output) = execute(folder, Command::new("vvp").args(["-n", "all_benches.vvp"]));
+    if succeeded { Ok(output) } else { Err(Refused::Itself(output)) }
 }
 
 fn verilator(folder: &TempDir) -> Result<String, Refused> {
@@ -131,7 +138,7 @@ fn verilator(folder: &TempDir) -> Result<String, Refused> {
     let top = ["--Mdir", "build", "-o", "benches", "--top-module", "all_benches", "all_benches.v"];
     let (succeeded, output) = execute(folder, Command::new("verilator").args(build).args(compiler).args(top));
     if !succeeded {
-        return Err(Refused(output));
+        return Err(Refused::Verilog(output));
     }
     Ok(execute(folder, &mut Command::new(folder.path().join("build/benches"))).1)
 }

@@ -17,11 +17,11 @@ bundle! {
     /// The outputs of a part, by clock.
     pub struct PartOut<T> {
         /// On the module's own clock.
-        pub own: Vec<T>,
+        pub out: Vec<T>,
         /// On the second clock.
-        pub second: Vec<T>,
+        pub second_out: Vec<T>,
         /// For each input on the own clock that has a link, a value of its width.
-        pub own_link: Vec<T>,
+        pub link: Vec<T>,
         /// For each input on the second clock that has a link, a value of its width.
         pub second_link: Vec<T>,
     }
@@ -350,7 +350,13 @@ impl<'a> Builder<'a> {
     fn memory(&mut self, d: usize, number: usize, memory: &Memory) {
         let crossing = memory.crossing && self.block.second().is_some();
         let policy = if crossing { ReadUnderWrite::Old } else { memory.policy };
-        let mut mem = self.on(d).memory(&format!("m{number}"), memory.depth, memory.width, policy);
+        // A memory handle goes from the own clock to the second one, not back.
+        let mut mem = self.on(if crossing { 0 } else { d }).memory(
+            &format!("m{number}"),
+            memory.depth,
+            memory.width,
+            policy,
+        );
         if memory.writes.len() > 1 {
             mem = mem.true_dual_port();
         }
@@ -361,7 +367,10 @@ impl<'a> Builder<'a> {
                 mem.words(words.iter().take(memory.depth as usize).map(|word| word.bits(memory.width)))
             }
         };
+        let second = self.block.second().filter(|_| crossing);
+        let seen_from = |domain| second.filter(|_| domain == 1).map_or(mem, |clock| mem.on(clock));
         let writer = if crossing { 1 - d } else { d };
+        let (reading, writing) = (seen_from(d), seen_from(writer));
         let ports = memory.writes.iter().map(|port| {
             (self.pick_fit(writer, port.enable, 1), self.pick_fit(writer, port.address, mem.address_width()))
         });
@@ -374,18 +383,14 @@ impl<'a> Builder<'a> {
                 enable = quiet.chain(enable).reduce(|a, b| a & b);
             }
             let data = match enable {
-                _ if read.asynchronous && !crossing => mem.read_async(address),
-                Some(enable) => mem.read_when(enable, address),
-                None => mem.read(address),
+                _ if read.asynchronous && !crossing => reading.read_async(address),
+                Some(enable) => reading.read_when(enable, address),
+                None => reading.read(address),
             };
             self.push(d, data);
         }
-        let memory_on_writer = match self.block.second() {
-            Some(clock) if crossing && writer == 1 => mem.on(clock),
-            _ => mem,
-        };
         for (port, (enable, address)) in memory.writes.iter().zip(ports) {
-            self.late.push((writer, Late::Write { memory: memory_on_writer, enable, address, data: port.data }));
+            self.late.push((writer, Late::Write { memory: writing, enable, address, data: port.data }));
         }
     }
 
@@ -424,7 +429,7 @@ impl<'a> Builder<'a> {
             child.inputs_on(domain).map(feed).collect()
         });
         let out = self.on(d).instance(&format!("u{number}"), &child, PartIn { own, second });
-        for (domain, signals) in [(0, out.own), (1, out.second), (0, out.own_link), (1, out.second_link)] {
+        for (domain, signals) in [(0, out.out), (1, out.second_out), (0, out.link), (1, out.second_link)] {
             signals.into_iter().for_each(|signal| self.push(Self::outside(d, domain), signal));
         }
     }
@@ -433,7 +438,7 @@ impl<'a> Builder<'a> {
         let module = self.on(d);
         let mut feeds = row.inputs.iter().copied().chain(std::iter::repeat((Feed::Broadcast, Pick(1))));
         let out = module.array(&format!("u{number}"), row.lanes, child, |array| {
-            let links = [array.out.own_link.clone(), array.out.second_link.clone()];
+            let links = [array.out.link.clone(), array.out.second_link.clone()];
             let [own, second] = [0, 1].map(|domain| {
                 let mut links = links[domain].iter();
                 let feed = |input: &Input| {
@@ -446,7 +451,7 @@ impl<'a> Builder<'a> {
             PartIn { own, second }
         });
         let mut gathers = row.outputs.iter().copied().chain(std::iter::repeat(Gather::Reduce(Reduction::Xor)));
-        for (domain, lanes) in [(0, out.own), (1, out.second), (0, out.own_link), (1, out.second_link)] {
+        for (domain, lanes) in [(0, out.out), (1, out.second_out), (0, out.link), (1, out.second_link)] {
             for lanes in lanes {
                 let signal = gather(lanes, gathers.next().expect("endless"));
                 self.push(Self::outside(d, domain), signal);
@@ -490,15 +495,15 @@ impl<'a> Builder<'a> {
             }
         }
         let block = self.block;
-        let [own_link, second_link] = [0, 1].map(|domain| {
+        let [link, second_link] = [0, 1].map(|domain| {
             let link = |input: &Input| Some(self.pick_fit(domain, input.link?, input.width));
             block.inputs_on(domain).filter_map(link).collect()
         });
-        let [own, second] = self.pools.map(|pool| {
+        let [out, second_out] = self.pools.map(|pool| {
             pool.iter().filter(|value| !value.is_read).map(|value| value.signal).collect::<Vec<_>>()
         });
-        let nothing = own.is_empty() && second.is_empty();
-        PartOut { own: if nothing { vec![lit(1, 1)] } else { own }, second, own_link, second_link }
+        let nothing = out.is_empty() && second_out.is_empty();
+        PartOut { out: if nothing { vec![lit(1, 1)] } else { out }, second_out, link, second_link }
     }
 }
 

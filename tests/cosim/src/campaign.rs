@@ -44,6 +44,8 @@ pub struct Summary {
     pub cycles: u64,
     /// Values compared.
     pub outputs: u64,
+    /// Designs that the other simulator broke on by a fault of its own ([`Refused::Itself`]).
+    pub unusable: u64,
     /// The designs that differ, by number, shrunk.
     pub failures: Vec<Failure>,
 }
@@ -61,6 +63,13 @@ pub struct Failure {
     pub spec: Spec,
     /// Where its Verilog and testbench were written.
     pub folder: PathBuf,
+}
+
+/// What became of one design.
+enum Verdict {
+    Agrees,
+    Differs(String),
+    Unusable,
 }
 
 impl Campaign {
@@ -112,20 +121,29 @@ impl Campaign {
                 Err(what) => summary.failures.push(self.shrink(number, what)),
             }
         }
-        for (number, what) in numbers.iter().zip(self.compare(&printed)) {
-            summary.failures.extend(what.map(|what| self.shrink(*number, what)));
+        for (number, verdict) in numbers.iter().zip(self.compare(&printed)) {
+            match verdict {
+                Verdict::Agrees => {}
+                Verdict::Differs(what) => summary.failures.push(self.shrink(*number, what)),
+                Verdict::Unusable => summary.unusable += 1,
+            }
         }
         summary.failures.sort_by_key(|failure| failure.number);
         summary
     }
 
-    /// What is wrong with each design; where the tool refuses the batch, each goes on its own.
-    fn compare(&self, printed: &[Printed]) -> Vec<Option<String>> {
+    /// What became of each design; where the tool refuses the batch, each goes on its own.
+    fn compare(&self, printed: &[Printed]) -> Vec<Verdict> {
+        let verdict = |verdict: Option<String>| verdict.map_or(Verdict::Agrees, Verdict::Differs);
         let alone = |design: &Printed| match batch::run(self.tool, std::slice::from_ref(design)) {
-            Ok(mut verdicts) => verdicts.remove(0),
-            Err(Refused(output)) => Some(format!("{} refuses it:\n{output}", self.tool.name())),
+            Ok(mut verdicts) => verdict(verdicts.remove(0)),
+            Err(Refused::Verilog(output)) => Verdict::Differs(format!("{} refuses it:\n{output}", self.tool.name())),
+            Err(Refused::Itself(_)) => Verdict::Unusable,
         };
-        batch::run(self.tool, printed).unwrap_or_else(|_| printed.iter().map(alone).collect())
+        match batch::run(self.tool, printed) {
+            Ok(verdicts) => verdicts.into_iter().map(verdict).collect(),
+            Err(_) => printed.iter().map(alone).collect(),
+        }
     }
 
     /// The random design of that number, with the way to smaller ones.
@@ -156,7 +174,10 @@ impl Campaign {
     /// What is wrong with one design, if anything.
     fn failure(&self, spec: &Spec, number: u64) -> Option<String> {
         match self.simulate(spec, number) {
-            Ok((_, printed)) => self.compare(&[printed]).remove(0),
+            Ok((_, printed)) => match self.compare(&[printed]).remove(0) {
+                Verdict::Differs(what) => Some(what),
+                Verdict::Agrees | Verdict::Unusable => None,
+            },
             Err(what) => Some(what),
         }
     }
@@ -204,6 +225,7 @@ impl Summary {
         self.designs += other.designs;
         self.cycles += other.cycles;
         self.outputs += other.outputs;
+        self.unusable += other.unusable;
         self.failures.extend(other.failures);
         self
     }
@@ -211,8 +233,12 @@ impl Summary {
 
 impl fmt::Display for Summary {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let Summary { designs, cycles, outputs, failures } = self;
-        write!(f, "designs: {designs}, cycles: {cycles}, outputs compared: {outputs}, mismatches: {}", failures.len())
+        let Summary { designs, cycles, outputs, unusable, failures } = self;
+        write!(f, "designs: {designs}, cycles: {cycles}, outputs compared: {outputs}, mismatches: {}", failures.len())?;
+        if *unusable > 0 {
+            write!(f, " ({unusable} designs not compared: the other simulator broke on them)")?;
+        }
+        Ok(())
     }
 }
 
