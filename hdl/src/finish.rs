@@ -30,7 +30,7 @@ pub(crate) fn finish(
     let summary = match sound {
         true => summary::summarize(&draft, &e.summaries, &nodes, &renumber),
         false => summary::Summary {
-            outputs: nodes.iter().map(|_| summary::Dependence { inputs: vec![], clocks: vec![] }).collect(),
+            outputs: nodes.iter().map(|_| summary::Dependence { inputs: vec![], timed_inputs: vec![], clocks: vec![] }).collect(),
         },
     };
     e.summaries.push(summary);

@@ -12,6 +12,8 @@ pub(crate) struct Summary {
 pub(crate) struct Dependence {
     /// Indices of input ports.
     pub inputs: Vec<u32>,
+    /// Those of them whose clocks show: no quasi-static signal hides them.
+    pub timed_inputs: Vec<u32>,
     /// Indices of clocks whose registers or memories it reads.
     pub clocks: Vec<u32>,
 }
@@ -40,6 +42,23 @@ pub(crate) fn operands(draft: &Draft, summaries: &[Summary], id: NodeId, visit: 
     }
 }
 
+/// The operands whose clocks show in `id`: a quasi-static signal, here or in a child, hides what is behind it.
+fn timed_operands(draft: &Draft, summaries: &[Summary], id: NodeId, visit: &mut dyn FnMut(NodeId)) {
+    match &draft.node(id).op {
+        Op::QuasiStatic(..) => {}
+        Op::Output(instance, port) => {
+            let instance = &draft.instances[instance.0 as usize];
+            let inputs = &summaries[instance.module.0 as usize].outputs[*port as usize].timed_inputs;
+            inputs.iter().filter_map(|input| instance.inputs.get(*input as usize)).for_each(|id| visit(*id));
+        }
+        _ => operands(draft, summaries, id, visit),
+    }
+}
+
+fn timed_edges(draft: &Draft, summaries: &[Summary]) -> Edges {
+    Edges::new(draft.nodes.len(), |node, push| timed_operands(draft, summaries, NodeId(node), &mut |id| push(id.0)))
+}
+
 /// Where the clocks of input ports count as theirs: inside the module they do, for a parent they do not, as it knows
 /// what it feeds them.
 #[derive(Clone, Copy, PartialEq)]
@@ -50,10 +69,6 @@ pub(crate) enum View {
 
 /// The clocks whose state each node depends on within a cycle; a quasi-static signal hides what is behind it.
 pub(crate) fn clock_sets(draft: &Draft, summaries: &[Summary], view: View) -> Sets {
-    let edges = Edges::new(draft.nodes.len(), |node, push| match draft.node(NodeId(node)).op {
-        Op::QuasiStatic(..) => {}
-        _ => operands(draft, summaries, NodeId(node), &mut |id| push(id.0)),
-    });
     let mut sets = Sets::new(draft.nodes.len(), draft.clocks.len());
     for (i, node) in draft.nodes.iter().enumerate() {
         let mut add = |clock: crate::ir::ClockId| sets.insert(i as u32, clock.0 as usize);
@@ -75,19 +90,26 @@ pub(crate) fn clock_sets(draft: &Draft, summaries: &[Summary], view: View) -> Se
             _ => {}
         }
     }
-    sets.spread(&edges);
+    sets.spread(&timed_edges(draft, summaries));
     sets
+}
+
+/// The inputs that each node depends on by these edges.
+fn input_sets(draft: &Draft, edges: &Edges) -> Sets {
+    let mut inputs = Sets::new(draft.nodes.len(), draft.inputs.len());
+    draft.inputs.iter().enumerate().for_each(|(i, input)| inputs.insert(input.node.0, i));
+    inputs.spread(edges);
+    inputs
 }
 
 /// The summary of a draft whose clocks are numbered as in the finished module by `renumber`.
 pub(crate) fn summarize(draft: &Draft, summaries: &[Summary], outputs: &[NodeId], renumber: &[Option<u32>]) -> Summary {
-    let edges = combinational_edges(draft, summaries);
-    let mut inputs = Sets::new(draft.nodes.len(), draft.inputs.len());
-    draft.inputs.iter().enumerate().for_each(|(i, input)| inputs.insert(input.node.0, i));
-    inputs.spread(&edges);
+    let inputs = input_sets(draft, &combinational_edges(draft, summaries));
+    let timed_inputs = input_sets(draft, &timed_edges(draft, summaries));
     let clocks = clock_sets(draft, summaries, View::Outside);
     let dependence = |output: &NodeId| Dependence {
         inputs: inputs.members(output.0).map(|i| i as u32).collect(),
+        timed_inputs: timed_inputs.members(output.0).map(|i| i as u32).collect(),
         clocks: clocks.members(output.0).filter_map(|clock| renumber[clock]).collect(),
     };
     Summary { outputs: outputs.iter().map(dependence).collect() }

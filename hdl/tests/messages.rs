@@ -426,6 +426,29 @@ fn declared_crossings_are_fine() {
 }
 
 #[test]
+fn a_child_may_declare_the_crossing() {
+    /// Hands on an input of another clock as stable.
+    #[derive(Debug)]
+    struct Held;
+    impl Block for Held {
+        type In = Link;
+        type Out = Out;
+        fn inputs(&self) -> Link<Width> {
+            Link { x: bits(8).on(FAST) }
+        }
+        fn build(&self, _: Module, i: Link) -> Out {
+            Out { out: i.x.quasi_static("written before the start") }
+        }
+    }
+    elaborate(&Case(|m, i| {
+        m.ignore(&i);
+        let fast = m.on(FAST).pipe("fast", lit(8, 1));
+        m.pipe("slow", m.instance("u_held", &Held, Link { x: fast }).out)
+    }))
+    .unwrap();
+}
+
+#[test]
 fn an_instance_is_fed_on_its_own_clock() {
     let text = problems(&Case(|m, i| {
         let slow = m.pipe("slow", i.a);

@@ -1,0 +1,153 @@
+//! Many designs in one run of another simulator: a run of Icarus takes 20 ms for one design, and little more for a
+//! hundred; a build with Verilator takes seconds for one.
+//!
+//! The benches of all designs become instances in one module. Each prints its verdict behind its own name, and none
+//! ends the run: it is over when the last bench has nothing more to do.
+
+use std::collections::BTreeMap;
+use std::fmt::Write;
+use std::process::Command;
+use tempfile::TempDir;
+use tilewright_gen::VerilogFile;
+
+/// A design that was printed, with the testbench that replays its run.
+#[derive(Debug, Clone)]
+pub struct Printed {
+    /// The Verilog and data files, the top module last.
+    pub files: Vec<VerilogFile>,
+    /// The testbench.
+    pub bench: VerilogFile,
+}
+
+/// A simulator of Verilog.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Tool {
+    /// Icarus Verilog.
+    Icarus,
+    /// Verilator.
+    Verilator,
+}
+
+impl Tool {
+    /// Its name, for messages.
+    pub fn name(self) -> &'static str {
+        match self {
+            Tool::Icarus => "Icarus Verilog",
+            Tool::Verilator => "Verilator",
+        }
+    }
+
+    fn programs(self) -> &'static [&'static str] {
+        match self {
+            Tool::Icarus => &["iverilog", "vvp"],
+            Tool::Verilator => &["verilator"],
+        }
+    }
+
+    /// Whether its programs are on the search path; where they are not, says so, and fails if `CI` is set.
+    pub fn is_here(self) -> bool {
+        let path = std::env::var_os("PATH").unwrap_or_default();
+        let is_program = |name: &&str| std::env::split_paths(&path).any(|folder| folder.join(name).is_file());
+        let is_here = self.programs().iter().all(is_program);
+        if !is_here {
+            let name = self.name();
+            assert!(std::env::var_os("CI").is_none(), "{name} is not installed, and CI is set: install it, or unset CI");
+            eprintln!("skipped: {name} is not installed");
+        }
+        is_here
+    }
+}
+
+/// Why a tool did not run the designs.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Refused {
+    /// It does not take the Verilog; what it printed.
+    Verilog(String),
+    /// It broke on what it made of the Verilog itself, which says nothing about the Verilog. Known of Icarus 11: a
+    /// constant that comes out of an instance and is shifted by a signal.
+    Itself(String),
+}
+
+/// Runs the benches of all designs together: for each, nothing if it passed, else what it printed.
+///
+/// # Errors
+///
+/// The tool does not run them; one design is enough for that.
+pub fn run(tool: Tool, designs: &[Printed]) -> Result<Vec<Option<String>>, Refused> {
+    let folder = TempDir::with_prefix("tilewright-cosim-").expect("a temporary folder can be made");
+    let mut text = String::new();
+    let mut instances = String::new();
+    for (number, design) in designs.iter().enumerate() {
+        for file in &design.files {
+            match file.name.ends_with(".v") {
+                true => text += &file.text,
+                false => std::fs::write(folder.path().join(&file.name), &file.text).expect("a file can be written"),
+            }
+        }
+        let name = design.bench.name.trim_end_matches(".v");
+        text += &named_verdicts(&design.bench.text, number);
+        writeln!(instances, "    {name} bench{number} ();").expect("a string takes text");
+    }
+    writeln!(text, "module all_benches;\n{instances}endmodule").expect("a string takes text");
+    std::fs::write(folder.path().join("all_benches.v"), text).expect("a file can be written");
+    let output = match tool {
+        Tool::Icarus => icarus(&folder)?,
+        Tool::Verilator => verilator(&folder)?,
+    };
+    Ok(verdicts(&output, designs.len()))
+}
+
+/// The bench with its number before each line that it prints, and without the end of the simulation.
+fn named_verdicts(bench: &str, number: usize) -> String {
+    let named = bench.replace("$display(\"", &format!("$display(\"{number}: "));
+    assert!(named.contains("$finish;"), "the testbench does not end with $finish");
+    named.replace("$finish;", "")
+}
+
+fn verdicts(output: &str, count: usize) -> Vec<Option<String>> {
+    let mut lines: BTreeMap<usize, Vec<&str>> = BTreeMap::new();
+    for line in output.lines() {
+        if let Some((number, text)) = line.split_once(": ")
+            && let Ok(number) = number.parse()
+        {
+            lines.entry(number).or_default().push(text);
+        }
+    }
+    let verdict = |number| match lines.get(&number).map(Vec::as_slice) {
+        Some([line]) if line.starts_with("PASS: ") => None,
+        Some(lines) => Some(lines.join("\n")),
+        None => Some("the bench printed nothing".to_owned()),
+    };
+    (0..count).map(verdict).collect()
+}
+
+fn icarus(folder: &TempDir) -> Result<String, Refused> {
+    let compile = ["-g2005", "-s", "all_benches", "-o", "all_benches.vvp", "all_benches.v"];
+    let (succeeded, output) = execute(folder, Command::new("iverilog").args(compile));
+    if !succeeded {
+        return Err(Refused::Verilog(output));
+    }
+    let (succeeded, output) = execute(folder, Command::new("vvp").args(["-n", "all_benches.vvp"]));
+    if succeeded { Ok(output) } else { Err(Refused::Itself(output)) }
+}
+
+fn verilator(folder: &TempDir) -> Result<String, Refused> {
+    // The C++ runs for a moment and takes long to compile: no optimization.
+    let build = ["--binary", "-j", "2", "-Wno-DECLFILENAME", "-Wno-MULTITOP", "--output-split", "5000"];
+    let compiler = ["-CFLAGS", "-O0", "-MAKEFLAGS", "OPT_FAST=-O0 OPT_SLOW=-O0 OPT_GLOBAL=-O0"];
+    let top = ["--Mdir", "build", "-o", "benches", "--top-module", "all_benches", "all_benches.v"];
+    let (succeeded, output) = execute(folder, Command::new("verilator").args(build).args(compiler).args(top));
+    if !succeeded {
+        return Err(Refused::Verilog(output));
+    }
+    Ok(execute(folder, &mut Command::new(folder.path().join("build/benches"))).1)
+}
+
+/// Runs a program in the folder: whether it succeeded, and all that it printed.
+fn execute(folder: &TempDir, command: &mut Command) -> (bool, String) {
+    let name = command.get_program().to_string_lossy().into_owned();
+    let output = command.current_dir(folder.path()).output();
+    let output = output.unwrap_or_else(|error| panic!("`{name}` cannot be run: {error}"));
+    let text = [output.stdout, output.stderr].concat();
+    (output.status.success(), String::from_utf8_lossy(&text).into_owned())
+}

@@ -1,0 +1,252 @@
+//! A campaign: many random designs through our simulator and another one, and what is left of one that differs.
+
+use crate::batch::{self, Printed, Refused, Tool};
+use crate::spec::Spec;
+use crate::{build, stimulus, strategy};
+use proptest::strategy::{Strategy, ValueTree};
+use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
+use std::fmt;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::PathBuf;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicU64, Ordering};
+use tilewright_gen::{Replay, VerilogFile, testbench, verilog};
+use tilewright_hdl::{Design, elaborate};
+
+/// The most single runs spent on making a failing design smaller.
+const SHRINKING_RUNS: u32 = 400;
+
+/// A campaign to run.
+#[derive(Debug, Clone)]
+pub struct Campaign {
+    /// What all designs and their stimuli follow from.
+    pub seed: u64,
+    /// How many designs.
+    pub designs: u64,
+    /// The number of the first.
+    pub first: u64,
+    /// The other simulator.
+    pub tool: Tool,
+    /// How many designs go into one run of it.
+    pub batch: u64,
+    /// How many runs of it go on at once.
+    pub jobs: usize,
+    /// What prints the Verilog; another than [`verilog`] serves to see the campaign fail.
+    pub printer: fn(&Design) -> Vec<VerilogFile>,
+}
+
+/// What a campaign did.
+#[derive(Debug, Clone, Default)]
+pub struct Summary {
+    /// Designs simulated.
+    pub designs: u64,
+    /// Instants at which their outputs were compared.
+    pub cycles: u64,
+    /// Values compared.
+    pub outputs: u64,
+    /// Designs that the other simulator broke on by a fault of its own ([`Refused::Itself`]).
+    pub unusable: u64,
+    /// The designs that differ, by number, shrunk.
+    pub failures: Vec<Failure>,
+}
+
+/// A design on which the simulators differ, or which one of the tools refuses.
+#[derive(Debug, Clone)]
+pub struct Failure {
+    /// The campaign's seed.
+    pub seed: u64,
+    /// The design's number in the campaign.
+    pub number: u64,
+    /// What happened to the smallest design that still fails.
+    pub what: String,
+    /// That design.
+    pub spec: Spec,
+    /// Where its Verilog and testbench were written.
+    pub folder: PathBuf,
+}
+
+/// What became of one design.
+enum Verdict {
+    Agrees,
+    Differs(String),
+    Unusable,
+}
+
+impl Campaign {
+    /// So many designs against Icarus, with sizes and jobs that suit two processors.
+    pub fn icarus(seed: u64, designs: u64) -> Campaign {
+        Campaign { seed, designs, first: 0, tool: Tool::Icarus, batch: 125, jobs: 2, printer: verilog }
+    }
+
+    /// So many designs against Verilator.
+    pub fn verilator(seed: u64, designs: u64) -> Campaign {
+        Campaign { tool: Tool::Verilator, batch: 100, jobs: 1, ..Campaign::icarus(seed, designs) }
+    }
+
+    /// Runs it; `progress` hears how many designs are done. The summary depends on the seed and the number of designs
+    /// alone.
+    pub fn run(&self, progress: impl Fn(u64) + Sync) -> Summary {
+        let (next, done) = (AtomicU64::new(0), AtomicU64::new(0));
+        let summaries = Mutex::new(Vec::new());
+        let work = || {
+            loop {
+                let start = next.fetch_add(self.batch, Ordering::Relaxed);
+                if start >= self.designs {
+                    return;
+                }
+                let count = self.batch.min(self.designs - start);
+                let summary = self.batch(self.first + start, count);
+                summaries.lock().expect("no panic while collecting").push((start, summary));
+                progress(done.fetch_add(count, Ordering::Relaxed) + count);
+            }
+        };
+        std::thread::scope(|scope| (0..self.jobs).for_each(|_| drop(scope.spawn(work))));
+        let mut summaries = summaries.into_inner().expect("no panic while collecting");
+        summaries.sort_by_key(|(start, _)| *start);
+        summaries.into_iter().fold(Summary::default(), |sum, (_, one)| sum.and(one))
+    }
+
+    fn batch(&self, first: u64, count: u64) -> Summary {
+        let mut summary = Summary::default();
+        let (mut numbers, mut printed) = (Vec::new(), Vec::new());
+        for number in first..first + count {
+            summary.designs += 1;
+            match self.simulate(&self.draw(number).current(), number) {
+                Ok((replay, design)) => {
+                    summary.cycles += replay.steps.len() as u64;
+                    summary.outputs += replay.steps.iter().map(|step| step.outputs.len() as u64).sum::<u64>();
+                    numbers.push(number);
+                    printed.push(design);
+                }
+                Err(what) => summary.failures.push(self.shrink(number, what)),
+            }
+        }
+        for (number, verdict) in numbers.iter().zip(self.compare(&printed)) {
+            match verdict {
+                Verdict::Agrees => {}
+                Verdict::Differs(what) => summary.failures.push(self.shrink(*number, what)),
+                Verdict::Unusable => summary.unusable += 1,
+            }
+        }
+        summary.failures.sort_by_key(|failure| failure.number);
+        summary
+    }
+
+    /// What became of each design; where the tool refuses the batch, each goes on its own.
+    fn compare(&self, printed: &[Printed]) -> Vec<Verdict> {
+        let verdict = |verdict: Option<String>| verdict.map_or(Verdict::Agrees, Verdict::Differs);
+        let alone = |design: &Printed| match batch::run(self.tool, std::slice::from_ref(design)) {
+            Ok(mut verdicts) => verdict(verdicts.remove(0)),
+            Err(Refused::Verilog(output)) => Verdict::Differs(format!("{} refuses it:\n{output}", self.tool.name())),
+            Err(Refused::Itself(_)) => Verdict::Unusable,
+        };
+        match batch::run(self.tool, printed) {
+            Ok(verdicts) => verdicts.into_iter().map(verdict).collect(),
+            Err(_) => printed.iter().map(alone).collect(),
+        }
+    }
+
+    /// The random design of that number, with the way to smaller ones.
+    fn draw(&self, number: u64) -> impl ValueTree<Value = Spec> + use<> {
+        let mut seed = [0; 32];
+        seed[..8].copy_from_slice(&self.seed.to_le_bytes());
+        seed[8..16].copy_from_slice(&number.to_le_bytes());
+        let config = Config { failure_persistence: None, ..Config::default() };
+        let mut runner = TestRunner::new_with_rng(config, TestRng::from_seed(RngAlgorithm::ChaCha, &seed));
+        strategy::designs().new_tree(&mut runner).expect("the strategy rejects nothing")
+    }
+
+    /// Elaborates, runs and prints a design; what goes wrong on the way is a failure as well.
+    fn simulate(&self, spec: &Spec, number: u64) -> Result<(Replay, Printed), String> {
+        let run = || {
+            let design = elaborate(&build::top(spec, &format!("d{number}"))).map_err(|problems| problems.to_string())?;
+            let replay = stimulus::run(&design, &spec.stimulus).map_err(|error| error.to_string())?;
+            let printed = Printed { files: (self.printer)(&design), bench: testbench(&design, &replay) };
+            Ok((replay, printed))
+        };
+        catch_unwind(AssertUnwindSafe(run)).unwrap_or_else(|panic| {
+            let text = panic.downcast_ref::<String>().map(String::as_str);
+            let text = text.or_else(|| panic.downcast_ref::<&str>().copied()).unwrap_or("no message");
+            Err(format!("a panic: {text}"))
+        })
+    }
+
+    /// What is wrong with one design, if anything.
+    fn failure(&self, spec: &Spec, number: u64) -> Option<String> {
+        match self.simulate(spec, number) {
+            Ok((_, printed)) => match self.compare(&[printed]).remove(0) {
+                Verdict::Differs(what) => Some(what),
+                Verdict::Agrees | Verdict::Unusable => None,
+            },
+            Err(what) => Some(what),
+        }
+    }
+
+    /// The smallest design that still fails, by proptest's steps.
+    fn shrink(&self, number: u64, what: String) -> Failure {
+        let mut tree = self.draw(number);
+        let mut smallest = (tree.current(), what);
+        let mut runs = 0;
+        'smaller: while runs < SHRINKING_RUNS && tree.simplify() {
+            loop {
+                runs += 1;
+                let spec = tree.current();
+                if let Some(what) = self.failure(&spec, number) {
+                    smallest = (spec, what);
+                    break;
+                }
+                if runs >= SHRINKING_RUNS || !tree.complicate() {
+                    break 'smaller;
+                }
+            }
+        }
+        let (spec, what) = smallest;
+        let folder = self.keep(&spec, number);
+        Failure { seed: self.seed, number, what, spec, folder }
+    }
+
+    /// Writes the files of a failing design.
+    fn keep(&self, spec: &Spec, number: u64) -> PathBuf {
+        let folder = std::env::temp_dir().join(format!("tilewright-cosim-seed{}-design{number}", self.seed));
+        std::fs::create_dir_all(&folder).expect("a temporary folder can be made");
+        if let Ok((_, printed)) = self.simulate(spec, number) {
+            for file in printed.files.iter().chain([&printed.bench]) {
+                std::fs::write(folder.join(&file.name), &file.text).expect("a temporary file can be written");
+            }
+        }
+        folder
+    }
+}
+
+impl Summary {
+    /// Both together.
+    #[must_use]
+    pub fn and(mut self, other: Summary) -> Summary {
+        self.designs += other.designs;
+        self.cycles += other.cycles;
+        self.outputs += other.outputs;
+        self.unusable += other.unusable;
+        self.failures.extend(other.failures);
+        self
+    }
+}
+
+impl fmt::Display for Summary {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let Summary { designs, cycles, outputs, unusable, failures } = self;
+        write!(f, "designs: {designs}, cycles: {cycles}, outputs compared: {outputs}, mismatches: {}", failures.len())?;
+        if *unusable > 0 {
+            write!(f, " ({unusable} designs not compared: the other simulator broke on them)")?;
+        }
+        Ok(())
+    }
+}
+
+impl fmt::Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let Failure { seed, number, what, spec, folder } = self;
+        writeln!(f, "design {number} of seed {seed} fails:\n{}\n{spec:#?}", what.trim_end())?;
+        writeln!(f, "its Verilog is in {}", folder.display())?;
+        write!(f, "again: cargo run --release -p tilewright-cosim -- --seed {seed} --first {number} --designs 1")
+    }
+}

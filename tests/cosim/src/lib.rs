@@ -1,0 +1,14 @@
+//! Compares the simulator with other simulators on the printed Verilog.
+//!
+//! - [`operators`]: every operator at every width against big integers, Icarus and Verilator;
+//! - [`campaign`]: thousands of random designs, shrunk where they differ;
+//! - [`check`]: one design through all tools, for the blocks of the catalogue.
+
+pub mod batch;
+pub mod build;
+pub mod campaign;
+pub mod spec;
+pub mod stimulus;
+pub mod strategy;
+
+pub use campaign::{Campaign, Failure, Summary};

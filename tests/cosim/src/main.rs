@@ -1,0 +1,60 @@
+//! The command for long campaigns:
+//! `cargo run --release -p tilewright-cosim -- --designs 100000 --seed 1 --verilator 600`.
+
+use std::io::IsTerminal;
+use std::process::ExitCode;
+use tilewright_cosim::batch::Tool;
+use tilewright_cosim::{Campaign, Summary};
+
+const USAGE: &str = "usage: tilewright-cosim [--designs N] [--verilator N] [--seed N] [--first N] [--jobs N]
+
+Runs N random designs through our simulator and Icarus Verilog, and N through Verilator (none by default).
+The same seed makes the same designs; --first says the number of the first one.";
+
+fn main() -> ExitCode {
+    let mut campaign = Campaign::icarus(1, 5000);
+    let mut verilator = 0;
+    let mut arguments = std::env::args().skip(1);
+    while let Some(option) = arguments.next() {
+        let number = arguments.next().and_then(|number| number.parse::<u64>().ok());
+        match (option.as_str(), number) {
+            ("--designs", Some(number)) => campaign.designs = number,
+            ("--verilator", Some(number)) => verilator = number,
+            ("--seed", Some(number)) => campaign.seed = number,
+            ("--first", Some(number)) => campaign.first = number,
+            ("--jobs", Some(number)) if number > 0 => campaign.jobs = number as usize,
+            _ => {
+                eprintln!("{USAGE}");
+                return ExitCode::from(2);
+            }
+        }
+    }
+    let in_verilator = Campaign { first: campaign.first, ..Campaign::verilator(campaign.seed, verilator) };
+    let mut failed = false;
+    for campaign in [campaign, in_verilator] {
+        if campaign.designs > 0 && campaign.tool.is_here() {
+            failed |= !run(&campaign).failures.is_empty();
+        }
+    }
+    ExitCode::from(u8::from(failed))
+}
+
+fn run(campaign: &Campaign) -> Summary {
+    let designs = campaign.designs;
+    let shows_progress = std::io::stderr().is_terminal();
+    let summary = campaign.run(|done| {
+        if shows_progress {
+            eprint!("\r{done} of {designs} designs");
+        }
+    });
+    if shows_progress {
+        eprintln!();
+    }
+    summary.failures.iter().for_each(|failure| println!("{failure}\n"));
+    let against = match campaign.tool {
+        Tool::Icarus => "Icarus Verilog",
+        Tool::Verilator => "Verilator",
+    };
+    println!("{against}: {summary}");
+    summary
+}

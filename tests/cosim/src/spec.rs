@@ -1,0 +1,261 @@
+//! What a random design is made of, as plain data that shrinks.
+//!
+//! Every value of these types is a valid design: a [`Pick`] is taken modulo what there is to choose from, operands are
+//! cut or widened to the width that meets them, and values that would grow beyond [`WIDEST`] are cut. So a shrunk
+//! description needs no repair. [`build`](crate::build) turns it into hardware, [`strategy`](crate::strategy) makes it.
+//!
+//! A design has one or two clocks; each step belongs to one of them and sees its values alone, but for the declared
+//! crossings. A value that no other step reads is an output, so that nothing goes unobserved.
+
+use tilewright_hdl::ReadUnderWrite;
+use tilewright_hdl::ir::{Reduction, Relation, Shift};
+
+/// The widest value that a step makes, in bits.
+pub const WIDEST: u32 = 280;
+
+/// A whole design.
+#[derive(Debug, Clone)]
+pub struct Spec {
+    /// The modules; each may instantiate those before it, and the last is the top.
+    pub parts: Vec<Part>,
+    /// The period of the second clock in picoseconds, if there is one; the first has 10 ns.
+    pub second_period: Option<u64>,
+    /// What is done to it.
+    pub stimulus: Stimulus,
+}
+
+/// The inputs over time.
+#[derive(Debug, Clone)]
+pub struct Stimulus {
+    /// The instants simulated.
+    pub steps: u8,
+    /// The seed of the values.
+    pub seed: u64,
+}
+
+/// A module.
+#[derive(Debug, Clone)]
+pub struct Part {
+    /// The input ports.
+    pub inputs: Vec<Input>,
+    /// What is in it, in order; a step sees the values of the steps before it, and a register's next value sees all.
+    pub steps: Vec<Step>,
+}
+
+/// An input port.
+#[derive(Debug, Clone)]
+pub struct Input {
+    /// Its width in bits.
+    pub width: u32,
+    /// The clock it is synchronous to.
+    pub clock: ClockPick,
+    /// Adds an output of the same width, which an array may link to this input of a neighbour.
+    pub link: Option<Pick>,
+}
+
+/// One of the design's clocks; the first, if there is only one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ClockPick {
+    /// The module's own clock.
+    Own,
+    /// The second clock.
+    Second,
+}
+
+/// A choice among the values that exist, and how it is fitted to the width it meets. 0 is the first value.
+#[derive(Debug, Clone, Copy)]
+pub struct Pick(pub u16);
+
+/// A constant of some width.
+#[derive(Debug, Clone, Copy)]
+pub enum Pattern {
+    /// All bits zero.
+    Zero,
+    /// All bits one.
+    Ones,
+    /// 1.
+    One,
+    /// The sign alone.
+    Sign,
+    /// `0101...`.
+    Alternating,
+    /// A number, repeated every 64 bits.
+    Number(u64),
+}
+
+/// An object or an operator on one of the clocks.
+#[derive(Debug, Clone)]
+pub struct Step {
+    /// Its clock.
+    pub clock: ClockPick,
+    /// What it is.
+    pub make: Make,
+}
+
+/// What a step makes.
+#[derive(Debug, Clone)]
+pub enum Make {
+    /// A constant.
+    Constant(u32, Pattern),
+    /// An operator of one operand.
+    Unary(Unary, Pick),
+    /// An operator of two operands of one width.
+    Binary(Binary, Pick, Pick),
+    /// A product.
+    Product { signed: bool, operands: [Pick; 2] },
+    /// A comparison.
+    Compare { relation: Relation, signed: bool, operands: [Pick; 2] },
+    /// A shift by a signal.
+    Shift { shift: Shift, of: Pick, by: Pick },
+    /// A shift by a constant.
+    ShiftBy { shift: Shift, of: Pick, by: u32 },
+    /// A choice of two.
+    Mux { select: Pick, on_true: Pick, on_false: Pick },
+    /// A choice by conditions.
+    Select { arms: Vec<(Pick, Pick)>, default: Pick },
+    /// A choice by value.
+    Case { subject: Pick, arms: Vec<(u64, Pick)>, default: Pick },
+    /// Some bits.
+    Slice { of: Pick, low: u32, width: u32 },
+    /// More bits.
+    Extend { of: Pick, by: u32, signed: bool },
+    /// Values side by side.
+    Concat(Vec<Pick>),
+    /// A value beside itself.
+    Repeat(Pick, u32),
+    /// A named net.
+    Name(Pick),
+    /// A net read before it is driven.
+    Wire(Pick),
+    /// A register.
+    Register { width: u32, reset: Option<Pattern>, enable: Option<Pick>, next: Pick },
+    /// A state machine.
+    Machine(Machine),
+    /// A memory.
+    Memory(Memory),
+    /// A value of the other clock, brought into this one.
+    Cross { synchronize: bool, of: Pick },
+    /// A condition that always holds.
+    Assert(Pick),
+    /// An instance of an earlier part.
+    Instance { part: Pick, inputs: Vec<Pick> },
+    /// An array of an earlier part.
+    Array { part: Pick, lanes: u32, towards_lower: bool, inputs: Vec<(Feed, Pick)>, outputs: Vec<Gather> },
+}
+
+/// Operators of one operand.
+#[derive(Debug, Clone, Copy)]
+pub enum Unary {
+    /// Every bit inverted.
+    Not,
+    /// The two's complement negative.
+    Negative,
+    /// All bits are one.
+    AllOnes,
+    /// Some bit is one.
+    AnyOne,
+    /// The number of ones is odd.
+    Parity,
+}
+
+/// Operators of two operands of one width.
+#[derive(Debug, Clone, Copy)]
+pub enum Binary {
+    /// Bitwise and.
+    And,
+    /// Bitwise or.
+    Or,
+    /// Bitwise exclusive or.
+    Xor,
+    /// Wrapping sum.
+    Add,
+    /// Wrapping difference.
+    Sub,
+    /// Sum with its carry.
+    AddCarry,
+}
+
+/// A state machine of four states.
+#[derive(Debug, Clone)]
+pub struct Machine {
+    /// For each state, conditions and where they lead, then where it goes otherwise (`None`: it stays).
+    pub states: [(Vec<(Pick, u8)>, Option<u8>); 4],
+    /// The values that it chooses from by its state.
+    pub chosen: [Pick; 4],
+}
+
+/// A memory.
+#[derive(Debug, Clone)]
+pub struct Memory {
+    /// Words.
+    pub depth: u32,
+    /// Bits.
+    pub width: u32,
+    /// [`ReadUnderWrite::Any`] keeps its synchronous reads off in cycles of writing, so that nothing depends on it.
+    pub policy: ReadUnderWrite,
+    /// What it holds at the start: nothing, one word everywhere, or words from address 0.
+    pub contents: Contents,
+    /// The ports that read.
+    pub reads: Vec<Read>,
+    /// The ports that write, all on one clock.
+    pub writes: Vec<Write>,
+    /// The writes are on the other clock than the reads.
+    pub crossing: bool,
+}
+
+/// A memory's contents at the start.
+#[derive(Debug, Clone)]
+pub enum Contents {
+    /// None given.
+    Unknown,
+    /// One word everywhere.
+    Fill(Pattern),
+    /// Words from address 0.
+    Words(Vec<Pattern>),
+}
+
+/// A port that reads.
+#[derive(Debug, Clone)]
+pub struct Read {
+    /// Within the cycle, where both ports have one clock.
+    pub asynchronous: bool,
+    /// When it reads.
+    pub enable: Option<Pick>,
+    /// Where.
+    pub address: Pick,
+}
+
+/// A port that writes.
+#[derive(Debug, Clone)]
+pub struct Write {
+    /// When it writes.
+    pub enable: Pick,
+    /// Where.
+    pub address: Pick,
+    /// What; may be a value of a later step.
+    pub data: Pick,
+}
+
+/// What feeds an input of an array.
+#[derive(Debug, Clone, Copy)]
+pub enum Feed {
+    /// One value to all lanes.
+    Broadcast,
+    /// A value for each lane.
+    Each,
+    /// The lane's number.
+    Index,
+    /// The linked output of the lane so many places away; a broadcast if the input has no link.
+    Link(u8),
+}
+
+/// How the lanes of an output become one value.
+#[derive(Debug, Clone, Copy)]
+pub enum Gather {
+    /// All lanes combined.
+    Reduce(Reduction),
+    /// One lane.
+    Lane(u32),
+    /// All lanes side by side.
+    Concat,
+}

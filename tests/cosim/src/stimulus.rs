@@ -1,0 +1,95 @@
+//! Runs a design in our simulator under random inputs, and keeps what went in and came out.
+
+use crate::spec::{Pattern, Stimulus};
+use tilewright_gen::{Replay, ReplayStep};
+use tilewright_hdl::{Bits, Design};
+use tilewright_sim::{Recording, Simulation};
+
+/// Between comparisons of a design without clocks, in picoseconds.
+const IDLE_STEP: u64 = 10_000;
+
+/// A small generator of numbers (SplitMix64): the same everywhere for a seed.
+#[derive(Debug, Clone)]
+pub struct Numbers(pub u64);
+
+impl Numbers {
+    /// The next number.
+    pub fn draw(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
+    }
+
+    /// A value that is an edge case half of the time.
+    pub fn bits(&mut self, width: u32) -> Bits {
+        let random = |numbers: &mut Numbers| {
+            let limbs: Vec<u64> = (0..width.div_ceil(64)).map(|_| numbers.draw()).collect();
+            Bits::from_limbs(width, &limbs)
+        };
+        match self.draw() % 12 {
+            0 => Pattern::Zero.bits(width),
+            1 => Pattern::Ones.bits(width),
+            2 => Pattern::One.bits(width),
+            3 => Pattern::Sign.bits(width),
+            4 => Pattern::Sign.bits(width).not(),
+            5 => Pattern::Alternating.bits(width),
+            6 => Bits::new(width, self.draw() % 8),
+            _ => random(self),
+        }
+    }
+}
+
+/// The recorded run of a design under a random stimulus; resets are given at random.
+///
+/// # Errors
+///
+/// What the simulator says if it does not take the design.
+pub fn run(design: &Design, stimulus: &Stimulus) -> Result<Replay, tilewright_sim::Error> {
+    let mut numbers = Numbers(stimulus.seed);
+    let mut sim = Simulation::from_design(design)?;
+    let top = design.top();
+    let ports: Vec<_> = top.inputs.iter().map(|input| (input.name.as_str(), top.width(input.node))).collect();
+    let inputs = ports.iter().map(|(name, width)| Ok((sim.port(name)?, *width)));
+    let inputs = inputs.collect::<Result<Vec<_>, tilewright_sim::Error>>()?;
+    let outputs = top.outputs.iter().map(|output| sim.port(&output.name));
+    let outputs = outputs.collect::<Result<Vec<_>, _>>()?;
+    if top.clocks.is_empty() {
+        let step = |number: u8| {
+            let values: Vec<Bits> = inputs.iter().map(|(_, width)| numbers.bits(*width)).collect();
+            inputs.iter().zip(&values).for_each(|((port, _), value)| sim.set(*port, value.clone()));
+            ReplayStep {
+                time_ps: IDLE_STEP * (u64::from(number) + 1),
+                rising: Vec::new(),
+                resets: Vec::new(),
+                inputs: values,
+                outputs: outputs.iter().map(|port| sim.get(*port)).collect(),
+            }
+        };
+        return Ok(Replay { steps: (0..stimulus.steps).map(step).collect(), initial: Vec::new() });
+    }
+    let recording = sim.recording();
+    for _ in 0..stimulus.steps {
+        for (port, width) in &inputs {
+            // Inputs that stay let state machines and enables show their other side.
+            if numbers.draw() % 4 != 0 {
+                sim.set(*port, numbers.bits(*width));
+            }
+        }
+        if numbers.draw() % 12 == 0 { sim.reset() } else { sim.step() }
+    }
+    let recording = recording.lock().expect("no panic while recording");
+    Ok(replay(&recording))
+}
+
+/// A recording of the simulator as the printer's testbench takes it.
+pub fn replay(recording: &Recording) -> Replay {
+    let steps = recording.steps.iter().map(|step| ReplayStep {
+        time_ps: step.time,
+        rising: step.clocks.clone(),
+        resets: step.resets.clone(),
+        inputs: step.inputs.clone(),
+        outputs: step.outputs.clone(),
+    });
+    Replay { steps: steps.collect(), initial: Vec::new() }
+}
