@@ -22,7 +22,7 @@ pub(crate) fn finish(
     check::drives::check(&mut draft, problems);
     let renumber = place_clocks(&mut draft);
     let resets = find_resets(&draft, &e.done);
-    check::naming::check(&mut draft, &outputs, &resets, problems);
+    check::naming::check(&mut draft, &e.done, &outputs, &resets, problems);
     check::unused::check(&draft, &outputs, problems);
     let sound = check::loops::check(&draft, &e.summaries, problems);
     check::domains::check(&draft, &e.done, &e.summaries, problems);
@@ -30,7 +30,10 @@ pub(crate) fn finish(
     let summary = match sound {
         true => summary::summarize(&draft, &e.summaries, &nodes, &renumber),
         false => summary::Summary {
-            outputs: nodes.iter().map(|_| summary::Dependence { inputs: vec![], timed_inputs: vec![], clocks: vec![] }).collect(),
+            outputs: nodes
+                .iter()
+                .map(|_| summary::Dependence { inputs: vec![], timed_inputs: vec![], clocks: vec![] })
+                .collect(),
         },
     };
     e.summaries.push(summary);

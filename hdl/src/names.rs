@@ -6,6 +6,14 @@ use crate::problem::Problem;
 /// The reserved words of Verilog (1364-2005) and SystemVerilog (1800-2017).
 const RESERVED: &str = include_str!("reserved_words.txt");
 
+/// The words of C++ that Verilator refuses as the name of a port.
+const RESERVED_IN_CPP: &str = include_str!("reserved_cpp.txt");
+
+/// Whether `name` is a word of C++.
+pub(crate) fn is_reserved_in_cpp(name: &str) -> bool {
+    RESERVED_IN_CPP.split_whitespace().any(|word| word == name)
+}
+
 /// Whether `name` is a word of Verilog or SystemVerilog.
 pub(crate) fn is_reserved(name: &str) -> bool {
     RESERVED.split_whitespace().any(|word| word == name)

@@ -286,6 +286,51 @@ fn ports_with_reserved_names() {
 }
 
 #[test]
+fn ports_with_names_reserved_in_cpp() {
+    bundle! { struct Distance<T> { near: T } }
+    /// Has a port that Verilator refuses.
+    #[derive(Debug)]
+    struct Near;
+    impl Block for Near {
+        type In = Distance;
+        type Out = Out;
+        fn inputs(&self) -> Distance<Width> {
+            Distance { near: bits(4) }
+        }
+        fn build(&self, _: Module, i: Distance) -> Out {
+            Out { out: !i.near }
+        }
+    }
+    assert!(problems(&Near).starts_with("input `near` has a reserved word of C++ for a name"));
+}
+
+#[test]
+fn instances_that_hide_something() {
+    expect(
+        |m, i| m.instance("y", &Inverter { registered: true }, Link { x: i.a }).out,
+        "instance `y` has the name of something inside of it
+         --> [|m, i| m.instance(\"y\", &Inverter { registered: true }, Link { x: i.a }).out,]
+         the inner `y` is declared at [Out { out: if self.registered { m.pipe(\"y\", !i.x) } else { !i.x } }]
+         help: call the instance `u_y`",
+    );
+    /// Has a register called as every lane is.
+    #[derive(Debug)]
+    struct Street;
+    impl Block for Street {
+        type In = Link;
+        type Out = Out;
+        fn inputs(&self) -> Link<Width> {
+            Link { x: bits(8) }
+        }
+        fn build(&self, m: Module, i: Link) -> Out {
+            Out { out: m.pipe("lane", i.x) }
+        }
+    }
+    let text = problems(&Case(|m, i| m.array("u_street", 2, &Street, |a| Link { x: a.all(&i.a) }).out.last()));
+    assert!(text.starts_with("the lanes of `u_street` hold something called `lane`"), "{text}");
+}
+
+#[test]
 fn inner_names_that_are_reserved_get_an_underscore() {
     let design = elaborate(&Case(|_, i| (!i.a).named("cell"))).unwrap();
     assert!(design.top().nodes.iter().any(|node| node.name.as_deref() == Some("cell_")));

@@ -1,15 +1,16 @@
 //! Names: legal, unique in their module, and no reserved words.
 
 use crate::draft::Draft;
-use crate::ir::{NodeId, Op};
+use crate::ir::{Instance, Module, NodeId, Op};
 use crate::loc::Loc;
 use crate::module::port_name;
-use crate::names::{is_legal, is_reserved};
+use crate::names::{is_legal, is_reserved, is_reserved_in_cpp};
 use crate::problem::Problem;
 use std::collections::BTreeMap;
 
 pub(crate) fn check(
     draft: &mut Draft,
+    done: &[Module],
     outputs: &[(String, NodeId)],
     resets: &[Option<String>],
     problems: &mut Vec<Problem>,
@@ -44,6 +45,32 @@ pub(crate) fn check(
     for instance in &mut draft.instances {
         instance.name = names.inner("instance", instance.name.clone(), instance.loc);
     }
+    for instance in &draft.instances {
+        check_hiding(instance, &done[instance.module.0 as usize], problems);
+    }
+}
+
+/// Inside of a module, its own things hide an instance of the same name: linters refuse that. Each lane of an array is
+/// an instance called `lane`.
+fn check_hiding(instance: &Instance, child: &Module, problems: &mut Vec<Problem>) {
+    let name = if instance.lanes.is_some() { "lane" } else { &instance.name };
+    let nets = child.nodes.iter().filter_map(|node| Some((node.name.as_deref()?, node.loc)));
+    let memories = child.memories.iter().map(|memory| (memory.name.as_str(), memory.loc));
+    let instances = child.instances.iter().map(|instance| (instance.name.as_str(), instance.loc));
+    let Some((_, inside)) = nets.chain(memories).chain(instances).find(|(inner, _)| *inner == name) else { return };
+    let (message, help) = match instance.lanes {
+        None => {
+            let message = format!("instance `{name}` has the name of something inside of it");
+            (message, format!("call the instance `u_{name}`"))
+        }
+        Some(_) => {
+            let message =
+                format!("the lanes of `{}` hold something called `lane`, as each lane is called", instance.name);
+            (message, "call it something else".to_owned())
+        }
+    };
+    let problem = Problem::new(instance.loc, message).note(format!("the inner `{name}` is declared"), inside);
+    problems.push(problem.help(help));
 }
 
 /// The data register of a synchronous read is `MEMORY_read`, with the port's number if there are several.
@@ -67,8 +94,13 @@ struct Names<'a> {
 impl Names<'_> {
     /// A port is seen from outside: a reserved word is a problem, not something to rename.
     fn port(&mut self, kind: &'static str, name: &str, loc: Loc) {
-        if is_reserved(name) {
-            let problem = Problem::new(loc, format!("{kind} `{name}` has a reserved word of Verilog for a name"));
+        let language = match name {
+            _ if is_reserved(name) => Some("Verilog"),
+            _ if is_reserved_in_cpp(name) => Some("C++"),
+            _ => None,
+        };
+        if let Some(language) = language {
+            let problem = Problem::new(loc, format!("{kind} `{name}` has a reserved word of {language} for a name"));
             self.problems.push(problem.help(format!("call it `{name}_` or something else")));
         }
         self.take(kind, name, loc);
