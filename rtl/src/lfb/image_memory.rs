@@ -111,7 +111,7 @@ impl Block for ImageMemory {
 
     fn build(&self, m: Module, i: ImageMemoryIn) -> ImageMemoryOut {
         let words = 2 * self.pages * self.page_pixels;
-        let memory = m.memory("image_memory", words, WORD, ReadUnderWrite::Old).true_dual_port().fill(empty());
+        let memory = m.memory("words", words, WORD, ReadUnderWrite::Old).true_dual_port().fill(empty());
 
         let front = m.on(PE);
         let stage = front.fsm("stage2", Stage2::Idle);

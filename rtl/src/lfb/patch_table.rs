@@ -23,7 +23,7 @@
 
 use tilewright_hdl::ir::About;
 use tilewright_hdl::{
-    Block, Module, ReadUnderWrite, Width, bit, bits, bundle, cat, goto, index_width, mux, net, states, when,
+    Bits, Block, Module, ReadUnderWrite, Width, bit, bits, bundle, cat, goto, index_width, mux, net, states, when,
 };
 
 use super::page_id_generator::{PageIdGenerator, PageIdGeneratorIn};
@@ -136,21 +136,21 @@ impl Block for PatchTable {
         let stage = m.fsm("stage1", Stage1::Idle);
         let clearing = m.reg("clearing", 2).reset(0);
 
-        net!(can_clear = clearing.eq(0));
+        net!(table_free = clearing.eq(0) & i.settled);
         net!(can_accept = stage.is(Stage1::Idle) | stage.is(Stage1::Found));
-        net!(clear_ready = can_clear & (can_accept | stage.is(Stage1::Overflow)));
+        net!(clear_ready = table_free & (can_accept | stage.is(Stage1::Overflow)));
         net!(accept = i.look_up.valid & can_accept);
         net!(clear = i.clear.valid & clear_ready);
-        clearing.enable(clear | !can_clear).next(mux(clear, CLEAR_CLOCKS - 1, clearing - 1));
+        clearing.enable(clear | clearing.ne(0)).next(mux(clear, CLEAR_CLOCKS - 1, clearing - 1));
 
         let patch = m.reg("patch", i.look_up.patch.width());
         patch.enable(accept).next(i.look_up.patch);
 
-        // A collision of the two ports gives the scan a word of a buffer that it is leaving: all of it was sent.
-        let table = m.memory("patch_table", 2 * self.patches, 1 + page_width, ReadUnderWrite::Any);
-        let table = table.fill(tilewright_hdl::Bits::zero(1 + page_width));
+        // The two ports are never in the same buffer.
+        let table = m.memory("entries", 2 * self.patches, 1 + page_width, ReadUnderWrite::Any);
+        let table = table.fill(Bits::zero(1 + page_width));
         net!(address = cat!(mux(clear, i.clear.patch, patch), i.front));
-        net!(read = stage.is(Stage1::Read) & can_clear & i.settled);
+        net!(read = stage.is(Stage1::Read) & table_free);
         net!(entry = table.on(PE).read_when(read, address));
 
         let resident = entry.msb();
@@ -175,8 +175,7 @@ impl Block for PatchTable {
         page.enable(stage.is(Stage1::Examine)).next(mux(resident, entry.trunc(page_width), free.page));
         table.on(PE).write(allocate | clear, address, cat!(allocate, page));
 
-        let scanned = table.on(MERGE).read_when(i.scan.enable, cat!(i.scan.patch, i.scan.buffer));
-        net!(scanned_entry = scanned);
+        net!(scanned_entry = table.on(MERGE).read_when(i.scan.enable, cat!(i.scan.patch, i.scan.buffer)));
         PatchTableOut {
             ready: can_accept,
             clear_ready,
@@ -326,9 +325,10 @@ mod tests {
     }
 
     #[test]
-    fn a_look_up_waits_until_the_scan_has_left_the_front_buffer() {
+    fn the_processor_waits_until_the_scan_has_left_the_front_buffer() {
         let mut sim = table(6, 2);
         sim.set(sim.i.settled, 0);
+        assert_eq!(sim.get_u64(sim.o.clear_ready), 0);
         look_up(&mut sim, 1);
         assert_eq!(clocks(&mut sim, 3), ["Read"; 3]);
         sim.set(sim.i.settled, 1);

@@ -85,10 +85,11 @@ impl Patches {
     /// Where the pixel lies, as hardware.
     pub fn locate(&self, pixel: Position) -> Place {
         let shift = self.edge.ilog2();
-        let high = |signal: Signal| signal.slice(shift..signal.width()).zext(self.patch_width());
-        let columns = lit(self.patch_width(), self.columns().into());
+        let high = |signal: Signal| signal.slice(shift..signal.width());
+        let columns = lit(index_width(u64::from(self.columns()) + 1), self.columns().into());
         let first_of_row = high(pixel.y).times(columns).trunc(self.patch_width());
-        Place { patch: first_of_row + high(pixel.x), offset: cat!(pixel.y.trunc(shift), pixel.x.trunc(shift)) }
+        let column = high(pixel.x).zext(self.patch_width());
+        Place { patch: first_of_row + column, offset: cat!(pixel.y.trunc(shift), pixel.x.trunc(shift)) }
     }
 
     /// Where the pixel lies, in numbers.

@@ -24,9 +24,9 @@
 //!
 //! # Swapping
 //!
-//! `swap` exchanges the buffers at once for the processor; the merger follows two of its clocks later. Until it has,
-//! a look-up waits, so that nothing is drawn into a buffer that is still being read. Whoever swaps has to see that the
-//! back buffer has been sent as a whole (VC1-SW3), and to clear the patch table then.
+//! `swap` exchanges the buffers for the processor at once, and for the merger two of its clocks later. The processor knows of
+//! that two clocks of its own later still; until then its look-ups and clears wait, so that never both are in one buffer.
+//! Whoever swaps has to see that the back buffer has been sent as a whole (VC1-SW3), and to clear the patch table then.
 
 use tilewright_hdl::ir::About;
 use tilewright_hdl::{Block, Module, Width, bit, bits, bundle, index_width, net};
@@ -186,7 +186,7 @@ impl Block for LfbUnit {
                 scan: ScanLookUp { enable: scan.enable, patch: sought.patch, buffer: back },
             },
         );
-        let accept = i.request.valid & table.ready;
+        net!(accept = i.request.valid & table.ready);
         let wanted_offset = pe.reg("wanted_offset", self.patches.offset_width());
         let wanted_word = pe.reg("wanted_word", WORD);
         wanted_offset.enable(accept).next(wanted.offset);

@@ -149,7 +149,7 @@ impl Bench {
         accepted
     }
 
-    /// Lets clocks pass until an output is high, which takes no more of them than a clear and the two stages have.
+    /// Lets clocks pass until an output is high, which takes at most 9: a clear and both stages, or a swap.
     fn wait_until(&mut self, output: impl Fn(&LfbUnitOut<Port>) -> Port) {
         let (port, start) = (output(&self.sim.o), self.now());
         while self.sim.get(port) != 1 {
@@ -199,7 +199,7 @@ impl Bench {
     fn words_held(&self) -> [usize; 2] {
         let words = self.unit.pages * self.unit.patches.pixels();
         [0, 1].map(|buffer| {
-            let word = |i| self.sim.peek_memory("image_memory.image_memory", 2 * i + buffer).unwrap();
+            let word = |i| self.sim.peek_memory("image_memory.words", 2 * i + buffer).unwrap();
             (0..words).filter(|i| word(*i).to_u64() != Some(EMPTY)).count()
         })
     }
