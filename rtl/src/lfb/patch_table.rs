@@ -156,7 +156,7 @@ impl Block for PatchTable {
         let resident = entry.msb();
         net!(allocate = stage.is(Stage1::Allocate));
         let free = m.instance(
-            "page_id_generator",
+            "u_page_id_generator",
             &PageIdGenerator { pages: self.pages },
             PageIdGeneratorIn { restart: i.restart, take: allocate },
         );

@@ -172,7 +172,7 @@ mod tests {
             let widths = ScanCounter::position(self.screen);
             let preset = |position| ScanCounter::preset(self.screen, position);
             let counters =
-                m.array("scan_counter", self.length, &ScanCounter { screen: self.screen }, |a| ScanCounterIn {
+                m.array("u_scan_counter", self.length, &ScanCounter { screen: self.screen }, |a| ScanCounterIn {
                     scan: a.all(&i),
                     preset: Position {
                         x: a.constants(widths.x.bits(), |lane| preset(lane).x),

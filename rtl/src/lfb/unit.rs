@@ -161,7 +161,7 @@ impl Block for LfbUnit {
         // The scan: a clock for the patch table, a clock for the image memory.
         let scan = i.scan;
         let counter = ScanCounter { screen: self.patches.screen() };
-        let counted = merge.instance("scan_counter", &counter, ScanCounterIn { scan, preset: i.preset });
+        let counted = merge.instance("u_scan_counter", &counter, ScanCounterIn { scan, preset: i.preset });
         let sought = self.patches.locate(counted.pixel);
         let step = scan.restart | scan.enable;
         let armed = merge.reg("sought_armed", 1).reset(0);
@@ -174,7 +174,7 @@ impl Block for LfbUnit {
         // The processor's request: its patch is looked up, the rest waits beside.
         let wanted = self.patches.locate(Position { x: i.request.x, y: i.request.y });
         let table = m.instance(
-            "patch_table",
+            "u_patch_table",
             &PatchTable { patches: self.patches.count(), pages: self.pages },
             PatchTableIn {
                 look_up: LookUp { valid: i.request.valid, patch: wanted.patch },
@@ -195,7 +195,7 @@ impl Block for LfbUnit {
         // A pixel sought before the buffers were swapped is not sent: its page may belong to another patch by now.
         net!(resident = armed & table.scan_entry.resident & buffer.eq(back));
         let image = m.instance(
-            "image_memory",
+            "u_image_memory",
             &ImageMemory { pages: self.pages, page_pixels: self.patches.pixels() },
             ImageMemoryIn {
                 draw: Draw {

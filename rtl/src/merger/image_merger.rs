@@ -50,7 +50,7 @@ impl Block for ImageMerger {
     }
 
     fn build(&self, m: Module, i: ImageMergerIn) -> ImageMergerOut {
-        let units = m.array("merging_unit", self.units, &MergingUnit, |units| MergingUnitIn {
+        let units = m.array("u_merging_unit", self.units, &MergingUnit, |units| MergingUnitIn {
             left: units.out.nearer.previous(i.left),
             right: units.each(i.samples),
             enable: units.all(&i.enable),

@@ -126,9 +126,9 @@ impl Block for Vc1 {
         let screen = self.lfb.patches().screen();
 
         let merged = merge.wire("merged", crate::word::WORD);
-        let gfb = merge.instance("gfb", &self.gfb(), GfbUnitIn { host: i.gfb, merged: *merged });
+        let gfb = merge.instance("u_gfb", &self.gfb(), GfbUnitIn { host: i.gfb, merged: *merged });
 
-        let lfb = m.array("lfb", self.processors, &self.lfb, |units| {
+        let lfb = m.array("u_lfb", self.processors, &self.lfb, |units| {
             let each = |of: fn(&ProcessorIn) -> Signal| units.each(i.processors.iter().map(of));
             let widths = ScanCounter::position(screen);
             let preset = |position| ScanCounter::preset(screen, position);
@@ -152,7 +152,7 @@ impl Block for Vc1 {
 
         let chain = ImageMerger { units: self.processors };
         let inputs = ImageMergerIn { left: gfb.left, samples: lfb.word.to_vec(), enable: gfb.scan.enable };
-        merged.drive(merge.instance("merger", &chain, inputs).merged);
+        merged.drive(merge.instance("u_merger", &chain, inputs).merged);
 
         let processor = |index: u32| {
             let of = |lanes: Lanes| lanes.lane(index);

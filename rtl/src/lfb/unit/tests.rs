@@ -199,7 +199,7 @@ impl Bench {
     fn words_held(&self) -> [usize; 2] {
         let words = self.unit.pages * self.unit.patches.pixels();
         [0, 1].map(|buffer| {
-            let word = |i| self.sim.peek_memory("image_memory.words", 2 * i + buffer).unwrap();
+            let word = |i| self.sim.peek_memory("u_image_memory.words", 2 * i + buffer).unwrap();
             (0..words).filter(|i| word(*i).to_u64() != Some(EMPTY)).count()
         })
     }
