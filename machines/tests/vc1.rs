@@ -1,6 +1,8 @@
 //! Whole frames of the VC-1 against the golden rasterizer.
 
-use std::sync::atomic::AtomicBool;
+use std::fs::File;
+use std::io::BufReader;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use proptest::prelude::*;
 use tilewright_machines::vc1::{Assignment, Config, CostTable, Machine, Report, demand};
@@ -8,6 +10,7 @@ use tilewright_machines::{Error, Progress, Watch};
 use tilewright_scenes::{
     Comparison, Counts, Frame, Projection, Scene, ScreenVertex, Size, compare, golden, project, set_up,
 };
+use tilewright_sim::Vcd;
 
 const BACKGROUND: [u8; 3] = [24, 28, 44];
 
@@ -155,6 +158,37 @@ fn progress_goes_through_the_phases_and_a_run_can_be_cancelled() {
     let cancel = AtomicBool::new(true);
     let error = machine.render(&projection, BACKGROUND, &mut Watch { progress: None, cancel: Some(&cancel) });
     assert!(matches!(error, Err(Error::Cancelled { phase: "clearing", .. })));
+}
+
+/// The whole machine's waveform, cut down by name; the run is cancelled in the middle of the merge.
+#[test]
+fn a_cancelled_run_leaves_a_dump_that_opens() {
+    let projection = on_screen("teapot", 48, 36);
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("vc1.vcd");
+    let config = Config { processors: 2, costs: HASTY, ..Config::new(projection.size) };
+    let mut machine = Machine::new(config).expect("can be built");
+    machine.simulation().trace(Vcd::to(&path).only("lfb[1].overflow").only("gfb.round*")).expect("the signals exist");
+    let cancel = AtomicBool::new(false);
+    let mut progress = |it: Progress| cancel.store(it.phase == "merging" && it.fraction > 0.4, Ordering::Relaxed);
+    let result =
+        machine.render(&projection, BACKGROUND, &mut Watch { progress: Some(&mut progress), cancel: Some(&cancel) });
+    let Err(Error::Cancelled { phase: "merging", time }) = result else { panic!("it was cancelled in the merge") };
+
+    let mut parser = vcd::Parser::new(BufReader::new(File::open(&path).expect("the dump exists")));
+    let header = parser.parse_header().expect("a header");
+    assert!(header.find_var(&["vc1_n2_48x36_patch4_pages108", "lfb[1]", "lane", "overflow"]).is_some());
+    let commands: Vec<_> = parser.collect::<Result<_, _>>().expect("a dump that is whole");
+    let states = commands.iter().filter_map(|it| match it {
+        vcd::Command::ChangeString(_, state) => Some(state.as_str()),
+        _ => None,
+    });
+    assert_eq!(states.take(4).collect::<Vec<_>>(), ["Idle", "Prime", "Line", "Overhead"]);
+    let end = commands.iter().rev().find_map(|it| match it {
+        vcd::Command::Timestamp(time) => Some(*time),
+        _ => None,
+    });
+    assert!(end >= Some(time), "the dump ends at {end:?}, the run at {time}");
 }
 
 /// Triangles anywhere, up to several of the same depth and place.

@@ -1,7 +1,6 @@
 //! The hardware of a VC-1 in simulation, as its programs see it: accesses at the ports of the local frame buffer units, the
 //! controls of the swaps and the merge, and time.
 
-use tilewright_hdl::Clock;
 use tilewright_rtl::clocks::{MERGE, PE};
 use tilewright_rtl::vc1::{Vc1, Vc1In, Vc1Out};
 use tilewright_scenes::frame::blank;
@@ -93,7 +92,7 @@ impl Hardware {
     pub fn swap_local_buffers(&mut self) -> Result<(), Error> {
         let swaps: Vec<_> = self.sim.i.processors.iter().map(|port| port.swap).collect();
         swaps.iter().for_each(|&swap| self.sim.set(swap, true));
-        self.tick(PE)?;
+        self.tick(PE.name)?;
         swaps.iter().for_each(|&swap| self.sim.set(swap, false));
         Ok(())
     }
@@ -110,7 +109,7 @@ impl Hardware {
 
     fn pulse(&mut self, port: tilewright_sim::Port) -> Result<(), Error> {
         self.sim.set(port, true);
-        self.tick(MERGE)?;
+        self.tick(MERGE.name)?;
         self.sim.set(port, false);
         Ok(())
     }
@@ -128,12 +127,12 @@ impl Hardware {
     /// A word of the displayed bank; takes a clock of the merger.
     pub fn read_displayed(&mut self, address: u64) -> Result<u64, Error> {
         self.sim.set(self.sim.i.gfb.read_address, address);
-        self.tick(MERGE)?;
+        self.tick(MERGE.name)?;
         Ok(self.sim.get_u64(self.sim.o.gfb.read_word))
     }
 
-    /// Goes through the next edge of a clock, and through those of the other before it.
-    pub fn tick(&mut self, clock: Clock) -> Result<(), Error> {
+    /// Goes through the next edge of a clock, by its name, and through those of the other before it.
+    pub fn tick(&mut self, clock: &str) -> Result<(), Error> {
         let end = self.cycles(clock) + 1;
         while self.cycles(clock) < end {
             self.sim.try_step()?;
@@ -142,11 +141,11 @@ impl Hardware {
     }
 
     pub fn now(&self) -> Moment {
-        Moment { pe_clocks: self.cycles(PE), merge_clocks: self.cycles(MERGE), time: self.sim.time() }
+        Moment { pe_clocks: self.cycles(PE.name), merge_clocks: self.cycles(MERGE.name), time: self.sim.time() }
     }
 
-    fn cycles(&self, clock: Clock) -> u64 {
-        self.sim.cycles(clock.name).expect("the VC-1 has both clocks")
+    fn cycles(&self, clock: &str) -> u64 {
+        self.sim.cycles(clock).expect("the VC-1 has both clocks")
     }
 
     fn flag(&mut self, port: tilewright_sim::Port) -> bool {

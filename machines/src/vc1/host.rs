@@ -75,7 +75,7 @@ impl<'a, 'w> Host<'a, 'w> {
             self.hardware.present(k, processor.access());
             taken[k] = self.hardware.takes(k);
         }
-        self.hardware.tick(PE)?;
+        self.hardware.tick(PE.name)?;
         processors.iter_mut().zip(taken).for_each(|(processor, taken)| processor.edge(taken));
         Ok(())
     }
@@ -89,7 +89,7 @@ impl<'a, 'w> Host<'a, 'w> {
     pub fn compose(&mut self) -> Result<(), Error> {
         self.phase("swapping", |host| {
             host.hardware.swap_local_buffers()?;
-            (0..SWAP_CROSSING).try_for_each(|_| host.hardware.tick(MERGE))
+            (0..SWAP_CROSSING).try_for_each(|_| host.hardware.tick(MERGE.name))
         })?;
         self.phase("merging", |host| {
             host.hardware.start_merging()?;
@@ -98,7 +98,7 @@ impl<'a, 'w> Host<'a, 'w> {
                 if clocks % PROGRESS_CLOCKS == 0 {
                     host.progress(clocks as f64 / host.hardware.round_clocks as f64)?;
                 }
-                host.hardware.tick(MERGE)?;
+                host.hardware.tick(MERGE.name)?;
             }
             host.hardware.swap_global_buffer()
         })
