@@ -1,43 +1,32 @@
 //! The global frame buffer unit: leads the scan, feeds the chain, and keeps what comes out of it (VC1-GFB).
 //!
 //! ```text
-//!  start --> [ sequencer ]--> scan: restart, enable
-//!                 |
-//!            feed | address            .---------------------.
-//!                 v                    |                     |
-//!        .--------------.  old   .-----v-----.               |
-//!        |  two banks   |--[ ]-->| first     |--> left   merged
-//!        |              |        | round?    |
-//!        |              |<---- store address <-- sequencer
-//!        |              |        '-----------'
-//!        |              |--> read_word, from the bank on display
-//!        '--------------'
+//! start --> [ sequencer ]--> scan, to every unit of the chain
+//!              |     |
+//!         feed |     | store
+//!           .--v-----v--.  old
+//!           |           |-------->|first|--[ ]--> left, into the chain
+//!           | two banks |  blank >|round|
+//!           |           |<----------------------- merged, out of the chain
+//!           '-----------'
+//!              |     ^
+//!    read_word v     | read_address: the bank on display
 //! ```
 //!
-//! A merging round takes T_m = (M + beta) N + 4 n clocks from the first pixel that enters the chain to the last that
-//! leaves it (VC1-TM), after [`SCAN_LATENCY`] clocks in which the local frame buffers read their first pixel:
-//!
-//! ```text
-//! Prime 2 | Line M | Overhead beta | Line M | Overhead beta | .. | Overhead beta | Drain 4 n
-//!         |<------------------------- N times ------------------>|
-//! ```
+//! Latency: a pixel enters the chain 2 clocks after its address; `read_word` comes 1 clock after `read_address`. A round takes
+//! T_m (VC1-TM), see [`Sequencer`].
 //!
 //! One bank is filled while the other is on display; `swap` exchanges them. In the first round after a swap blank pixels
 //! enter the chain, so that the bank's old contents are replaced; in later rounds they enter it themselves, so that the bank is
 //! cumulative (VC1-CLR3). The chain itself chooses the nearer pixel, so what comes out of it is stored as it is.
 
 use tilewright_hdl::ir::About;
-use tilewright_hdl::{
-    Block, Module, ReadUnderWrite, Width, bit, bits, bundle, cat, index_width, mux, net, select, states, when,
-};
+use tilewright_hdl::{Block, Module, ReadUnderWrite, Width, bit, bits, bundle, cat, index_width, mux, net};
 
-use crate::merger::STAGES;
+use super::sequencer::{Sequencer, SequencerIn};
 use crate::parameter::Screen;
 use crate::scan::ScanControl;
 use crate::word::WORD;
-
-/// Clocks with `enable` from a scan counter to the word that its local frame buffer sends.
-pub const SCAN_LATENCY: u32 = 2;
 
 bundle! {
     /// What the host says to the global frame buffer.
@@ -83,27 +72,25 @@ bundle! {
     }
 }
 
-states! {
-    /// The parts of a merging round.
-    enum Round { Idle, Prime, Line, Overhead, Drain }
-}
-
-/// A double-buffered frame buffer with depth, at the end of a chain of merging units.
+/// A double-buffered frame buffer with depth, at both ends of a chain of merging units.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct GfbUnit {
     /// The screen: M x N pixels.
     pub screen: Screen,
-    /// The merging units of the chain: n.
+    /// The merging units of the chain: n, at least 1.
     pub units: u32,
     /// Clocks of overhead after each scan line: beta, at least 1 (VC1-TM).
     pub overhead: u32,
 }
 
 impl GfbUnit {
+    fn sequencer(&self) -> Sequencer {
+        Sequencer { screen: self.screen, units: self.units, overhead: self.overhead }
+    }
+
     /// T_m, the clocks of a merging round (VC1-TM).
     pub fn merge_clocks(&self) -> u64 {
-        let (width, height) = (u64::from(self.screen.width), u64::from(self.screen.height));
-        (width + u64::from(self.overhead)) * height + u64::from(STAGES * self.units)
+        self.sequencer().merge_clocks()
     }
 }
 
@@ -118,90 +105,41 @@ impl Block for GfbUnit {
     }
 
     fn build(&self, m: Module, i: GfbUnitIn) -> GfbUnitOut {
-        let Screen { width, height } = self.screen;
-        let pixel = index_width(self.screen.pixels().into());
-        let drain = STAGES * self.units;
+        let Host { start, swap, read_address, background } = i.host;
+        let round = m.instance("u_sequencer", &self.sequencer(), SequencerIn { start });
+        m.assert(!(swap | start) | !round.busy, "the banks are swapped and a round is started between rounds");
 
-        // The sequencer.
-        let round = m.fsm("round", Round::Idle);
-        net!(begin = i.host.start & round.is(Round::Idle));
-        net!(enable = round.is(Round::Prime) | round.is(Round::Line) | round.is(Round::Drain));
-        let x = m.reg("x", index_width(width.into())).reset(0);
-        let y = m.reg("y", index_width(height.into())).reset(0);
-        net!(line_end = round.is(Round::Line) & x.eq(width - 1));
-        net!(last_line = y.eq(height - 1));
-        let longest = drain.max(self.overhead).max(SCAN_LATENCY);
-        let left_over = m.reg("clocks_left", index_width(longest.into())).reset(0);
-        net!(over = left_over.eq(0));
-        net!(overhead_ends = round.is(Round::Overhead) & over);
-        round.next(|part| match part {
-            Round::Idle => when(begin, Round::Prime),
-            Round::Prime => when(over, Round::Line),
-            Round::Line => when(line_end, Round::Overhead),
-            Round::Overhead => when(over & last_line, Round::Drain).or_when(over, Round::Line),
-            Round::Drain => when(over, Round::Idle),
-        });
-        x.enable(round.is(Round::Line)).next(mux(line_end, 0, x + 1));
-        y.enable(overhead_ends).next(mux(last_line, 0, y + 1));
-        let part = |clocks: u32| tilewright_hdl::lit(left_over.width(), u64::from(clocks) - 1);
-        left_over.next(select(
-            [
-                (begin, part(SCAN_LATENCY)),
-                (line_end, part(self.overhead)),
-                (overhead_ends, part(drain)),
-                (over, left_over.value()),
-            ],
-            left_over - 1,
-        ));
-
-        // Where the chain is fed from and stored to; a pixel is stored when it has gone through all of it.
-        let feed = m.reg("feed", pixel).reset(0);
-        feed.enable(begin | enable).next(mux(begin, 0, feed + 1));
-        let until_stored = m.reg("until_stored", index_width(u64::from(SCAN_LATENCY + drain) + 1)).reset(0);
-        net!(stores = enable & until_stored.eq(0));
-        until_stored.enable(begin | (enable & !stores)).next(mux(begin, SCAN_LATENCY + drain, until_stored - 1));
-        let store = m.reg("store", pixel).reset(0);
-        store.enable(begin | stores).next(mux(begin, 0, store + 1));
-
-        // The banks: the lowest bit of an address tells them apart.
+        // The lowest bit of an address tells the banks apart.
         let filled = m.reg("filled_bank", 1).reset(0);
-        filled.enable(i.host.swap).next(!filled);
+        filled.enable(swap).next(!filled);
         let banks = m.memory("banks", 2 * self.screen.pixels(), WORD, ReadUnderWrite::Old);
-        banks.write(stores, cat![store, filled], i.merged);
-        net!(old = banks.read_when(enable, cat![feed, filled]));
-        net!(read_word = banks.read(cat![i.host.read_address, !filled]));
+        banks.write(round.stores, cat![round.store, filled], i.merged);
+        net!(read_word = banks.read(cat![read_address, !filled]));
 
         let first_round = m.reg("first_round", 1).reset(1);
-        net!(ends = round.is(Round::Drain) & over);
-        first_round.enable(i.host.swap | ends).next(i.host.swap);
-        let left = m.pipe_when(enable, "left", mux(first_round, i.host.background, old));
+        first_round.enable(swap | round.ends).next(swap);
+        net!(old = banks.read_when(round.scan.enable, cat![round.feed, filled]));
+        let left = m.pipe_when(round.scan.enable, "left", mux(first_round, background, old));
 
-        let clocks = m.reg("clocks", index_width(self.merge_clocks() + 1)).reset(0);
-        net!(counts = !(round.is(Round::Idle) | round.is(Round::Prime)));
-        clocks.enable(begin | counts).next(mux(begin, 0, clocks + 1));
-        m.assert(
-            !(i.host.swap | i.host.start) | round.is(Round::Idle),
-            "the banks are swapped and a round is started between rounds",
-        );
-
-        let busy = !round.is(Round::Idle);
         GfbUnitOut {
-            view: View { read_word, busy, first_round: first_round.value(), clocks: clocks.value() },
-            scan: ScanControl { restart: begin, enable },
+            view: View { read_word, busy: round.busy, first_round: first_round.value(), clocks: round.clocks },
+            scan: round.scan,
             left,
         }
     }
 
     fn name(&self) -> String {
-        format!("gfb_unit_{}x{}_units{}_overhead{}", self.screen.width, self.screen.height, self.units, self.overhead)
+        let Screen { width, height } = self.screen;
+        format!("gfb_unit_{width}x{height}_units{}_overhead{}", self.units, self.overhead)
     }
 
     fn about(&self) -> About {
+        let Screen { width, height } = self.screen;
         About {
             summary: format!(
-                "The global frame buffer of {} x {} pixels: leads the scan, feeds the chain of {} merging units and keeps \
-                 what comes out of it.",
-                self.screen.width, self.screen.height, self.units
+                "The global frame buffer of {width} x {height} pixels: leads the scan, feeds the chain of {} merging units \
+                 and keeps what comes out of it.",
+                self.units
             ),
             latency: format!("a round of {} clocks", self.merge_clocks()),
             source: "VC-1, section 3.3, global frame buffer (VC1-GFB, VC1-TM, VC1-CLR3)".to_owned(),
@@ -211,79 +149,129 @@ impl Block for GfbUnit {
 
 #[cfg(test)]
 mod tests {
+    use std::collections::VecDeque;
+
+    use proptest::prelude::*;
     use tilewright_sim::Simulation;
 
     use super::*;
+    use crate::gfb::SCAN_LATENCY;
+    use crate::merger::STAGES;
 
     const BLANK: u64 = 0xffffff << 24;
 
-    fn host(start: u64, swap: u64) -> GfbUnitIn<u64> {
-        GfbUnitIn { host: Host { start, swap, read_address: 0, background: BLANK }, merged: 0 }
+    /// A global frame buffer with a chain in software, which merges what enters it with an image.
+    struct Bench {
+        sim: Simulation<GfbUnitIn, GfbUnitOut>,
+        chain: VecDeque<u64>,
+        pixels: usize,
     }
 
-    /// A round on a screen of 3 x 2 pixels with an overhead of 2 clocks and one merging unit.
+    impl Bench {
+        fn new(gfb: &GfbUnit) -> Bench {
+            let mut sim = Simulation::of(gfb).unwrap();
+            sim.reset();
+            sim.set(sim.i.host.background, BLANK);
+            let chain = VecDeque::from(vec![0; (STAGES * gfb.units) as usize]);
+            Bench { sim, chain, pixels: gfb.screen.pixels() as usize }
+        }
+
+        fn swap(&mut self) {
+            self.sim.set(self.sim.i.host.swap, 1);
+            self.sim.step();
+            self.sim.set(self.sim.i.host.swap, 0);
+        }
+
+        /// A round; gives what was seen of the bank on display meanwhile, over and over in raster order.
+        fn round(&mut self, image: &[u64]) -> Vec<u64> {
+            let mut seen = Vec::new();
+            let mut advanced = 0;
+            self.sim.set(self.sim.i.host.start, 1);
+            while self.sim.get_u64(self.sim.i.host.start) | self.sim.get_u64(self.sim.o.view.busy) == 1 {
+                self.sim.set(self.sim.i.host.read_address, (seen.len() % self.pixels) as u64);
+                self.sim.set(self.sim.i.merged, self.chain[0]);
+                if self.sim.get_u64(self.sim.o.scan.enable) == 1 {
+                    let pixel = usize::checked_sub(advanced, SCAN_LATENCY as usize);
+                    let sample = pixel.and_then(|pixel| image.get(pixel)).unwrap_or(&u64::MAX);
+                    self.chain.push_back(self.sim.get_u64(self.sim.o.left).min(*sample));
+                    self.chain.pop_front();
+                    advanced += 1;
+                }
+                self.sim.step();
+                self.sim.set(self.sim.i.host.start, 0);
+                seen.push(self.sim.get_u64(self.sim.o.view.read_word));
+            }
+            seen
+        }
+
+        /// The bank on display.
+        fn picture(&mut self) -> Vec<u64> {
+            let read = |pixel: usize| {
+                self.sim.set(self.sim.i.host.read_address, pixel as u64);
+                self.sim.step();
+                self.sim.get_u64(self.sim.o.view.read_word)
+            };
+            (0..self.pixels).map(read).collect()
+        }
+    }
+
     #[test]
-    fn a_round_clock_by_clock() {
-        let gfb = GfbUnit { screen: Screen { width: 3, height: 2 }, units: 1, overhead: 2 };
-        let mut sim = Simulation::of(&gfb).unwrap();
-        sim.reset();
-        let wave = sim.record(["scan_restart", "scan_enable", "round", "feed", "stores", "store", "clocks"]);
-        sim.drive(host(1, 0));
-        sim.step();
-        sim.drive(host(0, 0));
-        sim.run(17);
+    fn a_later_round_feeds_the_chain_with_what_the_first_has_stored() {
+        let mut bench = Bench::new(&GfbUnit { screen: Screen { width: 3, height: 1 }, units: 1, overhead: 1 });
+        bench.round(&[5, 6, 7]);
+        let wave = bench.sim.record(["scan_restart", "scan_enable", "left", "merged", "u_sequencer.stores"]);
+        bench.round(&[9, 1, 9]);
         wave.expect(
             r"
-            clk          |~~~\__/~~~\__/~~~\__/~~~\__/~~~\__/~~~\__/~~~\__/~~~\__/~~~\__/~~~\__/~~~\__/~~~\__/~~~\__/
-            scan_restart |~~~~~~\____________________________________________________________________________________
-            scan_enable  |______/~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~\_____________/~~~~~~~~~~~~~~~~~~~~\______________
-            round        | Idle | Prime       | Line               | Overhead    | Line               | Overhead    |
-            feed         | 0           | 1    | 2    | 3    | 4    | 5                  | 6    | 7    | 0           |
-            stores       |______________________________________________________________/~~~~~~~~~~~~~\______________
-            store        | 0                                                                   | 1    | 2           |
-            clocks       | 0                         | 1    | 2    | 3    | 4    | 5    | 6    | 7    | 8    | 9    |
-
-            clk          |~~~\__/~~~\__/~~~\__/~~~\__/~~~\__/
-            scan_restart |___________________________________
-            scan_enable  |~~~~~~~~~~~~~~~~~~~~~~~~~~~\_______
-            round        | Drain                     | Idle |
-            feed         | 0    | 1    | 2    | 3    | 4    |
-            stores       |~~~~~~~~~~~~~~~~~~~~~~~~~~~\_______
-            store        | 2    | 3    | 4    | 5    | 6    |
-            clocks       | a    | b    | c    | d    | e    |
+            clk                |~~~\___/~~~\___/~~~\___/~~~\___/~~~\___/~~~\___/~~~\___/~~~\___/~~~\___/~~~\___/~~~\___/
+            scan_restart       |~~~~~~~\________________________________________________________________________________
+            scan_enable        |_______/~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~\_______/~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
+            left               | ffffff000000  | 5             | 6     | 7     | 0             | 5     | 6     | 7     |
+            merged             | ffffff000000                                  | 5                     | 1     | 7     |
+            u_sequencer.stores |_______________________________________________________________/~~~~~~~~~~~~~~~~~~~~~~~~
             ",
         );
-        assert_eq!(sim.get(sim.o.view.clocks), gfb.merge_clocks());
     }
 
-    /// What enters the chain: blank pixels in the first round, the bank's contents in the next.
     #[test]
-    fn the_first_round_is_blank_and_the_next_feeds_what_was_stored() {
-        let gfb = GfbUnit { screen: Screen { width: 4, height: 3 }, units: 2, overhead: 1 };
-        let mut sim = Simulation::of(&gfb).unwrap();
-        sim.reset();
-        let mut fed = |start: u64| {
-            let (mut fed, mut chain) = (Vec::new(), std::collections::VecDeque::from([0; 8]));
-            let mut inputs = host(1, 0);
-            loop {
-                inputs.merged = chain[0];
-                sim.drive(inputs);
-                inputs.host.start = 0;
-                let out = sim.read_u64();
-                if out.scan.enable == 1 {
-                    fed.push(out.left);
-                    // The chain of this test makes a pixel nearer by 1 and by its number.
-                    chain.push_back(out.left.wrapping_sub(start + fed.len() as u64) % (1 << 48));
-                    chain.pop_front();
+    #[should_panic(expected = "the banks are swapped and a round is started between rounds")]
+    fn a_swap_during_a_round_is_an_error() {
+        let mut bench = Bench::new(&GfbUnit { screen: Screen { width: 2, height: 2 }, units: 1, overhead: 1 });
+        bench.sim.set(bench.sim.i.host.start, 1);
+        bench.sim.step();
+        bench.sim.set(bench.sim.i.host.start, 0);
+        bench.swap();
+        bench.sim.step();
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig { cases: 48, failure_persistence: None, ..ProptestConfig::default() })]
+
+        /// Frames of some rounds each. What is on display is the frame before, and stays that during the rounds.
+        #[test]
+        fn rounds_accumulate_behind_the_picture_on_display(
+            (width, height, units, overhead) in (2..9u32, 1..6u32, 1..4u32, 1..4u32),
+            frames in prop::collection::vec(prop::collection::vec(prop::collection::vec(0..2 * BLANK, 40), 1..4), 1..4),
+        ) {
+            let gfb = GfbUnit { screen: Screen { width, height }, units, overhead };
+            let mut bench = Bench::new(&gfb);
+            let mut displayed = None;
+            for rounds in &frames {
+                let mut filled = vec![BLANK; bench.pixels];
+                for image in rounds {
+                    let image = &image[..bench.pixels];
+                    let seen = bench.round(image);
+                    if let Some(displayed) = &displayed {
+                        let same = seen.chunks(bench.pixels).all(|chunk| chunk == &Vec::as_slice(displayed)[..chunk.len()]);
+                        prop_assert!(same, "the picture on display changes");
+                    }
+                    prop_assert_eq!(bench.sim.get(bench.sim.o.view.clocks), gfb.merge_clocks());
+                    filled.iter_mut().zip(image).for_each(|(old, new)| *old = *new.min(old));
                 }
-                sim.step();
-                if sim.get_u64(sim.o.view.busy) == 0 {
-                    return fed[SCAN_LATENCY as usize..][..12].to_vec();
-                }
+                bench.swap();
+                prop_assert_eq!(&bench.picture(), &filled);
+                displayed = Some(filled);
             }
-        };
-        assert_eq!(fed(100), vec![BLANK; 12]);
-        let stored: Vec<u64> = (0..12).map(|pixel| BLANK - 100 - 3 - pixel).collect();
-        assert_eq!(fed(0), stored);
+        }
     }
 }

@@ -120,6 +120,8 @@ mod tests {
     }
 
     proptest! {
+        #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+
         /// Against `min`, with the pipeline held at random.
         #[test]
         fn it_is_the_minimum(steps in prop::collection::vec((words(), words(), prop::bool::weighted(0.8)), 1..60)) {

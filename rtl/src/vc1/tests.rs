@@ -158,7 +158,8 @@ fn a_swap_during_a_round_loses_nothing() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(24))]
+    #![proptest_config(ProptestConfig { cases: 24, failure_persistence: None, ..ProptestConfig::default() })]
+
     #[test]
     fn the_picture_is_the_nearest_of_all(
         processors in 1u32..5,

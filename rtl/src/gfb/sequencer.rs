@@ -1,0 +1,231 @@
+//! The sequencer of a merging round: leads the scan, line by line, and says which pixels enter and leave the chain (VC1-TM).
+//!
+//! ```text
+//! start --> Idle --> Prime --> Line --> Overhead --> Drain --> Idle
+//!                               ^           |
+//!                               '-----------'
+//!                               N lines
+//! ```
+//!
+//! A round takes T_m = (M + beta) N + 4 n clocks, from the first pixel that enters the chain to the last that leaves it:
+//!
+//! ```text
+//! Prime 2 | Line M | Overhead beta | Line M | Overhead beta | .. | Overhead beta | Drain 4 n
+//!         |<-------------------------- N times ------------------------------->|
+//! ```
+//!
+//! In the 2 clocks before, the local frame buffers and the global one read their first pixel ([`SCAN_LATENCY`]). The whole
+//! chain holds during the overhead; in the end it runs on until the last pixel has left it.
+
+use tilewright_hdl::ir::About;
+use tilewright_hdl::{Block, Module, Width, bit, bundle, index_width, mux, net, select, states, when};
+
+use crate::merger::STAGES;
+use crate::parameter::Screen;
+use crate::scan::ScanControl;
+
+/// Clocks with `enable` from a scan counter to the word that its local frame buffer sends.
+pub const SCAN_LATENCY: u32 = 2;
+
+bundle! {
+    /// The inputs of [`Sequencer`].
+    pub struct SequencerIn<T> {
+        /// Begins a round, unless one is under way.
+        pub start: T,
+    }
+
+    /// The outputs of [`Sequencer`].
+    pub struct SequencerOut<T> {
+        /// To every unit of the chain.
+        pub scan: ScanControl<T>,
+        /// The pixel to read, which enters the chain [`SCAN_LATENCY`] clocks later.
+        pub feed: T,
+        /// A pixel leaves the chain.
+        pub stores: T,
+        /// The pixel that leaves the chain.
+        pub store: T,
+        /// A round is under way.
+        pub busy: T,
+        /// The round ends with this clock.
+        pub ends: T,
+        /// The clocks of the round so far, or of the last one, from the first pixel that entered the chain.
+        pub clocks: T,
+    }
+}
+
+states! {
+    /// The parts of a merging round.
+    enum Round { Idle, Prime, Line, Overhead, Drain }
+}
+
+/// Leads merging rounds.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Sequencer {
+    /// The screen: M x N pixels.
+    pub screen: Screen,
+    /// The merging units of the chain: n, at least 1.
+    pub units: u32,
+    /// Clocks of overhead after each scan line: beta, at least 1.
+    pub overhead: u32,
+}
+
+impl Sequencer {
+    /// T_m, the clocks of a merging round (VC1-TM).
+    pub fn merge_clocks(&self) -> u64 {
+        let [width, height, overhead] = [self.screen.width, self.screen.height, self.overhead].map(u64::from);
+        (width + overhead) * height + u64::from(STAGES * self.units)
+    }
+}
+
+impl Block for Sequencer {
+    type In = SequencerIn;
+    type Out = SequencerOut;
+
+    fn inputs(&self) -> SequencerIn<Width> {
+        SequencerIn { start: bit() }
+    }
+
+    fn build(&self, m: Module, i: SequencerIn) -> SequencerOut {
+        let Screen { width, height } = self.screen;
+        let pixel = index_width(self.screen.pixels().into());
+        let drain = STAGES * self.units;
+
+        // The parts of the round.
+        let round = m.fsm("round", Round::Idle);
+        let x = m.reg("x", index_width(width.into())).reset(0);
+        let y = m.reg("y", index_width(height.into())).reset(0);
+        let longest = drain.max(self.overhead).max(SCAN_LATENCY);
+        let clocks_left = m.reg("clocks_left", index_width(longest.into())).reset(0);
+        net!(part_ends = clocks_left.eq(0));
+        net!(begins = i.start & round.is(Round::Idle));
+        net!(line_ends = round.is(Round::Line) & x.eq(width - 1));
+        net!(overhead_ends = round.is(Round::Overhead) & part_ends);
+        net!(scan_ends = overhead_ends & y.eq(height - 1));
+        net!(ends = round.is(Round::Drain) & part_ends);
+        round.next(|part| match part {
+            Round::Idle => when(begins, Round::Prime),
+            Round::Prime => when(part_ends, Round::Line),
+            Round::Line => when(line_ends, Round::Overhead),
+            Round::Overhead => when(scan_ends, Round::Drain).or_when(part_ends, Round::Line),
+            Round::Drain => when(ends, Round::Idle),
+        });
+        x.enable(round.is(Round::Line)).next(mux(line_ends, 0, x + 1));
+        y.enable(overhead_ends).next(mux(scan_ends, 0, y + 1));
+        let lengths = [(begins, SCAN_LATENCY - 1), (line_ends, self.overhead - 1), (scan_ends, drain - 1)];
+        clocks_left.next(select(lengths, mux(part_ends, 0, clocks_left - 1)));
+
+        // The pixels that enter the chain, and those that have gone through all of it.
+        net!(enable = round.is(Round::Prime) | round.is(Round::Line) | round.is(Round::Drain));
+        let feed = m.reg("feed", pixel).reset(0);
+        feed.enable(begins | enable).next(mux(begins, 0, feed + 1));
+        let way = SCAN_LATENCY + drain;
+        let until_stored = m.reg("until_stored", index_width(u64::from(way) + 1)).reset(0);
+        net!(stores = enable & until_stored.eq(0));
+        until_stored.enable(begins | (enable & !stores)).next(mux(begins, way, until_stored - 1));
+        let store = m.reg("store", pixel).reset(0);
+        store.enable(begins | stores).next(mux(begins, 0, store + 1));
+
+        let clocks = m.reg("clocks", index_width(self.merge_clocks() + 1)).reset(0);
+        net!(counts = round.is(Round::Line) | round.is(Round::Overhead) | round.is(Round::Drain));
+        clocks.enable(begins | counts).next(mux(begins, 0, clocks + 1));
+
+        SequencerOut {
+            scan: ScanControl { restart: begins, enable },
+            feed: feed.value(),
+            stores,
+            store: store.value(),
+            busy: !round.is(Round::Idle),
+            ends,
+            clocks: clocks.value(),
+        }
+    }
+
+    fn name(&self) -> String {
+        let Screen { width, height } = self.screen;
+        format!("gfb_sequencer_{width}x{height}_units{}_overhead{}", self.units, self.overhead)
+    }
+
+    fn about(&self) -> About {
+        About {
+            summary: format!(
+                "Leads a merging round over {} x {} pixels through a chain of {} merging units.",
+                self.screen.width, self.screen.height, self.units
+            ),
+            latency: format!("a round of {} clocks", self.merge_clocks()),
+            source: "VC-1, section 3.3, T_m (VC1-TM)".to_owned(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use tilewright_sim::Simulation;
+
+    use super::*;
+
+    /// A round on a screen of 3 x 2 pixels with an overhead of 2 clocks and one merging unit.
+    #[test]
+    fn a_round_clock_by_clock() {
+        let sequencer = Sequencer { screen: Screen { width: 3, height: 2 }, units: 1, overhead: 2 };
+        let mut sim = Simulation::of(&sequencer).unwrap();
+        sim.reset();
+        let wave = sim.record(["scan_restart", "scan_enable", "round", "feed", "stores", "store", "ends", "clocks"]);
+        sim.set(sim.i.start, 1);
+        sim.step();
+        sim.set(sim.i.start, 0);
+        sim.run(17);
+        wave.expect(
+            r"
+            clk          |~~~\__/~~~\__/~~~\__/~~~\__/~~~\__/~~~\__/~~~\__/~~~\__/~~~\__/~~~\__/~~~\__/~~~\__/~~~\__/
+            scan_restart |~~~~~~\____________________________________________________________________________________
+            scan_enable  |______/~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~\_____________/~~~~~~~~~~~~~~~~~~~~\______________
+            round        | Idle | Prime       | Line               | Overhead    | Line               | Overhead    |
+            feed         | 0           | 1    | 2    | 3    | 4    | 5                  | 6    | 7    | 0           |
+            stores       |______________________________________________________________/~~~~~~~~~~~~~\______________
+            store        | 0                                                                   | 1    | 2           |
+            ends         |___________________________________________________________________________________________
+            clocks       | 0                         | 1    | 2    | 3    | 4    | 5    | 6    | 7    | 8    | 9    |
+
+            clk          |~~~\__/~~~\__/~~~\__/~~~\__/~~~\__/
+            scan_restart |___________________________________
+            scan_enable  |~~~~~~~~~~~~~~~~~~~~~~~~~~~\_______
+            round        | Drain                     | Idle |
+            feed         | 0    | 1    | 2    | 3    | 4    |
+            stores       |~~~~~~~~~~~~~~~~~~~~~~~~~~~\_______
+            store        | 2    | 3    | 4    | 5    | 6    |
+            ends         |____________________/~~~~~~\_______
+            clocks       | a    | b    | c    | d    | e    |
+            ",
+        );
+        assert_eq!(sim.get(sim.o.clocks), sequencer.merge_clocks());
+    }
+
+    /// The clocks of a round, counted from outside: those after the first [`SCAN_LATENCY`] in which it is busy.
+    fn round(screen: Screen, units: u32, overhead: u32) -> u64 {
+        let mut sim = Simulation::of(&Sequencer { screen, units, overhead }).unwrap();
+        sim.reset();
+        sim.set(sim.i.start, 1);
+        sim.step();
+        sim.set(sim.i.start, 0);
+        let mut stored = 0;
+        for clocks in 0.. {
+            if sim.get_u64(sim.o.busy) == 0 {
+                assert_eq!(stored, screen.pixels());
+                return clocks - u64::from(SCAN_LATENCY);
+            }
+            stored += u32::from(sim.get_u64(sim.o.stores) == 1);
+            sim.step();
+        }
+        unreachable!("the count has no end")
+    }
+
+    /// T_m of the VC-1 is 316800 + 64 clocks: 25.35 ms of 80 ns each.
+    #[test]
+    fn a_round_takes_t_m() {
+        assert_eq!(round(Screen::VC1, 16, 20), 316_864);
+        for (width, height, units, overhead) in [(2, 2, 1, 1), (5, 3, 4, 7), (16, 1, 2, 20), (1, 8, 2, 1)] {
+            let t_m = (width + overhead) * height + 4 * units;
+            assert_eq!(round(Screen { width, height }, units, overhead), u64::from(t_m), "{width} x {height}");
+        }
+    }
+}
