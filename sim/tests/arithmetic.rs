@@ -9,7 +9,7 @@ use tilewright_sim::Simulation;
 bundle! {
     pub struct Operands<T> { pub a: T, pub b: T, pub by: T }
     pub struct Results<T> {
-        pub sum: T, pub difference: T, pub product: T, pub product_signed: T,
+        pub sum: T, pub difference: T, pub product: T, pub product_signed: T, pub product_mixed: T,
         pub both_set: T, pub any_set: T, pub differ: T, pub inverse: T,
         pub lt: T, pub le: T, pub gt: T, pub ge: T, pub eq: T, pub ne: T, pub lt_signed: T, pub ge_signed: T,
         pub left: T, pub right: T, pub right_signed: T,
@@ -40,6 +40,7 @@ impl Block for Operators {
             difference: a - b,
             product: a.times(b),
             product_signed: (a.signed() * b.signed()).bits(),
+            product_mixed: (by.signed() * a.signed()).bits(),
             both_set: a & b,
             any_set: a | b,
             differ: a ^ b,
@@ -113,6 +114,9 @@ proptest! {
         expect("difference", &got.difference, (&x + &modulus - &y) % &modulus)?;
         expect("product", &got.product, &x * &y)?;
         expect("product_signed", &got.product_signed, extend(&x, 2 * width) * extend(&y, 2 * width) % &wide)?;
+        let mixed = &one << (width + 10);
+        let amount = BigUint::from(by) + if by >= 512 { &mixed - (&one << 10) } else { BigUint::ZERO };
+        expect("product_mixed", &got.product_mixed, extend(&x, width + 10) * amount % &mixed)?;
         expect("and", &got.both_set, &x & &y)?;
         expect("or", &got.any_set, &x | &y)?;
         expect("xor", &got.differ, &x ^ &y)?;

@@ -303,7 +303,7 @@ fn a_cycle_in_an_unchecked_design_is_reported() {
     let module = &mut design.modules[0];
     let not = module.nodes.iter().position(|node| matches!(node.op, Op::Unary(..))).unwrap();
     module.nodes[not].op = Op::Wire(NodeId(not as u32));
-    let error = Simulation::from_design(&design).err().expect("it goes in a circle");
+    let error = Simulation::from_design(&design).expect_err("it goes in a circle");
     assert!(matches!(error, Error::Looping(_)));
     let text = error.to_string();
     assert!(
