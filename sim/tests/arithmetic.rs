@@ -3,7 +3,7 @@
 
 use num_bigint::BigUint;
 use proptest::prelude::*;
-use tilewright_hdl::{Bits, Block, Module, Width, bits, bundle, mux, select};
+use tilewright_hdl::{Bits, Block, Module, Width, bits, bundle, case, mux, select};
 use tilewright_sim::Simulation;
 
 bundle! {
@@ -15,7 +15,7 @@ bundle! {
         pub left: T, pub right: T, pub right_signed: T,
         pub slice: T, pub both: T, pub twice: T, pub zext: T, pub sext: T,
         pub all_ones: T, pub any_one: T, pub parity: T,
-        pub mux: T, pub select: T
+        pub mux: T, pub select: T, pub chosen: T, pub zero_swapped: T
     }
 }
 
@@ -65,6 +65,8 @@ impl Block for Operators {
             any_one: a.any_one(),
             parity: a.parity(),
             mux: mux(by.bit(0), a, b),
+            chosen: case(by.slice(0..2), [(1, a), (2, b)], !a),
+            zero_swapped: case(a, [(0, b)], a),
             select: select([(by.bit(1), a), (by.bit(2), b)], a ^ b),
         }
     }
@@ -140,6 +142,8 @@ proptest! {
         expect("all_ones", &got.all_ones, flag(x == &modulus - &one))?;
         expect("any_one", &got.any_one, flag(x != BigUint::ZERO))?;
         expect("parity", &got.parity, flag(x.count_ones() % 2 == 1))?;
+        expect("chosen", &got.chosen, match by % 4 { 1 => x.clone(), 2 => y.clone(), _ => &modulus - &one - &x })?;
+        expect("zero_swapped", &got.zero_swapped, if x == BigUint::ZERO { y.clone() } else { x.clone() })?;
         expect("mux", &got.mux, if by & 1 == 1 { x.clone() } else { y.clone() })?;
         expect("select", &got.select, if by & 2 == 2 { x.clone() } else if by & 4 == 4 { y.clone() } else { &x ^ &y })?;
     }

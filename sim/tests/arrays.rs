@@ -32,7 +32,7 @@ impl Block for Cell {
         let store = m.memory("store", 4, self.width, ReadUnderWrite::Any);
         store.write(i.own.bit(0), value.slice(0..2), i.left + i.own);
         let read = store.read(i.left.slice(0..2));
-        value.next(mux(i.common.gt(i.own), value + i.left, read ^ (i.common + 3)));
+        value.next(mux(i.common.bit(0), value + i.left, read ^ (i.common + 3)));
         let seen = if self.chained { i.left } else { i.common };
         CellOut { value: value.value(), at_once: seen ^ value.value() }
     }
@@ -187,6 +187,10 @@ proptest! {
             }
             for lane in 0..lanes {
                 let value = single.peek(&format!("u_cell_{lane}.value")).unwrap();
+                for address in 0..4 {
+                    let word = single.peek_memory(&format!("u_cell_{lane}.store"), address).unwrap();
+                    prop_assert_eq!(whole.peek_memory(&format!("u_cell[{lane}].store"), address).unwrap(), word);
+                }
                 prop_assert_eq!(whole.peek(&format!("u_cell[{lane}].value")).unwrap(), value.clone());
                 prop_assert_eq!(whole.peek(&format!("u_cell[{lane}].lane.value")).unwrap(), value);
             }

@@ -61,7 +61,7 @@ fn a_stream_gives_the_outputs_of_every_cycle() {
 fn a_reset_returns_to_the_reset_values() {
     let mut sim = Simulation::of(&COUNTER).unwrap();
     sim.set(sim.i.enable, true);
-    sim.run(2);
+    sim.step();
     sim.reset();
     assert_eq!(sim.get(sim.o.count), 0);
     sim.step();
