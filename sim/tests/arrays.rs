@@ -210,7 +210,9 @@ proptest! {
 
 /// Rows in an array: lanes of lanes.
 #[derive(Debug)]
-struct Grid;
+struct Grid {
+    width: u32,
+}
 
 bundle! {
     pub struct GridOut<T> { pub total: T }
@@ -221,12 +223,12 @@ impl Block for Grid {
     type Out = GridOut;
 
     fn inputs(&self) -> RowIn<Width> {
-        RowIn { common: bits(8), entering: bits(8) }
+        RowIn { common: bits(self.width), entering: bits(self.width) }
     }
 
     fn build(&self, m: Module, i: RowIn) -> GridOut {
-        let row = Row { lanes: 3, width: 8, chained: false };
-        let rows = m.array("u_row", 2, &row, |a| RowIn { common: a.all(&i.common), entering: a.index(8) });
+        let row = Row { lanes: 3, width: self.width, chained: false };
+        let rows = m.array("u_row", 2, &row, |a| RowIn { common: a.all(&i.common), entering: a.index(self.width) });
         m.ignore(&i.entering);
         GridOut { total: rows.sum.sum() }
     }
@@ -234,23 +236,25 @@ impl Block for Grid {
 
 #[test]
 fn arrays_nest() {
-    let mut sim = Simulation::of(&Grid).unwrap();
-    sim.drive(RowIn { common: 200, entering: 0 });
-    sim.run(5);
-    let mut total = 0;
-    for row in 0..2 {
-        let mut alone = Simulation::of(&Row { lanes: 3, width: 8, chained: false }).unwrap();
-        alone.drive(RowIn { common: 200, entering: row });
-        alone.run(5);
-        for cell in 0..3 {
-            let value = sim.peek(&format!("u_row[{row}].u_cell[{cell}].value")).unwrap();
-            assert_eq!(value, alone.peek(&format!("u_cell[{cell}].value")).unwrap());
-            total += value.to_u64().unwrap();
+    for width in [8, 70] {
+        let mut sim = Simulation::of(&Grid { width }).unwrap();
+        sim.drive(RowIn { common: 200, entering: 0 });
+        sim.run(5);
+        let mut total = 0;
+        for row in 0..2 {
+            let mut alone = Simulation::of(&Row { lanes: 3, width, chained: false }).unwrap();
+            alone.drive(RowIn { common: 200, entering: row });
+            alone.run(5);
+            for cell in 0..3 {
+                let value = sim.peek(&format!("u_row[{row}].u_cell[{cell}].value")).unwrap();
+                assert_eq!(value, alone.peek(&format!("u_cell[{cell}].value")).unwrap());
+                total += value.to_u128().unwrap();
+            }
         }
+        assert_eq!(sim.get(sim.o.total).to_u128().unwrap(), total % (1 << width));
+        let error = sim.peek("u_row[2].u_cell[0].value").unwrap_err().to_string();
+        assert_eq!(error, "there is no signal `u_row[2]`: did you mean `u_row[0]`?");
     }
-    assert_eq!(sim.get(sim.o.total), total % 256);
-    let error = sim.peek("u_row[2].u_cell[0].value").unwrap_err().to_string();
-    assert_eq!(error, "there is no signal `u_row[2]`: did you mean `u_row[0]`?");
 }
 
 /// A chain of adders as deep as it is long.
