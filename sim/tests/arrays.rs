@@ -238,12 +238,12 @@ impl Block for Grid {
 fn arrays_nest() {
     for width in [8, 70] {
         let mut sim = Simulation::of(&Grid { width }).unwrap();
-        sim.drive(RowIn { common: 200, entering: 0 });
+        sim.drive(RowIn { common: 201, entering: 0 });
         sim.run(5);
         let mut total = 0;
         for row in 0..2 {
             let mut alone = Simulation::of(&Row { lanes: 3, width, chained: false }).unwrap();
-            alone.drive(RowIn { common: 200, entering: row });
+            alone.drive(RowIn { common: 201, entering: row });
             alone.run(5);
             for cell in 0..3 {
                 let value = sim.peek(&format!("u_row[{row}].u_cell[{cell}].value")).unwrap();
