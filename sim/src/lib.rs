@@ -1,4 +1,75 @@
 //! Runs a circuit cycle by cycle: engines, testbenches, waves.
+//!
+//! ```
+//! use tilewright_hdl::{Block, Module, Width, bit, bundle};
+//! use tilewright_sim::Simulation;
+//!
+//! bundle! {
+//!     /// What is counted.
+//!     pub struct CounterIn<T> { pub enable: T }
+//!     /// How many there were.
+//!     pub struct CounterOut<T> { pub count: T }
+//! }
+//!
+//! #[derive(Debug)]
+//! struct Counter { width: u32 }
+//!
+//! impl Block for Counter {
+//!     type In = CounterIn;
+//!     type Out = CounterOut;
+//!     fn inputs(&self) -> CounterIn<Width> { CounterIn { enable: bit() } }
+//!     fn build(&self, m: Module, i: CounterIn) -> CounterOut {
+//!         let count = m.reg("count", self.width).reset(0);
+//!         count.enable(i.enable).next(count + 1);
+//!         CounterOut { count: count.value() }
+//!     }
+//! }
+//!
+//! # fn main() -> Result<(), tilewright_sim::Error> {
+//! let mut sim = Simulation::of(&Counter { width: 4 })?;
+//! let wave = sim.record([sim.i.enable, sim.o.count]);
+//! for enable in [0, 1, 1, 0] {
+//!     sim.set(sim.i.enable, enable);
+//!     sim.step();
+//! }
+//! assert_eq!(sim.get(sim.o.count), 2);
+//! wave.expect(r"
+//!     clk    |___/~\_/~\_/~\_/
+//!     enable |___/~~~~~~~\____
+//!     count  | 0     | 1 | 2 |");
+//! # Ok(())
+//! # }
+//! ```
+//!
+//! # What a run means
+//!
+//! Values are two-valued and change at instants only.
+//!
+//! - **Time.** Every clock is low at time 0, rises at each multiple of its period, the first time after one period, and
+//!   falls half a period later. An *instant* is a time at which one or more clocks rise; [`Simulation::step`] goes to
+//!   the next one.
+//! - **An instant.** All expressions are settled with the inputs of this moment. The assertions of the clocks that rise
+//!   are checked, unless the clock's reset is high; if one fails, the instant does not happen and the error shows the
+//!   values before it. Then the registers, memory reads and memory writes of all those clocks sample at once, and then
+//!   they all change. Clocks that rise together therefore see each other's values from before.
+//! - **Inputs** change when they are set and hold until they are set again; at time 0 they are zero. Between two instants
+//!   the order of `set` and `get` does not matter to what is stored.
+//! - **The start** is the moment after a reset: registers with a reset value hold it, memories hold their contents.
+//!   Everything else (registers without a reset value, the data of synchronous reads, memories of unknown contents) is
+//!   zero, or follows from the seed given to [`Simulation::seeded`] and the object's own hierarchical name.
+//!   [`Simulation::reset`] holds every reset high for an edge of each clock.
+//! - **Memories.** A read gives the word from before the instant. If that word is written at the same instant, by a port
+//!   on whichever clock, and the policy is `ReadUnderWrite::Any`, the read gives the old word with every bit inverted,
+//!   so that a circuit that relies on it fails its tests. Of two writes to one word the later port of a clock wins;
+//!   of two clocks at one instant, the later in the top module's list. Beyond the depth, reads give zero and writes do
+//!   nothing. An asynchronous read follows its address and the memory's words at once.
+//! - **Arrays** of instances mean as many instances, however they are run.
+//!
+//! # How it runs
+//!
+//! [`program::compile`] makes a flat [`program::Program`] of a design; the reference engine, a plain interpreter, runs
+//! it. An instance array runs in lanes, all instances at a time. An edge evaluates only what its clock samples and what
+//! has changed; a clock whose edges change nothing costs next to nothing until something that it samples changes.
 
 mod attach;
 mod error;
@@ -17,5 +88,6 @@ mod trace;
 pub use attach::Probe;
 pub use error::{Error, UnknownName, Violation};
 pub use port::{IntoValue, Port};
+pub use program::Looping;
 pub use simulation::Simulation;
 pub use trace::{Recording, Step, Vcd, Wave};

@@ -1,5 +1,6 @@
 //! A running circuit and its testbench interface.
 
+use std::fmt;
 use std::sync::Arc;
 
 use tilewright_hdl::{Bits, Block, Bundle, DEFAULT_PERIOD, Design, Period, elaborate_typed};
@@ -217,6 +218,22 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         })
     }
 
+    /// Drives one bundle of inputs after another, an instant each, and gives the outputs settled before each edge.
+    ///
+    /// # Panics
+    ///
+    /// As [`Simulation::drive`], [`Simulation::read_u64`] and [`Simulation::step`].
+    #[track_caller]
+    pub fn stream(&mut self, inputs: impl IntoIterator<Item = I::Of<u64>>) -> Vec<O::Of<u64>> {
+        let mut outputs = Vec::new();
+        for bundle in inputs {
+            self.drive(bundle);
+            outputs.push(self.read_u64());
+            self.step();
+        }
+        outputs
+    }
+
     /// The value of anything with a name, settled: a port, a register, a named net, the data of a synchronous memory
     /// read, such as `u_cell[3].sum`.
     ///
@@ -275,5 +292,12 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         let value = *self.program.value(id);
         let start = lane as usize * value.limbs();
         Bits::from_limbs(value.width, &self.engine.read(id)[start..start + value.limbs()])
+    }
+}
+
+impl<I: Bundle, O: Bundle> fmt::Debug for Simulation<I, O> {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let top = &self.program.hierarchy.scopes[0].name;
+        f.debug_struct("Simulation").field("top", top).field("time", &self.timeline.time).finish_non_exhaustive()
     }
 }

@@ -3,19 +3,19 @@
 
 use num_bigint::BigUint;
 use proptest::prelude::*;
-use tilewright_hdl::{Bits, Block, Module, Width, bits, bundle, mux, select};
+use tilewright_hdl::{Bits, Block, Module, Width, bits, bundle, case, mux, select};
 use tilewright_sim::Simulation;
 
 bundle! {
     pub struct Operands<T> { pub a: T, pub b: T, pub by: T }
     pub struct Results<T> {
-        pub sum: T, pub difference: T, pub product: T, pub product_signed: T,
+        pub sum: T, pub difference: T, pub product: T, pub product_signed: T, pub product_mixed: T,
         pub both_set: T, pub any_set: T, pub differ: T, pub inverse: T,
         pub lt: T, pub le: T, pub gt: T, pub ge: T, pub eq: T, pub ne: T, pub lt_signed: T, pub ge_signed: T,
         pub left: T, pub right: T, pub right_signed: T,
         pub slice: T, pub both: T, pub twice: T, pub zext: T, pub sext: T,
         pub all_ones: T, pub any_one: T, pub parity: T,
-        pub mux: T, pub select: T
+        pub mux: T, pub select: T, pub chosen: T, pub zero_swapped: T
     }
 }
 
@@ -40,6 +40,7 @@ impl Block for Operators {
             difference: a - b,
             product: a.times(b),
             product_signed: (a.signed() * b.signed()).bits(),
+            product_mixed: (by.signed() * a.signed()).bits(),
             both_set: a & b,
             any_set: a | b,
             differ: a ^ b,
@@ -64,6 +65,8 @@ impl Block for Operators {
             any_one: a.any_one(),
             parity: a.parity(),
             mux: mux(by.bit(0), a, b),
+            chosen: case(by.slice(0..2), [(1, a), (2, b)], !a),
+            zero_swapped: case(a, [(0, b)], a),
             select: select([(by.bit(1), a), (by.bit(2), b)], a ^ b),
         }
     }
@@ -113,6 +116,9 @@ proptest! {
         expect("difference", &got.difference, (&x + &modulus - &y) % &modulus)?;
         expect("product", &got.product, &x * &y)?;
         expect("product_signed", &got.product_signed, extend(&x, 2 * width) * extend(&y, 2 * width) % &wide)?;
+        let mixed = &one << (width + 10);
+        let amount = BigUint::from(by) + if by >= 512 { &mixed - (&one << 10) } else { BigUint::ZERO };
+        expect("product_mixed", &got.product_mixed, extend(&x, width + 10) * amount % &mixed)?;
         expect("and", &got.both_set, &x & &y)?;
         expect("or", &got.any_set, &x | &y)?;
         expect("xor", &got.differ, &x ^ &y)?;
@@ -136,6 +142,8 @@ proptest! {
         expect("all_ones", &got.all_ones, flag(x == &modulus - &one))?;
         expect("any_one", &got.any_one, flag(x != BigUint::ZERO))?;
         expect("parity", &got.parity, flag(x.count_ones() % 2 == 1))?;
+        expect("chosen", &got.chosen, match by % 4 { 1 => x.clone(), 2 => y.clone(), _ => &modulus - &one - &x })?;
+        expect("zero_swapped", &got.zero_swapped, if x == BigUint::ZERO { y.clone() } else { x.clone() })?;
         expect("mux", &got.mux, if by & 1 == 1 { x.clone() } else { y.clone() })?;
         expect("select", &got.select, if by & 2 == 2 { x.clone() } else if by & 4 == 4 { y.clone() } else { &x ^ &y })?;
     }

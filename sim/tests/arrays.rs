@@ -32,7 +32,7 @@ impl Block for Cell {
         let store = m.memory("store", 4, self.width, ReadUnderWrite::Any);
         store.write(i.own.bit(0), value.slice(0..2), i.left + i.own);
         let read = store.read(i.left.slice(0..2));
-        value.next(mux(i.common.gt(i.own), value + i.left, read ^ (i.common + 3)));
+        value.next(mux(i.common.bit(0), value + i.left, read ^ (i.common + 3)));
         let seen = if self.chained { i.left } else { i.common };
         CellOut { value: value.value(), at_once: seen ^ value.value() }
     }
@@ -187,6 +187,10 @@ proptest! {
             }
             for lane in 0..lanes {
                 let value = single.peek(&format!("u_cell_{lane}.value")).unwrap();
+                for address in 0..4 {
+                    let word = single.peek_memory(&format!("u_cell_{lane}.store"), address).unwrap();
+                    prop_assert_eq!(whole.peek_memory(&format!("u_cell[{lane}].store"), address).unwrap(), word);
+                }
                 prop_assert_eq!(whole.peek(&format!("u_cell[{lane}].value")).unwrap(), value.clone());
                 prop_assert_eq!(whole.peek(&format!("u_cell[{lane}].lane.value")).unwrap(), value);
             }
@@ -206,7 +210,9 @@ proptest! {
 
 /// Rows in an array: lanes of lanes.
 #[derive(Debug)]
-struct Grid;
+struct Grid {
+    width: u32,
+}
 
 bundle! {
     pub struct GridOut<T> { pub total: T }
@@ -217,12 +223,12 @@ impl Block for Grid {
     type Out = GridOut;
 
     fn inputs(&self) -> RowIn<Width> {
-        RowIn { common: bits(8), entering: bits(8) }
+        RowIn { common: bits(self.width), entering: bits(self.width) }
     }
 
     fn build(&self, m: Module, i: RowIn) -> GridOut {
-        let row = Row { lanes: 3, width: 8, chained: false };
-        let rows = m.array("u_row", 2, &row, |a| RowIn { common: a.all(&i.common), entering: a.index(8) });
+        let row = Row { lanes: 3, width: self.width, chained: false };
+        let rows = m.array("u_row", 2, &row, |a| RowIn { common: a.all(&i.common), entering: a.index(self.width) });
         m.ignore(&i.entering);
         GridOut { total: rows.sum.sum() }
     }
@@ -230,23 +236,25 @@ impl Block for Grid {
 
 #[test]
 fn arrays_nest() {
-    let mut sim = Simulation::of(&Grid).unwrap();
-    sim.drive(RowIn { common: 200, entering: 0 });
-    sim.run(5);
-    let mut total = 0;
-    for row in 0..2 {
-        let mut alone = Simulation::of(&Row { lanes: 3, width: 8, chained: false }).unwrap();
-        alone.drive(RowIn { common: 200, entering: row });
-        alone.run(5);
-        for cell in 0..3 {
-            let value = sim.peek(&format!("u_row[{row}].u_cell[{cell}].value")).unwrap();
-            assert_eq!(value, alone.peek(&format!("u_cell[{cell}].value")).unwrap());
-            total += value.to_u64().unwrap();
+    for width in [8, 70] {
+        let mut sim = Simulation::of(&Grid { width }).unwrap();
+        sim.drive(RowIn { common: 201, entering: 0 });
+        sim.run(5);
+        let mut total = 0;
+        for row in 0..2 {
+            let mut alone = Simulation::of(&Row { lanes: 3, width, chained: false }).unwrap();
+            alone.drive(RowIn { common: 201, entering: row });
+            alone.run(5);
+            for cell in 0..3 {
+                let value = sim.peek(&format!("u_row[{row}].u_cell[{cell}].value")).unwrap();
+                assert_eq!(value, alone.peek(&format!("u_cell[{cell}].value")).unwrap());
+                total += value.to_u128().unwrap();
+            }
         }
+        assert_eq!(sim.get(sim.o.total).to_u128().unwrap(), total % (1 << width));
+        let error = sim.peek("u_row[2].u_cell[0].value").unwrap_err().to_string();
+        assert_eq!(error, "there is no signal `u_row[2]`: did you mean `u_row[0]`?");
     }
-    assert_eq!(sim.get(sim.o.total), total % 256);
-    let error = sim.peek("u_row[2].u_cell[0].value").unwrap_err().to_string();
-    assert_eq!(error, "there is no signal `u_row[2]`: did you mean `u_row[0]`?");
 }
 
 /// A chain of adders as deep as it is long.
@@ -303,7 +311,7 @@ fn a_cycle_in_an_unchecked_design_is_reported() {
     let module = &mut design.modules[0];
     let not = module.nodes.iter().position(|node| matches!(node.op, Op::Unary(..))).unwrap();
     module.nodes[not].op = Op::Wire(NodeId(not as u32));
-    let error = Simulation::from_design(&design).err().expect("it goes in a circle");
+    let error = Simulation::from_design(&design).expect_err("it goes in a circle");
     assert!(matches!(error, Error::Looping(_)));
     let text = error.to_string();
     assert!(

@@ -98,17 +98,10 @@ pub enum Kind {
     },
 }
 
-impl Kind {
-    /// Calls `visit` with every operand.
-    pub fn for_each_operand(&self, mut visit: impl FnMut(ValueId)) {
-        self.clone().rewrite(|operand| {
-            visit(*operand);
-        });
-    }
-
-    /// Calls `visit` with every operand, which it may replace.
-    pub fn rewrite(&mut self, mut visit: impl FnMut(&mut ValueId)) {
-        match self {
+/// Calls `$visit` with a reference to every operand, shared or not as `$iter` says.
+macro_rules! each_operand {
+    ($kind:expr, $iter:ident, $visit:ident) => {
+        match $kind {
             Kind::State | Kind::Const(_) => {}
             Kind::Alias(a)
             | Kind::Unary(_, a)
@@ -118,33 +111,46 @@ impl Kind {
             | Kind::Read { address: a, .. }
             | Kind::Broadcast(a, _)
             | Kind::Lane { of: a, .. }
-            | Kind::Reduce { of: a, .. } => visit(a),
+            | Kind::Reduce { of: a, .. } => $visit(a),
             Kind::Binary(_, a, b)
             | Kind::Compare(_, _, a, b)
             | Kind::Shift(_, a, b)
             | Kind::Shifted { of: a, edge: b, .. } => {
-                visit(a);
-                visit(b);
+                $visit(a);
+                $visit(b);
             }
             Kind::Mux { select, on_true, on_false } => {
-                visit(select);
-                visit(on_true);
-                visit(on_false);
+                $visit(select);
+                $visit(on_true);
+                $visit(on_false);
             }
             Kind::Select { arms, default } => {
-                arms.iter_mut().for_each(|(condition, value)| {
-                    visit(condition);
-                    visit(value);
+                arms.$iter().for_each(|(condition, value)| {
+                    $visit(condition);
+                    $visit(value);
                 });
-                visit(default);
+                $visit(default);
             }
             Kind::Case { subject, arms, default } => {
-                visit(subject);
-                arms.iter_mut().for_each(|(_, value)| visit(value));
-                visit(default);
+                $visit(subject);
+                arms.$iter().for_each(|(_, value)| $visit(value));
+                $visit(default);
             }
-            Kind::Concat(parts) | Kind::PerLane(parts) => parts.iter_mut().for_each(visit),
+            Kind::Concat(parts) | Kind::PerLane(parts) => parts.$iter().for_each($visit),
         }
+    };
+}
+
+impl Kind {
+    /// Calls `visit` with every operand.
+    pub fn for_each_operand(&self, mut visit: impl FnMut(ValueId)) {
+        let mut visit = |operand: &ValueId| visit(*operand);
+        each_operand!(self, iter, visit);
+    }
+
+    /// Calls `visit` with every operand, which it may replace.
+    pub fn rewrite(&mut self, mut visit: impl FnMut(&mut ValueId)) {
+        each_operand!(self, iter_mut, visit);
     }
 
     /// Whether each lane of the result depends on the same lane of the operands alone.

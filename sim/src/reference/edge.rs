@@ -1,9 +1,10 @@
 //! An instant at which clocks rise: everything samples, then everything changes.
 
+use tilewright_hdl::ir::ReadUnderWrite;
+
 use super::Engine;
 use super::memory::{address, word};
 use crate::program::{Program, Readers, Triggers, ValueId};
-use tilewright_hdl::ir::ReadUnderWrite;
 
 /// An assertion that does not hold.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -221,4 +222,57 @@ fn replace(out: &mut [u64], next: &[u64]) -> bool {
 /// Replaces every lane of `out` by `value`; whether any changed.
 fn fill(out: &mut [u64], value: &[u64]) -> bool {
     out.chunks_exact_mut(value.len()).fold(false, |changed, lane| replace(lane, value) | changed)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use tilewright_hdl::{Block, Module, Width, bits, bundle, elaborate};
+
+    use super::*;
+    use crate::program::compile;
+
+    bundle! {
+        pub struct In<T> { pub x: T }
+        pub struct Out<T> { pub y: T }
+    }
+
+    /// A running exclusive or.
+    #[derive(Debug)]
+    struct Toggle;
+
+    impl Block for Toggle {
+        type In = In;
+        type Out = Out;
+
+        fn inputs(&self) -> In<Width> {
+            In { x: bits(8) }
+        }
+
+        fn build(&self, m: Module, i: In) -> Out {
+            let y = m.reg("y", 8).reset(0);
+            y.next(y ^ i.x);
+            Out { y: y.value() }
+        }
+    }
+
+    #[test]
+    fn a_clock_rests_until_something_changes() {
+        let program = Arc::new(compile(&elaborate(&Toggle).unwrap()).unwrap());
+        let mut engine = Engine::new(program.clone(), 0);
+        let (x, y) = (&program.inputs[0], program.outputs[0].value);
+        engine.edge(&[0]);
+        assert!(engine.idle[0], "nothing changed");
+        engine.write(x.value, &[5], x.triggers);
+        engine.edge(&[0]);
+        assert_eq!((engine.idle[0], engine.read(y)[0]), (false, 5));
+        engine.edge(&[0]);
+        assert_eq!((engine.idle[0], engine.read(y)[0]), (false, 0), "the register feeds itself");
+        engine.write(x.value, &[0], x.triggers);
+        engine.edge(&[0]);
+        assert!(engine.idle[0]);
+        engine.set_reset(0, true);
+        assert!(!engine.idle[0]);
+    }
 }

@@ -1,0 +1,141 @@
+//! Several clocks: the order of edges, what crosses, and memories between two clocks against a plain model.
+#![allow(missing_docs)]
+
+use proptest::prelude::*;
+use tilewright_hdl::{Block, Clock, Module, Period, ReadUnderWrite, Signal, Width, bit, bits, bundle};
+use tilewright_sim::Simulation;
+
+const FAST: Clock = Clock::new("fast", Period::ps(2_000));
+const SLOW: Clock = Clock::new("slow", Period::ps(3_000));
+
+/// A count on each of two clocks; each is sampled by the other.
+#[derive(Debug)]
+struct Pair;
+
+bundle! {
+    pub struct PairOut<T> { pub fast: T, pub slow: T, pub fast_seen: T, pub slow_seen: T }
+}
+
+impl Block for Pair {
+    type In = ();
+    type Out = PairOut;
+
+    fn inputs(&self) {}
+
+    fn build(&self, m: Module, _: ()) -> PairOut {
+        let count = |name: &str, clock| {
+            let count = m.on(clock).reg(name, 8).reset(0);
+            count.next(count + 1);
+            count.value()
+        };
+        let seen = |name: &str, clock, of: Signal| m.on(clock).pipe(name, of.quasi_static("the test samples it"));
+        let (fast, slow) = (count("fast_count", FAST), count("slow_count", SLOW));
+        PairOut { fast, slow, fast_seen: seen("fast_seen", SLOW, fast), slow_seen: seen("slow_seen", FAST, slow) }
+    }
+}
+
+#[test]
+fn clocks_that_rise_together_sample_together() {
+    let mut sim = Simulation::of(&Pair).unwrap();
+    let mut seen = Vec::new();
+    while sim.time() < 6_000 {
+        sim.step();
+        let out = sim.read_u64();
+        seen.push((sim.time(), out.fast, out.slow, out.fast_seen, out.slow_seen));
+    }
+    assert_eq!(seen, [(2_000, 1, 0, 0, 0), (3_000, 1, 1, 1, 0), (4_000, 2, 1, 1, 1), (6_000, 3, 2, 2, 1)]);
+    sim.step_clock("slow", 2);
+    assert_eq!((sim.time(), sim.cycles("fast"), sim.cycles("slow_clk")), (12_000, Ok(6), Ok(4)));
+    sim.run_until(14_999);
+    assert_eq!(sim.time(), 14_000);
+}
+
+#[test]
+fn a_wave_of_two_clocks_shows_both() {
+    let mut sim = Simulation::of(&Pair).unwrap();
+    let wave = sim.record([sim.o.fast, sim.o.slow]);
+    sim.run(6);
+    wave.expect(
+        r"
+        fast_clk |___/~~~\___/~\_/~\_/~~~\
+        slow_clk |_______/~~~~~\_/~\_____/
+        fast     | 0 | 1     | 2 | 3 | 4 |
+        slow     | 0     | 1     | 2     |",
+    );
+}
+
+bundle! {
+    pub struct StoreIn<T> { pub write: T, pub to: T, pub data: T, pub read: T, pub from: T }
+    pub struct StoreOut<T> { pub word: T, pub at_once: T }
+}
+
+/// A memory written on one clock and read on another.
+#[derive(Debug)]
+struct Store {
+    policy: ReadUnderWrite,
+}
+
+impl Block for Store {
+    type In = StoreIn;
+    type Out = StoreOut;
+
+    fn inputs(&self) -> StoreIn<Width> {
+        let fast = |width| bits(width).on(FAST);
+        StoreIn { write: bit().on(FAST), to: fast(2), data: fast(8), read: bit().on(SLOW), from: bits(2).on(SLOW) }
+    }
+
+    fn build(&self, m: Module, i: StoreIn) -> StoreOut {
+        let store = m.memory("store", 4, 8, self.policy);
+        store.on(FAST).write(i.write, i.to, i.data);
+        StoreOut { word: store.on(SLOW).read_when(i.read, i.from), at_once: store.on(SLOW).read_async(i.from) }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 60, failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// Inputs often stay as they are, so that edges that change nothing are met as well.
+    #[test]
+    fn a_memory_between_two_clocks_follows_its_policy(
+        any_policy: bool,
+        stimulus in prop::collection::vec((1..6usize, 0..2u64, 0..4u64, 0..3u64, 0..2u64, 0..4u64), 1..40),
+    ) {
+        let policy = if any_policy { ReadUnderWrite::Any } else { ReadUnderWrite::Old };
+        let mut sim = Simulation::of(&Store { policy }).unwrap();
+        let (mut words, mut word, mut time) = ([0u64; 4], 0, 0u64);
+        for (repeat, write, to, data, read, from) in stimulus {
+            sim.drive(StoreIn { write, to, data, read, from });
+            for _ in 0..repeat {
+                sim.step();
+                time += 1_000;
+                while time % 2_000 != 0 && time % 3_000 != 0 {
+                    time += 1_000;
+                }
+                let (fast, slow) = (time % 2_000 == 0, time % 3_000 == 0);
+                if slow && read == 1 {
+                    let collides = any_policy && fast && write == 1 && to == from;
+                    word = if collides { !words[from as usize] & 255 } else { words[from as usize] };
+                }
+                if fast && write == 1 {
+                    words[to as usize] = data;
+                }
+                prop_assert_eq!(sim.time(), time);
+                prop_assert_eq!(sim.read_u64(), StoreOut { word, at_once: words[from as usize] });
+            }
+        }
+    }
+}
+
+#[test]
+fn an_edge_evaluates_nothing_that_depends_on_another_clock_alone() {
+    use tilewright_sim::program::{Readers, Triggers};
+    let sim = Simulation::of(&Pair).unwrap();
+    let clocks = &sim.program().clocks;
+    for (index, clock) in clocks.iter().enumerate() {
+        let other = 1 - index;
+        let own: Vec<_> = sim.program().segments.iter().filter(|it| it.readers.meet(Readers::edge(index))).collect();
+        assert!(!own.is_empty());
+        assert!(own.iter().all(|segment| !segment.triggers.meet(Triggers::state(other))), "{}", clock.name);
+        assert!(clock.triggers.meet(Triggers::state(other)), "it samples the other count");
+    }
+}
