@@ -1,9 +1,8 @@
 //! A counter: described, tested, shown as a wave, printed as Verilog.
-//!
 //! `cargo run -p tilewright-hdl --example counter`
 
 use tilewright_hdl::*;
-use tilewright_sim::Simulation;
+use tilewright_sim::{Simulation, Vcd};
 
 bundle! {
     struct CounterIn<T> { enable: T }
@@ -37,16 +36,16 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let counter = Counter { width: 4, limit: 3 };
 
     let mut sim = Simulation::of(&counter)?;
+    sim.trace(Vcd::to(std::env::temp_dir().join("counter.vcd")))?;
     let wave = sim.record([sim.i.enable, sim.o.count, sim.o.wraps]);
     for (enable, count) in [(1, 0), (1, 1), (0, 2), (1, 2), (1, 0)] {
         sim.drive(CounterIn { enable });
         assert_eq!(sim.get(sim.o.count), count);
         sim.step();
     }
+    sim.finish()?;
     println!("{wave}");
 
-    for file in tilewright_gen::verilog(&elaborate(&counter)?) {
-        print!("{}", file.text);
-    }
+    print!("{}", tilewright_gen::verilog(&elaborate(&counter)?)[0].text);
     Ok(())
 }

@@ -1,9 +1,8 @@
 //! A pedestrian crossing: a small state machine over an enum, whose state shows by name in waves and Verilog.
-//!
 //! `cargo run -p tilewright-hdl --example crossing`
 
 use tilewright_hdl::*;
-use tilewright_sim::Simulation;
+use tilewright_sim::{Simulation, Vcd};
 
 states! { enum Light { Green, Amber, Red } }
 
@@ -12,12 +11,10 @@ bundle! {
     struct CrossingOut<T> { cars_stop: T, walk: T }
 }
 
-/// Cars have green until somebody presses the button, and then at least for `green` clocks since the last time.
+/// Cars have green until somebody presses the button, but for `clocks[0]` clocks; then amber and red for the others.
 #[derive(Debug)]
 struct Crossing {
-    green: u64,
-    amber: u64,
-    red: u64,
+    clocks: [u64; 3],
 }
 
 impl Block for Crossing {
@@ -31,13 +28,7 @@ impl Block for Crossing {
     fn build(&self, m: Module, i: CrossingIn) -> CrossingOut {
         let light = m.fsm("light", Light::Green);
         let clocks = m.reg("clocks", 4).reset(1);
-        net!(
-            over = clocks.eq(light.constants(4, |light| match light {
-                Light::Green => self.green,
-                Light::Amber => self.amber,
-                Light::Red => self.red,
-            }))
-        );
+        net!(over = clocks.eq(light.constants(4, |light| self.clocks[light as usize])));
         net!(changes = over & (i.button | !light.is(Light::Green)));
         clocks.enable(changes | !over).next(mux(changes, 1, clocks + 1));
         light.next(|light| match light {
@@ -50,12 +41,16 @@ impl Block for Crossing {
 }
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let mut sim = Simulation::of(&Crossing { green: 3, amber: 1, red: 2 })?;
+    let crossing = Crossing { clocks: [3, 1, 2] };
+    let mut sim = Simulation::of(&crossing)?;
+    sim.trace(Vcd::to(std::env::temp_dir().join("crossing.vcd")))?;
     let wave = sim.record(["button", "light", "clocks", "walk"]);
-    for button in [0, 0, 1, 1, 0, 0, 0, 0] {
+    for (button, walk) in [(0, 0), (0, 0), (1, 0), (1, 0), (0, 1), (0, 1), (0, 0)] {
         sim.drive(CrossingIn { button });
+        assert_eq!(sim.get(sim.o.walk), walk);
         sim.step();
     }
-    println!("{wave}");
+    sim.finish()?;
+    println!("{wave}{}", tilewright_gen::verilog(&elaborate(&crossing)?)[0].text);
     Ok(())
 }

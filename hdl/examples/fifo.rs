@@ -1,9 +1,8 @@
 //! A first-in first-out queue: a memory, two pointers, and flags that never lie.
-//!
 //! `cargo run -p tilewright-hdl --example fifo`
 
 use tilewright_hdl::*;
-use tilewright_sim::Simulation;
+use tilewright_sim::{Simulation, Vcd};
 
 bundle! {
     struct FifoIn<T> { push: T, data: T, pop: T }
@@ -27,34 +26,34 @@ impl Block for Fifo {
 
     fn build(&self, m: Module, i: FifoIn) -> FifoOut {
         let words = m.memory("words", self.depth, self.width, ReadUnderWrite::Old);
-        let address = words.address_width();
-        // One bit more than an address tells full from empty.
+        let address = words.address_width(); // One bit more tells full from empty.
         let oldest = m.reg("oldest", address + 1).reset(0);
         let free = m.reg("free", address + 1).reset(0);
         net!(empty = oldest.eq(free));
         net!(full = (oldest ^ free).eq(self.depth));
-        net!(pushes = i.push & !full);
-        words.write(pushes, free.trunc(address), i.data);
-        free.enable(pushes).next(free + 1);
+        words.write(i.push & !full, free.trunc(address), i.data);
+        free.enable(i.push & !full).next(free + 1);
         oldest.enable(i.pop & !empty).next(oldest + 1);
         FifoOut { head: words.read_async(oldest.trunc(address)), empty, full }
     }
 }
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let mut sim = Simulation::of(&Fifo { depth: 4, width: 8 })?;
+    let fifo = Fifo { depth: 4, width: 8 };
+    let mut sim = Simulation::of(&fifo)?;
+    sim.trace(Vcd::to(std::env::temp_dir().join("fifo.vcd")))?;
     let wave = sim.record([sim.i.push, sim.i.data, sim.i.pop, sim.o.head, sim.o.empty, sim.o.full]);
     for data in [10, 11, 12, 13, 14] {
         sim.drive(FifoIn { push: 1, data, pop: 0 });
         sim.step();
     }
-    assert_eq!(sim.get(sim.o.full), true);
     for data in [10, 11, 12, 13] {
         sim.drive(FifoIn { push: 0, data: 0, pop: 1 });
         assert_eq!(sim.get(sim.o.head), data);
         sim.step();
     }
     assert_eq!(sim.get(sim.o.empty), true);
-    println!("{wave}");
+    sim.finish()?;
+    println!("{wave}{}", tilewright_gen::verilog(&elaborate(&fifo)?)[0].text);
     Ok(())
 }

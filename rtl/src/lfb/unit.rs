@@ -19,8 +19,8 @@
 //! every enabled clock of the merger, 2 of them after the scan counter shows its pixel.
 //!
 //! The unit has two buffers: the processor draws into the front one, while the merger is sent the back one. Each holds
-//! the whole screen virtually, in pages that are given to the patches drawn into.
-//! A patch that has no page is sent as the greatest depth (VC1-MU).
+//! the whole screen virtually, in pages that are given to the patches drawn into. A patch that has no page is sent as
+//! empty, the greatest depth (VC1-MU).
 //!
 //! # Swapping
 //!
@@ -214,13 +214,15 @@ impl Block for LfbUnit {
                 },
             },
         );
-        pe.assert(!i.swap | table.overflow | (table.idle & image.idle), "buffers are swapped when idle or in overflow");
+        let idle = table.idle & image.idle;
+        pe.assert(!i.swap | table.overflow | idle, "the buffers are swapped when idle or in overflow");
+        pe.assert(!i.swap | settled, "the buffers are not swapped again before the merger has followed");
         LfbUnitOut {
             ready: table.ready,
             clear_ready: table.clear_ready,
             overflow: table.overflow,
             pages_used: table.pages_used,
-            idle: table.idle & image.idle,
+            idle,
             word: image.sent,
         }
     }

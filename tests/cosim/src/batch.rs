@@ -51,7 +51,10 @@ impl Tool {
         let is_here = self.programs().iter().all(is_program);
         if !is_here {
             let name = self.name();
-            assert!(std::env::var_os("CI").is_none(), "{name} is not installed, and CI is set: install it, or unset CI");
+            assert!(
+                std::env::var_os("CI").is_none(),
+                "{name} is not installed, and CI is set: install it, or unset CI"
+            );
             eprintln!("skipped: {name} is not installed");
         }
         is_here

@@ -351,12 +351,8 @@ impl<'a> Builder<'a> {
         let crossing = memory.crossing && self.block.second().is_some();
         let policy = if crossing { ReadUnderWrite::Old } else { memory.policy };
         // A memory handle goes from the own clock to the second one, not back.
-        let mut mem = self.on(if crossing { 0 } else { d }).memory(
-            &format!("m{number}"),
-            memory.depth,
-            memory.width,
-            policy,
-        );
+        let mut mem =
+            self.on(if crossing { 0 } else { d }).memory(&format!("m{number}"), memory.depth, memory.width, policy);
         if memory.writes.len() > 1 {
             mem = mem.true_dual_port();
         }
@@ -423,9 +419,8 @@ impl<'a> Builder<'a> {
         let Some(child) = self.child(part) else { return };
         let mut picks = inputs.iter().copied().chain(std::iter::repeat(Pick(1)));
         let [own, second] = [0, 1].map(|domain| {
-            let feed = |input: &Input| {
-                self.pick_fit(Self::outside(d, domain), picks.next().expect("endless"), input.width)
-            };
+            let feed =
+                |input: &Input| self.pick_fit(Self::outside(d, domain), picks.next().expect("endless"), input.width);
             child.inputs_on(domain).map(feed).collect()
         });
         let out = self.on(d).instance(&format!("u{number}"), &child, PartIn { own, second });
@@ -499,9 +494,9 @@ impl<'a> Builder<'a> {
             let link = |input: &Input| Some(self.pick_fit(domain, input.link?, input.width));
             block.inputs_on(domain).filter_map(link).collect()
         });
-        let [out, second_out] = self.pools.map(|pool| {
-            pool.iter().filter(|value| !value.is_read).map(|value| value.signal).collect::<Vec<_>>()
-        });
+        let [out, second_out] = self
+            .pools
+            .map(|pool| pool.iter().filter(|value| !value.is_read).map(|value| value.signal).collect::<Vec<_>>());
         let nothing = out.is_empty() && second_out.is_empty();
         PartOut { out: if nothing { vec![lit(1, 1)] } else { out }, second_out, link, second_link }
     }

@@ -159,7 +159,8 @@ impl Campaign {
     /// Elaborates, runs and prints a design; what goes wrong on the way is a failure as well.
     fn simulate(&self, spec: &Spec, number: u64) -> Result<(Replay, Printed), String> {
         let run = || {
-            let design = elaborate(&build::top(spec, &format!("d{number}"))).map_err(|problems| problems.to_string())?;
+            let design =
+                elaborate(&build::top(spec, &format!("d{number}"))).map_err(|problems| problems.to_string())?;
             let replay = stimulus::run(&design, &spec.stimulus).map_err(|error| error.to_string())?;
             let printed = Printed { files: (self.printer)(&design), bench: testbench(&design, &replay) };
             Ok((replay, printed))

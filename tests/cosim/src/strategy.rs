@@ -70,7 +70,8 @@ fn pattern() -> impl Strategy<Value = Pattern> {
 }
 
 fn step() -> impl Strategy<Value = Step> {
-    let make = prop_oneof![12 => operator().boxed(), 6 => choice().boxed(), 4 => wiring().boxed(), 10 => object().boxed()];
+    let make =
+        prop_oneof![12 => operator().boxed(), 6 => choice().boxed(), 4 => wiring().boxed(), 10 => object().boxed()];
     (clock(), make).prop_map(|(clock, make)| Step { clock, make })
 }
 
@@ -84,8 +85,7 @@ fn shift() -> impl Strategy<Value = Shift> {
 
 fn operator() -> impl Strategy<Value = Make> {
     let unary = select(vec![Unary::Not, Unary::Negative, Unary::AllOnes, Unary::AnyOne, Unary::Parity]);
-    let binary =
-        select(vec![Binary::Add, Binary::Sub, Binary::And, Binary::Or, Binary::Xor, Binary::AddCarry]);
+    let binary = select(vec![Binary::Add, Binary::Sub, Binary::And, Binary::Or, Binary::Xor, Binary::AddCarry]);
     prop_oneof![
         2 => (unary, pick()).prop_map(|(op, a)| Make::Unary(op, a)),
         4 => (binary, picks()).prop_map(|(op, [a, b])| Make::Binary(op, a, b)),
@@ -145,8 +145,11 @@ fn memory() -> impl Strategy<Value = Memory> {
         vec(pattern(), 1..8).prop_map(Contents::Words),
     ];
     let policy = prop_oneof![Just(ReadUnderWrite::Old), Just(ReadUnderWrite::Any)];
-    let read = (any::<bool>(), of(pick()), pick())
-        .prop_map(|(asynchronous, enable, address)| Read { asynchronous, enable, address });
+    let read = (any::<bool>(), of(pick()), pick()).prop_map(|(asynchronous, enable, address)| Read {
+        asynchronous,
+        enable,
+        address,
+    });
     let write = || picks().prop_map(|[enable, address, data]| Write { enable, address, data });
     let ports = (vec(read, 1..3), prop_oneof![1 => vec(write(), 0), 4 => vec(write(), 1), 1 => vec(write(), 2)]);
     let depth = prop_oneof![1..9u32, 9..40u32];
@@ -172,11 +175,8 @@ fn array() -> impl Strategy<Value = Make> {
         any::<u8>().prop_map(Feed::Link),
     ];
     let reduction = select(vec![Reduction::And, Reduction::Or, Reduction::Xor, Reduction::Add]);
-    let gather = prop_oneof![
-        reduction.prop_map(Gather::Reduce),
-        (0..5u32).prop_map(Gather::Lane),
-        Just(Gather::Concat),
-    ];
+    let gather =
+        prop_oneof![reduction.prop_map(Gather::Reduce), (0..5u32).prop_map(Gather::Lane), Just(Gather::Concat),];
     (pick(), 1..6u32, any::<bool>(), vec((feed, pick()), 0..5), vec(gather, 0..6)).prop_map(
         |(part, lanes, towards_lower, inputs, outputs)| Make::Array { part, lanes, towards_lower, inputs, outputs },
     )

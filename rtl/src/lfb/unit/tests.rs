@@ -42,12 +42,16 @@ struct Bench {
     /// How many pixels were sent since the last swap.
     since_swap: u64,
     overflows: u64,
+    /// The first clock in which the first stage ends its last look-up, and in which it can read the table again.
+    found: u64,
+    table_free: u64,
 }
 
 impl Bench {
     fn new(screen: Screen, edge: u32, pages: u32, position: u32) -> Bench {
         let unit = LfbUnit::new(Patches::new(screen, edge).unwrap(), pages).unwrap();
-        let mut sim = Simulation::of(&unit).unwrap();
+        // Registers without a reset start with any value.
+        let mut sim = Simulation::of(&unit).unwrap().seeded(7);
         sim.reset();
         let (x, y) = (sim.i.preset.x, sim.i.preset.y);
         let preset = ScanCounter::preset(screen, position);
@@ -67,6 +71,8 @@ impl Bench {
             advanced: 0,
             since_swap: 0,
             overflows: 0,
+            found: 0,
+            table_free: 0,
         }
     }
 
@@ -129,8 +135,10 @@ impl Bench {
         self.sim.set(self.sim.i.request.x, x);
         self.sim.set(self.sim.i.request.y, y);
         self.sim.set(self.sim.i.request.word, word);
+        let due = self.now().max(self.found);
         self.wait_until(|o| o.ready);
         let accepted = self.now();
+        assert_eq!(accepted, due, "a request is accepted when the one before has its page");
         self.clock();
         self.sim.set(self.sim.i.request.valid, 0);
 
@@ -145,6 +153,9 @@ impl Bench {
             self.clock();
             self.sim.set(self.sim.i.resume, 0);
         }
+        // Read, examine, for a miss allocate: the next clock is the last.
+        let miss = u64::from(!self.model.resident.contains(&patch));
+        self.found = self.now().max(self.table_free) + 2 + miss;
         self.model.draw(patch, (x, y), word);
         accepted
     }
@@ -183,6 +194,7 @@ impl Bench {
         let accepted = self.now();
         self.clock();
         self.sim.set(self.sim.i.clear.valid, 0);
+        self.table_free = accepted + 3;
         accepted
     }
 
@@ -270,6 +282,15 @@ fn of_the_words_drawn_on_a_pixel_the_smallest_is_sent() {
     bench.swap();
     assert_eq!(bench.expected, BTreeMap::from([((23, 19), 5)]));
     bench.finish_scan();
+}
+
+#[test]
+#[should_panic(expected = "the buffers are swapped when idle or in overflow")]
+fn swapping_while_a_request_is_under_way_is_an_error() {
+    let mut bench = Bench::new(SMALL, 4, 30, 0);
+    bench.draw((0, 0), 1);
+    bench.sim.set(bench.sim.i.swap, 1);
+    bench.clock();
 }
 
 #[test]

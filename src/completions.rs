@@ -1,0 +1,27 @@
+//! `tilewright completions`: a script that completes commands, options and names in a shell.
+
+use crate::CommandLine;
+use crate::shell::{Exit, Failure, output};
+use clap::{Args, CommandFactory};
+use clap_complete::Shell;
+
+/// Prints the completion script of a shell
+#[derive(Args)]
+#[command(after_help = "\
+Examples:
+  tilewright completions bash > tilewright.bash
+  tilewright completions zsh > _tilewright")]
+pub struct Completions {
+    /// The shell
+    shell: Shell,
+}
+
+impl Completions {
+    /// Prints the script.
+    pub fn run(self) -> Result<Exit, Failure> {
+        let mut script = Vec::new();
+        clap_complete::generate(self.shell, &mut CommandLine::command(), "tilewright", &mut script);
+        output::print(&String::from_utf8_lossy(&script))?;
+        Ok(Exit::Done)
+    }
+}

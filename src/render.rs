@@ -1,0 +1,125 @@
+//! `tilewright render`: a frame from a machine's hardware, its cycle report, and the comparison with the golden image.
+
+use crate::machine::Machine;
+use crate::scene::SceneArguments;
+use crate::shell::{Exit, Failure, Progress, interrupt, output};
+use crate::trace::TraceOptions;
+use crate::verdict::{Golden, Verdict};
+use clap::Args;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use serde::Serialize;
+use std::path::PathBuf;
+use tilewright_machines::{Watch, vc1};
+use tilewright_scenes::{Frame, Projection, Scene};
+
+/// Renders a scene on a machine, clock by clock, and compares the frame with the golden image
+#[derive(Args)]
+#[command(after_help = "\
+Examples:
+  tilewright render teapot --machine vc1 -o frame.png
+  tilewright render teapot --processors 4 --size 160x120 --json
+  tilewright render teapot --size 64x48 --processors 2 --vcd run.vcd --scope 'u_gfb.*' --from 10us --to 20us
+
+Exit code 1 means that the frame differs from the golden image. The report names the first pixel that does, and beside the frame
+stands a picture of the differences, such as frame.difference.png.")]
+pub struct Render {
+    #[command(flatten)]
+    scene: SceneArguments,
+    /// The machine
+    #[arg(long, value_enum, default_value_t = Machine::Vc1)]
+    machine: Machine,
+    /// The frame, a PNG file
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+    /// Processing elements
+    #[arg(long, value_name = "N", default_value_t = 16,
+          value_parser = clap::value_parser!(u32).range(1..=i64::from(vc1::Config::MAX_PROCESSORS)))]
+    processors: u32,
+    /// The edge of a patch in pixels
+    #[arg(long, value_name = "EDGE", default_value = "4",
+          value_parser = PossibleValuesParser::new(["4", "8", "16"]).map(|edge| edge.parse::<u32>().unwrap_or_default()))]
+    patch: u32,
+    /// Pages of image memory in each local frame buffer [default: those of 65536 pixels, or the whole screen]
+    #[arg(long, value_name = "N")]
+    pages: Option<u32>,
+    /// Compare the colours with this picture instead of the software rasterizer's frame
+    #[arg(long, value_name = "FILE")]
+    golden: Option<PathBuf>,
+    /// Print the report as JSON
+    #[arg(long)]
+    json: bool,
+    /// Write the waveform of the run, a VCD file
+    #[arg(long, value_name = "FILE")]
+    vcd: Option<PathBuf>,
+    #[command(flatten)]
+    filters: TraceOptions,
+}
+
+#[derive(Serialize)]
+struct Report<'a> {
+    format: u32,
+    scene: &'a str,
+    machine: &'static str,
+    report: &'a vc1::Report,
+    golden: &'a Verdict,
+}
+
+impl Render {
+    /// Renders, compares, writes the files and reports.
+    pub fn run(self) -> Result<Exit, Failure> {
+        self.check()?;
+        let (scene, projection) = self.scene.load()?;
+        let golden = Golden::new(self.golden.as_deref(), &scene, &projection)?;
+        let (frame, report) = self.simulate(&scene, &projection)?;
+        let verdict = golden.judge(&frame);
+        if let Some(path) = &self.output {
+            output::write_file(path, &frame.to_png())?;
+            if let Some(picture) = &verdict.picture {
+                output::write_file(&path.with_extension("difference.png"), &picture.to_png())?;
+            }
+        }
+        match self.json {
+            true => output::print_json(&Report {
+                format: 1,
+                scene: &scene.name,
+                machine: self.machine.name(),
+                report: &report,
+                golden: &verdict,
+            })?,
+            false => output::print(&format!("{}: {report}\n\n{verdict}\n", scene.name))?,
+        }
+        Ok(if verdict.identical { Exit::Done } else { Exit::CheckFailed })
+    }
+
+    /// What can be told before the work begins.
+    fn check(&self) -> Result<(), Failure> {
+        if self.vcd.is_none() && self.filters.any() {
+            let sentence = "--scope, --from and --to choose what a waveform shows: name its file with --vcd FILE";
+            return Err(Failure::new(Exit::BadInput, sentence));
+        }
+        [&self.output, &self.vcd].into_iter().flatten().try_for_each(|path| output::check_place(path))
+    }
+
+    fn simulate(&self, scene: &Scene, projection: &Projection) -> Result<(Frame, vc1::Report), Failure> {
+        let Machine::Vc1 = self.machine;
+        let config = vc1::Config {
+            processors: self.processors,
+            patch: self.patch,
+            pages: self.pages,
+            ..vc1::Config::new(projection.size)
+        };
+        let mut machine = vc1::Machine::new(config)?;
+        if let Some(path) = &self.vcd {
+            machine.simulation().trace(self.filters.vcd(path))?;
+        }
+        let progress = Progress::new();
+        let mut show = |it: tilewright_machines::Progress| progress.show(it.phase, it.fraction);
+        let mut watch = Watch { progress: Some(&mut show), cancel: Some(interrupt::flag()) };
+        let rendered = machine.render(projection, scene.background, &mut watch);
+        drop(progress);
+        if let Some(path) = &self.vcd {
+            output::talk(&format!("wrote {}", path.display()));
+        }
+        Ok(rendered?)
+    }
+}

@@ -1,0 +1,35 @@
+//! The scene that a command is given, and the size of the frame.
+
+use crate::shell::{Failure, output};
+use clap::Args;
+use tilewright_scenes::{Projection, Scene, Size, project};
+
+/// A scene on a screen.
+#[derive(Args)]
+pub struct SceneArguments {
+    /// A built-in scene's name, or the path of an .obj or a .toml file
+    #[arg(value_name = "SCENE")]
+    scene: String,
+    /// Pixels of the frame [default: what the scene asks for]
+    #[arg(long, value_name = "WxH", value_parser = size)]
+    size: Option<Size>,
+}
+
+impl SceneArguments {
+    /// Loads the scene and sets its triangles up; passes on what was odd about its files.
+    ///
+    /// # Errors
+    /// The scene's, naming file and line.
+    pub fn load(&self) -> Result<(Scene, Projection), Failure> {
+        let scene = Scene::load(&self.scene)?;
+        scene.warnings.iter().for_each(|warning| output::talk(&format!("warning: {warning}")));
+        let projection = project(&scene, self.size.unwrap_or(scene.size))?;
+        Ok((scene, projection))
+    }
+}
+
+fn size(text: &str) -> Result<Size, String> {
+    let sides = text.split_once('x').and_then(|(width, height)| Some((width.parse().ok()?, height.parse().ok()?)));
+    let (width, height) = sides.ok_or("give width and height in pixels, such as 640x480")?;
+    Size::new(width, height).map_err(|error| error.to_string())
+}

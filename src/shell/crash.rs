@@ -1,0 +1,28 @@
+//! The last resort: a panic becomes one sentence that asks for a report, and an exit code.
+
+use super::{Exit, Failure, output};
+use std::panic::{self, AssertUnwindSafe, PanicHookInfo};
+
+/// Runs a command; if it panics, the user gets a sentence and [`Exit::Crash`]. The panic unwinds first, so that what drops on its
+/// way closes its files.
+pub fn guard(command: impl FnOnce() -> Result<Exit, Failure>) -> Result<Exit, Failure> {
+    panic::set_hook(Box::new(|panic| output::talk(&sentence(panic))));
+    panic::catch_unwind(AssertUnwindSafe(command)).unwrap_or(Ok(Exit::Crash))
+}
+
+fn sentence(panic: &PanicHookInfo) -> String {
+    let said = panic.payload_as_str().unwrap_or("no reason given");
+    let place = panic.location().map_or_else(String::new, |it| format!(" at {}:{}", it.file(), it.line()));
+    format!("error: this is a mistake in tilewright{place}, please report it with the command that led here: {said}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_panic_ends_in_its_own_exit_code() {
+        assert_eq!(guard(|| panic!("on purpose")).unwrap(), Exit::Crash);
+        let _ = panic::take_hook();
+    }
+}

@@ -1,0 +1,86 @@
+//! Exit codes, and the errors that lead to them.
+
+use std::fmt::Display;
+use std::io;
+use std::process::ExitCode;
+use tilewright_rtl::catalog::CatalogError;
+use tilewright_scenes::SceneError;
+
+/// How a command ended; `tilewright --help` documents the numbers.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Exit {
+    /// Done.
+    Done = 0,
+    /// A frame differs from the golden image, or an assertion of the hardware does not hold.
+    CheckFailed = 1,
+    /// Bad usage or bad input.
+    BadInput = 2,
+    /// An output cannot be written.
+    NoOutput = 3,
+    /// A mistake in this program.
+    Crash = 70,
+    /// Ctrl-C.
+    Interrupted = 130,
+}
+
+impl From<Exit> for ExitCode {
+    fn from(exit: Exit) -> ExitCode {
+        ExitCode::from(exit as u8)
+    }
+}
+
+/// Why a command did not come to its end.
+#[derive(Debug)]
+pub struct Failure {
+    /// The exit code.
+    pub exit: Exit,
+    /// For the user: what is wrong, where, and what to do.
+    pub sentence: String,
+}
+
+impl Failure {
+    /// A failure of that kind.
+    pub fn new(exit: Exit, sentence: impl Into<String>) -> Failure {
+        Failure { exit, sentence: sentence.into() }
+    }
+
+    /// An output that the system does not let us write.
+    pub fn unwritable(output: &dyn Display, error: &io::Error) -> Failure {
+        let text = error.to_string();
+        let reason = text.split(" (os error").next().unwrap_or_default().to_lowercase();
+        Failure::new(Exit::NoOutput, format!("{output}: cannot be written ({reason}): choose another place"))
+    }
+}
+
+impl From<SceneError> for Failure {
+    fn from(error: SceneError) -> Failure {
+        let exit = if let SceneError::Write { .. } = error { Exit::NoOutput } else { Exit::BadInput };
+        Failure::new(exit, error.to_string())
+    }
+}
+
+impl From<CatalogError> for Failure {
+    fn from(error: CatalogError) -> Failure {
+        Failure::new(Exit::BadInput, error.to_string())
+    }
+}
+
+impl From<tilewright_sim::Error> for Failure {
+    fn from(error: tilewright_sim::Error) -> Failure {
+        match error {
+            tilewright_sim::Error::Trace { path, source } => Failure::unwritable(&path.display(), &source),
+            tilewright_sim::Error::Violated(_) => Failure::new(Exit::CheckFailed, error.to_string()),
+            _ => Failure::new(Exit::BadInput, error.to_string()),
+        }
+    }
+}
+
+impl From<tilewright_machines::Error> for Failure {
+    fn from(error: tilewright_machines::Error) -> Failure {
+        match error {
+            tilewright_machines::Error::Simulation(error) => error.into(),
+            tilewright_machines::Error::Cancelled { .. } => Failure::new(Exit::Interrupted, error.to_string()),
+            _ => Failure::new(Exit::BadInput, error.to_string()),
+        }
+    }
+}

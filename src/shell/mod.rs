@@ -1,0 +1,10 @@
+//! How a command meets its user: exit codes, errors, output, progress, interruption.
+
+pub mod crash;
+mod exit;
+pub mod interrupt;
+pub mod output;
+mod progress;
+
+pub use exit::{Exit, Failure};
+pub use progress::Progress;

@@ -1,0 +1,72 @@
+//! Which part of a run goes to a waveform file.
+
+use clap::Args;
+use std::path::Path;
+use tilewright_sim::Vcd;
+
+/// Filters of a waveform file.
+#[derive(Args, Clone)]
+#[command(next_help_heading = "Waveform filters")]
+pub struct TraceOptions {
+    /// Only signals whose path matches, such as `u_cell[*].value`: `*` stands for anything but a dot, `**` for anything
+    #[arg(long, value_name = "GLOB")]
+    scope: Vec<String>,
+    /// Only from this simulated time on, such as 250ns or 1.5us
+    #[arg(long, value_name = "TIME", value_parser = picoseconds)]
+    from: Option<u64>,
+    /// Only up to this simulated time
+    #[arg(long, value_name = "TIME", value_parser = picoseconds)]
+    to: Option<u64>,
+}
+
+impl TraceOptions {
+    /// Whether anything is filtered.
+    pub fn any(&self) -> bool {
+        self.is_scoped() || self.from.is_some() || self.to.is_some()
+    }
+
+    /// Whether only some signals are asked for.
+    pub fn is_scoped(&self) -> bool {
+        !self.scope.is_empty()
+    }
+
+    /// The waveform file of that name with these filters.
+    pub fn vcd(&self, path: &Path) -> Vcd {
+        let whole = Vcd::to(path).times(self.from.unwrap_or(0)..self.to.unwrap_or(u64::MAX));
+        self.scope.iter().fold(whole, |vcd, pattern| vcd.only(pattern))
+    }
+}
+
+/// A time such as `1.5us`, in picoseconds.
+fn picoseconds(text: &str) -> Result<u64, String> {
+    let units = [("ps", 1), ("ns", 1_000), ("us", 1_000_000), ("ms", 1_000_000_000), ("s", 1_000_000_000_000)];
+    let parsed = units.into_iter().find_map(|(unit, size)| exact(text.strip_suffix(unit)?, size));
+    parsed.ok_or_else(|| "write a number and its unit, one of ps, ns, us, ms, s, such as 250ns or 1.5us".to_owned())
+}
+
+/// `number` times `unit`, if that is a whole number; decimals are exact, unlike those of a float.
+fn exact(number: &str, unit: u64) -> Option<u64> {
+    let (whole, decimals) = number.split_once('.').unwrap_or((number, ""));
+    let scale = 10_u64.checked_pow(decimals.len().try_into().ok()?)?;
+    let digits = [whole, decimals].concat();
+    let digits = digits.bytes().all(|c| c.is_ascii_digit()).then_some(digits)?;
+    let scaled = digits.parse::<u64>().ok()?.checked_mul(unit)?;
+    (scaled % scale == 0).then_some(scaled / scale)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn times_are_exact() {
+        let good =
+            [("0ps", 0), ("250ns", 250_000), ("1.5us", 1_500_000), ("0.3ms", 300_000_000), ("2s", 2_000_000_000_000)];
+        for (text, value) in good {
+            assert_eq!(picoseconds(text), Ok(value), "{text}");
+        }
+        for text in ["", "5", "ns", "-1ns", "1.0001ns ", "0.5ps", "1e3ns", "99999999999999999999s"] {
+            assert!(picoseconds(text).is_err(), "{text}");
+        }
+    }
+}

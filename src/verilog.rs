@@ -1,0 +1,108 @@
+//! `tilewright verilog`: a block as Verilog, and a testbench that replays its scenario.
+
+use crate::block::BlockArguments;
+use crate::player::play;
+use crate::shell::output::{self, quoted};
+use crate::shell::{Exit, Failure};
+use clap::Args;
+use serde::Serialize;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use tilewright_gen::{Replay, ReplayStep, VerilogFile, testbench, verilog};
+use tilewright_hdl::Design;
+use tilewright_rtl::catalog::Scenario;
+use tilewright_sim::{Simulation, Step};
+
+/// Writes a block as Verilog, a file a module
+#[derive(Args)]
+#[command(after_help = "\
+Examples:
+  tilewright verilog merging-unit -o out/
+  tilewright verilog merging-unit -o out/ --testbench
+  tilewright verilog image-merger --set units=8 -o out/ --testbench --json
+
+The testbench replays the block's scenario and compares every output at every clock edge; it prints `PASS: n cycles`, or the first
+mismatch. It runs in Icarus Verilog and in Verilator.")]
+pub struct Verilog {
+    #[command(flatten)]
+    block: BlockArguments,
+    /// The folder for the files; it is made if it is not there
+    #[arg(short, long, value_name = "FOLDER")]
+    output: PathBuf,
+    /// Write a testbench as well, recorded from a run of the block's scenario
+    #[arg(long)]
+    testbench: bool,
+    /// Print the report as JSON
+    #[arg(long)]
+    json: bool,
+}
+
+#[derive(Serialize)]
+struct Report<'a> {
+    format: u32,
+    block: &'a str,
+    parameters: BTreeMap<&'a str, u64>,
+    /// The top module.
+    top: &'a str,
+    /// Cycles that the testbench compares, if there is one.
+    cycles: Option<usize>,
+    files: Vec<PathBuf>,
+}
+
+impl Verilog {
+    /// Writes the files and reports them.
+    pub fn run(self) -> Result<Exit, Failure> {
+        let (entry, values) = self.block.find()?;
+        let design = entry.design(&values)?;
+        let mut files = verilog(&design);
+        let mut cycles = None;
+        if self.testbench {
+            let replay = record(&design, &entry.scenario(&values)?)?;
+            cycles = Some(replay.steps.len());
+            files.push(testbench(&design, &replay));
+        }
+        output::make_folder(&self.output)?;
+        for file in &files {
+            output::write_file(&self.output.join(&file.name), file.text.as_bytes())?;
+        }
+        if self.json {
+            output::print_json(&Report {
+                format: 1,
+                block: entry.name,
+                parameters: values.iter().collect(),
+                top: &design.top().name,
+                cycles,
+                files: files.iter().map(|file| self.output.join(&file.name)).collect(),
+            })?;
+        } else if self.testbench {
+            output::print(&simulators(&self.output, &files))?;
+        }
+        Ok(Exit::Done)
+    }
+}
+
+/// The run of the scenario, as a testbench replays it.
+fn record(design: &Design, scenario: &Scenario) -> Result<Replay, Failure> {
+    let mut sim = Simulation::from_design(design)?;
+    let recording = sim.recording();
+    play(&mut sim, scenario)?;
+    let recording = recording.lock().expect("the run is over");
+    Ok(Replay { steps: recording.steps.iter().map(replayed).collect(), initial: Vec::new() })
+}
+
+fn replayed(step: &Step) -> ReplayStep {
+    let Step { time, clocks, resets, inputs, outputs } = step.clone();
+    ReplayStep { time_ps: time, rising: clocks, resets, inputs, outputs }
+}
+
+/// The lines that run the testbench, the last of the files, in two simulators.
+fn simulators(folder: &Path, files: &[VerilogFile]) -> String {
+    let folder = quoted(folder);
+    let sources: Vec<&str> = files.iter().map(|file| file.name.as_str()).filter(|name| name.ends_with(".v")).collect();
+    let top = files.last().map_or("", |bench| bench.name.trim_end_matches(".v"));
+    let sources = sources.join(" ");
+    format!(
+        "cd {folder} && iverilog -g2005 -s {top} -o bench.vvp {sources} && vvp -n bench.vvp\n\
+         cd {folder} && verilator --binary --top-module {top} -o bench {sources} && obj_dir/bench\n"
+    )
+}

@@ -1,0 +1,124 @@
+//! `tilewright wave`: a block's scenario as a waveform file, ready to be looked at, or as text.
+
+use crate::block::BlockArguments;
+use crate::player::play;
+use crate::save_file;
+use crate::shell::output::{self, quoted};
+use crate::shell::{Exit, Failure};
+use crate::trace::TraceOptions;
+use clap::Args;
+use serde::Serialize;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use tilewright_rtl::catalog::{Entry, Scenario, Values};
+use tilewright_sim::{Probe, Simulation};
+
+/// Runs a block's scenario and shows it as a waveform
+#[derive(Args)]
+#[command(after_help = "\
+Examples:
+  tilewright wave merging-unit -o mu.vcd
+  tilewright wave merging-unit --ascii
+  tilewright wave image-merger --set units=8 -o merger.vcd --scope 'u_unit[*].**' --to 2us
+
+Beside the waveform file stands a .gtkw file with which GTKWave opens it with the signals in place.")]
+pub struct Wave {
+    #[command(flatten)]
+    block: BlockArguments,
+    /// The waveform, a VCD file
+    #[arg(short, long, value_name = "FILE", required_unless_present = "ascii")]
+    output: Option<PathBuf>,
+    /// Print the ports' waves as text
+    #[arg(long, conflicts_with = "json")]
+    ascii: bool,
+    /// Print the report as JSON
+    #[arg(long)]
+    json: bool,
+    #[command(flatten)]
+    filters: TraceOptions,
+}
+
+#[derive(Serialize)]
+struct Report<'a> {
+    format: u32,
+    block: &'a str,
+    parameters: BTreeMap<&'a str, u64>,
+    scenario: &'a str,
+    /// Simulated time, the reset included.
+    picoseconds: u64,
+    /// How often each clock rose, by its name.
+    clocks: BTreeMap<String, u64>,
+    files: Vec<&'a Path>,
+}
+
+impl Wave {
+    /// Runs the scenario, writes the files and reports.
+    pub fn run(self) -> Result<Exit, Failure> {
+        let (entry, values) = self.block.find()?;
+        let scenario = entry.scenario(&values)?;
+        let mut sim = Simulation::from_design(&entry.design(&values)?)?;
+        let text = self.ascii.then(|| record_ports(&mut sim));
+        if let Some(path) = &self.output {
+            output::check_place(path)?;
+            sim.trace(self.filters.vcd(path))?;
+        }
+        let played = play(&mut sim, &scenario);
+        // An interrupted or failed run leaves its waves too.
+        let finished = sim.finish();
+        let saved = self.output.as_deref().map(|path| self.save(path)).transpose();
+        played?;
+        finished?;
+        let saved = saved?;
+        if let Some(text) = text {
+            output::print(&text.to_string())?;
+        }
+        match (&self.output, saved) {
+            (Some(path), Some(save)) if self.json => {
+                output::print_json(&report(entry, &values, &scenario, &sim, vec![path, &save]))?;
+            }
+            (Some(path), Some(save)) => output::print(&viewers(path, &save))?,
+            _ => {}
+        }
+        Ok(Exit::Done)
+    }
+
+    /// Writes the save file beside the waveform.
+    fn save(&self, path: &Path) -> Result<PathBuf, Failure> {
+        output::talk(&format!("wrote {}", path.display()));
+        let save = path.with_extension("gtkw");
+        output::write_file(&save, save_file::of(path, self.filters.is_scoped())?.as_bytes())?;
+        Ok(save)
+    }
+}
+
+fn record_ports(sim: &mut Simulation) -> tilewright_sim::Wave {
+    let program = sim.program();
+    let ports = program.inputs.iter().chain(&program.outputs);
+    let probes: Vec<Probe> = ports.map(|port| Probe::Path(port.name.clone())).collect();
+    sim.record(probes)
+}
+
+/// The lines that open the waveform.
+fn viewers(path: &Path, save: &Path) -> String {
+    let (path, save) = (quoted(path), quoted(save));
+    format!("gtkwave {path} {save}\nsurfer {path}\n")
+}
+
+fn report<'a>(
+    entry: &'a Entry,
+    values: &Values,
+    scenario: &'a Scenario,
+    sim: &Simulation,
+    files: Vec<&'a Path>,
+) -> Report<'a> {
+    let cycles = |name: &str| sim.cycles(name).expect("it is a clock of the block");
+    Report {
+        format: 1,
+        block: entry.name,
+        parameters: values.iter().collect(),
+        scenario: scenario.about,
+        picoseconds: sim.time(),
+        clocks: sim.program().clocks.iter().map(|clock| (clock.name.clone(), cycles(&clock.name))).collect(),
+        files,
+    }
+}
