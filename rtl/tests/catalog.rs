@@ -52,3 +52,13 @@ fn the_local_frame_buffer_shows_what_its_scenarios_say() {
     }
     assert_eq!(shown("lfb-unit", &[("width", 640), ("height", 480), ("pages", 4096)], "pages_used"), [0, 1, 2, 0, 1]);
 }
+
+#[test]
+fn the_machine_shows_what_its_scenario_says() {
+    const BLANK: u64 = 0xffffff_102030;
+    for set in [&[][..], &[("processors", 16), ("patch", 8), ("width", 40), ("height", 20)]] {
+        let nearest =
+            40 - set.iter().find(|(name, _)| *name == "processors").map_or(1, |(_, processors)| processors - 1);
+        assert_eq!(play(find("vc1").unwrap(), set, Some("gfb_read_word")), [0, 20, BLANK, nearest]);
+    }
+}

@@ -3,9 +3,9 @@
 use tilewright_hdl::elaborate_at;
 
 use super::scenario::Script;
-use super::{CatalogError, Entry, Parameter, Scenario, Values, lfb};
+use super::{CatalogError, Entry, Parameter, Scenario, Values, lfb, vc1};
 use crate::clocks::MERGE;
-use crate::gfb::{GfbUnit, GfbUnitIn, Host};
+use crate::gfb::{GfbUnit, GfbUnitIn, Host, Sequencer, SequencerIn};
 use crate::merger::{ImageMerger, ImageMergerIn, MergingUnit, MergingUnitIn};
 use crate::parameter::Screen;
 
@@ -17,9 +17,12 @@ pub(super) const HEIGHT: Parameter =
     Parameter { name: "height", default: 8, min: 2, max: 2048, meaning: "scan lines of the screen" };
 const UNITS: Parameter =
     Parameter { name: "units", default: 4, min: 1, max: 256, meaning: "merging units in the chain" };
+const OVERHEAD: Parameter =
+    Parameter { name: "overhead", default: 20, min: 1, max: 255, meaning: "clocks of overhead after a scan line" };
 
-/// Every block, in the order of the data's way through the machine.
+/// Every block: the whole, then its parts in the order of the data's way through it.
 pub const ENTRIES: &[Entry] = &[
+    vc1::VC1,
     lfb::LFB_UNIT,
     lfb::PATCH_TABLE,
     lfb::PAGE_ID_GENERATOR,
@@ -42,20 +45,16 @@ pub const ENTRIES: &[Entry] = &[
     Entry {
         name: "gfb-unit",
         summary: "leads the scan, feeds the merger and keeps the frame",
-        parameters: &[
-            WIDTH,
-            HEIGHT,
-            UNITS,
-            Parameter {
-                name: "overhead",
-                default: 20,
-                min: 1,
-                max: 255,
-                meaning: "clocks of overhead after a scan line",
-            },
-        ],
+        parameters: &[WIDTH, HEIGHT, UNITS, OVERHEAD],
         design: |values| Ok(elaborate_at(&gfb_unit(values)?, MERGE.period)?),
         scenario: |values| Ok(two_rounds(&gfb_unit(values)?)),
+    },
+    Entry {
+        name: "gfb-sequencer",
+        summary: "leads a merging round: the scan, and what enters and leaves the merger",
+        parameters: &[WIDTH, HEIGHT, UNITS, OVERHEAD],
+        design: |values| Ok(elaborate_at(&sequencer(values)?, MERGE.period)?),
+        scenario: |values| Ok(a_round(&sequencer(values)?)),
     },
 ];
 
@@ -98,4 +97,15 @@ fn two_rounds(gfb: &GfbUnit) -> Scenario {
         (0..4).for_each(|pixel| script.clock(&GfbUnitIn { host: host(0, 0, pixel), merged }));
     }
     script.finish("two frames: a round of merging each, a swap of the banks, and a look at the first pixels")
+}
+
+fn sequencer(values: &Values) -> Result<Sequencer, CatalogError> {
+    Ok(gfb_unit(values)?.sequencer())
+}
+
+fn a_round(sequencer: &Sequencer) -> Scenario {
+    let mut script = Script::new(sequencer, MERGE.period);
+    script.clock(&SequencerIn { start: 1 });
+    script.hold(&SequencerIn { start: 0 }, sequencer.merge_clocks() + 6);
+    script.finish("a merging round: line by line, and on until the last pixel has left the chain")
 }

@@ -13,9 +13,9 @@ use crate::lfb::{
 use crate::parameter::Screen;
 use crate::scan::ScanControl;
 
-const PAGES: Parameter =
+pub(super) const PAGES: Parameter =
     Parameter { name: "pages", default: 4, min: 2, max: 1 << 18, meaning: "pages of image memory in a buffer" };
-const PATCH: Parameter =
+pub(super) const PATCH: Parameter =
     Parameter { name: "patch", default: 4, min: 4, max: 16, meaning: "edge of a patch in pixels: 4, 8 or 16" };
 
 pub(super) const LFB_UNIT: Entry = Entry {

@@ -3,6 +3,7 @@
 mod entries;
 mod lfb;
 mod scenario;
+mod vc1;
 
 use std::collections::BTreeMap;
 use std::fmt;

@@ -28,31 +28,37 @@ pub struct Event {
 pub struct Script<B: Block> {
     widths: <B::In as Bundle>::Of<Width>,
     period: u64,
-    clocks: u64,
+    /// The time of the next row: a quarter of a period after an edge.
+    at_ps: u64,
     last: Vec<u64>,
     events: Vec<Event>,
 }
 
 impl<B: Block> Script<B> {
-    /// An empty script for a block, in clocks of `period`.
+    /// An empty script for a block, in clocks of `period`; that of its fastest clock if it has several.
     pub fn new(block: &B, period: Period) -> Script<B> {
         let widths = block.inputs();
         let last = vec![0; widths.leaves().len()];
-        Script { widths, period: period.picoseconds(), clocks: 0, last, events: Vec::new() }
+        let period = period.picoseconds();
+        Script { widths, period, at_ps: period / 4, last, events: Vec::new() }
+    }
+
+    /// From now on a row is a clock of that period.
+    pub fn in_clocks_of(&mut self, period: Period) {
+        self.period = period.picoseconds();
     }
 
     /// One clock with these inputs.
     pub fn clock(&mut self, inputs: &<B::In as Bundle>::Of<u64>) {
-        let at_ps = self.clocks * self.period + self.period / 4;
         let widths = self.widths.leaves();
         for (((path, value), (_, width)), last) in inputs.leaves().into_iter().zip(widths).zip(&mut self.last) {
             if value != *last {
                 let input = path.replace('.', "_");
-                self.events.push(Event { at_ps, input, value: Bits::new(width.bits(), value) });
+                self.events.push(Event { at_ps: self.at_ps, input, value: Bits::new(width.bits(), value) });
                 *last = value;
             }
         }
-        self.clocks += 1;
+        self.wait(1);
     }
 
     /// Some clocks with these inputs.
@@ -63,11 +69,11 @@ impl<B: Block> Script<B> {
 
     /// The same inputs for some clocks more.
     pub fn wait(&mut self, clocks: u64) {
-        self.clocks += clocks;
+        self.at_ps += clocks * self.period;
     }
 
     /// The scenario written so far.
     pub fn finish(self, about: &'static str) -> Scenario {
-        Scenario { about, events: self.events, end_ps: self.clocks * self.period }
+        Scenario { about, events: self.events, end_ps: self.at_ps }
     }
 }

@@ -84,7 +84,8 @@ pub struct GfbUnit {
 }
 
 impl GfbUnit {
-    fn sequencer(&self) -> Sequencer {
+    /// The unit's sequencer.
+    pub fn sequencer(&self) -> Sequencer {
         Sequencer { screen: self.screen, units: self.units, overhead: self.overhead }
     }
 

@@ -16,6 +16,18 @@
 //! The processors' programs and the host are behind the ports. Each processor draws into its own virtual local frame
 //! buffer at its own pace; when all have swapped theirs, the host starts a round of merging, which fills a bank of the global
 //! frame buffer, and swaps that to where it can be read.
+//!
+//! # Protocol
+//!
+//! | who | does | when |
+//! |---|---|---|
+//! | processor | swaps its buffers | idle or in overflow, and a whole round has begun and ended since its last swap (VC1-SW3) |
+//! | processor | clears its patch table, then resumes | after its swap (VC1-CLR2) |
+//! | host | starts a round | no round is under way; [`SWAP_CLOCKS`] after a swap that has to be seen from its first pixel on |
+//! | host | swaps the banks | no round is under way, and all that was drawn has been merged (VC1-SW2) |
+//! | host | reads the picture | at any time |
+//!
+//! A processor that swaps during a round loses nothing (VC1-SW4): what the scan has passed already is sent in the next round.
 
 use tilewright_hdl::ir::About;
 use tilewright_hdl::{Block, Lanes, Module, Signal, Width, bundle};
@@ -29,6 +41,9 @@ use crate::scan::Position;
 
 /// The scan line overhead of the VC-1, beta, in clocks of the merger (VC1-TM).
 pub const OVERHEAD: u32 = 20;
+
+/// The clocks of the merger, at most, until its units know of a swap of local frame buffers.
+pub const SWAP_CLOCKS: u64 = 3;
 
 bundle! {
     /// What a processor says to its local frame buffer.

@@ -1,0 +1,70 @@
+//! The entry of the VC-1's frame buffer subsystem.
+
+use tilewright_hdl::elaborate;
+
+use super::entries::{HEIGHT, WIDTH};
+use super::lfb::{PAGES, PATCH};
+use super::scenario::Script;
+use super::{CatalogError, Entry, Parameter, Scenario, Values};
+use crate::clocks::{MERGE, PE};
+use crate::gfb::Host;
+use crate::lfb::{Clear, Patches, Request};
+use crate::parameter::Screen;
+use crate::vc1::{ProcessorIn, SWAP_CLOCKS, Vc1, Vc1In};
+
+pub(super) const VC1: Entry = Entry {
+    name: "vc1",
+    summary: "the frame buffer subsystem of a VC-1: local frame buffers, image merger, global frame buffer",
+    parameters: &[
+        WIDTH,
+        HEIGHT,
+        PATCH,
+        PAGES,
+        Parameter { name: "processors", default: 2, min: 1, max: 256, meaning: "processing elements" },
+    ],
+    design: |values| Ok(elaborate(&vc1(values)?)?),
+    scenario: |values| Ok(a_frame(&vc1(values)?)),
+};
+
+fn vc1(values: &Values) -> Result<Vc1, CatalogError> {
+    let screen = Screen::new(values.get_u32("width"), values.get_u32("height"))?;
+    let patches = Patches::new(screen, values.get_u32("patch"))?;
+    Ok(Vc1::new(patches, values.get_u32("pages"), values.get_u32("processors"))?)
+}
+
+fn a_frame(vc1: &Vc1) -> Scenario {
+    let gfb = vc1.gfb();
+    let Screen { width, height } = gfb.screen;
+    let [last_x, last_y] = [width - 1, height - 1].map(u64::from);
+
+    let processor = ProcessorIn {
+        request: Request { valid: 0, x: 0, y: 0, word: 0 },
+        clear: Clear { valid: 0, patch: 0 },
+        swap: 0,
+        resume: 0,
+    };
+    let host = Host { start: 0, swap: 0, read_address: 0, background: 0xffffff_102030 };
+    let all =
+        |of: &dyn Fn(u64) -> ProcessorIn<u64>| Vc1In { processors: (0..gfb.units.into()).map(of).collect(), gfb: host };
+    let idle = all(&|_| processor);
+    let draw = |x: u64, y: u64, word: u64| ProcessorIn { request: Request { valid: 1, x, y, word }, ..processor };
+
+    let mut script = Script::new(vc1, PE.period);
+    script.clock(&all(&|number| draw(0, 0, 20 + number)));
+    // Held until it is accepted: the first look-up, of a patch without a page, takes 4 clocks.
+    script.hold(&all(&|number| draw(last_x, last_y, 40 - number % 16)), 4);
+    script.hold(&idle, 8);
+    script.clock(&all(&|_| ProcessorIn { swap: 1, ..processor }));
+
+    script.in_clocks_of(MERGE.period);
+    script.hold(&idle, SWAP_CLOCKS);
+    script.clock(&Vc1In { gfb: Host { start: 1, ..host }, ..idle.clone() });
+    script.hold(&idle, gfb.merge_clocks() + 4);
+    script.clock(&Vc1In { gfb: Host { swap: 1, ..host }, ..idle.clone() });
+    for read_address in [0, 1, u64::from(gfb.screen.pixels()) - 1] {
+        script.hold(&Vc1In { gfb: Host { read_address, ..host }, ..idle.clone() }, 2);
+    }
+    script.finish(
+        "every processor draws the first and the last pixel; they swap, the merger keeps the nearest, the host reads",
+    )
+}
