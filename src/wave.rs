@@ -19,7 +19,7 @@ use tilewright_sim::{Probe, Simulation};
 Examples:
   tilewright wave merging-unit -o mu.vcd
   tilewright wave merging-unit --ascii
-  tilewright wave image-merger --set units=8 -o merger.vcd --scope 'u_unit[*].**' --to 2us
+  tilewright wave image-merger --set units=8 -o merger.vcd --scope 'u_merging_unit[*].**' --to 2us
 
 Beside the waveform file stands a .gtkw file with which GTKWave opens it with the signals in place.")]
 pub struct Wave {

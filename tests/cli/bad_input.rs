@@ -1,0 +1,63 @@
+//! Every bad input ends in exit code 2 and a sentence that names the place and the remedy; nothing is written.
+
+use crate::harness::Folder;
+
+const OBJ: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+
+/// Command lines, each with what the message has to say.
+const CASES: &[(&str, &[&str])] = &[
+    ("render missing.obj", &["missing.obj: cannot be read", "name an .obj"]),
+    ("render missing.toml", &["missing.toml: cannot be read"]),
+    ("render malformed.obj", &["malformed.obj:2: "]),
+    ("render no_vertex.obj", &["no_vertex.obj:4: "]),
+    ("render nan.obj", &["nan.obj:3: ", "NaN"]),
+    ("render malformed.toml", &["malformed.toml:2:"]),
+    ("render nan.toml", &["nan.toml:3:"]),
+    ("render behind.toml", &["behind"]),
+    ("render teepot", &["there is no scene `teepot`: did you mean `teapot`?"]),
+    ("render teapot --size 0x48", &["0x48", "between 1 and 2048"]),
+    ("render teapot --size 64", &["'64'", "such as 640x480"]),
+    ("render teapot --processors 17", &["17 is not in 1..=16"]),
+    ("render teapot --patch 5", &["'5'", "4, 8, 16"]),
+    ("render teapot --size 64x48 --pages 1", &["1 pages", "from 2 to 192"]),
+    ("render teapot --size 64x48 --pages 3", &["ran out of its 3 image memory pages", "pass --pages"]),
+    ("render teapot --machine vc2", &["'vc2'", "'vc1'"]),
+    ("render teapot --from 1us", &["name its file with --vcd"]),
+    ("render teapot --golden malformed.obj", &["malformed.obj", "PNG"]),
+    ("render teapot --size 64x48 --vcd run.vcd --scope nothing.*", &["no signal that matches `nothing.*`"]),
+    ("golden teapot", &["--output <FILE>"]),
+    ("wave mergin-unit --ascii", &["'mergin-unit'", "a similar value exists: 'merging-unit'"]),
+    ("wave merging-unit", &["--output <FILE>"]),
+    ("wave image-merger --ascii --set units=257", &["units = 257", "from 1 to 256"]),
+    ("wave image-merger --ascii --set unit=2", &["no parameter `unit`", "units"]),
+    ("wave image-merger --ascii --set units", &["'units'", "NAME=VALUE"]),
+    ("wave image-merger -o some.vcd --to 5", &["'5'", "such as 250ns"]),
+    ("verilog gfb-unit -o out --set width=1", &["width = 1", "from 2 to 2048"]),
+    ("verilog nothing -o out", &["'nothing'", "gfb-unit"]),
+    ("rendr teapot", &["'rendr'", "'render'"]),
+];
+
+#[test]
+fn bad_input_is_named_with_a_remedy() {
+    let files = [
+        ("malformed.obj", "v 0 0 0\nv 1 zero 0\nv 0 1 0\nf 1 2 3\n"),
+        ("no_vertex.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n"),
+        ("nan.obj", "v 0 0 0\nv 1 0 0\nv 0 NaN 0\nf 1 2 3\n"),
+        ("mesh.obj", OBJ),
+        ("malformed.toml", "mesh = \"mesh.obj\"\nsize = [640\n"),
+        ("nan.toml", "mesh = \"mesh.obj\"\n[camera]\neye = [nan, 0, 5]\n"),
+        ("behind.toml", "mesh = \"mesh.obj\"\n[camera]\neye = [0, 0, 5]\ntarget = [0, 0, 9]\n"),
+    ];
+    let folder = Folder::with(&files);
+    let names = folder.names();
+    for (line, parts) in CASES {
+        let run = folder.run(line);
+        assert_eq!((run.code, run.stdout.as_str()), (Some(2), ""), "{line}: {run:?}");
+        assert!(run.stderr.starts_with("error: "), "{line}: {run:?}");
+        for part in *parts {
+            assert!(run.stderr.contains(part), "{line}: no `{part}` in {}", run.stderr);
+        }
+        assert!(!run.stderr.contains("panicked") && !run.stderr.contains("mistake in tilewright"), "{line}: {run:?}");
+    }
+    assert_eq!(folder.names(), names, "a failed command leaves files");
+}

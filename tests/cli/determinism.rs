@@ -1,0 +1,31 @@
+//! The same command gives the same bytes, wherever it runs.
+
+use crate::harness::Folder;
+
+const LINES: [&str; 5] = [
+    "render teapot --size 32x24 --processors 2 -o frame.png --vcd run.vcd --json",
+    "golden ter1k --size 64x48 -o golden.png",
+    "wave gfb-unit -o gfb.vcd --ascii",
+    "verilog gfb-unit -o . --testbench",
+    "list --json",
+];
+
+#[test]
+fn two_runs_give_the_same_bytes_and_no_file_names_its_place() {
+    let folders = [Folder::new(), Folder::new()];
+    for line in LINES {
+        let [one, two] = [0, 1].map(|i| folders[i].run(line));
+        assert_eq!((one.code, &one.stdout, &one.stderr), (Some(0), &two.stdout, &two.stderr), "{line}");
+    }
+    let names = folders[0].names();
+    assert_eq!(names, folders[1].names());
+    assert!(names.len() > 7, "{names:?}");
+    let workspace = env!("CARGO_MANIFEST_DIR");
+    for name in &names {
+        let [one, two] = [0, 1].map(|i| std::fs::read(folders[i].path(name)).unwrap());
+        assert!(one == two, "{name} differs between two runs");
+        let text = String::from_utf8_lossy(&one);
+        assert!(!text.contains(workspace), "{name} names the folder of the sources");
+        assert!(!text.contains(folders[0].path("").to_str().unwrap()), "{name} names its own folder");
+    }
+}

@@ -1,0 +1,50 @@
+//! Every command line that the help texts and the README show runs as it stands.
+
+use crate::harness::Folder;
+
+/// The subcommands, from the program's own list.
+fn subcommands(folder: &Folder) -> Vec<String> {
+    let help = folder.stdout("--help");
+    let list = help.split("Commands:\n").nth(1).and_then(|rest| rest.split("\n\n").next()).unwrap();
+    let names = list.lines().filter_map(|line| line.split_whitespace().next());
+    names.filter(|name| *name != "help").map(str::to_owned).collect()
+}
+
+#[test]
+fn the_examples_of_every_subcommand_run() {
+    let folder = Folder::new();
+    for name in subcommands(&folder) {
+        let help = folder.stdout(&format!("{name} --help"));
+        let examples: Vec<&str> = help.lines().filter_map(|line| line.strip_prefix("  tilewright ")).collect();
+        assert!(!examples.is_empty(), "`tilewright {name} --help` has no example");
+        for example in examples {
+            let run = folder.shell(&format!("tilewright {example}"));
+            assert_eq!(run.code, Some(0), "{example}: {run:?}");
+        }
+    }
+}
+
+#[test]
+fn the_commands_of_the_readme_run() {
+    let folder = Folder::new();
+    let readme = include_str!("../../README.md");
+    let mut count = 0;
+    for line in readme.split("```sh\n").skip(1).flat_map(|rest| rest.split("```").next()).flat_map(str::lines) {
+        let Some(arguments) = line.strip_prefix("cargo run --release -- ").or(line.strip_prefix("tilewright ")) else {
+            continue;
+        };
+        let run = folder.shell(&format!("tilewright {arguments}"));
+        assert_eq!(run.code, Some(0), "{line}: {run:?}");
+        count += 1;
+    }
+    assert!(count > 0, "the README shows no command");
+}
+
+#[test]
+fn completions_know_commands_and_blocks() {
+    let folder = Folder::new();
+    for shell in ["bash", "elvish", "fish", "powershell", "zsh"] {
+        let script = folder.stdout(&format!("completions {shell}"));
+        assert!(script.contains("render") && script.contains("merging-unit"), "{shell}");
+    }
+}

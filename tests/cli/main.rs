@@ -1,0 +1,11 @@
+//! The command line as a user meets it: what it prints, what it writes, how it fails.
+
+mod bad_input;
+mod determinism;
+mod documentation;
+mod harness;
+mod interruption;
+mod output;
+mod render;
+mod verilog;
+mod wave;

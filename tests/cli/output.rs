@@ -1,0 +1,69 @@
+//! Outputs that cannot be written, readers that go away, and what goes where.
+
+use crate::harness::{Folder, Run};
+use std::process::Stdio;
+
+const RENDER: &str = "render teapot --size 32x24 --processors 1";
+
+#[test]
+fn an_output_that_cannot_be_written_is_named() {
+    let folder = Folder::with(&[("file", "")]);
+    let cases = [
+        (format!("{RENDER} -o ."), ".: cannot be written: it is a folder"),
+        (format!("{RENDER} -o none/frame.png"), "none/frame.png: cannot be written: make the folder `none` first"),
+        (format!("{RENDER} -o file/frame.png"), "file/frame.png: cannot be written: make the folder `file` first"),
+        (format!("{RENDER} --vcd none/run.vcd"), "none/run.vcd: cannot be written"),
+        ("golden teapot -o none/g.png".to_owned(), "none/g.png: cannot be written"),
+        ("wave merging-unit -o .".to_owned(), ".: cannot be written: it is a folder"),
+        ("verilog merging-unit -o file".to_owned(), "file: cannot be written"),
+    ];
+    for (line, sentence) in cases {
+        let run = folder.run(&line);
+        assert_eq!((run.code, run.stdout.as_str()), (Some(3), ""), "{line}: {run:?}");
+        assert!(run.stderr.starts_with(&format!("error: {sentence}")), "{line}: {run:?}");
+        assert_eq!(run.stderr.lines().count(), 1, "{line}: {run:?}");
+    }
+    assert_eq!(folder.names(), ["file"]);
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn a_full_disk_is_no_success() {
+    let folder = Folder::new();
+    let lines = [
+        format!("{RENDER} -o /dev/full"),
+        format!("{RENDER} --vcd /dev/full"),
+        "golden teapot -o /dev/full".to_owned(),
+        "wave merging-unit -o /dev/full".to_owned(),
+    ];
+    for line in lines {
+        let run = folder.run(&line);
+        assert_eq!((run.code, run.stdout.as_str()), (Some(3), ""), "{line}: {run:?}");
+        assert!(run.stderr.starts_with("error: /dev/full: cannot be written (no space left on device)"), "{run:?}");
+    }
+    for line in ["list", "--help", "wave merging-unit --ascii"] {
+        let full = std::fs::File::create("/dev/full").unwrap();
+        let run = Run::of(folder.command(line).stdout(full).stderr(Stdio::piped()).output().unwrap());
+        assert_eq!(run.code, Some(3), "{line}: {run:?}");
+        assert!(run.stderr.starts_with("error: standard output: cannot be written (no space left"), "{line}: {run:?}");
+    }
+}
+
+#[test]
+fn a_reader_that_has_gone_away_stops_it_silently() {
+    let folder = Folder::new();
+    for line in ["list", "--help", "completions bash", "wave merging-unit --ascii"] {
+        let (reader, writer) = std::io::pipe().unwrap();
+        drop(reader);
+        let run = Run::of(folder.command(line).stdout(writer).stderr(Stdio::piped()).output().unwrap());
+        assert_eq!((run.code, run.stderr.as_str()), (Some(0), ""), "{line}: {run:?}");
+    }
+}
+
+#[test]
+fn results_go_to_standard_output_and_talk_to_standard_error() {
+    let folder = Folder::new();
+    let run = folder.run(&format!("{RENDER} -o frame.png --json"));
+    assert_eq!(run.stderr, "wrote frame.png\n", "no progress bar either, where there is no terminal");
+    assert!(run.stdout.starts_with("{\n  \"format\": 1,\n"), "{run:?}");
+}

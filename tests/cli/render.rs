@@ -1,0 +1,93 @@
+//! `render` and `golden`.
+
+use crate::harness::{Folder, Waveform};
+use serde_json::json;
+use tilewright_scenes::Frame;
+
+const SMALL: &str = "render teapot --machine vc1 --size 64x48 --processors 2";
+
+const PYRAMID: &str = "v -1 0 -1\nv 1 0 -1\nv 0 0 1\nv 0 1.5 0\nf 1 2 4\nf 2 3 4\nf 3 1 4\nf 1 3 2\n";
+
+#[test]
+fn the_report_counts_the_work_and_the_clocks() {
+    let folder = Folder::new();
+    let report = folder.json(&format!("{SMALL} -o frame.png --json"));
+    let (machine, phases) = (&report["report"], &report["report"]["phases"]);
+    assert_eq!(report["format"], 1);
+    assert_eq!(report["golden"], json!({"identical": true, "differing": 0, "first": null}));
+    assert_eq!(machine["polygons"], 4096);
+    let drawn: u64 = machine["processors"].as_array().unwrap().iter().map(|it| it["pixels"].as_u64().unwrap()).sum();
+    assert_eq!(machine["pixels"], drawn);
+    // VC1-TM: (M + beta) N + 4 n.
+    assert_eq!(machine["merge_clocks"], (64 + 20) * 48 + 4 * 2);
+    assert!(phases[1]["pe_clocks"].as_u64() > Some(0), "{phases}");
+    assert!(phases[1]["merge_clocks"].as_u64() > Some(0), "{phases}");
+
+    let text = folder.stdout(SMALL);
+    let pages = machine["processors"][1]["pages"].to_string();
+    for part in ["4096 polygons", &format!("{drawn} pixels drawn"), "PE clocks", "T_m is 4040", "pages", &pages] {
+        assert!(text.contains(part), "{part}: {text}");
+    }
+    assert!(text.ends_with("\nidentical to the golden image\n"), "{text}");
+    let frame = Frame::read_png(folder.path("frame.png")).unwrap();
+    assert_eq!([frame.size().width(), frame.size().height()], [64, 48]);
+}
+
+#[test]
+fn patches_and_pages_can_be_chosen() {
+    let folder = Folder::new();
+    let report = folder.json(&format!("{SMALL} --patch 8 --pages 40 --json"));
+    assert_eq!(report["report"]["machine"]["patch"], 8);
+    assert_eq!(report["report"]["machine"]["pages"], 40);
+    assert_eq!(report["golden"]["identical"], true);
+}
+
+#[test]
+fn a_mesh_and_a_scene_file_work_like_a_name() {
+    let scene = "mesh = \"pyramid.obj\"\nsize = [40, 30]\n";
+    let folder = Folder::with(&[("pyramid.obj", PYRAMID), ("scene.toml", scene)]);
+    let of_mesh = folder.json("render pyramid.obj --size 40x30 --processors 1 --json");
+    assert_eq!(of_mesh["scene"], "pyramid");
+    let of_scene = folder.json("render scene.toml --processors 1 --json");
+    for report in [of_mesh, of_scene] {
+        assert_eq!(report["report"]["polygons"], 4, "{report}");
+        assert_eq!(report["golden"]["identical"], true, "{report}");
+        assert_eq!(report["report"]["machine"]["height"], 30, "{report}");
+    }
+}
+
+#[test]
+fn a_frame_that_differs_is_an_error_with_its_first_pixel_and_a_picture() {
+    let folder = Folder::new();
+    folder.stdout("golden teapot --size 64x48 -o golden.png");
+    let line = format!("{SMALL} --golden golden.png -o frame.png");
+    assert!(folder.stdout(&line).ends_with("\nidentical to the golden image\n"));
+
+    let mut golden = Frame::read_png(folder.path("golden.png")).unwrap();
+    let [first, second] = [golden.index(3, 2), golden.index(60, 40)];
+    golden.words[first] ^= 0x01_00_00;
+    golden.words[second] ^= 0x80;
+    golden.write_png(folder.path("golden.png")).unwrap();
+    let run = folder.run(&line);
+    assert_eq!(run.code, Some(1), "{run:?}");
+    let verdict = run.stdout.lines().last().unwrap();
+    assert!(verdict.starts_with("NOT identical to the golden image: 2 of 3072 pixels differ"), "{verdict}");
+    assert!(verdict.contains("the first is (3, 2)"), "{verdict}");
+    let picture = Frame::read_png(folder.path("frame.difference.png")).unwrap();
+    assert_eq!(picture.rgb(60, 40), [255, 64, 32]);
+
+    let run = folder.run(&format!("{line} --json"));
+    let report: serde_json::Value = serde_json::from_str(&run.stdout).unwrap();
+    assert_eq!((run.code, &report["golden"]["first"]["x"]), (Some(1), &json!(3)), "{report}");
+}
+
+#[test]
+fn a_waveform_of_the_run_can_be_filtered() {
+    let folder = Folder::new();
+    folder.stdout(&format!("{SMALL} --vcd run.vcd --scope **.scan_restart --scope start --from 2us --to 3us"));
+    let waveform = Waveform::read(&folder.path("run.vcd"));
+    assert!(waveform.names.iter().any(|name| name.ends_with(".scan_restart")), "{:?}", waveform.names);
+    assert!(waveform.names.len() < 12, "{:?}", waveform.names);
+    assert_eq!(waveform.times.first(), Some(&2_000_000));
+    assert_eq!(waveform.times.last(), Some(&3_000_000));
+}

@@ -1,0 +1,52 @@
+//! `verilog`.
+
+use crate::harness::Folder;
+
+fn has_icarus(folder: &Folder) -> bool {
+    let found = folder.shell("iverilog -V").code == Some(0);
+    assert!(found || std::env::var_os("CI").is_none(), "Icarus is not installed, and CI is set");
+    if !found {
+        println!("skipped: Icarus is not installed");
+    }
+    found
+}
+
+#[test]
+fn the_printed_line_proves_every_block_in_icarus() {
+    let folder = Folder::new();
+    let lists = folder.json("list --json");
+    for block in lists["blocks"].as_array().unwrap() {
+        let name = block["name"].as_str().unwrap();
+        let lines = folder.stdout(&format!("verilog {name} -o {name} --testbench"));
+        let line = lines.lines().next().unwrap();
+        assert!(line.contains("iverilog"), "{lines}");
+        if has_icarus(&folder) {
+            let run = folder.shell(line);
+            assert!(run.stdout.starts_with("PASS: "), "{name}: {run:?}");
+        }
+    }
+}
+
+#[test]
+fn the_report_lists_the_files() {
+    let folder = Folder::new();
+    let report = folder.json("verilog image-merger --set units=3 -o out/deep --testbench --json");
+    assert_eq!(report["parameters"]["units"], 3);
+    let files: Vec<&str> = report["files"].as_array().unwrap().iter().map(|it| it.as_str().unwrap()).collect();
+    assert_eq!(
+        files,
+        ["out/deep/merging_unit.v", "out/deep/image_merger_units3.v", "out/deep/image_merger_units3_tb.v"]
+    );
+    assert!(folder.read("out/deep/image_merger_units3.v").contains("module image_merger_units3"));
+    let bench = folder.read("out/deep/image_merger_units3_tb.v");
+    assert!(bench.contains("module image_merger_units3_tb"));
+    assert!(report["cycles"].as_u64() > Some(12), "{report}");
+}
+
+#[test]
+fn without_a_testbench_there_is_none() {
+    let folder = Folder::new();
+    assert_eq!(folder.stdout("verilog merging-unit -o out"), "");
+    assert!(!folder.path("out/merging_unit_tb.v").exists());
+    assert!(folder.path("out/merging_unit.v").exists());
+}

@@ -1,0 +1,51 @@
+//! `wave`.
+
+use crate::harness::{Folder, Waveform};
+
+#[test]
+fn a_scenario_becomes_a_waveform_that_opens_with_its_signals() {
+    let folder = Folder::new();
+    let lines = folder.stdout("wave merging-unit -o mu.vcd");
+    assert_eq!(lines, "gtkwave mu.vcd mu.gtkw\nsurfer mu.vcd\n");
+    let waveform = Waveform::read(&folder.path("mu.vcd"));
+    assert!(waveform.names.contains(&"merging_unit.left[47:0]".to_owned()), "{:?}", waveform.names);
+    // The reset and 12 rows of 80 ns, to the next edge.
+    assert_eq!(waveform.times.last(), Some(&(14 * 80_000)));
+    let save = folder.read("mu.gtkw");
+    let shown: Vec<&str> = save.lines().filter(|line| line.starts_with("merging_unit.")).collect();
+    assert!(shown.contains(&"merging_unit.clk") && shown.contains(&"merging_unit.nearer[47:0]"), "{save}");
+    assert!(shown.iter().all(|name| waveform.names.contains(&(*name).to_owned())), "{save}");
+}
+
+#[test]
+fn filters_choose_signals_and_times() {
+    let folder = Folder::new();
+    folder.stdout("wave image-merger -o some.vcd --scope u_merging_unit[1].** --from 0.4us --to 800ns");
+    let waveform = Waveform::read(&folder.path("some.vcd"));
+    let inside = |name: &String| name.contains(".u_merging_unit[1].");
+    assert!(waveform.names.iter().any(inside), "{:?}", waveform.names);
+    assert!(waveform.names.iter().all(|name| inside(name) || name.ends_with(".clk")), "{:?}", waveform.names);
+    assert_eq!((waveform.times.first(), waveform.times.last()), (Some(&400_000), Some(&800_000)));
+    assert!(folder.read("some.gtkw").contains(".u_merging_unit[1].lane.left1[47:0]\n"));
+}
+
+#[test]
+fn text_shows_the_ports() {
+    let text = Folder::new().stdout("wave page-id-generator --ascii");
+    let rows: Vec<&str> = text.lines().filter_map(|line| line.split_once('|')).map(|(name, _)| name.trim()).collect();
+    assert_eq!(rows[0], "clk", "{text}");
+    assert!(rows.len() > 3 && text.contains("/~"), "{text}");
+}
+
+#[test]
+fn every_block_that_is_listed_can_be_run() {
+    let folder = Folder::new();
+    let lists = folder.json("list --json");
+    for block in lists["blocks"].as_array().unwrap() {
+        let name = block["name"].as_str().unwrap();
+        let report = folder.json(&format!("wave {name} -o {name}.vcd --json"));
+        assert_eq!(report["scenario"], block["scenario"], "{name}");
+        assert!(report["picoseconds"].as_u64() > Some(0), "{name}");
+        Waveform::read(&folder.path(format!("{name}.vcd")));
+    }
+}
