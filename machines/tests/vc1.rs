@@ -168,7 +168,7 @@ fn a_cancelled_run_leaves_a_dump_that_opens() {
     let path = folder.path().join("vc1.vcd");
     let config = Config { processors: 2, costs: HASTY, ..Config::new(projection.size) };
     let mut machine = Machine::new(config).expect("can be built");
-    machine.simulation().trace(Vcd::to(&path).only("lfb[1].overflow").only("gfb.round*")).expect("the signals exist");
+    machine.simulation().trace(Vcd::to(&path).only("u_lfb[1].overflow").only("u_gfb.**.round*")).expect("the signals exist");
     let cancel = AtomicBool::new(false);
     let mut progress = |it: Progress| cancel.store(it.phase == "merging" && it.fraction > 0.4, Ordering::Relaxed);
     let result =
@@ -177,7 +177,7 @@ fn a_cancelled_run_leaves_a_dump_that_opens() {
 
     let mut parser = vcd::Parser::new(BufReader::new(File::open(&path).expect("the dump exists")));
     let header = parser.parse_header().expect("a header");
-    assert!(header.find_var(&["vc1_n2_48x36_patch4_pages108", "lfb[1]", "lane", "overflow"]).is_some());
+    assert!(header.find_var(&["vc1_n2_48x36_patch4_pages108", "u_lfb[1]", "lane", "overflow"]).is_some());
     let commands: Vec<_> = parser.collect::<Result<_, _>>().expect("a dump that is whole");
     let states = commands.iter().filter_map(|it| match it {
         vcd::Command::ChangeString(_, state) => Some(state.as_str()),
