@@ -1,7 +1,7 @@
 //! `tilewright wave`: a block's scenario as a waveform file, ready to be looked at, or as text.
 
 use crate::block::BlockArguments;
-use crate::player::play;
+use crate::player::{check_length, play};
 use crate::save_file;
 use crate::shell::output::{self, quoted};
 use crate::shell::{Exit, Failure};
@@ -57,7 +57,7 @@ impl Wave {
         let (entry, values) = self.block.find()?;
         let scenario = entry.scenario(&values)?;
         let mut sim = Simulation::from_design(&entry.design(&values)?)?;
-        let text = self.ascii.then(|| record_ports(&mut sim));
+        let text = if self.ascii { Some(record_ports(&mut sim, &scenario)?) } else { None };
         if let Some(vcd) = self.filters.vcd(self.output.as_deref(), "-o")? {
             sim.trace(vcd)?;
         }
@@ -99,11 +99,12 @@ fn waveform(text: &str) -> Result<PathBuf, &'static str> {
     if is_save_file { Err("the .gtkw file is written beside the waveform: name the waveform .vcd") } else { Ok(path) }
 }
 
-fn record_ports(sim: &mut Simulation) -> tilewright_sim::Wave {
+fn record_ports(sim: &mut Simulation, scenario: &Scenario) -> Result<tilewright_sim::Wave, Failure> {
+    check_length(sim, scenario, "a wave in text")?;
     let program = sim.program();
     let ports = program.inputs.iter().chain(&program.outputs);
     let probes: Vec<Probe> = ports.map(|port| Probe::Path(port.name.clone())).collect();
-    sim.record(probes)
+    Ok(sim.record(probes))
 }
 
 /// The lines that open the waveform.

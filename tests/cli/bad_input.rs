@@ -36,6 +36,8 @@ const CASES: &[(&str, &[&str])] = &[
     ("wave image-merger -o some.gtkw", &["name the waveform .vcd"]),
     ("wave image-merger -o some.vcd --to 5", &["'5'", "such as 250ns"]),
     ("verilog gfb-unit -o out --set width=1", &["width = 1", "from 2 to 2048"]),
+    ("verilog gfb-unit -o out --set width=2048 --set height=2048 --testbench", &["a testbench at most 200000"]),
+    ("wave gfb-unit --ascii --set width=2048 --set height=2048", &["a wave in text at most 200000: --set smaller"]),
     ("verilog nothing -o out", &["'nothing'", "gfb-unit"]),
     ("rendr teapot", &["'rendr'", "'render'"]),
 ];
