@@ -34,7 +34,7 @@ Exit codes:
   2    bad usage or bad input
   3    an output cannot be written
   70   a mistake in tilewright itself
-  130  interrupted
+  130  interrupted; a waveform that was being written opens
 
 Results go to standard output, everything else to standard error.
 `tilewright help COMMAND` has the options and examples of a command.";

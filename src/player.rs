@@ -8,6 +8,22 @@ use tilewright_sim::Simulation;
 /// Simulated picoseconds between two looks at the interruption flag.
 const SLICE: u64 = 10_000_000;
 
+/// The most clocks that are kept in memory: they take about a kilobyte each.
+const MOST_KEPT: u64 = 200_000;
+
+/// That the scenario is short enough for `what`, which keeps all of its clocks in memory.
+///
+/// # Errors
+/// It is too long.
+pub fn check_length(sim: &Simulation, scenario: &Scenario, what: &str) -> Result<(), Failure> {
+    let clocks: u64 = sim.program().clocks.iter().map(|clock| scenario.end_ps / clock.period).sum();
+    if clocks <= MOST_KEPT {
+        return Ok(());
+    }
+    let sentence = format!("the scenario takes {clocks} clocks, {what} at most {MOST_KEPT}: --set smaller parameters");
+    Err(Failure::new(Exit::BadInput, sentence))
+}
+
 /// Resets the simulation and plays the scenario to its end. Traces stay open.
 ///
 /// # Errors

@@ -11,6 +11,7 @@ use serde::Serialize;
 use std::path::PathBuf;
 use tilewright_machines::{Watch, vc1};
 use tilewright_scenes::{Frame, Projection, Scene};
+use tilewright_sim::Vcd;
 
 /// Renders a scene on a machine, clock by clock, and compares the frame with the golden image
 #[derive(Args)]
@@ -67,10 +68,12 @@ struct Report<'a> {
 impl Render {
     /// Renders, compares, writes the files and reports.
     pub fn run(self) -> Result<Exit, Failure> {
-        self.check()?;
+        // A long run should not end in what can be told beforehand.
+        let vcd = self.filters.vcd(self.vcd.as_deref(), "--vcd")?;
+        self.output.iter().try_for_each(|path| output::check_place(path))?;
         let (scene, projection) = self.scene.load()?;
         let golden = Golden::new(self.golden.as_deref(), &scene, &projection)?;
-        let (frame, report) = self.simulate(&scene, &projection)?;
+        let (frame, report) = self.simulate(&scene, &projection, vcd)?;
         let verdict = golden.judge(&frame);
         if let Some(path) = &self.output {
             output::write_file(path, &frame.to_png())?;
@@ -91,16 +94,12 @@ impl Render {
         Ok(if verdict.identical { Exit::Done } else { Exit::CheckFailed })
     }
 
-    /// What can be told before the work begins.
-    fn check(&self) -> Result<(), Failure> {
-        if self.vcd.is_none() && self.filters.any() {
-            let sentence = "--scope, --from and --to choose what a waveform shows: name its file with --vcd FILE";
-            return Err(Failure::new(Exit::BadInput, sentence));
-        }
-        [&self.output, &self.vcd].into_iter().flatten().try_for_each(|path| output::check_place(path))
-    }
-
-    fn simulate(&self, scene: &Scene, projection: &Projection) -> Result<(Frame, vc1::Report), Failure> {
+    fn simulate(
+        &self,
+        scene: &Scene,
+        projection: &Projection,
+        vcd: Option<Vcd>,
+    ) -> Result<(Frame, vc1::Report), Failure> {
         let Machine::Vc1 = self.machine;
         let config = vc1::Config {
             processors: self.processors,
@@ -109,8 +108,8 @@ impl Render {
             ..vc1::Config::new(projection.size)
         };
         let mut machine = vc1::Machine::new(config)?;
-        if let Some(path) = &self.vcd {
-            machine.simulation().trace(self.filters.vcd(path))?;
+        if let Some(vcd) = vcd {
+            machine.simulation().trace(vcd)?;
         }
         let progress = Progress::new();
         let mut show = |it: tilewright_machines::Progress| progress.show(it.phase, it.fraction);

@@ -1,6 +1,8 @@
 //! Which part of a run goes to a waveform file.
 
+use crate::shell::{Exit, Failure, output};
 use clap::Args;
+use std::ops::Range;
 use std::path::Path;
 use tilewright_sim::Vcd;
 
@@ -20,20 +22,34 @@ pub struct TraceOptions {
 }
 
 impl TraceOptions {
-    /// Whether anything is filtered.
-    pub fn any(&self) -> bool {
-        self.is_scoped() || self.from.is_some() || self.to.is_some()
-    }
-
     /// Whether only some signals are asked for.
     pub fn is_scoped(&self) -> bool {
         !self.scope.is_empty()
     }
 
-    /// The waveform file of that name with these filters.
-    pub fn vcd(&self, path: &Path) -> Vcd {
-        let whole = Vcd::to(path).times(self.from.unwrap_or(0)..self.to.unwrap_or(u64::MAX));
-        self.scope.iter().fold(whole, |vcd, pattern| vcd.only(pattern))
+    /// The simulated time that is asked for, in picoseconds.
+    pub fn times(&self) -> Range<u64> {
+        self.from.unwrap_or(0)..self.to.unwrap_or(u64::MAX)
+    }
+
+    /// The waveform file of that name with these filters, if there is to be one; `option` is what names it.
+    ///
+    /// # Errors
+    /// There are filters but no file, or no time between `--from` and `--to`; or the file has no place.
+    pub fn vcd(&self, path: Option<&Path>, option: &str) -> Result<Option<Vcd>, Failure> {
+        let bad = |sentence: String| Err(Failure::new(Exit::BadInput, sentence));
+        if self.times().is_empty() {
+            return bad("no time is left between --from and --to: give --to a later time than --from".to_owned());
+        }
+        let Some(path) = path else {
+            return match self.is_scoped() || self.from.is_some() || self.to.is_some() {
+                true => bad(format!("--scope, --from and --to are for a waveform file: name it with {option} FILE")),
+                false => Ok(None),
+            };
+        };
+        output::check_place(path)?;
+        let whole = Vcd::to(path).times(self.times());
+        Ok(Some(self.scope.iter().fold(whole, |vcd, pattern| vcd.only(pattern))))
     }
 }
 

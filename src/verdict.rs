@@ -83,3 +83,20 @@ impl fmt::Display for Verdict {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn depth_counts_unless_the_golden_image_is_a_picture() -> Result<(), SceneError> {
+        let golden = Frame::blank(tilewright_scenes::Size::new(4, 3)?, [9; 3]);
+        let mut frame = golden.clone();
+        frame.words[5] ^= 1 << 30;
+        assert!(Golden::Picture(golden.clone()).judge(&frame).identical);
+        let verdict = Golden::Rendered(golden).judge(&frame);
+        assert!(!verdict.identical && verdict.picture.is_some());
+        assert_eq!(verdict.first.map(|it| (it.x, it.y)), Some((1, 1)));
+        Ok(())
+    }
+}

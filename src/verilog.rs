@@ -1,7 +1,7 @@
 //! `tilewright verilog`: a block as Verilog, and a testbench that replays its scenario.
 
 use crate::block::BlockArguments;
-use crate::player::play;
+use crate::player::{check_length, play};
 use crate::shell::output::{self, quoted};
 use crate::shell::{Exit, Failure};
 use clap::Args;
@@ -84,6 +84,7 @@ impl Verilog {
 /// The run of the scenario, as a testbench replays it.
 fn record(design: &Design, scenario: &Scenario) -> Result<Replay, Failure> {
     let mut sim = Simulation::from_design(design)?;
+    check_length(&sim, scenario, "a testbench")?;
     let recording = sim.recording();
     play(&mut sim, scenario)?;
     let recording = recording.lock().expect("the run is over");

@@ -1,7 +1,7 @@
 //! `tilewright wave`: a block's scenario as a waveform file, ready to be looked at, or as text.
 
 use crate::block::BlockArguments;
-use crate::player::play;
+use crate::player::{check_length, play};
 use crate::save_file;
 use crate::shell::output::{self, quoted};
 use crate::shell::{Exit, Failure};
@@ -26,7 +26,7 @@ pub struct Wave {
     #[command(flatten)]
     block: BlockArguments,
     /// The waveform, a VCD file
-    #[arg(short, long, value_name = "FILE", required_unless_present = "ascii")]
+    #[arg(short, long, value_name = "FILE", required_unless_present = "ascii", value_parser = waveform)]
     output: Option<PathBuf>,
     /// Print the ports' waves as text
     #[arg(long, conflicts_with = "json")]
@@ -57,15 +57,14 @@ impl Wave {
         let (entry, values) = self.block.find()?;
         let scenario = entry.scenario(&values)?;
         let mut sim = Simulation::from_design(&entry.design(&values)?)?;
-        let text = self.ascii.then(|| record_ports(&mut sim));
-        if let Some(path) = &self.output {
-            output::check_place(path)?;
-            sim.trace(self.filters.vcd(path))?;
+        let text = if self.ascii { Some(record_ports(&mut sim, &scenario)?) } else { None };
+        if let Some(vcd) = self.filters.vcd(self.output.as_deref(), "-o")? {
+            sim.trace(vcd)?;
         }
         let played = play(&mut sim, &scenario);
         // An interrupted or failed run leaves its waves too.
         let finished = sim.finish();
-        let saved = self.output.as_deref().map(|path| self.save(path)).transpose();
+        let saved = self.output.as_deref().map(|path| self.save(path, sim.time())).transpose();
         played?;
         finished?;
         let saved = saved?;
@@ -83,19 +82,29 @@ impl Wave {
     }
 
     /// Writes the save file beside the waveform.
-    fn save(&self, path: &Path) -> Result<PathBuf, Failure> {
+    fn save(&self, path: &Path, end: u64) -> Result<PathBuf, Failure> {
         output::talk(&format!("wrote {}", path.display()));
         let save = path.with_extension("gtkw");
-        output::write_file(&save, save_file::of(path, self.filters.is_scoped())?.as_bytes())?;
+        let times = self.filters.times();
+        let text = save_file::of(path, times.start..times.end.min(end), self.filters.is_scoped())?;
+        output::write_file(&save, text.as_bytes())?;
         Ok(save)
     }
 }
 
-fn record_ports(sim: &mut Simulation) -> tilewright_sim::Wave {
+/// A waveform's name, which is not that of the save file beside it.
+fn waveform(text: &str) -> Result<PathBuf, &'static str> {
+    let path = PathBuf::from(text);
+    let is_save_file = path.extension().is_some_and(|it| it == "gtkw");
+    if is_save_file { Err("the .gtkw file is written beside the waveform: name the waveform .vcd") } else { Ok(path) }
+}
+
+fn record_ports(sim: &mut Simulation, scenario: &Scenario) -> Result<tilewright_sim::Wave, Failure> {
+    check_length(sim, scenario, "a wave in text")?;
     let program = sim.program();
     let ports = program.inputs.iter().chain(&program.outputs);
     let probes: Vec<Probe> = ports.map(|port| Probe::Path(port.name.clone())).collect();
-    sim.record(probes)
+    Ok(sim.record(probes))
 }
 
 /// The lines that open the waveform.

@@ -11,7 +11,9 @@ pub fn guard(command: impl FnOnce() -> Result<Exit, Failure>) -> Result<Exit, Fa
 }
 
 fn sentence(panic: &PanicHookInfo) -> String {
-    let said = panic.payload_as_str().unwrap_or("no reason given");
+    let payload = panic.payload();
+    let text = payload.downcast_ref::<&str>().copied().or(payload.downcast_ref::<String>().map(String::as_str));
+    let said = text.unwrap_or("no reason given");
     let place = panic.location().map_or_else(String::new, |it| format!(" at {}:{}", it.file(), it.line()));
     format!("error: this is a mistake in tilewright{place}, please report it with the command that led here: {said}")
 }

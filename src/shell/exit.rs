@@ -84,3 +84,28 @@ impl From<tilewright_machines::Error> for Failure {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use tilewright_machines::Error;
+    use tilewright_sim::Error::{NoClock, Trace, Violated};
+
+    #[test]
+    fn what_went_wrong_decides_the_exit_code() {
+        let full = || Trace { path: "run.vcd".into(), source: io::ErrorKind::StorageFull.into() };
+        let cases = [
+            (Error::Simulation(Violated(Vec::new())), Exit::CheckFailed),
+            (Error::Simulation(full()), Exit::NoOutput),
+            (Error::Simulation(NoClock), Exit::BadInput),
+            (Error::Cancelled { phase: "drawing", time: 5 }, Exit::Interrupted),
+        ];
+        for (error, exit) in cases {
+            assert_eq!(Failure::from(error).exit, exit);
+        }
+        assert_eq!(
+            Failure::from(full()).sentence,
+            "run.vcd: cannot be written (no storage space): choose another place"
+        );
+    }
+}

@@ -41,10 +41,26 @@ fn the_commands_of_the_readme_run() {
 }
 
 #[test]
+fn the_readme_has_the_exit_codes_of_the_help() {
+    let help = Folder::new().stdout("--help");
+    let codes = help.split("Exit codes:\n").nth(1).and_then(|rest| rest.split("\n\n").next()).unwrap();
+    assert_eq!(codes.lines().count(), 6, "{codes}");
+    for line in codes.lines() {
+        let (code, meaning) = line.trim().split_once(' ').unwrap();
+        let row = format!("| {code} | {} |", meaning.trim());
+        assert!(include_str!("../../README.md").contains(&row), "the README lacks `{row}`");
+    }
+}
+
+#[test]
 fn completions_know_commands_and_blocks() {
     let folder = Folder::new();
-    for shell in ["bash", "elvish", "fish", "powershell", "zsh"] {
+    // The others' scripts complete commands and options alone.
+    for shell in ["bash", "zsh"] {
         let script = folder.stdout(&format!("completions {shell}"));
         assert!(script.contains("render") && script.contains("merging-unit"), "{shell}");
+    }
+    for shell in ["elvish", "fish", "powershell"] {
+        assert!(folder.stdout(&format!("completions {shell}")).contains("render"), "{shell}");
     }
 }
