@@ -78,7 +78,7 @@ pub fn yosys_replay_vcd(files: &[VerilogFile], dump: &Path, scope: &str, clocks:
     let (sources, top) = (sources(files).join(" "), top(files));
     let dump = dump.display();
     let script =
-        format!("read_verilog {sources}; prep -top {top}; sim -r {dump} -scope {scope} {clocks}-sim-cmp {top}");
+        format!("read_verilog {sources}; prep -top {top}; sim -zinit -r {dump} -scope {scope} {clocks}-sim-cmp {top}");
     let (succeeded, output) = folder.run(Command::new("yosys").args(["-q", "-p", &script]));
     if succeeded && !output.contains("ERROR") { Ok(Checked::Passed) } else { Err(problem("yosys", output)) }
 }

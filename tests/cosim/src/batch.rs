@@ -78,10 +78,16 @@ pub enum Refused {
 /// The tool does not run them; one design is enough for that.
 pub fn run(tool: Tool, designs: &[Printed]) -> Result<Vec<Option<String>>, Refused> {
     let folder = TempDir::with_prefix("tilewright-cosim-").expect("a temporary folder can be made");
+    // Designs may share modules, of one text.
+    let mut files: BTreeMap<&str, &str> = BTreeMap::new();
     let mut text = String::new();
     let mut instances = String::new();
     for (number, design) in designs.iter().enumerate() {
         for file in &design.files {
+            if let Some(known) = files.insert(&file.name, &file.text) {
+                assert_eq!(known, file.text, "two designs have different files of the name {}", file.name);
+                continue;
+            }
             match file.name.ends_with(".v") {
                 true => text += &file.text,
                 false => std::fs::write(folder.path().join(&file.name), &file.text).expect("a file can be written"),
@@ -136,7 +142,7 @@ fn icarus(folder: &TempDir) -> Result<String, Refused> {
 
 fn verilator(folder: &TempDir) -> Result<String, Refused> {
     // The C++ runs for a moment and takes long to compile: no optimization.
-    let build = ["--binary", "-j", "2", "-Wno-DECLFILENAME", "-Wno-MULTITOP", "--output-split", "5000"];
+    let build = ["--binary", "-j", "2", "-Wno-fatal", "-Wno-lint", "--output-split", "20000"];
     let compiler = ["-CFLAGS", "-O0", "-MAKEFLAGS", "OPT_FAST=-O0 OPT_SLOW=-O0 OPT_GLOBAL=-O0"];
     let top = ["--Mdir", "build", "-o", "benches", "--top-module", "all_benches", "all_benches.v"];
     let (succeeded, output) = execute(folder, Command::new("verilator").args(build).args(compiler).args(top));

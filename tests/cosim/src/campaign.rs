@@ -13,9 +13,6 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use tilewright_gen::{Replay, VerilogFile, testbench, verilog};
 use tilewright_hdl::{Design, elaborate};
 
-/// The most single runs spent on making a failing design smaller.
-const SHRINKING_RUNS: u32 = 400;
-
 /// A campaign to run.
 #[derive(Debug, Clone)]
 pub struct Campaign {
@@ -106,12 +103,17 @@ impl Campaign {
         summaries.into_iter().fold(Summary::default(), |sum, (_, one)| sum.and(one))
     }
 
+    /// The random design of that number.
+    pub fn design(&self, number: u64) -> Spec {
+        self.draw(number).current()
+    }
+
     fn batch(&self, first: u64, count: u64) -> Summary {
         let mut summary = Summary::default();
         let (mut numbers, mut printed) = (Vec::new(), Vec::new());
         for number in first..first + count {
             summary.designs += 1;
-            match self.simulate(&self.draw(number).current(), number) {
+            match self.simulate(&self.design(number), number) {
                 Ok((replay, design)) => {
                     summary.cycles += replay.steps.len() as u64;
                     summary.outputs += replay.steps.iter().map(|step| step.outputs.len() as u64).sum::<u64>();
@@ -132,21 +134,25 @@ impl Campaign {
         summary
     }
 
-    /// What became of each design; where the tool refuses the batch, each goes on its own.
+    /// What became of each design; a batch that the tool refuses is halved until the culprit is alone.
     fn compare(&self, printed: &[Printed]) -> Vec<Verdict> {
-        let verdict = |verdict: Option<String>| verdict.map_or(Verdict::Agrees, Verdict::Differs);
-        let alone = |design: &Printed| match batch::run(self.tool, std::slice::from_ref(design)) {
-            Ok(mut verdicts) => verdict(verdicts.remove(0)),
-            Err(Refused::Verilog(output)) => Verdict::Differs(format!("{} refuses it:\n{output}", self.tool.name())),
-            Err(Refused::Itself(_)) => Verdict::Unusable,
-        };
         match batch::run(self.tool, printed) {
-            Ok(verdicts) => verdicts.into_iter().map(verdict).collect(),
-            Err(_) => printed.iter().map(alone).collect(),
+            Ok(verdicts) => {
+                let verdict = |differs: Option<String>| differs.map_or(Verdict::Agrees, Verdict::Differs);
+                verdicts.into_iter().map(verdict).collect()
+            }
+            Err(_) if printed.len() > 1 => {
+                let (left, right) = printed.split_at(printed.len() / 2);
+                [self.compare(left), self.compare(right)].into_iter().flatten().collect()
+            }
+            Err(Refused::Verilog(output)) => {
+                vec![Verdict::Differs(format!("{} refuses it:\n{output}", self.tool.name()))]
+            }
+            Err(Refused::Itself(_)) => vec![Verdict::Unusable],
         }
     }
 
-    /// The random design of that number, with the way to smaller ones.
+    /// A random design, with the way to smaller ones.
     fn draw(&self, number: u64) -> impl ValueTree<Value = Spec> + use<> {
         let mut seed = [0; 32];
         seed[..8].copy_from_slice(&self.seed.to_le_bytes());
@@ -185,10 +191,12 @@ impl Campaign {
 
     /// The smallest design that still fails, by proptest's steps.
     fn shrink(&self, number: u64, what: String) -> Failure {
+        // A single run takes 20 ms in Icarus, and some seconds in Verilator.
+        let most_runs = if self.tool == Tool::Icarus { 400 } else { 20 };
         let mut tree = self.draw(number);
         let mut smallest = (tree.current(), what);
         let mut runs = 0;
-        'smaller: while runs < SHRINKING_RUNS && tree.simplify() {
+        'smaller: while runs < most_runs && tree.simplify() {
             loop {
                 runs += 1;
                 let spec = tree.current();
@@ -196,7 +204,7 @@ impl Campaign {
                     smallest = (spec, what);
                     break;
                 }
-                if runs >= SHRINKING_RUNS || !tree.complicate() {
+                if runs >= most_runs || !tree.complicate() {
                     break 'smaller;
                 }
             }

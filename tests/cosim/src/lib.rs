@@ -1,12 +1,15 @@
 //! Compares the simulator with other simulators on the printed Verilog.
 //!
-//! - [`operators`]: every operator at every width against big integers, Icarus and Verilator;
+//! - [`operators`] and [`matrix`]: every operator at every width against big integers, Icarus and Verilator;
 //! - [`campaign`]: thousands of random designs, shrunk where they differ;
 //! - [`check`]: one design through all tools, for the blocks of the catalogue.
 
 pub mod batch;
 pub mod build;
 pub mod campaign;
+pub mod check;
+pub mod matrix;
+pub mod operators;
 pub mod spec;
 pub mod stimulus;
 pub mod strategy;

@@ -63,8 +63,15 @@ pub enum ClockPick {
 }
 
 /// A choice among the values that exist, and how it is fitted to the width it meets. 0 is the first value.
-#[derive(Debug, Clone, Copy)]
+#[derive(Clone, Copy)]
 pub struct Pick(pub u16);
+
+/// On one line, since there are many.
+impl std::fmt::Debug for Pick {
+    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+        write!(f, "Pick({})", self.0)
+    }
+}
 
 /// A constant of some width.
 #[derive(Debug, Clone, Copy)]
@@ -93,6 +100,7 @@ pub struct Step {
 }
 
 /// What a step makes.
+#[allow(missing_docs, reason = "the fields are those of the operators of `tilewright_hdl::ir`")]
 #[derive(Debug, Clone)]
 pub enum Make {
     /// A constant.
@@ -178,10 +186,19 @@ pub enum Binary {
 /// A state machine of four states.
 #[derive(Debug, Clone)]
 pub struct Machine {
-    /// For each state, conditions and where they lead, then where it goes otherwise (`None`: it stays).
-    pub states: [(Vec<(Pick, u8)>, Option<u8>); 4],
+    /// Where it goes from each state.
+    pub states: [Exits; 4],
     /// The values that it chooses from by its state.
     pub chosen: [Pick; 4],
+}
+
+/// Where a state machine goes from a state.
+#[derive(Debug, Clone)]
+pub struct Exits {
+    /// Conditions, and the states they lead to.
+    pub when: Vec<(Pick, u8)>,
+    /// The state otherwise; `None` means that it stays.
+    pub otherwise: Option<u8>,
 }
 
 /// A memory.

@@ -72,11 +72,11 @@ pub fn run(design: &Design, stimulus: &Stimulus) -> Result<Replay, tilewright_si
     for _ in 0..stimulus.steps {
         for (port, width) in &inputs {
             // Inputs that stay let state machines and enables show their other side.
-            if numbers.draw() % 4 != 0 {
+            if !numbers.draw().is_multiple_of(4) {
                 sim.set(*port, numbers.bits(*width));
             }
         }
-        if numbers.draw() % 12 == 0 { sim.reset() } else { sim.step() }
+        if numbers.draw().is_multiple_of(12) { sim.reset() } else { sim.step() }
     }
     let recording = recording.lock().expect("no panic while recording");
     Ok(replay(&recording))

@@ -10,11 +10,7 @@ use tilewright_hdl::ir::{Reduction, Relation, Shift};
 
 /// Random designs.
 pub fn designs() -> impl Strategy<Value = Spec> {
-    let parts = prop_oneof![
-        4 => vec(part(14), 1),
-        2 => vec(part(8), 2),
-        1 => vec(part(6), 3),
-    ];
+    let parts = prop_oneof![4 => vec(part(14), 1..2), 3 => vec(part(8), 1..4)];
     // Equal periods, a whole ratio, and edges that drift against each other.
     let second_period = weighted(0.4, select(vec![10_000u64, 20_000, 14_000, 26_002, 6_000]));
     (parts, second_period, stimulus()).prop_map(|(parts, second_period, stimulus)| Spec {
@@ -134,7 +130,7 @@ fn object() -> impl Strategy<Value = Make> {
 }
 
 fn machine() -> impl Strategy<Value = Machine> {
-    let state = || (vec((pick(), 0..4u8), 0..3), of(0..4u8));
+    let state = || (vec((pick(), 0..4u8), 0..3), of(0..4u8)).prop_map(|(when, otherwise)| Exits { when, otherwise });
     ([state(), state(), state(), state()], picks()).prop_map(|(states, chosen)| Machine { states, chosen })
 }
 

@@ -1,0 +1,261 @@
+//! Random designs as hardware.
+
+mod expression;
+mod instances;
+mod objects;
+
+use crate::spec::*;
+pub use expression::compare;
+use instances::Row;
+use std::fmt;
+use std::rc::Rc;
+use tilewright_hdl::*;
+
+bundle! {
+    /// The inputs of a part, by clock.
+    pub struct PartIn<T> {
+        /// On the module's own clock.
+        pub own: Vec<T>,
+        /// On the second clock.
+        pub second: Vec<T>,
+    }
+    /// The outputs of a part, by clock.
+    pub struct PartOut<T> {
+        /// On the module's own clock.
+        pub out: Vec<T>,
+        /// On the second clock.
+        pub second_out: Vec<T>,
+        /// For each input on the own clock that has a link, a value of its width.
+        pub link: Vec<T>,
+        /// For each input on the second clock that has a link, a value of its width.
+        pub second_link: Vec<T>,
+    }
+}
+
+/// A part of a random design, as a block.
+#[derive(Clone)]
+pub struct PartBlock {
+    /// Goes before the name of each module.
+    pub prefix: String,
+    /// The design.
+    pub spec: Rc<Spec>,
+    /// The part's place in it.
+    pub index: usize,
+}
+
+/// The name alone: the prefix tells designs apart.
+impl fmt::Debug for PartBlock {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        write!(f, "{}_part{}", self.prefix, self.index)
+    }
+}
+
+/// The top of a random design, with names that begin with `prefix`.
+pub fn top(spec: &Spec, prefix: &str) -> PartBlock {
+    PartBlock { prefix: prefix.to_owned(), spec: Rc::new(spec.clone()), index: spec.parts.len() - 1 }
+}
+
+impl PartBlock {
+    fn part(&self) -> &Part {
+        &self.spec.parts[self.index]
+    }
+
+    fn second(&self) -> Option<Clock> {
+        self.spec.second_period.map(|period| Clock::new("second", Period::ps(period)))
+    }
+
+    /// The clock's place in the bundles.
+    fn domain(&self, clock: ClockPick) -> usize {
+        usize::from(clock == ClockPick::Second && self.spec.second_period.is_some())
+    }
+
+    fn inputs_on(&self, domain: usize) -> impl Iterator<Item = &Input> {
+        self.part().inputs.iter().filter(move |input| self.domain(input.clock) == domain)
+    }
+}
+
+impl Block for PartBlock {
+    type In = PartIn;
+    type Out = PartOut;
+
+    fn inputs(&self) -> PartIn<Width> {
+        let own = self.inputs_on(0).map(|input| bits(input.width)).collect();
+        let second = self.second().map(|clock| self.inputs_on(1).map(|input| bits(input.width).on(clock)).collect());
+        PartIn { own, second: second.unwrap_or_default() }
+    }
+
+    fn build(&self, m: Module, i: PartIn) -> PartOut {
+        m.ignore(&i);
+        let mut builder = Builder::new(self, m, [i.own, i.second]);
+        for (number, step) in self.part().steps.iter().enumerate() {
+            builder.step(number, step);
+        }
+        builder.finish()
+    }
+
+    fn name(&self) -> String {
+        format!("{self:?}")
+    }
+}
+
+/// A value that later steps may pick.
+struct Value {
+    signal: Signal,
+    /// Something observable depends on it.
+    is_read: bool,
+}
+
+/// A connection made when all values are known.
+enum Late {
+    Next(Reg, Pick),
+    Write { memory: Mem, enable: Signal, address: Signal, data: Pick },
+}
+
+struct Builder<'a> {
+    block: &'a PartBlock,
+    module: Module,
+    /// By clock.
+    pools: [Vec<Value>; 2],
+    late: Vec<(usize, Late)>,
+}
+
+impl<'a> Builder<'a> {
+    fn new(block: &'a PartBlock, module: Module, inputs: [Vec<Signal>; 2]) -> Self {
+        let pools = inputs.map(|of| of.into_iter().map(|signal| Value { signal, is_read: true }).collect());
+        let mut builder = Builder { block, module, pools, late: Vec::new() };
+        if block.second().is_some() {
+            // With state on the own clock, inputs that name no clock belong to it.
+            let beat = module.reg("beat", 1).reset(0);
+            beat.next(!beat);
+            builder.push(0, beat.value());
+        }
+        builder
+    }
+
+    fn push(&mut self, domain: usize, signal: Signal) {
+        self.pools[domain].push(Value { signal, is_read: false });
+    }
+
+    /// Odd picks favour recent values, so that expressions get deep; 0 is the first value.
+    fn index(&self, domain: usize, pick: Pick) -> Option<usize> {
+        let count = self.pools[domain].len();
+        match usize::from(pick.0) {
+            _ if count == 0 => None,
+            number if number % 2 == 1 => Some(count - 1 - (number / 2 % 4).min(count - 1)),
+            number => Some(number / 2 % count),
+        }
+    }
+
+    fn pick(&mut self, domain: usize, pick: Pick) -> Signal {
+        let Some(index) = self.index(domain, pick) else { return lit(1, 1) };
+        self.pools[domain][index].is_read = true;
+        self.pools[domain][index].signal
+    }
+
+    fn pick_fit(&mut self, domain: usize, pick: Pick, width: u32) -> Signal {
+        let signal = self.pick(domain, pick);
+        fit(signal, width, pick)
+    }
+
+    /// A pick that does not make its value observed: the way to an output may lead through itself.
+    fn pick_late(&self, domain: usize, pick: Pick, width: u32) -> Signal {
+        match self.index(domain, pick) {
+            Some(index) => fit(self.pools[domain][index].signal, width, pick),
+            None => fit(lit(1, 1), width, pick),
+        }
+    }
+
+    /// The module seen from a clock.
+    fn on(&self, domain: usize) -> Module {
+        match self.block.second() {
+            Some(clock) if domain == 1 => self.module.on(clock),
+            _ => self.module,
+        }
+    }
+
+    fn step(&mut self, number: usize, step: &Step) {
+        let d = self.block.domain(step.clock);
+        match &step.make {
+            Make::Register { width, reset, enable, next } => {
+                let mut register = self.on(d).reg(&format!("r{number}"), *width);
+                if let Some(reset) = reset {
+                    register = register.reset(reset.bits(*width));
+                }
+                if let Some(enable) = enable {
+                    register = register.enable(self.pick_fit(d, *enable, 1));
+                }
+                self.push(d, register.value());
+                self.late.push((d, Late::Next(register, *next)));
+            }
+            Make::Machine(machine) => self.machine(d, number, machine),
+            Make::Memory(memory) => self.memory(d, number, memory),
+            Make::Cross { synchronize, of } => self.cross(d, number, *synchronize, *of),
+            Make::Assert(pick) => {
+                let signal = self.pick(d, *pick);
+                self.on(d).assert(signal.le(Bits::ones(signal.width())), "a value is at most all ones");
+            }
+            Make::Instance { part, inputs } => self.instance(d, number, *part, inputs),
+            Make::Array { part, lanes, towards_lower, inputs, outputs } => {
+                if let Some(child) = self.child(*part) {
+                    let by = if *towards_lower { -1 } else { 1 };
+                    self.array(d, number, &child, Row { lanes: *lanes, by, inputs, outputs });
+                }
+            }
+            make => {
+                let signal = self.expression(d, number, make);
+                self.push(d, signal);
+            }
+        }
+    }
+
+    fn finish(mut self) -> PartOut {
+        for (d, late) in std::mem::take(&mut self.late) {
+            match late {
+                Late::Next(register, next) => register.next(self.pick_late(d, next, register.width())),
+                Late::Write { memory, enable, address, data } => {
+                    memory.write(enable, address, self.pick_late(d, data, memory.width()));
+                }
+            }
+        }
+        let block = self.block;
+        let [link, second_link] = [0, 1].map(|domain| {
+            let link = |input: &Input| Some(self.pick_fit(domain, input.link?, input.width));
+            block.inputs_on(domain).filter_map(link).collect()
+        });
+        let [out, second_out] = self
+            .pools
+            .map(|pool| pool.iter().filter(|value| !value.is_read).map(|value| value.signal).collect::<Vec<_>>());
+        let nothing = out.is_empty() && second_out.is_empty();
+        PartOut { out: if nothing { vec![lit(1, 1)] } else { out }, second_out, link, second_link }
+    }
+}
+
+/// The value cut or widened to a width; where it is cut and how it is widened follows from the pick.
+fn fit(signal: Signal, width: u32, pick: Pick) -> Signal {
+    let how = u32::from(pick.0 / 5);
+    if signal.width() > width {
+        let low = how % (signal.width() - width + 1);
+        return signal.slice(low..low + width);
+    }
+    if how % 2 == 1 { signal.sext(width) } else { signal.zext(width) }
+}
+
+fn narrow(signal: Signal) -> Signal {
+    signal.trunc(signal.width().min(WIDEST))
+}
+
+impl Pattern {
+    /// The constant in `width` bits.
+    pub fn bits(self, width: u32) -> Bits {
+        let every = |number: u64| Bits::from_limbs(width, &vec![number; limbs_for(width)]);
+        match self {
+            Pattern::Zero => Bits::zero(width),
+            Pattern::Ones => Bits::ones(width),
+            Pattern::One => Bits::new(width, 1),
+            Pattern::Sign if width == 1 => Bits::new(1, 1),
+            Pattern::Sign => Bits::new(1, 1).concat(&Bits::zero(width - 1)),
+            Pattern::Alternating => every(0x5555_5555_5555_5555),
+            Pattern::Number(number) => every(number),
+        }
+    }
+}

@@ -1,0 +1,98 @@
+//! Steps that hold state or cross clocks: state machines, memories, synchronizers.
+
+use super::{Builder, Late};
+use crate::spec::*;
+use tilewright_hdl::*;
+
+states! {
+    enum Phase { Idle, Load, Run, Drain }
+}
+
+impl Builder<'_> {
+    pub fn machine(&mut self, d: usize, number: usize, machine: &Machine) {
+        let state = self.on(d).fsm(&format!("s{number}"), Phase::Idle);
+        let width = self.pick(d, machine.chosen[0]).width();
+        let chosen = machine.chosen.map(|pick| self.pick_fit(d, pick, width));
+        let chosen = state.pick(|phase| chosen[phase.code() as usize]);
+        let conditions = machine.states.iter().map(|exits| {
+            exits.when.iter().map(|(pick, to)| (self.pick_fit(d, *pick, 1), phase(*to))).collect::<Vec<_>>()
+        });
+        let conditions: Vec<Vec<(Signal, Phase)>> = conditions.collect();
+        state.next(|from| {
+            let arms = &conditions[from.code() as usize];
+            let otherwise = machine.states[from.code() as usize].otherwise;
+            let transition = arms.split_first().map(|((condition, to), rest)| {
+                rest.iter().fold(when(*condition, *to), |so_far, (condition, to)| so_far.or_when(*condition, *to))
+            });
+            match (transition, otherwise) {
+                (Some(transition), Some(to)) => transition.or_else(phase(to)),
+                (Some(transition), None) => transition,
+                (None, Some(to)) => goto(phase(to)),
+                (None, None) => hold(),
+            }
+        });
+        self.push(d, chosen);
+        self.push(d, state.is(Phase::Run));
+    }
+
+    pub fn memory(&mut self, d: usize, number: usize, memory: &Memory) {
+        let crossing = memory.crossing && self.block.second().is_some();
+        let policy = if crossing { ReadUnderWrite::Old } else { memory.policy };
+        // A memory handle goes from the own clock to the second one, not back.
+        let mut mem =
+            self.on(if crossing { 0 } else { d }).memory(&format!("m{number}"), memory.depth, memory.width, policy);
+        if memory.writes.len() > 1 {
+            mem = mem.true_dual_port();
+        }
+        mem = match &memory.contents {
+            Contents::Unknown => mem,
+            Contents::Fill(word) => mem.fill(word.bits(memory.width)),
+            Contents::Words(words) => {
+                mem.words(words.iter().take(memory.depth as usize).map(|word| word.bits(memory.width)))
+            }
+        };
+        let second = self.block.second().filter(|_| crossing);
+        let seen_from = |domain| second.filter(|_| domain == 1).map_or(mem, |clock| mem.on(clock));
+        let writer = if crossing { 1 - d } else { d };
+        let (reading, writing) = (seen_from(d), seen_from(writer));
+        let ports = memory.writes.iter().map(|port| {
+            (self.pick_fit(writer, port.enable, 1), self.pick_fit(writer, port.address, mem.address_width()))
+        });
+        let ports: Vec<_> = ports.collect();
+        for read in &memory.reads {
+            let address = self.pick_fit(d, read.address, mem.address_width());
+            let mut enable = read.enable.map(|pick| self.pick_fit(d, pick, 1));
+            if policy == ReadUnderWrite::Any {
+                let quiet = ports.iter().map(|(writes, _)| !*writes);
+                enable = quiet.chain(enable).reduce(|a, b| a & b);
+            }
+            let data = match enable {
+                _ if read.asynchronous && !crossing => reading.read_async(address),
+                Some(enable) => reading.read_when(enable, address),
+                None => reading.read(address),
+            };
+            self.push(d, data);
+        }
+        for (port, (enable, address)) in memory.writes.iter().zip(ports) {
+            self.late.push((writer, Late::Write { memory: writing, enable, address, data: port.data }));
+        }
+    }
+
+    pub fn cross(&mut self, d: usize, number: usize, synchronize: bool, of: Pick) {
+        if self.block.second().is_none() {
+            return;
+        }
+        let signal = match synchronize {
+            true => {
+                let signal = self.pick_fit(1 - d, of, 1);
+                self.on(d).synchronize(&format!("y{number}"), signal)
+            }
+            false => self.pick(1 - d, of).quasi_static("the simulators agree on every instant"),
+        };
+        self.push(d, signal);
+    }
+}
+
+fn phase(number: u8) -> Phase {
+    Phase::ALL[usize::from(number) % Phase::ALL.len()]
+}

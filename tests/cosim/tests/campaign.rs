@@ -1,0 +1,107 @@
+//! Random designs, as many as every test run can afford; the command of this package runs more.
+
+use std::collections::BTreeSet;
+use tilewright_cosim::batch::Tool;
+use tilewright_cosim::{Campaign, build};
+use tilewright_gen::{VerilogFile, verilog};
+use tilewright_hdl::ir::Op;
+use tilewright_hdl::{Design, elaborate};
+
+const SEED: u64 = 1;
+
+fn expect_agreement(campaign: &Campaign) {
+    if !campaign.tool.is_here() {
+        return;
+    }
+    let summary = campaign.run(|_| {});
+    println!("{}: {summary}", campaign.tool.name());
+    let failures: Vec<String> = summary.failures.iter().map(ToString::to_string).collect();
+    assert!(failures.is_empty(), "{}", failures.join("\n\n"));
+    // A design that the other simulator breaks on is rare, or the generator is no good.
+    assert!(summary.unusable * 500 <= summary.designs, "{summary}");
+}
+
+#[test]
+fn icarus_agrees_on_5000_designs() {
+    expect_agreement(&Campaign::icarus(SEED, 5000));
+}
+
+#[test]
+fn verilator_agrees_on_100_designs() {
+    expect_agreement(&Campaign::verilator(SEED, 100));
+}
+
+/// Prints a greater-than where an expression has a less-than.
+fn wrong_printer(design: &Design) -> Vec<VerilogFile> {
+    let wrong = |line: &str| match line.trim_start().starts_with("assign") {
+        true => line.replace(" < ", " > ") + "\n",
+        false => line.to_owned() + "\n",
+    };
+    let files = verilog(design).into_iter();
+    files.map(|file| VerilogFile { text: file.text.lines().map(wrong).collect(), ..file }).collect()
+}
+
+#[test]
+fn a_wrong_operator_is_found_and_shrunk() {
+    if !Tool::Icarus.is_here() {
+        return;
+    }
+    let campaign = Campaign { printer: wrong_printer, jobs: 1, batch: 40, ..Campaign::icarus(SEED, 40) };
+    let summary = campaign.run(|_| {});
+    let smallest = summary.failures.iter().map(|failure| failure.spec.parts.iter().map(|part| part.steps.len()).sum());
+    let smallest: usize = smallest.min().expect("a wrong operator goes unnoticed");
+    assert!(smallest <= 3, "the smallest failing design still has {smallest} steps");
+    let text = summary.failures[0].to_string();
+    assert!(text.contains("FAIL: cycle ") && text.contains("--first "), "{text}");
+}
+
+#[test]
+fn a_seed_makes_the_same_designs() {
+    let campaign = Campaign { jobs: 1, ..Campaign::icarus(SEED, 0) };
+    let text = || (0..20).map(|number| format!("{:?}", campaign.design(number))).collect::<Vec<_>>();
+    assert_eq!(text(), text());
+}
+
+#[test]
+fn every_node_of_the_circuit_is_generated() {
+    let campaign = Campaign::icarus(SEED, 0);
+    let mut seen = BTreeSet::new();
+    for number in 0..400 {
+        let design = elaborate(&build::top(&campaign.design(number), "d")).unwrap();
+        for module in &design.modules {
+            seen.extend(module.nodes.iter().map(|node| kind(&node.op)));
+        }
+    }
+    let all = [
+        "Binary",
+        "Broadcast",
+        "Case",
+        "Compare",
+        "Concat",
+        "Const",
+        "Extend",
+        "Input",
+        "Lane",
+        "Mux",
+        "Output",
+        "PerLane",
+        "QuasiStatic",
+        "Read",
+        "Reduce",
+        "Register",
+        "Repeat",
+        "Select",
+        "Shift",
+        "Shifted",
+        "Slice",
+        "Unary",
+        "Wire",
+    ];
+    assert_eq!(seen, all.map(String::from).into());
+}
+
+/// The name of a node's variant.
+fn kind(op: &Op) -> String {
+    let text = format!("{op:?}");
+    text.split(|c: char| !c.is_alphanumeric()).next().unwrap_or_default().to_owned()
+}
