@@ -168,7 +168,10 @@ fn a_cancelled_run_leaves_a_dump_that_opens() {
     let path = folder.path().join("vc1.vcd");
     let config = Config { processors: 2, costs: HASTY, ..Config::new(projection.size) };
     let mut machine = Machine::new(config).expect("can be built");
-    machine.simulation().trace(Vcd::to(&path).only("u_lfb[1].overflow").only("u_gfb.**.round*")).expect("the signals exist");
+    machine
+        .simulation()
+        .trace(Vcd::to(&path).only("u_lfb[1].overflow").only("u_gfb.**.round*"))
+        .expect("the signals exist");
     let cancel = AtomicBool::new(false);
     let mut progress = |it: Progress| cancel.store(it.phase == "merging" && it.fraction > 0.4, Ordering::Relaxed);
     let result =
