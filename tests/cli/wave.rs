@@ -9,8 +9,8 @@ fn a_scenario_becomes_a_waveform_that_opens_with_its_signals() {
     assert_eq!(lines, "gtkwave mu.vcd mu.gtkw\nsurfer mu.vcd\n");
     let waveform = Waveform::read(&folder.path("mu.vcd"));
     assert!(waveform.names.contains(&"merging_unit.left[47:0]".to_owned()), "{:?}", waveform.names);
-    // The reset and 12 rows of 80 ns, to the next edge.
-    assert_eq!(waveform.times.last(), Some(&(14 * 80_000)));
+    // The reset and 11 rows of 80 ns, to the next edge.
+    assert_eq!(waveform.times.last(), Some(&(13 * 80_000)));
     let save = folder.read("mu.gtkw");
     let shown: Vec<&str> = save.lines().filter(|line| line.starts_with("merging_unit.")).collect();
     assert!(shown.contains(&"merging_unit.clk") && shown.contains(&"merging_unit.nearer[47:0]"), "{save}");
