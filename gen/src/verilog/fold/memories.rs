@@ -17,8 +17,9 @@ impl Fold {
                 !never && address.is_none_or(|address| address.to_u64().is_some_and(|address| address < depth))
             });
             for write in &mut memory.writes {
-                if let Op::Const(_) = self.module.node(write.address).op {
-                    let node = Node { op: Op::Wire(write.address), ..self.module.node(write.address).clone() };
+                let address = self.module.node(write.address);
+                if matches!(address.op, Op::Const(_)) && address.name.is_none() {
+                    let node = Node { op: Op::Wire(write.address), ..address.clone() };
                     write.address = NodeId(self.module.nodes.len() as u32);
                     self.module.nodes.push(node);
                 }
