@@ -110,10 +110,11 @@ impl Block for GfbUnit {
         let round = m.instance("u_sequencer", &self.sequencer(), SequencerIn { start });
         m.assert(!(swap | start) | !round.busy, "the banks are swapped and a round is started between rounds");
 
-        // The lowest bit of an address tells the banks apart.
+        // The lowest bit of an address tells the banks apart. No read meets a write: what is on display is not filled, and a
+        // pixel is fed long before it is stored.
         let filled = m.reg("filled_bank", 1).reset(0);
         filled.enable(swap).next(!filled);
-        let banks = m.memory("banks", 2 * self.screen.pixels(), WORD, ReadUnderWrite::Old);
+        let banks = m.memory("banks", 2 * self.screen.pixels(), WORD, ReadUnderWrite::Any);
         banks.write(round.stores, cat![round.store, filled], i.merged);
         net!(read_word = banks.read(cat![read_address, !filled]));
 
