@@ -83,7 +83,7 @@ fn a_marked_pixel(merger: &ImageMerger) -> Scenario {
 
 fn gfb_unit(values: &Values) -> Result<GfbUnit, CatalogError> {
     let screen = Screen::new(values.get_u32("width"), values.get_u32("height"))?;
-    Ok(GfbUnit { screen, units: values.get_u32("units"), overhead: values.get_u32("overhead") })
+    Ok(GfbUnit::new(screen, values.get_u32("units"), values.get_u32("overhead"))?)
 }
 
 fn two_rounds(gfb: &GfbUnit) -> Scenario {

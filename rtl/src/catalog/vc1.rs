@@ -34,7 +34,7 @@ fn vc1(values: &Values) -> Result<Vc1, CatalogError> {
 
 fn a_frame(vc1: &Vc1) -> Scenario {
     let gfb = vc1.gfb();
-    let Screen { width, height } = gfb.screen;
+    let Screen { width, height } = gfb.screen();
     let [last_x, last_y] = [width - 1, height - 1].map(u64::from);
 
     let processor = ProcessorIn {
@@ -44,8 +44,10 @@ fn a_frame(vc1: &Vc1) -> Scenario {
         resume: 0,
     };
     let host = Host { start: 0, swap: 0, read_address: 0, background: 0xffffff_102030 };
-    let all =
-        |of: &dyn Fn(u64) -> ProcessorIn<u64>| Vc1In { processors: (0..gfb.units.into()).map(of).collect(), gfb: host };
+    let all = |of: &dyn Fn(u64) -> ProcessorIn<u64>| Vc1In {
+        processors: (0..gfb.units().into()).map(of).collect(),
+        gfb: host,
+    };
     let idle = all(&|_| processor);
     let draw = |x: u64, y: u64, word: u64| ProcessorIn { request: Request { valid: 1, x, y, word }, ..processor };
 
@@ -61,7 +63,7 @@ fn a_frame(vc1: &Vc1) -> Scenario {
     script.clock(&Vc1In { gfb: Host { start: 1, ..host }, ..idle.clone() });
     script.hold(&idle, gfb.merge_clocks() + 4);
     script.clock(&Vc1In { gfb: Host { swap: 1, ..host }, ..idle.clone() });
-    for read_address in [0, 1, u64::from(gfb.screen.pixels()) - 1] {
+    for read_address in [0, 1, u64::from(gfb.screen().pixels()) - 1] {
         script.hold(&Vc1In { gfb: Host { read_address, ..host }, ..idle.clone() }, 2);
     }
     script.finish(

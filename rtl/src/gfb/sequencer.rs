@@ -58,15 +58,15 @@ states! {
     enum Round { Idle, Prime, Line, Overhead, Drain }
 }
 
-/// Leads merging rounds.
+/// Leads merging rounds. [`GfbUnit::sequencer`](super::GfbUnit::sequencer) makes it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Sequencer {
     /// The screen: M x N pixels.
-    pub screen: Screen,
+    pub(super) screen: Screen,
     /// The merging units of the chain: n, at least 1.
-    pub units: u32,
+    pub(super) units: u32,
     /// Clocks of overhead after each scan line: beta, at least 1.
-    pub overhead: u32,
+    pub(super) overhead: u32,
 }
 
 impl Sequencer {

@@ -24,7 +24,7 @@ use tilewright_hdl::ir::About;
 use tilewright_hdl::{Block, Module, ReadUnderWrite, Width, bit, bits, bundle, cat, index_width, mux, net};
 
 use super::sequencer::{Sequencer, SequencerIn};
-use crate::parameter::Screen;
+use crate::parameter::{ParameterError, Screen};
 use crate::scan::ScanControl;
 use crate::word::WORD;
 
@@ -75,15 +75,38 @@ bundle! {
 /// A double-buffered frame buffer with depth, at both ends of a chain of merging units.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct GfbUnit {
-    /// The screen: M x N pixels.
-    pub screen: Screen,
-    /// The merging units of the chain: n, at least 1.
-    pub units: u32,
-    /// Clocks of overhead after each scan line: beta, at least 1 (VC1-TM).
-    pub overhead: u32,
+    screen: Screen,
+    units: u32,
+    overhead: u32,
 }
 
 impl GfbUnit {
+    /// A frame buffer for a screen of M x N pixels and a chain of n merging units, with beta clocks of overhead after each
+    /// scan line (VC1-TM).
+    ///
+    /// # Errors
+    ///
+    /// There are no merging units, or no overhead.
+    pub fn new(screen: Screen, units: u32, overhead: u32) -> Result<GfbUnit, ParameterError> {
+        if units == 0 || overhead == 0 {
+            return Err(ParameterError(format!(
+                "a global frame buffer for {units} merging units with {overhead} clocks of overhead after a scan line: \
+                 each has to be at least 1"
+            )));
+        }
+        Ok(GfbUnit { screen, units, overhead })
+    }
+
+    /// The screen.
+    pub fn screen(&self) -> Screen {
+        self.screen
+    }
+
+    /// The number of merging units in the chain.
+    pub fn units(&self) -> u32 {
+        self.units
+    }
+
     /// The unit's sequencer.
     pub fn sequencer(&self) -> Sequencer {
         Sequencer { screen: self.screen, units: self.units, overhead: self.overhead }
@@ -110,10 +133,11 @@ impl Block for GfbUnit {
         let round = m.instance("u_sequencer", &self.sequencer(), SequencerIn { start });
         m.assert(!(swap | start) | !round.busy, "the banks are swapped and a round is started between rounds");
 
-        // The lowest bit of an address tells the banks apart.
+        // The lowest bit of an address tells the banks apart. No read meets a write: what is on display is not filled, and a
+        // pixel is fed long before it is stored.
         let filled = m.reg("filled_bank", 1).reset(0);
         filled.enable(swap).next(!filled);
-        let banks = m.memory("banks", 2 * self.screen.pixels(), WORD, ReadUnderWrite::Old);
+        let banks = m.memory("banks", 2 * self.screen.pixels(), WORD, ReadUnderWrite::Any);
         banks.write(round.stores, cat![round.store, filled], i.merged);
         net!(read_word = banks.read(cat![read_address, !filled]));
 
@@ -218,7 +242,7 @@ mod tests {
 
     #[test]
     fn a_later_round_feeds_the_chain_with_what_the_first_has_stored() {
-        let mut bench = Bench::new(&GfbUnit { screen: Screen { width: 3, height: 1 }, units: 1, overhead: 1 });
+        let mut bench = Bench::new(&GfbUnit::new(Screen { width: 3, height: 1 }, 1, 1).unwrap());
         bench.round(&[5, 6, 7]);
         let wave = bench.sim.record(["scan_restart", "scan_enable", "left", "merged", "u_sequencer.stores"]);
         bench.round(&[9, 1, 9]);
@@ -237,12 +261,21 @@ mod tests {
     #[test]
     #[should_panic(expected = "the banks are swapped and a round is started between rounds")]
     fn a_swap_during_a_round_is_an_error() {
-        let mut bench = Bench::new(&GfbUnit { screen: Screen { width: 2, height: 2 }, units: 1, overhead: 1 });
+        let mut bench = Bench::new(&GfbUnit::new(Screen { width: 2, height: 2 }, 1, 1).unwrap());
         bench.sim.set(bench.sim.i.host.start, 1);
         bench.sim.step();
         bench.sim.set(bench.sim.i.host.start, 0);
         bench.swap();
         bench.sim.step();
+    }
+
+    #[test]
+    fn a_unit_that_cannot_be_is_refused_in_a_sentence() {
+        assert_eq!(
+            GfbUnit::new(Screen::VC1, 16, 0).unwrap_err().to_string(),
+            "a global frame buffer for 16 merging units with 0 clocks of overhead after a scan line: \
+             each has to be at least 1"
+        );
     }
 
     proptest! {
@@ -254,7 +287,7 @@ mod tests {
             (width, height, units, overhead) in (2..9u32, 1..6u32, 1..4u32, 1..4u32),
             frames in prop::collection::vec(prop::collection::vec(prop::collection::vec(0..2 * BLANK, 40), 1..4), 1..4),
         ) {
-            let gfb = GfbUnit { screen: Screen { width, height }, units, overhead };
+            let gfb = GfbUnit::new(Screen { width, height }, units, overhead).unwrap();
             let mut bench = Bench::new(&gfb);
             let mut displayed = None;
             for rounds in &frames {

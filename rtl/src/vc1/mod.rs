@@ -113,7 +113,8 @@ impl Vc1 {
 
     /// Its global frame buffer unit.
     pub fn gfb(&self) -> GfbUnit {
-        GfbUnit { screen: self.lfb.patches().screen(), units: self.processors, overhead: OVERHEAD }
+        let screen = self.lfb.patches().screen();
+        GfbUnit::new(screen, self.processors, OVERHEAD).expect("there are processors, and there is an overhead")
     }
 }
 

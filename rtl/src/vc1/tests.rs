@@ -13,36 +13,67 @@ type Sim = Simulation<Vc1In, Vc1Out>;
 struct Machine {
     sim: Sim,
     screen: Screen,
+    patches: u32,
     merge_clocks: u64,
+    overflows: u64,
 }
 
 impl Machine {
     fn new(screen: Screen, edge: u32, pages: u32, processors: u32) -> Machine {
-        let vc1 = Vc1::new(Patches::new(screen, edge).unwrap(), pages, processors).unwrap();
+        let patches = Patches::new(screen, edge).unwrap();
+        let vc1 = Vc1::new(patches, pages, processors).unwrap();
         let mut sim = Simulation::of(&vc1).unwrap();
         sim.reset();
         sim.set(sim.i.gfb.background, BLANK);
-        Machine { sim, screen, merge_clocks: vc1.gfb().merge_clocks() }
+        let (patches, merge_clocks) = (patches.count(), vc1.gfb().merge_clocks());
+        Machine { sim, screen, patches, merge_clocks, overflows: 0 }
     }
 
-    /// Draws pixels on a processor, one after the other.
+    /// Draws pixels on a processor, one after the other, through overflows.
     fn draw(&mut self, processor: usize, pixels: impl IntoIterator<Item = (u64, u64, u64)>) {
         let request = self.sim.i.processors[processor].request;
-        let ready = self.sim.o.processors[processor].ready;
         for (x, y, word) in pixels {
             self.sim.set(request.valid, 1);
             self.sim.set(request.x, x);
             self.sim.set(request.y, y);
             self.sim.set(request.word, word);
-            while self.sim.get_u64(ready) != 1 {
-                self.sim.step_clock("pe", 1);
-            }
+            self.wait_until(self.sim.o.processors[processor].ready);
             self.sim.step_clock("pe", 1);
             self.sim.set(request.valid, 0);
+            self.go_on_after_an_overflow(processor);
         }
-        while self.sim.get_u64(self.sim.o.processors[processor].idle) != 1 {
+        self.wait_until(self.sim.o.processors[processor].idle);
+    }
+
+    fn wait_until(&mut self, port: Port) {
+        for _ in 0..20 {
+            if self.sim.get_u64(port) == 1 {
+                return;
+            }
             self.sim.step_clock("pe", 1);
         }
+        panic!("the processor waits for ever");
+    }
+
+    /// If there is no page for the pixel just accepted, which shows after two clocks: swaps the buffers, has them merged,
+    /// clears the patch table, and resumes.
+    fn go_on_after_an_overflow(&mut self, processor: usize) {
+        self.sim.step_clock("pe", 2);
+        if self.sim.get_u64(self.sim.o.processors[processor].overflow) == 0 {
+            return;
+        }
+        self.overflows += 1;
+        self.swap(processor);
+        self.merge();
+        let clear = self.sim.i.processors[processor].clear;
+        self.sim.set(clear.valid, 1);
+        for patch in 0..self.patches {
+            self.sim.set(clear.patch, u64::from(patch));
+            self.wait_until(self.sim.o.processors[processor].clear_ready);
+            self.sim.step_clock("pe", 1);
+        }
+        self.sim.set(clear.valid, 0);
+        self.pulse(self.sim.i.processors[processor].resume, "pe");
     }
 
     fn pulse(&mut self, port: Port, clock: &str) {
@@ -157,6 +188,19 @@ fn a_swap_during_a_round_loses_nothing() {
     }
 }
 
+#[test]
+fn an_overflow_is_merged_in_a_round_of_its_own() {
+    let screen = Screen { width: 16, height: 8 };
+    let mut machine = Machine::new(screen, 4, 2, 2);
+    let drawn: Vec<_> = (0..8).map(|patch| (4 * (patch % 4), 4 * (patch / 4), 100 - patch)).collect();
+    machine.draw(1, drawn.iter().copied());
+    assert_eq!(machine.overflows, 3, "8 patches in 2 pages");
+    machine.swap(1);
+    machine.merge();
+    machine.show();
+    assert_eq!(machine.picture(), nearest(screen, &drawn, &blank(screen)));
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 24, failure_persistence: None, ..ProptestConfig::default() })]
 
@@ -164,10 +208,11 @@ proptest! {
     fn the_picture_is_the_nearest_of_all(
         processors in 1u32..5,
         edge in prop::sample::select(vec![4u32, 8]),
+        pages in 2u32..15,
         pixels in prop::collection::vec((0u32..4, 0u64..18, 0u64..11, 0..EMPTY), 0..40),
     ) {
         let screen = Screen { width: 18, height: 11 };
-        let pages = Patches::new(screen, edge).unwrap().count();
+        let pages = pages.min(Patches::new(screen, edge).unwrap().count());
         let mut machine = Machine::new(screen, edge, pages, processors);
         for &(processor, x, y, word) in &pixels {
             machine.draw((processor % processors) as usize, [(x, y, word)]);
