@@ -63,11 +63,12 @@ impl Wave {
         }
         let played = play(&mut sim, &scenario);
         // An interrupted or failed run leaves its waves too.
-        let finished = sim.finish();
-        let saved = self.output.as_deref().map(|path| self.save(path, sim.time())).transpose();
-        played?;
-        finished?;
-        let saved = saved?;
+        let ended = played.and(sim.finish().map_err(Failure::from));
+        let saved = match &self.output {
+            Some(path) if Failure::leaves_a_waveform(&ended) => Some(self.save(path, sim.time())?),
+            _ => None,
+        };
+        ended?;
         if let Some(text) = text {
             output::print(&text.to_string())?;
         }
