@@ -49,7 +49,7 @@ pub struct Render {
     /// Print the report as JSON
     #[arg(long)]
     json: bool,
-    /// Write the waveform of the run, a VCD file; that of a whole frame can take gigabytes unless it is filtered
+    /// Write the waveform of the run, a VCD file; that of a whole frame takes about a gigabyte unless it is filtered
     #[arg(long, value_name = "FILE")]
     vcd: Option<PathBuf>,
     #[command(flatten)]
