@@ -5,7 +5,6 @@ use clap::ValueEnum;
 /// A machine by its name on the command line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum Machine {
-    /// Virtual local frame buffers, merged by depth
     Vc1,
 }
 

@@ -49,7 +49,7 @@ pub struct Render {
     /// Print the report as JSON
     #[arg(long)]
     json: bool,
-    /// Write the waveform of the run, a VCD file
+    /// Write the waveform of the run, a VCD file; that of a whole frame takes about a gigabyte unless it is filtered
     #[arg(long, value_name = "FILE")]
     vcd: Option<PathBuf>,
     #[command(flatten)]
@@ -114,11 +114,11 @@ impl Render {
         let progress = Progress::new();
         let mut show = |it: tilewright_machines::Progress| progress.show(it.phase, it.fraction);
         let mut watch = Watch { progress: Some(&mut show), cancel: Some(interrupt::flag()) };
-        let rendered = machine.render(projection, scene.background, &mut watch);
+        let ended = machine.render(projection, scene.background, &mut watch).map_err(Failure::from);
         drop(progress);
-        if let Some(path) = &self.vcd {
+        if let Some(path) = self.vcd.as_ref().filter(|_| Failure::leaves_a_waveform(&ended)) {
             output::talk(&format!("wrote {}", path.display()));
         }
-        Ok(rendered?)
+        ended
     }
 }

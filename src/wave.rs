@@ -48,7 +48,7 @@ struct Report<'a> {
     picoseconds: u64,
     /// How often each clock rose, by its name.
     clocks: BTreeMap<String, u64>,
-    files: Vec<&'a Path>,
+    files: [&'a Path; 2],
 }
 
 impl Wave {
@@ -63,32 +63,30 @@ impl Wave {
         }
         let played = play(&mut sim, &scenario);
         // An interrupted or failed run leaves its waves too.
-        let finished = sim.finish();
-        let saved = self.output.as_deref().map(|path| self.save(path, sim.time())).transpose();
-        played?;
-        finished?;
-        let saved = saved?;
+        let ended = played.and(sim.finish().map_err(Failure::from));
+        let written = self.output.as_ref().filter(|_| Failure::leaves_a_waveform(&ended));
+        let files = written.map(|path| self.save(path, sim.time())).transpose()?;
+        ended?;
         if let Some(text) = text {
             output::print(&text.to_string())?;
         }
-        match (&self.output, saved) {
-            (Some(path), Some(save)) if self.json => {
-                output::print_json(&report(entry, &values, &scenario, &sim, vec![path, &save]))?;
+        if let Some([path, save]) = &files {
+            match self.json {
+                true => output::print_json(&report(entry, &values, &scenario, &sim, [path, save]))?,
+                false => output::print(&viewers(path, save))?,
             }
-            (Some(path), Some(save)) => output::print(&viewers(path, &save))?,
-            _ => {}
         }
         Ok(Exit::Done)
     }
 
-    /// Writes the save file beside the waveform.
-    fn save(&self, path: &Path, end: u64) -> Result<PathBuf, Failure> {
+    /// Writes the save file beside the waveform, which ends at `end` picoseconds; the names of both.
+    fn save(&self, path: &Path, end: u64) -> Result<[PathBuf; 2], Failure> {
         output::talk(&format!("wrote {}", path.display()));
         let save = path.with_extension("gtkw");
         let times = self.filters.times();
         let text = save_file::of(path, times.start..times.end.min(end), self.filters.is_scoped())?;
         output::write_file(&save, text.as_bytes())?;
-        Ok(save)
+        Ok([path.to_owned(), save])
     }
 }
 
@@ -118,7 +116,7 @@ fn report<'a>(
     values: &Values,
     scenario: &'a Scenario,
     sim: &Simulation,
-    files: Vec<&'a Path>,
+    files: [&'a Path; 2],
 ) -> Report<'a> {
     let cycles = |name: &str| sim.cycles(name).expect("it is a clock of the block");
     Report {

@@ -44,6 +44,11 @@ impl Failure {
         Failure { exit, sentence: sentence.into() }
     }
 
+    /// Whether the waveform of a run that ended so has been written: not all of it was if an output failed.
+    pub fn leaves_a_waveform<T>(ended: &Result<T, Failure>) -> bool {
+        !matches!(ended, Err(Failure { exit: Exit::NoOutput, .. }))
+    }
+
     /// An output that the system does not let us write.
     pub fn unwritable(output: &dyn Display, error: &io::Error) -> Failure {
         let text = error.to_string();

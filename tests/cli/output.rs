@@ -50,6 +50,25 @@ fn a_full_disk_is_no_success() {
 }
 
 #[test]
+#[cfg(target_os = "linux")]
+fn a_disk_that_fills_up_is_no_success_either() {
+    let folder = Folder::new();
+    let lines = [
+        "wave gfb-unit --set width=64 --set height=64 -o big.vcd",
+        "render teapot --vcd big.vcd",
+        "golden teapot -o big.png",
+    ];
+    for line in lines {
+        // No file may grow beyond 50 KiB or so; the signal that would end the program is ignored.
+        let run = folder.shell(&format!("trap '' XFSZ; ulimit -f 100; tilewright {line}"));
+        assert_eq!((run.code, run.stdout.as_str()), (Some(3), ""), "{line}: {run:?}");
+        assert!(run.stderr.starts_with("error: big.") && run.stderr.contains("(file too large)"), "{line}: {run:?}");
+        assert_eq!(run.stderr.lines().count(), 1, "{line}: {run:?}");
+    }
+    assert_eq!(folder.names(), ["big.vcd"], "a picture that could not be written is left");
+}
+
+#[test]
 fn a_reader_that_has_gone_away_stops_it_silently() {
     let folder = Folder::new();
     for line in ["list", "--help", "completions bash", "wave merging-unit --ascii"] {
