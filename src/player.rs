@@ -1,8 +1,9 @@
 //! Plays a block's scenario in a simulation.
 
 use crate::shell::{Exit, Failure, Progress, interrupt};
-use std::sync::atomic::{AtomicBool, Ordering};
-use tilewright_rtl::catalog::Scenario;
+use std::ops::ControlFlow;
+use std::sync::atomic::Ordering;
+use tilewright_hdl::Scenario;
 use tilewright_sim::Simulation;
 
 /// Simulated picoseconds between two looks at the interruption flag.
@@ -29,39 +30,14 @@ pub fn check_length(sim: &Simulation, scenario: &Scenario, what: &str) -> Result
 /// # Errors
 /// Ctrl-C; an assertion does not hold; a trace cannot be written.
 pub fn play(sim: &mut Simulation, scenario: &Scenario) -> Result<(), Failure> {
-    let interrupted = interrupt::flag();
-    let progress = Progress::new();
-    sim.reset();
-    let start = sim.time();
-    let mut run = Run { sim, interrupted, progress, start, now: start, end: start + scenario.end_ps };
-    for event in &scenario.events {
-        run.until(start + event.at_ps)?;
-        let port = run.sim.port(&event.input).expect("a scenario's inputs are ports of its block");
-        run.sim.set(port, &event.value);
+    let (interrupted, progress) = (interrupt::flag(), Progress::new());
+    let ended = sim.play_watched(scenario, SLICE, |_, played| {
+        progress.show("running", played);
+        if interrupted.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    })?;
+    if ended.is_break() {
+        let sentence = format!("the run was interrupted at {} ps of simulated time", sim.time());
+        return Err(Failure::new(Exit::Interrupted, sentence));
     }
-    run.until(run.end)
-}
-
-struct Run<'a> {
-    sim: &'a mut Simulation,
-    interrupted: &'a AtomicBool,
-    progress: Progress,
-    start: u64,
-    now: u64,
-    end: u64,
-}
-
-impl Run<'_> {
-    fn until(&mut self, time: u64) -> Result<(), Failure> {
-        while self.now < time {
-            if self.interrupted.load(Ordering::Relaxed) {
-                let sentence = format!("the run was interrupted at {} ps of simulated time", self.now);
-                return Err(Failure::new(Exit::Interrupted, sentence));
-            }
-            self.now = time.min(self.now + SLICE);
-            self.sim.try_run_until(self.now)?;
-            self.progress.show("running", (self.now - self.start) as f64 / (self.end - self.start) as f64);
-        }
-        Ok(())
-    }
+    Ok(())
 }

@@ -8,10 +8,9 @@ use clap::Args;
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-use tilewright_gen::{Replay, ReplayStep, VerilogFile, testbench, verilog};
-use tilewright_hdl::Design;
-use tilewright_rtl::catalog::Scenario;
-use tilewright_sim::{Simulation, Step};
+use tilewright_gen::{VerilogFile, testbench, verilog};
+use tilewright_hdl::{Design, Recording, Scenario};
+use tilewright_sim::Simulation;
 
 /// Writes a block as Verilog, a file a module
 #[derive(Args)]
@@ -57,9 +56,9 @@ impl Verilog {
         let mut files = verilog(&design);
         let mut cycles = None;
         if self.testbench {
-            let replay = record(&design, &entry.scenario(&values)?)?;
-            cycles = Some(replay.steps.len());
-            files.push(testbench(&design, &replay));
+            let recording = record(&design, &entry.scenario(&values)?)?;
+            cycles = Some(recording.steps.len());
+            files.push(testbench(&design, &recording));
         }
         output::make_folder(&self.output)?;
         for file in &files {
@@ -82,18 +81,12 @@ impl Verilog {
 }
 
 /// The run of the scenario, as a testbench replays it.
-fn record(design: &Design, scenario: &Scenario) -> Result<Replay, Failure> {
+fn record(design: &Design, scenario: &Scenario) -> Result<Recording, Failure> {
     let mut sim = Simulation::from_design(design)?;
     check_length(&sim, scenario, "a testbench")?;
     let recording = sim.recording();
     play(&mut sim, scenario)?;
-    let recording = recording.lock().expect("the run is over");
-    Ok(Replay { steps: recording.steps.iter().map(replayed).collect(), initial: Vec::new() })
-}
-
-fn replayed(step: &Step) -> ReplayStep {
-    let Step { time, clocks, resets, inputs, outputs } = step.clone();
-    ReplayStep { time_ps: time, rising: clocks, resets, inputs, outputs }
+    Ok(recording.take())
 }
 
 /// The lines that run the testbench, the last of the files, in two simulators.

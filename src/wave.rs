@@ -10,7 +10,8 @@ use clap::Args;
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-use tilewright_rtl::catalog::{Entry, Scenario, Values};
+use tilewright_hdl::Scenario;
+use tilewright_rtl::catalog::{Entry, Values};
 use tilewright_sim::{Probe, Simulation};
 
 /// Runs a block's scenario and shows it as a waveform

@@ -40,7 +40,7 @@ mod bench;
 pub mod tools;
 mod verilog;
 
-pub use bench::{Initial, Replay, ReplayStep, testbench};
+pub use bench::testbench;
 pub use verilog::verilog;
 
 /// A file of the printed design: Verilog, or the data that a memory is loaded with.

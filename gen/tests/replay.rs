@@ -4,8 +4,9 @@ mod blocks;
 
 use blocks::{Clocks, Counter, Row};
 use tilewright_gen::tools::{self, Problems};
-use tilewright_gen::{Initial, Replay, ReplayStep, testbench, verilog};
-use tilewright_hdl::{Bits, Block, elaborate};
+use tilewright_gen::{testbench, verilog};
+use tilewright_hdl::recording::{Initial, Step};
+use tilewright_hdl::{Bits, Block, Recording, elaborate};
 
 /// A value and its width.
 type Value = (u32, u64);
@@ -15,21 +16,21 @@ fn bits(values: &[Value]) -> Vec<Bits> {
 }
 
 /// A step of one clock of 10 ns: its cycle, whether the reset is high, inputs, outputs.
-fn step(cycle: u64, reset: bool, inputs: &[Value], outputs: &[Value]) -> ReplayStep {
+fn step(cycle: u64, reset: bool, inputs: &[Value], outputs: &[Value]) -> Step {
     let resets = if reset { vec![0] } else { vec![] };
     let time_ps = 10_000 * (cycle + 1);
-    ReplayStep { time_ps, rising: vec![0], resets, inputs: bits(inputs), outputs: bits(outputs) }
+    Step { time_ps, rising: vec![0], resets, inputs: bits(inputs), outputs: bits(outputs) }
 }
 
-fn run<B: Block>(block: &B, replay: &Replay) -> Result<(), Problems> {
+fn run<B: Block>(block: &B, recording: &Recording) -> Result<(), Problems> {
     let design = elaborate(block).expect("the block is sound");
-    let (files, bench) = (verilog(&design), testbench(&design, replay));
+    let (files, bench) = (verilog(&design), testbench(&design, recording));
     let _ = tools::replay_in_icarus(&files, &bench)?;
     let _ = tools::replay_in_verilator(&files, &bench)?;
     Ok(())
 }
 
-fn counting() -> Replay {
+fn counting() -> Recording {
     let steps = vec![
         step(0, true, &[(1, 1)], &[(8, 0), (1, 0)]),
         step(1, false, &[(1, 1)], &[(8, 0), (1, 0)]),
@@ -38,7 +39,7 @@ fn counting() -> Replay {
         step(4, false, &[(1, 1)], &[(8, 2), (1, 1)]),
         step(5, false, &[(1, 1)], &[(8, 0), (1, 0)]),
     ];
-    Replay { steps, initial: Vec::new() }
+    Recording { steps, initial: Vec::new() }
 }
 
 #[test]
@@ -62,12 +63,12 @@ fn a_wrong_expectation_fails_with_port_and_cycle() {
 }
 
 #[test]
-fn lanes_and_memories_start_from_what_the_replay_says() {
+fn lanes_and_memories_start_from_what_the_recording_says() {
     let outputs = [(1, 0), (1, 0), (8, 9), (8, 12), (8, 0x67)];
     let initial = [(0, 1), (1, 2), (4, 9)]
         .map(|(lane, value)| Initial { path: format!("u_cell[{lane}].q"), words: vec![Bits::new(8, value)] });
-    let replay = Replay { steps: vec![step(0, false, &[(1, 0), (8, 5)], &outputs)], initial: initial.to_vec() };
-    run(&Row { lanes: 5 }, &replay).unwrap();
+    let recording = Recording { steps: vec![step(0, false, &[(1, 0), (8, 5)], &outputs)], initial: initial.to_vec() };
+    run(&Row { lanes: 5 }, &recording).unwrap();
 }
 
 #[test]
@@ -78,15 +79,9 @@ fn several_clocks_keep_their_relative_times() {
             [10, 14].iter().enumerate().filter(|(_, period)| ns.is_multiple_of(**period)).map(|at| at.0).collect();
         let (count, seen) = ((ns - 1) / 10, (ns - 1) / 14 * 14);
         let seen = if seen == 70 { 6 } else { seen / 10 };
-        ReplayStep {
-            time_ps: ns * 1000,
-            rising,
-            resets: vec![],
-            inputs: vec![],
-            outputs: bits(&[(8, count), (8, seen)]),
-        }
+        Step { time_ps: ns * 1000, rising, resets: vec![], inputs: vec![], outputs: bits(&[(8, count), (8, seen)]) }
     });
-    run(&Clocks, &Replay { steps: steps.to_vec(), initial: vec![] }).unwrap();
+    run(&Clocks, &Recording { steps: steps.to_vec(), initial: vec![] }).unwrap();
 }
 
 #[test]

@@ -1,14 +1,12 @@
 //! What can watch a simulation, and how it is attached.
 
-use std::sync::{Arc, Mutex};
-
 use tilewright_hdl::Bundle;
 
 use crate::error::Error;
 use crate::lookup::{self, Found};
 use crate::port::Port;
 use crate::simulation::Simulation;
-use crate::trace::{Draw, Dump, Recorder, Recording, Source, Vcd, Wave, Window, header};
+use crate::trace::{Draw, Dump, Recorder, Source, Vcd, Wave, Window, header};
 
 /// What a wave shows: a port, or anything with a name.
 #[derive(Debug, Clone)]
@@ -57,12 +55,12 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     ///
     /// After the first step, or with a seed: a replay could not start from the same state.
     #[track_caller]
-    pub fn recording(&mut self) -> Arc<Mutex<Recording>> {
+    pub fn recording(&mut self) -> Recorder {
         assert!(self.timeline.time == 0, "a recording starts before the first step");
         assert!(self.seed == 0, "a recording starts from zeros, not from seed {}", self.seed);
-        let recording = Arc::new(Mutex::new(Recording::new(&self.program)));
-        self.observers.push(Box::new(Recorder(recording.clone())));
-        recording
+        let recorder = Recorder::default();
+        self.observers.push(Box::new(recorder.clone()));
+        recorder
     }
 
     /// Draws a wave of these ports and signals, by [`Port`] or by name, from here on.

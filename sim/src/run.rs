@@ -62,12 +62,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     /// As [`Simulation::step`].
     #[track_caller]
     pub fn reset(&mut self) {
-        (0..self.resets.len()).for_each(|clock| self.set_reset(clock, true));
-        let before: Vec<u64> = (0..self.resets.len()).map(|clock| self.timeline.cycles(clock)).collect();
-        while (0..before.len()).any(|clock| self.timeline.cycles(clock) == before[clock]) {
-            done(self.try_step());
-        }
-        (0..self.resets.len()).for_each(|clock| self.set_reset(clock, false));
+        done(self.try_reset());
     }
 
     fn set_reset(&mut self, clock: usize, high: bool) {
@@ -94,6 +89,21 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         }
         self.engine.edge(&self.rising);
         self.timeline.advance(until, &self.rising);
+        Ok(())
+    }
+
+    /// As [`Simulation::reset`].
+    ///
+    /// # Errors
+    ///
+    /// As [`Simulation::try_step`].
+    pub fn try_reset(&mut self) -> Result<(), Error> {
+        (0..self.resets.len()).for_each(|clock| self.set_reset(clock, true));
+        let before: Vec<u64> = (0..self.resets.len()).map(|clock| self.timeline.cycles(clock)).collect();
+        while (0..before.len()).any(|clock| self.timeline.cycles(clock) == before[clock]) {
+            self.try_step()?;
+        }
+        (0..self.resets.len()).for_each(|clock| self.set_reset(clock, false));
         Ok(())
     }
 

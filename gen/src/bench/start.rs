@@ -1,10 +1,10 @@
 //! What everything that holds state starts from, set through hierarchical paths: Verilog has unknowns, the recorded
 //! simulation has not.
 
-use super::Replay;
 use crate::verilog::{State, state};
 use std::collections::BTreeMap;
 use tilewright_hdl::Bits;
+use tilewright_hdl::Recording;
 use tilewright_hdl::ir::{Design, Module, ModuleId};
 
 /// The name of the loop variable that steps through a memory.
@@ -80,17 +80,17 @@ fn start(path: &str, state: &State) -> Vec<String> {
     }
 }
 
-/// The assignments that the replay asks for.
-pub fn special(design: &Design, replay: &Replay) -> Vec<String> {
+/// The assignments that the recording asks for.
+pub fn special(design: &Design, recording: &Recording) -> Vec<String> {
     let mut states: BTreeMap<u32, Vec<State>> = BTreeMap::new();
     let mut out = Vec::new();
-    for initial in &replay.initial {
+    for initial in &recording.initial {
         let (module, path, name) = find(design, &initial.path);
         let states = states.entry(module.0).or_insert_with(|| state(design, design.module(module)));
         let value = || {
             assert!(
                 initial.words.len() == 1,
-                "`{}` is one value, the replay gives {}",
+                "`{}` is one value, the recording gives {}",
                 initial.path,
                 initial.words.len()
             );
@@ -113,7 +113,7 @@ pub fn special(design: &Design, replay: &Replay) -> Vec<String> {
 }
 
 fn no_state(path: &str) -> ! {
-    panic!("the replay gives `{path}` an initial value, but the design has no such register or unknown memory")
+    panic!("the recording gives `{path}` an initial value, but the design has no such register or unknown memory")
 }
 
 /// The module, the Verilog path of its instance, and the last name of a path such as `u_row.u_cell[3].q`.

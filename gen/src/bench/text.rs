@@ -1,9 +1,10 @@
 //! The text of a replay testbench.
 
-use super::{Replay, start};
+use super::start;
 use crate::verilog::{connect, range};
 use std::fmt::Write;
 use tilewright_hdl::Bits;
+use tilewright_hdl::Recording;
 use tilewright_hdl::ir::{Design, Module};
 
 /// Mismatches beyond this many are counted and not shown.
@@ -12,17 +13,17 @@ const MOST_SHOWN: u32 = 10;
 /// A port of the top: its name and width.
 type Port<'a> = (&'a str, u32);
 
-pub fn print(design: &Design, replay: &Replay, name: &str) -> String {
-    let bench = Bench::new(design.top(), replay);
+pub fn print(design: &Design, recording: &Recording, name: &str) -> String {
+    let bench = Bench::new(design.top(), recording);
     let mut body = bench.declarations();
     body.extend(bench.device(design.top()));
     body.extend(generate_start(design));
-    body.extend(bench.run(&start::special(design, replay)));
+    body.extend(bench.run(&start::special(design, recording)));
     body.extend(bench.tables());
     let mut text = format!(
         "// {name}\n//\n// Replays {} recorded steps of {} and compares every output before every edge.\n\
          `default_nettype none\n\nmodule {name};\n",
-        replay.steps.len(),
+        recording.steps.len(),
         design.top().name
     );
     for line in body {
@@ -32,7 +33,7 @@ pub fn print(design: &Design, replay: &Replay, name: &str) -> String {
 }
 
 struct Bench<'a> {
-    replay: &'a Replay,
+    recording: &'a Recording,
     clocks: Vec<&'a str>,
     /// Resets, then inputs: what is driven.
     driven: Vec<Port<'a>>,
@@ -46,12 +47,12 @@ struct Bench<'a> {
 }
 
 impl<'a> Bench<'a> {
-    fn new(top: &'a Module, replay: &'a Replay) -> Bench<'a> {
+    fn new(top: &'a Module, recording: &'a Recording) -> Bench<'a> {
         let resets = top.clocks.iter().filter_map(|clock| Some((clock.reset.as_deref()?, 1)));
         let inputs = top.inputs.iter().map(|input| (input.name.as_str(), top.width(input.node)));
         let outputs = top.outputs.iter().map(|output| (output.name.as_str(), top.width(output.node)));
         let mut bench = Bench {
-            replay,
+            recording,
             clocks: top.clocks.iter().map(|clock| clock.port.as_str()).collect(),
             driven: resets.chain(inputs).collect(),
             has_reset: top.clocks.iter().map(|clock| clock.reset.is_some()).collect(),
@@ -77,7 +78,7 @@ impl<'a> Bench<'a> {
 
     fn gaps(&self) -> Vec<u64> {
         let mut before = 0;
-        self.replay.steps.iter().map(|step| step.time_ps - std::mem::replace(&mut before, step.time_ps)).collect()
+        self.recording.steps.iter().map(|step| step.time_ps - std::mem::replace(&mut before, step.time_ps)).collect()
     }
 
     fn own(&self, name: &str) -> String {
@@ -89,7 +90,7 @@ impl<'a> Bench<'a> {
     }
 
     fn declarations(&self) -> Vec<String> {
-        let last = self.replay.steps.len().max(1) - 1;
+        let last = self.recording.steps.len().max(1) - 1;
         let table = |width: u32, name: &str| format!("reg {}{} [0:{last}];", range(width), self.own(name));
         let mut out = vec![String::new()];
         out.extend(self.clocks.iter().map(|clock| format!("reg {clock};")));
@@ -126,7 +127,7 @@ impl<'a> Bench<'a> {
     }
 
     fn run(&self, special: &[String]) -> Vec<String> {
-        let (cycle, errors, steps) = (self.own("cycle"), self.own("errors"), self.replay.steps.len());
+        let (cycle, errors, steps) = (self.own("cycle"), self.own("errors"), self.recording.steps.len());
         let mut out = vec![String::new(), format!("initial begin : {}", self.own("run"))];
         let mut line = |indent: usize, text: String| out.push(format!("{}{text}", "    ".repeat(indent)));
         line(1, format!("{errors} = 0;"));
@@ -184,7 +185,7 @@ impl<'a> Bench<'a> {
     fn tables(&self) -> Vec<String> {
         let mut out = vec![String::new(), format!("initial begin : {}", self.own("fill"))];
         let gaps = self.gaps();
-        for (cycle, step) in self.replay.steps.iter().enumerate() {
+        for (cycle, step) in self.recording.steps.iter().enumerate() {
             let mut columns = Vec::new();
             if !self.driven.is_empty() {
                 let resets = (0..self.clocks.len()).filter(|&clock| self.has_reset[clock]);

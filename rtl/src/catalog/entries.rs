@@ -1,9 +1,8 @@
 //! The entries of the catalogue.
 
-use tilewright_hdl::elaborate_at;
+use tilewright_hdl::{Scenario, Script, elaborate_at};
 
-use super::scenario::Script;
-use super::{CatalogError, Entry, Parameter, Scenario, Values, lfb, vc1};
+use super::{CatalogError, Entry, Parameter, Values, lfb, vc1};
 use crate::clocks::MERGE;
 use crate::gfb::{GfbUnit, GfbUnitIn, Host, Sequencer, SequencerIn};
 use crate::merger::{ImageMerger, ImageMergerIn, MergingUnit, MergingUnitIn};

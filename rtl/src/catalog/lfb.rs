@@ -1,10 +1,9 @@
 //! The entries of the local frame buffer and its parts.
 
-use tilewright_hdl::{elaborate, elaborate_at};
+use tilewright_hdl::{Scenario, Script, elaborate, elaborate_at};
 
 use super::entries::{EMPTY, HEIGHT, WIDTH};
-use super::scenario::Script;
-use super::{CatalogError, Entry, Parameter, Scenario, Values};
+use super::{CatalogError, Entry, Parameter, Values};
 use crate::clocks::{MERGE, PE};
 use crate::lfb::{
     Clear, Draw, ImageMemory, ImageMemoryIn, LfbUnit, LfbUnitIn, LookUp, PageIdGenerator, PageIdGeneratorIn,

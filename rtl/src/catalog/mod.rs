@@ -2,18 +2,16 @@
 
 mod entries;
 mod lfb;
-mod scenario;
 mod vc1;
 
 use std::collections::BTreeMap;
 use std::fmt;
 
-use tilewright_hdl::{Design, Problems};
+use tilewright_hdl::{Design, Problems, Scenario};
 
 use crate::parameter::ParameterError;
 
 pub use entries::ENTRIES;
-pub use scenario::{Event, Scenario, Script};
 
 /// A block of the catalogue.
 #[derive(Debug, Clone, Copy)]

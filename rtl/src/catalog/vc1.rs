@@ -1,11 +1,10 @@
 //! The entry of the VC-1's frame buffer subsystem.
 
-use tilewright_hdl::elaborate;
+use tilewright_hdl::{Scenario, Script, elaborate};
 
 use super::entries::{HEIGHT, WIDTH};
 use super::lfb::{PAGES, PATCH};
-use super::scenario::Script;
-use super::{CatalogError, Entry, Parameter, Scenario, Values};
+use super::{CatalogError, Entry, Parameter, Values};
 use crate::clocks::{MERGE, PE};
 use crate::gfb::Host;
 use crate::lfb::{Clear, Patches, Request};

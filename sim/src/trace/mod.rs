@@ -10,8 +10,7 @@ use crate::error::Error;
 use crate::program::Program;
 use crate::reference::Engine;
 
-pub(crate) use recording::Recorder;
-pub use recording::{Recording, Step};
+pub use recording::Recorder;
 pub use vcd::Vcd;
 pub(crate) use vcd::{Dump, Window};
 pub(crate) use vcd_header::header;

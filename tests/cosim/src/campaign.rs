@@ -10,7 +10,8 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::PathBuf;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
-use tilewright_gen::{Replay, VerilogFile, testbench, verilog};
+use tilewright_gen::{VerilogFile, testbench, verilog};
+use tilewright_hdl::Recording;
 use tilewright_hdl::{Design, elaborate};
 
 /// A campaign to run.
@@ -163,7 +164,7 @@ impl Campaign {
     }
 
     /// Elaborates, runs and prints a design; what goes wrong on the way is a failure as well.
-    fn simulate(&self, spec: &Spec, number: u64) -> Result<(Replay, Printed), String> {
+    fn simulate(&self, spec: &Spec, number: u64) -> Result<(Recording, Printed), String> {
         let run = || {
             let design =
                 elaborate(&build::top(spec, &format!("d{number}"))).map_err(|problems| problems.to_string())?;

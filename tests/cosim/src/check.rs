@@ -1,7 +1,6 @@
 //! One design through all tools: what our simulator records of it must be what the others make of the printed Verilog.
 
 use crate::batch::Printed;
-use crate::stimulus;
 use tempfile::TempDir;
 use tilewright_gen::tools::{self, Problems};
 use tilewright_gen::{testbench, verilog};
@@ -49,8 +48,7 @@ impl Run {
         let recording = sim.recording();
         stimulus(&mut sim)?;
         sim.finish()?;
-        let replay = stimulus::replay(&recording.lock().expect("no panic while recording"));
-        let printed = Printed { files: verilog(design), bench: testbench(design, &replay) };
+        let printed = Printed { files: verilog(design), bench: testbench(design, &recording.take()) };
         Ok(Run { printed, folder })
     }
 

@@ -6,7 +6,9 @@ use crate::operators::{BY_WIDTH, Numbers, OPERATORS, Operands};
 use crate::spec::Pattern;
 use crate::stimulus;
 use num_bigint::BigUint;
-use tilewright_gen::{Replay, ReplayStep, testbench, verilog};
+use tilewright_gen::{testbench, verilog};
+use tilewright_hdl::Recording;
+use tilewright_hdl::recording::Step;
 use tilewright_hdl::*;
 use tilewright_sim::Simulation;
 
@@ -87,9 +89,9 @@ impl Block for Cell {
 /// # Errors
 ///
 /// The first result that differs.
-pub fn run(width: u32) -> Result<(Replay, u64), String> {
+pub fn run(width: u32) -> Result<(Recording, u64), String> {
     let mut sim = Simulation::of(&Matrix { width }).map_err(|error| error.to_string())?;
-    let (mut replay, mut compared) = (Replay::default(), 0);
+    let (mut replay, mut compared) = (Recording::default(), 0);
     for [a, b, by] in vectors(width) {
         sim.drive_bits(MatrixIn { a: a.clone(), b: b.clone(), by: by.clone() });
         let MatrixOut { result, lanes } = sim.read();
@@ -101,7 +103,7 @@ pub fn run(width: u32) -> Result<(Replay, u64), String> {
             }
             compared += 1;
         }
-        replay.steps.push(ReplayStep {
+        replay.steps.push(Step {
             time_ps: 10_000 * (replay.steps.len() as u64 + 1),
             rising: Vec::new(),
             resets: Vec::new(),

@@ -1,9 +1,9 @@
 //! Runs a design in our simulator under random inputs, and keeps what went in and came out.
 
 use crate::spec::{Pattern, Stimulus};
-use tilewright_gen::{Replay, ReplayStep};
-use tilewright_hdl::{Bits, Design};
-use tilewright_sim::{Recording, Simulation};
+use tilewright_hdl::recording::Step;
+use tilewright_hdl::{Bits, Design, Recording};
+use tilewright_sim::Simulation;
 
 /// Between comparisons of a design without clocks, in picoseconds.
 const IDLE_STEP: u64 = 10_000;
@@ -45,7 +45,7 @@ impl Numbers {
 /// # Errors
 ///
 /// What the simulator says if it does not take the design.
-pub fn run(design: &Design, stimulus: &Stimulus) -> Result<Replay, tilewright_sim::Error> {
+pub fn run(design: &Design, stimulus: &Stimulus) -> Result<Recording, tilewright_sim::Error> {
     let mut numbers = Numbers(stimulus.seed);
     let mut sim = Simulation::from_design(design)?;
     let top = design.top();
@@ -58,7 +58,7 @@ pub fn run(design: &Design, stimulus: &Stimulus) -> Result<Replay, tilewright_si
         let step = |number: u8| {
             let values: Vec<Bits> = inputs.iter().map(|(_, width)| numbers.bits(*width)).collect();
             inputs.iter().zip(&values).for_each(|((port, _), value)| sim.set(*port, value.clone()));
-            ReplayStep {
+            Step {
                 time_ps: IDLE_STEP * (u64::from(number) + 1),
                 rising: Vec::new(),
                 resets: Vec::new(),
@@ -66,7 +66,7 @@ pub fn run(design: &Design, stimulus: &Stimulus) -> Result<Replay, tilewright_si
                 outputs: outputs.iter().map(|port| sim.get(*port)).collect(),
             }
         };
-        return Ok(Replay { steps: (0..stimulus.steps).map(step).collect(), initial: Vec::new() });
+        return Ok(Recording { steps: (0..stimulus.steps).map(step).collect(), initial: Vec::new() });
     }
     let recording = sim.recording();
     for _ in 0..stimulus.steps {
@@ -78,18 +78,5 @@ pub fn run(design: &Design, stimulus: &Stimulus) -> Result<Replay, tilewright_si
         }
         if numbers.draw().is_multiple_of(12) { sim.reset() } else { sim.step() }
     }
-    let recording = recording.lock().expect("no panic while recording");
-    Ok(replay(&recording))
-}
-
-/// A recording of the simulator as the printer's testbench takes it.
-pub fn replay(recording: &Recording) -> Replay {
-    let steps = recording.steps.iter().map(|step| ReplayStep {
-        time_ps: step.time,
-        rising: step.clocks.clone(),
-        resets: step.resets.clone(),
-        inputs: step.inputs.clone(),
-        outputs: step.outputs.clone(),
-    });
-    Replay { steps: steps.collect(), initial: Vec::new() }
+    Ok(recording.take())
 }

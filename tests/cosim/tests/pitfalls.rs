@@ -2,7 +2,9 @@
 //! our simulator, Icarus and Verilator.
 
 use tilewright_cosim::batch::{self, Printed, Tool};
-use tilewright_gen::{Replay, ReplayStep, testbench, verilog};
+use tilewright_gen::{testbench, verilog};
+use tilewright_hdl::Recording;
+use tilewright_hdl::recording::Step;
 use tilewright_hdl::*;
 use tilewright_sim::Simulation;
 
@@ -183,14 +185,14 @@ impl Pitfall {
     fn printed(&self) -> Printed {
         let design = elaborate(self).unwrap();
         let width = design.top().width(design.top().outputs[0].node);
-        let step = |(number, row): (usize, &[u128; 4])| ReplayStep {
+        let step = |(number, row): (usize, &[u128; 4])| Step {
             time_ps: 1000 * (number as u64 + 1),
             rising: Vec::new(),
             resets: Vec::new(),
             inputs: self.input(*row).to_vec(),
             outputs: vec![Bits::from_u128(width, row[3])],
         };
-        let replay = Replay { steps: self.rows.iter().enumerate().map(step).collect(), initial: Vec::new() };
+        let replay = Recording { steps: self.rows.iter().enumerate().map(step).collect(), initial: Vec::new() };
         Printed { files: verilog(&design), bench: testbench(&design, &replay) }
     }
 }

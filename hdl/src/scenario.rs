@@ -1,6 +1,11 @@
 //! Scenarios: what a block's inputs do over time, as plain data that any simulator can play.
 
-use tilewright_hdl::{Bits, Block, Bundle, Fields, Period, Width};
+use crate::bits::Bits;
+use crate::block::Block;
+use crate::bundle::{Bundle, Fields};
+use crate::clock::Period;
+use crate::module::port_name;
+use crate::width::Width;
 
 /// What the inputs do over time. A reset comes first, at one edge of every clock; inputs not mentioned are zero.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -53,7 +58,7 @@ impl<B: Block> Script<B> {
         let widths = self.widths.leaves();
         for (((path, value), (_, width)), last) in inputs.leaves().into_iter().zip(widths).zip(&mut self.last) {
             if value != *last {
-                let input = path.replace('.', "_");
+                let input = port_name("", &path);
                 self.events.push(Event { at_ps: self.at_ps, input, value: Bits::new(width.bits(), value) });
                 *last = value;
             }
