@@ -5,6 +5,7 @@ use crate::check;
 use crate::draft::{Draft, UNDRIVEN};
 use crate::elaboration::Elaboration;
 use crate::ir::*;
+use crate::loc::Loc;
 use crate::module::port_name;
 use crate::summary;
 
@@ -72,6 +73,12 @@ fn find_resets(draft: &Draft, done: &[Module]) -> Vec<Option<String>> {
     resets
 }
 
+/// Where the block is described: where its `build` makes the first thing, as its ports may be another block's.
+fn place(draft: &Draft) -> Loc {
+    let made = draft.nodes.iter().find(|node| !matches!(node.op, Op::Input(_)));
+    made.or(draft.nodes.first()).map_or(draft.loc, |node| node.loc)
+}
+
 fn module(
     draft: Draft,
     outputs: Vec<(String, NodeId)>,
@@ -81,9 +88,8 @@ fn module(
     about: About,
     parameters: String,
 ) -> Module {
-    let place = |clock: ClockId| ClockId(renumber[clock.0 as usize].expect("a clock in use has a place"));
-    let loc = draft.inputs.first().map(|input| draft.node(input.node).loc);
-    let loc = loc.or(draft.nodes.first().map(|node| node.loc)).unwrap_or(draft.loc);
+    let clock_id = |clock: ClockId| ClockId(renumber[clock.0 as usize].expect("a clock in use has a place"));
+    let loc = place(&draft);
     let clocks = draft.clocks.iter().zip(resets).zip(renumber).filter(|(_, place)| place.is_some());
     let clocks = clocks.map(|((clock, reset), _)| Clock {
         port: clock.map_or("clk".to_owned(), |clock| format!("{}_clk", clock.name)),
@@ -97,7 +103,7 @@ fn module(
     let outputs = outputs.into_iter().map(|(path, node)| Output { name: port_name("", &path), path, node }).collect();
     let registers = draft.registers.into_iter().map(|register| Register {
         node: register.node,
-        clock: place(register.clock),
+        clock: clock_id(register.clock),
         reset: register.reset.map(|(value, _)| value),
         enable: register.enable.map(|(node, _)| node),
         next: register.next.map_or(register.node, |(node, _)| node),
@@ -106,17 +112,17 @@ fn module(
     let registers = registers.collect();
     let memories = draft.memories.into_iter().map(|draft| {
         let mut memory = draft.memory;
-        memory.reads.iter_mut().for_each(|read| read.clock = read.clock.map(place));
-        memory.writes.iter_mut().for_each(|write| write.clock = place(write.clock));
+        memory.reads.iter_mut().for_each(|read| read.clock = read.clock.map(clock_id));
+        memory.writes.iter_mut().for_each(|write| write.clock = clock_id(write.clock));
         memory
     });
     let memories = memories.collect();
     let instances = draft.instances.into_iter().map(|mut instance| {
-        instance.clocks.iter_mut().for_each(|clock| *clock = place(*clock));
+        instance.clocks.iter_mut().for_each(|clock| *clock = clock_id(*clock));
         instance
     });
     let instances = instances.collect();
-    let asserts = draft.asserts.into_iter().map(|assert| Assert { clock: place(assert.clock), ..assert }).collect();
+    let asserts = draft.asserts.into_iter().map(|assert| Assert { clock: clock_id(assert.clock), ..assert }).collect();
     Module {
         name,
         about,

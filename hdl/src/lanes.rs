@@ -41,12 +41,24 @@ impl<O> Array<O> {
         value.map_fields("", &mut |_, signal| Lanes::make(Op::Broadcast(signal.id()), signal.width, lanes, loc))
     }
 
-    /// A signal for each lane; all of one width.
+    /// A signal, or bundle of signals, for each lane; all of one shape and width.
     #[track_caller]
-    pub fn each(&self, signals: impl IntoIterator<Item = Signal>) -> Lanes {
+    pub fn each<B: Fields<Signal>>(&self, values: impl IntoIterator<Item = B>) -> B::With<Lanes> {
         let loc = Loc::caller();
-        let signals: Vec<_> = signals.into_iter().collect();
-        let width = signals.first().map_or(1, |signal| signal.width);
+        let values: Vec<B> = values.into_iter().collect();
+        let by_lane: Vec<Vec<Signal>> =
+            values.iter().map(|value| value.leaves().into_iter().map(|(_, signal)| signal).collect()).collect();
+        let first =
+            values.first().unwrap_or_else(|| panic!("an array is fed nothing, at {loc}: give a value for each lane"));
+        let mut leaf = 0..;
+        first.map(|_| {
+            let leaf = leaf.next().expect("endless");
+            self.each_signal(by_lane.iter().map(|lane| lane[leaf]).collect(), loc)
+        })
+    }
+
+    fn each_signal(&self, signals: Vec<Signal>, loc: Loc) -> Lanes {
+        let width = signals[0].width;
         let same = signals.iter().all(|signal| signal.width == width);
         if signals.len() != self.lanes as usize || !same {
             let message = match same {

@@ -48,7 +48,7 @@
 //! | a state machine | [`states!`], [`Module::fsm`], [`StateReg::next`] |
 //! | a memory | [`Module::memory`], [`Mem::read`], [`Mem::read_async`], [`Mem::write`] |
 //! | an instance, an array of them | [`Module::instance`], [`Module::array`] with [`Lanes`] |
-//! | another clock | [`Module::on`], [`Mem::on`], [`Width::on`]; [`Module::synchronize`], [`Signal::quasi_static`] to cross |
+//! | another clock | [`Module::on`], [`Mem::on`], [`Width::on`] and [`on`]; [`Module::synchronize`], [`Signal::quasi_static`] to cross |
 //! | what must hold | [`Module::assert`] |
 //!
 //! Both sides of an operator have equal widths, results wrap, and `==` does not compile: [`Signal::eq`] does. Every mistake
@@ -103,5 +103,5 @@ pub use scenario::{Scenario, Script};
 pub use select::{case, concat, lit, mux, mux_bundle, select};
 pub use signal::Signal;
 pub use signed::{Signed, SignedOperand};
-pub use width::{Width, bit, bits, index_width};
+pub use width::{Width, bit, bits, index_width, on};
 pub use wire::Wire;

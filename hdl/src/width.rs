@@ -1,5 +1,6 @@
 //! The width of a port, as a bundle of widths declares it.
 
+use crate::bundle::Fields;
 use crate::clock::Clock;
 use crate::loc::Loc;
 
@@ -34,6 +35,11 @@ pub fn bits(width: u32) -> Width {
 #[track_caller]
 pub fn bit() -> Width {
     bits(1)
+}
+
+/// Ports of which all are synchronous to `clock`: [`Width::on`] for a whole bundle.
+pub fn on<B: Fields<Width>>(clock: Clock, widths: B) -> B::With<Width> {
+    widths.map(|width| width.on(clock))
 }
 
 /// The number of bits that hold every number below `count`: the width of an index into `count` things, at least 1.

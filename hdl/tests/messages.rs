@@ -718,6 +718,15 @@ fn periods_that_have_no_half() {
     let _ = Period::ps(3);
 }
 
+#[test]
+#[should_panic(expected = "an array is fed nothing")]
+fn arrays_fed_with_nothing() {
+    let _ = elaborate(&Case(|m, _| {
+        let feed = |cells: Array<_>| Link { x: cells.each(Vec::<Signal>::new()) };
+        m.array::<Inverter>("u_cell", 2, &Inverter { registered: true }, feed).out.last()
+    }));
+}
+
 /// What a block may wrongly keep from the module that instantiates it.
 #[derive(Clone, Copy)]
 enum Kept {

@@ -21,7 +21,7 @@
 
 use tilewright_hdl::ir::About;
 use tilewright_hdl::{
-    Block, Module, ReadUnderWrite, Width, bit, bits, bundle, cat, goto, index_width, mux, net, states, when,
+    Block, Module, ReadUnderWrite, Width, bit, bits, bundle, cat, goto, index_width, mux, net, on, states, when,
 };
 
 use crate::clocks::{MERGE, PE};
@@ -97,15 +97,9 @@ impl Block for ImageMemory {
         let page = bits(index_width(self.pages.into()));
         let offset = bits(index_width(self.page_pixels.into()));
         ImageMemoryIn {
-            draw: Draw { valid: bit().on(PE), page: page.on(PE), offset: offset.on(PE), word: bits(WORD).on(PE) },
+            draw: on(PE, Draw { valid: bit(), page, offset, word: bits(WORD) }),
             front: bit().on(PE),
-            send: SendPixel {
-                enable: bit().on(MERGE),
-                resident: bit().on(MERGE),
-                page: page.on(MERGE),
-                offset: offset.on(MERGE),
-                buffer: bit().on(MERGE),
-            },
+            send: on(MERGE, SendPixel { enable: bit(), resident: bit(), page, offset, buffer: bit() }),
         }
     }
 

@@ -23,7 +23,7 @@
 
 use tilewright_hdl::ir::About;
 use tilewright_hdl::{
-    Bits, Block, Module, ReadUnderWrite, Width, bit, bits, bundle, cat, goto, index_width, mux, net, states, when,
+    Bits, Block, Module, ReadUnderWrite, Width, bit, bits, bundle, cat, goto, index_width, mux, net, on, states, when,
 };
 
 use super::page_id_generator::{PageIdGenerator, PageIdGeneratorIn};
@@ -118,7 +118,7 @@ impl Block for PatchTable {
 
     fn inputs(&self) -> PatchTableIn<Width> {
         let patch = bits(index_width(self.patches.into()));
-        let look_up = LookUp { valid: bit().on(PE), patch: patch.on(PE) };
+        let look_up = on(PE, LookUp { valid: bit(), patch });
         PatchTableIn {
             look_up,
             clear: look_up,
@@ -126,7 +126,7 @@ impl Block for PatchTable {
             settled: bit().on(PE),
             restart: bit().on(PE),
             resume: bit().on(PE),
-            scan: ScanLookUp { enable: bit().on(MERGE), patch: patch.on(MERGE), buffer: bit().on(MERGE) },
+            scan: on(MERGE, ScanLookUp { enable: bit(), patch, buffer: bit() }),
         }
     }
 

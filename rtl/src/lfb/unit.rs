@@ -29,7 +29,7 @@
 //! Whoever swaps has to see that the back buffer has been sent as a whole (VC1-SW3), and to clear the patch table then.
 
 use tilewright_hdl::ir::About;
-use tilewright_hdl::{Block, Module, Width, bit, bits, bundle, index_width, net};
+use tilewright_hdl::{Block, Module, Width, bit, bits, bundle, net, on};
 
 use super::image_memory::{Draw, ImageMemory, ImageMemoryIn, SendPixel};
 use super::patch_table::{LookUp, PatchTable, PatchTableIn, ScanLookUp};
@@ -128,22 +128,15 @@ impl Block for LfbUnit {
     type Out = LfbUnitOut;
 
     fn inputs(&self) -> LfbUnitIn<Width> {
-        let screen = self.patches.screen();
+        let position = ScanCounter::position(self.patches.screen());
+        let Position { x, y } = position;
         LfbUnitIn {
-            request: Request {
-                valid: bit().on(PE),
-                x: bits(index_width(screen.width.into())).on(PE),
-                y: bits(index_width(screen.height.into())).on(PE),
-                word: bits(WORD).on(PE),
-            },
-            clear: Clear { valid: bit().on(PE), patch: bits(self.patches.patch_width()).on(PE) },
+            request: on(PE, Request { valid: bit(), x, y, word: bits(WORD) }),
+            clear: on(PE, Clear { valid: bit(), patch: bits(self.patches.patch_width()) }),
             swap: bit().on(PE),
             resume: bit().on(PE),
-            scan: ScanControl { restart: bit().on(MERGE), enable: bit().on(MERGE) },
-            preset: {
-                let Position { x, y } = ScanCounter::position(screen);
-                Position { x: x.on(MERGE), y: y.on(MERGE) }
-            },
+            scan: on(MERGE, ScanControl { restart: bit(), enable: bit() }),
+            preset: on(MERGE, position),
         }
     }
 

@@ -30,11 +30,11 @@
 //! A processor that swaps during a round loses nothing (VC1-SW4): what the scan has passed already is sent in the next round.
 
 use tilewright_hdl::ir::About;
-use tilewright_hdl::{Block, Lanes, Module, Signal, Width, bundle};
+use tilewright_hdl::{Block, Fields, Module, Width, bundle, on};
 
 use crate::clocks::MERGE;
 use crate::gfb::{GfbUnit, GfbUnitIn, Host, View};
-use crate::lfb::{Clear, LfbUnit, LfbUnitIn, Patches, Request, ScanCounter};
+use crate::lfb::{Clear, LfbUnit, LfbUnitIn, LfbUnitOut, Patches, Request, ScanCounter};
 use crate::merger::{ImageMerger, ImageMergerIn, STAGES};
 use crate::parameter::ParameterError;
 use crate::scan::Position;
@@ -124,17 +124,8 @@ impl Block for Vc1 {
 
     fn inputs(&self) -> Vc1In<Width> {
         let LfbUnitIn { request, clear, swap, resume, .. } = self.lfb.inputs();
-        let Host { start, swap: exchange, read_address, background } = self.gfb().inputs().host;
         let processor = ProcessorIn { request, clear, swap, resume };
-        Vc1In {
-            processors: vec![processor; self.processors as usize],
-            gfb: Host {
-                start: start.on(MERGE),
-                swap: exchange.on(MERGE),
-                read_address: read_address.on(MERGE),
-                background: background.on(MERGE),
-            },
-        }
+        Vc1In { processors: vec![processor; self.processors as usize], gfb: on(MERGE, self.gfb().inputs().host) }
     }
 
     fn build(&self, m: Module, i: Vc1In) -> Vc1Out {
@@ -145,40 +136,23 @@ impl Block for Vc1 {
         let gfb = merge.instance("u_gfb", &self.gfb(), GfbUnitIn { host: i.gfb, merged: *merged });
 
         let lfb = m.array("u_lfb", self.processors, &self.lfb, |units| {
-            let each = |of: fn(&ProcessorIn) -> Signal| units.each(i.processors.iter().map(of));
+            let ProcessorIn { request, clear, swap, resume } = units.each(i.processors);
             let widths = ScanCounter::position(screen);
             let preset = |position| ScanCounter::preset(screen, position);
-            LfbUnitIn {
-                request: Request {
-                    valid: each(|p| p.request.valid),
-                    x: each(|p| p.request.x),
-                    y: each(|p| p.request.y),
-                    word: each(|p| p.request.word),
-                },
-                clear: Clear { valid: each(|p| p.clear.valid), patch: each(|p| p.clear.patch) },
-                swap: each(|p| p.swap),
-                resume: each(|p| p.resume),
-                scan: units.all(&gfb.scan),
-                preset: Position {
-                    x: units.constants(widths.x.bits(), |position| preset(position).x),
-                    y: units.constants(widths.y.bits(), |position| preset(position).y),
-                },
-            }
+            let preset = Position {
+                x: units.constants(widths.x.bits(), |position| preset(position).x),
+                y: units.constants(widths.y.bits(), |position| preset(position).y),
+            };
+            LfbUnitIn { request, clear, swap, resume, scan: units.all(&gfb.scan), preset }
         });
 
         let chain = ImageMerger { units: self.processors };
         let inputs = ImageMergerIn { left: gfb.left, samples: lfb.word.to_vec(), enable: gfb.scan.enable };
         merged.drive(merge.instance("u_merger", &chain, inputs).merged);
 
-        let processor = |index: u32| {
-            let of = |lanes: Lanes| lanes.lane(index);
-            ProcessorOut {
-                ready: of(lfb.ready),
-                clear_ready: of(lfb.clear_ready),
-                overflow: of(lfb.overflow),
-                pages_used: of(lfb.pages_used),
-                idle: of(lfb.idle),
-            }
+        let processor = |position| {
+            let LfbUnitOut { ready, clear_ready, overflow, pages_used, idle, .. } = lfb.map(|unit| unit.lane(position));
+            ProcessorOut { ready, clear_ready, overflow, pages_used, idle }
         };
         Vc1Out { processors: (0..self.processors).map(processor).collect(), gfb: gfb.view }
     }
