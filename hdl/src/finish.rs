@@ -1,8 +1,7 @@
 //! From a draft to a finished module: every check, then the plain form.
 
-use crate::bits::Bits;
 use crate::check;
-use crate::draft::{Draft, UNDRIVEN};
+use crate::draft::Draft;
 use crate::elaboration::Elaboration;
 use crate::ir::*;
 use crate::loc::Loc;
@@ -136,19 +135,5 @@ fn module(
         memories,
         instances,
         asserts,
-    }
-}
-
-/// Gives every wire its driver; one that has none stands at zero.
-pub(crate) fn connect_wires(draft: &mut Draft) {
-    for i in 0..draft.wires.len() {
-        let node = draft.wires[i].node;
-        let (width, loc) = (draft.node(node).width, draft.node(node).loc);
-        let driver = match draft.wires[i].driver {
-            Some((driver, _)) => driver,
-            None => draft.add(Op::Const(Bits::zero(width)), width, None, loc),
-        };
-        debug_assert_eq!(draft.node(node).op, Op::Wire(UNDRIVEN));
-        draft.node_mut(node).op = Op::Wire(driver);
     }
 }

@@ -1,8 +1,8 @@
-//! Registers and wires that nothing drives.
+//! Registers and wires that nothing drives; the others get their drivers.
 
-use crate::draft::Draft;
-use crate::finish::connect_wires;
-use crate::ir::NodeId;
+use crate::bits::Bits;
+use crate::draft::{Draft, UNDRIVEN};
+use crate::ir::{NodeId, Op};
 use crate::problem::Problem;
 
 pub(crate) fn check(draft: &mut Draft, problems: &mut Vec<Problem>) {
@@ -20,4 +20,18 @@ pub(crate) fn check(draft: &mut Draft, problems: &mut Vec<Problem>) {
         report(wire.node, "wire", "say what drives it with `.drive(value)`");
     }
     connect_wires(draft);
+}
+
+/// Gives every wire its driver; one that has none stands at zero.
+fn connect_wires(draft: &mut Draft) {
+    for i in 0..draft.wires.len() {
+        let node = draft.wires[i].node;
+        let (width, loc) = (draft.node(node).width, draft.node(node).loc);
+        let driver = match draft.wires[i].driver {
+            Some((driver, _)) => driver,
+            None => draft.add(Op::Const(Bits::zero(width)), width, None, loc),
+        };
+        debug_assert_eq!(draft.node(node).op, Op::Wire(UNDRIVEN));
+        draft.node_mut(node).op = Op::Wire(driver);
+    }
 }
