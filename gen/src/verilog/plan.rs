@@ -140,6 +140,21 @@ impl Planner<'_> {
                 self.set(of, Form::Net);
             }
         }
+        self.find_address_nets();
+    }
+
+    /// An address that is computed becomes a net: Icarus does not cut an expression in an index to its width.
+    fn find_address_nets(&mut self) {
+        for memory in &self.module.memories {
+            let reads = memory.reads.iter().map(|read| read.address);
+            for address in reads.chain(memory.writes.iter().map(|write| write.address)) {
+                let op = &self.module.node(address).op;
+                let plain = matches!(op, Op::Slice { .. } | Op::Concat(_) | Op::Const(_) | Op::Lane(..));
+                if self.form(address) == Form::Inline && !plain {
+                    self.set(address, Form::Net);
+                }
+            }
+        }
     }
 
     /// The operand that a node needs a name for: Verilog takes bits of names alone.

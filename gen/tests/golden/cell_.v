@@ -1,7 +1,7 @@
 // cell_
 //
 // Parameters  Cell
-// Described   gen/tests/blocks/mod.rs:117
+// Described   gen/tests/blocks/mod.rs:121
 `default_nettype none
 
 module cell_ (

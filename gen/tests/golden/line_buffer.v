@@ -1,7 +1,7 @@
 // line_buffer
 //
 // Parameters  LineBuffer
-// Described   gen/tests/blocks/mod.rs:90
+// Described   gen/tests/blocks/mod.rs:94
 `default_nettype none
 
 module line_buffer (

@@ -1,7 +1,7 @@
 // pump
 //
 // Parameters  Pump
-// Described   gen/tests/blocks/mod.rs:61
+// Described   gen/tests/blocks/mod.rs:65
 `default_nettype none
 
 module pump (

@@ -1,7 +1,7 @@
 // row_lanes5
 //
 // Parameters  Row { lanes: 5 }
-// Described   gen/tests/blocks/mod.rs:143
+// Described   gen/tests/blocks/mod.rs:147
 `default_nettype none
 
 module row_lanes5 (

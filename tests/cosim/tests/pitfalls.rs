@@ -2,6 +2,7 @@
 //! our simulator, Icarus and Verilator.
 
 use tilewright_cosim::batch::{self, Printed, Tool};
+use tilewright_cosim::check::check_design;
 use tilewright_gen::{testbench, verilog};
 use tilewright_hdl::Recording;
 use tilewright_hdl::recording::Step;
@@ -25,6 +26,13 @@ struct Pitfall {
 }
 
 const PITFALLS: &[Pitfall] = &[
+    // A block that waits for a change of its inputs has some.
+    Pitfall {
+        name: "choice_by_a_constant",
+        widths: [1, 1, 1],
+        circuit: |i| case(lit(2, 2) << lit(2, 1), [(0, i.a), (1, i.b)], i.c),
+        rows: &[[1, 0, 0, 1], [0, 1, 1, 0]],
+    },
     // A signed comparison stays signed beside an unsigned operand.
     Pitfall {
         name: "signed_compare_in_unsigned_context",
@@ -228,4 +236,39 @@ fn the_printed_verilog_avoids_them_in_icarus() {
 #[test]
 fn the_printed_verilog_avoids_them_in_verilator() {
     avoided_in(Tool::Verilator);
+}
+
+/// Reads a memory at addresses that are computed, and wrap.
+#[derive(Debug)]
+struct Wrapping;
+
+impl Block for Wrapping {
+    type In = In;
+    type Out = Out;
+
+    fn inputs(&self) -> In<Width> {
+        In { a: bits(3), b: bits(3), c: bits(8) }
+    }
+
+    fn build(&self, m: Module, i: In) -> Out {
+        let words = m.memory("words", 8, 8, ReadUnderWrite::Old).words((0..8).map(|word| Bits::new(8, 17 * word)));
+        words.write(i.a.eq(i.b), i.a + i.b, i.c);
+        Out { y: words.read(i.a + i.b) ^ words.read_async(i.a - i.b) }
+    }
+}
+
+/// Some simulators do not cut the expression in an index to its width.
+#[test]
+fn addresses_wrap_at_their_width() {
+    let stimulus = |sim: &mut Simulation| {
+        let [a, b, c] = ["a", "b", "c"].map(|name| sim.port(name).unwrap());
+        for step in 0..64u64 {
+            sim.set(a, step % 8);
+            sim.set(b, step / 8);
+            sim.set(c, step);
+            sim.try_step()?;
+        }
+        Ok(())
+    };
+    check_design(&elaborate(&Wrapping).unwrap(), stimulus).unwrap();
 }

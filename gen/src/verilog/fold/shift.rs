@@ -44,6 +44,9 @@ impl Fold {
         if amount == 0 {
             return Same(a);
         }
+        if let Some(value) = self.constant(a) {
+            return Is(Op::Const(shifted(&value, shift, amount.min(width))));
+        }
         if amount >= width {
             if shift != Shift::RightSigned {
                 return Is(Op::Const(Bits::zero(width)));
@@ -61,5 +64,16 @@ impl Fold {
             Shift::Right => Is(Op::Extend { of: kept, signed: false }),
             Shift::RightSigned => Is(Op::Extend { of: kept, signed: true }),
         }
+    }
+}
+
+/// A constant shifted by up to its width.
+fn shifted(value: &Bits, shift: Shift, amount: u32) -> Bits {
+    let width = value.width();
+    match shift {
+        Shift::Left | Shift::Right if amount == width => Bits::zero(width),
+        Shift::Left => value.slice(0..width - amount).concat(&Bits::zero(amount)),
+        Shift::Right => value.slice(amount..width).resize(width),
+        Shift::RightSigned => value.slice(amount.min(width - 1)..width).sext(width),
     }
 }
