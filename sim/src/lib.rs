@@ -72,6 +72,7 @@
 //! has changed; a clock whose edges change nothing costs next to nothing until something that it samples changes.
 
 mod attach;
+mod compiled;
 mod error;
 mod lane;
 mod limbs;

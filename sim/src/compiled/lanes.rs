@@ -1,0 +1,1 @@
+//! Elementwise operations on a strip of lanes, in vector registers.

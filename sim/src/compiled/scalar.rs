@@ -1,0 +1,1 @@
+//! Elementwise operations on one lane, in general registers.
