@@ -73,6 +73,7 @@
 
 mod attach;
 mod compiled;
+mod engine;
 mod error;
 mod lane;
 mod limbs;
@@ -87,6 +88,8 @@ mod timeline;
 mod trace;
 
 pub use attach::Probe;
+pub use compiled::Unsupported;
+pub use engine::EngineKind;
 pub use error::{Error, UnknownName, Violation};
 pub use port::{IntoValue, Port};
 pub use program::Looping;

@@ -2,8 +2,8 @@
 
 use tilewright_hdl::Bundle;
 
+use crate::engine::Failed;
 use crate::error::{Error, UnknownName, Violation};
-use crate::reference::Failed;
 use crate::simulation::Simulation;
 use crate::trace::View;
 
@@ -172,7 +172,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     fn view(&mut self, until: u64) -> View<'_> {
         View {
             program: &self.program,
-            engine: &mut self.engine,
+            engine: &mut *self.engine,
             since: self.timeline.time,
             until,
             rising: &self.rising,

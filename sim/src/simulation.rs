@@ -5,11 +5,11 @@ use std::sync::Arc;
 
 use tilewright_hdl::{Bits, Block, Bundle, DEFAULT_PERIOD, Design, Period, elaborate_typed};
 
+use crate::engine::{Engine, EngineKind};
 use crate::error::{Error, UnknownName};
 use crate::lookup::{self, Found};
 use crate::port::{IntoValue, Port};
 use crate::program::{self, Program, ValueId};
-use crate::reference::Engine;
 use crate::timeline::Timeline;
 use crate::trace::Observer;
 
@@ -23,7 +23,8 @@ pub struct Simulation<I: Bundle = (), O: Bundle = ()> {
     /// The output ports.
     pub o: O::Of<Port>,
     pub(crate) program: Arc<Program>,
-    pub(crate) engine: Engine,
+    pub(crate) kind: EngineKind,
+    pub(crate) engine: Box<dyn Engine>,
     pub(crate) timeline: Timeline,
     pub(crate) resets: Vec<bool>,
     pub(crate) observers: Vec<Box<dyn Observer + Send>>,
@@ -71,10 +72,12 @@ impl Simulation {
 impl<I: Bundle, O: Bundle> Simulation<I, O> {
     fn new(design: &Design, i: I::Of<Port>, o: O::Of<Port>) -> Result<Simulation<I, O>, Error> {
         let program = Arc::new(program::compile(design)?);
+        let (kind, engine) = EngineKind::default().start(&program, 0);
         Ok(Simulation {
             i,
             o,
-            engine: Engine::new(program.clone(), 0),
+            kind,
+            engine,
             timeline: Timeline::new(&program),
             resets: vec![false; program.clocks.len()],
             observers: Vec::new(),
@@ -94,9 +97,27 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     pub fn seeded(mut self, seed: u64) -> Self {
         assert!(self.timeline.time == 0, "a seed can only be given before the first step");
         assert!(self.observers.is_empty(), "give the seed before attaching a trace");
-        self.engine = Engine::new(self.program.clone(), seed);
+        (self.kind, self.engine) = self.kind.start(&self.program, seed);
         self.seed = seed;
         self
+    }
+
+    /// The same circuit at time 0 on this engine; inputs become zero.
+    ///
+    /// # Panics
+    ///
+    /// After the first step, or with a trace attached.
+    #[track_caller]
+    pub fn on(mut self, kind: EngineKind) -> Self {
+        assert!(self.timeline.time == 0, "an engine can only be chosen before the first step");
+        assert!(self.observers.is_empty(), "choose the engine before attaching a trace");
+        (self.kind, self.engine) = kind.start(&self.program, self.seed);
+        self
+    }
+
+    /// The engine that runs: the one chosen, or the reference engine where no code can be generated for this machine.
+    pub fn engine(&self) -> EngineKind {
+        self.kind
     }
 
     /// The compiled circuit.
@@ -258,7 +279,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     #[track_caller]
     pub fn peek_memory(&self, path: &str, address: u32) -> Result<Bits, UnknownName> {
         let (memory, lane) = self.memory(path, address)?;
-        Ok(Bits::from_limbs(self.program.memories[memory as usize].width, self.engine.word(memory, lane, address)))
+        Ok(Bits::from_limbs(self.program.memories[memory as usize].width, &self.engine.word(memory, lane, address)))
     }
 
     /// Replaces a word of a memory at once.

@@ -1,6 +1,6 @@
 //! Machine code in memory, through Cranelift: the one place that makes it and the one that calls it.
 
-use cranelift_codegen::ir::{AbiParam, Function, InstBuilder, Type, UserFuncName, Value, types};
+use cranelift_codegen::ir::{AbiParam, Function, Type, UserFuncName, Value, types};
 use cranelift_codegen::settings::{self, Configurable};
 use cranelift_codegen::{Context, isa};
 use cranelift_frontend::{FunctionBuilder, FunctionBuilderContext};
@@ -101,6 +101,9 @@ impl std::fmt::Debug for Jit {
 /// numbering lengthens live ranges.
 fn host() -> Result<isa::OwnedTargetIsa, Unsupported> {
     let unsupported = |error: &dyn std::fmt::Display| Unsupported(error.to_string());
+    if cfg!(target_endian = "big") {
+        return Err(Unsupported("it is big-endian".to_owned()));
+    }
     let mut flags = settings::builder();
     let options = [
         ("opt_level", "none"),
@@ -117,7 +120,7 @@ fn host() -> Result<isa::OwnedTargetIsa, Unsupported> {
 
 #[cfg(test)]
 mod tests {
-    use cranelift_codegen::ir::MemFlagsData;
+    use cranelift_codegen::ir::{InstBuilder, MemFlagsData};
 
     use super::*;
 

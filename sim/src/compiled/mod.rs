@@ -1,8 +1,270 @@
 //! The compiled engine: machine code made for one program.
-#![allow(dead_code, unused_imports)]
+//!
+//! State stands in one block of memory, memories in blocks of their own. For each set of clocks that rises together,
+//! and the resets that are high then, there is a function that goes through such an edge any number of times; for what
+//! a testbench looks at there are functions that compute it. All are made when they are first needed.
 
+mod function;
+mod graph;
 mod jit;
-mod lanes;
+mod kernel;
+mod layout;
+mod memory;
+mod plan;
 mod scalar;
+mod store;
 
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use tilewright_hdl::limbs_for;
+
+use crate::engine::{Engine, Failed};
+use crate::program::{Kind, Program, Triggers, ValueId};
+use crate::reference;
+use function::{Addresses, Emitter, MemoryAt};
+use graph::{Graph, Sink};
 pub use jit::Unsupported;
+use jit::{Code, Jit};
+use layout::{Layout, Place, Words};
+use plan::Plan;
+use store::Store;
+
+/// The state of a running circuit and the code that runs it.
+pub(crate) struct Compiled {
+    program: Arc<Program>,
+    jit: Jit,
+    /// State and what functions store.
+    state: Store,
+    layout: Layout,
+    /// Per value of the program: where it is, if it is state.
+    places: Vec<Option<Place>>,
+    memories: Vec<(MemoryAt, Store)>,
+    /// Per clock: its reset is high.
+    resets: Vec<bool>,
+    edges: Vec<(Vec<usize>, Vec<bool>, Code)>,
+    views: HashMap<ValueId, Arc<View>>,
+    /// Counts what can change values.
+    version: u64,
+    /// Every value as limbs, brought up to date when it is read.
+    mirror: Vec<u64>,
+}
+
+/// A function that leaves values where they can be read.
+struct View {
+    code: Code,
+    places: Vec<(ValueId, Place)>,
+    /// The version that it was last run for.
+    seen: std::sync::atomic::AtomicU64,
+}
+
+impl Compiled {
+    /// The circuit as the reference engine has it at the start.
+    ///
+    /// # Errors
+    ///
+    /// The machine is not one that code can be generated for.
+    pub fn new(program: Arc<Program>, seed: u64) -> Result<Compiled, Unsupported> {
+        let jit = Jit::new()?;
+        let mut start = reference::Engine::new(program.clone(), seed);
+        let mut layout = Layout::default();
+        let mut places = vec![None; program.values.len()];
+        for (id, value) in program.values.iter().enumerate().filter(|(_, value)| value.offset < program.state_end) {
+            places[id] = Some(layout.of(value));
+        }
+        let mut state = Store::new(layout.size);
+        let mut mirror = vec![0; program.storage];
+        for (id, place) in places.iter().enumerate() {
+            if let Some(place) = place {
+                state.put(*place, start.read(ValueId(id as u32)));
+            }
+        }
+        for (id, _) in &program.constants {
+            mirror[program.value(*id).range()].copy_from_slice(start.read(*id));
+        }
+        let memories = program.memories.iter().enumerate();
+        let memories = memories.map(|(index, memory)| memory_at(&program, index, memory, &start)).collect();
+        let resets = vec![false; program.clocks.len()];
+        let (edges, views) = (Vec::new(), HashMap::new());
+        Ok(Compiled { program, jit, state, layout, places, memories, resets, edges, views, version: 1, mirror })
+    }
+
+    /// Makes a function of a graph; gives the places of what it shows.
+    fn compile(&mut self, graph: &Graph) -> (Code, Addresses) {
+        let plan = Plan::new(graph);
+        let addresses = Addresses::new(graph, &plan, &self.places, &mut self.layout);
+        self.state.grow(self.layout.size);
+        for &table in &addresses.tables {
+            self.fill(graph, table, addresses.places[table.index()].expect("a table has a place"));
+        }
+        let memories: Vec<MemoryAt> = self.memories.iter().map(|(at, _)| *at).collect();
+        let code = self.jit.function(|builder, state, count| {
+            Emitter::new(graph, &plan, &addresses, &memories, builder, state).repeat(count);
+        });
+        (code, addresses)
+    }
+
+    /// Writes an array of constants into the memory.
+    fn fill(&mut self, graph: &Graph, table: ValueId, place: Place) {
+        let Kind::PerLane(parts) = &graph.cell(table).kind else { unreachable!("a table is made of parts") };
+        let limbs: Vec<u64> = (0..place.lanes as usize)
+            .flat_map(|lane| match &graph.cell(parts[lane % parts.len()]).kind {
+                Kind::Const(bits) => bits.limbs().to_vec(),
+                _ => unreachable!("a table is made of constants"),
+            })
+            .collect();
+        self.state.put(place, &limbs);
+    }
+
+    /// The function for an edge.
+    fn edge_code(&mut self, rising: &[usize]) -> Code {
+        let made = self.edges.iter().find(|(clocks, resets, _)| clocks == rising && *resets == self.resets);
+        if let Some((_, _, code)) = made {
+            return *code;
+        }
+        let graph = Graph::edge(&self.program, rising, &self.resets);
+        let (code, _) = self.compile(&graph);
+        self.edges.push((rising.to_vec(), self.resets.clone(), code));
+        code
+    }
+
+    /// The function that computes a value; all output ports share one.
+    fn view(&mut self, id: ValueId) -> Arc<View> {
+        if let Some(view) = self.views.get(&id) {
+            return view.clone();
+        }
+        let outputs: Vec<ValueId> = self.program.outputs.iter().map(|port| port.value).collect();
+        let mut shown = if outputs.contains(&id) { outputs } else { vec![id] };
+        shown.retain(|value| self.program.value(*value).segment.is_some());
+        shown.sort();
+        shown.dedup();
+        self.show(shown)
+    }
+
+    /// A function that computes these values.
+    fn show(&mut self, shown: Vec<ValueId>) -> Arc<View> {
+        let mut graph = Graph::new(&self.program);
+        graph.sinks = shown.iter().map(|&value| Sink::Show(value)).collect();
+        let (code, addresses) = self.compile(&graph);
+        let place = |&id: &ValueId| (id, addresses.places[id.index()].expect("what is shown has a place"));
+        let places = shown.iter().map(place).collect();
+        let view = Arc::new(View { code, places, seen: 0.into() });
+        for id in shown {
+            self.views.insert(id, view.clone());
+        }
+        view
+    }
+
+    /// Computes what a view shows, if something may have changed since the last time.
+    fn refresh(&mut self, view: &View) {
+        use std::sync::atomic::Ordering;
+        if view.seen.swap(self.version, Ordering::Relaxed) == self.version {
+            return;
+        }
+        self.call(view.code, 1);
+        for &(id, place) in &view.places {
+            self.state.get(place, &mut self.mirror[self.program.value(id).range()]);
+        }
+    }
+
+    fn call(&mut self, code: Code, count: u64) {
+        let state = self.state.address();
+        // SAFETY: the code was made by this engine's `jit` for the layout of `state` and for these memories, which
+        // are borrowed exclusively here and have not moved.
+        #[allow(unsafe_code, reason = "calls generated code")]
+        unsafe {
+            code.call(state, count);
+        }
+    }
+}
+
+/// A memory with its words as they are at the start.
+fn memory_at(
+    program: &Program,
+    index: usize,
+    memory: &crate::program::Memory,
+    start: &reference::Engine,
+) -> (MemoryAt, Store) {
+    let addresses = memory.reads.iter().map(|read| read.address).chain(memory.writes.iter().map(|write| write.address));
+    let asynchronous = program.operations.iter().filter_map(|operation| match operation.kind {
+        Kind::Read { memory, address } if memory as usize == index => Some(address),
+        _ => None,
+    });
+    let width = addresses.chain(asynchronous).map(|id| program.value(id).width).max().unwrap_or(1);
+    let words = Words::of(memory, width);
+    let mut store = Store::new(words.size);
+    let limbs = limbs_for(memory.width);
+    for lane in 0..memory.lanes {
+        for address in 0..memory.depth {
+            let word = start.word(index as u32, lane, address);
+            if word[..limbs].iter().any(|&limb| limb != 0) {
+                store.put_word(words.at(lane, address), words.word, &word);
+            }
+        }
+    }
+    let at = MemoryAt { address: store.address() as usize, words, depth: memory.depth, width: memory.width };
+    (at, store)
+}
+
+impl Engine for Compiled {
+    fn read(&mut self, id: ValueId) -> &[u64] {
+        let range = self.program.value(id).range();
+        match self.places[id.index()] {
+            Some(place) => self.state.get(place, &mut self.mirror[range.clone()]),
+            None if self.program.value(id).segment.is_some() => {
+                let view = self.view(id);
+                self.refresh(&view);
+            }
+            None => {}
+        }
+        &self.mirror[range]
+    }
+
+    fn write(&mut self, id: ValueId, limbs: &[u64], _: Triggers) {
+        let place = self.places[id.index()].expect("an input is state");
+        self.state.put(place, limbs);
+        self.version += 1;
+    }
+
+    fn word(&self, memory: u32, lane: u32, address: u32) -> Vec<u64> {
+        let (at, store) = &self.memories[memory as usize];
+        let mut limbs = vec![0; limbs_for(at.width)];
+        store.get_word(at.words.at(lane, address), at.words.word, &mut limbs);
+        limbs
+    }
+
+    fn set_word(&mut self, memory: u32, lane: u32, address: u32, limbs: &[u64]) {
+        let (at, store) = &mut self.memories[memory as usize];
+        store.put_word(at.words.at(lane, address), at.words.word, limbs);
+        self.version += 1;
+    }
+
+    fn set_reset(&mut self, clock: usize, high: bool) {
+        self.resets[clock] = high;
+    }
+
+    fn check(&mut self, rising: &[usize]) -> Vec<Failed> {
+        let program = self.program.clone();
+        let mut failed = Vec::new();
+        for &clock in rising {
+            if self.resets[clock] {
+                continue;
+            }
+            for &assert in &program.clocks[clock].asserts {
+                let condition = self.read(program.asserts[assert as usize].condition);
+                let lanes = (0u32..).zip(condition).filter(|(_, holds)| **holds == 0);
+                failed.extend(lanes.map(|(lane, _)| Failed { assert, lane }));
+            }
+        }
+        failed
+    }
+
+    fn edges(&mut self, rising: &[usize], count: u64) {
+        if count == 0 {
+            return;
+        }
+        let code = self.edge_code(rising);
+        self.call(code, count);
+        self.version += 1;
+    }
+}

@@ -50,6 +50,7 @@ fn alias(netlist: &Netlist, id: ValueId) -> Option<ValueId> {
         Kind::Lane { of, group: 1, .. } | Kind::Reduce { of, group: 1, .. } | Kind::Shifted { of, by: 0, .. } => {
             Some(*of)
         }
+        Kind::Shifted { edge, group: 1, .. } => Some(*edge),
         Kind::Mux { on_true, on_false, .. } if on_true == on_false => Some(*on_true),
         Kind::Mux { select, on_true, on_false } => {
             constant(*select).map(|select| if select.is_zero() { *on_false } else { *on_true })

@@ -4,16 +4,8 @@ use tilewright_hdl::ir::ReadUnderWrite;
 
 use super::Engine;
 use super::memory::{address, word};
+use crate::engine::Failed;
 use crate::program::{Program, Readers, Triggers, ValueId};
-
-/// An assertion that does not hold.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Failed {
-    /// Its index in [`Program::asserts`].
-    pub assert: u32,
-    /// The lane of its scope.
-    pub lane: u32,
-}
 
 /// What is worked out once about edges, and the room they need.
 #[derive(Debug, Clone)]

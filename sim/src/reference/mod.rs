@@ -10,9 +10,8 @@ mod wide;
 
 use std::sync::Arc;
 
+use crate::engine::{self, Failed};
 use crate::program::{Kind, Program, Readers, Triggers, ValueId};
-
-pub(crate) use edge::Failed;
 
 /// The state of a running circuit.
 #[derive(Debug, Clone)]
@@ -147,4 +146,34 @@ fn is_narrow(program: &Program, kind: &Kind, result: ValueId) -> bool {
     let mut narrow = program.value(result).width <= 64;
     kind.for_each_operand(|operand| narrow &= program.value(operand).width <= 64);
     narrow
+}
+
+impl engine::Engine for Engine {
+    fn read(&mut self, id: ValueId) -> &[u64] {
+        self.read(id)
+    }
+
+    fn write(&mut self, id: ValueId, limbs: &[u64], triggers: Triggers) {
+        self.write(id, limbs, triggers);
+    }
+
+    fn word(&self, memory: u32, lane: u32, address: u32) -> Vec<u64> {
+        self.word(memory, lane, address).to_vec()
+    }
+
+    fn set_word(&mut self, memory: u32, lane: u32, address: u32, limbs: &[u64]) {
+        self.set_word(memory, lane, address, limbs);
+    }
+
+    fn set_reset(&mut self, clock: usize, high: bool) {
+        self.set_reset(clock, high);
+    }
+
+    fn check(&mut self, rising: &[usize]) -> Vec<Failed> {
+        self.check(rising)
+    }
+
+    fn edges(&mut self, rising: &[usize], count: u64) {
+        (0..count).for_each(|_| self.edge(rising));
+    }
 }

@@ -6,9 +6,9 @@ mod vcd;
 mod vcd_header;
 mod wave;
 
+use crate::engine::Engine;
 use crate::error::Error;
 use crate::program::Program;
-use crate::reference::Engine;
 
 pub use recording::Recorder;
 pub use vcd::Vcd;
@@ -20,7 +20,7 @@ pub(crate) use wave::{Draw, Source};
 /// What an observer sees: the circuit settled before an edge.
 pub(crate) struct View<'a> {
     pub program: &'a Program,
-    pub engine: &'a mut Engine,
+    pub engine: &'a mut dyn Engine,
     /// The last instant, in picoseconds: the values have been in force since.
     pub since: u64,
     /// The coming instant.

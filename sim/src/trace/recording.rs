@@ -37,6 +37,6 @@ impl Observer for Recorder {
 }
 
 /// A value of one lane.
-fn bits(engine: &mut crate::reference::Engine, program: &Program, id: ValueId) -> Bits {
+fn bits(engine: &mut dyn crate::engine::Engine, program: &Program, id: ValueId) -> Bits {
     Bits::from_limbs(program.value(id).width, engine.read(id))
 }

@@ -1,0 +1,289 @@
+//! From a planned graph to a function of machine code.
+
+use cranelift_codegen::ir::condcodes::IntCC;
+use cranelift_codegen::ir::{InstBuilder, MemFlagsData, Value, types};
+use cranelift_frontend::FunctionBuilder;
+use tilewright_hdl::ir::{Binary, Reduction};
+
+use super::graph::{Graph, Sink};
+use super::layout::{Layout, Place, Words};
+use super::plan::{Plan, is_table};
+use super::scalar::Scalars;
+use crate::program::{Kind, ValueId};
+
+/// A memory as code sees it.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct MemoryAt {
+    pub address: usize,
+    pub words: Words,
+    pub depth: u32,
+    pub width: u32,
+}
+
+/// Where everything is.
+pub(super) struct Addresses {
+    /// Per cell: where it is stored, if it is.
+    pub places: Vec<Option<Place>>,
+    /// Per register that changes late: where it waits.
+    pub waiting: Vec<(ValueId, Place)>,
+    /// Arrays of constant lanes: what has to be there before the function runs.
+    pub tables: Vec<ValueId>,
+}
+
+impl Addresses {
+    /// Gives places to what a function stores; `state` has those of the program's state.
+    pub fn new(graph: &Graph, plan: &Plan, state: &[Option<Place>], layout: &mut Layout) -> Addresses {
+        let mut places = state.to_vec();
+        places.resize(graph.cells.len(), None);
+        let mut tables = Vec::new();
+        for id in graph.needed() {
+            let cell = graph.cell(id);
+            if is_table(graph, id) {
+                tables.push(id);
+            }
+            if is_table(graph, id) || plan.stored.contains(&id) {
+                places[id.index()] = Some(layout.place(cell.lanes, cell.width));
+            }
+        }
+        let waiting = plan.late.iter().map(|&id| {
+            let cell = graph.cell(id);
+            (id, layout.place(cell.lanes, cell.width))
+        });
+        let waiting = waiting.collect();
+        Addresses { places, waiting, tables }
+    }
+
+    pub(super) fn of(&self, id: ValueId) -> Place {
+        self.places[id.index()].expect("what is read from memory has a place")
+    }
+}
+
+/// Emits a function.
+pub(super) struct Emitter<'a, 'b, 'c> {
+    pub(super) graph: &'a Graph,
+    pub(super) plan: &'a Plan,
+    pub(super) addresses: &'a Addresses,
+    pub(super) memories: &'a [MemoryAt],
+    pub(super) builder: &'c mut FunctionBuilder<'b>,
+    pub(super) state: Value,
+    /// Values of one lane.
+    pub(super) scalars: Scalars,
+    /// The next id that no cell has.
+    fresh: u32,
+}
+
+impl<'a, 'b, 'c> Emitter<'a, 'b, 'c> {
+    pub fn new(
+        graph: &'a Graph,
+        plan: &'a Plan,
+        addresses: &'a Addresses,
+        memories: &'a [MemoryAt],
+        builder: &'c mut FunctionBuilder<'b>,
+        state: Value,
+    ) -> Self {
+        let fresh = graph.cells.len() as u32;
+        Emitter { graph, plan, addresses, memories, builder, state, scalars: Scalars::default(), fresh }
+    }
+
+    /// `count` times, at least once, all that the plan says.
+    pub fn repeat(mut self, count: Value) {
+        let body = self.builder.create_block();
+        let done = self.builder.create_block();
+        self.builder.append_block_param(body, types::I64);
+        self.builder.ins().jump(body, &[count.into()]);
+        self.builder.switch_to_block(body);
+        let left = self.builder.block_params(body)[0];
+        self.once();
+        let one = self.builder.ins().iconst(types::I64, 1);
+        let left = self.builder.ins().isub(left, one);
+        self.builder.ins().brif(left, body, &[left.into()], done, &[]);
+        self.builder.switch_to_block(done);
+        let zero = self.builder.ins().iconst(types::I64, 0);
+        self.builder.ins().return_(&[zero]);
+    }
+
+    fn once(&mut self) {
+        let plan = self.plan;
+        for stage in &plan.stages {
+            stage.single.iter().for_each(|&id| self.single(id));
+            stage.packed.iter().for_each(|&id| self.pack(id));
+            for (&lanes, kernel) in &stage.kernels {
+                self.kernel(lanes, kernel);
+            }
+        }
+        self.finish();
+    }
+
+    /// An id for a value that is no cell.
+    pub(super) fn id(&mut self) -> ValueId {
+        self.fresh += 1;
+        ValueId(self.fresh - 1)
+    }
+
+    /// Makes a value of one lane available to what follows.
+    pub(super) fn want(&mut self, id: ValueId) {
+        if self.scalars.get(id).is_some() {
+            return;
+        }
+        match &self.graph.cell(id).kind {
+            Kind::Const(bits) => self.scalars.constant(self.builder, id, bits),
+            _ => {
+                let place = self.addresses.of(id);
+                self.scalars.load(
+                    self.builder,
+                    id,
+                    place.width,
+                    place.element.min(64),
+                    self.state,
+                    offset(place.offset),
+                );
+            }
+        }
+    }
+
+    fn single(&mut self, id: ValueId) {
+        let cell = self.graph.cell(id);
+        match &cell.kind {
+            Kind::Read { memory, address } => {
+                self.want(*address);
+                let at = self.scalars.clean(self.builder, *address);
+                let base = self.builder.ins().iconst(types::I64, self.memories[*memory as usize].address as i64);
+                self.read(id, *memory, &at, base);
+            }
+            Kind::Lane { of, index, .. } => {
+                let place = self.addresses.of(*of);
+                let at = offset(place.lane(*index));
+                self.scalars.load(self.builder, id, place.width, place.element.min(64), self.state, at);
+            }
+            kind => {
+                kind.for_each_operand(|operand| self.want(operand));
+                self.scalars.evaluate(self.builder, id, kind, cell.width);
+            }
+        }
+    }
+
+    /// Stores single values, or the lanes of shorter arrays, side by side.
+    fn pack(&mut self, id: ValueId) {
+        let Kind::PerLane(parts) = &self.graph.cell(id).kind else { unreachable!("only these are packed") };
+        let place = self.addresses.of(id);
+        let outer = self.graph.cell(parts[0]).lanes;
+        for (i, &part) in parts.iter().enumerate() {
+            for lane in 0..outer {
+                let at = offset(place.lane(lane * parts.len() as u32 + i as u32));
+                let value = match outer {
+                    1 => {
+                        self.want(part);
+                        part
+                    }
+                    _ => self.element(part, lane),
+                };
+                self.scalars.store(self.builder, value, place.element.min(64), self.state, at);
+            }
+        }
+    }
+
+    /// One lane, known now, of an array, as a value of one lane.
+    fn element(&mut self, of: ValueId, lane: u32) -> ValueId {
+        let id = self.id();
+        match &self.graph.cell(of).kind {
+            Kind::Const(bits) => self.scalars.constant(self.builder, id, bits),
+            Kind::Broadcast(plain, _) if self.graph.cell(*plain).lanes == 1 => {
+                self.want(*plain);
+                return *plain;
+            }
+            _ => {
+                let place = self.addresses.of(of);
+                let at = offset(place.lane(lane));
+                self.scalars.load(self.builder, id, place.width, place.element.min(64), self.state, at);
+            }
+        }
+        id
+    }
+
+    /// What happens at the end: single registers and memories change, late arrays as well.
+    fn finish(&mut self) {
+        let graph = self.graph;
+        let single = |sink: &&Sink| match sink {
+            Sink::Register { state, .. } => graph.cell(*state).lanes == 1,
+            Sink::Write { enable, .. } => graph.cell(*enable).lanes == 1,
+            Sink::Show(value) => graph.cell(*value).lanes == 1,
+        };
+        let mut registers = Vec::new();
+        for sink in graph.sinks.iter().filter(single) {
+            sink.for_each_operand(|operand| self.want(operand));
+            match *sink {
+                Sink::Register { state, next, enable: None } => registers.push((state, next)),
+                Sink::Register { state, next, enable: Some(select) } => {
+                    self.want(state);
+                    let taken = self.id();
+                    let kind = Kind::Mux { select, on_true: next, on_false: state };
+                    self.scalars.evaluate(self.builder, taken, &kind, graph.cell(state).width);
+                    registers.push((state, taken));
+                }
+                Sink::Show(value) if self.addresses.places[value.index()].is_some() => {
+                    registers.push((value, value));
+                }
+                _ => {}
+            }
+        }
+        for sink in graph.sinks.iter().filter(single) {
+            if let Sink::Write { memory, enable, address, data } = *sink {
+                let base = self.builder.ins().iconst(types::I64, self.memories[memory as usize].address as i64);
+                self.write(memory, enable, address, data, base);
+            }
+        }
+        for (state, value) in registers {
+            let place = self.addresses.of(state);
+            self.scalars.store(self.builder, value, place.element.min(64), self.state, offset(place.offset));
+        }
+        for (state, waiting) in &self.addresses.waiting {
+            let place = self.addresses.of(*state);
+            self.copy(*waiting, place);
+        }
+    }
+
+    /// Copies an array, by vectors.
+    fn copy(&mut self, from: Place, to: Place) {
+        let vectors = (from.lanes as usize * from.bytes()).div_ceil(16);
+        let flags = MemFlagsData::trusted();
+        let (count, step) = (vectors as i64 * 16, 16);
+        self.count(count, step, |emitter, at| {
+            let at = emitter.builder.ins().iadd(emitter.state, at);
+            let vector = emitter.builder.ins().load(types::I8X16, flags, at, offset(from.offset));
+            emitter.builder.ins().store(flags, vector, at, offset(to.offset));
+        });
+    }
+
+    /// A loop: `body` gets 0, `step`, `2 * step` and so on below `limit`.
+    pub(super) fn count(&mut self, limit: i64, step: i64, body: impl FnOnce(&mut Self, Value)) {
+        let block = self.builder.create_block();
+        let done = self.builder.create_block();
+        self.builder.append_block_param(block, types::I64);
+        let start = self.builder.ins().iconst(types::I64, 0);
+        self.builder.ins().jump(block, &[start.into()]);
+        self.builder.switch_to_block(block);
+        let at = self.builder.block_params(block)[0];
+        body(self, at);
+        let step = self.builder.ins().iconst(types::I64, step);
+        let next = self.builder.ins().iadd(at, step);
+        let limit = self.builder.ins().iconst(types::I64, limit);
+        let more = self.builder.ins().icmp(IntCC::UnsignedLessThan, next, limit);
+        self.builder.ins().brif(more, block, &[next.into()], done, &[]);
+        self.builder.switch_to_block(done);
+    }
+}
+
+/// An offset as instructions take it.
+pub(super) fn offset(bytes: usize) -> i32 {
+    i32::try_from(bytes).expect("the state of a circuit is smaller than 2 GB; memories are apart from it")
+}
+
+/// The operator that combines two lanes.
+pub(super) fn combining(by: Reduction) -> Binary {
+    match by {
+        Reduction::And => Binary::And,
+        Reduction::Or => Binary::Or,
+        Reduction::Xor => Binary::Xor,
+        Reduction::Add => Binary::Add,
+    }
+}

@@ -1,0 +1,269 @@
+//! In which order a function computes its cells, and what of them it has to leave in memory.
+//!
+//! A function goes through *stages*. In each it first computes values of one lane, which stay in registers of the
+//! machine; then it packs single values into arrays of lanes; then it runs *kernels*, loops over the lanes of all
+//! values of one lane count. What leads from lanes to single values or to other lanes (a reduction, a neighbour, one
+//! lane) begins a new stage, unless it looks at state, which is in memory anyway.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::graph::{Graph, Sink};
+use crate::program::{Kind, ValueId};
+
+/// The order of a function.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Plan {
+    pub stages: Vec<Stage>,
+    /// What is stored when it has been computed, apart from state: for other kernels, neighbours and testbenches.
+    pub stored: BTreeSet<ValueId>,
+    /// Registers with lanes that somebody reads after their kernel has run: they change at the end.
+    pub late: BTreeSet<ValueId>,
+}
+
+/// A part of a function.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Stage {
+    /// Values of one lane.
+    pub single: Vec<ValueId>,
+    /// Arrays of lanes made of single values or of other arrays.
+    pub packed: Vec<ValueId>,
+    /// Loops by lane count.
+    pub kernels: BTreeMap<u32, Kernel>,
+}
+
+/// A loop over lanes.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Kernel {
+    /// What it computes, each after its operands.
+    pub cells: Vec<ValueId>,
+    /// What it does at the end of a strip, by index in [`Graph::sinks`].
+    pub sinks: Vec<usize>,
+}
+
+/// Where in a stage something runs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+struct Position {
+    stage: usize,
+    /// 0 for single values, 1 for packing, then kernels by their lanes.
+    place: u32,
+}
+
+/// What a cell is to the plan.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Role {
+    /// A constant, the same in all lanes.
+    Constant,
+    /// In memory from the start: state, or lanes that are all constant.
+    Resident,
+    Single,
+    Packed,
+    /// The same single value in all lanes: no work of its own.
+    Uniform,
+    /// In the kernel of so many lanes.
+    Kernel(u32),
+}
+
+impl Plan {
+    /// Plans a function.
+    pub fn new(graph: &Graph) -> Plan {
+        let needed = graph.needed();
+        let mut planner = Planner { graph, positions: vec![Position { stage: 0, place: 0 }; graph.cells.len()] };
+        let mut plan = Plan::default();
+        for &id in &needed {
+            let stage = planner.stage(id);
+            planner.place(&mut plan, id, stage);
+        }
+        planner.sinks(&mut plan);
+        planner.stores(&mut plan, &needed);
+        planner.hazards(&mut plan, &needed);
+        plan
+    }
+
+    fn at(&mut self, stage: usize) -> &mut Stage {
+        if self.stages.len() <= stage {
+            self.stages.resize_with(stage + 1, Stage::default);
+        }
+        &mut self.stages[stage]
+    }
+}
+
+/// Whether a cell is an array whose lanes are constants.
+pub(super) fn is_table(graph: &Graph, id: ValueId) -> bool {
+    match &graph.cell(id).kind {
+        Kind::PerLane(parts) => parts.iter().all(|part| matches!(graph.cell(*part).kind, Kind::Const(_))),
+        _ => false,
+    }
+}
+
+struct Planner<'a> {
+    graph: &'a Graph,
+    positions: Vec<Position>,
+}
+
+impl Planner<'_> {
+    fn role(&self, id: ValueId) -> Role {
+        let cell = self.graph.cell(id);
+        match &cell.kind {
+            Kind::Const(_) => Role::Constant,
+            Kind::State => Role::Resident,
+            _ if is_table(self.graph, id) => Role::Resident,
+            Kind::PerLane(_) => Role::Packed,
+            Kind::Broadcast(of, _) if self.graph.cell(*of).lanes == 1 => Role::Uniform,
+            Kind::Reduce { of, .. } => Role::Kernel(self.graph.cell(*of).lanes),
+            Kind::Lane { .. } if cell.lanes > 1 => Role::Kernel(cell.lanes),
+            _ if cell.lanes == 1 => Role::Single,
+            _ => Role::Kernel(cell.lanes),
+        }
+    }
+
+    /// Whether a kernel's cell takes its operand lane by lane.
+    fn by_lane(&self, id: ValueId, operand: ValueId) -> bool {
+        let kind = &self.graph.cell(id).kind;
+        (kind.is_elementwise() || matches!(kind, Kind::Read { .. } | Kind::Reduce { .. } | Kind::Alias(_)))
+            && matches!(self.role(operand), Role::Kernel(_) | Role::Packed)
+            && !matches!(self.graph.cell(operand).kind, Kind::Reduce { .. })
+    }
+
+    /// The first stage in which all operands are there.
+    fn stage(&self, id: ValueId) -> usize {
+        let mut stage = 0;
+        self.graph.cell(id).kind.for_each_operand(|operand| {
+            stage = stage.max(self.available(operand, self.by_lane(id, operand)));
+        });
+        stage
+    }
+
+    /// From which stage on a value is there, for one who takes it lane by lane in its own kernel or not.
+    fn available(&self, id: ValueId, by_lane: bool) -> usize {
+        let at = self.positions[id.index()].stage;
+        match self.role(id) {
+            Role::Constant | Role::Resident => 0,
+            Role::Single | Role::Uniform => at,
+            Role::Packed if by_lane => at,
+            Role::Kernel(_) if by_lane => at,
+            Role::Packed | Role::Kernel(_) => at + 1,
+        }
+    }
+
+    fn place(&mut self, plan: &mut Plan, id: ValueId, stage: usize) {
+        let place = match self.role(id) {
+            Role::Constant | Role::Resident => return,
+            Role::Uniform => 0,
+            Role::Single => {
+                plan.at(stage).single.push(id);
+                0
+            }
+            Role::Packed => {
+                plan.at(stage).packed.push(id);
+                1
+            }
+            Role::Kernel(lanes) => {
+                plan.at(stage).kernels.entry(lanes).or_default().cells.push(id);
+                lanes
+            }
+        };
+        self.positions[id.index()] = Position { stage, place };
+    }
+
+    /// The lanes of a sink.
+    fn lanes(&self, sink: &Sink) -> u32 {
+        match sink {
+            Sink::Register { state, .. } => self.graph.cell(*state).lanes,
+            Sink::Write { enable, .. } => self.graph.cell(*enable).lanes,
+            Sink::Show(value) => self.graph.cell(*value).lanes,
+        }
+    }
+
+    /// Where a sink takes its operands: the end for single values.
+    fn sink_position(&self, sink: &Sink) -> Position {
+        let lanes = self.lanes(sink);
+        if lanes == 1 {
+            return Position { stage: usize::MAX, place: 0 };
+        }
+        let mut stage = 0;
+        sink.for_each_operand(|operand| {
+            let by_lane = !matches!(self.graph.cell(operand).kind, Kind::Reduce { .. });
+            stage = stage.max(self.available(operand, by_lane));
+        });
+        if let Sink::Write { memory, .. } = sink {
+            let reads = (0..self.graph.cells.len() as u32).map(ValueId);
+            let reads = reads
+                .filter(|&id| matches!(self.graph.cell(id).kind, Kind::Read { memory: read, .. } if read == *memory));
+            stage = reads.fold(stage, |stage, read| stage.max(self.positions[read.index()].stage));
+        }
+        Position { stage, place: lanes }
+    }
+
+    fn sinks(&mut self, plan: &mut Plan) {
+        for (index, sink) in self.graph.sinks.iter().enumerate() {
+            let position = self.sink_position(sink);
+            if position.place > 0 && !matches!(sink, Sink::Show(_)) {
+                plan.at(position.stage).kernels.entry(position.place).or_default().sinks.push(index);
+            }
+        }
+    }
+
+    /// Finds what has to be in memory for somebody who runs elsewhere.
+    fn stores(&self, plan: &mut Plan, needed: &[ValueId]) {
+        let mut need = |operand: ValueId, reader: Position, by_lane: bool| {
+            let stored = match self.role(operand) {
+                Role::Kernel(_) => !by_lane || self.positions[operand.index()] != reader,
+                Role::Packed => true,
+                _ => false,
+            };
+            if stored {
+                plan.stored.insert(operand);
+            }
+        };
+        for &id in needed {
+            let reader = self.positions[id.index()];
+            let kind = &self.graph.cell(id).kind;
+            kind.for_each_operand(|operand| need(operand, reader, self.by_lane(id, operand)));
+        }
+        for sink in &self.graph.sinks {
+            let reader = self.sink_position(sink);
+            sink.for_each_operand(|operand| {
+                let reduced = matches!(self.graph.cell(operand).kind, Kind::Reduce { .. });
+                need(operand, reader, !reduced);
+            });
+        }
+        for sink in &self.graph.sinks {
+            if let Sink::Show(value) = sink
+                && !matches!(self.role(*value), Role::Constant | Role::Resident)
+            {
+                plan.stored.insert(*value);
+            }
+        }
+    }
+
+    /// Finds the registers that cannot change where their kernel runs.
+    fn hazards(&self, plan: &mut Plan, needed: &[ValueId]) {
+        let mut written: BTreeMap<ValueId, Position> = BTreeMap::new();
+        for sink in &self.graph.sinks {
+            if let Sink::Register { state, .. } = sink
+                && self.graph.cell(*state).lanes > 1
+            {
+                written.insert(*state, self.sink_position(sink));
+            }
+        }
+        let mut read = |operand: ValueId, reader: Position, by_lane: bool| {
+            if written.get(&operand).is_some_and(|&writer| reader > writer || (reader == writer && !by_lane)) {
+                plan.late.insert(operand);
+            }
+        };
+        for &id in needed {
+            let kind = &self.graph.cell(id).kind;
+            let by_lane = kind.is_elementwise() || matches!(kind, Kind::Read { .. } | Kind::Reduce { .. });
+            let reader = match self.role(id) {
+                // A broadcast array is read where it is used, any time later.
+                _ if matches!(kind, Kind::Alias(_)) => Position { stage: usize::MAX, place: 0 },
+                _ => self.positions[id.index()],
+            };
+            kind.for_each_operand(|operand| read(operand, reader, by_lane));
+        }
+        for sink in &self.graph.sinks {
+            let reader = self.sink_position(sink);
+            sink.for_each_operand(|operand| read(operand, reader, true));
+        }
+    }
+}

@@ -1,0 +1,86 @@
+//! A block of memory for generated code, seen from Rust as values.
+
+use std::cell::Cell;
+
+use super::layout::Place;
+
+/// Bytes of a line of the cache, to which blocks are aligned.
+const LINE: usize = 64;
+
+/// Zeros at first.
+#[derive(Debug)]
+pub(super) struct Store {
+    /// Cells, as code changes them through their address.
+    words: Vec<Cell<u64>>,
+    /// How many words come before the first line.
+    skipped: usize,
+    size: usize,
+}
+
+impl Store {
+    /// A block of so many bytes.
+    pub fn new(size: usize) -> Store {
+        let words = vec![Cell::new(0); size.div_ceil(8) + 2 * LINE / 8];
+        let skipped = words.as_ptr().align_offset(LINE);
+        Store { words, skipped, size }
+    }
+
+    /// Makes it at least so large; it may move.
+    pub fn grow(&mut self, size: usize) {
+        if size > self.size {
+            let mut larger = Store::new(size.max(2 * self.size));
+            let used = self.size.div_ceil(8);
+            larger.words[larger.skipped..larger.skipped + used]
+                .clone_from_slice(&self.words[self.skipped..self.skipped + used]);
+            *self = larger;
+        }
+    }
+
+    /// Where it is, until it grows.
+    pub fn address(&self) -> *mut u8 {
+        self.words[self.skipped..].as_ptr().cast_mut().cast()
+    }
+
+    /// An integer of so many bytes, up to 8.
+    fn integer(&self, at: usize, bytes: usize) -> u64 {
+        let word = self.words[self.skipped + at / 8].get();
+        let shifted = word >> (at % 8 * 8);
+        if bytes == 8 { shifted } else { shifted & ((1 << (bytes * 8)) - 1) }
+    }
+
+    fn set_integer(&mut self, at: usize, bytes: usize, value: u64) {
+        let word = &self.words[self.skipped + at / 8];
+        let (shift, ones) = (at % 8 * 8, if bytes == 8 { u64::MAX } else { (1 << (bytes * 8)) - 1 });
+        word.set(word.get() & !(ones << shift) | (value & ones) << shift);
+    }
+
+    /// The limbs of a word of a memory.
+    pub fn get_word(&self, at: usize, bytes: usize, limbs: &mut [u64]) {
+        for (i, limb) in limbs.iter_mut().enumerate() {
+            *limb = self.integer(at + i * 8, bytes.min(8));
+        }
+    }
+
+    /// Replaces a word of a memory.
+    pub fn put_word(&mut self, at: usize, bytes: usize, limbs: &[u64]) {
+        for (i, &limb) in limbs.iter().enumerate() {
+            self.set_integer(at + i * 8, bytes.min(8), limb);
+        }
+    }
+
+    /// All lanes of a value.
+    pub fn get(&self, place: Place, limbs: &mut [u64]) {
+        let each = limbs.len() / place.lanes as usize;
+        for (lane, limbs) in (0..).zip(limbs.chunks_exact_mut(each)) {
+            self.get_word(place.lane(lane), place.bytes(), limbs);
+        }
+    }
+
+    /// Replaces all lanes of a value.
+    pub fn put(&mut self, place: Place, limbs: &[u64]) {
+        let each = limbs.len() / place.lanes as usize;
+        for (lane, limbs) in (0..).zip(limbs.chunks_exact(each)) {
+            self.put_word(place.lane(lane), place.bytes(), limbs);
+        }
+    }
+}

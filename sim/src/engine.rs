@@ -1,0 +1,69 @@
+//! What executes a program: the interface that every engine has.
+
+use std::sync::Arc;
+
+use crate::compiled::Compiled;
+use crate::program::{Program, Triggers, ValueId};
+use crate::reference;
+
+/// An assertion that does not hold.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Failed {
+    /// Its index in [`Program::asserts`](crate::program::Program::asserts).
+    pub assert: u32,
+    /// The lane of its scope.
+    pub lane: u32,
+}
+
+/// A running circuit.
+///
+/// Values are exchanged as 64-bit limbs, lane after lane, the lowest limb first, with zeros above the width.
+pub(crate) trait Engine: Send {
+    /// A value in all lanes, computed if it has to be.
+    fn read(&mut self, id: ValueId) -> &[u64];
+
+    /// Sets an input, all lanes of it.
+    fn write(&mut self, id: ValueId, limbs: &[u64], triggers: Triggers);
+
+    /// A word of a memory.
+    fn word(&self, memory: u32, lane: u32, address: u32) -> Vec<u64>;
+
+    /// Replaces a word of a memory.
+    fn set_word(&mut self, memory: u32, lane: u32, address: u32, limbs: &[u64]);
+
+    /// Sets a clock's reset.
+    fn set_reset(&mut self, clock: usize, high: bool);
+
+    /// The assertions that fail at an edge of these clocks.
+    fn check(&mut self, rising: &[usize]) -> Vec<Failed>;
+
+    /// The edge of these clocks: all of them sample, then their registers, read data and memories change.
+    fn edge(&mut self, rising: &[usize]) {
+        self.edges(rising, 1);
+    }
+
+    /// So many edges of these clocks, one after another, with nothing in between.
+    fn edges(&mut self, rising: &[usize], count: u64);
+}
+
+/// Which engine executes a circuit. All give the same results.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum EngineKind {
+    /// A plain interpreter: the meaning that the others are held to.
+    Reference,
+    /// Machine code made for the circuit.
+    #[default]
+    Compiled,
+}
+
+impl EngineKind {
+    /// The circuit at its start on this engine, or on the reference engine where code cannot be generated.
+    pub(crate) fn start(self, program: &Arc<Program>, seed: u64) -> (EngineKind, Box<dyn Engine>) {
+        if self == EngineKind::Compiled
+            && let Ok(engine) = Compiled::new(program.clone(), seed)
+        {
+            return (EngineKind::Compiled, Box::new(engine));
+        }
+        (EngineKind::Reference, Box::new(reference::Engine::new(program.clone(), seed)))
+    }
+}
