@@ -53,6 +53,9 @@ impl Emitter<'_, '_, '_> {
 
     /// Loads a lane, by its number, of an array in memory.
     fn load_lane(&mut self, id: ValueId, of: ValueId, lane: Value) {
+        if let Kind::Const(bits) = &self.graph.cell(of).kind {
+            return self.scalars.constant(self.builder, id, bits);
+        }
         let place = self.addresses.of(of);
         let at = self.address(lane, place);
         self.scalars.load(self.builder, id, place.width, place.element.min(64), at, offset(place.offset));
@@ -78,6 +81,10 @@ impl Emitter<'_, '_, '_> {
                 let at = self.scalars.clean(self.builder, *address);
                 let base = self.lane_base(*memory, lane);
                 self.read(id, *memory, &at, base);
+            }
+            Kind::Broadcast(of, _) if self.graph.cell(*of).lanes == 1 => {
+                let uniform = outer.get(*of).expect("it was made available before the loop").clone();
+                self.scalars.define(id, uniform);
             }
             Kind::Broadcast(of, n) => {
                 let lane = self.divided(lane, *n).0;

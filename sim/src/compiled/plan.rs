@@ -67,7 +67,8 @@ impl Plan {
     /// Plans a function.
     pub fn new(graph: &Graph) -> Plan {
         let needed = graph.needed();
-        let mut planner = Planner { graph, positions: vec![Position { stage: 0, place: 0 }; graph.cells.len()] };
+        let positions = vec![Position { stage: 0, place: 0 }; graph.cells.len()];
+        let mut planner = Planner { graph, positions, looked_at: looked_at(graph, &needed) };
         let mut plan = Plan::default();
         for &id in &needed {
             let stage = planner.stage(id);
@@ -95,9 +96,23 @@ pub(super) fn is_table(graph: &Graph, id: ValueId) -> bool {
     }
 }
 
+/// Arrays that somebody looks at otherwise than lane by lane.
+fn looked_at(graph: &Graph, needed: &[ValueId]) -> BTreeSet<ValueId> {
+    let of = needed.iter().filter_map(|&id| match graph.cell(id).kind {
+        Kind::Shifted { of, .. } | Kind::Lane { of, .. } | Kind::Broadcast(of, _) => Some(of),
+        _ => None,
+    });
+    let shown = graph.sinks.iter().filter_map(|sink| match sink {
+        Sink::Show(value) => Some(*value),
+        _ => None,
+    });
+    of.chain(shown).collect()
+}
+
 struct Planner<'a> {
     graph: &'a Graph,
     positions: Vec<Position>,
+    looked_at: BTreeSet<ValueId>,
 }
 
 impl Planner<'_> {
@@ -108,7 +123,7 @@ impl Planner<'_> {
             Kind::State => Role::Resident,
             _ if is_table(self.graph, id) => Role::Resident,
             Kind::PerLane(_) => Role::Packed,
-            Kind::Broadcast(of, _) if self.graph.cell(*of).lanes == 1 => Role::Uniform,
+            Kind::Broadcast(of, _) if self.graph.cell(*of).lanes == 1 && !self.looked_at.contains(&id) => Role::Uniform,
             Kind::Reduce { of, .. } => Role::Kernel(self.graph.cell(*of).lanes),
             Kind::Lane { .. } if cell.lanes > 1 => Role::Kernel(cell.lanes),
             _ if cell.lanes == 1 => Role::Single,
