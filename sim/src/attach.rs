@@ -45,6 +45,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
                 cycles.start * period..cycles.end.saturating_mul(period)
             }
         };
+        self.engine.watch(&header.values);
         self.observers.push(Box::new(Dump::new(vcd, header, window)?));
         Ok(())
     }
@@ -70,7 +71,8 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     /// There is no such name.
     #[track_caller]
     pub fn record(&mut self, what: impl IntoIterator<Item = impl Into<Probe>>) -> Wave {
-        let sources = what.into_iter().map(|probe| self.source(probe.into())).collect();
+        let sources: Vec<Source> = what.into_iter().map(|probe| self.source(probe.into())).collect();
+        self.engine.watch(&sources.iter().map(|source| source.value).collect::<Vec<_>>());
         let clocks = self.program.clocks.iter().map(|clock| (clock.port.clone(), clock.period)).collect();
         let wave = Wave::new(clocks, sources);
         self.observers.push(Box::new(Draw(wave.clone())));

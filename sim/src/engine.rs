@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use crate::compiled::Compiled;
+use crate::lockstep::{Difference, Lockstep};
 use crate::program::{Program, Triggers, ValueId};
 use crate::reference;
 
@@ -37,33 +38,40 @@ pub(crate) trait Engine: Send {
     /// The assertions that fail at an edge of these clocks.
     fn check(&mut self, rising: &[usize]) -> Vec<Failed>;
 
-    /// The edge of these clocks: all of them sample, then their registers, read data and memories change.
-    fn edge(&mut self, rising: &[usize]) {
-        self.edges(rising, 1);
-    }
+    /// So many edges of these clocks, one after another, with nothing in between. At an edge all of them sample, then
+    /// their registers, read data and memories change.
+    ///
+    /// # Errors
+    ///
+    /// Two engines side by side differ.
+    fn edges(&mut self, rising: &[usize], count: u64) -> Result<(), Box<Difference>>;
 
-    /// So many edges of these clocks, one after another, with nothing in between.
-    fn edges(&mut self, rising: &[usize], count: u64);
+    /// Prepares for these values being read together.
+    fn watch(&mut self, _values: &[ValueId]) {}
 }
 
 /// Which engine executes a circuit. All give the same results.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum EngineKind {
     /// A plain interpreter: the meaning that the others are held to.
+    #[default]
     Reference,
     /// Machine code made for the circuit.
-    #[default]
     Compiled,
+    /// Both side by side; the first difference is an error that names the signal and the clock.
+    Both,
 }
 
 impl EngineKind {
     /// The circuit at its start on this engine, or on the reference engine where code cannot be generated.
     pub(crate) fn start(self, program: &Arc<Program>, seed: u64) -> (EngineKind, Box<dyn Engine>) {
-        if self == EngineKind::Compiled
-            && let Ok(engine) = Compiled::new(program.clone(), seed)
-        {
-            return (EngineKind::Compiled, Box::new(engine));
+        let reference = || Box::new(reference::Engine::new(program.clone(), seed));
+        match (self, Compiled::new(program.clone(), seed)) {
+            (EngineKind::Compiled, Ok(engine)) => (self, Box::new(engine)),
+            (EngineKind::Both, Ok(engine)) => {
+                (self, Box::new(Lockstep::new(program.clone(), reference(), Box::new(engine))))
+            }
+            _ => (EngineKind::Reference, reference()),
         }
-        (EngineKind::Reference, Box::new(reference::Engine::new(program.clone(), seed)))
     }
 }

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use tilewright_hdl::{Loc, Problems};
 
+use crate::lockstep::Difference;
 use crate::program::Looping;
 
 /// Why a simulation could not be made or could not go on.
@@ -25,6 +26,9 @@ pub enum Error {
     /// A step needs a clock.
     #[error("the design has no clock to step: use `set` and `get` alone")]
     NoClock,
+    /// Two engines side by side do not agree.
+    #[error(transparent)]
+    Differs(#[from] Box<Difference>),
     /// A trace could not be written.
     #[error("cannot write the trace {}: {source}", .path.display())]
     Trace {

@@ -87,7 +87,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
             self.observers.iter_mut().try_for_each(|observer| observer.failed())?;
             return Err(Error::Violated(failed.into_iter().map(|it| self.violation(it, until)).collect()));
         }
-        self.engine.edge(&self.rising);
+        self.engine.edges(&self.rising, 1)?;
         self.timeline.advance(until, &self.rising);
         Ok(())
     }

@@ -20,6 +20,7 @@ use std::sync::Arc;
 use tilewright_hdl::limbs_for;
 
 use crate::engine::{Engine, Failed};
+use crate::lockstep::Difference;
 use crate::program::{Kind, Program, Triggers, ValueId};
 use crate::reference;
 use function::{Addresses, Emitter, MemoryAt};
@@ -245,6 +246,10 @@ impl Engine for Compiled {
 
     fn check(&mut self, rising: &[usize]) -> Vec<Failed> {
         let program = self.program.clone();
+        if self.version == 1 {
+            let conditions: Vec<ValueId> = program.asserts.iter().map(|assert| assert.condition).collect();
+            self.watch(&conditions);
+        }
         let mut failed = Vec::new();
         for &clock in rising {
             if self.resets[clock] {
@@ -259,12 +264,22 @@ impl Engine for Compiled {
         failed
     }
 
-    fn edges(&mut self, rising: &[usize], count: u64) {
-        if count == 0 {
-            return;
+    fn edges(&mut self, rising: &[usize], count: u64) -> Result<(), Box<Difference>> {
+        if count > 0 {
+            let code = self.edge_code(rising);
+            self.call(code, count);
+            self.version += 1;
         }
-        let code = self.edge_code(rising);
-        self.call(code, count);
-        self.version += 1;
+        Ok(())
+    }
+
+    fn watch(&mut self, values: &[ValueId]) {
+        let computed = |id: &&ValueId| self.program.value(**id).segment.is_some();
+        let mut shown: Vec<ValueId> = values.iter().filter(computed).copied().collect();
+        shown.sort();
+        shown.dedup();
+        if !shown.is_empty() {
+            self.show(shown);
+        }
     }
 }

@@ -11,6 +11,7 @@ mod wide;
 use std::sync::Arc;
 
 use crate::engine::{self, Failed};
+use crate::lockstep::Difference;
 use crate::program::{Kind, Program, Readers, Triggers, ValueId};
 
 /// The state of a running circuit.
@@ -173,7 +174,8 @@ impl engine::Engine for Engine {
         self.check(rising)
     }
 
-    fn edges(&mut self, rising: &[usize], count: u64) {
+    fn edges(&mut self, rising: &[usize], count: u64) -> Result<(), Box<Difference>> {
         (0..count).for_each(|_| self.edge(rising));
+        Ok(())
     }
 }
