@@ -3,7 +3,7 @@
 use crate::spec::{Pattern, Stimulus};
 use tilewright_hdl::recording::Step;
 use tilewright_hdl::{Bits, Design, Recording};
-use tilewright_sim::Simulation;
+use tilewright_sim::{EngineKind, Simulation};
 
 /// Between comparisons of a design without clocks, in picoseconds.
 const IDLE_STEP: u64 = 10_000;
@@ -47,7 +47,7 @@ impl Numbers {
 /// What the simulator says if it does not take the design.
 pub fn run(design: &Design, stimulus: &Stimulus) -> Result<Recording, tilewright_sim::Error> {
     let mut numbers = Numbers(stimulus.seed);
-    let mut sim = Simulation::from_design(design)?;
+    let mut sim = Simulation::from_design(design)?.on(EngineKind::Both);
     let top = design.top();
     let ports: Vec<_> = top.inputs.iter().map(|input| (input.name.as_str(), top.width(input.node))).collect();
     let inputs = ports.iter().map(|(name, width)| Ok((sim.port(name)?, *width)));
