@@ -37,6 +37,13 @@ impl Timeline {
         self.cycles[clock]
     }
 
+    /// So many edges of the only clock are done.
+    pub fn repeat(&mut self, edges: u64) {
+        self.time += edges * self.periods[0];
+        self.next[0] += edges * self.periods[0];
+        self.cycles[0] += edges;
+    }
+
     /// The edges of `rising` are done.
     pub fn advance(&mut self, time: u64, rising: &[usize]) {
         self.time = time;

@@ -2,7 +2,7 @@
 #![allow(missing_docs)]
 
 use tilewright_hdl::{Bits, Block, Module, ReadUnderWrite, Width, bit, bits, bundle, mux, net, states, when};
-use tilewright_sim::{Error, Simulation};
+use tilewright_sim::{EngineKind, Error, Simulation};
 
 bundle! {
     pub struct CounterIn<T> { pub enable: T }
@@ -322,4 +322,20 @@ fn equal_seeds_start_alike_and_others_do_not() {
     assert_eq!(start(3), start(3));
     assert_ne!(start(3), start(4));
     assert!(start(0).iter().all(Bits::is_zero));
+}
+
+#[test]
+fn a_run_in_one_piece_is_as_many_steps() {
+    for kind in [EngineKind::Reference, EngineKind::Compiled, EngineKind::Both] {
+        let mut pieces = Simulation::of(&Counter { width: 8, limit: 200 }).unwrap().on(kind);
+        let mut whole = Simulation::of(&Counter { width: 8, limit: 200 }).unwrap().on(kind);
+        for sim in [&mut pieces, &mut whole] {
+            sim.set(sim.i.enable, 1);
+        }
+        (0..37).for_each(|_| pieces.step());
+        whole.run(37);
+        assert_eq!(pieces.get(pieces.o.count), whole.get(whole.o.count));
+        assert_eq!((pieces.time(), pieces.cycles("clk").unwrap()), (whole.time(), whole.cycles("clk").unwrap()));
+        assert_eq!(whole.get_u64(whole.o.count), 37);
+    }
 }
