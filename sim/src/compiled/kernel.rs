@@ -106,7 +106,7 @@ impl Emitter<'_, '_, '_> {
                 self.scalars.load(self.builder, before, cell.width, place.element.min(64), at, offset(place.offset));
                 self.scalars.evaluate(self.builder, both, &Kind::Binary(combining(*by), before, *of), cell.width);
                 let is_first = self.equals(within, 0);
-                self.scalars.define_flag(self.builder, first, is_first);
+                self.scalars.define_flag(first, is_first);
                 let kind = Kind::Mux { select: first, on_true: *of, on_false: both };
                 self.scalars.evaluate(self.builder, id, &kind, cell.width);
                 self.scalars.store(self.builder, id, place.element.min(64), at, offset(place.offset));
@@ -142,7 +142,7 @@ impl Emitter<'_, '_, '_> {
             }
             _ => self.load_lane(end, edge, row),
         }
-        self.scalars.define_flag(self.builder, select, inside);
+        self.scalars.define_flag(select, inside);
         let kind = Kind::Mux { select, on_true: neighbour, on_false: end };
         self.scalars.evaluate(self.builder, id, &kind, self.graph.cell(id).width);
     }

@@ -1,0 +1,179 @@
+//! Elementwise operations on one lane, in general registers.
+//!
+//! A value of up to 64 bits is one integer whose upper bits may be anything until somebody needs them zero; `bound`
+//! says how many bits may be set, so that they are cut only where they have to be. What compares give, and what
+//! selects and branches take, are flags.
+
+mod narrow;
+mod wide;
+
+use std::collections::HashMap;
+
+use cranelift_codegen::ir::condcodes::IntCC;
+use cranelift_codegen::ir::{InstBuilder, MemFlagsData, Type, Value, types};
+use cranelift_frontend::FunctionBuilder;
+use tilewright_hdl::{Bits, limbs_for};
+
+use crate::program::{Kind, ValueId};
+
+/// A value of one lane in general registers, in the forms that somebody has asked for.
+#[derive(Debug, Clone)]
+pub(super) struct Scalar {
+    pub width: u32,
+    /// Up to 64 bits: an integer below 2 to the `bound`.
+    integer: Option<Value>,
+    bound: u32,
+    /// 1 bit: 0 or 1, of 8 bits.
+    flag: Option<Value>,
+    /// Above 64 bits, and for one who has asked: limbs, with zeros above the width.
+    limbs: Option<Vec<Value>>,
+    /// The value, if it is a constant of up to 64 bits.
+    known: Option<u64>,
+}
+
+impl Scalar {
+    fn integer(width: u32, integer: Value, bound: u32) -> Scalar {
+        Scalar { width, integer: Some(integer), bound: bound.min(64), flag: None, limbs: None, known: None }
+    }
+
+    fn flag(flag: Value) -> Scalar {
+        Scalar { width: 1, integer: None, bound: 1, flag: Some(flag), limbs: None, known: None }
+    }
+
+    fn limbs(width: u32, limbs: Vec<Value>) -> Scalar {
+        Scalar { width, integer: None, bound: 64, flag: None, limbs: Some(limbs), known: None }
+    }
+}
+
+/// The values of a block and of those that it dominates.
+#[derive(Debug, Default)]
+pub(super) struct Scalars {
+    values: HashMap<ValueId, Scalar>,
+}
+
+impl Scalars {
+    /// A value that is there already.
+    pub fn define(&mut self, id: ValueId, scalar: Scalar) {
+        self.values.insert(id, scalar);
+    }
+
+    /// A value of 1 bit, 0 or 1 in 8 bits.
+    pub fn define_flag(&mut self, id: ValueId, flag: Value) {
+        self.define(id, Scalar::flag(flag));
+    }
+
+    /// The value, if it is defined.
+    pub fn get(&self, id: ValueId) -> Option<&Scalar> {
+        self.values.get(&id)
+    }
+
+    /// A constant.
+    pub fn constant(&mut self, b: &mut FunctionBuilder, id: ValueId, bits: &Bits) {
+        let limbs: Vec<Value> = bits.limbs().iter().map(|&limb| b.ins().iconst(types::I64, limb as i64)).collect();
+        let scalar = match (bits.width(), limbs.as_slice()) {
+            (width, [limb]) => Scalar { known: Some(bits.limbs()[0]), ..Scalar::integer(width, *limb, width) },
+            (width, _) => Scalar::limbs(width, limbs),
+        };
+        self.define(id, scalar);
+    }
+
+    /// Computes `kind`, whose operands are all defined.
+    pub fn evaluate(&mut self, b: &mut FunctionBuilder, result: ValueId, kind: &Kind, width: u32) {
+        let mut is_narrow = width <= 64;
+        kind.for_each_operand(|operand| is_narrow &= self.values[&operand].width <= 64);
+        let scalar = match is_narrow {
+            true => self.narrow(b, kind, width),
+            false => self.wide(b, kind, width),
+        };
+        self.define(result, scalar);
+    }
+
+    fn width(&self, id: ValueId) -> u32 {
+        self.values[&id].width
+    }
+
+    fn bound(&self, id: ValueId) -> u32 {
+        self.values[&id].bound
+    }
+
+    /// A value of up to 64 bits, perhaps with ones above its width.
+    fn integer(&mut self, b: &mut FunctionBuilder, id: ValueId) -> Value {
+        let scalar = self.values.get_mut(&id).expect("operands are defined before results");
+        if let Some(integer) = scalar.integer {
+            return integer;
+        }
+        let flag = scalar.flag.expect("a value of up to 64 bits is an integer or a flag");
+        let integer = b.ins().uextend(types::I64, flag);
+        scalar.integer = Some(integer);
+        integer
+    }
+
+    /// A value of up to 64 bits with zeros above its width.
+    pub fn low(&mut self, b: &mut FunctionBuilder, id: ValueId) -> Value {
+        let integer = self.integer(b, id);
+        let scalar = self.values.get_mut(&id).expect("operands are defined before results");
+        if scalar.bound <= scalar.width {
+            return integer;
+        }
+        let mask = b.ins().iconst(types::I64, tilewright_hdl::top_mask(scalar.width) as i64);
+        let clean = b.ins().band(integer, mask);
+        (scalar.integer, scalar.bound) = (Some(clean), scalar.width);
+        clean
+    }
+
+    /// Limbs with zeros above the width.
+    pub fn clean(&mut self, b: &mut FunctionBuilder, id: ValueId) -> Vec<Value> {
+        match &self.values[&id].limbs {
+            Some(limbs) => limbs.clone(),
+            None => vec![self.low(b, id)],
+        }
+    }
+
+    /// A value of 1 bit as 0 or 1 in 8 bits.
+    pub fn flag(&mut self, b: &mut FunctionBuilder, id: ValueId) -> Value {
+        if let Some(flag) = self.values[&id].flag {
+            return flag;
+        }
+        let low = self.low(b, id);
+        let flag = b.ins().ireduce(types::I8, low);
+        self.values.get_mut(&id).expect("it is defined").flag = Some(flag);
+        flag
+    }
+
+    /// Loads a value that stands as integers of `element` bits, zero above its width.
+    pub fn load(&mut self, b: &mut FunctionBuilder, id: ValueId, width: u32, element: u32, at: Value, offset: i32) {
+        let flags = MemFlagsData::trusted();
+        let kind = Type::int(element as u16).expect("an element is an integer");
+        let mut limb = |i: i32| {
+            let limb = b.ins().load(kind, flags, at, offset + i * 8);
+            if element < 64 { b.ins().uextend(types::I64, limb) } else { limb }
+        };
+        let scalar = match limbs_for(width) {
+            1 => Scalar::integer(width, limb(0), width),
+            n => Scalar::limbs(width, (0..n as i32).map(limb).collect()),
+        };
+        self.define(id, scalar);
+    }
+
+    /// Stores a value as integers of `element` bits, zero above its width.
+    pub fn store(&mut self, b: &mut FunctionBuilder, id: ValueId, element: u32, at: Value, offset: i32) {
+        let flags = MemFlagsData::trusted();
+        if self.width(id) == element && element < 64 {
+            let integer = self.integer(b, id);
+            let kind = Type::int(element as u16).expect("an element is an integer");
+            let integer = b.ins().ireduce(kind, integer);
+            b.ins().store(flags, integer, at, offset);
+            return;
+        }
+        for (i, limb) in self.clean(b, id).into_iter().enumerate() {
+            let kind = Type::int(element as u16).expect("an element is an integer");
+            let limb = if element < 64 { b.ins().ireduce(kind, limb) } else { limb };
+            b.ins().store(flags, limb, at, offset + i as i32 * 8);
+        }
+    }
+
+    /// 1 where two numbers are in a relation.
+    fn test(b: &mut FunctionBuilder, relation: IntCC, left: Value, right: Value) -> Scalar {
+        Scalar::flag(b.ins().icmp(relation, left, right))
+    }
+}
