@@ -16,8 +16,12 @@ if [ ${#missing[@]} -gt 0 ]; then
         echo "not installed: ${missing[*]} (Debian: apt-get install ${missing[*]} g++ make)"
     fi
 fi
-if command -v python3 >/dev/null && ! python3 -c 'import pyslang' 2>/dev/null; then
-    python3 -m pip install -q pyslang 2>/dev/null || echo "not installed: pyslang (pip install pyslang)"
+if ! python3 -c 'import pyslang' 2>/dev/null; then
+    if ! command -v pip3 >/dev/null && command -v apt-get >/dev/null && [ "$(id -u)" = 0 ]; then
+        DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends python3 python3-pip >/dev/null
+    fi
+    python3 -m pip install -q pyslang 2>/dev/null || python3 -m pip install -q --break-system-packages pyslang ||
+        echo "not installed: pyslang (pip install pyslang)"
 fi
 
 cargo test --workspace "$@"
