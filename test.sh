@@ -3,9 +3,10 @@
 set -euo pipefail
 cd "$(dirname "$0")"
 
-# Verilog simulators and linters. Without them the tests that need them say `skipped`; with CI set they fail.
+# Verilog simulators and linters, and the C++ compiler for the fastest of them. Without them the tests that need them say `skipped`;
+# with CI set they fail.
 missing=()
-for tool in verilator iverilog yosys; do
+for tool in verilator iverilog yosys clang; do
     command -v "$tool" >/dev/null || missing+=("$tool")
 done
 if [ ${#missing[@]} -gt 0 ]; then
