@@ -1,5 +1,6 @@
 //! The command line: one file a subcommand, and what they share in `shell`.
 
+mod bench;
 mod block;
 mod completions;
 mod golden;
@@ -30,9 +31,10 @@ struct CommandLine {
 const AFTER_HELP: &str = "\
 Exit codes:
   0    done
-  1    a check failed: a frame differs from the golden image, or an assertion of the hardware does not hold
+  1    a check failed: a frame differs from the golden image, an assertion of the hardware does not hold, or simulators disagree
   2    bad usage or bad input
   3    an output cannot be written
+  4    a program that was asked for is not installed, or fails
   70   a mistake in tilewright itself
   130  interrupted; a waveform that was being written opens
 
@@ -45,6 +47,7 @@ enum Command {
     Golden(golden::Golden),
     Wave(wave::Wave),
     Verilog(verilog::Verilog),
+    Bench(bench::Bench),
     List(list::List),
     Completions(completions::Completions),
 }
@@ -56,6 +59,7 @@ impl Command {
             Command::Golden(it) => it.run(),
             Command::Wave(it) => it.run(),
             Command::Verilog(it) => it.run(),
+            Command::Bench(it) => it.run(),
             Command::List(it) => it.run(),
             Command::Completions(it) => it.run(),
         }

@@ -11,12 +11,14 @@ use tilewright_scenes::SceneError;
 pub enum Exit {
     /// Done.
     Done = 0,
-    /// A frame differs from the golden image, or an assertion of the hardware does not hold.
+    /// A frame differs from the golden image, an assertion of the hardware does not hold, or simulators disagree.
     CheckFailed = 1,
     /// Bad usage or bad input.
     BadInput = 2,
     /// An output cannot be written.
     NoOutput = 3,
+    /// Another program is not installed, or fails.
+    NoTool = 4,
     /// A mistake in this program.
     Crash = 70,
     /// Ctrl-C.
@@ -87,6 +89,19 @@ impl From<tilewright_machines::Error> for Failure {
             tilewright_machines::Error::Cancelled { .. } => Failure::new(Exit::Interrupted, error.to_string()),
             _ => Failure::new(Exit::BadInput, error.to_string()),
         }
+    }
+}
+
+impl From<tilewright_benches::Error> for Failure {
+    fn from(error: tilewright_benches::Error) -> Failure {
+        use tilewright_benches::Error::*;
+        let exit = match error {
+            Simulation(error) => return error.into(),
+            Missing(_) | Tool(_) | Unreadable { .. } => Exit::NoTool,
+            Differs { .. } => Exit::CheckFailed,
+            Interrupted { .. } => Exit::Interrupted,
+        };
+        Failure::new(exit, error.to_string())
     }
 }
 

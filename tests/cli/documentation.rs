@@ -10,6 +10,16 @@ fn subcommands(folder: &Folder) -> Vec<String> {
     names.filter(|name| *name != "help").map(str::to_owned).collect()
 }
 
+/// Runs a command, which has to succeed; outside of CI it may ask for a program that is not installed.
+fn assert_runs(folder: &Folder, arguments: &str) {
+    let run = folder.shell(&format!("tilewright {arguments}"));
+    if run.code == Some(4) && std::env::var_os("CI").is_none() {
+        println!("skipped: {}", run.stderr);
+        return;
+    }
+    assert_eq!(run.code, Some(0), "{arguments}: {run:?}");
+}
+
 #[test]
 fn the_examples_of_every_subcommand_run() {
     let folder = Folder::new();
@@ -18,8 +28,7 @@ fn the_examples_of_every_subcommand_run() {
         let examples: Vec<&str> = help.lines().filter_map(|line| line.strip_prefix("  tilewright ")).collect();
         assert!(!examples.is_empty(), "`tilewright {name} --help` has no example");
         for example in examples {
-            let run = folder.shell(&format!("tilewright {example}"));
-            assert_eq!(run.code, Some(0), "{example}: {run:?}");
+            assert_runs(&folder, example);
         }
     }
 }
@@ -33,8 +42,7 @@ fn the_commands_of_the_readme_run() {
         let Some(arguments) = line.strip_prefix("cargo run --release -- ").or(line.strip_prefix("tilewright ")) else {
             continue;
         };
-        let run = folder.shell(&format!("tilewright {arguments}"));
-        assert_eq!(run.code, Some(0), "{line}: {run:?}");
+        assert_runs(&folder, arguments);
         count += 1;
     }
     assert!(count > 0, "the README shows no command");
@@ -44,7 +52,7 @@ fn the_commands_of_the_readme_run() {
 fn the_readme_has_the_exit_codes_of_the_help() {
     let help = Folder::new().stdout("--help");
     let codes = help.split("Exit codes:\n").nth(1).and_then(|rest| rest.split("\n\n").next()).unwrap();
-    assert_eq!(codes.lines().count(), 6, "{codes}");
+    assert_eq!(codes.lines().count(), 7, "{codes}");
     for line in codes.lines() {
         let (code, meaning) = line.trim().split_once(' ').unwrap();
         let row = format!("| {code} | {} |", meaning.trim());

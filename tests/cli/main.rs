@@ -1,6 +1,7 @@
 //! The command line as a user meets it: what it prints, what it writes, how it fails.
 
 mod bad_input;
+mod bench;
 mod determinism;
 mod documentation;
 mod harness;

@@ -1,15 +1,18 @@
 //! Runs the programs that check printed Verilog: four linters, two simulators, and Yosys's replay of a dump.
+//! [`Compiler`] makes a fast simulator of it, to compare speeds with.
 //!
-//! Made for tests, of this crate and of others. Where a program is missing a check says `skipped: NAME is not
+//! The checks are made for tests, of this crate and of others. Where a program is missing a check says `skipped: NAME is not
 //! installed` and counts as skipped; with the environment variable `CI` set it fails instead, so that no pipeline
 //! passes by leaving out its checks.
 
 mod linters;
+mod model;
 mod replay;
 mod run;
 mod synthesis;
 
 pub use linters::lint;
+pub use model::{Compiler, Model, Source};
 pub use replay::{replay_in_icarus, replay_in_verilator, yosys_replay_vcd};
 pub use synthesis::{Target, cells};
 
@@ -24,6 +27,23 @@ pub enum Checked {
     /// The program is not installed.
     Skipped,
 }
+
+/// A program that is not installed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Missing {
+    /// Its name.
+    pub program: &'static str,
+    /// How to get it.
+    pub remedy: &'static str,
+}
+
+impl fmt::Display for Missing {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        write!(f, "{} is not installed: {}", self.program, self.remedy)
+    }
+}
+
+impl std::error::Error for Missing {}
 
 /// What the programs complain about.
 #[derive(Clone, PartialEq, Eq)]

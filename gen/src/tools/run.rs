@@ -2,12 +2,14 @@
 
 use super::{Checked, Problem, Problems};
 use crate::VerilogFile;
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::OnceLock;
 use tempfile::TempDir;
 
 /// A folder with the files of a design, deleted when dropped.
+#[derive(Debug)]
 pub struct Folder(TempDir);
 
 impl Folder {
@@ -63,11 +65,27 @@ pub fn is_installed(name: &str) -> bool {
     std::env::split_paths(&path).any(|folder| folder.join(name).is_file())
 }
 
+/// The names of all programs on the search path that `wanted` says yes to, in order.
+pub fn programs(wanted: impl Fn(&str) -> bool) -> BTreeSet<String> {
+    let path = std::env::var_os("PATH").unwrap_or_default();
+    let files = std::env::split_paths(&path).filter_map(|folder| folder.read_dir().ok()).flatten().flatten();
+    files.filter_map(|file| file.file_name().into_string().ok()).filter(|name| wanted(name)).collect()
+}
+
+/// The first line that a program prints, if it succeeds.
+fn line_of(command: &mut Command) -> Option<String> {
+    let output = command.output().ok().filter(|output| output.status.success())?;
+    Some(String::from_utf8_lossy(&output.stdout).lines().next()?.trim().to_owned())
+}
+
+/// What a line of Python prints.
+fn python(code: &str) -> Option<String> {
+    line_of(Command::new("python3").args(["-c", code]))
+}
+
 /// The folder of the Python package, if it is installed.
 fn python_package(name: &str) -> Option<PathBuf> {
-    let code = format!("import {name}, os; print(os.path.dirname({name}.__file__))");
-    let output = Command::new("python3").args(["-c", &code]).output().ok().filter(|output| output.status.success())?;
-    Some(PathBuf::from(String::from_utf8_lossy(&output.stdout).trim()))
+    python(&format!("import {name}, os; print(os.path.dirname({name}.__file__))")).map(PathBuf::from)
 }
 
 /// Whether slang's Python package is installed.
@@ -77,7 +95,7 @@ pub fn has_pyslang() -> bool {
 }
 
 /// A Verilator.
-#[derive(Clone, Copy)]
+#[derive(Debug, Clone, Copy)]
 pub enum Verilator {
     /// The one on the search path.
     System,
@@ -95,15 +113,39 @@ impl Verilator {
 
     /// Its command, ready for arguments; `None` if it is not installed.
     pub fn command(self) -> Option<Command> {
-        static ROOT: OnceLock<Option<PathBuf>> = OnceLock::new();
+        let mut command = match self {
+            Verilator::System => is_installed("verilator").then(|| Command::new("verilator"))?,
+            Verilator::Python => Command::new(python_root()?.join("bin/verilator_bin")),
+        };
+        self.environment(&mut command);
+        if let Verilator::Python = self {
+            command.env("CXXFLAGS", "--std=c++20 -DVL_TIME_CONTEXT");
+        }
+        Some(command)
+    }
+
+    /// Tells a program where this Verilator has its files.
+    pub fn environment(self, command: &mut Command) {
+        if let (Verilator::Python, Some(root)) = (self, python_root()) {
+            command.env("VERILATOR_ROOT", root);
+        }
+    }
+
+    /// Its version, somewhere in a line; `None` if it is not installed.
+    pub fn version(self) -> Option<String> {
         match self {
-            Verilator::System => is_installed("verilator").then(|| Command::new("verilator")),
+            Verilator::System => line_of(self.command()?.arg("--version")),
+            // The program itself does not know it.
             Verilator::Python => {
-                let root = ROOT.get_or_init(|| python_package("verilator")).as_ref()?;
-                let mut command = Command::new(root.join("bin/verilator_bin"));
-                command.env("VERILATOR_ROOT", root).env("CXXFLAGS", "--std=c++20 -DVL_TIME_CONTEXT");
-                Some(command)
+                python_root()?;
+                python("import importlib.metadata as m; print(m.version('verilator'))")
             }
         }
     }
+}
+
+/// The folder of the Python package `verilator`.
+fn python_root() -> Option<&'static Path> {
+    static ROOT: OnceLock<Option<PathBuf>> = OnceLock::new();
+    ROOT.get_or_init(|| python_package("verilator")).as_deref()
 }

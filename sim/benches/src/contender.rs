@@ -1,0 +1,31 @@
+//! What takes part in a measurement: something that runs a design for so many cycles.
+
+use crate::error::Error;
+use std::time::Duration;
+
+/// A simulator with a design in it.
+pub trait Contender {
+    /// Its name, for a table.
+    fn name(&self) -> &str;
+
+    /// How long it took to make it, if that is not part of a run.
+    fn build_time(&self) -> Option<Duration>;
+
+    /// Runs the design from its reset for so many cycles, at least 1. A cycle is a time at which one or more clocks rise.
+    ///
+    /// # Errors
+    ///
+    /// It cannot be run.
+    fn run(&self, cycles: u64) -> Result<Run, Error>;
+}
+
+/// What a run comes to.
+#[derive(Debug, Clone, Copy)]
+pub struct Run {
+    /// At the end.
+    pub checksum: u32,
+    /// From nothing to the end of the first cycle.
+    pub first_cycle: Duration,
+    /// The other cycles.
+    pub others: Duration,
+}

@@ -1,0 +1,144 @@
+//! A virtual local frame buffer that draws patches at random, and is scanned at the same time.
+
+use tilewright_hdl::{
+    Bits, Block, Mem, Module, ReadUnderWrite, Signal, Width, bit, bits, bundle, cat, index_width, lit, mux, net,
+};
+
+use super::Pixel;
+use crate::word::xorshift;
+
+/// The edge of a patch in pixels.
+const EDGE: u32 = 4;
+/// The width of a patch's page number; page 0 is none.
+const PAGE: u32 = 13;
+
+bundle! {
+    /// The inputs of [`FrameBuffer`].
+    pub struct FrameBufferIn<T> {
+        pub rst: T,
+        pub seed: T,
+        pub start_x: T,
+    }
+
+    /// The outputs of [`FrameBuffer`].
+    pub struct FrameBufferOut<T> {
+        /// What the scan finds, a pixel every clock.
+        pub pixel: Pixel<T>,
+    }
+}
+
+/// A patch table, which gives patches their pages as they are drawn into, and the image memory of those pages: a quarter as many
+/// as patches.
+#[derive(Debug, Clone)]
+pub struct FrameBuffer {
+    /// Patches in a row of the screen, from 5.
+    pub columns: u32,
+    /// Rows of patches, from 2.
+    pub rows: u32,
+}
+
+impl Block for FrameBuffer {
+    type In = FrameBufferIn;
+    type Out = FrameBufferOut;
+
+    fn inputs(&self) -> FrameBufferIn<Width> {
+        FrameBufferIn { rst: bit(), seed: bits(32), start_x: bits(self.x_width()) }
+    }
+
+    fn build(&self, m: Module, i: FrameBufferIn) -> FrameBufferOut {
+        let table = m.memory("patch_table", self.patches(), PAGE, ReadUnderWrite::Old).fill(Bits::zero(PAGE));
+        let image = m.memory("image", self.pages() * EDGE * EDGE, 48, ReadUnderWrite::Old).fill(Bits::zero(48));
+        self.draw(m, &i, table, image);
+        FrameBufferOut { pixel: self.scan(m, &i, table, image) }
+    }
+
+    fn name(&self) -> String {
+        format!("pim_frame_buffer_{}x{}", self.columns, self.rows)
+    }
+}
+
+impl FrameBuffer {
+    /// The width of the screen in pixels.
+    pub fn width(&self) -> u32 {
+        EDGE * self.columns
+    }
+
+    /// The width of a pixel's position in a row.
+    pub fn x_width(&self) -> u32 {
+        index_width(self.width().into())
+    }
+
+    fn patches(&self) -> u32 {
+        self.columns * self.rows
+    }
+
+    fn pages(&self) -> u32 {
+        self.patches() / 4
+    }
+
+    /// A patch's number.
+    fn patch(&self, column: Signal, row: Signal) -> Signal {
+        let width = index_width(self.patches().into());
+        let before = row.times(lit(index_width(u64::from(self.columns) + 1), self.columns.into()));
+        before.trunc(width) + column.zext(width)
+    }
+
+    /// Goes over the screen in raster order; 2 clocks from a position to its pixel.
+    fn scan(&self, m: Module, i: &FrameBufferIn, table: Mem, image: Mem) -> Pixel {
+        let height = EDGE * self.rows;
+        let (x, y) = (m.reg("x", self.x_width()), m.reg("y", index_width(height.into())));
+        net!(row_ends = x.eq(self.width() - 1));
+        x.next(mux(i.rst, i.start_x, mux(row_ends, 0, x + 1)));
+        y.enable(i.rst | row_ends).next(mux(i.rst | y.eq(height - 1), 0, y + 1));
+
+        net!(page = table.read(self.patch(x.slice(2..x.width()), y.slice(2..y.width()))));
+        let offset = m.pipe("offset", cat![y.slice(0..2), x.slice(0..2)]);
+        net!(word = image.read(self.address(page, offset)));
+        let valid = m.pipe("valid", page.ne(0));
+        Pixel { valid, rgb: word.slice(24..48), z: word.slice(0..24) }
+    }
+
+    /// Of a page's pixel in the image memory.
+    fn address(&self, page: Signal, pixel: Signal) -> Signal {
+        cat![page, pixel].trunc(index_width(u64::from(self.pages() * EDGE * EDGE)))
+    }
+
+    /// Draws all pixels of a random patch, then of another. One that has no page gets the next one while there are any.
+    fn draw(&self, m: Module, i: &FrameBufferIn, table: Mem, image: Mem) {
+        let random = m.reg("random", 32);
+        random.next(mux(i.rst, i.seed, xorshift(*random)));
+        let below = |count: u32, low: u32| {
+            let width = index_width(count.into());
+            let value = random.slice(low..low + width);
+            mux(value.ge(count), value - ((1 << width) - count), value)
+        };
+        let (column, row) = (below(self.columns, 0), below(self.rows, 8));
+
+        // Which pixel of which patch; the table is looked up.
+        let pixel = m.reg("pixel", 4);
+        pixel.next(mux(i.rst, 0, pixel + 1));
+        let target = m.reg("target", index_width(self.patches().into()));
+        target.enable(i.rst | pixel.all_ones()).next(mux(i.rst, 0, self.patch(column, row)));
+
+        // The page is known, or taken with the patch's first pixel.
+        let looked_up = m.pipe("looked_up", *target);
+        net!(entry = table.read(target));
+        let drawn = m.reg("drawn", 4);
+        drawn.next(mux(i.rst, 1, pixel));
+        let depth = random.slice(8..32) ^ cat![random.slice(0..8), lit(16, 0)];
+        let word = m.pipe("drawn_word", cat![random.slice(0..24), depth]);
+        let next_page = m.reg("next_page", PAGE);
+        let (page_before, draws_before) = (m.reg("page_before", PAGE), m.reg("draws_before", 1));
+        net!(first = drawn.eq(0));
+        net!(resident = entry.ne(0));
+        net!(free = next_page.ne(self.pages()));
+        net!(takes = first & !resident & free);
+        net!(page_now = mux(first, mux(resident, entry, next_page), page_before));
+        net!(draws = mux(first, resident | free, draws_before));
+        next_page.enable(i.rst | takes).next(mux(i.rst, 1, next_page + 1));
+        page_before.next(mux(i.rst, 0, page_now));
+        draws_before.next(!i.rst & draws);
+        table.write(takes, looked_up, next_page);
+        image.write(draws, self.address(page_now, *drawn), word);
+    }
+}

@@ -1,0 +1,52 @@
+//! Of two pixels the nearer, in four stages.
+
+use tilewright_hdl::{Block, Module, Width, bundle, mux_bundle};
+
+use super::{Pixel, pixel};
+
+bundle! {
+    /// The inputs of [`Merger`].
+    pub struct MergerIn<T> {
+        pub left: Pixel<T>,
+        pub right: Pixel<T>,
+    }
+
+    /// The outputs of [`Merger`].
+    pub struct MergerOut<T> {
+        pub nearer: Pixel<T>,
+    }
+}
+
+/// Takes the pixels, compares the halves of their depths, decides, chooses. Of two that are equally deep the right one.
+#[derive(Debug)]
+pub struct Merger;
+
+impl Block for Merger {
+    type In = MergerIn;
+    type Out = MergerOut;
+
+    fn inputs(&self) -> MergerIn<Width> {
+        MergerIn { left: pixel(), right: pixel() }
+    }
+
+    fn build(&self, m: Module, i: MergerIn) -> MergerOut {
+        let (left, right) = (m.pipe("left1", i.left), m.pipe("right1", i.right));
+        let [left_high, right_high] = [left, right].map(|pixel| pixel.z.slice(12..24));
+        let [left_low, right_low] = [left, right].map(|pixel| pixel.z.slice(0..12));
+        let high_nearer = m.pipe("high_nearer", left_high.lt(right_high));
+        let high_equal = m.pipe("high_equal", left_high.eq(right_high));
+        let low_nearer = m.pipe("low_nearer", left_low.lt(right_low));
+
+        let (left, right) = (m.pipe("left2", left), m.pipe("right2", right));
+        let nearer = high_nearer | (high_equal & low_nearer);
+        let take_left = m.pipe("take_left", left.valid & (!right.valid | nearer));
+
+        let (left, right) = (m.pipe("left3", left), m.pipe("right3", right));
+        let chosen = mux_bundle(take_left, &left, &right);
+        MergerOut { nearer: m.pipe("nearer", Pixel { valid: left.valid | right.valid, ..chosen }) }
+    }
+
+    fn name(&self) -> String {
+        "pim_merger".to_owned()
+    }
+}

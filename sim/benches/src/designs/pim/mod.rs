@@ -1,0 +1,136 @@
+//! A chain of merging units, each with a local frame buffer that draws at random: the frame path of a VC-1 in small.
+//!
+//! ```text
+//!       [ frame buffer 0 ]  [ frame buffer 1 ]     [ frame buffer n-1 ]
+//!               |                   |                      |
+//! nothing -->[ merger 0 ]------>[ merger 1 ]--> .. -->[ merger n-1 ]--> checksum
+//! ```
+//!
+//! What it asks of a simulator: pipelines that are all alike and linked to their neighbours, and large memories read at
+//! addresses that differ from lane to lane.
+
+mod frame_buffer;
+mod merger;
+
+use tilewright_hdl::ir::About;
+use tilewright_hdl::{Block, Fields, Module, Width, bit, bits, bundle, cat, lit, mux};
+
+use crate::word::{rotated, seed};
+use frame_buffer::{FrameBuffer, FrameBufferIn};
+use merger::{Merger, MergerIn};
+
+use super::{BenchIn, BenchOut};
+
+bundle! {
+    /// A pixel on its way through the chain.
+    struct Pixel<T> {
+        /// Something was drawn there.
+        valid: T,
+        /// Colour, 24 bits.
+        rgb: T,
+        /// Depth, 24 bits; nearer is smaller.
+        z: T,
+    }
+}
+
+/// The widths of a pixel.
+fn pixel() -> Pixel<Width> {
+    Pixel { valid: bit(), rgb: bits(24), z: bits(24) }
+}
+
+/// The chain.
+#[derive(Debug, Clone)]
+pub struct Pim {
+    /// Merging units, at least 1.
+    pub stages: u32,
+    /// Patches of 4x4 pixels in a row of the screen, from 5.
+    pub columns: u32,
+    /// Rows of patches, from 2.
+    pub rows: u32,
+}
+
+impl Pim {
+    /// A chain of so many units for 640x480 pixels.
+    pub fn new(stages: u32) -> Pim {
+        Pim { stages, columns: 160, rows: 120 }
+    }
+}
+
+impl Block for Pim {
+    type In = BenchIn;
+    type Out = BenchOut;
+
+    fn inputs(&self) -> BenchIn<Width> {
+        BenchIn { rst: bit() }
+    }
+
+    fn build(&self, m: Module, i: BenchIn) -> BenchOut {
+        // A merger takes 4 clocks, so each scan runs 4 pixels ahead of the succeeding one.
+        let frame_buffer = FrameBuffer { columns: self.columns, rows: self.rows };
+        let (width, x_width) = (frame_buffer.width(), frame_buffer.x_width());
+        let lead = |stage: u32| u64::from(4 * (self.stages - 1 - stage) % width);
+        let chain = m.array("u_stage", self.stages, &Stage { frame_buffer }, |stages| StageIn {
+            rst: stages.all(&i.rst),
+            seed: stages.constants(32, seed),
+            start_x: stages.constants(x_width, lead),
+            left: stages.out.merged.map(|field| field.previous(0)),
+        });
+        let last = chain.merged.map(|field| field.last());
+        let csum = m.reg("csum", 32);
+        let sum = (rotated(*csum, 1) + cat![last.valid, lit(7, 0), last.rgb]) ^ last.z.zext(32);
+        csum.next(mux(i.rst, 0, sum));
+        BenchOut { csum: csum.value() }
+    }
+
+    fn about(&self) -> About {
+        About {
+            summary: format!("{} merging units with local frame buffers that draw at random.", self.stages),
+            latency: format!("{} clocks from the first frame buffer to the checksum", 4 * self.stages + 1),
+            source: String::new(),
+        }
+    }
+}
+
+bundle! {
+    /// The inputs of [`Stage`].
+    struct StageIn<T> {
+        rst: T,
+        /// Of the random generator.
+        seed: T,
+        /// Where the scan starts.
+        start_x: T,
+        /// From the preceding stage.
+        left: Pixel<T>,
+    }
+
+    /// The outputs of [`Stage`].
+    struct StageOut<T> {
+        merged: Pixel<T>,
+    }
+}
+
+/// A merger and its local frame buffer.
+#[derive(Debug)]
+struct Stage {
+    frame_buffer: FrameBuffer,
+}
+
+impl Block for Stage {
+    type In = StageIn;
+    type Out = StageOut;
+
+    fn inputs(&self) -> StageIn<Width> {
+        let FrameBufferIn { rst, seed, start_x } = self.frame_buffer.inputs();
+        StageIn { rst, seed, start_x, left: pixel() }
+    }
+
+    fn build(&self, m: Module, i: StageIn) -> StageOut {
+        let StageIn { rst, seed, start_x, left } = i;
+        let right = m.instance("u_frame_buffer", &self.frame_buffer, FrameBufferIn { rst, seed, start_x }).pixel;
+        StageOut { merged: m.instance("u_merger", &Merger, MergerIn { left, right }).nearer }
+    }
+
+    fn name(&self) -> String {
+        "pim_stage".to_owned()
+    }
+}

@@ -1,0 +1,46 @@
+//! Units that walk down quadtrees of triangles, each on its own.
+//!
+//! What it asks of a simulator: wide arithmetic with much that is computed in vain, and control that differs from lane to lane.
+
+mod unit;
+
+use tilewright_hdl::ir::About;
+use tilewright_hdl::{Block, Module, Width, bit, mux};
+
+use super::{BenchIn, BenchOut};
+use crate::word::{rotated, seed};
+use unit::{Unit, UnitIn};
+
+/// The units, and a checksum of what they find.
+#[derive(Debug, Clone)]
+pub struct Qt {
+    /// How many, at least 1.
+    pub units: u32,
+}
+
+impl Block for Qt {
+    type In = BenchIn;
+    type Out = BenchOut;
+
+    fn inputs(&self) -> BenchIn<Width> {
+        BenchIn { rst: bit() }
+    }
+
+    fn build(&self, m: Module, i: BenchIn) -> BenchOut {
+        let units = m.array("u_unit", self.units, &Unit, |units| UnitIn {
+            rst: units.all(&i.rst),
+            seed: units.constants(32, seed),
+        });
+        let folded = units.hash.to_vec().into_iter().reduce(|folded, hash| rotated(folded, 1) ^ hash);
+        let csum = m.reg("csum", 32);
+        csum.next(mux(i.rst, 0, rotated(*csum, 3) + folded.expect("an array has a lane")));
+        BenchOut { csum: csum.value() }
+    }
+
+    fn about(&self) -> About {
+        About {
+            summary: format!("{} units that find the pixels of random triangles by quadtree.", self.units),
+            ..About::default()
+        }
+    }
+}

@@ -1,0 +1,161 @@
+//! A quadtree unit: which windows of the screen a triangle covers.
+//!
+//! A window is a square of `2^level` pixels. Every clock its four quarters are tested against the three edges: each is outside,
+//! covered, or to be divided again. The unit goes down into the first of the latter; the others wait on a stack.
+
+use tilewright_hdl::{
+    Bits, Block, Module, ReadUnderWrite, Reg, Signal, Width, bit, bits, bundle, cat, concat, lit, mux, net, select,
+};
+
+use crate::word::{rotated, xorshift};
+
+/// The width of an edge's value.
+const VALUE: u32 = 20;
+/// The whole screen is 2^10 pixels wide.
+const TOP_LEVEL: u64 = 10;
+const EDGES: u64 = 3;
+
+bundle! {
+    /// The inputs of [`Unit`].
+    pub struct UnitIn<T> {
+        pub rst: T,
+        pub seed: T,
+    }
+
+    /// The outputs of [`Unit`].
+    pub struct UnitOut<T> {
+        /// Of all that was found so far.
+        pub hash: T,
+    }
+}
+
+/// A unit with a source of random triangles.
+#[derive(Debug)]
+pub struct Unit;
+
+/// An edge of the triangle: a x + b y + value, which is negative outside.
+#[derive(Clone, Copy)]
+struct Edge {
+    /// At the corner of the window.
+    value: Reg,
+    a: Reg,
+    b: Reg,
+}
+
+impl Edge {
+    fn new(m: Module, number: u64) -> Edge {
+        let reg = |name: &str, width| m.reg(&format!("{name}{number}"), width);
+        Edge { value: reg("value", VALUE), a: reg("a", 8), b: reg("b", 8) }
+    }
+
+    /// What the value grows by over 2^level pixels, to the right and downwards.
+    fn steps(&self, level: Signal) -> [Signal; 2] {
+        [self.a, self.b].map(|slope| slope.sext(VALUE) << level)
+    }
+
+    /// The signs of the values at the nearest and the farthest corner of each quarter of a window: the farthest ones are negative
+    /// if all of it is outside, the nearest ones if some of it is. A quarter of one pixel has one corner.
+    fn test(&self, half: Signal, single: Signal) -> [[Signal; 2]; 4] {
+        let [right, down] = self.steps(half);
+        let least = mux(self.a.msb(), right, 0) + mux(self.b.msb(), down, 0);
+        let most = mux(self.a.msb(), 0, right) + mux(self.b.msb(), 0, down);
+        let beyond = mux(single, 0, most);
+        let corner = *self.value;
+        [corner, corner + right, corner + down, corner + right + down]
+            .map(|value| [(value + least).msb(), (value + beyond).msb()])
+    }
+}
+
+impl Block for Unit {
+    type In = UnitIn;
+    type Out = UnitOut;
+
+    fn inputs(&self) -> UnitIn<Width> {
+        UnitIn { rst: bit(), seed: bits(32) }
+    }
+
+    fn build(&self, m: Module, i: UnitIn) -> UnitOut {
+        let rst = i.rst;
+        let random = m.reg("random", 32);
+        random.next(mux(rst, i.seed, xorshift(*random)));
+
+        // The window, and the triangle.
+        let busy = m.reg("busy", 1);
+        let (level, x, y) = (m.reg("level", 4), m.reg("x", 10), m.reg("y", 10));
+        let edges = [0, 1, 2].map(|number| Edge::new(m, number));
+        net!(half = level - 1);
+        net!(single = half.eq(0));
+        let tests = edges.map(|edge| edge.test(half, single));
+        let any = |quarter: usize, corner: usize| {
+            tests.iter().map(|test| test[quarter][corner]).reduce(|a, b| a | b).expect("a triangle has edges")
+        };
+        let quarters = |of: &dyn Fn(usize) -> Signal| concat(&[of(3), of(2), of(1), of(0)]);
+        net!(inside = quarters(&|quarter| !any(quarter, 1)));
+        net!(whole = quarters(&|quarter| single | !any(quarter, 0)));
+        net!(found = inside & whole);
+        net!(divided = inside & !whole);
+
+        // The stack: what is left to do of each window above, and its edges' values.
+        let depth = m.reg("depth", 4);
+        let windows = m.memory("stack", 16, 28, ReadUnderWrite::Old).fill(Bits::zero(28));
+        let values = m.memory("stack_values", 16, 3 * VALUE, ReadUnderWrite::Old).fill(Bits::zero(3 * VALUE));
+        net!(top = depth - 1);
+        net!(waiting = windows.read_async(top));
+        net!(waiting_values = values.read_async(top));
+
+        // The next window is a quarter of this one, or of one that waits.
+        net!(down = divided.ne(0));
+        net!(back = !down & depth.ne(0));
+        net!(todo = mux(down, divided, waiting.slice(24..28)));
+        net!(parent_level = mux(down, *level, waiting.slice(20..24)));
+        net!(parent_y = mux(down, *y, waiting.slice(10..20)));
+        net!(parent_x = mux(down, *x, waiting.slice(0..10)));
+        net!(child_level = parent_level - 1);
+        net!(quarter = select([(todo.bit(0), 0_u64), (todo.bit(1), 1), (todo.bit(2), 2)], lit(2, 3)));
+        net!(rest = todo & (todo - 1));
+        net!(edge_length = lit(10, 1) << child_level);
+        let moved = |position: Signal, by: Signal, axis: u32| position + mux(quarter.bit(axis), by, 0);
+        let parent_values = [0, 1, 2].map(|number| {
+            let own = *edges[number as usize].value;
+            mux(down, own, waiting_values.slice(number * VALUE..(number + 1) * VALUE))
+        });
+
+        net!(push = busy & down & rest.ne(0));
+        net!(update = busy & back);
+        let entry = cat![rest, parent_level, parent_y, parent_x];
+        windows.write(push | update, mux(push, *depth, top), entry);
+        let [value0, value1, value2] = parent_values;
+        values.write(push, depth, cat![value2, value1, value0]);
+        let pops = update & rest.eq(0);
+        depth.enable(rst | push | pops).next(select([(rst, lit(4, 0)), (push, depth + 1)], top));
+
+        // A new triangle is loaded edge by edge, each through a random point near the middle of the screen.
+        let loaded = m.reg("loaded", 2);
+        net!(last_edge = loaded.eq(EDGES - 1));
+        loaded.enable(rst | !busy).next(mux(rst | last_edge, 0, loaded + 1));
+        busy.next(!rst & mux(busy, down | back, last_edge));
+        let (a, b) = (random.slice(0..8), random.slice(8..16));
+        let middle = |slope: Signal| slope.sext(VALUE) << 9;
+        net!(value = random.slice(16..28).zext(VALUE) - middle(a) - middle(b));
+        for ((number, edge), parent) in (0_u64..).zip(edges).zip(parent_values) {
+            let [right, down] = edge.steps(child_level);
+            let loads = !busy & loaded.eq(number);
+            edge.a.enable(!rst & loads).next(a);
+            edge.b.enable(!rst & loads).next(b);
+            edge.value.enable(!rst & (busy | loads)).next(mux(busy, moved(moved(parent, right, 0), down, 1), value));
+        }
+        net!(starts = rst | !busy);
+        level.next(mux(starts, TOP_LEVEL, child_level));
+        x.next(mux(starts, 0, moved(parent_x, edge_length, 0)));
+        y.next(mux(starts, 0, moved(parent_y, edge_length, 1)));
+
+        let hash = m.reg("hash", 32);
+        let seen = cat![found, divided, *level, *y, *x];
+        hash.enable(rst | busy).next(mux(rst, 0, rotated(*hash, 1) + seen));
+        UnitOut { hash: hash.value() }
+    }
+
+    fn name(&self) -> String {
+        "qt_unit".to_owned()
+    }
+}

@@ -1,0 +1,65 @@
+//! A square of small processors that all do the same instruction on data of their own.
+//!
+//! ```text
+//!                    sequencer                column terms a x + c, one for each column
+//!                        | instruction           |    |         |
+//!     row term b y       v                       v    v         v
+//!          |      .-------------.
+//!          '----->|   row 0     |  [processor][processor] .. [processor] --xor--> sum of the row
+//!                 '-------------'
+//!                       ..
+//!                 [  row n - 1  ]
+//! ```
+//!
+//! What it asks of a simulator: thousands of small state machines under one select, and reductions of them.
+
+mod instruction;
+mod processor;
+mod row;
+mod sequencer;
+
+use tilewright_hdl::ir::About;
+use tilewright_hdl::{Block, Module, Width, bit, lit, mux};
+
+use super::{BenchIn, BenchOut};
+use crate::word::rotated;
+use row::{Row, RowIn};
+use sequencer::{Sequencer, SequencerIn};
+
+/// The array.
+#[derive(Debug, Clone)]
+pub struct Simd {
+    /// Processors in a row, and rows; from 1 to 256.
+    pub edge: u32,
+}
+
+impl Block for Simd {
+    type In = BenchIn;
+    type Out = BenchOut;
+
+    fn inputs(&self) -> BenchIn<Width> {
+        BenchIn { rst: bit() }
+    }
+
+    fn build(&self, m: Module, i: BenchIn) -> BenchOut {
+        let issued = m.instance("u_sequencer", &Sequencer, SequencerIn { rst: i.rst });
+        let [a, b, c] = issued.coefficients;
+        let columns: Vec<_> = (0..self.edge).map(|x| a.times(lit(8, x.into())).trunc(8) + c).collect();
+        let rows = m.array("u_row", self.edge, &Row { processors: self.edge }, |rows| RowIn {
+            rst: rows.all(&i.rst),
+            instruction: rows.all(&issued.instruction),
+            columns: rows.all(&columns),
+            b: rows.all(&b),
+            y: rows.index(8),
+        });
+        let folded = rows.sum.to_vec().into_iter().reduce(|folded, sum| rotated(folded, 1) ^ sum);
+        let csum = m.reg("csum", 32);
+        let sum = rotated(*csum, 1) + folded.expect("an array has a lane").zext(32);
+        csum.next(mux(i.rst, 0, sum));
+        BenchOut { csum: csum.value() }
+    }
+
+    fn about(&self) -> About {
+        About { summary: format!("{0} x {0} processors under one instruction.", self.edge), ..About::default() }
+    }
+}

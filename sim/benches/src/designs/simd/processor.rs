@@ -1,0 +1,75 @@
+//! A processor of the array: an accumulator, 256 bytes, and a flag that says whether it takes part.
+
+use tilewright_hdl::{Bits, Block, Module, ReadUnderWrite, Width, bit, bits, bundle, case, lit, mux, net};
+
+use super::instruction::{Instruction, Opcode};
+
+bundle! {
+    /// The inputs of [`Processor`].
+    pub struct ProcessorIn<T> {
+        pub rst: T,
+        pub instruction: Instruction<T>,
+        /// The term of the plane that depends on the column.
+        pub column: T,
+        /// The term of the plane that depends on the row.
+        pub row: T,
+    }
+
+    /// The outputs of [`Processor`].
+    pub struct ProcessorOut<T> {
+        /// The accumulator, or 0 if it does not take part.
+        pub contribution: T,
+    }
+}
+
+/// One of the processors.
+#[derive(Debug)]
+pub struct Processor;
+
+impl Block for Processor {
+    type In = ProcessorIn;
+    type Out = ProcessorOut;
+
+    fn inputs(&self) -> ProcessorIn<Width> {
+        ProcessorIn { rst: bit(), instruction: Instruction::widths(), column: bits(8), row: bits(8) }
+    }
+
+    fn build(&self, m: Module, i: ProcessorIn) -> ProcessorOut {
+        let Instruction { read_address, opcode, write_address, constant } = i.instruction;
+        let memory = m.memory("memory", 256, 8, ReadUnderWrite::Old).fill(Bits::zero(8));
+        net!(operand = memory.read(read_address));
+        let (a, active) = (m.reg("accumulator", 8), m.reg("active", 1));
+        net!(plane = i.column + i.row);
+
+        let results = [
+            (Opcode::Load, operand),
+            (Opcode::Add, a + operand),
+            (Opcode::Subtract, a - operand),
+            (Opcode::Plane, plane),
+            (Opcode::AddConstant, a + constant),
+            (Opcode::And, a & operand),
+            (Opcode::Xor, a ^ operand),
+            (Opcode::Halve, a >> 1),
+            (Opcode::AddPlane, a + plane),
+            (Opcode::XorConstant, a ^ constant),
+        ];
+        net!(result = case(opcode, results.map(|(opcode, result)| (opcode as u64, result)), a));
+        a.enable(i.rst | active).next(mux(i.rst, 0, result));
+
+        let conditions = [
+            (Opcode::IfLess, active & a.lt(operand)),
+            (Opcode::Everybody, lit(1, 1)),
+            (Opcode::IfAtLeast, active & a.ge(constant)),
+            (Opcode::Else, !active),
+        ];
+        net!(remains = case(opcode, conditions.map(|(opcode, condition)| (opcode as u64, condition)), active));
+        active.next(i.rst | remains);
+
+        memory.write(active & opcode.eq(Opcode::Store as u64), write_address, a);
+        ProcessorOut { contribution: mux(active, *a, 0) }
+    }
+
+    fn name(&self) -> String {
+        "simd_processor".to_owned()
+    }
+}

@@ -1,0 +1,49 @@
+//! Why a measurement comes to nothing.
+
+use tilewright_gen::tools::{Missing, Problems};
+
+/// Why a measurement comes to nothing.
+#[derive(Debug, thiserror::Error)]
+pub enum Error {
+    /// A program that was asked for is not installed.
+    #[error(transparent)]
+    Missing(#[from] Missing),
+    /// Verilator, clang or a model made by them failed.
+    #[error("{0}")]
+    Tool(#[from] Problems),
+    /// A model printed something else than its figures.
+    #[error("{name}: the model printed `{printed}` instead of a checksum and two times")]
+    Unreadable {
+        /// The contender.
+        name: String,
+        /// What it printed.
+        printed: String,
+    },
+    /// Our simulator stopped.
+    #[error(transparent)]
+    Simulation(#[from] tilewright_sim::Error),
+    /// Two simulators do not agree.
+    #[error(
+        "{design} after {cycles} cycles: the checksum of `{name}` is {found:08x}, that of `{other}` is {expected:08x}"
+    )]
+    Differs {
+        /// The subject.
+        design: String,
+        /// How long it ran.
+        cycles: u64,
+        /// Who differs.
+        name: String,
+        /// Its checksum.
+        found: u32,
+        /// From whom.
+        other: String,
+        /// The other's checksum.
+        expected: u32,
+    },
+    /// The caller asked to stop.
+    #[error("the measurement was interrupted at {design}")]
+    Interrupted {
+        /// The subject.
+        design: String,
+    },
+}

@@ -1,0 +1,120 @@
+//! The measuring: contenders run alternately, round by round, and their checksums have to agree.
+
+use crate::contender::{Contender, Run};
+use crate::engine::{ENGINES, OnEngine};
+use crate::error::Error;
+use crate::report::{Figures, Measurement};
+use crate::subject::Subject;
+use crate::verilated::models;
+use std::ops::ControlFlow;
+use std::time::Duration;
+use tilewright_gen::tools::Compiler;
+
+/// How much to measure.
+#[derive(Debug, Clone, Copy)]
+pub struct Effort {
+    /// Runs of each contender, at least 1.
+    pub rounds: u32,
+    /// About so long runs the slowest contender.
+    pub time: Duration,
+}
+
+/// Told what goes on and how much of it is done, from 0 to 1; says whether to go on.
+pub type Watch<'a> = &'a mut dyn FnMut(&'static str, f64) -> ControlFlow<()>;
+
+/// Measures a subject on all engines, and with a compiler also in Verilator.
+///
+/// # Errors
+///
+/// A contender fails, the checksums differ, or the watcher wants to stop.
+pub fn measure(
+    subject: Subject,
+    compiler: Option<&Compiler>,
+    effort: Effort,
+    watch: Watch,
+) -> Result<Measurement, Error> {
+    let mut show = |what, done| match watch(what, done) {
+        ControlFlow::Continue(()) => Ok(()),
+        ControlFlow::Break(()) => Err(Error::Interrupted { design: subject.to_string() }),
+    };
+    let mut contenders: Vec<Box<dyn Contender>> = Vec::new();
+    contenders.extend(ENGINES.iter().map(|&engine| Box::new(OnEngine { engine, subject }) as _));
+    if let Some(compiler) = compiler {
+        show("building", 0.0)?;
+        contenders.extend(models(compiler, subject)?.into_iter().map(|model| Box::new(model) as _));
+    }
+    show("measuring", 0.0)?;
+    let cycles = sufficient_cycles(&contenders, effort.time)?;
+
+    let mut runs: Vec<Vec<Run>> = vec![Vec::new(); contenders.len()];
+    for round in 0..effort.rounds {
+        for (contender, runs) in contenders.iter().zip(&mut runs) {
+            runs.push(contender.run(cycles)?);
+        }
+        show("measuring", f64::from(round + 1) / f64::from(effort.rounds))?;
+    }
+    let checksum = agreed(subject, cycles, &contenders, &runs)?;
+
+    let ours = median(&runs[0], |run| run.others);
+    let figures = contenders.iter().zip(&runs).map(|(contender, runs)| {
+        let per_cycle = |time: Duration| time.as_secs_f64() * 1e9 / (cycles - 1) as f64;
+        let others = || runs.iter().map(|run| run.others);
+        let build = contender.build_time();
+        let theirs = median(runs, |run| run.others);
+        Figures {
+            simulator: contender.name().to_owned(),
+            ns_per_cycle: per_cycle(theirs),
+            least_ns_per_cycle: per_cycle(others().min().unwrap_or_default()),
+            most_ns_per_cycle: per_cycle(others().max().unwrap_or_default()),
+            build_seconds: build.map(|time| time.as_secs_f64()),
+            first_cycle_seconds: (build.unwrap_or_default() + median(runs, |run| run.first_cycle)).as_secs_f64(),
+            ratio: theirs.as_secs_f64() / ours.as_secs_f64(),
+        }
+    });
+    let simulators = figures.collect();
+    Ok(Measurement { design: subject.to_string(), cycles, checksum: format!("{checksum:08x}"), simulators })
+}
+
+/// The first of 100, 200, 500, 1000 and so on that takes the slowest contender nearly so long.
+fn sufficient_cycles(contenders: &[Box<dyn Contender>], time: Duration) -> Result<u64, Error> {
+    let numbers = (2..12).flat_map(|power| [1, 2, 5].map(|digit| digit * 10_u64.pow(power)));
+    for cycles in numbers {
+        let mut slowest = Duration::ZERO;
+        for contender in contenders {
+            slowest = slowest.max(contender.run(cycles)?.others);
+        }
+        // The next number could take more than twice the time.
+        if slowest >= time.mul_f64(0.4) {
+            return Ok(cycles);
+        }
+    }
+    Ok(10_u64.pow(12))
+}
+
+/// The checksum that all runs ended with, which has to be the known one if there is one.
+fn agreed(subject: Subject, cycles: u64, contenders: &[Box<dyn Contender>], runs: &[Vec<Run>]) -> Result<u32, Error> {
+    let known = subject.known().find(|(known, _)| *known == cycles);
+    let first = (contenders[0].name(), runs[0][0].checksum);
+    let (other, expected) = known.map_or(first, |(_, checksum)| ("what is known", checksum));
+    for (contender, runs) in contenders.iter().zip(runs) {
+        if let Some(run) = runs.iter().find(|run| run.checksum != expected) {
+            let (name, other) = (contender.name().to_owned(), other.to_owned());
+            return Err(Error::Differs {
+                design: subject.to_string(),
+                cycles,
+                name,
+                found: run.checksum,
+                other,
+                expected,
+            });
+        }
+    }
+    Ok(expected)
+}
+
+/// The middle one of the times; of an even number the lower of the two.
+fn median(runs: &[Run], of: impl Fn(&Run) -> Duration) -> Duration {
+    let mut times: Vec<Duration> = runs.iter().map(of).collect();
+    times.sort();
+    times.get((times.len().max(1) - 1) / 2).copied().unwrap_or_default()
+}

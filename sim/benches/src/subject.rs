@@ -1,0 +1,177 @@
+//! What there is to measure: a design of some size, by name, with what is known of it.
+
+use std::fmt;
+use std::ops::RangeInclusive;
+use std::str::FromStr;
+use tilewright_hdl::{Design, Problems, elaborate};
+
+use crate::designs::{Pim, Qt, Simd};
+
+/// A kind of design; a size makes it a [`Subject`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Family {
+    /// [`Pim`]; its size is the number of stages.
+    Pim,
+    /// [`Qt`]; its size is the number of units.
+    Qt,
+    /// [`Simd`]; its size is the number of processors in a row.
+    Simd,
+}
+
+impl Family {
+    /// Every family.
+    pub const ALL: [Family; 3] = [Family::Pim, Family::Qt, Family::Simd];
+
+    /// Its name, which stands before the size.
+    pub fn name(self) -> &'static str {
+        match self {
+            Family::Pim => "pim",
+            Family::Qt => "qt",
+            Family::Simd => "simd",
+        }
+    }
+
+    /// What it is, with N for the size.
+    pub fn summary(self) -> &'static str {
+        match self {
+            Family::Pim => "a chain of N merging units, each with a local frame buffer",
+            Family::Qt => "N units that walk down quadtrees",
+            Family::Simd => "N x N processors under one instruction",
+        }
+    }
+
+    /// The sizes that it can have.
+    pub fn sizes(self) -> RangeInclusive<u32> {
+        match self {
+            Family::Pim | Family::Qt => 1..=4096,
+            Family::Simd => 1..=256,
+        }
+    }
+}
+
+/// A design of some size, such as `pim16`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Subject {
+    family: Family,
+    size: u32,
+}
+
+/// What is measured if nothing is asked for: small enough that a build with Verilator takes seconds.
+pub const USUAL: [Subject; 4] = [
+    Subject { family: Family::Pim, size: 16 },
+    Subject { family: Family::Qt, size: 1 },
+    Subject { family: Family::Qt, size: 16 },
+    Subject { family: Family::Simd, size: 16 },
+];
+
+/// Checksums that several simulators agree on: the subject, cycles, checksum.
+const KNOWN: [(&str, u64, u32); 22] = [
+    ("pim16", 1000, 0xcce1_f33c),
+    ("pim16", 20_000, 0x0b77_df9a),
+    ("pim16", 300_000, 0xd0c8_a649),
+    ("pim16", 1_000_000, 0xe856_bd82),
+    ("pim64", 300_000, 0x9ea4_6335),
+    ("pim256", 300_000, 0xf6e6_ec4e),
+    ("qt1", 300_000, 0x0129_16aa),
+    ("qt1", 1_000_000, 0xca15_a821),
+    ("qt16", 1000, 0xf0a0_6430),
+    ("qt16", 20_000, 0x0b04_acda),
+    ("qt16", 300_000, 0x4c4a_2054),
+    ("qt64", 300_000, 0x220b_1d0c),
+    ("simd16", 1000, 0x9b9d_071b),
+    ("simd16", 10_000, 0xb893_d9d4),
+    ("simd16", 20_000, 0x6936_1066),
+    ("simd64", 200, 0xace7_069c),
+    ("simd64", 1000, 0xf29f_ab04),
+    ("simd64", 2000, 0xe66b_a066),
+    ("simd64", 20_000, 0xed26_91dd),
+    ("simd128", 1000, 0x2108_7b77),
+    ("simd128", 5000, 0x01c6_1c8f),
+    ("simd128", 20_000, 0xd3bb_bba6),
+];
+
+/// A design written by hand in Verilog, with the same function as ours.
+#[derive(Debug, Clone, Copy)]
+pub struct HandWritten {
+    /// Its module, in the file of that name.
+    pub module: &'static str,
+    /// The text.
+    pub text: &'static str,
+    /// The module's parameter, and its value.
+    pub parameter: (&'static str, u32),
+}
+
+impl Subject {
+    /// The circuit.
+    ///
+    /// # Errors
+    ///
+    /// There is none, unless a design has a mistake.
+    pub fn design(&self) -> Result<Design, Problems> {
+        let size = self.size;
+        match self.family {
+            Family::Pim => elaborate(&Pim::new(size)),
+            Family::Qt => elaborate(&Qt { units: size }),
+            Family::Simd => elaborate(&Simd { edge: size }),
+        }
+    }
+
+    /// The same function in Verilog that was written by hand.
+    pub fn hand_written(&self) -> Vec<HandWritten> {
+        let written = |module, text, parameter| HandWritten { module, text, parameter: (parameter, self.size) };
+        match self.family {
+            Family::Pim => vec![written("pim", include_str!("../verilog/pim.v"), "STAGES")],
+            Family::Qt => vec![written("qt", include_str!("../verilog/qt.v"), "UNITS")],
+            Family::Simd => vec![
+                written("simd", include_str!("../verilog/simd.v"), "EDGE"),
+                written("simd_arr", include_str!("../verilog/simd_arr.v"), "EDGE"),
+            ],
+        }
+    }
+
+    /// The cycles after which the checksum is known, and the checksum.
+    pub fn known(&self) -> impl Iterator<Item = (u64, u32)> + use<> {
+        let name = self.to_string();
+        KNOWN.iter().filter(move |(subject, ..)| *subject == name).map(|&(_, cycles, checksum)| (cycles, checksum))
+    }
+}
+
+impl fmt::Display for Subject {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        write!(f, "{}{}", self.family.name(), self.size)
+    }
+}
+
+impl FromStr for Subject {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Subject, String> {
+        let digits = text.find(|c: char| c.is_ascii_digit()).unwrap_or(text.len());
+        let (name, size) = text.split_at(digits);
+        let Some(family) = Family::ALL.into_iter().find(|family| family.name() == name) else {
+            let names: Vec<String> = Family::ALL.iter().map(|family| format!("{}N", family.name())).collect();
+            return Err(format!("name a design as {}, with a size for N, such as {}", names.join(", "), USUAL[0]));
+        };
+        match size.parse() {
+            Ok(size) if family.sizes().contains(&size) => Ok(Subject { family, size }),
+            _ => Err(format!("the size of {name} is from {} to {}", family.sizes().start(), family.sizes().end())),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_lead_to_subjects_and_back() {
+        for name in ["pim16", "qt1", "simd256"] {
+            assert_eq!(name.parse::<Subject>().unwrap().to_string(), name);
+        }
+        for (name, part) in [("pin16", "pimN, qtN, simdN"), ("", "pimN"), ("qt", "from 1"), ("simd257", "to 256")] {
+            let error = name.parse::<Subject>().unwrap_err();
+            assert!(error.contains(part), "{name}: {error}");
+        }
+        assert!(KNOWN.iter().all(|(name, ..)| name.parse::<Subject>().is_ok()));
+    }
+}

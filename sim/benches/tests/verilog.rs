@@ -1,0 +1,72 @@
+//! What is printed of the designs, and what was written by hand, in the tools that take Verilog.
+
+use tilewright_benches::designs::{Pim, Qt, Simd};
+use tilewright_benches::{HandWritten, RESET_CYCLES, Subject};
+use tilewright_gen::tools::{lint, replay_in_icarus};
+use tilewright_gen::{VerilogFile, testbench, verilog};
+use tilewright_hdl::{Design, elaborate};
+use tilewright_sim::Simulation;
+
+/// Small designs; a small screen, as Yosys takes its time over what memories hold at the start.
+fn small() -> [Design; 3] {
+    let pim = elaborate(&Pim { stages: 2, columns: 7, rows: 5 });
+    [pim, elaborate(&Qt { units: 2 }), elaborate(&Simd { edge: 3 })].map(|design| design.unwrap())
+}
+
+#[test]
+fn no_linter_complains_of_what_is_printed() {
+    for design in small() {
+        lint(&verilog(&design)).unwrap();
+    }
+}
+
+#[test]
+fn icarus_repeats_what_is_printed() {
+    for design in small() {
+        let mut sim = Simulation::from_design(&design).unwrap();
+        let recording = sim.recording();
+        let rst = sim.port("rst").unwrap();
+        sim.set(rst, 1);
+        sim.run(RESET_CYCLES);
+        sim.set(rst, 0);
+        sim.run(300);
+        let bench = testbench(&design, &recording.take());
+        let _ = replay_in_icarus(&verilog(&design), &bench).unwrap();
+    }
+}
+
+#[test]
+fn what_is_written_by_hand_has_the_known_checksums() {
+    for name in ["pim16", "qt16", "simd16"] {
+        let subject: Subject = name.parse().unwrap();
+        let (cycles, checksum) = subject.known().next().unwrap();
+        for written in subject.hand_written() {
+            let file = VerilogFile { name: format!("{}.v", written.module), text: written.text.to_owned() };
+            let bench = bench(&written, cycles, checksum);
+            let _ = replay_in_icarus(&[file], &bench).unwrap_or_else(|problems| panic!("{subject}: {problems}"));
+        }
+    }
+}
+
+/// A testbench that compares the checksum after so many cycles.
+fn bench(written: &HandWritten, cycles: u64, checksum: u32) -> VerilogFile {
+    let (module, (parameter, value)) = (written.module, written.parameter);
+    let text = format!(
+        "module bench;
+    reg clk = 0;
+    reg rst = 1;
+    wire [31:0] csum;
+    {module} #(.{parameter}({value})) dut (.clk(clk), .rst(rst), .csum(csum));
+    initial begin
+        repeat ({RESET_CYCLES}) begin #1 clk = 1; #1 clk = 0; end
+        rst = 0;
+        repeat ({cycles}) begin #1 clk = 1; #1 clk = 0; end
+        if (csum === 32'h{checksum:x}) $display(\"PASS: {cycles} cycles\");
+        else $display(\"{module}: checksum %h instead of {checksum:x}\", csum);
+        $finish;
+    end
+endmodule
+"
+    );
+    VerilogFile { name: "bench.v".to_owned(), text }
+}

@@ -1,0 +1,94 @@
+//! `tilewright bench`: the speed of the simulator, alone or against Verilator.
+
+use crate::shell::{Exit, Failure, Progress, interrupt, output};
+use clap::{Args, ValueEnum};
+use std::ops::ControlFlow;
+use std::sync::atomic::Ordering;
+use std::time::Duration;
+use tilewright_benches::{Effort, Error, FORMAT, Measurement, Report, Subject, USUAL, Versions, measure};
+use tilewright_gen::tools::Compiler;
+
+/// Measures the speed of the simulator on designs made for that
+#[derive(Args)]
+#[command(after_help = "\
+Examples:
+  tilewright bench --seconds 0.1
+  tilewright bench pim64 simd64 --rounds 3 --seconds 0.1 --json
+  tilewright bench qt1 --against verilator --seconds 0.1
+
+The designs, with a size for N:
+  pimN   a chain of N merging units, each with a local frame buffer
+  qtN    N units that walk down quadtrees
+  simdN  N x N processors under one instruction
+
+Exit code 1 means that two simulators end with different checksums, 4 that Verilator, clang or make is not installed. A build of simd64
+with Verilator takes minutes.")]
+pub struct Bench {
+    /// Designs, such as pim16 [default: pim16 qt1 qt16 simd16]
+    #[arg(value_name = "DESIGN", value_parser = |name: &str| name.parse::<Subject>())]
+    designs: Vec<Subject>,
+    /// Also run models that it makes of our Verilog and of Verilog written by hand, at its strongest settings
+    #[arg(long, value_enum, value_name = "SIMULATOR")]
+    against: Option<Against>,
+    /// Runs of each simulator; they alternate
+    #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    rounds: u32,
+    /// About how long a run of the slowest simulator takes
+    #[arg(long, value_name = "S", default_value = "1", value_parser = seconds)]
+    seconds: Duration,
+    /// Print the report as JSON
+    #[arg(long)]
+    json: bool,
+}
+
+/// A simulator to compare with.
+#[derive(Clone, Copy, ValueEnum)]
+enum Against {
+    Verilator,
+}
+
+impl Bench {
+    /// Measures and reports.
+    pub fn run(self) -> Result<Exit, Failure> {
+        let compiler = match self.against {
+            Some(Against::Verilator) => Some(Compiler::find().map_err(Error::from)?),
+            None => None,
+        };
+        let designs = if self.designs.is_empty() { USUAL.to_vec() } else { self.designs };
+        let effort = Effort { rounds: self.rounds, time: self.seconds };
+        let versions =
+            compiler.as_ref().map(|it| Versions { verilator: it.verilator_version(), clang: it.clang_version() });
+        let designs = measured(&designs, compiler.as_ref(), effort)?;
+        let report = Report { format: FORMAT, verilator: versions, rounds: self.rounds, designs };
+        match self.json {
+            true => output::print_json(&report)?,
+            false => output::print(&report.to_string())?,
+        }
+        Ok(Exit::Done)
+    }
+}
+
+fn measured(designs: &[Subject], compiler: Option<&Compiler>, effort: Effort) -> Result<Vec<Measurement>, Failure> {
+    let (interrupted, progress) = (interrupt::flag(), Progress::new());
+    let mut done = Vec::new();
+    for design in designs {
+        let before = done.len() as f64;
+        let measurement = measure(*design, compiler, effort, &mut |what, fraction| {
+            progress.show(what, (before + fraction) / designs.len() as f64);
+            if interrupted.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        });
+        // Ctrl-C reaches Verilator and clang too, which then fail.
+        let design = design.to_string();
+        done.push(match interrupted.load(Ordering::Relaxed) {
+            true => measurement.map_err(|_| Error::Interrupted { design })?,
+            false => measurement?,
+        });
+    }
+    Ok(done)
+}
+
+fn seconds(text: &str) -> Result<Duration, &'static str> {
+    let sentence = "the time has to be from 0.001 to 1000 seconds, such as 0.5";
+    let seconds: f64 = text.parse().map_err(|_| sentence)?;
+    if (0.001..=1000.0).contains(&seconds) { Ok(Duration::from_secs_f64(seconds)) } else { Err(sentence) }
+}
