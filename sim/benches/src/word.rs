@@ -1,6 +1,6 @@
 //! Operations on words that several designs share.
 
-use tilewright_hdl::{Signal, cat};
+use tilewright_hdl::{Signal, cat, index_width, mux};
 
 /// The next state of a 32-bit xorshift generator (Marsaglia's shifts 13, 17, 5). Every state but 0 has its turn.
 pub fn xorshift(state: Signal) -> Signal {
@@ -18,4 +18,11 @@ pub fn rotated(word: Signal, places: u32) -> Signal {
 /// A seed for the generator of each lane: odd multiples of the golden ratio have no pattern in their bits.
 pub fn seed(lane: u32) -> u64 {
     u64::from(0x9e37_79b1_u32.wrapping_mul(lane + 1))
+}
+
+/// A number below `count` made of the random bits from `low` on: those that would be too large stand for some of the others.
+pub fn below(random: Signal, count: u32, low: u32) -> Signal {
+    let width = index_width(count.into());
+    let value = random.slice(low..low + width);
+    if count.is_power_of_two() { value } else { mux(value.ge(count), value - ((1 << width) - count), value) }
 }
