@@ -1,6 +1,6 @@
 //! Operations on words that several designs share.
 
-use tilewright_hdl::{Signal, cat, index_width, mux};
+use tilewright_hdl::{Signal, cat, mux};
 
 /// The next state of a 32-bit xorshift generator (Marsaglia's shifts 13, 17, 5). Every state but 0 has its turn.
 pub fn xorshift(state: Signal) -> Signal {
@@ -20,9 +20,7 @@ pub fn seed(lane: u32) -> u64 {
     u64::from(0x9e37_79b1_u32.wrapping_mul(lane + 1))
 }
 
-/// A number below `count` made of the random bits from `low` on: those that would be too large stand for some of the others.
-pub fn below(random: Signal, count: u32, low: u32) -> Signal {
-    let width = index_width(count.into());
-    let value = random.slice(low..low + width);
-    if count.is_power_of_two() { value } else { mux(value.ge(count), value - ((1 << width) - count), value) }
+/// A random number as one below `count`: one that is too large becomes `less` smaller.
+pub fn below(random: Signal, count: u32, less: u32) -> Signal {
+    if u64::from(count) == 1 << random.width() { random } else { mux(random.ge(count), random - less, random) }
 }

@@ -21,18 +21,18 @@ fn check(name: &str, most: u64) {
 
 #[test]
 fn pim() {
-    check("pim16", 20_000);
+    check("pim16", 300_000);
 }
 
 #[test]
 fn qt() {
     check("qt1", 300_000);
-    check("qt16", 20_000);
+    check("qt16", 300_000);
 }
 
 #[test]
 fn simd() {
-    check("simd16", 1000);
+    check("simd16", 20_000);
     check("simd64", 200);
 }
 

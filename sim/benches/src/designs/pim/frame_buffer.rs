@@ -107,7 +107,10 @@ impl FrameBuffer {
     fn draw(&self, m: Module, i: &FrameBufferIn, table: Mem, image: Mem) {
         let random = m.reg("random", 32);
         random.next(mux(i.rst, i.seed, xorshift(*random)));
-        let (column, row) = (below(*random, self.columns, 0), below(*random, self.rows, 8));
+        let bits = |low: u32, count: u32| random.slice(low..low + index_width(count.into()));
+        let (column, row) = (bits(0, self.columns), bits(8, self.rows));
+        let column = below(column, self.columns, (1 << column.width()) - self.columns);
+        let row = below(row, self.rows, 1 << (row.width() - 1));
 
         // Which pixel of which patch; the table is looked up.
         let pixel = m.reg("pixel", 4);

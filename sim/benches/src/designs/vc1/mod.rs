@@ -49,7 +49,7 @@ impl Vc1Frames {
     /// There is no such VC-1, or a side of the screen is no multiple of 4.
     pub fn new(screen: Screen, processors: u32) -> Result<Vc1Frames, ParameterError> {
         let patches = Patches::new(screen, 4)?;
-        if screen.width % 4 != 0 || screen.height % 4 != 0 {
+        if !(screen.width.is_multiple_of(4) && screen.height.is_multiple_of(4)) {
             let Screen { width, height } = screen;
             return Err(ParameterError(format!("a screen of {width}x{height} pixels: take multiples of 4")));
         }

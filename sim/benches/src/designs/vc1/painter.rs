@@ -89,8 +89,9 @@ impl Block for Painter {
 
         net!(patch_ends = taken & pixel.all_ones());
         let patch = |name: &str, count: u32, low: u32| {
-            let position = m.reg(name, index_width(count.into())).reset(0);
-            position.enable(patch_ends).next(below(*random, count, low));
+            let width = index_width(count.into());
+            let position = m.reg(name, width).reset(0);
+            position.enable(patch_ends).next(below(random.slice(low..low + width), count, (1 << width) - count));
             position
         };
         let column = patch("column", self.patches.columns(), 0);
