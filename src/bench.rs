@@ -14,17 +14,18 @@ use tilewright_gen::tools::Compiler;
 Examples:
   tilewright bench --seconds 0.1
   tilewright bench pim64 simd64 --rounds 3 --seconds 0.1 --json
-  tilewright bench qt1 --against verilator --seconds 0.1
+  tilewright bench qt1 vc1x3@32x16 --against verilator --seconds 0.1
 
 The designs, with a size for N:
   pimN   a chain of N merging units, each with a local frame buffer
   qtN    N units that walk down quadtrees
   simdN  N x N processors under one instruction
+  vc1xN  a VC-1 with N processors that draw at random, frame after frame; vc1xN@WxH has another screen than 640x480
 
-Exit code 1 means that two simulators end with different checksums, 4 that Verilator, clang or make is not installed. A build of simd64
-with Verilator takes minutes.")]
+A cycle is a time at which one or more clocks rise. A build of simd64 with Verilator takes minutes. Exit code 1 means that two
+simulators end with different checksums, 4 that Verilator, clang or make is not installed or fails.")]
 pub struct Bench {
-    /// Designs, such as pim16 [default: pim16 qt1 qt16 simd16]
+    /// Designs, such as pim16 [default: pim16 qt1 qt16 simd16 vc1x16@160x120]
     #[arg(value_name = "DESIGN", value_parser = |name: &str| name.parse::<Subject>())]
     designs: Vec<Subject>,
     /// Also run models that it makes of our Verilog and of Verilog written by hand, at its strongest settings

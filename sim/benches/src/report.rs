@@ -64,17 +64,18 @@ impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let names = self.designs.iter().flat_map(|design| &design.simulators).map(|it| it.simulator.len());
         let wide = names.max().unwrap_or_default();
-        writeln!(f, "{:9} {:wide$}  ns a cycle   spread  first cycle    ratio", "design", "simulator")?;
+        let first = self.designs.iter().map(|it| it.design.len()).chain(["design".len()]).max().unwrap_or_default();
+        writeln!(f, "{:first$}  {:wide$}  ns a cycle   spread  first cycle    ratio", "design", "simulator")?;
         for design in &self.designs {
             for (number, figures) in design.simulators.iter().enumerate() {
                 let name = if number == 0 { design.design.as_str() } else { "" };
                 let Figures { simulator, ns_per_cycle, least_ns_per_cycle, most_ns_per_cycle, .. } = figures;
                 let spread = (most_ns_per_cycle - least_ns_per_cycle) / ns_per_cycle * 100.0;
-                let (first, ratio) = (Seconds(figures.first_cycle_seconds).to_string(), figures.ratio);
+                let (ready, ratio) = (Seconds(figures.first_cycle_seconds).to_string(), figures.ratio);
                 let digits = if ratio < 10.0 { 3 } else { 1 };
                 writeln!(
                     f,
-                    "{name:9} {simulator:wide$}  {ns_per_cycle:10.1}  {spread:5.0} %  {first:>11}  {ratio:7.digits$}"
+                    "{name:first$}  {simulator:wide$}  {ns_per_cycle:10.1}  {spread:5.0} %  {ready:>11}  {ratio:7.digits$}"
                 )?;
             }
         }

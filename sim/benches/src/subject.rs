@@ -4,8 +4,9 @@ use std::fmt;
 use std::ops::RangeInclusive;
 use std::str::FromStr;
 use tilewright_hdl::{Design, Problems, elaborate};
+use tilewright_rtl::parameter::Screen;
 
-use crate::designs::{Pim, Qt, Simd};
+use crate::designs::{Pim, Qt, Simd, Vc1Frames};
 
 /// A kind of design; a size makes it a [`Subject`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -16,11 +17,13 @@ pub enum Family {
     Qt,
     /// [`Simd`]; its size is the number of processors in a row.
     Simd,
+    /// [`Vc1Frames`]; its size is the number of processors.
+    Vc1,
 }
 
 impl Family {
     /// Every family.
-    pub const ALL: [Family; 3] = [Family::Pim, Family::Qt, Family::Simd];
+    pub const ALL: [Family; 4] = [Family::Pim, Family::Qt, Family::Simd, Family::Vc1];
 
     /// Its name, which stands before the size.
     pub fn name(self) -> &'static str {
@@ -28,15 +31,7 @@ impl Family {
             Family::Pim => "pim",
             Family::Qt => "qt",
             Family::Simd => "simd",
-        }
-    }
-
-    /// What it is, with N for the size.
-    pub fn summary(self) -> &'static str {
-        match self {
-            Family::Pim => "a chain of N merging units, each with a local frame buffer",
-            Family::Qt => "N units that walk down quadtrees",
-            Family::Simd => "N x N processors under one instruction",
+            Family::Vc1 => "vc1x",
         }
     }
 
@@ -44,28 +39,35 @@ impl Family {
     pub fn sizes(self) -> RangeInclusive<u32> {
         match self {
             Family::Pim | Family::Qt => 1..=4096,
-            Family::Simd => 1..=256,
+            Family::Simd | Family::Vc1 => 1..=256,
         }
+    }
+
+    const fn of_size(self, size: u32) -> Subject {
+        Subject { family: self, size, screen: Screen::VC1 }
     }
 }
 
-/// A design of some size, such as `pim16`.
+/// A design of some size, such as `pim16`, or `vc1x16@160x120` with a screen of that size.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Subject {
     family: Family,
     size: u32,
+    /// Of a VC-1.
+    screen: Screen,
 }
 
 /// What is measured if nothing is asked for: small enough that a build with Verilator takes seconds.
-pub const USUAL: [Subject; 4] = [
-    Subject { family: Family::Pim, size: 16 },
-    Subject { family: Family::Qt, size: 1 },
-    Subject { family: Family::Qt, size: 16 },
-    Subject { family: Family::Simd, size: 16 },
+pub const USUAL: [Subject; 5] = [
+    Family::Pim.of_size(16),
+    Family::Qt.of_size(1),
+    Family::Qt.of_size(16),
+    Family::Simd.of_size(16),
+    Subject { screen: Screen { width: 160, height: 120 }, ..Family::Vc1.of_size(16) },
 ];
 
 /// Checksums that several simulators agree on: the subject, cycles, checksum.
-const KNOWN: [(&str, u64, u32); 22] = [
+const KNOWN: [(&str, u64, u32); 24] = [
     ("pim16", 1000, 0xcce1_f33c),
     ("pim16", 20_000, 0x0b77_df9a),
     ("pim16", 300_000, 0xd0c8_a649),
@@ -88,6 +90,8 @@ const KNOWN: [(&str, u64, u32); 22] = [
     ("simd128", 1000, 0x2108_7b77),
     ("simd128", 5000, 0x01c6_1c8f),
     ("simd128", 20_000, 0xd3bb_bba6),
+    ("vc1x3@32x16", 200_000, 0x2f36_ca17),
+    ("vc1x16@160x120", 200_000, 0x1e53_2dd5),
 ];
 
 /// A design written by hand in Verilog, with the same function as ours.
@@ -113,10 +117,11 @@ impl Subject {
             Family::Pim => elaborate(&Pim::new(size)),
             Family::Qt => elaborate(&Qt { units: size }),
             Family::Simd => elaborate(&Simd { edge: size }),
+            Family::Vc1 => elaborate(&Vc1Frames::new(self.screen, size).expect("it was tried when it was named")),
         }
     }
 
-    /// The same function in Verilog that was written by hand.
+    /// The same function in Verilog that was written by hand, if it was.
     pub fn hand_written(&self) -> Vec<HandWritten> {
         let written = |module, text, parameter| HandWritten { module, text, parameter: (parameter, self.size) };
         match self.family {
@@ -126,6 +131,7 @@ impl Subject {
                 written("simd", include_str!("../verilog/simd.v"), "EDGE"),
                 written("simd_arr", include_str!("../verilog/simd_arr.v"), "EDGE"),
             ],
+            Family::Vc1 => Vec::new(),
         }
     }
 
@@ -138,7 +144,9 @@ impl Subject {
 
 impl fmt::Display for Subject {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        write!(f, "{}{}", self.family.name(), self.size)
+        write!(f, "{}{}", self.family.name(), self.size)?;
+        let Screen { width, height } = self.screen;
+        if self.screen == Screen::VC1 { Ok(()) } else { write!(f, "@{width}x{height}") }
     }
 }
 
@@ -146,17 +154,33 @@ impl FromStr for Subject {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Subject, String> {
-        let digits = text.find(|c: char| c.is_ascii_digit()).unwrap_or(text.len());
-        let (name, size) = text.split_at(digits);
+        let (design, screen) = text.split_once('@').map_or((text, None), |(design, screen)| (design, Some(screen)));
+        let name = design.trim_end_matches(|c: char| c.is_ascii_digit());
         let Some(family) = Family::ALL.into_iter().find(|family| family.name() == name) else {
             let names: Vec<String> = Family::ALL.iter().map(|family| format!("{}N", family.name())).collect();
             return Err(format!("name a design as {}, with a size for N, such as {}", names.join(", "), USUAL[0]));
         };
-        match size.parse() {
-            Ok(size) if family.sizes().contains(&size) => Ok(Subject { family, size }),
-            _ => Err(format!("the size of {name} is from {} to {}", family.sizes().start(), family.sizes().end())),
+        let size = design[name.len()..].parse().ok().filter(|size| family.sizes().contains(size));
+        let (least, most) = family.sizes().into_inner();
+        let mut subject = family.of_size(size.ok_or_else(|| format!("the size of {name} is from {least} to {most}"))?);
+        if let Some(screen) = screen {
+            subject.screen = parse_screen(screen).filter(|_| family == Family::Vc1).ok_or_else(no_screen)?;
         }
+        if family == Family::Vc1 {
+            Vc1Frames::new(subject.screen, subject.size).map_err(|error| error.to_string())?;
+        }
+        Ok(subject)
     }
+}
+
+fn no_screen() -> String {
+    let example = USUAL[USUAL.len() - 1];
+    format!("behind an `@` stands the size of a VC-1's screen, as in {example}")
+}
+
+fn parse_screen(text: &str) -> Option<Screen> {
+    let (width, height) = text.split_once('x')?;
+    Screen::new(width.parse().ok()?, height.parse().ok()?).ok()
 }
 
 #[cfg(test)]
@@ -165,13 +189,25 @@ mod tests {
 
     #[test]
     fn names_lead_to_subjects_and_back() {
-        for name in ["pim16", "qt1", "simd256"] {
+        for name in ["pim16", "qt1", "simd256", "vc1x16", "vc1x3@32x16"] {
             assert_eq!(name.parse::<Subject>().unwrap().to_string(), name);
         }
-        for (name, part) in [("pin16", "pimN, qtN, simdN"), ("", "pimN"), ("qt", "from 1"), ("simd257", "to 256")] {
+        let wrong = [
+            ("pin16", "pimN, qtN, simdN, vc1xN"),
+            ("", "pimN"),
+            ("qt", "from 1"),
+            ("simd257", "to 256"),
+            ("qt1@160x120", "as in vc1x16@160x120"),
+            ("vc1x1@160", "as in vc1x16@160x120"),
+            ("vc1x9@8x4", "fewer than 2 x 2 patches"),
+            ("vc1x17@8x8", "from 1 to 16"),
+            ("vc1x1@9x8", "multiples of 4"),
+        ];
+        for (name, part) in wrong {
             let error = name.parse::<Subject>().unwrap_err();
             assert!(error.contains(part), "{name}: {error}");
         }
+        assert!(USUAL.iter().all(|it| it.to_string().parse() == Ok(*it)));
         assert!(KNOWN.iter().all(|(name, ..)| name.parse::<Subject>().is_ok()));
     }
 }

@@ -1,6 +1,6 @@
 //! Operations on words that several designs share.
 
-use tilewright_hdl::{Signal, cat};
+use tilewright_hdl::{Signal, cat, mux};
 
 /// The next state of a 32-bit xorshift generator (Marsaglia's shifts 13, 17, 5). Every state but 0 has its turn.
 pub fn xorshift(state: Signal) -> Signal {
@@ -18,4 +18,9 @@ pub fn rotated(word: Signal, places: u32) -> Signal {
 /// A seed for the generator of each lane: odd multiples of the golden ratio have no pattern in their bits.
 pub fn seed(lane: u32) -> u64 {
     u64::from(0x9e37_79b1_u32.wrapping_mul(lane + 1))
+}
+
+/// A random number as one below `count`: one that is too large becomes `less` smaller.
+pub fn below(random: Signal, count: u32, less: u32) -> Signal {
+    if u64::from(count) == 1 << random.width() { random } else { mux(random.ge(count), random - less, random) }
 }

@@ -1,16 +1,18 @@
 //! What is printed of the designs, and what was written by hand, in the tools that take Verilog.
 
-use tilewright_benches::designs::{Pim, Qt, Simd};
-use tilewright_benches::{HandWritten, RESET_CYCLES, Subject};
+use tilewright_benches::designs::{Pim, Qt, Simd, Vc1Frames};
+use tilewright_benches::{HandWritten, RESET_CYCLES, Subject, reset};
 use tilewright_gen::tools::{lint, replay_in_icarus};
 use tilewright_gen::{VerilogFile, testbench, verilog};
 use tilewright_hdl::{Design, elaborate};
+use tilewright_rtl::parameter::Screen;
 use tilewright_sim::Simulation;
 
 /// Small designs; a small screen, as Yosys takes its time over what memories hold at the start.
-fn small() -> [Design; 3] {
+fn small() -> [Design; 4] {
     let pim = elaborate(&Pim { stages: 2, columns: 7, rows: 5 });
-    [pim, elaborate(&Qt { units: 2 }), elaborate(&Simd { edge: 3 })].map(|design| design.unwrap())
+    let vc1 = elaborate(&Vc1Frames::new(Screen { width: 12, height: 8 }, 2).unwrap());
+    [pim, elaborate(&Qt { units: 2 }), elaborate(&Simd { edge: 3 }), vc1].map(|design| design.unwrap())
 }
 
 #[test]
@@ -25,11 +27,8 @@ fn icarus_repeats_what_is_printed() {
     for design in small() {
         let mut sim = Simulation::from_design(&design).unwrap();
         let recording = sim.recording();
-        let rst = sim.port("rst").unwrap();
-        sim.set(rst, 1);
-        sim.run(RESET_CYCLES);
-        sim.set(rst, 0);
-        sim.run(300);
+        reset(&mut sim).unwrap();
+        sim.run(1000);
         let bench = testbench(&design, &recording.take());
         let _ = replay_in_icarus(&verilog(&design), &bench).unwrap();
     }

@@ -1,17 +1,19 @@
-//! The designs. Each has an input `rst` and an output `csum`, a checksum of all that it does.
+//! The designs. Each has an output `csum`, a checksum of all that it does.
 
 mod pim;
 mod qt;
 mod simd;
+mod vc1;
 
 pub use pim::Pim;
 pub use qt::Qt;
 pub use simd::Simd;
+pub use vc1::Vc1Frames;
 
 use tilewright_hdl::bundle;
 
 bundle! {
-    /// The inputs of every design.
+    /// The inputs of the designs of one clock.
     pub struct BenchIn<T> {
         /// Held high for [`RESET_CYCLES`](crate::RESET_CYCLES) at the start. It is no reset of the language's kind, as what it puts
         /// into a register may differ from lane to lane.

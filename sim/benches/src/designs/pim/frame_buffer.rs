@@ -5,7 +5,7 @@ use tilewright_hdl::{
 };
 
 use super::Pixel;
-use crate::word::xorshift;
+use crate::word::{below, xorshift};
 
 /// The edge of a patch in pixels.
 const EDGE: u32 = 4;
@@ -107,12 +107,10 @@ impl FrameBuffer {
     fn draw(&self, m: Module, i: &FrameBufferIn, table: Mem, image: Mem) {
         let random = m.reg("random", 32);
         random.next(mux(i.rst, i.seed, xorshift(*random)));
-        let below = |count: u32, low: u32| {
-            let width = index_width(count.into());
-            let value = random.slice(low..low + width);
-            mux(value.ge(count), value - ((1 << width) - count), value)
-        };
-        let (column, row) = (below(self.columns, 0), below(self.rows, 8));
+        let bits = |low: u32, count: u32| random.slice(low..low + index_width(count.into()));
+        let (column, row) = (bits(0, self.columns), bits(8, self.rows));
+        let column = below(column, self.columns, (1 << column.width()) - self.columns);
+        let row = below(row, self.rows, 1 << (row.width() - 1));
 
         // Which pixel of which patch; the table is looked up.
         let pixel = m.reg("pixel", 4);

@@ -1,0 +1,116 @@
+//! The VC-1's frame path at work: its whole hardware, with processors and a host that need nobody outside.
+//!
+//! ```text
+//!  [ painter 0 ]   [ painter 1 ]  ..  [ painter n-1 ]        PE clock
+//!        |               |                  |
+//!  .-----v---------------v------------------v-------.
+//!  |                      VC-1                      |
+//!  '-----------------------^------------------------'
+//!                          |                             merge clock
+//!                      [ host ]--> checksum
+//! ```
+//!
+//! Frame after frame, the painters clear their patch tables and draw, while the host has the frame before merged and reads the one
+//! before that; then all swap. As in a frame of the teapot, most of the time goes into merging.
+//!
+//! What it asks of a simulator: two clocks, large memories, and units that are alike inside of a machine that is not.
+
+mod host;
+mod painter;
+
+use tilewright_hdl::ir::About;
+use tilewright_hdl::{Block, Fields, Module, Signal};
+use tilewright_rtl::clocks::{MERGE, PE};
+use tilewright_rtl::lfb::Patches;
+use tilewright_rtl::parameter::{ParameterError, Screen};
+use tilewright_rtl::vc1::{Vc1, Vc1In};
+
+use super::BenchOut;
+use crate::word::seed;
+use host::{Host, HostIn};
+use painter::{Painter, PainterIn};
+
+/// Frames on a VC-1.
+#[derive(Debug, Clone)]
+pub struct Vc1Frames {
+    vc1: Vc1,
+    patches: Patches,
+    processors: u32,
+    /// Patches that a painter draws for a frame.
+    painted: u32,
+}
+
+impl Vc1Frames {
+    /// A VC-1 with patches of 4x4 pixels, pages for a quarter of them, 4096 at most, in each buffer, and painters that fill a quarter
+    /// of those for a frame.
+    ///
+    /// # Errors
+    ///
+    /// There is no such VC-1, or a side of the screen is no multiple of 4.
+    pub fn new(screen: Screen, processors: u32) -> Result<Vc1Frames, ParameterError> {
+        let patches = Patches::new(screen, 4)?;
+        if !(screen.width.is_multiple_of(4) && screen.height.is_multiple_of(4)) {
+            let Screen { width, height } = screen;
+            return Err(ParameterError(format!("a screen of {width}x{height} pixels: take multiples of 4")));
+        }
+        let pages = (patches.count() / 4).clamp(2, 4096);
+        Ok(Vc1Frames { vc1: Vc1::new(patches, pages, processors)?, patches, processors, painted: pages.div_ceil(4) })
+    }
+}
+
+impl Block for Vc1Frames {
+    type In = ();
+    type Out = BenchOut;
+
+    fn inputs(&self) {}
+
+    fn build(&self, m: Module, (): ()) -> BenchOut {
+        let (pe, merge) = (m.on(PE), m.on(MERGE));
+        let wire = |name: &str, number: u32| m.wire(&format!("{name}{number}"), 1);
+        let wires = |name: &str| (0..self.processors).map(|number| wire(name, number)).collect::<Vec<_>>();
+        let (ready, clear_ready, idle) = (wires("ready"), wires("clear_ready"), wires("idle"));
+        let request = merge.wire("request", 1);
+        let swap = pe.synchronize("swap", *request);
+
+        let painter = Painter { patches: self.patches, painted: self.painted };
+        let painters = pe.array("u_painter", self.processors, &painter, |painters| PainterIn {
+            seed: painters.constants(32, seed),
+            ready: painters.each(ready.iter().map(|wire| Signal::from(*wire))),
+            clear_ready: painters.each(clear_ready.iter().map(|wire| Signal::from(*wire))),
+            idle: painters.each(idle.iter().map(|wire| Signal::from(*wire))),
+            swap: painters.all(&swap),
+        });
+
+        let host = Host { screen: self.patches.screen() };
+        let [read_word, busy] = [("read_word", 48), ("busy", 1)].map(|(name, width)| merge.wire(name, width));
+        let drawn = merge.synchronize("drawn", painters.drawn.and_all());
+        let swapped = merge.synchronize("swapped", painters.swapped.and_all());
+        let hash = painters.hash.xor_all().quasi_static("the painters wait when the host looks at it");
+        let host = merge.instance("u_host", &host, HostIn { drawn, swapped, hash, read_word: *read_word, busy: *busy });
+        request.drive(host.request);
+
+        let processors = (0..self.processors).map(|number| painters.vc1.map(|field| field.lane(number))).collect();
+        let vc1 = m.instance("u_vc1", &self.vc1, Vc1In { processors, gfb: host.gfb });
+        read_word.drive(vc1.gfb.read_word);
+        busy.drive(vc1.gfb.busy);
+        for (number, processor) in vc1.processors.iter().enumerate() {
+            ready[number].drive(processor.ready);
+            clear_ready[number].drive(processor.clear_ready);
+            idle[number].drive(processor.idle);
+        }
+        BenchOut { csum: host.csum }
+    }
+
+    fn name(&self) -> String {
+        let Screen { width, height } = self.patches.screen();
+        format!("vc1_frames_n{}_{width}x{height}", self.processors)
+    }
+
+    fn about(&self) -> About {
+        About {
+            summary: format!("Frame after frame on a VC-1 with {} processors that draw at random.", self.processors),
+            latency: String::new(),
+            source: "VC-1, section 3.3 (VC1-FLOW, VC1-LFB, VC1-PIM, VC1-GFB)".to_owned(),
+        }
+    }
+}

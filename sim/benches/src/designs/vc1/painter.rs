@@ -1,0 +1,127 @@
+//! Stands for a processing element and its program: draws patches at random places, a pixel now and then.
+
+use tilewright_hdl::{Block, Module, Reg, Width, bit, bits, bundle, cat, index_width, lit, mux, net, states, when};
+use tilewright_rtl::lfb::{Clear, Patches, Request};
+use tilewright_rtl::vc1::ProcessorIn;
+use tilewright_rtl::word::WORD;
+
+use crate::word::{below, rotated, xorshift};
+
+states! {
+    /// What a painter does.
+    enum Phase {
+        /// Clears the patch table, entry by entry.
+        Clear,
+        /// Draws.
+        Draw,
+        /// Waits for the swap.
+        Wait,
+        /// Has swapped.
+        Swapped,
+    }
+}
+
+bundle! {
+    /// The inputs of [`Painter`].
+    pub struct PainterIn<T> {
+        /// Of the random generator.
+        pub seed: T,
+        /// The local frame buffer takes the pixel at this edge.
+        pub ready: T,
+        /// The local frame buffer clears the entry at this edge.
+        pub clear_ready: T,
+        /// Nothing is under way in the local frame buffer.
+        pub idle: T,
+        /// The host wants the buffers swapped; until it has seen that they are.
+        pub swap: T,
+    }
+
+    /// The outputs of [`Painter`].
+    pub struct PainterOut<T> {
+        /// To the local frame buffer.
+        pub vc1: ProcessorIn<T>,
+        /// Waits for the swap.
+        pub drawn: T,
+        /// Has swapped, and waits for the host to see it.
+        pub swapped: T,
+        /// Of what was drawn, and when.
+        pub hash: T,
+    }
+}
+
+/// A painter on a screen of these patches, of 4x4 pixels.
+#[derive(Debug, Clone)]
+pub struct Painter {
+    pub patches: Patches,
+    /// Patches for a frame.
+    pub painted: u32,
+}
+
+impl Block for Painter {
+    type In = PainterIn;
+    type Out = PainterOut;
+
+    fn inputs(&self) -> PainterIn<Width> {
+        PainterIn { seed: bits(32), ready: bit(), clear_ready: bit(), idle: bit(), swap: bit() }
+    }
+
+    fn build(&self, m: Module, i: PainterIn) -> PainterOut {
+        let phase = m.fsm("phase", Phase::Clear);
+        let seeded = m.reg("seeded", 1).reset(0);
+        seeded.next(true);
+        let random = m.reg("random", 32);
+        random.next(mux(seeded, xorshift(*random), i.seed));
+
+        let entry = m.reg("entry", self.patches.patch_width()).reset(0);
+        net!(cleared = phase.is(Phase::Clear) & i.clear_ready);
+        net!(last_entry = entry.eq(self.patches.count() - 1));
+        entry.enable(cleared).next(mux(last_entry, 0, entry + 1));
+
+        // A pixel is computed in 16 clocks on average, and then asks until it is taken.
+        let asks = m.reg("asks", 1).reset(0);
+        net!(computed = phase.is(Phase::Draw) & !asks & random.slice(28..32).eq(0));
+        net!(taken = asks & i.ready);
+        asks.next(computed | (asks & !i.ready));
+        let word = m.reg("word", WORD);
+        word.enable(computed).next(cat![random.slice(0..24), random.slice(8..32)]);
+        let pixel = m.reg("pixel", 4).reset(0);
+        pixel.enable(taken).next(pixel + 1);
+
+        net!(patch_ends = taken & pixel.all_ones());
+        let patch = |name: &str, count: u32, low: u32| {
+            let width = index_width(count.into());
+            let position = m.reg(name, width).reset(0);
+            position.enable(patch_ends).next(below(random.slice(low..low + width), count, (1 << width) - count));
+            position
+        };
+        let column = patch("column", self.patches.columns(), 0);
+        let row = patch("row", self.patches.count() / self.patches.columns(), 12);
+        let painted = m.reg("painted", index_width(self.painted.into())).reset(0);
+        net!(last_patch = painted.eq(self.painted - 1));
+        painted.enable(patch_ends).next(mux(last_patch, 0, painted + 1));
+
+        net!(swaps = phase.is(Phase::Wait) & i.idle & i.swap);
+        phase.next(|state| match state {
+            Phase::Clear => when(cleared & last_entry, Phase::Draw),
+            Phase::Draw => when(patch_ends & last_patch, Phase::Wait),
+            Phase::Wait => when(swaps, Phase::Swapped),
+            Phase::Swapped => when(!i.swap, Phase::Clear),
+        });
+
+        let hash = m.reg("hash", 32).reset(0);
+        hash.enable(taken).next(rotated(*hash, 1) ^ *random);
+        let edge = |position: Reg, low: u32| cat![position, pixel.slice(low..low + 2)];
+        let request = Request { valid: asks.value(), x: edge(column, 0), y: edge(row, 2), word: word.value() };
+        let clear = Clear { valid: phase.is(Phase::Clear), patch: entry.value() };
+        PainterOut {
+            vc1: ProcessorIn { request, clear, swap: swaps, resume: lit(1, 0) },
+            drawn: phase.is(Phase::Wait) & i.idle,
+            swapped: phase.is(Phase::Swapped),
+            hash: hash.value(),
+        }
+    }
+
+    fn name(&self) -> String {
+        "vc1_painter".to_owned()
+    }
+}
