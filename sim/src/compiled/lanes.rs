@@ -50,6 +50,7 @@ enum Done {
     Top(ValueId),
     Constant(u32, u64),
     Power(ValueId, u32, bool),
+    Half(Value, u8),
 }
 
 /// A moment that [`Lanes::forget`] goes back to.
@@ -64,6 +65,8 @@ pub(super) struct Lanes {
     constants: HashMap<(u32, u64), Value>,
     /// Powers of two by amount, element, and whether they fall with the amount.
     powers: HashMap<(ValueId, u32, bool), Vec<Value>>,
+    /// Halves of vectors in general registers.
+    halves: HashMap<(Value, u8), Value>,
     done: Vec<Done>,
 }
 
@@ -78,6 +81,7 @@ impl Lanes {
             values: HashMap::new(),
             constants: HashMap::new(),
             powers: HashMap::new(),
+            halves: HashMap::new(),
             done: Vec::new(),
         }
     }
@@ -212,6 +216,9 @@ impl Lanes {
                 }
                 Done::Power(by, element, falling) => {
                     self.powers.remove(&(by, element, falling));
+                }
+                Done::Half(vector, half) => {
+                    self.halves.remove(&(vector, half));
                 }
             }
         }
@@ -373,7 +380,7 @@ impl Lanes {
             }
             (Step::SignExtend, _) => (self.sign_extended(b, from), None),
             // Only the inverse exists in registers.
-            (_, Some(inverse)) => {
+            (_, Some(inverse)) if form == Form::Mask => {
                 let inverse = emit::resize(b, step, inverse, at);
                 (emit::map(&inverse, |part| b.ins().bnot(part)), Some(inverse))
             }

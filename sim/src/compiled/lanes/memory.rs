@@ -1,11 +1,13 @@
 //! Lanes from and to memory, and one by one.
 
+use std::cmp::Ordering;
+
 use cranelift_codegen::ir::{InstBuilder, MemFlagsData, Value, types};
 use cranelift_frontend::FunctionBuilder;
 
 use super::emit::{self, cast, low_mask, ty};
 use super::form::{Form, Need, Step, Vector};
-use super::Lanes;
+use super::{Done, Lanes};
 use crate::program::ValueId;
 
 /// Where the lanes of a strip are side by side: clean numbers, of 1 bit masks.
@@ -90,7 +92,8 @@ impl Lanes {
             element /= 2;
         }
         let bits = self.strip * storage;
-        let lanes = cast(b, lanes, ty(bits));
+        // Floats are stored by one instruction, integers would be extracted.
+        let lanes = cast(b, lanes, if bits == 32 { types::F32X4 } else { types::F64X2 });
         let lanes = b.ins().extractlane(lanes, 0);
         b.ins().store(flags, lanes, address, offset);
     }
@@ -104,23 +107,53 @@ impl Lanes {
         if let Some(constant) = entry.constant {
             return b.ins().iconst(types::I64, constant as i64);
         }
-        let element = self.pick(self.element(entry.width), &[(id, Need::Clean)], 0);
-        let vector = self.number(b, id, element, Need::Clean);
+        // A mask in general registers costs no more than the extension.
+        let element = self.pick(self.element(entry.width), &[(id, Need::Any)], 1);
+        let need = if element == 64 || self.cost(id, element, Need::Clean) == 0 { Need::Clean } else { Need::Any };
+        let vector = self.number(b, id, element, need);
         self.lane(b, &vector, lane, false)
     }
 
+    /// One lane, clean, or else with its sign; by halves of vectors, as an extraction of each lane takes longer.
     pub(super) fn lane(&mut self, b: &mut FunctionBuilder, vector: &Vector, lane: u32, signed: bool) -> Value {
-        let each = 128 / vector.element;
-        let out = b.ins().extractlane(vector.parts[(lane / each) as usize], (lane % each) as u8);
-        match vector.element {
-            64 => out,
-            _ if signed => b.ins().sextend(types::I64, out),
-            _ => b.ins().uextend(types::I64, out),
+        let Vector { width, element, .. } = *vector;
+        let (part, at) = (vector.parts[(lane * element / 128) as usize], lane * element % 128);
+        let half = self.half(b, part, (at / 64) as u8);
+        let low = at % 64;
+        let number = match low {
+            0 => half,
+            _ => {
+                let by = b.ins().iconst(types::I64, i64::from(low));
+                b.ins().ushr(half, by)
+            }
+        };
+        if element == 64 {
+            return number;
         }
+        if !signed && !Need::Clean.met(vector.form, width, element) {
+            let mask = b.ins().iconst(types::I64, low_mask(width) as i64);
+            return b.ins().band(number, mask);
+        }
+        if !signed && low + element == 64 {
+            return number;
+        }
+        let number = b.ins().ireduce(ty(element).lane_type(), number);
+        if signed { b.ins().sextend(types::I64, number) } else { b.ins().uextend(types::I64, number) }
     }
 
-    /// A value of clean numbers, one a lane: I64, or of the type of its element, so that a load of that type with no
-    /// other use becomes part of the insertion.
+    fn half(&mut self, b: &mut FunctionBuilder, part: Value, index: u8) -> Value {
+        if let Some(half) = self.halves.get(&(part, index)) {
+            return *half;
+        }
+        let both = cast(b, part, types::I64X2);
+        let half = b.ins().extractlane(both, index);
+        self.halves.insert((part, index), half);
+        self.done.push(Done::Half(part, index));
+        half
+    }
+
+    /// A value of clean numbers, one a lane, of any integer type. A load of the type of the value's element with no
+    /// other use becomes part of the insertion; of narrower elements, one that extends to I64 needs no more.
     pub fn gather(&mut self, b: &mut FunctionBuilder, id: ValueId, width: u32, lanes: &[Value]) {
         let element = self.element(width);
         let parts = self.gathered(b, element, lanes);
@@ -134,16 +167,22 @@ impl Lanes {
             let mut fill = |lanes: &[Value]| {
                 let mut vector = None;
                 for (i, &lane) in lanes.iter().enumerate() {
-                    let number = match b.func.dfg.value_type(lane) == single {
-                        true => lane,
-                        false => b.ins().ireduce(single, lane),
+                    let number = match b.func.dfg.value_type(lane).bits().cmp(&element) {
+                        Ordering::Less => b.ins().uextend(single, lane),
+                        Ordering::Equal => lane,
+                        Ordering::Greater => b.ins().ireduce(single, lane),
                     };
                     vector = Some(match vector {
                         // The pattern of two moves for 64 bits; `movd` for others.
                         None if element == 64 => b.ins().splat(ty(element), number),
                         None if element == 32 => b.ins().scalar_to_vector(ty(element), number),
                         None => {
-                            let wide = b.ins().uextend(types::I32, number);
+                            // What is above it is overwritten.
+                            let wide = match b.func.dfg.value_type(lane) {
+                                types::I64 => b.ins().ireduce(types::I32, lane),
+                                types::I32 => lane,
+                                _ => b.ins().uextend(types::I32, lane),
+                            };
                             let wide = b.ins().scalar_to_vector(types::I32X4, wide);
                             cast(b, wide, ty(element))
                         }

@@ -307,7 +307,7 @@ impl Lanes {
                     true => u64::from(i >= 8) * (1 << (15 - i)) % 256,
                     false => u64::from(i < 8) * (1 << i) % 256,
                 });
-                let limit = if largest > 128 { Some(self.bits(b, 16, 128)) } else { None };
+                let limit = if largest > 255 { Some(self.bits(b, 16, 128)) } else { None };
                 emit::map(&amount.parts, |part| {
                     let part = limit.map_or(part, |limit| b.ins().umin(part, limit));
                     let twice = b.ins().imul(part, each);

@@ -329,7 +329,7 @@ fn chain(strip: u32, seed: u64) -> Chain {
 #[test]
 fn chains_of_operations_are_as_lane_by_lane() {
     for strip in [4, 8, 16] {
-        for seed in 0..50 {
+        for seed in 1000..2500 {
             let mut chain = chain(strip, seed * 3 + u64::from(strip));
             (0..160).for_each(|_| chain.operation());
             chain.check(seed % 3 > 0);
