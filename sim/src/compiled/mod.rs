@@ -8,6 +8,7 @@ mod function;
 mod graph;
 mod jit;
 mod kernel;
+mod lanes;
 mod layout;
 mod memory;
 mod plan;
