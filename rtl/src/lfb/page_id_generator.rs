@@ -61,7 +61,7 @@ impl Block for PageIdGenerator {
     fn about(&self) -> About {
         About {
             summary: format!("Names the next free page of an image memory of {} pages.", self.pages),
-            latency: "1".to_owned(),
+            latency: "1 clock".to_owned(),
             source: "VC-1, section 3.3, page ID generator (VC1-PIG)".to_owned(),
         }
     }

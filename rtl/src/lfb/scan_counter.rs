@@ -111,7 +111,7 @@ impl Block for ScanCounter {
     fn about(&self) -> About {
         About {
             summary: "Counts the pixels of the screen in raster order, freely, from a preset on.".to_owned(),
-            latency: "1".to_owned(),
+            latency: "1 clock".to_owned(),
             source: "VC-1, section 3.3, scan counter (VC1-SCAN)".to_owned(),
         }
     }
