@@ -70,7 +70,10 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     /// There is no such name.
     #[track_caller]
     pub fn record(&mut self, what: impl IntoIterator<Item = impl Into<Probe>>) -> Wave {
-        let sources = what.into_iter().map(|probe| self.source(probe.into())).collect();
+        let mut sources = Vec::new();
+        for probe in what {
+            sources.push(self.source(probe.into()));
+        }
         let clocks = self.program.clocks.iter().map(|clock| (clock.port.clone(), clock.period)).collect();
         let wave = Wave::new(clocks, sources);
         self.observers.push(Box::new(Draw(wave.clone())));
