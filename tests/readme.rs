@@ -55,5 +55,8 @@ fn the_picture_is_the_golden_image() {
     let folder = tempfile::tempdir().unwrap();
     let golden = folder.path().join("golden.png");
     tilewright(&format!("golden teapot -o {}", golden.display()));
-    assert!(std::fs::read(golden).unwrap() == include_bytes!("../docs/teapot.png"), "docs/teapot.png is another picture");
+    assert!(
+        std::fs::read(golden).unwrap() == include_bytes!("../docs/teapot.png"),
+        "docs/teapot.png is another picture"
+    );
 }
