@@ -49,6 +49,15 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         Ok(())
     }
 
+    /// The header of the file that [`Simulation::trace`] would write: from `$version` to `$enddefinitions`.
+    ///
+    /// # Errors
+    ///
+    /// A pattern matches nothing.
+    pub fn trace_header(&self, vcd: &Vcd) -> Result<Vec<u8>, Error> {
+        Ok(header(&self.program, &vcd.patterns)?.text)
+    }
+
     /// Records inputs and outputs at every instant from here on.
     ///
     /// # Panics
