@@ -1,8 +1,11 @@
 //! The block that a command is given, and its parameters.
 
+use crate::shell::{Exit, Failure};
 use clap::Args;
 use clap::builder::PossibleValuesParser;
-use tilewright_rtl::catalog::{self, CatalogError, ENTRIES, Entry, Values};
+use tilewright_hdl::{Design, limbs_for};
+use tilewright_rtl::catalog::{self, ENTRIES, Entry, Values};
+use tilewright_sim::Simulation;
 
 /// A block of the catalogue with parameters.
 #[derive(Args)]
@@ -19,8 +22,13 @@ impl BlockArguments {
     /// The block and the values of its parameters.
     ///
     /// # Errors
-    /// There is no such parameter, or a value is out of its range.
-    pub fn find(&self) -> Result<(&'static Entry, Values), CatalogError> {
+    /// There is no such parameter, a value is out of its range, or one is set twice.
+    pub fn find(&self) -> Result<(&'static Entry, Values), Failure> {
+        for (i, (name, _)) in self.settings.iter().enumerate() {
+            if self.settings[..i].iter().any(|(before, _)| before == name) {
+                return Err(Failure::new(Exit::BadInput, format!("{name} is set twice: give one --set {name}=VALUE")));
+            }
+        }
         let entry = catalog::find(&self.block).expect("the command line admits only names of the catalogue");
         let values = entry.values(self.settings.iter().map(|(name, value)| (name.as_str(), *value)))?;
         Ok((entry, values))
@@ -31,4 +39,37 @@ fn setting(text: &str) -> Result<(String, u64), &'static str> {
     let (name, value) = text.split_once('=').ok_or("write it as NAME=VALUE, such as width=16")?;
     let value = value.parse().map_err(|_| "the value has to be a whole number, such as width=16")?;
     Ok((name.to_owned(), value))
+}
+
+/// The most bytes that the memories of a simulated block may take: 2 GiB.
+const MOST_BYTES: u64 = 2 << 30;
+
+/// A simulation of a design whose memories are not too large for this computer.
+///
+/// # Errors
+/// Its memories are too large, or it cannot be simulated.
+pub fn simulation(design: &Design) -> Result<Simulation, Failure> {
+    let bytes = memory_bytes(design);
+    if bytes > MOST_BYTES {
+        let [needed, most] = [bytes.div_ceil(1 << 20), MOST_BYTES >> 20];
+        let sentence = format!(
+            "the block's memories take {needed} MiB in a simulation, and {most} MiB is the limit: --set smaller parameters"
+        );
+        return Err(Failure::new(Exit::BadInput, sentence));
+    }
+    Ok(Simulation::from_design(design)?)
+}
+
+/// The bytes of all memories of all instances; words are kept in limbs of 64 bits.
+fn memory_bytes(design: &Design) -> u64 {
+    let mut sizes: Vec<u64> = Vec::with_capacity(design.modules.len());
+    for module in &design.modules {
+        let own = module.memories.iter().map(|it| 8 * u64::from(it.depth) * limbs_for(it.width) as u64);
+        let inner = module
+            .instances
+            .iter()
+            .map(|it| u64::from(it.lanes.unwrap_or(1)).saturating_mul(sizes[it.module.0 as usize]));
+        sizes.push(own.chain(inner).fold(0, u64::saturating_add));
+    }
+    sizes.last().copied().unwrap_or(0)
 }

@@ -39,6 +39,7 @@ impl Golden {
     /// Writes the picture and reports.
     pub fn run(self) -> Result<Exit, Failure> {
         output::check_place(&self.output)?;
+        output::check_distinct(&[&self.output], &Vec::from_iter(self.scene.file()))?;
         let (scene, projection) = self.scene.load()?;
         let frame = golden::render(projection.size, &projection.triangles, scene.background);
         output::write_file(&self.output, &frame.to_png())?;

@@ -8,7 +8,7 @@ use crate::verdict::{Golden, Verdict};
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use serde::Serialize;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use tilewright_machines::{Watch, vc1};
 use tilewright_scenes::{Frame, Projection, Scene};
 use tilewright_sim::Vcd;
@@ -22,7 +22,8 @@ Examples:
   tilewright render teapot --size 64x48 --processors 2 --vcd run.vcd --scope 'u_gfb.*' --from 10us --to 20us
 
 Exit code 1 means that the frame differs from the golden image. The report names the first pixel that does, and beside the frame
-stands a picture of the differences, such as frame.difference.png.")]
+stands a picture of the differences, such as frame.difference.png; an identical frame removes one that an earlier run left there.
+If that picture cannot be written, a warning says so and the exit code stays 1.")]
 pub struct Render {
     #[command(flatten)]
     scene: SceneArguments,
@@ -71,15 +72,14 @@ impl Render {
         // A long run should not end in what can be told beforehand.
         let vcd = self.filters.vcd(self.vcd.as_deref(), "--vcd")?;
         self.output.iter().try_for_each(|path| output::check_place(path))?;
+        self.check_distinct()?;
         let (scene, projection) = self.scene.load()?;
         let golden = Golden::new(self.golden.as_deref(), &scene, &projection)?;
         let (frame, report) = self.simulate(&scene, &projection, vcd)?;
         let verdict = golden.judge(&frame);
         if let Some(path) = &self.output {
             output::write_file(path, &frame.to_png())?;
-            if let Some(picture) = &verdict.picture {
-                output::write_file(&path.with_extension("difference.png"), &picture.to_png())?;
-            }
+            leave_difference(path, verdict.picture.as_ref());
         }
         match self.json {
             true => output::print_json(&Report {
@@ -92,6 +92,14 @@ impl Render {
             false => output::print(&format!("{}: {report}\n\n{verdict}\n", scene.name))?,
         }
         Ok(if verdict.identical { Exit::Done } else { Exit::CheckFailed })
+    }
+
+    /// That no file which is written is another one, or one that is read.
+    fn check_distinct(&self) -> Result<(), Failure> {
+        let difference = self.output.as_ref().and_then(|path| output::beside(path, DIFFERENCE));
+        let written = self.output.iter().chain(&difference).chain(&self.vcd).map(PathBuf::as_path);
+        let read = self.scene.file().into_iter().chain(self.golden.as_deref());
+        output::check_distinct(&Vec::from_iter(written), &Vec::from_iter(read))
     }
 
     fn simulate(
@@ -116,9 +124,31 @@ impl Render {
         let mut watch = Watch { progress: Some(&mut show), cancel: Some(interrupt::flag()) };
         let ended = machine.render(projection, scene.background, &mut watch).map_err(Failure::from);
         drop(progress);
+        if let Ok((_, report)) = &ended {
+            self.filters.warn_if_empty(report.phases.iter().map(|phase| phase.picoseconds).sum());
+        }
         if let Some(path) = self.vcd.as_ref().filter(|_| Failure::leaves_a_waveform(&ended)) {
             output::talk(&format!("wrote {}", path.display()));
         }
         ended
+    }
+}
+
+/// What the difference picture's name ends in instead of the frame's `png`.
+const DIFFERENCE: &str = "difference.png";
+
+/// Writes the picture of the differences beside the frame; without one, removes what an earlier run left there. What fails is a
+/// warning alone: the verdict matters more.
+fn leave_difference(frame: &Path, picture: Option<&Frame>) {
+    let Some(path) = output::beside(frame, DIFFERENCE) else { return };
+    if let Some(picture) = picture {
+        if let Err(failure) = output::write_file(&path, &picture.to_png()) {
+            output::talk(&format!("warning: {}", failure.sentence));
+        }
+    } else if path.is_file() {
+        output::talk(&match std::fs::remove_file(&path) {
+            Ok(()) => format!("removed {}", path.display()),
+            Err(_) => format!("warning: {} is of an earlier run and cannot be removed: remove it", path.display()),
+        });
     }
 }

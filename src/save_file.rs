@@ -1,9 +1,6 @@
 //! GTKWave's save file: which signals it shows when it opens a waveform, in which format.
 
-use crate::shell::{Exit, Failure};
 use std::fmt::Write;
-use std::fs::File;
-use std::io::{self, BufReader};
 use std::ops::Range;
 use std::path::Path;
 use vcd::{Header, Parser, Scope, ScopeItem, Var, VarType};
@@ -15,20 +12,15 @@ const HEXADECIMAL: &str = "@22";
 /// The pixels in which the wave is to fit.
 const PIXELS: u64 = 1000;
 
-/// The save file of a waveform file that covers these picoseconds: it shows all of its time, and the signals of the top module, or
-/// with `all` every signal.
+/// The save file of a waveform file with that header that covers these picoseconds: it shows all of its time, and the signals of the
+/// top module, or with `all` every signal.
 ///
-/// # Errors
-/// The waveform cannot be read back.
-pub fn of(waveform: &Path, times: Range<u64>, all: bool) -> Result<String, Failure> {
-    let unreadable = |error: io::Error| {
-        let path = waveform.display();
-        Failure::new(Exit::NoOutput, format!("{path}: cannot be read back ({error}): name a plain file"))
-    };
-    let mut parser = Parser::new(BufReader::new(File::open(waveform).map_err(unreadable)?));
-    let header = parser.parse_header().map_err(unreadable)?;
+/// # Panics
+/// The header is not one that the simulation writes.
+pub fn of(waveform: &Path, header: &[u8], times: Range<u64>, all: bool) -> String {
+    let header = Parser::new(header).parse_header().expect("the simulation writes sound headers");
     let name = waveform.file_name().unwrap_or_default().to_string_lossy();
-    Ok(print(&header, &name, times, all))
+    print(&header, &name, times, all)
 }
 
 fn print(header: &Header, name: &str, times: Range<u64>, all: bool) -> String {

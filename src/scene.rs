@@ -2,6 +2,7 @@
 
 use crate::shell::{Failure, output};
 use clap::Args;
+use std::path::Path;
 use tilewright_scenes::{Projection, Scene, Size, project};
 
 /// A scene on a screen.
@@ -16,6 +17,12 @@ pub struct SceneArguments {
 }
 
 impl SceneArguments {
+    /// The scene's own file, if it has one.
+    pub fn file(&self) -> Option<&Path> {
+        let path = Path::new(&self.scene);
+        (Scene::builtin(&self.scene).is_none() && path.is_file()).then_some(path)
+    }
+
     /// Loads the scene and sets its triangles up; passes on what was odd about its files.
     ///
     /// # Errors

@@ -32,6 +32,13 @@ impl TraceOptions {
         self.from.unwrap_or(0)..self.to.unwrap_or(u64::MAX)
     }
 
+    /// Warns of a waveform without a moment in it, as the run ended at `end` picoseconds.
+    pub fn warn_if_empty(&self, end: u64) {
+        if self.times().start > end {
+            output::talk(&format!("warning: the run ended at {end} ps, before --from, so the waveform shows nothing"));
+        }
+    }
+
     /// The waveform file of that name with these filters, if there is to be one; `option` is what names it.
     ///
     /// # Errors

@@ -17,10 +17,20 @@ impl Golden {
     /// The picture in that file, or without one the software rasterizer's frame.
     ///
     /// # Errors
-    /// The file cannot be read.
+    /// The file cannot be read, or is of another size than the frame.
     pub fn new(file: Option<&Path>, scene: &Scene, projection: &Projection) -> Result<Golden, SceneError> {
         Ok(match file {
-            Some(path) => Golden::Picture(Frame::read_png(path)?),
+            Some(path) => {
+                let picture = Frame::read_png(path)?;
+                if picture.size() != projection.size {
+                    return Err(SceneError::File {
+                        path: path.to_owned(),
+                        problem: format!("holds {} pixels, the frame {}", picture.size(), projection.size),
+                        remedy: format!("pass --size {}, or name another picture", picture.size()),
+                    });
+                }
+                Golden::Picture(picture)
+            }
             None => Golden::Rendered(golden::render(projection.size, &projection.triangles, scene.background)),
         })
     }
@@ -56,7 +66,7 @@ pub struct Verdict {
 struct Pixel {
     x: u32,
     y: u32,
-    /// Depth above colour, 12 hexadecimal digits.
+    /// Depth above colour, 12 hexadecimal digits; against a picture, which has no depth, the colour's 6 alone.
     frame: String,
     golden: String,
 }
@@ -64,12 +74,12 @@ struct Pixel {
 impl Verdict {
     fn of(comparison: &Comparison) -> Verdict {
         let identical = comparison.is_equal();
-        let first = comparison.first.map(|it| Pixel {
-            x: it.x,
-            y: it.y,
-            frame: format!("{:012x}", it.left),
-            golden: format!("{:012x}", it.right),
-        });
+        let digits = |word: u64| match comparison.colours_alone {
+            true => format!("{:06x}", word & 0xff_ffff),
+            false => format!("{word:012x}"),
+        };
+        let first =
+            comparison.first.map(|it| Pixel { x: it.x, y: it.y, frame: digits(it.left), golden: digits(it.right) });
         let picture = if identical { None } else { comparison.picture().cloned() };
         Verdict { identical, differing: comparison.differing, first, sentence: comparison.to_string(), picture }
     }

@@ -1,6 +1,6 @@
 //! `tilewright verilog`: a block as Verilog, and a testbench that replays its scenario.
 
-use crate::block::BlockArguments;
+use crate::block::{BlockArguments, simulation};
 use crate::player::{check_length, play};
 use crate::shell::output::{self, quoted};
 use crate::shell::{Exit, Failure};
@@ -10,7 +10,6 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use tilewright_gen::{VerilogFile, testbench, verilog};
 use tilewright_hdl::{Design, Recording, Scenario};
-use tilewright_sim::Simulation;
 
 /// Writes a block as Verilog, a file a module
 #[derive(Args)]
@@ -21,7 +20,7 @@ Examples:
   tilewright verilog image-merger --set units=8 -o out/ --testbench --json
 
 The testbench replays the block's scenario and compares every output at every clock edge; it prints `PASS: n cycles`, or the first
-mismatch. It runs in Icarus Verilog and in Verilator.")]
+mismatch, and then stops so that the printed commands end with a non-zero status. It runs in Icarus Verilog and in Verilator.")]
 pub struct Verilog {
     #[command(flatten)]
     block: BlockArguments,
@@ -46,6 +45,8 @@ struct Report<'a> {
     /// Cycles that the testbench compares, if there is one.
     cycles: Option<usize>,
     files: Vec<PathBuf>,
+    /// The lines that run the testbench, if there is one.
+    commands: Vec<String>,
 }
 
 impl Verilog {
@@ -60,6 +61,7 @@ impl Verilog {
             cycles = Some(recording.steps.len());
             files.push(testbench(&design, &recording));
         }
+        let commands = if self.testbench { simulators(&self.output, &files) } else { Vec::new() };
         output::make_folder(&self.output)?;
         for file in &files {
             output::write_file(&self.output.join(&file.name), file.text.as_bytes())?;
@@ -72,9 +74,10 @@ impl Verilog {
                 top: &design.top().name,
                 cycles,
                 files: files.iter().map(|file| self.output.join(&file.name)).collect(),
+                commands,
             })?;
-        } else if self.testbench {
-            output::print(&simulators(&self.output, &files))?;
+        } else {
+            commands.iter().try_for_each(|line| output::print(&format!("{line}\n")))?;
         }
         Ok(Exit::Done)
     }
@@ -82,21 +85,22 @@ impl Verilog {
 
 /// The run of the scenario, as a testbench replays it.
 fn record(design: &Design, scenario: &Scenario) -> Result<Recording, Failure> {
-    let mut sim = Simulation::from_design(design)?;
+    let mut sim = simulation(design)?;
     check_length(&sim, scenario, "a testbench")?;
     let recording = sim.recording();
     play(&mut sim, scenario)?;
     Ok(recording.take())
 }
 
-/// The lines that run the testbench, the last of the files, in two simulators.
-fn simulators(folder: &Path, files: &[VerilogFile]) -> String {
+/// The lines that run the testbench, the last of the files, in two simulators; each in a shell of its own, so that one can follow
+/// the other. `-N` has Icarus end with status 1 at the bench's `$stop`, as Verilator's program does by itself.
+fn simulators(folder: &Path, files: &[VerilogFile]) -> Vec<String> {
     let folder = quoted(folder);
     let sources: Vec<&str> = files.iter().map(|file| file.name.as_str()).filter(|name| name.ends_with(".v")).collect();
     let top = files.last().map_or("", |bench| bench.name.trim_end_matches(".v"));
     let sources = sources.join(" ");
-    format!(
-        "cd {folder} && iverilog -g2005 -s {top} -o bench.vvp {sources} && vvp -n bench.vvp\n\
-         cd {folder} && verilator --binary --top-module {top} -o bench {sources} && obj_dir/bench\n"
-    )
+    vec![
+        format!("(cd {folder} && iverilog -g2005 -s {top} -o bench.vvp {sources} && vvp -N bench.vvp)"),
+        format!("(cd {folder} && verilator --binary --top-module {top} -o bench {sources} && obj_dir/bench)"),
+    ]
 }

@@ -1,6 +1,6 @@
 //! `tilewright wave`: a block's scenario as a waveform file, ready to be looked at, or as text.
 
-use crate::block::BlockArguments;
+use crate::block::{BlockArguments, simulation};
 use crate::player::{check_length, play};
 use crate::save_file;
 use crate::shell::output::{self, quoted};
@@ -12,7 +12,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use tilewright_hdl::Scenario;
 use tilewright_rtl::catalog::{Entry, Values};
-use tilewright_sim::{Probe, Simulation};
+use tilewright_sim::{Probe, Simulation, Vcd};
 
 /// Runs a block's scenario and shows it as a waveform
 #[derive(Args)]
@@ -22,14 +22,15 @@ Examples:
   tilewright wave merging-unit --ascii
   tilewright wave image-merger --set units=8 -o merger.vcd --scope 'u_merging_unit[*].**' --to 2us
 
-Beside the waveform file stands a .gtkw file with which GTKWave opens it with the signals in place.")]
+Beside the waveform file stands a .gtkw file with which GTKWave opens it with the signals in place, unless -o names a pipe or a device.
+The values in --ascii waves are hexadecimal.")]
 pub struct Wave {
     #[command(flatten)]
     block: BlockArguments,
     /// The waveform, a VCD file
-    #[arg(short, long, value_name = "FILE", required_unless_present = "ascii", value_parser = waveform)]
+    #[arg(short, long, value_name = "FILE", value_parser = waveform)]
     output: Option<PathBuf>,
-    /// Print the ports' waves as text
+    /// Print the ports' waves as text, values in hexadecimal
     #[arg(long, conflicts_with = "json")]
     ascii: bool,
     /// Print the report as JSON
@@ -49,45 +50,56 @@ struct Report<'a> {
     picoseconds: u64,
     /// How often each clock rose, by its name.
     clocks: BTreeMap<String, u64>,
-    files: [&'a Path; 2],
+    files: &'a [PathBuf],
+    /// The lines that open the waveform.
+    commands: Vec<String>,
 }
 
 impl Wave {
     /// Runs the scenario, writes the files and reports.
     pub fn run(self) -> Result<Exit, Failure> {
+        if self.output.is_none() && !self.ascii {
+            let sentence =
+                "there is nowhere to show the wave: name a waveform file with -o FILE, or pass --ascii for text";
+            return Err(Failure::new(Exit::BadInput, sentence));
+        }
+        let save = self.output.as_ref().and_then(|path| output::beside(path, "gtkw"));
+        output::check_distinct(&Vec::from_iter(self.output.iter().chain(&save).map(PathBuf::as_path)), &[])?;
         let (entry, values) = self.block.find()?;
         let scenario = entry.scenario(&values)?;
-        let mut sim = Simulation::from_design(&entry.design(&values)?)?;
+        let mut sim = simulation(&entry.design(&values)?)?;
         let text = if self.ascii { Some(record_ports(&mut sim, &scenario)?) } else { None };
-        if let Some(vcd) = self.filters.vcd(self.output.as_deref(), "-o")? {
-            sim.trace(vcd)?;
-        }
+        let vcd = self.filters.vcd(self.output.as_deref(), "-o")?;
+        let header = vcd.map(|vcd| trace(&mut sim, vcd)).transpose()?;
         let played = play(&mut sim, &scenario);
         // An interrupted or failed run leaves its waves too.
         let ended = played.and(sim.finish().map_err(Failure::from));
-        let written = self.output.as_ref().filter(|_| Failure::leaves_a_waveform(&ended));
-        let files = written.map(|path| self.save(path, sim.time())).transpose()?;
+        let mut files = Vec::new();
+        if let (Some(path), Some(header), true) = (&self.output, &header, Failure::leaves_a_waveform(&ended)) {
+            files = self.save(path, save, header, sim.time())?;
+        }
         ended?;
         if let Some(text) = text {
             output::print(&text.to_string())?;
         }
-        if let Some([path, save]) = &files {
-            match self.json {
-                true => output::print_json(&report(entry, &values, &scenario, &sim, [path, save]))?,
-                false => output::print(&viewers(path, save))?,
-            }
+        if self.json {
+            output::print_json(&report(entry, &values, &scenario, &sim, &files))?;
+        } else {
+            viewers(&files).iter().try_for_each(|line| output::print(&format!("{line}\n")))?;
         }
         Ok(Exit::Done)
     }
 
-    /// Writes the save file beside the waveform, which ends at `end` picoseconds; the names of both.
-    fn save(&self, path: &Path, end: u64) -> Result<[PathBuf; 2], Failure> {
+    /// Writes the save file, if there is to be one, beside the waveform, which has that header and ends at `end` picoseconds; returns
+    /// the files that were written.
+    fn save(&self, path: &Path, save: Option<PathBuf>, header: &[u8], end: u64) -> Result<Vec<PathBuf>, Failure> {
         output::talk(&format!("wrote {}", path.display()));
-        let save = path.with_extension("gtkw");
+        self.filters.warn_if_empty(end);
+        let Some(save) = save else { return Ok(vec![path.to_owned()]) };
         let times = self.filters.times();
-        let text = save_file::of(path, times.start..times.end.min(end), self.filters.is_scoped())?;
+        let text = save_file::of(path, header, times.start..times.end.min(end), self.filters.is_scoped());
         output::write_file(&save, text.as_bytes())?;
-        Ok([path.to_owned(), save])
+        Ok(vec![path.to_owned(), save])
     }
 }
 
@@ -106,10 +118,18 @@ fn record_ports(sim: &mut Simulation, scenario: &Scenario) -> Result<tilewright_
     Ok(sim.record(probes))
 }
 
-/// The lines that open the waveform.
-fn viewers(path: &Path, save: &Path) -> String {
+/// Starts the waveform; its header.
+fn trace(sim: &mut Simulation, vcd: Vcd) -> Result<Vec<u8>, Failure> {
+    let header = sim.trace_header(&vcd)?;
+    sim.trace(vcd)?;
+    Ok(header)
+}
+
+/// The lines that open the waveform; none for one that went to a pipe or a device.
+fn viewers(files: &[PathBuf]) -> Vec<String> {
+    let [path, save] = files else { return Vec::new() };
     let (path, save) = (quoted(path), quoted(save));
-    format!("gtkwave {path} {save}\nsurfer {path}\n")
+    vec![format!("gtkwave {path} {save}"), format!("surfer {path}")]
 }
 
 fn report<'a>(
@@ -117,7 +137,7 @@ fn report<'a>(
     values: &Values,
     scenario: &'a Scenario,
     sim: &Simulation,
-    files: [&'a Path; 2],
+    files: &'a [PathBuf],
 ) -> Report<'a> {
     let cycles = |name: &str| sim.cycles(name).expect("it is a clock of the block");
     Report {
@@ -128,5 +148,6 @@ fn report<'a>(
         picoseconds: sim.time(),
         clocks: sim.program().clocks.iter().map(|clock| (clock.name.clone(), cycles(&clock.name))).collect(),
         files,
+        commands: viewers(files),
     }
 }

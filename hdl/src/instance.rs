@@ -18,7 +18,7 @@ impl Module {
     pub fn instance<B: Block>(self, name: &str, block: &B, inputs: B::In) -> B::Out {
         let loc = Loc::caller();
         let child = elaborate_module(block, loc);
-        let drivers = inputs.leaves().iter().map(|(_, signal)| (signal.id(), signal.width)).collect();
+        let drivers = inputs.leaves().iter().map(|(_, signal)| (signal.id_at(loc), signal.width)).collect();
         let instance = self.declare(name, child.id, None, loc);
         self.feed(instance.id, child.id, drivers, loc);
         let mut outputs = instance.outputs.into_iter();
@@ -59,7 +59,7 @@ impl Module {
             })
         });
         let fed = feed(Array { out: out.clone(), lanes });
-        let drivers = fed.leaves().iter().map(|(_, lanes)| (lanes.id(), lanes.width)).collect();
+        let drivers = fed.leaves().iter().map(|(_, lanes)| (lanes.id_at(loc), lanes.width)).collect();
         self.feed(instance.id, child.id, drivers, loc);
         out
     }

@@ -69,7 +69,7 @@ impl<O> Array<O> {
             elaboration::with(|e| e.report(problem));
             return self.constants(width, |_| 0);
         }
-        let nodes = signals.iter().map(|signal| signal.id()).collect();
+        let nodes = signals.iter().map(|signal| signal.id_at(loc)).collect();
         Lanes::make(Op::PerLane(nodes), width, self.lanes, loc)
     }
 
@@ -101,9 +101,13 @@ impl Lanes {
     /// a helper that keeps handles between blocks can have one.
     #[track_caller]
     pub(crate) fn id(self) -> NodeId {
-        let loc = Loc::caller();
+        self.id_at(Loc::caller())
+    }
+
+    /// As [`Lanes::id`], used at `loc`: for closures, which are their own callers.
+    pub(crate) fn id_at(self, loc: Loc) -> NodeId {
         elaboration::with(|e| {
-            crate::signal::check_stamp(e, self.stamp);
+            crate::signal::check_stamp(e, self.stamp, loc);
             assert!(
                 e.draft().serial == self.module,
                 "lanes of another module are used, at {loc}: pass them through ports"

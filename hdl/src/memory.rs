@@ -120,7 +120,7 @@ impl Mem {
         let address = address.id();
         let enable = enable.map(|enable| condition(enable, "read_when"));
         elaboration::with(|e| {
-            crate::signal::check_stamp(e, self.stamp);
+            crate::signal::check_stamp(e, self.stamp, loc);
             let draft = e.draft();
             let clock = synchronous.then(|| draft.use_clock(self.clock));
             let port = draft.memories[self.index as usize].memory.reads.len() as u32;
@@ -139,7 +139,7 @@ impl Mem {
         let shape = crate::lit(self.width, 0).named_for_message(self);
         let data = data.value().with_width_of(shape, "data").id();
         elaboration::with(|e| {
-            crate::signal::check_stamp(e, self.stamp);
+            crate::signal::check_stamp(e, self.stamp, loc);
             let clock = e.draft().use_clock(self.clock);
             let draft = &mut e.draft().memories[self.index as usize];
             draft.memory.writes.push(WritePort { clock, enable, address, data });

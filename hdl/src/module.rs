@@ -155,8 +155,10 @@ impl Module {
     }
 
     /// States that an input is not used on purpose; for a bundle, that none of its fields need be.
+    #[track_caller]
     pub fn ignore<B: Fields<Signal>>(self, inputs: &B) {
-        let ids: Vec<_> = inputs.leaves().iter().map(|(_, signal)| signal.id()).collect();
+        let loc = Loc::caller();
+        let ids: Vec<_> = inputs.leaves().iter().map(|(_, signal)| signal.id_at(loc)).collect();
         elaboration::draft(|draft| draft.ignored.extend(ids));
     }
 }

@@ -22,7 +22,8 @@ pub fn concat(parts: &[Signal]) -> Signal {
         [] => panic!("a concatenation of nothing, at {}: give it at least one signal", Loc::caller()),
         [one] => *one,
         _ => {
-            let ids = parts.iter().map(|part| part.id()).collect();
+            let loc = Loc::caller();
+            let ids = parts.iter().map(|part| part.id_at(loc)).collect();
             Signal::make(Op::Concat(ids), parts.iter().map(|part| part.width).sum())
         }
     }
@@ -85,7 +86,12 @@ fn sized(values: Vec<Value>, of: &str) -> Vec<Signal> {
             })
             .collect();
     };
-    values.into_iter().map(|value| value.with_width_of(first, of)).collect()
+    // A loop, as a closure would be the caller that messages name.
+    let mut signals = Vec::with_capacity(values.len());
+    for value in values {
+        signals.push(value.with_width_of(first, of));
+    }
+    signals
 }
 
 /// `on_true` where `select` is 1, else `on_false`.
@@ -101,19 +107,27 @@ pub fn mux(select: impl Into<Signal>, on_true: impl Operand, on_false: impl Oper
 #[track_caller]
 pub fn mux_bundle<B: Fields<Signal>>(select: impl Into<Signal>, on_true: &B, on_false: &B) -> B::With<Signal> {
     let select = select.into();
-    let mut others = on_false.leaves().into_iter();
-    on_true.map(|leaf| mux(select, *leaf, others.next().expect("two bundles of one shape").1))
+    let mut chosen = Vec::new();
+    for ((_, on_true), (_, on_false)) in on_true.leaves().into_iter().zip(on_false.leaves()) {
+        chosen.push(mux(select, on_true, on_false));
+    }
+    let mut chosen = chosen.into_iter();
+    on_true.map(|_| chosen.next().expect("two bundles of one shape"))
 }
 
 /// The value of the first arm whose condition holds, else `default`.
 #[track_caller]
 pub fn select<V: Operand>(arms: impl IntoIterator<Item = (Signal, V)>, default: impl Operand) -> Signal {
-    let (conditions, values): (Vec<_>, Vec<_>) = arms.into_iter().unzip();
-    let conditions: Vec<_> = conditions.into_iter().map(|signal| condition(signal, "select")).collect();
+    let loc = Loc::caller();
+    let (signals, values): (Vec<_>, Vec<_>) = arms.into_iter().unzip();
+    let mut conditions = Vec::with_capacity(signals.len());
+    for signal in signals {
+        conditions.push(condition(signal, "select"));
+    }
     let values = values.into_iter().map(V::value).chain([default.value()]).collect();
     let values = sized(values, "select");
     let (default, values) = values.split_last().expect("a select has a default");
-    let arms = conditions.into_iter().zip(values.iter().map(|value| value.id())).collect();
+    let arms = conditions.into_iter().zip(values.iter().map(|value| value.id_at(loc))).collect();
     Signal::make(Op::Select { arms, default: default.id() }, default.width)
 }
 
@@ -139,6 +153,6 @@ pub fn case<V: Operand>(
     let values = sized(values.into_iter().map(V::value).chain([default.value()]).collect(), "case");
     let (default, values) = values.split_last().expect("a case has a default");
     let keys = keys.into_iter().map(|key| Bits::new(subject.width, key));
-    let arms = keys.zip(values.iter().map(|value| value.id())).collect();
+    let arms = keys.zip(values.iter().map(|value| value.id_at(loc))).collect();
     Signal::make(Op::Case { subject: subject.id(), arms, default: default.id() }, default.width)
 }

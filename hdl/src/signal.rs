@@ -24,10 +24,15 @@ pub struct Signal {
 }
 
 /// A handle from an elaboration that has ended is a mistake in Rust code, not in the hardware: a panic.
-#[track_caller]
-pub(crate) fn check_stamp(e: &Elaboration, stamp: u32) {
-    assert!(stamp == e.stamp, "a signal of an earlier elaboration is used here: signals live only while theirs runs");
+pub(crate) fn check_stamp(e: &Elaboration, stamp: u32, loc: Loc) {
+    assert!(
+        stamp == e.stamp,
+        "a signal of an earlier elaboration is used, at {loc}: signals live only while theirs runs"
+    );
 }
+
+/// The widest signal in bits that an operator makes.
+const WIDEST: u32 = 1 << 20;
 
 impl Signal {
     /// Adds a plain node to the module under construction.
@@ -51,9 +56,13 @@ impl Signal {
     /// The node in the module under construction; a signal of another module is a problem, and stands in as zero.
     #[track_caller]
     pub(crate) fn id(self) -> NodeId {
-        let loc = Loc::caller();
+        self.id_at(Loc::caller())
+    }
+
+    /// As [`Signal::id`], used at `loc`: for closures, which are their own callers.
+    pub(crate) fn id_at(self, loc: Loc) -> NodeId {
         elaboration::with(|e| {
-            check_stamp(e, self.stamp);
+            check_stamp(e, self.stamp, loc);
             if e.draft().serial == self.module {
                 return self.node;
             }
@@ -279,7 +288,11 @@ impl Signal {
         if times == 1 {
             return self;
         }
-        Signal::make(Op::Repeat(self.id(), times), self.width * times)
+        let Some(width) = self.width.checked_mul(times).filter(|width| *width <= WIDEST) else {
+            let what = format!("`.repeat({times})` makes more than {WIDEST} bits of");
+            return self.bad_width(what, 1, "repeat less often".to_owned());
+        };
+        Signal::make(Op::Repeat(self.id(), times), width)
     }
 
     #[track_caller]

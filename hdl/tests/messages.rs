@@ -119,7 +119,23 @@ fn every_meeting_of_widths_is_checked() {
     for (build, operator) in cases {
         let text = problems(&Case(build));
         assert!(text.starts_with(&format!("{operator} needs equal widths:")), "{text}");
+        let place = text.lines().find(|line| line.starts_with("  --> ")).expect("a message has a place");
+        assert!(place.starts_with("  --> ["), "the place is not the user's: {text}");
     }
+}
+
+#[test]
+fn choices_between_bundles_name_the_users_line() {
+    let text = problems(&Case(|_, i| mux_bundle(i.c, &Out { out: i.a }, &Out { out: i.b }).out));
+    assert!(text.contains("`mux` needs equal widths") && !text.contains("select.rs"), "{text}");
+    let text = problems(&Case(|_, i| select([(i.a, i.a)], i.a)));
+    assert!(text.contains("the condition of `select` is 1 bit") && !text.contains("select.rs"), "{text}");
+}
+
+#[test]
+fn nothing_is_wider_than_a_million_bits() {
+    let text = problems(&Case(|_, i| i.a.repeat(600_000_000)));
+    assert!(text.starts_with("`.repeat(600000000)` makes more than 1048576 bits of `a`"), "{text}");
 }
 
 #[test]
@@ -563,7 +579,7 @@ fn signals_of_another_module() {
 }
 
 #[test]
-#[should_panic(expected = "a signal of an earlier elaboration is used here")]
+#[should_panic(expected = "a signal of an earlier elaboration is used")]
 fn signals_of_an_earlier_elaboration() {
     use std::cell::Cell;
     thread_local!(static LEAKED: Cell<Option<Signal>> = const { Cell::new(None) });

@@ -27,6 +27,8 @@ pub struct Comparison {
     pub differing: u64,
     /// How many of them differ in colour; the others differ in depth alone.
     pub in_colour: u64,
+    /// Whether depths were left out, as for a picture, which has none.
+    pub colours_alone: bool,
     /// The first pixel that differs.
     pub first: Option<Difference>,
     /// The difference picture, see [`Comparison::picture`].
@@ -40,12 +42,21 @@ pub fn compare(left: &Frame, right: &Frame) -> Comparison {
 
 /// Compares the colours of two frames; for frames read from a PNG file, which holds no depths.
 pub fn compare_colours(left: &Frame, right: &Frame) -> Comparison {
-    compare_under(left, right, 0xff_ffff)
+    compare_under(left, right, COLOUR)
 }
 
+/// The colour's bits of a word.
+const COLOUR: u64 = 0xff_ffff;
+
 fn compare_under(left: &Frame, right: &Frame, mask: u64) -> Comparison {
-    let mut found =
-        Comparison { sizes: [left.size(), right.size()], differing: 0, in_colour: 0, first: None, picture: None };
+    let mut found = Comparison {
+        sizes: [left.size(), right.size()],
+        differing: 0,
+        in_colour: 0,
+        colours_alone: mask == COLOUR,
+        first: None,
+        picture: None,
+    };
     if !found.same_size() {
         return found;
     }
@@ -98,28 +109,25 @@ impl fmt::Display for Comparison {
         let Some(first) = self.first else {
             return write!(f, "all {} pixels are equal", left.pixels());
         };
-        write!(
-            f,
-            "{} of {} pixels differ, {} of them in colour; the first is ({}, {}): {} against {}",
-            self.differing,
-            left.pixels(),
-            self.in_colour,
-            first.x,
-            first.y,
-            Shown(first.left),
-            Shown(first.right)
-        )
+        write!(f, "{} of {} pixels differ", self.differing, left.pixels())?;
+        if !self.colours_alone {
+            write!(f, ", {} of them in colour", self.in_colour)?;
+        }
+        let [one, other] = [first.left, first.right].map(|word| match self.colours_alone {
+            true => Colour(word).to_string(),
+            false => format!("z {:#08x} {}", depth_of(word), Colour(word)),
+        });
+        write!(f, "; the first is ({}, {}): {one} against {other}", first.x, first.y)
     }
 }
 
-/// A word for a person: depth and colour.
-struct Shown(u64);
+/// A word's colour for a person.
+struct Colour(u64);
 
-impl fmt::Display for Shown {
+impl fmt::Display for Colour {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let [r, g, b] = rgb_of(self.0);
-        let z = depth_of(self.0);
-        write!(f, "z {z:#08x} rgb #{r:02x}{g:02x}{b:02x}")
+        write!(f, "rgb #{r:02x}{g:02x}{b:02x}")
     }
 }
 
@@ -157,7 +165,10 @@ mod tests {
     #[test]
     fn colours_can_be_compared_alone() -> Result<(), SceneError> {
         let (left, right) = pair()?;
-        assert_eq!(compare_colours(&left, &right).differing, 1);
+        assert_eq!(
+            compare_colours(&left, &right).to_string(),
+            "1 of 20 pixels differ; the first is (3, 2): rgb #081018 against rgb #0102ff"
+        );
         Ok(())
     }
 

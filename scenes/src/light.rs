@@ -34,7 +34,7 @@ impl Lighting {
         let bright = |v: f64| (0.0..1e6).contains(&v);
         if !bright(self.ambient) {
             return Err(SceneError::invalid(
-                format!("the ambient light is {}", self.ambient),
+                format!("the ambient light is {}", shown(self.ambient)),
                 "give a number from 0 to 1",
             ));
         }
@@ -42,8 +42,8 @@ impl Lighting {
             let number = i + 1;
             if !bright(light.intensity) {
                 return Err(SceneError::invalid(
-                    format!("the intensity of light {number} is {}", light.intensity),
-                    "give a number that is not negative",
+                    format!("the intensity of light {number} is {}", shown(light.intensity)),
+                    "give a number from 0 to less than 1e6",
                 ));
             }
             if light.toward == DVec3::ZERO || !representable(light.toward) {
@@ -70,6 +70,12 @@ impl Lighting {
             .fold(self.ambient, |sum, light| sum + light.intensity * normal.dot(light.toward).max(0.0));
         sum.min(1.0)
     }
+}
+
+/// A number for a person: one of hundreds of digits as a power of ten.
+fn shown(number: f64) -> String {
+    let plain = number == 0.0 || (1e-6..1e6).contains(&number.abs()) || !number.is_finite();
+    if plain { number.to_string() } else { format!("{number:e}") }
 }
 
 /// Turns a corner's normal to the side of its triangle that faces the eye.

@@ -4,6 +4,7 @@ mod material;
 mod obj;
 mod obj_scan;
 mod toml_file;
+mod toml_values;
 
 use crate::builtin::{self, with_defaults};
 use crate::camera::Camera;
@@ -30,7 +31,7 @@ impl Scene {
         match extension.as_deref() {
             Some("obj") => obj_scene(path),
             Some("toml") => toml_file::load(path),
-            None if !path.exists() && path.components().count() == 1 => Err(unknown_name(name_or_path)),
+            None if !path.exists() && path.components().count() <= 1 => Err(unknown_name(name_or_path)),
             _ => {
                 read_bytes(path, READ_REMEDY)?;
                 Err(SceneError::File {
@@ -75,23 +76,22 @@ fn stem(path: &Path) -> String {
 }
 
 fn unknown_name(name: &str) -> SceneError {
-    let lower = name.to_lowercase();
-    let nearest = builtin::NAMES
-        .into_iter()
-        .map(|known| (distance(&lower, known), known))
-        .min()
-        .filter(|&(edits, known)| edits <= 1 + known.len() / 4);
     let all = builtin::NAMES.join(", ");
     let files = "or name an .obj or a .toml file";
     SceneError::UnknownScene {
         name: name.to_owned(),
-        remedy: match nearest {
-            Some((_, known)) => {
-                format!("did you mean `{known}`? The built-in scenes are {all}; {files}")
-            }
+        remedy: match nearest(name) {
+            Some(known) => format!("did you mean `{known}`? The built-in scenes are {all}; {files}"),
             None => format!("the built-in scenes are {all}; {files}"),
         },
     }
+}
+
+/// The built-in scene that a misspelt name may mean.
+fn nearest(name: &str) -> Option<&'static str> {
+    let lower = name.to_lowercase();
+    let (edits, known) = builtin::NAMES.into_iter().map(|known| (distance(&lower, known), known)).min()?;
+    (edits <= 1 + known.len() / 4).then_some(known)
 }
 
 /// Levenshtein's distance: how many characters to insert, remove or change.

@@ -51,6 +51,7 @@ fn an_unknown_name_is_answered_with_the_nearest() {
         "there is no scene `teepot`: did you mean `teapot`? The built-in scenes are teapot, ter1k, ter250; or name an .obj or a .toml file"
     );
     assert!(error("Ter1K").contains("did you mean `ter1k`?"));
+    assert!(error("").starts_with("there is no scene ``: the built-in scenes are "));
     assert_eq!(
         error("dragon"),
         "there is no scene `dragon`: the built-in scenes are teapot, ter1k, ter250; or name an .obj or a .toml file"
@@ -226,6 +227,17 @@ fn malformed_meshes_are_refused_with_their_line() {
 }
 
 #[test]
+fn a_mesh_without_any_area_is_refused() {
+    let flat = "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\nf 1 1 2\n";
+    assert_eq!(
+        obj_error("flat", flat),
+        "mesh.obj: holds no face with an area, so nothing would be drawn: give at least one face three corners that are not in a line"
+    );
+    let mixed = folder("mixed_area", &[("mesh.obj", &format!("{flat}v 0 1 0\nf 1 2 4\n"))]);
+    assert_eq!(load(&mixed.join("mesh.obj")).unwrap().mesh.triangles().len(), 3);
+}
+
+#[test]
 fn a_scene_file_says_what_differs() {
     let folder = folder(
         "scene",
@@ -325,7 +337,35 @@ fn bad_scene_files_are_refused_with_their_place() {
         (
             "dark",
             light("toward = [0, 0, 1]\nintensity = -1"),
-            "scene.toml:4:13: the intensity of light 1 is -1: give a number that is not negative",
+            "scene.toml:4:13: the intensity of light 1 is -1: give a number from 0 to less than 1e6",
+        ),
+        (
+            "glaring",
+            light("toward = [0, 0, 1]\nintensity = 1e308"),
+            "scene.toml:4:13: the intensity of light 1 is 1e308: give a number from 0 to less than 1e6",
+        ),
+        ("long_size", mesh("size = [6, 4, 2]"), "scene.toml:2:8: invalid length 3: write an array of length 2"),
+        (
+            "long_background",
+            mesh("background = [1, 2, 3, 4]"),
+            "scene.toml:2:14: invalid length 4: write an array of length 3",
+        ),
+        ("long_eye", camera("eye = [0, 0, 5, 7]"), "scene.toml:3:7: invalid length 4: write an array of length 3"),
+        ("short_eye", camera("eye = [0, 5]"), "scene.toml:3:7: invalid length 2: write an array of length 3"),
+        (
+            "long_light",
+            light("toward = [0, 0, 1, 0]\nintensity = 1"),
+            "scene.toml:3:10: invalid length 4: write an array of length 3",
+        ),
+        (
+            "one_light",
+            mesh("[light]\ntoward = [0, 0, 1]\nintensity = 1"),
+            "scene.toml:2:1: `light` is one table: write `[[light]]` above each light",
+        ),
+        (
+            "light_number",
+            mesh("light = 1"),
+            "scene.toml:2:9: invalid type: integer `1`: write `[[light]]` above each light",
         ),
         (
             "lost",
@@ -335,7 +375,12 @@ fn bad_scene_files_are_refused_with_their_place() {
         (
             "kind",
             "\nmesh = 'teepot'".into(),
-            "scene.toml:2:8: the mesh `teepot` is neither an .obj file nor a built-in scene: name an .obj file, or one of teapot, ter1k, ter250",
+            "scene.toml:2:8: the mesh `teepot` is neither an .obj file nor a built-in scene: did you mean `teapot`? Name an .obj file, or one of teapot, ter1k, ter250",
+        ),
+        (
+            "other",
+            "mesh = 'dragon'".into(),
+            "scene.toml:1:8: the mesh `dragon` is neither an .obj file nor a built-in scene: name an .obj file, or one of teapot, ter1k, ter250",
         ),
     ];
     for (name, text, sentence) in cases {

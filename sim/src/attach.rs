@@ -50,6 +50,15 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         Ok(())
     }
 
+    /// The header of the file that [`Simulation::trace`] would write: from `$version` to `$enddefinitions`.
+    ///
+    /// # Errors
+    ///
+    /// A pattern matches nothing.
+    pub fn trace_header(&self, vcd: &Vcd) -> Result<Vec<u8>, Error> {
+        Ok(header(&self.program, &vcd.patterns)?.text)
+    }
+
     /// Records inputs and outputs at every instant from here on.
     ///
     /// # Panics
@@ -71,7 +80,10 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     /// There is no such name.
     #[track_caller]
     pub fn record(&mut self, what: impl IntoIterator<Item = impl Into<Probe>>) -> Wave {
-        let sources: Vec<Source> = what.into_iter().map(|probe| self.source(probe.into())).collect();
+        let mut sources = Vec::new();
+        for probe in what {
+            sources.push(self.source(probe.into()));
+        }
         self.engine.watch(&sources.iter().map(|source| source.value).collect::<Vec<_>>());
         let clocks = self.program.clocks.iter().map(|clock| (clock.port.clone(), clock.period)).collect();
         let wave = Wave::new(clocks, sources);

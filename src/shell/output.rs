@@ -4,7 +4,7 @@ use super::{Exit, Failure};
 use serde::Serialize;
 use std::fs;
 use std::io::{self, ErrorKind, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use tilewright_scenes::write_whole;
 
 /// Prints a result. A reader that has gone away, as `head` does, is no error.
@@ -72,6 +72,53 @@ pub fn check_place(path: &Path) -> Result<(), Failure> {
         _ => return Ok(()),
     };
     Err(Failure::new(Exit::NoOutput, format!("{}: cannot be written: {problem}", path.display())))
+}
+
+/// The file of that extension beside an output, or `None` if the output is no plain file, such as a pipe: beside that no
+/// file belongs.
+pub fn beside(path: &Path, extension: &str) -> Option<PathBuf> {
+    (!is_device(path) && !path.is_dir()).then(|| path.with_extension(extension))
+}
+
+/// Whether what is written there goes elsewhere than to a plain file. /dev/stdout may be one underneath, but not by that name.
+fn is_device(path: &Path) -> bool {
+    let elsewhere = fs::metadata(path).is_ok_and(|known| !known.is_file() && !known.is_dir());
+    elsewhere || path.starts_with("/dev") || path.starts_with("/proc")
+}
+
+/// That no output is also another output, or one of the files that are read.
+///
+/// # Errors
+/// Two are the same file, whatever their names.
+pub fn check_distinct(outputs: &[&Path], inputs: &[&Path]) -> Result<(), Failure> {
+    let outputs: Vec<&Path> = outputs.iter().copied().filter(|path| !is_device(path)).collect();
+    for (i, output) in outputs.iter().enumerate() {
+        let is_same = |other: &&&Path| real(other) == real(output);
+        let problem = if let Some(input) = inputs.iter().find(is_same) {
+            format!(
+                "{}: would be written over {}, which is read: name another output",
+                output.display(),
+                input.display()
+            )
+        } else if let Some(other) = outputs[..i].iter().find(is_same) {
+            format!(
+                "{}: would be written over {}, another output: name another file",
+                output.display(),
+                other.display()
+            )
+        } else {
+            continue;
+        };
+        return Err(Failure::new(Exit::BadInput, problem));
+    }
+    Ok(())
+}
+
+/// The file itself behind links and dots, also if it is not there yet.
+fn real(path: &Path) -> PathBuf {
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let beside = || Some(fs::canonicalize(folder).ok()?.join(path.file_name()?));
+    fs::canonicalize(path).ok().or_else(beside).unwrap_or_else(|| path.to_owned())
 }
 
 /// A path as a shell takes it.

@@ -28,7 +28,28 @@ const CASES: &[(&str, &[&str])] = &[
     ("render teapot --size 64x48 --vcd run.vcd --scope nothing.*", &["no signal that matches `nothing.*`"]),
     ("golden teapot", &["--output <FILE>"]),
     ("wave mergin-unit --ascii", &["'mergin-unit'", "a similar value exists: 'merging-unit'"]),
-    ("wave merging-unit", &["--output <FILE>"]),
+    ("wave merging-unit", &["-o FILE", "pass --ascii"]),
+    ("wave merging-unit --json", &["-o FILE", "pass --ascii"]),
+    ("wave image-merger --ascii --set units=2 --set units=3", &["units is set twice"]),
+    (
+        HUGE,
+        &["the block's memories take ", " MiB in a simulation, and 2048 MiB is the limit", "--set smaller parameters"],
+    ),
+    ("render teapot --vcd same -o same", &["same: would be written over same, another output"]),
+    ("render teapot --vcd ./same -o same", &["./same: would be written over same, another output"]),
+    ("render teapot -o f.png --vcd f.difference.png", &["would be written over f.difference.png, another output"]),
+    ("render mesh.obj -o mesh.obj", &["mesh.obj: would be written over mesh.obj, which is read"]),
+    ("render mesh.obj --vcd ./mesh.obj", &["./mesh.obj: would be written over mesh.obj, which is read"]),
+    ("golden mesh.obj -o mesh.obj", &["mesh.obj: would be written over mesh.obj, which is read: name another output"]),
+    ("render teapot --size 64x48 --golden malformed.obj -o malformed.obj", &["which is read"]),
+    (
+        "render teapot --size 64x48 --golden small.png",
+        &["small.png: holds 32x24 pixels, the frame 64x48", "--size 32x24"],
+    ),
+    ("render flat.obj", &["flat.obj: holds no face with an area, so nothing would be drawn"]),
+    ("render one_light.toml", &["one_light.toml:2:1: `light` is one table: write `[[light]]`"]),
+    ("render long.toml", &["long.toml:2:8: invalid length 3"]),
+    ("render misspelt.toml", &["did you mean `teapot`?"]),
     ("wave image-merger --ascii --set units=257", &["units = 257", "from 1 to 256"]),
     ("wave image-merger --ascii --set unit=2", &["no parameter `unit`", "units"]),
     ("wave image-merger --ascii --set units", &["'units'", "NAME=VALUE"]),
@@ -46,6 +67,9 @@ const CASES: &[(&str, &[&str])] = &[
     ("rendr teapot", &["'rendr'", "'render'"]),
 ];
 
+/// A VC-1 whose image memories would take a terabyte.
+const HUGE: &str = "wave vc1 -o some.vcd --set processors=256 --set width=2048 --set height=2048 --set pages=262144";
+
 #[test]
 fn bad_input_is_named_with_a_remedy() {
     let files = [
@@ -55,9 +79,14 @@ fn bad_input_is_named_with_a_remedy() {
         ("mesh.obj", OBJ),
         ("malformed.toml", "mesh = \"mesh.obj\"\nsize = [640\n"),
         ("nan.toml", "mesh = \"mesh.obj\"\n[camera]\neye = [nan, 0, 5]\n"),
+        ("flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n"),
+        ("one_light.toml", "mesh = \"teapot\"\n[light]\ntoward = [0, 0, 1]\nintensity = 1\n"),
+        ("long.toml", "mesh = \"teapot\"\nsize = [10, 10, 10]\n"),
+        ("misspelt.toml", "mesh = \"teapto\"\n"),
         ("behind.toml", "mesh = \"mesh.obj\"\n[camera]\neye = [0, 0, 5]\ntarget = [0, 0, 9]\n"),
     ];
     let folder = Folder::with(&files);
+    folder.stdout("golden teapot --size 32x24 -o small.png");
     let names = folder.names();
     for (line, parts) in CASES {
         let run = folder.run(line);

@@ -69,6 +69,37 @@ fn a_disk_that_fills_up_is_no_success_either() {
 }
 
 #[test]
+#[cfg(target_os = "linux")]
+fn a_waveform_goes_to_a_pipe_or_a_device_without_a_save_file() {
+    let folder = Folder::new();
+    let whole = folder.stdout("wave merging-unit -o plain.vcd");
+    let run = folder.shell("timeout 20 tilewright wave merging-unit -o /dev/stdout | cat > piped.vcd");
+    assert_eq!(run.stderr, "wrote /dev/stdout\n", "{whole:?}");
+    assert_eq!(folder.read("piped.vcd"), folder.read("plain.vcd"));
+    let line =
+        "mkfifo pipe; cat pipe > fifo.vcd & timeout 20 tilewright wave merging-unit -o pipe; code=$?; wait; exit $code";
+    let run = folder.shell(line);
+    assert_eq!((run.code, run.stdout.as_str(), run.stderr.as_str()), (Some(0), "", "wrote pipe\n"));
+    assert_eq!(folder.read("fifo.vcd"), folder.read("plain.vcd"));
+    for line in
+        ["wave merging-unit -o /dev/null", "render teapot --size 32x24 --processors 1 -o /dev/null --vcd /dev/null"]
+    {
+        let run = folder.run(line);
+        assert_eq!((run.code, run.stderr.replace("wrote /dev/null\n", "").as_str()), (Some(0), ""), "{line}: {run:?}");
+    }
+    for left in ["stdout.gtkw", "null.gtkw", "null.difference.png"] {
+        assert!(!std::path::Path::new("/dev").join(left).exists(), "{left} is left in /dev");
+    }
+    assert_eq!(folder.names(), ["fifo.vcd", "pipe", "piped.vcd", "plain.gtkw", "plain.vcd"]);
+}
+
+#[test]
+fn a_scene_with_no_name_is_unknown() {
+    let run = Folder::new().shell("tilewright render ''");
+    assert!(run.code == Some(2) && run.stderr.starts_with("error: there is no scene ``: "), "{run:?}");
+}
+
+#[test]
 fn a_reader_that_has_gone_away_stops_it_silently() {
     let folder = Folder::new();
     for line in ["list", "--help", "completions bash", "wave merging-unit --ascii"] {

@@ -72,13 +72,41 @@ fn a_frame_that_differs_is_an_error_with_its_first_pixel_and_a_picture() {
     assert_eq!(run.code, Some(1), "{run:?}");
     let verdict = run.stdout.lines().last().unwrap();
     assert!(verdict.starts_with("NOT identical to the golden image: 2 of 3072 pixels differ"), "{verdict}");
-    assert!(verdict.contains("the first is (3, 2)"), "{verdict}");
+    assert!(verdict.contains("the first is (3, 2): rgb #"), "{verdict}");
+    assert!(!verdict.contains("z 0x"), "a picture has no depth: {verdict}");
     let picture = Frame::read_png(folder.path("frame.difference.png")).unwrap();
     assert_eq!(picture.rgb(60, 40), [255, 64, 32]);
 
     let run = folder.run(&format!("{line} --json"));
     let report: serde_json::Value = serde_json::from_str(&run.stdout).unwrap();
     assert_eq!((run.code, &report["golden"]["first"]["x"]), (Some(1), &json!(3)), "{report}");
+    assert_eq!(report["golden"]["first"]["golden"].as_str().map(str::len), Some(6), "{report}");
+
+    folder.stdout("golden teapot --size 64x48 -o golden.png");
+    let run = folder.run(&line);
+    assert_eq!((run.code, run.stderr.as_str()), (Some(0), "wrote frame.png\nremoved frame.difference.png\n"));
+    assert!(!folder.path("frame.difference.png").exists());
+}
+
+#[test]
+fn a_picture_of_the_differences_that_cannot_be_written_is_a_warning() {
+    let folder = Folder::new();
+    folder.stdout("golden ter1k --size 64x48 -o golden.png");
+    std::fs::create_dir(folder.path("frame.difference.png")).unwrap();
+    let run = folder.run(&format!("{SMALL} --golden golden.png -o frame.png"));
+    assert_eq!(run.code, Some(1), "{run:?}");
+    assert!(run.stdout.lines().last().unwrap().starts_with("NOT identical to the golden image: "), "{run:?}");
+    assert!(run.stderr.contains("warning: frame.difference.png: cannot be written (is a directory)"), "{run:?}");
+}
+
+#[test]
+fn an_empty_waveform_is_a_warning() {
+    let folder = Folder::new();
+    for line in ["wave merging-unit -o late.vcd", "render teapot --size 32x24 --processors 1 --vcd late.vcd"] {
+        let run = folder.run(&format!("{line} --from 5s"));
+        assert_eq!(run.code, Some(0), "{run:?}");
+        assert!(run.stderr.contains("warning: the run ended at ") && run.stderr.contains("before --from"), "{run:?}");
+    }
 }
 
 #[test]

@@ -28,6 +28,28 @@ fn the_printed_line_proves_every_block_in_icarus() {
 }
 
 #[test]
+fn the_printed_lines_follow_one_another_and_fail_with_the_bench() {
+    let folder = Folder::new();
+    let lines = folder.stdout("verilog merging-unit -o out/ --testbench");
+    assert_eq!(lines.lines().count(), 2, "{lines}");
+    assert!(lines.lines().all(|line| line.starts_with("(cd out/ && ") && line.ends_with(')')), "{lines}");
+    let report = folder.json("verilog merging-unit -o out/ --testbench --json");
+    assert_eq!(report["commands"], serde_json::json!(lines.lines().collect::<Vec<_>>()));
+    let icarus = lines.lines().next().unwrap();
+    if has_icarus(&folder) {
+        let twice = folder.shell(&format!("{icarus}\n{icarus}"));
+        assert_eq!((twice.code, twice.stdout.matches("PASS: ").count()), (Some(0), 2), "{twice:?}");
+        let name = "out/merging_unit_tb.v";
+        let bench = folder.read(name);
+        let wrong = bench.replacen("expected[9] = ", "expected[9] = ~", 1);
+        assert_ne!(bench, wrong);
+        std::fs::write(folder.path(name), wrong).unwrap();
+        let failed = folder.shell(icarus);
+        assert!(failed.code == Some(1) && failed.stdout.contains("FAIL: 1 mismatches"), "{failed:?}");
+    }
+}
+
+#[test]
 fn the_report_lists_the_files() {
     let folder = Folder::new();
     let report = folder.json("verilog image-merger --set units=3 -o out/deep --testbench --json");

@@ -46,6 +46,7 @@ fn every_block_that_is_listed_can_be_run() {
         let report = folder.json(&format!("wave {name} -o {name}.vcd --json"));
         assert_eq!(report["scenario"], block["scenario"], "{name}");
         assert!(report["picoseconds"].as_u64() > Some(0), "{name}");
+        assert_eq!(report["commands"][0], format!("gtkwave {name}.vcd {name}.gtkw"), "{name}");
         Waveform::read(&folder.path(format!("{name}.vcd")));
     }
 }

@@ -12,7 +12,8 @@ use tilewright_hdl::ir::Design;
 use tilewright_hdl::{Bits, Recording};
 
 /// The testbench that replays a run: a module `TOP_tb`, for `iverilog -g2005` and `verilator --binary` alike. It prints
-/// `PASS: n cycles`, or the first mismatches by port and cycle.
+/// `PASS: n cycles` and finishes, or the first mismatches by port and cycle and stops: `vvp -N` and a program of Verilator's then
+/// end with a non-zero status.
 ///
 /// # Panics
 ///

@@ -165,7 +165,11 @@ impl<'a> Bench<'a> {
         }
         line(1, "end".to_string());
         line(1, format!("if ({errors} == 0) $display(\"PASS: {steps} cycles\");"));
-        line(1, format!("else $display(\"FAIL: %0d mismatches in {steps} cycles\", {errors});"));
+        line(1, "else begin".to_string());
+        line(2, format!("$display(\"FAIL: %0d mismatches in {steps} cycles\", {errors});"));
+        // Verilog-2005 has no $fatal; $stop is what `vvp -N` and Verilator's program end on with a non-zero status.
+        line(2, "$stop;".to_string());
+        line(1, "end".to_string());
         line(1, "$finish;".to_string());
         out.push("end".to_string());
         out

@@ -159,6 +159,7 @@ impl Block for Sequencer {
 
 #[cfg(test)]
 mod tests {
+    use proptest::prelude::*;
     use tilewright_sim::Simulation;
 
     use super::*;
@@ -226,6 +227,54 @@ mod tests {
         for (width, height, units, overhead) in [(2, 2, 1, 1), (5, 3, 4, 7), (16, 1, 2, 20), (1, 8, 2, 1)] {
             let t_m = (width + overhead) * height + 4 * units;
             assert_eq!(round(Screen { width, height }, units, overhead), u64::from(t_m), "{width} x {height}");
+        }
+    }
+
+    /// Whether the scan advances, clock by clock of a round: 2 clocks until the first pixel enters the chain, then T_m.
+    fn timetable(width: usize, height: usize, units: usize, overhead: usize) -> Vec<bool> {
+        let line = [vec![true; width], vec![false; overhead]].concat();
+        [vec![true; 2], line.repeat(height), vec![true; 4 * units]].concat()
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig { cases: 128, failure_persistence: None, ..ProptestConfig::default() })]
+
+        /// Against a timetable written down in full (VC1-TM), with starts at any time, which are for nothing in a round.
+        #[test]
+        fn rounds_follow_the_timetable(
+            (width, height, units, overhead) in (1..9u32, 1..6u32, 1..5u32, 1..7u32),
+            starts in prop::collection::vec(prop::bool::weighted(0.2), 1..400),
+        ) {
+            let mut sim = Simulation::of(&Sequencer { screen: Screen { width, height }, units, overhead }).unwrap();
+            sim.reset();
+            let timetable = timetable(width as usize, height as usize, units as usize, overhead as usize);
+            let (pixels, way) = ((width * height) as usize, 2 + 4 * units as usize);
+            let (mut clock, mut clocks) = (None, 0);
+            for start in starts {
+                sim.drive(SequencerIn { start: start.into() });
+                let o = sim.read_u64();
+                let enable = clock.is_some_and(|clock: usize| timetable[clock]);
+                let advanced = clock.map_or(0, |clock| timetable[..clock].iter().filter(|enable| **enable).count());
+                prop_assert_eq!((o.scan.restart == 1, o.scan.enable == 1), (start && clock.is_none(), enable));
+                prop_assert_eq!(o.busy == 1, clock.is_some());
+                prop_assert_eq!(o.ends == 1, clock == Some(timetable.len() - 1));
+                prop_assert_eq!(o.clocks, clock.map_or(clocks, |clock| clock.saturating_sub(2)) as u64);
+                if enable && advanced < pixels {
+                    prop_assert_eq!(o.feed, advanced as u64);
+                }
+                prop_assert_eq!(o.stores == 1, enable && advanced >= way);
+                if enable && advanced >= way {
+                    prop_assert_eq!(o.store, (advanced - way) as u64);
+                }
+                sim.step();
+                clock = match clock {
+                    None => start.then_some(0),
+                    Some(clock) => Some(clock + 1).filter(|clock| *clock < timetable.len()),
+                };
+                if o.ends == 1 {
+                    clocks = ((width + overhead) * height + 4 * units) as usize;
+                }
+            }
         }
     }
 }

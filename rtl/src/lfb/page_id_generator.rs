@@ -61,7 +61,7 @@ impl Block for PageIdGenerator {
     fn about(&self) -> About {
         About {
             summary: format!("Names the next free page of an image memory of {} pages.", self.pages),
-            latency: "1".to_owned(),
+            latency: "1 clock".to_owned(),
             source: "VC-1, section 3.3, page ID generator (VC1-PIG)".to_owned(),
         }
     }
@@ -69,6 +69,7 @@ impl Block for PageIdGenerator {
 
 #[cfg(test)]
 mod tests {
+    use proptest::prelude::*;
     use tilewright_sim::Simulation;
 
     use super::*;
@@ -102,5 +103,36 @@ mod tests {
         sim.reset();
         sim.set(sim.i.take, 1);
         sim.run(3);
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+
+        /// Against a list of the free pages (VC1-PIG): a take has its first one, a restart makes it whole again.
+        #[test]
+        fn it_is_the_first_of_the_free_pages(
+            pages in 2..20u32,
+            steps in prop::collection::vec((prop::bool::weighted(0.04), prop::bool::weighted(0.7)), 1..200),
+        ) {
+            let mut sim = Simulation::of(&PageIdGenerator { pages }).unwrap();
+            sim.reset();
+            let all: Vec<u64> = (0..pages.into()).rev().collect();
+            let mut free = all.clone();
+            for (restart, take) in steps {
+                let take = take && !free.is_empty();
+                sim.drive(PageIdGeneratorIn { restart: restart.into(), take: take.into() });
+                let PageIdGeneratorOut { page, used, exhausted } = sim.read_u64();
+                prop_assert_eq!((used, exhausted == 1), ((all.len() - free.len()) as u64, free.is_empty()));
+                if let Some(first) = free.last() {
+                    prop_assert_eq!(page, *first);
+                }
+                sim.step();
+                if restart {
+                    free.clone_from(&all);
+                } else if take {
+                    free.pop();
+                }
+            }
+        }
     }
 }

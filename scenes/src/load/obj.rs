@@ -48,7 +48,19 @@ pub(super) fn load(path: &Path) -> Result<Loaded, SceneError> {
         parts.add(&model.mesh, diffuse);
     }
     let mesh = parts.into_mesh(scan.has_normals).map_err(|error| unsound(&error))?;
+    if !mesh.triangles().iter().any(|triangle| has_area(&mesh, triangle)) {
+        return Err(SceneError::File {
+            path: path.to_owned(),
+            problem: "holds no face with an area, so nothing would be drawn".to_owned(),
+            remedy: "give at least one face three corners that are not in a line".to_owned(),
+        });
+    }
     Ok(Loaded { mesh, warnings })
+}
+
+fn has_area(mesh: &Mesh, triangle: &MeshTriangle) -> bool {
+    let [p, q, r] = triangle.positions.map(|i| mesh.positions()[i as usize]);
+    (q - p).cross(r - p) != DVec3::ZERO
 }
 
 /// The mesh under construction. Equal positions become one, so that normals are smooth across the parts of a file.

@@ -1,7 +1,8 @@
 //! Scene files: a mesh, and what is to differ from the defaults, in TOML.
 //! The keys are in the crate's README. Every mistake is reported with its line and column; unknown keys are mistakes.
 
-use super::{FRAMING_FOV, OBJ_UP, READ_REMEDY, framing_camera, obj, stem};
+use super::toml_values::{Vector, lights};
+use super::{FRAMING_FOV, OBJ_UP, READ_REMEDY, framing_camera, nearest, obj, stem};
 use crate::builtin::{self, default_lighting, with_defaults};
 use crate::input::read_bytes;
 use crate::light::Light;
@@ -20,27 +21,28 @@ use toml::Spanned;
 #[serde(deny_unknown_fields)]
 struct SceneTable {
     mesh: Spanned<String>,
-    size: Option<Spanned<[i64; 2]>>,
-    background: Option<Spanned<[i64; 3]>>,
+    size: Option<Spanned<Vector<i64, 2>>>,
+    background: Option<Spanned<Vector<i64, 3>>>,
     ambient: Option<Spanned<f64>>,
     #[serde(default)]
     camera: CameraTable,
+    #[serde(default, deserialize_with = "lights")]
     light: Option<Vec<LightTable>>,
 }
 
 #[derive(Deserialize, Default)]
 #[serde(deny_unknown_fields)]
 struct CameraTable {
-    eye: Option<Spanned<[f64; 3]>>,
-    target: Option<Spanned<[f64; 3]>>,
-    up: Option<Spanned<[f64; 3]>>,
+    eye: Option<Spanned<Vector<f64, 3>>>,
+    target: Option<Spanned<Vector<f64, 3>>>,
+    up: Option<Spanned<Vector<f64, 3>>>,
     fov: Option<Spanned<f64>>,
 }
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct LightTable {
-    toward: Spanned<[f64; 3]>,
+    toward: Spanned<Vector<f64, 3>>,
     intensity: Spanned<f64>,
 }
 
@@ -68,11 +70,11 @@ impl Source<'_> {
         scene.name = stem(self.path);
         self.set_camera(&table.camera, &mut scene)?;
         if let Some(background) = &table.background {
-            let channels = background.as_ref().map(u8::try_from);
+            let channels = background.as_ref().0.map(u8::try_from);
             let [Ok(r), Ok(g), Ok(b)] = channels else {
                 return Err(self.error(
                     background.span(),
-                    format!("the background is {:?}", background.as_ref()),
+                    format!("the background is {:?}", background.as_ref().0),
                     "give red, green and blue from 0 to 255",
                 ));
             };
@@ -87,10 +89,10 @@ impl Source<'_> {
             for light in lights {
                 self.vector(&light.toward)?;
                 scene.lighting.lights.push(Light {
-                    toward: DVec3::from_array(*light.toward.as_ref()),
+                    toward: DVec3::from_array(light.toward.as_ref().0),
                     intensity: *light.intensity.as_ref(),
                 });
-                let wrong_length = light.toward.as_ref() == &[0.0; 3];
+                let wrong_length = light.toward.as_ref().0 == [0.0; 3];
                 let culprit = if wrong_length { light.toward.span() } else { light.intensity.span() };
                 self.place(culprit, scene.lighting.check())?;
             }
@@ -113,7 +115,7 @@ impl Source<'_> {
                 let (mesh, warnings) = self.mesh(&table.mesh)?;
                 let camera = &table.camera;
                 // What these are good for is checked with the rest of the camera.
-                let up = camera.up.as_ref().map_or(OBJ_UP, |up| DVec3::from_array(*up.as_ref()));
+                let up = camera.up.as_ref().map_or(OBJ_UP, |up| DVec3::from_array(up.as_ref().0));
                 let fov = camera.fov.as_ref().map_or(FRAMING_FOV, |fov| *fov.as_ref());
                 let framing = framing_camera(&mesh, up, fov, size.unwrap_or(Size::VGA));
                 let mut scene = with_defaults(name, mesh, framing);
@@ -128,10 +130,14 @@ impl Source<'_> {
     fn mesh(&self, name: &Spanned<String>) -> Result<(Mesh, Vec<String>), SceneError> {
         let file = Path::new(name.as_ref());
         if !file.extension().is_some_and(|e| e.eq_ignore_ascii_case("obj")) {
+            let all = builtin::NAMES.join(", ");
             return Err(self.error(
                 name.span(),
                 format!("the mesh `{}` is neither an .obj file nor a built-in scene", name.as_ref()),
-                format!("name an .obj file, or one of {}", builtin::NAMES.join(", ")),
+                match nearest(name.as_ref()) {
+                    Some(known) => format!("did you mean `{known}`? Name an .obj file, or one of {all}"),
+                    None => format!("name an .obj file, or one of {all}"),
+                },
             ));
         }
         let path = self.path.parent().unwrap_or(Path::new("")).join(file);
@@ -146,8 +152,8 @@ impl Source<'_> {
         Ok((loaded.mesh, loaded.warnings))
     }
 
-    fn size(&self, size: &Spanned<[i64; 2]>) -> Result<Size, SceneError> {
-        let [width, height] = *size.as_ref();
+    fn size(&self, size: &Spanned<Vector<i64, 2>>) -> Result<Size, SceneError> {
+        let [width, height] = size.as_ref().0;
         let sides = u32::try_from(width).ok().zip(u32::try_from(height).ok());
         let made = match sides {
             Some((w, h)) => Size::new(w, h),
@@ -163,7 +169,7 @@ impl Source<'_> {
         for (given, kept) in vectors {
             if let Some(given) = given {
                 self.vector(given)?;
-                *kept = DVec3::from_array(*given.as_ref());
+                *kept = DVec3::from_array(given.as_ref().0);
                 first.get_or_insert(given.span());
             }
         }
@@ -179,13 +185,13 @@ impl Source<'_> {
         Ok(())
     }
 
-    fn vector(&self, given: &Spanned<[f64; 3]>) -> Result<(), SceneError> {
-        if representable(DVec3::from_array(*given.as_ref())) {
+    fn vector(&self, given: &Spanned<Vector<f64, 3>>) -> Result<(), SceneError> {
+        if representable(DVec3::from_array(given.as_ref().0)) {
             return Ok(());
         }
         Err(self.error(
             given.span(),
-            format!("{:?} is not a point or a direction", given.as_ref()),
+            format!("{:?} is not a point or a direction", given.as_ref().0),
             "give three finite numbers below 1e100",
         ))
     }

@@ -110,7 +110,7 @@ pub fn run(tool: Tool, designs: &[Printed]) -> Result<Vec<Option<String>>, Refus
 fn named_verdicts(bench: &str, number: usize) -> String {
     let named = bench.replace("$display(\"", &format!("$display(\"{number}: "));
     assert!(named.contains("$finish;"), "the testbench does not end with $finish");
-    named.replace("$finish;", "")
+    named.replace("$finish;", "").replace("$stop;", "")
 }
 
 fn verdicts(output: &str, count: usize) -> Vec<Option<String>> {

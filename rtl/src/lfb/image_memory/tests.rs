@@ -1,0 +1,99 @@
+//! The image memory clock by clock, by example, and in [`model`] against a plain software model.
+
+mod model;
+
+use tilewright_hdl::States;
+use tilewright_sim::Simulation;
+
+use super::*;
+
+type Sim = Simulation<ImageMemoryIn, ImageMemoryOut>;
+
+const EMPTY: u64 = (1 << WORD) - 1;
+
+fn memory() -> Sim {
+    let mut sim = Simulation::of(&ImageMemory { pages: 3, page_pixels: 16 }).unwrap();
+    sim.reset();
+    sim
+}
+
+/// Draws as soon as that is accepted; gives the states on the way.
+fn draw(sim: &mut Sim, [page, offset, word]: [u64; 3]) -> Vec<&'static str> {
+    let i = sim.i.draw;
+    for (port, value) in [(i.page, page), (i.offset, offset), (i.word, word)] {
+        sim.set(port, value);
+    }
+    let mut states = Vec::new();
+    while sim.get(sim.o.ready) != 1 {
+        states.extend(clocks(sim, 1));
+    }
+    sim.set(i.valid, 1);
+    states.extend(clocks(sim, 1));
+    sim.set(i.valid, 0);
+    states
+}
+
+fn clocks(sim: &mut Sim, n: u64) -> Vec<&'static str> {
+    let state = |sim: &mut Sim| {
+        let code = sim.peek("stage2").unwrap().to_u64().unwrap();
+        sim.step_clock("pe", 1);
+        Stage2::ALL[code as usize].name()
+    };
+    (0..n).map(|_| state(sim)).collect()
+}
+
+/// What the scan gets from a place of a buffer.
+fn take(sim: &mut Sim, [buffer, page, offset]: [u64; 3]) -> u64 {
+    let i = sim.i.send;
+    for (port, value) in [(i.enable, 1), (i.resident, 1), (i.page, page), (i.offset, offset), (i.buffer, buffer)] {
+        sim.set(port, value);
+    }
+    sim.step_clock("merge", 1);
+    sim.set(i.enable, 0);
+    sim.get_u64(sim.o.sent)
+}
+
+#[test]
+fn a_pixel_takes_3_clocks_and_the_smaller_word_stays() {
+    let mut sim = memory();
+    assert_eq!(draw(&mut sim, [2, 5, 70]), ["Idle"]);
+    assert_eq!(draw(&mut sim, [2, 5, 60]), ["Read", "Compare", "Write"]);
+    assert_eq!(draw(&mut sim, [2, 5, 61]), ["Read", "Compare", "Write"]);
+    assert_eq!(draw(&mut sim, [1, 5, 80]), ["Read", "Compare", "Write"]);
+    assert_eq!(clocks(&mut sim, 4), ["Read", "Compare", "Write", "Idle"]);
+    assert_eq!([[0, 2, 5], [0, 1, 5], [0, 0, 5]].map(|place| take(&mut sim, place)), [60, 80, EMPTY]);
+}
+
+#[test]
+fn what_is_sent_is_cleared_and_the_other_buffer_is_not() {
+    let mut sim = memory();
+    draw(&mut sim, [1, 7, 42]);
+    clocks(&mut sim, 3);
+    sim.set(sim.i.front, 1);
+    draw(&mut sim, [1, 7, 43]);
+    clocks(&mut sim, 3);
+    assert_eq!([[0, 1, 7], [0, 1, 7], [1, 1, 7]].map(|place| take(&mut sim, place)), [42, EMPTY, 43]);
+}
+
+#[test]
+fn a_pixel_under_way_stays_in_its_buffer_when_the_buffers_are_swapped() {
+    let mut sim = memory();
+    draw(&mut sim, [0, 3, 9]);
+    sim.set(sim.i.front, 1);
+    clocks(&mut sim, 3);
+    assert_eq!([[1, 0, 3], [0, 0, 3]].map(|place| take(&mut sim, place)), [EMPTY, 9]);
+}
+
+#[test]
+fn the_word_sent_stays_while_the_scan_does_not_advance() {
+    let mut sim = memory();
+    draw(&mut sim, [0, 0, 5]);
+    clocks(&mut sim, 3);
+    assert_eq!(take(&mut sim, [0, 0, 0]), 5);
+    sim.set(sim.i.send.resident, 0);
+    sim.step_clock("merge", 3);
+    assert_eq!(sim.get_u64(sim.o.sent), 5);
+    sim.set(sim.i.send.enable, 1);
+    sim.step_clock("merge", 1);
+    assert_eq!(sim.get_u64(sim.o.sent), EMPTY, "a pixel without a page is empty");
+}

@@ -1,0 +1,150 @@
+//! The patch table clock by clock, by example, and in [`model`] against a plain software model.
+
+mod model;
+
+use tilewright_hdl::States;
+use tilewright_sim::{Port, Simulation};
+
+use super::*;
+
+type Sim = Simulation<PatchTableIn, PatchTableOut>;
+
+fn table(patches: u32, pages: u32) -> Sim {
+    let mut sim = Simulation::of(&PatchTable { patches, pages }).unwrap();
+    sim.set(sim.i.settled, 1);
+    sim.reset();
+    sim
+}
+
+/// Asks for the page of a patch until that is accepted; gives the states on the way.
+fn look_up(sim: &mut Sim, patch: u64) -> Vec<&'static str> {
+    let (valid, number, ready) = (sim.i.look_up.valid, sim.i.look_up.patch, sim.o.ready);
+    offer(sim, [valid, number], patch, ready)
+}
+
+/// As [`look_up`], to clear an entry.
+fn clear(sim: &mut Sim, patch: u64) -> Vec<&'static str> {
+    let (valid, number, ready) = (sim.i.clear.valid, sim.i.clear.patch, sim.o.clear_ready);
+    offer(sim, [valid, number], patch, ready)
+}
+
+fn offer(sim: &mut Sim, [valid, number]: [Port; 2], patch: u64, ready: Port) -> Vec<&'static str> {
+    sim.set(valid, 1);
+    sim.set(number, patch);
+    let mut states = Vec::new();
+    loop {
+        let accepted = sim.get(ready) == 1;
+        states.extend(clocks(sim, 1));
+        if accepted {
+            sim.set(valid, 0);
+            return states;
+        }
+    }
+}
+
+/// Lets clocks pass; gives the states in them.
+fn clocks(sim: &mut Sim, n: u64) -> Vec<&'static str> {
+    let state = |sim: &mut Sim| {
+        let code = sim.peek("stage1").unwrap().to_u64().unwrap();
+        sim.step_clock("pe", 1);
+        Stage1::ALL[code as usize].name()
+    };
+    (0..n).map(|_| state(sim)).collect()
+}
+
+fn pulse(port: Port, sim: &mut Sim) {
+    sim.set(port, 1);
+    sim.step_clock("pe", 1);
+    sim.set(port, 0);
+}
+
+#[test]
+fn a_look_up_takes_4_clocks_at_first_and_3_from_then_on() {
+    let mut sim = table(6, 4);
+    assert_eq!(look_up(&mut sim, 5), ["Idle"]);
+    assert_eq!(look_up(&mut sim, 5), ["Read", "Examine", "Allocate", "Found"]);
+    assert_eq!(look_up(&mut sim, 2), ["Read", "Examine", "Found"]);
+    assert_eq!(look_up(&mut sim, 5), ["Read", "Examine", "Allocate", "Found"]);
+    assert_eq!(clocks(&mut sim, 4), ["Read", "Examine", "Found", "Idle"]);
+    assert_eq!((sim.get_u64(sim.o.page), sim.get_u64(sim.o.pages_used)), (0, 2));
+}
+
+#[test]
+fn a_clear_takes_3_clocks_and_comes_before_a_look_up_of_the_same_edge() {
+    let mut sim = table(6, 4);
+    look_up(&mut sim, 3);
+    clocks(&mut sim, 4);
+    assert_eq!(clear(&mut sim, 0), ["Idle"]);
+    assert_eq!(clear(&mut sim, 1), ["Idle"; 3]);
+    clocks(&mut sim, 2);
+    sim.drive(PatchTableIn {
+        look_up: LookUp { valid: 1, patch: 3 },
+        clear: LookUp { valid: 1, patch: 3 },
+        settled: 1,
+        ..idle()
+    });
+    assert_eq!(clocks(&mut sim, 1), ["Idle"]);
+    sim.drive(PatchTableIn { settled: 1, ..idle() });
+    assert_eq!(clocks(&mut sim, 6), ["Read", "Read", "Read", "Examine", "Allocate", "Found"]);
+    assert_eq!(sim.get_u64(sim.o.page), 1, "a cleared patch gets a new page");
+}
+
+fn idle() -> PatchTableIn<u64> {
+    PatchTableIn {
+        look_up: LookUp { valid: 0, patch: 0 },
+        clear: LookUp { valid: 0, patch: 0 },
+        front: 0,
+        settled: 0,
+        restart: 0,
+        resume: 0,
+        scan: ScanLookUp { enable: 0, patch: 0, buffer: 0 },
+    }
+}
+
+#[test]
+fn an_overflow_holds_the_look_up_until_it_is_resumed() {
+    let mut sim = table(6, 2);
+    for patch in [4, 5, 4, 0] {
+        look_up(&mut sim, patch);
+    }
+    assert_eq!(clocks(&mut sim, 5), ["Read", "Examine", "Overflow", "Overflow", "Overflow"]);
+    assert_eq!((sim.get_u64(sim.o.overflow), sim.get_u64(sim.o.ready)), (1, 0));
+
+    // Nothing is free yet: the overflow goes on.
+    pulse(sim.i.resume, &mut sim);
+    assert_eq!(clocks(&mut sim, 3), ["Read", "Examine", "Overflow"]);
+
+    // The processor swaps, clears, and resumes while the last clear still goes on.
+    sim.set(sim.i.front, 1);
+    pulse(sim.i.restart, &mut sim);
+    assert_eq!((0..6).map(|patch| clear(&mut sim, patch).len()).collect::<Vec<_>>(), [1, 3, 3, 3, 3, 3]);
+    pulse(sim.i.resume, &mut sim);
+    assert_eq!(clocks(&mut sim, 5), ["Read", "Read", "Examine", "Allocate", "Found"]);
+    assert_eq!((sim.get_u64(sim.o.page), sim.get_u64(sim.o.pages_used)), (0, 1));
+}
+
+#[test]
+fn the_processor_waits_until_the_scan_has_left_the_front_buffer() {
+    let mut sim = table(6, 2);
+    sim.set(sim.i.settled, 0);
+    assert_eq!(sim.get_u64(sim.o.clear_ready), 0);
+    look_up(&mut sim, 1);
+    assert_eq!(clocks(&mut sim, 3), ["Read"; 3]);
+    sim.set(sim.i.settled, 1);
+    assert_eq!(clocks(&mut sim, 4), ["Read", "Examine", "Allocate", "Found"]);
+}
+
+#[test]
+fn the_scan_reads_the_buffer_it_names() {
+    let mut sim = table(6, 4);
+    look_up(&mut sim, 1);
+    look_up(&mut sim, 3);
+    clocks(&mut sim, 5);
+    let mut entry = |patch, buffer| {
+        sim.drive(PatchTableIn { scan: ScanLookUp { enable: 1, patch, buffer }, ..idle() });
+        sim.step_clock("merge", 1);
+        let Entry { resident, page } = sim.read_u64().scan_entry;
+        (resident == 1).then_some(page)
+    };
+    assert_eq!([entry(1, 0), entry(3, 0), entry(2, 0), entry(3, 1)], [Some(0), Some(1), None, None]);
+}
