@@ -6,7 +6,7 @@ use cranelift_frontend::FunctionBuilder;
 use tilewright_hdl::ir::{Binary, Reduction};
 
 use super::graph::{Graph, Sink};
-use super::layout::{Layout, Place, Words};
+use super::layout::{Layout, Place, Strips, Words};
 use super::plan::{Plan, is_table};
 use super::scalar::Scalars;
 use crate::program::{Kind, ValueId};
@@ -18,6 +18,15 @@ pub(super) struct MemoryAt {
     pub words: Words,
     pub depth: u32,
     pub width: u32,
+    /// Every address that can be expressed is within the depth.
+    pub is_full: bool,
+}
+
+impl MemoryAt {
+    /// Bits of the integers that a word consists of.
+    pub fn element(&self) -> u32 {
+        (self.words.word as u32 * 8).min(64)
+    }
 }
 
 /// Where everything is.
@@ -64,6 +73,7 @@ pub(super) struct Emitter<'a, 'b, 'c> {
     pub(super) plan: &'a Plan,
     pub(super) addresses: &'a Addresses,
     pub(super) memories: &'a [MemoryAt],
+    pub(super) strips: &'a Strips,
     pub(super) builder: &'c mut FunctionBuilder<'b>,
     pub(super) state: Value,
     /// Values of one lane.
@@ -78,11 +88,12 @@ impl<'a, 'b, 'c> Emitter<'a, 'b, 'c> {
         plan: &'a Plan,
         addresses: &'a Addresses,
         memories: &'a [MemoryAt],
+        strips: &'a Strips,
         builder: &'c mut FunctionBuilder<'b>,
         state: Value,
     ) -> Self {
         let fresh = graph.cells.len() as u32;
-        Emitter { graph, plan, addresses, memories, builder, state, scalars: Scalars::default(), fresh }
+        Emitter { graph, plan, addresses, memories, strips, builder, state, scalars: Scalars::default(), fresh }
     }
 
     /// `count` times, at least once, all that the plan says.
@@ -146,9 +157,7 @@ impl<'a, 'b, 'c> Emitter<'a, 'b, 'c> {
         match &cell.kind {
             Kind::Read { memory, address } => {
                 self.want(*address);
-                let at = self.scalars.clean(self.builder, *address);
-                let base = self.builder.ins().iconst(types::I64, self.memories[*memory as usize].address as i64);
-                self.read(id, *memory, &at, base);
+                self.read(id, *memory, *address);
             }
             Kind::Lane { of, index, .. } => {
                 let place = self.addresses.of(*of);
@@ -228,8 +237,7 @@ impl<'a, 'b, 'c> Emitter<'a, 'b, 'c> {
         }
         for sink in graph.sinks.iter().filter(single) {
             if let Sink::Write { memory, enable, address, data } = *sink {
-                let base = self.builder.ins().iconst(types::I64, self.memories[memory as usize].address as i64);
-                self.write(memory, enable, address, data, base);
+                self.write(memory, enable, address, data);
             }
         }
         for (state, value) in registers {
@@ -240,6 +248,22 @@ impl<'a, 'b, 'c> Emitter<'a, 'b, 'c> {
             let place = self.addresses.of(*state);
             self.copy(*waiting, place);
         }
+    }
+
+    /// Loads a lane, by its number, of an array in memory.
+    pub(super) fn load_lane(&mut self, id: ValueId, of: ValueId, lane: Value, plus: i32) {
+        if let Kind::Const(bits) = &self.graph.cell(of).kind {
+            return self.scalars.constant(self.builder, id, bits);
+        }
+        let place = self.addresses.of(of);
+        let at = self.address(lane, place.bytes());
+        let plus = plus * place.bytes() as i32 + offset(place.offset);
+        self.scalars.load(self.builder, id, place.width, place.element.min(64), at, plus);
+    }
+
+    /// Stores a single value.
+    pub(super) fn store_single(&mut self, id: ValueId, place: Place, at: Value, bytes: usize) {
+        self.scalars.store(self.builder, id, place.element.min(64), at, offset(bytes));
     }
 
     /// Copies an array, by vectors.

@@ -1,203 +1,278 @@
-//! Loops over lanes, one lane at a time.
+//! Loops over lanes, a strip of them at a time.
+//!
+//! The lanes of a kernel may stand in *rows*, the groups of an array of arrays: then one loop goes over the rows and
+//! one within it over the strips of a row, so that what is the same in a row is loaded once.
+
+use std::collections::{BTreeMap, BTreeSet};
 
 use cranelift_codegen::ir::condcodes::IntCC;
-use cranelift_codegen::ir::{InstBuilder, Value, types};
+use cranelift_codegen::ir::{BlockArg, InstBuilder, Value, types};
 
-use super::function::{Emitter, combining, offset};
+use super::function::Emitter;
 use super::graph::Sink;
-use super::layout::Place;
+use super::lanes::Vector;
 use super::plan::Kernel;
-use super::scalar::Scalars;
+use super::scalar::Scalar;
+use super::strip::Strip;
 use crate::program::{Kind, ValueId};
+
+/// The order within a strip: cells, and after each the sinks that may run then.
+struct Order {
+    /// Before any cell.
+    first: Vec<usize>,
+    after: BTreeMap<usize, Vec<usize>>,
+}
 
 impl Emitter<'_, '_, '_> {
     /// Runs a kernel.
     pub(super) fn kernel(&mut self, lanes: u32, kernel: &Kernel) {
-        self.want_uniforms(kernel);
-        let outer = std::mem::take(&mut self.scalars);
-        self.count(i64::from(lanes), 1, |emitter, lane| {
-            kernel.cells.iter().for_each(|&id| emitter.lane_cell(&outer, id, lane));
-            emitter.lane_sinks(&outer, kernel, lane);
-        });
+        let outer = self.scalars.clone();
+        let row = self.row_length(lanes, kernel);
+        let mut strip = Strip::new(self.layout_strip(lanes), lanes, row);
+        self.splat_uniforms(&mut strip, kernel);
+        let sums = match strip.rows() {
+            1 => self.row(&mut strip, kernel, None),
+            rows => {
+                self.count(i64::from(rows), 1, |emitter, row| {
+                    let mark = strip.lanes.mark();
+                    emitter.splat_row(&mut strip, kernel, row);
+                    let sums = emitter.row(&mut strip, kernel, Some(row));
+                    for (id, sum) in sums {
+                        emitter.scalars.define(id, Scalar::clean(emitter.graph.cell(id).width, sum));
+                        let place = emitter.addresses.of(id);
+                        let at = emitter.address(row, place.bytes());
+                        emitter.store_single(id, place, at, place.offset);
+                    }
+                    strip.lanes.forget(mark);
+                });
+                Vec::new()
+            }
+        };
         self.scalars = outer;
+        for (id, sum) in sums {
+            self.scalars.define(id, Scalar::clean(self.graph.cell(id).width, sum));
+            let place = self.addresses.of(id);
+            self.store_single(id, place, self.state, place.offset);
+        }
+    }
+
+    fn layout_strip(&self, lanes: u32) -> u32 {
+        self.strips.strip(lanes)
+    }
+
+    /// The group size that most of a kernel works with, if it is made of whole strips; all lanes otherwise.
+    fn row_length(&self, lanes: u32, kernel: &Kernel) -> u32 {
+        let strip = self.layout_strip(lanes);
+        let mut uses: BTreeMap<u32, usize> = BTreeMap::new();
+        let mut count = |id: ValueId| {
+            let cell = self.graph.cell(id);
+            let group = match cell.kind {
+                Kind::Broadcast(of, n) if self.graph.cell(of).lanes > 1 => n,
+                Kind::Tile(of, _) => self.graph.cell(of).lanes,
+                Kind::Reduce { group, .. } if cell.lanes > 1 => group,
+                _ => return,
+            };
+            if group % strip == 0 && group < lanes {
+                *uses.entry(group).or_default() += 1;
+            }
+        };
+        let mut seen = BTreeSet::new();
+        let mut visit = |id: ValueId| {
+            if seen.insert(id) {
+                count(id);
+            }
+        };
+        for &id in &kernel.cells {
+            visit(id);
+            self.graph.cell(id).kind.for_each_operand(&mut visit);
+        }
+        kernel.sinks.iter().for_each(|&sink| self.graph.sinks[sink].for_each_operand(&mut visit));
+        uses.into_iter().max_by_key(|&(group, count)| (count, group)).map_or(lanes, |(group, _)| group)
+    }
+
+    /// What a kernel takes that it does not compute.
+    fn taken(&self, kernel: &Kernel) -> BTreeSet<ValueId> {
+        let mut taken = BTreeSet::new();
+        let mut visit = |id: ValueId| {
+            taken.insert(id);
+        };
+        for &id in &kernel.cells {
+            visit(id);
+            self.graph.cell(id).kind.for_each_operand(&mut visit);
+        }
+        kernel.sinks.iter().for_each(|&sink| self.graph.sinks[sink].for_each_operand(&mut visit));
+        taken
     }
 
     /// Makes the single values that a kernel takes in all lanes available.
-    fn want_uniforms(&mut self, kernel: &Kernel) {
-        let graph = self.graph;
-        let mut plain = Vec::new();
-        let mut visit = |operand: ValueId| match graph.cell(operand).kind {
-            Kind::Broadcast(of, _) if graph.cell(of).lanes == 1 => plain.push(of),
-            _ if graph.cell(operand).lanes == 1 => plain.push(operand),
-            _ => {}
-        };
-        kernel.cells.iter().for_each(|&id| graph.cell(id).kind.for_each_operand(&mut visit));
-        kernel.sinks.iter().for_each(|&sink| graph.sinks[sink].for_each_operand(&mut visit));
-        plain.into_iter().for_each(|id| self.want(id));
-    }
-
-    /// Makes an operand available in this lane.
-    fn want_lane(&mut self, outer: &Scalars, id: ValueId, lane: Value) {
-        if self.scalars.get(id).is_some() {
-            return;
-        }
-        match &self.graph.cell(id).kind {
-            Kind::Const(bits) => self.scalars.constant(self.builder, id, bits),
-            Kind::Broadcast(of, _) if self.graph.cell(*of).lanes == 1 => {
-                let uniform = outer.get(*of).expect("it was made available before the loop").clone();
-                self.scalars.define(id, uniform);
-            }
-            _ => self.load_lane(id, id, lane),
-        }
-    }
-
-    /// Loads a lane, by its number, of an array in memory.
-    fn load_lane(&mut self, id: ValueId, of: ValueId, lane: Value) {
-        if let Kind::Const(bits) = &self.graph.cell(of).kind {
-            return self.scalars.constant(self.builder, id, bits);
-        }
-        let place = self.addresses.of(of);
-        let at = self.address(lane, place);
-        self.scalars.load(self.builder, id, place.width, place.element.min(64), at, offset(place.offset));
-    }
-
-    /// The address of the state plus that of a lane within an array.
-    fn address(&mut self, lane: Value, place: Place) -> Value {
-        let bytes = self.builder.ins().iconst(types::I64, place.bytes() as i64);
-        let within = self.builder.ins().imul(lane, bytes);
-        self.builder.ins().iadd(self.state, within)
-    }
-
-    fn store_lane(&mut self, id: ValueId, place: Place, lane: Value) {
-        let at = self.address(lane, place);
-        self.scalars.store(self.builder, id, place.element.min(64), at, offset(place.offset));
-    }
-
-    fn lane_cell(&mut self, outer: &Scalars, id: ValueId, lane: Value) {
-        let cell = self.graph.cell(id);
-        match &cell.kind {
-            Kind::Read { memory, address } => {
-                self.want_lane(outer, *address, lane);
-                let at = self.scalars.clean(self.builder, *address);
-                let base = self.lane_base(*memory, lane);
-                self.read(id, *memory, &at, base);
-            }
-            Kind::Broadcast(of, _) if self.graph.cell(*of).lanes == 1 => {
-                let uniform = outer.get(*of).expect("it was made available before the loop").clone();
-                self.scalars.define(id, uniform);
-            }
-            Kind::Broadcast(of, n) => {
-                let lane = self.divided(lane, *n).0;
-                self.load_lane(id, *of, lane);
-            }
-            Kind::Lane { of, index, group } => {
-                let start = self.times(lane, *group);
-                let index = self.builder.ins().iconst(types::I64, i64::from(*index));
-                let from = self.builder.ins().iadd(start, index);
-                self.load_lane(id, *of, from);
-            }
-            Kind::Shifted { of, by, edge, group } => self.shifted(outer, id, *of, *by, *edge, *group, lane),
-            Kind::Reduce { by, of, group } => {
-                self.want_lane(outer, *of, lane);
-                let (target, within) = self.divided(lane, *group);
-                let (before, both, first) = (self.id(), self.id(), self.id());
-                let place = self.addresses.of(id);
-                let at = self.address(target, place);
-                self.scalars.load(self.builder, before, cell.width, place.element.min(64), at, offset(place.offset));
-                self.scalars.evaluate(self.builder, both, &Kind::Binary(combining(*by), before, *of), cell.width);
-                let is_first = self.equals(within, 0);
-                self.scalars.define_flag(first, is_first);
-                let kind = Kind::Mux { select: first, on_true: *of, on_false: both };
-                self.scalars.evaluate(self.builder, id, &kind, cell.width);
-                self.scalars.store(self.builder, id, place.element.min(64), at, offset(place.offset));
-                return;
-            }
-            kind => {
-                kind.for_each_operand(|operand| self.want_lane(outer, operand, lane));
-                self.scalars.evaluate(self.builder, id, kind, cell.width);
-            }
-        }
-        if self.plan.stored.contains(&id) {
-            self.store_lane(id, self.addresses.of(id), lane);
-        }
-    }
-
-    /// A neighbour's value, or that of the edge.
-    #[allow(clippy::too_many_arguments, reason = "the fields of one operation")]
-    fn shifted(&mut self, outer: &Scalars, id: ValueId, of: ValueId, by: i32, edge: ValueId, group: u32, lane: Value) {
-        let (row, within) = self.divided(lane, group);
-        let distance = self.builder.ins().iconst(types::I64, i64::from(by));
-        let from = self.builder.ins().isub(within, distance);
-        let limit = self.builder.ins().iconst(types::I64, i64::from(group));
-        let inside = self.builder.ins().icmp(IntCC::UnsignedLessThan, from, limit);
-        let other = self.builder.ins().isub(lane, distance);
-        let safe = self.builder.ins().select(inside, other, lane);
-        let (neighbour, end, select) = (self.id(), self.id(), self.id());
-        self.load_lane(neighbour, of, safe);
-        match (&self.graph.cell(edge).kind, self.graph.cell(edge).lanes) {
-            (Kind::Const(bits), _) => self.scalars.constant(self.builder, end, bits),
-            (_, 1) => self.scalars.define(end, outer.get(edge).expect("made available before the loop").clone()),
-            (Kind::Broadcast(plain, _), _) if self.graph.cell(*plain).lanes == 1 => {
-                self.scalars.define(end, outer.get(*plain).expect("made available before the loop").clone());
-            }
-            _ => self.load_lane(end, edge, row),
-        }
-        self.scalars.define_flag(select, inside);
-        let kind = Kind::Mux { select, on_true: neighbour, on_false: end };
-        self.scalars.evaluate(self.builder, id, &kind, self.graph.cell(id).width);
-    }
-
-    fn lane_sinks(&mut self, outer: &Scalars, kernel: &Kernel, lane: Value) {
-        let graph = self.graph;
-        let sinks = || kernel.sinks.iter().map(|&index| &graph.sinks[index]);
-        let mut taken = Vec::new();
-        for sink in sinks() {
-            sink.for_each_operand(|operand| self.want_lane(outer, operand, lane));
-            let &Sink::Register { state, next, enable } = sink else { continue };
-            let value = match enable {
-                None => next,
-                Some(select) => {
-                    self.want_lane(outer, state, lane);
-                    let value = self.id();
-                    let kind = Kind::Mux { select, on_true: next, on_false: state };
-                    self.scalars.evaluate(self.builder, value, &kind, graph.cell(state).width);
-                    value
+    fn splat_uniforms(&mut self, strip: &mut Strip, kernel: &Kernel) {
+        for id in self.taken(kernel) {
+            let cell = self.graph.cell(id);
+            if let Kind::Broadcast(of, _) = cell.kind
+                && self.graph.cell(of).lanes == 1
+            {
+                self.want(of);
+                if cell.width <= 64 {
+                    let limbs = self.scalars.clean(self.builder, of);
+                    strip.lanes.splat(self.builder, id, cell.width, limbs[0]);
+                } else {
+                    // Not to be converted in a loop and used behind it.
+                    self.scalars.clean(self.builder, of);
                 }
-            };
-            let waiting = self.addresses.waiting.iter().find(|(id, _)| *id == state).map(|(_, place)| *place);
-            taken.push((value, waiting.unwrap_or_else(|| self.addresses.of(state))));
-        }
-        for sink in sinks() {
-            if let &Sink::Write { memory, enable, address, data } = sink {
-                let base = self.lane_base(memory, lane);
-                self.write(memory, enable, address, data, base);
             }
         }
-        taken.into_iter().for_each(|(value, place)| self.store_lane(value, place, lane));
     }
 
-    /// Where a lane's words of a memory begin.
-    fn lane_base(&mut self, memory: u32, lane: Value) -> Value {
-        let memory = self.memories[memory as usize];
-        let stride = self.builder.ins().iconst(types::I64, memory.words.stride as i64);
-        let start = self.builder.ins().imul(lane, stride);
-        let base = self.builder.ins().iconst(types::I64, memory.address as i64);
-        self.builder.ins().iadd(base, start)
+    /// Makes what is the same in a row available.
+    fn splat_row(&mut self, strip: &mut Strip, kernel: &Kernel, row: Value) {
+        for id in self.taken(kernel) {
+            let cell = self.graph.cell(id);
+            if let Kind::Broadcast(of, n) = cell.kind
+                && n == strip.row
+                && cell.width <= 64
+                && self.graph.cell(of).lanes > 1
+            {
+                let loaded = self.id();
+                self.load_lane(loaded, of, row, 0);
+                let limbs = self.scalars.clean(self.builder, loaded);
+                strip.lanes.splat(self.builder, id, cell.width, limbs[0]);
+            }
+        }
     }
 
-    /// A lane's group and its place there.
-    fn divided(&mut self, lane: Value, group: u32) -> (Value, Value) {
-        let n = self.builder.ins().iconst(types::I64, i64::from(group));
-        (self.builder.ins().udiv(lane, n), self.builder.ins().urem(lane, n))
+    /// Whether a reduction's result is carried around the loop over a row.
+    fn is_carried(&self, strip: &Strip, id: ValueId) -> bool {
+        let cell = self.graph.cell(id);
+        matches!(cell.kind, Kind::Reduce { group, .. } if group == strip.row && cell.width <= 64)
     }
 
-    fn times(&mut self, lane: Value, n: u32) -> Value {
-        let n = self.builder.ins().iconst(types::I64, i64::from(n));
-        self.builder.ins().imul(lane, n)
+    /// Runs the strips of a row; gives what is reduced over them, clean.
+    fn row(&mut self, strip: &mut Strip, kernel: &Kernel, row: Option<Value>) -> Vec<(ValueId, Value)> {
+        let order = self.order(kernel);
+        let sums: Vec<ValueId> = kernel.cells.iter().copied().filter(|&id| self.is_carried(strip, id)).collect();
+        let sum = |emitter: &Self, id: ValueId| match emitter.graph.cell(id).kind {
+            Kind::Reduce { by, of, .. } => (by, of),
+            _ => unreachable!("a sum is a reduction"),
+        };
+        let mark = strip.lanes.mark();
+        let strips = strip.row.div_ceil(strip.size);
+        if strips == 1 {
+            let zero = self.builder.ins().iconst(types::I64, 0);
+            self.strip(strip, kernel, &order, row, zero);
+            let sums = sums.into_iter().map(|id| {
+                let (by, of) = sum(self, id);
+                self.vector(strip, of);
+                let vector = strip.lanes.carried(self.builder, of);
+                (id, strip.lanes.reduce(self.builder, by, &vector))
+            });
+            let sums = sums.collect();
+            strip.lanes.forget(mark);
+            return sums;
+        }
+        let (block, done) = (self.builder.create_block(), self.builder.create_block());
+        self.builder.append_block_param(block, types::I64);
+        let zero = self.builder.ins().iconst(types::I64, 0);
+        let mut start: Vec<BlockArg> = vec![zero.into()];
+        let mut carried: Vec<Vector> = Vec::new();
+        for &id in &sums {
+            let neutral = strip.lanes.neutral(self.builder, sum(self, id).0, self.graph.cell(id).width);
+            let mut parts = Vec::new();
+            for part in neutral.parts {
+                start.push(part.into());
+                let kind = self.builder.func.dfg.value_type(part);
+                parts.push(self.builder.append_block_param(block, kind));
+            }
+            carried.push(strip.lanes.shape(neutral.width, parts));
+        }
+        self.builder.ins().jump(block, &start);
+        self.builder.switch_to_block(block);
+        let within = self.builder.block_params(block)[0];
+        self.strip(strip, kernel, &order, row, within);
+        for (&id, before) in sums.iter().zip(&mut carried) {
+            let (by, of) = sum(self, id);
+            self.vector(strip, of);
+            let vector = strip.lanes.carried(self.builder, of);
+            *before = strip.lanes.combine(self.builder, by, before, &vector);
+        }
+        let next = self.builder.ins().iadd_imm_s(within, i64::from(strip.size));
+        let limit = self.builder.ins().iconst(types::I64, i64::from(strip.row));
+        let more = self.builder.ins().icmp(IntCC::UnsignedLessThan, next, limit);
+        let mut again: Vec<BlockArg> = vec![next.into()];
+        again.extend(carried.iter().flat_map(|vector| vector.parts.iter().map(|&part| BlockArg::from(part))));
+        self.builder.ins().brif(more, block, &again, done, &[]);
+        self.builder.switch_to_block(done);
+        strip.lanes.forget(mark);
+        let sums = sums.into_iter().zip(&carried);
+        sums.map(|(id, vector)| (id, strip.lanes.reduce(self.builder, sum(self, id).0, vector))).collect()
     }
 
-    fn equals(&mut self, a: Value, number: i64) -> Value {
-        let number = self.builder.ins().iconst(types::I64, number);
-        self.builder.ins().icmp(IntCC::Equal, a, number)
+    /// Cells and sinks of a strip.
+    fn strip(&mut self, strip: &mut Strip, kernel: &Kernel, order: &Order, row: Option<Value>, within: Value) {
+        self.enter(strip, row, within);
+        let mut open: BTreeSet<usize> = kernel.sinks.iter().copied().collect();
+        order.first.iter().for_each(|&sink| self.register(strip, sink, &mut open));
+        for (index, &id) in kernel.cells.iter().enumerate() {
+            if !self.is_carried(strip, id) {
+                self.lane_cell(strip, id);
+            }
+            for &sink in order.after.get(&index).into_iter().flatten() {
+                self.register(strip, sink, &mut open);
+            }
+        }
+        for &index in &kernel.sinks {
+            if matches!(self.graph.sinks[index], Sink::Write { .. }) {
+                self.write_lanes(strip, index);
+            }
+        }
+    }
+
+    /// Registers change as early as they may, so that few values are held at a time: when what they take is computed
+    /// and no cell looks at what they were. Memories are written at the end.
+    fn order(&self, kernel: &Kernel) -> Order {
+        let mut last = BTreeMap::new();
+        for (index, &id) in kernel.cells.iter().enumerate() {
+            last.insert(id, index);
+            self.graph.cell(id).kind.for_each_operand(|operand| {
+                last.insert(operand, index);
+            });
+        }
+        let mut order = Order { first: Vec::new(), after: BTreeMap::new() };
+        for &index in &kernel.sinks {
+            let sink = &self.graph.sinks[index];
+            let &Sink::Register { state, .. } = sink else { continue };
+            let mut position = last.get(&state).copied();
+            sink.for_each_operand(|operand| position = position.max(last.get(&operand).copied()));
+            match position {
+                Some(position) => order.after.entry(position).or_default().push(index),
+                None => order.first.push(index),
+            }
+        }
+        order
+    }
+
+    /// A register takes its next value; what other sinks have yet to see of it is loaded before.
+    fn register(&mut self, strip: &mut Strip, index: usize, open: &mut BTreeSet<usize>) {
+        open.remove(&index);
+        let &Sink::Register { state, next, enable } = &self.graph.sinks[index] else { unreachable!("a register") };
+        let mut seen = false;
+        for &other in open.iter() {
+            self.graph.sinks[other].for_each_operand(|operand| seen |= operand == state);
+        }
+        if seen {
+            self.available(strip, state);
+        }
+        let cell = self.graph.cell(state);
+        let value = match enable {
+            None => next,
+            Some(select) => {
+                let value = self.id();
+                let kind = Kind::Mux { select, on_true: next, on_false: state };
+                self.elementwise(strip, value, &kind, cell.width);
+                value
+            }
+        };
+        let waiting = self.addresses.waiting.iter().find(|(id, _)| *id == state).map(|(_, place)| *place);
+        let place = waiting.unwrap_or_else(|| self.addresses.of(state));
+        self.store_lanes(strip, value, place);
     }
 }

@@ -26,8 +26,9 @@ use tilewright_hdl::ir::Unary;
 
 use crate::program::{Kind, ValueId};
 use emit::{low_mask, signed_constant, ty, vector_constant};
-use form::{Need, Step, next};
-pub(super) use form::{Form, Vector};
+pub(super) use form::Vector;
+use form::{Form, Need, Step, next};
+pub(super) use memory::Span;
 
 /// All that is known of a value.
 #[derive(Debug, Clone, Default)]

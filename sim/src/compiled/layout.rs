@@ -1,15 +1,17 @@
 //! Where values and memories stand in the memory that generated code works on.
 //!
 //! A value of one lane takes its 64-bit limbs, so that a testbench reads and writes it in place. A value of several
-//! lanes takes an array of the smallest element that holds its width, each lane one element, padded to whole vectors
-//! at both ends so that a strip may begin or end outside; 1-bit values are masks there. Wider values take limbs.
+//! lanes takes an array, each lane one element, padded at both ends so that a strip may begin or end outside; 1-bit
+//! values are masks there. Wider values take limbs.
+
+use std::collections::BTreeMap;
 
 use tilewright_hdl::limbs_for;
 
-use crate::program::{Memory, Value};
+use crate::program::{Memory, Program};
 
-/// Bytes in front of and behind an array of lanes that code may read: the largest vector.
-pub(super) const GUARD: usize = 64;
+/// Bytes in front of and behind an array of lanes that code may touch: the largest strip of the widest element.
+pub(super) const GUARD: usize = 128;
 
 /// Where a value is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -37,7 +39,7 @@ impl Place {
 }
 
 /// The smallest element that holds `width` bits; whole limbs above 64.
-pub(super) fn element(width: u32) -> u32 {
+fn element(width: u32) -> u32 {
     match width {
         0..=8 => 8,
         9..=16 => 16,
@@ -46,58 +48,123 @@ pub(super) fn element(width: u32) -> u32 {
     }
 }
 
+/// How many lanes a kernel takes at a time, by lane count: 4, 8 or 16.
+///
+/// A vector of 128 bits holds as many elements of one size; what is smaller is widened to fill it, what is larger
+/// takes several vectors. Strips of 4 suit values of 32 bits, strips of 16 those of 8.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Strips(BTreeMap<u32, u32>);
+
+impl Strips {
+    /// Strips for the values of a program.
+    pub fn of(program: &Program) -> Strips {
+        let mut elements: BTreeMap<u32, [u32; 4]> = BTreeMap::new();
+        for value in program.values.iter().filter(|value| value.lanes > 1) {
+            let counts = elements.entry(value.lanes).or_default();
+            if value.width > 1 {
+                counts[element(value.width).min(64).ilog2() as usize - 3] += 1;
+            }
+        }
+        let strip = |(lanes, [bytes, words, doubles, quads]): (u32, [u32; 4])| {
+            let strip = match () {
+                () if bytes > 2 * (words + doubles + quads) => 16,
+                () if bytes + words > 2 * (doubles + quads) => 8,
+                () => 4,
+            };
+            (lanes, strip.min(lanes.next_power_of_two()).max(4))
+        };
+        Strips(elements.into_iter().map(strip).collect())
+    }
+
+    /// The strip of arrays of so many lanes.
+    pub fn strip(&self, lanes: u32) -> u32 {
+        self.0.get(&lanes).copied().unwrap_or(4)
+    }
+
+    /// Bits of an element that a lane of such an array is stored in.
+    fn storage(&self, lanes: u32, width: u32) -> u32 {
+        match lanes {
+            1 => limbs_for(width) as u32 * 64,
+            _ => element(width).max(128 / self.strip(lanes)),
+        }
+    }
+}
+
 /// Gives out places.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Layout {
     /// How many bytes are taken.
     pub size: usize,
+    pub strips: Strips,
 }
 
 impl Layout {
+    /// Nothing placed yet.
+    pub fn new(strips: Strips) -> Layout {
+        Layout { size: 0, strips }
+    }
+
     /// A place for a value of this shape.
     pub fn place(&mut self, lanes: u32, width: u32) -> Place {
+        let element = self.strips.storage(lanes, width);
         if lanes == 1 {
-            let element = limbs_for(width) as u32 * 64;
             let place = Place { offset: self.size, element, lanes, width };
             self.size += place.bytes();
             return place;
         }
-        let element = element(width);
         let offset = self.size.next_multiple_of(GUARD) + GUARD;
         let place = Place { offset, element, lanes, width };
-        self.size = (place.lane(lanes)).next_multiple_of(GUARD) + GUARD;
+        let guard = GUARD.max(self.strips.strip(lanes) as usize * place.bytes());
+        self.size = (place.lane(lanes) + guard).next_multiple_of(GUARD);
         place
-    }
-
-    /// A place for a value of the program.
-    pub fn of(&mut self, value: &Value) -> Place {
-        self.place(value.lanes, value.width)
     }
 }
 
-/// How the words of a memory stand: word `address` of lane `lane` is at `lane * lane_stride + address * word` bytes.
+/// How the words of a memory stand.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Words {
     /// Bytes of a word.
     pub word: usize,
     /// Bytes from a lane to the next.
-    pub stride: usize,
+    pub lane: usize,
+    /// Bytes from an address to the next.
+    pub address: usize,
     /// Bytes of it all.
     pub size: usize,
+    /// Where code that has nothing to write may write, from the lane's first byte; only where lanes stand apart.
+    pub nowhere: usize,
 }
 
 impl Words {
     /// Every address that its width can express has a word, so that reads need no check: those beyond the depth stay
-    /// zero. Lanes are skewed by a cache line, as a power of two between them would put all into one cache set.
-    pub fn of(memory: &Memory, address_width: u32) -> Words {
-        let word = element(memory.width) as usize / 8;
+    /// zero.
+    ///
+    /// Where all lanes have the same address, their words are side by side. Otherwise each lane's are together, and
+    /// lanes are skewed by a cache line, as a power of two between them would put all into one cache set.
+    pub fn of(memory: &Memory, address_width: u32, together: bool, strips: &Strips) -> Words {
         let depth = (memory.depth as usize).max(1 << address_width);
-        let stride = (depth * word).next_multiple_of(GUARD) + if memory.lanes > 1 { GUARD } else { 0 };
-        Words { word, stride, size: stride * memory.lanes as usize }
+        if together {
+            let word = strips.storage(memory.lanes, memory.width) as usize / 8;
+            let padded = memory.lanes.next_multiple_of(strips.strip(memory.lanes)) as usize;
+            let address = (padded * word).next_multiple_of(16);
+            return Words { word, lane: word, address, size: depth * address, nowhere: 0 };
+        }
+        let word = element(memory.width) as usize / 8;
+        let nowhere = (depth * word).next_multiple_of(LINE);
+        let lane = nowhere + word.next_multiple_of(LINE);
+        Words { word, lane, address: word, size: lane * memory.lanes as usize, nowhere }
     }
 
     /// The first byte of a word.
     pub fn at(&self, lane: u32, address: u32) -> usize {
-        lane as usize * self.stride + address as usize * self.word
+        lane as usize * self.lane + address as usize * self.address
+    }
+
+    /// Whether the words of all lanes at an address are side by side.
+    pub fn together(&self) -> bool {
+        self.nowhere == 0
     }
 }
+
+/// Bytes of a line of the cache.
+const LINE: usize = 64;

@@ -10,10 +10,12 @@ mod jit;
 mod kernel;
 mod lanes;
 mod layout;
+mod lower;
 mod memory;
 mod plan;
 mod scalar;
 mod store;
+mod strip;
 
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -28,7 +30,7 @@ use function::{Addresses, Emitter, MemoryAt};
 use graph::{Graph, Sink};
 pub use jit::Unsupported;
 use jit::{Code, Jit};
-use layout::{Layout, Place, Words};
+use layout::{Layout, Place, Strips, Words};
 use plan::Plan;
 use store::Store;
 
@@ -69,10 +71,10 @@ impl Compiled {
     pub fn new(program: Arc<Program>, seed: u64) -> Result<Compiled, Unsupported> {
         let jit = Jit::new()?;
         let mut start = reference::Engine::new(program.clone(), seed);
-        let mut layout = Layout::default();
+        let mut layout = Layout::new(Strips::of(&program));
         let mut places = vec![None; program.values.len()];
         for (id, value) in program.values.iter().enumerate().filter(|(_, value)| value.offset < program.state_end) {
-            places[id] = Some(layout.of(value));
+            places[id] = Some(layout.place(value.lanes, value.width));
         }
         let mut state = Store::new(layout.size);
         let mut mirror = vec![0; program.storage];
@@ -85,14 +87,17 @@ impl Compiled {
             mirror[program.value(*id).range()].copy_from_slice(start.read(*id));
         }
         let memories = program.memories.iter().enumerate();
-        let memories = memories.map(|(index, memory)| memory_at(&program, index, memory, &start)).collect();
+        let memories =
+            memories.map(|(index, memory)| memory_at(&program, index, memory, &layout.strips, &start)).collect();
         let resets = vec![false; program.clocks.len()];
         let (edges, views) = (Vec::new(), HashMap::new());
         Ok(Compiled { program, jit, state, layout, places, memories, resets, edges, views, version: 1, mirror })
     }
 
     /// Makes a function of a graph; gives the places of what it shows.
-    fn compile(&mut self, graph: &Graph) -> (Code, Addresses) {
+    fn compile(&mut self, mut graph: Graph) -> (Code, Addresses) {
+        lower::lower(&mut graph, &self.layout.strips);
+        let graph = &graph;
         let plan = Plan::new(graph);
         let addresses = Addresses::new(graph, &plan, &self.places, &mut self.layout);
         self.state.grow(self.layout.size);
@@ -100,8 +105,9 @@ impl Compiled {
             self.fill(graph, table, addresses.places[table.index()].expect("a table has a place"));
         }
         let memories: Vec<MemoryAt> = self.memories.iter().map(|(at, _)| *at).collect();
+        let strips = &self.layout.strips;
         let code = self.jit.function(|builder, state, count| {
-            Emitter::new(graph, &plan, &addresses, &memories, builder, state).repeat(count);
+            Emitter::new(graph, &plan, &addresses, &memories, strips, builder, state).repeat(count);
         });
         (code, addresses)
     }
@@ -125,7 +131,7 @@ impl Compiled {
             return *code;
         }
         let graph = Graph::edge(&self.program, rising, &self.resets);
-        let (code, _) = self.compile(&graph);
+        let (code, _) = self.compile(graph);
         self.edges.push((rising.to_vec(), self.resets.clone(), code));
         code
     }
@@ -147,7 +153,7 @@ impl Compiled {
     fn show(&mut self, shown: Vec<ValueId>) -> Arc<View> {
         let mut graph = Graph::new(&self.program);
         graph.sinks = shown.iter().map(|&value| Sink::Show(value)).collect();
-        let (code, addresses) = self.compile(&graph);
+        let (code, addresses) = self.compile(graph);
         let place = |&id: &ValueId| (id, addresses.places[id.index()].expect("what is shown has a place"));
         let places = shown.iter().map(place).collect();
         let view = Arc::new(View { code, places, seen: 0.into() });
@@ -185,27 +191,45 @@ fn memory_at(
     program: &Program,
     index: usize,
     memory: &crate::program::Memory,
+    strips: &Strips,
     start: &reference::Engine,
 ) -> (MemoryAt, Store) {
-    let addresses = memory.reads.iter().map(|read| read.address).chain(memory.writes.iter().map(|write| write.address));
-    let asynchronous = program.operations.iter().filter_map(|operation| match operation.kind {
-        Kind::Read { memory, address } if memory as usize == index => Some(address),
-        _ => None,
-    });
-    let width = addresses.chain(asynchronous).map(|id| program.value(id).width).max().unwrap_or(1);
-    let words = Words::of(memory, width);
+    let addresses: Vec<ValueId> = addresses(program, index, memory);
+    let width = addresses.iter().map(|&id| program.value(id).width).max().unwrap_or(1);
+    let together = memory.lanes > 1 && memory.width <= 64 && addresses.iter().all(|&id| is_common(program, id));
+    let words = Words::of(memory, width, together, strips);
     let mut store = Store::new(words.size);
     let limbs = limbs_for(memory.width);
     for lane in 0..memory.lanes {
         for address in 0..memory.depth {
             let word = start.word(index as u32, lane, address);
             if word[..limbs].iter().any(|&limb| limb != 0) {
-                store.put_word(words.at(lane, address), words.word, &word);
+                store.put_word(words.at(lane, address), words.word, memory.width, &word);
             }
         }
     }
-    let at = MemoryAt { address: store.address() as usize, words, depth: memory.depth, width: memory.width };
+    let is_full = memory.depth as usize >= 1 << width;
+    let at = MemoryAt { address: store.address() as usize, words, depth: memory.depth, width: memory.width, is_full };
     (at, store)
+}
+
+/// The addresses at which a memory is read and written.
+fn addresses(program: &Program, index: usize, memory: &crate::program::Memory) -> Vec<ValueId> {
+    let synchronous = memory.reads.iter().map(|read| read.address);
+    let written = memory.writes.iter().map(|write| write.address);
+    let asynchronous = program.operations.iter().filter_map(|operation| match operation.kind {
+        Kind::Read { memory, address } if memory as usize == index => Some(address),
+        _ => None,
+    });
+    synchronous.chain(written).chain(asynchronous).collect()
+}
+
+/// Whether a value is the same in all lanes, and can be taken from one.
+fn is_common(program: &Program, id: ValueId) -> bool {
+    program.operations.iter().any(|operation| {
+        let is_broadcast = matches!(operation.kind, Kind::Broadcast(of, _) if program.value(of).lanes == 1);
+        operation.result == id && is_broadcast
+    })
 }
 
 impl Engine for Compiled {
@@ -231,13 +255,13 @@ impl Engine for Compiled {
     fn word(&self, memory: u32, lane: u32, address: u32) -> Vec<u64> {
         let (at, store) = &self.memories[memory as usize];
         let mut limbs = vec![0; limbs_for(at.width)];
-        store.get_word(at.words.at(lane, address), at.words.word, &mut limbs);
+        store.get_word(at.words.at(lane, address), at.words.word, at.width, &mut limbs);
         limbs
     }
 
     fn set_word(&mut self, memory: u32, lane: u32, address: u32, limbs: &[u64]) {
         let (at, store) = &mut self.memories[memory as usize];
-        store.put_word(at.words.at(lane, address), at.words.word, limbs);
+        store.put_word(at.words.at(lane, address), at.words.word, at.width, limbs);
         self.version += 1;
     }
 

@@ -57,7 +57,7 @@ enum Role {
     Resident,
     Single,
     Packed,
-    /// The same single value in all lanes: no work of its own.
+    /// The same single value, or row, in all lanes: no work of its own.
     Uniform,
     /// In the kernel of so many lanes.
     Kernel(u32),
@@ -99,7 +99,7 @@ pub(super) fn is_table(graph: &Graph, id: ValueId) -> bool {
 /// Arrays that somebody looks at otherwise than lane by lane.
 fn looked_at(graph: &Graph, needed: &[ValueId]) -> BTreeSet<ValueId> {
     let of = needed.iter().filter_map(|&id| match graph.cell(id).kind {
-        Kind::Shifted { of, .. } | Kind::Lane { of, .. } | Kind::Broadcast(of, _) => Some(of),
+        Kind::Shifted { of, .. } | Kind::Lane { of, .. } | Kind::Broadcast(of, _) | Kind::Tile(of, _) => Some(of),
         _ => None,
     });
     let shown = graph.sinks.iter().filter_map(|sink| match sink {
@@ -124,6 +124,7 @@ impl Planner<'_> {
             _ if is_table(self.graph, id) => Role::Resident,
             Kind::PerLane(_) => Role::Packed,
             Kind::Broadcast(of, _) if self.graph.cell(*of).lanes == 1 && !self.looked_at.contains(&id) => Role::Uniform,
+            Kind::Tile(..) if !self.looked_at.contains(&id) => Role::Uniform,
             Kind::Reduce { of, .. } => Role::Kernel(self.graph.cell(*of).lanes),
             Kind::Lane { .. } if cell.lanes > 1 => Role::Kernel(cell.lanes),
             _ if cell.lanes == 1 => Role::Single,
@@ -270,8 +271,8 @@ impl Planner<'_> {
             let kind = &self.graph.cell(id).kind;
             let by_lane = kind.is_elementwise() || matches!(kind, Kind::Read { .. } | Kind::Reduce { .. });
             let reader = match self.role(id) {
-                // A broadcast array is read where it is used, any time later.
-                _ if matches!(kind, Kind::Alias(_)) => Position { stage: usize::MAX, place: 0 },
+                // A row is read where it is used, any time later.
+                Role::Uniform => Position { stage: usize::MAX, place: 0 },
                 _ => self.positions[id.index()],
             };
             kind.for_each_operand(|operand| read(operand, reader, by_lane));

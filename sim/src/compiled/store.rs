@@ -54,15 +54,22 @@ impl Store {
         word.set(word.get() & !(ones << shift) | (value & ones) << shift);
     }
 
-    /// The limbs of a word of a memory.
-    pub fn get_word(&self, at: usize, bytes: usize, limbs: &mut [u64]) {
+    /// The limbs of one lane of a value, or of a word, of so many bytes.
+    pub fn get_word(&self, at: usize, bytes: usize, width: u32, limbs: &mut [u64]) {
+        if is_mask(bytes, width) {
+            limbs[0] = self.integer(at, bytes) & 1;
+            return;
+        }
         for (i, limb) in limbs.iter_mut().enumerate() {
             *limb = self.integer(at + i * 8, bytes.min(8));
         }
     }
 
-    /// Replaces a word of a memory.
-    pub fn put_word(&mut self, at: usize, bytes: usize, limbs: &[u64]) {
+    /// Replaces one lane of a value, or a word.
+    pub fn put_word(&mut self, at: usize, bytes: usize, width: u32, limbs: &[u64]) {
+        if is_mask(bytes, width) {
+            return self.set_integer(at, bytes, limbs[0].wrapping_neg());
+        }
         for (i, &limb) in limbs.iter().enumerate() {
             self.set_integer(at + i * 8, bytes.min(8), limb);
         }
@@ -72,7 +79,7 @@ impl Store {
     pub fn get(&self, place: Place, limbs: &mut [u64]) {
         let each = limbs.len() / place.lanes as usize;
         for (lane, limbs) in (0..).zip(limbs.chunks_exact_mut(each)) {
-            self.get_word(place.lane(lane), place.bytes(), limbs);
+            self.get_word(place.lane(lane), place.bytes(), place.width, limbs);
         }
     }
 
@@ -80,7 +87,12 @@ impl Store {
     pub fn put(&mut self, place: Place, limbs: &[u64]) {
         let each = limbs.len() / place.lanes as usize;
         for (lane, limbs) in (0..).zip(limbs.chunks_exact(each)) {
-            self.put_word(place.lane(lane), place.bytes(), limbs);
+            self.put_word(place.lane(lane), place.bytes(), place.width, limbs);
         }
     }
+}
+
+/// Whether a value of 1 bit stands as all ones or all zeros: as all do that have lanes, or are words.
+pub(super) fn is_mask(bytes: usize, width: u32) -> bool {
+    width == 1 && bytes < 8
 }

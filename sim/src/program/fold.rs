@@ -14,7 +14,7 @@ pub(super) fn fold(netlist: &Netlist, id: ValueId) -> Option<Bits> {
         _ => None,
     };
     match &cell.kind {
-        Kind::Broadcast(of, _) | Kind::Lane { of, .. } => constant(*of).cloned(),
+        Kind::Broadcast(of, _) | Kind::Tile(of, _) | Kind::Lane { of, .. } => constant(*of).cloned(),
         kind if kind.is_elementwise() => {
             let mut known = true;
             kind.for_each_operand(|operand| known &= constant(operand).is_some());

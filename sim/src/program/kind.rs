@@ -65,6 +65,8 @@ pub enum Kind {
     },
     /// From `L` lanes to `L * n`: each lane `n` times over.
     Broadcast(ValueId, u32),
+    /// From `n` lanes to `n * m`: all lanes, `m` times over.
+    Tile(ValueId, u32),
     /// From `L` lanes to `L * n`: lane `outer * n + i` is lane `outer` of operand `i`.
     PerLane(Vec<ValueId>),
     /// Within each group of `n` lanes: lane `i` is lane `i - by` of the operand, or its group's lane of `edge`.
@@ -110,6 +112,7 @@ macro_rules! each_operand {
             | Kind::Extend(a, _)
             | Kind::Read { address: a, .. }
             | Kind::Broadcast(a, _)
+            | Kind::Tile(a, _)
             | Kind::Lane { of: a, .. }
             | Kind::Reduce { of: a, .. } => $visit(a),
             Kind::Binary(_, a, b)
@@ -162,6 +165,7 @@ impl Kind {
                 | Kind::Alias(_)
                 | Kind::Read { .. }
                 | Kind::Broadcast(..)
+                | Kind::Tile(..)
                 | Kind::PerLane(_)
                 | Kind::Shifted { .. }
                 | Kind::Lane { .. }

@@ -65,32 +65,63 @@ fn alias(netlist: &Netlist, id: ValueId) -> Option<ValueId> {
     }
 }
 
-/// Where every operand is a broadcast to the same groups or a constant, computes before the broadcast.
+/// What is the same in all lanes or groups is computed once, before it is repeated.
 fn uniform(netlist: &mut Netlist, known: &mut HashMap<(Kind, u32, u32), ValueId>, id: ValueId) {
     let cell = netlist.cell(id);
-    if !cell.kind.is_elementwise() {
-        return;
+    let repeated = match &cell.kind {
+        Kind::Broadcast(of, n) => match netlist.cell(*of).kind {
+            Kind::Broadcast(plain, inner) => Some(Kind::Broadcast(plain, inner * n)),
+            _ => None,
+        },
+        Kind::PerLane(_) => tile(netlist, known, id),
+        kind if kind.is_elementwise() => hoist(netlist, known, id),
+        _ => None,
+    };
+    if let Some(kind) = repeated {
+        netlist.cells[id.index()].kind = kind;
     }
-    let mut groups: Option<u32> = None;
-    let mut all = true;
-    cell.kind.for_each_operand(|operand| match &netlist.cell(operand).kind {
-        Kind::Broadcast(_, n) => all &= *groups.get_or_insert(*n) == *n,
-        Kind::Const(_) => {}
-        _ => all = false,
+}
+
+/// Lanes of which each is the same in all groups.
+fn tile(netlist: &mut Netlist, known: &mut HashMap<(Kind, u32, u32), ValueId>, id: ValueId) -> Option<Kind> {
+    let Cell { kind: Kind::PerLane(parts), lanes, width, origin } = netlist.cell(id).clone() else { return None };
+    let groups = lanes / parts.len() as u32;
+    let plain = parts.iter().map(|part| match netlist.cell(*part).kind {
+        Kind::Broadcast(plain, n) if n == groups => Some(plain),
+        _ => None,
     });
-    let Some(group) = groups.filter(|_| all) else { return };
-    let (mut kind, lanes, width, origin) = (cell.kind.clone(), cell.lanes / group, cell.width, cell.origin);
+    let plain = plain.collect::<Option<Vec<ValueId>>>().filter(|_| groups > 1)?;
+    let of = add(netlist, known, Cell { kind: Kind::PerLane(plain), lanes: lanes / groups, width, origin });
+    Some(Kind::Tile(of, groups))
+}
+
+/// An operation whose operands are all repeated in the same way, or constants.
+fn hoist(netlist: &mut Netlist, known: &mut HashMap<(Kind, u32, u32), ValueId>, id: ValueId) -> Option<Kind> {
+    let Cell { mut kind, lanes, width, origin } = netlist.cell(id).clone();
+    let mut ways = Vec::new();
+    kind.for_each_operand(|operand| match netlist.cell(operand).kind {
+        Kind::Broadcast(_, n) => ways.push(Some((false, n))),
+        Kind::Tile(_, m) => ways.push(Some((true, m))),
+        Kind::Const(_) => {}
+        _ => ways.push(None),
+    });
+    let (tiled, times) = ways.first().copied().flatten().filter(|way| ways.iter().all(|other| *other == Some(*way)))?;
+    let lanes = lanes / times;
     kind.rewrite(|operand| {
-        *operand = match netlist.cells[operand.index()].kind.clone() {
-            Kind::Broadcast(plain, _) => plain,
+        *operand = match netlist.cell(*operand).kind.clone() {
+            Kind::Broadcast(plain, _) | Kind::Tile(plain, _) => plain,
             constant => {
-                let width = netlist.cells[operand.index()].width;
-                netlist.cells.push(Cell { kind: constant, lanes, width, origin: None });
-                share(netlist, known, ValueId(netlist.cells.len() as u32 - 1))
+                let width = netlist.cell(*operand).width;
+                add(netlist, known, Cell { kind: constant, lanes, width, origin: None })
             }
         }
     });
-    netlist.cells.push(Cell { kind, lanes, width, origin });
-    let plain = share(netlist, known, ValueId(netlist.cells.len() as u32 - 1));
-    netlist.cells[id.index()].kind = Kind::Broadcast(plain, group);
+    let plain = add(netlist, known, Cell { kind, lanes, width, origin });
+    Some(if tiled { Kind::Tile(plain, times) } else { Kind::Broadcast(plain, times) })
+}
+
+/// A cell of which all operands are simplified, or an earlier one that computes the same.
+fn add(netlist: &mut Netlist, known: &mut HashMap<(Kind, u32, u32), ValueId>, cell: Cell) -> ValueId {
+    netlist.cells.push(cell);
+    share(netlist, known, ValueId(netlist.cells.len() as u32 - 1))
 }

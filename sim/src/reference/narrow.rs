@@ -64,6 +64,10 @@ pub(super) fn evaluate(program: &Program, kind: &Kind, result: ValueId, storage:
         Kind::Broadcast(of, n) => {
             out.chunks_exact_mut(*n as usize).zip(at(of)).for_each(|(group, of)| group.fill(*of));
         }
+        Kind::Tile(of, _) => {
+            let of = at(of);
+            out.chunks_exact_mut(of.len()).for_each(|group| group.copy_from_slice(of));
+        }
         Kind::PerLane(parts) => {
             for (i, part) in parts.iter().enumerate() {
                 out.iter_mut().skip(i).step_by(parts.len()).zip(at(part)).for_each(|(out, part)| *out = *part);

@@ -15,6 +15,7 @@ pub(super) fn evaluate(program: &Program, kind: &Kind, result: ValueId, storage:
     for (lane, out) in out.chunks_exact_mut(value.limbs()).enumerate() {
         match kind {
             Kind::Broadcast(of, n) => out.copy_from_slice(at(*of, lane / *n as usize)),
+            Kind::Tile(of, _) => out.copy_from_slice(at(*of, lane % program.value(*of).lanes as usize)),
             Kind::PerLane(parts) => out.copy_from_slice(at(parts[lane % parts.len()], lane / parts.len())),
             Kind::Shifted { of, by, edge, group } => {
                 let (outer, inner) = (lane / *group as usize, lane % *group as usize);

@@ -5,9 +5,9 @@ use cranelift_codegen::ir::{InstBuilder, Value, types};
 use cranelift_frontend::FunctionBuilder;
 use tilewright_hdl::ir::{Binary, Unary};
 
+use super::Lanes;
 use super::emit::{self, cast, low_mask, ty};
 use super::form::{Form, Need, Vector};
-use super::Lanes;
 use crate::program::ValueId;
 
 impl Lanes {

@@ -83,8 +83,7 @@ impl Lanes {
                 true => self.top(b, id, element),
                 false => self.number(b, id, element, Need::Signed),
             });
-            let parts =
-                emit::map2(&x.parts, &y.parts, |x, y| b.ins().icmp(IntCC::SignedGreaterThan, x, y));
+            let parts = emit::map2(&x.parts, &y.parts, |x, y| b.ins().icmp(IntCC::SignedGreaterThan, x, y));
             return self.mask_of(element, parts);
         }
         let element = self.pick(least, &[(x, Need::Clean), (y, Need::Clean)], 1);
@@ -150,4 +149,3 @@ impl Lanes {
         self.mask_of(of.element, parts)
     }
 }
-

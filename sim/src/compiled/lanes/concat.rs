@@ -165,7 +165,9 @@ impl Lanes {
                 Some(sum) => self.either(b, &sum, &moved),
             });
         }
-        if constant == 0 && let Some(sum) = sum {
+        if constant == 0
+            && let Some(sum) = sum
+        {
             return sum;
         }
         let known = self.known_vector(b, width, constant, element, Need::Clean);
@@ -193,8 +195,7 @@ impl Lanes {
             let form = Form::Bits(width.min(number.form.bits(least) + width - single));
             return Vector { width, element: least, form, parts, inverse: None };
         }
-        let pieces: Vec<Piece> =
-            (0..times).map(|i| Piece { id: of, low: i * single, width: single }).collect();
+        let pieces: Vec<Piece> = (0..times).map(|i| Piece { id: of, low: i * single, width: single }).collect();
         self.pieces(b, &pieces, width)
     }
 }

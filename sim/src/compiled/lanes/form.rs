@@ -160,7 +160,9 @@ pub(super) fn next(form: Form, width: u32, at: u32, to: u32, need: Need) -> Opti
             (Need::Any | Need::Signed, Form::Mask) => (Step::Double, form, at * 2),
             (Need::Signed, Form::Signed(_)) => (Step::WidenSigned, form, at * 2),
             // Of the width of the element it was both clean and signed; it cannot be both in the next.
-            (Need::Signed, Form::Bits(bits)) if bits >= width => (Step::WidenSigned, Form::signed(width, at * 2), at * 2),
+            (Need::Signed, Form::Bits(bits)) if bits >= width => {
+                (Step::WidenSigned, Form::signed(width, at * 2), at * 2)
+            }
             _ => (Step::Widen, Form::Bits(form.bits(at)), at * 2),
         });
     }

@@ -12,7 +12,7 @@ use crate::program::ValueId;
 
 /// Where the lanes of a strip are side by side: clean numbers, of 1 bit masks.
 #[derive(Debug, Clone, Copy)]
-pub(in crate::compiled) struct Strip {
+pub(in crate::compiled) struct Span {
     /// Bits of a lane: 8, 16, 32 or 64, at least the width.
     pub storage: u32,
     /// With the offset, where the first lane is.
@@ -22,7 +22,7 @@ pub(in crate::compiled) struct Strip {
     pub aligned: bool,
 }
 
-impl Strip {
+impl Span {
     fn flags(&self) -> MemFlagsData {
         let flags = MemFlagsData::new().with_notrap();
         if self.aligned { flags.with_aligned() } else { flags }
@@ -31,8 +31,8 @@ impl Strip {
 
 impl Lanes {
     /// Loads the lanes of a strip.
-    pub fn load(&mut self, b: &mut FunctionBuilder, id: ValueId, width: u32, from: Strip) {
-        let Strip { storage, address, offset, .. } = from;
+    pub fn load(&mut self, b: &mut FunctionBuilder, id: ValueId, width: u32, from: Span) {
+        let Span { storage, address, offset, .. } = from;
         let form = if width == 1 { Form::Mask } else { Form::Bits(width) };
         let flags = from.flags();
         let mut element = storage;
@@ -59,14 +59,14 @@ impl Lanes {
     }
 
     /// Stores the lanes of a strip.
-    pub fn store(&mut self, b: &mut FunctionBuilder, id: ValueId, to: Strip) {
+    pub fn store(&mut self, b: &mut FunctionBuilder, id: ValueId, to: Span) {
         let need = stored(self.width(id));
         let vector = self.number(b, id, to.storage.max(128 / self.strip), need);
         self.store_vector(b, &vector, to);
     }
 
     /// Stores the lanes where the 1-bit value `select` is 1, and in the others `old`, which is what is there.
-    pub fn store_where(&mut self, b: &mut FunctionBuilder, select: ValueId, id: ValueId, old: ValueId, to: Strip) {
+    pub fn store_where(&mut self, b: &mut FunctionBuilder, select: ValueId, id: ValueId, old: ValueId, to: Span) {
         let need = stored(self.width(id));
         let element = to.storage.max(128 / self.strip);
         let select = self.number(b, select, element, Need::Signed);
@@ -75,8 +75,8 @@ impl Lanes {
         self.store_vector(b, &vector, to);
     }
 
-    fn store_vector(&mut self, b: &mut FunctionBuilder, vector: &Vector, to: Strip) {
-        let Strip { storage, address, offset, .. } = to;
+    fn store_vector(&mut self, b: &mut FunctionBuilder, vector: &Vector, to: Span) {
+        let Span { storage, address, offset, .. } = to;
         let flags = to.flags();
         if vector.element == storage {
             for (i, &part) in vector.parts.iter().enumerate() {

@@ -4,9 +4,9 @@ use cranelift_codegen::ir::{InstBuilder, Value, types};
 use cranelift_frontend::FunctionBuilder;
 use tilewright_hdl::ir::{Binary, Reduction};
 
+use super::Lanes;
 use super::emit::{self, cast, low_mask, ty};
 use super::form::Vector;
-use super::Lanes;
 
 fn operator(by: Reduction) -> Binary {
     match by {

@@ -4,9 +4,9 @@ use cranelift_codegen::ir::{InstBuilder, types};
 use cranelift_frontend::FunctionBuilder;
 use tilewright_hdl::Bits;
 
+use super::Lanes;
 use super::emit::{self, cast, ty};
 use super::form::{Form, Need, Vector};
-use super::Lanes;
 use crate::program::ValueId;
 
 impl Lanes {
@@ -99,8 +99,7 @@ impl Lanes {
         for (key, value) in arms.iter().rev().filter(|(_, value)| *value != default) {
             let value = self.number(b, *value, element, need);
             let mut condition = self.key(b, &of, key.limbs()[0], signed);
-            while let Some((step, form, to)) =
-                super::next(condition.form, 1, condition.element, element, Need::Signed)
+            while let Some((step, form, to)) = super::next(condition.form, 1, condition.element, element, Need::Signed)
             {
                 condition = self.step(b, step, &condition, form, to);
             }

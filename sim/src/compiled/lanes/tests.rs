@@ -5,7 +5,7 @@ use tilewright_hdl::Bits;
 use tilewright_hdl::ir::{Binary, Reduction, Relation, Shift, Unary};
 
 use super::emit::low_mask;
-use super::memory::Strip;
+use super::memory::Span;
 use super::*;
 use crate::compiled::jit::Jit;
 use crate::lane::{Number, evaluate};
@@ -237,9 +237,9 @@ impl Chain {
         node.lanes.iter().flat_map(|lane| stored(lane).to_le_bytes().into_iter().take(storage as usize / 8)).collect()
     }
 
-    fn strip_of(&self, index: usize, address: Value) -> Strip {
+    fn strip_of(&self, index: usize, address: Value) -> Span {
         let at = self.nodes[index].at;
-        Strip { storage: self.storage(index), address, offset: at as i32, aligned: at % 16 == 0 }
+        Span { storage: self.storage(index), address, offset: at as i32, aligned: at % 16 == 0 }
     }
 
     /// Runs the chain on memory and compares all that is stored; at the end if `late`, as what is stored is clean
@@ -344,11 +344,13 @@ fn shifts_by_all_amounts_are_as_lane_by_lane() {
         for width in [2, 5, 8, 13, 16, 24, 25, 32, 40, 64] {
             for amount in [1, 2, 3, 4, 5, 6, 7, 8, 12, 32, 64] {
                 let a = chain.input(width);
-                let lanes = (0..strip).map(|_| chain.random.next() % (u64::from(width) + 3) & low_mask(amount)).collect();
+                let lanes =
+                    (0..strip).map(|_| chain.random.next() % (u64::from(width) + 3) & low_mask(amount)).collect();
                 let by = chain.add(Kind::State, amount, lanes, false);
                 let scalar = chain.random.next() % (u64::from(width) + 3) & low_mask(amount);
                 let uniform = chain.add(Kind::State, amount, vec![scalar; strip as usize], true);
-                let known = chain.add(Kind::Const(Bits::new(amount, scalar)), amount, vec![scalar; strip as usize], false);
+                let known =
+                    chain.add(Kind::Const(Bits::new(amount, scalar)), amount, vec![scalar; strip as usize], false);
                 for op in [Shift::Left, Shift::Right, Shift::RightSigned] {
                     for by in [by, uniform, known] {
                         let kind = Kind::Shift(op, a, by);
@@ -457,7 +459,7 @@ fn old_lanes_remain_where_a_mask_is_zero() {
                         .collect();
                     strips.gather(b, ValueId(j as u32), width, &numbers);
                 }
-                let to = Strip { storage, address: state, offset: 384, aligned: false };
+                let to = Span { storage, address: state, offset: 384, aligned: false };
                 strips.store_where(b, ValueId(0), ValueId(1), ValueId(2), to);
                 // What is forgotten is made again.
                 let mark = strips.mark();

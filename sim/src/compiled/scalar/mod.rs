@@ -14,6 +14,7 @@ use cranelift_codegen::ir::{InstBuilder, MemFlagsData, Type, Value, types};
 use cranelift_frontend::FunctionBuilder;
 use tilewright_hdl::{Bits, limbs_for};
 
+use super::store::is_mask;
 use crate::program::{Kind, ValueId};
 
 /// A value of one lane in general registers, in the forms that somebody has asked for.
@@ -36,6 +37,17 @@ impl Scalar {
         Scalar { width, integer: Some(integer), bound: bound.min(64), flag: None, limbs: None, known: None }
     }
 
+    /// An integer of up to 64 bits with zeros above its width.
+    pub fn clean(width: u32, integer: Value) -> Scalar {
+        Scalar::integer(width, integer, width)
+    }
+
+    /// Loads the limbs of a value of more than 64 bits.
+    pub fn load(b: &mut FunctionBuilder, width: u32, at: Value, offset: i32) -> Scalar {
+        let limb = |i: i32| b.ins().load(types::I64, MemFlagsData::trusted(), at, offset + i * 8);
+        Scalar::limbs(width, (0..limbs_for(width) as i32).map(limb).collect())
+    }
+
     fn flag(flag: Value) -> Scalar {
         Scalar { width: 1, integer: None, bound: 1, flag: Some(flag), limbs: None, known: None }
     }
@@ -46,7 +58,7 @@ impl Scalar {
 }
 
 /// The values of a block and of those that it dominates.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub(super) struct Scalars {
     values: HashMap<ValueId, Scalar>,
 }
@@ -140,10 +152,15 @@ impl Scalars {
         flag
     }
 
-    /// Loads a value that stands as integers of `element` bits, zero above its width.
+    /// Loads a value that stands as integers of `element` bits, zero above its width; 1 bit in less than 64 as a mask.
     pub fn load(&mut self, b: &mut FunctionBuilder, id: ValueId, width: u32, element: u32, at: Value, offset: i32) {
         let flags = MemFlagsData::trusted();
         let kind = Type::int(element as u16).expect("an element is an integer");
+        if is_mask(element as usize / 8, width) {
+            let mask = b.ins().load(types::I8, flags, at, offset);
+            let flag = b.ins().band_imm_u(mask, 1);
+            return self.define_flag(id, flag);
+        }
         let mut limb = |i: i32| {
             let limb = b.ins().load(kind, flags, at, offset + i * 8);
             if element < 64 { b.ins().uextend(types::I64, limb) } else { limb }
@@ -155,9 +172,17 @@ impl Scalars {
         self.define(id, scalar);
     }
 
-    /// Stores a value as integers of `element` bits, zero above its width.
+    /// Stores a value as [`Scalars::load`] takes it.
     pub fn store(&mut self, b: &mut FunctionBuilder, id: ValueId, element: u32, at: Value, offset: i32) {
         let flags = MemFlagsData::trusted();
+        if is_mask(element as usize / 8, self.width(id)) {
+            let flag = self.flag(b, id);
+            let mask = b.ins().ineg(flag);
+            let kind = Type::int(element as u16).expect("an element is an integer");
+            let mask = if element > 8 { b.ins().sextend(kind, mask) } else { mask };
+            b.ins().store(flags, mask, at, offset);
+            return;
+        }
         if self.width(id) == element && element < 64 {
             let integer = self.integer(b, id);
             let kind = Type::int(element as u16).expect("an element is an integer");

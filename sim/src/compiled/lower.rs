@@ -1,0 +1,96 @@
+//! Makes of operations across lanes what a loop over strips can do.
+
+use std::collections::HashMap;
+
+use tilewright_hdl::Bits;
+use tilewright_hdl::ir::{Binary, Reduction};
+
+use super::graph::{Graph, Sink};
+use super::layout::Strips;
+use crate::program::{Kind, ValueId};
+
+/// Constants that a pass has added, so that it adds each once.
+#[derive(Default)]
+struct Tables(HashMap<(u32, Vec<bool>), ValueId>);
+
+impl Tables {
+    /// A 1-bit value of so many lanes: `pattern` over and over.
+    fn flags(&mut self, graph: &mut Graph, lanes: u32, pattern: &[bool]) -> ValueId {
+        if let Some(&id) = self.0.get(&(lanes, pattern.to_vec())) {
+            return id;
+        }
+        let outer = lanes / pattern.len() as u32;
+        let [zero, one] = [0, 1].map(|bit| graph.add(Kind::Const(Bits::from_limbs(1, &[bit])), outer, 1));
+        let parts = pattern.iter().map(|&bit| if bit { one } else { zero }).collect();
+        let id = graph.add(Kind::PerLane(parts), lanes, 1);
+        self.0.insert((lanes, pattern.to_vec()), id);
+        id
+    }
+
+    /// 1 in the lanes that exist, which those of the last strip may not.
+    fn existing(&mut self, graph: &mut Graph, lanes: u32) -> ValueId {
+        self.flags(graph, lanes, &vec![true; lanes as usize])
+    }
+}
+
+/// Rewrites a graph: neighbours are loaded from anywhere and replaced at the edges of their groups (`edge` of what
+/// remains is not looked at); lanes that pad the last strip take no part in reductions and write nothing.
+pub(super) fn lower(graph: &mut Graph, strips: &Strips) {
+    let mut tables = Tables::default();
+    for index in 0..graph.cells.len() {
+        let id = ValueId(index as u32);
+        match graph.cell(id).kind.clone() {
+            Kind::Shifted { of, by, edge, group } => neighbour(graph, &mut tables, id, of, by, edge, group),
+            Kind::Reduce { by, of, group } => reduction(graph, &mut tables, strips, id, by, of, group),
+            _ => {}
+        }
+    }
+    for index in 0..graph.sinks.len() {
+        if let Sink::Write { memory, enable, address, data } = graph.sinks[index] {
+            let lanes = graph.cell(enable).lanes;
+            if lanes > 1 && lanes % strips.strip(lanes) != 0 {
+                let existing = tables.existing(graph, lanes);
+                let enable = graph.add(Kind::Binary(Binary::And, enable, existing), lanes, 1);
+                graph.sinks[index] = Sink::Write { memory, enable, address, data };
+            }
+        }
+    }
+}
+
+fn neighbour(graph: &mut Graph, tables: &mut Tables, id: ValueId, of: ValueId, by: i32, edge: ValueId, group: u32) {
+    let (lanes, width) = (graph.cell(id).lanes, graph.cell(id).width);
+    let has_neighbour = |lane: u32| lane.checked_add_signed(-by).is_some_and(|from| from < group);
+    let pattern: Vec<bool> = (0..group).map(has_neighbour).collect();
+    let end = match graph.cell(edge).kind.clone() {
+        Kind::Const(bits) => graph.add(Kind::Const(bits), lanes, width),
+        Kind::Broadcast(plain, n) => graph.add(Kind::Broadcast(plain, n * group), lanes, width),
+        _ => graph.add(Kind::Broadcast(edge, group), lanes, width),
+    };
+    if !pattern.contains(&true) {
+        graph.cells[id.index()].kind = Kind::Alias(end);
+        return;
+    }
+    let select = tables.flags(graph, lanes, &pattern);
+    let anywhere = graph.add(Kind::Shifted { of, by, edge: of, group }, lanes, width);
+    graph.cells[id.index()].kind = Kind::Mux { select, on_true: anywhere, on_false: end };
+}
+
+fn reduction(
+    graph: &mut Graph,
+    tables: &mut Tables,
+    strips: &Strips,
+    id: ValueId,
+    by: Reduction,
+    of: ValueId,
+    group: u32,
+) {
+    let (lanes, width) = (graph.cell(of).lanes, graph.cell(of).width);
+    if group < lanes || lanes % strips.strip(lanes) == 0 {
+        return;
+    }
+    let neutral = if by == Reduction::And { Bits::ones(width) } else { Bits::zero(width) };
+    let select = tables.existing(graph, lanes);
+    let neutral = graph.add(Kind::Const(neutral), lanes, width);
+    let of = graph.add(Kind::Mux { select, on_true: of, on_false: neutral }, lanes, width);
+    graph.cells[id.index()].kind = Kind::Reduce { by, of, group };
+}
