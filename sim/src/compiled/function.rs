@@ -54,6 +54,9 @@ impl Addresses {
                 places[id.index()] = Some(layout.place(cell.lanes, cell.width));
             }
         }
+        for &(new, of) in &plan.moved {
+            places[new.index()] = places[of.index()];
+        }
         let waiting = plan.late.iter().map(|&id| {
             let cell = graph.cell(id);
             (id, layout.place(cell.lanes, cell.width))

@@ -3,6 +3,7 @@
 use tilewright_hdl::Bits;
 use tilewright_hdl::ir::{Binary, ReadUnderWrite, Relation, Unary};
 
+use crate::program::rules::Cells;
 use crate::program::{Kind, Program, ValueId};
 
 /// A value and how it comes about.
@@ -14,7 +15,7 @@ pub(super) struct Cell {
 }
 
 /// What a function does with what it computes.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum Sink {
     /// A register, or the data of a synchronous read, takes a value.
     Register {
@@ -51,6 +52,30 @@ impl Sink {
             Sink::Write { enable, address, data, .. } => [enable, address, data].into_iter().for_each(visit),
             Sink::Show(value) => visit(value),
         }
+    }
+}
+
+impl Sink {
+    /// Calls `visit` with every value that the sink takes, which it may replace.
+    pub fn rewrite(&mut self, mut visit: impl FnMut(&mut ValueId)) {
+        match self {
+            Sink::Register { next, enable, .. } => {
+                visit(next);
+                enable.iter_mut().for_each(visit);
+            }
+            Sink::Write { enable, address, data, .. } => [enable, address, data].into_iter().for_each(visit),
+            Sink::Show(value) => visit(value),
+        }
+    }
+}
+
+impl Cells for Graph {
+    fn kind(&self, id: ValueId) -> &Kind {
+        &self.cell(id).kind
+    }
+
+    fn width(&self, id: ValueId) -> u32 {
+        self.cell(id).width
     }
 }
 

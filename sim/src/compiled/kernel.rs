@@ -6,7 +6,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use cranelift_codegen::ir::condcodes::IntCC;
-use cranelift_codegen::ir::{BlockArg, InstBuilder, Value, types};
+use cranelift_codegen::ir::{BlockArg, BlockCall, InstBuilder, JumpTableData, Value, types};
 
 use super::function::Emitter;
 use super::graph::Sink;
@@ -24,8 +24,44 @@ struct Order {
 }
 
 impl Emitter<'_, '_, '_> {
-    /// Runs a kernel.
+    /// Runs a kernel, or the one of a branch.
     pub(super) fn kernel(&mut self, lanes: u32, kernel: &Kernel) {
+        let Some(switch) = &kernel.switch else { return self.loops(lanes, kernel) };
+        self.want(switch.subject);
+        let subject = self.scalars.clean(self.builder, switch.subject)[0];
+        let done = self.builder.create_block();
+        let blocks: Vec<_> = switch.kernels.iter().map(|_| self.builder.create_block()).collect();
+        match (switch.table.as_slice(), blocks.as_slice()) {
+            (_, &[only]) => {
+                self.builder.ins().jump(only, &[]);
+            }
+            (&[zero, one], _) => {
+                self.builder.ins().brif(subject, blocks[one], &[], blocks[zero], &[]);
+            }
+            (table, _) => {
+                let pool = &mut self.builder.func.dfg.value_lists;
+                let calls: Vec<BlockCall> =
+                    table.iter().map(|&index| BlockCall::new(blocks[index], std::iter::empty(), pool)).collect();
+                let table = self.builder.create_jump_table(JumpTableData::new(calls[0], &calls));
+                let subject = self.builder.ins().ireduce(types::I32, subject);
+                self.builder.ins().br_table(subject, table);
+            }
+        }
+        for (kernel, block) in switch.kernels.iter().zip(blocks) {
+            self.builder.switch_to_block(block);
+            let before = self.scalars.clone();
+            self.kernel(lanes, kernel);
+            self.scalars = before;
+            self.builder.ins().jump(done, &[]);
+        }
+        self.builder.switch_to_block(done);
+    }
+
+    /// Loops over the rows and strips of a kernel.
+    fn loops(&mut self, lanes: u32, kernel: &Kernel) {
+        if kernel.cells.is_empty() && kernel.sinks.is_empty() {
+            return;
+        }
         let outer = self.scalars.clone();
         let row = self.row_length(lanes, kernel);
         let mut strip = Strip::new(self.layout_strip(lanes), lanes, row);

@@ -4,6 +4,7 @@
 //! and the resets that are high then, there is a function that goes through such an edge any number of times; for what
 //! a testbench looks at there are functions that compute it. All are made when they are first needed.
 
+mod branch;
 mod function;
 mod graph;
 mod jit;
@@ -97,8 +98,9 @@ impl Compiled {
     /// Makes a function of a graph; gives the places of what it shows.
     fn compile(&mut self, mut graph: Graph) -> (Code, Addresses) {
         lower::lower(&mut graph, &self.layout.strips);
+        let mut plan = Plan::new(&graph);
+        branch::branch(&mut graph, &mut plan, &self.layout.strips);
         let graph = &graph;
-        let plan = Plan::new(graph);
         let addresses = Addresses::new(graph, &plan, &self.places, &mut self.layout);
         self.state.grow(self.layout.size);
         for &table in &addresses.tables {

@@ -7,6 +7,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::branch::Switch;
 use super::graph::{Graph, Sink};
 use crate::program::{Kind, ValueId};
 
@@ -18,6 +19,8 @@ pub(super) struct Plan {
     pub stored: BTreeSet<ValueId>,
     /// Registers with lanes that somebody reads after their kernel has run: they change at the end.
     pub late: BTreeSet<ValueId>,
+    /// Cells of a branch, and those at whose place they are stored.
+    pub moved: Vec<(ValueId, ValueId)>,
 }
 
 /// A part of a function.
@@ -38,6 +41,8 @@ pub(super) struct Kernel {
     pub cells: Vec<ValueId>,
     /// What it does at the end of a strip, by index in [`Graph::sinks`].
     pub sinks: Vec<usize>,
+    /// What runs instead.
+    pub switch: Option<Box<Switch>>,
 }
 
 /// Where in a stage something runs.

@@ -10,11 +10,12 @@
 
 mod compile;
 mod flatten;
-mod fold;
+
 pub mod hierarchy;
 mod kind;
 mod netlist;
 mod order;
+pub(crate) mod rules;
 mod schedule;
 mod simplify;
 

@@ -4,8 +4,8 @@
 
 use std::collections::HashMap;
 
-use super::fold::fold;
 use super::netlist::{Cell, Netlist};
+use super::rules::{Cells, alias, fold, shorter};
 use super::{Kind, ValueId};
 
 /// Simplifies; `order` has each cell after its operands.
@@ -14,12 +14,13 @@ pub(super) fn simplify(netlist: &mut Netlist, order: &[ValueId]) {
     let mut known: HashMap<(Kind, u32, u32), ValueId> = HashMap::new();
     for &id in order {
         netlist.cells[id.index()].kind.rewrite(|operand| *operand = same[operand.index()]);
-        if let Some(bits) = fold(netlist, id) {
-            netlist.cells[id.index()].kind = Kind::Const(bits);
-        }
-        same[id.index()] = match alias(netlist, id) {
+        let Cell { kind, width, .. } = netlist.cell(id);
+        let (kind, width) = (shorter(netlist, kind).unwrap_or_else(|| kind.clone()), *width);
+        let kind = fold(netlist, &kind, width).map_or(kind, Kind::Const);
+        same[id.index()] = match alias(netlist, &kind, width) {
             Some(of) => of,
             None => {
+                netlist.cells[id.index()].kind = kind;
                 uniform(netlist, &mut known, id);
                 share(netlist, &mut known, id)
             }
@@ -36,32 +37,13 @@ fn share(netlist: &Netlist, known: &mut HashMap<(Kind, u32, u32), ValueId>, id: 
     }
 }
 
-/// The operand that a cell is the same as.
-fn alias(netlist: &Netlist, id: ValueId) -> Option<ValueId> {
-    let cell = netlist.cell(id);
-    let constant = |of: ValueId| match &netlist.cell(of).kind {
-        Kind::Const(bits) => Some(bits),
-        _ => None,
-    };
-    match &cell.kind {
-        Kind::Alias(of) | Kind::Repeat(of, 1) | Kind::Broadcast(of, 1) => Some(*of),
-        Kind::Slice(of, 0) | Kind::Extend(of, _) if netlist.cell(*of).width == cell.width => Some(*of),
-        Kind::Concat(parts) | Kind::PerLane(parts) if parts.len() == 1 => Some(parts[0]),
-        Kind::Lane { of, group: 1, .. } | Kind::Reduce { of, group: 1, .. } | Kind::Shifted { of, by: 0, .. } => {
-            Some(*of)
-        }
-        Kind::Shifted { edge, group: 1, .. } => Some(*edge),
-        Kind::Mux { on_true, on_false, .. } if on_true == on_false => Some(*on_true),
-        Kind::Mux { select, on_true, on_false } => {
-            constant(*select).map(|select| if select.is_zero() { *on_false } else { *on_true })
-        }
-        Kind::Lane { of, index, group } => match &netlist.cell(*of).kind {
-            Kind::Broadcast(plain, n) if n == group => Some(*plain),
-            Kind::PerLane(parts) if parts.len() == *group as usize => Some(parts[*index as usize]),
-            _ => None,
-        },
-        Kind::Select { arms, default } if arms.iter().all(|(_, value)| value == default) => Some(*default),
-        _ => None,
+impl Cells for Netlist {
+    fn kind(&self, id: ValueId) -> &Kind {
+        &self.cell(id).kind
+    }
+
+    fn width(&self, id: ValueId) -> u32 {
+        self.cell(id).width
     }
 }
 
