@@ -45,7 +45,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
                 cycles.start * period..cycles.end.saturating_mul(period)
             }
         };
-        self.observers.push(Box::new(Dump::new(vcd, header, window)?));
+        self.observers.push(Box::new(Dump::new(vcd, &self.program, header, window)?));
         Ok(())
     }
 

@@ -3,6 +3,7 @@
 use tilewright_hdl::Bundle;
 
 use crate::error::{Error, UnknownName, Violation};
+use crate::program::Triggers;
 use crate::reference::Failed;
 use crate::simulation::Simulation;
 use crate::trace::View;
@@ -87,7 +88,8 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
             self.observers.iter_mut().try_for_each(|observer| observer.failed())?;
             return Err(Error::Violated(failed.into_iter().map(|it| self.violation(it, until)).collect()));
         }
-        self.engine.edge(&self.rising);
+        let changed = self.engine.edge(&self.rising);
+        self.changed = self.changed.with(changed);
         self.timeline.advance(until, &self.rising);
         Ok(())
     }
@@ -166,6 +168,9 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         let mut observers = std::mem::take(&mut self.observers);
         let result = observers.iter_mut().try_for_each(|observer| observer.sample(&mut self.view(until)));
         self.observers = observers;
+        if result.is_ok() {
+            self.changed = Triggers::NONE;
+        }
         result
     }
 
@@ -177,6 +182,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
             until,
             rising: &self.rising,
             resets: &self.resets,
+            changed: self.changed,
         }
     }
 

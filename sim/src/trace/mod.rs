@@ -1,18 +1,23 @@
 //! What watches a run: waveform files, waves in text, recordings. A run without any pays nothing for them.
 
+mod changes;
+mod dump;
 mod glob;
 mod recording;
+mod shown;
+mod step_file;
 mod vcd;
 mod vcd_header;
 mod wave;
 
 use crate::error::Error;
-use crate::program::Program;
+use crate::program::{Program, Triggers};
 use crate::reference::Engine;
 
+pub(crate) use dump::Dump;
 pub use recording::Recorder;
 pub use vcd::Vcd;
-pub(crate) use vcd::{Dump, Window};
+pub(crate) use vcd::Window;
 pub(crate) use vcd_header::header;
 pub use wave::Wave;
 pub(crate) use wave::{Draw, Source};
@@ -29,6 +34,8 @@ pub(crate) struct View<'a> {
     pub rising: &'a [usize],
     /// Which resets are high, by clock.
     pub resets: &'a [bool],
+    /// What may have changed since the last sample.
+    pub changed: Triggers,
 }
 
 /// Something that watches every instant.
