@@ -75,8 +75,8 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     ///
     /// # Errors
     ///
-    /// [`Error::Violated`] if assertions do not hold before the edge, which then does not happen; [`Error::Trace`];
-    /// [`Error::NoClock`].
+    /// [`Error::Violated`] if assertions do not hold before the edge, which then does not happen; [`Error::Trace`] if a
+    /// file could not be written at an instant before; [`Error::NoClock`].
     pub fn try_step(&mut self) -> Result<(), Error> {
         let until = self.timeline.next_time().ok_or(Error::NoClock)?;
         self.timeline.rising_at(until, &mut self.rising);
@@ -85,7 +85,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
             self.observe(until)?;
         }
         if !failed.is_empty() {
-            self.observers.iter_mut().try_for_each(|observer| observer.failed())?;
+            self.observers.iter_mut().for_each(|observer| observer.failed());
             return Err(Error::Violated(failed.into_iter().map(|it| self.violation(it, until)).collect()));
         }
         let changed = self.engine.edge(&self.rising);
@@ -94,7 +94,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         Ok(())
     }
 
-    /// As [`Simulation::reset`].
+    /// As [`Simulation::reset`]; after an error the resets stay high.
     ///
     /// # Errors
     ///
@@ -134,12 +134,13 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     ///
     /// # Errors
     ///
-    /// [`Error::Trace`] if a file could not be written to its end.
+    /// [`Error::Trace`] for the first file that could not be written to its end; the others are.
     pub fn finish(&mut self) -> Result<(), Error> {
         let until = self.timeline.next_time().unwrap_or(1);
         self.rising.clear();
         let mut observers = std::mem::take(&mut self.observers);
-        observers.iter_mut().try_for_each(|observer| observer.finish(&mut self.view(until)))
+        let ends: Vec<_> = observers.iter_mut().map(|observer| observer.finish(&mut self.view(until))).collect();
+        ends.into_iter().collect()
     }
 
     /// The time of the last instant in picoseconds; 0 before the first.

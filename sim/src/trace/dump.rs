@@ -67,52 +67,54 @@ impl Dump {
             flight: vcd.last.map(|capacity| Flight { capacity, steps: VecDeque::new() }),
         };
         if dump.flight.is_none() {
-            dump.open()?;
+            dump.open();
         }
+        dump.file.report()?;
         Ok(dump)
     }
 
-    fn open(&mut self) -> Result<(), Error> {
-        self.file.create()?;
-        self.file.append(&self.header.text)
+    fn open(&mut self) {
+        self.file.create();
+        self.file.append(&self.header.text);
     }
 
     /// Hands what is collected to the system.
-    fn flush(&mut self) -> Result<(), Error> {
-        let result = self.file.append(self.text.bytes());
+    fn flush(&mut self) {
+        self.file.append(self.text.bytes());
         self.text.clear();
-        result
     }
 
     /// Writes a time step: the values shown, as they have been since its begin, and the clocks that fall within it.
-    fn step(&mut self, since: u64, until: u64, resets: &[bool]) -> Result<(), Error> {
+    fn step(&mut self, since: u64, until: u64, resets: &[bool]) {
+        // An instant at which an assertion fails is shown again when it is tried again: time goes on from there.
         let at = since.max(self.time);
         if self.begun {
-            self.changes(since, at, resets);
+            self.changes(at, resets);
         } else {
             self.text.at(at);
             self.text.command("$dumpvars");
             self.shown.mark_all();
-            self.changes(since, at, resets);
+            self.changes(at, resets);
             self.text.command("$end");
             self.begun = true;
         }
         self.time = at;
         self.falls(at, until);
-        if self.text.bytes().len() >= CHUNK { self.flush() } else { Ok(()) }
+        if self.text.bytes().len() >= CHUNK {
+            self.flush();
+        }
     }
 
     /// Writes what has changed since the last step.
-    fn changes(&mut self, since: u64, at: u64, resets: &[bool]) {
+    fn changes(&mut self, at: u64, resets: &[bool]) {
         let Dump { text, header, shown, .. } = self;
         shown.visit_changed(|number, limbs| {
             text.at(at);
             change(text, &header.variables[number], limbs);
         });
         for (index, clock) in header.clocks.iter().enumerate() {
-            let high = clock.is_high(since);
-            let changes = !self.begun || (high != clock.is_high(self.time) && at == since);
-            if let Some(id) = clock.id.filter(|_| changes) {
+            let high = clock.is_high(at);
+            if let Some(id) = clock.id.filter(|_| !self.begun || high != clock.is_high(self.time)) {
                 text.at(at);
                 text.bit(id, high);
             }
@@ -138,27 +140,26 @@ impl Dump {
     }
 
     /// Writes what the flight recorder holds; from here on every step is written.
-    fn land(&mut self) -> Result<(), Error> {
-        let Some(flight) = self.flight.take() else { return Ok(()) };
-        self.open()?;
+    fn land(&mut self) {
+        let Some(flight) = self.flight.take() else { return };
+        self.open();
         for step in flight.steps {
             self.shown.go_to(&step.limbs);
-            self.step(step.since, step.until, &step.resets)?;
+            self.step(step.since, step.until, &step.resets);
         }
-        Ok(())
     }
 }
 
 impl Flight {
     /// Keeps a step, and forgets the oldest one if there are too many.
-    fn keep(&mut self, view: &View, limbs: &[u64]) {
+    fn keep(&mut self, since: u64, until: u64, limbs: &[u64], resets: &[bool]) {
         let oldest = if self.steps.len() == self.capacity { self.steps.pop_front() } else { None };
         let mut step = oldest.unwrap_or_default();
-        (step.since, step.until) = (view.since, view.until);
+        (step.since, step.until) = (since, until);
         step.limbs.clear();
         step.limbs.extend_from_slice(limbs);
         step.resets.clear();
-        step.resets.extend_from_slice(view.resets);
+        step.resets.extend_from_slice(resets);
         self.steps.push_back(step);
     }
 }
@@ -177,22 +178,21 @@ fn change(text: &mut Changes, variable: &Variable, limbs: &[u64]) {
 
 impl Observer for Dump {
     fn sample(&mut self, view: &mut View) -> Result<(), Error> {
-        if view.until <= self.window.start || view.since >= self.window.end {
-            return Ok(());
-        }
-        self.shown.take(view.engine, view.changed);
-        match &mut self.flight {
-            None => self.step(view.since, view.until, view.resets),
-            Some(flight) => {
-                flight.keep(view, self.shown.limbs());
-                Ok(())
+        self.file.report()?;
+        let (since, until) = (view.since.max(self.window.start), view.until.min(self.window.end));
+        if since < until {
+            self.shown.take(view.engine, view.changed);
+            match &mut self.flight {
+                None => self.step(since, until, view.resets),
+                Some(flight) => flight.keep(since, until, self.shown.limbs(), view.resets),
             }
         }
+        Ok(())
     }
 
-    fn failed(&mut self) -> Result<(), Error> {
-        self.land()?;
-        self.flush()
+    fn failed(&mut self) {
+        self.land();
+        self.flush();
     }
 
     fn finish(&mut self, view: &mut View) -> Result<(), Error> {
@@ -201,14 +201,16 @@ impl Observer for Dump {
         if self.begun && self.time < end {
             self.text.at(end);
         }
-        self.flush()
+        self.flush();
+        self.file.report()
     }
 }
 
 /// A run that ends without [`Simulation::finish`](crate::Simulation::finish), as by a panic, still leaves its waves.
 impl Drop for Dump {
     fn drop(&mut self) {
-        if let Err(error) = self.flush() {
+        self.flush();
+        if let Err(error) = self.file.report() {
             eprintln!("{error}");
         }
     }

@@ -38,15 +38,14 @@ pub(crate) struct View<'a> {
     pub changed: Triggers,
 }
 
-/// Something that watches every instant.
+/// Something that watches every instant. What goes wrong is reported by the next sample or at the end: the error of an
+/// assertion at the same instant comes first.
 pub(crate) trait Observer {
-    /// The circuit as it is just before an edge.
+    /// The circuit as it is just before an edge. An error is one from before; the sample is then not taken.
     fn sample(&mut self, view: &mut View) -> Result<(), Error>;
 
     /// An assertion failed; the sample before this call shows it.
-    fn failed(&mut self) -> Result<(), Error> {
-        Ok(())
-    }
+    fn failed(&mut self) {}
 
     /// The run ends; `view` shows the circuit after the last edge.
     fn finish(&mut self, _view: &mut View) -> Result<(), Error> {

@@ -72,16 +72,26 @@ pub(crate) fn header(program: &Program, patterns: &[String]) -> Result<Header, U
     build.header.clocks = program.clocks.iter().map(clock).collect();
     build.write().expect("writing to memory does not fail");
     match build.used.iter().position(|used| !used) {
-        Some(unused) => Err(UnknownName {
-            what: "signal that matches",
-            name: patterns[unused].clone(),
-            hint: "names are as `u_cell[3].value`, `*` stands for anything but a dot, `**` for anything".to_string(),
-        }),
+        Some(unused) => Err(unmatched(program, &patterns[unused])),
         None => {
             build.header.text = std::mem::take(build.writer.writer());
             Ok(build.header)
         }
     }
+}
+
+/// The error for a pattern that matches nothing, with the nearest one that does: a name, or all names below an instance.
+fn unmatched(program: &Program, pattern: &str) -> UnknownName {
+    let hierarchy = &program.hierarchy;
+    let mut names = Vec::new();
+    for place in hierarchy.places() {
+        let scope = hierarchy.scope(place.scope);
+        let signals = scope.signals.iter().filter(|signal| signal.group.is_none()).map(|signal| &signal.name);
+        let clocks = scope.clocks.iter().flat_map(|ports| [Some(&ports.port), ports.reset.as_ref()]).flatten();
+        let names_here = signals.chain(clocks).map(String::as_str).chain(["**"]);
+        names.extend(names_here.map(|name| hierarchy.path_in(place, name)));
+    }
+    UnknownName::new("signal that matches", pattern, &names)
 }
 
 struct Build<'a> {
