@@ -35,7 +35,7 @@ impl Vcd {
         self
     }
 
-    /// Only what happens in these picoseconds.
+    /// Only what happens in these picoseconds: the file begins there with the values in force.
     pub fn times(mut self, picoseconds: std::ops::Range<u64>) -> Vcd {
         self.window = Some(Window::Time(picoseconds));
         self
