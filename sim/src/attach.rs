@@ -42,11 +42,11 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
             Some(Window::Time(times)) => times.clone(),
             Some(Window::Cycles(clock, cycles)) => {
                 let period = self.program.clocks[self.clock(clock)?].period;
-                cycles.start * period..cycles.end.saturating_mul(period)
+                cycles.start.saturating_mul(period)..cycles.end.saturating_mul(period)
             }
         };
-        self.engine.watch(&header.values);
-        self.observers.push(Box::new(Dump::new(vcd, header, window)?));
+        self.engine.watch(&header.variables.iter().map(|variable| variable.value).collect::<Vec<_>>());
+        self.observers.push(Box::new(Dump::new(vcd, &self.program, header, window)?));
         Ok(())
     }
 
@@ -101,5 +101,62 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
             Ok(Found { signal, lane }) => Source { value: signal.value, lane, states: signal.states.clone(), name },
             Err(unknown) => panic!("{unknown}"),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use tilewright_hdl::{Block, Module, Width, bits, bundle};
+
+    use super::*;
+
+    bundle! {
+        pub struct In<T> { pub x: T }
+        pub struct Out<T> { pub y: T }
+    }
+
+    /// A register.
+    #[derive(Debug)]
+    struct Delay;
+
+    impl Block for Delay {
+        type In = In;
+        type Out = Out;
+
+        fn inputs(&self) -> In<Width> {
+            In { x: bits(8) }
+        }
+
+        fn build(&self, m: Module, i: In) -> Out {
+            let y = m.reg("y", 8).reset(0);
+            y.next(i.x);
+            Out { y: y.value() }
+        }
+    }
+
+    #[test]
+    fn a_header_is_what_the_file_begins_with_and_needs_no_file() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("delay.vcd");
+        for vcd in [Vcd::to(&file), Vcd::to(&file).only("y").times(0..5_000)] {
+            let mut sim = Simulation::of(&Delay).unwrap();
+            let header = String::from_utf8(sim.trace_header(&vcd).unwrap()).unwrap();
+            assert!(!file.exists());
+            assert!(header.starts_with("$version\n") && header.ends_with("$enddefinitions $end\n"), "{header}");
+            assert_eq!(header.contains(" x [7:0] "), vcd.patterns.is_empty(), "{header}");
+            sim.trace(vcd).unwrap();
+            sim.step();
+            sim.finish().unwrap();
+            let text = std::fs::read_to_string(&file).unwrap();
+            assert_eq!(text.split_once("#0\n").unwrap().0, header);
+            std::fs::remove_file(&file).unwrap();
+        }
+    }
+
+    #[test]
+    fn a_header_has_no_signal_for_a_pattern_that_matches_nothing() {
+        let sim = Simulation::of(&Delay).unwrap();
+        let error = sim.trace_header(&Vcd::to("delay.vcd").only("y").only("xx")).unwrap_err().to_string();
+        assert_eq!(error, "there is no signal that matches `xx`: did you mean `x`?");
     }
 }

@@ -39,12 +39,12 @@ pub(crate) trait Engine: Send {
     fn check(&mut self, rising: &[usize]) -> Vec<Failed>;
 
     /// So many edges of these clocks, one after another, with nothing in between. At an edge all of them sample, then
-    /// their registers, read data and memories change.
+    /// their registers, read data and memories change. Says what may have changed.
     ///
     /// # Errors
     ///
     /// Two engines side by side differ.
-    fn edges(&mut self, rising: &[usize], count: u64) -> Result<(), Box<Difference>>;
+    fn edges(&mut self, rising: &[usize], count: u64) -> Result<Triggers, Box<Difference>>;
 
     /// Prepares for these values being read together.
     fn watch(&mut self, _values: &[ValueId]) {}

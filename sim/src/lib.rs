@@ -70,6 +70,20 @@
 //! [`program::compile`] makes a flat [`program::Program`] of a design; the reference engine, a plain interpreter, runs
 //! it. An instance array runs in lanes, all instances at a time. An edge evaluates only what its clock samples and what
 //! has changed; a clock whose edges change nothing costs next to nothing until something that it samples changes.
+//!
+//! # What a waveform costs
+//!
+//! A run without a trace pays nothing. With a [`Vcd`] of everything, only the values are looked at that the clocks and
+//! inputs that changed can have changed, and only those that did are written. On two cores of an AMD EPYC, for a frame of
+//! 640 x 480 pixels on the VC-1 with 16 processing elements (its teapot), medians of 3 rounds:
+//!
+//! ```text
+//! $ cargo bench -p tilewright-machines --bench vcd
+//! without a waveform    2.15 s
+//! with a waveform       4.24 s, 1.97 times as long
+//! the file               802 MB, 46.8 million changes at 6.4 million times
+//! in the time added      383 MB/s, 22.4 million changes/s
+//! ```
 
 mod attach;
 mod compiled;

@@ -152,14 +152,15 @@ impl Engine for Lockstep {
         failed
     }
 
-    fn edges(&mut self, rising: &[usize], count: u64) -> Result<(), Box<Difference>> {
+    fn edges(&mut self, rising: &[usize], count: u64) -> Result<Triggers, Box<Difference>> {
+        let mut changed = Triggers::NONE;
         for _ in 0..count {
-            self.reference.edges(rising, 1)?;
+            changed = changed.with(self.reference.edges(rising, 1)?);
             self.other.edges(rising, 1)?;
             self.instants += 1;
             self.compare(rising)?;
         }
-        Ok(())
+        Ok(changed)
     }
 }
 

@@ -4,6 +4,7 @@ use tilewright_hdl::Bundle;
 
 use crate::engine::Failed;
 use crate::error::{Error, UnknownName, Violation};
+use crate::program::Triggers;
 use crate::simulation::Simulation;
 use crate::trace::View;
 
@@ -74,8 +75,8 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     ///
     /// # Errors
     ///
-    /// [`Error::Violated`] if assertions do not hold before the edge, which then does not happen; [`Error::Trace`];
-    /// [`Error::NoClock`].
+    /// [`Error::Violated`] if assertions do not hold before the edge, which then does not happen; [`Error::Trace`] if a
+    /// file could not be written at an instant before; [`Error::NoClock`].
     pub fn try_step(&mut self) -> Result<(), Error> {
         let until = self.timeline.next_time().ok_or(Error::NoClock)?;
         self.timeline.rising_at(until, &mut self.rising);
@@ -84,15 +85,16 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
             self.observe(until)?;
         }
         if !failed.is_empty() {
-            self.observers.iter_mut().try_for_each(|observer| observer.failed())?;
+            self.observers.iter_mut().for_each(|observer| observer.failed());
             return Err(Error::Violated(failed.into_iter().map(|it| self.violation(it, until)).collect()));
         }
-        self.engine.edges(&self.rising, 1)?;
+        let changed = self.engine.edges(&self.rising, 1)?;
+        self.changed = self.changed.with(changed);
         self.timeline.advance(until, &self.rising);
         Ok(())
     }
 
-    /// As [`Simulation::reset`].
+    /// As [`Simulation::reset`]; after an error the resets stay high.
     ///
     /// # Errors
     ///
@@ -142,12 +144,13 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     ///
     /// # Errors
     ///
-    /// [`Error::Trace`] if a file could not be written to its end.
+    /// [`Error::Trace`] for the first file that could not be written to its end; the others are.
     pub fn finish(&mut self) -> Result<(), Error> {
         let until = self.timeline.next_time().unwrap_or(1);
         self.rising.clear();
         let mut observers = std::mem::take(&mut self.observers);
-        observers.iter_mut().try_for_each(|observer| observer.finish(&mut self.view(until)))
+        let ends: Vec<_> = observers.iter_mut().map(|observer| observer.finish(&mut self.view(until))).collect();
+        ends.into_iter().collect()
     }
 
     /// The time of the last instant in picoseconds; 0 before the first.
@@ -176,6 +179,9 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         let mut observers = std::mem::take(&mut self.observers);
         let result = observers.iter_mut().try_for_each(|observer| observer.sample(&mut self.view(until)));
         self.observers = observers;
+        if result.is_ok() {
+            self.changed = Triggers::NONE;
+        }
         result
     }
 
@@ -187,6 +193,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
             until,
             rising: &self.rising,
             resets: &self.resets,
+            changed: self.changed,
         }
     }
 

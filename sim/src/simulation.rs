@@ -9,7 +9,7 @@ use crate::engine::{Engine, EngineKind};
 use crate::error::{Error, UnknownName};
 use crate::lookup::{self, Found};
 use crate::port::{IntoValue, Port};
-use crate::program::{self, Program, ValueId};
+use crate::program::{self, Program, Triggers, ValueId};
 use crate::timeline::Timeline;
 use crate::trace::Observer;
 
@@ -28,6 +28,8 @@ pub struct Simulation<I: Bundle = (), O: Bundle = ()> {
     pub(crate) timeline: Timeline,
     pub(crate) resets: Vec<bool>,
     pub(crate) observers: Vec<Box<dyn Observer + Send>>,
+    /// What may have changed since the observers last saw it.
+    pub(crate) changed: Triggers,
     pub(crate) seed: u64,
     /// The clocks of the coming instant; kept to save an allocation.
     pub(crate) rising: Vec<usize>,
@@ -81,6 +83,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
             timeline: Timeline::new(&program),
             resets: vec![false; program.clocks.len()],
             observers: Vec::new(),
+            changed: Triggers::NONE,
             seed: 0,
             rising: Vec::new(),
             program,
@@ -160,7 +163,10 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         };
         let width = self.program.value(input.value).width;
         match value.into_value(width) {
-            Ok(bits) => self.engine.write(input.value, bits.limbs(), input.triggers),
+            Ok(bits) => {
+                self.engine.write(input.value, bits.limbs(), input.triggers);
+                self.changed = self.changed.with(input.triggers);
+            }
             Err(problem) => {
                 let bits = if width == 1 { "1 bit".to_string() } else { format!("{width} bits") };
                 panic!("input `{}` has {bits} and {problem}", input.name)
@@ -295,7 +301,10 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     pub fn poke_memory(&mut self, path: &str, address: u32, value: impl IntoValue) -> Result<(), UnknownName> {
         let (memory, lane) = self.memory(path, address)?;
         match value.into_value(self.program.memories[memory as usize].width) {
-            Ok(bits) => self.engine.set_word(memory, lane, address, bits.limbs()),
+            Ok(bits) => {
+                self.engine.set_word(memory, lane, address, bits.limbs());
+                self.changed = Triggers::ALL;
+            }
             Err(problem) => panic!("a word of `{path}` {problem}"),
         }
         Ok(())

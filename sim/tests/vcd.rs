@@ -181,7 +181,9 @@ fn patterns_choose_signals() {
 
     let mut sim = Simulation::of(&Lamps).unwrap();
     let error = sim.trace(Vcd::to(path("none.vcd")).only("u_lamp[2].**")).unwrap_err().to_string();
-    assert!(error.starts_with("there is no signal that matches `u_lamp[2].**`: names are as"), "{error}");
+    assert_eq!(error, "there is no signal that matches `u_lamp[2].**`: did you mean `u_lamp[0].**`?");
+    let error = sim.trace(Vcd::to(path("none.vcd")).only("u_lamp[1].clkk")).unwrap_err().to_string();
+    assert_eq!(error, "there is no signal that matches `u_lamp[1].clkk`: did you mean `u_lamp[1].clk`?");
 }
 
 #[test]
@@ -209,6 +211,21 @@ fn a_flight_recorder_writes_what_led_to_the_failure() {
 }
 
 #[test]
+fn a_window_is_kept_to_its_ends() {
+    let body = |text: String| text.split_once("$enddefinitions $end\n").unwrap().1.to_string();
+    let window = |name: &str| Vcd::to(path(name)).only("count").times(12_000..26_000);
+    let text = two_steps(window("window.vcd"), "window.vcd");
+    let expected = "#12000\n$dumpvars\nb1 \"\n1!\n$end\n#15000\n0!\n#20000\nb10 \"\n1!\n#25000\n0!\n#26000\n";
+    assert_eq!(body(text), expected);
+
+    let file = path("window_flight.vcd");
+    let mut sim = Simulation::of(&Lamps).unwrap();
+    sim.trace(window("window_flight.vcd").last(9)).unwrap();
+    assert!(matches!(sim.try_run(9), Err(Error::Violated(_))));
+    assert_eq!(body(fs::read_to_string(file).unwrap()), expected.strip_suffix("#26000\n").unwrap());
+}
+
+#[test]
 fn a_run_that_is_not_finished_leaves_a_file_that_opens() {
     let file = path("dropped.vcd");
     let mut sim = Simulation::of(&Lamps).unwrap();
@@ -227,4 +244,39 @@ fn a_full_device_is_an_error_that_names_the_file() {
     assert!(error.starts_with("cannot write the trace /dev/full: No space left"), "{error}");
     let error = sim.trace(Vcd::to(path("no_such_folder/a.vcd"))).unwrap_err().to_string();
     assert!(error.contains("no_such_folder/a.vcd: No such file"), "{error}");
+}
+
+#[test]
+fn the_error_of_an_assertion_comes_before_that_of_its_trace() {
+    let mut sim = Simulation::of(&Lamps).unwrap();
+    sim.trace(Vcd::to(path("no_such_folder/b.vcd")).last(2)).unwrap();
+    let error = sim.try_run(9).unwrap_err();
+    assert!(matches!(error, Error::Violated(_)), "{error}");
+    let error = sim.try_step().unwrap_err().to_string();
+    assert!(error.contains("no_such_folder/b.vcd: No such file"), "{error}");
+    assert!(matches!(sim.try_step(), Err(Error::Violated(_))), "an error is reported once");
+    sim.finish().unwrap();
+}
+
+#[test]
+fn a_reset_reports_a_trace_that_cannot_be_written() {
+    let mut sim = Simulation::of(&Lamps).unwrap();
+    sim.trace(Vcd::to(path("no_such_folder/d.vcd")).last(2)).unwrap();
+    assert!(matches!(sim.try_run(9), Err(Error::Violated(_))));
+    let error = sim.try_reset().unwrap_err().to_string();
+    assert!(error.contains("no_such_folder/d.vcd: No such file"), "{error}");
+    sim.try_reset().unwrap();
+    assert_eq!(sim.get_u64(sim.o.count), 0);
+}
+
+#[test]
+fn a_trace_is_finished_although_another_one_failed() {
+    let mut sim = Simulation::of(&Lamps).unwrap();
+    sim.trace(Vcd::to(path("no_such_folder/c.vcd")).last(2)).unwrap();
+    sim.trace(Vcd::to(path("second.vcd"))).unwrap();
+    assert!(matches!(sim.try_run(9), Err(Error::Violated(_))));
+    let error = sim.finish().unwrap_err().to_string();
+    assert!(error.contains("no_such_folder/c.vcd: No such file"), "{error}");
+    let text = fs::read_to_string(path("second.vcd")).unwrap();
+    assert!(text.ends_with("#35000\n0!\n#40000\n"), "{text}");
 }

@@ -1,6 +1,6 @@
 //! Outputs that cannot be written, readers that go away, and what goes where.
 
-use crate::harness::{Folder, Run};
+use crate::harness::{Folder, Run, Waveform};
 use std::process::Stdio;
 
 const RENDER: &str = "render teapot --size 32x24 --processors 1";
@@ -97,6 +97,22 @@ fn a_waveform_goes_to_a_pipe_or_a_device_without_a_save_file() {
 fn a_scene_with_no_name_is_unknown() {
     let run = Folder::new().shell("tilewright render ''");
     assert!(run.code == Some(2) && run.stderr.starts_with("error: there is no scene ``: "), "{run:?}");
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn a_disk_that_fills_up_leaves_the_whole_steps_that_fit() {
+    let folder = Folder::new();
+    let run = |line: &str| folder.shell(&format!("{line} wave gfb-unit --set width=64 --set height=64 -o run.vcd"));
+    let text = || std::fs::read_to_string(folder.path("run.vcd")).unwrap();
+    assert_eq!(run("tilewright").code, Some(0));
+    let whole = text();
+    // The limit, of about 250 KiB, falls within a step.
+    assert_eq!(run("trap '' XFSZ; ulimit -f 500; tilewright").code, Some(3));
+    let fitted = text();
+    assert!(Waveform::read(&folder.path("run.vcd")).times.len() > 1000);
+    let rest = whole.strip_prefix(&fitted).expect("the file begins like the whole one");
+    assert!(rest.starts_with('#'), "the next line belongs to the last step: {}", &rest[..rest.len().min(20)]);
 }
 
 #[test]

@@ -33,9 +33,9 @@ impl Hardware {
     }
 
     /// Resets everything, and gives the colour of a pixel that nothing covers.
-    pub fn reset(&mut self, background: [u8; 3]) {
+    pub fn reset(&mut self, background: [u8; 3]) -> Result<(), Error> {
         self.sim.set(self.sim.i.gfb.background, blank(background));
-        self.sim.reset();
+        Ok(self.sim.try_reset()?)
     }
 
     /// The number of processing elements.

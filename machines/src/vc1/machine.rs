@@ -68,7 +68,7 @@ impl Machine {
         }
         let job = Job::new(&self.config, projection)?;
         let mut processors = job.processors();
-        self.hardware.reset(background);
+        self.hardware.reset(background)?;
         let mut host = Host::new(&mut self.hardware, &job, watch);
         host.draw(&mut processors)?;
         let pages = host.pages_used();

@@ -254,9 +254,11 @@ impl<'a> Known<'a> {
             }
         }
         let sinks: Vec<usize> = kernel.sinks.iter().filter_map(|&sink| self.sink(plan, sink)).collect();
-        sinks.iter().for_each(|&sink| self.graph.sinks[sink].for_each_operand(|operand| {
-            wanted.insert(operand);
-        }));
+        sinks.iter().for_each(|&sink| {
+            self.graph.sinks[sink].for_each_operand(|operand| {
+                wanted.insert(operand);
+            })
+        });
         for &id in cells.iter().rev() {
             if wanted.contains(&id) {
                 self.graph.cell(id).kind.for_each_operand(|operand| {

@@ -291,13 +291,13 @@ impl Engine for Compiled {
         failed
     }
 
-    fn edges(&mut self, rising: &[usize], count: u64) -> Result<(), Box<Difference>> {
+    fn edges(&mut self, rising: &[usize], count: u64) -> Result<Triggers, Box<Difference>> {
         if count > 0 {
             let code = self.edge_code(rising);
             self.call(code, count);
             self.version += 1;
         }
-        Ok(())
+        Ok(rising.iter().fold(Triggers::NONE, |all, &clock| all.with(Triggers::state(clock))))
     }
 
     fn watch(&mut self, values: &[ValueId]) {

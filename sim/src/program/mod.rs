@@ -46,6 +46,8 @@ pub struct Triggers(u64);
 impl Triggers {
     /// Nothing.
     pub const NONE: Triggers = Triggers(0);
+    /// Everything.
+    pub const ALL: Triggers = Triggers(u64::MAX);
 
     /// The registers, read data and memory words that change at an edge of this clock.
     pub fn state(clock: usize) -> Triggers {

@@ -78,11 +78,11 @@ impl Engine {
         failed
     }
 
-    /// The edge of these clocks: all of them sample, then their registers, read data and memories change.
-    pub fn edge(&mut self, rising: &[usize]) {
+    /// The edge of these clocks: all of them sample, then their registers, read data and memories change. Says what did.
+    pub fn edge(&mut self, rising: &[usize]) -> Triggers {
         self.mark();
         if rising.iter().all(|&clock| self.idle[clock]) {
-            return;
+            return Triggers::NONE;
         }
         let program = self.program.clone();
         for &clock in rising {
@@ -108,6 +108,7 @@ impl Engine {
                 self.pending = self.pending.with(Triggers::state(clock));
             }
         }
+        self.pending
     }
 
     /// Reads every enabled synchronous port of a clock into its waiting room.

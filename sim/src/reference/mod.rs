@@ -174,8 +174,7 @@ impl engine::Engine for Engine {
         self.check(rising)
     }
 
-    fn edges(&mut self, rising: &[usize], count: u64) -> Result<(), Box<Difference>> {
-        (0..count).for_each(|_| self.edge(rising));
-        Ok(())
+    fn edges(&mut self, rising: &[usize], count: u64) -> Result<Triggers, Box<Difference>> {
+        Ok((0..count).fold(Triggers::NONE, |all, _| all.with(self.edge(rising))))
     }
 }

@@ -1,18 +1,23 @@
 //! What watches a run: waveform files, waves in text, recordings. A run without any pays nothing for them.
 
+mod changes;
+mod dump;
 mod glob;
 mod recording;
+mod shown;
+mod step_file;
 mod vcd;
 mod vcd_header;
 mod wave;
 
 use crate::engine::Engine;
 use crate::error::Error;
-use crate::program::Program;
+use crate::program::{Program, Triggers};
 
+pub(crate) use dump::Dump;
 pub use recording::Recorder;
 pub use vcd::Vcd;
-pub(crate) use vcd::{Dump, Window};
+pub(crate) use vcd::Window;
 pub(crate) use vcd_header::header;
 pub use wave::Wave;
 pub(crate) use wave::{Draw, Source};
@@ -29,17 +34,18 @@ pub(crate) struct View<'a> {
     pub rising: &'a [usize],
     /// Which resets are high, by clock.
     pub resets: &'a [bool],
+    /// What may have changed since the last sample.
+    pub changed: Triggers,
 }
 
-/// Something that watches every instant.
+/// Something that watches every instant. What goes wrong is reported by the next sample or at the end: the error of an
+/// assertion at the same instant comes first.
 pub(crate) trait Observer {
-    /// The circuit as it is just before an edge.
+    /// The circuit as it is just before an edge. An error is one from before; the sample is then not taken.
     fn sample(&mut self, view: &mut View) -> Result<(), Error>;
 
     /// An assertion failed; the sample before this call shows it.
-    fn failed(&mut self) -> Result<(), Error> {
-        Ok(())
-    }
+    fn failed(&mut self) {}
 
     /// The run ends; `view` shows the circuit after the last edge.
     fn finish(&mut self, _view: &mut View) -> Result<(), Error> {

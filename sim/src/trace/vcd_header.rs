@@ -1,4 +1,4 @@
-//! The header of a waveform file: scopes, variables, and where their values come from.
+//! The header of a waveform file: scopes, variables, and what they show.
 
 use std::collections::HashMap;
 use std::io;
@@ -6,6 +6,7 @@ use std::io;
 use tilewright_hdl::ir::States;
 use vcd::{IdCode, ReferenceIndex, ScopeType, TimescaleUnit, VarType, Writer};
 
+use super::changes::Id;
 use super::glob;
 use crate::error::UnknownName;
 use crate::program::hierarchy::{Place, Replication, Role, Signal};
@@ -15,39 +16,32 @@ use crate::program::{Program, ValueId};
 pub(crate) struct Header {
     /// From `$version` to `$enddefinitions`.
     pub text: Vec<u8>,
-    /// The values to take at each step, one behind the other.
-    pub values: Vec<ValueId>,
-    /// How many limbs they take together.
-    pub limbs: usize,
     pub variables: Vec<Variable>,
     pub clocks: Vec<Clock>,
 }
 
-/// A variable and where its value stands among those taken.
+/// A variable: what it shows, and how.
 pub(crate) struct Variable {
-    pub id: IdCode,
+    pub id: Id,
     pub kind: VariableKind,
-    limbs: std::ops::Range<usize>,
+    pub value: ValueId,
+    pub lane: u32,
 }
 
 pub(crate) enum VariableKind {
-    /// So many bits.
-    Bits(u32),
+    /// One bit.
+    Bit,
+    /// A number of more bits.
+    Bits,
     /// The name of a state.
     State(States),
-}
-
-impl Variable {
-    pub fn limbs<'a>(&self, taken: &'a [u64]) -> &'a [u64] {
-        &taken[self.limbs.clone()]
-    }
 }
 
 /// A clock and its reset; without ids if nothing shows them.
 pub(crate) struct Clock {
     period: u64,
-    pub id: Option<IdCode>,
-    pub reset_id: Option<IdCode>,
+    pub id: Option<Id>,
+    pub reset_id: Option<Id>,
 }
 
 impl Clock {
@@ -56,15 +50,9 @@ impl Clock {
         time >= self.period && time % self.period < self.period / 2
     }
 
-    /// The times after `since` and before `until` at which clocks fall, with those clocks, in order.
-    pub fn falls(clocks: &[Clock], since: u64, until: u64) -> Vec<(u64, Vec<usize>)> {
-        let fall = |clock: &Clock| since - since % clock.period + clock.period / 2;
-        let mut falls: Vec<(u64, usize)> = (0..clocks.len())
-            .filter(|&i| clocks[i].is_high(since) && fall(&clocks[i]) < until)
-            .map(|i| (fall(&clocks[i]), i))
-            .collect();
-        falls.sort_unstable();
-        falls.chunk_by(|a, b| a.0 == b.0).map(|at| (at[0].0, at.iter().map(|fall| fall.1).collect())).collect()
+    /// When it falls, if it is high at this time.
+    pub fn fall(&self, time: u64) -> Option<u64> {
+        self.is_high(time).then(|| time - time % self.period + self.period / 2)
     }
 }
 
@@ -78,23 +66,32 @@ pub(crate) fn header(program: &Program, patterns: &[String]) -> Result<Header, U
         ids: HashMap::new(),
         strings: HashMap::new(),
         next: IdCode::FIRST,
-        header: Header { text: Vec::new(), values: Vec::new(), limbs: 0, variables: Vec::new(), clocks: Vec::new() },
-        offsets: HashMap::new(),
+        header: Header { text: Vec::new(), variables: Vec::new(), clocks: Vec::new() },
     };
     let clock = |clock: &crate::program::Clock| Clock { period: clock.period, id: None, reset_id: None };
     build.header.clocks = program.clocks.iter().map(clock).collect();
     build.write().expect("writing to memory does not fail");
     match build.used.iter().position(|used| !used) {
-        Some(unused) => Err(UnknownName {
-            what: "signal that matches",
-            name: patterns[unused].clone(),
-            hint: "names are as `u_cell[3].value`, `*` stands for anything but a dot, `**` for anything".to_string(),
-        }),
+        Some(unused) => Err(unmatched(program, &patterns[unused])),
         None => {
             build.header.text = std::mem::take(build.writer.writer());
             Ok(build.header)
         }
     }
+}
+
+/// The error for a pattern that matches nothing, with the nearest one that does: a name, or all names below an instance.
+fn unmatched(program: &Program, pattern: &str) -> UnknownName {
+    let hierarchy = &program.hierarchy;
+    let mut names = Vec::new();
+    for place in hierarchy.places() {
+        let scope = hierarchy.scope(place.scope);
+        let signals = scope.signals.iter().filter(|signal| signal.group.is_none()).map(|signal| &signal.name);
+        let clocks = scope.clocks.iter().flat_map(|ports| [Some(&ports.port), ports.reset.as_ref()]).flatten();
+        let names_here = signals.chain(clocks).map(String::as_str).chain(["**"]);
+        names.extend(names_here.map(|name| hierarchy.path_in(place, name)));
+    }
+    UnknownName::new("signal that matches", pattern, &names)
 }
 
 struct Build<'a> {
@@ -108,8 +105,6 @@ struct Build<'a> {
     strings: HashMap<(ValueId, u32), IdCode>,
     next: IdCode,
     header: Header,
-    /// Where a value stands among those taken.
-    offsets: HashMap<ValueId, usize>,
 }
 
 impl Build<'_> {
@@ -184,9 +179,9 @@ impl Build<'_> {
         shown || is_top_clock
     }
 
-    fn wire(&mut self, id: Option<IdCode>, name: &str) -> io::Result<IdCode> {
-        let id = id.unwrap_or_else(|| fresh(&mut self.next));
-        self.writer.var_def(VarType::Wire, 1, id, name, None)?;
+    fn wire(&mut self, id: Option<Id>, name: &str) -> io::Result<Id> {
+        let id = id.unwrap_or_else(|| Id::new(fresh(&mut self.next)));
+        self.writer.var_def(VarType::Wire, 1, id.code, name, None)?;
         Ok(id)
     }
 
@@ -201,7 +196,8 @@ impl Build<'_> {
         self.writer.var_def(kind, signal.width, id, &signal.name, index)?;
         if known.is_none() {
             self.ids.insert((signal.value, lane), id);
-            self.variable(id, VariableKind::Bits(signal.width), signal.value, lane);
+            let kind = if signal.width == 1 { VariableKind::Bit } else { VariableKind::Bits };
+            self.variable(id, kind, signal.value, lane);
         }
         let Some(states) = &signal.states else { return Ok(()) };
         let known = self.strings.get(&(signal.value, lane)).copied();
@@ -214,16 +210,8 @@ impl Build<'_> {
         Ok(())
     }
 
-    fn variable(&mut self, id: IdCode, kind: VariableKind, of: ValueId, lane: u32) {
-        let value = self.program.value(of);
-        let offset = *self.offsets.entry(of).or_insert_with(|| {
-            let offset = self.header.limbs;
-            self.header.values.push(of);
-            self.header.limbs += value.range().len();
-            offset
-        });
-        let start = offset + lane as usize * value.limbs();
-        self.header.variables.push(Variable { id, kind, limbs: start..start + value.limbs() });
+    fn variable(&mut self, id: IdCode, kind: VariableKind, value: ValueId, lane: u32) {
+        self.header.variables.push(Variable { id: Id::new(id), kind, value, lane });
     }
 }
 

@@ -1,0 +1,56 @@
+//! The file below a waveform, which grows by whole time steps and ends with one whatever happens.
+
+use std::fs::File;
+use std::io::{self, Write};
+use std::path::PathBuf;
+
+use crate::error::Error;
+
+/// A file that takes whole time steps; after an error, which it keeps to be reported, it takes nothing more.
+pub(super) struct StepFile {
+    path: PathBuf,
+    /// None before [`StepFile::create`], and after an error.
+    file: Option<File>,
+    /// How many bytes were written.
+    length: u64,
+    /// What is still to be reported.
+    error: Option<Error>,
+}
+
+impl StepFile {
+    /// A file of that name, which is not created yet.
+    pub fn new(path: PathBuf) -> StepFile {
+        StepFile { path, file: None, length: 0, error: None }
+    }
+
+    /// Creates the file.
+    pub fn create(&mut self) {
+        match File::create(&self.path) {
+            Ok(file) => self.file = Some(file),
+            Err(source) => self.fail(source),
+        }
+    }
+
+    /// Adds whole time steps. If they do not fit, the file keeps those from before, so that it still opens.
+    pub fn append(&mut self, steps: &[u8]) {
+        let Some(file) = &mut self.file else { return };
+        match file.write_all(steps) {
+            Ok(()) => self.length += steps.len() as u64,
+            Err(source) => {
+                // What is no regular file, such as a pipe, keeps what it has got; the error is the one to report.
+                let _ = file.set_len(self.length);
+                self.fail(source);
+            }
+        }
+    }
+
+    /// The error that has happened, once.
+    pub fn report(&mut self) -> Result<(), Error> {
+        self.error.take().map_or(Ok(()), Err)
+    }
+
+    fn fail(&mut self, source: io::Error) {
+        self.file = None;
+        self.error = Some(Error::Trace { path: self.path.clone(), source });
+    }
+}
