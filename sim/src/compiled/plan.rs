@@ -68,16 +68,30 @@ enum Role {
     Kernel(u32),
 }
 
+impl Role {
+    fn place(self) -> u32 {
+        match self {
+            Role::Kernel(lanes) => lanes,
+            Role::Packed => 1,
+            _ => 0,
+        }
+    }
+}
+
 impl Plan {
     /// Plans a function.
     pub fn new(graph: &Graph) -> Plan {
         let needed = graph.needed();
         let positions = vec![Position { stage: 0, place: 0 }; graph.cells.len()];
-        let mut planner = Planner { graph, positions, looked_at: looked_at(graph, &needed) };
+        let looked_at = looked_at(graph, &needed);
+        let mut planner = Planner { graph, positions, looked_at, kernels: BTreeMap::new() };
         let mut plan = Plan::default();
         for &id in &needed {
-            let stage = planner.stage(id);
-            planner.place(&mut plan, id, stage);
+            planner.positions[id.index()] = Position { stage: planner.stage(id), place: planner.role(id).place() };
+        }
+        planner.postpone(&needed);
+        for &id in &needed {
+            planner.place(&mut plan, id);
         }
         planner.sinks(&mut plan);
         planner.stores(&mut plan, &needed);
@@ -118,6 +132,8 @@ struct Planner<'a> {
     graph: &'a Graph,
     positions: Vec<Position>,
     looked_at: BTreeSet<ValueId>,
+    /// Per lane count: the stage of the kernel that does most of the work, if it can be said to be one.
+    kernels: BTreeMap<u32, usize>,
 }
 
 impl Planner<'_> {
@@ -166,24 +182,59 @@ impl Planner<'_> {
         }
     }
 
-    fn place(&mut self, plan: &mut Plan, id: ValueId, stage: usize) {
-        let place = match self.role(id) {
-            Role::Constant | Role::Resident => return,
-            Role::Uniform => 0,
-            Role::Single => {
-                plan.at(stage).single.push(id);
-                0
-            }
-            Role::Packed => {
-                plan.at(stage).packed.push(id);
-                1
-            }
-            Role::Kernel(lanes) => {
-                plan.at(stage).kernels.entry(lanes).or_default().cells.push(id);
-                lanes
-            }
-        };
-        self.positions[id.index()] = Position { stage, place };
+    /// Moves cells to the last kernel of their lane count where nobody needs them before, so that one loop does what
+    /// several would do with the values between them in memory.
+    fn postpone(&mut self, needed: &[ValueId]) {
+        let sinks: Vec<(Position, &Sink)> =
+            self.graph.sinks.iter().map(|sink| (self.sink_position(sink), sink)).collect();
+        let kernels = needed.iter().map(|id| self.positions[id.index()]).filter(|position| position.place > 1);
+        for position in kernels.chain(sinks.iter().map(|sink| sink.0).filter(|position| position.place > 1)) {
+            let last = self.kernels.entry(position.place).or_default();
+            *last = position.stage.max(*last);
+        }
+        let end = self.kernels.values().copied().max().unwrap_or(0) + 1;
+        let mut limits = vec![end; self.graph.cells.len()];
+        for (position, sink) in sinks {
+            let is_sum = |id: ValueId| matches!(self.graph.cell(id).kind, Kind::Reduce { .. });
+            let mut sums = false;
+            sink.for_each_operand(|operand| sums |= is_sum(operand));
+            let before = match position.place {
+                0 => end,
+                _ if sums => end,
+                lanes => self.kernels[&lanes],
+            };
+            sink.for_each_operand(|operand| {
+                let limit = &mut limits[operand.index()];
+                *limit = (*limit).min(before - usize::from(is_sum(operand)));
+            });
+        }
+        for &id in needed.iter().rev() {
+            let Position { stage, place } = self.positions[id.index()];
+            let latest = limits[id.index()];
+            let stage = match place {
+                0 | 1 if stage == 0 => 0,
+                0 | 1 => latest.max(stage),
+                lanes => latest.min(self.kernels[&lanes]).max(stage),
+            };
+            self.positions[id.index()].stage = stage;
+            self.graph.cell(id).kind.for_each_operand(|operand| {
+                let is_stored = matches!(self.role(operand), Role::Kernel(_) | Role::Packed);
+                let after = usize::from(is_stored && !self.by_lane(id, operand));
+                let limit = &mut limits[operand.index()];
+                *limit = (*limit).min(stage.saturating_sub(after));
+            });
+        }
+    }
+
+    /// Enters a cell where its position says.
+    fn place(&self, plan: &mut Plan, id: ValueId) {
+        let stage = self.positions[id.index()].stage;
+        match self.role(id) {
+            Role::Constant | Role::Resident | Role::Uniform => {}
+            Role::Single => plan.at(stage).single.push(id),
+            Role::Packed => plan.at(stage).packed.push(id),
+            Role::Kernel(lanes) => plan.at(stage).kernels.entry(lanes).or_default().cells.push(id),
+        }
     }
 
     /// The lanes of a sink.
@@ -212,7 +263,7 @@ impl Planner<'_> {
                 .filter(|&id| matches!(self.graph.cell(id).kind, Kind::Read { memory: read, .. } if read == *memory));
             stage = reads.fold(stage, |stage, read| stage.max(self.positions[read.index()].stage));
         }
-        Position { stage, place: lanes }
+        Position { stage: self.kernels.get(&lanes).map_or(stage, |&last| stage.max(last)), place: lanes }
     }
 
     fn sinks(&mut self, plan: &mut Plan) {
