@@ -167,10 +167,37 @@ impl<'a, 'b, 'c> Emitter<'a, 'b, 'c> {
                 let at = offset(place.lane(*index));
                 self.scalars.load(self.builder, id, place.width, place.element.min(64), self.state, at);
             }
-            kind => {
-                kind.for_each_operand(|operand| self.want(operand));
-                self.scalars.evaluate(self.builder, id, kind, cell.width);
+            Kind::Case { subject, .. } if self.graph.lookups.contains_key(&id) => {
+                self.want(*subject);
+                let number = self.scalars.clean(self.builder, *subject)[0];
+                self.load_lane(id, self.graph.lookups[&id], number, 0);
             }
+            kind => match self.rotation(kind) {
+                Some((of, left)) => {
+                    self.want(of);
+                    self.scalars.rotate(self.builder, id, of, left);
+                }
+                None => {
+                    kind.for_each_operand(|operand| self.want(operand));
+                    self.scalars.evaluate(self.builder, id, kind, cell.width);
+                }
+            },
+        }
+    }
+
+    /// What a concatenation of the two parts of a value rotates, and by how much, if the machine has integers of its
+    /// width.
+    fn rotation(&self, kind: &Kind) -> Option<(ValueId, u32)> {
+        let Kind::Concat(parts) = kind else { return None };
+        let &[upper, lower] = parts.as_slice() else { return None };
+        match (&self.graph.cell(upper).kind, &self.graph.cell(lower).kind) {
+            (&Kind::Slice(of, 0), &Kind::Slice(other, low)) => {
+                let width = self.graph.cell(of).width;
+                let halves = (self.graph.cell(upper).width, self.graph.cell(lower).width);
+                let is_whole = of == other && halves == (low, width - low);
+                (is_whole && matches!(width, 8 | 16 | 32 | 64)).then_some((of, width - low))
+            }
+            _ => None,
         }
     }
 

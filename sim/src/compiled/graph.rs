@@ -1,5 +1,7 @@
 //! What one function of generated code computes: the cells of a program that its sinks need.
 
+use std::collections::BTreeMap;
+
 use tilewright_hdl::Bits;
 use tilewright_hdl::ir::{Binary, ReadUnderWrite, Relation, Unary};
 
@@ -83,6 +85,8 @@ impl Cells for Graph {
 #[derive(Debug, Clone)]
 pub(super) struct Graph {
     pub cells: Vec<Cell>,
+    /// Choices between constants by a small number: the array in which they stand by that number.
+    pub lookups: BTreeMap<ValueId, ValueId>,
     pub sinks: Vec<Sink>,
 }
 
@@ -100,7 +104,7 @@ impl Graph {
         for operation in &program.operations {
             cells[operation.result.index()].kind = operation.kind.clone();
         }
-        Graph { cells, sinks: Vec::new() }
+        Graph { cells, lookups: BTreeMap::new(), sinks: Vec::new() }
     }
 
     /// The cell of that id.
@@ -197,6 +201,7 @@ impl Graph {
                 } else if !std::mem::replace(&mut seen[id.index()], true) {
                     open.push((id, true));
                     self.cell(id).kind.for_each_operand(|operand| open.push((operand, false)));
+                    open.extend(self.lookups.get(&id).map(|&table| (table, false)));
                 }
             }
         }

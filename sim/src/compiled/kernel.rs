@@ -66,6 +66,7 @@ impl Emitter<'_, '_, '_> {
         let row = self.row_length(lanes, kernel);
         let mut strip = Strip::new(self.layout_strip(lanes), lanes, row);
         self.splat_uniforms(&mut strip, kernel);
+        self.begin_memories(&mut strip, kernel);
         let sums = match strip.rows() {
             1 => self.row(&mut strip, kernel, None),
             rows => {
@@ -155,6 +156,20 @@ impl Emitter<'_, '_, '_> {
                     // Not to be converted in a loop and used behind it.
                     self.scalars.clean(self.builder, of);
                 }
+            }
+        }
+    }
+
+    /// Finds the words of memories that have one address in all lanes.
+    fn begin_memories(&mut self, strip: &mut Strip, kernel: &Kernel) {
+        for id in self.taken(kernel) {
+            if let Kind::Read { memory, address } = self.graph.cell(id).kind {
+                self.begin_words(strip, memory, address);
+            }
+        }
+        for &sink in &kernel.sinks {
+            if let Sink::Write { memory, address, .. } = self.graph.sinks[sink] {
+                self.begin_words(strip, memory, address);
             }
         }
     }

@@ -33,7 +33,12 @@ impl Tables {
     }
 }
 
-/// Rewrites a graph: neighbours are loaded from anywhere and replaced at the edges of their groups (`edge` of what
+/// The widest number that constants are looked up by.
+const LOOKED_UP_BY: u32 = 8;
+/// From how many arms on a choice between constants is looked up.
+const ARMS: usize = 4;
+
+/// Rewrites a graph: choices between constants are looked up in a table; neighbours are loaded from anywhere and replaced at the edges of their groups (`edge` of what
 /// remains is not looked at); lanes that pad the last strip take no part in reductions and write nothing.
 pub(super) fn lower(graph: &mut Graph, strips: &Strips) {
     let mut tables = Tables::default();
@@ -42,6 +47,9 @@ pub(super) fn lower(graph: &mut Graph, strips: &Strips) {
         match graph.cell(id).kind.clone() {
             Kind::Shifted { of, by, edge, group } => neighbour(graph, &mut tables, id, of, by, edge, group),
             Kind::Reduce { by, of, group } => reduction(graph, &mut tables, strips, id, by, of, group),
+            Kind::Case { subject, arms, default } if graph.cell(id).lanes == 1 => {
+                lookup(graph, id, subject, &arms, default);
+            }
             _ => {}
         }
     }
@@ -93,4 +101,18 @@ fn reduction(
     let neutral = graph.add(Kind::Const(neutral), lanes, width);
     let of = graph.add(Kind::Mux { select, on_true: of, on_false: neutral }, lanes, width);
     graph.cells[id.index()].kind = Kind::Reduce { by, of, group };
+}
+
+/// Puts constants to choose from into a table.
+fn lookup(graph: &mut Graph, id: ValueId, subject: ValueId, arms: &[(Bits, ValueId)], default: ValueId) {
+    let is_constant = |value: ValueId| matches!(graph.cell(value).kind, Kind::Const(_));
+    let (width, by) = (graph.cell(id).width, graph.cell(subject).width);
+    let all = is_constant(default) && arms.iter().all(|(_, value)| is_constant(*value));
+    if !all || arms.len() < ARMS || by > LOOKED_UP_BY || width > 64 {
+        return;
+    }
+    let mut parts = vec![default; 1 << by];
+    arms.iter().for_each(|(key, value)| parts[key.limbs()[0] as usize] = *value);
+    let table = graph.add(Kind::PerLane(parts), 1 << by, width);
+    graph.lookups.insert(id, table);
 }

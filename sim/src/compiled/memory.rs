@@ -63,34 +63,37 @@ impl Emitter<'_, '_, '_> {
         self.builder.switch_to_block(done);
     }
 
-    /// The single value that is the address of all lanes.
-    fn common(&self, address: ValueId) -> ValueId {
-        match self.graph.cell(address).kind {
+    /// Where the words at the address that all lanes have begin, and that address; to be called before the loop.
+    pub(super) fn begin_words(&mut self, strip: &mut Strip, memory: u32, address: ValueId) {
+        let at = self.memories[memory as usize];
+        if !at.words.together() || strip.words.contains_key(&(memory, address)) {
+            return;
+        }
+        let common = match self.graph.cell(address).kind {
             Kind::Broadcast(of, _) if self.graph.cell(of).lanes == 1 => of,
             _ => address,
-        }
+        };
+        self.want(common);
+        let number = self.scalars.clean(self.builder, common)[0];
+        let base = self.builder.ins().iconst(types::I64, at.address as i64);
+        let start = self.word(at, number, base);
+        strip.words.insert((memory, address), (start, number));
     }
 
     /// Where the words of a strip are, at the address that all lanes have.
-    fn words(&mut self, strip: &mut Strip, memory: MemoryAt, address: ValueId) -> (Span, Value) {
-        let common = self.common(address);
-        let graph = self.graph;
-        let number = match &graph.cell(common).kind {
-            Kind::Const(bits) => self.builder.ins().iconst(types::I64, bits.limbs()[0] as i64),
-            _ => self.scalars.clean(self.builder, common)[0],
-        };
-        let base = self.builder.ins().iconst(types::I64, memory.address as i64);
-        let lanes = self.scaled(strip.first.expect("it has begun"), memory.words.lane);
-        let base = self.builder.ins().iadd(base, lanes);
-        let address = self.word(memory, number, base);
-        (Span { storage: memory.words.word as u32 * 8, address, offset: 0, aligned: true }, number)
+    fn words(&mut self, strip: &mut Strip, memory: u32, address: ValueId) -> (Span, Value) {
+        let (start, number) = strip.words[&(memory, address)];
+        let word = self.memories[memory as usize].words.word;
+        let lanes = self.scaled(strip.first.expect("it has begun"), word);
+        let address = self.builder.ins().iadd(start, lanes);
+        (Span { storage: word as u32 * 8, address, offset: 0, aligned: true }, number)
     }
 
     /// Reads a word for each lane.
     pub(super) fn read_lanes(&mut self, strip: &mut Strip, id: ValueId, memory: u32, address: ValueId) {
         let at = self.memories[memory as usize];
         if at.words.together() && at.width <= 64 {
-            let (side, _) = self.words(strip, at, address);
+            let (side, _) = self.words(strip, memory, address);
             strip.lanes.load(self.builder, id, at.width, side);
             return;
         }
@@ -144,7 +147,7 @@ impl Emitter<'_, '_, '_> {
         }
         let any = strip.lanes.any(self.builder, enable);
         if at.words.together() {
-            let (side, number) = self.words(strip, at, address);
+            let (side, number) = self.words(strip, memory, address);
             let go = self.inside(at, number, any);
             let mark = strip.lanes.mark();
             self.branch(go, |emitter| {

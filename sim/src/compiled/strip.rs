@@ -30,15 +30,17 @@ pub(super) struct Strip {
     addresses: HashMap<usize, Value>,
     /// The first lane's words, by the address of their memory.
     pub memories: HashMap<usize, Value>,
+    /// The words of all lanes, by memory and address, and that address.
+    pub words: HashMap<(u32, ValueId), (Value, Value)>,
 }
 
 impl Strip {
     /// Strips of `size` lanes.
     pub fn new(size: u32, total: u32, row: u32) -> Strip {
         let singles = Vec::new();
-        let (addresses, memories) = (HashMap::new(), HashMap::new());
+        let (addresses, memories, words) = (HashMap::new(), HashMap::new(), HashMap::new());
         let lanes = Lanes::new(size);
-        Strip { size, total, row, lanes, singles, first: None, within: None, addresses, memories }
+        Strip { size, total, row, lanes, singles, first: None, within: None, addresses, memories, words }
     }
 
     /// How many rows there are.

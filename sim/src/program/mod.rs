@@ -10,9 +10,9 @@
 
 mod compile;
 mod flatten;
-
 pub mod hierarchy;
 mod kind;
+mod lift;
 mod netlist;
 mod order;
 pub(crate) mod rules;

@@ -4,14 +4,18 @@
 
 use std::collections::HashMap;
 
+use super::lift::lift;
 use super::netlist::{Cell, Netlist};
 use super::rules::{Cells, alias, fold, shorter};
 use super::{Kind, ValueId};
 
+/// Cells by what they compute.
+pub(super) type Known = HashMap<(Kind, u32, u32), ValueId>;
+
 /// Simplifies; `order` has each cell after its operands.
 pub(super) fn simplify(netlist: &mut Netlist, order: &[ValueId]) {
     let mut same: Vec<ValueId> = (0..netlist.cells.len() as u32).map(ValueId).collect();
-    let mut known: HashMap<(Kind, u32, u32), ValueId> = HashMap::new();
+    let mut known = Known::new();
     for &id in order {
         netlist.cells[id.index()].kind.rewrite(|operand| *operand = same[operand.index()]);
         let Cell { kind, width, .. } = netlist.cell(id);
@@ -21,8 +25,8 @@ pub(super) fn simplify(netlist: &mut Netlist, order: &[ValueId]) {
             Some(of) => of,
             None => {
                 netlist.cells[id.index()].kind = kind;
-                uniform(netlist, &mut known, id);
-                share(netlist, &mut known, id)
+                let whole = uniform(netlist, &mut known, id);
+                whole.unwrap_or_else(|| share(netlist, &mut known, id))
             }
         };
     }
@@ -30,7 +34,7 @@ pub(super) fn simplify(netlist: &mut Netlist, order: &[ValueId]) {
 }
 
 /// The earlier cell that computes the same, or the cell itself.
-fn share(netlist: &Netlist, known: &mut HashMap<(Kind, u32, u32), ValueId>, id: ValueId) -> ValueId {
+fn share(netlist: &Netlist, known: &mut Known, id: ValueId) -> ValueId {
     match netlist.cell(id) {
         Cell { kind: Kind::State, .. } => id,
         Cell { kind, lanes, width, .. } => *known.entry((kind.clone(), *lanes, *width)).or_insert(id),
@@ -47,39 +51,62 @@ impl Cells for Netlist {
     }
 }
 
-/// What is the same in all lanes or groups is computed once, before it is repeated.
-fn uniform(netlist: &mut Netlist, known: &mut HashMap<(Kind, u32, u32), ValueId>, id: ValueId) {
-    let cell = netlist.cell(id);
-    let repeated = match &cell.kind {
+/// What is the same in all lanes or groups is computed once, before it is repeated; lanes that are computed alike are
+/// computed together.
+fn uniform(netlist: &mut Netlist, known: &mut Known, id: ValueId) -> Option<ValueId> {
+    let Cell { kind, lanes, width, .. } = netlist.cell(id).clone();
+    if let Kind::PerLane(parts) = &kind
+        && let Some(Kind::Alias(whole)) = lift(netlist, known, parts, lanes)
+    {
+        return Some(whole);
+    }
+    if let Some(kind) = once(netlist, known, &kind, lanes, width) {
+        netlist.cells[id.index()].kind = kind;
+    }
+    None
+}
+
+/// A cell of an operation whose operands are all simplified.
+pub(super) fn repeated(netlist: &mut Netlist, known: &mut Known, kind: Kind, lanes: u32, width: u32) -> ValueId {
+    let kind = once(netlist, known, &kind, lanes, width).unwrap_or(kind);
+    let kind = fold(netlist, &kind, width).map_or(kind, Kind::Const);
+    match alias(netlist, &kind, width) {
+        Some(of) => of,
+        None => add(netlist, known, kind, lanes, width),
+    }
+}
+
+/// An operation as the repetition of one with fewer lanes.
+fn once(netlist: &mut Netlist, known: &mut Known, kind: &Kind, lanes: u32, width: u32) -> Option<Kind> {
+    match kind {
         Kind::Broadcast(of, n) => match netlist.cell(*of).kind {
             Kind::Broadcast(plain, inner) => Some(Kind::Broadcast(plain, inner * n)),
             _ => None,
         },
-        Kind::PerLane(_) => tile(netlist, known, id),
-        kind if kind.is_elementwise() => hoist(netlist, known, id),
+        Kind::PerLane(parts) => tile(netlist, known, parts, lanes, width),
+        kind if kind.is_elementwise() => hoist(netlist, known, kind, lanes, width),
         _ => None,
-    };
-    if let Some(kind) = repeated {
-        netlist.cells[id.index()].kind = kind;
     }
 }
 
 /// Lanes of which each is the same in all groups.
-fn tile(netlist: &mut Netlist, known: &mut HashMap<(Kind, u32, u32), ValueId>, id: ValueId) -> Option<Kind> {
-    let Cell { kind: Kind::PerLane(parts), lanes, width, origin } = netlist.cell(id).clone() else { return None };
+fn tile(netlist: &mut Netlist, known: &mut Known, parts: &[ValueId], lanes: u32, width: u32) -> Option<Kind> {
     let groups = lanes / parts.len() as u32;
     let plain = parts.iter().map(|part| match netlist.cell(*part).kind {
         Kind::Broadcast(plain, n) if n == groups => Some(plain),
         _ => None,
     });
     let plain = plain.collect::<Option<Vec<ValueId>>>().filter(|_| groups > 1)?;
-    let of = add(netlist, known, Cell { kind: Kind::PerLane(plain), lanes: lanes / groups, width, origin });
+    let row = lanes / groups;
+    let of = match lift(netlist, known, &plain, row) {
+        Some(Kind::Alias(of)) => of,
+        _ => add(netlist, known, Kind::PerLane(plain), row, width),
+    };
     Some(Kind::Tile(of, groups))
 }
 
 /// An operation whose operands are all repeated in the same way, or constants.
-fn hoist(netlist: &mut Netlist, known: &mut HashMap<(Kind, u32, u32), ValueId>, id: ValueId) -> Option<Kind> {
-    let Cell { mut kind, lanes, width, origin } = netlist.cell(id).clone();
+fn hoist(netlist: &mut Netlist, known: &mut Known, kind: &Kind, lanes: u32, width: u32) -> Option<Kind> {
     let mut ways = Vec::new();
     kind.for_each_operand(|operand| match netlist.cell(operand).kind {
         Kind::Broadcast(_, n) => ways.push(Some((false, n))),
@@ -88,22 +115,22 @@ fn hoist(netlist: &mut Netlist, known: &mut HashMap<(Kind, u32, u32), ValueId>, 
         _ => ways.push(None),
     });
     let (tiled, times) = ways.first().copied().flatten().filter(|way| ways.iter().all(|other| *other == Some(*way)))?;
-    let lanes = lanes / times;
+    let (mut kind, lanes) = (kind.clone(), lanes / times);
     kind.rewrite(|operand| {
         *operand = match netlist.cell(*operand).kind.clone() {
             Kind::Broadcast(plain, _) | Kind::Tile(plain, _) => plain,
             constant => {
                 let width = netlist.cell(*operand).width;
-                add(netlist, known, Cell { kind: constant, lanes, width, origin: None })
+                add(netlist, known, constant, lanes, width)
             }
         }
     });
-    let plain = add(netlist, known, Cell { kind, lanes, width, origin });
+    let plain = add(netlist, known, kind, lanes, width);
     Some(if tiled { Kind::Tile(plain, times) } else { Kind::Broadcast(plain, times) })
 }
 
-/// A cell of which all operands are simplified, or an earlier one that computes the same.
-fn add(netlist: &mut Netlist, known: &mut HashMap<(Kind, u32, u32), ValueId>, cell: Cell) -> ValueId {
-    netlist.cells.push(cell);
+/// A cell, or an earlier one that computes the same.
+pub(super) fn add(netlist: &mut Netlist, known: &mut Known, kind: Kind, lanes: u32, width: u32) -> ValueId {
+    netlist.cells.push(Cell { kind, lanes, width, origin: None });
     share(netlist, known, ValueId(netlist.cells.len() as u32 - 1))
 }

@@ -100,6 +100,21 @@ impl Scalars {
         self.define(result, scalar);
     }
 
+    /// A value of 8, 16, 32 or 64 bits rotated to the left.
+    pub fn rotate(&mut self, b: &mut FunctionBuilder, result: ValueId, of: ValueId, left: u32) {
+        let width = self.width(of);
+        let kind = Type::int(width as u16).expect("an integer of the machine");
+        let mut value = self.integer(b, of);
+        if width < 64 {
+            value = b.ins().ireduce(kind, value);
+        }
+        let mut rotated = b.ins().rotl_imm_u(value, i64::from(left));
+        if width < 64 {
+            rotated = b.ins().uextend(types::I64, rotated);
+        }
+        self.define(result, Scalar::clean(width, rotated));
+    }
+
     fn width(&self, id: ValueId) -> u32 {
         self.values[&id].width
     }
