@@ -16,6 +16,15 @@ pub(crate) struct Failed {
     pub lane: u32,
 }
 
+/// What has been done of what was asked for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Done {
+    /// How many edges.
+    pub edges: u64,
+    /// What may have changed.
+    pub changed: Triggers,
+}
+
 /// A running circuit.
 ///
 /// Values are exchanged as 64-bit limbs, lane after lane, the lowest limb first, with zeros above the width.
@@ -38,13 +47,13 @@ pub(crate) trait Engine: Send {
     /// The assertions that fail at an edge of these clocks.
     fn check(&mut self, rising: &[usize]) -> Vec<Failed>;
 
-    /// So many edges of these clocks, one after another, with nothing in between. At an edge all of them sample, then
-    /// their registers, read data and memories change. Says what may have changed.
+    /// So many edges of these clocks, one after another, with nothing in between; none before which an assertion fails.
+    /// At an edge all of them sample, then their registers, read data and memories change.
     ///
     /// # Errors
     ///
     /// Two engines side by side differ.
-    fn edges(&mut self, rising: &[usize], count: u64) -> Result<Triggers, Box<Difference>>;
+    fn edges(&mut self, rising: &[usize], count: u64) -> Result<Done, Box<Difference>>;
 
     /// Prepares for these values being read together.
     fn watch(&mut self, _values: &[ValueId]) {}

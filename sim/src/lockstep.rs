@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use tilewright_hdl::{Bits, limbs_for};
 
-use crate::engine::{Engine, Failed};
+use crate::engine::{Done, Engine, Failed};
 use crate::program::{Program, Triggers, ValueId};
 
 /// Where two engines first differ.
@@ -152,15 +152,19 @@ impl Engine for Lockstep {
         failed
     }
 
-    fn edges(&mut self, rising: &[usize], count: u64) -> Result<Triggers, Box<Difference>> {
-        let mut changed = Triggers::NONE;
-        for _ in 0..count {
-            changed = changed.with(self.reference.edges(rising, 1)?);
-            self.other.edges(rising, 1)?;
+    fn edges(&mut self, rising: &[usize], count: u64) -> Result<Done, Box<Difference>> {
+        let mut all = Done { edges: 0, changed: Triggers::NONE };
+        while all.edges < count {
+            let done = self.reference.edges(rising, 1)?;
+            assert_eq!(self.other.edges(rising, 1)?.edges, done.edges, "the engines differ in what assertions fail");
+            if done.edges == 0 {
+                break;
+            }
+            all = Done { edges: all.edges + 1, changed: all.changed.with(done.changed) };
             self.instants += 1;
             self.compare(rising)?;
         }
-        Ok(changed)
+        Ok(all)
     }
 }
 

@@ -80,16 +80,20 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     pub fn try_step(&mut self) -> Result<(), Error> {
         let until = self.timeline.next_time().ok_or(Error::NoClock)?;
         self.timeline.rising_at(until, &mut self.rising);
-        let failed = self.engine.check(&self.rising);
         if !self.observers.is_empty() {
+            let failed = self.engine.check(&self.rising);
             self.observe(until)?;
+            if !failed.is_empty() {
+                self.observers.iter_mut().for_each(|observer| observer.failed());
+                return Err(self.violated(failed, until));
+            }
         }
-        if !failed.is_empty() {
-            self.observers.iter_mut().for_each(|observer| observer.failed());
-            return Err(Error::Violated(failed.into_iter().map(|it| self.violation(it, until)).collect()));
+        let done = self.engine.edges(&self.rising, 1)?;
+        if done.edges == 0 {
+            let failed = self.engine.check(&self.rising);
+            return Err(self.violated(failed, until));
         }
-        let changed = self.engine.edges(&self.rising, 1)?;
-        self.changed = self.changed.with(changed);
+        self.changed = self.changed.with(done.changed);
         self.timeline.advance(until, &self.rising);
         Ok(())
     }
@@ -115,17 +119,19 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     ///
     /// As [`Simulation::try_step`].
     pub fn try_run(&mut self, n: u64) -> Result<(), Error> {
-        if self.is_undisturbed() {
-            self.engine.edges(&[0], n)?;
-            self.timeline.repeat(n);
-            return Ok(());
+        if self.program.clocks.len() > 1 || !self.observers.is_empty() {
+            return (0..n).try_for_each(|_| self.try_step());
         }
-        (0..n).try_for_each(|_| self.try_step())
-    }
-
-    /// Whether instants follow each other alike, with nobody looking in between: one clock, no assertion, no trace.
-    fn is_undisturbed(&self) -> bool {
-        self.program.clocks.len() == 1 && self.program.asserts.is_empty() && self.observers.is_empty()
+        // Instants follow each other alike.
+        let until = self.timeline.next_time().ok_or(Error::NoClock)?;
+        let done = self.engine.edges(&[0], n)?;
+        self.timeline.repeat(done.edges);
+        if done.edges < n {
+            let failed = self.engine.check(&[0]);
+            let period = self.program.clocks[0].period;
+            return Err(self.violated(failed, until + done.edges * period));
+        }
+        Ok(())
     }
 
     /// As [`Simulation::run_until`].
@@ -195,6 +201,10 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
             resets: &self.resets,
             changed: self.changed,
         }
+    }
+
+    fn violated(&self, failed: Vec<Failed>, time: u64) -> Error {
+        Error::Violated(failed.into_iter().map(|it| self.violation(it, time)).collect())
     }
 
     fn violation(&self, failed: Failed, time: u64) -> Violation {

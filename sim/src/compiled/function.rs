@@ -99,24 +99,8 @@ impl<'a, 'b, 'c> Emitter<'a, 'b, 'c> {
         Emitter { graph, plan, addresses, memories, strips, builder, state, scalars: Scalars::default(), fresh }
     }
 
-    /// `count` times, at least once, all that the plan says.
-    pub fn repeat(mut self, count: Value) {
-        let body = self.builder.create_block();
-        let done = self.builder.create_block();
-        self.builder.append_block_param(body, types::I64);
-        self.builder.ins().jump(body, &[count.into()]);
-        self.builder.switch_to_block(body);
-        let left = self.builder.block_params(body)[0];
-        self.once();
-        let one = self.builder.ins().iconst(types::I64, 1);
-        let left = self.builder.ins().isub(left, one);
-        self.builder.ins().brif(left, body, &[left.into()], done, &[]);
-        self.builder.switch_to_block(done);
-        let zero = self.builder.ins().iconst(types::I64, 0);
-        self.builder.ins().return_(&[zero]);
-    }
-
-    fn once(&mut self) {
+    /// Emits all that the plan says; gives what must hold, if something must.
+    pub fn once(mut self) -> Option<Value> {
         let plan = self.plan;
         for stage in &plan.stages {
             stage.single.iter().for_each(|&id| self.single(id));
@@ -126,6 +110,11 @@ impl<'a, 'b, 'c> Emitter<'a, 'b, 'c> {
             }
         }
         self.finish();
+        let held = self.graph.sinks.iter().find_map(|sink| match sink {
+            Sink::Hold(value) => Some(*value),
+            _ => None,
+        });
+        held.map(|value| self.scalars.flag(self.builder, value))
     }
 
     /// An id for a value that is no cell.
@@ -245,7 +234,7 @@ impl<'a, 'b, 'c> Emitter<'a, 'b, 'c> {
         let single = |sink: &&Sink| match sink {
             Sink::Register { state, .. } => graph.cell(*state).lanes == 1,
             Sink::Write { enable, .. } => graph.cell(*enable).lanes == 1,
-            Sink::Show(value) => graph.cell(*value).lanes == 1,
+            Sink::Show(value) | Sink::Hold(value) => graph.cell(*value).lanes == 1,
         };
         let mut registers = Vec::new();
         for sink in graph.sinks.iter().filter(single) {

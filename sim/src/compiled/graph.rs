@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use tilewright_hdl::Bits;
-use tilewright_hdl::ir::{Binary, ReadUnderWrite, Relation, Unary};
+use tilewright_hdl::ir::{Binary, ReadUnderWrite, Reduction, Relation, Unary};
 
 use crate::program::rules::Cells;
 use crate::program::{Kind, Program, ValueId};
@@ -41,6 +41,8 @@ pub(super) enum Sink {
     },
     /// A value is left where a testbench finds it.
     Show(ValueId),
+    /// The function goes on only if this is 1.
+    Hold(ValueId),
 }
 
 impl Sink {
@@ -52,7 +54,7 @@ impl Sink {
                 enable.into_iter().for_each(visit);
             }
             Sink::Write { enable, address, data, .. } => [enable, address, data].into_iter().for_each(visit),
-            Sink::Show(value) => visit(value),
+            Sink::Show(value) | Sink::Hold(value) => visit(value),
         }
     }
 }
@@ -66,7 +68,7 @@ impl Sink {
                 enable.iter_mut().for_each(visit);
             }
             Sink::Write { enable, address, data, .. } => [enable, address, data].into_iter().for_each(visit),
-            Sink::Show(value) => visit(value),
+            Sink::Show(value) | Sink::Hold(value) => visit(value),
         }
     }
 }
@@ -147,6 +149,27 @@ impl Graph {
             }
         }
         graph
+    }
+
+    /// What must hold at an edge of these clocks, but for those in reset; `None` if there is nothing.
+    pub fn check(program: &Program, rising: &[usize], resets: &[bool]) -> Option<Graph> {
+        let mut graph = Graph::new(program);
+        let clocks = rising.iter().filter(|&&clock| !resets[clock]);
+        let asserts = clocks.flat_map(|&clock| &program.clocks[clock].asserts);
+        let mut all = None;
+        for &assert in asserts {
+            let mut condition = program.asserts[assert as usize].condition;
+            let group = graph.cell(condition).lanes;
+            if group > 1 {
+                condition = graph.add(Kind::Reduce { by: Reduction::And, of: condition, group }, 1, 1);
+            }
+            all = Some(match all {
+                None => condition,
+                Some(before) => graph.add(Kind::Binary(Binary::And, before, condition), 1, 1),
+            });
+        }
+        graph.sinks.push(Sink::Hold(all?));
+        Some(graph)
     }
 
     /// A synchronous read is a register that takes the word; where its word is written at the same edge and the

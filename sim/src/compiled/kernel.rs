@@ -263,8 +263,10 @@ impl Emitter<'_, '_, '_> {
         let mut open: BTreeSet<usize> = kernel.sinks.iter().copied().collect();
         order.first.iter().for_each(|&sink| self.register(strip, sink, &mut open));
         for (index, &id) in kernel.cells.iter().enumerate() {
-            if !self.is_carried(strip, id) {
-                self.lane_cell(strip, id);
+            match self.graph.cell(id).kind {
+                // Taken at the end, but before registers change.
+                Kind::Reduce { of, .. } if self.is_carried(strip, id) => self.vector(strip, of),
+                _ => self.lane_cell(strip, id),
             }
             for &sink in order.after.get(&index).into_iter().flatten() {
                 self.register(strip, sink, &mut open);

@@ -21,9 +21,10 @@ mod strip;
 use std::collections::HashMap;
 use std::sync::Arc;
 
+use cranelift_codegen::ir::{InstBuilder, types};
 use tilewright_hdl::limbs_for;
 
-use crate::engine::{Engine, Failed};
+use crate::engine::{Done, Engine, Failed};
 use crate::lockstep::Difference;
 use crate::program::{Kind, Program, Triggers, ValueId};
 use crate::reference;
@@ -48,6 +49,8 @@ pub(crate) struct Compiled {
     /// Per clock: its reset is high.
     resets: Vec<bool>,
     edges: Vec<(Vec<usize>, Vec<bool>, Code)>,
+    /// What looks whether assertions hold, if there are any.
+    checks: Vec<(Vec<usize>, Vec<bool>, Option<Code>)>,
     views: HashMap<ValueId, Arc<View>>,
     /// Counts what can change values.
     version: u64,
@@ -61,6 +64,13 @@ struct View {
     places: Vec<(ValueId, Place)>,
     /// The version that it was last run for.
     seen: std::sync::atomic::AtomicU64,
+}
+
+/// A graph, and where its values are.
+struct Prepared {
+    graph: Graph,
+    plan: Plan,
+    addresses: Addresses,
 }
 
 impl Compiled {
@@ -91,27 +101,50 @@ impl Compiled {
         let memories =
             memories.map(|(index, memory)| memory_at(&program, index, memory, &layout.strips, &start)).collect();
         let resets = vec![false; program.clocks.len()];
-        let (edges, views) = (Vec::new(), HashMap::new());
-        Ok(Compiled { program, jit, state, layout, places, memories, resets, edges, views, version: 1, mirror })
+        let (edges, checks, views) = (Vec::new(), Vec::new(), HashMap::new());
+        Ok(Compiled { program, jit, state, layout, places, memories, resets, edges, checks, views, version: 1, mirror })
     }
 
-    /// Makes a function of a graph; gives the places of what it shows.
-    fn compile(&mut self, mut graph: Graph) -> (Code, Addresses) {
+    /// Gives places to what a graph computes.
+    fn prepare(&mut self, mut graph: Graph) -> Prepared {
         lower::lower(&mut graph, &self.layout.strips);
         let mut plan = Plan::new(&graph);
         branch::branch(&mut graph, &mut plan, &self.layout.strips);
-        let graph = &graph;
-        let addresses = Addresses::new(graph, &plan, &self.places, &mut self.layout);
+        let addresses = Addresses::new(&graph, &plan, &self.places, &mut self.layout);
         self.state.grow(self.layout.size);
         for &table in &addresses.tables {
-            self.fill(graph, table, addresses.places[table.index()].expect("a table has a place"));
+            self.fill(&graph, table, addresses.places[table.index()].expect("a table has a place"));
         }
+        Prepared { graph, plan, addresses }
+    }
+
+    /// Makes a function that does what these graphs say, one after the other, so many times; it ends where something
+    /// does not hold, and says how many times are left.
+    fn compile(&mut self, parts: &[Prepared]) -> Code {
         let memories: Vec<MemoryAt> = self.memories.iter().map(|(at, _)| *at).collect();
         let strips = &self.layout.strips;
-        let code = self.jit.function(|builder, state, count| {
-            Emitter::new(graph, &plan, &addresses, &memories, strips, builder, state).repeat(count);
-        });
-        (code, addresses)
+        self.jit.function(|builder, state, count| {
+            let body = builder.create_block();
+            let done = builder.create_block();
+            builder.append_block_param(body, types::I64);
+            builder.append_block_param(done, types::I64);
+            builder.ins().jump(body, &[count.into()]);
+            builder.switch_to_block(body);
+            let left = builder.block_params(body)[0];
+            for Prepared { graph, plan, addresses } in parts {
+                let held = Emitter::new(graph, plan, addresses, &memories, strips, builder, state).once();
+                if let Some(held) = held {
+                    let next = builder.create_block();
+                    builder.ins().brif(held, next, &[], done, &[left.into()]);
+                    builder.switch_to_block(next);
+                }
+            }
+            let left = builder.ins().iadd_imm_s(left, -1);
+            builder.ins().brif(left, body, &[left.into()], done, &[left.into()]);
+            builder.switch_to_block(done);
+            let left = builder.block_params(done)[0];
+            builder.ins().return_(&[left]);
+        })
     }
 
     /// Writes an array of constants into the memory.
@@ -132,10 +165,28 @@ impl Compiled {
         if let Some((_, _, code)) = made {
             return *code;
         }
-        let graph = Graph::edge(&self.program, rising, &self.resets);
-        let (code, _) = self.compile(graph);
+        let check = Graph::check(&self.program, rising, &self.resets);
+        let edge = Graph::edge(&self.program, rising, &self.resets);
+        let parts: Vec<Prepared> = check.into_iter().chain([edge]).map(|graph| self.prepare(graph)).collect();
+        let code = self.compile(&parts);
         self.edges.push((rising.to_vec(), self.resets.clone(), code));
         code
+    }
+
+    /// Whether all assertions hold at an edge of these clocks.
+    fn holds(&mut self, rising: &[usize]) -> bool {
+        let made = self.checks.iter().find(|(clocks, resets, _)| clocks == rising && *resets == self.resets);
+        let code = match made {
+            Some((_, _, code)) => *code,
+            None => {
+                let check = Graph::check(&self.program, rising, &self.resets);
+                let check = check.map(|graph| self.prepare(graph));
+                let code = check.map(|check| self.compile(std::slice::from_ref(&check)));
+                self.checks.push((rising.to_vec(), self.resets.clone(), code));
+                code
+            }
+        };
+        code.is_none_or(|code| self.call(code, 1) == 0)
     }
 
     /// The function that computes a value; all output ports share one.
@@ -155,8 +206,9 @@ impl Compiled {
     fn show(&mut self, shown: Vec<ValueId>) -> Arc<View> {
         let mut graph = Graph::new(&self.program);
         graph.sinks = shown.iter().map(|&value| Sink::Show(value)).collect();
-        let (code, addresses) = self.compile(graph);
-        let place = |&id: &ValueId| (id, addresses.places[id.index()].expect("what is shown has a place"));
+        let prepared = self.prepare(graph);
+        let code = self.compile(std::slice::from_ref(&prepared));
+        let place = |&id: &ValueId| (id, prepared.addresses.places[id.index()].expect("what is shown has a place"));
         let places = shown.iter().map(place).collect();
         let view = Arc::new(View { code, places, seen: 0.into() });
         for id in shown {
@@ -177,13 +229,14 @@ impl Compiled {
         }
     }
 
-    fn call(&mut self, code: Code, count: u64) {
+    /// Runs a function so many times; gives how many are left because something did not hold.
+    fn call(&mut self, code: Code, count: u64) -> u64 {
         let state = self.state.address();
         // SAFETY: the code was made by this engine's `jit` for the layout of `state` and for these memories, which
         // are borrowed exclusively here and have not moved.
         #[allow(unsafe_code, reason = "calls generated code")]
         unsafe {
-            code.call(state, count);
+            code.call(state, count)
         }
     }
 }
@@ -272,11 +325,10 @@ impl Engine for Compiled {
     }
 
     fn check(&mut self, rising: &[usize]) -> Vec<Failed> {
-        let program = self.program.clone();
-        if self.version == 1 {
-            let conditions: Vec<ValueId> = program.asserts.iter().map(|assert| assert.condition).collect();
-            self.watch(&conditions);
+        if self.holds(rising) {
+            return Vec::new();
         }
+        let program = self.program.clone();
         let mut failed = Vec::new();
         for &clock in rising {
             if self.resets[clock] {
@@ -291,13 +343,15 @@ impl Engine for Compiled {
         failed
     }
 
-    fn edges(&mut self, rising: &[usize], count: u64) -> Result<Triggers, Box<Difference>> {
+    fn edges(&mut self, rising: &[usize], count: u64) -> Result<Done, Box<Difference>> {
+        let mut left = 0;
         if count > 0 {
             let code = self.edge_code(rising);
-            self.call(code, count);
+            left = self.call(code, count);
             self.version += 1;
         }
-        Ok(rising.iter().fold(Triggers::NONE, |all, &clock| all.with(Triggers::state(clock))))
+        let changed = rising.iter().fold(Triggers::NONE, |all, &clock| all.with(Triggers::state(clock)));
+        Ok(Done { edges: count - left, changed })
     }
 
     fn watch(&mut self, values: &[ValueId]) {

@@ -242,7 +242,7 @@ impl Planner<'_> {
         match sink {
             Sink::Register { state, .. } => self.graph.cell(*state).lanes,
             Sink::Write { enable, .. } => self.graph.cell(*enable).lanes,
-            Sink::Show(value) => self.graph.cell(*value).lanes,
+            Sink::Show(value) | Sink::Hold(value) => self.graph.cell(*value).lanes,
         }
     }
 

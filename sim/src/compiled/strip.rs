@@ -339,7 +339,11 @@ impl Emitter<'_, '_, '_> {
         let (place, width) = (self.addresses.of(id), self.graph.cell(id).width);
         for lane in 0..strip.size {
             let at = self.builder.ins().iadd_imm_s(strip.first.expect("it has begun"), i64::from(lane));
-            let (target, within) = self.divided(at, group);
+            // With one group, lanes that do not exist add nothing to it.
+            let (target, within) = match group == strip.total {
+                true => (self.builder.ins().iconst(types::I64, 0), at),
+                false => self.divided(at, group),
+            };
             let at = self.address(target, place.bytes());
             let (before, both, first, all) = (self.id(), self.id(), self.id(), self.id());
             let zero = self.builder.ins().iconst(types::I64, 0);

@@ -10,7 +10,7 @@ mod wide;
 
 use std::sync::Arc;
 
-use crate::engine::{self, Failed};
+use crate::engine::{self, Done, Failed};
 use crate::lockstep::Difference;
 use crate::program::{Kind, Program, Readers, Triggers, ValueId};
 
@@ -174,7 +174,11 @@ impl engine::Engine for Engine {
         self.check(rising)
     }
 
-    fn edges(&mut self, rising: &[usize], count: u64) -> Result<Triggers, Box<Difference>> {
-        Ok((0..count).fold(Triggers::NONE, |all, _| all.with(self.edge(rising))))
+    fn edges(&mut self, rising: &[usize], count: u64) -> Result<Done, Box<Difference>> {
+        let mut done = Done { edges: 0, changed: Triggers::NONE };
+        while done.edges < count && (self.program.asserts.is_empty() || self.check(rising).is_empty()) {
+            done = Done { edges: done.edges + 1, changed: done.changed.with(self.edge(rising)) };
+        }
+        Ok(done)
     }
 }

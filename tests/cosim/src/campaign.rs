@@ -219,10 +219,13 @@ impl Campaign {
     fn keep(&self, spec: &Spec, number: u64) -> PathBuf {
         let folder = std::env::temp_dir().join(format!("tilewright-cosim-seed{}-design{number}", self.seed));
         std::fs::create_dir_all(&folder).expect("a temporary folder can be made");
-        if let Ok((_, printed)) = self.simulate(spec, number) {
-            for file in printed.files.iter().chain([&printed.bench]) {
-                std::fs::write(folder.join(&file.name), &file.text).expect("a temporary file can be written");
-            }
+        // Without a testbench where our simulator itself fails.
+        let files = match self.simulate(spec, number) {
+            Ok((_, Printed { files, bench })) => files.into_iter().chain([bench]).collect(),
+            Err(_) => elaborate(&build::top(spec, &format!("d{number}"))).map_or(Vec::new(), |design| verilog(&design)),
+        };
+        for file in files {
+            std::fs::write(folder.join(&file.name), &file.text).expect("a temporary file can be written");
         }
         folder
     }
