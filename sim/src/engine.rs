@@ -63,9 +63,9 @@ pub(crate) trait Engine: Send {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum EngineKind {
     /// A plain interpreter: the meaning that the others are held to.
-    #[default]
     Reference,
     /// Machine code made for the circuit.
+    #[default]
     Compiled,
     /// Both side by side; the first difference is an error that names the signal and the clock.
     Both,
@@ -75,6 +75,9 @@ impl EngineKind {
     /// The circuit at its start on this engine, or on the reference engine where code cannot be generated.
     pub(crate) fn start(self, program: &Arc<Program>, seed: u64) -> (EngineKind, Box<dyn Engine>) {
         let reference = || Box::new(reference::Engine::new(program.clone(), seed));
+        if self == EngineKind::Reference {
+            return (self, reference());
+        }
         match (self, Compiled::new(program.clone(), seed)) {
             (EngineKind::Compiled, Ok(engine)) => (self, Box::new(engine)),
             (EngineKind::Both, Ok(engine)) => {

@@ -18,7 +18,6 @@ mod scalar;
 mod store;
 mod strip;
 
-use std::collections::HashMap;
 use std::sync::Arc;
 
 use cranelift_codegen::ir::{InstBuilder, types};
@@ -51,7 +50,9 @@ pub(crate) struct Compiled {
     edges: Vec<(Vec<usize>, Vec<bool>, Code)>,
     /// What looks whether assertions hold, if there are any.
     checks: Vec<(Vec<usize>, Vec<bool>, Option<Code>)>,
-    views: HashMap<ValueId, Arc<View>>,
+    views: Vec<View>,
+    /// Per value of the program: what computes it, by index in `views`, and where it leaves it.
+    shown: Vec<Option<(usize, Place)>>,
     /// Counts what can change values.
     version: u64,
     /// Every value as limbs, brought up to date when it is read.
@@ -59,11 +60,11 @@ pub(crate) struct Compiled {
 }
 
 /// A function that leaves values where they can be read.
+#[derive(Clone, Copy)]
 struct View {
     code: Code,
-    places: Vec<(ValueId, Place)>,
     /// The version that it was last run for.
-    seen: std::sync::atomic::AtomicU64,
+    seen: u64,
 }
 
 /// A graph, and where its values are.
@@ -101,8 +102,23 @@ impl Compiled {
         let memories =
             memories.map(|(index, memory)| memory_at(&program, index, memory, &layout.strips, &start)).collect();
         let resets = vec![false; program.clocks.len()];
-        let (edges, checks, views) = (Vec::new(), Vec::new(), HashMap::new());
-        Ok(Compiled { program, jit, state, layout, places, memories, resets, edges, checks, views, version: 1, mirror })
+        let (edges, checks, views) = (Vec::new(), Vec::new(), Vec::new());
+        let shown = vec![None; program.values.len()];
+        Ok(Compiled {
+            program,
+            jit,
+            state,
+            layout,
+            places,
+            memories,
+            resets,
+            edges,
+            checks,
+            views,
+            shown,
+            version: 1,
+            mirror,
+        })
     }
 
     /// Gives places to what a graph computes.
@@ -189,44 +205,22 @@ impl Compiled {
         code.is_none_or(|code| self.call(code, 1) == 0)
     }
 
-    /// The function that computes a value; all output ports share one.
-    fn view(&mut self, id: ValueId) -> Arc<View> {
-        if let Some(view) = self.views.get(&id) {
-            return view.clone();
+    /// Brings a value that is computed up to date; gives where it is. All output ports share a function.
+    fn view(&mut self, id: ValueId) -> Place {
+        let (view, place) = match self.shown[id.index()] {
+            Some(shown) => shown,
+            None => {
+                let outputs: Vec<ValueId> = self.program.outputs.iter().map(|port| port.value).collect();
+                self.watch(if outputs.contains(&id) { &outputs } else { std::slice::from_ref(&id) });
+                self.shown[id.index()].expect("it is shown now")
+            }
+        };
+        let View { code, seen } = self.views[view];
+        if seen != self.version {
+            self.views[view].seen = self.version;
+            self.call(code, 1);
         }
-        let outputs: Vec<ValueId> = self.program.outputs.iter().map(|port| port.value).collect();
-        let mut shown = if outputs.contains(&id) { outputs } else { vec![id] };
-        shown.retain(|value| self.program.value(*value).segment.is_some());
-        shown.sort();
-        shown.dedup();
-        self.show(shown)
-    }
-
-    /// A function that computes these values.
-    fn show(&mut self, shown: Vec<ValueId>) -> Arc<View> {
-        let mut graph = Graph::new(&self.program);
-        graph.sinks = shown.iter().map(|&value| Sink::Show(value)).collect();
-        let prepared = self.prepare(graph);
-        let code = self.compile(std::slice::from_ref(&prepared));
-        let place = |&id: &ValueId| (id, prepared.addresses.places[id.index()].expect("what is shown has a place"));
-        let places = shown.iter().map(place).collect();
-        let view = Arc::new(View { code, places, seen: 0.into() });
-        for id in shown {
-            self.views.insert(id, view.clone());
-        }
-        view
-    }
-
-    /// Computes what a view shows, if something may have changed since the last time.
-    fn refresh(&mut self, view: &View) {
-        use std::sync::atomic::Ordering;
-        if view.seen.swap(self.version, Ordering::Relaxed) == self.version {
-            return;
-        }
-        self.call(view.code, 1);
-        for &(id, place) in &view.places {
-            self.state.get(place, &mut self.mirror[self.program.value(id).range()]);
-        }
+        place
     }
 
     /// Runs a function so many times; gives how many are left because something did not hold.
@@ -290,13 +284,12 @@ fn is_common(program: &Program, id: ValueId) -> bool {
 impl Engine for Compiled {
     fn read(&mut self, id: ValueId) -> &[u64] {
         let range = self.program.value(id).range();
-        match self.places[id.index()] {
-            Some(place) => self.state.get(place, &mut self.mirror[range.clone()]),
-            None if self.program.value(id).segment.is_some() => {
-                let view = self.view(id);
-                self.refresh(&view);
-            }
-            None => {}
+        let place = match self.places[id.index()] {
+            None if self.program.value(id).segment.is_some() => Some(self.view(id)),
+            place => place,
+        };
+        if let Some(place) = place {
+            self.state.get(place, &mut self.mirror[range.clone()]);
         }
         &self.mirror[range]
     }
@@ -359,8 +352,17 @@ impl Engine for Compiled {
         let mut shown: Vec<ValueId> = values.iter().filter(computed).copied().collect();
         shown.sort();
         shown.dedup();
-        if !shown.is_empty() {
-            self.show(shown);
+        if shown.is_empty() {
+            return;
         }
+        let mut graph = Graph::new(&self.program);
+        graph.sinks = shown.iter().map(|&value| Sink::Show(value)).collect();
+        let prepared = self.prepare(graph);
+        let code = self.compile(std::slice::from_ref(&prepared));
+        for id in shown {
+            let place = prepared.addresses.places[id.index()].expect("what is shown has a place");
+            self.shown[id.index()] = Some((self.views.len(), place));
+        }
+        self.views.push(View { code, seen: 0 });
     }
 }
