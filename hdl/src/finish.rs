@@ -75,7 +75,10 @@ fn find_resets(draft: &Draft, done: &[Module]) -> Vec<Option<String>> {
 /// Where the block is described: where its `build` makes the first thing, as its ports may be another block's.
 fn place(draft: &Draft) -> Loc {
     let made = draft.nodes.iter().find(|node| !matches!(node.op, Op::Input(_)));
-    made.or(draft.nodes.first()).map_or(draft.loc, |node| node.loc)
+    let made = made.or(draft.nodes.first()).map_or(draft.loc, |node| node.loc);
+    // A memory is no node.
+    let memory = draft.memories.first().map(|draft| draft.memory.loc);
+    memory.filter(|memory| memory.file() == made.file() && memory.line() < made.line()).unwrap_or(made)
 }
 
 fn module(
