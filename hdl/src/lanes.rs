@@ -143,7 +143,7 @@ impl Lanes {
     pub fn shifted(self, by: i32, edge: impl Operand) -> Lanes {
         let loc = Loc::caller();
         let shape = self.lane(0);
-        let edge = edge.value().with_width_of(shape, "shifted").id();
+        let edge = edge.operand().with_width_of(shape, "shifted").id();
         Lanes::make(Op::Shifted { of: self.id(), by, edge }, self.width, self.count, loc)
     }
 

@@ -97,7 +97,7 @@ impl Mem {
     fn sized(self, operand: impl Operand, width: u32, what: &str) -> Signal {
         let loc = Loc::caller();
         self.check_module(loc);
-        let signal = match operand.value() {
+        let signal = match operand.operand() {
             Value::Literal(literal) => return literal.sized(width, false),
             Value::Signal(signal) if signal.width == width => return signal,
             Value::Signal(signal) => signal,

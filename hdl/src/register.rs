@@ -46,7 +46,7 @@ impl Reg {
     #[track_caller]
     pub fn reset(self, value: impl Operand) -> Reg {
         let loc = Loc::caller();
-        let constant = match value.value() {
+        let constant = match value.operand() {
             Value::Literal(literal) => literal.sized(self.width, false),
             Value::Signal(signal) => signal,
         };
@@ -84,7 +84,7 @@ impl Reg {
     #[track_caller]
     pub fn next(self, value: impl Operand) {
         let loc = Loc::caller();
-        let next = value.value().with_width_of(self.signal, "next").id();
+        let next = value.operand().with_width_of(self.signal, "next").id();
         if self.is_here() {
             let before = elaboration::draft(|draft| draft.registers[self.index].next.replace((next, loc)));
             report_second_driver(before, self.signal.node, "given a next value", loc);
@@ -168,6 +168,11 @@ impl<S> Deref for StateReg<S> {
 }
 
 impl<S: States> StateReg<S> {
+    /// The code of the present state.
+    pub fn value(self) -> Signal {
+        self.register.signal
+    }
+
     /// 1 bit: the machine is in `state`.
     #[track_caller]
     pub fn is(self, state: S) -> Signal {

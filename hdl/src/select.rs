@@ -98,7 +98,7 @@ fn sized(values: Vec<Value>, of: &str) -> Vec<Signal> {
 #[track_caller]
 pub fn mux(select: impl Into<Signal>, on_true: impl Operand, on_false: impl Operand) -> Signal {
     let select = condition(select.into(), "mux");
-    let values = sized(vec![on_true.value(), on_false.value()], "mux");
+    let values = sized(vec![on_true.operand(), on_false.operand()], "mux");
     let (on_true, on_false) = (values[0], values[1]);
     Signal::make(Op::Mux { select, on_true: on_true.id(), on_false: on_false.id() }, on_true.width)
 }
@@ -124,7 +124,7 @@ pub fn select<V: Operand>(arms: impl IntoIterator<Item = (Signal, V)>, default: 
     for signal in signals {
         conditions.push(condition(signal, "select"));
     }
-    let values = values.into_iter().map(V::value).chain([default.value()]).collect();
+    let values = values.into_iter().map(V::operand).chain([default.operand()]).collect();
     let values = sized(values, "select");
     let (default, values) = values.split_last().expect("a select has a default");
     let arms = conditions.into_iter().zip(values.iter().map(|value| value.id_at(loc))).collect();
@@ -150,7 +150,7 @@ pub fn case<V: Operand>(
         };
         elaboration::with(|e| e.report(Problem::new(loc, problem).help("each key is a value of the subject, once")));
     }
-    let values = sized(values.into_iter().map(V::value).chain([default.value()]).collect(), "case");
+    let values = sized(values.into_iter().map(V::operand).chain([default.operand()]).collect(), "case");
     let (default, values) = values.split_last().expect("a case has a default");
     let keys = keys.into_iter().map(|key| Bits::new(subject.width, key));
     let arms = keys.zip(values.iter().map(|value| value.id_at(loc))).collect();

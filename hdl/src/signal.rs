@@ -111,7 +111,7 @@ impl Signal {
 
     #[track_caller]
     pub(crate) fn binary(self, op: Binary, right: impl Operand) -> Signal {
-        let right = right.value().with_width_of(self, op.symbol());
+        let right = right.operand().with_width_of(self, op.symbol());
         Signal::make(Op::Binary(op, self.id(), right.id()), self.width)
     }
 
@@ -122,7 +122,7 @@ impl Signal {
 
     #[track_caller]
     fn relate(self, relation: Relation, right: impl Operand) -> Signal {
-        let right = right.value().with_width_of(self, relation.method());
+        let right = right.operand().with_width_of(self, relation.method());
         self.compare(relation, false, right)
     }
 
@@ -188,7 +188,7 @@ impl Signal {
     /// The sum with its carry: one bit wider than the operands.
     #[track_caller]
     pub fn add_carry(self, right: impl Operand) -> Signal {
-        let right = right.value().with_width_of(self, "add_carry");
+        let right = right.operand().with_width_of(self, "add_carry");
         self.zext(self.width + 1).binary(Binary::Add, right.zext(self.width + 1))
     }
 

@@ -25,11 +25,16 @@ impl Deref for Wire {
 }
 
 impl Wire {
+    /// What drives it, as a signal.
+    pub fn value(self) -> Signal {
+        self.signal
+    }
+
     /// Says what drives the wire.
     #[track_caller]
     pub fn drive(self, value: impl Operand) {
         let loc = Loc::caller();
-        let driver = value.value().with_width_of(self.signal, "drive").id();
+        let driver = value.operand().with_width_of(self.signal, "drive").id();
         // A wire of another module is reported here; its index means nothing in this one.
         if self.signal.id() == self.signal.node {
             let slot = elaboration::draft(|draft| draft.wires[self.index].driver.replace((driver, loc)));

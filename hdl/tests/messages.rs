@@ -110,7 +110,7 @@ fn every_meeting_of_widths_is_checked() {
             |m, i| {
                 let w = m.wire("w", 8);
                 w.drive(i.b);
-                *w
+                w.value()
             },
             "`drive`",
         ),
@@ -238,9 +238,27 @@ fn registers_and_wires_that_are_driven_twice() {
         let w = m.wire("w", 8);
         w.drive(i.a);
         w.drive(i.a);
-        *w
+        w.value()
     };
     assert!(problems(&Case(driven)).starts_with("`w` is driven twice"));
+}
+
+states! { enum Lamp { Off, On } }
+
+#[test]
+fn handles_give_their_values_as_signals() {
+    let build = |m: Module, i: In| {
+        let (register, wire, lamp) = (m.reg("r", 8), m.wire("w", 8), m.fsm("lamp", Lamp::Off));
+        register.next(i.a);
+        wire.drive(i.a);
+        lamp.next(|lamp| match lamp {
+            Lamp::Off => when(i.c, Lamp::On),
+            Lamp::On => goto(Lamp::Off),
+        });
+        let values: [Signal; 3] = [register.value(), wire.value(), lamp.value()];
+        concat(&values).trunc(8)
+    };
+    elaborate(&Case(build)).unwrap();
 }
 
 #[test]
