@@ -79,7 +79,7 @@ pub enum Reduction {
 /// How a node is computed.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Op {
-    /// The input port of that index in [`Module::inputs`].
+    /// The input port of that index in [`Module::inputs`](crate::ir::Module::inputs).
     Input(u32),
     /// A constant of the node's width.
     Const(Bits),
@@ -143,7 +143,7 @@ pub enum Op {
     },
     /// The present value of a register.
     Register(RegisterId),
-    /// The data of a memory's read port of that index in [`Memory::reads`].
+    /// The data of a memory's read port of that index in [`Memory::reads`](crate::ir::Memory::reads).
     Read(MemoryId, u32),
     /// A named net declared before its driver.
     Wire(NodeId),
