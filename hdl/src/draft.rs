@@ -27,6 +27,8 @@ pub(crate) struct Draft {
     pub asserts: Vec<Assert>,
     /// Inputs that the description says it leaves unused.
     pub ignored: BTreeSet<NodeId>,
+    /// What stands in faulty expressions, of which the circuit has only a stand-in.
+    pub in_problems: BTreeSet<NodeId>,
 }
 
 pub(crate) struct DraftRegister {
@@ -69,6 +71,7 @@ impl Draft {
             instance_outputs: Vec::new(),
             asserts: Vec::new(),
             ignored: BTreeSet::new(),
+            in_problems: BTreeSet::new(),
         }
     }
 

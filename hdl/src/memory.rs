@@ -115,7 +115,7 @@ impl Mem {
                     true => format!("widen it with `.zext({width})` or `.sext({width})`"),
                     false => format!("cut it with `.trunc({width})`"),
                 });
-            e.report(problem);
+            e.report_instead_of(&[id], problem);
             Signal::make_in(e, Op::Const(Bits::zero(width)), width, loc)
         })
     }

@@ -65,24 +65,30 @@ impl Module {
     /// `value`, one clock later: a register without reset for each field, named `name` or `name_FIELD`.
     #[track_caller]
     pub fn pipe<B: Fields<Signal>>(self, name: &str, value: B) -> B::With<Signal> {
-        self.stage(None, name, value, Loc::caller())
+        self.stage(None, name, value)
     }
 
     /// As [`Module::pipe`], in a pipeline that advances only where `enable` is high.
     #[track_caller]
     pub fn pipe_when<B: Fields<Signal>>(self, enable: impl Into<Signal>, name: &str, value: B) -> B::With<Signal> {
-        self.stage(Some(enable.into()), name, value, Loc::caller())
+        self.stage(Some(enable.into()), name, value)
     }
 
-    fn stage<B: Fields<Signal>>(self, enable: Option<Signal>, name: &str, value: B, loc: Loc) -> B::With<Signal> {
-        value.map_fields("", &mut |path, signal| {
-            let register = self.register(&port_name(name, path), signal.width, None, loc);
+    #[track_caller]
+    fn stage<B: Fields<Signal>>(self, enable: Option<Signal>, name: &str, value: B) -> B::With<Signal> {
+        let loc = Loc::caller();
+        // A loop, as a closure would be the caller that messages name.
+        let mut registers = Vec::new();
+        for (path, signal) in value.leaves() {
+            let register = self.register(&port_name(name, &path), signal.width, None, loc);
             if let Some(enable) = enable {
                 let _ = register.enable(enable);
             }
-            register.next(*signal);
-            register.value()
-        })
+            register.next(signal);
+            registers.push(register.value());
+        }
+        let mut registers = registers.into_iter();
+        value.map(|_| registers.next().expect("a register for each field"))
     }
 
     /// A net of `width` bits that is read before it is driven.

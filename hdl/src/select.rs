@@ -55,7 +55,7 @@ pub(crate) fn condition(signal: Signal, of: &str) -> crate::ir::NodeId {
             let (text, place) = (draft.describe(id), draft.node(id).loc);
             let message = format!("the condition of `{of}` is 1 bit, but `{text}` has {}", bits_text(signal.width));
             let help = "compare it, as in `.ne(0)`, or take one `.bit(i)`";
-            e.report(Problem::new(loc, message).note(format!("`{text}` is made"), place).help(help));
+            e.report_instead_of(&[id], Problem::new(loc, message).note(format!("`{text}` is made"), place).help(help));
             e.draft().add(Op::Const(Bits::zero(1)), 1, None, loc)
         })
     } else {

@@ -67,9 +67,10 @@ impl Signal {
                 return self.node;
             }
             let block = e.draft().block;
-            let owner = e.drafts.iter().find(|draft| draft.serial == self.module);
+            let owner = e.drafts.iter_mut().find(|draft| draft.serial == self.module);
             let problem = match owner {
                 Some(owner) => {
+                    owner.in_problems.insert(self.node);
                     let place = owner.node(self.node).loc;
                     let what = owner.describe(self.node);
                     let message = format!("`{what}` belongs to `{}` but is used inside of `{block}`", owner.block);
@@ -274,7 +275,7 @@ impl Signal {
             let draft = e.draft();
             let (name, place) = (draft.describe(id), draft.node(id).loc);
             let message = format!("{what} `{name}`, which has {}", bits_text(self.width));
-            e.report(Problem::new(loc, message).note(format!("`{name}` is made"), place).help(help));
+            e.report_instead_of(&[id], Problem::new(loc, message).note(format!("`{name}` is made"), place).help(help));
             Signal::make_in(e, Op::Const(crate::Bits::zero(width)), width, loc)
         })
     }
@@ -344,13 +345,8 @@ impl Value {
         };
         let (left_id, right_id) = (left.id(), right.id());
         elaboration::with(|e| {
-            e.report(width_mismatch(
-                e.drafts.last().expect("a module is being built"),
-                operator,
-                left_id,
-                right_id,
-                loc,
-            ));
+            let problem = width_mismatch(e.draft(), operator, left_id, right_id, loc);
+            e.report_instead_of(&[left_id, right_id], problem);
             Signal::make_in(e, Op::Const(crate::Bits::zero(left.width)), left.width, loc)
         })
     }

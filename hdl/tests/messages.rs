@@ -131,6 +131,30 @@ fn choices_between_bundles_name_the_users_line() {
     assert!(text.contains("the condition of `select` is 1 bit") && !text.contains("select.rs"), "{text}");
 }
 
+/// Also where the language calls itself in a closure, which is its own caller.
+#[test]
+fn messages_from_closures_name_the_users_line() {
+    let cases: [(&str, Build); 5] = [
+        ("the condition of `enable`", |m, i| m.pipe_when(i.a, "p", i.a)),
+        ("`300` does not fit", |m, _| {
+            let block = Inverter { registered: true };
+            m.array("u_cell", 2, &block, |a| Link { x: a.constants(8, |_| 300) }).out.last()
+        }),
+        ("`2` does not fit", |m, _| m.fsm("lamp", Lamp::Off).constants(1, |_| 2)),
+        ("`case` needs", |m, i| m.fsm("lamp", Lamp::Off).pick(|lamp| if lamp == Lamp::Off { i.a } else { i.b })),
+        ("the condition of `select`", |m, i| {
+            let lamp = m.fsm("lamp", Lamp::Off);
+            lamp.next(|_| when(i.a, Lamp::On));
+            lamp.value()
+        }),
+    ];
+    for (message, build) in cases {
+        let text = problems(&Case(build));
+        let (first, place) = text.split_once("\n  --> ").expect("a message has a place");
+        assert!(first.starts_with(message) && place.starts_with('['), "{text}");
+    }
+}
+
 #[test]
 fn nothing_is_wider_than_a_million_bits() {
     let text = problems(&Case(|_, i| i.a.repeat(600_000_000)));
@@ -466,6 +490,64 @@ impl Block for Careless {
     }
 }
 
+/// A fault gives no second message that calls its operands unused.
+#[test]
+fn inputs_in_faulty_expressions_are_used() {
+    /// As [`Case`], but nothing is said of unused inputs.
+    #[derive(Debug)]
+    struct Strict(Build);
+    impl Block for Strict {
+        type In = In;
+        type Out = Out;
+        fn inputs(&self) -> In<Width> {
+            In { a: bits(8), b: bits(7), c: bit() }
+        }
+        fn build(&self, m: Module, i: In) -> Out {
+            Out { out: (self.0)(m, i) }
+        }
+        fn name(&self) -> String {
+            "strict".to_owned()
+        }
+    }
+    let cases: [(&str, Build); 9] = [
+        ("`+` needs", |_, i| (i.a + i.b) ^ i.c.zext(8)),
+        ("the slice", |_, i| i.a.slice(8..9) & i.b.bit(0) & i.c),
+        ("the condition", |_, i| mux(i.a, i.b, i.c.zext(7))),
+        ("the reset value", |m, i| {
+            let r = m.reg("r", 8).reset(i.a);
+            r.next(cat![i.b, i.c]);
+            r.value()
+        }),
+        ("`r` is given a next value twice", |m, i| {
+            let r = m.reg("r", 8);
+            r.next(i.a);
+            r.next(cat![i.b, i.c]);
+            r.value()
+        }),
+        ("an address", |m, i| {
+            let words = m.memory("words", 16, 1, ReadUnderWrite::Old);
+            words.write(i.c, i.a, i.b);
+            words.read(0)
+        }),
+        ("input `x` of `u_inverter`", |m, i| {
+            m.instance("u_inverter", &Inverter { registered: true }, Link { x: i.b }).out + cat![i.a, i.c].trunc(8)
+        }),
+        ("an array of 3 lanes", |m, i| {
+            let inverter = Inverter { registered: true };
+            let cells = m.array("u_cell", 3, &inverter, |cells| Link { x: cells.each([i.a, i.b.zext(8)]) });
+            mux(i.c, cells.out.last(), 0)
+        }),
+        ("`a` belongs to `Strict`", |m, i| {
+            KEPT.set(Some(Kept::Result(i.a)));
+            m.instance("u_keeper", &Keeper, ()).out & cat![i.b, i.c]
+        }),
+    ];
+    for (message, build) in cases {
+        let text = problems(&Strict(build));
+        assert!(text.starts_with(message) && !text.contains("never used"), "{text}");
+    }
+}
+
 #[test]
 fn inputs_that_are_not_used() {
     assert_eq!(
@@ -790,6 +872,7 @@ enum Kept {
     Memory(Mem),
     Lanes(Lanes),
     Result(Signal),
+    Register(Reg),
 }
 
 thread_local!(static KEPT: std::cell::Cell<Option<Kept>> = const { std::cell::Cell::new(None) });
@@ -809,6 +892,10 @@ impl Block for Keeper {
             Kept::Memory(memory) => memory.read_async(0),
             Kept::Lanes(lanes) => lanes.lane(0),
             Kept::Result(signal) => !signal,
+            Kept::Register(register) => {
+                register.next(0);
+                register.value()
+            }
         };
         Out { out }
     }
@@ -831,6 +918,31 @@ fn lanes_of_another_module() {
         KEPT.set(Some(Kept::Lanes(m.array("u_cell", 2, &block, |cells| Link { x: cells.all(&i.a) }).out)));
         m.instance("u_keeper", &Keeper, ()).out
     }));
+}
+
+/// The register's node has the number of the stand-in for it in the module that drives it.
+#[test]
+fn registers_of_another_module() {
+    /// Lends its register to an instance in it.
+    #[derive(Debug)]
+    struct Lender;
+    impl Block for Lender {
+        type In = ();
+        type Out = Out;
+        fn inputs(&self) {}
+        fn build(&self, m: Module, _: ()) -> Out {
+            let _zero = lit(8, 0);
+            let r = m.reg("r", 8);
+            r.next(1);
+            KEPT.set(Some(Kept::Register(r)));
+            m.instance("u_keeper", &Keeper, ())
+        }
+    }
+    let text = problems(&Lender);
+    assert!(
+        text.starts_with("`r` belongs to `Lender` but is used inside of `Keeper`\n  --> [register.next(0);]"),
+        "{text}"
+    );
 }
 
 #[test]
