@@ -25,6 +25,7 @@ pub(crate) struct Draft {
     /// The names of each instance's output ports.
     pub instance_outputs: Vec<Vec<String>>,
     pub asserts: Vec<Assert>,
+    pub synchronizers: Vec<Synchronizer>,
     /// Inputs that the description says it leaves unused.
     pub ignored: BTreeSet<NodeId>,
     /// What stands in faulty expressions, of which the circuit has only a stand-in.
@@ -50,6 +51,13 @@ pub(crate) struct DraftMemory {
     pub true_dual_port: bool,
 }
 
+/// A signal of another clock, and the synchronizer that it enters.
+pub(crate) struct Synchronizer {
+    pub name: String,
+    pub enters: NodeId,
+    pub loc: Loc,
+}
+
 /// The node that a wire points to until it is driven.
 pub(crate) const UNDRIVEN: NodeId = NodeId(u32::MAX);
 
@@ -70,6 +78,7 @@ impl Draft {
             instances: Vec::new(),
             instance_outputs: Vec::new(),
             asserts: Vec::new(),
+            synchronizers: Vec::new(),
             ignored: BTreeSet::new(),
             in_problems: BTreeSet::new(),
         }

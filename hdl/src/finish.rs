@@ -25,17 +25,15 @@ pub(crate) fn finish(
     check::naming::check(&mut draft, &e.done, &outputs, &resets, problems);
     check::unused::check(&draft, &outputs, problems);
     let sound = check::loops::check(&draft, &e.summaries, problems);
-    check::domains::check(&draft, &e.done, &e.summaries, problems);
+    let mixed = check::domains::check(&draft, &e.done, &e.summaries, &outputs, problems);
     let nodes: Vec<_> = outputs.iter().map(|(_, node)| *node).collect();
-    let summary = match sound {
+    let mut summary = match sound {
         true => summary::summarize(&draft, &e.summaries, &nodes, &renumber),
-        false => summary::Summary {
-            outputs: nodes
-                .iter()
-                .map(|_| summary::Dependence { inputs: vec![], timed_inputs: vec![], clocks: vec![] })
-                .collect(),
-        },
+        false => summary::Summary::unknown(nodes.len()),
     };
+    // What is reported here is not reported once more of every parent.
+    mixed.into_iter().for_each(|output| summary.outputs[output].hide_clocks());
+    summary.synchronized = check::synchronizers::check(&draft, &e.summaries, problems);
     e.summaries.push(summary);
     e.done.push(module(draft, outputs, &renumber, &resets, name, about, parameters));
 }

@@ -2,7 +2,7 @@
 
 use crate::bundle::Fields;
 use crate::clock::Clock;
-use crate::draft::{DraftMemory, DraftRegister, DraftWire, UNDRIVEN};
+use crate::draft::{DraftMemory, DraftRegister, DraftWire, Synchronizer, UNDRIVEN};
 use crate::elaboration;
 use crate::ir::{self, Assert, Contents, Memory, Op, ReadUnderWrite, RegisterId};
 use crate::loc::Loc;
@@ -137,10 +137,16 @@ impl Module {
         })
     }
 
-    /// `signal` of another clock, 1 bit, brought into this one through two registers, `NAME_meta` and `NAME`.
+    /// `signal` of another clock, 1 bit, brought into this one through two registers, `NAME_meta` and `NAME`. It must
+    /// come straight from a register or an input, as logic glitches.
     #[track_caller]
     pub fn synchronize(self, name: &str, signal: Signal) -> Signal {
-        condition(signal, "synchronize");
+        let loc = Loc::caller();
+        let enters = condition(signal, "synchronize");
+        let signal = elaboration::with(|e| {
+            e.draft().synchronizers.push(Synchronizer { name: name.to_owned(), enters, loc });
+            Signal::at(e, enters)
+        });
         let entered = signal.quasi_static("enters a synchronizer");
         let meta = self.reg(&format!("{name}_meta"), 1).reset(0);
         let stable = self.reg(name, 1).reset(0);

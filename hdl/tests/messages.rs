@@ -608,6 +608,148 @@ fn a_child_may_declare_the_crossing() {
     .unwrap();
 }
 
+bundle! {
+    struct Pair<T> { left: T, right: T }
+}
+
+/// A block of two named clocks and none of its own, described by a function.
+#[derive(Debug)]
+struct TwoClocks {
+    inputs: fn() -> Link<Width>,
+    build: fn(Module, Module, Signal) -> (Signal, Signal),
+}
+
+impl Block for TwoClocks {
+    type In = Link;
+    type Out = Pair;
+
+    fn inputs(&self) -> Link<Width> {
+        (self.inputs)()
+    }
+
+    fn build(&self, m: Module, i: Link) -> Pair {
+        m.ignore(&i);
+        let (left, right) = (self.build)(m.on(FAST), m.on(SLOW), i.x);
+        Pair { left, right }
+    }
+
+    fn name(&self) -> String {
+        "two_clocks".to_owned()
+    }
+}
+
+const SLOW: Clock = Clock::new("slow", Period::ns(6));
+
+#[test]
+fn inputs_of_a_block_without_a_clock_of_its_own_name_theirs() {
+    let build = |fast: Module, slow: Module, x: Signal| (fast.pipe("r", x), slow.pipe("s", !x));
+    assert_eq!(
+        problems(&TwoClocks { inputs: || Link { x: bits(8) }, build }),
+        "input `x` of `TwoClocks` does not say on which clock it is: `fast` or `slow`
+  --> [problems(&TwoClocks { inputs: || Link { x: bits(8) }, build }),]
+  register `r` on clock `fast` takes it at [let build = |fast: Module, slow: Module, x: Signal| (fast.pipe(\"r\", x), slow.pipe(\"s\", !x));]
+  help: declare it as `bits(n).on(clock)`; only a block with a clock of its own may leave that out"
+    );
+    let text = problems(&TwoClocks { inputs: || Link { x: bits(8).on(FAST) }, build });
+    assert!(text.starts_with("`x` is on clock `fast` but reaches register `s` on clock `slow`"), "{text}");
+    // What is sampled by no clock, or may be by any, needs none.
+    let crossed = |fast: Module, slow: Module, x: Signal| {
+        let flag = slow.synchronize("flag", x.bit(0));
+        (fast.pipe("r", x.quasi_static("held")), slow.pipe("s", x.quasi_static("held")) + flag.zext(8))
+    };
+    elaborate(&TwoClocks { inputs: || Link { x: bits(8) }, build: crossed }).unwrap();
+    let through = |fast: Module, slow: Module, x: Signal| (fast.pipe("r", lit(8, 1)), slow.pipe("s", lit(8, 1)) ^ x);
+    elaborate(&TwoClocks { inputs: || Link { x: bits(8) }, build: through }).unwrap();
+}
+
+#[test]
+fn outputs_that_mix_clocks() {
+    let mixed = |fast: Module, slow: Module, x: Signal| {
+        let r = fast.pipe("r", x);
+        let s = slow.pipe("s", lit(8, 1));
+        (r + s, s)
+    };
+    let block = TwoClocks { inputs: || Link { x: bits(8).on(FAST) }, build: mixed };
+    assert_eq!(
+        problems(&block),
+        "output `left` of `TwoClocks` mixes clocks `fast` and `slow`
+  --> [(r + s, s)]
+  `r`, on clock `fast`, is declared at [let r = fast.pipe(\"r\", x);]
+  `s`, on clock `slow`, is declared at [let s = slow.pipe(\"s\", lit(8, 1));]
+  help: give each clock an output of its own, or cross with `m.synchronize` or `.quasi_static(reason)` before"
+    );
+    // A parent that passes it on, or takes it, says nothing more.
+    let parent = |m: Module, _: In| {
+        let mixed =
+            |fast: Module, slow: Module, _: Signal| (fast.pipe("r", lit(8, 1)) + slow.pipe("s", lit(8, 1)), lit(8, 0));
+        let block = TwoClocks { inputs: || Link { x: bits(8) }, build: mixed };
+        let out = m.instance("u_two", &block, Link { x: lit(8, 0) });
+        let _ = m.on(FAST).pipe("taken", out.left);
+        out.left
+    };
+    let text = problems(&Case(parent));
+    assert!(text.starts_with("output `left` of `TwoClocks` mixes") && !text.contains("problems"), "{text}");
+}
+
+#[test]
+fn logic_that_enters_a_synchronizer() {
+    expect(
+        |m, i| {
+            let r = m.pipe("r", i.a);
+            m.on(FAST).synchronize("flag", r.eq(3)).zext(8)
+        },
+        "`r.eq(3)` enters synchronizer `flag` but is logic, which glitches
+         --> [m.on(FAST).synchronize(\"flag\", r.eq(3)).zext(8)]
+         `r.eq(3)` is made at [m.on(FAST).synchronize(\"flag\", r.eq(3)).zext(8)]
+         help: put a register on its own clock before the synchronizer, as in `m.pipe(name, value)`",
+    );
+    // Wiring and an inverter do no harm.
+    elaborate(&Case(|m, i| {
+        let wire = m.wire("w", 8);
+        let cells = m.array("u_cell", 2, &Inverter { registered: true }, |cells| Link { x: cells.all(&i.a) });
+        wire.drive(cat![m.pipe("r", i.b), i.c]);
+        let fast = m.on(FAST);
+        fast.synchronize("one", !wire.bit(2)).zext(8) ^ fast.synchronize("two", cells.out.lane(1).bit(0)).zext(8)
+    }))
+    .unwrap();
+}
+
+#[test]
+fn logic_that_enters_a_synchronizer_in_an_instance_or_comes_from_one() {
+    let inside = problems(&Case(|m, i| {
+        let build = |fast: Module, _: Module, x: Signal| (fast.synchronize("flag", x.bit(0)), lit(1, 0));
+        let block = TwoClocks { inputs: || Link { x: bits(8) }, build };
+        m.instance("u_two", &block, Link { x: i.a + 1 }).left.zext(8)
+    }));
+    assert!(inside.starts_with("`a + 1` enters synchronizer `u_two.flag` but is logic"), "{inside}");
+    let build = |m: Module, i: In| {
+        /// Compares in the same clock.
+        #[derive(Debug)]
+        struct IsZero;
+        impl Block for IsZero {
+            type In = Link;
+            type Out = Out;
+            fn inputs(&self) -> Link<Width> {
+                Link { x: bits(8) }
+            }
+            fn build(&self, _: Module, i: Link) -> Out {
+                Out { out: i.x.eq(0) }
+            }
+        }
+        let zero = m.instance("u_zero", &IsZero, Link { x: m.pipe("r", i.a) }).out;
+        m.on(FAST).synchronize("flag", zero).zext(8)
+    };
+    let text = problems(&Case(build));
+    assert!(text.starts_with("`u_zero.out` enters synchronizer `flag` but is logic"), "{text}");
+}
+
+#[test]
+fn synchronizers_take_one_bit() {
+    let text = problems(&Case(|m, i| m.on(FAST).synchronize("flag", i.a).zext(8)));
+    assert!(text.starts_with("the condition of `synchronize` is 1 bit, but `a` has 8 bits"), "{text}");
+    assert!(!text.contains("problems in this"), "{text}");
+}
+
 #[test]
 fn an_instance_is_fed_on_its_own_clock() {
     let text = problems(&Case(|m, i| {

@@ -171,6 +171,26 @@ pub enum Op {
 }
 
 impl Op {
+    /// Whether the node is its operands, or a constant or the state of a register, without logic: at most inverted.
+    pub(crate) fn is_wiring(&self) -> bool {
+        matches!(
+            self,
+            Op::Const(_)
+                | Op::Register(_)
+                | Op::Wire(_)
+                | Op::QuasiStatic(..)
+                | Op::Unary(Unary::Not, _)
+                | Op::Slice { .. }
+                | Op::Concat(_)
+                | Op::Repeat(..)
+                | Op::Extend { .. }
+                | Op::Broadcast(_)
+                | Op::PerLane(_)
+                | Op::Shifted { .. }
+                | Op::Lane(..)
+        )
+    }
+
     /// Calls `visit` with every node of the same module that this one is computed from in the same clock cycle,
     /// except through an instance or an asynchronous read.
     pub fn for_each_operand(&self, mut visit: impl FnMut(NodeId)) {
