@@ -7,7 +7,7 @@ use crate::ir::Op;
 use crate::loc::Loc;
 use crate::operand::{Literal, Operand, Value};
 use crate::problem::Problem;
-use crate::signal::{Signal, bits_text};
+use crate::signal::{Signal, WIDEST, bits_text};
 
 /// A constant of `width` bits.
 #[track_caller]
@@ -23,8 +23,16 @@ pub fn concat(parts: &[Signal]) -> Signal {
         [one] => *one,
         _ => {
             let loc = Loc::caller();
-            let ids = parts.iter().map(|part| part.id_at(loc)).collect();
-            Signal::make(Op::Concat(ids), parts.iter().map(|part| part.width).sum())
+            let ids: Vec<_> = parts.iter().map(|part| part.id_at(loc)).collect();
+            let width: u64 = parts.iter().map(|part| u64::from(part.width)).sum();
+            if width > WIDEST.into() {
+                return elaboration::with(|e| {
+                    let problem = Problem::new(loc, format!("a concatenation of {width} bits is wider than {WIDEST}"));
+                    e.report_instead_of(&ids, problem.help("keep wide data in a memory"));
+                    Signal::make_in(e, Op::Const(Bits::zero(1)), 1, loc)
+                });
+            }
+            Signal::make(Op::Concat(ids), width as u32)
         }
     }
 }

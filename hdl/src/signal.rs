@@ -32,7 +32,7 @@ pub(crate) fn check_stamp(e: &Elaboration, stamp: u32, loc: Loc) {
 }
 
 /// The widest signal in bits that an operator makes.
-const WIDEST: u32 = 1 << 20;
+pub(crate) const WIDEST: u32 = 1 << 20;
 
 impl Signal {
     /// Adds a plain node to the module under construction.
@@ -264,6 +264,11 @@ impl Signal {
         }
         if width == self.width {
             return self;
+        }
+        if width > WIDEST {
+            let name = if signed { "sext" } else { "zext" };
+            let what = format!("`.{name}({width})` makes more than {WIDEST} bits of");
+            return self.bad_width(what, 1, "widen less".to_owned());
         }
         Signal::make(Op::Extend { of: self.id(), signed }, width)
     }

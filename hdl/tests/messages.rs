@@ -159,6 +159,18 @@ fn messages_from_closures_name_the_users_line() {
 fn nothing_is_wider_than_a_million_bits() {
     let text = problems(&Case(|_, i| i.a.repeat(600_000_000)));
     assert!(text.starts_with("`.repeat(600000000)` makes more than 1048576 bits of `a`"), "{text}");
+    let text = problems(&Case(|_, i| i.a.zext(600_000_000)));
+    assert!(text.starts_with("`.zext(600000000)` makes more than 1048576 bits of `a`"), "{text}");
+    elaborate(&Case(|_, i| concat(&[i.a.repeat(131_071), i.a]))).expect("a million bits are allowed");
+    expect(
+        |_, i| concat(&[i.a.repeat(131_071), i.a, i.b]),
+        "a concatenation of 1048583 bits is wider than 1048576
+         --> [|_, i| concat(&[i.a.repeat(131_071), i.a, i.b]),]
+         help: keep wide data in a memory",
+    );
+    // As many bits as would overflow a `u32`.
+    let text = problems(&Case(|_, i| concat(&[i.a.repeat(131_072); 4097])));
+    assert!(text.starts_with("a concatenation of 4296015872 bits is wider than 1048576"), "{text}");
 }
 
 #[test]
