@@ -36,7 +36,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let counter = Counter { width: 4, limit: 3 };
 
     let mut sim = Simulation::of(&counter)?;
-    sim.trace(Vcd::to(std::env::temp_dir().join("counter.vcd")))?;
+    let vcd = std::env::temp_dir().join("counter.vcd");
+    sim.trace(Vcd::to(&vcd))?;
     let wave = sim.record([sim.i.enable, sim.o.count, sim.o.wraps]);
     for (enable, count) in [(1, 0), (1, 1), (0, 2), (1, 2), (1, 0)] {
         sim.drive(CounterIn { enable });
@@ -44,7 +45,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         sim.step();
     }
     sim.finish()?;
-    println!("{wave}");
+    println!("{} holds this wave:\n{wave}", vcd.display());
 
     print!("{}", tilewright_gen::verilog(&elaborate(&counter)?)[0].text);
     Ok(())

@@ -43,7 +43,8 @@ impl Block for Crossing {
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let crossing = Crossing { clocks: [3, 1, 2] };
     let mut sim = Simulation::of(&crossing)?;
-    sim.trace(Vcd::to(std::env::temp_dir().join("crossing.vcd")))?;
+    let vcd = std::env::temp_dir().join("crossing.vcd");
+    sim.trace(Vcd::to(&vcd))?;
     let wave = sim.record(["button", "light", "clocks", "walk"]);
     for (button, walk) in [(0, 0), (0, 0), (1, 0), (1, 0), (0, 1), (0, 1), (0, 0)] {
         sim.drive(CrossingIn { button });
@@ -51,6 +52,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         sim.step();
     }
     sim.finish()?;
-    println!("{wave}{}", tilewright_gen::verilog(&elaborate(&crossing)?)[0].text);
+    println!("{} holds this wave:\n{wave}", vcd.display());
+    print!("{}", tilewright_gen::verilog(&elaborate(&crossing)?)[0].text);
     Ok(())
 }

@@ -41,7 +41,8 @@ impl Block for Fifo {
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let fifo = Fifo { depth: 4, width: 8 };
     let mut sim = Simulation::of(&fifo)?;
-    sim.trace(Vcd::to(std::env::temp_dir().join("fifo.vcd")))?;
+    let vcd = std::env::temp_dir().join("fifo.vcd");
+    sim.trace(Vcd::to(&vcd))?;
     let wave = sim.record([sim.i.push, sim.i.data, sim.i.pop, sim.o.head, sim.o.empty, sim.o.full]);
     for data in [10, 11, 12, 13, 14] {
         sim.drive(FifoIn { push: 1, data, pop: 0 });
@@ -54,6 +55,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     }
     assert_eq!(sim.get(sim.o.empty), true);
     sim.finish()?;
-    println!("{wave}{}", tilewright_gen::verilog(&elaborate(&fifo)?)[0].text);
+    println!("{} holds this wave:\n{wave}", vcd.display());
+    print!("{}", tilewright_gen::verilog(&elaborate(&fifo)?)[0].text);
     Ok(())
 }

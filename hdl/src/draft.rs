@@ -25,8 +25,11 @@ pub(crate) struct Draft {
     /// The names of each instance's output ports.
     pub instance_outputs: Vec<Vec<String>>,
     pub asserts: Vec<Assert>,
+    pub synchronizers: Vec<Synchronizer>,
     /// Inputs that the description says it leaves unused.
     pub ignored: BTreeSet<NodeId>,
+    /// What stands in faulty expressions, of which the circuit has only a stand-in.
+    pub in_problems: BTreeSet<NodeId>,
 }
 
 pub(crate) struct DraftRegister {
@@ -46,6 +49,13 @@ pub(crate) struct DraftWire {
 pub(crate) struct DraftMemory {
     pub memory: Memory,
     pub true_dual_port: bool,
+}
+
+/// A signal of another clock, and the synchronizer that it enters.
+pub(crate) struct Synchronizer {
+    pub name: String,
+    pub enters: NodeId,
+    pub loc: Loc,
 }
 
 /// The node that a wire points to until it is driven.
@@ -68,7 +78,9 @@ impl Draft {
             instances: Vec::new(),
             instance_outputs: Vec::new(),
             asserts: Vec::new(),
+            synchronizers: Vec::new(),
             ignored: BTreeSet::new(),
+            in_problems: BTreeSet::new(),
         }
     }
 

@@ -6,7 +6,7 @@
 
 use crate::clock::{Clock, Period};
 use crate::draft::Draft;
-use crate::ir::{Module, ModuleId};
+use crate::ir::{Module, ModuleId, NodeId};
 use crate::loc::Loc;
 use crate::problem::{Problem, Problems};
 use crate::summary::Summary;
@@ -106,5 +106,11 @@ impl Elaboration {
 
     pub fn report(&mut self, problem: Problem) {
         self.problems.push(problem);
+    }
+
+    /// As [`Elaboration::report`], of an expression for which something else stands in: its operands count as used.
+    pub fn report_instead_of(&mut self, operands: &[NodeId], problem: Problem) {
+        self.draft().in_problems.extend(operands);
+        self.report(problem);
     }
 }

@@ -25,17 +25,15 @@ pub(crate) fn finish(
     check::naming::check(&mut draft, &e.done, &outputs, &resets, problems);
     check::unused::check(&draft, &outputs, problems);
     let sound = check::loops::check(&draft, &e.summaries, problems);
-    check::domains::check(&draft, &e.done, &e.summaries, problems);
+    let mixed = check::domains::check(&draft, &e.done, &e.summaries, &outputs, problems);
     let nodes: Vec<_> = outputs.iter().map(|(_, node)| *node).collect();
-    let summary = match sound {
+    let mut summary = match sound {
         true => summary::summarize(&draft, &e.summaries, &nodes, &renumber),
-        false => summary::Summary {
-            outputs: nodes
-                .iter()
-                .map(|_| summary::Dependence { inputs: vec![], timed_inputs: vec![], clocks: vec![] })
-                .collect(),
-        },
+        false => summary::Summary::unknown(nodes.len()),
     };
+    // What is reported here is not reported once more of every parent.
+    mixed.into_iter().for_each(|output| summary.outputs[output].hide_clocks());
+    summary.synchronized = check::synchronizers::check(&draft, &e.summaries, problems);
     e.summaries.push(summary);
     e.done.push(module(draft, outputs, &renumber, &resets, name, about, parameters));
 }
@@ -75,7 +73,10 @@ fn find_resets(draft: &Draft, done: &[Module]) -> Vec<Option<String>> {
 /// Where the block is described: where its `build` makes the first thing, as its ports may be another block's.
 fn place(draft: &Draft) -> Loc {
     let made = draft.nodes.iter().find(|node| !matches!(node.op, Op::Input(_)));
-    made.or(draft.nodes.first()).map_or(draft.loc, |node| node.loc)
+    let made = made.or(draft.nodes.first()).map_or(draft.loc, |node| node.loc);
+    // A memory is no node.
+    let memory = draft.memories.first().map(|draft| draft.memory.loc);
+    memory.filter(|memory| memory.file() == made.file() && memory.line() < made.line()).unwrap_or(made)
 }
 
 fn module(

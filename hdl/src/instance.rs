@@ -132,7 +132,7 @@ fn stand_in(e: &mut Elaboration, id: InstanceId, port: &Port, driver: NodeId, lo
     let problem = Problem::new(loc, message)
         .note(format!("`{}` is declared", port.name), port.declared)
         .note(format!("`{text}` is made"), place);
-    e.report(problem.help("spell the change of width where the instance is fed"));
+    e.report_instead_of(&[driver], problem.help("spell the change of width where the instance is fed"));
     zero
 }
 

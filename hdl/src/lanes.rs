@@ -38,7 +38,7 @@ impl<O> Array<O> {
     pub fn all<B: Fields<Signal>>(&self, value: &B) -> B::With<Lanes> {
         let lanes = self.lanes;
         let loc = Loc::caller();
-        value.map_fields("", &mut |_, signal| Lanes::make(Op::Broadcast(signal.id()), signal.width, lanes, loc))
+        value.map_fields("", &mut |_, signal| Lanes::make(Op::Broadcast(signal.id_at(loc)), signal.width, lanes, loc))
     }
 
     /// A signal, or bundle of signals, for each lane; all of one shape and width.
@@ -59,6 +59,7 @@ impl<O> Array<O> {
 
     fn each_signal(&self, signals: Vec<Signal>, loc: Loc) -> Lanes {
         let width = signals[0].width;
+        let nodes: Vec<_> = signals.iter().map(|signal| signal.id_at(loc)).collect();
         let same = signals.iter().all(|signal| signal.width == width);
         if signals.len() != self.lanes as usize || !same {
             let message = match same {
@@ -66,10 +67,9 @@ impl<O> Array<O> {
                 false => "the signals that feed one input of an array have different widths".to_owned(),
             };
             let problem = Problem::new(loc, message).help("give one signal for each lane, all of one width");
-            elaboration::with(|e| e.report(problem));
+            elaboration::with(|e| e.report_instead_of(&nodes, problem));
             return self.constants(width, |_| 0);
         }
-        let nodes = signals.iter().map(|signal| signal.id_at(loc)).collect();
         Lanes::make(Op::PerLane(nodes), width, self.lanes, loc)
     }
 
@@ -77,7 +77,10 @@ impl<O> Array<O> {
     #[track_caller]
     pub fn constants(&self, width: u32, of: impl Fn(u32) -> u64) -> Lanes {
         let loc = Loc::caller();
-        let nodes = (0..self.lanes).map(|lane| crate::lit(width, of(lane)).id()).collect();
+        let mut nodes = Vec::with_capacity(self.lanes as usize);
+        for lane in 0..self.lanes {
+            nodes.push(crate::lit(width, of(lane)).id());
+        }
         Lanes::make(Op::PerLane(nodes), width, self.lanes, loc)
     }
 
@@ -143,7 +146,7 @@ impl Lanes {
     pub fn shifted(self, by: i32, edge: impl Operand) -> Lanes {
         let loc = Loc::caller();
         let shape = self.lane(0);
-        let edge = edge.value().with_width_of(shape, "shifted").id();
+        let edge = edge.operand().with_width_of(shape, "shifted").id();
         Lanes::make(Op::Shifted { of: self.id(), by, edge }, self.width, self.count, loc)
     }
 

@@ -5,10 +5,10 @@ use crate::clock::Clock;
 use crate::elaboration;
 use crate::ir::{Contents, MemoryId, Op, ReadPort, WritePort};
 use crate::loc::Loc;
-use crate::operand::Operand;
+use crate::operand::{Operand, Value};
 use crate::problem::Problem;
 use crate::select::condition;
-use crate::signal::Signal;
+use crate::signal::{Signal, bits_text};
 
 /// A memory, seen from one clock. Made by [`Module::memory`](crate::Module::memory).
 #[derive(Debug, Clone, Copy)]
@@ -89,8 +89,46 @@ impl Mem {
 
     #[track_caller]
     fn address(self, address: impl Operand) -> Signal {
-        let shape = crate::lit(self.address_width, 0).named_for_message(self);
-        address.value().with_width_of(shape, "address")
+        self.sized(address, self.address_width, "an address")
+    }
+
+    /// The operand as a signal of `width` bits, `what` of this memory.
+    #[track_caller]
+    fn sized(self, operand: impl Operand, width: u32, what: &str) -> Signal {
+        let loc = Loc::caller();
+        self.check_module(loc);
+        let signal = match operand.operand() {
+            Value::Literal(literal) => return literal.sized(width, false),
+            Value::Signal(signal) if signal.width == width => return signal,
+            Value::Signal(signal) => signal,
+        };
+        let id = signal.id();
+        elaboration::with(|e| {
+            let draft = e.draft();
+            let memory = &draft.memories[self.index as usize].memory;
+            let (name, text) = (&memory.name, draft.describe(id));
+            let (needs, has) = (bits_text(width), bits_text(signal.width));
+            let problem = Problem::new(loc, format!("{what} of memory `{name}` has {needs}, but `{text}` has {has}"))
+                .note(format!("`{name}` is declared"), memory.loc)
+                .note(format!("`{text}` is made"), draft.node(id).loc)
+                .help(match signal.width < width {
+                    true => format!("widen it with `.zext({width})` or `.sext({width})`"),
+                    false => format!("cut it with `.trunc({width})`"),
+                });
+            e.report_instead_of(&[id], problem);
+            Signal::make_in(e, Op::Const(Bits::zero(width)), width, loc)
+        })
+    }
+
+    /// The handle of another module is a panic, as only a helper that keeps handles between blocks can have one.
+    fn check_module(self, loc: Loc) {
+        elaboration::with(|e| {
+            crate::signal::check_stamp(e, self.stamp, loc);
+            assert!(
+                e.draft().serial == self.module,
+                "a memory of another module is used, at {loc}: memories stay in the module that declares them"
+            );
+        });
     }
 
     /// A synchronous read: the word at `address` appears after the next edge.
@@ -120,7 +158,6 @@ impl Mem {
         let address = address.id();
         let enable = enable.map(|enable| condition(enable, "read_when"));
         elaboration::with(|e| {
-            crate::signal::check_stamp(e, self.stamp, loc);
             let draft = e.draft();
             let clock = synchronous.then(|| draft.use_clock(self.clock));
             let port = draft.memories[self.index as usize].memory.reads.len() as u32;
@@ -136,10 +173,8 @@ impl Mem {
         let loc = Loc::caller();
         let enable = condition(enable.into(), "write");
         let address = self.address(address).id();
-        let shape = crate::lit(self.width, 0).named_for_message(self);
-        let data = data.value().with_width_of(shape, "data").id();
+        let data = self.sized(data, self.width, "a word").id();
         elaboration::with(|e| {
-            crate::signal::check_stamp(e, self.stamp, loc);
             let clock = e.draft().use_clock(self.clock);
             let draft = &mut e.draft().memories[self.index as usize];
             draft.memory.writes.push(WritePort { clock, enable, address, data });
@@ -151,22 +186,5 @@ impl Mem {
                 e.report(problem);
             }
         });
-    }
-}
-
-impl Signal {
-    /// Lends a literal the memory's place, so that a width problem names the memory.
-    #[track_caller]
-    fn named_for_message(self, memory: Mem) -> Signal {
-        elaboration::with(|e| {
-            assert!(
-                e.draft().serial == memory.module,
-                "a memory of another module is used, at {}: memories stay in the module that declares them",
-                Loc::caller()
-            );
-            let loc = e.draft().memories[memory.index as usize].memory.loc;
-            e.draft().node_mut(self.node).loc = loc;
-        });
-        self
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::bundle::Fields;
 use crate::clock::Clock;
-use crate::draft::{DraftMemory, DraftRegister, DraftWire, UNDRIVEN};
+use crate::draft::{DraftMemory, DraftRegister, DraftWire, Synchronizer, UNDRIVEN};
 use crate::elaboration;
 use crate::ir::{self, Assert, Contents, Memory, Op, ReadUnderWrite, RegisterId};
 use crate::loc::Loc;
@@ -65,24 +65,30 @@ impl Module {
     /// `value`, one clock later: a register without reset for each field, named `name` or `name_FIELD`.
     #[track_caller]
     pub fn pipe<B: Fields<Signal>>(self, name: &str, value: B) -> B::With<Signal> {
-        self.stage(None, name, value, Loc::caller())
+        self.stage(None, name, value)
     }
 
     /// As [`Module::pipe`], in a pipeline that advances only where `enable` is high.
     #[track_caller]
     pub fn pipe_when<B: Fields<Signal>>(self, enable: impl Into<Signal>, name: &str, value: B) -> B::With<Signal> {
-        self.stage(Some(enable.into()), name, value, Loc::caller())
+        self.stage(Some(enable.into()), name, value)
     }
 
-    fn stage<B: Fields<Signal>>(self, enable: Option<Signal>, name: &str, value: B, loc: Loc) -> B::With<Signal> {
-        value.map_fields("", &mut |path, signal| {
-            let register = self.register(&port_name(name, path), signal.width, None, loc);
+    #[track_caller]
+    fn stage<B: Fields<Signal>>(self, enable: Option<Signal>, name: &str, value: B) -> B::With<Signal> {
+        let loc = Loc::caller();
+        // A loop, as a closure would be the caller that messages name.
+        let mut registers = Vec::new();
+        for (path, signal) in value.leaves() {
+            let register = self.register(&port_name(name, &path), signal.width, None, loc);
             if let Some(enable) = enable {
                 let _ = register.enable(enable);
             }
-            register.next(*signal);
-            register.value()
-        })
+            register.next(signal);
+            registers.push(register.value());
+        }
+        let mut registers = registers.into_iter();
+        value.map(|_| registers.next().expect("a register for each field"))
     }
 
     /// A net of `width` bits that is read before it is driven.
@@ -131,10 +137,16 @@ impl Module {
         })
     }
 
-    /// `signal` of another clock, 1 bit, brought into this one through two registers, `NAME_meta` and `NAME`.
+    /// `signal` of another clock, 1 bit, brought into this one through two registers, `NAME_meta` and `NAME`. It must
+    /// come straight from a register or an input, as logic glitches.
     #[track_caller]
     pub fn synchronize(self, name: &str, signal: Signal) -> Signal {
-        condition(signal, "synchronize");
+        let loc = Loc::caller();
+        let enters = condition(signal, "synchronize");
+        let signal = elaboration::with(|e| {
+            e.draft().synchronizers.push(Synchronizer { name: name.to_owned(), enters, loc });
+            Signal::at(e, enters)
+        });
         let entered = signal.quasi_static("enters a synchronizer");
         let meta = self.reg(&format!("{name}_meta"), 1).reset(0);
         let stable = self.reg(name, 1).reset(0);

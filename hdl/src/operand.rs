@@ -11,7 +11,7 @@ use std::fmt;
 /// Anything that can be read as an unsigned value.
 pub trait Operand {
     #[doc(hidden)]
-    fn value(self) -> Value;
+    fn operand(self) -> Value;
 }
 
 #[doc(hidden)]
@@ -42,13 +42,13 @@ impl fmt::Display for Literal {
 }
 
 impl Operand for Signal {
-    fn value(self) -> Value {
+    fn operand(self) -> Value {
         Value::Signal(self)
     }
 }
 
 impl Operand for Bits {
-    fn value(self) -> Value {
+    fn operand(self) -> Value {
         Value::Literal(Literal::Exact(self))
     }
 }
@@ -56,7 +56,7 @@ impl Operand for Bits {
 macro_rules! integers {
     ($($ty:ty)*) => {$(
         impl Operand for $ty {
-            fn value(self) -> Value {
+            fn operand(self) -> Value {
                 Value::Literal(Literal::Integer(self as i128))
             }
         }
@@ -66,7 +66,7 @@ integers!(u8 u16 u32 u64 usize i32 i64 bool);
 
 /// Reads as its value.
 impl<S> Operand for StateReg<S> {
-    fn value(self) -> Value {
+    fn operand(self) -> Value {
         Value::Signal(*self)
     }
 }
@@ -167,7 +167,7 @@ macro_rules! reads_as_signal {
         }
 
         impl Operand for $ty {
-            fn value(self) -> Value {
+            fn operand(self) -> Value {
                 Value::Signal(*self)
             }
         }

@@ -5,9 +5,10 @@ use crate::elaboration;
 use crate::ir::Op;
 use crate::loc::Loc;
 use crate::operand::{Operand, Value};
+use crate::problem::Problem;
 use crate::select::{condition, select};
 use crate::signal::{Signal, bits_text};
-use crate::wire::report_second_driver;
+use crate::wire::{is_here, report_second_driver};
 use std::marker::PhantomData;
 use std::ops::Deref;
 
@@ -36,17 +37,11 @@ impl Reg {
         self.signal
     }
 
-    /// Whether the handle is of the module under construction; if not, that is reported.
-    #[track_caller]
-    fn is_here(self) -> bool {
-        self.signal.id() == self.signal.node
-    }
-
     /// The value after a reset: an integer, a [`Bits`], a `bool`.
     #[track_caller]
     pub fn reset(self, value: impl Operand) -> Reg {
         let loc = Loc::caller();
-        let constant = match value.value() {
+        let constant = match value.operand() {
             Value::Literal(literal) => literal.sized(self.width, false),
             Value::Signal(signal) => signal,
         };
@@ -56,13 +51,13 @@ impl Reg {
             _ => {
                 let name = e.draft().describe(self.signal.node);
                 let message = format!("the reset value of `{name}` is not a constant of {}", bits_text(self.width));
-                e.report(
-                    crate::Problem::new(loc, message).help("a reset value is a number known while the block is built"),
-                );
+                let problem =
+                    Problem::new(loc, message).help("a reset value is a number known while the block is built");
+                e.report_instead_of(&[id], problem);
                 Bits::zero(self.width)
             }
         });
-        if self.is_here() {
+        if is_here(self.signal, id, loc) {
             elaboration::draft(|draft| draft.registers[self.index].reset = Some((bits, loc)));
         }
         self
@@ -73,7 +68,7 @@ impl Reg {
     pub fn enable(self, enable: impl Into<Signal>) -> Reg {
         let loc = Loc::caller();
         let enable = condition(enable.into(), "enable");
-        if self.is_here() {
+        if is_here(self.signal, enable, loc) {
             let before = elaboration::draft(|draft| draft.registers[self.index].enable.replace((enable, loc)));
             report_second_driver(before, self.signal.node, "enabled", loc);
         }
@@ -84,8 +79,8 @@ impl Reg {
     #[track_caller]
     pub fn next(self, value: impl Operand) {
         let loc = Loc::caller();
-        let next = value.value().with_width_of(self.signal, "next").id();
-        if self.is_here() {
+        let next = value.operand().with_width_of(self.signal, "next").id();
+        if is_here(self.signal, next, loc) {
             let before = elaboration::draft(|draft| draft.registers[self.index].next.replace((next, loc)));
             report_second_driver(before, self.signal.node, "given a next value", loc);
         }
@@ -168,6 +163,11 @@ impl<S> Deref for StateReg<S> {
 }
 
 impl<S: States> StateReg<S> {
+    /// The code of the present state.
+    pub fn value(self) -> Signal {
+        self.register.signal
+    }
+
     /// 1 bit: the machine is in `state`.
     #[track_caller]
     pub fn is(self, state: S) -> Signal {
@@ -177,14 +177,18 @@ impl<S: States> StateReg<S> {
     /// The next state, for each present one: `match` it, and say [`goto`], [`when`] or [`hold`].
     #[track_caller]
     pub fn next(self, transition: impl Fn(S) -> Transition<S>) {
-        let next = self.pick(|state| {
+        // Loops, as closures would be the callers that messages name.
+        let mut values = Vec::with_capacity(S::ALL.len());
+        for &state in S::ALL {
             let Transition { arms, last } = transition(state);
-            let arms = arms.into_iter().map(|(condition, to)| (condition, self.code(to)));
             let last = self.code(last.unwrap_or(state));
-            let arms: Vec<_> = arms.collect();
-            if arms.is_empty() { last } else { select(arms, last) }
-        });
-        self.register.next(next);
+            let mut coded = Vec::with_capacity(arms.len());
+            for (condition, to) in arms {
+                coded.push((condition, self.code(to)));
+            }
+            values.push(if coded.is_empty() { last } else { select(coded, last) });
+        }
+        self.register.next(self.choose(&values));
     }
 
     #[track_caller]
@@ -195,15 +199,25 @@ impl<S: States> StateReg<S> {
     /// The number that `of` gives for the present state, in `width` bits.
     #[track_caller]
     pub fn constants(self, width: u32, of: impl Fn(S) -> u64) -> Signal {
-        self.pick(|state| crate::lit(width, of(state)))
+        let mut values = Vec::with_capacity(S::ALL.len());
+        for state in S::ALL {
+            values.push(crate::lit(width, of(*state)));
+        }
+        self.choose(&values)
     }
 
     /// The signal that `of` gives for the present state; all of one width.
     #[track_caller]
     pub fn pick(self, of: impl Fn(S) -> Signal) -> Signal {
-        let values: Vec<_> = S::ALL.iter().map(|state| (state.code(), of(*state))).collect();
+        let values: Vec<_> = S::ALL.iter().map(|state| of(*state)).collect();
+        self.choose(&values)
+    }
+
+    /// The one of `values`, in the order of [`States::ALL`], that belongs to the present state.
+    #[track_caller]
+    fn choose(self, values: &[Signal]) -> Signal {
         let (last, arms) = values.split_last().expect("a machine has a state");
-        crate::case(*self, arms.iter().copied(), last.1)
+        crate::case(*self, S::ALL.iter().map(|state| state.code()).zip(arms.iter().copied()), *last)
     }
 }
 

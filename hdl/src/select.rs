@@ -7,7 +7,7 @@ use crate::ir::Op;
 use crate::loc::Loc;
 use crate::operand::{Literal, Operand, Value};
 use crate::problem::Problem;
-use crate::signal::{Signal, bits_text};
+use crate::signal::{Signal, WIDEST, bits_text};
 
 /// A constant of `width` bits.
 #[track_caller]
@@ -23,8 +23,16 @@ pub fn concat(parts: &[Signal]) -> Signal {
         [one] => *one,
         _ => {
             let loc = Loc::caller();
-            let ids = parts.iter().map(|part| part.id_at(loc)).collect();
-            Signal::make(Op::Concat(ids), parts.iter().map(|part| part.width).sum())
+            let ids: Vec<_> = parts.iter().map(|part| part.id_at(loc)).collect();
+            let width: u64 = parts.iter().map(|part| u64::from(part.width)).sum();
+            if width > WIDEST.into() {
+                return elaboration::with(|e| {
+                    let problem = Problem::new(loc, format!("a concatenation of {width} bits is wider than {WIDEST}"));
+                    e.report_instead_of(&ids, problem.help("keep wide data in a memory"));
+                    Signal::make_in(e, Op::Const(Bits::zero(1)), 1, loc)
+                });
+            }
+            Signal::make(Op::Concat(ids), width as u32)
         }
     }
 }
@@ -55,7 +63,7 @@ pub(crate) fn condition(signal: Signal, of: &str) -> crate::ir::NodeId {
             let (text, place) = (draft.describe(id), draft.node(id).loc);
             let message = format!("the condition of `{of}` is 1 bit, but `{text}` has {}", bits_text(signal.width));
             let help = "compare it, as in `.ne(0)`, or take one `.bit(i)`";
-            e.report(Problem::new(loc, message).note(format!("`{text}` is made"), place).help(help));
+            e.report_instead_of(&[id], Problem::new(loc, message).note(format!("`{text}` is made"), place).help(help));
             e.draft().add(Op::Const(Bits::zero(1)), 1, None, loc)
         })
     } else {
@@ -98,7 +106,7 @@ fn sized(values: Vec<Value>, of: &str) -> Vec<Signal> {
 #[track_caller]
 pub fn mux(select: impl Into<Signal>, on_true: impl Operand, on_false: impl Operand) -> Signal {
     let select = condition(select.into(), "mux");
-    let values = sized(vec![on_true.value(), on_false.value()], "mux");
+    let values = sized(vec![on_true.operand(), on_false.operand()], "mux");
     let (on_true, on_false) = (values[0], values[1]);
     Signal::make(Op::Mux { select, on_true: on_true.id(), on_false: on_false.id() }, on_true.width)
 }
@@ -124,7 +132,7 @@ pub fn select<V: Operand>(arms: impl IntoIterator<Item = (Signal, V)>, default: 
     for signal in signals {
         conditions.push(condition(signal, "select"));
     }
-    let values = values.into_iter().map(V::value).chain([default.value()]).collect();
+    let values = values.into_iter().map(V::operand).chain([default.operand()]).collect();
     let values = sized(values, "select");
     let (default, values) = values.split_last().expect("a select has a default");
     let arms = conditions.into_iter().zip(values.iter().map(|value| value.id_at(loc))).collect();
@@ -150,7 +158,7 @@ pub fn case<V: Operand>(
         };
         elaboration::with(|e| e.report(Problem::new(loc, problem).help("each key is a value of the subject, once")));
     }
-    let values = sized(values.into_iter().map(V::value).chain([default.value()]).collect(), "case");
+    let values = sized(values.into_iter().map(V::operand).chain([default.operand()]).collect(), "case");
     let (default, values) = values.split_last().expect("a case has a default");
     let keys = keys.into_iter().map(|key| Bits::new(subject.width, key));
     let arms = keys.zip(values.iter().map(|value| value.id_at(loc))).collect();

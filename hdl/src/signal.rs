@@ -32,7 +32,7 @@ pub(crate) fn check_stamp(e: &Elaboration, stamp: u32, loc: Loc) {
 }
 
 /// The widest signal in bits that an operator makes.
-const WIDEST: u32 = 1 << 20;
+pub(crate) const WIDEST: u32 = 1 << 20;
 
 impl Signal {
     /// Adds a plain node to the module under construction.
@@ -67,9 +67,10 @@ impl Signal {
                 return self.node;
             }
             let block = e.draft().block;
-            let owner = e.drafts.iter().find(|draft| draft.serial == self.module);
+            let owner = e.drafts.iter_mut().find(|draft| draft.serial == self.module);
             let problem = match owner {
                 Some(owner) => {
+                    owner.in_problems.insert(self.node);
                     let place = owner.node(self.node).loc;
                     let what = owner.describe(self.node);
                     let message = format!("`{what}` belongs to `{}` but is used inside of `{block}`", owner.block);
@@ -111,7 +112,7 @@ impl Signal {
 
     #[track_caller]
     pub(crate) fn binary(self, op: Binary, right: impl Operand) -> Signal {
-        let right = right.value().with_width_of(self, op.symbol());
+        let right = right.operand().with_width_of(self, op.symbol());
         Signal::make(Op::Binary(op, self.id(), right.id()), self.width)
     }
 
@@ -122,7 +123,7 @@ impl Signal {
 
     #[track_caller]
     fn relate(self, relation: Relation, right: impl Operand) -> Signal {
-        let right = right.value().with_width_of(self, relation.method());
+        let right = right.operand().with_width_of(self, relation.method());
         self.compare(relation, false, right)
     }
 
@@ -188,7 +189,7 @@ impl Signal {
     /// The sum with its carry: one bit wider than the operands.
     #[track_caller]
     pub fn add_carry(self, right: impl Operand) -> Signal {
-        let right = right.value().with_width_of(self, "add_carry");
+        let right = right.operand().with_width_of(self, "add_carry");
         self.zext(self.width + 1).binary(Binary::Add, right.zext(self.width + 1))
     }
 
@@ -264,6 +265,11 @@ impl Signal {
         if width == self.width {
             return self;
         }
+        if width > WIDEST {
+            let name = if signed { "sext" } else { "zext" };
+            let what = format!("`.{name}({width})` makes more than {WIDEST} bits of");
+            return self.bad_width(what, 1, "widen less".to_owned());
+        }
         Signal::make(Op::Extend { of: self.id(), signed }, width)
     }
 
@@ -274,7 +280,7 @@ impl Signal {
             let draft = e.draft();
             let (name, place) = (draft.describe(id), draft.node(id).loc);
             let message = format!("{what} `{name}`, which has {}", bits_text(self.width));
-            e.report(Problem::new(loc, message).note(format!("`{name}` is made"), place).help(help));
+            e.report_instead_of(&[id], Problem::new(loc, message).note(format!("`{name}` is made"), place).help(help));
             Signal::make_in(e, Op::Const(crate::Bits::zero(width)), width, loc)
         })
     }
@@ -344,13 +350,8 @@ impl Value {
         };
         let (left_id, right_id) = (left.id(), right.id());
         elaboration::with(|e| {
-            e.report(width_mismatch(
-                e.drafts.last().expect("a module is being built"),
-                operator,
-                left_id,
-                right_id,
-                loc,
-            ));
+            let problem = width_mismatch(e.draft(), operator, left_id, right_id, loc);
+            e.report_instead_of(&[left_id, right_id], problem);
             Signal::make_in(e, Op::Const(crate::Bits::zero(left.width)), left.width, loc)
         })
     }

@@ -3,10 +3,13 @@
 use crate::draft::Draft;
 use crate::graph::{Edges, Sets};
 use crate::ir::{NodeId, Op};
+use std::collections::BTreeSet;
 
-/// For each output of a module, what it depends on without a register between.
+/// For each output of a module, what it depends on without a register between; and what its inputs feed.
 pub(crate) struct Summary {
     pub outputs: Vec<Dependence>,
+    /// Indices of input ports that are wired to a synchronizer, with its name.
+    pub synchronized: Vec<(u32, String)>,
 }
 
 pub(crate) struct Dependence {
@@ -16,6 +19,24 @@ pub(crate) struct Dependence {
     pub timed_inputs: Vec<u32>,
     /// Indices of clocks whose registers or memories it reads.
     pub clocks: Vec<u32>,
+    /// Whether it comes without logic, as [`wired_inputs`] says.
+    pub wired: bool,
+}
+
+impl Dependence {
+    /// As if the output were quasi-static.
+    pub fn hide_clocks(&mut self) {
+        self.timed_inputs.clear();
+        self.clocks.clear();
+    }
+}
+
+impl Summary {
+    /// Of a module that is not sound, of which nothing more is to be reported.
+    pub fn unknown(outputs: usize) -> Summary {
+        let nothing = || Dependence { inputs: vec![], timed_inputs: vec![], clocks: vec![], wired: true };
+        Summary { outputs: std::iter::repeat_with(nothing).take(outputs).collect(), synchronized: vec![] }
+    }
 }
 
 /// The combinational edges of a module, from a node to those it is computed from.
@@ -53,6 +74,37 @@ fn timed_operands(draft: &Draft, summaries: &[Summary], id: NodeId, visit: &mut 
         }
         _ => operands(draft, summaries, id, visit),
     }
+}
+
+/// The input ports that a node is wired to, if it is wired to ports, state and constants with at most inverters between:
+/// then it changes at most once a clock. None if there is logic, which glitches. A quasi-static signal is what its author
+/// declares it to be.
+pub(crate) fn wired_inputs(draft: &Draft, summaries: &[Summary], id: NodeId) -> Option<Vec<u32>> {
+    let (mut seen, mut behind, mut inputs) = (BTreeSet::new(), vec![id], Vec::new());
+    while let Some(id) = behind.pop() {
+        if !seen.insert(id) {
+            continue;
+        }
+        let op = &draft.node(id).op;
+        let is_wired = match op {
+            Op::Read(memory, port) => draft.memories[memory.0 as usize].memory.reads[*port as usize].clock.is_some(),
+            Op::Output(instance, port) => {
+                let module = draft.instances[instance.0 as usize].module;
+                summaries[module.0 as usize].outputs[*port as usize].wired
+            }
+            Op::Input(index) => {
+                inputs.push(*index);
+                true
+            }
+            Op::QuasiStatic(..) => continue,
+            op => op.is_wiring(),
+        };
+        if !is_wired {
+            return None;
+        }
+        operands(draft, summaries, id, &mut |id| behind.push(id));
+    }
+    Some(inputs)
 }
 
 fn timed_edges(draft: &Draft, summaries: &[Summary]) -> Edges {
@@ -94,6 +146,11 @@ pub(crate) fn clock_sets(draft: &Draft, summaries: &[Summary], view: View) -> Se
     sets
 }
 
+/// The inputs whose clocks show in each node.
+pub(crate) fn timed_input_sets(draft: &Draft, summaries: &[Summary]) -> Sets {
+    input_sets(draft, &timed_edges(draft, summaries))
+}
+
 /// The inputs that each node depends on by these edges.
 fn input_sets(draft: &Draft, edges: &Edges) -> Sets {
     let mut inputs = Sets::new(draft.nodes.len(), draft.inputs.len());
@@ -105,12 +162,13 @@ fn input_sets(draft: &Draft, edges: &Edges) -> Sets {
 /// The summary of a draft whose clocks are numbered as in the finished module by `renumber`.
 pub(crate) fn summarize(draft: &Draft, summaries: &[Summary], outputs: &[NodeId], renumber: &[Option<u32>]) -> Summary {
     let inputs = input_sets(draft, &combinational_edges(draft, summaries));
-    let timed_inputs = input_sets(draft, &timed_edges(draft, summaries));
+    let timed_inputs = timed_input_sets(draft, summaries);
     let clocks = clock_sets(draft, summaries, View::Outside);
     let dependence = |output: &NodeId| Dependence {
         inputs: inputs.members(output.0).map(|i| i as u32).collect(),
         timed_inputs: timed_inputs.members(output.0).map(|i| i as u32).collect(),
         clocks: clocks.members(output.0).filter_map(|clock| renumber[clock]).collect(),
+        wired: wired_inputs(draft, summaries, *output).is_some(),
     };
-    Summary { outputs: outputs.iter().map(dependence).collect() }
+    Summary { outputs: outputs.iter().map(dependence).collect(), synchronized: vec![] }
 }

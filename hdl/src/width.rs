@@ -5,7 +5,8 @@ use crate::clock::Clock;
 use crate::loc::Loc;
 
 /// The width of an input port, where it was written down, and the clock it is synchronous to if that is not the
-/// block's own.
+/// block's own. In a block with several named clocks and none of its own, an input that a register or memory samples must
+/// name its clock; with a single named clock, it is on that one.
 #[derive(Debug, Clone, Copy)]
 pub struct Width {
     pub(crate) bits: u32,

@@ -25,22 +25,39 @@ impl Deref for Wire {
 }
 
 impl Wire {
+    /// What drives it, as a signal.
+    pub fn value(self) -> Signal {
+        self.signal
+    }
+
     /// Says what drives the wire.
     #[track_caller]
     pub fn drive(self, value: impl Operand) {
         let loc = Loc::caller();
-        let driver = value.value().with_width_of(self.signal, "drive").id();
-        // A wire of another module is reported here; its index means nothing in this one.
-        if self.signal.id() == self.signal.node {
+        let driver = value.operand().with_width_of(self.signal, "drive").id();
+        if is_here(self.signal, driver, loc) {
             let slot = elaboration::draft(|draft| draft.wires[self.index].driver.replace((driver, loc)));
             report_second_driver(slot, self.signal.node, "driven", loc);
         }
     }
 }
 
+/// Whether what reads as `signal` and is given `driver` belongs to the module under construction: in another its index
+/// means nothing. If not, that is a problem.
+pub(crate) fn is_here(signal: Signal, driver: NodeId, loc: Loc) -> bool {
+    let _ = signal.id_at(loc);
+    elaboration::draft(|draft| {
+        let here = draft.serial == signal.module;
+        if !here {
+            draft.in_problems.insert(driver);
+        }
+        here
+    })
+}
+
 /// A problem if `before` holds an earlier driver of `node`.
 pub(crate) fn report_second_driver(before: Option<(NodeId, Loc)>, node: NodeId, verb: &str, loc: Loc) {
-    let Some((_, first)) = before else { return };
+    let Some((lost, first)) = before else { return };
     elaboration::with(|e| {
         let draft = e.draft();
         let (name, place) = (draft.describe(node), draft.node(node).loc);
@@ -48,6 +65,6 @@ pub(crate) fn report_second_driver(before: Option<(NodeId, Loc)>, node: NodeId, 
             .note("the first time is", first)
             .note(format!("`{name}` is declared"), place)
             .help("choose between the two with `mux` or `select`");
-        e.report(problem);
+        e.report_instead_of(&[lost], problem);
     });
 }

@@ -86,7 +86,7 @@ fn operands_that_are_expressions_are_shown() {
 /// Widths meet in every operator, choice and sink, and the message names which.
 #[test]
 fn every_meeting_of_widths_is_checked() {
-    let cases: [(Build, &str); 14] = [
+    let cases: [(Build, &str); 13] = [
         (|_, i| i.a - i.b, "`-`"),
         (|_, i| i.a & i.b, "`&`"),
         (|_, i| i.a | i.b, "`|`"),
@@ -110,11 +110,10 @@ fn every_meeting_of_widths_is_checked() {
             |m, i| {
                 let w = m.wire("w", 8);
                 w.drive(i.b);
-                *w
+                w.value()
             },
             "`drive`",
         ),
-        (|m, i| m.memory("words", 100, 8, ReadUnderWrite::Old).read(i.a), "`address`"),
     ];
     for (build, operator) in cases {
         let text = problems(&Case(build));
@@ -132,10 +131,46 @@ fn choices_between_bundles_name_the_users_line() {
     assert!(text.contains("the condition of `select` is 1 bit") && !text.contains("select.rs"), "{text}");
 }
 
+/// Also where the language calls itself in a closure, which is its own caller.
+#[test]
+fn messages_from_closures_name_the_users_line() {
+    let cases: [(&str, Build); 5] = [
+        ("the condition of `enable`", |m, i| m.pipe_when(i.a, "p", i.a)),
+        ("`300` does not fit", |m, _| {
+            let block = Inverter { registered: true };
+            m.array("u_cell", 2, &block, |a| Link { x: a.constants(8, |_| 300) }).out.last()
+        }),
+        ("`2` does not fit", |m, _| m.fsm("lamp", Lamp::Off).constants(1, |_| 2)),
+        ("`case` needs", |m, i| m.fsm("lamp", Lamp::Off).pick(|lamp| if lamp == Lamp::Off { i.a } else { i.b })),
+        ("the condition of `select`", |m, i| {
+            let lamp = m.fsm("lamp", Lamp::Off);
+            lamp.next(|_| when(i.a, Lamp::On));
+            lamp.value()
+        }),
+    ];
+    for (message, build) in cases {
+        let text = problems(&Case(build));
+        let (first, place) = text.split_once("\n  --> ").expect("a message has a place");
+        assert!(first.starts_with(message) && place.starts_with('['), "{text}");
+    }
+}
+
 #[test]
 fn nothing_is_wider_than_a_million_bits() {
     let text = problems(&Case(|_, i| i.a.repeat(600_000_000)));
     assert!(text.starts_with("`.repeat(600000000)` makes more than 1048576 bits of `a`"), "{text}");
+    let text = problems(&Case(|_, i| i.a.zext(600_000_000)));
+    assert!(text.starts_with("`.zext(600000000)` makes more than 1048576 bits of `a`"), "{text}");
+    elaborate(&Case(|_, i| concat(&[i.a.repeat(131_071), i.a]))).expect("a million bits are allowed");
+    expect(
+        |_, i| concat(&[i.a.repeat(131_071), i.a, i.b]),
+        "a concatenation of 1048583 bits is wider than 1048576
+         --> [|_, i| concat(&[i.a.repeat(131_071), i.a, i.b]),]
+         help: keep wide data in a memory",
+    );
+    // As many bits as would overflow a `u32`.
+    let text = problems(&Case(|_, i| concat(&[i.a.repeat(131_072); 4097])));
+    assert!(text.starts_with("a concatenation of 4296015872 bits is wider than 1048576"), "{text}");
 }
 
 #[test]
@@ -239,9 +274,27 @@ fn registers_and_wires_that_are_driven_twice() {
         let w = m.wire("w", 8);
         w.drive(i.a);
         w.drive(i.a);
-        *w
+        w.value()
     };
     assert!(problems(&Case(driven)).starts_with("`w` is driven twice"));
+}
+
+states! { enum Lamp { Off, On } }
+
+#[test]
+fn handles_give_their_values_as_signals() {
+    let build = |m: Module, i: In| {
+        let (register, wire, lamp) = (m.reg("r", 8), m.wire("w", 8), m.fsm("lamp", Lamp::Off));
+        register.next(i.a);
+        wire.drive(i.a);
+        lamp.next(|lamp| match lamp {
+            Lamp::Off => when(i.c, Lamp::On),
+            Lamp::On => goto(Lamp::Off),
+        });
+        let values: [Signal; 3] = [register.value(), wire.value(), lamp.value()];
+        concat(&values).trunc(8)
+    };
+    elaborate(&Case(build)).unwrap();
 }
 
 #[test]
@@ -449,6 +502,64 @@ impl Block for Careless {
     }
 }
 
+/// A fault gives no second message that calls its operands unused.
+#[test]
+fn inputs_in_faulty_expressions_are_used() {
+    /// As [`Case`], but nothing is said of unused inputs.
+    #[derive(Debug)]
+    struct Strict(Build);
+    impl Block for Strict {
+        type In = In;
+        type Out = Out;
+        fn inputs(&self) -> In<Width> {
+            In { a: bits(8), b: bits(7), c: bit() }
+        }
+        fn build(&self, m: Module, i: In) -> Out {
+            Out { out: (self.0)(m, i) }
+        }
+        fn name(&self) -> String {
+            "strict".to_owned()
+        }
+    }
+    let cases: [(&str, Build); 9] = [
+        ("`+` needs", |_, i| (i.a + i.b) ^ i.c.zext(8)),
+        ("the slice", |_, i| i.a.slice(8..9) & i.b.bit(0) & i.c),
+        ("the condition", |_, i| mux(i.a, i.b, i.c.zext(7))),
+        ("the reset value", |m, i| {
+            let r = m.reg("r", 8).reset(i.a);
+            r.next(cat![i.b, i.c]);
+            r.value()
+        }),
+        ("`r` is given a next value twice", |m, i| {
+            let r = m.reg("r", 8);
+            r.next(i.a);
+            r.next(cat![i.b, i.c]);
+            r.value()
+        }),
+        ("an address", |m, i| {
+            let words = m.memory("words", 16, 1, ReadUnderWrite::Old);
+            words.write(i.c, i.a, i.b);
+            words.read(0)
+        }),
+        ("input `x` of `u_inverter`", |m, i| {
+            m.instance("u_inverter", &Inverter { registered: true }, Link { x: i.b }).out + cat![i.a, i.c].trunc(8)
+        }),
+        ("an array of 3 lanes", |m, i| {
+            let inverter = Inverter { registered: true };
+            let cells = m.array("u_cell", 3, &inverter, |cells| Link { x: cells.each([i.a, i.b.zext(8)]) });
+            mux(i.c, cells.out.last(), 0)
+        }),
+        ("`a` belongs to `Strict`", |m, i| {
+            KEPT.set(Some(Kept::Result(i.a)));
+            m.instance("u_keeper", &Keeper, ()).out & cat![i.b, i.c]
+        }),
+    ];
+    for (message, build) in cases {
+        let text = problems(&Strict(build));
+        assert!(text.starts_with(message) && !text.contains("never used"), "{text}");
+    }
+}
+
 #[test]
 fn inputs_that_are_not_used() {
     assert_eq!(
@@ -507,6 +618,148 @@ fn a_child_may_declare_the_crossing() {
         m.pipe("slow", m.instance("u_held", &Held, Link { x: fast }).out)
     }))
     .unwrap();
+}
+
+bundle! {
+    struct Pair<T> { left: T, right: T }
+}
+
+/// A block of two named clocks and none of its own, described by a function.
+#[derive(Debug)]
+struct TwoClocks {
+    inputs: fn() -> Link<Width>,
+    build: fn(Module, Module, Signal) -> (Signal, Signal),
+}
+
+impl Block for TwoClocks {
+    type In = Link;
+    type Out = Pair;
+
+    fn inputs(&self) -> Link<Width> {
+        (self.inputs)()
+    }
+
+    fn build(&self, m: Module, i: Link) -> Pair {
+        m.ignore(&i);
+        let (left, right) = (self.build)(m.on(FAST), m.on(SLOW), i.x);
+        Pair { left, right }
+    }
+
+    fn name(&self) -> String {
+        "two_clocks".to_owned()
+    }
+}
+
+const SLOW: Clock = Clock::new("slow", Period::ns(6));
+
+#[test]
+fn inputs_of_a_block_without_a_clock_of_its_own_name_theirs() {
+    let build = |fast: Module, slow: Module, x: Signal| (fast.pipe("r", x), slow.pipe("s", !x));
+    assert_eq!(
+        problems(&TwoClocks { inputs: || Link { x: bits(8) }, build }),
+        "input `x` of `TwoClocks` does not say on which clock it is: `fast` or `slow`
+  --> [problems(&TwoClocks { inputs: || Link { x: bits(8) }, build }),]
+  register `r` on clock `fast` takes it at [let build = |fast: Module, slow: Module, x: Signal| (fast.pipe(\"r\", x), slow.pipe(\"s\", !x));]
+  help: declare it as `bits(n).on(clock)`; only a block with a clock of its own may leave that out"
+    );
+    let text = problems(&TwoClocks { inputs: || Link { x: bits(8).on(FAST) }, build });
+    assert!(text.starts_with("`x` is on clock `fast` but reaches register `s` on clock `slow`"), "{text}");
+    // What is sampled by no clock, or may be by any, needs none.
+    let crossed = |fast: Module, slow: Module, x: Signal| {
+        let flag = slow.synchronize("flag", x.bit(0));
+        (fast.pipe("r", x.quasi_static("held")), slow.pipe("s", x.quasi_static("held")) + flag.zext(8))
+    };
+    elaborate(&TwoClocks { inputs: || Link { x: bits(8) }, build: crossed }).unwrap();
+    let through = |fast: Module, slow: Module, x: Signal| (fast.pipe("r", lit(8, 1)), slow.pipe("s", lit(8, 1)) ^ x);
+    elaborate(&TwoClocks { inputs: || Link { x: bits(8) }, build: through }).unwrap();
+}
+
+#[test]
+fn outputs_that_mix_clocks() {
+    let mixed = |fast: Module, slow: Module, x: Signal| {
+        let r = fast.pipe("r", x);
+        let s = slow.pipe("s", lit(8, 1));
+        (r + s, s)
+    };
+    let block = TwoClocks { inputs: || Link { x: bits(8).on(FAST) }, build: mixed };
+    assert_eq!(
+        problems(&block),
+        "output `left` of `TwoClocks` mixes clocks `fast` and `slow`
+  --> [(r + s, s)]
+  `r`, on clock `fast`, is declared at [let r = fast.pipe(\"r\", x);]
+  `s`, on clock `slow`, is declared at [let s = slow.pipe(\"s\", lit(8, 1));]
+  help: give each clock an output of its own, or cross with `m.synchronize` or `.quasi_static(reason)` before"
+    );
+    // A parent that passes it on, or takes it, says nothing more.
+    let parent = |m: Module, _: In| {
+        let mixed =
+            |fast: Module, slow: Module, _: Signal| (fast.pipe("r", lit(8, 1)) + slow.pipe("s", lit(8, 1)), lit(8, 0));
+        let block = TwoClocks { inputs: || Link { x: bits(8) }, build: mixed };
+        let out = m.instance("u_two", &block, Link { x: lit(8, 0) });
+        let _ = m.on(FAST).pipe("taken", out.left);
+        out.left
+    };
+    let text = problems(&Case(parent));
+    assert!(text.starts_with("output `left` of `TwoClocks` mixes") && !text.contains("problems"), "{text}");
+}
+
+#[test]
+fn logic_that_enters_a_synchronizer() {
+    expect(
+        |m, i| {
+            let r = m.pipe("r", i.a);
+            m.on(FAST).synchronize("flag", r.eq(3)).zext(8)
+        },
+        "`r.eq(3)` enters synchronizer `flag` but is logic, which glitches
+         --> [m.on(FAST).synchronize(\"flag\", r.eq(3)).zext(8)]
+         `r.eq(3)` is made at [m.on(FAST).synchronize(\"flag\", r.eq(3)).zext(8)]
+         help: put a register on its own clock before the synchronizer, as in `m.pipe(name, value)`",
+    );
+    // Wiring and an inverter do no harm.
+    elaborate(&Case(|m, i| {
+        let wire = m.wire("w", 8);
+        let cells = m.array("u_cell", 2, &Inverter { registered: true }, |cells| Link { x: cells.all(&i.a) });
+        wire.drive(cat![m.pipe("r", i.b), i.c]);
+        let fast = m.on(FAST);
+        fast.synchronize("one", !wire.bit(2)).zext(8) ^ fast.synchronize("two", cells.out.lane(1).bit(0)).zext(8)
+    }))
+    .unwrap();
+}
+
+#[test]
+fn logic_that_enters_a_synchronizer_in_an_instance_or_comes_from_one() {
+    let inside = problems(&Case(|m, i| {
+        let build = |fast: Module, _: Module, x: Signal| (fast.synchronize("flag", x.bit(0)), lit(1, 0));
+        let block = TwoClocks { inputs: || Link { x: bits(8) }, build };
+        m.instance("u_two", &block, Link { x: i.a + 1 }).left.zext(8)
+    }));
+    assert!(inside.starts_with("`a + 1` enters synchronizer `u_two.flag` but is logic"), "{inside}");
+    let build = |m: Module, i: In| {
+        /// Compares in the same clock.
+        #[derive(Debug)]
+        struct IsZero;
+        impl Block for IsZero {
+            type In = Link;
+            type Out = Out;
+            fn inputs(&self) -> Link<Width> {
+                Link { x: bits(8) }
+            }
+            fn build(&self, _: Module, i: Link) -> Out {
+                Out { out: i.x.eq(0) }
+            }
+        }
+        let zero = m.instance("u_zero", &IsZero, Link { x: m.pipe("r", i.a) }).out;
+        m.on(FAST).synchronize("flag", zero).zext(8)
+    };
+    let text = problems(&Case(build));
+    assert!(text.starts_with("`u_zero.out` enters synchronizer `flag` but is logic"), "{text}");
+}
+
+#[test]
+fn synchronizers_take_one_bit() {
+    let text = problems(&Case(|m, i| m.on(FAST).synchronize("flag", i.a).zext(8)));
+    assert!(text.starts_with("the condition of `synchronize` is 1 bit, but `a` has 8 bits"), "{text}");
+    assert!(!text.contains("problems in this"), "{text}");
 }
 
 #[test]
@@ -692,6 +945,30 @@ fn memories() {
 }
 
 #[test]
+fn widths_that_do_not_fit_a_memory() {
+    expect(
+        |m, i| m.memory("words", 100, 8, ReadUnderWrite::Old).read(i.a),
+        "an address of memory `words` has 7 bits, but `a` has 8 bits
+         --> [|m, i| m.memory(\"words\", 100, 8, ReadUnderWrite::Old).read(i.a),]
+         `words` is declared at [|m, i| m.memory(\"words\", 100, 8, ReadUnderWrite::Old).read(i.a),]
+         `a` is made at [In { a: bits(8), b: bits(7), c: bit() }]
+         help: cut it with `.trunc(7)`",
+    );
+    expect(
+        |m, i| {
+            let words = m.memory("words", 256, 8, ReadUnderWrite::Old);
+            words.write(i.c, i.a, i.b);
+            words.read_async(i.a)
+        },
+        "a word of memory `words` has 8 bits, but `b` has 7 bits
+         --> [words.write(i.c, i.a, i.b);]
+         `words` is declared at [let words = m.memory(\"words\", 256, 8, ReadUnderWrite::Old);]
+         `b` is made at [In { a: bits(8), b: bits(7), c: bit() }]
+         help: widen it with `.zext(8)` or `.sext(8)`",
+    );
+}
+
+#[test]
 fn modules_of_one_name_and_different_contents() {
     /// Named alike whatever its parameter.
     #[derive(Debug)]
@@ -749,6 +1026,7 @@ enum Kept {
     Memory(Mem),
     Lanes(Lanes),
     Result(Signal),
+    Register(Reg),
 }
 
 thread_local!(static KEPT: std::cell::Cell<Option<Kept>> = const { std::cell::Cell::new(None) });
@@ -768,6 +1046,10 @@ impl Block for Keeper {
             Kept::Memory(memory) => memory.read_async(0),
             Kept::Lanes(lanes) => lanes.lane(0),
             Kept::Result(signal) => !signal,
+            Kept::Register(register) => {
+                register.next(0);
+                register.value()
+            }
         };
         Out { out }
     }
@@ -790,6 +1072,31 @@ fn lanes_of_another_module() {
         KEPT.set(Some(Kept::Lanes(m.array("u_cell", 2, &block, |cells| Link { x: cells.all(&i.a) }).out)));
         m.instance("u_keeper", &Keeper, ()).out
     }));
+}
+
+/// The register's node has the number of the stand-in for it in the module that drives it.
+#[test]
+fn registers_of_another_module() {
+    /// Lends its register to an instance in it.
+    #[derive(Debug)]
+    struct Lender;
+    impl Block for Lender {
+        type In = ();
+        type Out = Out;
+        fn inputs(&self) {}
+        fn build(&self, m: Module, _: ()) -> Out {
+            let _zero = lit(8, 0);
+            let r = m.reg("r", 8);
+            r.next(1);
+            KEPT.set(Some(Kept::Register(r)));
+            m.instance("u_keeper", &Keeper, ())
+        }
+    }
+    let text = problems(&Lender);
+    assert!(
+        text.starts_with("`r` belongs to `Lender` but is used inside of `Keeper`\n  --> [register.next(0);]"),
+        "{text}"
+    );
 }
 
 #[test]

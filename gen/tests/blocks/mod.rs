@@ -33,7 +33,7 @@ impl Block for Counter {
     fn about(&self) -> About {
         About {
             summary: "Counts the clocks with `enable` high and starts again at a limit.".into(),
-            latency: "1".into(),
+            latency: "1 clock".into(),
             source: String::new(),
         }
     }

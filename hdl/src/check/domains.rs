@@ -3,15 +3,25 @@
 use crate::draft::Draft;
 use crate::graph::Sets;
 use crate::ir::{ClockId, Module, NodeId};
+use crate::module::port_name;
 use crate::problem::Problem;
 use crate::summary::{self, Summary, View};
+use std::collections::BTreeSet;
 
-pub(crate) fn check(draft: &Draft, done: &[Module], summaries: &[Summary], problems: &mut Vec<Problem>) {
+/// Gives the outputs that mix clocks.
+pub(crate) fn check(
+    draft: &Draft,
+    done: &[Module],
+    summaries: &[Summary],
+    outputs: &[(String, NodeId)],
+    problems: &mut Vec<Problem>,
+) -> Vec<usize> {
     if draft.clocks.len() < 2 {
-        return;
+        return Vec::new();
     }
     let sets = summary::clock_sets(draft, summaries, View::Inside);
-    let mut checker = Checker { draft, summaries, sets, problems };
+    let inputs = summary::timed_input_sets(draft, summaries);
+    let mut checker = Checker { draft, summaries, sets, inputs, without_clock: BTreeSet::new(), problems };
     for register in &draft.registers {
         let name = draft.describe(register.node);
         for (node, _) in register.next.iter().chain(&register.enable) {
@@ -42,18 +52,26 @@ pub(crate) fn check(draft: &Draft, done: &[Module], summaries: &[Summary], probl
     for assert in &draft.asserts {
         checker.sampled(assert.condition, assert.clock, "an assertion", assert.condition);
     }
+    let mixed = outputs.iter().enumerate().filter(|(_, (path, node))| checker.mixes(path, *node));
+    mixed.map(|(output, _)| output).collect()
 }
 
 struct Checker<'a> {
     draft: &'a Draft,
     summaries: &'a [Summary],
     sets: Sets,
+    /// The inputs whose clocks show in each node.
+    inputs: Sets,
+    /// Inputs that are sampled and of which no clock is known, as far as they are reported.
+    without_clock: BTreeSet<usize>,
     problems: &'a mut Vec<Problem>,
 }
 
 impl Checker<'_> {
     /// `node` is sampled by `what` at edges of `clock`.
     fn sampled(&mut self, node: NodeId, clock: ClockId, what: &str, place: NodeId) {
+        let inputs: Vec<_> = self.inputs.members(node.0).collect();
+        inputs.into_iter().for_each(|input| self.needs_clock(input, clock, what, place));
         let foreign: Vec<_> = self.sets.members(node.0).filter(|&from| from != clock.0 as usize).collect();
         for from in foreign {
             let source = self.source(node, from);
@@ -68,6 +86,42 @@ impl Checker<'_> {
                 self.problems.push(problem);
             }
         }
+    }
+
+    /// Input `input` is sampled at edges of `clock`: its own clock must be known.
+    fn needs_clock(&mut self, input: usize, clock: ClockId, what: &str, place: NodeId) {
+        let port = &self.draft.inputs[input];
+        if port.clock.is_some() || !self.without_clock.insert(input) {
+            return;
+        }
+        let used = (0..self.draft.clocks.len()).filter(|clock| self.draft.clock_used[*clock]);
+        let clocks: Vec<_> = used.map(|clock| format!("`{}`", self.draft.clock_name(ClockId(clock as u32)))).collect();
+        let (name, block) = (&port.name, self.draft.block);
+        let message = format!("input `{name}` of `{block}` does not say on which clock it is: {}", clocks.join(" or "));
+        let sampled = format!("{what} on clock `{}` takes it", self.draft.clock_name(clock));
+        let problem = Problem::new(self.draft.node(port.node).loc, message)
+            .note(sampled, self.draft.node(place).loc)
+            .help("declare it as `bits(n).on(clock)`; only a block with a clock of its own may leave that out");
+        self.problems.push(problem);
+    }
+
+    /// Whether an output depends on several clocks; that is a problem.
+    fn mixes(&mut self, path: &str, node: NodeId) -> bool {
+        let clocks: Vec<_> = self.sets.members(node.0).collect();
+        let [first, second, ..] = clocks[..] else { return false };
+        let name = |clock: usize| self.draft.clock_name(ClockId(clock as u32));
+        let (output, block) = (port_name("", path), self.draft.block);
+        let message = format!("output `{output}` of `{block}` mixes clocks `{}` and `{}`", name(first), name(second));
+        let mut problem = Problem::new(self.draft.node(node).loc, message);
+        for clock in [first, second] {
+            let source = self.source(node, clock);
+            let text = format!("`{}`, on clock `{}`, is declared", self.draft.describe(source), name(clock));
+            problem = problem.note(text, self.draft.node(source).loc);
+        }
+        self.problems.push(problem.help(
+            "give each clock an output of its own, or cross with `m.synchronize` or `.quasi_static(reason)` before",
+        ));
+        true
     }
 
     /// The nearest node behind `node` where clock `from` comes in.

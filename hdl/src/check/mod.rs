@@ -4,4 +4,5 @@ pub(crate) mod domains;
 pub(crate) mod drives;
 pub(crate) mod loops;
 pub(crate) mod naming;
+pub(crate) mod synchronizers;
 pub(crate) mod unused;

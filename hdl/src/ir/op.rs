@@ -79,7 +79,7 @@ pub enum Reduction {
 /// How a node is computed.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Op {
-    /// The input port of that index in [`Module::inputs`].
+    /// The input port of that index in [`Module::inputs`](crate::ir::Module::inputs).
     Input(u32),
     /// A constant of the node's width.
     Const(Bits),
@@ -143,7 +143,7 @@ pub enum Op {
     },
     /// The present value of a register.
     Register(RegisterId),
-    /// The data of a memory's read port of that index in [`Memory::reads`].
+    /// The data of a memory's read port of that index in [`Memory::reads`](crate::ir::Memory::reads).
     Read(MemoryId, u32),
     /// A named net declared before its driver.
     Wire(NodeId),
@@ -171,6 +171,26 @@ pub enum Op {
 }
 
 impl Op {
+    /// Whether the node is its operands, or a constant or the state of a register, without logic: at most inverted.
+    pub(crate) fn is_wiring(&self) -> bool {
+        matches!(
+            self,
+            Op::Const(_)
+                | Op::Register(_)
+                | Op::Wire(_)
+                | Op::QuasiStatic(..)
+                | Op::Unary(Unary::Not, _)
+                | Op::Slice { .. }
+                | Op::Concat(_)
+                | Op::Repeat(..)
+                | Op::Extend { .. }
+                | Op::Broadcast(_)
+                | Op::PerLane(_)
+                | Op::Shifted { .. }
+                | Op::Lane(..)
+        )
+    }
+
     /// Calls `visit` with every node of the same module that this one is computed from in the same clock cycle,
     /// except through an instance or an asynchronous read.
     pub fn for_each_operand(&self, mut visit: impl FnMut(NodeId)) {

@@ -84,8 +84,9 @@ impl Builder<'_> {
         }
         let signal = match synchronize {
             true => {
-                let signal = self.pick_fit(1 - d, of, 1);
-                self.on(d).synchronize(&format!("y{number}"), signal)
+                let logic = self.pick_fit(1 - d, of, 1);
+                let steady = self.on(1 - d).pipe(&format!("y{number}_from"), logic);
+                self.on(d).synchronize(&format!("y{number}"), steady)
             }
             false => self.pick(1 - d, of).quasi_static("the simulators agree on every instant"),
         };
