@@ -8,6 +8,7 @@ use tilewright_hdl::Bits;
 use super::graph::{Graph, Sink};
 use super::layout::Strips;
 use super::plan::{Kernel, Plan};
+use super::simplify;
 use crate::program::rules::{Cells, alias, fold, shorter};
 use crate::program::{Kind, ValueId};
 
@@ -275,24 +276,10 @@ impl<'a> Known<'a> {
     fn sink(&mut self, plan: &Plan, index: usize) -> Option<usize> {
         let mut sink = self.graph.sinks[index].clone();
         sink.rewrite(|operand| *operand = self.operand(*operand));
-        let known = |id: ValueId| match &self.graph.cell(id).kind {
-            Kind::Const(bits) => Some(!bits.is_zero()),
-            _ => None,
-        };
-        match &mut sink {
-            Sink::Write { enable, .. } if known(*enable) == Some(false) => return None,
-            Sink::Register { state, next, enable } => {
-                match enable.and_then(known) {
-                    Some(true) => *enable = None,
-                    // What is late waits elsewhere: it has to be brought there.
-                    Some(false) if !plan.late.contains(state) => return None,
-                    _ => {}
-                }
-                if state == next && !plan.late.contains(state) {
-                    return None;
-                }
-            }
-            _ => {}
+        let is_late = matches!(sink, Sink::Register { state, .. } if plan.late.contains(&state));
+        // What is late waits elsewhere: it has to be brought there.
+        if !is_late {
+            sink = simplify::happening(self.graph, sink)?;
         }
         if sink == self.graph.sinks[index] {
             return Some(index);

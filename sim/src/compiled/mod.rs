@@ -15,13 +15,14 @@ mod lower;
 mod memory;
 mod plan;
 mod scalar;
+mod simplify;
 mod store;
 mod strip;
 
 use std::sync::Arc;
 
 use cranelift_codegen::ir::{InstBuilder, types};
-use tilewright_hdl::limbs_for;
+use tilewright_hdl::{Bits, limbs_for};
 
 use crate::engine::{Done, Engine, Failed};
 use crate::lockstep::Difference;
@@ -47,7 +48,12 @@ pub(crate) struct Compiled {
     memories: Vec<(MemoryAt, Store)>,
     /// Per clock: its reset is high.
     resets: Vec<bool>,
-    edges: Vec<(Vec<usize>, Vec<bool>, Code)>,
+    edges: Vec<Edge>,
+    /// The inputs that a function may be made for, and how many functions still may.
+    inputs: Vec<ValueId>,
+    special: u32,
+    /// Counts changes of inputs.
+    inputs_version: u64,
     /// What looks whether assertions hold, if there are any.
     checks: Vec<(Vec<usize>, Vec<bool>, Option<Code>)>,
     views: Vec<View>,
@@ -57,6 +63,27 @@ pub(crate) struct Compiled {
     version: u64,
     /// Every value as limbs, brought up to date when it is read.
     mirror: Vec<u64>,
+}
+
+/// The widest input that a function is made for.
+const HELD: u32 = 8;
+/// After how many edges without a change of these inputs it is.
+const QUIET: u64 = 50_000;
+/// How often at most.
+const SPECIAL: u32 = 16;
+
+/// A function for an edge.
+struct Edge {
+    /// The clocks that rise.
+    rising: Vec<usize>,
+    /// The resets that are high.
+    resets: Vec<bool>,
+    code: Code,
+    /// Since when inputs are as they are, and for how many edges.
+    inputs_version: u64,
+    quiet: u64,
+    /// A function for these inputs.
+    special: Option<Code>,
 }
 
 /// A function that leaves values where they can be read.
@@ -103,6 +130,8 @@ impl Compiled {
             memories.map(|(index, memory)| memory_at(&program, index, memory, &layout.strips, &start)).collect();
         let resets = vec![false; program.clocks.len()];
         let (edges, checks, views) = (Vec::new(), Vec::new(), Vec::new());
+        let inputs = program.inputs.iter().map(|port| port.value);
+        let inputs = inputs.filter(|&id| program.value(id).lanes == 1 && program.value(id).width <= HELD).collect();
         let shown = vec![None; program.values.len()];
         Ok(Compiled {
             program,
@@ -117,6 +146,9 @@ impl Compiled {
             views,
             shown,
             version: 1,
+            inputs,
+            special: SPECIAL,
+            inputs_version: 0,
             mirror,
         })
     }
@@ -175,18 +207,55 @@ impl Compiled {
         self.state.put(place, &limbs);
     }
 
-    /// The function for an edge.
-    fn edge_code(&mut self, rising: &[usize]) -> Code {
-        let made = self.edges.iter().find(|(clocks, resets, _)| clocks == rising && *resets == self.resets);
-        if let Some((_, _, code)) = made {
-            return *code;
+    /// The function for so many edges of these clocks; with inputs folded in if they have long been as they are.
+    fn edge_code(&mut self, rising: &[usize], count: u64) -> Code {
+        let made = self.edges.iter().position(|edge| edge.rising == rising && edge.resets == self.resets);
+        let index = made.unwrap_or_else(|| {
+            let code = self.make_edge(rising, &[]);
+            let (rising, resets) = (rising.to_vec(), self.resets.clone());
+            self.edges.push(Edge { rising, resets, code, inputs_version: 0, quiet: 0, special: None });
+            self.edges.len() - 1
+        });
+        let edge = &mut self.edges[index];
+        if edge.inputs_version != self.inputs_version {
+            edge.inputs_version = self.inputs_version;
+            edge.quiet = 0;
+            edge.special = None;
         }
+        if let Some(code) = edge.special {
+            return code;
+        }
+        edge.quiet += count;
+        let code = edge.code;
+        if edge.quiet < QUIET || self.special == 0 || self.inputs.is_empty() {
+            return code;
+        }
+        self.special -= 1;
+        let held = self.inputs.iter().map(|&id| {
+            let mut limbs = [0];
+            self.state.get(self.places[id.index()].expect("an input is state"), &mut limbs);
+            (id, Bits::from_limbs(self.program.value(id).width, &limbs))
+        });
+        let held: Vec<(ValueId, Bits)> = held.collect();
+        let code = self.make_edge(rising, &held);
+        self.edges[index].special = Some(code);
+        code
+    }
+
+    /// Makes the function for an edge, with inputs that are known.
+    fn make_edge(&mut self, rising: &[usize], held: &[(ValueId, Bits)]) -> Code {
         let check = Graph::check(&self.program, rising, &self.resets);
         let edge = Graph::edge(&self.program, rising, &self.resets);
-        let parts: Vec<Prepared> = check.into_iter().chain([edge]).map(|graph| self.prepare(graph)).collect();
-        let code = self.compile(&parts);
-        self.edges.push((rising.to_vec(), self.resets.clone(), code));
-        code
+        let graphs = check.into_iter().chain([edge]).map(|mut graph| {
+            for (id, bits) in held {
+                graph.cells[id.index()].kind = Kind::Const(bits.clone());
+            }
+            simplify::simplify(&mut graph);
+            graph
+        });
+        let graphs: Vec<Graph> = graphs.collect();
+        let parts: Vec<Prepared> = graphs.into_iter().map(|graph| self.prepare(graph)).collect();
+        self.compile(&parts)
     }
 
     /// Whether all assertions hold at an edge of these clocks.
@@ -298,6 +367,7 @@ impl Engine for Compiled {
         let place = self.places[id.index()].expect("an input is state");
         self.state.put(place, limbs);
         self.version += 1;
+        self.inputs_version += u64::from(self.program.value(id).width <= HELD);
     }
 
     fn word(&self, memory: u32, lane: u32, address: u32) -> Vec<u64> {
@@ -339,7 +409,7 @@ impl Engine for Compiled {
     fn edges(&mut self, rising: &[usize], count: u64) -> Result<Done, Box<Difference>> {
         let mut left = 0;
         if count > 0 {
-            let code = self.edge_code(rising);
+            let code = self.edge_code(rising, count);
             left = self.call(code, count);
             self.version += 1;
         }

@@ -7,10 +7,14 @@ use super::{Kind, ValueId};
 /// How deep expressions may be that are compared.
 const DEPTH: u32 = 16;
 
-/// The array of these lanes, if they are computed in the same way from constants, from what is the same for all, and
-/// from the lanes of arrays: computed in all lanes together.
+/// The array of these lanes, if they are the lanes of one, or are computed in the same way from such, from constants
+/// and from what is the same for all: then it is computed in all lanes together.
 pub(super) fn lift(netlist: &mut Netlist, known: &mut Known, parts: &[ValueId], lanes: u32) -> Option<Kind> {
-    if parts.len() < 2 || !parts.iter().any(|part| netlist.cell(*part).kind.is_elementwise()) {
+    let is_computed = |part: &ValueId| match netlist.cell(*part).kind {
+        Kind::Lane { .. } => true,
+        ref kind => kind.is_elementwise(),
+    };
+    if parts.len() < 2 || !parts.iter().any(is_computed) {
         return None;
     }
     let whole = array(netlist, known, parts, lanes, DEPTH)?;

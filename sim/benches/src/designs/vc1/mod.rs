@@ -83,8 +83,8 @@ impl Block for Vc1Frames {
 
         let host = Host { screen: self.patches.screen() };
         let [read_word, busy] = [("read_word", 48), ("busy", 1)].map(|(name, width)| merge.wire(name, width));
-        let drawn = merge.synchronize("drawn", painters.drawn.and_all());
-        let swapped = merge.synchronize("swapped", painters.swapped.and_all());
+        let drawn = merge.synchronize("drawn", pe.pipe("all_drawn", painters.drawn.and_all()));
+        let swapped = merge.synchronize("swapped", pe.pipe("all_swapped", painters.swapped.and_all()));
         let hash = painters.hash.xor_all().quasi_static("the painters wait when the host looks at it");
         let host = merge.instance("u_host", &host, HostIn { drawn, swapped, hash, read_word: *read_word, busy: *busy });
         request.drive(host.request);
