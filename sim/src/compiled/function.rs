@@ -9,6 +9,7 @@ use super::graph::{Graph, Sink};
 use super::layout::{Layout, Place, Strips, Words};
 use super::plan::{Plan, is_table};
 use super::scalar::Scalars;
+use super::sequence::Step;
 use crate::program::{Kind, ValueId};
 
 /// A memory as code sees it.
@@ -99,22 +100,39 @@ impl<'a, 'b, 'c> Emitter<'a, 'b, 'c> {
         Emitter { graph, plan, addresses, memories, strips, builder, state, scalars: Scalars::default(), fresh }
     }
 
-    /// Emits all that the plan says; gives what must hold, if something must.
-    pub fn once(mut self) -> Option<Value> {
+    /// Emits these steps.
+    pub fn steps(&mut self, steps: &[Step]) {
         let plan = self.plan;
-        for stage in &plan.stages {
-            stage.single.iter().for_each(|&id| self.single(id));
-            stage.packed.iter().for_each(|&id| self.pack(id));
-            for (&lanes, kernel) in &stage.kernels {
-                self.kernel(lanes, kernel);
+        for &step in steps {
+            match step {
+                Step::Single(id) => {
+                    self.single(id);
+                    if plan.stored.contains(&id) {
+                        let place = self.addresses.of(id);
+                        self.store_single(id, place, self.state, place.offset);
+                    }
+                }
+                Step::Pack(id) => self.pack(id),
+                Step::Kernel(stage, lanes) => self.kernel(lanes, &plan.stages[stage].kernels[&lanes]),
+                Step::Sink(index) => self.sink(index),
             }
         }
-        self.finish();
+    }
+
+    /// Ends a function: late arrays change. Gives what must hold, if something must.
+    pub fn end(&mut self) -> Option<Value> {
+        for (state, waiting) in &self.addresses.waiting {
+            let place = self.addresses.of(*state);
+            self.copy(*waiting, place);
+        }
         let held = self.graph.sinks.iter().find_map(|sink| match sink {
             Sink::Hold(value) => Some(*value),
             _ => None,
         });
-        held.map(|value| self.scalars.flag(self.builder, value))
+        held.map(|value| {
+            self.want(value);
+            self.scalars.flag(self.builder, value)
+        })
     }
 
     /// An id for a value that is no cell.
@@ -161,8 +179,8 @@ impl<'a, 'b, 'c> Emitter<'a, 'b, 'c> {
                 let number = self.scalars.clean(self.builder, *subject)[0];
                 self.load_lane(id, self.graph.lookups[&id], number, 0);
             }
-            kind => match self.rotation(kind) {
-                Some((of, left)) => {
+            kind => match self.graph.rotations.get(&id) {
+                Some(&(of, left)) => {
                     self.want(of);
                     self.scalars.rotate(self.builder, id, of, left);
                 }
@@ -171,22 +189,6 @@ impl<'a, 'b, 'c> Emitter<'a, 'b, 'c> {
                     self.scalars.evaluate(self.builder, id, kind, cell.width);
                 }
             },
-        }
-    }
-
-    /// What a concatenation of the two parts of a value rotates, and by how much, if the machine has integers of its
-    /// width.
-    fn rotation(&self, kind: &Kind) -> Option<(ValueId, u32)> {
-        let Kind::Concat(parts) = kind else { return None };
-        let &[upper, lower] = parts.as_slice() else { return None };
-        match (&self.graph.cell(upper).kind, &self.graph.cell(lower).kind) {
-            (&Kind::Slice(of, 0), &Kind::Slice(other, low)) => {
-                let width = self.graph.cell(of).width;
-                let halves = (self.graph.cell(upper).width, self.graph.cell(lower).width);
-                let is_whole = of == other && halves == (low, width - low);
-                (is_whole && matches!(width, 8 | 16 | 32 | 64)).then_some((of, width - low))
-            }
-            _ => None,
         }
     }
 
@@ -228,44 +230,29 @@ impl<'a, 'b, 'c> Emitter<'a, 'b, 'c> {
         id
     }
 
-    /// What happens at the end: single registers and memories change, late arrays as well.
-    fn finish(&mut self) {
+    /// What a sink of single values says.
+    fn sink(&mut self, index: usize) {
         let graph = self.graph;
-        let single = |sink: &&Sink| match sink {
-            Sink::Register { state, .. } => graph.cell(*state).lanes == 1,
-            Sink::Write { enable, .. } => graph.cell(*enable).lanes == 1,
-            Sink::Show(value) | Sink::Hold(value) => graph.cell(*value).lanes == 1,
-        };
-        let mut registers = Vec::new();
-        for sink in graph.sinks.iter().filter(single) {
-            sink.for_each_operand(|operand| self.want(operand));
-            match *sink {
-                Sink::Register { state, next, enable: None } => registers.push((state, next)),
-                Sink::Register { state, next, enable: Some(select) } => {
-                    self.want(state);
-                    let taken = self.id();
-                    let kind = Kind::Mux { select, on_true: next, on_false: state };
-                    self.scalars.evaluate(self.builder, taken, &kind, graph.cell(state).width);
-                    registers.push((state, taken));
-                }
-                Sink::Show(value) if self.addresses.places[value.index()].is_some() => {
-                    registers.push((value, value));
-                }
-                _ => {}
+        let sink = &graph.sinks[index];
+        sink.for_each_operand(|operand| self.want(operand));
+        match *sink {
+            Sink::Register { state, next, enable } => {
+                let value = match enable {
+                    None => next,
+                    Some(select) => {
+                        self.want(state);
+                        let value = self.id();
+                        let kind = Kind::Mux { select, on_true: next, on_false: state };
+                        self.scalars.evaluate(self.builder, value, &kind, graph.cell(state).width);
+                        value
+                    }
+                };
+                let place = self.addresses.of(state);
+                self.store_single(value, place, self.state, place.offset);
             }
-        }
-        for sink in graph.sinks.iter().filter(single) {
-            if let Sink::Write { memory, enable, address, data } = *sink {
-                self.write(memory, enable, address, data);
-            }
-        }
-        for (state, value) in registers {
-            let place = self.addresses.of(state);
-            self.scalars.store(self.builder, value, place.element.min(64), self.state, offset(place.offset));
-        }
-        for (state, waiting) in &self.addresses.waiting {
-            let place = self.addresses.of(*state);
-            self.copy(*waiting, place);
+            Sink::Write { memory, enable, address, data } => self.write(memory, enable, address, data),
+            // It is stored where it is computed.
+            Sink::Show(_) | Sink::Hold(_) => {}
         }
     }
 

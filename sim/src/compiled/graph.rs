@@ -89,6 +89,8 @@ pub(super) struct Graph {
     pub cells: Vec<Cell>,
     /// Choices between constants by a small number: the array in which they stand by that number.
     pub lookups: BTreeMap<ValueId, ValueId>,
+    /// Concatenations of the two parts of a value: that value, and by how much it is rotated to the left.
+    pub rotations: BTreeMap<ValueId, (ValueId, u32)>,
     pub sinks: Vec<Sink>,
 }
 
@@ -106,7 +108,7 @@ impl Graph {
         for operation in &program.operations {
             cells[operation.result.index()].kind = operation.kind.clone();
         }
-        Graph { cells, lookups: BTreeMap::new(), sinks: Vec::new() }
+        Graph { cells, lookups: BTreeMap::new(), rotations: BTreeMap::new(), sinks: Vec::new() }
     }
 
     /// The cell of that id.
@@ -211,6 +213,15 @@ impl Graph {
         self.add(Kind::Compare(Relation::Lt, false, address, depth), lanes, 1)
     }
 
+    /// Calls `visit` with all that a cell is computed from.
+    pub fn for_each_operand(&self, id: ValueId, mut visit: impl FnMut(ValueId)) {
+        match (self.rotations.get(&id), self.lookups.get(&id), &self.cell(id).kind) {
+            (Some((of, _)), ..) => visit(*of),
+            (_, Some(table), Kind::Case { subject, .. }) => [*subject, *table].into_iter().for_each(visit),
+            (.., kind) => kind.for_each_operand(visit),
+        }
+    }
+
     /// The cells that the sinks need, each after its operands.
     pub fn needed(&self) -> Vec<ValueId> {
         let mut seen = vec![false; self.cells.len()];
@@ -223,8 +234,7 @@ impl Graph {
                     order.push(id);
                 } else if !std::mem::replace(&mut seen[id.index()], true) {
                     open.push((id, true));
-                    self.cell(id).kind.for_each_operand(|operand| open.push((operand, false)));
-                    open.extend(self.lookups.get(&id).map(|&table| (table, false)));
+                    self.for_each_operand(id, |operand| open.push((operand, false)));
                 }
             }
         }

@@ -1,6 +1,6 @@
 //! Machine code in memory, through Cranelift: the one place that makes it and the one that calls it.
 
-use cranelift_codegen::ir::{AbiParam, Function, Type, UserFuncName, Value, types};
+use cranelift_codegen::ir::{AbiParam, Function, InstBuilder, Signature, Type, UserFuncName, Value, types};
 use cranelift_codegen::settings::{self, Configurable};
 use cranelift_codegen::{Context, isa};
 use cranelift_frontend::{FunctionBuilder, FunctionBuilderContext};
@@ -29,6 +29,17 @@ impl Code {
     pub unsafe fn call(self, state: *mut u8, argument: u64) -> u64 {
         // SAFETY: the caller's promise.
         unsafe { (self.0)(state, argument) }
+    }
+
+    /// Emits a call of it in another function.
+    pub fn emit_call(self, b: &mut FunctionBuilder, state: Value, argument: Value) -> Value {
+        let mut signature = Signature::new(b.func.signature.call_conv);
+        signature.params.extend([AbiParam::new(POINTER), AbiParam::new(types::I64)]);
+        signature.returns.push(AbiParam::new(types::I64));
+        let signature = b.import_signature(signature);
+        let address = b.ins().iconst(POINTER, self.0 as usize as i64);
+        let call = b.ins().call_indirect(signature, address, &[state, argument]);
+        b.inst_results(call)[0]
     }
 }
 
@@ -120,7 +131,7 @@ fn host() -> Result<isa::OwnedTargetIsa, Unsupported> {
 
 #[cfg(test)]
 mod tests {
-    use cranelift_codegen::ir::{InstBuilder, MemFlagsData};
+    use cranelift_codegen::ir::MemFlagsData;
 
     use super::*;
 

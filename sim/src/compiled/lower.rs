@@ -38,7 +38,7 @@ const LOOKED_UP_BY: u32 = 8;
 /// From how many arms on a choice between constants is looked up.
 const ARMS: usize = 4;
 
-/// Rewrites a graph: choices between constants are looked up in a table; neighbours are loaded from anywhere and replaced at the edges of their groups (`edge` of what
+/// Rewrites a graph: choices between constants are looked up in a table, and rotations are found; neighbours are loaded from anywhere and replaced at the edges of their groups (`edge` of what
 /// remains is not looked at); lanes that pad the last strip take no part in reductions and write nothing.
 pub(super) fn lower(graph: &mut Graph, strips: &Strips) {
     let mut tables = Tables::default();
@@ -49,6 +49,11 @@ pub(super) fn lower(graph: &mut Graph, strips: &Strips) {
             Kind::Reduce { by, of, group } => reduction(graph, &mut tables, strips, id, by, of, group),
             Kind::Case { subject, arms, default } if graph.cell(id).lanes == 1 => {
                 lookup(graph, id, subject, &arms, default);
+            }
+            Kind::Concat(parts) if graph.cell(id).lanes == 1 => {
+                if let Some(rotation) = rotation(graph, &parts) {
+                    graph.rotations.insert(id, rotation);
+                }
             }
             _ => {}
         }
@@ -115,4 +120,19 @@ fn lookup(graph: &mut Graph, id: ValueId, subject: ValueId, arms: &[(Bits, Value
     arms.iter().for_each(|(key, value)| parts[key.limbs()[0] as usize] = *value);
     let table = graph.add(Kind::PerLane(parts), 1 << by, width);
     graph.lookups.insert(id, table);
+}
+
+/// What a concatenation of the two parts of a value rotates, and by how much to the left, if the machine has integers
+/// of its width.
+fn rotation(graph: &Graph, parts: &[ValueId]) -> Option<(ValueId, u32)> {
+    let &[upper, lower] = parts else { return None };
+    match (&graph.cell(upper).kind, &graph.cell(lower).kind) {
+        (&Kind::Slice(of, 0), &Kind::Slice(other, low)) => {
+            let width = graph.cell(of).width;
+            let widths = (graph.cell(upper).width, graph.cell(lower).width);
+            let is_whole = of == other && widths == (low, width - low);
+            (is_whole && matches!(width, 8 | 16 | 32 | 64)).then_some((of, width - low))
+        }
+        _ => None,
+    }
 }

@@ -15,13 +15,15 @@ mod lower;
 mod memory;
 mod plan;
 mod scalar;
+mod sequence;
 mod simplify;
 mod store;
 mod strip;
 
 use std::sync::Arc;
 
-use cranelift_codegen::ir::{InstBuilder, types};
+use cranelift_codegen::ir::{InstBuilder, Value, types};
+use cranelift_frontend::FunctionBuilder;
 use tilewright_hdl::{Bits, limbs_for};
 
 use crate::engine::{Done, Engine, Failed};
@@ -34,6 +36,7 @@ pub use jit::Unsupported;
 use jit::{Code, Jit};
 use layout::{Layout, Place, Strips, Words};
 use plan::Plan;
+use sequence::Step;
 use store::Store;
 
 /// The state of a running circuit and the code that runs it.
@@ -98,7 +101,21 @@ struct View {
 struct Prepared {
     graph: Graph,
     plan: Plan,
+    /// The steps of each function that it takes.
+    pieces: Vec<Vec<Step>>,
     addresses: Addresses,
+}
+
+impl Prepared {
+    fn emitter<'a, 'b, 'c>(
+        &'a self,
+        memories: &'a [MemoryAt],
+        strips: &'a Strips,
+        builder: &'c mut FunctionBuilder<'b>,
+        state: Value,
+    ) -> Emitter<'a, 'b, 'c> {
+        Emitter::new(&self.graph, &self.plan, &self.addresses, memories, strips, builder, state)
+    }
 }
 
 impl Compiled {
@@ -158,12 +175,13 @@ impl Compiled {
         lower::lower(&mut graph, &self.layout.strips);
         let mut plan = Plan::new(&graph);
         branch::branch(&mut graph, &mut plan, &self.layout.strips);
+        let pieces = sequence::sequence(&mut graph, &mut plan);
         let addresses = Addresses::new(&graph, &plan, &self.places, &mut self.layout);
         self.state.grow(self.layout.size);
         for &table in &addresses.tables {
             self.fill(&graph, table, addresses.places[table.index()].expect("a table has a place"));
         }
-        Prepared { graph, plan, addresses }
+        Prepared { graph, plan, pieces, addresses }
     }
 
     /// Makes a function that does what these graphs say, one after the other, so many times; it ends where something
@@ -171,6 +189,27 @@ impl Compiled {
     fn compile(&mut self, parts: &[Prepared]) -> Code {
         let memories: Vec<MemoryAt> = self.memories.iter().map(|(at, _)| *at).collect();
         let strips = &self.layout.strips;
+        let jit = &mut self.jit;
+        let pieces = parts.iter().map(|part| match part.pieces.as_slice() {
+            [_] => Vec::new(),
+            pieces => {
+                let last = pieces.len() - 1;
+                let piece = |(index, steps): (usize, &Vec<Step>)| {
+                    jit.function(|builder, state, _| {
+                        let mut emitter = part.emitter(&memories, strips, builder, state);
+                        emitter.steps(steps);
+                        let held = if index == last { emitter.end() } else { None };
+                        let held = match held {
+                            Some(held) => builder.ins().uextend(types::I64, held),
+                            None => builder.ins().iconst(types::I64, 1),
+                        };
+                        builder.ins().return_(&[held]);
+                    })
+                };
+                pieces.iter().enumerate().map(piece).collect()
+            }
+        });
+        let pieces: Vec<Vec<Code>> = pieces.collect();
         self.jit.function(|builder, state, count| {
             let body = builder.create_block();
             let done = builder.create_block();
@@ -179,8 +218,19 @@ impl Compiled {
             builder.ins().jump(body, &[count.into()]);
             builder.switch_to_block(body);
             let left = builder.block_params(body)[0];
-            for Prepared { graph, plan, addresses } in parts {
-                let held = Emitter::new(graph, plan, addresses, &memories, strips, builder, state).once();
+            for (part, pieces) in parts.iter().zip(&pieces) {
+                let held = match pieces.as_slice() {
+                    [] => {
+                        let mut emitter = part.emitter(&memories, strips, builder, state);
+                        emitter.steps(&part.pieces[0]);
+                        emitter.end()
+                    }
+                    pieces => {
+                        let results = pieces.iter().map(|code| code.emit_call(builder, state, left));
+                        let last = results.last().expect("there are pieces");
+                        part.graph.sinks.iter().any(|sink| matches!(sink, Sink::Hold(_))).then_some(last)
+                    }
+                };
                 if let Some(held) = held {
                     let next = builder.create_block();
                     builder.ins().brif(held, next, &[], done, &[left.into()]);

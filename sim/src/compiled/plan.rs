@@ -99,6 +99,11 @@ impl Plan {
         plan
     }
 
+    /// Adds a single value that needs nothing computed.
+    pub fn single_first(&mut self, id: ValueId) {
+        self.at(0).single.insert(0, id);
+    }
+
     fn at(&mut self, stage: usize) -> &mut Stage {
         if self.stages.len() <= stage {
             self.stages.resize_with(stage + 1, Stage::default);

@@ -5,17 +5,40 @@
 mod unit;
 
 use tilewright_hdl::ir::About;
-use tilewright_hdl::{Block, Module, Width, bit, mux};
+use tilewright_hdl::{Block, Module, Signal, Width, bit, lit, mux};
 
 use super::{BenchIn, BenchOut};
 use crate::word::{rotated, seed};
-use unit::{Unit, UnitIn};
+use unit::{Unit, UnitIn, UnitOut};
 
 /// The units, and a checksum of what they find.
 #[derive(Debug, Clone)]
 pub struct Qt {
     /// How many, at least 1.
     pub units: u32,
+    /// Whether each is a module of its own, so that nothing is replicated.
+    pub apart: bool,
+}
+
+/// A unit whose seed is fixed.
+#[derive(Debug)]
+struct Seeded(u32);
+
+impl Block for Seeded {
+    type In = BenchIn;
+    type Out = UnitOut;
+
+    fn inputs(&self) -> BenchIn<Width> {
+        BenchIn { rst: bit() }
+    }
+
+    fn build(&self, m: Module, i: BenchIn) -> UnitOut {
+        Unit.build(m, UnitIn { rst: i.rst, seed: lit(32, seed(self.0.into())) })
+    }
+
+    fn name(&self) -> String {
+        format!("qt_unit_{}", self.0)
+    }
 }
 
 impl Block for Qt {
@@ -27,11 +50,21 @@ impl Block for Qt {
     }
 
     fn build(&self, m: Module, i: BenchIn) -> BenchOut {
-        let units = m.array("u_unit", self.units, &Unit, |units| UnitIn {
-            rst: units.all(&i.rst),
-            seed: units.constants(32, seed),
-        });
-        let folded = units.hash.to_vec().into_iter().reduce(|folded, hash| rotated(folded, 1) ^ hash);
+        let hashes: Vec<Signal> = match self.apart {
+            false => {
+                let units = m.array("u_unit", self.units, &Unit, |units| UnitIn {
+                    rst: units.all(&i.rst),
+                    seed: units.constants(32, seed),
+                });
+                units.hash.to_vec()
+            }
+            true => {
+                let unit =
+                    |number| m.instance(&format!("u_unit{number}"), &Seeded(number), BenchIn { rst: i.rst }).hash;
+                (0..self.units).map(unit).collect()
+            }
+        };
+        let folded = hashes.into_iter().reduce(|folded, hash| rotated(folded, 1) ^ hash);
         let csum = m.reg("csum", 32);
         csum.next(mux(i.rst, 0, rotated(*csum, 3) + folded.expect("an array has a lane")));
         BenchOut { csum: csum.value() }
