@@ -202,7 +202,7 @@ mod tests {
 
     #[test]
     fn a_difference_is_named_with_its_clock() {
-        let program = Arc::new(compile(&elaborate(&Follow).unwrap()).unwrap());
+        let program = Arc::new(compile(&elaborate(&Follow).unwrap(), &crate::Passes::default()).unwrap());
         let engine = || Box::new(reference::Engine::new(program.clone(), 0));
         let mut lockstep = Lockstep::new(program.clone(), engine(), engine());
         let x = program.inputs[0].value;

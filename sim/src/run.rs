@@ -5,6 +5,7 @@ use tilewright_hdl::Bundle;
 use crate::engine::Failed;
 use crate::error::{Error, UnknownName, Violation};
 use crate::program::Triggers;
+use crate::program::hierarchy::Place;
 use crate::simulation::Simulation;
 use crate::trace::View;
 
@@ -210,7 +211,8 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     fn violation(&self, failed: Failed, time: u64) -> Violation {
         let assert = &self.program.asserts[failed.assert as usize];
         let hierarchy = &self.program.hierarchy;
-        let place = crate::program::hierarchy::Place { scope: assert.scope, lane: failed.lane };
+        let mut places = assert.scopes.iter().map(|&scope| Place { scope, lane: failed.lane });
+        let place = places.find(|&place| hierarchy.is_own(place)).expect("a lane is in some instance");
         let path = hierarchy.path(place);
         Violation {
             message: assert.message.clone(),

@@ -8,6 +8,7 @@ use tilewright_hdl::{Bits, Block, Bundle, DEFAULT_PERIOD, Design, Period, elabor
 use crate::engine::{Engine, EngineKind};
 use crate::error::{Error, UnknownName};
 use crate::lookup::{self, Found};
+use crate::passes::Passes;
 use crate::port::{IntoValue, Port};
 use crate::program::{self, Program, Triggers, ValueId};
 use crate::timeline::Timeline;
@@ -58,7 +59,7 @@ impl Simulation {
         let port = |index: usize| Port { index: index as u32 };
         let i = B::In::convert(&inputs, &mut |_, index: &usize| port(*index));
         let o = B::Out::convert(&outputs, &mut |_, index: &usize| port(first_output + *index));
-        Simulation::new(&design, i, o)
+        Simulation::new(&design, i, o, &Passes::default())
     }
 
     /// Compiles a design; ports are found by [`Simulation::port`].
@@ -67,13 +68,22 @@ impl Simulation {
     ///
     /// [`Error::Looping`] if the design was not checked and has a combinational cycle.
     pub fn from_design(design: &Design) -> Result<Simulation, Error> {
-        Simulation::new(design, (), ())
+        Simulation::with_passes(design, &Passes::default())
+    }
+
+    /// As [`Simulation::from_design`], with some optimisation passes only.
+    ///
+    /// # Errors
+    ///
+    /// As [`Simulation::from_design`].
+    pub fn with_passes(design: &Design, passes: &Passes) -> Result<Simulation, Error> {
+        Simulation::new(design, (), (), passes)
     }
 }
 
 impl<I: Bundle, O: Bundle> Simulation<I, O> {
-    fn new(design: &Design, i: I::Of<Port>, o: O::Of<Port>) -> Result<Simulation<I, O>, Error> {
-        let program = Arc::new(program::compile(design)?);
+    fn new(design: &Design, i: I::Of<Port>, o: O::Of<Port>, passes: &Passes) -> Result<Simulation<I, O>, Error> {
+        let program = Arc::new(program::compile(design, passes)?);
         let (kind, engine) = EngineKind::default().start(&program, 0);
         Ok(Simulation {
             i,

@@ -170,6 +170,9 @@ impl<'a, 'b, 'c> Emitter<'a, 'b, 'c> {
                 self.read(id, *memory, *address);
             }
             Kind::Lane { of, index, .. } => {
+                if let Kind::Const(bits) = &self.graph.cell(*of).kind {
+                    return self.scalars.constant(self.builder, id, bits);
+                }
                 let place = self.addresses.of(*of);
                 let at = offset(place.lane(*index));
                 self.scalars.load(self.builder, id, place.width, place.element.min(64), self.state, at);

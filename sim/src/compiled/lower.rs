@@ -7,6 +7,7 @@ use tilewright_hdl::ir::{Binary, Reduction};
 
 use super::graph::{Graph, Sink};
 use super::layout::Strips;
+use crate::passes::Passes;
 use crate::program::{Kind, ValueId};
 
 /// Constants that a pass has added, so that it adds each once.
@@ -40,17 +41,17 @@ const ARMS: usize = 4;
 
 /// Rewrites a graph: choices between constants are looked up in a table, and rotations are found; neighbours are loaded from anywhere and replaced at the edges of their groups (`edge` of what
 /// remains is not looked at); lanes that pad the last strip take no part in reductions and write nothing.
-pub(super) fn lower(graph: &mut Graph, strips: &Strips) {
+pub(super) fn lower(graph: &mut Graph, strips: &Strips, passes: &Passes) {
     let mut tables = Tables::default();
     for index in 0..graph.cells.len() {
         let id = ValueId(index as u32);
         match graph.cell(id).kind.clone() {
             Kind::Shifted { of, by, edge, group } => neighbour(graph, &mut tables, id, of, by, edge, group),
             Kind::Reduce { by, of, group } => reduction(graph, &mut tables, strips, id, by, of, group),
-            Kind::Case { subject, arms, default } if graph.cell(id).lanes == 1 => {
+            Kind::Case { subject, arms, default } if passes.lookups && graph.cell(id).lanes == 1 => {
                 lookup(graph, id, subject, &arms, default);
             }
-            Kind::Concat(parts) if graph.cell(id).lanes == 1 => {
+            Kind::Concat(parts) if passes.lookups && graph.cell(id).lanes == 1 => {
                 if let Some(rotation) = rotation(graph, &parts) {
                     graph.rotations.insert(id, rotation);
                 }

@@ -70,8 +70,6 @@ pub(crate) struct Compiled {
 
 /// The widest input that a function is made for.
 const HELD: u32 = 8;
-/// After how many edges without a change of these inputs it is.
-const QUIET: u64 = 50_000;
 /// How often at most.
 const SPECIAL: u32 = 16;
 
@@ -172,10 +170,12 @@ impl Compiled {
 
     /// Gives places to what a graph computes.
     fn prepare(&mut self, mut graph: Graph) -> Prepared {
-        lower::lower(&mut graph, &self.layout.strips);
-        let mut plan = Plan::new(&graph);
-        branch::branch(&mut graph, &mut plan, &self.layout.strips);
-        let pieces = sequence::sequence(&mut graph, &mut plan);
+        lower::lower(&mut graph, &self.layout.strips, &self.program.passes);
+        let mut plan = Plan::new(&graph, self.program.passes.postpone);
+        if self.program.passes.branch {
+            branch::branch(&mut graph, &mut plan, &self.layout.strips);
+        }
+        let pieces = sequence::sequence(&mut graph, &mut plan, self.program.passes.longest);
         let addresses = Addresses::new(&graph, &plan, &self.places, &mut self.layout);
         self.state.grow(self.layout.size);
         for &table in &addresses.tables {
@@ -277,7 +277,7 @@ impl Compiled {
         }
         edge.quiet += count;
         let code = edge.code;
-        if edge.quiet < QUIET || self.special == 0 || self.inputs.is_empty() {
+        if edge.quiet < self.program.passes.held_after || self.special == 0 || self.inputs.is_empty() {
             return code;
         }
         self.special -= 1;
@@ -300,7 +300,9 @@ impl Compiled {
             for (id, bits) in held {
                 graph.cells[id.index()].kind = Kind::Const(bits.clone());
             }
-            simplify::simplify(&mut graph);
+            if !held.is_empty() {
+                simplify::simplify(&mut graph);
+            }
             graph
         });
         let graphs: Vec<Graph> = graphs.collect();

@@ -79,8 +79,8 @@ impl Role {
 }
 
 impl Plan {
-    /// Plans a function.
-    pub fn new(graph: &Graph) -> Plan {
+    /// Plans a function; `postpone` brings the work on an array together in one loop.
+    pub fn new(graph: &Graph, postpone: bool) -> Plan {
         let needed = graph.needed();
         let positions = vec![Position { stage: 0, place: 0 }; graph.cells.len()];
         let looked_at = looked_at(graph, &needed);
@@ -89,7 +89,9 @@ impl Plan {
         for &id in &needed {
             planner.positions[id.index()] = Position { stage: planner.stage(id), place: planner.role(id).place() };
         }
-        planner.postpone(&needed);
+        if postpone {
+            planner.postpone(&needed);
+        }
         for &id in &needed {
             planner.place(&mut plan, id);
         }

@@ -22,27 +22,23 @@ pub(super) enum Step {
     Sink(usize),
 }
 
-/// Operations that a function may have; Cranelift's time grows faster than the function above.
-const MOST: usize = 2000;
-/// Operations after which a longer one is cut.
-const PIECE: usize = 1000;
-
-/// The steps, by function: one, unless that would be too long. What one function leaves to another is stored.
-pub(super) fn sequence(graph: &mut Graph, plan: &mut Plan) -> Vec<Vec<Step>> {
+/// The steps, by function: one, unless it would be longer than `longest` operations, above which Cranelift's time grows
+/// faster than the function. What one function leaves to another is stored.
+pub(super) fn sequence(graph: &mut Graph, plan: &mut Plan, longest: usize) -> Vec<Vec<Step>> {
     name_states(graph, plan);
     let steps = interleaved(graph, plan);
     let weight = |step: &Step| match *step {
         Step::Kernel(stage, lanes) => kernel_weight(&plan.stages[stage].kernels[&lanes]),
         _ => 1,
     };
-    if steps.iter().map(weight).sum::<usize>() <= MOST {
+    if steps.iter().map(weight).sum::<usize>() <= longest {
         return vec![steps];
     }
     let mut pieces: Vec<Vec<Step>> = vec![Vec::new()];
     let mut size = 0;
     for step in steps {
         let weight = weight(&step);
-        if size > 0 && size + weight > PIECE {
+        if size > 0 && size + weight > longest / 2 {
             pieces.push(Vec::new());
             size = 0;
         }

@@ -295,7 +295,8 @@ impl Emitter<'_, '_, '_> {
     /// A row that is the same for all rows.
     fn tile(&mut self, strip: &mut Strip, id: ValueId, of: ValueId) {
         let n = self.graph.cell(of).lanes;
-        if n == strip.row && self.graph.cell(id).width <= 64 {
+        let is_constant = matches!(self.graph.cell(of).kind, Kind::Const(_));
+        if !is_constant && n == strip.row && self.graph.cell(id).width <= 64 {
             let place = self.addresses.of(of);
             let address = self.address(strip.within.expect("it has begun"), place.bytes());
             // Its own strips are of other sizes.

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use tilewright_hdl::ir::Design;
 
 use super::netlist::{ArrayKey, Netlist};
-use super::{Program, ValueId, flatten, order, schedule, simplify};
+use super::{Passes, Program, ValueId, flatten, order, schedule, simplify};
 
 /// A combinational cycle, which elaboration should have reported.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -19,14 +19,14 @@ pub struct Looping {
 ///
 /// An instance array whose lanes depend on each other within a clock cycle would be a cycle if all its lanes were
 /// evaluated at once; such an array, and no other, is run as single instances.
-pub fn compile(design: &Design) -> Result<Program, Looping> {
+pub fn compile(design: &Design, passes: &Passes) -> Result<Program, Looping> {
     let mut unrolled = BTreeSet::new();
     loop {
-        let mut netlist = flatten::flatten(design, &unrolled);
+        let mut netlist = flatten::flatten(design, &unrolled, passes);
         match order::order(&netlist) {
             Ok(order) => {
-                simplify::simplify(&mut netlist, &order);
-                return Ok(schedule::schedule(netlist));
+                simplify::simplify(&mut netlist, &order, passes);
+                return Ok(Program { passes: passes.clone(), ..schedule::schedule(netlist) });
             }
             Err(cycle) => {
                 let arrays = arrays_on(&netlist, &cycle);

@@ -2,18 +2,19 @@
 
 use std::collections::{BTreeSet, VecDeque};
 
-use tilewright_hdl::ir::{Design, Instance, MemoryId, Module, ModuleId, Node, NodeId, Op};
+use tilewright_hdl::ir::{Design, MemoryId, Module, ModuleId, Node, NodeId, Op};
 
 use super::hierarchy::{ClockPort, Replication, Role, Scope, ScopeId, Signal};
+use super::instances::{Children, key_of};
 use super::netlist::{ArrayKey, Cell, Netlist};
-use super::{Assert, Clock, Kind, Memory, Port, ReadPort, Register, Triggers, ValueId, WritePort};
+use super::{Assert, Clock, Kind, Memory, Passes, Port, ReadPort, Register, Triggers, ValueId, WritePort};
 
 /// The period of a top module's clock that has none, in picoseconds.
 const DEFAULT_PERIOD: u64 = 10_000;
 
 /// The design as cells; the arrays of `unrolled` become single instances.
-pub(super) fn flatten(design: &Design, unrolled: &BTreeSet<ArrayKey>) -> Netlist {
-    let mut flatten = Flatten { design, unrolled, netlist: Netlist::default(), open: VecDeque::new() };
+pub(super) fn flatten(design: &Design, unrolled: &BTreeSet<ArrayKey>, passes: &Passes) -> Netlist {
+    let mut flatten = Flatten { design, unrolled, passes, netlist: Netlist::default(), open: VecDeque::new() };
     flatten.top();
     while let Some(body) = flatten.open.pop_front() {
         flatten.body(body);
@@ -21,20 +22,22 @@ pub(super) fn flatten(design: &Design, unrolled: &BTreeSet<ArrayKey>) -> Netlist
     flatten.netlist
 }
 
-struct Flatten<'a> {
-    design: &'a Design,
-    unrolled: &'a BTreeSet<ArrayKey>,
-    netlist: Netlist,
+pub(super) struct Flatten<'a> {
+    pub(super) design: &'a Design,
+    pub(super) unrolled: &'a BTreeSet<ArrayKey>,
+    pub(super) passes: &'a Passes,
+    pub(super) netlist: Netlist,
     /// Instances whose cells have ids but are not filled in yet.
     open: VecDeque<Body>,
 }
 
 /// The inside of an instance.
-struct Body {
-    module: ModuleId,
-    key: ArrayKey,
-    scope: ScopeId,
-    lanes: u32,
+pub(super) struct Body {
+    pub(super) module: ModuleId,
+    pub(super) key: ArrayKey,
+    /// Its scope; several if it stands for instances that were written one by one.
+    pub(super) scopes: Vec<ScopeId>,
+    pub(super) lanes: u32,
     /// The cell of the module's first node; the others follow.
     base: u32,
     /// The first of a node's cells for single lanes, for nodes with lanes in a module with an unrolled array.
@@ -42,18 +45,17 @@ struct Body {
     /// What drives the inputs; empty for the top, whose inputs are state.
     inputs: Vec<ValueId>,
     /// The program's clock for each clock of the module.
-    clocks: Vec<u32>,
-    /// Per instance, the bases of its body, or of its bodies if it is unrolled.
-    children: Vec<Vec<u32>>,
+    pub(super) clocks: Vec<u32>,
+    children: Vec<Children>,
 }
 
 impl Body {
-    fn whole(&self, node: NodeId) -> ValueId {
+    pub(super) fn whole(&self, node: NodeId) -> ValueId {
         ValueId(self.base + node.0)
     }
 
     /// One lane of a node with lanes, where arrays are unrolled.
-    fn lane(&self, node: NodeId, lane: u32) -> ValueId {
+    pub(super) fn lane(&self, node: NodeId, lane: u32) -> ValueId {
         ValueId(self.split[node.0 as usize].expect("lanes are split where an array is unrolled") + lane)
     }
 }
@@ -65,7 +67,7 @@ impl Flatten<'_> {
         self.netlist.clocks = module.clocks.iter().map(program_clock).collect();
         let clocks = (0..module.clocks.len() as u32).collect();
         let scope = self.scope(None, module.name.clone(), id, Replication::Single, 1);
-        let base = self.enter(id, Vec::new(), scope, 1, Vec::new(), clocks);
+        let base = self.enter(id, Vec::new(), vec![scope], 1, Vec::new(), clocks);
         let value = |node: NodeId| ValueId(base + node.0);
         for input in &module.inputs {
             let clock = input.clock.map_or(0, |clock| clock.0 as usize);
@@ -87,7 +89,7 @@ impl Flatten<'_> {
     }
 
     /// Adds a scope to the hierarchy.
-    fn scope(
+    pub(super) fn scope(
         &mut self,
         parent: Option<ScopeId>,
         name: String,
@@ -115,11 +117,11 @@ impl Flatten<'_> {
     }
 
     /// Gives cells to the nodes of an instance, to be filled in later; returns the first.
-    fn enter(
+    pub(super) fn enter(
         &mut self,
         module: ModuleId,
         key: ArrayKey,
-        scope: ScopeId,
+        scopes: Vec<ScopeId>,
         lanes: u32,
         inputs: Vec<ValueId>,
         clocks: Vec<u32>,
@@ -143,11 +145,11 @@ impl Flatten<'_> {
                 });
             }
         }
-        self.open.push_back(Body { module, key, scope, lanes, base, split, inputs, clocks, children: Vec::new() });
+        self.open.push_back(Body { module, key, scopes, lanes, base, split, inputs, clocks, children: Vec::new() });
         base
     }
 
-    fn cell(&mut self, lanes: u32, width: u32, origin: Option<(ModuleId, u32)>) -> u32 {
+    pub(super) fn cell(&mut self, lanes: u32, width: u32, origin: Option<(ModuleId, u32)>) -> u32 {
         self.netlist.cells.push(Cell { kind: Kind::State, lanes, width, origin });
         self.netlist.cells.len() as u32 - 1
     }
@@ -155,7 +157,7 @@ impl Flatten<'_> {
     /// Fills in the cells of an instance and adds its state and names.
     fn body(&mut self, body: Body) {
         let module = self.design.module(body.module);
-        let children = module.instances.iter().map(|instance| self.instance(&body, instance)).collect();
+        let children = self.instances(&body, module);
         let body = &Body { children, ..body };
         let memories = self.state(body, module);
         for (index, node) in module.nodes.iter().enumerate() {
@@ -166,30 +168,6 @@ impl Flatten<'_> {
             }
         }
         self.name(body, module, &memories);
-    }
-
-    /// Enters an instance, as many times as it is unrolled to; returns the bases.
-    fn instance(&mut self, body: &Body, instance: &Instance) -> Vec<u32> {
-        let key = key_of(&body.key, instance);
-        let clocks: Vec<u32> = instance.clocks.iter().map(|clock| body.clocks[clock.0 as usize]).collect();
-        let unrolled = self.unrolled.contains(&key);
-        let mut enter = |replication, lanes, inputs| {
-            let scope = self.scope(Some(body.scope), instance.name.clone(), instance.module, replication, lanes);
-            self.enter(instance.module, key.clone(), scope, lanes, inputs, clocks.clone())
-        };
-        let whole = || instance.inputs.iter().map(|&node| body.whole(node)).collect();
-        let lane = |i| instance.inputs.iter().map(|&node| body.lane(node, i)).collect();
-        match instance.lanes {
-            None => vec![enter(Replication::Single, body.lanes, whole())],
-            Some(n) if unrolled => (0..n).map(|i| enter(Replication::Element(i), body.lanes, lane(i))).collect(),
-            Some(n) => {
-                let base = enter(Replication::Whole(n), body.lanes * n, whole());
-                for &node in &instance.outputs {
-                    self.netlist.array_outputs.push((body.whole(node), key.clone()));
-                }
-                vec![base]
-            }
-        }
     }
 
     /// Adds registers, memories and asserts; returns the program's memory for each memory of the module.
@@ -210,7 +188,7 @@ impl Flatten<'_> {
                 condition: body.whole(assert.condition),
                 message: assert.message.clone(),
                 loc: assert.loc,
-                scope: body.scope,
+                scopes: body.scopes.clone(),
             });
         }
         let first = self.netlist.memories.len() as u32;
@@ -275,11 +253,14 @@ impl Flatten<'_> {
                 let child = &module.instances[instance.0 as usize];
                 let driver = self.design.module(child.module).outputs[*port as usize].node;
                 let from = |base: &u32| ValueId(base + driver.0);
-                match (child.lanes, body.children[instance.0 as usize].as_slice()) {
-                    (Some(_), lanes) if self.unrolled.contains(&key_of(&body.key, child)) => {
+                match (child.lanes, &body.children[instance.0 as usize]) {
+                    (_, &Children::Sibling { base, lane, of }) => {
+                        Kind::Lane { of: from(&base), index: lane, group: of }
+                    }
+                    (Some(_), Children::Bases(lanes)) if self.unrolled.contains(&key_of(&body.key, child)) => {
                         Kind::PerLane(lanes.iter().map(from).collect())
                     }
-                    (_, bases) => Kind::Alias(from(&bases[0])),
+                    (_, Children::Bases(bases)) => Kind::Alias(from(&bases[0])),
                 }
             }
             Op::Broadcast(of) => Kind::Broadcast(at(of), node.lanes.expect("a broadcast has lanes")),
@@ -313,7 +294,13 @@ impl Flatten<'_> {
 
     /// Enters the names of an instance's ports, registers, read data, nets and memories.
     fn name(&mut self, body: &Body, module: &Module, memories: &[u32]) {
-        let scope = &mut self.netlist.hierarchy.scopes[body.scope.0 as usize];
+        for id in &body.scopes {
+            self.name_in(*id, body, module, memories);
+        }
+    }
+
+    fn name_in(&mut self, id: ScopeId, body: &Body, module: &Module, memories: &[u32]) {
+        let scope = &mut self.netlist.hierarchy.scopes[id.0 as usize];
         scope.clocks = (module.clocks.iter().zip(&body.clocks))
             .map(|(ports, &clock)| ClockPort { port: ports.port.clone(), reset: ports.reset.clone(), clock })
             .collect();
@@ -321,10 +308,6 @@ impl Flatten<'_> {
             module.memories.iter().map(|memory| memory.name.clone()).zip(memories.iter().copied()).collect();
         scope.signals = signals(module, |node| body.whole(node));
     }
-}
-
-fn key_of(parent: &ArrayKey, instance: &Instance) -> ArrayKey {
-    parent.iter().cloned().chain([instance.name.clone()]).collect()
 }
 
 fn program_clock(clock: &tilewright_hdl::ir::Clock) -> Clock {

@@ -47,6 +47,23 @@ pub enum Replication {
     Whole(u32),
     /// One element of an array that does not run in lanes.
     Element(u32),
+    /// One of several instances of a module, written one by one, that run side by side in lanes.
+    Sibling {
+        /// Which lane it is.
+        index: u32,
+        /// How many there are.
+        of: u32,
+    },
+}
+
+impl Replication {
+    /// How many lanes each of its parent's has.
+    fn lanes(self) -> u32 {
+        match self {
+            Replication::Whole(n) | Replication::Sibling { of: n, .. } => n,
+            Replication::Single | Replication::Element(_) => 1,
+        }
+    }
 }
 
 /// A clock port of a scope.
@@ -119,11 +136,29 @@ impl Hierarchy {
             let count = if let Replication::Whole(n) = child.replication { n } else { 1 };
             (0..count).map(move |i| match child.replication {
                 Replication::Single => (child.name.clone(), Place { scope, lane: of.lane }),
+                Replication::Sibling { index, of: n } => {
+                    (child.name.clone(), Place { scope, lane: of.lane * n + index })
+                }
                 Replication::Element(i) => (format!("{}[{i}]", child.name), Place { scope, lane: of.lane }),
                 Replication::Whole(n) => (format!("{}[{i}]", child.name), Place { scope, lane: of.lane * n + i }),
             })
         };
         self.scope(of.scope).children.iter().flat_map(|&child| element(child)).collect()
+    }
+
+    /// Whether a lane of a scope's values is the scope's own, not that of an instance beside it.
+    pub fn is_own(&self, place: Place) -> bool {
+        let (mut scope, mut lane) = (self.scope(place.scope), place.lane);
+        loop {
+            if matches!(scope.replication, Replication::Sibling { index, of } if lane % of != index) {
+                return false;
+            }
+            lane /= scope.replication.lanes();
+            match scope.parent {
+                Some(parent) => scope = self.scope(parent),
+                None => return true,
+            }
+        }
     }
 
     /// An instance's path below the top, such as `u_row[1].u_cell[3]`; empty for the top.
@@ -133,13 +168,11 @@ impl Hierarchy {
         while let Some(parent) = self.scope(scope).parent {
             let here = self.scope(scope);
             names.push(match here.replication {
-                Replication::Single => here.name.clone(),
+                Replication::Single | Replication::Sibling { .. } => here.name.clone(),
                 Replication::Element(i) => format!("{}[{i}]", here.name),
                 Replication::Whole(n) => format!("{}[{}]", here.name, lane % n),
             });
-            if let Replication::Whole(n) = here.replication {
-                lane /= n;
-            }
+            lane /= here.replication.lanes();
             scope = parent;
         }
         names.reverse();

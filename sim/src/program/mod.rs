@@ -11,6 +11,7 @@
 mod compile;
 mod flatten;
 pub mod hierarchy;
+mod instances;
 mod kind;
 mod lift;
 mod netlist;
@@ -19,6 +20,7 @@ pub(crate) mod rules;
 mod schedule;
 mod simplify;
 
+use crate::passes::Passes;
 use tilewright_hdl::ir::{Contents, ReadUnderWrite};
 use tilewright_hdl::{Bits, Loc, limbs_for};
 
@@ -143,6 +145,8 @@ pub struct Program {
     pub asserts: Vec<Assert>,
     /// The names of it all.
     pub hierarchy: Hierarchy,
+    /// How it was made, and how code is to be.
+    pub passes: Passes,
 }
 
 /// A value: its shape and its place in the storage.
@@ -299,8 +303,8 @@ pub struct Assert {
     pub message: String,
     /// Where the description states it.
     pub loc: Loc,
-    /// The scope that it stands in.
-    pub scope: hierarchy::ScopeId,
+    /// The scope that it stands in; several for instances that run in lanes but were written one by one.
+    pub scopes: Vec<hierarchy::ScopeId>,
 }
 
 impl Program {

@@ -12,6 +12,7 @@ use tilewright_hdl::limbs_for;
 use super::netlist::Netlist;
 use super::order::order;
 use super::{Kind, Operation, Program, Readers, Segment, Triggers, Value, ValueId};
+use crate::passes::Passes;
 
 /// Schedules a netlist without cycles.
 pub(super) fn schedule(mut netlist: Netlist) -> Program {
@@ -217,6 +218,7 @@ impl Layout {
             memories: netlist.memories,
             asserts: netlist.asserts,
             hierarchy: netlist.hierarchy,
+            passes: Passes::default(),
         }
     }
 }

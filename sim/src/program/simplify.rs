@@ -7,30 +7,39 @@ use std::collections::HashMap;
 use super::lift::lift;
 use super::netlist::{Cell, Netlist};
 use super::rules::{Cells, alias, fold, shorter};
-use super::{Kind, ValueId};
+use super::{Kind, Passes, ValueId};
 
 /// Cells by what they compute.
 pub(super) type Known = HashMap<(Kind, u32, u32), ValueId>;
 
 /// Simplifies; `order` has each cell after its operands.
-pub(super) fn simplify(netlist: &mut Netlist, order: &[ValueId]) {
+pub(super) fn simplify(netlist: &mut Netlist, order: &[ValueId], passes: &Passes) {
     let mut same: Vec<ValueId> = (0..netlist.cells.len() as u32).map(ValueId).collect();
     let mut known = Known::new();
     for &id in order {
         netlist.cells[id.index()].kind.rewrite(|operand| *operand = same[operand.index()]);
-        let Cell { kind, width, .. } = netlist.cell(id);
-        let (kind, width) = (shorter(netlist, kind).unwrap_or_else(|| kind.clone()), *width);
-        let kind = fold(netlist, &kind, width).map_or(kind, Kind::Const);
-        same[id.index()] = match alias(netlist, &kind, width) {
-            Some(of) => of,
-            None => {
-                netlist.cells[id.index()].kind = kind;
-                let whole = uniform(netlist, &mut known, id);
-                whole.unwrap_or_else(|| share(netlist, &mut known, id))
-            }
+        let Cell { kind, width, .. } = netlist.cell(id).clone();
+        let kind = if passes.fold { folded(netlist, kind, width) } else { kind };
+        let alias = match kind {
+            // Engines know no names for the same value.
+            Kind::Alias(of) => Some(of),
+            _ if passes.fold => alias(netlist, &kind, width),
+            _ => None,
         };
+        same[id.index()] = alias.unwrap_or_else(|| {
+            netlist.cells[id.index()].kind = kind;
+            let whole = uniform(netlist, &mut known, id, passes);
+            let share = |known: &mut Known| if passes.share { share(netlist, known, id) } else { id };
+            whole.unwrap_or_else(|| share(&mut known))
+        });
     }
     netlist.rewrite_roots(|value| *value = same[value.index()]);
+}
+
+/// A smaller operation that does the same, or the operation itself.
+fn folded(netlist: &Netlist, kind: Kind, width: u32) -> Kind {
+    let kind = shorter(netlist, &kind).unwrap_or(kind);
+    fold(netlist, &kind, width).map_or(kind, Kind::Const)
 }
 
 /// The earlier cell that computes the same, or the cell itself.
@@ -53,14 +62,17 @@ impl Cells for Netlist {
 
 /// What is the same in all lanes or groups is computed once, before it is repeated; lanes that are computed alike are
 /// computed together.
-fn uniform(netlist: &mut Netlist, known: &mut Known, id: ValueId) -> Option<ValueId> {
+fn uniform(netlist: &mut Netlist, known: &mut Known, id: ValueId, passes: &Passes) -> Option<ValueId> {
     let Cell { kind, lanes, width, .. } = netlist.cell(id).clone();
-    if let Kind::PerLane(parts) = &kind
+    if passes.lift
+        && let Kind::PerLane(parts) = &kind
         && let Some(Kind::Alias(whole)) = lift(netlist, known, parts, lanes)
     {
         return Some(whole);
     }
-    if let Some(kind) = once(netlist, known, &kind, lanes, width) {
+    if passes.uniform
+        && let Some(kind) = once(netlist, known, &kind, lanes, width)
+    {
         netlist.cells[id.index()].kind = kind;
     }
     None

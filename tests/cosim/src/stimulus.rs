@@ -3,7 +3,7 @@
 use crate::spec::{Pattern, Stimulus};
 use tilewright_hdl::recording::Step;
 use tilewright_hdl::{Bits, Design, Recording};
-use tilewright_sim::{EngineKind, Simulation};
+use tilewright_sim::{EngineKind, Passes, Simulation};
 
 /// Between comparisons of a design without clocks, in picoseconds.
 const IDLE_STEP: u64 = 10_000;
@@ -40,14 +40,44 @@ impl Numbers {
     }
 }
 
-/// The recorded run of a design under a random stimulus; resets are given at random.
+/// The recorded run of a design under a random stimulus, on both engines; resets are given at random. A run with
+/// other passes has to show the same.
 ///
 /// # Errors
 ///
 /// What the simulator says if it does not take the design.
+///
+/// # Panics
+///
+/// The engines differ, or a pass changes what the design does.
 pub fn run(design: &Design, stimulus: &Stimulus) -> Result<Recording, tilewright_sim::Error> {
+    let recording = record(design, stimulus, Simulation::from_design(design)?.on(EngineKind::Both))?;
+    let passes = passes(stimulus.seed);
+    let kind = if passes == Passes::none() { EngineKind::Reference } else { EngineKind::Compiled };
+    let other = record(design, stimulus, Simulation::with_passes(design, &passes)?.on(kind))?;
+    assert!(recording.steps == other.steps, "it does something else with {passes:?}");
+    Ok(recording)
+}
+
+/// All passes but one, or none at all; and code for held inputs, and functions that are cut, early.
+fn passes(seed: u64) -> Passes {
+    let mut passes = Passes { held_after: 3, longest: 20, ..Passes::default() };
+    match seed % 9 {
+        0 => passes = Passes::none(),
+        1 => passes.siblings = false,
+        2 => passes.fold = false,
+        3 => passes.share = false,
+        4 => passes.uniform = false,
+        5 => passes.lift = false,
+        6 => passes.postpone = false,
+        7 => passes.branch = false,
+        _ => passes.lookups = false,
+    }
+    passes
+}
+
+fn record(design: &Design, stimulus: &Stimulus, mut sim: Simulation) -> Result<Recording, tilewright_sim::Error> {
     let mut numbers = Numbers(stimulus.seed);
-    let mut sim = Simulation::from_design(design)?.on(EngineKind::Both);
     let top = design.top();
     let ports: Vec<_> = top.inputs.iter().map(|input| (input.name.as_str(), top.width(input.node))).collect();
     let inputs = ports.iter().map(|(name, width)| Ok((sim.port(name)?, *width)));

@@ -1,0 +1,61 @@
+//! What is done to make a program fast, each of it for tests to switch.
+
+/// The optimisation passes. None changes what a circuit does, which running a design with and without them shows.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Passes {
+    /// Instances of one module that were written one by one run as an array.
+    pub siblings: bool,
+    /// Constants are computed, and operations that do nothing are left out.
+    pub fold: bool,
+    /// What is equal is computed once.
+    pub share: bool,
+    /// What is the same in all lanes, or in all rows, is computed once.
+    pub uniform: bool,
+    /// Lanes that are computed alike, but were written one by one, are computed together.
+    pub lift: bool,
+    /// Work on an array is postponed to one loop.
+    pub postpone: bool,
+    /// A choice by one value for all lanes becomes a branch around the loop.
+    pub branch: bool,
+    /// Choices between constants become tables, and shifted halves rotations.
+    pub lookups: bool,
+    /// After how many edges without a change of the inputs that are up to 8 bits wide code is made for them.
+    pub held_after: u64,
+    /// From how many operations on a function is cut into several.
+    pub longest: usize,
+}
+
+impl Default for Passes {
+    fn default() -> Passes {
+        Passes {
+            siblings: true,
+            fold: true,
+            share: true,
+            uniform: true,
+            lift: true,
+            postpone: true,
+            branch: true,
+            lookups: true,
+            held_after: 50_000,
+            longest: 2000,
+        }
+    }
+}
+
+impl Passes {
+    /// No pass: each operation of the description as it stands.
+    pub fn none() -> Passes {
+        Passes {
+            siblings: false,
+            fold: false,
+            share: false,
+            uniform: false,
+            lift: false,
+            postpone: false,
+            branch: false,
+            lookups: false,
+            held_after: u64::MAX,
+            longest: usize::MAX,
+        }
+    }
+}

@@ -1,0 +1,136 @@
+//! The instances in a module: single ones, arrays, and those written one by one that run as an array.
+
+use tilewright_hdl::ir::{Design, Instance, Module, ModuleId};
+
+use super::flatten::{Body, Flatten};
+use super::hierarchy::{Replication, ScopeId};
+use super::netlist::ArrayKey;
+use super::{Kind, ValueId};
+
+/// What an instance has become.
+#[derive(Debug, Clone)]
+pub(super) enum Children {
+    /// The bases of its body, or of its bodies if it is an array that is unrolled.
+    Bases(Vec<u32>),
+    /// A lane of an array of instances that were written one by one.
+    Sibling { base: u32, lane: u32, of: u32 },
+}
+
+/// From how many instances of a module on they run in lanes.
+const SIBLINGS: usize = 4;
+/// Nodes for each port that a module has to have for that.
+const NODES_A_PORT: usize = 3;
+
+impl Flatten<'_> {
+    /// Enters all instances; siblings together.
+    pub(super) fn instances(&mut self, body: &Body, module: &Module) -> Vec<Children> {
+        let mut children: Vec<Option<Children>> = vec![None; module.instances.len()];
+        for index in 0..module.instances.len() {
+            if children[index].is_some() {
+                continue;
+            }
+            let siblings = siblings(self.design, module, index);
+            let key = key_of(&body.key, &module.instances[index]);
+            if self.passes.siblings && siblings.len() >= SIBLINGS && !self.unrolled.contains(&key) {
+                let base = self.siblings(body, module, &siblings, key);
+                let of = siblings.len() as u32;
+                for (&sibling, lane) in siblings.iter().zip(0..) {
+                    children[sibling] = Some(Children::Sibling { base, lane, of });
+                }
+            } else {
+                children[index] = Some(Children::Bases(self.instance(body, &module.instances[index])));
+            }
+        }
+        // In the order of declaration, which siblings have left.
+        let number = |name: &str| module.instances.iter().position(|instance| instance.name == name);
+        let mut scopes = std::mem::take(&mut self.netlist.hierarchy.scopes);
+        for parent in &body.scopes {
+            let mut children = std::mem::take(&mut scopes[parent.0 as usize].children);
+            children.sort_by_key(|child| number(&scopes[child.0 as usize].name));
+            scopes[parent.0 as usize].children = children;
+        }
+        self.netlist.hierarchy.scopes = scopes;
+        children.into_iter().map(|child| child.expect("each is entered")).collect()
+    }
+
+    /// Enters instances of one module as an array; returns its base.
+    fn siblings(&mut self, body: &Body, module: &Module, siblings: &[usize], key: ArrayKey) -> u32 {
+        let instances: Vec<&Instance> = siblings.iter().map(|&index| &module.instances[index]).collect();
+        let of = siblings.len() as u32;
+        let lanes = body.lanes * of;
+        let inputs = (0..instances[0].inputs.len()).map(|port| {
+            let parts: Vec<ValueId> = instances.iter().map(|instance| body.whole(instance.inputs[port])).collect();
+            let width = self.netlist.cell(parts[0]).width;
+            let cell = self.cell(lanes, width, None);
+            self.netlist.cells[cell as usize].kind = Kind::PerLane(parts);
+            ValueId(cell)
+        });
+        let inputs = inputs.collect();
+        let mut scopes = Vec::new();
+        for &parent in &body.scopes {
+            for (index, instance) in (0..).zip(&instances) {
+                let replication = Replication::Sibling { index, of };
+                scopes.push(self.scope(Some(parent), instance.name.clone(), instance.module, replication, lanes));
+            }
+        }
+        for instance in &instances {
+            for &node in &instance.outputs {
+                self.netlist.array_outputs.push((body.whole(node), key.clone()));
+            }
+        }
+        let clocks = instances[0].clocks.iter().map(|clock| body.clocks[clock.0 as usize]).collect();
+        self.enter(instances[0].module, key, scopes, lanes, inputs, clocks)
+    }
+
+    /// Enters an instance, as many times as it is unrolled to; returns the bases.
+    fn instance(&mut self, body: &Body, instance: &Instance) -> Vec<u32> {
+        let key = key_of(&body.key, instance);
+        let clocks: Vec<u32> = instance.clocks.iter().map(|clock| body.clocks[clock.0 as usize]).collect();
+        let unrolled = self.unrolled.contains(&key);
+        let mut enter = |replication, lanes, inputs| {
+            let scope = |parent: &ScopeId| {
+                self.scope(Some(*parent), instance.name.clone(), instance.module, replication, lanes)
+            };
+            let scopes = body.scopes.iter().map(scope).collect();
+            self.enter(instance.module, key.clone(), scopes, lanes, inputs, clocks.clone())
+        };
+        let whole = || instance.inputs.iter().map(|&node| body.whole(node)).collect();
+        let lane = |i| instance.inputs.iter().map(|&node| body.lane(node, i)).collect();
+        match instance.lanes {
+            None => vec![enter(Replication::Single, body.lanes, whole())],
+            Some(n) if unrolled => (0..n).map(|i| enter(Replication::Element(i), body.lanes, lane(i))).collect(),
+            Some(n) => {
+                let base = enter(Replication::Whole(n), body.lanes * n, whole());
+                for &node in &instance.outputs {
+                    self.netlist.array_outputs.push((body.whole(node), key.clone()));
+                }
+                vec![base]
+            }
+        }
+    }
+}
+
+/// The instances of the same module on the same clocks as this one, which is the first of them; none if they are better
+/// on their own.
+fn siblings(design: &Design, module: &Module, first: usize) -> Vec<usize> {
+    let instance = &module.instances[first];
+    let nodes = nodes(design, instance.module);
+    if instance.lanes.is_some() || nodes < NODES_A_PORT * (instance.inputs.len() + instance.outputs.len()) {
+        return Vec::new();
+    }
+    let alike = |other: &Instance| {
+        (other.module, &other.clocks) == (instance.module, &instance.clocks) && other.lanes.is_none()
+    };
+    (first..module.instances.len()).filter(|&other| alike(&module.instances[other])).collect()
+}
+
+/// The nodes of a module and of what is in it, about.
+fn nodes(design: &Design, id: ModuleId) -> usize {
+    let module = design.module(id);
+    module.nodes.len() + module.instances.iter().map(|instance| nodes(design, instance.module)).sum::<usize>()
+}
+
+/// The name of an array.
+pub(super) fn key_of(parent: &ArrayKey, instance: &Instance) -> ArrayKey {
+    parent.iter().cloned().chain([instance.name.clone()]).collect()
+}
