@@ -99,6 +99,7 @@ pub mod program;
 mod reference;
 mod run;
 mod simulation;
+mod start;
 mod timeline;
 mod trace;
 

@@ -16,6 +16,7 @@ use tilewright_hdl::{Bits, limbs_for};
 
 use super::store::is_mask;
 use crate::program::{Kind, ValueId};
+pub(super) use wide::{Call, take_calls};
 
 /// A value of one lane in general registers, in the forms that somebody has asked for.
 #[derive(Debug, Clone)]
