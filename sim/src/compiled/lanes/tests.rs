@@ -146,7 +146,7 @@ impl Chain {
                 let op = self.random.pick(&[Binary::Mul, Binary::MulSigned]);
                 (Kind::Binary(op, a, self.of(other)), w + other)
             }
-            4 | 5 | 6 => {
+            4..=6 => {
                 use Relation::{Eq, Ge, Gt, Le, Lt, Ne};
                 let relation = self.random.pick(&[Eq, Ne, Lt, Le, Gt, Ge]);
                 let signed = self.random.below(2) == 0;
@@ -243,7 +243,7 @@ impl Chain {
 
     fn strip_of(&self, index: usize, address: Value) -> Span {
         let at = self.nodes[index].at;
-        Span { storage: self.storage(index), address, offset: at as i32, aligned: at % 16 == 0 }
+        Span { storage: self.storage(index), address, offset: at as i32, aligned: at.is_multiple_of(16) }
     }
 
     /// Runs the chain on memory and compares all that is stored; at the end if `late`, as what is stored is clean
@@ -353,9 +353,9 @@ fn shifts_by_all_amounts_are_as_lane_by_lane() {
             for amount in [1, 2, 3, 4, 5, 6, 7, 8, 12, 32, 64] {
                 let a = chain.input(width);
                 let lanes =
-                    (0..strip).map(|_| chain.random.next() % (u64::from(width) + 3) & low_mask(amount)).collect();
+                    (0..strip).map(|_| (chain.random.next() % (u64::from(width) + 3)) & low_mask(amount)).collect();
                 let by = chain.add(Kind::State, amount, lanes, false);
-                let scalar = chain.random.next() % (u64::from(width) + 3) & low_mask(amount);
+                let scalar = (chain.random.next() % (u64::from(width) + 3)) & low_mask(amount);
                 let uniform = chain.add(Kind::State, amount, vec![scalar; strip as usize], true);
                 let known =
                     chain.add(Kind::Const(Bits::new(amount, scalar)), amount, vec![scalar; strip as usize], false);
