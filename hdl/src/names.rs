@@ -1,5 +1,8 @@
 //! Names that are legal in Verilog and in waves.
 
+use std::collections::HashSet;
+use std::sync::LazyLock;
+
 use crate::elaboration::Elaboration;
 use crate::problem::Problem;
 
@@ -11,12 +14,14 @@ const RESERVED_IN_CPP: &str = include_str!("reserved_cpp.txt");
 
 /// Whether `name` is a word of C++.
 pub(crate) fn is_reserved_in_cpp(name: &str) -> bool {
-    RESERVED_IN_CPP.split_whitespace().any(|word| word == name)
+    static WORDS: LazyLock<HashSet<&str>> = LazyLock::new(|| RESERVED_IN_CPP.split_whitespace().collect());
+    WORDS.contains(name)
 }
 
 /// Whether `name` is a word of Verilog or SystemVerilog.
 pub(crate) fn is_reserved(name: &str) -> bool {
-    RESERVED.split_whitespace().any(|word| word == name)
+    static WORDS: LazyLock<HashSet<&str>> = LazyLock::new(|| RESERVED.split_whitespace().collect());
+    WORDS.contains(name)
 }
 
 /// Whether `name` is letters, digits and `_`, and does not start with a digit.

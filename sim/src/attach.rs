@@ -67,7 +67,8 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     #[track_caller]
     pub fn recording(&mut self) -> Recorder {
         assert!(self.timeline.time == 0, "a recording starts before the first step");
-        assert!(self.seed == 0, "a recording starts from zeros, not from seed {}", self.seed);
+        let seed = self.engine.seed;
+        assert!(seed == 0, "a recording starts from zeros, not from seed {seed}");
         let recorder = Recorder::default();
         self.observers.push(Box::new(recorder.clone()));
         recorder

@@ -1,8 +1,10 @@
 //! What executes a program: the interface that every engine has.
 
+use std::cell::OnceCell;
+use std::ops::{Deref, DerefMut};
 use std::sync::Arc;
 
-use crate::compiled::Compiled;
+use crate::compiled::{self, Compiled};
 use crate::lockstep::{Difference, Lockstep};
 use crate::program::{Program, Triggers, ValueId};
 use crate::reference;
@@ -71,19 +73,44 @@ pub enum EngineKind {
     Both,
 }
 
-impl EngineKind {
+/// An engine that is made when it is first needed: until then a simulation can be given another one for nothing.
+pub(crate) struct Started {
+    program: Arc<Program>,
+    /// Which engine: not one for which this machine is not supported.
+    pub kind: EngineKind,
+    pub seed: u64,
+    made: OnceCell<Box<dyn Engine>>,
+}
+
+impl Started {
     /// The circuit at its start on this engine, or on the reference engine where code cannot be generated.
-    pub(crate) fn start(self, program: &Arc<Program>, seed: u64) -> (EngineKind, Box<dyn Engine>) {
-        let reference = || Box::new(reference::Engine::new(program.clone(), seed));
-        if self == EngineKind::Reference {
-            return (self, reference());
+    pub fn new(program: Arc<Program>, kind: EngineKind, seed: u64) -> Started {
+        let kind = if compiled::is_supported() { kind } else { EngineKind::Reference };
+        Started { program, kind, seed, made: OnceCell::new() }
+    }
+
+    fn make(&self) -> Box<dyn Engine> {
+        let reference = || Box::new(reference::Engine::new(self.program.clone(), self.seed));
+        let compiled = || Box::new(Compiled::new(self.program.clone(), self.seed).expect("it was asked before"));
+        match self.kind {
+            EngineKind::Reference => reference(),
+            EngineKind::Compiled => compiled(),
+            EngineKind::Both => Box::new(Lockstep::new(self.program.clone(), reference(), compiled())),
         }
-        match (self, Compiled::new(program.clone(), seed)) {
-            (EngineKind::Compiled, Ok(engine)) => (self, Box::new(engine)),
-            (EngineKind::Both, Ok(engine)) => {
-                (self, Box::new(Lockstep::new(program.clone(), reference(), Box::new(engine))))
-            }
-            _ => (EngineKind::Reference, reference()),
-        }
+    }
+}
+
+impl Deref for Started {
+    type Target = dyn Engine;
+
+    fn deref(&self) -> &Self::Target {
+        &**self.made.get_or_init(|| self.make())
+    }
+}
+
+impl DerefMut for Started {
+    fn deref_mut(&mut self) -> &mut Self::Target {
+        self.made.get_or_init(|| self.make());
+        &mut **self.made.get_mut().expect("it has just been made")
     }
 }

@@ -100,6 +100,7 @@ pub mod program;
 mod reference;
 mod run;
 mod simulation;
+mod start;
 mod timeline;
 mod trace;
 

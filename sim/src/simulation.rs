@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use tilewright_hdl::{Bits, Block, Bundle, DEFAULT_PERIOD, Design, Period, elaborate_typed};
 
-use crate::engine::{Engine, EngineKind};
+use crate::engine::{EngineKind, Started};
 use crate::error::{Error, UnknownName};
 use crate::lookup::{self, Found};
 use crate::passes::Passes;
@@ -24,14 +24,12 @@ pub struct Simulation<I: Bundle = (), O: Bundle = ()> {
     /// The output ports.
     pub o: O::Of<Port>,
     pub(crate) program: Arc<Program>,
-    pub(crate) kind: EngineKind,
-    pub(crate) engine: Box<dyn Engine>,
+    pub(crate) engine: Started,
     pub(crate) timeline: Timeline,
     pub(crate) resets: Vec<bool>,
     pub(crate) observers: Vec<Box<dyn Observer + Send>>,
     /// What may have changed since the observers last saw it.
     pub(crate) changed: Triggers,
-    pub(crate) seed: u64,
     /// The clocks of the coming instant; kept to save an allocation.
     pub(crate) rising: Vec<usize>,
 }
@@ -84,17 +82,15 @@ impl Simulation {
 impl<I: Bundle, O: Bundle> Simulation<I, O> {
     fn new(design: &Design, i: I::Of<Port>, o: O::Of<Port>, passes: &Passes) -> Result<Simulation<I, O>, Error> {
         let program = Arc::new(program::compile(design, passes)?);
-        let (kind, engine) = EngineKind::default().start(&program, 0);
+        let engine = Started::new(program.clone(), EngineKind::default(), 0);
         Ok(Simulation {
             i,
             o,
-            kind,
             engine,
             timeline: Timeline::new(&program),
             resets: vec![false; program.clocks.len()],
             observers: Vec::new(),
             changed: Triggers::NONE,
-            seed: 0,
             rising: Vec::new(),
             program,
         })
@@ -110,8 +106,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     pub fn seeded(mut self, seed: u64) -> Self {
         assert!(self.timeline.time == 0, "a seed can only be given before the first step");
         assert!(self.observers.is_empty(), "give the seed before attaching a trace");
-        (self.kind, self.engine) = self.kind.start(&self.program, seed);
-        self.seed = seed;
+        self.engine = Started::new(self.program.clone(), self.engine.kind, seed);
         self
     }
 
@@ -124,13 +119,13 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     pub fn on(mut self, kind: EngineKind) -> Self {
         assert!(self.timeline.time == 0, "an engine can only be chosen before the first step");
         assert!(self.observers.is_empty(), "choose the engine before attaching a trace");
-        (self.kind, self.engine) = kind.start(&self.program, self.seed);
+        self.engine = Started::new(self.program.clone(), kind, self.engine.seed);
         self
     }
 
     /// The engine that runs: the one chosen, or the reference engine where no code can be generated for this machine.
     pub fn engine(&self) -> EngineKind {
-        self.kind
+        self.engine.kind
     }
 
     /// The compiled circuit.

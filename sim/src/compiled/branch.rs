@@ -1,8 +1,9 @@
 //! Branches around whole arrays: where all lanes choose by one value, a kernel is made for each number that it may
 //! be, with only what is computed then.
 
-use std::collections::{BTreeMap, HashMap, HashSet};
+use std::collections::BTreeMap;
 
+use rustc_hash::{FxHashMap, FxHashSet};
 use tilewright_hdl::Bits;
 
 use super::graph::{Graph, Sink};
@@ -60,7 +61,7 @@ fn split(
     let mut moved = Vec::new();
     let mut table = Vec::new();
     let mut remaining = 0;
-    let mut shared = Shared::new();
+    let mut shared = Shared::default();
     for number in 0..1u64 << width {
         let mut known = Known::new(graph, order, &mut shared, subject, number);
         let variant = known.kernel(plan, kernel, &mut moved);
@@ -132,7 +133,7 @@ fn root(graph: &Graph, id: ValueId) -> Option<ValueId> {
         return None;
     }
     let small = |id: ValueId| graph.cell(id).width <= WIDEST;
-    let (mut open, mut leaves, mut seen) = (vec![id], Vec::new(), HashSet::new());
+    let (mut open, mut leaves, mut seen) = (vec![id], Vec::new(), FxHashSet::default());
     while let Some(id) = open.pop() {
         if !seen.insert(id) {
             continue;
@@ -152,7 +153,7 @@ fn root(graph: &Graph, id: ValueId) -> Option<ValueId> {
 /// A graph in which some single values are known.
 struct View<'a> {
     graph: &'a Graph,
-    singles: &'a HashMap<ValueId, Kind>,
+    singles: &'a FxHashMap<ValueId, Kind>,
 }
 
 impl Cells for View<'_> {
@@ -169,14 +170,14 @@ impl Cells for View<'_> {
 struct Known<'a> {
     graph: &'a mut Graph,
     /// Single values that are known then, as constants.
-    singles: HashMap<ValueId, Kind>,
+    singles: FxHashMap<ValueId, Kind>,
     /// What cells of the kernel have become.
-    became: HashMap<ValueId, ValueId>,
+    became: FxHashMap<ValueId, ValueId>,
     /// Cells made for this or another number.
     shared: &'a mut Shared,
 }
 
-type Shared = HashMap<(Kind, u32, u32), ValueId>;
+type Shared = FxHashMap<(Kind, u32, u32), ValueId>;
 
 impl<'a> Known<'a> {
     fn new(
@@ -187,7 +188,7 @@ impl<'a> Known<'a> {
         number: u64,
     ) -> Known<'a> {
         let bits = Bits::from_limbs(graph.cell(subject).width, &[number]);
-        let mut singles = HashMap::from([(subject, Kind::Const(bits))]);
+        let mut singles = FxHashMap::from_iter([(subject, Kind::Const(bits))]);
         for &id in order {
             let cell = graph.cell(id);
             if cell.lanes == 1
@@ -197,7 +198,7 @@ impl<'a> Known<'a> {
                 singles.insert(id, Kind::Const(bits));
             }
         }
-        Known { graph, singles, became: HashMap::new(), shared }
+        Known { graph, singles, became: FxHashMap::default(), shared }
     }
 
     fn add(&mut self, kind: Kind, lanes: u32, width: u32) -> ValueId {
@@ -225,7 +226,7 @@ impl<'a> Known<'a> {
     /// The kernel as it is then. Cells that others read from memory get new ids, to be stored at the place of the old.
     fn kernel(&mut self, plan: &Plan, kernel: &Kernel, moved: &mut Vec<(ValueId, ValueId)>) -> Kernel {
         let mut cells = Vec::new();
-        let (mut wanted, mut seen) = (HashSet::new(), HashSet::new());
+        let (mut wanted, mut seen) = (FxHashSet::default(), FxHashSet::default());
         for &id in &kernel.cells {
             let cell = self.graph.cell(id).clone();
             let mut kind = cell.kind.clone();

@@ -1,11 +1,15 @@
 //! Machine code in memory, through Cranelift: the one place that makes it and the one that calls it.
 
+use std::sync::{Arc, OnceLock};
+
 use cranelift_codegen::ir::{AbiParam, Function, InstBuilder, Signature, Type, UserFuncName, Value, types};
 use cranelift_codegen::settings::{self, Configurable};
 use cranelift_codegen::{Context, isa};
 use cranelift_frontend::{FunctionBuilder, FunctionBuilderContext};
 use cranelift_jit::{JITBuilder, JITModule};
 use cranelift_module::{Module, default_libcall_names};
+
+use super::scalar::{Call, take_calls};
 
 /// The type of addresses.
 pub(super) const POINTER: Type = types::I64;
@@ -49,6 +53,8 @@ pub(super) struct Jit {
     module: Option<JITModule>,
     context: Context,
     scratch: FunctionBuilderContext,
+    /// What functions refer to by address.
+    calls: Vec<Arc<Call>>,
 }
 
 impl Jit {
@@ -57,7 +63,7 @@ impl Jit {
         let target = host()?;
         let module = JITModule::new(JITBuilder::with_isa(target, default_libcall_names()));
         let context = module.make_context();
-        Ok(Jit { module: Some(module), context, scratch: FunctionBuilderContext::new() })
+        Ok(Jit { module: Some(module), context, scratch: FunctionBuilderContext::new(), calls: Vec::new() })
     }
 
     /// Makes a function; `body` gets the builder in the entry block, the address of the state and the argument, and
@@ -75,6 +81,7 @@ impl Jit {
         builder.switch_to_block(entry);
         let (state, argument) = (builder.block_params(entry)[0], builder.block_params(entry)[1]);
         body(&mut builder, state, argument);
+        self.calls.extend(take_calls());
         builder.seal_all_blocks();
         builder.finalize(frontend);
         let id = module.declare_anonymous_function(&self.context.func.signature).expect("a new function has no rival");
@@ -108,9 +115,20 @@ impl std::fmt::Debug for Jit {
     }
 }
 
+/// Whether code can be generated for this machine.
+pub(crate) fn is_supported() -> bool {
+    host().is_ok()
+}
+
+/// The machine that this runs on, which is found out once.
+fn host() -> Result<isa::OwnedTargetIsa, Unsupported> {
+    static HOST: OnceLock<Result<isa::OwnedTargetIsa, Unsupported>> = OnceLock::new();
+    HOST.get_or_init(target).clone()
+}
+
 /// The machine that this runs on. No optimisation by Cranelift: netlists come optimised, and its global value
 /// numbering lengthens live ranges.
-fn host() -> Result<isa::OwnedTargetIsa, Unsupported> {
+fn target() -> Result<isa::OwnedTargetIsa, Unsupported> {
     let unsupported = |error: &dyn std::fmt::Display| Unsupported(error.to_string());
     if cfg!(target_endian = "big") {
         return Err(Unsupported("it is big-endian".to_owned()));

@@ -17,10 +17,9 @@ mod shift;
 #[cfg(test)]
 mod tests;
 
-use std::collections::HashMap;
-
 use cranelift_codegen::ir::{InstBuilder, Value, types};
 use cranelift_frontend::FunctionBuilder;
+use rustc_hash::FxHashMap;
 use tilewright_hdl::Bits;
 use tilewright_hdl::ir::Unary;
 
@@ -62,12 +61,12 @@ pub(super) struct Mark(usize);
 #[derive(Debug)]
 pub(super) struct Lanes {
     strip: u32,
-    values: HashMap<ValueId, Entry>,
-    constants: HashMap<(u32, u64), Value>,
+    values: FxHashMap<ValueId, Entry>,
+    constants: FxHashMap<(u32, u64), Value>,
     /// Powers of two by amount, element, and whether they fall with the amount.
-    powers: HashMap<(ValueId, u32, bool), Vec<Value>>,
+    powers: FxHashMap<(ValueId, u32, bool), Vec<Value>>,
     /// Halves of vectors in general registers.
-    halves: HashMap<(Value, u8), Value>,
+    halves: FxHashMap<(Value, u8), Value>,
     done: Vec<Done>,
 }
 
@@ -79,10 +78,10 @@ impl Lanes {
         assert!(matches!(strip, 4 | 8 | 16), "a strip of {strip} lanes");
         Lanes {
             strip,
-            values: HashMap::new(),
-            constants: HashMap::new(),
-            powers: HashMap::new(),
-            halves: HashMap::new(),
+            values: FxHashMap::default(),
+            constants: FxHashMap::default(),
+            powers: FxHashMap::default(),
+            halves: FxHashMap::default(),
             done: Vec::new(),
         }
     }

@@ -1,10 +1,11 @@
 //! The compiled engine: machine code made for one program.
 //!
-//! State stands in one block of memory, memories in blocks of their own. For each set of clocks that rises together,
-//! and the resets that are high then, there is a function that goes through such an edge any number of times; for what
-//! a testbench looks at there are functions that compute it. All are made when they are first needed.
+//! State stands in one block of memory, memories in blocks of their own. For each set of clocks that rises together
+//! there is a function that goes through such an edge any number of times; for what a testbench looks at there are
+//! functions that compute it. All are made when they are first needed.
 
 mod branch;
+mod edge;
 mod function;
 mod graph;
 mod jit;
@@ -17,24 +18,26 @@ mod plan;
 mod scalar;
 mod sequence;
 mod simplify;
+mod start;
 mod store;
 mod strip;
 
 use std::sync::Arc;
 
-use cranelift_codegen::ir::{InstBuilder, Value, types};
+use cranelift_codegen::ir::{InstBuilder, MemFlagsData, Value, types};
 use cranelift_frontend::FunctionBuilder;
-use tilewright_hdl::{Bits, limbs_for};
+use tilewright_hdl::limbs_for;
 
 use crate::engine::{Done, Engine, Failed};
 use crate::lockstep::Difference;
 use crate::program::{Kind, Program, Triggers, ValueId};
-use crate::reference;
+use edge::Edge;
 use function::{Addresses, Emitter, MemoryAt};
 use graph::{Graph, Sink};
 pub use jit::Unsupported;
+pub(crate) use jit::is_supported;
 use jit::{Code, Jit};
-use layout::{Layout, Place, Strips, Words};
+use layout::{Layout, Place, Strips};
 use plan::Plan;
 use sequence::Step;
 use store::Store;
@@ -57,6 +60,8 @@ pub(crate) struct Compiled {
     special: u32,
     /// Counts changes of inputs.
     inputs_version: u64,
+    /// 1 while edges are not to check assertions.
+    unchecked: Place,
     /// What looks whether assertions hold, if there are any.
     checks: Vec<(Vec<usize>, Vec<bool>, Option<Code>)>,
     views: Vec<View>,
@@ -72,20 +77,6 @@ pub(crate) struct Compiled {
 const HELD: u32 = 8;
 /// How often at most.
 const SPECIAL: u32 = 16;
-
-/// A function for an edge.
-struct Edge {
-    /// The clocks that rise.
-    rising: Vec<usize>,
-    /// The resets that are high.
-    resets: Vec<bool>,
-    code: Code,
-    /// Since when inputs are as they are, and for how many edges.
-    inputs_version: u64,
-    quiet: u64,
-    /// A function for these inputs.
-    special: Option<Code>,
-}
 
 /// A function that leaves values where they can be read.
 #[derive(Clone, Copy)]
@@ -117,55 +108,44 @@ impl Prepared {
 }
 
 impl Compiled {
-    /// The circuit as the reference engine has it at the start.
+    /// The circuit at its start.
     ///
     /// # Errors
     ///
     /// The machine is not one that code can be generated for.
     pub fn new(program: Arc<Program>, seed: u64) -> Result<Compiled, Unsupported> {
         let jit = Jit::new()?;
-        let mut start = reference::Engine::new(program.clone(), seed);
         let mut layout = Layout::new(Strips::of(&program));
         let mut places = vec![None; program.values.len()];
         for (id, value) in program.values.iter().enumerate().filter(|(_, value)| value.offset < program.state_end) {
             places[id] = Some(layout.place(value.lanes, value.width));
         }
-        let mut state = Store::new(layout.size);
-        let mut mirror = vec![0; program.storage];
-        for (id, place) in places.iter().enumerate() {
-            if let Some(place) = place {
-                state.put(*place, start.read(ValueId(id as u32)));
-            }
-        }
-        for (id, _) in &program.constants {
-            mirror[program.value(*id).range()].copy_from_slice(start.read(*id));
-        }
+        let unchecked = layout.place(1, 1);
         let memories = program.memories.iter().enumerate();
-        let memories =
-            memories.map(|(index, memory)| memory_at(&program, index, memory, &layout.strips, &start)).collect();
-        let resets = vec![false; program.clocks.len()];
-        let (edges, checks, views) = (Vec::new(), Vec::new(), Vec::new());
+        let memories = memories.map(|(index, memory)| start::memory(&program, index, memory, &layout.strips)).collect();
         let inputs = program.inputs.iter().map(|port| port.value);
         let inputs = inputs.filter(|&id| program.value(id).lanes == 1 && program.value(id).width <= HELD).collect();
-        let shown = vec![None; program.values.len()];
-        Ok(Compiled {
-            program,
+        let mut engine = Compiled {
             jit,
-            state,
+            state: Store::new(layout.size),
             layout,
             places,
             memories,
-            resets,
-            edges,
-            checks,
-            views,
-            shown,
+            resets: vec![false; program.clocks.len()],
+            edges: Vec::new(),
+            unchecked,
+            checks: Vec::new(),
+            views: Vec::new(),
+            shown: vec![None; program.values.len()],
             version: 1,
             inputs,
             special: SPECIAL,
             inputs_version: 0,
-            mirror,
-        })
+            mirror: vec![0; program.storage],
+            program: program.clone(),
+        };
+        crate::start::start(&program, seed, &mut engine);
+        Ok(engine)
     }
 
     /// Gives places to what a graph computes.
@@ -188,7 +168,7 @@ impl Compiled {
     /// does not hold, and says how many times are left.
     fn compile(&mut self, parts: &[Prepared]) -> Code {
         let memories: Vec<MemoryAt> = self.memories.iter().map(|(at, _)| *at).collect();
-        let strips = &self.layout.strips;
+        let (strips, unchecked) = (&self.layout.strips, self.unchecked);
         let jit = &mut self.jit;
         let pieces = parts.iter().map(|part| match part.pieces.as_slice() {
             [_] => Vec::new(),
@@ -232,6 +212,9 @@ impl Compiled {
                     }
                 };
                 if let Some(held) = held {
+                    let at = function::offset(unchecked.offset);
+                    let unchecked = builder.ins().load(types::I8, MemFlagsData::trusted(), state, at);
+                    let held = builder.ins().bor(held, unchecked);
                     let next = builder.create_block();
                     builder.ins().brif(held, next, &[], done, &[left.into()]);
                     builder.switch_to_block(next);
@@ -257,59 +240,6 @@ impl Compiled {
         self.state.put(place, &limbs);
     }
 
-    /// The function for so many edges of these clocks; with inputs folded in if they have long been as they are.
-    fn edge_code(&mut self, rising: &[usize], count: u64) -> Code {
-        let made = self.edges.iter().position(|edge| edge.rising == rising && edge.resets == self.resets);
-        let index = made.unwrap_or_else(|| {
-            let code = self.make_edge(rising, &[]);
-            let (rising, resets) = (rising.to_vec(), self.resets.clone());
-            self.edges.push(Edge { rising, resets, code, inputs_version: 0, quiet: 0, special: None });
-            self.edges.len() - 1
-        });
-        let edge = &mut self.edges[index];
-        if edge.inputs_version != self.inputs_version {
-            edge.inputs_version = self.inputs_version;
-            edge.quiet = 0;
-            edge.special = None;
-        }
-        if let Some(code) = edge.special {
-            return code;
-        }
-        edge.quiet += count;
-        let code = edge.code;
-        if edge.quiet < self.program.passes.held_after || self.special == 0 || self.inputs.is_empty() {
-            return code;
-        }
-        self.special -= 1;
-        let held = self.inputs.iter().map(|&id| {
-            let mut limbs = [0];
-            self.state.get(self.places[id.index()].expect("an input is state"), &mut limbs);
-            (id, Bits::from_limbs(self.program.value(id).width, &limbs))
-        });
-        let held: Vec<(ValueId, Bits)> = held.collect();
-        let code = self.make_edge(rising, &held);
-        self.edges[index].special = Some(code);
-        code
-    }
-
-    /// Makes the function for an edge, with inputs that are known.
-    fn make_edge(&mut self, rising: &[usize], held: &[(ValueId, Bits)]) -> Code {
-        let check = Graph::check(&self.program, rising, &self.resets);
-        let edge = Graph::edge(&self.program, rising, &self.resets);
-        let graphs = check.into_iter().chain([edge]).map(|mut graph| {
-            for (id, bits) in held {
-                graph.cells[id.index()].kind = Kind::Const(bits.clone());
-            }
-            if !held.is_empty() {
-                simplify::simplify(&mut graph);
-            }
-            graph
-        });
-        let graphs: Vec<Graph> = graphs.collect();
-        let parts: Vec<Prepared> = graphs.into_iter().map(|graph| self.prepare(graph)).collect();
-        self.compile(&parts)
-    }
-
     /// Whether all assertions hold at an edge of these clocks.
     fn holds(&mut self, rising: &[usize]) -> bool {
         let made = self.checks.iter().find(|(clocks, resets, _)| clocks == rising && *resets == self.resets);
@@ -323,6 +253,7 @@ impl Compiled {
                 code
             }
         };
+        self.state.put(self.unchecked, &[0]);
         code.is_none_or(|code| self.call(code, 1) == 0)
     }
 
@@ -344,6 +275,14 @@ impl Compiled {
         place
     }
 
+    /// Enters a constant in what is read; most never are.
+    fn mirror_constant(&mut self, id: ValueId) {
+        let index = self.program.constants.binary_search_by_key(&id, |(id, _)| *id).expect("it is not state");
+        let bits = self.program.constants[index].1.limbs();
+        let lanes = self.mirror[self.program.value(id).range()].chunks_exact_mut(bits.len());
+        lanes.for_each(|lane| lane.copy_from_slice(bits));
+    }
+
     /// Runs a function so many times; gives how many are left because something did not hold.
     fn call(&mut self, code: Code, count: u64) -> u64 {
         let state = self.state.address();
@@ -356,52 +295,6 @@ impl Compiled {
     }
 }
 
-/// A memory with its words as they are at the start.
-fn memory_at(
-    program: &Program,
-    index: usize,
-    memory: &crate::program::Memory,
-    strips: &Strips,
-    start: &reference::Engine,
-) -> (MemoryAt, Store) {
-    let addresses: Vec<ValueId> = addresses(program, index, memory);
-    let width = addresses.iter().map(|&id| program.value(id).width).max().unwrap_or(1);
-    let together = memory.lanes > 1 && memory.width <= 64 && addresses.iter().all(|&id| is_common(program, id));
-    let words = Words::of(memory, width, together, strips);
-    let mut store = Store::new(words.size);
-    let limbs = limbs_for(memory.width);
-    for lane in 0..memory.lanes {
-        for address in 0..memory.depth {
-            let word = start.word(index as u32, lane, address);
-            if word[..limbs].iter().any(|&limb| limb != 0) {
-                store.put_word(words.at(lane, address), words.word, memory.width, &word);
-            }
-        }
-    }
-    let is_full = memory.depth as usize >= 1 << width;
-    let at = MemoryAt { address: store.address() as usize, words, depth: memory.depth, width: memory.width, is_full };
-    (at, store)
-}
-
-/// The addresses at which a memory is read and written.
-fn addresses(program: &Program, index: usize, memory: &crate::program::Memory) -> Vec<ValueId> {
-    let synchronous = memory.reads.iter().map(|read| read.address);
-    let written = memory.writes.iter().map(|write| write.address);
-    let asynchronous = program.operations.iter().filter_map(|operation| match operation.kind {
-        Kind::Read { memory, address } if memory as usize == index => Some(address),
-        _ => None,
-    });
-    synchronous.chain(written).chain(asynchronous).collect()
-}
-
-/// Whether a value is the same in all lanes, and can be taken from one.
-fn is_common(program: &Program, id: ValueId) -> bool {
-    program.operations.iter().any(|operation| {
-        let is_broadcast = matches!(operation.kind, Kind::Broadcast(of, _) if program.value(of).lanes == 1);
-        operation.result == id && is_broadcast
-    })
-}
-
 impl Engine for Compiled {
     fn read(&mut self, id: ValueId) -> &[u64] {
         let range = self.program.value(id).range();
@@ -409,8 +302,9 @@ impl Engine for Compiled {
             None if self.program.value(id).segment.is_some() => Some(self.view(id)),
             place => place,
         };
-        if let Some(place) = place {
-            self.state.get(place, &mut self.mirror[range.clone()]);
+        match place {
+            Some(place) => self.state.get(place, &mut self.mirror[range.clone()]),
+            None => self.mirror_constant(id),
         }
         &self.mirror[range]
     }
@@ -462,7 +356,15 @@ impl Engine for Compiled {
         let mut left = 0;
         if count > 0 {
             let code = self.edge_code(rising, count);
-            left = self.call(code, count);
+            if rising.iter().any(|&clock| self.resets[clock]) {
+                left = count;
+                while left > 0 && self.call(code, 1) == 0 {
+                    self.reset(rising);
+                    left -= 1;
+                }
+            } else {
+                left = self.call(code, count);
+            }
             self.version += 1;
         }
         let changed = rising.iter().fold(Triggers::NONE, |all, &clock| all.with(Triggers::state(clock)));

@@ -11,7 +11,7 @@ const LINE: usize = 64;
 #[derive(Debug)]
 pub(super) struct Store {
     /// Cells, as code changes them through their address.
-    words: Vec<Cell<u64>>,
+    words: Box<[Cell<u64>]>,
     /// How many words come before the first line.
     skipped: usize,
     size: usize,
@@ -20,7 +20,7 @@ pub(super) struct Store {
 impl Store {
     /// A block of so many bytes.
     pub fn new(size: usize) -> Store {
-        let words = vec![Cell::new(0); size.div_ceil(8) + 2 * LINE / 8];
+        let words = zeros(size.div_ceil(8) + 2 * LINE / 8);
         let skipped = words.as_ptr().align_offset(LINE);
         Store { words, skipped, size }
     }
@@ -75,6 +75,21 @@ impl Store {
         }
     }
 
+    /// Replaces that many lanes, or words, one behind the other.
+    pub fn repeat_word(&mut self, at: usize, bytes: usize, width: u32, limbs: &[u64], count: usize) {
+        let is_filled = bytes <= 8 && at.is_multiple_of(8) && count * bytes >= 16;
+        if !is_filled {
+            return (0..count).for_each(|i| self.put_word(at + i * bytes, bytes, width, limbs));
+        }
+        // A limb has whole words; as many as there are in it are written to find out how it looks.
+        let each = 8 / bytes;
+        (0..each).for_each(|i| self.put_word(at + i * bytes, bytes, width, limbs));
+        let (first, whole) = (self.skipped + at / 8, count / each);
+        let limb = self.words[first].get();
+        self.words[first..first + whole].iter().for_each(|word| word.set(limb));
+        (whole * each..count).for_each(|i| self.put_word(at + i * bytes, bytes, width, limbs));
+    }
+
     /// All lanes of a value.
     pub fn get(&self, place: Place, limbs: &mut [u64]) {
         let each = limbs.len() / place.lanes as usize;
@@ -92,7 +107,40 @@ impl Store {
     }
 }
 
+/// So many zeros. They come from the system as pages that take no memory, and no time, before they are written;
+/// `vec![Cell::new(0); n]` would write them all.
+fn zeros(count: usize) -> Box<[Cell<u64>]> {
+    let zeros = Box::into_raw(vec![0u64; count].into_boxed_slice());
+    // SAFETY: the pointer is of a box that nobody else has, and `Cell<u64>` has the layout of `u64`.
+    #[allow(unsafe_code, reason = "there is no safe way to a large box of zeroed cells")]
+    unsafe {
+        Box::from_raw(zeros as *mut [Cell<u64>])
+    }
+}
+
 /// Whether a value of 1 bit stands as all ones or all zeros: as all do that have lanes, or are words.
 pub(super) fn is_mask(bytes: usize, width: u32) -> bool {
     width == 1 && bytes < 8
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn words_are_repeated_as_if_one_by_one() {
+        for (bytes, width) in [(1, 1), (1, 8), (2, 1), (2, 11), (4, 32), (8, 1), (8, 50), (16, 100)] {
+            for (at, count) in [(0_usize, 1), (8, 5), (16, 64), (24, 67), (4, 9)] {
+                let (mut one_by_one, mut together) = (Store::new(2048), Store::new(2048));
+                for store in [&mut one_by_one, &mut together] {
+                    store.repeat_word(0, 8, 64, &[0x5a5a_5a5a_5a5a_5a5a], 256);
+                }
+                let at = if bytes < 8 { at } else { at.next_multiple_of(8) };
+                let limbs = &[0x1234_5678_9abc_def1, 0x3][..if bytes == 16 { 2 } else { 1 }];
+                (0..count).for_each(|i| one_by_one.put_word(at + i * bytes, bytes, width, limbs));
+                together.repeat_word(at, bytes, width, limbs, count);
+                assert_eq!(one_by_one.words[one_by_one.skipped..][..256], together.words[together.skipped..][..256]);
+            }
+        }
+    }
 }

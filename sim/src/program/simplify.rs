@@ -2,7 +2,7 @@
 //! computed now, equal expressions are computed once, what is the same in all lanes is computed once, and what nobody
 //! can see is not computed.
 
-use std::collections::HashMap;
+use rustc_hash::FxHashMap;
 
 use super::lift::lift;
 use super::netlist::{Cell, Netlist};
@@ -10,12 +10,12 @@ use super::rules::{Cells, alias, fold, shorter};
 use super::{Kind, Passes, ValueId};
 
 /// Cells by what they compute.
-pub(super) type Known = HashMap<(Kind, u32, u32), ValueId>;
+pub(super) type Known = FxHashMap<(Kind, u32, u32), ValueId>;
 
 /// Simplifies; `order` has each cell after its operands.
 pub(super) fn simplify(netlist: &mut Netlist, order: &[ValueId], passes: &Passes) {
     let mut same: Vec<ValueId> = (0..netlist.cells.len() as u32).map(ValueId).collect();
-    let mut known = Known::new();
+    let mut known = Known::default();
     for &id in order {
         netlist.cells[id.index()].kind.rewrite(|operand| *operand = same[operand.index()]);
         let Cell { kind, width, .. } = netlist.cell(id).clone();

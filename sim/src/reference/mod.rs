@@ -5,14 +5,17 @@
 mod edge;
 mod memory;
 mod narrow;
-mod start;
 mod wide;
 
+use std::ops::Range;
 use std::sync::Arc;
+
+use tilewright_hdl::limbs_for;
 
 use crate::engine::{self, Done, Failed};
 use crate::lockstep::Difference;
-use crate::program::{Kind, Program, Readers, Triggers, ValueId};
+use crate::program::{Kind, Memory, Program, Readers, Triggers, ValueId};
+use crate::start::{self, State};
 
 /// The state of a running circuit.
 #[derive(Debug, Clone)]
@@ -43,7 +46,7 @@ impl Engine {
         }
         let mut engine = Engine {
             limbs,
-            memories: Vec::new(),
+            memories: program.memories.iter().map(zeros).collect(),
             pending: Triggers::NONE,
             stale: vec![true; program.segments.len()],
             narrow: program
@@ -55,7 +58,7 @@ impl Engine {
             plan: edge::Plan::new(&program),
             program,
         };
-        engine.start(seed);
+        start::start(&engine.program.clone(), seed, &mut engine);
         engine
     }
 
@@ -140,6 +143,29 @@ impl Engine {
             }
         }
     }
+}
+
+impl State for Engine {
+    fn set(&mut self, id: ValueId, lanes: Range<u32>, limbs: &[u64]) {
+        let value = self.program.value(id);
+        let range = lanes.start as usize * limbs.len()..lanes.end as usize * limbs.len();
+        self.limbs[value.range()][range].chunks_exact_mut(limbs.len()).for_each(|lane| lane.copy_from_slice(limbs));
+    }
+
+    fn set_words(&mut self, memory: u32, lanes: Range<u32>, addresses: Range<u32>, limbs: &[u64]) {
+        let declared = &self.program.memories[memory as usize];
+        let words = &mut self.memories[memory as usize];
+        for lane in lanes {
+            let first = memory::word(declared, lane, addresses.start).start;
+            let words = &mut words[first..first + addresses.len() * limbs.len()];
+            words.chunks_exact_mut(limbs.len()).for_each(|word| word.copy_from_slice(limbs));
+        }
+    }
+}
+
+/// A memory full of zeros, of which the system gives only the pages that are written.
+fn zeros(memory: &Memory) -> Vec<u64> {
+    vec![0; memory.lanes as usize * memory.depth as usize * limbs_for(memory.width)]
 }
 
 /// Whether the result and every operand of an operation have up to 64 bits.

@@ -10,6 +10,9 @@ use super::*;
 use crate::compiled::jit::Jit;
 use crate::lane::{Number, evaluate};
 
+/// How many chains are tried with each strip, twice: always the same and others.
+const CHAINS: u64 = 50;
+
 struct Random(u64);
 
 impl Random {
@@ -61,6 +64,7 @@ struct Node {
 }
 
 struct Chain {
+    seed: u64,
     random: Random,
     strip: u32,
     nodes: Vec<Node>,
@@ -142,7 +146,7 @@ impl Chain {
                 let op = self.random.pick(&[Binary::Mul, Binary::MulSigned]);
                 (Kind::Binary(op, a, self.of(other)), w + other)
             }
-            4 | 5 | 6 => {
+            4..=6 => {
                 use Relation::{Eq, Ge, Gt, Le, Lt, Ne};
                 let relation = self.random.pick(&[Eq, Ne, Lt, Le, Gt, Ge]);
                 let signed = self.random.below(2) == 0;
@@ -239,7 +243,7 @@ impl Chain {
 
     fn strip_of(&self, index: usize, address: Value) -> Span {
         let at = self.nodes[index].at;
-        Span { storage: self.storage(index), address, offset: at as i32, aligned: at % 16 == 0 }
+        Span { storage: self.storage(index), address, offset: at as i32, aligned: at.is_multiple_of(16) }
     }
 
     /// Runs the chain on memory and compares all that is stored; at the end if `late`, as what is stored is clean
@@ -289,7 +293,8 @@ impl Chain {
             });
             assert!(
                 got == bytes,
-                "strip {}, {i}: {:?} of {} bits, stored as {}\ngot  {got:x?}\nwant {bytes:x?}\n{operands:x?}",
+                "seed {}, strip {}, {i}: {:?} of {} bits, stored as {}\ngot  {got:x?}\nwant {bytes:x?}\n{operands:x?}",
+                self.seed,
                 self.strip,
                 node.kind,
                 node.width,
@@ -318,7 +323,7 @@ impl Aligned {
 
 fn chain(strip: u32, seed: u64) -> Chain {
     let random = Random(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1);
-    let mut chain = Chain { random, strip, nodes: Vec::new(), size: 0 };
+    let mut chain = Chain { seed, random, strip, nodes: Vec::new(), size: 0 };
     for _ in 0..8 {
         let width = chain.random.width();
         chain.input(width);
@@ -328,9 +333,12 @@ fn chain(strip: u32, seed: u64) -> Chain {
 
 #[test]
 fn chains_of_operations_are_as_lane_by_lane() {
+    // Other chains in every run, as each takes long; the first always, so that every kind of operation is tried.
+    let now = std::time::UNIX_EPOCH.elapsed().map_or(0, |time| time.as_nanos() as u64 >> 10);
+    let seeds = (1000..1000 + CHAINS).chain(now..now + CHAINS);
     for strip in [4, 8, 16] {
-        for seed in 1000..2500 {
-            let mut chain = chain(strip, seed * 3 + u64::from(strip));
+        for seed in seeds.clone() {
+            let mut chain = chain(strip, seed.wrapping_mul(3) + u64::from(strip));
             (0..160).for_each(|_| chain.operation());
             chain.check(seed % 3 > 0);
         }
@@ -345,9 +353,9 @@ fn shifts_by_all_amounts_are_as_lane_by_lane() {
             for amount in [1, 2, 3, 4, 5, 6, 7, 8, 12, 32, 64] {
                 let a = chain.input(width);
                 let lanes =
-                    (0..strip).map(|_| chain.random.next() % (u64::from(width) + 3) & low_mask(amount)).collect();
+                    (0..strip).map(|_| (chain.random.next() % (u64::from(width) + 3)) & low_mask(amount)).collect();
                 let by = chain.add(Kind::State, amount, lanes, false);
-                let scalar = chain.random.next() % (u64::from(width) + 3) & low_mask(amount);
+                let scalar = (chain.random.next() % (u64::from(width) + 3)) & low_mask(amount);
                 let uniform = chain.add(Kind::State, amount, vec![scalar; strip as usize], true);
                 let known =
                     chain.add(Kind::Const(Bits::new(amount, scalar)), amount, vec![scalar; strip as usize], false);

@@ -7,15 +7,15 @@
 mod narrow;
 mod wide;
 
-use std::collections::HashMap;
-
 use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::{InstBuilder, MemFlagsData, Type, Value, types};
 use cranelift_frontend::FunctionBuilder;
+use rustc_hash::FxHashMap;
 use tilewright_hdl::{Bits, limbs_for};
 
 use super::store::is_mask;
 use crate::program::{Kind, ValueId};
+pub(super) use wide::{Call, take_calls};
 
 /// A value of one lane in general registers, in the forms that somebody has asked for.
 #[derive(Debug, Clone)]
@@ -60,7 +60,7 @@ impl Scalar {
 /// The values of a block and of those that it dominates.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Scalars {
-    values: HashMap<ValueId, Scalar>,
+    values: FxHashMap<ValueId, Scalar>,
 }
 
 impl Scalars {

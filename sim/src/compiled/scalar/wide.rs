@@ -1,5 +1,8 @@
 //! Operations on values of more than 64 bits: bits and choices limb by limb, the rest by calls of the general path.
 
+use std::cell::RefCell;
+use std::sync::Arc;
+
 use cranelift_codegen::ir::{AbiParam, InstBuilder, Signature, StackSlotData, StackSlotKind, Value, types};
 use cranelift_codegen::isa::CallConv;
 use cranelift_frontend::FunctionBuilder;
@@ -10,8 +13,20 @@ use super::{Scalar, Scalars};
 use crate::lane::{Number, evaluate};
 use crate::program::{Kind, ValueId};
 
+thread_local! {
+    /// Calls of the function that is being emitted. Emitters of lanes have values of their own, but all of them work on
+    /// one function in one thread.
+    static CALLS: RefCell<Vec<Arc<Call>>> = const { RefCell::new(Vec::new()) };
+}
+
+/// What the calls in the functions emitted in this thread since the last time refer to: has to live as long as they.
+pub(in crate::compiled) fn take_calls() -> Vec<Arc<Call>> {
+    CALLS.take()
+}
+
 /// What a call computes.
-struct Call {
+#[derive(Debug)]
+pub(in crate::compiled) struct Call {
     kind: Kind,
     width: u32,
     operands: Vec<(ValueId, u32, usize)>,
@@ -19,7 +34,7 @@ struct Call {
 
 #[allow(unsafe_code, reason = "called by generated code")]
 unsafe extern "C" fn run(call: *const Call, operands: *const u64, out: *mut u64) {
-    // SAFETY: generated code passes what `evaluate` below laid out.
+    // SAFETY: generated code passes what `Scalars::call` laid out; who owns the code keeps the call.
     let (call, out) = unsafe { (&*call, std::slice::from_raw_parts_mut(out, limbs_for((*call).width))) };
     evaluate(&call.kind, call.width, out, |id| {
         let (_, width, at) = call.operands.iter().find(|(of, ..)| *of == id).expect("an operand");
@@ -83,13 +98,15 @@ impl Scalars {
                 b.ins().stack_store(types::I64, limb, input, (at + i) as i32 * 8);
             }
         }
-        let call: &'static Call = Box::leak(Box::new(Call { kind: kind.clone(), width, operands }));
+        let call = Arc::new(Call { kind: kind.clone(), width, operands });
+        let address = Arc::as_ptr(&call);
+        CALLS.with_borrow_mut(|calls| calls.push(call));
         let mut signature = Signature::new(CallConv::SystemV);
         signature.params.extend([AbiParam::new(types::I64); 3]);
         let signature = b.import_signature(signature);
         let callee = b.ins().iconst(types::I64, run as *const () as i64);
         let arguments = [
-            b.ins().iconst(types::I64, std::ptr::from_ref(call) as i64),
+            b.ins().iconst(types::I64, address as i64),
             b.ins().stack_addr(types::I64, input, 0),
             b.ins().stack_addr(types::I64, output, 0),
         ];
