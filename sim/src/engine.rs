@@ -55,6 +55,15 @@ pub(crate) trait Engine: Send {
     /// Two engines side by side differ.
     fn edges(&mut self, rising: &[usize], count: u64) -> Result<Done, Box<Difference>>;
 
+    /// That two engines side by side have agreed so far, also on what follows from the inputs of this moment.
+    ///
+    /// # Errors
+    ///
+    /// They differ.
+    fn agree(&mut self) -> Result<(), Box<Difference>> {
+        Ok(())
+    }
+
     /// Prepares for these values being read together.
     fn watch(&mut self, _values: &[ValueId]) {}
 }
@@ -71,19 +80,36 @@ pub enum EngineKind {
     Both,
 }
 
+/// A circuit at its start on an engine.
+pub(crate) struct Started {
+    /// The engine that runs.
+    pub kind: EngineKind,
+    pub engine: Box<dyn Engine>,
+    /// Why it is the reference engine alone, if another one was chosen.
+    pub fallback: Option<String>,
+}
+
 impl EngineKind {
-    /// The circuit at its start on this engine, or on the reference engine where code cannot be generated.
-    pub(crate) fn start(self, program: &Arc<Program>, seed: u64) -> (EngineKind, Box<dyn Engine>) {
+    /// The circuit at its start on this engine, or on the reference engine where code cannot be generated; `refused` is
+    /// a reason not to generate any.
+    pub(crate) fn start(self, program: &Arc<Program>, seed: u64, refused: Option<&str>) -> Started {
+        let compiled = match (self, refused) {
+            (EngineKind::Reference, _) => None,
+            (_, Some(reason)) => Some(Err(reason.to_owned())),
+            (_, None) => Some(Compiled::new(program.clone(), seed).map_err(|unsupported| unsupported.to_string())),
+        };
         let reference = || Box::new(reference::Engine::new(program.clone(), seed));
-        if self == EngineKind::Reference {
-            return (self, reference());
-        }
-        match (self, Compiled::new(program.clone(), seed)) {
-            (EngineKind::Compiled, Ok(engine)) => (self, Box::new(engine)),
-            (EngineKind::Both, Ok(engine)) => {
-                (self, Box::new(Lockstep::new(program.clone(), reference(), Box::new(engine))))
-            }
-            _ => (EngineKind::Reference, reference()),
+        match compiled {
+            None => Started { kind: EngineKind::Reference, engine: reference(), fallback: None },
+            Some(Err(reason)) => Started { kind: EngineKind::Reference, engine: reference(), fallback: Some(reason) },
+            Some(Ok(engine)) => Started {
+                kind: self,
+                engine: match self {
+                    EngineKind::Both => Box::new(Lockstep::new(program.clone(), reference(), Box::new(engine))),
+                    _ => Box::new(engine),
+                },
+                fallback: None,
+            },
         }
     }
 }

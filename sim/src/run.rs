@@ -76,12 +76,13 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     /// # Errors
     ///
     /// [`Error::Violated`] if assertions do not hold before the edge, which then does not happen; [`Error::Trace`] if a
-    /// file could not be written at an instant before; [`Error::NoClock`].
+    /// file could not be written at an instant before; [`Error::NoClock`]; [`Error::Differs`].
     pub fn try_step(&mut self) -> Result<(), Error> {
         let until = self.timeline.next_time().ok_or(Error::NoClock)?;
         self.timeline.rising_at(until, &mut self.rising);
         if !self.observers.is_empty() {
             let failed = self.engine.check(&self.rising);
+            self.engine.agree()?;
             self.observe(until)?;
             if !failed.is_empty() {
                 self.observers.iter_mut().for_each(|observer| observer.failed());
@@ -150,13 +151,14 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     ///
     /// # Errors
     ///
-    /// [`Error::Trace`] for the first file that could not be written to its end; the others are.
+    /// [`Error::Trace`] for the first file that could not be written to its end; the others are. [`Error::Differs`].
     pub fn finish(&mut self) -> Result<(), Error> {
         let until = self.timeline.next_time().unwrap_or(1);
         self.rising.clear();
         let mut observers = std::mem::take(&mut self.observers);
         let ends: Vec<_> = observers.iter_mut().map(|observer| observer.finish(&mut self.view(until))).collect();
-        ends.into_iter().collect()
+        ends.into_iter().collect::<Result<(), Error>>()?;
+        Ok(self.engine.agree()?)
     }
 
     /// The time of the last instant in picoseconds; 0 before the first.

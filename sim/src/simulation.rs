@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use tilewright_hdl::{Bits, Block, Bundle, DEFAULT_PERIOD, Design, Period, elaborate_typed};
 
-use crate::engine::{Engine, EngineKind};
+use crate::engine::{Engine, EngineKind, Started};
 use crate::error::{Error, UnknownName};
 use crate::lookup::{self, Found};
 use crate::port::{IntoValue, Port};
@@ -23,8 +23,14 @@ pub struct Simulation<I: Bundle = (), O: Bundle = ()> {
     /// The output ports.
     pub o: O::Of<Port>,
     pub(crate) program: Arc<Program>,
-    pub(crate) kind: EngineKind,
+    /// The engine that was chosen, and the one that runs.
+    chosen: EngineKind,
+    kind: EngineKind,
     pub(crate) engine: Box<dyn Engine>,
+    /// Why the engine is not the one that was chosen.
+    fallback: Option<String>,
+    /// A reason to generate no code, for tests.
+    refused: Option<String>,
     pub(crate) timeline: Timeline,
     pub(crate) resets: Vec<bool>,
     pub(crate) observers: Vec<Box<dyn Observer + Send>>,
@@ -74,12 +80,16 @@ impl Simulation {
 impl<I: Bundle, O: Bundle> Simulation<I, O> {
     fn new(design: &Design, i: I::Of<Port>, o: O::Of<Port>) -> Result<Simulation<I, O>, Error> {
         let program = Arc::new(program::compile(design)?);
-        let (kind, engine) = EngineKind::default().start(&program, 0);
+        let chosen = EngineKind::default();
+        let Started { kind, engine, fallback } = chosen.start(&program, 0, None);
         Ok(Simulation {
             i,
             o,
+            chosen,
             kind,
             engine,
+            fallback,
+            refused: None,
             timeline: Timeline::new(&program),
             resets: vec![false; program.clocks.len()],
             observers: Vec::new(),
@@ -100,12 +110,13 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     pub fn seeded(mut self, seed: u64) -> Self {
         assert!(self.timeline.time == 0, "a seed can only be given before the first step");
         assert!(self.observers.is_empty(), "give the seed before attaching a trace");
-        (self.kind, self.engine) = self.kind.start(&self.program, seed);
         self.seed = seed;
+        self.restart();
         self
     }
 
-    /// The same circuit at time 0 on this engine; inputs become zero.
+    /// The same circuit at time 0 on this engine; inputs become zero. Where no code can be generated for this machine, it
+    /// is the reference engine in any case: [`Simulation::engine`] tells, and [`Simulation::fallback`] why.
     ///
     /// # Panics
     ///
@@ -114,13 +125,34 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     pub fn on(mut self, kind: EngineKind) -> Self {
         assert!(self.timeline.time == 0, "an engine can only be chosen before the first step");
         assert!(self.observers.is_empty(), "choose the engine before attaching a trace");
-        (self.kind, self.engine) = kind.start(&self.program, self.seed);
+        self.chosen = kind;
+        self.restart();
         self
+    }
+
+    /// As on a machine that no code can be generated for, for that reason.
+    #[doc(hidden)]
+    pub fn without_code(mut self, reason: &str) -> Self {
+        self.refused = Some(reason.to_owned());
+        let chosen = self.chosen;
+        self.on(chosen)
+    }
+
+    /// Puts the circuit at its start on the chosen engine.
+    fn restart(&mut self) {
+        let Started { kind, engine, fallback } = self.chosen.start(&self.program, self.seed, self.refused.as_deref());
+        (self.kind, self.engine, self.fallback) = (kind, engine, fallback);
+        self.resets.fill(false);
     }
 
     /// The engine that runs: the one chosen, or the reference engine where no code can be generated for this machine.
     pub fn engine(&self) -> EngineKind {
         self.kind
+    }
+
+    /// Why the reference engine runs although another one was chosen; nothing if the chosen one runs.
+    pub fn fallback(&self) -> Option<&str> {
+        self.fallback.as_deref()
     }
 
     /// The compiled circuit.
