@@ -20,7 +20,6 @@ use tilewright_sim::Vcd;
 Examples:
   tilewright render teapot --machine vc1 -o frame.png
   tilewright render teapot --processors 4 --size 160x120 --json
-  tilewright render teapot --size 64x48 --processors 2 --engine both
   tilewright render teapot --size 64x48 --processors 2 --vcd run.vcd --scope 'u_gfb.*' --from 10us --to 20us
 
 Exit code 1 means that the frame differs from the golden image, or that with --engine both the engines differ. The report names the first pixel that does, and beside the frame
