@@ -1,11 +1,12 @@
 //! The block that a command is given, and its parameters.
 
+use crate::engine::tell_fallback;
 use crate::shell::{Exit, Failure};
 use clap::Args;
 use clap::builder::PossibleValuesParser;
 use tilewright_hdl::{Design, limbs_for};
 use tilewright_rtl::catalog::{self, ENTRIES, Entry, Values};
-use tilewright_sim::Simulation;
+use tilewright_sim::{EngineKind, Simulation};
 
 /// A block of the catalogue with parameters.
 #[derive(Args)]
@@ -44,11 +45,11 @@ fn setting(text: &str) -> Result<(String, u64), &'static str> {
 /// The most bytes that the memories of a simulated block may take: 2 GiB.
 const MOST_BYTES: u64 = 2 << 30;
 
-/// A simulation of a design whose memories are not too large for this computer.
+/// A simulation, on that engine, of a design whose memories are not too large for this computer.
 ///
 /// # Errors
 /// Its memories are too large, or it cannot be simulated.
-pub fn simulation(design: &Design) -> Result<Simulation, Failure> {
+pub fn simulation(design: &Design, engine: EngineKind) -> Result<Simulation, Failure> {
     let bytes = memory_bytes(design);
     if bytes > MOST_BYTES {
         let [needed, most] = [bytes.div_ceil(1 << 20), MOST_BYTES >> 20];
@@ -57,7 +58,9 @@ pub fn simulation(design: &Design) -> Result<Simulation, Failure> {
         );
         return Err(Failure::new(Exit::BadInput, sentence));
     }
-    Ok(Simulation::from_design(design)?)
+    let sim = Simulation::from_design(design)?.on(engine);
+    tell_fallback(&sim);
+    Ok(sim)
 }
 
 /// The bytes of all memories of all instances; words are kept in limbs of 64 bits.

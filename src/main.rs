@@ -3,6 +3,7 @@
 mod bench;
 mod block;
 mod completions;
+mod engine;
 mod golden;
 mod list;
 mod machine;
@@ -31,7 +32,7 @@ struct CommandLine {
 const AFTER_HELP: &str = "\
 Exit codes:
   0    done
-  1    a check failed: a frame differs from the golden image, an assertion of the hardware does not hold, or simulators disagree
+  1    a check failed: a frame differs from the golden image, an assertion of the hardware does not hold, or simulators or engines disagree
   2    bad usage or bad input
   3    an output cannot be written
   4    a program that was asked for is not installed, or fails

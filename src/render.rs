@@ -1,5 +1,6 @@
 //! `tilewright render`: a frame from a machine's hardware, its cycle report, and the comparison with the golden image.
 
+use crate::engine::{EngineArguments, tell_fallback};
 use crate::machine::Machine;
 use crate::scene::SceneArguments;
 use crate::shell::{Exit, Failure, Progress, interrupt, output};
@@ -21,7 +22,7 @@ Examples:
   tilewright render teapot --processors 4 --size 160x120 --json
   tilewright render teapot --size 64x48 --processors 2 --vcd run.vcd --scope 'u_gfb.*' --from 10us --to 20us
 
-Exit code 1 means that the frame differs from the golden image. The report names the first pixel that does, and beside the frame
+Exit code 1 means that the frame differs from the golden image, or that with --engine both the engines differ. The report names the first pixel that does, and beside the frame
 stands a picture of the differences, such as frame.difference.png; an identical frame removes one that an earlier run left there.
 If that picture cannot be written, a warning says so and the exit code stays 1.")]
 pub struct Render {
@@ -47,6 +48,8 @@ pub struct Render {
     /// Compare the colours with this picture instead of the software rasterizer's frame
     #[arg(long, value_name = "FILE")]
     golden: Option<PathBuf>,
+    #[command(flatten)]
+    engine: EngineArguments,
     /// Print the report as JSON
     #[arg(long)]
     json: bool,
@@ -115,7 +118,8 @@ impl Render {
             pages: self.pages,
             ..vc1::Config::new(projection.size)
         };
-        let mut machine = vc1::Machine::new(config)?;
+        let mut machine = vc1::Machine::new(config)?.on(self.engine.kind());
+        tell_fallback(machine.simulation());
         if let Some(vcd) = vcd {
             machine.simulation().trace(vcd)?;
         }

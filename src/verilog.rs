@@ -10,6 +10,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use tilewright_gen::{VerilogFile, testbench, verilog};
 use tilewright_hdl::{Design, Recording, Scenario};
+use tilewright_sim::EngineKind;
 
 /// Writes a block as Verilog, a file a module
 #[derive(Args)]
@@ -85,7 +86,7 @@ impl Verilog {
 
 /// The run of the scenario, as a testbench replays it.
 fn record(design: &Design, scenario: &Scenario) -> Result<Recording, Failure> {
-    let mut sim = simulation(design)?;
+    let mut sim = simulation(design, EngineKind::default())?;
     check_length(&sim, scenario, "a testbench")?;
     let recording = sim.recording();
     play(&mut sim, scenario)?;

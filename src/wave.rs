@@ -1,6 +1,7 @@
 //! `tilewright wave`: a block's scenario as a waveform file, ready to be looked at, or as text.
 
 use crate::block::{BlockArguments, simulation};
+use crate::engine::EngineArguments;
 use crate::player::{check_length, play};
 use crate::save_file;
 use crate::shell::output::{self, quoted};
@@ -20,10 +21,12 @@ use tilewright_sim::{Probe, Simulation, Vcd};
 Examples:
   tilewright wave merging-unit -o mu.vcd
   tilewright wave merging-unit --ascii
+  tilewright wave merging-unit --ascii --engine both
   tilewright wave image-merger --set units=8 -o merger.vcd --scope 'u_merging_unit[*].**' --to 2us
 
 Beside the waveform file stands a .gtkw file with which GTKWave opens it with the signals in place, unless -o names a pipe or a device.
-The values in --ascii waves are hexadecimal.")]
+The values in --ascii waves are hexadecimal. Exit code 1 means that an assertion of the block does not hold, or that with --engine both
+the engines differ.")]
 pub struct Wave {
     #[command(flatten)]
     block: BlockArguments,
@@ -33,6 +36,8 @@ pub struct Wave {
     /// Print the ports' waves as text, values in hexadecimal
     #[arg(long, conflicts_with = "json")]
     ascii: bool,
+    #[command(flatten)]
+    engine: EngineArguments,
     /// Print the report as JSON
     #[arg(long)]
     json: bool,
@@ -67,7 +72,7 @@ impl Wave {
         output::check_distinct(&Vec::from_iter(self.output.iter().chain(&save).map(PathBuf::as_path)), &[])?;
         let (entry, values) = self.block.find()?;
         let scenario = entry.scenario(&values)?;
-        let mut sim = simulation(&entry.design(&values)?)?;
+        let mut sim = simulation(&entry.design(&values)?, self.engine.kind())?;
         let text = if self.ascii { Some(record_ports(&mut sim, &scenario)?) } else { None };
         let vcd = self.filters.vcd(self.output.as_deref(), "-o")?;
         let header = vcd.map(|vcd| trace(&mut sim, vcd)).transpose()?;

@@ -57,6 +57,15 @@ pub(crate) trait Engine: Send {
     /// Two engines side by side differ.
     fn edges(&mut self, rising: &[usize], count: u64) -> Result<Done, Box<Difference>>;
 
+    /// That two engines side by side have agreed so far, also on what follows from the inputs of this moment.
+    ///
+    /// # Errors
+    ///
+    /// They differ.
+    fn agree(&mut self) -> Result<(), Box<Difference>> {
+        Ok(())
+    }
+
     /// Prepares for these values being read together.
     fn watch(&mut self, _values: &[ValueId]) {}
 }
@@ -76,23 +85,56 @@ pub enum EngineKind {
 /// An engine that is made when it is first needed: until then a simulation can be given another one for nothing.
 pub(crate) struct Started {
     program: Arc<Program>,
-    /// Which engine: not one for which this machine is not supported.
-    pub kind: EngineKind,
+    /// The engine that was asked for.
+    chosen: EngineKind,
+    /// Why no code can be generated, if it cannot.
+    refused: Option<String>,
     pub seed: u64,
     made: OnceCell<Box<dyn Engine>>,
 }
 
 impl Started {
     /// The circuit at its start on this engine, or on the reference engine where code cannot be generated.
-    pub fn new(program: Arc<Program>, kind: EngineKind, seed: u64) -> Started {
-        let kind = if compiled::is_supported() { kind } else { EngineKind::Reference };
-        Started { program, kind, seed, made: OnceCell::new() }
+    pub fn new(program: Arc<Program>, chosen: EngineKind, seed: u64) -> Started {
+        let refused = compiled::unsupported().map(|reason| reason.to_string());
+        Started { program, chosen, refused, seed, made: OnceCell::new() }
+    }
+
+    /// The circuit at its start, with another engine or seed.
+    pub fn again(&self, chosen: EngineKind, seed: u64) -> Started {
+        Started { program: self.program.clone(), chosen, refused: self.refused.clone(), seed, made: OnceCell::new() }
+    }
+
+    /// As on a machine that no code can be generated for, for that reason.
+    pub fn refuse(&self, reason: &str) -> Started {
+        Started { refused: Some(reason.to_owned()), ..self.again(self.chosen, self.seed) }
+    }
+
+    /// The engine that was asked for.
+    pub fn chosen(&self) -> EngineKind {
+        self.chosen
+    }
+
+    /// The engine that runs.
+    pub fn kind(&self) -> EngineKind {
+        if self.refused.is_some() { EngineKind::Reference } else { self.chosen }
+    }
+
+    /// Why it is not the one that was asked for.
+    pub fn fallback(&self) -> Option<&str> {
+        self.refused.as_deref().filter(|_| self.chosen != EngineKind::Reference)
+    }
+
+    /// Puts another engine in its place.
+    #[cfg(test)]
+    pub fn replace(&mut self, engine: Box<dyn Engine>) {
+        self.made = OnceCell::from(engine);
     }
 
     fn make(&self) -> Box<dyn Engine> {
         let reference = || Box::new(reference::Engine::new(self.program.clone(), self.seed));
         let compiled = || Box::new(Compiled::new(self.program.clone(), self.seed).expect("it was asked before"));
-        match self.kind {
+        match self.kind() {
             EngineKind::Reference => reference(),
             EngineKind::Compiled => compiled(),
             EngineKind::Both => Box::new(Lockstep::new(self.program.clone(), reference(), compiled())),

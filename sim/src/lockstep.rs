@@ -6,16 +6,18 @@ use std::sync::Arc;
 use tilewright_hdl::{Bits, limbs_for};
 
 use crate::engine::{Done, Engine, Failed};
+use crate::program::hierarchy::Place;
 use crate::program::{Program, Triggers, ValueId};
 
 /// Where two engines first differ.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Difference {
-    /// The signal's hierarchical name, or that of a memory with the address.
+    /// The signal's hierarchical name, that of a memory with the address, or an instance and the message of an assertion
+    /// in it, which is 1 if it holds.
     pub signal: String,
     /// How many instants had passed.
     pub instant: u64,
-    /// The clocks that rose.
+    /// The clocks that rose then; none if the inputs of a later moment make the difference.
     pub clocks: Vec<String>,
     /// What the reference engine has.
     pub reference: Bits,
@@ -26,11 +28,14 @@ pub struct Difference {
 impl fmt::Display for Difference {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let Difference { signal, instant, clocks, reference, other } = self;
+        let moment = match &clocks[..] {
+            [] => "before the next edge".to_owned(),
+            clocks => format!("an edge of {}", clocks.join(" and ")),
+        };
         write!(
             f,
-            "the engines differ in `{signal}` after instant {instant}, an edge of {}: the reference engine has \
-             {reference:?}, the other one {other:?}: this is a mistake in tilewright, please report the design",
-            clocks.join(" and ")
+            "the engines differ in `{signal}` after instant {instant}, {moment}: the reference engine has {reference:?}, \
+             the other one {other:?}: this is a mistake in tilewright, please report the design"
         )
     }
 }
@@ -45,6 +50,10 @@ pub(crate) struct Lockstep {
     /// Every value that has a name, once, in the order of the hierarchy.
     named: Vec<ValueId>,
     instants: u64,
+    /// Something was set since the last comparison.
+    touched: bool,
+    /// The first difference: from there on, nothing goes on.
+    found: Option<Box<Difference>>,
 }
 
 impl Lockstep {
@@ -53,26 +62,34 @@ impl Lockstep {
         let mut seen = vec![false; program.values.len()];
         let signals = program.hierarchy.scopes.iter().flat_map(|scope| &scope.signals).map(|signal| signal.value);
         let named: Vec<ValueId> = signals.filter(|id| !std::mem::replace(&mut seen[id.index()], true)).collect();
-        let mut lockstep = Lockstep { program, reference, other, named, instants: 0 };
+        let mut lockstep = Lockstep { program, reference, other, named, instants: 0, touched: true, found: None };
         lockstep.other.watch(&lockstep.named);
         lockstep
     }
 
-    /// The first value that differs.
+    /// Compares everything, after edges of these clocks or with none.
     fn compare(&mut self, rising: &[usize]) -> Result<(), Box<Difference>> {
-        for &id in &self.named {
-            let (reference, other) = (self.reference.read(id), self.other.read(id));
-            if reference != other {
-                let limbs = limbs_for(self.program.value(id).width);
-                let lane = (0..reference.len() / limbs)
-                    .find(|lane| reference[lane * limbs..][..limbs] != other[lane * limbs..][..limbs])
-                    .expect("some lane differs");
-                let bits = |of: &[u64]| Bits::from_limbs(self.program.value(id).width, &of[lane * limbs..][..limbs]);
-                let (reference, other) = (bits(reference), bits(other));
-                return Err(self.difference(self.name(id, lane as u32), rising, reference, other));
-            }
+        self.touched = false;
+        let compared = self.compare_values(rising).and_then(|()| self.compare_memories(rising));
+        compared.inspect_err(|difference| self.found = Some(difference.clone()))
+    }
+
+    fn compare_values(&mut self, rising: &[usize]) -> Result<(), Box<Difference>> {
+        (0..self.named.len()).try_for_each(|index| self.compare_value(self.named[index], rising))
+    }
+
+    fn compare_value(&mut self, id: ValueId, rising: &[usize]) -> Result<(), Box<Difference>> {
+        let (reference, other) = (self.reference.read(id), self.other.read(id));
+        if reference == other {
+            return Ok(());
         }
-        self.compare_memories(rising)
+        let limbs = limbs_for(self.program.value(id).width);
+        let lane = (0..reference.len() / limbs)
+            .find(|lane| reference[lane * limbs..][..limbs] != other[lane * limbs..][..limbs])
+            .expect("some lane differs");
+        let bits = |of: &[u64]| Bits::from_limbs(self.program.value(id).width, &of[lane * limbs..][..limbs]);
+        let (reference, other) = (bits(reference), bits(other));
+        Err(self.difference(self.name(id, lane as u32), rising, reference, other))
     }
 
     fn compare_memories(&self, rising: &[usize]) -> Result<(), Box<Difference>> {
@@ -100,6 +117,16 @@ impl Lockstep {
         Box::new(Difference { signal, instant: self.instants, clocks, reference, other })
     }
 
+    /// What the engines make of an assertion that fails on one of them.
+    fn assertion(&self, failed: Failed, on_reference: bool) -> Box<Difference> {
+        let assert = &self.program.asserts[failed.assert as usize];
+        let hierarchy = &self.program.hierarchy;
+        let path = hierarchy.path(hierarchy.instance(&assert.scopes, failed.lane));
+        let path = if path.is_empty() { &hierarchy.scopes[0].name } else { &path };
+        let bit = |holds: bool| Bits::new(1, u64::from(holds));
+        self.difference(format!("{path}: {}", assert.message), &[], bit(!on_reference), bit(on_reference))
+    }
+
     /// The first name of a lane of a value.
     fn name(&self, id: ValueId, lane: u32) -> String {
         let hierarchy = &self.program.hierarchy;
@@ -124,10 +151,14 @@ const COMPARED: u32 = 64;
 
 impl Engine for Lockstep {
     fn read(&mut self, id: ValueId) -> &[u64] {
+        if self.found.is_none() {
+            self.found = self.compare_value(id, &[]).err();
+        }
         self.reference.read(id)
     }
 
     fn write(&mut self, id: ValueId, limbs: &[u64], triggers: Triggers) {
+        self.touched = true;
         self.reference.write(id, limbs, triggers);
         self.other.write(id, limbs, triggers);
     }
@@ -137,6 +168,7 @@ impl Engine for Lockstep {
     }
 
     fn set_word(&mut self, memory: u32, lane: u32, address: u32, limbs: &[u64]) {
+        self.touched = true;
         self.reference.set_word(memory, lane, address, limbs);
         self.other.set_word(memory, lane, address, limbs);
     }
@@ -147,24 +179,40 @@ impl Engine for Lockstep {
     }
 
     fn check(&mut self, rising: &[usize]) -> Vec<Failed> {
-        let failed = self.reference.check(rising);
-        assert_eq!(failed, self.other.check(rising), "the engines differ in what assertions fail");
+        let (failed, other) = (self.reference.check(rising), self.other.check(rising));
+        let only = |these: &[Failed], those: &[Failed]| these.iter().copied().find(|it| !those.contains(it));
+        if self.found.is_none() {
+            let on_reference = only(&failed, &other).map(|it| (it, true));
+            let differing = on_reference.or_else(|| only(&other, &failed).map(|it| (it, false)));
+            self.found = differing.map(|(it, on_reference)| self.assertion(it, on_reference));
+        }
         failed
     }
 
     fn edges(&mut self, rising: &[usize], count: u64) -> Result<Done, Box<Difference>> {
         let mut all = Done { edges: 0, changed: Triggers::NONE };
         while all.edges < count {
-            let done = self.reference.edges(rising, 1)?;
-            assert_eq!(self.other.edges(rising, 1)?.edges, done.edges, "the engines differ in what assertions fail");
-            if done.edges == 0 {
+            let fails = !self.check(rising).is_empty();
+            self.agree()?;
+            if fails {
                 break;
             }
+            let done = self.reference.edges(rising, 1)?;
+            let other = self.other.edges(rising, 1)?;
+            assert_eq!((done.edges, other.edges), (1, 1), "no assertion fails, so the edge happens on both engines");
             all = Done { edges: all.edges + 1, changed: all.changed.with(done.changed) };
             self.instants += 1;
             self.compare(rising)?;
         }
         Ok(all)
+    }
+
+    fn agree(&mut self) -> Result<(), Box<Difference>> {
+        match &self.found {
+            Some(difference) => Err(difference.clone()),
+            None if self.touched => self.compare(&[]),
+            None => Ok(()),
+        }
     }
 }
 
@@ -175,6 +223,7 @@ mod tests {
     use super::*;
     use crate::program::compile;
     use crate::reference;
+    use crate::{Error, Simulation};
 
     bundle! {
         pub struct In<T> { pub x: T }
@@ -196,21 +245,78 @@ mod tests {
         fn build(&self, m: Module, i: In) -> Out {
             let y = m.reg("y", 8).reset(0);
             y.next(i.x);
+            m.assert(i.x.ne(99), "nobody says 99");
             Out { y: y.value() }
         }
     }
 
-    #[test]
-    fn a_difference_is_named_with_its_clock() {
+    /// Side by side, the second with another input than the first.
+    fn apart(x: u64, other: u64) -> Lockstep {
         let program = Arc::new(compile(&elaborate(&Follow).unwrap(), &crate::Passes::default()).unwrap());
         let engine = || Box::new(reference::Engine::new(program.clone(), 0));
         let mut lockstep = Lockstep::new(program.clone(), engine(), engine());
-        let x = program.inputs[0].value;
-        lockstep.write(x, &[5], program.inputs[0].triggers);
+        lockstep.write(program.inputs[0].value, &[5], program.inputs[0].triggers);
         lockstep.edges(&[0], 3).unwrap();
-        lockstep.other.write(x, &[6], program.inputs[0].triggers);
+        let Lockstep { reference, other: second, .. } = &mut lockstep;
+        for (engine, x) in [(reference, x), (second, other)] {
+            engine.write(program.inputs[0].value, &[x], program.inputs[0].triggers);
+        }
+        lockstep
+    }
+
+    #[test]
+    fn a_difference_is_named_with_its_clock() {
+        let mut lockstep = apart(5, 6);
         let difference = lockstep.edges(&[0], 2).unwrap_err();
         let Difference { signal, instant, clocks, .. } = &*difference;
         assert_eq!((signal.as_str(), *instant, clocks.as_slice()), ("x", 4, ["`clk`".to_owned()].as_slice()));
+        assert_eq!(lockstep.edges(&[0], 1), Err(difference), "nothing goes on");
+    }
+
+    #[test]
+    fn what_follows_from_inputs_is_compared_before_the_edge() {
+        let mut lockstep = apart(5, 6);
+        lockstep.touched = true;
+        let sentence = "the engines differ in `x` after instant 3, before the next edge: the reference engine has 8'h05, \
+                        the other one 8'h06: this is a mistake in tilewright, please report the design";
+        assert_eq!(lockstep.edges(&[0], 2).unwrap_err().to_string(), sentence);
+    }
+
+    #[test]
+    fn what_is_read_is_compared() {
+        let mut lockstep = apart(5, 6);
+        assert_eq!(lockstep.read(lockstep.program.inputs[0].value), [5]);
+        assert_eq!(lockstep.agree().unwrap_err().signal, "x");
+    }
+
+    #[test]
+    fn an_assertion_that_fails_on_one_engine_is_a_difference() {
+        for (x, other) in [(99, 5), (5, 99)] {
+            let difference = apart(x, other).edges(&[0], 2).unwrap_err();
+            assert_eq!(difference.signal, "follow: nobody says 99");
+            assert_eq!(
+                (difference.reference, difference.other),
+                (Bits::new(1, (x == 5).into()), Bits::new(1, (x == 99).into()))
+            );
+        }
+        let done = apart(99, 99).edges(&[0], 2).unwrap();
+        assert_eq!(done.edges, 0);
+    }
+
+    #[test]
+    fn a_simulation_stops_at_a_difference_and_leaves_its_trace() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("follow.vcd");
+        for traced in [false, true] {
+            let mut sim = Simulation::of(&Follow).unwrap();
+            if traced {
+                sim.trace(crate::Vcd::to(&file)).unwrap();
+            }
+            sim.engine.replace(Box::new(apart(5, 6)));
+            let Err(Error::Differs(difference)) = sim.try_run(9) else { panic!("the engines agree") };
+            assert_eq!(difference.signal, "x");
+            assert!(matches!(sim.finish(), Err(Error::Differs(_))));
+        }
+        assert!(std::fs::read_to_string(&file).unwrap().contains("$enddefinitions"));
     }
 }

@@ -5,7 +5,6 @@ use tilewright_hdl::Bundle;
 use crate::engine::Failed;
 use crate::error::{Error, UnknownName, Violation};
 use crate::program::Triggers;
-use crate::program::hierarchy::Place;
 use crate::simulation::Simulation;
 use crate::trace::View;
 
@@ -77,12 +76,13 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     /// # Errors
     ///
     /// [`Error::Violated`] if assertions do not hold before the edge, which then does not happen; [`Error::Trace`] if a
-    /// file could not be written at an instant before; [`Error::NoClock`].
+    /// file could not be written at an instant before; [`Error::NoClock`]; [`Error::Differs`].
     pub fn try_step(&mut self) -> Result<(), Error> {
         let until = self.timeline.next_time().ok_or(Error::NoClock)?;
         self.timeline.rising_at(until, &mut self.rising);
         if !self.observers.is_empty() {
             let failed = self.engine.check(&self.rising);
+            self.engine.agree()?;
             self.observe(until)?;
             if !failed.is_empty() {
                 self.observers.iter_mut().for_each(|observer| observer.failed());
@@ -151,13 +151,14 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     ///
     /// # Errors
     ///
-    /// [`Error::Trace`] for the first file that could not be written to its end; the others are.
+    /// [`Error::Trace`] for the first file that could not be written to its end; the others are. [`Error::Differs`].
     pub fn finish(&mut self) -> Result<(), Error> {
         let until = self.timeline.next_time().unwrap_or(1);
         self.rising.clear();
         let mut observers = std::mem::take(&mut self.observers);
         let ends: Vec<_> = observers.iter_mut().map(|observer| observer.finish(&mut self.view(until))).collect();
-        ends.into_iter().collect()
+        ends.into_iter().collect::<Result<(), Error>>()?;
+        Ok(self.engine.agree()?)
     }
 
     /// The time of the last instant in picoseconds; 0 before the first.
@@ -211,9 +212,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     fn violation(&self, failed: Failed, time: u64) -> Violation {
         let assert = &self.program.asserts[failed.assert as usize];
         let hierarchy = &self.program.hierarchy;
-        let mut places = assert.scopes.iter().map(|&scope| Place { scope, lane: failed.lane });
-        let place = places.find(|&place| hierarchy.is_own(place)).expect("a lane is in some instance");
-        let path = hierarchy.path(place);
+        let path = hierarchy.path(hierarchy.instance(&assert.scopes, failed.lane));
         Violation {
             message: assert.message.clone(),
             instance: if path.is_empty() { hierarchy.scopes[0].name.clone() } else { path },

@@ -106,11 +106,13 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     pub fn seeded(mut self, seed: u64) -> Self {
         assert!(self.timeline.time == 0, "a seed can only be given before the first step");
         assert!(self.observers.is_empty(), "give the seed before attaching a trace");
-        self.engine = Started::new(self.program.clone(), self.engine.kind, seed);
+        self.engine = self.engine.again(self.engine.chosen(), seed);
+        self.resets.fill(false);
         self
     }
 
-    /// The same circuit at time 0 on this engine; inputs become zero.
+    /// The same circuit at time 0 on this engine; inputs become zero. Where no code can be generated for this machine, it
+    /// is the reference engine in any case: [`Simulation::engine`] tells, and [`Simulation::fallback`] why.
     ///
     /// # Panics
     ///
@@ -119,13 +121,27 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     pub fn on(mut self, kind: EngineKind) -> Self {
         assert!(self.timeline.time == 0, "an engine can only be chosen before the first step");
         assert!(self.observers.is_empty(), "choose the engine before attaching a trace");
-        self.engine = Started::new(self.program.clone(), kind, self.engine.seed);
+        self.engine = self.engine.again(kind, self.engine.seed);
+        self.resets.fill(false);
+        self
+    }
+
+    /// As on a machine that no code can be generated for, for that reason.
+    #[doc(hidden)]
+    pub fn without_code(mut self, reason: &str) -> Self {
+        self.engine = self.engine.refuse(reason);
+        self.resets.fill(false);
         self
     }
 
     /// The engine that runs: the one chosen, or the reference engine where no code can be generated for this machine.
     pub fn engine(&self) -> EngineKind {
-        self.engine.kind
+        self.engine.kind()
+    }
+
+    /// Why the reference engine runs although another one was chosen; nothing if the chosen one runs.
+    pub fn fallback(&self) -> Option<&str> {
+        self.engine.fallback()
     }
 
     /// The compiled circuit.

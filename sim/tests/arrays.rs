@@ -1,6 +1,10 @@
 //! Instance arrays as lanes: against the same circuit as single instances, nested, and unrolled where they must be.
 #![allow(missing_docs)]
 
+#[path = "engine/mod.rs"]
+mod engine;
+
+use engine::{ENGINE, of};
 use proptest::prelude::*;
 use tilewright_hdl::ir::{Design, Instance, InstanceId, Module as IrModule, Node, NodeId, Op, Reduction};
 use tilewright_hdl::{Bits, Block, Module, ReadUnderWrite, Width, bit, bits, bundle, elaborate, mux};
@@ -171,8 +175,8 @@ proptest! {
         stimulus in prop::collection::vec((any::<u64>(), any::<u64>()), 1..20),
     ) {
         let design = elaborate(&Row { lanes, width, chained }).unwrap();
-        let mut whole = Simulation::from_design(&design).unwrap();
-        let mut single = Simulation::from_design(&without_arrays(&design)).unwrap();
+        let mut whole = Simulation::from_design(&design).unwrap().on(ENGINE);
+        let mut single = Simulation::from_design(&without_arrays(&design)).unwrap().on(ENGINE);
         let lanes_kept = whole.program().hierarchy.scopes.iter().any(|scope| scope.lanes == lanes);
         prop_assert_eq!(lanes_kept, !chained || lanes == 1);
         for (common, entering) in stimulus {
@@ -200,7 +204,7 @@ proptest! {
     #[test]
     fn a_seed_fills_an_array_alike_in_lanes_and_unrolled(seed in 1..u64::MAX) {
         let start = |chained| {
-            let mut sim = Simulation::of(&Row { lanes: 3, width: 70, chained }).unwrap().seeded(seed);
+            let mut sim = of(&Row { lanes: 3, width: 70, chained }).seeded(seed);
             let word = |sim: &Simulation<_, _>, lane| sim.peek_memory(&format!("u_cell[{lane}].store"), 3).unwrap();
             (0..3).map(|lane| (sim.peek(&format!("u_cell[{lane}].value")).unwrap(), word(&sim, lane))).collect::<Vec<_>>()
         };
@@ -237,12 +241,12 @@ impl Block for Grid {
 #[test]
 fn arrays_nest() {
     for width in [8, 70] {
-        let mut sim = Simulation::of(&Grid { width }).unwrap();
+        let mut sim = of(&Grid { width });
         sim.drive(RowIn { common: 201, entering: 0 });
         sim.run(5);
         let mut total = 0;
         for row in 0..2 {
-            let mut alone = Simulation::of(&Row { lanes: 3, width, chained: false }).unwrap();
+            let mut alone = of(&Row { lanes: 3, width, chained: false });
             alone.drive(RowIn { common: 201, entering: row });
             alone.run(5);
             for cell in 0..3 {
@@ -283,7 +287,7 @@ impl Block for Deep {
 
 #[test]
 fn a_chain_100000_deep_compiles_and_runs() {
-    let mut sim = Simulation::of(&Deep { depth: 100_000 }).unwrap();
+    let mut sim = of(&Deep { depth: 100_000 });
     sim.set(sim.i.x, 7);
     assert_eq!(sim.get(sim.o.y), 700_007);
 }

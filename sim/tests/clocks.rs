@@ -1,9 +1,12 @@
 //! Several clocks: the order of edges, what crosses, and memories between two clocks against a plain model.
 #![allow(missing_docs)]
 
+#[path = "engine/mod.rs"]
+mod engine;
+
+use engine::of;
 use proptest::prelude::*;
 use tilewright_hdl::{Block, Clock, Module, Period, ReadUnderWrite, Signal, Width, bit, bits, bundle};
-use tilewright_sim::Simulation;
 
 const FAST: Clock = Clock::new("fast", Period::ps(2_000));
 const SLOW: Clock = Clock::new("slow", Period::ps(3_000));
@@ -36,7 +39,7 @@ impl Block for Pair {
 
 #[test]
 fn clocks_that_rise_together_sample_together() {
-    let mut sim = Simulation::of(&Pair).unwrap();
+    let mut sim = of(&Pair);
     let mut seen = Vec::new();
     while sim.time() < 6_000 {
         sim.step();
@@ -52,7 +55,7 @@ fn clocks_that_rise_together_sample_together() {
 
 #[test]
 fn a_wave_of_two_clocks_shows_both() {
-    let mut sim = Simulation::of(&Pair).unwrap();
+    let mut sim = of(&Pair);
     let wave = sim.record([sim.o.fast, sim.o.slow]);
     sim.run(6);
     wave.expect(
@@ -102,7 +105,7 @@ proptest! {
         stimulus in prop::collection::vec((1..6usize, 0..2u64, 0..4u64, 0..3u64, 0..2u64, 0..4u64), 1..40),
     ) {
         let policy = if any_policy { ReadUnderWrite::Any } else { ReadUnderWrite::Old };
-        let mut sim = Simulation::of(&Store { policy }).unwrap();
+        let mut sim = of(&Store { policy });
         let (mut words, mut word, mut time) = ([0u64; 4], 0, 0u64);
         for (repeat, write, to, data, read, from) in stimulus {
             sim.drive(StoreIn { write, to, data, read, from });
@@ -130,7 +133,7 @@ proptest! {
 #[test]
 fn an_edge_evaluates_nothing_that_depends_on_another_clock_alone() {
     use tilewright_sim::program::{Readers, Triggers};
-    let sim = Simulation::of(&Pair).unwrap();
+    let sim = of(&Pair);
     let clocks = &sim.program().clocks;
     for (index, clock) in clocks.iter().enumerate() {
         let other = 1 - index;

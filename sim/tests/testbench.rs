@@ -1,6 +1,10 @@
 //! The testbench interface: setting, reading, stepping, looking inside, and every error.
 #![allow(missing_docs)]
 
+#[path = "engine/mod.rs"]
+mod engine;
+
+use engine::of;
 use tilewright_hdl::{Bits, Block, Module, ReadUnderWrite, Width, bit, bits, bundle, mux, net, states, when};
 use tilewright_sim::{EngineKind, Error, Simulation};
 
@@ -35,7 +39,7 @@ const COUNTER: Counter = Counter { width: 4, limit: 3 };
 
 #[test]
 fn outputs_settle_and_registers_step() {
-    let mut sim = Simulation::of(&COUNTER).unwrap();
+    let mut sim = of(&COUNTER);
     sim.set(sim.i.enable, 1);
     assert_eq!(sim.get(sim.o.count), 0);
     sim.run(2);
@@ -52,14 +56,14 @@ fn outputs_settle_and_registers_step() {
 
 #[test]
 fn a_stream_gives_the_outputs_of_every_cycle() {
-    let mut sim = Simulation::of(&COUNTER).unwrap();
+    let mut sim = of(&COUNTER);
     let counts = sim.stream([1, 1, 0, 1].map(|enable| CounterIn { enable })).into_iter().map(|out| out.count);
     assert_eq!(counts.collect::<Vec<_>>(), [0, 1, 2, 2]);
 }
 
 #[test]
 fn a_reset_returns_to_the_reset_values() {
-    let mut sim = Simulation::of(&COUNTER).unwrap();
+    let mut sim = of(&COUNTER);
     sim.set(sim.i.enable, true);
     sim.step();
     sim.reset();
@@ -70,7 +74,7 @@ fn a_reset_returns_to_the_reset_values() {
 
 #[test]
 fn names_inside_can_be_read() {
-    let mut sim = Simulation::of(&COUNTER).unwrap();
+    let mut sim = of(&COUNTER);
     assert_eq!(sim.peek("at_end").unwrap(), 0);
     let error = sim.peek("at_ned").unwrap_err().to_string();
     assert_eq!(error, "there is no signal `at_ned`: did you mean `at_end`?");
@@ -83,14 +87,14 @@ fn names_inside_can_be_read() {
 #[test]
 #[should_panic(expected = "input `enable` has 1 bit and cannot hold 2")]
 fn a_value_that_does_not_fit_is_refused() {
-    let mut sim = Simulation::of(&COUNTER).unwrap();
+    let mut sim = of(&COUNTER);
     sim.set(sim.i.enable, 2);
 }
 
 #[test]
 #[should_panic(expected = "`count` is an output and cannot be set")]
 fn an_output_cannot_be_set() {
-    let mut sim = Simulation::of(&COUNTER).unwrap();
+    let mut sim = of(&COUNTER);
     sim.set(sim.o.count, 2);
 }
 
@@ -124,7 +128,7 @@ impl Block for Inverter {
 
 #[test]
 fn a_design_without_clocks_can_be_read_but_not_stepped() {
-    let mut sim = Simulation::of(&Inverter).unwrap();
+    let mut sim = of(&Inverter);
     sim.set(sim.i.request, Bits::ones(100));
     assert_eq!(sim.get(sim.o.answer), 0);
     sim.set(sim.i.request, -2);
@@ -135,7 +139,7 @@ fn a_design_without_clocks_can_be_read_but_not_stepped() {
 #[test]
 #[should_panic(expected = "is wider than 64 bits: use `get`")]
 fn a_wide_port_is_not_cut_to_an_integer() {
-    let mut sim = Simulation::of(&Inverter).unwrap();
+    let mut sim = of(&Inverter);
     sim.get_u64(sim.o.answer);
 }
 
@@ -168,7 +172,7 @@ impl Block for Worker {
 
 #[test]
 fn a_failed_assertion_names_cycle_time_and_place() {
-    let mut sim = Simulation::of(&Worker).unwrap();
+    let mut sim = of(&Worker);
     sim.set(sim.i.request, 1);
     sim.step();
     let Err(Error::Violated(violations)) = sim.try_step() else { panic!("the assertion holds") };
@@ -185,14 +189,14 @@ fn a_failed_assertion_names_cycle_time_and_place() {
 #[test]
 #[should_panic(expected = "started while busy")]
 fn a_step_panics_if_an_assertion_fails() {
-    let mut sim = Simulation::of(&Worker).unwrap();
+    let mut sim = of(&Worker);
     sim.set(sim.i.request, 1);
     sim.run(2);
 }
 
 #[test]
 fn assertions_rest_while_the_reset_is_high() {
-    let mut sim = Simulation::of(&Worker).unwrap();
+    let mut sim = of(&Worker);
     sim.set(sim.i.request, 1);
     sim.step();
     sim.reset();
@@ -201,7 +205,7 @@ fn assertions_rest_while_the_reset_is_high() {
 
 #[test]
 fn a_wave_shows_clock_levels_buses_and_states() {
-    let mut sim = Simulation::of(&COUNTER).unwrap();
+    let mut sim = of(&COUNTER);
     let wave = sim.record([sim.i.enable, sim.o.count, sim.o.wrapped]);
     for enable in [0, 1, 1, 1, 0, 0] {
         sim.set(sim.i.enable, enable);
@@ -215,7 +219,7 @@ fn a_wave_shows_clock_levels_buses_and_states() {
         wrapped |___________/~~~\________",
     );
 
-    let mut sim = Simulation::of(&Worker).unwrap();
+    let mut sim = of(&Worker);
     let wave = sim.record(["phase"]);
     for start in [1, 0, 0] {
         sim.set(sim.i.request, start);
@@ -231,7 +235,7 @@ fn a_wave_shows_clock_levels_buses_and_states() {
 #[test]
 #[should_panic(expected = "the wave differs.\nexpected:\nclk |____\nactual:\nclk |___/")]
 fn a_wave_that_differs_is_shown() {
-    let mut sim = Simulation::of(&COUNTER).unwrap();
+    let mut sim = of(&COUNTER);
     let wave = sim.record([""; 0]);
     sim.step();
     wave.expect("clk |____");
@@ -239,7 +243,7 @@ fn a_wave_that_differs_is_shown() {
 
 #[test]
 fn a_recording_has_the_values_before_each_edge() {
-    let mut sim = Simulation::of(&COUNTER).unwrap();
+    let mut sim = of(&COUNTER);
     let recording = sim.recording();
     for enable in [1, 0] {
         sim.set(sim.i.enable, enable);
@@ -279,7 +283,7 @@ impl Block for Store {
 
 /// What a read gives that collides with the write of 5 over `old`.
 fn collision(policy: ReadUnderWrite) -> Bits {
-    let mut sim = Simulation::of(&Store { policy }).unwrap();
+    let mut sim = of(&Store { policy });
     sim.poke_memory("store", 2, 9).unwrap();
     sim.drive(StoreIn { write: 1, to: 2, from: 2, data: 5 });
     sim.step();
@@ -295,7 +299,7 @@ fn a_read_under_write_follows_the_policy() {
 
 #[test]
 fn addresses_beyond_the_depth_read_zero_and_write_nothing() {
-    let mut sim = Simulation::of(&Store { policy: ReadUnderWrite::Old }).unwrap().seeded(7);
+    let mut sim = of(&Store { policy: ReadUnderWrite::Old }).seeded(7);
     sim.drive(StoreIn { write: 1, to: 7, from: 3, data: 5 });
     sim.step();
     assert_ne!(sim.get(sim.o.answer), 0, "the seed fills memories");
@@ -309,14 +313,14 @@ fn addresses_beyond_the_depth_read_zero_and_write_nothing() {
 #[test]
 #[should_panic(expected = "address 6 of memory `store`, which has 6 words")]
 fn a_memory_has_no_word_beyond_its_depth() {
-    let sim = Simulation::of(&Store { policy: ReadUnderWrite::Old }).unwrap();
+    let sim = of(&Store { policy: ReadUnderWrite::Old });
     let _ = sim.peek_memory("store", 6);
 }
 
 #[test]
 fn equal_seeds_start_alike_and_others_do_not() {
     let start = |seed| {
-        let sim = Simulation::of(&Store { policy: ReadUnderWrite::Old }).unwrap().seeded(seed);
+        let sim = of(&Store { policy: ReadUnderWrite::Old }).seeded(seed);
         (0..6).map(|address| sim.peek_memory("store", address).unwrap()).collect::<Vec<_>>()
     };
     assert_eq!(start(3), start(3));
@@ -338,4 +342,19 @@ fn a_run_in_one_piece_is_as_many_steps() {
         assert_eq!((pieces.time(), pieces.cycles("clk").unwrap()), (whole.time(), whole.cycles("clk").unwrap()));
         assert_eq!(whole.get_u64(whole.o.count), 37);
     }
+}
+
+#[test]
+fn without_generated_code_the_reference_engine_runs_and_says_why() {
+    let sim = Simulation::of(&COUNTER).unwrap();
+    assert_eq!((sim.engine(), sim.fallback()), (EngineKind::Compiled, None));
+    for chosen in [EngineKind::Compiled, EngineKind::Both] {
+        let mut sim = Simulation::of(&COUNTER).unwrap().on(chosen).without_code("it is a typewriter").seeded(3);
+        assert_eq!((sim.engine(), sim.fallback()), (EngineKind::Reference, Some("it is a typewriter")));
+        sim.set(sim.i.enable, 1);
+        sim.run(2);
+        assert_eq!(sim.get(sim.o.count), 2);
+    }
+    let sim = Simulation::of(&COUNTER).unwrap().without_code("it is a typewriter").on(EngineKind::Reference);
+    assert_eq!((sim.engine(), sim.fallback()), (EngineKind::Reference, None));
 }

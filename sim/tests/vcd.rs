@@ -1,11 +1,15 @@
 //! Waveform files: the whole text of a small one, filters, the flight recorder, and what happens on errors.
 #![allow(missing_docs)]
 
+#[path = "engine/mod.rs"]
+mod engine;
+
 use std::fs;
 use std::path::PathBuf;
 
+use engine::of;
 use tilewright_hdl::{Block, Module, Width, bit, bits, bundle, hold, states, when};
-use tilewright_sim::{Error, Simulation, Vcd};
+use tilewright_sim::{Error, Vcd};
 
 bundle! {
     pub struct LampIn<T> { pub toggle: T }
@@ -62,12 +66,12 @@ impl Block for Lamps {
 }
 
 fn path(name: &str) -> PathBuf {
-    PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name)
+    PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("{:?}_{name}", engine::ENGINE))
 }
 
 /// The text of what two steps leave, the second with both lamps toggled.
 fn two_steps(vcd: Vcd, name: &str) -> String {
-    let mut sim = Simulation::of(&Lamps).unwrap();
+    let mut sim = of(&Lamps);
     sim.trace(vcd).unwrap();
     sim.step();
     sim.set(sim.i.toggle, 3);
@@ -96,18 +100,18 @@ $var wire 1 ! clk $end
 $var wire 1 \" rst $end
 $var wire 1 & toggle $end
 $var wire 1 ' lit $end
-$var reg 1 ( lamp $end
-$var string 1 ) lamp_state $end
+$var reg 1 ' lamp $end
+$var string 1 ( lamp_state $end
 $upscope $end
 $upscope $end
 $scope begin u_lamp[1] $end
 $scope module lane $end
 $var wire 1 ! clk $end
 $var wire 1 \" rst $end
-$var wire 1 * toggle $end
-$var wire 1 + lit $end
-$var reg 1 , lamp $end
-$var string 1 - lamp_state $end
+$var wire 1 ) toggle $end
+$var wire 1 * lit $end
+$var reg 1 * lamp $end
+$var string 1 + lamp_state $end
 $upscope $end
 $upscope $end
 $upscope $end
@@ -119,12 +123,10 @@ b0 #
 b0 %
 0&
 0'
-0(
-sOff )
+sOff (
+0)
 0*
-0+
-0,
-sOff -
+sOff +
 0!
 0\"
 $end
@@ -132,7 +134,7 @@ $end
 b11 #
 b1 %
 1&
-1*
+1)
 1!
 #15000
 0!
@@ -140,11 +142,9 @@ b1 %
 1$
 b10 %
 1'
-1(
-sOn )
-1+
-1,
-sOn -
+sOn (
+1*
+sOn +
 1!
 #25000
 0!
@@ -179,7 +179,7 @@ fn patterns_choose_signals() {
     let inside = ["lamp", "lamp_state", "lit"].map(|name| format!("lamps.u_lamp[1].lane.{name}"));
     assert_eq!(names(&text), [vec!["lamps.all".to_string(), "lamps.clk".to_string()], inside.to_vec()].concat());
 
-    let mut sim = Simulation::of(&Lamps).unwrap();
+    let mut sim = of(&Lamps);
     let error = sim.trace(Vcd::to(path("none.vcd")).only("u_lamp[2].**")).unwrap_err().to_string();
     assert_eq!(error, "there is no signal that matches `u_lamp[2].**`: did you mean `u_lamp[0].**`?");
     let error = sim.trace(Vcd::to(path("none.vcd")).only("u_lamp[1].clkk")).unwrap_err().to_string();
@@ -191,7 +191,7 @@ fn cycles_choose_a_part_of_the_run() {
     let text = two_steps(Vcd::to(path("part.vcd")).only("count").cycles("clk", 1..2), "part.vcd");
     let (_, body) = text.split_once("$enddefinitions $end\n").unwrap();
     assert_eq!(body, "#10000\n$dumpvars\nb1 \"\n1!\n$end\n#15000\n0!\n#20000\n");
-    let mut sim = Simulation::of(&Lamps).unwrap();
+    let mut sim = of(&Lamps);
     let error = sim.trace(Vcd::to(path("part.vcd")).cycles("clkk", 0..1)).unwrap_err().to_string();
     assert_eq!(error, "there is no clock `clkk`: did you mean `clk`?");
 }
@@ -200,7 +200,7 @@ fn cycles_choose_a_part_of_the_run() {
 fn a_flight_recorder_writes_what_led_to_the_failure() {
     let file = path("flight.vcd");
     let _ = fs::remove_file(&file);
-    let mut sim = Simulation::of(&Lamps).unwrap();
+    let mut sim = of(&Lamps);
     sim.trace(Vcd::to(&file).only("count").last(2)).unwrap();
     sim.run(3);
     assert!(!file.exists());
@@ -219,7 +219,7 @@ fn a_window_is_kept_to_its_ends() {
     assert_eq!(body(text), expected);
 
     let file = path("window_flight.vcd");
-    let mut sim = Simulation::of(&Lamps).unwrap();
+    let mut sim = of(&Lamps);
     sim.trace(window("window_flight.vcd").last(9)).unwrap();
     assert!(matches!(sim.try_run(9), Err(Error::Violated(_))));
     assert_eq!(body(fs::read_to_string(file).unwrap()), expected.strip_suffix("#26000\n").unwrap());
@@ -228,7 +228,7 @@ fn a_window_is_kept_to_its_ends() {
 #[test]
 fn a_run_that_is_not_finished_leaves_a_file_that_opens() {
     let file = path("dropped.vcd");
-    let mut sim = Simulation::of(&Lamps).unwrap();
+    let mut sim = of(&Lamps);
     sim.trace(Vcd::to(&file)).unwrap();
     sim.run(2);
     drop(sim);
@@ -239,7 +239,7 @@ fn a_run_that_is_not_finished_leaves_a_file_that_opens() {
 
 #[test]
 fn a_full_device_is_an_error_that_names_the_file() {
-    let mut sim = Simulation::of(&Lamps).unwrap();
+    let mut sim = of(&Lamps);
     let error = sim.trace(Vcd::to("/dev/full")).unwrap_err().to_string();
     assert!(error.starts_with("cannot write the trace /dev/full: No space left"), "{error}");
     let error = sim.trace(Vcd::to(path("no_such_folder/a.vcd"))).unwrap_err().to_string();
@@ -248,7 +248,7 @@ fn a_full_device_is_an_error_that_names_the_file() {
 
 #[test]
 fn the_error_of_an_assertion_comes_before_that_of_its_trace() {
-    let mut sim = Simulation::of(&Lamps).unwrap();
+    let mut sim = of(&Lamps);
     sim.trace(Vcd::to(path("no_such_folder/b.vcd")).last(2)).unwrap();
     let error = sim.try_run(9).unwrap_err();
     assert!(matches!(error, Error::Violated(_)), "{error}");
@@ -260,7 +260,7 @@ fn the_error_of_an_assertion_comes_before_that_of_its_trace() {
 
 #[test]
 fn a_reset_reports_a_trace_that_cannot_be_written() {
-    let mut sim = Simulation::of(&Lamps).unwrap();
+    let mut sim = of(&Lamps);
     sim.trace(Vcd::to(path("no_such_folder/d.vcd")).last(2)).unwrap();
     assert!(matches!(sim.try_run(9), Err(Error::Violated(_))));
     let error = sim.try_reset().unwrap_err().to_string();
@@ -271,7 +271,7 @@ fn a_reset_reports_a_trace_that_cannot_be_written() {
 
 #[test]
 fn a_trace_is_finished_although_another_one_failed() {
-    let mut sim = Simulation::of(&Lamps).unwrap();
+    let mut sim = of(&Lamps);
     sim.trace(Vcd::to(path("no_such_folder/c.vcd")).last(2)).unwrap();
     sim.trace(Vcd::to(path("second.vcd"))).unwrap();
     assert!(matches!(sim.try_run(9), Err(Error::Violated(_))));

@@ -2,10 +2,14 @@
 //! not change, and a flight recorder writes what a file from the start would have.
 #![allow(missing_docs)]
 
+#[path = "engine/mod.rs"]
+mod engine;
+
 use std::collections::HashMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use engine::of;
 use proptest::prelude::*;
 use tilewright_hdl::{
     Bits, Block, Clock, Module, Period, ReadUnderWrite, Width, bit, bits, bundle, hold, mux, states, when,
@@ -198,7 +202,7 @@ fn expect_clock(file: &Path, name: &str, period: u64) {
 }
 
 fn path(name: &str) -> PathBuf {
-    PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name)
+    PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("{:?}_{name}", engine::ENGINE))
 }
 
 proptest! {
@@ -208,7 +212,7 @@ proptest! {
     #[test]
     fn a_file_shows_what_every_signal_is(actions in prop::collection::vec((action(), 1..4_usize), 8..60)) {
         let [whole, long, short] = ["whole_values.vcd", "long_flight.vcd", "short_flight.vcd"].map(path);
-        let mut sim = Simulation::of(&House).unwrap();
+        let mut sim = of(&House);
         sim.trace(Vcd::to(&whole)).unwrap();
         sim.trace(Vcd::to(&long).last(1000)).unwrap();
         sim.trace(Vcd::to(&short).last(5)).unwrap();

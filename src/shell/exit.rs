@@ -11,7 +11,7 @@ use tilewright_scenes::SceneError;
 pub enum Exit {
     /// Done.
     Done = 0,
-    /// A frame differs from the golden image, an assertion of the hardware does not hold, or simulators disagree.
+    /// A frame differs from the golden image, an assertion of the hardware does not hold, or simulators or engines disagree.
     CheckFailed = 1,
     /// Bad usage or bad input.
     BadInput = 2,
@@ -76,7 +76,9 @@ impl From<tilewright_sim::Error> for Failure {
     fn from(error: tilewright_sim::Error) -> Failure {
         match error {
             tilewright_sim::Error::Trace { path, source } => Failure::unwritable(&path.display(), &source),
-            tilewright_sim::Error::Violated(_) => Failure::new(Exit::CheckFailed, error.to_string()),
+            tilewright_sim::Error::Violated(_) | tilewright_sim::Error::Differs(_) => {
+                Failure::new(Exit::CheckFailed, error.to_string())
+            }
             _ => Failure::new(Exit::BadInput, error.to_string()),
         }
     }
@@ -108,14 +110,36 @@ impl From<tilewright_benches::Error> for Failure {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use tilewright_hdl::Bits;
     use tilewright_machines::Error;
-    use tilewright_sim::Error::{NoClock, Trace, Violated};
+    use tilewright_sim::Difference;
+    use tilewright_sim::Error::{Differs, NoClock, Trace, Violated};
+
+    /// Engines that differ in a signal.
+    fn difference() -> Box<Difference> {
+        let [reference, other] = [5, 6].map(|value| Bits::new(8, value));
+        Box::new(Difference {
+            signal: "u_gfb.row".to_owned(),
+            instant: 3,
+            clocks: vec!["`pe`".to_owned()],
+            reference,
+            other,
+        })
+    }
+
+    #[test]
+    fn engines_that_differ_end_in_one_sentence_with_signal_and_clock() {
+        let sentence = "the engines differ in `u_gfb.row` after instant 3, an edge of `pe`: the reference engine has 8'h05, \
+                        the other one 8'h06: this is a mistake in tilewright, please report the design";
+        assert_eq!(Failure::from(Differs(difference())).sentence, sentence);
+    }
 
     #[test]
     fn what_went_wrong_decides_the_exit_code() {
         let full = || Trace { path: "run.vcd".into(), source: io::ErrorKind::StorageFull.into() };
         let cases = [
             (Error::Simulation(Violated(Vec::new())), Exit::CheckFailed),
+            (Error::Simulation(Differs(difference())), Exit::CheckFailed),
             (Error::Simulation(full()), Exit::NoOutput),
             (Error::Simulation(NoClock), Exit::BadInput),
             (Error::Cancelled { phase: "drawing", time: 5 }, Exit::Interrupted),

@@ -4,6 +4,7 @@ mod bad_input;
 mod bench;
 mod determinism;
 mod documentation;
+mod engine;
 mod harness;
 mod interruption;
 mod output;

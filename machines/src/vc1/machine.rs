@@ -3,7 +3,7 @@
 use tilewright_rtl::parameter::ParameterError;
 use tilewright_rtl::vc1::{Vc1, Vc1In, Vc1Out};
 use tilewright_scenes::{Frame, Projection};
-use tilewright_sim::Simulation;
+use tilewright_sim::{EngineKind, Simulation};
 
 use super::assignment::Assignment;
 use super::config::Config;
@@ -30,6 +30,16 @@ impl Machine {
         config.check()?;
         let hardware = Hardware::new(&Vc1::new(config.patches()?, config.pages()?, config.processors)?)?;
         Ok(Machine { config, hardware })
+    }
+
+    /// The same machine on that engine of the simulator; the compiled one is the default.
+    ///
+    /// # Panics
+    /// A trace is attached.
+    #[track_caller]
+    pub fn on(mut self, engine: EngineKind) -> Machine {
+        self.hardware.sim = self.hardware.sim.on(engine);
+        self
     }
 
     /// The simulated hardware, to attach traces to. [`Machine::render`] ends them, also where it fails.

@@ -115,9 +115,9 @@ impl std::fmt::Debug for Jit {
     }
 }
 
-/// Whether code can be generated for this machine.
-pub(crate) fn is_supported() -> bool {
-    host().is_ok()
+/// Why no code can be generated for this machine, if none can.
+pub(crate) fn unsupported() -> Option<Unsupported> {
+    host().err()
 }
 
 /// The machine that this runs on, which is found out once.

@@ -35,7 +35,7 @@ use edge::Edge;
 use function::{Addresses, Emitter, MemoryAt};
 use graph::{Graph, Sink};
 pub use jit::Unsupported;
-pub(crate) use jit::is_supported;
+pub(crate) use jit::unsupported;
 use jit::{Code, Jit};
 use layout::{Layout, Place, Strips};
 use plan::Plan;

@@ -146,8 +146,14 @@ impl Hierarchy {
         self.scope(of.scope).children.iter().flat_map(|&child| element(child)).collect()
     }
 
+    /// The instance of a lane of values that these scopes share.
+    pub fn instance(&self, scopes: &[ScopeId], lane: u32) -> Place {
+        let mut places = scopes.iter().map(|&scope| Place { scope, lane });
+        places.find(|&place| self.is_own(place)).expect("a lane is in some instance")
+    }
+
     /// Whether a lane of a scope's values is the scope's own, not that of an instance beside it.
-    pub fn is_own(&self, place: Place) -> bool {
+    fn is_own(&self, place: Place) -> bool {
         let (mut scope, mut lane) = (self.scope(place.scope), place.lane);
         loop {
             if matches!(scope.replication, Replication::Sibling { index, of } if lane % of != index) {

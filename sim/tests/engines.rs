@@ -1,0 +1,238 @@
+//! The engines are alike in everything that a testbench can see, whatever it does: values, names inside, memories,
+//! errors, times, waveform files, waves in text and recordings.
+#![allow(missing_docs)]
+
+use std::fs;
+
+use proptest::prelude::*;
+use tilewright_hdl::{
+    Bits, Block, Clock, Module, Period, ReadUnderWrite, Width, bit, bits, bundle, goto, mux, net, states, when,
+};
+use tilewright_sim::{EngineKind, Simulation, Vcd};
+
+const FAST: Clock = Clock::new("fast", Period::ps(2_000));
+const SLOW: Clock = Clock::new("slow", Period::ps(3_000));
+
+bundle! {
+    pub struct CellIn<T> { pub enable: T, pub left: T, pub own: T, pub wide: T, pub pick: T }
+    pub struct CellOut<T> { pub value: T, pub total: T, pub word: T, pub seen: T }
+}
+
+states! {
+    enum Phase { Idle, Busy, Done }
+}
+
+/// Registers with a reset and without, a memory between two clocks, a state machine, an assertion.
+#[derive(Debug)]
+struct Cell;
+
+impl Block for Cell {
+    type In = CellIn;
+    type Out = CellOut;
+
+    fn inputs(&self) -> CellIn<Width> {
+        let fast = |width| bits(width).on(FAST);
+        CellIn { enable: bit().on(FAST), left: fast(8), own: fast(8), wide: fast(70), pick: bits(3).on(SLOW) }
+    }
+
+    fn build(&self, m: Module, i: CellIn) -> CellOut {
+        let (fast, slow) = (m.on(FAST), m.on(SLOW));
+        let value = fast.reg("value", 8);
+        let total = fast.reg("total", 70).reset(3);
+        let phase = fast.fsm("phase", Phase::Idle);
+        phase.next(|now| match now {
+            Phase::Idle => when(i.enable, Phase::Busy),
+            Phase::Busy => goto(Phase::Done),
+            Phase::Done => when(i.left.bit(0), Phase::Idle),
+        });
+        net!(sum = i.left + i.own + value.value());
+        value.enable(i.enable).next(sum);
+        total.next(total.value() + mux(phase.is(Phase::Busy), i.wide, sum.zext(70)));
+        let store = m.memory("store", 5, 8, ReadUnderWrite::Any);
+        store.on(FAST).write(i.enable, value.value().slice(0..3), sum);
+        fast.assert(!(i.enable & i.left.eq(77)), "the left one says 77");
+        CellOut {
+            value: value.value(),
+            total: total.value(),
+            word: store.on(SLOW).read(i.pick) ^ store.on(SLOW).read_async(i.pick),
+            seen: slow.pipe("seen", value.value().quasi_static("the test samples it")),
+        }
+    }
+}
+
+bundle! {
+    pub struct RowIn<T> { pub enable: T, pub x: T, pub wide: T, pub pick: T }
+    pub struct RowOut<T> { pub sum: T, pub last: T, pub total: T, pub word: T, pub seen: T }
+}
+
+/// A chain of cells.
+#[derive(Debug, Clone, Copy)]
+struct Row {
+    lanes: u32,
+}
+
+impl Block for Row {
+    type In = RowIn;
+    type Out = RowOut;
+
+    fn inputs(&self) -> RowIn<Width> {
+        RowIn { enable: bit().on(FAST), x: bits(8).on(FAST), wide: bits(70).on(FAST), pick: bits(3).on(SLOW) }
+    }
+
+    fn build(&self, m: Module, i: RowIn) -> RowOut {
+        let cells = m.array("u_cell", self.lanes, &Cell, |a| CellIn {
+            enable: a.all(&i.enable),
+            left: a.out.value.following(i.x),
+            own: a.constants(8, |lane| u64::from(5 * lane % 16)),
+            wide: a.all(&i.wide),
+            pick: a.all(&i.pick),
+        });
+        m.on(SLOW).assert(i.pick.ne(7), "nobody picks 7");
+        RowOut {
+            sum: cells.value.sum(),
+            last: cells.value.last(),
+            total: cells.total.xor_all(),
+            word: cells.word.or_all(),
+            seen: cells.seen.xor_all(),
+        }
+    }
+}
+
+/// What a testbench does.
+#[derive(Debug, Clone)]
+enum Act {
+    Drive { enable: u64, x: u64, wide: u128, pick: u64 },
+    Step,
+    Run(u64),
+    RunUntil(u64),
+    Ticks(bool, u64),
+    Reset,
+    Poke { lane: u32, address: u32, word: u64 },
+    PeekAll,
+}
+
+fn act() -> impl Strategy<Value = Act> {
+    let x = prop_oneof![4 => 0..=255u64, 1 => Just(77)];
+    prop_oneof![
+        4 => (0..2u64, x, any::<u128>(), 0..8u64)
+            .prop_map(|(enable, x, wide, pick)| Act::Drive { enable, x, wide: wide >> 58, pick }),
+        4 => Just(Act::Step),
+        2 => (0..9u64).prop_map(Act::Run),
+        1 => (0..20_000u64).prop_map(Act::RunUntil),
+        1 => (any::<bool>(), 0..4u64).prop_map(|(fast, ticks)| Act::Ticks(fast, ticks)),
+        1 => Just(Act::Reset),
+        2 => (0..3u32, 0..5u32, 0..256u64).prop_map(|(lane, address, word)| Act::Poke { lane, address, word }),
+        2 => Just(Act::PeekAll),
+    ]
+}
+
+/// Every name of the circuit that `peek` takes, and that of every memory.
+fn names(sim: &Simulation<RowIn, RowOut>) -> (Vec<String>, Vec<String>) {
+    let hierarchy = &sim.program().hierarchy;
+    let (mut signals, mut memories) = (Vec::new(), Vec::new());
+    for place in hierarchy.places() {
+        let scope = hierarchy.scope(place.scope);
+        memories.extend(scope.memories.iter().map(|(name, _)| hierarchy.path_in(place, name)));
+        for signal in &scope.signals {
+            let name = hierarchy.path_in(place, &signal.name);
+            match signal.group {
+                None => signals.push(name),
+                Some(group) => signals.extend((0..group).map(|i| format!("{name}[{i}]"))),
+            }
+        }
+    }
+    (signals, memories)
+}
+
+/// All that is seen while these things are done on an engine.
+fn transcript(row: Row, kind: EngineKind, seed: u64, observed: bool, acts: &[Act]) -> Vec<String> {
+    let mut sim = Simulation::of(&row).unwrap().on(kind).seeded(seed);
+    assert_eq!(sim.engine(), kind);
+    let (signals, memories) = names(&sim);
+    let folder = tempfile::tempdir().unwrap();
+    let files = ["whole.vcd", "some.vcd", "last.vcd"].map(|name| folder.path().join(name));
+    let mut wave = None;
+    let mut recording = None;
+    if observed {
+        sim.trace(Vcd::to(&files[0])).unwrap();
+        sim.trace(Vcd::to(&files[1]).only("u_cell[1].**").times(4_000..30_000)).unwrap();
+        sim.trace(Vcd::to(&files[2]).last(5)).unwrap();
+        wave = Some(sim.record(["enable", "sum", "u_cell[0].phase", "u_cell[1].sum", "u_cell[2].total", "seen"]));
+        recording = (seed == 0).then(|| sim.recording());
+    }
+    let mut seen = Vec::new();
+    for act in acts {
+        let result = match act {
+            Act::Drive { enable, x, wide, pick } => {
+                let wide = Bits::from_limbs(70, &[*wide as u64, (*wide >> 64) as u64]);
+                let [enable, x, pick] =
+                    [(1, *enable), (8, *x), (3, *pick)].map(|(width, value)| Bits::new(width, value));
+                sim.drive_bits(RowIn { enable, x, wide, pick });
+                Ok(())
+            }
+            Act::Step => sim.try_step(),
+            Act::Run(n) => sim.try_run(*n),
+            Act::RunUntil(later) => sim.try_run_until(sim.time() + later),
+            Act::Ticks(fast, ticks) => {
+                // An assertion panics here: with these inputs none fails.
+                let enable = sim.peek("enable").unwrap();
+                sim.set(sim.i.enable, 0);
+                sim.set(sim.i.pick, 1);
+                sim.step_clock(if *fast { "fast" } else { "slow_clk" }, *ticks);
+                sim.set(sim.i.enable, &enable);
+                Ok(())
+            }
+            Act::Reset => sim.try_reset(),
+            Act::Poke { lane, address, word } => {
+                sim.poke_memory(&format!("u_cell[{lane}].store"), *address, *word).unwrap();
+                Ok(())
+            }
+            Act::PeekAll => {
+                seen.extend(signals.iter().map(|name| format!("{name} = {:?}", sim.peek(name).unwrap())));
+                for name in &memories {
+                    let words = (0..5).map(|address| sim.peek_memory(name, address).unwrap());
+                    seen.push(format!("{name} = {:?}", words.collect::<Vec<_>>()));
+                }
+                Ok(())
+            }
+        };
+        seen.push(format!(
+            "{act:?} at {}: {}",
+            sim.time(),
+            result.map_or_else(|error| error.to_string(), |()| "done".to_owned())
+        ));
+        seen.push(format!("{:?} {:?} {:?}", sim.cycles("fast"), sim.cycles("slow"), sim.read()));
+    }
+    seen.push(format!("{:?}", sim.finish().map_err(|error| error.to_string())));
+    seen.extend(wave.map(|wave| wave.to_string()));
+    seen.extend(recording.map(|recording| format!("{:#?}", recording.take())));
+    // The flight recorder leaves a file if an assertion fails.
+    seen.extend(files.iter().map(|file| fs::read_to_string(file).unwrap_or_else(|_| "no file".to_owned())));
+    seen
+}
+
+#[track_caller]
+fn assert_alike(row: Row, seed: u64, observed: bool, acts: &[Act]) {
+    let reference = transcript(row, EngineKind::Reference, seed, observed, acts);
+    for kind in [EngineKind::Compiled, EngineKind::Both] {
+        let other = transcript(row, kind, seed, observed, acts);
+        assert_eq!(reference.len(), other.len());
+        for (expected, got) in reference.iter().zip(&other) {
+            assert_eq!(expected, got, "on {kind:?}");
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 24, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn a_testbench_sees_the_same_on_every_engine(
+        lanes in 3..6u32,
+        seed in prop_oneof![Just(0), 1..99u64],
+        observed: bool,
+        acts in prop::collection::vec(act(), 1..40),
+    ) {
+        assert_alike(Row { lanes }, seed, observed, &acts);
+    }
+}

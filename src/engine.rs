@@ -1,0 +1,71 @@
+//! The engine that a command is given, and what is said where it cannot run.
+
+use crate::shell::output;
+use clap::{Args, ValueEnum};
+use tilewright_hdl::Bundle;
+use tilewright_sim::{EngineKind, Simulation};
+
+/// What runs the hardware.
+#[derive(Args, Clone, Copy)]
+pub struct EngineArguments {
+    /// What runs the hardware; all engines give the same results
+    #[arg(long, value_enum, value_name = "ENGINE", default_value_t = Engine::Compiled)]
+    engine: Engine,
+}
+
+/// An engine by its name on the command line.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Engine {
+    /// A plain interpreter: slow, and what the others are held to
+    Reference,
+    /// Machine code made for the circuit, which falls back to the reference engine on a computer without it
+    Compiled,
+    /// Both side by side, signal by signal, which takes hundreds of times as long as one alone: exit code 1 at the first signal that differs
+    Both,
+}
+
+impl EngineArguments {
+    /// The engine that was asked for.
+    pub fn kind(self) -> EngineKind {
+        match self.engine {
+            Engine::Reference => EngineKind::Reference,
+            Engine::Compiled => EngineKind::Compiled,
+            Engine::Both => EngineKind::Both,
+        }
+    }
+}
+
+/// Tells the user if the simulation runs on another engine than the one that was asked for.
+pub fn tell_fallback<I: Bundle, O: Bundle>(sim: &Simulation<I, O>) {
+    if let Some(sentence) = fallback(sim) {
+        output::talk(&sentence);
+    }
+}
+
+fn fallback<I: Bundle, O: Bundle>(sim: &Simulation<I, O>) -> Option<String> {
+    let reason = sim.fallback()?;
+    Some(format!("warning: the reference engine runs alone, with the same results but slowly: {reason}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use tilewright_rtl::catalog;
+
+    #[test]
+    fn a_computer_without_generated_code_is_told_of_once_and_runs() {
+        let entry = catalog::find("merging-unit").unwrap();
+        let design = entry.design(&entry.values([]).unwrap()).unwrap();
+        let sim = || Simulation::from_design(&design).unwrap();
+        for asked in [EngineKind::Compiled, EngineKind::Both] {
+            assert_eq!(fallback(&sim().on(asked)), None);
+            let mut without = sim().without_code("no code can be generated for this machine (a typewriter)").on(asked);
+            let sentence = "warning: the reference engine runs alone, with the same results but slowly: \
+                            no code can be generated for this machine (a typewriter)";
+            assert_eq!(fallback(&without).as_deref(), Some(sentence));
+            without.step();
+        }
+        let chosen = sim().without_code("a typewriter").on(EngineKind::Reference);
+        assert_eq!(fallback(&chosen), None, "who asks for the reference engine has it");
+    }
+}
