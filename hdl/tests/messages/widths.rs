@@ -119,14 +119,120 @@ fn slices_and_changes_of_width() {
     assert!(problems(&Case(|_, i| i.c.repeat(0))).starts_with("`.repeat(0)` leaves nothing of `c`, which has 1 bit"));
 }
 
+/// Each message is one, at the user's line, and what stands in for the faulty thing causes no other.
 #[test]
 fn things_without_bits() {
-    let register = |m: Module, _: In| {
-        let r = m.reg("r", 0);
-        r.next(0);
-        r.value()
-    };
-    assert!(problems(&Case(register)).starts_with("register `r` has no bits"));
+    let cases: [(&str, Build); 5] = [
+        ("register `r` has no bits", |m, _| {
+            let r = m.reg("r", 0);
+            r.next(0);
+            r.value()
+        }),
+        ("wire `w` has no bits", |m, _| {
+            let w = m.wire("w", 0);
+            w.drive(0);
+            w.value()
+        }),
+        ("a constant has no bits", |_, _| lit(0, 5)),
+        ("a constant has no bits", |m, _| {
+            let block = Inverter { registered: true };
+            m.array("u_cell", 3, &block, |cells| Link { x: cells.index(0) }).out.last()
+        }),
+        ("a constant has no bits", |m, _| m.fsm("lamp", Lamp::Off).constants(0, |lamp| lamp.code())),
+    ];
+    for (message, build) in cases {
+        let text = problems(&Case(build));
+        let (first, place) = text.split_once("\n  --> ").expect("a message has a place");
+        assert!(first == message && place.starts_with('['), "{text}");
+        assert!(place.contains("help: a width is at least 1"), "{text}");
+    }
+    expect(
+        |_, _| lit(0, 0),
+        "a constant has no bits
+         --> [|_, _| lit(0, 0),]
+         help: a width is at least 1",
+    );
+}
+
+/// Inverts an input of some width.
+#[derive(Debug)]
+struct Port(u32);
+
+impl Block for Port {
+    type In = Link;
+    type Out = Out;
+
+    fn inputs(&self) -> Link<Width> {
+        Link { x: bits(self.0) }
+    }
+
+    fn build(&self, _: Module, i: Link) -> Out {
+        Out { out: !i.x }
+    }
+}
+
+#[test]
+fn what_is_declared_has_at_most_a_million_bits() {
+    let place = "\n  --> [Link { x: bits(self.0) }]\n  help: ";
+    assert_eq!(problems(&Port(0)), format!("input `x` has no bits{place}a width is at least 1"));
+    let message = "input `x` of 1048577 bits is wider than 1048576";
+    assert_eq!(problems(&Port((1 << 20) + 1)), format!("{message}{place}keep wide data in a memory"));
+    elaborate(&Port(1 << 20)).expect("a million bits are allowed");
+    expect(
+        |m, _| {
+            let r = m.reg("r", 600_000_000).reset(300);
+            r.next(300);
+            r.value()
+        },
+        "register `r` of 600000000 bits is wider than 1048576
+         --> [let r = m.reg(\"r\", 600_000_000).reset(300);]
+         help: keep wide data in a memory",
+    );
+    expect(
+        |m, _| {
+            let w = m.wire("w", u32::MAX);
+            w.drive(300);
+            w.value()
+        },
+        "wire `w` of 4294967295 bits is wider than 1048576
+         --> [let w = m.wire(\"w\", u32::MAX);]
+         help: keep wide data in a memory",
+    );
+    expect(
+        |_, _| lit(600_000_000, 300),
+        "a constant of 600000000 bits is wider than 1048576
+         --> [|_, _| lit(600_000_000, 300),]
+         help: keep wide data in a memory",
+    );
+    let text = problems(&Case(|_, i| mux(i.c, Bits::ones(1_048_577), Bits::ones(1_048_576))));
+    assert!(text.starts_with("a constant of 1048577 bits is wider than 1048576\n  --> [let text"), "{text}");
+    expect(
+        |m, i| m.memory("words", 256, 600_000_000, ReadUnderWrite::Old).read(i.a),
+        "memory `words` has words of 600000000 bits, more than 1048576
+         --> [|m, i| m.memory(\"words\", 256, 600_000_000, ReadUnderWrite::Old).read(i.a),]
+         help: spread what is wider over several words",
+    );
+}
+
+#[test]
+fn products_have_at_most_a_million_bits() {
+    elaborate(&Case(|_, i| i.a.repeat(65_536) * i.a.repeat(65_536))).expect("a million bits are allowed");
+    expect(
+        |_, i| (i.a.repeat(131_071) * cat![i.a, i.c]).slice(100..108),
+        "a product of 1048577 bits is wider than 1048576
+         --> [|_, i| (i.a.repeat(131_071) * cat![i.a, i.c]).slice(100..108),]
+         help: keep wide data in a memory",
+    );
+    let cases: [Build; 3] = [
+        |_, i| i.a.repeat(131_072).times(i.a),
+        |_, i| i.a.repeat(131_072).signed().times(i.a.signed()).bits(),
+        |_, i| (i.a.repeat(131_072).signed() * i.a.signed()).bits(),
+    ];
+    for build in cases {
+        let text = problems(&Case(build));
+        assert!(text.starts_with("a product of 1048584 bits is wider than 1048576\n  --> [|_, i| "), "{text}");
+        assert!(!text.contains("problems in this"), "{text}");
+    }
 }
 
 #[test]
