@@ -10,7 +10,7 @@ use crate::problem::Problem;
 use crate::signed::Signed;
 use std::ops::Range;
 
-/// An unsigned value in the circuit, of a width that is known while the circuit is built.
+/// An unsigned value in the circuit, 1 to 1,048,576 bits wide; the width is known while the circuit is built.
 ///
 /// `+ - & | ^` need operands of equal widths and wrap; `*` gives the sum of the widths. A change of width is always
 /// spelled: [`zext`](Signal::zext), [`sext`](Signal::sext), [`trunc`](Signal::trunc), [`slice`](Signal::slice),
