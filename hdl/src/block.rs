@@ -6,10 +6,11 @@ use crate::draft::Draft;
 use crate::elaboration;
 use crate::finish;
 use crate::ir::{About, Design, Input, ModuleId, Op};
+use crate::limits::sound_width;
 use crate::loc::Loc;
 use crate::module::{Module, port_name};
 use crate::names;
-use crate::problem::{Problem, Problems};
+use crate::problem::Problems;
 use crate::signal::Signal;
 use crate::width::Width;
 use std::any::Any;
@@ -135,13 +136,11 @@ pub(crate) fn elaborate_module<B: Block>(block: &B, loc: Loc) -> Elaborated {
 fn declare_input(path: &str, width: Width) -> Signal {
     elaboration::with(|e| {
         let name = port_name("", path);
-        if width.bits == 0 {
-            e.report(Problem::new(width.loc, format!("input `{name}` has no bits")).help("a width is at least 1"));
-        }
+        let bits = sound_width(e, &[], &format!("input `{name}`"), width.bits.into(), width.loc);
         width.clock.into_iter().for_each(|clock| e.meet_clock(clock, width.loc));
         let draft = e.draft();
         let index = draft.inputs.len() as u32;
-        let node = draft.add(Op::Input(index), width.bits.max(1), None, width.loc);
+        let node = draft.add(Op::Input(index), bits, None, width.loc);
         draft.node_mut(node).name = Some(name.clone());
         draft.inputs.push(Input { name, path: path.to_owned(), node, clock: None });
         draft.input_clocks.push(width.clock);

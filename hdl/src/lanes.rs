@@ -77,10 +77,9 @@ impl<O> Array<O> {
     #[track_caller]
     pub fn constants(&self, width: u32, of: impl Fn(u32) -> u64) -> Lanes {
         let loc = Loc::caller();
-        let mut nodes = Vec::with_capacity(self.lanes as usize);
-        for lane in 0..self.lanes {
-            nodes.push(crate::lit(width, of(lane)).id());
-        }
+        let signals = crate::select::constants(width, (0..self.lanes).map(of));
+        let width = signals[0].width;
+        let nodes = signals.iter().map(|signal| signal.id_at(loc)).collect();
         Lanes::make(Op::PerLane(nodes), width, self.lanes, loc)
     }
 

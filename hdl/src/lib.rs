@@ -68,6 +68,7 @@ mod graph;
 mod instance;
 pub mod ir;
 mod lanes;
+mod limits;
 mod loc;
 mod memory;
 mod module;

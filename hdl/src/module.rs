@@ -5,6 +5,7 @@ use crate::clock::Clock;
 use crate::draft::{DraftMemory, DraftRegister, DraftWire, Synchronizer, UNDRIVEN};
 use crate::elaboration;
 use crate::ir::{self, Assert, Contents, Memory, Op, ReadUnderWrite, RegisterId};
+use crate::limits::{WIDEST, sound_width};
 use crate::loc::Loc;
 use crate::memory::Mem;
 use crate::problem::Problem;
@@ -40,15 +41,13 @@ impl Module {
 
     fn register(self, name: &str, width: u32, states: Option<ir::States>, loc: Loc) -> Reg {
         elaboration::with(|e| {
+            let width = sound_width(e, &[], &format!("register `{name}`"), width.into(), loc);
             let draft = e.draft();
             let clock = draft.use_clock(self.clock);
             let index = draft.registers.len();
-            let node = draft.add(Op::Register(RegisterId(index as u32)), width.max(1), None, loc);
+            let node = draft.add(Op::Register(RegisterId(index as u32)), width, None, loc);
             draft.node_mut(node).name = Some(name.to_owned());
             draft.registers.push(DraftRegister { node, clock, reset: None, enable: None, next: None, states });
-            if width == 0 {
-                e.report(Problem::new(loc, format!("register `{name}` has no bits")).help("a width is at least 1"));
-            }
             Reg { signal: Signal::at(e, node), index }
         })
     }
@@ -96,6 +95,7 @@ impl Module {
     pub fn wire(self, name: &str, width: u32) -> Wire {
         let loc = Loc::caller();
         elaboration::with(|e| {
+            let width = sound_width(e, &[], &format!("wire `{name}`"), width.into(), loc);
             let draft = e.draft();
             let node = draft.add(Op::Wire(UNDRIVEN), width, None, loc);
             draft.node_mut(node).name = Some(name.to_owned());
@@ -116,7 +116,11 @@ impl Module {
                     Problem::new(loc, format!("memory `{name}` of {depth} words of {width} bits holds nothing"));
                 e.report(problem.help("depth and width are at least 1"));
             }
-            let (depth, width) = (depth.max(1), width.max(1));
+            if width > WIDEST {
+                let message = format!("memory `{name}` has words of {width} bits, more than {WIDEST}");
+                e.report(Problem::new(loc, message).help("spread what is wider over several words"));
+            }
+            let (depth, width) = (depth.max(1), width.clamp(1, WIDEST));
             let (stamp, draft) = (e.stamp, e.draft());
             let index = draft.memories.len() as u32;
             draft.memories.push(DraftMemory {

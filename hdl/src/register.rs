@@ -199,11 +199,7 @@ impl<S: States> StateReg<S> {
     /// The number that `of` gives for the present state, in `width` bits.
     #[track_caller]
     pub fn constants(self, width: u32, of: impl Fn(S) -> u64) -> Signal {
-        let mut values = Vec::with_capacity(S::ALL.len());
-        for state in S::ALL {
-            values.push(crate::lit(width, of(*state)));
-        }
-        self.choose(&values)
+        self.choose(&crate::select::constants(width, S::ALL.iter().map(|state| of(*state))))
     }
 
     /// The signal that `of` gives for the present state; all of one width.

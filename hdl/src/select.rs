@@ -4,15 +4,30 @@ use crate::bits::Bits;
 use crate::bundle::Fields;
 use crate::elaboration;
 use crate::ir::Op;
+use crate::limits::sound_width;
 use crate::loc::Loc;
 use crate::operand::{Literal, Operand, Value};
 use crate::problem::Problem;
-use crate::signal::{Signal, WIDEST, bits_text};
+use crate::signal::{Signal, bits_text};
 
 /// A constant of `width` bits.
 #[track_caller]
 pub fn lit(width: u32, value: u64) -> Signal {
-    Literal::Integer(value.into()).sized(width, false)
+    constants(width, [value])[0]
+}
+
+/// Constants of `width` bits; what is wrong with the width is one problem for all of them.
+#[track_caller]
+pub(crate) fn constants(width: u32, values: impl IntoIterator<Item = u64>) -> Vec<Signal> {
+    let loc = Loc::caller();
+    let sound = elaboration::with(|e| sound_width(e, &[], "a constant", width.into(), loc));
+    // A loop, as a closure would be the caller that messages name.
+    let mut signals = Vec::new();
+    for value in values {
+        let value = if sound == width { value } else { 0 };
+        signals.push(Literal::Integer(value.into()).sized(sound, false));
+    }
+    signals
 }
 
 /// The signals side by side, the first most significant. [`cat!`](crate::cat!) reads better.
@@ -25,14 +40,11 @@ pub fn concat(parts: &[Signal]) -> Signal {
             let loc = Loc::caller();
             let ids: Vec<_> = parts.iter().map(|part| part.id_at(loc)).collect();
             let width: u64 = parts.iter().map(|part| u64::from(part.width)).sum();
-            if width > WIDEST.into() {
-                return elaboration::with(|e| {
-                    let problem = Problem::new(loc, format!("a concatenation of {width} bits is wider than {WIDEST}"));
-                    e.report_instead_of(&ids, problem.help("keep wide data in a memory"));
-                    Signal::make_in(e, Op::Const(Bits::zero(1)), 1, loc)
-                });
-            }
-            Signal::make(Op::Concat(ids), width as u32)
+            elaboration::with(|e| {
+                let sound = sound_width(e, &ids, "a concatenation", width, loc);
+                let op = if width == sound.into() { Op::Concat(ids) } else { Op::Const(Bits::zero(sound)) };
+                Signal::make_in(e, op, sound, loc)
+            })
         }
     }
 }
@@ -84,7 +96,10 @@ fn sized(values: Vec<Value>, of: &str) -> Vec<Signal> {
             .into_iter()
             .enumerate()
             .map(|(i, value)| match value {
-                Value::Literal(Literal::Exact(bits)) => Signal::make(Op::Const(bits.clone()), bits.width()),
+                Value::Literal(Literal::Exact(bits)) => elaboration::with(|e| {
+                    let sound = sound_width(e, &[], "a constant", bits.width().into(), loc);
+                    Signal::make_in(e, Op::Const(bits.resize(sound)), sound, loc)
+                }),
                 Value::Literal(literal) if i == 0 => elaboration::with(|e| {
                     let message = format!("`{of}` has only integers to choose from, which leaves its width open");
                     e.report(Problem::new(loc, message).help(format!("give one a width, as in `lit(8, {literal})`")));

@@ -1,14 +1,16 @@
 //! Signals: handles to the expressions of a circuit, and what may be done with them.
 
+use crate::bits::Bits;
 use crate::elaboration::{self, Elaboration};
 use crate::ir::{Binary, NodeId, Op, Relation, Shift, Unary};
+use crate::limits::{WIDEST, sound_width};
 use crate::loc::Loc;
 use crate::operand::{Operand, Value};
 use crate::problem::Problem;
 use crate::signed::Signed;
 use std::ops::Range;
 
-/// An unsigned value in the circuit, of a width that is known while the circuit is built.
+/// An unsigned value in the circuit, 1 to 1,048,576 bits wide; the width is known while the circuit is built.
 ///
 /// `+ - & | ^` need operands of equal widths and wrap; `*` gives the sum of the widths. A change of width is always
 /// spelled: [`zext`](Signal::zext), [`sext`](Signal::sext), [`trunc`](Signal::trunc), [`slice`](Signal::slice),
@@ -30,9 +32,6 @@ pub(crate) fn check_stamp(e: &Elaboration, stamp: u32, loc: Loc) {
         "a signal of an earlier elaboration is used, at {loc}: signals live only while theirs runs"
     );
 }
-
-/// The widest signal in bits that an operator makes.
-pub(crate) const WIDEST: u32 = 1 << 20;
 
 impl Signal {
     /// Adds a plain node to the module under construction.
@@ -79,7 +78,7 @@ impl Signal {
                 None => Problem::new(loc, format!("a signal of a module already finished is used inside of `{block}`")),
             };
             e.report(problem.help("give the block an input for it"));
-            e.draft().add(Op::Const(crate::Bits::zero(self.width)), self.width, None, loc)
+            e.draft().add(Op::Const(Bits::zero(self.width)), self.width, None, loc)
         })
     }
 
@@ -196,7 +195,18 @@ impl Signal {
     /// The unsigned product; its width is the sum of the operands' widths.
     #[track_caller]
     pub fn times(self, right: Signal) -> Signal {
-        Signal::make(Op::Binary(Binary::Mul, self.id(), right.id()), self.width + right.width)
+        self.product(Binary::Mul, right)
+    }
+
+    #[track_caller]
+    pub(crate) fn product(self, op: Binary, right: Signal) -> Signal {
+        let (loc, left, right_id) = (Loc::caller(), self.id(), right.id());
+        let width = u64::from(self.width) + u64::from(right.width);
+        elaboration::with(|e| {
+            let sound = sound_width(e, &[left, right_id], "a product", width, loc);
+            let op = if width == sound.into() { Op::Binary(op, left, right_id) } else { Op::Const(Bits::zero(sound)) };
+            Signal::make_in(e, op, sound, loc)
+        })
     }
 
     /// Bit `index`, counted from the least significant.
@@ -281,7 +291,7 @@ impl Signal {
             let (name, place) = (draft.describe(id), draft.node(id).loc);
             let message = format!("{what} `{name}`, which has {}", bits_text(self.width));
             e.report_instead_of(&[id], Problem::new(loc, message).note(format!("`{name}` is made"), place).help(help));
-            Signal::make_in(e, Op::Const(crate::Bits::zero(width)), width, loc)
+            Signal::make_in(e, Op::Const(Bits::zero(width)), width, loc)
         })
     }
 
@@ -352,7 +362,7 @@ impl Value {
         elaboration::with(|e| {
             let problem = width_mismatch(e.draft(), operator, left_id, right_id, loc);
             e.report_instead_of(&[left_id, right_id], problem);
-            Signal::make_in(e, Op::Const(crate::Bits::zero(left.width)), left.width, loc)
+            Signal::make_in(e, Op::Const(Bits::zero(left.width)), left.width, loc)
         })
     }
 }

@@ -128,8 +128,7 @@ impl Signed {
     /// The product; its width is the sum of the operands' widths.
     #[track_caller]
     pub fn times(self, right: Signed) -> Signed {
-        let width = self.0.width + right.0.width;
-        Signed(Signal::make(Op::Binary(Binary::MulSigned, self.0.id(), right.0.id()), width))
+        Signed(self.0.product(Binary::MulSigned, right.0))
     }
 }
 

@@ -1,0 +1,25 @@
+//! How wide a signal may be.
+
+use crate::elaboration::Elaboration;
+use crate::ir::NodeId;
+use crate::loc::Loc;
+use crate::problem::Problem;
+
+/// The widest signal in bits.
+pub(crate) const WIDEST: u32 = 1 << 20;
+
+/// The width of what is to have `width` bits and is called `what`: no bits, or more than [`WIDEST`], are a problem, and
+/// the nearest width stands in. `operands` are the nodes that it is made of.
+pub(crate) fn sound_width(e: &mut Elaboration, operands: &[NodeId], what: &str, width: u64, loc: Loc) -> u32 {
+    let sound = width.clamp(1, WIDEST.into());
+    if sound == width {
+        return sound as u32;
+    }
+    let problem = match width {
+        0 => Problem::new(loc, format!("{what} has no bits")).help("a width is at least 1"),
+        _ => Problem::new(loc, format!("{what} of {width} bits is wider than {WIDEST}"))
+            .help("keep wide data in a memory"),
+    };
+    e.report_instead_of(operands, problem);
+    sound as u32
+}

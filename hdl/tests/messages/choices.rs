@@ -1,0 +1,35 @@
+//! `mux`, `select` and `case`.
+
+use crate::common::*;
+use tilewright_hdl::*;
+
+#[test]
+fn choices_between_bundles_name_the_users_line() {
+    let text = problems(&Case(|_, i| mux_bundle(i.c, &Out { out: i.a }, &Out { out: i.b }).out));
+    assert!(text.contains("`mux` needs equal widths") && !text.contains("select.rs"), "{text}");
+    let text = problems(&Case(|_, i| select([(i.a, i.a)], i.a)));
+    assert!(text.contains("the condition of `select` is 1 bit") && !text.contains("select.rs"), "{text}");
+}
+
+#[test]
+fn conditions_of_more_than_one_bit() {
+    expect(
+        |_, i| mux(i.a, i.b, i.b),
+        "the condition of `mux` is 1 bit, but `a` has 8 bits
+         --> [|_, i| mux(i.a, i.b, i.b),]
+         `a` is made at [In { a: bits(8), b: bits(7), c: bit() }]
+         help: compare it, as in `.ne(0)`, or take one `.bit(i)`",
+    );
+}
+
+#[test]
+fn choices_that_leave_something_open() {
+    expect(
+        |_, i| mux(i.c, 1, 0),
+        "`mux` has only integers to choose from, which leaves its width open
+         --> [|_, i| mux(i.c, 1, 0),]
+         help: give one a width, as in `lit(8, 1)`",
+    );
+    assert!(problems(&Case(|_, i| case(i.c, [(2, i.a)], 0))).starts_with("the key 2 of `case` does not fit in 1 bit"));
+    assert!(problems(&Case(|_, i| case(i.a, [(2, i.a), (2, i.a)], 0))).starts_with("the key 2 of `case` stands twice"));
+}

@@ -1,0 +1,244 @@
+//! Clocks, and paths between them.
+
+use crate::common::*;
+use tilewright_hdl::*;
+
+#[test]
+fn paths_between_clocks_need_a_crossing() {
+    expect(
+        |m, i| {
+            let slow = m.pipe("slow", i.a);
+            m.on(FAST).pipe("fast", slow)
+        },
+        "`slow` is on clock `clk` but reaches register `fast` on clock `fast` without a crossing
+         --> [m.on(FAST).pipe(\"fast\", slow)]
+         `slow` is declared at [let slow = m.pipe(\"slow\", i.a);]
+         help: cross with `m.synchronize`, a memory with a port on each clock, or `.quasi_static(reason)`; an input of another clock is declared `bits(n).on(clock)`",
+    );
+}
+
+#[test]
+fn declared_crossings_are_fine() {
+    let crossed = |m: Module, i: In| {
+        let fast = m.on(FAST);
+        let flag = fast.synchronize("flag", m.pipe("slow_flag", i.c));
+        let words = m.memory("words", 256, 8, ReadUnderWrite::Old);
+        words.write(i.c, i.a, i.a);
+        let word = words.on(FAST).read(fast.pipe("address", i.a.quasi_static("the address is held during a read")));
+        fast.pipe("both", mux(flag, word, 0))
+    };
+    elaborate(&Case(crossed)).unwrap();
+}
+
+#[test]
+fn a_child_may_declare_the_crossing() {
+    /// Hands on an input of another clock as stable.
+    #[derive(Debug)]
+    struct Held;
+    impl Block for Held {
+        type In = Link;
+        type Out = Out;
+        fn inputs(&self) -> Link<Width> {
+            Link { x: bits(8).on(FAST) }
+        }
+        fn build(&self, _: Module, i: Link) -> Out {
+            Out { out: i.x.quasi_static("written before the start") }
+        }
+    }
+    elaborate(&Case(|m, i| {
+        m.ignore(&i);
+        let fast = m.on(FAST).pipe("fast", lit(8, 1));
+        m.pipe("slow", m.instance("u_held", &Held, Link { x: fast }).out)
+    }))
+    .unwrap();
+}
+
+bundle! {
+    struct Pair<T> { left: T, right: T }
+}
+
+/// A block of two named clocks and none of its own, described by a function.
+#[derive(Debug)]
+struct TwoClocks {
+    inputs: fn() -> Link<Width>,
+    build: fn(Module, Module, Signal) -> (Signal, Signal),
+}
+
+impl Block for TwoClocks {
+    type In = Link;
+    type Out = Pair;
+
+    fn inputs(&self) -> Link<Width> {
+        (self.inputs)()
+    }
+
+    fn build(&self, m: Module, i: Link) -> Pair {
+        m.ignore(&i);
+        let (left, right) = (self.build)(m.on(FAST), m.on(SLOW), i.x);
+        Pair { left, right }
+    }
+
+    fn name(&self) -> String {
+        "two_clocks".to_owned()
+    }
+}
+
+const SLOW: Clock = Clock::new("slow", Period::ns(6));
+
+#[test]
+fn inputs_of_a_block_without_a_clock_of_its_own_name_theirs() {
+    let build = |fast: Module, slow: Module, x: Signal| (fast.pipe("r", x), slow.pipe("s", !x));
+    assert_eq!(
+        problems(&TwoClocks { inputs: || Link { x: bits(8) }, build }),
+        "input `x` of `TwoClocks` does not say on which clock it is: `fast` or `slow`
+  --> [problems(&TwoClocks { inputs: || Link { x: bits(8) }, build }),]
+  register `r` on clock `fast` takes it at [let build = |fast: Module, slow: Module, x: Signal| (fast.pipe(\"r\", x), slow.pipe(\"s\", !x));]
+  help: declare it as `bits(n).on(clock)`; only a block with a clock of its own may leave that out"
+    );
+    let text = problems(&TwoClocks { inputs: || Link { x: bits(8).on(FAST) }, build });
+    assert!(text.starts_with("`x` is on clock `fast` but reaches register `s` on clock `slow`"), "{text}");
+    // What is sampled by no clock, or may be by any, needs none.
+    let crossed = |fast: Module, slow: Module, x: Signal| {
+        let flag = slow.synchronize("flag", x.bit(0));
+        (fast.pipe("r", x.quasi_static("held")), slow.pipe("s", x.quasi_static("held")) + flag.zext(8))
+    };
+    elaborate(&TwoClocks { inputs: || Link { x: bits(8) }, build: crossed }).unwrap();
+    let through = |fast: Module, slow: Module, x: Signal| (fast.pipe("r", lit(8, 1)), slow.pipe("s", lit(8, 1)) ^ x);
+    elaborate(&TwoClocks { inputs: || Link { x: bits(8) }, build: through }).unwrap();
+}
+
+#[test]
+fn outputs_that_mix_clocks() {
+    let mixed = |fast: Module, slow: Module, x: Signal| {
+        let r = fast.pipe("r", x);
+        let s = slow.pipe("s", lit(8, 1));
+        (r + s, s)
+    };
+    let block = TwoClocks { inputs: || Link { x: bits(8).on(FAST) }, build: mixed };
+    assert_eq!(
+        problems(&block),
+        "output `left` of `TwoClocks` mixes clocks `fast` and `slow`
+  --> [(r + s, s)]
+  `r`, on clock `fast`, is declared at [let r = fast.pipe(\"r\", x);]
+  `s`, on clock `slow`, is declared at [let s = slow.pipe(\"s\", lit(8, 1));]
+  help: give each clock an output of its own, or cross with `m.synchronize` or `.quasi_static(reason)` before"
+    );
+    // A parent that passes it on, or takes it, says nothing more.
+    let parent = |m: Module, _: In| {
+        let mixed =
+            |fast: Module, slow: Module, _: Signal| (fast.pipe("r", lit(8, 1)) + slow.pipe("s", lit(8, 1)), lit(8, 0));
+        let block = TwoClocks { inputs: || Link { x: bits(8) }, build: mixed };
+        let out = m.instance("u_two", &block, Link { x: lit(8, 0) });
+        let _ = m.on(FAST).pipe("taken", out.left);
+        out.left
+    };
+    let text = problems(&Case(parent));
+    assert!(text.starts_with("output `left` of `TwoClocks` mixes") && !text.contains("problems"), "{text}");
+}
+
+#[test]
+fn logic_that_enters_a_synchronizer() {
+    expect(
+        |m, i| {
+            let r = m.pipe("r", i.a);
+            m.on(FAST).synchronize("flag", r.eq(3)).zext(8)
+        },
+        "`r.eq(3)` enters synchronizer `flag` but is logic, which glitches
+         --> [m.on(FAST).synchronize(\"flag\", r.eq(3)).zext(8)]
+         `r.eq(3)` is made at [m.on(FAST).synchronize(\"flag\", r.eq(3)).zext(8)]
+         help: put a register on its own clock before the synchronizer, as in `m.pipe(name, value)`",
+    );
+    // Wiring and an inverter do no harm.
+    elaborate(&Case(|m, i| {
+        let wire = m.wire("w", 8);
+        let cells = m.array("u_cell", 2, &Inverter { registered: true }, |cells| Link { x: cells.all(&i.a) });
+        wire.drive(cat![m.pipe("r", i.b), i.c]);
+        let fast = m.on(FAST);
+        fast.synchronize("one", !wire.bit(2)).zext(8) ^ fast.synchronize("two", cells.out.lane(1).bit(0)).zext(8)
+    }))
+    .unwrap();
+}
+
+#[test]
+fn logic_that_enters_a_synchronizer_in_an_instance_or_comes_from_one() {
+    let inside = problems(&Case(|m, i| {
+        let build = |fast: Module, _: Module, x: Signal| (fast.synchronize("flag", x.bit(0)), lit(1, 0));
+        let block = TwoClocks { inputs: || Link { x: bits(8) }, build };
+        m.instance("u_two", &block, Link { x: i.a + 1 }).left.zext(8)
+    }));
+    assert!(inside.starts_with("`a + 1` enters synchronizer `u_two.flag` but is logic"), "{inside}");
+    let build = |m: Module, i: In| {
+        /// Compares in the same clock.
+        #[derive(Debug)]
+        struct IsZero;
+        impl Block for IsZero {
+            type In = Link;
+            type Out = Out;
+            fn inputs(&self) -> Link<Width> {
+                Link { x: bits(8) }
+            }
+            fn build(&self, _: Module, i: Link) -> Out {
+                Out { out: i.x.eq(0) }
+            }
+        }
+        let zero = m.instance("u_zero", &IsZero, Link { x: m.pipe("r", i.a) }).out;
+        m.on(FAST).synchronize("flag", zero).zext(8)
+    };
+    let text = problems(&Case(build));
+    assert!(text.starts_with("`u_zero.out` enters synchronizer `flag` but is logic"), "{text}");
+}
+
+#[test]
+fn synchronizers_take_one_bit() {
+    let text = problems(&Case(|m, i| m.on(FAST).synchronize("flag", i.a).zext(8)));
+    assert!(text.starts_with("the condition of `synchronize` is 1 bit, but `a` has 8 bits"), "{text}");
+    assert!(!text.contains("problems in this"), "{text}");
+}
+
+#[test]
+fn an_instance_is_fed_on_its_own_clock() {
+    let text = problems(&Case(|m, i| {
+        let slow = m.pipe("slow", i.a);
+        m.on(FAST).instance("u_inverter", &Inverter { registered: true }, Link { x: slow }).out
+    }));
+    let message = "`slow` is on clock `clk` but reaches input `x` of `u_inverter` on clock `fast` without a crossing";
+    assert!(text.starts_with(message), "{text}");
+}
+
+#[test]
+fn a_clock_has_one_period() {
+    const OTHER: Clock = Clock::new("fast", Period::ns(6));
+    /// Takes a clock as a parameter.
+    #[derive(Debug)]
+    struct Timed(Clock);
+    impl Block for Timed {
+        type In = Link;
+        type Out = Out;
+        fn inputs(&self) -> Link<Width> {
+            Link { x: bits(8).on(self.0) }
+        }
+        fn build(&self, m: Module, i: Link) -> Out {
+            Out { out: m.on(self.0).pipe("y", i.x) }
+        }
+        fn name(&self) -> String {
+            format!("timed_{}", self.0.period.picoseconds())
+        }
+    }
+    let text = problems(&Case(|m, _| {
+        let one = m.instance("u_one", &Timed(FAST), Link { x: lit(8, 1) }).out;
+        m.instance("u_two", &Timed(OTHER), Link { x: lit(8, 1) }).out & one
+    }));
+    let places = [
+        "clock `fast` has a period of 6 ns here and of 4 ns elsewhere",
+        "  --> [Link { x: bits(8).on(self.0) }]",
+        "  `fast` is first used at [Link { x: bits(8).on(self.0) }]",
+        "  help: a clock has one period in the whole design",
+    ];
+    assert!(text.starts_with(&places.join("\n")), "{text}");
+}
+
+#[test]
+#[should_panic(expected = "a clock period is an even number of picoseconds above 0")]
+fn periods_that_have_no_half() {
+    let _ = Period::ps(3);
+}

@@ -1,0 +1,37 @@
+//! Elaborations inside of others, and those that a panic ends.
+
+use crate::common::*;
+use tilewright_hdl::*;
+
+#[test]
+#[should_panic(expected = "use `m.instance` there")]
+fn elaboration_inside_a_description() {
+    let _ = elaborate(&Case(|_, i| {
+        let _ = elaborate(&Through);
+        i.a
+    }));
+}
+
+#[test]
+fn a_panic_in_a_description_leaves_nothing_behind() {
+    let panicking = Case(|_, _| panic!("the user's own"));
+    assert!(std::panic::catch_unwind(|| elaborate(&panicking)).is_err());
+    elaborate(&Case(|_, i| i.a)).expect("the arena was cleared");
+}
+
+#[test]
+#[should_panic(expected = "does it instantiate itself?")]
+fn blocks_that_instantiate_themselves() {
+    /// Has an endless inside.
+    #[derive(Debug)]
+    struct Doll(u32);
+    impl Block for Doll {
+        type In = ();
+        type Out = Out;
+        fn inputs(&self) {}
+        fn build(&self, m: Module, _: ()) -> Out {
+            m.instance("u_doll", &Doll(self.0 + 1), ())
+        }
+    }
+    let _ = elaborate(&Doll(0));
+}

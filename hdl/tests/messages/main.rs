@@ -1,0 +1,16 @@
+//! Every message that a mistake in a description can give, with the user's own lines that it names.
+//!
+//! In the expected texts a place stands as the source line it points to, so that they survive edits of this file.
+
+mod choices;
+mod clocks;
+mod common;
+mod elaborations;
+mod handles;
+mod instances;
+mod loops;
+mod names;
+mod reports;
+mod state;
+mod unused;
+mod widths;

@@ -1,0 +1,124 @@
+//! Names that clash or that no port, net, instance or module may have.
+
+use crate::common::*;
+use tilewright_hdl::*;
+
+#[test]
+fn names_that_clash_or_are_illegal() {
+    expect(
+        |_, i| (i.a.named("sum") + 1).named("sum"),
+        "net `sum` has the name of another net
+         --> [|_, i| (i.a.named(\"sum\") + 1).named(\"sum\"),]
+         the other net `sum` is declared at [|_, i| (i.a.named(\"sum\") + 1).named(\"sum\"),]
+         help: rename one of them",
+    );
+    assert!(problems(&Case(|_, i| (!i.a).named("b"))).starts_with("net `b` has the name of another input"));
+    assert!(problems(&Case(|_, i| (!i.a).named("two words"))).starts_with("`two words` cannot be the name of a net"));
+}
+
+#[test]
+fn ports_with_reserved_names() {
+    assert_eq!(
+        problems(&Through),
+        "input `table` has a reserved word of Verilog for a name\n  --> [Reserved { table: bits(4) }]\n  help: call it `table_` or something else"
+    );
+}
+
+#[test]
+fn ports_with_names_reserved_in_cpp() {
+    bundle! { struct Distance<T> { near: T } }
+    /// Has a port that Verilator refuses.
+    #[derive(Debug)]
+    struct Near;
+    impl Block for Near {
+        type In = Distance;
+        type Out = Out;
+        fn inputs(&self) -> Distance<Width> {
+            Distance { near: bits(4) }
+        }
+        fn build(&self, _: Module, i: Distance) -> Out {
+            Out { out: !i.near }
+        }
+    }
+    assert!(problems(&Near).starts_with("input `near` has a reserved word of C++ for a name"));
+}
+
+#[test]
+fn instances_that_hide_something() {
+    expect(
+        |m, i| m.instance("y", &Inverter { registered: true }, Link { x: i.a }).out,
+        "instance `y` has the name of something inside of it
+         --> [|m, i| m.instance(\"y\", &Inverter { registered: true }, Link { x: i.a }).out,]
+         the inner `y` is declared at [Out { out: if self.registered { m.pipe(\"y\", !i.x) } else { !i.x } }]
+         help: call the instance `u_y`",
+    );
+    /// Has a register called as every lane is.
+    #[derive(Debug)]
+    struct Street;
+    impl Block for Street {
+        type In = Link;
+        type Out = Out;
+        fn inputs(&self) -> Link<Width> {
+            Link { x: bits(8) }
+        }
+        fn build(&self, m: Module, i: Link) -> Out {
+            Out { out: m.pipe("lane", i.x) }
+        }
+    }
+    let text = problems(&Case(|m, i| m.array("u_street", 2, &Street, |a| Link { x: a.all(&i.a) }).out.last()));
+    assert!(text.starts_with("the lanes of `u_street` hold something called `lane`"), "{text}");
+}
+
+#[test]
+fn inner_names_that_are_reserved_get_an_underscore() {
+    let design = elaborate(&Case(|_, i| (!i.a).named("cell"))).unwrap();
+    assert!(design.top().nodes.iter().any(|node| node.name.as_deref() == Some("cell_")));
+}
+
+#[test]
+fn modules_of_one_name_and_different_contents() {
+    /// Named alike whatever its parameter.
+    #[derive(Debug)]
+    struct Twin(u32);
+    impl Block for Twin {
+        type In = Link;
+        type Out = Out;
+        fn inputs(&self) -> Link<Width> {
+            Link { x: bits(self.0) }
+        }
+        fn build(&self, m: Module, i: Link) -> Out {
+            Out { out: m.pipe("y", i.x) }
+        }
+        fn name(&self) -> String {
+            "twin".to_owned()
+        }
+    }
+    let text = problems(&Case(|m, i| {
+        let b = m.instance("u_b", &Twin(7), Link { x: i.b }).out;
+        m.instance("u_a", &Twin(8), Link { x: i.a }).out & b.zext(8)
+    }));
+    assert!(text.starts_with("`Twin(7)` and `Twin(8)` are both called `twin`"), "{text}");
+}
+
+#[test]
+fn modules_with_illegal_names() {
+    /// Called by a word of Verilog.
+    #[derive(Debug)]
+    struct Unnameable;
+    impl Block for Unnameable {
+        type In = Link;
+        type Out = Out;
+        fn inputs(&self) -> Link<Width> {
+            Link { x: bits(0) }
+        }
+        fn build(&self, _: Module, i: Link) -> Out {
+            Out { out: i.x }
+        }
+        fn name(&self) -> String {
+            "endmodule".to_owned()
+        }
+    }
+    let text = problems(&Unnameable);
+    assert!(text.starts_with("input `x` has no bits\n  --> [Link { x: bits(0) }]"), "{text}");
+    assert!(text.contains("`endmodule` cannot be the name of a module"), "{text}");
+}

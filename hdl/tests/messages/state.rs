@@ -1,0 +1,134 @@
+//! Registers, wires and memories.
+
+use crate::common::*;
+use tilewright_hdl::*;
+
+#[test]
+fn registers_and_wires_that_nothing_drives() {
+    expect(
+        |m, _| {
+            let _lonely = m.reg("lonely", 3).reset(0);
+            *m.wire("open", 2)
+        },
+        "register `lonely` of `Case` is never driven
+         --> [let _lonely = m.reg(\"lonely\", 3).reset(0);]
+         help: say what it takes at the next edge with `.next(value)`
+
+         wire `open` of `Case` is never driven
+         --> [*m.wire(\"open\", 2)]
+         help: say what drives it with `.drive(value)`
+
+         2 problems in this description",
+    );
+}
+
+#[test]
+fn registers_and_wires_that_are_driven_twice() {
+    expect(
+        |m, i| {
+            let r = m.reg("r", 8);
+            r.next(i.a);
+            r.next(0);
+            r.value()
+        },
+        "`r` is given a next value twice
+         --> [r.next(0);]
+         the first time is at [r.next(i.a);]
+         `r` is declared at [let r = m.reg(\"r\", 8);]
+         help: choose between the two with `mux` or `select`",
+    );
+    let enabled = |m: Module, i: In| {
+        let r = m.reg("r", 8).enable(i.c).enable(!i.c);
+        r.next(i.a);
+        r.value()
+    };
+    assert!(problems(&Case(enabled)).starts_with("`r` is enabled twice"));
+    let driven = |m: Module, i: In| {
+        let w = m.wire("w", 8);
+        w.drive(i.a);
+        w.drive(i.a);
+        w.value()
+    };
+    assert!(problems(&Case(driven)).starts_with("`w` is driven twice"));
+}
+
+#[test]
+fn handles_give_their_values_as_signals() {
+    let build = |m: Module, i: In| {
+        let (register, wire, lamp) = (m.reg("r", 8), m.wire("w", 8), m.fsm("lamp", Lamp::Off));
+        register.next(i.a);
+        wire.drive(i.a);
+        lamp.next(|lamp| match lamp {
+            Lamp::Off => when(i.c, Lamp::On),
+            Lamp::On => goto(Lamp::Off),
+        });
+        let values: [Signal; 3] = [register.value(), wire.value(), lamp.value()];
+        concat(&values).trunc(8)
+    };
+    elaborate(&Case(build)).unwrap();
+}
+
+#[test]
+fn reset_values_that_are_not_constants() {
+    let build = |m: Module, i: In| {
+        let r = m.reg("r", 8).reset(i.a);
+        r.next(i.a);
+        r.value()
+    };
+    expect(
+        build,
+        "the reset value of `r` is not a constant of 8 bits
+         --> [let r = m.reg(\"r\", 8).reset(i.a);]
+         help: a reset value is a number known while the block is built",
+    );
+}
+
+#[test]
+fn memories() {
+    expect(
+        |m, i| {
+            let words = m.memory("words", 256, 8, ReadUnderWrite::Old);
+            words.write(i.c, i.a, i.a);
+            words.write(!i.c, i.a, 0);
+            words.read(i.a)
+        },
+        "memory `words` gets a second write port
+         --> [words.write(!i.c, i.a, 0);]
+         `words` is declared at [let words = m.memory(\"words\", 256, 8, ReadUnderWrite::Old);]
+         help: share one port with `mux`, or say `.true_dual_port()` if the target has such memories",
+    );
+    let long = |m: Module, i: In| {
+        m.memory("words", 2, 8, ReadUnderWrite::Old)
+            .words([Bits::new(8, 1), Bits::new(8, 2), Bits::new(8, 3)])
+            .read(i.c)
+    };
+    assert!(problems(&Case(long)).starts_with("memory `words` has 2 words, but its contents have 3"));
+    let wide = |m: Module, i: In| m.memory("words", 2, 8, ReadUnderWrite::Old).fill(Bits::new(9, 1)).read(i.c);
+    assert!(problems(&Case(wide)).starts_with("memory `words` is 8 bits wide, but word 0 of its contents has 9"));
+    let empty = |m: Module, i: In| m.memory("words", 0, 8, ReadUnderWrite::Old).read(i.c);
+    assert!(problems(&Case(empty)).starts_with("memory `words` of 0 words of 8 bits holds nothing"));
+}
+
+#[test]
+fn widths_that_do_not_fit_a_memory() {
+    expect(
+        |m, i| m.memory("words", 100, 8, ReadUnderWrite::Old).read(i.a),
+        "an address of memory `words` has 7 bits, but `a` has 8 bits
+         --> [|m, i| m.memory(\"words\", 100, 8, ReadUnderWrite::Old).read(i.a),]
+         `words` is declared at [|m, i| m.memory(\"words\", 100, 8, ReadUnderWrite::Old).read(i.a),]
+         `a` is made at [In { a: bits(8), b: bits(7), c: bit() }]
+         help: cut it with `.trunc(7)`",
+    );
+    expect(
+        |m, i| {
+            let words = m.memory("words", 256, 8, ReadUnderWrite::Old);
+            words.write(i.c, i.a, i.b);
+            words.read_async(i.a)
+        },
+        "a word of memory `words` has 8 bits, but `b` has 7 bits
+         --> [words.write(i.c, i.a, i.b);]
+         `words` is declared at [let words = m.memory(\"words\", 256, 8, ReadUnderWrite::Old);]
+         `b` is made at [In { a: bits(8), b: bits(7), c: bit() }]
+         help: widen it with `.zext(8)` or `.sext(8)`",
+    );
+}

@@ -1,0 +1,248 @@
+//! Widths that differ, that change wrongly, or that nothing may have.
+
+use crate::common::*;
+use tilewright_hdl::*;
+
+#[test]
+fn widths_that_differ() {
+    expect(
+        |_, i| i.a + i.b,
+        "`+` needs equal widths: `a` has 8 bits, `b` has 7 bits
+         --> [|_, i| i.a + i.b,]
+         `a` is made at [In { a: bits(8), b: bits(7), c: bit() }]
+         `b` is made at [In { a: bits(8), b: bits(7), c: bit() }]
+         help: widen the narrow side with `.zext(8)` or `.sext(8)`, or cut the wide one with `.trunc(7)`",
+    );
+}
+
+#[test]
+fn operands_that_are_expressions_are_shown() {
+    expect(
+        |_, i| (i.a & !i.a).eq(cat![i.b, i.c].slice(1..8)),
+        "`eq` needs equal widths: `a & !a` has 8 bits, `cat![b, c].slice(1..8)` has 7 bits
+         --> [|_, i| (i.a & !i.a).eq(cat![i.b, i.c].slice(1..8)),]
+         `a & !a` is made at [|_, i| (i.a & !i.a).eq(cat![i.b, i.c].slice(1..8)),]
+         `cat![b, c].slice(1..8)` is made at [|_, i| (i.a & !i.a).eq(cat![i.b, i.c].slice(1..8)),]
+         help: widen the narrow side with `.zext(8)` or `.sext(8)`, or cut the wide one with `.trunc(7)`",
+    );
+}
+
+/// Widths meet in every operator, choice and sink, and the message names which.
+#[test]
+fn every_meeting_of_widths_is_checked() {
+    let cases: [(Build, &str); 13] = [
+        (|_, i| i.a - i.b, "`-`"),
+        (|_, i| i.a & i.b, "`&`"),
+        (|_, i| i.a | i.b, "`|`"),
+        (|_, i| i.a ^ i.b, "`^`"),
+        (|_, i| i.a.lt(i.b), "`lt`"),
+        (|_, i| i.a.add_carry(i.b), "`add_carry`"),
+        (|_, i| (i.a.signed() + i.b.signed()).bits(), "`+`"),
+        (|_, i| i.a.signed().ge(i.b.signed()), "`ge`"),
+        (|_, i| mux(i.c, i.a, i.b), "`mux`"),
+        (|_, i| select([(i.c, i.a)], i.b), "`select`"),
+        (|_, i| case(i.c, [(1, i.a)], i.b), "`case`"),
+        (
+            |m, i| {
+                let r = m.reg("r", 8);
+                r.next(i.b);
+                r.value()
+            },
+            "`next`",
+        ),
+        (
+            |m, i| {
+                let w = m.wire("w", 8);
+                w.drive(i.b);
+                w.value()
+            },
+            "`drive`",
+        ),
+    ];
+    for (build, operator) in cases {
+        let text = problems(&Case(build));
+        assert!(text.starts_with(&format!("{operator} needs equal widths:")), "{text}");
+        let place = text.lines().find(|line| line.starts_with("  --> ")).expect("a message has a place");
+        assert!(place.starts_with("  --> ["), "the place is not the user's: {text}");
+    }
+}
+
+#[test]
+fn nothing_is_wider_than_a_million_bits() {
+    let text = problems(&Case(|_, i| i.a.repeat(600_000_000)));
+    assert!(text.starts_with("`.repeat(600000000)` makes more than 1048576 bits of `a`"), "{text}");
+    let text = problems(&Case(|_, i| i.a.zext(600_000_000)));
+    assert!(text.starts_with("`.zext(600000000)` makes more than 1048576 bits of `a`"), "{text}");
+    elaborate(&Case(|_, i| concat(&[i.a.repeat(131_071), i.a]))).expect("a million bits are allowed");
+    expect(
+        |_, i| concat(&[i.a.repeat(131_071), i.a, i.b]),
+        "a concatenation of 1048583 bits is wider than 1048576
+         --> [|_, i| concat(&[i.a.repeat(131_071), i.a, i.b]),]
+         help: keep wide data in a memory",
+    );
+    // As many bits as would overflow a `u32`.
+    let text = problems(&Case(|_, i| concat(&[i.a.repeat(131_072); 4097])));
+    assert!(text.starts_with("a concatenation of 4296015872 bits is wider than 1048576"), "{text}");
+}
+
+#[test]
+fn literals_that_do_not_fit() {
+    expect(
+        |_, i| i.b + 128,
+        "`128` does not fit in 7 bits, unsigned
+         --> [|_, i| i.b + 128,]
+         help: an integer takes the width of the signal it meets",
+    );
+    expect(
+        |_, i| i.b.signed().lt(64),
+        "`64` does not fit in 7 bits, signed
+         --> [|_, i| i.b.signed().lt(64),]
+         help: an integer takes the width of the signal it meets",
+    );
+    assert!(problems(&Case(|_, i| i.a + -1)).starts_with("`-1` does not fit in 8 bits, unsigned"));
+    assert!(problems(&Case(|_, i| i.a & Bits::new(7, 1))).starts_with("`7'h01` does not fit in 8 bits"));
+    elaborate(&Case(|_, i| i.a.signed().lt(-128))).expect("-128 is an 8-bit number");
+}
+
+#[test]
+fn slices_and_changes_of_width() {
+    expect(
+        |_, i| i.a.slice(4..9),
+        "the slice 4..9 is outside of `a`, which has 8 bits
+         --> [|_, i| i.a.slice(4..9),]
+         `a` is made at [In { a: bits(8), b: bits(7), c: bit() }]
+         help: a slice is `low..high` with low < high <= 8",
+    );
+    assert!(problems(&Case(|_, i| i.a.trunc(9))).starts_with("`.trunc(9)` cannot cut `a`, which has 8 bits"));
+    assert!(problems(&Case(|_, i| i.a.zext(7))).starts_with("`.zext(7)` cannot widen `a`, which has 8 bits"));
+    assert!(problems(&Case(|_, i| i.a.sext(7))).starts_with("`.sext(7)` cannot widen `a`, which has 8 bits"));
+    assert!(problems(&Case(|_, i| i.c.repeat(0))).starts_with("`.repeat(0)` leaves nothing of `c`, which has 1 bit"));
+}
+
+/// Each message is one, at the user's line, and what stands in for the faulty thing causes no other.
+#[test]
+fn things_without_bits() {
+    let cases: [(&str, Build); 5] = [
+        ("register `r` has no bits", |m, _| {
+            let r = m.reg("r", 0);
+            r.next(0);
+            r.value()
+        }),
+        ("wire `w` has no bits", |m, _| {
+            let w = m.wire("w", 0);
+            w.drive(0);
+            w.value()
+        }),
+        ("a constant has no bits", |_, _| lit(0, 5)),
+        ("a constant has no bits", |m, _| {
+            let block = Inverter { registered: true };
+            m.array("u_cell", 3, &block, |cells| Link { x: cells.index(0) }).out.last()
+        }),
+        ("a constant has no bits", |m, _| m.fsm("lamp", Lamp::Off).constants(0, |lamp| lamp.code())),
+    ];
+    for (message, build) in cases {
+        let text = problems(&Case(build));
+        let (first, place) = text.split_once("\n  --> ").expect("a message has a place");
+        assert!(first == message && place.starts_with('['), "{text}");
+        assert!(place.contains("help: a width is at least 1"), "{text}");
+    }
+    expect(
+        |_, _| lit(0, 0),
+        "a constant has no bits
+         --> [|_, _| lit(0, 0),]
+         help: a width is at least 1",
+    );
+}
+
+/// Inverts an input of some width.
+#[derive(Debug)]
+struct Port(u32);
+
+impl Block for Port {
+    type In = Link;
+    type Out = Out;
+
+    fn inputs(&self) -> Link<Width> {
+        Link { x: bits(self.0) }
+    }
+
+    fn build(&self, _: Module, i: Link) -> Out {
+        Out { out: !i.x }
+    }
+}
+
+#[test]
+fn what_is_declared_has_at_most_a_million_bits() {
+    let place = "\n  --> [Link { x: bits(self.0) }]\n  help: ";
+    assert_eq!(problems(&Port(0)), format!("input `x` has no bits{place}a width is at least 1"));
+    let message = "input `x` of 1048577 bits is wider than 1048576";
+    assert_eq!(problems(&Port((1 << 20) + 1)), format!("{message}{place}keep wide data in a memory"));
+    elaborate(&Port(1 << 20)).expect("a million bits are allowed");
+    expect(
+        |m, _| {
+            let r = m.reg("r", 600_000_000).reset(300);
+            r.next(300);
+            r.value()
+        },
+        "register `r` of 600000000 bits is wider than 1048576
+         --> [let r = m.reg(\"r\", 600_000_000).reset(300);]
+         help: keep wide data in a memory",
+    );
+    expect(
+        |m, _| {
+            let w = m.wire("w", u32::MAX);
+            w.drive(300);
+            w.value()
+        },
+        "wire `w` of 4294967295 bits is wider than 1048576
+         --> [let w = m.wire(\"w\", u32::MAX);]
+         help: keep wide data in a memory",
+    );
+    expect(
+        |_, _| lit(600_000_000, 300),
+        "a constant of 600000000 bits is wider than 1048576
+         --> [|_, _| lit(600_000_000, 300),]
+         help: keep wide data in a memory",
+    );
+    let text = problems(&Case(|_, i| mux(i.c, Bits::ones(1_048_577), Bits::ones(1_048_576))));
+    assert!(text.starts_with("a constant of 1048577 bits is wider than 1048576\n  --> [let text"), "{text}");
+    expect(
+        |m, i| m.memory("words", 256, 600_000_000, ReadUnderWrite::Old).read(i.a),
+        "memory `words` has words of 600000000 bits, more than 1048576
+         --> [|m, i| m.memory(\"words\", 256, 600_000_000, ReadUnderWrite::Old).read(i.a),]
+         help: spread what is wider over several words",
+    );
+}
+
+#[test]
+fn products_have_at_most_a_million_bits() {
+    elaborate(&Case(|_, i| i.a.repeat(65_536) * i.a.repeat(65_536))).expect("a million bits are allowed");
+    expect(
+        |_, i| (i.a.repeat(131_071) * cat![i.a, i.c]).slice(100..108),
+        "a product of 1048577 bits is wider than 1048576
+         --> [|_, i| (i.a.repeat(131_071) * cat![i.a, i.c]).slice(100..108),]
+         help: keep wide data in a memory",
+    );
+    let cases: [Build; 3] = [
+        |_, i| i.a.repeat(131_072).times(i.a),
+        |_, i| i.a.repeat(131_072).signed().times(i.a.signed()).bits(),
+        |_, i| (i.a.repeat(131_072).signed() * i.a.signed()).bits(),
+    ];
+    for build in cases {
+        let text = problems(&Case(build));
+        assert!(text.starts_with("a product of 1048584 bits is wider than 1048576\n  --> [|_, i| "), "{text}");
+        assert!(!text.contains("problems in this"), "{text}");
+    }
+}
+
+#[test]
+#[should_panic(expected = "a concatenation of nothing")]
+fn concatenations_of_nothing() {
+    let _ = elaborate(&Case(|_, _| concat(&[])));
+}
+
+#[test]
+#[should_panic(expected = "a shift by -1 bits: an amount is 0 or more")]
+fn shifts_by_less_than_nothing() {
+    let _ = elaborate(&Case(|_, i| i.a << -1));
+}
