@@ -6,7 +6,6 @@ use std::sync::Arc;
 use tilewright_hdl::{Bits, limbs_for};
 
 use crate::engine::{Done, Engine, Failed};
-use crate::program::hierarchy::Place;
 use crate::program::{Program, Triggers, ValueId};
 
 /// Where two engines first differ.

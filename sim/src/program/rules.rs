@@ -41,18 +41,30 @@ pub(crate) fn fold(cells: &impl Cells, kind: &Kind, width: u32) -> Option<Bits> 
     }
 }
 
-/// The operand that an operation is the same as.
-pub(crate) fn alias(cells: &impl Cells, kind: &Kind, width: u32) -> Option<ValueId> {
-    let is_zero = |of: ValueId| constant(cells, of).is_some_and(Bits::is_zero);
-    let is_ones = |of: ValueId| constant(cells, of).is_some_and(|bits| *bits == Bits::ones(bits.width()));
+/// The value that this is another name for: names, and groups of one lane, which engines do not know.
+pub(crate) fn name(kind: &Kind) -> Option<ValueId> {
     match kind {
-        Kind::Alias(of) | Kind::Repeat(of, 1) | Kind::Broadcast(of, 1) | Kind::Tile(of, 1) => Some(*of),
-        Kind::Slice(of, 0) | Kind::Extend(of, _) if cells.width(*of) == width => Some(*of),
-        Kind::Concat(parts) | Kind::PerLane(parts) if parts.len() == 1 => Some(parts[0]),
+        Kind::Alias(of) | Kind::Broadcast(of, 1) | Kind::Tile(of, 1) => Some(*of),
+        Kind::PerLane(parts) if parts.len() == 1 => Some(parts[0]),
         Kind::Lane { of, group: 1, .. } | Kind::Reduce { of, group: 1, .. } | Kind::Shifted { of, by: 0, .. } => {
             Some(*of)
         }
         Kind::Shifted { edge, group: 1, .. } => Some(*edge),
+        _ => None,
+    }
+}
+
+/// The operand that an operation is the same as.
+pub(crate) fn alias(cells: &impl Cells, kind: &Kind, width: u32) -> Option<ValueId> {
+    if let Some(of) = name(kind) {
+        return Some(of);
+    }
+    let is_zero = |of: ValueId| constant(cells, of).is_some_and(Bits::is_zero);
+    let is_ones = |of: ValueId| constant(cells, of).is_some_and(|bits| *bits == Bits::ones(bits.width()));
+    match kind {
+        Kind::Repeat(of, 1) => Some(*of),
+        Kind::Slice(of, 0) | Kind::Extend(of, _) if cells.width(*of) == width => Some(*of),
+        Kind::Concat(parts) if parts.len() == 1 => Some(parts[0]),
         Kind::Mux { on_true, on_false, .. } if on_true == on_false => Some(*on_true),
         Kind::Mux { select, on_true, on_false } => {
             let select = constant(cells, *select)?;

@@ -6,7 +6,7 @@ use rustc_hash::FxHashMap;
 
 use super::lift::lift;
 use super::netlist::{Cell, Netlist};
-use super::rules::{Cells, alias, fold, shorter};
+use super::rules::{Cells, alias, fold, name, shorter};
 use super::{Kind, Passes, ValueId};
 
 /// Cells by what they compute.
@@ -20,12 +20,7 @@ pub(super) fn simplify(netlist: &mut Netlist, order: &[ValueId], passes: &Passes
         netlist.cells[id.index()].kind.rewrite(|operand| *operand = same[operand.index()]);
         let Cell { kind, width, .. } = netlist.cell(id).clone();
         let kind = if passes.fold { folded(netlist, kind, width) } else { kind };
-        let alias = match kind {
-            // Engines know no names for the same value.
-            Kind::Alias(of) => Some(of),
-            _ if passes.fold => alias(netlist, &kind, width),
-            _ => None,
-        };
+        let alias = if passes.fold { alias(netlist, &kind, width) } else { name(&kind) };
         same[id.index()] = alias.unwrap_or_else(|| {
             netlist.cells[id.index()].kind = kind;
             let whole = uniform(netlist, &mut known, id, passes);
