@@ -22,6 +22,7 @@ mod start;
 mod store;
 mod strip;
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use cranelift_codegen::ir::{InstBuilder, MemFlagsData, Value, types};
@@ -67,8 +68,6 @@ pub(crate) struct Compiled {
     views: Vec<View>,
     /// Per value of the program: what computes it, by index in `views`, and where it leaves it.
     shown: Vec<Option<(usize, Place)>>,
-    /// Counts what can change values.
-    version: u64,
     /// Every value as limbs, brought up to date when it is read.
     mirror: Vec<u64>,
 }
@@ -82,8 +81,9 @@ const SPECIAL: u32 = 16;
 #[derive(Clone, Copy)]
 struct View {
     code: Code,
-    /// The version that it was last run for.
-    seen: u64,
+    /// What changes what it shows, and whether it has since it was last run.
+    triggers: Triggers,
+    stale: bool,
 }
 
 /// A graph, and where its values are.
@@ -137,7 +137,6 @@ impl Compiled {
             checks: Vec::new(),
             views: Vec::new(),
             shown: vec![None; program.values.len()],
-            version: 1,
             inputs,
             special: SPECIAL,
             inputs_version: 0,
@@ -267,9 +266,9 @@ impl Compiled {
                 self.shown[id.index()].expect("it is shown now")
             }
         };
-        let View { code, seen } = self.views[view];
-        if seen != self.version {
-            self.views[view].seen = self.version;
+        let View { code, stale, .. } = self.views[view];
+        if stale {
+            self.views[view].stale = false;
             self.call(code, 1);
         }
         place
@@ -281,6 +280,13 @@ impl Compiled {
         let bits = self.program.constants[index].1.limbs();
         let lanes = self.mirror[self.program.value(id).range()].chunks_exact_mut(bits.len());
         lanes.for_each(|lane| lane.copy_from_slice(bits));
+    }
+
+    /// Marks what shows something of this.
+    fn changed(&mut self, triggers: Triggers) {
+        for view in &mut self.views {
+            view.stale |= view.triggers.meet(triggers);
+        }
     }
 
     /// Runs a function so many times; gives how many are left because something did not hold.
@@ -309,10 +315,10 @@ impl Engine for Compiled {
         &self.mirror[range]
     }
 
-    fn write(&mut self, id: ValueId, limbs: &[u64], _: Triggers) {
+    fn write(&mut self, id: ValueId, limbs: &[u64], triggers: Triggers) {
         let place = self.places[id.index()].expect("an input is state");
         self.state.put(place, limbs);
-        self.version += 1;
+        self.changed(triggers);
         self.inputs_version += u64::from(self.program.value(id).width <= HELD);
     }
 
@@ -326,7 +332,7 @@ impl Engine for Compiled {
     fn set_word(&mut self, memory: u32, lane: u32, address: u32, limbs: &[u64]) {
         let (at, store) = &mut self.memories[memory as usize];
         store.put_word(at.words.at(lane, address), at.words.word, at.width, limbs);
-        self.version += 1;
+        self.changed(Triggers::ALL);
     }
 
     fn set_reset(&mut self, clock: usize, high: bool) {
@@ -365,9 +371,9 @@ impl Engine for Compiled {
             } else {
                 left = self.call(code, count);
             }
-            self.version += 1;
         }
         let changed = rising.iter().fold(Triggers::NONE, |all, &clock| all.with(Triggers::state(clock)));
+        self.changed(changed);
         Ok(Done { edges: count - left, changed })
     }
 
@@ -379,14 +385,23 @@ impl Engine for Compiled {
         if shown.is_empty() {
             return;
         }
-        let mut graph = Graph::new(&self.program);
-        graph.sinks = shown.iter().map(|&value| Sink::Show(value)).collect();
-        let prepared = self.prepare(graph);
-        let code = self.compile(std::slice::from_ref(&prepared));
-        for id in shown {
-            let place = prepared.addresses.places[id.index()].expect("what is shown has a place");
-            self.shown[id.index()] = Some((self.views.len(), place));
+        // Values that change together are computed together.
+        let triggers = |id: ValueId| {
+            let segment = self.program.value(id).segment.expect("it is computed");
+            self.program.segments[segment as usize].triggers
+        };
+        let mut groups: BTreeMap<Triggers, Vec<ValueId>> = BTreeMap::new();
+        shown.into_iter().for_each(|id| groups.entry(triggers(id)).or_default().push(id));
+        for (triggers, shown) in groups {
+            let mut graph = Graph::new(&self.program);
+            graph.sinks = shown.iter().map(|&value| Sink::Show(value)).collect();
+            let prepared = self.prepare(graph);
+            let code = self.compile(std::slice::from_ref(&prepared));
+            for id in shown {
+                let place = prepared.addresses.places[id.index()].expect("what is shown has a place");
+                self.shown[id.index()] = Some((self.views.len(), place));
+            }
+            self.views.push(View { code, triggers, stale: true });
         }
-        self.views.push(View { code, seen: 0 });
     }
 }
