@@ -66,6 +66,12 @@ pub(crate) trait Engine: Send {
         Ok(())
     }
 
+    /// Whether a value is certainly as it was when this was last asked with the same `seen`, in which an engine notes what
+    /// it likes; empty the first time. Cheaper than to read it.
+    fn is_as_seen(&mut self, _id: ValueId, _seen: &mut Vec<u64>) -> bool {
+        false
+    }
+
     /// Prepares for these values being read together.
     fn watch(&mut self, _values: &[ValueId]) {}
 }

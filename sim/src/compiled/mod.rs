@@ -256,6 +256,14 @@ impl Compiled {
         code.is_none_or(|code| self.call(code, 1) == 0)
     }
 
+    /// Where a value is, brought up to date if it is computed; `None` for constants.
+    fn place(&mut self, id: ValueId) -> Option<Place> {
+        match self.places[id.index()] {
+            None if self.program.value(id).segment.is_some() => Some(self.view(id)),
+            place => place,
+        }
+    }
+
     /// Brings a value that is computed up to date; gives where it is. All output ports share a function.
     fn view(&mut self, id: ValueId) -> Place {
         let (view, place) = match self.shown[id.index()] {
@@ -302,13 +310,16 @@ impl Compiled {
 }
 
 impl Engine for Compiled {
+    fn is_as_seen(&mut self, id: ValueId, seen: &mut Vec<u64>) -> bool {
+        match self.place(id) {
+            Some(place) => self.state.is_same(place, seen),
+            None => false,
+        }
+    }
+
     fn read(&mut self, id: ValueId) -> &[u64] {
         let range = self.program.value(id).range();
-        let place = match self.places[id.index()] {
-            None if self.program.value(id).segment.is_some() => Some(self.view(id)),
-            place => place,
-        };
-        match place {
+        match self.place(id) {
             Some(place) => self.state.get(place, &mut self.mirror[range.clone()]),
             None => self.mirror_constant(id),
         }

@@ -90,6 +90,18 @@ impl Store {
         (whole * each..count).for_each(|i| self.put_word(at + i * bytes, bytes, width, limbs));
     }
 
+    /// Whether the words that a value stands in are these; they are replaced by them if not.
+    pub fn is_same(&self, place: Place, seen: &mut Vec<u64>) -> bool {
+        let words = (place.lanes as usize * place.bytes()).div_ceil(8);
+        let now = &self.words[self.skipped + place.offset / 8..][..words];
+        if seen.len() == words && now.iter().zip(seen.iter()).fold(0, |all, (now, seen)| all | now.get() ^ seen) == 0 {
+            return true;
+        }
+        seen.clear();
+        seen.extend(now.iter().map(Cell::get));
+        false
+    }
+
     /// All lanes of a value.
     pub fn get(&self, place: Place, limbs: &mut [u64]) {
         let each = limbs.len() / place.lanes as usize;

@@ -30,6 +30,8 @@ struct Traced {
     per_lane: usize,
     /// Its first lane in [`Variables::of_lane`].
     first_lane: usize,
+    /// What the engine knows it by.
+    seen: Vec<u64>,
 }
 
 /// The variables of the file, by number.
@@ -61,7 +63,13 @@ impl Shown {
         for &id in &values {
             let value = program.value(id);
             let end = limbs + value.range().len();
-            shown.values.push(Traced { value: id, limbs: limbs..end, per_lane: value.limbs(), first_lane: lanes });
+            shown.values.push(Traced {
+                value: id,
+                limbs: limbs..end,
+                per_lane: value.limbs(),
+                first_lane: lanes,
+                seen: Vec::new(),
+            });
             (limbs, lanes) = (end, lanes + value.lanes as usize);
         }
         shown.limbs = vec![0; limbs];
@@ -79,7 +87,10 @@ impl Shown {
     pub fn take(&mut self, engine: &mut dyn Engine, changed: Triggers) {
         for (triggers, group) in &self.groups {
             if triggers.meet(changed) || !self.known {
-                for traced in &self.values[group.clone()] {
+                for traced in &mut self.values[group.clone()] {
+                    if engine.is_as_seen(traced.value, &mut traced.seen) {
+                        continue;
+                    }
                     let new = engine.read(traced.value);
                     traced.replace(&mut self.limbs, new, &mut self.variables);
                 }
@@ -95,7 +106,8 @@ impl Shown {
 
     /// Goes to what was in [`Shown::limbs`] at another time.
     pub fn go_to(&mut self, limbs: &[u64]) {
-        for traced in &self.values {
+        for traced in &mut self.values {
+            traced.seen.clear();
             traced.replace(&mut self.limbs, &limbs[traced.limbs.clone()], &mut self.variables);
         }
     }
