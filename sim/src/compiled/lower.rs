@@ -62,7 +62,7 @@ pub(super) fn lower(graph: &mut Graph, strips: &Strips, passes: &Passes) {
     for index in 0..graph.sinks.len() {
         if let Sink::Write { memory, enable, address, data } = graph.sinks[index] {
             let lanes = graph.cell(enable).lanes;
-            if lanes > 1 && lanes % strips.strip(lanes) != 0 {
+            if lanes > 1 && !lanes.is_multiple_of(strips.strip(lanes)) {
                 let existing = tables.existing(graph, lanes);
                 let enable = graph.add(Kind::Binary(Binary::And, enable, existing), lanes, 1);
                 graph.sinks[index] = Sink::Write { memory, enable, address, data };

@@ -65,7 +65,7 @@ impl Strip {
 
     /// Whether the last strip has lanes that do not exist.
     pub fn is_padded(&self) -> bool {
-        self.row % self.size != 0
+        !self.row.is_multiple_of(self.size)
     }
 }
 
@@ -300,7 +300,7 @@ impl Emitter<'_, '_, '_> {
             let place = self.addresses.of(of);
             let address = self.address(strip.within.expect("it has begun"), place.bytes());
             // Its own strips are of other sizes.
-            let aligned = strip.size * place.element % 128 == 0;
+            let aligned = (strip.size * place.element).is_multiple_of(128);
             let side = Span { storage: place.element, address, offset: offset(place.offset), aligned };
             strip.lanes.load(self.builder, id, self.graph.cell(id).width, side);
             return;

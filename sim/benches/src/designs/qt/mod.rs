@@ -33,7 +33,7 @@ impl Block for Seeded {
     }
 
     fn build(&self, m: Module, i: BenchIn) -> UnitOut {
-        Unit.build(m, UnitIn { rst: i.rst, seed: lit(32, seed(self.0.into())) })
+        Unit.build(m, UnitIn { rst: i.rst, seed: lit(32, seed(self.0)) })
     }
 
     fn name(&self) -> String {
