@@ -2,6 +2,8 @@
 
 use std::sync::Arc;
 
+use tilewright_hdl::ir::Contents;
+
 use crate::compiled::Compiled;
 use crate::lockstep::{Difference, Lockstep};
 use crate::program::{Program, Triggers, ValueId};
@@ -72,8 +74,18 @@ pub enum EngineKind {
 }
 
 impl EngineKind {
-    /// The circuit at its start on this engine, or on the reference engine where code cannot be generated.
-    pub(crate) fn start(self, program: &Arc<Program>, seed: u64) -> (EngineKind, Box<dyn Engine>) {
+    /// The circuit at its start on this engine, or on the reference engine where code cannot be generated; with a seed
+    /// for each run.
+    pub(crate) fn start(self, program: &Arc<Program>, seeds: &[u64]) -> (EngineKind, Box<dyn Engine>) {
+        if let Some(seed) = seeds.first().filter(|&first| seeds.iter().all(|seed| seed == first)) {
+            return self.start_alike(program, *seed);
+        }
+        let (kind, mut engine) = self.start_alike(program, 0);
+        scatter(&mut *engine, program, &mut reference::Engine::seeded(program.clone(), seeds));
+        (kind, engine)
+    }
+
+    fn start_alike(self, program: &Arc<Program>, seed: u64) -> (EngineKind, Box<dyn Engine>) {
         let reference = || Box::new(reference::Engine::new(program.clone(), seed));
         if self == EngineKind::Reference {
             return (self, reference());
@@ -84,6 +96,21 @@ impl EngineKind {
                 (self, Box::new(Lockstep::new(program.clone(), reference(), Box::new(engine))))
             }
             _ => (EngineKind::Reference, reference()),
+        }
+    }
+}
+
+/// Gives an engine the state of another one: registers, the data of synchronous reads, memories of unknown contents.
+fn scatter(engine: &mut dyn Engine, program: &Program, from: &mut reference::Engine) {
+    let registers = program.registers.iter().map(|register| register.value);
+    let reads = program.memories.iter().flat_map(|memory| &memory.reads).map(|read| read.value);
+    for id in registers.chain(reads) {
+        engine.write(id, from.read(id), Triggers::ALL);
+    }
+    let unknown = (0..).zip(&program.memories).filter(|(_, memory)| memory.contents == Contents::Unknown);
+    for (index, memory) in unknown {
+        for lane in 0..memory.lanes {
+            (0..memory.depth).for_each(|at| engine.set_word(index, lane, at, from.word(index, lane, at)));
         }
     }
 }

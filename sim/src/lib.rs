@@ -86,6 +86,7 @@
 //! ```
 
 mod attach;
+mod batch;
 mod compiled;
 mod engine;
 mod error;
@@ -103,6 +104,7 @@ mod timeline;
 mod trace;
 
 pub use attach::Probe;
+pub use batch::Batch;
 pub use compiled::Unsupported;
 pub use engine::EngineKind;
 pub use error::{Error, UnknownName, Violation};

@@ -103,7 +103,7 @@ impl Lockstep {
     /// The first name of a lane of a value.
     fn name(&self, id: ValueId, lane: u32) -> String {
         let hierarchy = &self.program.hierarchy;
-        let places = hierarchy.places().into_iter();
+        let places = (0..self.program.lanes()).flat_map(|run| hierarchy.places(run));
         let names = places.flat_map(|place| {
             let signals = hierarchy.scope(place.scope).signals.iter().filter(move |signal| signal.value == id);
             signals.map(move |signal| (place, signal))
@@ -111,9 +111,12 @@ impl Lockstep {
         let mut matching = names.filter(|(place, signal)| place.lane == lane / signal.group.unwrap_or(1));
         matching.next().map_or_else(
             || format!("value {}", id.0),
-            |(place, signal)| match signal.group {
-                Some(group) => format!("{}[{}]", hierarchy.path_in(place, &signal.name), lane % group),
-                None => hierarchy.path_in(place, &signal.name),
+            |(place, signal)| {
+                let path = hierarchy.path_in(place, &signal.name);
+                let index = signal.group.map(|group| format!("[{}]", lane % group)).unwrap_or_default();
+                let run = hierarchy.run(place);
+                let run = if self.program.lanes() > 1 { format!(" of run {run}") } else { String::new() };
+                format!("{path}{index}{run}")
             },
         )
     }

@@ -214,6 +214,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         let path = hierarchy.path(place);
         Violation {
             message: assert.message.clone(),
+            run: (self.program.lanes() > 1).then(|| hierarchy.run(place)),
             instance: if path.is_empty() { hierarchy.scopes[0].name.clone() } else { path },
             clock: self.program.clocks[assert.clock as usize].name.clone(),
             cycle: self.timeline.cycles(assert.clock as usize),

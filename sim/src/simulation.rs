@@ -30,7 +30,8 @@ pub struct Simulation<I: Bundle = (), O: Bundle = ()> {
     pub(crate) observers: Vec<Box<dyn Observer + Send>>,
     /// What may have changed since the observers last saw it.
     pub(crate) changed: Triggers,
-    pub(crate) seed: u64,
+    /// Of each run.
+    pub(crate) seeds: Vec<u64>,
     /// The clocks of the coming instant; kept to save an allocation.
     pub(crate) rising: Vec<usize>,
 }
@@ -53,12 +54,8 @@ impl Simulation {
     /// [`Error::Description`] lists every mistake in the description.
     #[track_caller]
     pub fn at<B: Block>(block: &B, period: Period) -> Result<Simulation<B::In, B::Out>, Error> {
-        let (design, inputs, outputs) = elaborate_typed(block, period)?;
-        let first_output = design.top().inputs.len();
-        let port = |index: usize| Port { index: index as u32 };
-        let i = B::In::convert(&inputs, &mut |_, index: &usize| port(*index));
-        let o = B::Out::convert(&outputs, &mut |_, index: &usize| port(first_output + *index));
-        Simulation::new(&design, i, o)
+        let Typed { design, i, o } = typed(block, period)?;
+        Simulation::new(&design, 1, i, o)
     }
 
     /// Compiles a design; ports are found by [`Simulation::port`].
@@ -67,14 +64,16 @@ impl Simulation {
     ///
     /// [`Error::Looping`] if the design was not checked and has a combinational cycle.
     pub fn from_design(design: &Design) -> Result<Simulation, Error> {
-        Simulation::new(design, (), ())
+        Simulation::new(design, 1, (), ())
     }
 }
 
 impl<I: Bundle, O: Bundle> Simulation<I, O> {
-    fn new(design: &Design, i: I::Of<Port>, o: O::Of<Port>) -> Result<Simulation<I, O>, Error> {
-        let program = Arc::new(program::compile(design)?);
-        let (kind, engine) = EngineKind::default().start(&program, 0);
+    /// So many runs of a design.
+    pub(crate) fn new(design: &Design, runs: u32, i: I::Of<Port>, o: O::Of<Port>) -> Result<Simulation<I, O>, Error> {
+        let program = Arc::new(program::compile_lanes(design, runs)?);
+        let seeds = vec![0; runs as usize];
+        let (kind, engine) = EngineKind::default().start(&program, &seeds);
         Ok(Simulation {
             i,
             o,
@@ -84,7 +83,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
             resets: vec![false; program.clocks.len()],
             observers: Vec::new(),
             changed: Triggers::NONE,
-            seed: 0,
+            seeds,
             rising: Vec::new(),
             program,
         })
@@ -98,11 +97,16 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     /// After the first step, or with a trace attached.
     #[track_caller]
     pub fn seeded(mut self, seed: u64) -> Self {
+        self.seed(vec![seed]);
+        self
+    }
+
+    #[track_caller]
+    pub(crate) fn seed(&mut self, seeds: Vec<u64>) {
         assert!(self.timeline.time == 0, "a seed can only be given before the first step");
         assert!(self.observers.is_empty(), "give the seed before attaching a trace");
-        (self.kind, self.engine) = self.kind.start(&self.program, seed);
-        self.seed = seed;
-        self
+        (self.kind, self.engine) = self.kind.start(&self.program, &seeds);
+        self.seeds = seeds;
     }
 
     /// The same circuit at time 0 on this engine; inputs become zero.
@@ -114,7 +118,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     pub fn on(mut self, kind: EngineKind) -> Self {
         assert!(self.timeline.time == 0, "an engine can only be chosen before the first step");
         assert!(self.observers.is_empty(), "choose the engine before attaching a trace");
-        (self.kind, self.engine) = kind.start(&self.program, self.seed);
+        (self.kind, self.engine) = kind.start(&self.program, &self.seeds);
         self
     }
 
@@ -158,15 +162,26 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     /// The value does not fit, or the port is an output.
     #[track_caller]
     pub fn set(&mut self, port: Port, value: impl IntoValue) {
+        let bits = self.fitting(port, value);
+        self.write(port, bits.limbs());
+    }
+
+    /// Sets an input in all runs.
+    pub(crate) fn write(&mut self, port: Port, limbs: &[u64]) {
+        let input = &self.program.inputs[port.index as usize];
+        self.engine.write(input.value, limbs, input.triggers);
+        self.changed = self.changed.with(input.triggers);
+    }
+
+    /// The value as an input takes it.
+    #[track_caller]
+    pub(crate) fn fitting(&self, port: Port, value: impl IntoValue) -> Bits {
         let Some(input) = self.program.inputs.get(port.index as usize) else {
             panic!("`{}` is an output and cannot be set", self.declared(port).name)
         };
         let width = self.program.value(input.value).width;
         match value.into_value(width) {
-            Ok(bits) => {
-                self.engine.write(input.value, bits.limbs(), input.triggers);
-                self.changed = self.changed.with(input.triggers);
-            }
+            Ok(bits) => bits,
             Err(problem) => {
                 let bits = if width == 1 { "1 bit".to_string() } else { format!("{width} bits") };
                 panic!("input `{}` has {bits} and {problem}", input.name)
@@ -226,10 +241,14 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
 
     /// Every output, settled.
     pub fn read(&mut self) -> O::Of<Bits> {
+        self.read_run(0)
+    }
+
+    pub(crate) fn read_run(&mut self, run: u32) -> O::Of<Bits> {
         let (program, engine) = (&self.program, &mut self.engine);
         O::convert(&self.o, &mut |_, port: &Port| {
             let value = program.outputs[port.index as usize - program.inputs.len()].value;
-            Bits::from_limbs(program.value(value).width, engine.read(value))
+            lane(program, &mut **engine, value, run)
         })
     }
 
@@ -268,7 +287,11 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     ///
     /// There is no such name; the error has the nearest one.
     pub fn peek(&mut self, path: &str) -> Result<Bits, UnknownName> {
-        let Found { signal, lane } = lookup::signal(&self.program.hierarchy, path)?;
+        self.peek_run(path, 0)
+    }
+
+    pub(crate) fn peek_run(&mut self, path: &str, run: u32) -> Result<Bits, UnknownName> {
+        let Found { signal, lane } = lookup::signal(&self.program.hierarchy, path, run)?;
         let value = signal.value;
         Ok(self.lane(value, lane))
     }
@@ -284,7 +307,12 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     /// The address is beyond its depth.
     #[track_caller]
     pub fn peek_memory(&self, path: &str, address: u32) -> Result<Bits, UnknownName> {
-        let (memory, lane) = self.memory(path, address)?;
+        self.peek_word(path, 0, address)
+    }
+
+    #[track_caller]
+    pub(crate) fn peek_word(&self, path: &str, run: u32, address: u32) -> Result<Bits, UnknownName> {
+        let (memory, lane) = self.memory(path, run, address)?;
         Ok(Bits::from_limbs(self.program.memories[memory as usize].width, &self.engine.word(memory, lane, address)))
     }
 
@@ -299,7 +327,18 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     /// The address is beyond its depth, or the value does not fit.
     #[track_caller]
     pub fn poke_memory(&mut self, path: &str, address: u32, value: impl IntoValue) -> Result<(), UnknownName> {
-        let (memory, lane) = self.memory(path, address)?;
+        self.poke_word(path, 0, address, value)
+    }
+
+    #[track_caller]
+    pub(crate) fn poke_word(
+        &mut self,
+        path: &str,
+        run: u32,
+        address: u32,
+        value: impl IntoValue,
+    ) -> Result<(), UnknownName> {
+        let (memory, lane) = self.memory(path, run, address)?;
         match value.into_value(self.program.memories[memory as usize].width) {
             Ok(bits) => {
                 self.engine.set_word(memory, lane, address, bits.limbs());
@@ -311,18 +350,41 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     }
 
     #[track_caller]
-    fn memory(&self, path: &str, address: u32) -> Result<(u32, u32), UnknownName> {
-        let (memory, lane) = lookup::memory(&self.program.hierarchy, path)?;
+    fn memory(&self, path: &str, run: u32, address: u32) -> Result<(u32, u32), UnknownName> {
+        let (memory, lane) = lookup::memory(&self.program.hierarchy, path, run)?;
         let depth = self.program.memories[memory as usize].depth;
         assert!(address < depth, "address {address} of memory `{path}`, which has {depth} words");
         Ok((memory, lane))
     }
 
-    fn lane(&mut self, id: ValueId, lane: u32) -> Bits {
-        let value = *self.program.value(id);
-        let start = lane as usize * value.limbs();
-        Bits::from_limbs(value.width, &self.engine.read(id)[start..start + value.limbs()])
+    pub(crate) fn lane(&mut self, id: ValueId, index: u32) -> Bits {
+        lane(&self.program, &mut *self.engine, id, index)
     }
+}
+
+/// One lane of a value, settled.
+fn lane(program: &Program, engine: &mut dyn Engine, id: ValueId, lane: u32) -> Bits {
+    let value = program.value(id);
+    let start = lane as usize * value.limbs();
+    Bits::from_limbs(value.width, &engine.read(id)[start..start + value.limbs()])
+}
+
+/// A block's design and ports.
+pub(crate) struct Typed<B: Block> {
+    pub design: Design,
+    pub i: <B::In as Bundle>::Of<Port>,
+    pub o: <B::Out as Bundle>::Of<Port>,
+}
+
+/// Elaborates a block.
+#[track_caller]
+pub(crate) fn typed<B: Block>(block: &B, period: Period) -> Result<Typed<B>, Error> {
+    let (design, inputs, outputs) = elaborate_typed(block, period)?;
+    let first_output = design.top().inputs.len();
+    let port = |index: usize| Port { index: index as u32 };
+    let i = B::In::convert(&inputs, &mut |_, index: &usize| port(*index));
+    let o = B::Out::convert(&outputs, &mut |_, index: &usize| port(first_output + *index));
+    Ok(Typed { design, i, o })
 }
 
 impl<I: Bundle, O: Bundle> fmt::Debug for Simulation<I, O> {

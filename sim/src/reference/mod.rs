@@ -36,6 +36,12 @@ pub(crate) struct Engine {
 impl Engine {
     /// The circuit as it is after a reset; what a reset does not set starts from `seed`, all zeros if that is 0.
     pub fn new(program: Arc<Program>, seed: u64) -> Engine {
+        let seeds = vec![seed; program.lanes() as usize];
+        Engine::seeded(program, &seeds)
+    }
+
+    /// As [`Engine::new`], with a seed for each run.
+    pub fn seeded(program: Arc<Program>, seeds: &[u64]) -> Engine {
         let mut limbs = vec![0; program.storage];
         for (value, bits) in &program.constants {
             let value = program.value(*value);
@@ -55,7 +61,7 @@ impl Engine {
             plan: edge::Plan::new(&program),
             program,
         };
-        engine.start(seed);
+        engine.start(seeds);
         engine
     }
 

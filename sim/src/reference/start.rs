@@ -7,8 +7,8 @@ use super::Engine;
 use crate::program::hierarchy::{Place, Role};
 
 impl Engine {
-    /// Sets registers to their reset values, memories to their contents, and the rest from `seed`.
-    pub(super) fn start(&mut self, seed: u64) {
+    /// Sets registers to their reset values, memories to their contents, and the rest from the seed of its run.
+    pub(super) fn start(&mut self, seeds: &[u64]) {
         let program = self.program.clone();
         for memory in &program.memories {
             let limbs = limbs_for(memory.width);
@@ -22,8 +22,8 @@ impl Engine {
             }
             self.memories.push(lane.repeat(memory.lanes as usize));
         }
-        if seed != 0 {
-            self.scatter(seed);
+        for (run, &seed) in (0..).zip(seeds).filter(|(_, seed)| **seed != 0) {
+            self.scatter(run, seed);
         }
         for register in &program.registers {
             if let Some(reset) = &register.reset {
@@ -35,11 +35,11 @@ impl Engine {
         }
     }
 
-    /// Fills registers, read data and unknown memories with numbers that depend on the seed and the name alone, so
+    /// Fills registers, read data and unknown memories of a run with numbers that depend on the seed and the name alone, so
     /// that an array starts the same whether it runs in lanes or unrolled.
-    fn scatter(&mut self, seed: u64) {
+    fn scatter(&mut self, run: u32, seed: u64) {
         let program = self.program.clone();
-        for place in program.hierarchy.places() {
+        for place in program.hierarchy.places(run) {
             let scope = program.hierarchy.scope(place.scope);
             let path = |name: &str| hash(seed, &program.hierarchy.path_in(place, name));
             for signal in &scope.signals {
