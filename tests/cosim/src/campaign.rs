@@ -169,7 +169,7 @@ impl Campaign {
             let design =
                 elaborate(&build::top(spec, &format!("d{number}"))).map_err(|problems| problems.to_string())?;
             let replay = stimulus::run(&design, &spec.stimulus).map_err(|error| error.to_string())?;
-            many::check(&design, &spec.stimulus, many::runs(number))?;
+            many::check(&design, &spec.stimulus, number)?;
             let printed = Printed { files: (self.printer)(&design), bench: testbench(&design, &replay) };
             Ok((replay, printed))
         };
