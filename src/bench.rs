@@ -13,6 +13,7 @@ use tilewright_gen::tools::Compiler;
 #[command(after_help = "\
 Examples:
   tilewright bench --seconds 0.1
+  tilewright bench 'qt1*16' --seconds 0.1
   tilewright bench pim64 simd64 --rounds 3 --seconds 0.1 --json
   tilewright bench qt1 vc1x3@32x16 --against verilator --seconds 0.1
 
@@ -22,6 +23,9 @@ The designs, with a size for N:
   flatN  the same, each unit a module of its own, so that nothing is replicated
   simdN  N x N processors under one instruction
   vc1xN  a VC-1 with N processors that draw at random, frame after frame; vc1xN@WxH has another screen than 640x480
+
+qt1*16 is qt1 with 16 stimuli at once, as vector lanes, beside one alone; the time is for a cycle of one stimulus. A VC-1 has
+none to choose from.
 
 A cycle is a time at which one or more clocks rise. A build of simd64 with Verilator takes minutes. Exit code 1 means that two
 simulators end with different checksums, 4 that Verilator, clang or make is not installed or fails.")]

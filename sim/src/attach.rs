@@ -36,7 +36,11 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     ///
     /// The file cannot be created, a pattern matches nothing, or there is no such clock.
     pub fn trace(&mut self, vcd: Vcd) -> Result<(), Error> {
-        let header = header(&self.program, &vcd.patterns)?;
+        self.trace_run(0, vcd)
+    }
+
+    pub(crate) fn trace_run(&mut self, run: u32, vcd: Vcd) -> Result<(), Error> {
+        let header = header(&self.program, run, &vcd.patterns)?;
         let window = match &vcd.window {
             None => 0..u64::MAX,
             Some(Window::Time(times)) => times.clone(),
@@ -56,7 +60,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     ///
     /// A pattern matches nothing.
     pub fn trace_header(&self, vcd: &Vcd) -> Result<Vec<u8>, Error> {
-        Ok(header(&self.program, &vcd.patterns)?.text)
+        Ok(header(&self.program, 0, &vcd.patterns)?.text)
     }
 
     /// Records inputs and outputs at every instant from here on.
@@ -66,10 +70,15 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     /// After the first step, or with a seed: a replay could not start from the same state.
     #[track_caller]
     pub fn recording(&mut self) -> Recorder {
+        self.recording_of(0)
+    }
+
+    #[track_caller]
+    pub(crate) fn recording_of(&mut self, run: u32) -> Recorder {
+        let seed = self.engine.seeds[run as usize];
         assert!(self.timeline.time == 0, "a recording starts before the first step");
-        let seed = self.engine.seed;
         assert!(seed == 0, "a recording starts from zeros, not from seed {seed}");
-        let recorder = Recorder::default();
+        let recorder = Recorder::of(run);
         self.observers.push(Box::new(recorder.clone()));
         recorder
     }
@@ -81,9 +90,14 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     /// There is no such name.
     #[track_caller]
     pub fn record(&mut self, what: impl IntoIterator<Item = impl Into<Probe>>) -> Wave {
+        self.record_run(0, what)
+    }
+
+    #[track_caller]
+    pub(crate) fn record_run(&mut self, run: u32, what: impl IntoIterator<Item = impl Into<Probe>>) -> Wave {
         let mut sources = Vec::new();
         for probe in what {
-            sources.push(self.source(probe.into()));
+            sources.push(self.source(run, probe.into()));
         }
         self.engine.watch(&sources.iter().map(|source| source.value).collect::<Vec<_>>());
         let clocks = self.program.clocks.iter().map(|clock| (clock.port.clone(), clock.period)).collect();
@@ -93,12 +107,12 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     }
 
     #[track_caller]
-    fn source(&self, probe: Probe) -> Source {
+    fn source(&self, run: u32, probe: Probe) -> Source {
         let name = match probe {
             Probe::Port(port) => self.declared(port).name.clone(),
             Probe::Path(path) => path,
         };
-        match lookup::signal(&self.program.hierarchy, &name) {
+        match lookup::signal(&self.program.hierarchy, &name, run) {
             Ok(Found { signal, lane }) => Source { value: signal.value, lane, states: signal.states.clone(), name },
             Err(unknown) => panic!("{unknown}"),
         }

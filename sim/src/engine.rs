@@ -95,25 +95,26 @@ pub(crate) struct Started {
     chosen: EngineKind,
     /// Why no code can be generated, if it cannot.
     refused: Option<String>,
-    pub seed: u64,
+    /// Of each run.
+    pub seeds: Vec<u64>,
     made: OnceCell<Box<dyn Engine>>,
 }
 
 impl Started {
     /// The circuit at its start on this engine, or on the reference engine where code cannot be generated.
-    pub fn new(program: Arc<Program>, chosen: EngineKind, seed: u64) -> Started {
+    pub fn new(program: Arc<Program>, chosen: EngineKind, seeds: Vec<u64>) -> Started {
         let refused = compiled::unsupported().map(|reason| reason.to_string());
-        Started { program, chosen, refused, seed, made: OnceCell::new() }
+        Started { program, chosen, refused, seeds, made: OnceCell::new() }
     }
 
-    /// The circuit at its start, with another engine or seed.
-    pub fn again(&self, chosen: EngineKind, seed: u64) -> Started {
-        Started { program: self.program.clone(), chosen, refused: self.refused.clone(), seed, made: OnceCell::new() }
+    /// The circuit at its start, with another engine or other seeds.
+    pub fn again(&self, chosen: EngineKind, seeds: Vec<u64>) -> Started {
+        Started { program: self.program.clone(), chosen, refused: self.refused.clone(), seeds, made: OnceCell::new() }
     }
 
     /// As on a machine that no code can be generated for, for that reason.
     pub fn refuse(&self, reason: &str) -> Started {
-        Started { refused: Some(reason.to_owned()), ..self.again(self.chosen, self.seed) }
+        Started { refused: Some(reason.to_owned()), ..self.again(self.chosen, self.seeds.clone()) }
     }
 
     /// The engine that was asked for.
@@ -138,8 +139,8 @@ impl Started {
     }
 
     fn make(&self) -> Box<dyn Engine> {
-        let reference = || Box::new(reference::Engine::new(self.program.clone(), self.seed));
-        let compiled = || Box::new(Compiled::new(self.program.clone(), self.seed).expect("it was asked before"));
+        let reference = || Box::new(reference::Engine::new(self.program.clone(), &self.seeds));
+        let compiled = || Box::new(Compiled::new(self.program.clone(), &self.seeds).expect("it was asked before"));
         match self.kind() {
             EngineKind::Reference => reference(),
             EngineKind::Compiled => compiled(),

@@ -20,6 +20,14 @@ pub enum Error {
     /// Assertions do not hold.
     #[error("{}", sentences(.0))]
     Violated(Vec<Violation>),
+    /// A batch needs a run, and has no room for any number of them.
+    #[error("a batch of this design has from 1 to {most} runs, not {runs}")]
+    Runs {
+        /// How many were asked for.
+        runs: u32,
+        /// How many there can be.
+        most: u32,
+    },
     /// There is no such name.
     #[error("{0}")]
     Unknown(#[from] UnknownName),
@@ -48,6 +56,8 @@ fn sentences(violations: &[Violation]) -> String {
 pub struct Violation {
     /// The assertion's message.
     pub message: String,
+    /// The run of a [`Batch`](crate::Batch), from 0; `None` where there is only one.
+    pub run: Option<u32>,
     /// The instance's path below the top; the top module's name for the top itself.
     pub instance: String,
     /// The clock.
@@ -62,10 +72,11 @@ pub struct Violation {
 
 impl fmt::Display for Violation {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let Violation { message, instance, clock, cycle, time, loc } = self;
+        let Violation { message, run, instance, clock, cycle, time, loc } = self;
+        let run = run.map(|run| format!(" of run {run}")).unwrap_or_default();
         write!(
             f,
-            "assertion failed in `{instance}` in cycle {cycle} of `{clock}`, at {time} ps: {message}\n  --> {loc}"
+            "assertion failed in `{instance}`{run} in cycle {cycle} of `{clock}`, at {time} ps: {message}\n  --> {loc}"
         )
     }
 }

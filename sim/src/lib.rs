@@ -65,6 +65,41 @@
 //!   nothing. An asynchronous read follows its address and the memory's words at once.
 //! - **Arrays** of instances mean as many instances, however they are run.
 //!
+//! # Many runs at once
+//!
+//! A [`Batch`] runs one design under many stimuli, or from many seeds, at a time: inputs, names and memories have a run
+//! beside their name, time is the same for all. Each run is what a [`Simulation`] of it alone is, its waveform byte for
+//! byte; an assertion that fails says in which run, and stops all.
+//!
+//! ```
+//! # use tilewright_hdl::{Block, Module, Width, bits, bundle};
+//! # bundle! {
+//! #     /// What is added.
+//! #     pub struct SumIn<T> { pub x: T }
+//! #     /// The sum.
+//! #     pub struct SumOut<T> { pub sum: T }
+//! # }
+//! # #[derive(Debug)]
+//! # struct Sum;
+//! # impl Block for Sum {
+//! #     type In = SumIn;
+//! #     type Out = SumOut;
+//! #     fn inputs(&self) -> SumIn<Width> { SumIn { x: bits(8) } }
+//! #     fn build(&self, m: Module, i: SumIn) -> SumOut {
+//! #         let sum = m.reg("sum", 8).reset(0);
+//! #         sum.next(sum + i.x);
+//! #         SumOut { sum: sum.value() }
+//! #     }
+//! # }
+//! # fn main() -> Result<(), tilewright_sim::Error> {
+//! let mut batch = tilewright_sim::Batch::of(&Sum, 16)?;
+//! batch.set_each(batch.i.x, |run| run);
+//! batch.run(10);
+//! assert_eq!(batch.get(batch.o.sum, 7), 70);
+//! # Ok(())
+//! # }
+//! ```
+//!
 //! # How it runs
 //!
 //! [`program::compile`] makes a flat [`program::Program`] of a design, and an engine runs it: [`EngineKind::Compiled`],
@@ -89,6 +124,7 @@
 //! ```
 
 mod attach;
+mod batch;
 mod compiled;
 mod engine;
 mod error;
@@ -108,6 +144,7 @@ mod timeline;
 mod trace;
 
 pub use attach::Probe;
+pub use batch::Batch;
 pub use compiled::Unsupported;
 pub use engine::EngineKind;
 pub use error::{Error, UnknownName, Violation};

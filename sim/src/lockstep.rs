@@ -129,7 +129,7 @@ impl Lockstep {
     /// The first name of a lane of a value.
     fn name(&self, id: ValueId, lane: u32) -> String {
         let hierarchy = &self.program.hierarchy;
-        let places = hierarchy.places().into_iter();
+        let places = (0..self.program.lanes()).flat_map(|run| hierarchy.places(run));
         let names = places.flat_map(|place| {
             let signals = hierarchy.scope(place.scope).signals.iter().filter(move |signal| signal.value == id);
             signals.map(move |signal| (place, signal))
@@ -137,9 +137,12 @@ impl Lockstep {
         let mut matching = names.filter(|(place, signal)| place.lane == lane / signal.group.unwrap_or(1));
         matching.next().map_or_else(
             || format!("value {}", id.0),
-            |(place, signal)| match signal.group {
-                Some(group) => format!("{}[{}]", hierarchy.path_in(place, &signal.name), lane % group),
-                None => hierarchy.path_in(place, &signal.name),
+            |(place, signal)| {
+                let path = hierarchy.path_in(place, &signal.name);
+                let index = signal.group.map(|group| format!("[{}]", lane % group)).unwrap_or_default();
+                let run = hierarchy.run(place);
+                let run = if self.program.lanes() > 1 { format!(" of run {run}") } else { String::new() };
+                format!("{path}{index}{run}")
             },
         )
     }
@@ -252,7 +255,7 @@ mod tests {
     /// Side by side, the second with another input than the first.
     fn apart(x: u64, other: u64) -> Lockstep {
         let program = Arc::new(compile(&elaborate(&Follow).unwrap(), &crate::Passes::default()).unwrap());
-        let engine = || Box::new(reference::Engine::new(program.clone(), 0));
+        let engine = || Box::new(reference::Engine::new(program.clone(), &[0]));
         let mut lockstep = Lockstep::new(program.clone(), engine(), engine());
         lockstep.write(program.inputs[0].value, &[5], program.inputs[0].triggers);
         lockstep.edges(&[0], 3).unwrap();

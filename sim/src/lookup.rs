@@ -11,10 +11,10 @@ pub(crate) struct Found<'a> {
     pub lane: u32,
 }
 
-/// Finds a signal. `NAME[i]` is lane `i` of a signal that has lanes in its own module. The scope `lane`, which stands
+/// Finds a signal of a run. `NAME[i]` is lane `i` of a signal that has lanes in its own module. The scope `lane`, which stands
 /// between an array's element and its signals in Verilog, may be left out.
-pub(crate) fn signal<'a>(hierarchy: &'a Hierarchy, path: &str) -> Result<Found<'a>, UnknownName> {
-    let (place, name) = enter(hierarchy, path, "signal")?;
+pub(crate) fn signal<'a>(hierarchy: &'a Hierarchy, path: &str, run: u32) -> Result<Found<'a>, UnknownName> {
+    let (place, name) = enter(hierarchy, path, run, "signal")?;
     let signals = &hierarchy.scope(place.scope).signals;
     let plain = signals.iter().find(|signal| signal.group.is_none() && signal.name == name);
     if let Some(signal) = plain {
@@ -32,9 +32,9 @@ pub(crate) fn signal<'a>(hierarchy: &'a Hierarchy, path: &str) -> Result<Found<'
     })
 }
 
-/// Finds a memory: its index in the program, and the lane.
-pub(crate) fn memory(hierarchy: &Hierarchy, path: &str) -> Result<(u32, u32), UnknownName> {
-    let (place, name) = enter(hierarchy, path, "memory")?;
+/// Finds a memory of a run: its index in the program, and the lane.
+pub(crate) fn memory(hierarchy: &Hierarchy, path: &str, run: u32) -> Result<(u32, u32), UnknownName> {
+    let (place, name) = enter(hierarchy, path, run, "memory")?;
     let memories = &hierarchy.scope(place.scope).memories;
     let found = memories.iter().find(|(candidate, _)| *candidate == name);
     found.map(|(_, index)| (*index, place.lane)).ok_or_else(|| {
@@ -51,8 +51,8 @@ fn display_name(signal: &Signal) -> String {
 }
 
 /// Follows a path to the instance that its last name is in.
-fn enter(hierarchy: &Hierarchy, path: &str, what: &'static str) -> Result<(Place, String), UnknownName> {
-    let mut place = hierarchy.top();
+fn enter(hierarchy: &Hierarchy, path: &str, run: u32, what: &'static str) -> Result<(Place, String), UnknownName> {
+    let mut place = hierarchy.top(run);
     let mut names: Vec<&str> = path.split('.').collect();
     let last = names.pop().unwrap_or_default();
     let mut in_array = false;

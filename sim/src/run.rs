@@ -212,9 +212,11 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     fn violation(&self, failed: Failed, time: u64) -> Violation {
         let assert = &self.program.asserts[failed.assert as usize];
         let hierarchy = &self.program.hierarchy;
-        let path = hierarchy.path(hierarchy.instance(&assert.scopes, failed.lane));
+        let place = hierarchy.instance(&assert.scopes, failed.lane);
+        let path = hierarchy.path(place);
         Violation {
             message: assert.message.clone(),
+            run: (self.program.lanes() > 1).then(|| hierarchy.run(place)),
             instance: if path.is_empty() { hierarchy.scopes[0].name.clone() } else { path },
             clock: self.program.clocks[assert.clock as usize].name.clone(),
             cycle: self.timeline.cycles(assert.clock as usize),

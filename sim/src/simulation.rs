@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use tilewright_hdl::{Bits, Block, Bundle, DEFAULT_PERIOD, Design, Period, elaborate_typed};
 
-use crate::engine::{EngineKind, Started};
+use crate::engine::{Engine, EngineKind, Started};
 use crate::error::{Error, UnknownName};
 use crate::lookup::{self, Found};
 use crate::passes::Passes;
@@ -52,12 +52,8 @@ impl Simulation {
     /// [`Error::Description`] lists every mistake in the description.
     #[track_caller]
     pub fn at<B: Block>(block: &B, period: Period) -> Result<Simulation<B::In, B::Out>, Error> {
-        let (design, inputs, outputs) = elaborate_typed(block, period)?;
-        let first_output = design.top().inputs.len();
-        let port = |index: usize| Port { index: index as u32 };
-        let i = B::In::convert(&inputs, &mut |_, index: &usize| port(*index));
-        let o = B::Out::convert(&outputs, &mut |_, index: &usize| port(first_output + *index));
-        Simulation::new(&design, i, o, &Passes::default())
+        let Typed { design, i, o } = typed(block, period)?;
+        Simulation::new(&design, 1, i, o, &Passes::default())
     }
 
     /// Compiles a design; ports are found by [`Simulation::port`].
@@ -75,14 +71,21 @@ impl Simulation {
     ///
     /// As [`Simulation::from_design`].
     pub fn with_passes(design: &Design, passes: &Passes) -> Result<Simulation, Error> {
-        Simulation::new(design, (), (), passes)
+        Simulation::new(design, 1, (), (), passes)
     }
 }
 
 impl<I: Bundle, O: Bundle> Simulation<I, O> {
-    fn new(design: &Design, i: I::Of<Port>, o: O::Of<Port>, passes: &Passes) -> Result<Simulation<I, O>, Error> {
-        let program = Arc::new(program::compile(design, passes)?);
-        let engine = Started::new(program.clone(), EngineKind::default(), 0);
+    /// So many runs of a design.
+    pub(crate) fn new(
+        design: &Design,
+        runs: u32,
+        i: I::Of<Port>,
+        o: O::Of<Port>,
+        passes: &Passes,
+    ) -> Result<Simulation<I, O>, Error> {
+        let program = Arc::new(program::compile_lanes(design, runs, passes)?);
+        let engine = Started::new(program.clone(), EngineKind::default(), vec![0; runs as usize]);
         Ok(Simulation {
             i,
             o,
@@ -104,11 +107,16 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     /// After the first step, or with a trace attached.
     #[track_caller]
     pub fn seeded(mut self, seed: u64) -> Self {
+        self.seed(vec![seed]);
+        self
+    }
+
+    #[track_caller]
+    pub(crate) fn seed(&mut self, seeds: Vec<u64>) {
         assert!(self.timeline.time == 0, "a seed can only be given before the first step");
         assert!(self.observers.is_empty(), "give the seed before attaching a trace");
-        self.engine = self.engine.again(self.engine.chosen(), seed);
+        self.engine = self.engine.again(self.engine.chosen(), seeds);
         self.resets.fill(false);
-        self
     }
 
     /// The same circuit at time 0 on this engine; inputs become zero. Where no code can be generated for this machine, it
@@ -121,7 +129,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     pub fn on(mut self, kind: EngineKind) -> Self {
         assert!(self.timeline.time == 0, "an engine can only be chosen before the first step");
         assert!(self.observers.is_empty(), "choose the engine before attaching a trace");
-        self.engine = self.engine.again(kind, self.engine.seed);
+        self.engine = self.engine.again(kind, self.engine.seeds.clone());
         self.resets.fill(false);
         self
     }
@@ -179,15 +187,26 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     /// The value does not fit, or the port is an output.
     #[track_caller]
     pub fn set(&mut self, port: Port, value: impl IntoValue) {
+        let bits = self.fitting(port, value);
+        self.write(port, bits.limbs());
+    }
+
+    /// Sets an input in all runs.
+    pub(crate) fn write(&mut self, port: Port, limbs: &[u64]) {
+        let input = &self.program.inputs[port.index as usize];
+        self.engine.write(input.value, limbs, input.triggers);
+        self.changed = self.changed.with(input.triggers);
+    }
+
+    /// The value as an input takes it.
+    #[track_caller]
+    pub(crate) fn fitting(&self, port: Port, value: impl IntoValue) -> Bits {
         let Some(input) = self.program.inputs.get(port.index as usize) else {
             panic!("`{}` is an output and cannot be set", self.declared(port).name)
         };
         let width = self.program.value(input.value).width;
         match value.into_value(width) {
-            Ok(bits) => {
-                self.engine.write(input.value, bits.limbs(), input.triggers);
-                self.changed = self.changed.with(input.triggers);
-            }
+            Ok(bits) => bits,
             Err(problem) => {
                 let bits = if width == 1 { "1 bit".to_string() } else { format!("{width} bits") };
                 panic!("input `{}` has {bits} and {problem}", input.name)
@@ -247,10 +266,14 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
 
     /// Every output, settled.
     pub fn read(&mut self) -> O::Of<Bits> {
+        self.read_run(0)
+    }
+
+    pub(crate) fn read_run(&mut self, run: u32) -> O::Of<Bits> {
         let (program, engine) = (&self.program, &mut self.engine);
         O::convert(&self.o, &mut |_, port: &Port| {
             let value = program.outputs[port.index as usize - program.inputs.len()].value;
-            Bits::from_limbs(program.value(value).width, engine.read(value))
+            lane(program, &mut **engine, value, run)
         })
     }
 
@@ -289,7 +312,11 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     ///
     /// There is no such name; the error has the nearest one.
     pub fn peek(&mut self, path: &str) -> Result<Bits, UnknownName> {
-        let Found { signal, lane } = lookup::signal(&self.program.hierarchy, path)?;
+        self.peek_run(path, 0)
+    }
+
+    pub(crate) fn peek_run(&mut self, path: &str, run: u32) -> Result<Bits, UnknownName> {
+        let Found { signal, lane } = lookup::signal(&self.program.hierarchy, path, run)?;
         let value = signal.value;
         Ok(self.lane(value, lane))
     }
@@ -305,7 +332,12 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     /// The address is beyond its depth.
     #[track_caller]
     pub fn peek_memory(&self, path: &str, address: u32) -> Result<Bits, UnknownName> {
-        let (memory, lane) = self.memory(path, address)?;
+        self.peek_word(path, 0, address)
+    }
+
+    #[track_caller]
+    pub(crate) fn peek_word(&self, path: &str, run: u32, address: u32) -> Result<Bits, UnknownName> {
+        let (memory, lane) = self.memory(path, run, address)?;
         Ok(Bits::from_limbs(self.program.memories[memory as usize].width, &self.engine.word(memory, lane, address)))
     }
 
@@ -320,7 +352,18 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     /// The address is beyond its depth, or the value does not fit.
     #[track_caller]
     pub fn poke_memory(&mut self, path: &str, address: u32, value: impl IntoValue) -> Result<(), UnknownName> {
-        let (memory, lane) = self.memory(path, address)?;
+        self.poke_word(path, 0, address, value)
+    }
+
+    #[track_caller]
+    pub(crate) fn poke_word(
+        &mut self,
+        path: &str,
+        run: u32,
+        address: u32,
+        value: impl IntoValue,
+    ) -> Result<(), UnknownName> {
+        let (memory, lane) = self.memory(path, run, address)?;
         match value.into_value(self.program.memories[memory as usize].width) {
             Ok(bits) => {
                 self.engine.set_word(memory, lane, address, bits.limbs());
@@ -332,18 +375,41 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     }
 
     #[track_caller]
-    fn memory(&self, path: &str, address: u32) -> Result<(u32, u32), UnknownName> {
-        let (memory, lane) = lookup::memory(&self.program.hierarchy, path)?;
+    fn memory(&self, path: &str, run: u32, address: u32) -> Result<(u32, u32), UnknownName> {
+        let (memory, lane) = lookup::memory(&self.program.hierarchy, path, run)?;
         let depth = self.program.memories[memory as usize].depth;
         assert!(address < depth, "address {address} of memory `{path}`, which has {depth} words");
         Ok((memory, lane))
     }
 
-    fn lane(&mut self, id: ValueId, lane: u32) -> Bits {
-        let value = *self.program.value(id);
-        let start = lane as usize * value.limbs();
-        Bits::from_limbs(value.width, &self.engine.read(id)[start..start + value.limbs()])
+    pub(crate) fn lane(&mut self, id: ValueId, index: u32) -> Bits {
+        lane(&self.program, &mut *self.engine, id, index)
     }
+}
+
+/// One lane of a value, settled.
+fn lane(program: &Program, engine: &mut dyn Engine, id: ValueId, lane: u32) -> Bits {
+    let value = program.value(id);
+    let start = lane as usize * value.limbs();
+    Bits::from_limbs(value.width, &engine.read(id)[start..start + value.limbs()])
+}
+
+/// A block's design and ports.
+pub(crate) struct Typed<B: Block> {
+    pub design: Design,
+    pub i: <B::In as Bundle>::Of<Port>,
+    pub o: <B::Out as Bundle>::Of<Port>,
+}
+
+/// Elaborates a block.
+#[track_caller]
+pub(crate) fn typed<B: Block>(block: &B, period: Period) -> Result<Typed<B>, Error> {
+    let (design, inputs, outputs) = elaborate_typed(block, period)?;
+    let first_output = design.top().inputs.len();
+    let port = |index: usize| Port { index: index as u32 };
+    let i = B::In::convert(&inputs, &mut |_, index: &usize| port(*index));
+    let o = B::Out::convert(&outputs, &mut |_, index: &usize| port(first_output + *index));
+    Ok(Typed { design, i, o })
 }
 
 impl<I: Bundle, O: Bundle> fmt::Debug for Simulation<I, O> {

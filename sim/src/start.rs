@@ -17,17 +17,18 @@ pub(crate) trait State {
     fn set_words(&mut self, memory: u32, lanes: Range<u32>, addresses: Range<u32>, limbs: &[u64]);
 }
 
-/// Sets registers to their reset values, memories to their contents, and the rest from `seed`, zeros if that is 0.
-pub(crate) fn start(program: &Program, seed: u64, state: &mut impl State) {
+/// Sets registers to their reset values, memories to their contents, and the rest from the seed of its run, zeros if
+/// that is 0.
+pub(crate) fn start(program: &Program, seeds: &[u64], state: &mut impl State) {
     for (index, memory) in (0..).zip(&program.memories) {
         fill_memory(index, memory, state);
     }
-    if seed != 0 {
-        scatter(program, seed, state);
+    for (run, &seed) in (0..).zip(seeds).filter(|(_, seed)| **seed != 0) {
+        scatter(program, run, seed, state);
     }
     for register in &program.registers {
         if let Some(reset) = &register.reset
-            && (seed != 0 || !reset.is_zero())
+            && (seeds.iter().any(|&seed| seed != 0) || !reset.is_zero())
         {
             state.set(register.value, 0..program.value(register.value).lanes, reset.limbs());
         }
@@ -48,10 +49,10 @@ fn fill_memory(index: u32, memory: &Memory, state: &mut impl State) {
     }
 }
 
-/// Fills registers, read data and unknown memories with numbers that depend on the seed and the name alone, so that an
+/// Fills registers, read data and unknown memories of a run with numbers that depend on the seed and the name alone, so that an
 /// array starts the same whether it runs in lanes or unrolled.
-fn scatter(program: &Program, seed: u64, state: &mut impl State) {
-    for place in program.hierarchy.places() {
+fn scatter(program: &Program, run: u32, seed: u64, state: &mut impl State) {
+    for place in program.hierarchy.places(run) {
         let scope = program.hierarchy.scope(place.scope);
         let path = |name: &str| hash(seed, &program.hierarchy.path_in(place, name));
         for signal in &scope.signals {

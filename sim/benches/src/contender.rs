@@ -11,6 +11,11 @@ pub trait Contender {
     /// How long it took to make it, if that is not part of a run.
     fn build_time(&self) -> Option<Duration>;
 
+    /// How many stimuli it runs at once.
+    fn stimuli(&self) -> u32 {
+        1
+    }
+
     /// Runs the design from its reset for so many cycles, at least 1. A cycle is a time at which one or more clocks rise.
     ///
     /// # Errors
@@ -20,10 +25,10 @@ pub trait Contender {
 }
 
 /// What a run comes to.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub struct Run {
-    /// At the end.
-    pub checksum: u32,
+    /// At the end, by stimulus: at least one.
+    pub checksums: Vec<u32>,
     /// From nothing to the end of the first cycle.
     pub first_cycle: Duration,
     /// The other cycles.

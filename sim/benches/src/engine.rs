@@ -6,7 +6,7 @@ use crate::error::Error;
 use crate::subject::Subject;
 use std::time::{Duration, Instant};
 use tilewright_hdl::Design;
-use tilewright_sim::{EngineKind, Simulation};
+use tilewright_sim::{Batch, EngineKind, Simulation};
 
 /// An engine of the simulator.
 #[derive(Debug, Clone, Copy)]
@@ -51,8 +51,81 @@ impl Contender for OnEngine {
         sim.try_run(cycles - 1)?;
         let others = ready.elapsed();
         let checksum = sim.port("csum").expect("every design has a checksum");
-        Ok(Run { checksum: sim.get_u64(checksum) as u32, first_cycle: ready - started, others })
+        Ok(Run { checksums: vec![sim.get_u64(checksum) as u32], first_cycle: ready - started, others })
     }
+}
+
+/// A subject with several stimuli at once on the compiled engine.
+#[derive(Debug, Clone)]
+pub struct AtOnce {
+    name: String,
+    subject: Subject,
+}
+
+impl AtOnce {
+    /// The subject with its stimuli.
+    pub fn new(subject: Subject) -> AtOnce {
+        AtOnce { name: format!("{}, {} at once", ENGINES[0].name, subject.stimuli()), subject }
+    }
+}
+
+impl Contender for AtOnce {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn build_time(&self) -> Option<Duration> {
+        None
+    }
+
+    fn stimuli(&self) -> u32 {
+        self.subject.stimuli()
+    }
+
+    fn run(&self, cycles: u64) -> Result<Run, Error> {
+        let started = Instant::now();
+        let design = self.subject.design().map_err(tilewright_sim::Error::from)?;
+        let mut batch = Batch::from_design(&design, self.stimuli())?.on(EngineKind::Compiled);
+        let port = |name| batch.port(name).expect("every design with stimuli has it");
+        let (rst, csum) = (port("rst"), port("csum"));
+        batch.set_all(rst, 1);
+        (0..RESET_CYCLES).try_for_each(|_| batch.try_reset())?;
+        batch.set_each(rst, |stimulus| stimulus > 0);
+        batch.try_step()?;
+
+        let ready = Instant::now();
+        let staggered = cycles.min(self.stimuli().into());
+        for cycle in 1..staggered {
+            batch.set_each(rst, |stimulus| u64::from(stimulus) > cycle);
+            batch.try_step()?;
+        }
+        batch.try_run(cycles - staggered)?;
+        let others = ready.elapsed();
+        let checksums = batch.get_each(csum).iter().map(|bits| bits.to_u64().unwrap_or_default() as u32).collect();
+        Ok(Run { checksums, first_cycle: ready - started, others })
+    }
+}
+
+/// What each stimulus of a subject ends with after so many cycles of the first, run alone.
+///
+/// # Errors
+///
+/// It cannot be run.
+pub fn alone(subject: Subject, cycles: u64) -> Result<Vec<u32>, Error> {
+    let mut sim = Simulation::from_design(&subject.design().map_err(tilewright_sim::Error::from)?)?;
+    reset(&mut sim)?;
+    let csum = sim.port("csum").expect("every design has a checksum");
+    let later = cycles.saturating_sub(u64::from(subject.stimuli()) - 1);
+    sim.try_run(later)?;
+    let mut checksums = vec![sim.get_u64(csum) as u32];
+    for _ in later..cycles {
+        sim.try_step()?;
+        checksums.push(sim.get_u64(csum) as u32);
+    }
+    // A stimulus whose reset has not ended yet is where the run begins.
+    checksums.reverse();
+    checksums.resize(subject.stimuli() as usize, *checksums.last().expect("there is one"));
+    Ok(checksums)
 }
 
 /// Holds every reset, and the input `rst` of a design that has one, high for [`RESET_CYCLES`] of every clock.

@@ -1,7 +1,7 @@
 //! The measuring: contenders run alternately, round by round, and their checksums have to agree.
 
 use crate::contender::{Contender, Run};
-use crate::engine::{ENGINES, OnEngine};
+use crate::engine::{AtOnce, ENGINES, OnEngine, alone};
 use crate::error::Error;
 use crate::report::{Figures, Measurement};
 use crate::subject::Subject;
@@ -40,6 +40,9 @@ pub fn measure(
     let mut contenders: Vec<Box<dyn Contender>> = Vec::new();
     // The reference engine would keep the runs of the others short.
     let engines = if compiler.is_some() { &ENGINES[..1] } else { ENGINES };
+    if subject.stimuli() > 1 {
+        contenders.push(Box::new(AtOnce::new(subject)));
+    }
     contenders.extend(engines.iter().map(|&engine| Box::new(OnEngine { engine, subject }) as _));
     if let Some(compiler) = compiler {
         show("building", 0.0)?;
@@ -57,9 +60,10 @@ pub fn measure(
     }
     let checksum = agreed(subject, cycles, &contenders, &runs)?;
 
-    let ours = median(&runs[0], |run| run.others);
+    let ours = median(&runs[0], |run| run.others) / contenders[0].stimuli();
     let figures = contenders.iter().zip(&runs).map(|(contender, runs)| {
-        let per_cycle = |time: Duration| time.as_secs_f64() * 1e9 / (cycles - 1) as f64;
+        let stimuli = contender.stimuli();
+        let per_cycle = |time: Duration| time.as_secs_f64() * 1e9 / (cycles - 1) as f64 / f64::from(stimuli);
         let others = || runs.iter().map(|run| run.others);
         let build = contender.build_time();
         let theirs = median(runs, |run| run.others);
@@ -70,7 +74,7 @@ pub fn measure(
             most_ns_per_cycle: per_cycle(others().max().unwrap_or_default()),
             build_seconds: build.map(|time| time.as_secs_f64()),
             first_cycle_seconds: (build.unwrap_or_default() + median(runs, |run| run.first_cycle)).as_secs_f64(),
-            ratio: theirs.as_secs_f64() / ours.as_secs_f64(),
+            ratio: (theirs / stimuli).as_secs_f64() / ours.as_secs_f64(),
         }
     });
     let simulators = figures.collect();
@@ -96,19 +100,25 @@ fn sufficient_cycles(contenders: &[Box<dyn Contender>], time: Duration) -> Resul
 /// The checksum that all runs ended with, which has to be the known one if there is one.
 fn agreed(subject: Subject, cycles: u64, contenders: &[Box<dyn Contender>], runs: &[Vec<Run>]) -> Result<u32, Error> {
     let known = subject.known().find(|(known, _)| *known == cycles);
-    let first = (contenders[0].name(), runs[0][0].checksum);
+    let first = (contenders[0].name(), runs[0][0].checksums[0]);
     let (other, expected) = known.map_or(first, |(_, checksum)| ("what is known", checksum));
+    let differs = |name: String, found, other: &str, expected| {
+        let (design, other) = (subject.to_string(), other.to_owned());
+        Err(Error::Differs { design, cycles, name, found, other, expected })
+    };
     for (contender, runs) in contenders.iter().zip(runs) {
-        if let Some(run) = runs.iter().find(|run| run.checksum != expected) {
-            let (name, other) = (contender.name().to_owned(), other.to_owned());
-            return Err(Error::Differs {
-                design: subject.to_string(),
-                cycles,
-                name,
-                found: run.checksum,
-                other,
-                expected,
-            });
+        if let Some(run) = runs.iter().find(|run| run.checksums[0] != expected) {
+            return differs(contender.name().to_owned(), run.checksums[0], other, expected);
+        }
+    }
+    if subject.stimuli() > 1 {
+        let alone = alone(subject, cycles)?;
+        for run in &runs[0] {
+            let found = run.checksums.iter().zip(&alone).enumerate().find(|(_, (found, alone))| found != alone);
+            if let Some((stimulus, (found, alone))) = found {
+                let name = format!("{}, stimulus {stimulus}", contenders[0].name());
+                return differs(name, *found, "the stimulus alone", *alone);
+            }
         }
     }
     Ok(expected)

@@ -46,7 +46,7 @@ pub struct Measurement {
 pub struct Figures {
     /// Its name, and what it runs.
     pub simulator: String,
-    /// The median.
+    /// The median; of several stimuli at once, for a cycle of one of them.
     pub ns_per_cycle: f64,
     /// Of the fastest run.
     pub least_ns_per_cycle: f64,
@@ -80,6 +80,9 @@ impl fmt::Display for Report {
             }
         }
         writeln!(f, "\nMedians of {} alternating runs; the ratio is to the first simulator of a design.", self.rounds)?;
+        if self.designs.iter().any(|it| it.design.contains('*')) {
+            writeln!(f, "Of several stimuli at once, the time is for a cycle of one of them.")?;
+        }
         for Measurement { design, cycles, checksum, .. } in &self.designs {
             writeln!(f, "{design}: {cycles} cycles, checksum {checksum}")?;
         }

@@ -46,19 +46,29 @@ impl Family {
         }
     }
 
+    /// Whether it has an input `rst`, by which several stimuli differ.
+    fn has_rst(self) -> bool {
+        self != Family::Vc1
+    }
+
     const fn of_size(self, size: u32) -> Subject {
-        Subject { family: self, size, screen: Screen::VC1 }
+        Subject { family: self, size, screen: Screen::VC1, stimuli: 1 }
     }
 }
 
-/// A design of some size, such as `pim16`, or `vc1x16@160x120` with a screen of that size.
+/// A design of some size, such as `pim16`, or `vc1x16@160x120` with a screen of that size; `qt1*16` is `qt1` with 16
+/// stimuli at once, of which the one of number `i` is held in reset `i` cycles longer than the first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Subject {
     family: Family,
     size: u32,
     /// Of a VC-1.
     screen: Screen,
+    stimuli: u32,
 }
+
+/// How many stimuli there can be.
+const STIMULI: RangeInclusive<u32> = 1..=64;
 
 /// What is measured if nothing is asked for: small enough that a build with Verilator takes seconds.
 pub const USUAL: [Subject; 5] = [
@@ -138,10 +148,15 @@ impl Subject {
         }
     }
 
-    /// The cycles after which the checksum is known, and the checksum.
+    /// How many stimuli there are at once.
+    pub fn stimuli(&self) -> u32 {
+        self.stimuli
+    }
+
+    /// The cycles after which the checksum of the first stimulus is known, and the checksum.
     pub fn known(&self) -> impl Iterator<Item = (u64, u32)> + use<> {
-        // The same function, so the same checksums.
-        let name = self.to_string().replace("flat", "qt");
+        // The same function as of `qt`, so the same checksums.
+        let name = Subject { stimuli: 1, ..*self }.to_string().replace("flat", "qt");
         KNOWN.iter().filter(move |(subject, ..)| *subject == name).map(|&(_, cycles, checksum)| (cycles, checksum))
     }
 }
@@ -150,7 +165,10 @@ impl fmt::Display for Subject {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         write!(f, "{}{}", self.family.name(), self.size)?;
         let Screen { width, height } = self.screen;
-        if self.screen == Screen::VC1 { Ok(()) } else { write!(f, "@{width}x{height}") }
+        if self.screen != Screen::VC1 {
+            write!(f, "@{width}x{height}")?;
+        }
+        if self.stimuli == 1 { Ok(()) } else { write!(f, "*{}", self.stimuli) }
     }
 }
 
@@ -158,6 +176,7 @@ impl FromStr for Subject {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Subject, String> {
+        let (text, stimuli) = text.split_once('*').map_or((text, None), |(text, stimuli)| (text, Some(stimuli)));
         let (design, screen) = text.split_once('@').map_or((text, None), |(design, screen)| (design, Some(screen)));
         let name = design.trim_end_matches(|c: char| c.is_ascii_digit());
         let Some(family) = Family::ALL.into_iter().find(|family| family.name() == name) else {
@@ -169,6 +188,16 @@ impl FromStr for Subject {
         let mut subject = family.of_size(size.ok_or_else(|| format!("the size of {name} is from {least} to {most}"))?);
         if let Some(screen) = screen {
             subject.screen = parse_screen(screen).filter(|_| family == Family::Vc1).ok_or_else(no_screen)?;
+        }
+        if let Some(stimuli) = stimuli {
+            let some = stimuli.parse().ok().filter(|some| STIMULI.contains(some));
+            let (least, most) = STIMULI.into_inner();
+            let sentence =
+                || format!("behind a `*` stands how many stimuli run at once, from {least} to {most}, as in qt1*16");
+            subject.stimuli = some.ok_or_else(sentence)?;
+            if !family.has_rst() && subject.stimuli > 1 {
+                return Err(format!("{name} has no input by which stimuli differ: several at once are of the others"));
+            }
         }
         if family == Family::Vc1 {
             Vc1Frames::new(subject.screen, subject.size).map_err(|error| error.to_string())?;
@@ -193,7 +222,7 @@ mod tests {
 
     #[test]
     fn names_lead_to_subjects_and_back() {
-        for name in ["pim16", "qt1", "simd256", "vc1x16", "vc1x3@32x16"] {
+        for name in ["pim16", "qt1", "simd256", "vc1x16", "vc1x3@32x16", "qt1*16"] {
             assert_eq!(name.parse::<Subject>().unwrap().to_string(), name);
         }
         let wrong = [
@@ -201,6 +230,9 @@ mod tests {
             ("", "pimN"),
             ("qt", "from 1"),
             ("simd257", "to 256"),
+            ("qt1*0", "from 1 to 64, as in qt1*16"),
+            ("qt1*", "behind a `*`"),
+            ("vc1x1*2", "vc1x has no input"),
             ("qt1@160x120", "as in vc1x16@160x120"),
             ("vc1x1@160", "as in vc1x16@160x120"),
             ("vc1x9@8x4", "fewer than 2 x 2 patches"),

@@ -74,7 +74,7 @@ fn parse(printed: &str) -> Option<Run> {
     let mut words = printed.split_whitespace();
     let checksum = u32::from_str_radix(words.next()?, 16).ok()?;
     let mut seconds = || Duration::try_from_secs_f64(words.next()?.parse().ok()?).ok();
-    Some(Run { checksum, first_cycle: seconds()?, others: seconds()? })
+    Some(Run { checksums: vec![checksum], first_cycle: seconds()?, others: seconds()? })
 }
 
 #[cfg(test)]
@@ -84,7 +84,7 @@ mod tests {
     #[test]
     fn the_drivers_line_is_read() {
         let run = parse("0badcafe 0.000001000 2.5\n").unwrap();
-        assert_eq!((run.checksum, run.first_cycle.as_nanos(), run.others.as_secs_f64()), (0x0bad_cafe, 1000, 2.5));
+        assert_eq!((run.checksums[0], run.first_cycle.as_nanos(), run.others.as_secs_f64()), (0x0bad_cafe, 1000, 2.5));
         assert!(parse("0badcafe 0.1").is_none() && parse("").is_none());
     }
 }

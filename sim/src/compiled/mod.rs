@@ -113,7 +113,7 @@ impl Compiled {
     /// # Errors
     ///
     /// The machine is not one that code can be generated for.
-    pub fn new(program: Arc<Program>, seed: u64) -> Result<Compiled, Unsupported> {
+    pub fn new(program: Arc<Program>, seeds: &[u64]) -> Result<Compiled, Unsupported> {
         let jit = Jit::new()?;
         let mut layout = Layout::new(Strips::of(&program));
         let mut places = vec![None; program.values.len()];
@@ -143,7 +143,7 @@ impl Compiled {
             mirror: vec![0; program.storage],
             program: program.clone(),
         };
-        crate::start::start(&program, seed, &mut engine);
+        crate::start::start(&program, seeds, &mut engine);
         Ok(engine)
     }
 

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use tilewright_hdl::ir::Design;
+use tilewright_hdl::ir::{Design, Instance};
 
 use super::netlist::{ArrayKey, Netlist};
 use super::{Passes, Program, ValueId, flatten, order, schedule, simplify};
@@ -20,9 +20,21 @@ pub struct Looping {
 /// An instance array whose lanes depend on each other within a clock cycle would be a cycle if all its lanes were
 /// evaluated at once; such an array, and no other, is run as single instances.
 pub fn compile(design: &Design, passes: &Passes) -> Result<Program, Looping> {
+    compile_lanes(design, 1, passes)
+}
+
+/// As [`compile`], for so many runs of the design side by side: lane `i` of the top module, and of all that is in it,
+/// is run `i`.
+///
+/// # Panics
+///
+/// There are no lanes, or more than [`most_lanes`].
+pub fn compile_lanes(design: &Design, lanes: u32, passes: &Passes) -> Result<Program, Looping> {
+    let most = most_lanes(design);
+    assert!((1..=most).contains(&lanes), "a program of this design has from 1 to {most} lanes, not {lanes}");
     let mut unrolled = BTreeSet::new();
     loop {
-        let mut netlist = flatten::flatten(design, &unrolled, passes);
+        let mut netlist = flatten::flatten(design, lanes, &unrolled, passes);
         match order::order(&netlist) {
             Ok(order) => {
                 simplify::simplify(&mut netlist, &order, passes);
@@ -37,6 +49,23 @@ pub fn compile(design: &Design, passes: &Passes) -> Result<Program, Looping> {
             }
         }
     }
+}
+
+/// The most lanes that a value has.
+const MOST_LANES: u64 = 1 << 20;
+
+/// How many runs of a design a program can have: no value may come to more than 2 to the 20 lanes, unless it does in
+/// a single run.
+pub fn most_lanes(design: &Design) -> u32 {
+    let mut widest: Vec<u64> = Vec::new();
+    for module in &design.modules {
+        let nodes = module.nodes.iter().map(|node| u64::from(node.lanes.unwrap_or(1)));
+        let inside = |instance: &Instance| u64::from(instance.lanes.unwrap_or(1)) * widest[instance.module.0 as usize];
+        let lanes = nodes.chain(module.instances.iter().map(inside)).max();
+        widest.push(lanes.unwrap_or(1).max(1));
+    }
+    let most = MOST_LANES / widest.last().copied().unwrap_or(1);
+    most.max(1) as u32
 }
 
 /// The arrays that a cycle leads through.

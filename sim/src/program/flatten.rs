@@ -12,10 +12,10 @@ use super::{Assert, Clock, Kind, Memory, Passes, Port, ReadPort, Register, Trigg
 /// The period of a top module's clock that has none, in picoseconds.
 const DEFAULT_PERIOD: u64 = 10_000;
 
-/// The design as cells; the arrays of `unrolled` become single instances.
-pub(super) fn flatten(design: &Design, unrolled: &BTreeSet<ArrayKey>, passes: &Passes) -> Netlist {
+/// The design as cells, so many times side by side; the arrays of `unrolled` become single instances.
+pub(super) fn flatten(design: &Design, lanes: u32, unrolled: &BTreeSet<ArrayKey>, passes: &Passes) -> Netlist {
     let mut flatten = Flatten { design, unrolled, passes, netlist: Netlist::default(), open: VecDeque::new() };
-    flatten.top();
+    flatten.top(lanes);
     while let Some(body) = flatten.open.pop_front() {
         flatten.body(body);
     }
@@ -61,13 +61,13 @@ impl Body {
 }
 
 impl Flatten<'_> {
-    fn top(&mut self) {
+    fn top(&mut self, lanes: u32) {
         let module = self.design.top();
         let id = ModuleId(self.design.modules.len() as u32 - 1);
         self.netlist.clocks = module.clocks.iter().map(program_clock).collect();
         let clocks = (0..module.clocks.len() as u32).collect();
-        let scope = self.scope(None, module.name.clone(), id, Replication::Single, 1);
-        let base = self.enter(id, Vec::new(), vec![scope], 1, Vec::new(), clocks);
+        let scope = self.scope(None, module.name.clone(), id, Replication::Single, lanes);
+        let base = self.enter(id, Vec::new(), vec![scope], lanes, Vec::new(), clocks);
         let value = |node: NodeId| ValueId(base + node.0);
         for input in &module.inputs {
             let clock = input.clock.map_or(0, |clock| clock.0 as usize);

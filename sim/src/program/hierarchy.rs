@@ -124,9 +124,14 @@ impl Hierarchy {
         &self.scopes[id.0 as usize]
     }
 
-    /// The top module's instance.
-    pub fn top(&self) -> Place {
-        Place { scope: ScopeId(0), lane: 0 }
+    /// The top module's instance in a run; the first run is 0.
+    pub fn top(&self, run: u32) -> Place {
+        Place { scope: ScopeId(0), lane: run }
+    }
+
+    /// The run that an instance belongs to.
+    pub fn run(&self, place: Place) -> u32 {
+        place.lane / (self.scope(place.scope).lanes / self.scopes[0].lanes)
     }
 
     /// The instances directly in an instance, with their names: `u_cell[3]` for an element of an array.
@@ -193,9 +198,9 @@ impl Hierarchy {
         }
     }
 
-    /// Every instance, each before those in it, in order of declaration.
-    pub fn places(&self) -> Vec<Place> {
-        let mut open = vec![self.top()];
+    /// Every instance of a run, each before those in it, in order of declaration.
+    pub fn places(&self, run: u32) -> Vec<Place> {
+        let mut open = vec![self.top(run)];
         let mut all = Vec::new();
         while let Some(place) = open.pop() {
             all.push(place);

@@ -3,7 +3,8 @@
 //!
 //! A [`Value`] is `lanes x width` bits. An instance array stays whole: a value inside an array of `n` inside an
 //! array of `m` has `m * n` lanes, and lane `outer * n + inner` belongs to that pair of instances. Most operations
-//! are elementwise over equal lane counts; the lane operations of [`Kind`] lead from one lane count to another.
+//! are elementwise over equal lane counts; the lane operations of [`Kind`] lead from one lane count to another. A
+//! program of several runs of a design is the array of so many top modules.
 //!
 //! Operations are grouped into [`Segment`]s by what can change them and by who needs them, so that an edge of one
 //! clock evaluates nothing that depends on another clock alone.
@@ -24,7 +25,7 @@ use crate::passes::Passes;
 use tilewright_hdl::ir::{Contents, ReadUnderWrite};
 use tilewright_hdl::{Bits, Loc, limbs_for};
 
-pub use compile::{Looping, compile};
+pub use compile::{Looping, compile, compile_lanes, most_lanes};
 pub use hierarchy::Hierarchy;
 pub use kind::Kind;
 
@@ -226,7 +227,7 @@ pub struct Port {
     pub name: String,
     /// Its path in the bundle.
     pub path: String,
-    /// Its value, of one lane.
+    /// Its value, with as many lanes as the program has.
     pub value: ValueId,
     /// What a change of this input makes stale; none for an output.
     pub triggers: Triggers,
@@ -308,6 +309,11 @@ pub struct Assert {
 }
 
 impl Program {
+    /// How many runs of the design there are side by side.
+    pub fn lanes(&self) -> u32 {
+        self.hierarchy.scopes[0].lanes
+    }
+
     /// The value of that id.
     pub fn value(&self, id: ValueId) -> &Value {
         &self.values[id.index()]

@@ -253,7 +253,7 @@ mod tests {
     #[test]
     fn a_clock_rests_until_something_changes() {
         let program = Arc::new(compile(&elaborate(&Toggle).unwrap(), &crate::Passes::default()).unwrap());
-        let mut engine = Engine::new(program.clone(), 0);
+        let mut engine = Engine::new(program.clone(), &[0]);
         let (x, y) = (&program.inputs[0], program.outputs[0].value);
         engine.edge(&[0]);
         assert!(engine.idle[0], "nothing changed");

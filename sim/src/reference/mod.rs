@@ -37,8 +37,9 @@ pub(crate) struct Engine {
 }
 
 impl Engine {
-    /// The circuit as it is after a reset; what a reset does not set starts from `seed`, all zeros if that is 0.
-    pub fn new(program: Arc<Program>, seed: u64) -> Engine {
+    /// The circuit as it is after a reset; what a reset does not set starts from the seed of its run, all zeros if that
+    /// is 0.
+    pub fn new(program: Arc<Program>, seeds: &[u64]) -> Engine {
         let mut limbs = vec![0; program.storage];
         for (value, bits) in &program.constants {
             let value = program.value(*value);
@@ -58,7 +59,7 @@ impl Engine {
             plan: edge::Plan::new(&program),
             program,
         };
-        start::start(&engine.program.clone(), seed, &mut engine);
+        start::start(&engine.program.clone(), seeds, &mut engine);
         engine
     }
 

@@ -56,10 +56,11 @@ impl Clock {
     }
 }
 
-/// The header for the signals that match one of `patterns`, or for all if there are none.
-pub(crate) fn header(program: &Program, patterns: &[String]) -> Result<Header, UnknownName> {
+/// The header for the signals of a run that match one of `patterns`, or for all if there are none.
+pub(crate) fn header(program: &Program, run: u32, patterns: &[String]) -> Result<Header, UnknownName> {
     let mut build = Build {
         program,
+        run,
         patterns,
         used: vec![false; patterns.len()],
         writer: Writer::new(Vec::new()),
@@ -84,7 +85,7 @@ pub(crate) fn header(program: &Program, patterns: &[String]) -> Result<Header, U
 fn unmatched(program: &Program, pattern: &str) -> UnknownName {
     let hierarchy = &program.hierarchy;
     let mut names = Vec::new();
-    for place in hierarchy.places() {
+    for place in hierarchy.places(0) {
         let scope = hierarchy.scope(place.scope);
         let signals = scope.signals.iter().filter(|signal| signal.group.is_none()).map(|signal| &signal.name);
         let clocks = scope.clocks.iter().flat_map(|ports| [Some(&ports.port), ports.reset.as_ref()]).flatten();
@@ -96,6 +97,7 @@ fn unmatched(program: &Program, pattern: &str) -> UnknownName {
 
 struct Build<'a> {
     program: &'a Program,
+    run: u32,
     patterns: &'a [String],
     /// Which patterns have matched something.
     used: Vec<bool>,
@@ -111,7 +113,7 @@ impl Build<'_> {
     fn write(&mut self) -> io::Result<()> {
         self.writer.version(concat!("Tilewright ", env!("CARGO_PKG_VERSION")))?;
         self.writer.timescale(1, TimescaleUnit::PS)?;
-        let top = self.program.hierarchy.top();
+        let top = self.program.hierarchy.top(self.run);
         self.writer.scope_def(ScopeType::Module, &self.program.hierarchy.scope(top.scope).name)?;
         self.scope(top, "")?;
         self.writer.upscope()?;

@@ -2,7 +2,7 @@
 
 use crate::batch::{self, Printed, Refused, Tool};
 use crate::spec::Spec;
-use crate::{build, stimulus, strategy};
+use crate::{build, many, stimulus, strategy};
 use proptest::strategy::{Strategy, ValueTree};
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 use std::fmt;
@@ -169,6 +169,7 @@ impl Campaign {
             let design =
                 elaborate(&build::top(spec, &format!("d{number}"))).map_err(|problems| problems.to_string())?;
             let replay = stimulus::run(&design, &spec.stimulus).map_err(|error| error.to_string())?;
+            many::check(&design, &spec.stimulus, number)?;
             let printed = Printed { files: (self.printer)(&design), bench: testbench(&design, &replay) };
             Ok((replay, printed))
         };

@@ -2,12 +2,14 @@
 //!
 //! - [`operators`] and [`matrix`]: every operator at every width against big integers, Icarus and Verilator;
 //! - [`campaign`]: thousands of random designs, shrunk where they differ;
+//! - [`many`]: several stimuli of a random design at once;
 //! - [`check`]: one design through all tools, for the blocks of the catalogue.
 
 pub mod batch;
 pub mod build;
 pub mod campaign;
 pub mod check;
+pub mod many;
 pub mod matrix;
 pub mod operators;
 pub mod spec;
