@@ -16,7 +16,8 @@ use crate::simulation::{Simulation, Typed, typed};
 
 /// So many runs of one circuit at a time, each with inputs and a start of its own, as many
 /// [`Simulation`](crate::Simulation)s would be, but that they are steps of one program: the compiled engine has the
-/// runs beside each other in vectors, so that 16 runs of a circuit without arrays take little longer than a few.
+/// runs beside each other in vectors. A circuit without arrays gains by that from about 4 runs on, in proportion to
+/// how many lanes a vector holds; more runs take as much longer as there are more.
 ///
 /// ```
 /// # use tilewright_hdl::{Block, Module, Width, bit, bundle};
