@@ -130,7 +130,7 @@ fn act() -> impl Strategy<Value = Act> {
 fn names(sim: &Simulation<RowIn, RowOut>) -> (Vec<String>, Vec<String>) {
     let hierarchy = &sim.program().hierarchy;
     let (mut signals, mut memories) = (Vec::new(), Vec::new());
-    for place in hierarchy.places() {
+    for place in hierarchy.places(0) {
         let scope = hierarchy.scope(place.scope);
         memories.extend(scope.memories.iter().map(|(name, _)| hierarchy.path_in(place, name)));
         for signal in &scope.signals {
