@@ -40,7 +40,7 @@ impl Numbers {
     }
 }
 
-/// The recorded run of a design under a random stimulus; resets are given at random.
+/// The recorded run of a design under a random stimulus; resets are given at random. It ends where an assertion fails.
 ///
 /// # Errors
 ///
@@ -76,7 +76,11 @@ pub fn run(design: &Design, stimulus: &Stimulus) -> Result<Recording, tilewright
                 sim.set(*port, numbers.bits(*width));
             }
         }
-        if numbers.draw().is_multiple_of(12) { sim.reset() } else { sim.step() }
+        let done = if numbers.draw().is_multiple_of(12) { sim.try_reset() } else { sim.try_step() };
+        match done {
+            Err(tilewright_sim::Error::Violated(_)) => break,
+            done => done?,
+        }
     }
     Ok(recording.take())
 }

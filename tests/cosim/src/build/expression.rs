@@ -25,14 +25,21 @@ impl Builder<'_> {
             Make::Binary(op, a, b) => {
                 let a = self.pick(d, *a);
                 let b = self.pick_fit(d, *b, a.width());
-                match op {
-                    Binary::And => a & b,
-                    Binary::Or => a | b,
-                    Binary::Xor => a ^ b,
-                    Binary::Add => a + b,
-                    Binary::Sub => a - b,
-                    Binary::AddCarry => narrow(a.add_carry(b)),
-                }
+                narrow(binary(*op, a, b))
+            }
+            Make::Alu { subject, bits, arms, default } => {
+                let (subject, default) = (self.pick_fit(d, *subject, *bits), self.pick(d, *default));
+                let width = default.width();
+                let arm = |arm: &Arm| {
+                    let [a, b, c] = arm.operands.map(|pick| self.pick_fit(d, pick, width));
+                    binary(arm.op, a, b).trunc(width) + (c - a)
+                };
+                let arms: Vec<Signal> = arms.iter().take(1 << bits).map(arm).collect();
+                case(subject, (0..).zip(arms), default)
+            }
+            Make::Is(of, value) => {
+                let of = self.pick(d, *of);
+                of.eq(Bits::new(of.width(), *value))
             }
             Make::Product { signed, operands } => {
                 let [a, b] = operands.map(|pick| self.pick(d, pick));
@@ -118,6 +125,18 @@ impl Builder<'_> {
             }
             _ => unreachable!("the other steps are objects"),
         }
+    }
+}
+
+/// An operator, with the carry if it has one.
+pub fn binary(op: Binary, a: Signal, b: Signal) -> Signal {
+    match op {
+        Binary::And => a & b,
+        Binary::Or => a | b,
+        Binary::Xor => a ^ b,
+        Binary::Add => a + b,
+        Binary::Sub => a - b,
+        Binary::AddCarry => a.add_carry(b),
     }
 }
 
