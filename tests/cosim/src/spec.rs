@@ -18,6 +18,9 @@ pub const WIDEST: u32 = 280;
 pub struct Spec {
     /// The modules; each may instantiate those before it, and the last is the top.
     pub parts: Vec<Part>,
+    /// How many steps a part may have with those of the parts in it, each counted in every lane; there is no room for
+    /// instances beyond that.
+    pub room: u32,
     /// The period of the second clock in picoseconds, if there is one; the first has 10 ns.
     pub second_period: Option<u64>,
     /// What is done to it.

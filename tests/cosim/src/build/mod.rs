@@ -58,9 +58,6 @@ pub fn top(spec: &Spec, prefix: &str) -> PartBlock {
     PartBlock { prefix: prefix.to_owned(), spec: Rc::new(spec.clone()), sizes, index: spec.parts.len() - 1 }
 }
 
-/// The steps that a part may have with those of the parts in it, each counted in every lane.
-const LARGEST: u32 = 900;
-
 /// The lanes of each step: those of its array, 1 for what is none, and 0 for an instance that the part has no room for.
 fn sizes(spec: &Spec) -> Vec<Vec<u32>> {
     let mut weights: Vec<u32> = Vec::new();
@@ -74,7 +71,7 @@ fn sizes(spec: &Spec) -> Vec<Vec<u32>> {
                 _ => return 1,
             };
             let child = child_index(part, weights.len()).map_or(1, |index| weights[index]);
-            let lanes = lanes.min((LARGEST - weight) / child);
+            let lanes = lanes.min((spec.room - weight) / child);
             weight += lanes * child;
             lanes
         };
