@@ -127,8 +127,12 @@ pub enum Make {
     Compare { relation: Relation, signed: bool, operands: [Pick; 2] },
     /// A shift by a signal.
     Shift { shift: Shift, of: Pick, by: Pick },
-    /// A shift by a constant.
-    ShiftBy { shift: Shift, of: Pick, by: u32 },
+    /// A shift by a constant: a number of the description, or a literal of the circuit.
+    ShiftBy { shift: Shift, of: Pick, by: u32, literal: bool },
+    /// A value of 8, 16, 32 or 64 bits rotated to the left; which of them by the logarithm from 3 on.
+    Rotate { of: Pick, size: u32, by: u32 },
+    /// Constants by a small number.
+    Lookup { subject: Pick, bits: u32, width: u32, words: Vec<Pattern> },
     /// A choice of two.
     Mux { select: Pick, on_true: Pick, on_false: Pick },
     /// A choice by conditions.
@@ -304,6 +308,8 @@ pub enum Feed {
     Other(Pick, i8),
     /// As [`Feed::Other`], but lanes are taken one by one, each put through the same operator with the broadcast.
     Lifted(Binary, Pick),
+    /// As [`Feed::Lifted`], with a constant for each lane.
+    LiftedTable(Binary, Pick),
 }
 
 /// How the lanes of an output become one value.

@@ -109,8 +109,10 @@ fn operator() -> impl Strategy<Value = Make> {
         1 => (any::<bool>(), picks()).prop_map(|(signed, operands)| Make::Product { signed, operands }),
         3 => (relation(), any::<bool>(), picks())
             .prop_map(|(relation, signed, operands)| Make::Compare { relation, signed, operands }),
-        2 => (shift(), picks()).prop_map(|(shift, [of, by])| Make::Shift { shift, of, by }),
-        1 => (shift(), pick(), 0..70u32).prop_map(|(shift, of, by)| Make::ShiftBy { shift, of, by }),
+        2 => (shift(), pick(), control()).prop_map(|(shift, of, by)| Make::Shift { shift, of, by }),
+        2 => (shift(), pick(), prop_oneof![0..9u32, 0..70u32], any::<bool>())
+            .prop_map(|(shift, of, by, literal)| Make::ShiftBy { shift, of, by, literal }),
+        1 => (pick(), 0..4u32, 0..63u32).prop_map(|(of, size, by)| Make::Rotate { of, size, by }),
         1 => (control(), prop_oneof![3 => 0..8u64, 1 => any::<u64>()]).prop_map(|(of, value)| Make::Is(of, value)),
     ]
 }
@@ -124,6 +126,7 @@ fn choice() -> impl Strategy<Value = Make> {
         1 => (control(), pick(), vec((key, pick()), 1..5))
             .prop_map(|(subject, default, arms)| Make::Case { subject, arms, default }),
         1 => alu(),
+        1 => lookup(),
     ]
 }
 
@@ -139,9 +142,18 @@ fn alu() -> impl Strategy<Value = Make> {
     })
 }
 
+fn lookup() -> impl Strategy<Value = Make> {
+    (control(), 1..9u32, width(), vec(pattern(), 3..12)).prop_map(|(subject, bits, width, words)| Make::Lookup {
+        subject,
+        bits,
+        width,
+        words,
+    })
+}
+
 fn wiring() -> impl Strategy<Value = Make> {
     prop_oneof![
-        3 => (width(), pattern()).prop_map(|(width, pattern)| Make::Constant(width, pattern)),
+        5 => (width(), pattern()).prop_map(|(width, pattern)| Make::Constant(width, pattern)),
         3 => (pick(), 0..140u32, width()).prop_map(|(of, low, width)| Make::Slice { of, low, width }),
         3 => (pick(), 1..70u32, any::<bool>()).prop_map(|(of, by, signed)| Make::Extend { of, by, signed }),
         3 => vec(pick(), 2..5).prop_map(Make::Concat),

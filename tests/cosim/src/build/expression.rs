@@ -59,7 +59,26 @@ impl Builder<'_> {
                     Shift::RightSigned => (of.signed() >> by).bits(),
                 }
             }
-            Make::ShiftBy { shift, of, by } => {
+            Make::ShiftBy { shift, of, by, literal: true } => {
+                let (of, by) = (self.pick(d, *of), lit(7, u64::from(*by)));
+                match shift {
+                    Shift::Left => of << by,
+                    Shift::Right => of >> by,
+                    Shift::RightSigned => (of.signed() >> by).bits(),
+                }
+            }
+            Make::Rotate { of, size, by } => {
+                let width = 8 << size;
+                let (of, by) = (self.pick_fit(d, *of, width), 1 + by % (width - 1));
+                cat!(of.slice(0..width - by), of.slice(width - by..width))
+            }
+            Make::Lookup { subject, bits, width, words } => {
+                let subject = self.pick_fit(d, *subject, *bits);
+                let word = |word: &Pattern| lit(*width, 0) | word.bits(*width);
+                let words: Vec<Signal> = words.iter().take(1 << bits).map(word).collect();
+                case(subject, (0..).zip(words), lit(*width, 1))
+            }
+            Make::ShiftBy { shift, of, by, .. } => {
                 let of = self.pick(d, *of);
                 match shift {
                     Shift::Left => of << *by,

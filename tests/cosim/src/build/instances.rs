@@ -3,6 +3,7 @@
 use super::expression::binary;
 use super::{Builder, PartBlock, PartIn, PartOut, child_index, fit, narrow};
 use crate::spec::*;
+use crate::stimulus::Numbers;
 use tilewright_hdl::ir::Reduction;
 use tilewright_hdl::*;
 
@@ -64,7 +65,7 @@ impl Builder<'_> {
     }
 
     /// The lanes of another array, over and over, each put through the same function.
-    fn one_by_one(&self, array: &Array<PartOut<Lanes>>, of: Lanes, each: impl Fn(Signal) -> Signal) -> Lanes {
+    fn one_by_one(&self, array: &Array<PartOut<Lanes>>, of: Lanes, each: impl FnMut(Signal) -> Signal) -> Lanes {
         let signals = of.to_vec().into_iter().map(each).collect::<Vec<_>>();
         array.each(signals.into_iter().cycle().take(array.count() as usize))
     }
@@ -98,6 +99,15 @@ impl Builder<'_> {
                 let with = self.pick_fit(d, pick, width);
                 self.one_by_one(array, other, |signal| binary(op, fit(signal, width, pick), with).trunc(width))
             }
+            (Feed::LiftedTable(op, other), _) if !self.rows[d].is_empty() => {
+                let other = self.rows[d][usize::from(other.0) % self.rows[d].len()];
+                let constants = (0..other.count()).map(|lane| lit(width, Numbers(lane.into()).bits(width).limbs()[0]));
+                let mut constants = constants.collect::<Vec<_>>().into_iter();
+                self.one_by_one(array, other, |signal| {
+                    let constant = constants.next().expect("one for each lane");
+                    binary(op, fit(signal, width, pick), constant).trunc(width)
+                })
+            }
             (Feed::Link(by), Some((Link { registered, .. }, link))) => {
                 let edge = self.pick_fit(d, pick, width);
                 // What is not in a register may lead in one direction only.
@@ -111,7 +121,7 @@ impl Builder<'_> {
             }
             (Feed::Index, _) => array.constants(width, |lane| Bits::new(width, lane.into()).limbs()[0]),
             (Feed::Table(seed), _) => array.constants(width, |lane| {
-                let number = crate::stimulus::Numbers(seed.wrapping_add(lane.into())).draw();
+                let number = Numbers(seed.wrapping_add(lane.into())).draw();
                 Bits::new(width, number).limbs()[0]
             }),
             _ => {

@@ -76,6 +76,7 @@ pub fn array(lanes: Range<u32>) -> impl Strategy<Value = Make> {
             1 => any::<u8>().prop_map(Feed::Rotate),
             2 => (pick(), -3..4i8).prop_map(|(other, by)| Feed::Other(other, by)),
             2 => (binary(), pick()).prop_map(|(op, other)| Feed::Lifted(op, other)),
+            1 => (binary(), pick()).prop_map(|(op, other)| Feed::LiftedTable(op, other)),
         ]
     };
     // The first value is often the same in all lanes.
