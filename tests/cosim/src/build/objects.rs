@@ -48,7 +48,7 @@ impl Builder<'_> {
         let enable = enable.map(|pick| self.pick_fit(d, pick, 1));
         let register = |place: u32| {
             let register = self.on(d).reg(&format!("c{number}_{place}"), width);
-            let register = if place % 2 == 0 {
+            let register = if place.is_multiple_of(2) {
                 register.reset(Pattern::Number(0x9e37_79b9 << place).bits(width))
             } else {
                 register

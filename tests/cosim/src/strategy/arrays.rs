@@ -6,7 +6,7 @@ use tilewright_hdl::ir::Reduction;
 
 /// Parts of which each has arrays of the one before, with values that are mostly of one size.
 pub fn nested() -> impl Strategy<Value = Vec<Part>> {
-    let leaf = (vec(input(), 1..5), vec(step(), 3..12)).prop_map(|(inputs, steps)| Part { inputs, steps });
+    let leaf = (vec(input(), 1..5), vec(step(), 1..12)).prop_map(|(inputs, steps)| Part { inputs, steps });
     let outer = (vec(input(), 1..4), vec(outer_step(), 1..6)).prop_map(|(inputs, steps)| Part { inputs, steps });
     let size =
         || prop_oneof![Just(Size::Any), Just(Size::Flags), Just(Size::Bytes), Just(Size::Halves), Just(Size::Words)];
