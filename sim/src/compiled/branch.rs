@@ -235,6 +235,16 @@ impl<'a> Known<'a> {
             kind = fold(self.graph, &kind, cell.width).map_or(kind, Kind::Const);
             let alias = alias(self.graph, &kind, cell.width);
             let is_read = plan.stored.contains(&id) || matches!(kind, Kind::Reduce { .. });
+            if is_read && matches!(kind, Kind::Const(_)) {
+                // Others read it from memory, so it has to be brought there.
+                let constant = self.add(kind, cell.lanes, cell.width);
+                let stored = self.graph.add(Kind::Alias(constant), cell.lanes, cell.width);
+                wanted.insert(stored);
+                moved.push((stored, plan.moved.iter().find(|(new, _)| *new == id).map_or(id, |(_, of)| *of)));
+                cells.push(stored);
+                self.became.insert(id, constant);
+                continue;
+            }
             let became = match alias {
                 _ if kind == cell.kind => id,
                 Some(of) if !is_read => of,

@@ -103,12 +103,16 @@ impl Emitter<'_, '_, '_> {
         let mut uses: BTreeMap<u32, usize> = BTreeMap::new();
         let mut count = |id: ValueId| {
             let cell = self.graph.cell(id);
-            let group = match cell.kind {
-                Kind::Broadcast(of, n) if self.graph.cell(of).lanes > 1 => n,
-                Kind::Tile(of, _) => self.graph.cell(of).lanes,
-                Kind::Reduce { group, .. } if cell.lanes > 1 => group,
+            // Operands may have other lanes than the kernel: what it collects from, and the reductions of others.
+            let (of_lanes, group) = match cell.kind {
+                Kind::Broadcast(of, n) if self.graph.cell(of).lanes > 1 => (cell.lanes, n),
+                Kind::Tile(of, _) => (cell.lanes, self.graph.cell(of).lanes),
+                Kind::Reduce { of, group, .. } if cell.lanes > 1 => (self.graph.cell(of).lanes, group),
                 _ => return,
             };
+            if of_lanes != lanes {
+                return;
+            }
             if group % strip == 0 && group < lanes {
                 *uses.entry(group).or_default() += 1;
             }

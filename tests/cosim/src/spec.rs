@@ -18,6 +18,9 @@ pub const WIDEST: u32 = 280;
 pub struct Spec {
     /// The modules; each may instantiate those before it, and the last is the top.
     pub parts: Vec<Part>,
+    /// How many steps a part may have with those of the parts in it, each counted in every lane; there is no room for
+    /// instances beyond that.
+    pub room: u32,
     /// The period of the second clock in picoseconds, if there is one; the first has 10 ns.
     pub second_period: Option<u64>,
     /// What is done to it.
@@ -50,7 +53,16 @@ pub struct Input {
     /// The clock it is synchronous to.
     pub clock: ClockPick,
     /// Adds an output of the same width, which an array may link to this input of a neighbour.
-    pub link: Option<Pick>,
+    pub link: Option<Link>,
+}
+
+/// What an output that is linked to an input has.
+#[derive(Debug, Clone, Copy)]
+pub struct Link {
+    /// The value.
+    pub of: Pick,
+    /// It comes out of a register, so that lanes may depend on it in any direction.
+    pub registered: bool,
 }
 
 /// One of the design's clocks; the first, if there is only one.
@@ -115,8 +127,12 @@ pub enum Make {
     Compare { relation: Relation, signed: bool, operands: [Pick; 2] },
     /// A shift by a signal.
     Shift { shift: Shift, of: Pick, by: Pick },
-    /// A shift by a constant.
-    ShiftBy { shift: Shift, of: Pick, by: u32 },
+    /// A shift by a constant: a number of the description, or a literal of the circuit.
+    ShiftBy { shift: Shift, of: Pick, by: u32, literal: bool },
+    /// A value of 8, 16, 32 or 64 bits rotated to the left; which of them by the logarithm from 3 on.
+    Rotate { of: Pick, size: u32, by: u32 },
+    /// Constants by a small number.
+    Lookup { subject: Pick, bits: u32, width: u32, words: Vec<Pattern> },
     /// A choice of two.
     Mux { select: Pick, on_true: Pick, on_false: Pick },
     /// A choice by conditions.
@@ -137,6 +153,12 @@ pub enum Make {
     Wire(Pick),
     /// A register.
     Register { width: u32, reset: Option<Pattern>, enable: Option<Pick>, next: Pick },
+    /// What a small number, an opcode, says is done.
+    Alu { subject: Pick, bits: u32, arms: Vec<Arm>, default: Pick },
+    /// A comparison with a constant.
+    Is(Pick, u64),
+    /// Registers that each take over the one before; the first takes over the last one, or a value.
+    Chain { width: u32, length: u32, ring: bool, enable: Option<Pick>, from: Pick },
     /// A state machine.
     Machine(Machine),
     /// A memory.
@@ -145,6 +167,8 @@ pub enum Make {
     Cross { synchronize: bool, of: Pick },
     /// A condition that always holds.
     Assert(Pick),
+    /// A condition that may fail: a value is never this one.
+    Never(Pick, Pattern),
     /// An instance of an earlier part.
     Instance { part: Pick, inputs: Vec<Pick> },
     /// An array of an earlier part.
@@ -181,6 +205,15 @@ pub enum Binary {
     Sub,
     /// Sum with its carry.
     AddCarry,
+}
+
+/// What an opcode stands for: `(a op b) + (c - a)`.
+#[derive(Debug, Clone, Copy)]
+pub struct Arm {
+    /// The operator.
+    pub op: Binary,
+    /// Its operands, and the third value.
+    pub operands: [Pick; 3],
 }
 
 /// A state machine of four states.
@@ -262,8 +295,21 @@ pub enum Feed {
     Each,
     /// The lane's number.
     Index,
+    /// A constant for each lane.
+    Table(u64),
     /// The linked output of the lane so many places away; a broadcast if the input has no link.
     Link(u8),
+    /// All lanes of the linked output combined, if that is a register; else a broadcast.
+    Back(Reduction),
+    /// The linked output so many lanes on, around the end, if that is a register; else a broadcast.
+    Rotate(u8),
+    /// An array that was made before, if it has as many lanes, seen from so many lanes away; its lanes over and over
+    /// otherwise.
+    Other(Pick, i8),
+    /// As [`Feed::Other`], but lanes are taken one by one, each put through the same operator with the broadcast.
+    Lifted(Binary, Pick),
+    /// As [`Feed::Lifted`], with a constant for each lane.
+    LiftedTable(Binary, Pick),
 }
 
 /// How the lanes of an output become one value.

@@ -40,8 +40,8 @@ impl Numbers {
     }
 }
 
-/// The recorded run of a design under a random stimulus, on both engines; resets are given at random. A run with
-/// other passes has to show the same.
+/// The recorded run of a design under a random stimulus, on both engines; resets are given at random, and it ends where
+/// an assertion fails. A run with other passes has to show the same.
 ///
 /// # Errors
 ///
@@ -106,7 +106,11 @@ fn record(design: &Design, stimulus: &Stimulus, mut sim: Simulation) -> Result<R
                 sim.set(*port, numbers.bits(*width));
             }
         }
-        if numbers.draw().is_multiple_of(12) { sim.reset() } else { sim.step() }
+        let done = if numbers.draw().is_multiple_of(12) { sim.try_reset() } else { sim.try_step() };
+        match done {
+            Err(tilewright_sim::Error::Violated(_)) => break,
+            done => done?,
+        }
     }
     Ok(recording.take())
 }

@@ -1,4 +1,7 @@
-//! How random designs are drawn: mostly small widths with a tail beyond 128 bits, small modules, some of everything.
+//! How random designs are drawn: mostly small widths with a tail beyond 128 bits, small modules, some of everything;
+//! or arrays of arrays whose values are mostly of one size ([`arrays`]).
+
+mod arrays;
 
 use crate::spec::*;
 use proptest::collection::vec;
@@ -6,15 +9,18 @@ use proptest::option::{of, weighted};
 use proptest::prelude::*;
 use proptest::sample::select;
 use tilewright_hdl::ReadUnderWrite;
-use tilewright_hdl::ir::{Reduction, Relation, Shift};
+use tilewright_hdl::ir::{Relation, Shift};
 
 /// Random designs.
 pub fn designs() -> impl Strategy<Value = Spec> {
-    let parts = prop_oneof![4 => vec(part(14), 1..2), 3 => vec(part(8), 1..4)];
+    let parts = prop_oneof![4 => vec(part(14), 1..2), 3 => vec(part(8), 1..4), 3 => arrays::nested()];
+    // Other simulators take long to read what is large.
+    let room = prop_oneof![7 => 100..250u32, 1 => 250..900u32];
     // Equal periods, a whole ratio, and edges that drift against each other.
     let second_period = weighted(0.4, select(vec![10_000u64, 20_000, 14_000, 26_002, 6_000]));
-    (parts, second_period, stimulus()).prop_map(|(parts, second_period, stimulus)| Spec {
+    (parts, room, second_period, stimulus()).prop_map(|(parts, room, second_period, stimulus)| Spec {
         parts,
+        room,
         second_period,
         stimulus,
     })
@@ -29,7 +35,8 @@ fn part(most_steps: usize) -> impl Strategy<Value = Part> {
 }
 
 fn input() -> impl Strategy<Value = Input> {
-    (width(), clock(), weighted(0.3, pick())).prop_map(|(width, clock, link)| Input { width, clock, link })
+    let link = (pick(), any::<bool>()).prop_map(|(of, registered)| Link { of, registered });
+    (width(), clock(), weighted(0.4, link)).prop_map(|(width, clock, link)| Input { width, clock, link })
 }
 
 /// A width in bits, around the sizes of machine words more often.
@@ -48,6 +55,17 @@ fn clock() -> impl Strategy<Value = ClockPick> {
 
 fn pick() -> impl Strategy<Value = Pick> {
     any::<u16>().prop_map(Pick)
+}
+
+/// A pick that is often the first value, which an array often gives to all of its lanes: what is chosen, enabled or
+/// addressed by it is so in all lanes alike.
+fn control() -> impl Strategy<Value = Pick> {
+    prop_oneof![2 => Just(Pick(0)), 3 => pick()]
+}
+
+/// The parts of arrays and instances: often the last one, so that arrays nest.
+fn part_pick() -> impl Strategy<Value = Pick> {
+    prop_oneof![2 => Just(Pick(0)), 1 => pick()]
 }
 
 fn picks<const N: usize>() -> impl Strategy<Value = [Pick; N]> {
@@ -79,54 +97,91 @@ fn shift() -> impl Strategy<Value = Shift> {
     select(vec![Shift::Left, Shift::Right, Shift::RightSigned])
 }
 
+fn binary() -> impl Strategy<Value = Binary> {
+    select(vec![Binary::Add, Binary::Sub, Binary::And, Binary::Or, Binary::Xor, Binary::AddCarry])
+}
+
 fn operator() -> impl Strategy<Value = Make> {
     let unary = select(vec![Unary::Not, Unary::Negative, Unary::AllOnes, Unary::AnyOne, Unary::Parity]);
-    let binary = select(vec![Binary::Add, Binary::Sub, Binary::And, Binary::Or, Binary::Xor, Binary::AddCarry]);
     prop_oneof![
         2 => (unary, pick()).prop_map(|(op, a)| Make::Unary(op, a)),
-        4 => (binary, picks()).prop_map(|(op, [a, b])| Make::Binary(op, a, b)),
+        4 => (binary(), picks()).prop_map(|(op, [a, b])| Make::Binary(op, a, b)),
         1 => (any::<bool>(), picks()).prop_map(|(signed, operands)| Make::Product { signed, operands }),
         3 => (relation(), any::<bool>(), picks())
             .prop_map(|(relation, signed, operands)| Make::Compare { relation, signed, operands }),
-        2 => (shift(), picks()).prop_map(|(shift, [of, by])| Make::Shift { shift, of, by }),
-        1 => (shift(), pick(), 0..70u32).prop_map(|(shift, of, by)| Make::ShiftBy { shift, of, by }),
+        2 => (shift(), pick(), control()).prop_map(|(shift, of, by)| Make::Shift { shift, of, by }),
+        2 => (shift(), pick(), prop_oneof![0..9u32, 0..70u32], any::<bool>())
+            .prop_map(|(shift, of, by, literal)| Make::ShiftBy { shift, of, by, literal }),
+        1 => (pick(), 0..4u32, 0..63u32).prop_map(|(of, size, by)| Make::Rotate { of, size, by }),
+        1 => (control(), prop_oneof![3 => 0..8u64, 1 => any::<u64>()]).prop_map(|(of, value)| Make::Is(of, value)),
     ]
 }
 
 fn choice() -> impl Strategy<Value = Make> {
     let key = prop_oneof![3 => 0..8u64, 1 => any::<u64>()];
     prop_oneof![
-        2 => picks().prop_map(|[select, on_true, on_false]| Make::Mux { select, on_true, on_false }),
-        1 => (vec((pick(), pick()), 1..4), pick()).prop_map(|(arms, default)| Make::Select { arms, default }),
-        1 => (picks(), vec((key, pick()), 1..5))
-            .prop_map(|([subject, default], arms)| Make::Case { subject, arms, default }),
+        2 => (control(), picks())
+            .prop_map(|(select, [on_true, on_false])| Make::Mux { select, on_true, on_false }),
+        1 => (vec((control(), pick()), 1..4), pick()).prop_map(|(arms, default)| Make::Select { arms, default }),
+        1 => (control(), pick(), vec((key, pick()), 1..5))
+            .prop_map(|(subject, default, arms)| Make::Case { subject, arms, default }),
+        1 => alu(),
+        1 => lookup(),
     ]
+}
+
+/// Few operations, or as many as an opcode has values.
+fn alu() -> impl Strategy<Value = Make> {
+    let arm = || (binary(), picks()).prop_map(|(op, operands)| Arm { op, operands });
+    let arms = prop_oneof![3 => vec(arm(), 1..8), 1 => vec(arm(), 8..30)];
+    (control(), 1..7u32, arms, pick()).prop_map(|(subject, bits, arms, default)| Make::Alu {
+        subject,
+        bits,
+        arms,
+        default,
+    })
+}
+
+fn lookup() -> impl Strategy<Value = Make> {
+    (control(), 1..9u32, width(), vec(pattern(), 3..12)).prop_map(|(subject, bits, width, words)| Make::Lookup {
+        subject,
+        bits,
+        width,
+        words,
+    })
 }
 
 fn wiring() -> impl Strategy<Value = Make> {
     prop_oneof![
-        (width(), pattern()).prop_map(|(width, pattern)| Make::Constant(width, pattern)),
-        (pick(), 0..140u32, width()).prop_map(|(of, low, width)| Make::Slice { of, low, width }),
-        (pick(), 1..70u32, any::<bool>()).prop_map(|(of, by, signed)| Make::Extend { of, by, signed }),
-        vec(pick(), 2..5).prop_map(Make::Concat),
-        (pick(), 2..5u32).prop_map(|(of, times)| Make::Repeat(of, times)),
-        pick().prop_map(Make::Name),
-        pick().prop_map(Make::Wire),
-        pick().prop_map(Make::Assert),
+        5 => (width(), pattern()).prop_map(|(width, pattern)| Make::Constant(width, pattern)),
+        3 => (pick(), 0..140u32, width()).prop_map(|(of, low, width)| Make::Slice { of, low, width }),
+        3 => (pick(), 1..70u32, any::<bool>()).prop_map(|(of, by, signed)| Make::Extend { of, by, signed }),
+        3 => vec(pick(), 2..5).prop_map(Make::Concat),
+        3 => (pick(), 2..5u32).prop_map(|(of, times)| Make::Repeat(of, times)),
+        3 => pick().prop_map(Make::Name),
+        3 => pick().prop_map(Make::Wire),
+        3 => pick().prop_map(Make::Assert),
+        1 => (pick(), pattern()).prop_map(|(of, pattern)| Make::Never(of, pattern)),
     ]
 }
 
 fn object() -> impl Strategy<Value = Make> {
-    let register = (width(), of(pattern()), of(pick()), pick())
+    let register = (width(), of(pattern()), of(control()), pick())
         .prop_map(|(width, reset, enable, next)| Make::Register { width, reset, enable, next });
     prop_oneof![
         8 => register,
+        2 => chain(),
         1 => machine().prop_map(Make::Machine),
         3 => memory().prop_map(Make::Memory),
         2 => (any::<bool>(), pick()).prop_map(|(synchronize, of)| Make::Cross { synchronize, of }),
-        3 => (pick(), vec(pick(), 0..5)).prop_map(|(part, inputs)| Make::Instance { part, inputs }),
-        4 => array(),
+        3 => (part_pick(), vec(pick(), 0..5)).prop_map(|(part, inputs)| Make::Instance { part, inputs }),
+        4 => arrays::array(1..6),
     ]
+}
+
+fn chain() -> impl Strategy<Value = Make> {
+    (width(), 1..5u32, any::<bool>(), of(control()), pick())
+        .prop_map(|(width, length, ring, enable, from)| Make::Chain { width, length, ring, enable, from })
 }
 
 fn machine() -> impl Strategy<Value = Machine> {
@@ -141,39 +196,24 @@ fn memory() -> impl Strategy<Value = Memory> {
         vec(pattern(), 1..8).prop_map(Contents::Words),
     ];
     let policy = prop_oneof![Just(ReadUnderWrite::Old), Just(ReadUnderWrite::Any)];
-    let read = (any::<bool>(), of(pick()), pick()).prop_map(|(asynchronous, enable, address)| Read {
+    let read = (any::<bool>(), of(control()), pick()).prop_map(|(asynchronous, enable, address)| Read {
         asynchronous,
         enable,
         address,
     });
-    let write = || picks().prop_map(|[enable, address, data]| Write { enable, address, data });
-    let ports = (vec(read, 1..3), prop_oneof![1 => vec(write(), 0), 4 => vec(write(), 1), 1 => vec(write(), 2)]);
-    let depth = prop_oneof![1..9u32, 9..40u32];
-    (depth, width(), policy, contents, ports, weighted(0.3, Just(()))).prop_map(
-        |(depth, width, policy, contents, (reads, writes), crossing)| Memory {
-            depth,
-            width,
-            policy,
-            contents,
-            reads,
-            writes,
-            crossing: crossing.is_some(),
+    let write = || (control(), picks()).prop_map(|(enable, [address, data])| Write { enable, address, data });
+    let ports = (vec(read, 1..3), prop_oneof![1 => vec(write(), 0), 4 => vec(write(), 1), 2 => vec(write(), 2)]);
+    let depth = prop_oneof![2 => 1..9u32, 2 => 9..40u32, 1 => select(vec![2, 4, 8, 16, 32])];
+    let width = prop_oneof![2 => width(), 1 => select(vec![1, 8, 16, 32, 48, 64, 65, 100])];
+    // One in three has the same address in all lanes, if the first value is the same there.
+    let options = (weighted(0.3, Just(())), weighted(0.35, Just(Pick(0))));
+    (depth, width, policy, contents, ports, options).prop_map(
+        |(depth, width, policy, contents, (mut reads, mut writes), (crossing, common))| {
+            if let Some(common) = common {
+                reads.iter_mut().for_each(|read| read.address = common);
+                writes.iter_mut().for_each(|write| write.address = common);
+            }
+            Memory { depth, width, policy, contents, reads, writes, crossing: crossing.is_some() }
         },
-    )
-}
-
-fn array() -> impl Strategy<Value = Make> {
-    let feed = prop_oneof![
-        Just(Feed::Broadcast),
-        Just(Feed::Each),
-        Just(Feed::Index),
-        any::<u8>().prop_map(Feed::Link),
-        any::<u8>().prop_map(Feed::Link),
-    ];
-    let reduction = select(vec![Reduction::And, Reduction::Or, Reduction::Xor, Reduction::Add]);
-    let gather =
-        prop_oneof![reduction.prop_map(Gather::Reduce), (0..5u32).prop_map(Gather::Lane), Just(Gather::Concat),];
-    (pick(), 1..6u32, any::<bool>(), vec((feed, pick()), 0..5), vec(gather, 0..6)).prop_map(
-        |(part, lanes, towards_lower, inputs, outputs)| Make::Array { part, lanes, towards_lower, inputs, outputs },
     )
 }

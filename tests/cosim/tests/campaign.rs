@@ -46,7 +46,7 @@ fn a_wrong_operator_is_found_and_shrunk() {
     if !Tool::Icarus.is_here() {
         return;
     }
-    let campaign = Campaign { printer: wrong_printer, jobs: 1, batch: 40, ..Campaign::icarus(SEED, 40) };
+    let campaign = Campaign { printer: wrong_printer, jobs: 1, batch: 40, ..Campaign::icarus(SEED, 160) };
     let summary = campaign.run(|_| {});
     let smallest = summary.failures.iter().map(|failure| failure.spec.parts.iter().map(|part| part.steps.len()).sum());
     let smallest: usize = smallest.min().expect("a wrong operator goes unnoticed");

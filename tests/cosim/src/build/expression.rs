@@ -25,14 +25,21 @@ impl Builder<'_> {
             Make::Binary(op, a, b) => {
                 let a = self.pick(d, *a);
                 let b = self.pick_fit(d, *b, a.width());
-                match op {
-                    Binary::And => a & b,
-                    Binary::Or => a | b,
-                    Binary::Xor => a ^ b,
-                    Binary::Add => a + b,
-                    Binary::Sub => a - b,
-                    Binary::AddCarry => narrow(a.add_carry(b)),
-                }
+                narrow(binary(*op, a, b))
+            }
+            Make::Alu { subject, bits, arms, default } => {
+                let (subject, default) = (self.pick_fit(d, *subject, *bits), self.pick(d, *default));
+                let width = default.width();
+                let arm = |arm: &Arm| {
+                    let [a, b, c] = arm.operands.map(|pick| self.pick_fit(d, pick, width));
+                    binary(arm.op, a, b).trunc(width) + (c - a)
+                };
+                let arms: Vec<Signal> = arms.iter().take(1 << bits).map(arm).collect();
+                case(subject, (0..).zip(arms), default)
+            }
+            Make::Is(of, value) => {
+                let of = self.pick(d, *of);
+                of.eq(Bits::new(of.width(), *value))
             }
             Make::Product { signed, operands } => {
                 let [a, b] = operands.map(|pick| self.pick(d, pick));
@@ -52,7 +59,26 @@ impl Builder<'_> {
                     Shift::RightSigned => (of.signed() >> by).bits(),
                 }
             }
-            Make::ShiftBy { shift, of, by } => {
+            Make::ShiftBy { shift, of, by, literal: true } => {
+                let (of, by) = (self.pick(d, *of), lit(7, u64::from(*by)));
+                match shift {
+                    Shift::Left => of << by,
+                    Shift::Right => of >> by,
+                    Shift::RightSigned => (of.signed() >> by).bits(),
+                }
+            }
+            Make::Rotate { of, size, by } => {
+                let width = 8 << size;
+                let (of, by) = (self.pick_fit(d, *of, width), 1 + by % (width - 1));
+                cat!(of.slice(0..width - by), of.slice(width - by..width))
+            }
+            Make::Lookup { subject, bits, width, words } => {
+                let subject = self.pick_fit(d, *subject, *bits);
+                let word = |word: &Pattern| lit(*width, 0) | word.bits(*width);
+                let words: Vec<Signal> = words.iter().take(1 << bits).map(word).collect();
+                case(subject, (0..).zip(words), lit(*width, 1))
+            }
+            Make::ShiftBy { shift, of, by, .. } => {
                 let of = self.pick(d, *of);
                 match shift {
                     Shift::Left => of << *by,
@@ -118,6 +144,18 @@ impl Builder<'_> {
             }
             _ => unreachable!("the other steps are objects"),
         }
+    }
+}
+
+/// An operator, with the carry if it has one.
+pub fn binary(op: Binary, a: Signal, b: Signal) -> Signal {
+    match op {
+        Binary::And => a & b,
+        Binary::Or => a | b,
+        Binary::Xor => a ^ b,
+        Binary::Add => a + b,
+        Binary::Sub => a - b,
+        Binary::AddCarry => a.add_carry(b),
     }
 }
 

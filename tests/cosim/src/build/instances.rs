@@ -1,15 +1,17 @@
 //! Steps that are instances of earlier parts, alone and in arrays.
 
-use super::{Builder, PartBlock, PartIn, PartOut, narrow};
+use super::expression::binary;
+use super::{Builder, PartBlock, PartIn, PartOut, child_index, fit, narrow};
 use crate::spec::*;
+use crate::stimulus::Numbers;
 use tilewright_hdl::ir::Reduction;
 use tilewright_hdl::*;
 
 impl Builder<'_> {
-    /// An earlier part.
-    pub fn child(&self, part: Pick) -> Option<PartBlock> {
-        let index = usize::from(part.0).checked_rem(self.block.index)?;
-        Some(PartBlock { index, ..self.block.clone() })
+    /// An earlier part, if there is one and room for it.
+    pub fn child(&self, number: usize, part: Pick) -> Option<PartBlock> {
+        let index = child_index(part, self.block.index)?;
+        (self.block.size(number) > 0).then(|| PartBlock { index, ..self.block.clone() })
     }
 
     /// The pool that a child's clock is: seen from the second clock, both are the second.
@@ -22,15 +24,14 @@ impl Builder<'_> {
         format!("u{}_{number}", self.block.index)
     }
 
-    pub fn instance(&mut self, d: usize, number: usize, part: Pick, inputs: &[Pick]) {
-        let Some(child) = self.child(part) else { return };
+    pub fn instance(&mut self, d: usize, number: usize, child: &PartBlock, inputs: &[Pick]) {
         let mut picks = inputs.iter().copied().chain(std::iter::repeat(Pick(1)));
         let [own, second] = [0, 1].map(|domain| {
             let feed =
                 |input: &Input| self.pick_fit(Self::outside(d, domain), picks.next().expect("endless"), input.width);
             child.inputs_on(domain).map(feed).collect()
         });
-        let out = self.on(d).instance(&self.instance_name(number), &child, PartIn { own, second });
+        let out = self.on(d).instance(&self.instance_name(number), child, PartIn { own, second });
         for (domain, signals) in [(0, out.out), (1, out.second_out), (0, out.link), (1, out.second_link)] {
             signals.into_iter().for_each(|signal| self.push(Self::outside(d, domain), signal));
         }
@@ -45,7 +46,7 @@ impl Builder<'_> {
             let [own, second] = [0, 1].map(|domain| {
                 let mut links = links[domain].iter();
                 let feed = |input: &Input| {
-                    let link = input.link.and_then(|_| links.next());
+                    let link = input.link.and_then(|link| Some((link, *links.next()?)));
                     let (feed, pick) = feeds.next().expect("endless");
                     self.feed(&array, &row, Self::outside(d, domain), (feed, pick, input.width), link)
                 };
@@ -58,8 +59,15 @@ impl Builder<'_> {
             for lanes in lanes {
                 let signal = gather(lanes, gathers.next().expect("endless"));
                 self.push(Self::outside(d, domain), signal);
+                self.rows[Self::outside(d, domain)].push(lanes);
             }
         }
+    }
+
+    /// The lanes of another array, over and over, each put through the same function.
+    fn one_by_one(&self, array: &Array<PartOut<Lanes>>, of: Lanes, each: impl FnMut(Signal) -> Signal) -> Lanes {
+        let signals = of.to_vec().into_iter().map(each).collect::<Vec<_>>();
+        array.each(signals.into_iter().cycle().take(array.count() as usize))
     }
 
     fn feed(
@@ -68,12 +76,43 @@ impl Builder<'_> {
         row: &Row,
         d: usize,
         (feed, pick, width): (Feed, Pick, u32),
-        link: Option<&Lanes>,
+        link: Option<(Link, Lanes)>,
     ) -> Lanes {
         match (feed, link) {
-            (Feed::Link(by), Some(link)) => {
+            (Feed::Back(reduction), Some((Link { registered: true, .. }, link))) => {
+                array.all(&gather(link, Gather::Reduce(reduction)))
+            }
+            (Feed::Rotate(by), Some((Link { registered: true, .. }, link))) => {
+                let lane = |lane: u32| link.lane((lane + u32::from(by)) % row.lanes);
+                array.each((0..row.lanes).map(lane).collect::<Vec<_>>())
+            }
+            (Feed::Other(other, by), _) if !self.rows[d].is_empty() => {
+                let other = self.rows[d][usize::from(other.0) % self.rows[d].len()];
+                if other.count() == row.lanes && other.width() == width {
+                    let edge = self.pick_fit(d, pick, width);
+                    return if by == 0 { other } else { other.shifted(i32::from(by), edge) };
+                }
+                self.one_by_one(array, other, |signal| fit(signal, width, pick))
+            }
+            (Feed::Lifted(op, other), _) if !self.rows[d].is_empty() => {
+                let other = self.rows[d][usize::from(other.0) % self.rows[d].len()];
+                let with = self.pick_fit(d, pick, width);
+                self.one_by_one(array, other, |signal| binary(op, fit(signal, width, pick), with).trunc(width))
+            }
+            (Feed::LiftedTable(op, other), _) if !self.rows[d].is_empty() => {
+                let other = self.rows[d][usize::from(other.0) % self.rows[d].len()];
+                let constants = (0..other.count()).map(|lane| lit(width, Numbers(lane.into()).bits(width).limbs()[0]));
+                let mut constants = constants.collect::<Vec<_>>().into_iter();
+                self.one_by_one(array, other, |signal| {
+                    let constant = constants.next().expect("one for each lane");
+                    binary(op, fit(signal, width, pick), constant).trunc(width)
+                })
+            }
+            (Feed::Link(by), Some((Link { registered, .. }, link))) => {
                 let edge = self.pick_fit(d, pick, width);
-                link.shifted(row.by * (1 + i32::from(by % 3)), edge)
+                // What is not in a register may lead in one direction only.
+                let back = registered && by % 2 == 1;
+                link.shifted(if back { -row.by } else { row.by } * REACH[usize::from(by / 2) % REACH.len()], edge)
             }
             (Feed::Each, _) => {
                 let picks = (0..row.lanes).map(|lane| Pick(pick.0.wrapping_add(7 * lane as u16)));
@@ -81,13 +120,20 @@ impl Builder<'_> {
                 array.each(signals)
             }
             (Feed::Index, _) => array.constants(width, |lane| Bits::new(width, lane.into()).limbs()[0]),
-            (Feed::Broadcast | Feed::Link(_), _) => {
+            (Feed::Table(seed), _) => array.constants(width, |lane| {
+                let number = Numbers(seed.wrapping_add(lane.into())).draw();
+                Bits::new(width, number).limbs()[0]
+            }),
+            _ => {
                 let signal = self.pick_fit(d, pick, width);
                 array.all(&signal)
             }
         }
     }
 }
+
+/// How far neighbours may be away.
+const REACH: [i32; 8] = [1, 1, 1, 2, 3, 4, 7, 12];
 
 /// How an array is fed and read.
 pub struct Row<'a> {

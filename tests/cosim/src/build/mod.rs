@@ -39,6 +39,8 @@ pub struct PartBlock {
     pub prefix: String,
     /// The design.
     pub spec: Rc<Spec>,
+    /// How many lanes each step of each part has, as [`sizes`] says.
+    sizes: Rc<Vec<Vec<u32>>>,
     /// The part's place in it.
     pub index: usize,
 }
@@ -52,12 +54,46 @@ impl fmt::Debug for PartBlock {
 
 /// The top of a random design, with names that begin with `prefix`.
 pub fn top(spec: &Spec, prefix: &str) -> PartBlock {
-    PartBlock { prefix: prefix.to_owned(), spec: Rc::new(spec.clone()), index: spec.parts.len() - 1 }
+    let sizes = Rc::new(sizes(spec));
+    PartBlock { prefix: prefix.to_owned(), spec: Rc::new(spec.clone()), sizes, index: spec.parts.len() - 1 }
+}
+
+/// The lanes of each step: those of its array, 1 for what is none, and 0 for an instance that the part has no room for.
+fn sizes(spec: &Spec) -> Vec<Vec<u32>> {
+    let mut weights: Vec<u32> = Vec::new();
+    let mut sizes = Vec::new();
+    for part in &spec.parts {
+        let mut weight = 0;
+        let mut size = |step: &Step| {
+            let (part, lanes) = match &step.make {
+                Make::Instance { part, .. } => (*part, 1),
+                Make::Array { part, lanes, .. } => (*part, *lanes),
+                _ => return 1,
+            };
+            let child = child_index(part, weights.len()).map_or(1, |index| weights[index]);
+            let lanes = lanes.min((spec.room - weight) / child);
+            weight += lanes * child;
+            lanes
+        };
+        sizes.push(part.steps.iter().map(&mut size).collect());
+        weights.push(weight + part.steps.len() as u32);
+    }
+    sizes
+}
+
+/// The earlier part that is picked, the last one by 0.
+fn child_index(part: Pick, count: usize) -> Option<usize> {
+    Some(count - 1 - usize::from(part.0).checked_rem(count)?)
 }
 
 impl PartBlock {
     fn part(&self) -> &Part {
         &self.spec.parts[self.index]
+    }
+
+    /// The lanes of a step.
+    fn size(&self, number: usize) -> u32 {
+        self.sizes[self.index][number]
     }
 
     fn second(&self) -> Option<Clock> {
@@ -117,12 +153,14 @@ struct Builder<'a> {
     /// By clock.
     pools: [Vec<Value>; 2],
     late: Vec<(usize, Late)>,
+    /// Outputs of arrays, by clock.
+    rows: [Vec<Lanes>; 2],
 }
 
 impl<'a> Builder<'a> {
     fn new(block: &'a PartBlock, module: Module, inputs: [Vec<Signal>; 2]) -> Self {
         let pools = inputs.map(|of| of.into_iter().map(|signal| Value { signal, is_read: true }).collect());
-        let mut builder = Builder { block, module, pools, late: Vec::new() };
+        let mut builder = Builder { block, module, pools, late: Vec::new(), rows: [Vec::new(), Vec::new()] };
         if block.second().is_some() {
             // With state on the own clock, inputs that name no clock belong to it.
             let beat = module.reg("beat", 1).reset(0);
@@ -194,11 +232,23 @@ impl<'a> Builder<'a> {
                 let signal = self.pick(d, *pick);
                 self.on(d).assert(signal.le(Bits::ones(signal.width())), "a value is at most all ones");
             }
-            Make::Instance { part, inputs } => self.instance(d, number, *part, inputs),
-            Make::Array { part, lanes, towards_lower, inputs, outputs } => {
-                if let Some(child) = self.child(*part) {
+            Make::Never(pick, pattern) => {
+                let signal = self.pick(d, *pick);
+                self.on(d).assert(signal.ne(pattern.bits(signal.width())), "a value is never this one");
+            }
+            Make::Chain { width, length, ring, enable, from } => {
+                self.chain(d, number, (*width, *length), *enable, (!ring).then_some(*from));
+            }
+            Make::Instance { part, inputs } => {
+                if let Some(child) = self.child(number, *part) {
+                    self.instance(d, number, &child, inputs);
+                }
+            }
+            Make::Array { part, towards_lower, inputs, outputs, .. } => {
+                if let Some(child) = self.child(number, *part) {
                     let by = if *towards_lower { -1 } else { 1 };
-                    self.array(d, number, &child, Row { lanes: *lanes, by, inputs, outputs });
+                    let lanes = self.block.size(number);
+                    self.array(d, number, &child, Row { lanes, by, inputs, outputs });
                 }
             }
             make => {
@@ -219,8 +269,13 @@ impl<'a> Builder<'a> {
         }
         let block = self.block;
         let [link, second_link] = [0, 1].map(|domain| {
-            let link = |input: &Input| Some(self.pick_fit(domain, input.link?, input.width));
-            block.inputs_on(domain).filter_map(link).collect()
+            let link = |(number, input): (usize, &Input)| {
+                let Link { of, registered } = input.link?;
+                let signal = self.pick_fit(domain, of, input.width);
+                let name = format!("l{domain}_{number}");
+                Some(if registered { self.on(domain).pipe(&name, signal) } else { signal })
+            };
+            block.inputs_on(domain).enumerate().filter_map(link).collect()
         });
         let [out, second_out] = self
             .pools

@@ -33,6 +33,37 @@ impl Builder<'_> {
         });
         self.push(d, chosen);
         self.push(d, state.is(Phase::Run));
+        self.push(d, state.value());
+    }
+
+    /// So many registers of some width, each taking over the one before; the first one `from`, or the last one.
+    pub fn chain(
+        &mut self,
+        d: usize,
+        number: usize,
+        (width, length): (u32, u32),
+        enable: Option<Pick>,
+        from: Option<Pick>,
+    ) {
+        let enable = enable.map(|pick| self.pick_fit(d, pick, 1));
+        let register = |place: u32| {
+            let register = self.on(d).reg(&format!("c{number}_{place}"), width);
+            let register = if place.is_multiple_of(2) {
+                register.reset(Pattern::Number(0x9e37_79b9 << place).bits(width))
+            } else {
+                register
+            };
+            enable.map_or(register, |enable| register.enable(enable))
+        };
+        let registers: Vec<Reg> = (0..length.max(1)).map(register).collect();
+        registers.windows(2).for_each(|pair| pair[1].next(pair[0].value()));
+        let last = registers[registers.len() - 1];
+        match from {
+            Some(from) => self.late.push((d, Late::Next(registers[0], from))),
+            None => registers[0].next(last.value()),
+        }
+        self.push(d, last.value());
+        self.push(d, registers[0].value());
     }
 
     pub fn memory(&mut self, d: usize, number: usize, memory: &Memory) {
