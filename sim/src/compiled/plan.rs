@@ -171,7 +171,7 @@ impl Planner<'_> {
     /// The first stage in which all operands are there.
     fn stage(&self, id: ValueId) -> usize {
         let mut stage = 0;
-        self.graph.cell(id).kind.for_each_operand(|operand| {
+        self.graph.for_each_operand(id, |operand| {
             stage = stage.max(self.available(operand, self.by_lane(id, operand)));
         });
         stage
@@ -224,7 +224,7 @@ impl Planner<'_> {
                 lanes => latest.min(self.kernels[&lanes]).max(stage),
             };
             self.positions[id.index()].stage = stage;
-            self.graph.cell(id).kind.for_each_operand(|operand| {
+            self.graph.for_each_operand(id, |operand| {
                 let is_stored = matches!(self.role(operand), Role::Kernel(_) | Role::Packed);
                 let after = usize::from(is_stored && !self.by_lane(id, operand));
                 let limit = &mut limits[operand.index()];
@@ -296,8 +296,7 @@ impl Planner<'_> {
         };
         for &id in needed {
             let reader = self.positions[id.index()];
-            let kind = &self.graph.cell(id).kind;
-            kind.for_each_operand(|operand| need(operand, reader, self.by_lane(id, operand)));
+            self.graph.for_each_operand(id, |operand| need(operand, reader, self.by_lane(id, operand)));
         }
         for sink in &self.graph.sinks {
             let reader = self.sink_position(sink);
@@ -338,7 +337,7 @@ impl Planner<'_> {
                 Role::Uniform => Position { stage: usize::MAX, place: 0 },
                 _ => self.positions[id.index()],
             };
-            kind.for_each_operand(|operand| read(operand, reader, by_lane));
+            self.graph.for_each_operand(id, |operand| read(operand, reader, by_lane));
         }
         for sink in &self.graph.sinks {
             let reader = self.sink_position(sink);

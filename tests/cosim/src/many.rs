@@ -58,7 +58,7 @@ fn ports(design: &Design, port: impl Fn(&str) -> Port) -> (Vec<Port>, Vec<Port>)
     (inputs.collect(), top.outputs.iter().map(|output| port(&output.name)).collect())
 }
 
-/// The outputs of a run alone after each step.
+/// The outputs of a run alone after each step, up to one before which an assertion fails.
 fn alone(design: &Design, stimulus: &Stimulus, run: u32) -> Result<Vec<Vec<Bits>>, Error> {
     let mut sim = Simulation::from_design(design)?.on(EngineKind::Reference).seeded(seed(run));
     let (inputs, outputs) = ports(design, |name| sim.port(name).expect("it is a port"));
@@ -66,10 +66,14 @@ fn alone(design: &Design, stimulus: &Stimulus, run: u32) -> Result<Vec<Vec<Bits>
     let mut steps = Vec::new();
     for reset in resets(stimulus) {
         values.next().into_iter().for_each(|(index, value)| sim.set(inputs[index], value));
-        match (design.top().clocks.is_empty(), reset) {
-            (true, _) => {}
-            (false, true) => sim.try_reset()?,
-            (false, false) => sim.try_step()?,
+        let done = match (design.top().clocks.is_empty(), reset) {
+            (true, _) => Ok(()),
+            (false, true) => sim.try_reset(),
+            (false, false) => sim.try_step(),
+        };
+        match done {
+            Err(Error::Violated(_)) => break,
+            done => done?,
         }
         steps.push(outputs.iter().map(|port| sim.get(*port)).collect());
     }
@@ -97,12 +101,18 @@ pub fn check(design: &Design, stimulus: &Stimulus, number: u64) -> Result<(), St
         for (run, values) in (0..).zip(&mut values) {
             values.next().into_iter().for_each(|(index, value)| batch.set(inputs[index], run, value));
         }
-        match (design.top().clocks.is_empty(), reset) {
+        let done = match (design.top().clocks.is_empty(), reset) {
             (true, _) => Ok(()),
             (false, true) => batch.try_reset(),
             (false, false) => batch.try_step(),
+        };
+        // An assertion that fails in one run stops all.
+        let fails = alone.iter().any(|steps| steps.len() == step);
+        match done {
+            Err(Error::Violated(_)) if fails => break,
+            Ok(()) if fails => return Err(format!("at step {step} no assertion fails, but it does in a run alone")),
+            done => done.map_err(text)?,
         }
-        .map_err(text)?;
         for (port, output) in design.top().outputs.iter().enumerate() {
             for ((run, found), alone) in batch.get_each(outputs[port]).into_iter().enumerate().zip(&alone) {
                 let expected = &alone[step][port];
