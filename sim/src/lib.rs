@@ -106,8 +106,9 @@
 //! machine code made for the circuit, unless [`Simulation::on`] takes another one. All give the same results.
 //! [`EngineKind::Reference`] is a plain interpreter, and takes over by itself on a machine that no code can be generated
 //! for; [`Simulation::engine`] tells which one runs, [`Simulation::fallback`] why. [`EngineKind::Both`] runs the two side by
-//! side and ends with [`Error::Differs`] at the first signal in which they are not alike. An instance array runs in lanes, all instances at a time. An edge evaluates only what its clock samples and what
-//! has changed; a clock whose edges change nothing costs next to nothing until something that it samples changes.
+//! side and ends with [`Error::Differs`] at the first signal in which they are not alike. An instance array runs in lanes,
+//! all instances at a time. How the code is made, and what one with wider vectors needs, is in `sim/docs/engine.md`.
+//! [`Passes`] switches what makes it fast, for tests.
 //!
 //! # What a waveform costs
 //!

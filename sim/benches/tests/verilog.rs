@@ -12,7 +12,7 @@ use tilewright_sim::Simulation;
 fn small() -> [Design; 4] {
     let pim = elaborate(&Pim { stages: 2, columns: 7, rows: 5 });
     let vc1 = elaborate(&Vc1Frames::new(Screen { width: 12, height: 8 }, 2).unwrap());
-    [pim, elaborate(&Qt { units: 2 }), elaborate(&Simd { edge: 3 }), vc1].map(|design| design.unwrap())
+    [pim, elaborate(&Qt { units: 2, apart: false }), elaborate(&Simd { edge: 3 }), vc1].map(|design| design.unwrap())
 }
 
 #[test]
