@@ -54,7 +54,7 @@ impl Block for Cell {
         CellOut {
             value: value.value(),
             total: total.value(),
-            word: store.on(SLOW).read(i.pick) ^ store.on(SLOW).read_async(i.pick),
+            word: store.on(SLOW).read(i.pick) ^ store.on(SLOW).read_async(i.pick).quasi_static("the test samples it"),
             seen: slow.pipe("seen", value.value().quasi_static("the test samples it")),
         }
     }

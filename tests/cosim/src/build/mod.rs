@@ -83,7 +83,8 @@ fn sizes(spec: &Spec) -> Vec<Vec<u32>> {
 
 /// The earlier part that is picked, the last one by 0.
 fn child_index(part: Pick, count: usize) -> Option<usize> {
-    Some(count - 1 - usize::from(part.0).checked_rem(count)?)
+    let back = usize::from(part.0).checked_rem(count)?;
+    Some(count - 1 - back)
 }
 
 impl PartBlock {
