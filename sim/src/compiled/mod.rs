@@ -207,7 +207,8 @@ impl Compiled {
                     pieces => {
                         let results = pieces.iter().map(|code| code.emit_call(builder, state, left));
                         let last = results.last().expect("there are pieces");
-                        part.graph.sinks.iter().any(|sink| matches!(sink, Sink::Hold(_))).then_some(last)
+                        let holds = part.graph.sinks.iter().any(|sink| matches!(sink, Sink::Hold(_)));
+                        holds.then(|| builder.ins().ireduce(types::I8, last))
                     }
                 };
                 if let Some(held) = held {
