@@ -166,7 +166,7 @@ impl Emitter<'_, '_, '_> {
 
     /// Finds the words of memories that have one address in all lanes.
     fn begin_memories(&mut self, strip: &mut Strip, kernel: &Kernel) {
-        for id in self.taken(kernel) {
+        for &id in &kernel.cells {
             if let Kind::Read { memory, address } = self.graph.cell(id).kind {
                 self.begin_words(strip, memory, address);
             }
