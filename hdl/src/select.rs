@@ -83,36 +83,33 @@ pub(crate) fn condition(signal: Signal, of: &str) -> crate::ir::NodeId {
     }
 }
 
-/// The operands as signals of one width, the first signal's; a problem if there are only literals.
+/// The operands as signals of one width: that of the first that has one, signals before constants; a problem if there
+/// are only integers.
 #[track_caller]
-fn sized(values: Vec<Value>, of: &str) -> Vec<Signal> {
+fn sized(mut values: Vec<Value>, of: &str) -> Vec<Signal> {
     let loc = Loc::caller();
-    let first = values.iter().find_map(|value| match value {
-        Value::Signal(signal) => Some(*signal),
-        Value::Literal(_) => None,
-    });
-    let Some(first) = first else {
-        return values
-            .into_iter()
-            .enumerate()
-            .map(|(i, value)| match value {
-                Value::Literal(Literal::Exact(bits)) => elaboration::with(|e| {
-                    let sound = sound_width(e, &[], "a constant", bits.width().into(), loc);
-                    Signal::make_in(e, Op::Const(bits.resize(sound)), sound, loc)
-                }),
-                Value::Literal(literal) if i == 0 => elaboration::with(|e| {
-                    let message = format!("`{of}` has only integers to choose from, which leaves its width open");
-                    e.report(Problem::new(loc, message).help(format!("give one a width, as in `lit(8, {literal})`")));
-                    Signal::make_in(e, Op::Const(Bits::zero(1)), 1, loc)
-                }),
-                _ => lit(1, 0),
-            })
-            .collect();
+    let is_signal = |value: &Value| matches!(value, Value::Signal(_));
+    let has_width = |value: &Value| matches!(value, Value::Literal(Literal::Exact(_)));
+    let first = values.iter().position(is_signal).or_else(|| values.iter().position(has_width)).unwrap_or(0);
+    let signal = match &values[first] {
+        Value::Signal(signal) => *signal,
+        Value::Literal(Literal::Exact(bits)) => elaboration::with(|e| {
+            let sound = sound_width(e, &[], "a constant", bits.width().into(), loc);
+            Signal::make_in(e, Op::Const(bits.resize(sound)), sound, loc)
+        }),
+        Value::Literal(literal) => {
+            elaboration::with(|e| {
+                let message = format!("`{of}` has only integers to choose from, which leaves its width open");
+                e.report(Problem::new(loc, message).help(format!("give one a width, as in `lit(8, {literal})`")));
+            });
+            return values.iter().map(|_| lit(1, 0)).collect();
+        }
     };
+    values[first] = Value::Signal(signal);
     // A loop, as a closure would be the caller that messages name.
     let mut signals = Vec::with_capacity(values.len());
     for value in values {
-        signals.push(value.with_width_of(first, of));
+        signals.push(value.with_width_of(signal, of));
     }
     signals
 }

@@ -93,23 +93,17 @@ fn is_device(path: &Path) -> bool {
 pub fn check_distinct(outputs: &[&Path], inputs: &[&Path]) -> Result<(), Failure> {
     let outputs: Vec<&Path> = outputs.iter().copied().filter(|path| !is_device(path)).collect();
     for (i, output) in outputs.iter().enumerate() {
-        let is_same = |other: &&&Path| real(other) == real(output);
-        let problem = if let Some(input) = inputs.iter().find(is_same) {
-            format!(
-                "{}: would be written over {}, which is read: name another output",
-                output.display(),
-                input.display()
-            )
-        } else if let Some(other) = outputs[..i].iter().find(is_same) {
-            format!(
-                "{}: would be written over {}, another output: name another file",
-                output.display(),
-                other.display()
-            )
-        } else {
-            continue;
+        let place = real(output);
+        let same = |others: &[&Path]| {
+            others.iter().find(|other| real(other) == place).map(|other| other.display().to_string())
         };
-        return Err(Failure::new(Exit::BadInput, problem));
+        let read = same(inputs).map(|input| format!("{input}, which is read: name another output"));
+        let clash =
+            read.or_else(|| same(&outputs[..i]).map(|other| format!("{other}, another output: name another file")));
+        if let Some(clash) = clash {
+            let problem = format!("{}: would be written over {clash}", output.display());
+            return Err(Failure::new(Exit::BadInput, problem));
+        }
     }
     Ok(())
 }

@@ -114,7 +114,7 @@ impl Shown {
 
     /// Marks all variables as changed.
     pub fn mark_all(&mut self) {
-        (0..self.variables.limbs.len()).for_each(|variable| self.variables.mark(variable));
+        self.variables.mark_all();
     }
 
     /// Visits the variables that have changed since the last visit, by number, with their limbs.
@@ -161,15 +161,18 @@ impl Variables {
         all
     }
 
-    fn mark(&mut self, variable: usize) {
-        self.changed[variable / 64] |= 1 << (variable % 64);
+    fn mark_all(&mut self) {
+        (0..self.limbs.len()).for_each(|variable| mark(&mut self.changed, variable));
     }
 
     fn mark_lane(&mut self, lane: usize) {
-        for &variable in &self.of_lane[lane] {
-            self.changed[variable as usize / 64] |= 1 << (variable % 64);
-        }
+        self.of_lane[lane].iter().for_each(|&variable| mark(&mut self.changed, variable as usize));
     }
+}
+
+/// Sets a bit.
+fn mark(bits: &mut [u64], index: usize) {
+    bits[index / 64] |= 1 << (index % 64);
 }
 
 /// What can change each value of a program.
