@@ -19,6 +19,9 @@ pub struct Passes {
     pub branch: bool,
     /// Choices between constants become tables, and shifted halves rotations.
     pub lookups: bool,
+    /// Bytes of a memory up to which lanes read it, each at its own address, in the loop that takes the words; larger
+    /// ones have a loop of their own.
+    pub near: usize,
     /// After how many edges without a change of the inputs that are up to 8 bits wide code is made for them.
     pub held_after: u64,
     /// From how many operations on a function is cut into several.
@@ -36,6 +39,7 @@ impl Default for Passes {
             postpone: true,
             branch: true,
             lookups: true,
+            near: 1 << 20,
             held_after: 50_000,
             longest: 2000,
         }
@@ -54,6 +58,7 @@ impl Passes {
             postpone: false,
             branch: false,
             lookups: false,
+            near: usize::MAX,
             held_after: u64::MAX,
             longest: usize::MAX,
         }

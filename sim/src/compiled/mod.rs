@@ -150,7 +150,10 @@ impl Compiled {
     /// Gives places to what a graph computes.
     fn prepare(&mut self, mut graph: Graph) -> Prepared {
         lower::lower(&mut graph, &self.layout.strips, &self.program.passes);
-        let mut plan = Plan::new(&graph, self.program.passes.postpone);
+        let near = self.program.passes.near;
+        let far: Vec<bool> =
+            self.memories.iter().map(|(at, _)| !at.words.together() && at.words.size > near).collect();
+        let mut plan = Plan::new(&graph, &far, self.program.passes.postpone);
         if self.program.passes.branch {
             branch::branch(&mut graph, &mut plan, &self.layout.strips);
         }

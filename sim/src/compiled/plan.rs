@@ -79,12 +79,13 @@ impl Role {
 }
 
 impl Plan {
-    /// Plans a function; `postpone` brings the work on an array together in one loop.
-    pub fn new(graph: &Graph, postpone: bool) -> Plan {
+    /// Plans a function; `postpone` brings the work on an array together in one loop. Memories that are `far` are read
+    /// in loops that do little else, so that many words are under way at a time.
+    pub fn new(graph: &Graph, far: &[bool], postpone: bool) -> Plan {
         let needed = graph.needed();
         let positions = vec![Position { stage: 0, place: 0 }; graph.cells.len()];
         let looked_at = looked_at(graph, &needed);
-        let mut planner = Planner { graph, positions, looked_at, kernels: BTreeMap::new() };
+        let mut planner = Planner { graph, far, positions, looked_at, kernels: BTreeMap::new() };
         let mut plan = Plan::default();
         for &id in &needed {
             planner.positions[id.index()] = Position { stage: planner.stage(id), place: planner.role(id).place() };
@@ -137,6 +138,8 @@ fn looked_at(graph: &Graph, needed: &[ValueId]) -> BTreeSet<ValueId> {
 
 struct Planner<'a> {
     graph: &'a Graph,
+    /// Per memory.
+    far: &'a [bool],
     positions: Vec<Position>,
     looked_at: BTreeSet<ValueId>,
     /// Per lane count: the stage of the kernel that does most of the work, if it can be said to be one.
@@ -165,7 +168,16 @@ impl Planner<'_> {
         let kind = &self.graph.cell(id).kind;
         (kind.is_elementwise() || matches!(kind, Kind::Read { .. } | Kind::Reduce { .. } | Kind::Alias(_)))
             && matches!(self.role(operand), Role::Kernel(_) | Role::Packed)
-            && !matches!(self.graph.cell(operand).kind, Kind::Reduce { .. })
+            && !self.is_apart(operand)
+    }
+
+    /// Whether nobody takes a value of lanes in the loop that computes it.
+    fn is_apart(&self, id: ValueId) -> bool {
+        match self.graph.cell(id).kind {
+            Kind::Reduce { .. } => true,
+            Kind::Read { memory, .. } => self.graph.cell(id).lanes > 1 && self.far[memory as usize],
+            _ => false,
+        }
     }
 
     /// The first stage in which all operands are there.
@@ -202,9 +214,8 @@ impl Planner<'_> {
         let end = self.kernels.values().copied().max().unwrap_or(0) + 1;
         let mut limits = vec![end; self.graph.cells.len()];
         for (position, sink) in sinks {
-            let is_sum = |id: ValueId| matches!(self.graph.cell(id).kind, Kind::Reduce { .. });
             let mut sums = false;
-            sink.for_each_operand(|operand| sums |= is_sum(operand));
+            sink.for_each_operand(|operand| sums |= matches!(self.graph.cell(operand).kind, Kind::Reduce { .. }));
             let before = match position.place {
                 0 => end,
                 _ if sums => end,
@@ -212,7 +223,7 @@ impl Planner<'_> {
             };
             sink.for_each_operand(|operand| {
                 let limit = &mut limits[operand.index()];
-                *limit = (*limit).min(before - usize::from(is_sum(operand)));
+                *limit = (*limit).min(before - usize::from(self.is_apart(operand)));
             });
         }
         for &id in needed.iter().rev() {
@@ -259,18 +270,29 @@ impl Planner<'_> {
         if lanes == 1 {
             return Position { stage: usize::MAX, place: 0 };
         }
+        let last = self.kernels.get(&lanes).copied().unwrap_or(0);
+        let stage = match *sink {
+            Sink::Write { memory, .. } => self.written(memory),
+            _ => self.taken(sink),
+        };
+        Position { stage: stage.max(last), place: lanes }
+    }
+
+    /// The first stage in which all that a sink takes is there.
+    fn taken(&self, sink: &Sink) -> usize {
         let mut stage = 0;
-        sink.for_each_operand(|operand| {
-            let by_lane = !matches!(self.graph.cell(operand).kind, Kind::Reduce { .. });
-            stage = stage.max(self.available(operand, by_lane));
-        });
-        if let Sink::Write { memory, .. } = sink {
-            let reads = (0..self.graph.cells.len() as u32).map(ValueId);
-            let reads = reads
-                .filter(|&id| matches!(self.graph.cell(id).kind, Kind::Read { memory: read, .. } if read == *memory));
-            stage = reads.fold(stage, |stage, read| stage.max(self.positions[read.index()].stage));
-        }
-        Position { stage: self.kernels.get(&lanes).map_or(stage, |&last| stage.max(last)), place: lanes }
+        sink.for_each_operand(|operand| stage = stage.max(self.available(operand, !self.is_apart(operand))));
+        stage
+    }
+
+    /// The first stage in which a memory has been read, and all its ports can write, one after the other.
+    fn written(&self, memory: u32) -> usize {
+        let cells = self.graph.cells.iter().zip(&self.positions);
+        let reads = cells.filter(|(cell, _)| matches!(cell.kind, Kind::Read { memory: read, .. } if read == memory));
+        let reads = reads.map(|(_, position)| position.stage);
+        let sinks = self.graph.sinks.iter();
+        let writes = sinks.filter(|sink| matches!(sink, Sink::Write { memory: written, .. } if *written == memory));
+        reads.chain(writes.map(|sink| self.taken(sink))).max().unwrap_or(0)
     }
 
     fn sinks(&mut self, plan: &mut Plan) {
@@ -301,8 +323,7 @@ impl Planner<'_> {
         for sink in &self.graph.sinks {
             let reader = self.sink_position(sink);
             sink.for_each_operand(|operand| {
-                let reduced = matches!(self.graph.cell(operand).kind, Kind::Reduce { .. });
-                need(operand, reader, !reduced);
+                need(operand, reader, !self.is_apart(operand));
             });
         }
         for sink in &self.graph.sinks {

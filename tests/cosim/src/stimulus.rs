@@ -59,9 +59,9 @@ pub fn run(design: &Design, stimulus: &Stimulus) -> Result<Recording, tilewright
     Ok(recording)
 }
 
-/// All passes but one, or none at all; and code for held inputs, and functions that are cut, early.
+/// All passes but one, or none at all; code for held inputs and functions that are cut early, no memory near.
 fn passes(seed: u64) -> Passes {
-    let mut passes = Passes { held_after: 3, longest: 20, ..Passes::default() };
+    let mut passes = Passes { held_after: 3, longest: 20, near: 0, ..Passes::default() };
     match seed % 9 {
         0 => passes = Passes::none(),
         1 => passes.siblings = false,
