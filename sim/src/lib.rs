@@ -134,6 +134,7 @@ mod limbs;
 mod lockstep;
 mod lookup;
 mod passes;
+mod peek;
 mod play;
 mod port;
 pub mod program;

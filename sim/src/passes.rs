@@ -19,6 +19,8 @@ pub struct Passes {
     pub branch: bool,
     /// Choices between constants become tables, and shifted halves rotations.
     pub lookups: bool,
+    /// Words of memories with the same ports stand side by side.
+    pub side_by_side: bool,
     /// Bytes of a memory up to which lanes read it, each at its own address, in the loop that takes the words; larger
     /// ones have a loop of their own.
     pub near: usize,
@@ -39,6 +41,7 @@ impl Default for Passes {
             postpone: true,
             branch: true,
             lookups: true,
+            side_by_side: true,
             near: 1 << 20,
             held_after: 50_000,
             longest: 2000,
@@ -58,6 +61,7 @@ impl Passes {
             postpone: false,
             branch: false,
             lookups: false,
+            side_by_side: false,
             near: usize::MAX,
             held_after: u64::MAX,
             longest: usize::MAX,

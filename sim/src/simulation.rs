@@ -5,12 +5,12 @@ use std::sync::Arc;
 
 use tilewright_hdl::{Bits, Block, Bundle, DEFAULT_PERIOD, Design, Period, elaborate_typed};
 
-use crate::engine::{Engine, EngineKind, Started};
+use crate::engine::{EngineKind, Started};
 use crate::error::{Error, UnknownName};
-use crate::lookup::{self, Found};
 use crate::passes::Passes;
+use crate::peek::lane;
 use crate::port::{IntoValue, Port};
-use crate::program::{self, Program, Triggers, ValueId};
+use crate::program::{self, Program, Triggers};
 use crate::timeline::Timeline;
 use crate::trace::Observer;
 
@@ -304,94 +304,6 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         }
         outputs
     }
-
-    /// The value of anything with a name, settled: a port, a register, a named net, the data of a synchronous memory
-    /// read, such as `u_cell[3].sum`.
-    ///
-    /// # Errors
-    ///
-    /// There is no such name; the error has the nearest one.
-    pub fn peek(&mut self, path: &str) -> Result<Bits, UnknownName> {
-        self.peek_run(path, 0)
-    }
-
-    pub(crate) fn peek_run(&mut self, path: &str, run: u32) -> Result<Bits, UnknownName> {
-        let Found { signal, lane } = lookup::signal(&self.program.hierarchy, path, run)?;
-        let value = signal.value;
-        Ok(self.lane(value, lane))
-    }
-
-    /// A word of a memory.
-    ///
-    /// # Errors
-    ///
-    /// There is no such memory.
-    ///
-    /// # Panics
-    ///
-    /// The address is beyond its depth.
-    #[track_caller]
-    pub fn peek_memory(&self, path: &str, address: u32) -> Result<Bits, UnknownName> {
-        self.peek_word(path, 0, address)
-    }
-
-    #[track_caller]
-    pub(crate) fn peek_word(&self, path: &str, run: u32, address: u32) -> Result<Bits, UnknownName> {
-        let (memory, lane) = self.memory(path, run, address)?;
-        Ok(Bits::from_limbs(self.program.memories[memory as usize].width, &self.engine.word(memory, lane, address)))
-    }
-
-    /// Replaces a word of a memory at once.
-    ///
-    /// # Errors
-    ///
-    /// There is no such memory.
-    ///
-    /// # Panics
-    ///
-    /// The address is beyond its depth, or the value does not fit.
-    #[track_caller]
-    pub fn poke_memory(&mut self, path: &str, address: u32, value: impl IntoValue) -> Result<(), UnknownName> {
-        self.poke_word(path, 0, address, value)
-    }
-
-    #[track_caller]
-    pub(crate) fn poke_word(
-        &mut self,
-        path: &str,
-        run: u32,
-        address: u32,
-        value: impl IntoValue,
-    ) -> Result<(), UnknownName> {
-        let (memory, lane) = self.memory(path, run, address)?;
-        match value.into_value(self.program.memories[memory as usize].width) {
-            Ok(bits) => {
-                self.engine.set_word(memory, lane, address, bits.limbs());
-                self.changed = Triggers::ALL;
-            }
-            Err(problem) => panic!("a word of `{path}` {problem}"),
-        }
-        Ok(())
-    }
-
-    #[track_caller]
-    fn memory(&self, path: &str, run: u32, address: u32) -> Result<(u32, u32), UnknownName> {
-        let (memory, lane) = lookup::memory(&self.program.hierarchy, path, run)?;
-        let depth = self.program.memories[memory as usize].depth;
-        assert!(address < depth, "address {address} of memory `{path}`, which has {depth} words");
-        Ok((memory, lane))
-    }
-
-    pub(crate) fn lane(&mut self, id: ValueId, index: u32) -> Bits {
-        lane(&self.program, &mut *self.engine, id, index)
-    }
-}
-
-/// One lane of a value, settled.
-fn lane(program: &Program, engine: &mut dyn Engine, id: ValueId, lane: u32) -> Bits {
-    let value = program.value(id);
-    let start = lane as usize * value.limbs();
-    Bits::from_limbs(value.width, &engine.read(id)[start..start + value.limbs()])
 }
 
 /// A block's design and ports.

@@ -4,7 +4,8 @@ use tilewright_hdl::Bits;
 
 use super::graph::Graph;
 use super::jit::Code;
-use super::{Compiled, Prepared, simplify};
+use super::prepare::Prepared;
+use super::{Compiled, simplify};
 use crate::program::{Kind, ValueId};
 use crate::start::State;
 

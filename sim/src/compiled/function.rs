@@ -15,6 +15,9 @@ use crate::program::{Kind, ValueId};
 /// A memory as code sees it.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct MemoryAt {
+    /// Its bank, by index, and its first byte there.
+    pub bank: usize,
+    pub first: usize,
     pub address: usize,
     pub words: Words,
     pub depth: u32,

@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 
 use tilewright_hdl::limbs_for;
 
-use crate::program::{Memory, Program};
+use crate::program::Program;
 
 /// Bytes in front of and behind an array of lanes that code may touch: the largest strip of the widest element.
 pub(super) const GUARD: usize = 128;
@@ -129,30 +129,46 @@ pub(super) struct Words {
     pub lane: usize,
     /// Bytes from an address to the next.
     pub address: usize,
-    /// Bytes of it all.
+    /// Bytes of it all, with what stands beside it.
     pub size: usize,
     /// Where code that has nothing to write may write, from the lane's first byte; only where lanes stand apart.
     pub nowhere: usize,
 }
 
 impl Words {
-    /// Every address that its width can express has a word, so that reads need no check: those beyond the depth stay
-    /// zero.
+    /// How the words of memories stand side by side: for each the first byte, and the others from there. They have as
+    /// many lanes, and `depth` words in each.
     ///
     /// Where all lanes have the same address, their words are side by side. Otherwise each lane's are together, and
     /// lanes are skewed by a cache line, as a power of two between them would put all into one cache set.
-    pub fn of(memory: &Memory, address_width: u32, together: bool, strips: &Strips) -> Words {
-        let depth = (memory.depth as usize).max(1 << address_width);
-        if together {
-            let word = strips.storage(memory.lanes, memory.width) as usize / 8;
-            let padded = memory.lanes.next_multiple_of(strips.strip(memory.lanes)) as usize;
-            let address = (padded * word).next_multiple_of(16);
-            return Words { word, lane: word, address, size: depth * address, nowhere: 0 };
+    pub fn side_by_side(
+        widths: &[u32],
+        lanes: u32,
+        depth: usize,
+        together: bool,
+        strips: &Strips,
+    ) -> Vec<(usize, Words)> {
+        let word = |width: u32| (if together { strips.storage(lanes, width) } else { element(width) }) as usize / 8;
+        let padded = lanes.next_multiple_of(strips.strip(lanes)) as usize;
+        let row = |width: u32| if together { (padded * word(width)).next_multiple_of(16) } else { word(width) };
+        // The largest first, so that all are aligned.
+        let mut order: Vec<usize> = (0..widths.len()).collect();
+        order.sort_by_key(|&i| std::cmp::Reverse(row(widths[i])));
+        let mut firsts = vec![0; widths.len()];
+        let mut used = 0;
+        for &i in &order {
+            firsts[i] = used;
+            used += row(widths[i]);
         }
-        let word = element(memory.width) as usize / 8;
-        let nowhere = (depth * word).next_multiple_of(LINE);
-        let lane = nowhere + word.next_multiple_of(LINE);
-        Words { word, lane, address: word, size: lane * memory.lanes as usize, nowhere }
+        let address = used.next_multiple_of(row(widths[order[0]]).min(8));
+        let nowhere = if together { 0 } else { (depth * address).next_multiple_of(LINE) };
+        let apart = nowhere + address.next_multiple_of(LINE);
+        let size = if together { depth * address } else { apart * lanes as usize };
+        let words = widths.iter().map(|&width| {
+            let word = word(width);
+            Words { word, lane: if together { word } else { apart }, address, size, nowhere }
+        });
+        firsts.into_iter().zip(words).collect()
     }
 
     /// The first byte of a word.
@@ -168,3 +184,32 @@ impl Words {
 
 /// Bytes of a line of the cache.
 const LINE: usize = 64;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn words_of_one_bank_are_aligned_and_apart() {
+        let strips = Strips::default();
+        for widths in [vec![8], vec![24, 24], vec![1, 100, 13], vec![13, 48, 8, 30], vec![65, 1, 1]] {
+            for (lanes, together) in [(1, false), (5, false), (5, true)] {
+                let together = together && widths.iter().all(|&width| width <= 64);
+                let words = Words::side_by_side(&widths, lanes, 7, together, &strips);
+                let mut used = vec![false; words[0].1.size];
+                for (first, words) in &words {
+                    for (lane, address) in (0..lanes).flat_map(|lane| (0..7).map(move |address| (lane, address))) {
+                        let at = first + words.at(lane, address);
+                        assert!(at.is_multiple_of(words.word.min(8)), "{widths:?} {lanes} {together}");
+                        assert!(used[at..at + words.word].iter().all(|used| !used), "{widths:?} {lanes} {together}");
+                        used[at..at + words.word].fill(true);
+                    }
+                    assert!(together || words.nowhere + words.word <= words.lane);
+                }
+            }
+        }
+        // Two of 24 bits in the 8 bytes of one address.
+        let [colour, depth] = Words::side_by_side(&[24, 24], 1, 16, false, &strips)[..] else { panic!("two memories") };
+        assert_eq!((colour.0, colour.1.address, depth.0, depth.1.address), (0, 8, 4, 8));
+    }
+}

@@ -4,6 +4,7 @@
 //! there is a function that goes through such an edge any number of times; for what a testbench looks at there are
 //! functions that compute it. All are made when they are first needed.
 
+mod bank;
 mod branch;
 mod edge;
 mod function;
@@ -15,6 +16,7 @@ mod layout;
 mod lower;
 mod memory;
 mod plan;
+mod prepare;
 mod scalar;
 mod sequence;
 mod simplify;
@@ -25,22 +27,19 @@ mod strip;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use cranelift_codegen::ir::{InstBuilder, MemFlagsData, Value, types};
-use cranelift_frontend::FunctionBuilder;
 use tilewright_hdl::limbs_for;
 
 use crate::engine::{Done, Engine, Failed};
 use crate::lockstep::Difference;
-use crate::program::{Kind, Program, Triggers, ValueId};
+use crate::program::{Program, Triggers, ValueId};
+use bank::Bank;
 use edge::Edge;
-use function::{Addresses, Emitter, MemoryAt};
+use function::MemoryAt;
 use graph::{Graph, Sink};
 pub use jit::Unsupported;
 pub(crate) use jit::unsupported;
 use jit::{Code, Jit};
 use layout::{Layout, Place, Strips};
-use plan::Plan;
-use sequence::Step;
 use store::Store;
 
 /// The state of a running circuit and the code that runs it.
@@ -52,7 +51,8 @@ pub(crate) struct Compiled {
     layout: Layout,
     /// Per value of the program: where it is, if it is state.
     places: Vec<Option<Place>>,
-    memories: Vec<(MemoryAt, Store)>,
+    memories: Vec<MemoryAt>,
+    banks: Vec<Bank>,
     /// Per clock: its reset is high.
     resets: Vec<bool>,
     edges: Vec<Edge>,
@@ -86,27 +86,6 @@ struct View {
     stale: bool,
 }
 
-/// A graph, and where its values are.
-struct Prepared {
-    graph: Graph,
-    plan: Plan,
-    /// The steps of each function that it takes.
-    pieces: Vec<Vec<Step>>,
-    addresses: Addresses,
-}
-
-impl Prepared {
-    fn emitter<'a, 'b, 'c>(
-        &'a self,
-        memories: &'a [MemoryAt],
-        strips: &'a Strips,
-        builder: &'c mut FunctionBuilder<'b>,
-        state: Value,
-    ) -> Emitter<'a, 'b, 'c> {
-        Emitter::new(&self.graph, &self.plan, &self.addresses, memories, strips, builder, state)
-    }
-}
-
 impl Compiled {
     /// The circuit at its start.
     ///
@@ -121,8 +100,7 @@ impl Compiled {
             places[id] = Some(layout.place(value.lanes, value.width));
         }
         let unchecked = layout.place(1, 1);
-        let memories = program.memories.iter().enumerate();
-        let memories = memories.map(|(index, memory)| start::memory(&program, index, memory, &layout.strips)).collect();
+        let (memories, banks) = bank::banks(&program, &layout.strips);
         let inputs = program.inputs.iter().map(|port| port.value);
         let inputs = inputs.filter(|&id| program.value(id).lanes == 1 && program.value(id).width <= HELD).collect();
         let mut engine = Compiled {
@@ -131,6 +109,7 @@ impl Compiled {
             layout,
             places,
             memories,
+            banks,
             resets: vec![false; program.clocks.len()],
             edges: Vec::new(),
             unchecked,
@@ -145,102 +124,6 @@ impl Compiled {
         };
         crate::start::start(&program, seeds, &mut engine);
         Ok(engine)
-    }
-
-    /// Gives places to what a graph computes.
-    fn prepare(&mut self, mut graph: Graph) -> Prepared {
-        lower::lower(&mut graph, &self.layout.strips, &self.program.passes);
-        let near = self.program.passes.near;
-        let far: Vec<bool> =
-            self.memories.iter().map(|(at, _)| !at.words.together() && at.words.size > near).collect();
-        let mut plan = Plan::new(&graph, &far, self.program.passes.postpone);
-        if self.program.passes.branch {
-            branch::branch(&mut graph, &mut plan, &self.layout.strips);
-        }
-        let pieces = sequence::sequence(&mut graph, &mut plan, self.program.passes.longest);
-        let addresses = Addresses::new(&graph, &plan, &self.places, &mut self.layout);
-        self.state.grow(self.layout.size);
-        for &table in &addresses.tables {
-            self.fill(&graph, table, addresses.places[table.index()].expect("a table has a place"));
-        }
-        Prepared { graph, plan, pieces, addresses }
-    }
-
-    /// Makes a function that does what these graphs say, one after the other, so many times; it ends where something
-    /// does not hold, and says how many times are left.
-    fn compile(&mut self, parts: &[Prepared]) -> Code {
-        let memories: Vec<MemoryAt> = self.memories.iter().map(|(at, _)| *at).collect();
-        let (strips, unchecked) = (&self.layout.strips, self.unchecked);
-        let jit = &mut self.jit;
-        let pieces = parts.iter().map(|part| match part.pieces.as_slice() {
-            [_] => Vec::new(),
-            pieces => {
-                let last = pieces.len() - 1;
-                let piece = |(index, steps): (usize, &Vec<Step>)| {
-                    jit.function(|builder, state, _| {
-                        let mut emitter = part.emitter(&memories, strips, builder, state);
-                        emitter.steps(steps);
-                        let held = if index == last { emitter.end() } else { None };
-                        let held = match held {
-                            Some(held) => builder.ins().uextend(types::I64, held),
-                            None => builder.ins().iconst(types::I64, 1),
-                        };
-                        builder.ins().return_(&[held]);
-                    })
-                };
-                pieces.iter().enumerate().map(piece).collect()
-            }
-        });
-        let pieces: Vec<Vec<Code>> = pieces.collect();
-        self.jit.function(|builder, state, count| {
-            let body = builder.create_block();
-            let done = builder.create_block();
-            builder.append_block_param(body, types::I64);
-            builder.append_block_param(done, types::I64);
-            builder.ins().jump(body, &[count.into()]);
-            builder.switch_to_block(body);
-            let left = builder.block_params(body)[0];
-            for (part, pieces) in parts.iter().zip(&pieces) {
-                let held = match pieces.as_slice() {
-                    [] => {
-                        let mut emitter = part.emitter(&memories, strips, builder, state);
-                        emitter.steps(&part.pieces[0]);
-                        emitter.end()
-                    }
-                    pieces => {
-                        let results = pieces.iter().map(|code| code.emit_call(builder, state, left));
-                        let last = results.last().expect("there are pieces");
-                        let holds = part.graph.sinks.iter().any(|sink| matches!(sink, Sink::Hold(_)));
-                        holds.then(|| builder.ins().ireduce(types::I8, last))
-                    }
-                };
-                if let Some(held) = held {
-                    let at = function::offset(unchecked.offset);
-                    let unchecked = builder.ins().load(types::I8, MemFlagsData::trusted(), state, at);
-                    let held = builder.ins().bor(held, unchecked);
-                    let next = builder.create_block();
-                    builder.ins().brif(held, next, &[], done, &[left.into()]);
-                    builder.switch_to_block(next);
-                }
-            }
-            let left = builder.ins().iadd_imm_s(left, -1);
-            builder.ins().brif(left, body, &[left.into()], done, &[left.into()]);
-            builder.switch_to_block(done);
-            let left = builder.block_params(done)[0];
-            builder.ins().return_(&[left]);
-        })
-    }
-
-    /// Writes an array of constants into the memory.
-    fn fill(&mut self, graph: &Graph, table: ValueId, place: Place) {
-        let Kind::PerLane(parts) = &graph.cell(table).kind else { unreachable!("a table is made of parts") };
-        let limbs: Vec<u64> = (0..place.lanes as usize)
-            .flat_map(|lane| match &graph.cell(parts[lane % parts.len()]).kind {
-                Kind::Const(bits) => bits.limbs().to_vec(),
-                _ => unreachable!("a table is made of constants"),
-            })
-            .collect();
-        self.state.put(place, &limbs);
     }
 
     /// Whether all assertions hold at an edge of these clocks.
@@ -338,15 +221,15 @@ impl Engine for Compiled {
     }
 
     fn word(&self, memory: u32, lane: u32, address: u32) -> Vec<u64> {
-        let (at, store) = &self.memories[memory as usize];
+        let at = self.memories[memory as usize];
         let mut limbs = vec![0; limbs_for(at.width)];
-        store.get_word(at.words.at(lane, address), at.words.word, at.width, &mut limbs);
+        self.banks[at.bank].get_word(at.first + at.words.at(lane, address), at.words.word, at.width, &mut limbs);
         limbs
     }
 
     fn set_word(&mut self, memory: u32, lane: u32, address: u32, limbs: &[u64]) {
-        let (at, store) = &mut self.memories[memory as usize];
-        store.put_word(at.words.at(lane, address), at.words.word, at.width, limbs);
+        let at = self.memories[memory as usize];
+        self.banks[at.bank].put_word(at.first + at.words.at(lane, address), at.words.word, at.width, limbs);
         self.changed(Triggers::ALL);
     }
 

@@ -251,6 +251,8 @@ pub struct Memory {
     pub writes: Vec<Write>,
     /// The writes are on the other clock than the reads.
     pub crossing: bool,
+    /// There is another memory of this width with the same ports.
+    pub twin: Option<u32>,
 }
 
 /// A memory's contents at the start.

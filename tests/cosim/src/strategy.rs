@@ -204,16 +204,17 @@ fn memory() -> impl Strategy<Value = Memory> {
     let write = || (control(), picks()).prop_map(|(enable, [address, data])| Write { enable, address, data });
     let ports = (vec(read, 1..3), prop_oneof![1 => vec(write(), 0), 4 => vec(write(), 1), 2 => vec(write(), 2)]);
     let depth = prop_oneof![2 => 1..9u32, 2 => 9..40u32, 1 => select(vec![2, 4, 8, 16, 32])];
-    let width = prop_oneof![2 => width(), 1 => select(vec![1, 8, 16, 32, 48, 64, 65, 100])];
+    let width = || prop_oneof![2 => width(), 1 => select(vec![1, 8, 16, 32, 48, 64, 65, 100])];
+    let widths = (width(), weighted(0.25, width()));
     // One in three has the same address in all lanes, if the first value is the same there.
     let options = (weighted(0.3, Just(())), weighted(0.35, Just(Pick(0))));
-    (depth, width, policy, contents, ports, options).prop_map(
-        |(depth, width, policy, contents, (mut reads, mut writes), (crossing, common))| {
+    (depth, widths, policy, contents, ports, options).prop_map(
+        |(depth, (width, twin), policy, contents, (mut reads, mut writes), (crossing, common))| {
             if let Some(common) = common {
                 reads.iter_mut().for_each(|read| read.address = common);
                 writes.iter_mut().for_each(|write| write.address = common);
             }
-            Memory { depth, width, policy, contents, reads, writes, crossing: crossing.is_some() }
+            Memory { depth, width, policy, contents, reads, writes, crossing: crossing.is_some(), twin }
         },
     )
 }

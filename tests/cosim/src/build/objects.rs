@@ -69,43 +69,51 @@ impl Builder<'_> {
     pub fn memory(&mut self, d: usize, number: usize, memory: &Memory) {
         let crossing = memory.crossing && self.block.second().is_some();
         let policy = if crossing { ReadUnderWrite::Old } else { memory.policy };
-        // A memory handle goes from the own clock to the second one, not back.
-        let mut mem =
-            self.on(if crossing { 0 } else { d }).memory(&format!("m{number}"), memory.depth, memory.width, policy);
-        if memory.writes.len() > 1 {
-            mem = mem.true_dual_port();
-        }
-        mem = match &memory.contents {
-            Contents::Unknown => mem,
-            Contents::Fill(word) => mem.fill(word.bits(memory.width)),
-            Contents::Words(words) => {
-                mem.words(words.iter().take(memory.depth as usize).map(|word| word.bits(memory.width)))
-            }
-        };
-        let second = self.block.second().filter(|_| crossing);
-        let seen_from = |domain| second.filter(|_| domain == 1).map_or(mem, |clock| mem.on(clock));
         let writer = if crossing { 1 - d } else { d };
-        let (reading, writing) = (seen_from(d), seen_from(writer));
-        let ports = memory.writes.iter().map(|port| {
-            (self.pick_fit(writer, port.enable, 1), self.pick_fit(writer, port.address, mem.address_width()))
-        });
-        let ports: Vec<_> = ports.collect();
-        for read in &memory.reads {
-            let address = self.pick_fit(d, read.address, mem.address_width());
+        let address_width = index_width(memory.depth.into());
+        let writes = memory
+            .writes
+            .iter()
+            .map(|port| (self.pick_fit(writer, port.enable, 1), self.pick_fit(writer, port.address, address_width)));
+        let writes: Vec<_> = writes.collect();
+        let reads = memory.reads.iter().map(|read| {
+            let address = self.pick_fit(d, read.address, address_width);
             let mut enable = read.enable.map(|pick| self.pick_fit(d, pick, 1));
             if policy == ReadUnderWrite::Any {
-                let quiet = ports.iter().map(|(writes, _)| !*writes);
+                let quiet = writes.iter().map(|(writes, _)| !*writes);
                 enable = quiet.chain(enable).reduce(|a, b| a & b);
             }
-            let data = match enable {
-                _ if read.asynchronous && !crossing => reading.read_async(address),
-                Some(enable) => reading.read_when(enable, address),
-                None => reading.read(address),
+            (read.asynchronous && !crossing, enable, address)
+        });
+        let reads: Vec<_> = reads.collect();
+        let twin = memory.twin.map(|width| (format!("m{number}_twin"), width));
+        for (name, width) in [(format!("m{number}"), memory.width)].into_iter().chain(twin) {
+            // A memory handle goes from the own clock to the second one, not back.
+            let mut mem = self.on(if crossing { 0 } else { d }).memory(&name, memory.depth, width, policy);
+            if writes.len() > 1 {
+                mem = mem.true_dual_port();
+            }
+            mem = match &memory.contents {
+                Contents::Unknown => mem,
+                Contents::Fill(word) => mem.fill(word.bits(width)),
+                Contents::Words(words) => {
+                    mem.words(words.iter().take(memory.depth as usize).map(|word| word.bits(width)))
+                }
             };
-            self.push(d, data);
-        }
-        for (port, (enable, address)) in memory.writes.iter().zip(ports) {
-            self.late.push((writer, Late::Write { memory: writing, enable, address, data: port.data }));
+            let second = self.block.second().filter(|_| crossing);
+            let seen_from = |domain| second.filter(|_| domain == 1).map_or(mem, |clock| mem.on(clock));
+            let (reading, writing) = (seen_from(d), seen_from(writer));
+            for &(asynchronous, enable, address) in &reads {
+                let data = match enable {
+                    _ if asynchronous => reading.read_async(address),
+                    Some(enable) => reading.read_when(enable, address),
+                    None => reading.read(address),
+                };
+                self.push(d, data);
+            }
+            for (port, &(enable, address)) in memory.writes.iter().zip(&writes) {
+                self.late.push((writer, Late::Write { memory: writing, enable, address, data: port.data }));
+            }
         }
     }
 

@@ -1,37 +1,35 @@
-//! Chains of random operations against [`crate::lane::evaluate`].
+//! Chains of random operations, and what they are to give.
 
-use cranelift_codegen::ir::{InstBuilder, MemFlagsData, types};
+use cranelift_codegen::ir::{InstBuilder, Value, types};
 use tilewright_hdl::Bits;
-use tilewright_hdl::ir::{Binary, Reduction, Relation, Shift, Unary};
+use tilewright_hdl::ir::{Binary, Relation, Shift, Unary};
 
-use super::emit::low_mask;
-use super::memory::Span;
-use super::*;
+use super::super::Lanes;
+use super::super::emit::low_mask;
+use super::super::memory::Span;
 use crate::compiled::jit::Jit;
 use crate::lane::{Number, evaluate};
+use crate::program::{Kind, ValueId};
 
-/// How many chains are tried with each strip, twice: always the same and others.
-const CHAINS: u64 = 50;
-
-struct Random(u64);
+pub struct Random(pub u64);
 
 impl Random {
-    fn next(&mut self) -> u64 {
+    pub fn next(&mut self) -> u64 {
         self.0 ^= self.0 << 13;
         self.0 ^= self.0 >> 7;
         self.0 ^= self.0 << 17;
         self.0.wrapping_mul(0x2545_f491_4f6c_dd1d)
     }
 
-    fn below(&mut self, limit: usize) -> usize {
+    pub fn below(&mut self, limit: usize) -> usize {
         (self.next() >> 33) as usize % limit
     }
 
-    fn pick<T: Copy>(&mut self, of: &[T]) -> T {
+    pub fn pick<T: Copy>(&mut self, of: &[T]) -> T {
         of[self.below(of.len())]
     }
 
-    fn width(&mut self) -> u32 {
+    pub fn width(&mut self) -> u32 {
         match self.below(4) {
             0 => 1,
             1 => self.pick(&[2, 3, 7, 8, 9, 15, 16, 17, 24, 31, 32, 33, 63, 64]),
@@ -40,7 +38,7 @@ impl Random {
         }
     }
 
-    fn number(&mut self, width: u32) -> u64 {
+    pub fn number(&mut self, width: u32) -> u64 {
         let number = match self.below(8) {
             0 => 0,
             1 => 1,
@@ -63,48 +61,48 @@ struct Node {
     at: usize,
 }
 
-struct Chain {
+pub struct Chain {
     seed: u64,
-    random: Random,
+    pub random: Random,
     strip: u32,
     nodes: Vec<Node>,
     size: usize,
 }
 
 impl Chain {
-    fn id(index: usize) -> ValueId {
+    pub fn id(index: usize) -> ValueId {
         ValueId(index as u32)
     }
 
-    fn add(&mut self, kind: Kind, width: u32, lanes: Vec<u64>, uniform: bool) -> ValueId {
+    pub fn add(&mut self, kind: Kind, width: u32, lanes: Vec<u64>, uniform: bool) -> ValueId {
         let at = self.size;
         self.size += 128 + 16 + 8 * (self.nodes.len() % 3 / 2);
         self.nodes.push(Node { width, kind, lanes, uniform, at });
         Self::id(self.nodes.len() - 1)
     }
 
-    fn input(&mut self, width: u32) -> ValueId {
+    pub fn input(&mut self, width: u32) -> ValueId {
         let lanes = (0..self.strip).map(|_| self.random.number(width)).collect();
         self.add(Kind::State, width, lanes, false)
     }
 
-    fn uniform(&mut self, width: u32) -> ValueId {
+    pub fn uniform(&mut self, width: u32) -> ValueId {
         let lanes = vec![self.random.number(width); self.strip as usize];
         self.add(Kind::State, width, lanes, true)
     }
 
-    fn constant(&mut self, width: u32) -> ValueId {
+    pub fn constant(&mut self, width: u32) -> ValueId {
         let number = self.random.number(width);
         self.add(Kind::Const(Bits::new(width, number)), width, vec![number; self.strip as usize], false)
     }
 
-    fn any(&mut self) -> ValueId {
+    pub fn any(&mut self) -> ValueId {
         let recent = self.nodes.len().min(60);
         Self::id(self.nodes.len() - 1 - self.random.below(recent))
     }
 
     /// Of this width, if possible one that there is.
-    fn of(&mut self, width: u32) -> ValueId {
+    pub fn of(&mut self, width: u32) -> ValueId {
         let there: Vec<usize> = (0..self.nodes.len()).filter(|&i| self.nodes[i].width == width).collect();
         match self.random.below(10) {
             0 => self.constant(width),
@@ -118,11 +116,11 @@ impl Chain {
         }
     }
 
-    fn width_of(&self, id: ValueId) -> u32 {
+    pub fn width_of(&self, id: ValueId) -> u32 {
         self.nodes[id.index()].width
     }
 
-    fn some(&mut self) -> ValueId {
+    pub fn some(&mut self) -> ValueId {
         if self.random.below(3) == 0 {
             let width = self.random.width();
             return self.of(width);
@@ -130,7 +128,7 @@ impl Chain {
         self.any()
     }
 
-    fn operation(&mut self) {
+    pub fn operation(&mut self) {
         let a = self.some();
         let w = self.width_of(a);
         let (kind, width) = match self.random.below(17) {
@@ -217,7 +215,7 @@ impl Chain {
         self.add(kind, width, lanes, false);
     }
 
-    fn expected(&self, kind: &Kind, width: u32, lane: usize) -> u64 {
+    pub fn expected(&self, kind: &Kind, width: u32, lane: usize) -> u64 {
         if let Kind::Alias(of) = kind {
             return self.nodes[of.index()].lanes[lane];
         }
@@ -230,18 +228,18 @@ impl Chain {
     }
 
     /// The element that a node is stored with: any that holds it.
-    fn storage(&self, index: usize) -> u32 {
+    pub fn storage(&self, index: usize) -> u32 {
         let least = self.nodes[index].width.next_power_of_two().max(8);
         [8, 16, 32, 64].into_iter().filter(|&element| element >= least).cycle().nth(index * 7 % 5).expect("one")
     }
 
-    fn bytes(&self, index: usize) -> Vec<u8> {
+    pub fn bytes(&self, index: usize) -> Vec<u8> {
         let (node, storage) = (&self.nodes[index], self.storage(index));
         let stored = |&lane: &u64| if node.width == 1 { lane.wrapping_neg() } else { lane };
         node.lanes.iter().flat_map(|lane| stored(lane).to_le_bytes().into_iter().take(storage as usize / 8)).collect()
     }
 
-    fn strip_of(&self, index: usize, address: Value) -> Span {
+    pub fn strip_of(&self, index: usize, address: Value) -> Span {
         let at = self.nodes[index].at;
         Span { storage: self.storage(index), address, offset: at as i32, aligned: at.is_multiple_of(16) }
     }
@@ -249,7 +247,7 @@ impl Chain {
     /// Runs the chain on memory and compares all that is stored; at the end if `late`, as what is stored is clean
     /// thereafter.
     #[allow(unsafe_code, reason = "calls generated code")]
-    fn check(&self, late: bool) {
+    pub fn check(&self, late: bool) {
         let mut jit = Jit::new().unwrap();
         let code = jit.function(|b, state, _| {
             let mut lanes = Lanes::new(self.strip);
@@ -310,18 +308,19 @@ impl Chain {
 struct Aligned(Vec<u8>, usize);
 
 impl Aligned {
-    fn new(size: usize) -> Aligned {
+    pub fn new(size: usize) -> Aligned {
         let memory = vec![0u8; size + 32];
         let skipped = memory.as_ptr().align_offset(32);
         Aligned(memory, skipped)
     }
 
-    fn bytes(&mut self) -> &mut [u8] {
+    pub fn bytes(&mut self) -> &mut [u8] {
         &mut self.0[self.1..]
     }
 }
 
-fn chain(strip: u32, seed: u64) -> Chain {
+/// A chain with some inputs.
+pub fn chain(strip: u32, seed: u64) -> Chain {
     let random = Random(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1);
     let mut chain = Chain { seed, random, strip, nodes: Vec::new(), size: 0 };
     for _ in 0..8 {
@@ -329,161 +328,4 @@ fn chain(strip: u32, seed: u64) -> Chain {
         chain.input(width);
     }
     chain
-}
-
-#[test]
-fn chains_of_operations_are_as_lane_by_lane() {
-    // Other chains in every run, as each takes long; the first always, so that every kind of operation is tried.
-    let now = std::time::UNIX_EPOCH.elapsed().map_or(0, |time| time.as_nanos() as u64 >> 10);
-    let seeds = (1000..1000 + CHAINS).chain(now..now + CHAINS);
-    for strip in [4, 8, 16] {
-        for seed in seeds.clone() {
-            let mut chain = chain(strip, seed.wrapping_mul(3) + u64::from(strip));
-            (0..160).for_each(|_| chain.operation());
-            chain.check(seed % 3 > 0);
-        }
-    }
-}
-
-#[test]
-fn shifts_by_all_amounts_are_as_lane_by_lane() {
-    for strip in [4, 8, 16] {
-        let mut chain = chain(strip, 5);
-        for width in [2, 5, 8, 13, 16, 24, 25, 32, 40, 64] {
-            for amount in [1, 2, 3, 4, 5, 6, 7, 8, 12, 32, 64] {
-                let a = chain.input(width);
-                let lanes =
-                    (0..strip).map(|_| (chain.random.next() % (u64::from(width) + 3)) & low_mask(amount)).collect();
-                let by = chain.add(Kind::State, amount, lanes, false);
-                let scalar = (chain.random.next() % (u64::from(width) + 3)) & low_mask(amount);
-                let uniform = chain.add(Kind::State, amount, vec![scalar; strip as usize], true);
-                let known =
-                    chain.add(Kind::Const(Bits::new(amount, scalar)), amount, vec![scalar; strip as usize], false);
-                for op in [Shift::Left, Shift::Right, Shift::RightSigned] {
-                    for by in [by, uniform, known] {
-                        let kind = Kind::Shift(op, a, by);
-                        let lanes = (0..strip as usize).map(|lane| chain.expected(&kind, width, lane)).collect();
-                        chain.add(kind, width, lanes, false);
-                    }
-                }
-            }
-        }
-        chain.check(true);
-        chain.check(false);
-    }
-}
-
-/// Calls code that leaves numbers in memory.
-#[allow(unsafe_code, reason = "calls generated code")]
-fn run(memory: &mut [u64], body: impl FnOnce(&mut FunctionBuilder, Value)) {
-    let mut jit = Jit::new().unwrap();
-    let code = jit.function(|b, state, _| {
-        body(b, state);
-        let zero = b.ins().iconst(types::I64, 0);
-        b.ins().return_(&[zero]);
-    });
-    // SAFETY: the tests' code stays within the memory.
-    unsafe { code.call(memory.as_mut_ptr().cast(), 0) };
-}
-
-#[test]
-fn lanes_are_gathered_extracted_and_combined() {
-    let mut random = Random(77);
-    for strip in [4, 8, 16] {
-        for width in [1, 3, 8, 12, 16, 23, 32, 47, 64] {
-            for by in [Reduction::And, Reduction::Or, Reduction::Xor, Reduction::Add] {
-                let n = strip as usize;
-                let numbers: Vec<u64> = (0..2 * n)
-                    .map(|_| match by {
-                        Reduction::And => random.number(width) | random.number(width) | random.number(width),
-                        _ => random.number(width),
-                    })
-                    .collect();
-                let mut memory = numbers.clone();
-                memory.resize(4 * n + 3, 0);
-                run(&mut memory, |b, state| {
-                    let mut lanes = Lanes::new(strip);
-                    let flags = MemFlagsData::trusted();
-                    let (x, y, not) = (ValueId(0), ValueId(1), ValueId(2));
-                    let scalars: Vec<Value> =
-                        (0..2 * n).map(|i| b.ins().load(types::I64, flags, state, 8 * i as i32)).collect();
-                    lanes.gather(b, x, width, &scalars[..n]);
-                    lanes.gather(b, y, width, &scalars[n..]);
-                    // Dirt, and back.
-                    lanes.evaluate(b, not, &Kind::Unary(Unary::Not, x), width);
-                    for lane in 0..n {
-                        let [x, not] = [x, not].map(|id| lanes.extract(b, id, lane as u32));
-                        b.ins().store(flags, x, state, 8 * (2 * n + lane) as i32);
-                        b.ins().store(flags, not, state, 8 * (3 * n + lane) as i32);
-                    }
-                    let [x, y] = [x, y].map(|id| lanes.carried(b, id));
-                    let start = lanes.neutral(b, by, width);
-                    let all = lanes.combine(b, by, &start, &x);
-                    let all = lanes.combine(b, by, &all, &y);
-                    let all = lanes.reduce(b, by, &all);
-                    b.ins().store(flags, all, state, 32 * n as i32);
-                    if width == 1 {
-                        for (i, id) in [ValueId(0), not].into_iter().enumerate() {
-                            let any = lanes.any(b, id);
-                            let any = b.ins().uextend(types::I64, any);
-                            b.ins().store(flags, any, state, (32 * n + 8 * (i + 1)) as i32);
-                        }
-                    }
-                });
-                let what = format!("{by:?} of {strip} lanes of {width} bits: {numbers:x?}");
-                assert_eq!(memory[2 * n..3 * n], numbers[..n], "{what}");
-                let inverted: Vec<u64> = numbers[..n].iter().map(|number| !number & low_mask(width)).collect();
-                assert_eq!(memory[3 * n..4 * n], inverted, "{what}");
-                let combined = numbers.iter().copied().reduce(|x, y| match by {
-                    Reduction::And => x & y,
-                    Reduction::Or => x | y,
-                    Reduction::Xor => x ^ y,
-                    Reduction::Add => x.wrapping_add(y),
-                });
-                assert_eq!(memory[4 * n], combined.unwrap() & low_mask(width), "{what}");
-                if width == 1 {
-                    assert_eq!(memory[4 * n + 1], u64::from(numbers[..n].contains(&1)), "{what}");
-                    assert_eq!(memory[4 * n + 2], u64::from(numbers[..n].contains(&0)), "{what}");
-                }
-            }
-        }
-    }
-}
-
-#[test]
-fn old_lanes_remain_where_a_mask_is_zero() {
-    for strip in [4u32, 8, 16] {
-        for (width, storage) in [(1, 8), (1, 64), (5, 8), (12, 16), (16, 64), (30, 32), (50, 64)] {
-            let mut random = Random(u64::from(width * storage));
-            let lanes: Vec<[u64; 3]> =
-                (0..strip).map(|_| [random.next() & 1, random.number(width), random.number(width)]).collect();
-            let mut memory = vec![0; 3 * 16 + 16];
-            (0..strip as usize).for_each(|i| (0..3).for_each(|j| memory[16 * j + i] = lanes[i][j]));
-            run(&mut memory, |b, state| {
-                let mut strips = Lanes::new(strip);
-                for (j, width) in [1, width, width].into_iter().enumerate() {
-                    let numbers: Vec<Value> = (0..strip as i32)
-                        .map(|i| b.ins().load(types::I64, MemFlagsData::trusted(), state, 128 * j as i32 + 8 * i))
-                        .collect();
-                    strips.gather(b, ValueId(j as u32), width, &numbers);
-                }
-                let to = Span { storage, address: state, offset: 384, aligned: false };
-                strips.store_where(b, ValueId(0), ValueId(1), ValueId(2), to);
-                // What is forgotten is made again.
-                let mark = strips.mark();
-                let masks = strips.mask(b, ValueId(0), 64);
-                assert_eq!(masks.len(), strip as usize / 2);
-                strips.evaluate(b, ValueId(9), &Kind::Unary(Unary::Not, ValueId(0)), 1);
-                strips.forget(mark);
-                assert!(!strips.has(ValueId(9)));
-            });
-            let bytes: Vec<u8> = memory[48..].iter().flat_map(|word| word.to_le_bytes()).collect();
-            for (i, [select, new, old]) in lanes.iter().enumerate() {
-                let want = if *select == 1 { *new } else { *old };
-                let want = if width == 1 { want.wrapping_neg() } else { want };
-                let size = storage as usize / 8;
-                assert_eq!(bytes[i * size..][..size], want.to_le_bytes()[..size], "{strip} {width} {storage}");
-            }
-        }
-    }
 }

@@ -1,0 +1,127 @@
+//! Where the words of memories stand: those of memories with the same ports side by side, so that who reads or writes
+//! them all does so in one line of the cache.
+
+use std::collections::BTreeMap;
+
+use super::function::MemoryAt;
+use super::layout::{Strips, Words};
+use super::store::Store;
+use crate::program::{Kind, Memory, Program, ValueId};
+
+/// Memories that stand side by side.
+pub(super) type Bank = Store;
+
+/// What memories that stand side by side have in common.
+#[derive(Debug, PartialEq, Eq, PartialOrd, Ord)]
+struct Ports {
+    lanes: u32,
+    depth: u32,
+    /// Clock, enable and address.
+    writes: Vec<(u32, ValueId, ValueId)>,
+    /// Addresses, in order.
+    reads: Vec<ValueId>,
+    /// Which memory, if it stands alone.
+    alone: Option<usize>,
+}
+
+/// Where the memories of a program stand, and their banks, full of zeros.
+pub(super) fn banks(program: &Program, strips: &Strips) -> (Vec<MemoryAt>, Vec<Bank>) {
+    let mut groups: BTreeMap<Ports, Vec<usize>> = BTreeMap::new();
+    for (index, memory) in program.memories.iter().enumerate() {
+        groups.entry(ports(program, index, memory)).or_default().push(index);
+    }
+    let mut all = vec![None; program.memories.len()];
+    let mut banks = Vec::new();
+    for (ports, group) in groups {
+        let widths: Vec<u32> = group.iter().map(|&index| program.memories[index].width).collect();
+        let addresses = || ports.reads.iter().copied().chain(ports.writes.iter().map(|(.., address)| *address));
+        let bits = addresses().map(|id| program.value(id).width).max().unwrap_or(1);
+        let together =
+            ports.lanes > 1 && widths.iter().all(|&width| width <= 64) && addresses().all(|id| is_common(program, id));
+        // Every address that its width can express has a word, so that reads need no check: those beyond the depth
+        // stay zero.
+        let depth = (ports.depth as usize).max(1 << bits);
+        let places = Words::side_by_side(&widths, ports.lanes, depth, together, strips);
+        let bank = Bank::new(places[0].1.size);
+        let is_full = ports.depth as usize >= 1 << bits;
+        for ((&index, &width), &(first, words)) in group.iter().zip(&widths).zip(&places) {
+            let address = bank.address() as usize + first;
+            all[index] =
+                Some(MemoryAt { bank: banks.len(), first, address, words, depth: ports.depth, width, is_full });
+        }
+        banks.push(bank);
+    }
+    (all.into_iter().map(|at| at.expect("every memory is in a group")).collect(), banks)
+}
+
+fn ports(program: &Program, index: usize, memory: &Memory) -> Ports {
+    let asynchronous = program.operations.iter().filter_map(|operation| match operation.kind {
+        Kind::Read { memory, address } if memory as usize == index => Some(address),
+        _ => None,
+    });
+    let mut reads: Vec<ValueId> = memory.reads.iter().map(|read| read.address).chain(asynchronous).collect();
+    reads.sort();
+    reads.dedup();
+    let writes: Vec<_> = memory.writes.iter().map(|port| (port.clock, port.enable, port.address)).collect();
+    let alone = (!program.passes.side_by_side || writes.is_empty()).then_some(index);
+    Ports { lanes: memory.lanes, depth: memory.depth, writes, reads, alone }
+}
+
+/// Whether a value is the same in all lanes, and can be taken from one.
+fn is_common(program: &Program, id: ValueId) -> bool {
+    program.operations.iter().any(|operation| {
+        let is_broadcast = matches!(operation.kind, Kind::Broadcast(of, _) if program.value(of).lanes == 1);
+        operation.result == id && is_broadcast
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use tilewright_hdl::{Block, Module, ReadUnderWrite, Width, bits, bundle, elaborate};
+
+    use super::*;
+    use crate::passes::Passes;
+    use crate::program::compile;
+
+    bundle! {
+        struct In<T> { address: T, enable: T, word: T }
+        struct Out<T> { c: T, d: T, o: T }
+    }
+
+    /// Two memories with the same ports, and one that is written at another address.
+    #[derive(Debug)]
+    struct Memories;
+
+    impl Block for Memories {
+        type In = In;
+        type Out = Out;
+
+        fn inputs(&self) -> In<Width> {
+            In { address: bits(4), enable: bits(1), word: bits(24) }
+        }
+
+        fn build(&self, m: Module, i: In) -> Out {
+            let [colour, depth, other] =
+                ["colour", "depth", "other"].map(|name| m.memory(name, 16, 24, ReadUnderWrite::Old));
+            colour.write(i.enable, i.address, i.word);
+            depth.write(i.enable, i.address, !i.word);
+            other.write(i.enable, !i.address, i.word);
+            Out { c: colour.read(i.address), d: depth.read(i.address), o: other.read(i.address) }
+        }
+    }
+
+    #[test]
+    fn memories_with_the_same_ports_share_a_bank() {
+        let design = elaborate(&Memories).unwrap();
+        let banked = |passes: &Passes| {
+            let program = compile(&design, passes).unwrap();
+            let (memories, banks) = banks(&program, &Strips::of(&program));
+            (memories.iter().map(|at| (at.bank, at.first)).collect::<Vec<_>>(), banks.len())
+        };
+        let (places, count) = banked(&Passes::default());
+        assert_eq!(count, 2);
+        assert_eq!((places[0].0, places[0].1, places[1].1), (places[1].0, 0, 4));
+        assert_ne!(places[0].0, places[2].0);
+        assert_eq!(banked(&Passes { side_by_side: false, ..Passes::default() }).1, 3);
+    }
+}
