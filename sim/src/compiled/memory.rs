@@ -33,14 +33,15 @@ impl Emitter<'_, '_, '_> {
         let memory = self.memories[memory as usize];
         let address = self.scalars.clean(self.builder, address)[0];
         let enabled = self.scalars.flag(self.builder, enable);
-        // What is converted in the branch is not there behind it.
-        self.scalars.clean(self.builder, data);
+        let before = self.scalars.get(data).expect("it was made available").clone();
         let inside = self.inside(memory, address, enabled);
         self.branch(inside, |emitter| {
             let base = emitter.builder.ins().iconst(types::I64, memory.address as i64);
             let at = emitter.word(memory, address, base);
             emitter.scalars.store(emitter.builder, data, memory.element(), at, 0);
         });
+        // What is converted in the branch is not there behind it.
+        self.scalars.define(data, before);
     }
 
     /// A flag, and the address below the depth.
