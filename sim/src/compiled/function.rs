@@ -69,6 +69,11 @@ impl Addresses {
         Addresses { places, waiting, tables }
     }
 
+    /// Whether it is stored.
+    pub(super) fn has(&self, id: ValueId) -> bool {
+        self.places.get(id.index()).is_some_and(Option::is_some)
+    }
+
     pub(super) fn of(&self, id: ValueId) -> Place {
         self.places[id.index()].expect("what is read from memory has a place")
     }

@@ -135,8 +135,8 @@ impl Emitter<'_, '_, '_> {
         }
         match &cell.kind {
             Kind::Const(bits) => strip.lanes.constant(id, bits),
-            Kind::Tile(of, _) => self.tile(strip, id, *of),
-            Kind::Broadcast(..) => self.lane_cell(strip, id),
+            // What it is made from may have changed since another loop stored it.
+            Kind::Tile(..) | Kind::Broadcast(..) if !self.addresses.has(id) => self.lane_cell(strip, id),
             _ => {
                 let side = self.side(strip, self.addresses.of(id));
                 strip.lanes.load(self.builder, id, cell.width, side);
@@ -162,7 +162,7 @@ impl Emitter<'_, '_, '_> {
                     let uniform = self.scalars.get(*of).expect("it was made available before the loop").clone();
                     strip.singles[lane as usize].define(id, uniform);
                 }
-                Kind::Broadcast(..) | Kind::Tile(..) => {
+                Kind::Broadcast(..) | Kind::Tile(..) if !self.addresses.has(id) => {
                     self.lane_cell(strip, id);
                     return self.singles(strip, id);
                 }
