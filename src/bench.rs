@@ -30,8 +30,8 @@ none to choose from.
 A cycle is a time at which one or more clocks rise. A build of simd64 with Verilator takes minutes. Exit code 1 means that two
 simulators end with different checksums, 4 that Verilator, clang or make is not installed or fails.")]
 pub struct Bench {
-    /// Designs, such as pim16 [default: pim16 qt1 qt16 simd16 vc1x16@160x120]
-    #[arg(value_name = "DESIGN", value_parser = |name: &str| name.parse::<Subject>())]
+    /// Designs, such as pim16
+    #[arg(value_name = "DESIGN", value_parser = |name: &str| name.parse::<Subject>(), default_values_t = USUAL)]
     designs: Vec<Subject>,
     /// Also run models that it makes of our Verilog and of Verilog written by hand, at its strongest settings
     #[arg(long, value_enum, value_name = "SIMULATOR")]
@@ -60,11 +60,10 @@ impl Bench {
             Some(Against::Verilator) => Some(Compiler::find().map_err(Error::from)?),
             None => None,
         };
-        let designs = if self.designs.is_empty() { USUAL.to_vec() } else { self.designs };
         let effort = Effort { rounds: self.rounds, time: self.seconds };
         let versions =
             compiler.as_ref().map(|it| Versions { verilator: it.verilator_version(), clang: it.clang_version() });
-        let designs = measured(&designs, compiler.as_ref(), effort)?;
+        let designs = measured(&self.designs, compiler.as_ref(), effort)?;
         let report = Report { format: FORMAT, verilator: versions, rounds: self.rounds, designs };
         match self.json {
             true => output::print_json(&report)?,

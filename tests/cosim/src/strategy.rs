@@ -1,5 +1,5 @@
 //! How random designs are drawn: mostly small widths with a tail beyond 128 bits, small modules, some of everything;
-//! or arrays of arrays whose values are mostly of one size ([`arrays`]).
+//! or arrays of arrays whose values are mostly of one size (`strategy/arrays.rs`).
 
 mod arrays;
 
