@@ -27,6 +27,17 @@ pub(crate) struct Done {
     pub changed: Triggers,
 }
 
+/// A word of a memory.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) struct Word {
+    /// The memory, by index.
+    pub memory: u32,
+    /// The lane.
+    pub lane: u32,
+    /// The address in it.
+    pub address: u32,
+}
+
 /// A running circuit.
 ///
 /// Values are exchanged as 64-bit limbs, lane after lane, the lowest limb first, with zeros above the width.
@@ -139,10 +150,10 @@ impl Started {
     }
 
     fn make(&self) -> Box<dyn Engine> {
-        let reference = || Box::new(reference::Engine::new(self.program.clone(), &self.seeds));
+        let reference = || reference::Engine::new(self.program.clone(), &self.seeds);
         let compiled = || Box::new(Compiled::new(self.program.clone(), &self.seeds).expect("it was asked before"));
         match self.kind() {
-            EngineKind::Reference => reference(),
+            EngineKind::Reference => Box::new(reference()),
             EngineKind::Compiled => compiled(),
             EngineKind::Both => Box::new(Lockstep::new(self.program.clone(), reference(), compiled())),
         }

@@ -5,8 +5,9 @@ use std::sync::Arc;
 
 use tilewright_hdl::{Bits, limbs_for};
 
-use crate::engine::{Done, Engine, Failed};
-use crate::program::{Program, Triggers, ValueId};
+use crate::engine::{Done, Engine, Failed, Word};
+use crate::program::{Memory, Program, Triggers, ValueId};
+use crate::reference;
 
 /// Where two engines first differ.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -44,7 +45,7 @@ impl std::error::Error for Difference {}
 /// Two engines that do the same.
 pub(crate) struct Lockstep {
     program: Arc<Program>,
-    reference: Box<dyn Engine>,
+    reference: reference::Engine,
     other: Box<dyn Engine>,
     /// Every value that has a name, once, in the order of the hierarchy.
     named: Vec<ValueId>,
@@ -57,10 +58,11 @@ pub(crate) struct Lockstep {
 
 impl Lockstep {
     /// Both at the same start.
-    pub fn new(program: Arc<Program>, reference: Box<dyn Engine>, other: Box<dyn Engine>) -> Lockstep {
+    pub fn new(program: Arc<Program>, reference: reference::Engine, other: Box<dyn Engine>) -> Lockstep {
         let mut seen = vec![false; program.values.len()];
         let signals = program.hierarchy.scopes.iter().flat_map(|scope| &scope.signals).map(|signal| signal.value);
         let named: Vec<ValueId> = signals.filter(|id| !std::mem::replace(&mut seen[id.index()], true)).collect();
+        let reference = reference.noting();
         let mut lockstep = Lockstep { program, reference, other, named, instants: 0, touched: true, found: None };
         lockstep.other.watch(&lockstep.named);
         lockstep
@@ -91,24 +93,34 @@ impl Lockstep {
         Err(self.difference(self.name(id, lane as u32), rising, reference, other))
     }
 
-    fn compare_memories(&self, rising: &[usize]) -> Result<(), Box<Difference>> {
-        for scope in &self.program.hierarchy.scopes {
-            for (name, index) in &scope.memories {
-                let memory = &self.program.memories[*index as usize];
-                for lane in 0..memory.lanes {
-                    for address in 0..memory.depth.min(COMPARED) {
-                        let word = |engine: &dyn Engine| engine.word(*index, lane, address);
-                        let (reference, other) = (word(&*self.reference), word(&*self.other));
-                        if reference != other {
-                            let bits = |limbs: &[u64]| Bits::from_limbs(memory.width, limbs);
-                            let name = format!("{}.{name}[{address}] of lane {lane}", scope.name);
-                            return Err(self.difference(name, rising, bits(&reference), bits(&other)));
-                        }
-                    }
-                }
-            }
+    /// Compares the words that the reference engine has written, and from time to time others too.
+    fn compare_memories(&mut self, rising: &[usize]) -> Result<(), Box<Difference>> {
+        let mut words = self.reference.take_written();
+        if self.instants.is_multiple_of(ALL_EVERY) {
+            let words_of = |(index, memory): (u32, &Memory)| {
+                let (lanes, addresses) = (0..memory.lanes, 0..memory.depth.min(COMPARED));
+                let words = lanes.flat_map(move |lane| addresses.clone().map(move |address| (lane, address)));
+                words.map(move |(lane, address)| Word { memory: index, lane, address })
+            };
+            words.extend((0..).zip(&self.program.memories).flat_map(words_of));
         }
-        Ok(())
+        words.into_iter().try_for_each(|word| self.compare_word(word, rising))
+    }
+
+    fn compare_word(&self, word: Word, rising: &[usize]) -> Result<(), Box<Difference>> {
+        let Word { memory, lane, address } = word;
+        let (reference, other) = (self.reference.word(memory, lane, address), self.other.word(memory, lane, address));
+        if reference == other {
+            return Ok(());
+        }
+        let bits = |limbs: &[u64]| Bits::from_limbs(self.program.memories[memory as usize].width, limbs);
+        let mut scopes = self.program.hierarchy.scopes.iter();
+        let name = scopes.find_map(|scope| {
+            let (name, _) = scope.memories.iter().find(|(_, index)| *index == memory)?;
+            Some(format!("{}.{name}[{address}] of lane {lane}", scope.name))
+        });
+        let name = name.unwrap_or_else(|| format!("memory {memory}, word {address} of lane {lane}"));
+        Err(self.difference(name, rising, bits(reference), bits(&other)))
     }
 
     fn difference(&self, signal: String, rising: &[usize], reference: Bits, other: Bits) -> Box<Difference> {
@@ -148,8 +160,10 @@ impl Lockstep {
     }
 }
 
-/// How many words of a memory are compared after each edge; the rest shows when it is read.
+/// How many words of a memory are compared although nobody has written them; the rest shows when it is read.
 const COMPARED: u32 = 64;
+/// After how many instants they are.
+const ALL_EVERY: u64 = 256;
 
 impl Engine for Lockstep {
     fn read(&mut self, id: ValueId) -> &[u64] {
@@ -166,7 +180,7 @@ impl Engine for Lockstep {
     }
 
     fn word(&self, memory: u32, lane: u32, address: u32) -> Vec<u64> {
-        self.reference.word(memory, lane, address)
+        self.reference.word(memory, lane, address).to_vec()
     }
 
     fn set_word(&mut self, memory: u32, lane: u32, address: u32, limbs: &[u64]) {
@@ -255,14 +269,13 @@ mod tests {
     /// Side by side, the second with another input than the first.
     fn apart(x: u64, other: u64) -> Lockstep {
         let program = Arc::new(compile(&elaborate(&Follow).unwrap(), &crate::Passes::default()).unwrap());
-        let engine = || Box::new(reference::Engine::new(program.clone(), &[0]));
-        let mut lockstep = Lockstep::new(program.clone(), engine(), engine());
+        let engine = || reference::Engine::new(program.clone(), &[0]);
+        let mut lockstep = Lockstep::new(program.clone(), engine(), Box::new(engine()));
         lockstep.write(program.inputs[0].value, &[5], program.inputs[0].triggers);
         lockstep.edges(&[0], 3).unwrap();
-        let Lockstep { reference, other: second, .. } = &mut lockstep;
-        for (engine, x) in [(reference, x), (second, other)] {
-            engine.write(program.inputs[0].value, &[x], program.inputs[0].triggers);
-        }
+        let input = &program.inputs[0];
+        lockstep.reference.write(input.value, &[x], input.triggers);
+        lockstep.other.write(input.value, &[other], input.triggers);
         lockstep
     }
 

@@ -5,6 +5,7 @@ use std::ops::Range;
 use tilewright_hdl::limbs_for;
 
 use super::Engine;
+use crate::engine::Word;
 use crate::program::{Memory, Value, ValueId};
 
 /// Where a word stands among the limbs of its memory.
@@ -49,6 +50,9 @@ impl Engine {
                 continue;
             }
             let Some(address) = address(declared, &at, &self.limbs, lane) else { continue };
+            if let Some(written) = &mut self.written {
+                written.push(Word { memory, lane, address });
+            }
             let start = data.offset + lane as usize * data.limbs();
             let new = &self.limbs[start..start + data.limbs()];
             let old = &mut words[word(declared, lane, address)];

@@ -12,7 +12,7 @@ use std::sync::Arc;
 
 use tilewright_hdl::limbs_for;
 
-use crate::engine::{self, Done, Failed};
+use crate::engine::{self, Done, Failed, Word};
 use crate::lockstep::Difference;
 use crate::program::{Kind, Memory, Program, Readers, Triggers, ValueId};
 use crate::start::{self, State};
@@ -34,6 +34,8 @@ pub(crate) struct Engine {
     /// Per clock: its last edge changed nothing, and nothing that it depends on has changed since.
     idle: Vec<bool>,
     plan: edge::Plan,
+    /// The words that edges have written, if somebody wants to know.
+    written: Option<Vec<Word>>,
 }
 
 impl Engine {
@@ -57,10 +59,21 @@ impl Engine {
                 .collect(),
             idle: vec![false; program.clocks.len()],
             plan: edge::Plan::new(&program),
+            written: None,
             program,
         };
         start::start(&engine.program.clone(), seeds, &mut engine);
         engine
+    }
+
+    /// The same, noting which words edges write.
+    pub fn noting(self) -> Engine {
+        Engine { written: Some(Vec::new()), ..self }
+    }
+
+    /// The words that edges have written since this was last asked, more than once perhaps.
+    pub fn take_written(&mut self) -> Vec<Word> {
+        self.written.as_mut().map(std::mem::take).unwrap_or_default()
     }
 
     /// The limbs of a value in all lanes, computed if they have to be.
