@@ -21,6 +21,8 @@ pub struct Passes {
     pub lookups: bool,
     /// Words of memories with the same ports stand side by side.
     pub side_by_side: bool,
+    /// A memory that is full of one word at the start is not written then.
+    pub blanks: bool,
     /// Bytes of a memory up to which lanes read it, each at its own address, in the loop that takes the words; larger
     /// ones have a loop of their own.
     pub near: usize,
@@ -42,6 +44,7 @@ impl Default for Passes {
             branch: true,
             lookups: true,
             side_by_side: true,
+            blanks: true,
             near: 1 << 20,
             held_after: 50_000,
             longest: 2000,
@@ -62,6 +65,7 @@ impl Passes {
             branch: false,
             lookups: false,
             side_by_side: false,
+            blanks: false,
             near: usize::MAX,
             held_after: u64::MAX,
             longest: usize::MAX,

@@ -3,6 +3,8 @@
 
 use std::collections::BTreeMap;
 
+use tilewright_hdl::ir::Contents;
+
 use super::function::MemoryAt;
 use super::layout::{Strips, Words};
 use super::store::Store;
@@ -46,8 +48,12 @@ pub(super) fn banks(program: &Program, strips: &Strips) -> (Vec<MemoryAt>, Vec<B
         let is_full = ports.depth as usize >= 1 << bits;
         for ((&index, &width), &(first, words)) in group.iter().zip(&widths).zip(&places) {
             let address = bank.address() as usize + first;
-            all[index] =
-                Some(MemoryAt { bank: banks.len(), first, address, words, depth: ports.depth, width, is_full });
+            let blank = match &program.memories[index].contents {
+                Contents::Fill(word) if program.passes.blanks && is_full && width <= 64 => word.limbs()[0],
+                _ => 0,
+            };
+            let (bank, depth) = (banks.len(), ports.depth);
+            all[index] = Some(MemoryAt { bank, first, address, words, depth, width, blank, is_full });
         }
         banks.push(bank);
     }

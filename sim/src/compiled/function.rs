@@ -22,11 +22,21 @@ pub(super) struct MemoryAt {
     pub words: Words,
     pub depth: u32,
     pub width: u32,
+    /// What zeros stand for, up to 64 bits: words stand exclusive or with it, so that a memory that is full of one word
+    /// at the start has not to be written.
+    pub blank: u64,
     /// Every address that can be expressed is within the depth.
     pub is_full: bool,
 }
 
 impl MemoryAt {
+    /// How a word stands in the memory, or the word that stands so.
+    pub fn standing(&self, limbs: &[u64]) -> Vec<u64> {
+        let mut limbs = limbs.to_vec();
+        limbs[0] ^= self.blank;
+        limbs
+    }
+
     /// Bits of the integers that a word consists of.
     pub fn element(&self) -> u32 {
         (self.words.word as u32 * 8).min(64)

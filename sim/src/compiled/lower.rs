@@ -5,7 +5,8 @@ use std::collections::HashMap;
 use tilewright_hdl::Bits;
 use tilewright_hdl::ir::{Binary, Reduction};
 
-use super::graph::{Graph, Sink};
+use super::function::MemoryAt;
+use super::graph::{Cell, Graph, Sink};
 use super::layout::Strips;
 use crate::passes::Passes;
 use crate::program::{Kind, ValueId};
@@ -39,15 +40,21 @@ const LOOKED_UP_BY: u32 = 8;
 /// From how many arms on a choice between constants is looked up.
 const ARMS: usize = 4;
 
-/// Rewrites a graph: choices between constants are looked up in a table, and rotations are found; neighbours are loaded from anywhere and replaced at the edges of their groups (`edge` of what
-/// remains is not looked at); lanes that pad the last strip take no part in reductions and write nothing.
-pub(super) fn lower(graph: &mut Graph, strips: &Strips, passes: &Passes) {
+/// Rewrites a graph: choices between constants are looked up in a table, and rotations are found; words of memories are
+/// converted from and to how they stand there; neighbours are loaded from anywhere and replaced at the edges of their
+/// groups (`edge` of what remains is not looked at); lanes that pad the last strip take no part in reductions and write nothing.
+pub(super) fn lower(graph: &mut Graph, strips: &Strips, memories: &[MemoryAt], passes: &Passes) {
     let mut tables = Tables::default();
     for index in 0..graph.cells.len() {
         let id = ValueId(index as u32);
         match graph.cell(id).kind.clone() {
             Kind::Shifted { of, by, edge, group } => neighbour(graph, &mut tables, id, of, by, edge, group),
             Kind::Reduce { by, of, group } => reduction(graph, &mut tables, strips, id, by, of, group),
+            Kind::Read { memory, address } if memories[memory as usize].blank != 0 => {
+                let Cell { lanes, width, .. } = *graph.cell(id);
+                let word = graph.add(Kind::Read { memory, address }, lanes, width);
+                graph.cells[index].kind = graph.standing(&memories[memory as usize], word);
+            }
             Kind::Case { subject, arms, default } if passes.lookups && graph.cell(id).lanes == 1 => {
                 lookup(graph, id, subject, &arms, default);
             }
@@ -60,14 +67,28 @@ pub(super) fn lower(graph: &mut Graph, strips: &Strips, passes: &Passes) {
         }
     }
     for index in 0..graph.sinks.len() {
-        if let Sink::Write { memory, enable, address, data } = graph.sinks[index] {
+        if let Sink::Write { memory, mut enable, address, mut data } = graph.sinks[index] {
             let lanes = graph.cell(enable).lanes;
+            let at = &memories[memory as usize];
+            if at.blank != 0 {
+                let kind = graph.standing(at, data);
+                data = graph.add(kind, lanes, at.width);
+            }
             if lanes > 1 && !lanes.is_multiple_of(strips.strip(lanes)) {
                 let existing = tables.existing(graph, lanes);
-                let enable = graph.add(Kind::Binary(Binary::And, enable, existing), lanes, 1);
-                graph.sinks[index] = Sink::Write { memory, enable, address, data };
+                enable = graph.add(Kind::Binary(Binary::And, enable, existing), lanes, 1);
             }
+            graph.sinks[index] = Sink::Write { memory, enable, address, data };
         }
+    }
+}
+
+impl Graph {
+    /// As [`MemoryAt::standing`].
+    fn standing(&mut self, at: &MemoryAt, word: ValueId) -> Kind {
+        let lanes = self.cell(word).lanes;
+        let blank = self.add(Kind::Const(Bits::new(at.width, at.blank)), lanes, at.width);
+        Kind::Binary(Binary::Xor, word, blank)
     }
 }
 

@@ -36,7 +36,7 @@ impl Prepared {
 impl Compiled {
     /// Gives places to what a graph computes.
     pub(super) fn prepare(&mut self, mut graph: Graph) -> Prepared {
-        lower::lower(&mut graph, &self.layout.strips, &self.program.passes);
+        lower::lower(&mut graph, &self.layout.strips, &self.memories, &self.program.passes);
         let near = self.program.passes.near;
         let far: Vec<bool> = self.memories.iter().map(|at| !at.words.together() && at.words.size > near).collect();
         let mut plan = Plan::new(&graph, &far, self.program.passes.postpone);

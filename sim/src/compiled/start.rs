@@ -14,6 +14,11 @@ impl State for Compiled {
 
     fn set_words(&mut self, memory: u32, lanes: Range<u32>, addresses: Range<u32>, limbs: &[u64]) {
         let at = self.memories[memory as usize];
+        // All is zero so far.
+        let limbs = &at.standing(limbs);
+        if limbs.iter().all(|&limb| limb == 0) {
+            return;
+        }
         let store = &mut self.banks[at.bank];
         let mut repeat = |lane, address, count| {
             store.repeat_word(at.first + at.words.at(lane, address), at.words.word, at.width, limbs, count);

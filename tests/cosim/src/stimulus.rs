@@ -62,7 +62,7 @@ pub fn run(design: &Design, stimulus: &Stimulus) -> Result<Recording, tilewright
 /// All passes but one, or none at all; code for held inputs and functions that are cut early, no memory near.
 fn passes(seed: u64) -> Passes {
     let mut passes = Passes { held_after: 3, longest: 20, near: 0, ..Passes::default() };
-    match seed % 10 {
+    match seed % 11 {
         0 => passes = Passes::none(),
         1 => passes.siblings = false,
         2 => passes.fold = false,
@@ -72,7 +72,8 @@ fn passes(seed: u64) -> Passes {
         6 => passes.postpone = false,
         7 => passes.branch = false,
         8 => passes.lookups = false,
-        _ => passes.side_by_side = false,
+        9 => passes.side_by_side = false,
+        _ => passes.blanks = false,
     }
     passes
 }
