@@ -78,7 +78,14 @@ pub fn measure(
         }
     });
     let simulators = figures.collect();
-    Ok(Measurement { design: subject.to_string(), cycles, checksum: format!("{checksum:08x}"), simulators })
+    let frame_cycles = subject.frame_cycles();
+    Ok(Measurement {
+        design: subject.to_string(),
+        cycles,
+        frame_cycles,
+        checksum: format!("{checksum:08x}"),
+        simulators,
+    })
 }
 
 /// The first of 100, 200, 500, 1000 and so on that takes the slowest contender nearly so long.

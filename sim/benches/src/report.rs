@@ -35,6 +35,8 @@ pub struct Measurement {
     pub design: String,
     /// The cycles of each run.
     pub cycles: u64,
+    /// How many of them a frame takes, in a design that draws frames.
+    pub frame_cycles: Option<u64>,
     /// What all runs ended with, 8 hexadecimal digits.
     pub checksum: String,
     /// By simulator, ours first.
@@ -83,8 +85,13 @@ impl fmt::Display for Report {
         if self.designs.iter().any(|it| it.design.contains('*')) {
             writeln!(f, "Of several stimuli at once, the time is for a cycle of one of them.")?;
         }
-        for Measurement { design, cycles, checksum, .. } in &self.designs {
-            writeln!(f, "{design}: {cycles} cycles, checksum {checksum}")?;
+        for Measurement { design, cycles, frame_cycles, checksum, simulators } in &self.designs {
+            write!(f, "{design}: {cycles} cycles, checksum {checksum}")?;
+            if let (Some(frame), [first, ..]) = (frame_cycles, simulators.as_slice()) {
+                let time = Seconds(*frame as f64 * first.ns_per_cycle / 1e9);
+                write!(f, "; a frame takes {frame} cycles, which is {time} in the first simulator")?;
+            }
+            writeln!(f)?;
         }
         if let Some(Versions { verilator, clang }) = &self.verilator {
             writeln!(f, "Verilator {verilator}, clang {clang}")?;

@@ -130,8 +130,17 @@ impl Subject {
             Family::Pim => elaborate(&Pim::new(size)),
             Family::Qt | Family::Flat => elaborate(&Qt { units: size, apart: self.family == Family::Flat }),
             Family::Simd => elaborate(&Simd { edge: size }),
-            Family::Vc1 => elaborate(&Vc1Frames::new(self.screen, size).expect("it was tried when it was named")),
+            Family::Vc1 => elaborate(&self.vc1()),
         }
+    }
+
+    fn vc1(&self) -> Vc1Frames {
+        Vc1Frames::new(self.screen, self.size).expect("it was tried when it was named")
+    }
+
+    /// How many cycles a frame takes, in a design that draws frames.
+    pub fn frame_cycles(&self) -> Option<u64> {
+        (self.family == Family::Vc1).then(|| self.vc1().frame_cycles())
     }
 
     /// The same function in Verilog that was written by hand, if it was.

@@ -52,3 +52,25 @@ fn every_stimulus_of_several_at_once() {
         assert!(names[0].ends_with(" at once") && names[1] == "compiled engine", "{names:?}");
     }
 }
+
+#[test]
+fn frames_follow_each_other_as_is_said() {
+    const SHOW: u64 = 5;
+    for name in ["vc1x3@32x16", "vc1x16@32x16"] {
+        let subject: Subject = name.parse().unwrap();
+        let mut sim = Simulation::from_design(&subject.design().unwrap()).unwrap();
+        let mut next_frame = || {
+            let mut cycles = 0;
+            loop {
+                let is_before = sim.peek("u_host.phase").unwrap().to_u64() != Some(SHOW);
+                sim.step();
+                cycles += 1;
+                if is_before && sim.peek("u_host.phase").unwrap().to_u64() == Some(SHOW) {
+                    return cycles;
+                }
+            }
+        };
+        next_frame();
+        assert_eq!([next_frame(), next_frame()].map(Some), [subject.frame_cycles(); 2], "{name}");
+    }
+}

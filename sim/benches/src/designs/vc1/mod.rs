@@ -58,6 +58,15 @@ impl Vc1Frames {
     }
 }
 
+impl Vc1Frames {
+    /// How many cycles there are from a frame to the next, where drawing takes less time than merging: T_m (VC1-TM) and the
+    /// swaps, in clocks of the merger, with 4 instants for each at which one or both of its clocks rise.
+    pub fn frame_cycles(&self) -> u64 {
+        const SWAPS: u64 = 14;
+        4 * (self.vc1.gfb().merge_clocks() + SWAPS)
+    }
+}
+
 impl Block for Vc1Frames {
     type In = ();
     type Out = BenchOut;
