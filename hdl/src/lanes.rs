@@ -144,6 +144,9 @@ impl Lanes {
     #[track_caller]
     pub fn shifted(self, by: i32, edge: impl Operand) -> Lanes {
         let loc = Loc::caller();
+        // All are beyond the edge from there on.
+        let most = i32::try_from(self.count).unwrap_or(i32::MAX);
+        let by = by.clamp(-most, most);
         let shape = self.lane(0);
         let edge = edge.operand().with_width_of(shape, "shifted").id();
         Lanes::make(Op::Shifted { of: self.id(), by, edge }, self.width, self.count, loc)

@@ -6,7 +6,7 @@ mod engine;
 
 use engine::of;
 use proptest::prelude::*;
-use tilewright_hdl::{Block, Clock, Module, Period, ReadUnderWrite, Signal, Width, bit, bits, bundle};
+use tilewright_hdl::{Block, Clock, Module, Period, ReadUnderWrite, Signal, Width, bit, bits, bundle, lit};
 
 const FAST: Clock = Clock::new("fast", Period::ps(2_000));
 const SLOW: Clock = Clock::new("slow", Period::ps(3_000));
@@ -142,4 +142,38 @@ fn an_edge_evaluates_nothing_that_depends_on_another_clock_alone() {
         assert!(own.iter().all(|segment| !segment.triggers.meet(Triggers::state(other))), "{}", clock.name);
         assert!(clock.triggers.meet(Triggers::state(other)), "it samples the other count");
     }
+}
+
+/// A word that two clocks write again and again.
+#[derive(Debug)]
+struct Contested;
+
+impl Block for Contested {
+    type In = ();
+    type Out = ContestedOut;
+
+    fn inputs(&self) {}
+
+    fn build(&self, m: Module, (): ()) -> ContestedOut {
+        let words = m.on(FAST).memory("words", 4, 8, ReadUnderWrite::Old).true_dual_port();
+        words.write(lit(1, 1), 0, 5);
+        words.on(SLOW).write(lit(1, 1), 0, 7);
+        ContestedOut { word: m.on(FAST).pipe("constant", lit(8, 1)) }
+    }
+}
+
+bundle! {
+    pub struct ContestedOut<T> { pub word: T }
+}
+
+#[test]
+fn a_write_that_changed_nothing_is_repeated_after_that_of_another_clock() {
+    let mut sim = of(&Contested);
+    let mut seen = Vec::new();
+    while sim.time() < 10_000 {
+        sim.step();
+        seen.push((sim.time(), sim.peek_memory("words", 0).unwrap().to_u64().unwrap()));
+    }
+    // At 6 ns both write, the slow clock last.
+    assert_eq!(seen, [(2_000, 5), (3_000, 7), (4_000, 5), (6_000, 7), (8_000, 5), (9_000, 7), (10_000, 5)]);
 }

@@ -242,6 +242,7 @@ impl<'a, 'b, 'c> Emitter<'a, 'b, 'c> {
                 self.want(*plain);
                 return *plain;
             }
+            Kind::Tile(row, _) => return self.element(*row, lane % self.graph.cell(*row).lanes),
             _ => {
                 let place = self.addresses.of(of);
                 let at = offset(place.lane(lane));

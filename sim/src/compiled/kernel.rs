@@ -180,11 +180,16 @@ impl Emitter<'_, '_, '_> {
 
     /// Makes what is the same in a row available.
     fn splat_row(&mut self, strip: &mut Strip, kernel: &Kernel, row: Value) {
+        let computed: BTreeSet<ValueId> = kernel.cells.iter().copied().collect();
         for id in self.taken(kernel) {
             let cell = self.graph.cell(id);
+            // What another loop has stored may be made from what has changed since.
+            let is_current = computed.contains(&id) || !self.addresses.has(id);
             if let Kind::Broadcast(of, n) = cell.kind
                 && n == strip.row
+                && cell.lanes == strip.total
                 && cell.width <= 64
+                && is_current
                 && self.graph.cell(of).lanes > 1
             {
                 let loaded = self.id();

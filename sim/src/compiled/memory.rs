@@ -122,7 +122,7 @@ impl Emitter<'_, '_, '_> {
     /// Where a lane's words begin, and an offset to add.
     fn lane_base(&mut self, strip: &mut Strip, memory: MemoryAt, lane: u32) -> (Value, i32) {
         let apart = lane as usize * memory.words.lane;
-        if strip.is_padded() || i32::try_from(apart).is_err() {
+        if strip.is_padded() || i32::try_from(apart + memory.words.word).is_err() {
             let lane = self.existing(strip, lane);
             let start = self.scaled(lane, memory.words.lane);
             return (self.builder.ins().iadd_imm_s(start, memory.address as i64), 0);

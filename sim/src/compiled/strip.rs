@@ -246,8 +246,8 @@ impl Emitter<'_, '_, '_> {
             Kind::Broadcast(..) if strip.lanes.has(id) => {}
             Kind::Broadcast(of, _) if self.graph.cell(*of).lanes == 1 => self.singles(strip, id),
             Kind::Broadcast(of, n) => {
-                let n = *n;
-                self.collect(strip, id, *of, |emitter, lane| emitter.divided(lane, n).0);
+                let (n, total) = (*n, strip.total);
+                self.collect(strip, id, *of, |emitter, lane| emitter.divided(lane, total, n).0);
             }
             Kind::Tile(of, _) => self.tile(strip, id, *of),
             Kind::Lane { of, index, group } => {
@@ -305,7 +305,8 @@ impl Emitter<'_, '_, '_> {
             strip.lanes.load(self.builder, id, self.graph.cell(id).width, side);
             return;
         }
-        self.collect(strip, id, of, |emitter, lane| emitter.divided(lane, n).1);
+        let total = strip.total;
+        self.collect(strip, id, of, |emitter, lane| emitter.divided(lane, total, n).1);
     }
 
     /// The lanes `by` before, beyond the edges of its group anything.
@@ -343,7 +344,12 @@ impl Emitter<'_, '_, '_> {
             // With one group, lanes that do not exist add nothing to it.
             let (target, within) = match group == strip.total {
                 true => (self.builder.ins().iconst(types::I64, 0), at),
-                false => self.divided(at, group),
+                false => {
+                    let (target, within) = self.divided(at, strip.total, group);
+                    // Groups that do not exist go behind the last one.
+                    let behind = self.builder.ins().iconst(types::I64, i64::from(place.lanes));
+                    (if strip.is_padded() { self.builder.ins().umin(target, behind) } else { target }, within)
+                }
             };
             let at = self.address(target, place.bytes());
             let (before, both, first, all) = (self.id(), self.id(), self.id(), self.id());
@@ -359,14 +365,19 @@ impl Emitter<'_, '_, '_> {
         }
     }
 
-    /// A lane's group and its place there.
-    pub(super) fn divided(&mut self, lane: Value, group: u32) -> (Value, Value) {
+    /// The group, of an array of `total` lanes, that a lane is in, and its place there.
+    pub(super) fn divided(&mut self, lane: Value, total: u32, group: u32) -> (Value, Value) {
         // By a reciprocal, which is exact for lanes below 2 to the 20 in groups below that.
         const SHIFT: u32 = 40;
-        let reciprocal = (1u64 << SHIFT) / u64::from(group) + 1;
-        let scaled = self.builder.ins().imul_imm_s(lane, reciprocal as i64);
-        let by = self.builder.ins().iconst(types::I64, i64::from(SHIFT));
-        let quotient = self.builder.ins().ushr(scaled, by);
+        let quotient = if total < 1 << 19 {
+            let reciprocal = (1u64 << SHIFT) / u64::from(group) + 1;
+            let scaled = self.builder.ins().imul_imm_s(lane, reciprocal as i64);
+            let by = self.builder.ins().iconst(types::I64, i64::from(SHIFT));
+            self.builder.ins().ushr(scaled, by)
+        } else {
+            let group = self.builder.ins().iconst(types::I64, i64::from(group));
+            self.builder.ins().udiv(lane, group)
+        };
         let start = self.builder.ins().imul_imm_s(quotient, i64::from(group));
         (quotient, self.builder.ins().isub(lane, start))
     }

@@ -11,7 +11,7 @@ use tilewright_hdl::limbs_for;
 
 use super::netlist::Netlist;
 use super::order::order;
-use super::{Kind, Operation, Program, Readers, Segment, Triggers, Value, ValueId};
+use super::{Kind, Memory, Operation, Program, Readers, Segment, Triggers, Value, ValueId};
 use crate::passes::Passes;
 
 /// Schedules a netlist without cycles.
@@ -132,8 +132,10 @@ fn watch(netlist: &mut Netlist, triggers: &[Triggers]) {
     }
     for memory in 0..netlist.memories.len() {
         let written = written(netlist, memory as u32);
-        for read in &netlist.memories[memory].reads {
-            let clock = &mut netlist.clocks[read.clock as usize];
+        // Who writes the same again and again has to do so after somebody else has.
+        let Memory { reads, writes, .. } = &netlist.memories[memory];
+        for clock in reads.iter().map(|read| read.clock).chain(writes.iter().map(|write| write.clock)) {
+            let clock = &mut netlist.clocks[clock as usize];
             clock.triggers = clock.triggers.with(written);
         }
     }

@@ -1,0 +1,208 @@
+//! Arrays in arrays, on both engines side by side: what loops store, recompute and leave out.
+#![allow(missing_docs)]
+
+use tilewright_hdl::{Block, Module, Width, bits, bundle, cat};
+use tilewright_sim::{EngineKind, Simulation};
+
+/// Runs a block that has no inputs on both engines.
+#[track_caller]
+fn agree<B: Block>(block: &B) {
+    let mut sim = Simulation::of(block).unwrap().on(EngineKind::Both);
+    sim.try_reset().unwrap();
+    sim.try_run(20).unwrap();
+}
+
+bundle! {
+    pub struct AdderIn<T> { pub row: T, pub sum: T }
+    pub struct AdderOut<T> { pub x: T }
+    pub struct GroupIn<T> { pub even: T, pub odd: T }
+    pub struct SeedIn<T> { pub seed: T }
+    pub struct SumOut<T> { pub sum: T }
+}
+
+/// Adds what its row holds to what it holds itself.
+#[derive(Debug)]
+struct Adder;
+
+impl Block for Adder {
+    type In = AdderIn;
+    type Out = AdderOut;
+
+    fn inputs(&self) -> AdderIn<Width> {
+        AdderIn { row: bits(32), sum: bits(32) }
+    }
+
+    fn build(&self, m: Module, i: AdderIn) -> AdderOut {
+        let own = m.reg("own", 32).reset(7);
+        own.next((*own ^ i.sum) + i.row);
+        AdderOut { x: *own + i.row }
+    }
+}
+
+/// Takes the sum of its adders, which depends on what it holds, into account.
+#[derive(Debug)]
+struct AdderRow;
+
+impl Block for AdderRow {
+    type In = SeedIn;
+    type Out = SumOut;
+
+    fn inputs(&self) -> SeedIn<Width> {
+        SeedIn { seed: bits(32) }
+    }
+
+    fn build(&self, m: Module, i: SeedIn) -> SumOut {
+        let held = m.reg("held", 32).reset(1);
+        let sum = m.wire("sum", 32);
+        let adders = m.array("u_adder", 16, &Adder, |a| AdderIn { row: a.all(&held.value()), sum: a.all(&*sum) });
+        sum.drive(adders.x.sum());
+        held.next(*held + *sum + i.seed);
+        SumOut { sum: *sum }
+    }
+}
+
+/// Blocks with a seed each.
+#[derive(Debug)]
+struct Rows<B>(u32, B);
+
+impl<B: Block<In = SeedIn, Out = SumOut>> Block for Rows<B> {
+    type In = ();
+    type Out = SumOut;
+
+    fn inputs(&self) {}
+
+    fn build(&self, m: Module, (): ()) -> SumOut {
+        let rows = m.array("u_row", self.0, &self.1, |a| SeedIn { seed: a.constants(32, |lane| 3 * lane as u64 + 1) });
+        SumOut { sum: rows.sum.xor_all() }
+    }
+}
+
+#[test]
+fn a_row_that_changes_is_seen_as_it_was_by_a_later_loop() {
+    agree(&Rows(4, AdderRow));
+}
+
+bundle! {
+    pub struct LeafIn<T> { pub x: T }
+    pub struct LeafOut<T> { pub y: T }
+}
+
+/// Holds its input.
+#[derive(Debug)]
+struct Leaf;
+
+impl Block for Leaf {
+    type In = LeafIn;
+    type Out = LeafOut;
+
+    fn inputs(&self) -> LeafIn<Width> {
+        LeafIn { x: bits(8) }
+    }
+
+    fn build(&self, m: Module, i: LeafIn) -> LeafOut {
+        LeafOut { y: m.pipe("held", i.x) }
+    }
+}
+
+/// Two leaves that are given its input and the inverse of it.
+#[derive(Debug)]
+struct Pair;
+
+impl Block for Pair {
+    type In = LeafIn;
+    type Out = LeafOut;
+
+    fn inputs(&self) -> LeafIn<Width> {
+        LeafIn { x: bits(8) }
+    }
+
+    fn build(&self, m: Module, i: LeafIn) -> LeafOut {
+        let leaves = m.array("u_leaf", 2, &Leaf, |a| LeafIn { x: a.each([i.x, !i.x]) });
+        LeafOut { y: leaves.y.sum() }
+    }
+}
+
+/// Pairs that are given values of a counter, the same in every group.
+#[derive(Debug)]
+struct Group;
+
+impl Block for Group {
+    type In = GroupIn;
+    type Out = SumOut;
+
+    fn inputs(&self) -> GroupIn<Width> {
+        GroupIn { even: bits(8), odd: bits(8) }
+    }
+
+    fn build(&self, m: Module, i: GroupIn) -> SumOut {
+        let pairs = m.array("u_pair", 4, &Pair, |a| LeafIn { x: a.each([i.even, i.odd, i.even + 1, i.even ^ i.odd]) });
+        SumOut { sum: pairs.y.sum() }
+    }
+}
+
+/// Groups that are all given the same.
+#[derive(Debug)]
+struct Groups;
+
+impl Block for Groups {
+    type In = ();
+    type Out = SumOut;
+
+    fn inputs(&self) {}
+
+    fn build(&self, m: Module, (): ()) -> SumOut {
+        let count = m.reg("count", 8).reset(0);
+        count.next(*count + 3);
+        let groups = m.array("u_group", 4, &Group, |a| GroupIn { even: a.all(&count.value()), odd: a.all(&!*count) });
+        SumOut { sum: groups.sum.xor_all() }
+    }
+}
+
+#[test]
+fn a_row_that_all_groups_share_is_made_into_an_array_of_more_lanes() {
+    agree(&Groups);
+}
+
+/// A value of 1024 bits, of few that are as wide.
+#[derive(Debug)]
+struct Wide;
+
+impl Block for Wide {
+    type In = LeafIn;
+    type Out = LeafOut;
+
+    fn inputs(&self) -> LeafIn<Width> {
+        LeafIn { x: bits(8) }
+    }
+
+    fn build(&self, m: Module, i: LeafIn) -> LeafOut {
+        let mut value = m.pipe("first", i.x);
+        for stage in 0..12 {
+            value = m.pipe(&format!("stage{stage}"), value + i.x);
+        }
+        LeafOut { y: cat![value, value.zext(1016)] }
+    }
+}
+
+/// Two of them, combined.
+#[derive(Debug)]
+struct WideRow;
+
+impl Block for WideRow {
+    type In = SeedIn;
+    type Out = SumOut;
+
+    fn inputs(&self) -> SeedIn<Width> {
+        SeedIn { seed: bits(32) }
+    }
+
+    fn build(&self, m: Module, i: SeedIn) -> SumOut {
+        let wide = m.array("u_wide", 2, &Wide, |a| LeafIn { x: a.each([i.seed.slice(0..8), i.seed.slice(8..16)]) });
+        SumOut { sum: m.pipe("any", wide.y.or_all()) ^ m.pipe("total", wide.y.sum()) }
+    }
+}
+
+#[test]
+fn groups_of_wide_values_are_reduced_within_their_room() {
+    agree(&Rows(9, WideRow));
+}
