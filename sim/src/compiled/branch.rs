@@ -82,7 +82,7 @@ fn split(
     }
     for (new, of) in moved {
         plan.stored.insert(new);
-        plan.moved.push((new, of));
+        plan.moved.insert(new, of);
     }
     let mut left = most - total;
     for variant in &mut kernels {
@@ -240,7 +240,7 @@ impl<'a> Known<'a> {
                 let constant = self.add(kind, cell.lanes, cell.width);
                 let stored = self.graph.add(Kind::Alias(constant), cell.lanes, cell.width);
                 wanted.insert(stored);
-                moved.push((stored, plan.moved.iter().find(|(new, _)| *new == id).map_or(id, |(_, of)| *of)));
+                moved.push((stored, plan.home(id)));
                 cells.push(stored);
                 self.became.insert(id, constant);
                 continue;
@@ -255,8 +255,7 @@ impl<'a> Known<'a> {
             if is_read {
                 wanted.insert(became);
                 if became != id {
-                    let of = plan.moved.iter().find(|(new, _)| *new == id).map_or(id, |(_, of)| *of);
-                    moved.push((became, of));
+                    moved.push((became, plan.home(id)));
                 }
             }
             self.became.insert(id, became);

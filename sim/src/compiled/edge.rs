@@ -71,7 +71,7 @@ impl Compiled {
     /// Makes the function for an edge, which checks the assertions of clocks not in reset, with inputs that are known.
     fn make_edge(&mut self, rising: &[usize], resets: &[bool], held: &[(ValueId, Bits)]) -> Code {
         let check = Graph::check(&self.program, rising, resets);
-        let edge = Graph::edge(&self.program, rising, &vec![false; resets.len()]);
+        let edge = Graph::edge(&self.program, rising);
         let graphs = check.into_iter().chain([edge]).map(|mut graph| {
             for (id, bits) in held {
                 graph.cells[id.index()].kind = Kind::Const(bits.clone());

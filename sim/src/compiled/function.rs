@@ -68,7 +68,7 @@ impl Addresses {
                 places[id.index()] = Some(layout.place(cell.lanes, cell.width));
             }
         }
-        for &(new, of) in &plan.moved {
+        for (&new, &of) in &plan.moved {
             places[new.index()] = places[of.index()];
         }
         let waiting = plan.late.iter().map(|&id| {
@@ -168,14 +168,7 @@ impl<'a, 'b, 'c> Emitter<'a, 'b, 'c> {
             Kind::Const(bits) => self.scalars.constant(self.builder, id, bits),
             _ => {
                 let place = self.addresses.of(id);
-                self.scalars.load(
-                    self.builder,
-                    id,
-                    place.width,
-                    place.element.min(64),
-                    self.state,
-                    offset(place.offset),
-                );
+                self.scalars.load(self.builder, id, place.width, place.integer(), self.state, offset(place.offset));
             }
         }
     }
@@ -193,12 +186,12 @@ impl<'a, 'b, 'c> Emitter<'a, 'b, 'c> {
                 }
                 let place = self.addresses.of(*of);
                 let at = offset(place.lane(*index));
-                self.scalars.load(self.builder, id, place.width, place.element.min(64), self.state, at);
+                self.scalars.load(self.builder, id, place.width, place.integer(), self.state, at);
             }
             Kind::Case { subject, .. } if self.graph.lookups.contains_key(&id) => {
                 self.want(*subject);
                 let number = self.scalars.clean(self.builder, *subject)[0];
-                self.load_lane(id, self.graph.lookups[&id], number, 0);
+                self.load_lane(id, self.graph.lookups[&id], number);
             }
             kind => match self.graph.rotations.get(&id) {
                 Some(&(of, left)) => {
@@ -228,7 +221,7 @@ impl<'a, 'b, 'c> Emitter<'a, 'b, 'c> {
                     }
                     _ => self.element(part, lane),
                 };
-                self.scalars.store(self.builder, value, place.element.min(64), self.state, at);
+                self.scalars.store(self.builder, value, place.integer(), self.state, at);
             }
         }
     }
@@ -246,7 +239,7 @@ impl<'a, 'b, 'c> Emitter<'a, 'b, 'c> {
             _ => {
                 let place = self.addresses.of(of);
                 let at = offset(place.lane(lane));
-                self.scalars.load(self.builder, id, place.width, place.element.min(64), self.state, at);
+                self.scalars.load(self.builder, id, place.width, place.integer(), self.state, at);
             }
         }
         id
@@ -279,19 +272,18 @@ impl<'a, 'b, 'c> Emitter<'a, 'b, 'c> {
     }
 
     /// Loads a lane, by its number, of an array in memory.
-    pub(super) fn load_lane(&mut self, id: ValueId, of: ValueId, lane: Value, plus: i32) {
+    pub(super) fn load_lane(&mut self, id: ValueId, of: ValueId, lane: Value) {
         if let Kind::Const(bits) = &self.graph.cell(of).kind {
             return self.scalars.constant(self.builder, id, bits);
         }
         let place = self.addresses.of(of);
         let at = self.address(lane, place.bytes());
-        let plus = plus * place.bytes() as i32 + offset(place.offset);
-        self.scalars.load(self.builder, id, place.width, place.element.min(64), at, plus);
+        self.scalars.load(self.builder, id, place.width, place.integer(), at, offset(place.offset));
     }
 
     /// Stores a single value.
     pub(super) fn store_single(&mut self, id: ValueId, place: Place, at: Value, bytes: usize) {
-        self.scalars.store(self.builder, id, place.element.min(64), at, offset(bytes));
+        self.scalars.store(self.builder, id, place.integer(), at, offset(bytes));
     }
 
     /// Copies an array, by vectors.

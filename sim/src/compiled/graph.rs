@@ -46,6 +46,13 @@ pub(super) enum Sink {
 }
 
 impl Sink {
+    /// How many lanes what it takes has.
+    pub fn lanes(&self, graph: &Graph) -> u32 {
+        let (Sink::Register { state: id, .. } | Sink::Write { enable: id, .. } | Sink::Show(id) | Sink::Hold(id)) =
+            *self;
+        graph.cell(id).lanes
+    }
+
     /// Calls `visit` with every value that the sink takes.
     pub fn for_each_operand(&self, mut visit: impl FnMut(ValueId)) {
         match *self {
@@ -57,9 +64,7 @@ impl Sink {
             Sink::Show(value) | Sink::Hold(value) => visit(value),
         }
     }
-}
 
-impl Sink {
     /// Calls `visit` with every value that the sink takes, which it may replace.
     pub fn rewrite(&mut self, mut visit: impl FnMut(&mut ValueId)) {
         match self {
@@ -122,20 +127,13 @@ impl Graph {
         ValueId(self.cells.len() as u32 - 1)
     }
 
-    /// An edge of these clocks, with the resets that are high.
-    pub fn edge(program: &Program, rising: &[usize], resets: &[bool]) -> Graph {
+    /// An edge of these clocks, but for resets.
+    pub fn edge(program: &Program, rising: &[usize]) -> Graph {
         let mut graph = Graph::new(program);
         for &clock in rising {
             for &index in &program.clocks[clock].registers {
                 let register = &program.registers[index as usize];
-                let sink = match &register.reset {
-                    Some(bits) if resets[clock] => {
-                        let lanes = program.value(register.value).lanes;
-                        let next = graph.add(Kind::Const(bits.clone()), lanes, bits.width());
-                        Sink::Register { state: register.value, next, enable: None }
-                    }
-                    _ => Sink::Register { state: register.value, next: register.next, enable: register.enable },
-                };
+                let sink = Sink::Register { state: register.value, next: register.next, enable: register.enable };
                 graph.sinks.push(sink);
             }
             for &(memory, port) in &program.clocks[clock].reads {
@@ -204,7 +202,7 @@ impl Graph {
     /// 1 bit: whether an address is within the depth.
     fn within(&mut self, address: ValueId, depth: u32, lanes: u32) -> ValueId {
         let width = self.cell(address).width;
-        if width < 32 && depth >> width > 0 || width >= 64 && depth == 0 {
+        if width < 32 && depth >> width > 0 {
             return self.add(Kind::Const(Bits::from_limbs(1, &[1])), lanes, 1);
         }
         let mut limbs = vec![0; tilewright_hdl::limbs_for(width)];

@@ -64,7 +64,7 @@ impl Emitter<'_, '_, '_> {
         }
         let outer = self.scalars.clone();
         let row = self.row_length(lanes, kernel);
-        let mut strip = Strip::new(self.layout_strip(lanes), lanes, row);
+        let mut strip = Strip::new(self.strips.strip(lanes), lanes, row);
         self.splat_uniforms(&mut strip, kernel);
         self.begin_memories(&mut strip, kernel);
         let sums = match strip.rows() {
@@ -75,10 +75,8 @@ impl Emitter<'_, '_, '_> {
                     emitter.splat_row(&mut strip, kernel, row);
                     let sums = emitter.row(&mut strip, kernel, Some(row));
                     for (id, sum) in sums {
-                        emitter.scalars.define(id, Scalar::clean(emitter.graph.cell(id).width, sum));
-                        let place = emitter.addresses.of(id);
-                        let at = emitter.address(row, place.bytes());
-                        emitter.store_single(id, place, at, place.offset);
+                        let at = emitter.address(row, emitter.addresses.of(id).bytes());
+                        emitter.sum(id, sum, at);
                     }
                     strip.lanes.forget(mark);
                 });
@@ -87,19 +85,20 @@ impl Emitter<'_, '_, '_> {
         };
         self.scalars = outer;
         for (id, sum) in sums {
-            self.scalars.define(id, Scalar::clean(self.graph.cell(id).width, sum));
-            let place = self.addresses.of(id);
-            self.store_single(id, place, self.state, place.offset);
+            self.sum(id, sum, self.state);
         }
     }
 
-    fn layout_strip(&self, lanes: u32) -> u32 {
-        self.strips.strip(lanes)
+    /// Stores what has been reduced.
+    fn sum(&mut self, id: ValueId, sum: Value, at: Value) {
+        self.scalars.define(id, Scalar::clean(self.graph.cell(id).width, sum));
+        let place = self.addresses.of(id);
+        self.store_single(id, place, at, place.offset);
     }
 
     /// The group size that most of a kernel works with, if it is made of whole strips; all lanes otherwise.
     fn row_length(&self, lanes: u32, kernel: &Kernel) -> u32 {
-        let strip = self.layout_strip(lanes);
+        let strip = self.strips.strip(lanes);
         let mut uses: BTreeMap<u32, usize> = BTreeMap::new();
         let mut count = |id: ValueId| {
             let cell = self.graph.cell(id);
@@ -117,17 +116,7 @@ impl Emitter<'_, '_, '_> {
                 *uses.entry(group).or_default() += 1;
             }
         };
-        let mut seen = BTreeSet::new();
-        let mut visit = |id: ValueId| {
-            if seen.insert(id) {
-                count(id);
-            }
-        };
-        for &id in &kernel.cells {
-            visit(id);
-            self.graph.cell(id).kind.for_each_operand(&mut visit);
-        }
-        kernel.sinks.iter().for_each(|&sink| self.graph.sinks[sink].for_each_operand(&mut visit));
+        self.taken(kernel).into_iter().for_each(&mut count);
         uses.into_iter().max_by_key(|&(group, count)| (count, group)).map_or(lanes, |(group, _)| group)
     }
 
@@ -193,7 +182,7 @@ impl Emitter<'_, '_, '_> {
                 && self.graph.cell(of).lanes > 1
             {
                 let loaded = self.id();
-                self.load_lane(loaded, of, row, 0);
+                self.load_lane(loaded, of, row);
                 let limbs = self.scalars.clean(self.builder, loaded);
                 strip.lanes.splat(self.builder, id, cell.width, limbs[0]);
             }

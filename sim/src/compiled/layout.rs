@@ -32,6 +32,11 @@ impl Place {
         self.offset + lane as usize * self.bytes()
     }
 
+    /// Bits of the integers that an element consists of.
+    pub fn integer(&self) -> u32 {
+        self.element.min(64)
+    }
+
     /// Bytes from one lane to the next.
     pub fn bytes(&self) -> usize {
         self.element as usize / 8

@@ -20,7 +20,7 @@ pub(super) struct Plan {
     /// Registers with lanes that somebody reads after their kernel has run: they change at the end.
     pub late: BTreeSet<ValueId>,
     /// Cells of a branch, and those at whose place they are stored.
-    pub moved: Vec<(ValueId, ValueId)>,
+    pub moved: BTreeMap<ValueId, ValueId>,
 }
 
 /// A part of a function.
@@ -105,6 +105,11 @@ impl Plan {
     /// Adds a single value that needs nothing computed.
     pub fn single_first(&mut self, id: ValueId) {
         self.at(0).single.insert(0, id);
+    }
+
+    /// The cell at whose place this one is stored.
+    pub fn home(&self, id: ValueId) -> ValueId {
+        self.moved.get(&id).copied().unwrap_or(id)
     }
 
     fn at(&mut self, stage: usize) -> &mut Stage {
@@ -255,18 +260,9 @@ impl Planner<'_> {
         }
     }
 
-    /// The lanes of a sink.
-    fn lanes(&self, sink: &Sink) -> u32 {
-        match sink {
-            Sink::Register { state, .. } => self.graph.cell(*state).lanes,
-            Sink::Write { enable, .. } => self.graph.cell(*enable).lanes,
-            Sink::Show(value) | Sink::Hold(value) => self.graph.cell(*value).lanes,
-        }
-    }
-
     /// Where a sink takes its operands: the end for single values.
     fn sink_position(&self, sink: &Sink) -> Position {
-        let lanes = self.lanes(sink);
+        let lanes = sink.lanes(self.graph);
         if lanes == 1 {
             return Position { stage: usize::MAX, place: 0 };
         }

@@ -56,21 +56,12 @@ fn kernel_weight(kernel: &Kernel) -> usize {
     }
 }
 
-/// Whether what a sink takes and changes is of one lane.
-fn is_single(graph: &Graph, sink: &Sink) -> bool {
-    match *sink {
-        Sink::Register { state, .. } => graph.cell(state).lanes == 1,
-        Sink::Write { enable, .. } => graph.cell(enable).lanes == 1,
-        Sink::Show(value) | Sink::Hold(value) => graph.cell(value).lanes == 1,
-    }
-}
-
 /// Gives a sink that takes a state as it is a cell that does, so that only cells look at states.
 fn name_states(graph: &mut Graph, plan: &mut Plan) {
     let mut names: HashMap<ValueId, ValueId> = HashMap::new();
     for index in 0..graph.sinks.len() {
         let mut sink = graph.sinks[index].clone();
-        if !is_single(graph, &sink) || matches!(sink, Sink::Show(_) | Sink::Hold(_)) {
+        if sink.lanes(graph) > 1 || matches!(sink, Sink::Show(_) | Sink::Hold(_)) {
             continue;
         }
         sink.rewrite(|operand| {
@@ -98,10 +89,8 @@ fn for_each_read(graph: &Graph, plan: &Plan, step: Step, mut visit: impl FnMut(V
             }
         }),
         Step::Kernel(stage, lanes) => kernel_reads(graph, &plan.stages[stage].kernels[&lanes], &mut visit),
-        Step::Sink(index) => {
-            graph.sinks[index].for_each_operand(&mut visit);
-            // What stays as it is where it is not enabled is its own.
-        }
+        // What stays as it is where it is not enabled is its own.
+        Step::Sink(index) => graph.sinks[index].for_each_operand(&mut visit),
     }
 }
 
@@ -151,7 +140,7 @@ fn interleaved(graph: &Graph, plan: &Plan) -> Vec<Step> {
         }
     }
     let mut after: BTreeMap<Option<usize>, Vec<usize>> = BTreeMap::new();
-    for (index, sink) in graph.sinks.iter().enumerate().filter(|(_, sink)| is_single(graph, sink)) {
+    for (index, sink) in graph.sinks.iter().enumerate().filter(|(_, sink)| sink.lanes(graph) == 1) {
         let mut position = None;
         sink.for_each_operand(|operand| position = position.max(last.get(&operand).copied()));
         match *sink {

@@ -171,7 +171,7 @@ impl Emitter<'_, '_, '_> {
                     let at = self.strip_address(strip, place.bytes());
                     let offset = offset(place.lane(lane));
                     let single = &mut strip.singles[lane as usize];
-                    single.load(self.builder, id, place.width, place.element.min(64), at, offset);
+                    single.load(self.builder, id, place.width, place.integer(), at, offset);
                 }
             }
         }
@@ -195,25 +195,16 @@ impl Emitter<'_, '_, '_> {
     /// Stores the lanes of a value.
     pub(super) fn store_lanes(&mut self, strip: &mut Strip, id: ValueId, place: Place) {
         if place.width <= 64 {
-            self.vector_of(strip, id);
+            self.vector(strip, id);
             let side = self.side(strip, place);
             strip.lanes.store(self.builder, id, side);
             return;
         }
-        if strip.singles[0].get(id).is_none() {
-            self.singles(strip, id);
-        }
+        self.singles(strip, id);
         let at = self.strip_address(strip, place.bytes());
         for lane in 0..strip.size {
             let offset = offset(place.lane(lane));
             strip.singles[lane as usize].store(self.builder, id, 64, at, offset);
-        }
-    }
-
-    /// As [`Emitter::vector`], for what may be no cell but is computed.
-    fn vector_of(&mut self, strip: &mut Strip, id: ValueId) {
-        if !strip.lanes.has(id) {
-            self.vector(strip, id);
         }
     }
 
@@ -273,7 +264,7 @@ impl Emitter<'_, '_, '_> {
             let at = self.existing(strip, lane);
             let from = from(self, at);
             let mut single = std::mem::take(&mut self.scalars);
-            self.load_lane(id, of, from, 0);
+            self.load_lane(id, of, from);
             std::mem::swap(&mut single, &mut self.scalars);
             strip.singles[lane as usize].define(id, single.get(id).expect("it was loaded").clone());
         }
@@ -357,11 +348,11 @@ impl Emitter<'_, '_, '_> {
             let is_first = self.builder.ins().icmp(cranelift_codegen::ir::condcodes::IntCC::Equal, within, zero);
             let single = &mut strip.singles[lane as usize];
             let b = &mut *self.builder;
-            single.load(b, before, width, place.element.min(64), at, offset(place.offset));
+            single.load(b, before, width, place.integer(), at, offset(place.offset));
             single.evaluate(b, both, &Kind::Binary(combining(by), before, of), width);
             single.define_flag(first, is_first);
             single.evaluate(b, all, &Kind::Mux { select: first, on_true: of, on_false: both }, width);
-            single.store(b, all, place.element.min(64), at, offset(place.offset));
+            single.store(b, all, place.integer(), at, offset(place.offset));
         }
     }
 

@@ -1,6 +1,8 @@
 //! The instances in a module: single ones, arrays, and those written one by one that run as an array.
 
-use tilewright_hdl::ir::{Design, Instance, Module, ModuleId};
+use std::collections::HashMap;
+
+use tilewright_hdl::ir::{ClockId, Design, Instance, Module, ModuleId};
 
 use super::flatten::{Body, Flatten};
 use super::hierarchy::{Replication, ScopeId};
@@ -24,29 +26,32 @@ const NODES_A_PORT: usize = 3;
 impl Flatten<'_> {
     /// Enters all instances; siblings together.
     pub(super) fn instances(&mut self, body: &Body, module: &Module) -> Vec<Children> {
+        let groups = if self.passes.siblings { siblings(self.design, module) } else { HashMap::new() };
         let mut children: Vec<Option<Children>> = vec![None; module.instances.len()];
         for index in 0..module.instances.len() {
             if children[index].is_some() {
                 continue;
             }
-            let siblings = siblings(self.design, module, index);
-            let key = key_of(&body.key, &module.instances[index]);
-            if self.passes.siblings && siblings.len() >= SIBLINGS && !self.unrolled.contains(&key) {
-                let base = self.siblings(body, module, &siblings, key);
-                let of = siblings.len() as u32;
-                for (&sibling, lane) in siblings.iter().zip(0..) {
-                    children[sibling] = Some(Children::Sibling { base, lane, of });
+            let instance = &module.instances[index];
+            let key = key_of(&body.key, instance);
+            match groups.get(&kind(instance)) {
+                Some(siblings) if instance.lanes.is_none() && !self.unrolled.contains(&key) => {
+                    let base = self.siblings(body, module, siblings, key);
+                    let of = siblings.len() as u32;
+                    for (&sibling, lane) in siblings.iter().zip(0..) {
+                        children[sibling] = Some(Children::Sibling { base, lane, of });
+                    }
                 }
-            } else {
-                children[index] = Some(Children::Bases(self.instance(body, &module.instances[index])));
+                _ => children[index] = Some(Children::Bases(self.instance(body, instance))),
             }
         }
         // In the order of declaration, which siblings have left.
-        let number = |name: &str| module.instances.iter().position(|instance| instance.name == name);
+        let numbers: HashMap<&str, usize> =
+            module.instances.iter().enumerate().map(|(number, instance)| (instance.name.as_str(), number)).collect();
         let mut scopes = std::mem::take(&mut self.netlist.hierarchy.scopes);
         for parent in &body.scopes {
             let mut children = std::mem::take(&mut scopes[parent.0 as usize].children);
-            children.sort_by_key(|child| number(&scopes[child.0 as usize].name));
+            children.sort_by_key(|child| numbers.get(scopes[child.0 as usize].name.as_str()));
             scopes[parent.0 as usize].children = children;
         }
         self.netlist.hierarchy.scopes = scopes;
@@ -110,18 +115,23 @@ impl Flatten<'_> {
     }
 }
 
-/// The instances of the same module on the same clocks as this one, which is the first of them; none if they are better
-/// on their own.
-fn siblings(design: &Design, module: &Module, first: usize) -> Vec<usize> {
-    let instance = &module.instances[first];
-    let nodes = nodes(design, instance.module);
-    if instance.lanes.is_some() || nodes < NODES_A_PORT * (instance.inputs.len() + instance.outputs.len()) {
-        return Vec::new();
+/// What siblings have in common: the module and its clocks.
+fn kind(instance: &Instance) -> (ModuleId, &[ClockId]) {
+    (instance.module, &instance.clocks)
+}
+
+/// The instances of a module that are of one kind, where they are not better on their own.
+fn siblings<'a>(design: &Design, module: &'a Module) -> HashMap<(ModuleId, &'a [ClockId]), Vec<usize>> {
+    let mut groups: HashMap<_, Vec<usize>> = HashMap::new();
+    for (index, instance) in module.instances.iter().enumerate().filter(|(_, instance)| instance.lanes.is_none()) {
+        groups.entry(kind(instance)).or_default().push(index);
     }
-    let alike = |other: &Instance| {
-        (other.module, &other.clocks) == (instance.module, &instance.clocks) && other.lanes.is_none()
-    };
-    (first..module.instances.len()).filter(|&other| alike(&module.instances[other])).collect()
+    groups.retain(|_, siblings| {
+        let instance = &module.instances[siblings[0]];
+        let ports = instance.inputs.len() + instance.outputs.len();
+        siblings.len() >= SIBLINGS && nodes(design, instance.module) >= NODES_A_PORT * ports
+    });
+    groups
 }
 
 /// The nodes of a module and of what is in it, about.

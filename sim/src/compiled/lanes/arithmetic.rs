@@ -49,7 +49,7 @@ impl Lanes {
 
     /// Operands of one width in one element, so that equal numbers have equal bits; whether with their sign above.
     pub(super) fn exact(&mut self, b: &mut FunctionBuilder, operands: &[ValueId]) -> (Vec<Vector>, bool) {
-        let least = self.element(self.width(operands[0])).max(128 / self.strip);
+        let least = self.element(self.width(operands[0]));
         let ways = super::ELEMENTS.into_iter().filter(|&element| element >= least);
         let ways = ways.flat_map(|element| [(element, Need::Clean), (element, Need::Signed)]);
         let cost = |&(element, need): &(u32, Need)| {
