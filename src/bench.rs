@@ -1,5 +1,6 @@
 //! `tilewright bench`: the speed of the simulator, alone or against Verilator.
 
+use crate::engine::tell_refused;
 use crate::shell::{Exit, Failure, Progress, interrupt, output};
 use clap::{Args, ValueEnum};
 use std::ops::ControlFlow;
@@ -7,6 +8,7 @@ use std::sync::atomic::Ordering;
 use std::time::Duration;
 use tilewright_benches::{Effort, Error, FORMAT, Measurement, Report, Subject, USUAL, Versions, measure};
 use tilewright_gen::tools::Compiler;
+use tilewright_sim::EngineKind;
 
 /// Measures the speed of the simulator on designs made for that
 #[derive(Args)]
@@ -60,6 +62,9 @@ impl Bench {
             Some(Against::Verilator) => Some(Compiler::find().map_err(Error::from)?),
             None => None,
         };
+        if let Some(reason) = EngineKind::Compiled.refused() {
+            tell_refused(&reason);
+        }
         let effort = Effort { rounds: self.rounds, time: self.seconds };
         let versions =
             compiler.as_ref().map(|it| Versions { verilator: it.verilator_version(), clang: it.clang_version() });

@@ -37,14 +37,18 @@ impl EngineArguments {
 
 /// Tells the user if the simulation runs on another engine than the one that was asked for.
 pub fn tell_fallback<I: Bundle, O: Bundle>(sim: &Simulation<I, O>) {
-    if let Some(sentence) = fallback(sim) {
-        output::talk(&sentence);
+    if let Some(reason) = sim.fallback() {
+        tell_refused(reason);
     }
 }
 
-fn fallback<I: Bundle, O: Bundle>(sim: &Simulation<I, O>) -> Option<String> {
-    let reason = sim.fallback()?;
-    Some(format!("warning: the reference engine runs alone, with the same results but slowly: {reason}"))
+/// Tells the user why no generated code runs.
+pub fn tell_refused(reason: &str) {
+    output::talk(&warning(reason));
+}
+
+fn warning(reason: &str) -> String {
+    format!("warning: the reference engine runs alone, with the same results but slowly: {reason}")
 }
 
 #[cfg(test)]
@@ -58,14 +62,14 @@ mod tests {
         let design = entry.design(&entry.values([]).unwrap()).unwrap();
         let sim = || Simulation::from_design(&design).unwrap();
         for asked in [EngineKind::Compiled, EngineKind::Both] {
-            assert_eq!(fallback(&sim().on(asked)), None);
+            assert_eq!(sim().on(asked).fallback(), None);
             let mut without = sim().without_code("no code can be generated for this machine (a typewriter)").on(asked);
             let sentence = "warning: the reference engine runs alone, with the same results but slowly: \
                             no code can be generated for this machine (a typewriter)";
-            assert_eq!(fallback(&without).as_deref(), Some(sentence));
+            assert_eq!(without.fallback().map(warning).as_deref(), Some(sentence));
             without.step();
         }
         let chosen = sim().without_code("a typewriter").on(EngineKind::Reference);
-        assert_eq!(fallback(&chosen), None, "who asks for the reference engine has it");
+        assert_eq!(chosen.fallback(), None, "who asks for the reference engine has it");
     }
 }

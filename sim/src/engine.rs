@@ -99,6 +99,14 @@ pub enum EngineKind {
     Both,
 }
 
+impl EngineKind {
+    /// Why this engine cannot run on this computer, if it cannot: the reference engine always can.
+    pub fn refused(self) -> Option<String> {
+        let needs_code = self != EngineKind::Reference;
+        needs_code.then(compiled::unsupported).flatten().map(|reason| reason.to_string())
+    }
+}
+
 /// An engine that is made when it is first needed: until then a simulation can be given another one for nothing.
 pub(crate) struct Started {
     program: Arc<Program>,
@@ -114,7 +122,7 @@ pub(crate) struct Started {
 impl Started {
     /// The circuit at its start on this engine, or on the reference engine where code cannot be generated.
     pub fn new(program: Arc<Program>, chosen: EngineKind, seeds: Vec<u64>) -> Started {
-        let refused = compiled::unsupported().map(|reason| reason.to_string());
+        let refused = EngineKind::Compiled.refused();
         Started { program, chosen, refused, seeds, made: OnceCell::new() }
     }
 

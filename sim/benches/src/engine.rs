@@ -5,36 +5,33 @@ use crate::contender::{Contender, Run};
 use crate::error::Error;
 use crate::subject::Subject;
 use std::time::{Duration, Instant};
-use tilewright_hdl::Design;
 use tilewright_sim::{Batch, EngineKind, Simulation};
 
-/// An engine of the simulator.
-#[derive(Debug, Clone, Copy)]
-pub struct Engine {
-    /// Its name.
-    pub name: &'static str,
-    /// Makes a simulation that runs on it.
-    pub start: fn(&Design) -> Result<Simulation, tilewright_sim::Error>,
+/// The engines of this computer. The first one is what others are compared with.
+pub fn engines() -> impl Iterator<Item = EngineKind> {
+    [EngineKind::Compiled, EngineKind::Reference].into_iter().filter(|kind| kind.refused().is_none())
 }
 
-/// Every engine. The first one is what others are compared with.
-pub const ENGINES: &[Engine] = &[
-    Engine { name: "compiled engine", start: |design| Ok(Simulation::from_design(design)?.on(EngineKind::Compiled)) },
-    Engine { name: "reference engine", start: |design| Ok(Simulation::from_design(design)?.on(EngineKind::Reference)) },
-];
+fn name(kind: EngineKind) -> &'static str {
+    match kind {
+        EngineKind::Compiled => "compiled engine",
+        EngineKind::Reference => "reference engine",
+        EngineKind::Both => "both engines",
+    }
+}
 
 /// A subject on an engine. Every run elaborates it anew, as the time to the first cycle has that in it.
 #[derive(Debug, Clone, Copy)]
 pub struct OnEngine {
     /// The engine.
-    pub engine: Engine,
+    pub engine: EngineKind,
     /// The subject.
     pub subject: Subject,
 }
 
 impl Contender for OnEngine {
     fn name(&self) -> &str {
-        self.engine.name
+        name(self.engine)
     }
 
     fn build_time(&self) -> Option<Duration> {
@@ -43,7 +40,8 @@ impl Contender for OnEngine {
 
     fn run(&self, cycles: u64) -> Result<Run, Error> {
         let started = Instant::now();
-        let mut sim = (self.engine.start)(&self.subject.design().map_err(tilewright_sim::Error::from)?)?;
+        let design = self.subject.design().map_err(tilewright_sim::Error::from)?;
+        let mut sim = Simulation::from_design(&design)?.on(self.engine);
         reset(&mut sim)?;
         sim.try_step()?;
 
@@ -65,7 +63,8 @@ pub struct AtOnce {
 impl AtOnce {
     /// The subject with its stimuli.
     pub fn new(subject: Subject) -> AtOnce {
-        AtOnce { name: format!("{}, {} at once", ENGINES[0].name, subject.stimuli()), subject }
+        let engine = name(engines().next().expect("the reference engine runs everywhere"));
+        AtOnce { name: format!("{engine}, {} at once", subject.stimuli()), subject }
     }
 }
 

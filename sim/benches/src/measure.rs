@@ -1,7 +1,7 @@
 //! The measuring: contenders run alternately, round by round, and their checksums have to agree.
 
 use crate::contender::{Contender, Run};
-use crate::engine::{AtOnce, ENGINES, OnEngine, alone};
+use crate::engine::{AtOnce, OnEngine, alone, engines};
 use crate::error::Error;
 use crate::report::{Figures, Measurement};
 use crate::subject::Subject;
@@ -39,11 +39,11 @@ pub fn measure(
     };
     let mut contenders: Vec<Box<dyn Contender>> = Vec::new();
     // The reference engine would keep the runs of the others short.
-    let engines = if compiler.is_some() { &ENGINES[..1] } else { ENGINES };
+    let engines = engines().take(if compiler.is_some() { 1 } else { usize::MAX });
     if subject.stimuli() > 1 {
         contenders.push(Box::new(AtOnce::new(subject)));
     }
-    contenders.extend(engines.iter().map(|&engine| Box::new(OnEngine { engine, subject }) as _));
+    contenders.extend(engines.map(|engine| Box::new(OnEngine { engine, subject }) as _));
     if let Some(compiler) = compiler {
         show("building", 0.0)?;
         contenders.extend(models(compiler, subject)?.into_iter().map(|model| Box::new(model) as _));

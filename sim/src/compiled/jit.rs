@@ -68,7 +68,15 @@ impl Jit {
 
     /// Makes a function; `body` gets the builder in the entry block, the address of the state and the argument, and
     /// must end with a return of one number.
+    ///
+    /// # Panics
+    ///
+    /// There is no memory for code.
     pub fn function(&mut self, body: impl FnOnce(&mut FunctionBuilder, Value, Value)) -> Code {
+        self.try_function(body).unwrap_or_else(|refused| panic!("{refused}"))
+    }
+
+    fn try_function(&mut self, body: impl FnOnce(&mut FunctionBuilder, Value, Value)) -> Result<Code, Unsupported> {
         let module = self.module.as_mut().expect("it is not being dropped");
         let frontend = module.target_config();
         let mut signature = module.make_signature();
@@ -89,11 +97,11 @@ impl Jit {
             panic!("generated code is not accepted: {error:?}\n{}", self.context.func.display());
         }
         module.clear_context(&mut self.context);
-        module.finalize_definitions().expect("memory for code");
+        module.finalize_definitions().map_err(|error| Unsupported(error.to_string()))?;
         let address = module.get_finalized_function(id);
         // SAFETY: the function was just made with this signature, in the C convention of this machine.
         #[allow(unsafe_code, reason = "a function pointer is made of an address")]
-        Code(unsafe { std::mem::transmute::<*const u8, unsafe extern "C" fn(*mut u8, u64) -> u64>(address) })
+        Ok(Code(unsafe { std::mem::transmute::<*const u8, unsafe extern "C" fn(*mut u8, u64) -> u64>(address) }))
     }
 }
 
@@ -115,9 +123,17 @@ impl std::fmt::Debug for Jit {
     }
 }
 
-/// Why no code can be generated for this machine, if none can.
+/// Why no code can be generated for this machine, if none can: a small function is made to find out, as a system may
+/// forbid it.
 pub(crate) fn unsupported() -> Option<Unsupported> {
-    host().err()
+    static REFUSED: OnceLock<Option<Unsupported>> = OnceLock::new();
+    let try_one = || {
+        let returning = |b: &mut FunctionBuilder, _, argument| {
+            b.ins().return_(&[argument]);
+        };
+        Jit::new().and_then(|mut jit| jit.try_function(returning)).err()
+    };
+    REFUSED.get_or_init(try_one).clone()
 }
 
 /// The machine that this runs on, which is found out once.

@@ -11,7 +11,7 @@ pub fn nested() -> impl Strategy<Value = Vec<Part>> {
     let size =
         || prop_oneof![Just(Size::Any), Just(Size::Flags), Just(Size::Bytes), Just(Size::Halves), Just(Size::Words)];
     let sized = |part| (size(), part).prop_map(|(size, part)| resized(part, size));
-    (sized(leaf.boxed()), vec(sized(outer.boxed()), 1..3)).prop_map(|(leaf, outer)| {
+    (sized(leaf.boxed()), vec(sized(outer.boxed()), 1..4)).prop_map(|(leaf, outer)| {
         let mut parts = vec![leaf];
         parts.extend(outer);
         parts
