@@ -6,7 +6,9 @@
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
-use std::process::Command;
+use std::fs::File;
+use std::process::{Child, Command};
+use std::time::{Duration, Instant};
 use tempfile::TempDir;
 use tilewright_gen::VerilogFile;
 
@@ -66,8 +68,9 @@ impl Tool {
 pub enum Refused {
     /// It does not take the Verilog; what it printed.
     Verilog(String),
-    /// It broke on what it made of the Verilog itself, which says nothing about the Verilog. Known of Icarus 11: a
-    /// constant that comes out of an instance and is shifted by a signal.
+    /// It broke on what it made of the Verilog itself, or does not come to an end, which says nothing about the Verilog.
+    /// Known of Icarus 11: a constant that comes out of an instance and is shifted by a signal; a chain of sums of a
+    /// value with itself, which it computes twice as often at each link.
     Itself(String),
 }
 
@@ -136,8 +139,44 @@ fn icarus(folder: &TempDir) -> Result<String, Refused> {
     if !succeeded {
         return Err(Refused::Verilog(output));
     }
-    let (succeeded, output) = execute(folder, Command::new("vvp").args(["-n", "all_benches.vvp"]));
+    let mut child = Command::new("vvp")
+        .args(["-n", "all_benches.vvp"])
+        .current_dir(folder.path())
+        .stdout(output_file(folder))
+        .stderr(output_file(folder))
+        .spawn()
+        .unwrap_or_else(|error| panic!("`vvp` cannot be run: {error}"));
+    let succeeded = ends(&mut child, PATIENCE);
+    let output = std::fs::read(folder.path().join(OUTPUT)).expect("the output can be read");
+    let output = String::from_utf8_lossy(&output).into_owned();
     if succeeded { Ok(output) } else { Err(Refused::Itself(output)) }
+}
+
+/// What a simulator prints.
+const OUTPUT: &str = "output.txt";
+/// A batch of a hundred designs takes about a second.
+const PATIENCE: Duration = Duration::from_secs(60);
+
+fn output_file(folder: &TempDir) -> File {
+    let file = File::options().create(true).append(true).open(folder.path().join(OUTPUT));
+    file.expect("a file can be written")
+}
+
+/// Whether a program succeeds within a time; it is ended if it takes longer.
+fn ends(child: &mut Child, patience: Duration) -> bool {
+    let started = Instant::now();
+    loop {
+        match child.try_wait().expect("a child can be waited for") {
+            Some(status) => return status.success(),
+            None if started.elapsed() > patience => {
+                // It may have ended just now.
+                let _ = child.kill();
+                child.wait().expect("a child can be waited for");
+                return false;
+            }
+            None => std::thread::sleep(Duration::from_millis(2)),
+        }
+    }
 }
 
 fn verilator(folder: &TempDir) -> Result<String, Refused> {
@@ -159,4 +198,17 @@ fn execute(folder: &TempDir, command: &mut Command) -> (bool, String) {
     let output = output.unwrap_or_else(|error| panic!("`{name}` cannot be run: {error}"));
     let text = [output.stdout, output.stderr].concat();
     (output.status.success(), String::from_utf8_lossy(&text).into_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_program_that_does_not_end_is_ended() {
+        let start = |program: &str, argument: &str| Command::new(program).arg(argument).spawn().unwrap();
+        assert!(ends(&mut start("sleep", "0"), PATIENCE));
+        assert!(!ends(&mut start("sleep", "1000"), Duration::from_millis(20)));
+        assert!(!ends(&mut start("false", ""), PATIENCE));
+    }
 }
