@@ -118,10 +118,10 @@
 //!
 //! ```text
 //! $ cargo bench -p tilewright-machines --bench vcd
-//! without a waveform    2.15 s
-//! with a waveform       4.24 s, 1.97 times as long
-//! the file               802 MB, 46.8 million changes at 6.4 million times
-//! in the time added      383 MB/s, 22.4 million changes/s
+//! without a waveform    0.73 s
+//! with a waveform       5.81 s, 7.91 times as long
+//! the file               791 MB, 46.6 million changes at 6.4 million times
+//! in the time added      156 MB/s, 9.2 million changes/s
 //! ```
 
 mod attach;
