@@ -1,13 +1,10 @@
 //! What executes a program: the interface that every engine has.
 
-use std::cell::OnceCell;
-use std::ops::{Deref, DerefMut};
-use std::sync::Arc;
+use std::fmt;
 
-use crate::compiled::{self, Compiled};
-use crate::lockstep::{Difference, Lockstep};
+use tilewright_hdl::Bits;
+
 use crate::program::{Program, Triggers, ValueId};
-use crate::reference;
 
 /// An assertion that does not hold.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -37,6 +34,39 @@ pub(crate) struct Word {
     /// The address in it.
     pub address: u32,
 }
+
+/// Where two engines first differ.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Difference {
+    /// The signal's hierarchical name, that of a memory with the address, or an instance and the message of an assertion
+    /// in it, which is 1 if it holds.
+    pub signal: String,
+    /// How many instants had passed.
+    pub instant: u64,
+    /// The clocks that rose then; none if the inputs of a later moment make the difference.
+    pub clocks: Vec<String>,
+    /// What the reference engine has.
+    pub reference: Bits,
+    /// What the other one has.
+    pub other: Bits,
+}
+
+impl fmt::Display for Difference {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let Difference { signal, instant, clocks, reference, other } = self;
+        let moment = match &clocks[..] {
+            [] => "before the next edge".to_owned(),
+            clocks => format!("an edge of {}", clocks.join(" and ")),
+        };
+        write!(
+            f,
+            "the engines differ in `{signal}` after instant {instant}, {moment}: the reference engine has {reference:?}, \
+             the other one {other:?}: this is a mistake in tilewright, please report the design"
+        )
+    }
+}
+
+impl std::error::Error for Difference {}
 
 /// A running circuit.
 ///
@@ -87,98 +117,9 @@ pub(crate) trait Engine: Send {
     fn watch(&mut self, _values: &[ValueId]) {}
 }
 
-/// Which engine executes a circuit. All give the same results.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum EngineKind {
-    /// A plain interpreter: the meaning that the others are held to.
-    Reference,
-    /// Machine code made for the circuit.
-    #[default]
-    Compiled,
-    /// Both side by side; the first difference is an error that names the signal and the clock.
-    Both,
-}
-
-impl EngineKind {
-    /// Why this engine cannot run on this computer, if it cannot: the reference engine always can.
-    pub fn refused(self) -> Option<String> {
-        let needs_code = self != EngineKind::Reference;
-        needs_code.then(compiled::unsupported).flatten().map(|reason| reason.to_string())
-    }
-}
-
-/// An engine that is made when it is first needed: until then a simulation can be given another one for nothing.
-pub(crate) struct Started {
-    program: Arc<Program>,
-    /// The engine that was asked for.
-    chosen: EngineKind,
-    /// Why no code can be generated, if it cannot.
-    refused: Option<String>,
-    /// Of each run.
-    pub seeds: Vec<u64>,
-    made: OnceCell<Box<dyn Engine>>,
-}
-
-impl Started {
-    /// The circuit at its start on this engine, or on the reference engine where code cannot be generated.
-    pub fn new(program: Arc<Program>, chosen: EngineKind, seeds: Vec<u64>) -> Started {
-        let refused = EngineKind::Compiled.refused();
-        Started { program, chosen, refused, seeds, made: OnceCell::new() }
-    }
-
-    /// The circuit at its start, with another engine or other seeds.
-    pub fn again(&self, chosen: EngineKind, seeds: Vec<u64>) -> Started {
-        Started { program: self.program.clone(), chosen, refused: self.refused.clone(), seeds, made: OnceCell::new() }
-    }
-
-    /// As on a machine that no code can be generated for, for that reason.
-    pub fn refuse(&self, reason: &str) -> Started {
-        Started { refused: Some(reason.to_owned()), ..self.again(self.chosen, self.seeds.clone()) }
-    }
-
-    /// The engine that was asked for.
-    pub fn chosen(&self) -> EngineKind {
-        self.chosen
-    }
-
-    /// The engine that runs.
-    pub fn kind(&self) -> EngineKind {
-        if self.refused.is_some() { EngineKind::Reference } else { self.chosen }
-    }
-
-    /// Why it is not the one that was asked for.
-    pub fn fallback(&self) -> Option<&str> {
-        self.refused.as_deref().filter(|_| self.chosen != EngineKind::Reference)
-    }
-
-    /// Puts another engine in its place.
-    #[cfg(test)]
-    pub fn replace(&mut self, engine: Box<dyn Engine>) {
-        self.made = OnceCell::from(engine);
-    }
-
-    fn make(&self) -> Box<dyn Engine> {
-        let reference = || reference::Engine::new(self.program.clone(), &self.seeds);
-        let compiled = || Box::new(Compiled::new(self.program.clone(), &self.seeds).expect("it was asked before"));
-        match self.kind() {
-            EngineKind::Reference => Box::new(reference()),
-            EngineKind::Compiled => compiled(),
-            EngineKind::Both => Box::new(Lockstep::new(self.program.clone(), reference(), compiled())),
-        }
-    }
-}
-
-impl Deref for Started {
-    type Target = dyn Engine;
-
-    fn deref(&self) -> &Self::Target {
-        &**self.made.get_or_init(|| self.make())
-    }
-}
-
-impl DerefMut for Started {
-    fn deref_mut(&mut self) -> &mut Self::Target {
-        self.made.get_or_init(|| self.make());
-        &mut **self.made.get_mut().expect("it has just been made")
-    }
+/// One lane of a value, settled.
+pub(crate) fn lane(program: &Program, engine: &mut dyn Engine, id: ValueId, lane: u32) -> Bits {
+    let value = program.value(id);
+    let start = lane as usize * value.limbs();
+    Bits::from_limbs(value.width, &engine.read(id)[start..start + value.limbs()])
 }

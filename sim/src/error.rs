@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use tilewright_hdl::{Loc, Problems};
 
-use crate::lockstep::Difference;
+use crate::engine::Difference;
 use crate::program::Looping;
 
 /// Why a simulation could not be made or could not go on.

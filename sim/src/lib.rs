@@ -126,6 +126,7 @@
 
 mod attach;
 mod batch;
+mod choice;
 mod compiled;
 mod engine;
 mod error;
@@ -147,10 +148,10 @@ mod trace;
 
 pub use attach::Probe;
 pub use batch::Batch;
+pub use choice::EngineKind;
 pub use compiled::Unsupported;
-pub use engine::EngineKind;
+pub use engine::Difference;
 pub use error::{Error, UnknownName, Violation};
-pub use lockstep::Difference;
 pub use passes::Passes;
 pub use port::{IntoValue, Port};
 pub use program::Looping;

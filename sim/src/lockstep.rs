@@ -1,46 +1,12 @@
 //! Two engines side by side, which must agree on everything that has a name.
 
-use std::fmt;
 use std::sync::Arc;
 
 use tilewright_hdl::{Bits, limbs_for};
 
-use crate::engine::{Done, Engine, Failed, Word};
+use crate::engine::{Difference, Done, Engine, Failed, Word};
 use crate::program::{Memory, Program, Triggers, ValueId};
 use crate::reference;
-
-/// Where two engines first differ.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Difference {
-    /// The signal's hierarchical name, that of a memory with the address, or an instance and the message of an assertion
-    /// in it, which is 1 if it holds.
-    pub signal: String,
-    /// How many instants had passed.
-    pub instant: u64,
-    /// The clocks that rose then; none if the inputs of a later moment make the difference.
-    pub clocks: Vec<String>,
-    /// What the reference engine has.
-    pub reference: Bits,
-    /// What the other one has.
-    pub other: Bits,
-}
-
-impl fmt::Display for Difference {
-    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let Difference { signal, instant, clocks, reference, other } = self;
-        let moment = match &clocks[..] {
-            [] => "before the next edge".to_owned(),
-            clocks => format!("an edge of {}", clocks.join(" and ")),
-        };
-        write!(
-            f,
-            "the engines differ in `{signal}` after instant {instant}, {moment}: the reference engine has {reference:?}, \
-             the other one {other:?}: this is a mistake in tilewright, please report the design"
-        )
-    }
-}
-
-impl std::error::Error for Difference {}
 
 /// Two engines that do the same.
 pub(crate) struct Lockstep {

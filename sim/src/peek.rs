@@ -2,11 +2,11 @@
 
 use tilewright_hdl::{Bits, Bundle};
 
-use crate::engine::Engine;
+use crate::engine::lane;
 use crate::error::UnknownName;
 use crate::lookup::{self, Found};
 use crate::port::IntoValue;
-use crate::program::{Program, Triggers, ValueId};
+use crate::program::{Triggers, ValueId};
 use crate::simulation::Simulation;
 
 impl<I: Bundle, O: Bundle> Simulation<I, O> {
@@ -90,11 +90,4 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     pub(crate) fn lane(&mut self, id: ValueId, index: u32) -> Bits {
         lane(&self.program, &mut *self.engine, id, index)
     }
-}
-
-/// One lane of a value, settled.
-pub(crate) fn lane(program: &Program, engine: &mut dyn Engine, id: ValueId, lane: u32) -> Bits {
-    let value = program.value(id);
-    let start = lane as usize * value.limbs();
-    Bits::from_limbs(value.width, &engine.read(id)[start..start + value.limbs()])
 }

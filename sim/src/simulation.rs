@@ -5,10 +5,10 @@ use std::sync::Arc;
 
 use tilewright_hdl::{Bits, Block, Bundle, DEFAULT_PERIOD, Design, Period, elaborate_typed};
 
-use crate::engine::{EngineKind, Started};
+use crate::choice::{EngineKind, Started};
+use crate::engine::lane;
 use crate::error::{Error, UnknownName};
 use crate::passes::Passes;
-use crate::peek::lane;
 use crate::port::{IntoValue, Port};
 use crate::program::{self, Program, Triggers};
 use crate::timeline::Timeline;

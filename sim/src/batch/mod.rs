@@ -7,7 +7,7 @@ use std::fmt;
 
 use tilewright_hdl::{Bits, Block, Bundle, DEFAULT_PERIOD, Design, Leaf, Period};
 
-use crate::engine::EngineKind;
+use crate::choice::EngineKind;
 use crate::error::{Error, UnknownName};
 use crate::passes::Passes;
 use crate::port::{IntoValue, Port};

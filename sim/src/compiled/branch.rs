@@ -8,20 +8,10 @@ use tilewright_hdl::Bits;
 
 use super::graph::{Graph, Sink};
 use super::layout::Strips;
-use super::plan::{Kernel, Plan};
+use super::plan::{Kernel, Plan, Switch};
 use super::simplify;
 use crate::program::rules::{Cells, alias, fold, shorter};
 use crate::program::{Kind, ValueId};
-
-/// Kernels to choose from.
-#[derive(Debug, Clone)]
-pub(super) struct Switch {
-    /// The single value that decides.
-    pub subject: ValueId,
-    pub kernels: Vec<Kernel>,
-    /// The kernel for each number that the subject may be.
-    pub table: Vec<usize>,
-}
 
 /// The widest value that is branched on.
 const WIDEST: u32 = 6;

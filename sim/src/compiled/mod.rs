@@ -29,8 +29,7 @@ use std::sync::Arc;
 
 use tilewright_hdl::limbs_for;
 
-use crate::engine::{Done, Engine, Failed};
-use crate::lockstep::Difference;
+use crate::engine::{Difference, Done, Engine, Failed};
 use crate::program::{Program, Triggers, ValueId};
 use bank::Bank;
 use edge::Edge;

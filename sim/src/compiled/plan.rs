@@ -7,7 +7,6 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::branch::Switch;
 use super::graph::{Graph, Sink};
 use crate::program::{Kind, ValueId};
 
@@ -43,6 +42,16 @@ pub(super) struct Kernel {
     pub sinks: Vec<usize>,
     /// What runs instead.
     pub switch: Option<Box<Switch>>,
+}
+
+/// Kernels to choose from.
+#[derive(Debug, Clone)]
+pub(super) struct Switch {
+    /// The single value that decides.
+    pub subject: ValueId,
+    pub kernels: Vec<Kernel>,
+    /// The kernel for each number that the subject may be.
+    pub table: Vec<usize>,
 }
 
 /// Where in a stage something runs.

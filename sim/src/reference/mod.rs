@@ -12,8 +12,7 @@ use std::sync::Arc;
 
 use tilewright_hdl::limbs_for;
 
-use crate::engine::{self, Done, Failed, Word};
-use crate::lockstep::Difference;
+use crate::engine::{self, Difference, Done, Failed, Word};
 use crate::program::{Kind, Memory, Program, Readers, Triggers, ValueId};
 use crate::start::{self, State};
 
