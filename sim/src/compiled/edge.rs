@@ -31,9 +31,9 @@ impl Compiled {
     pub(super) fn edge_code(&mut self, rising: &[usize], count: u64) -> Code {
         let mut asserting = rising.iter().filter(|&&clock| !self.program.clocks[clock].asserts.is_empty());
         let unchecked = asserting.all(|&clock| self.resets[clock]);
-        self.state.put(self.unchecked, &[unchecked.into()]);
+        self.check_asserts(!unchecked);
         let matches = |of: &[bool]| if unchecked { !of.contains(&true) } else { *of == *self.resets };
-        let made = self.edges.iter().position(|edge| edge.rising == rising && matches(&edge.resets));
+        let made = self.edges.iter().position(|edge| edge.rising.iter().eq(rising) && matches(&edge.resets));
         let index = made.unwrap_or_else(|| {
             let resets = if unchecked { vec![false; self.resets.len()] } else { self.resets.clone() };
             let code = self.make_edge(rising, &resets, &[]);
@@ -66,6 +66,14 @@ impl Compiled {
         let code = self.make_edge(rising, &resets, &held);
         self.edges[index].special = Some(code);
         code
+    }
+
+    /// Whether functions are to check assertions.
+    pub(super) fn check_asserts(&mut self, checked: bool) {
+        if self.checked != checked {
+            self.checked = checked;
+            self.state.put(self.unchecked, &[u64::from(!checked)]);
+        }
     }
 
     /// Makes the function for an edge, which checks the assertions of clocks not in reset, with inputs that are known.

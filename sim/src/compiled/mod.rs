@@ -62,6 +62,7 @@ pub(crate) struct Compiled {
     inputs_version: u64,
     /// 1 while edges are not to check assertions.
     unchecked: Place,
+    checked: bool,
     /// What looks whether assertions hold, if there are any.
     checks: Vec<(Vec<usize>, Vec<bool>, Option<Code>)>,
     views: Vec<View>,
@@ -112,6 +113,7 @@ impl Compiled {
             resets: vec![false; program.clocks.len()],
             edges: Vec::new(),
             unchecked,
+            checked: true,
             checks: Vec::new(),
             views: Vec::new(),
             shown: vec![None; program.values.len()],
@@ -138,7 +140,7 @@ impl Compiled {
                 code
             }
         };
-        self.state.put(self.unchecked, &[0]);
+        self.check_asserts(true);
         code.is_none_or(|code| self.call(code, 1) == 0)
     }
 
