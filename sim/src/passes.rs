@@ -47,7 +47,7 @@ impl Default for Passes {
             blanks: true,
             near: 1 << 20,
             held_after: 50_000,
-            longest: 2000,
+            longest: 500,
         }
     }
 }
