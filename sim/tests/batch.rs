@@ -1,17 +1,16 @@
 //! Many runs at once: each is what a simulation of it alone gives.
 #![allow(missing_docs)]
 
+mod store;
+
 use std::fs;
 use std::path::PathBuf;
 
+use store::Store;
 use tilewright_hdl::{
-    Bits, Block, Clock, Design, Module, Period, ReadUnderWrite, Width, bit, bits, bundle, cat, elaborate, mux, states,
-    when,
+    Bits, Block, Design, Module, ReadUnderWrite, Width, bits, bundle, cat, elaborate, mux, states, when,
 };
 use tilewright_sim::{Batch, EngineKind, Error, Port, Simulation, Vcd};
-
-const FAST: Clock = Clock::new("fast", Period::ps(2_000));
-const SLOW: Clock = Clock::new("slow", Period::ps(3_000));
 
 bundle! {
     pub struct CellIn<T> { pub left: T, pub own: T }
@@ -79,32 +78,6 @@ impl Block for Mixed {
         scrambled.next(mux(turn.is(Turn::Left), scrambled + wide.slice(3..36), scrambled.value()));
         let word = words.read_async(i.at) ^ words.read(i.x.slice(4..7));
         MixedOut { sum: cells.value.sum(), wide: wide.value(), word, scrambled: scrambled.value() }
-    }
-}
-
-bundle! {
-    pub struct StoreIn<T> { pub write: T, pub to: T, pub data: T, pub read: T, pub from: T }
-    pub struct StoreOut<T> { pub word: T, pub at_once: T }
-}
-
-/// A memory written on one clock and read on another.
-#[derive(Debug)]
-struct Store;
-
-impl Block for Store {
-    type In = StoreIn;
-    type Out = StoreOut;
-
-    fn inputs(&self) -> StoreIn<Width> {
-        let fast = |width| bits(width).on(FAST);
-        StoreIn { write: bit().on(FAST), to: fast(2), data: fast(8), read: bit().on(SLOW), from: bits(2).on(SLOW) }
-    }
-
-    fn build(&self, m: Module, i: StoreIn) -> StoreOut {
-        let store = m.memory("store", 4, 8, ReadUnderWrite::Any);
-        store.on(FAST).write(i.write, i.to, i.data);
-        let at_once = store.on(SLOW).read_async(i.from).quasi_static("the test knows both clocks");
-        StoreOut { word: store.on(SLOW).read_when(i.read, i.from), at_once }
     }
 }
 
@@ -232,7 +205,7 @@ fn an_array_memories_and_wide_values() {
 
 #[test]
 fn two_clocks() {
-    check("store", &Store);
+    check("store", &Store { policy: ReadUnderWrite::Any });
 }
 
 #[test]

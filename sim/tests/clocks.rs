@@ -3,13 +3,13 @@
 
 #[path = "engine/mod.rs"]
 mod engine;
+#[path = "store/mod.rs"]
+mod store;
 
 use engine::of;
 use proptest::prelude::*;
-use tilewright_hdl::{Block, Clock, Module, Period, ReadUnderWrite, Signal, Width, bit, bits, bundle, lit};
-
-const FAST: Clock = Clock::new("fast", Period::ps(2_000));
-const SLOW: Clock = Clock::new("slow", Period::ps(3_000));
+use store::{FAST, SLOW, Store, StoreIn, StoreOut};
+use tilewright_hdl::{Block, Module, ReadUnderWrite, Signal, bundle, lit};
 
 /// A count on each of two clocks; each is sampled by the other.
 #[derive(Debug)]
@@ -65,34 +65,6 @@ fn a_wave_of_two_clocks_shows_both() {
         fast     | 0 | 1     | 2 | 3 | 4 |
         slow     | 0     | 1     | 2     |",
     );
-}
-
-bundle! {
-    pub struct StoreIn<T> { pub write: T, pub to: T, pub data: T, pub read: T, pub from: T }
-    pub struct StoreOut<T> { pub word: T, pub at_once: T }
-}
-
-/// A memory written on one clock and read on another.
-#[derive(Debug)]
-struct Store {
-    policy: ReadUnderWrite,
-}
-
-impl Block for Store {
-    type In = StoreIn;
-    type Out = StoreOut;
-
-    fn inputs(&self) -> StoreIn<Width> {
-        let fast = |width| bits(width).on(FAST);
-        StoreIn { write: bit().on(FAST), to: fast(2), data: fast(8), read: bit().on(SLOW), from: bits(2).on(SLOW) }
-    }
-
-    fn build(&self, m: Module, i: StoreIn) -> StoreOut {
-        let store = m.memory("store", 4, 8, self.policy);
-        store.on(FAST).write(i.write, i.to, i.data);
-        let at_once = store.on(SLOW).read_async(i.from).quasi_static("the test knows both clocks");
-        StoreOut { word: store.on(SLOW).read_when(i.read, i.from), at_once }
-    }
 }
 
 proptest! {

@@ -135,32 +135,16 @@ fn verdicts(output: &str, count: usize) -> Vec<Option<String>> {
 
 fn icarus(folder: &TempDir) -> Result<String, Refused> {
     let compile = ["-g2005", "-s", "all_benches", "-o", "all_benches.vvp", "all_benches.v"];
-    let (succeeded, output) = execute(folder, Command::new("iverilog").args(compile));
+    let (succeeded, output) = execute(folder, Command::new("iverilog").args(compile), Duration::MAX);
     if !succeeded {
         return Err(Refused::Verilog(output));
     }
-    let mut child = Command::new("vvp")
-        .args(["-n", "all_benches.vvp"])
-        .current_dir(folder.path())
-        .stdout(output_file(folder))
-        .stderr(output_file(folder))
-        .spawn()
-        .unwrap_or_else(|error| panic!("`vvp` cannot be run: {error}"));
-    let succeeded = ends(&mut child, PATIENCE);
-    let output = std::fs::read(folder.path().join(OUTPUT)).expect("the output can be read");
-    let output = String::from_utf8_lossy(&output).into_owned();
+    let (succeeded, output) = execute(folder, Command::new("vvp").args(["-n", "all_benches.vvp"]), PATIENCE);
     if succeeded { Ok(output) } else { Err(Refused::Itself(output)) }
 }
 
-/// What a simulator prints.
-const OUTPUT: &str = "output.txt";
 /// A batch of a hundred designs takes about a second.
 const PATIENCE: Duration = Duration::from_secs(60);
-
-fn output_file(folder: &TempDir) -> File {
-    let file = File::options().create(true).append(true).open(folder.path().join(OUTPUT));
-    file.expect("a file can be written")
-}
 
 /// Whether a program succeeds within a time; it is ended if it takes longer.
 fn ends(child: &mut Child, patience: Duration) -> bool {
@@ -184,20 +168,25 @@ fn verilator(folder: &TempDir) -> Result<String, Refused> {
     let build = ["--binary", "-j", "2", "-Wno-fatal", "-Wno-lint", "--output-split", "20000"];
     let compiler = ["-CFLAGS", "-O0", "-MAKEFLAGS", "OPT_FAST=-O0 OPT_SLOW=-O0 OPT_GLOBAL=-O0"];
     let top = ["--Mdir", "build", "-o", "benches", "--top-module", "all_benches", "all_benches.v"];
-    let (succeeded, output) = execute(folder, Command::new("verilator").args(build).args(compiler).args(top));
+    let (succeeded, output) =
+        execute(folder, Command::new("verilator").args(build).args(compiler).args(top), Duration::MAX);
     if !succeeded {
         return Err(Refused::Verilog(output));
     }
-    Ok(execute(folder, &mut Command::new(folder.path().join("build/benches"))).1)
+    Ok(execute(folder, &mut Command::new(folder.path().join("build/benches")), Duration::MAX).1)
 }
 
-/// Runs a program in the folder: whether it succeeded, and all that it printed.
-fn execute(folder: &TempDir, command: &mut Command) -> (bool, String) {
+/// Runs a program in the folder, for so long at most: whether it succeeded, and all that it printed.
+fn execute(folder: &TempDir, command: &mut Command, patience: Duration) -> (bool, String) {
     let name = command.get_program().to_string_lossy().into_owned();
-    let output = command.current_dir(folder.path()).output();
-    let output = output.unwrap_or_else(|error| panic!("`{name}` cannot be run: {error}"));
-    let text = [output.stdout, output.stderr].concat();
-    (output.status.success(), String::from_utf8_lossy(&text).into_owned())
+    let printed = folder.path().join("printed.txt");
+    let file = File::create(&printed).expect("a file can be written");
+    let both = file.try_clone().expect("a file can be shared");
+    let child = command.current_dir(folder.path()).stdout(file).stderr(both).spawn();
+    let mut child = child.unwrap_or_else(|error| panic!("`{name}` cannot be run: {error}"));
+    let succeeded = ends(&mut child, patience);
+    let text = std::fs::read(&printed).expect("what was written can be read");
+    (succeeded, String::from_utf8_lossy(&text).into_owned())
 }
 
 #[cfg(test)]
