@@ -115,8 +115,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     pub(crate) fn seed(&mut self, seeds: Vec<u64>) {
         assert!(self.timeline.time == 0, "a seed can only be given before the first step");
         assert!(self.observers.is_empty(), "give the seed before attaching a trace");
-        self.engine = self.engine.again(self.engine.chosen(), seeds);
-        self.resets.fill(false);
+        self.restart(self.engine.again(self.engine.chosen(), seeds));
     }
 
     /// The same circuit at time 0 on this engine; inputs become zero. Where no code can be generated for this machine, it
@@ -129,17 +128,20 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     pub fn on(mut self, kind: EngineKind) -> Self {
         assert!(self.timeline.time == 0, "an engine can only be chosen before the first step");
         assert!(self.observers.is_empty(), "choose the engine before attaching a trace");
-        self.engine = self.engine.again(kind, self.engine.seeds.clone());
-        self.resets.fill(false);
+        self.restart(self.engine.again(kind, self.engine.seeds.clone()));
         self
     }
 
     /// As on a machine that no code can be generated for, for that reason.
     #[doc(hidden)]
     pub fn without_code(mut self, reason: &str) -> Self {
-        self.engine = self.engine.refuse(reason);
-        self.resets.fill(false);
+        self.restart(self.engine.refuse(reason));
         self
+    }
+
+    fn restart(&mut self, engine: Started) {
+        self.engine = engine;
+        self.resets.fill(false);
     }
 
     /// The engine that runs: the one chosen, or the reference engine where no code can be generated for this machine.

@@ -76,6 +76,18 @@ pub enum Reduction {
     Add,
 }
 
+impl Reduction {
+    /// The operator that combines two lanes.
+    pub fn operator(self) -> Binary {
+        match self {
+            Reduction::And => Binary::And,
+            Reduction::Or => Binary::Or,
+            Reduction::Xor => Binary::Xor,
+            Reduction::Add => Binary::Add,
+        }
+    }
+}
+
 /// How a node is computed.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Op {

@@ -3,6 +3,7 @@
 
 use std::collections::BTreeMap;
 
+use rustc_hash::FxHashSet;
 use tilewright_hdl::ir::Contents;
 
 use super::function::MemoryAt;
@@ -29,9 +30,13 @@ struct Ports {
 /// Where the memories of a program stand, and their banks, full of zeros.
 pub(super) fn banks(program: &Program, strips: &Strips) -> (Vec<MemoryAt>, Vec<Bank>) {
     let mut groups: BTreeMap<Ports, Vec<usize>> = BTreeMap::new();
-    for (index, memory) in program.memories.iter().enumerate() {
-        groups.entry(ports(program, index, memory)).or_default().push(index);
+    for (index, (memory, reads)) in program.memories.iter().zip(reads(program)).enumerate() {
+        let writes: Vec<_> = memory.writes.iter().map(|port| (port.clock, port.enable, port.address)).collect();
+        let alone = (!program.passes.side_by_side || writes.is_empty()).then_some(index);
+        let ports = Ports { lanes: memory.lanes, depth: memory.depth, writes, reads, alone };
+        groups.entry(ports).or_default().push(index);
     }
+    let common = common(program);
     let mut all = vec![None; program.memories.len()];
     let mut banks = Vec::new();
     for (ports, group) in groups {
@@ -39,7 +44,7 @@ pub(super) fn banks(program: &Program, strips: &Strips) -> (Vec<MemoryAt>, Vec<B
         let addresses = || ports.reads.iter().copied().chain(ports.writes.iter().map(|(.., address)| *address));
         let bits = addresses().map(|id| program.value(id).width).max().unwrap_or(1);
         let together =
-            ports.lanes > 1 && widths.iter().all(|&width| width <= 64) && addresses().all(|id| is_common(program, id));
+            ports.lanes > 1 && widths.iter().all(|&width| width <= 64) && addresses().all(|id| common.contains(&id));
         // Every address that its width can express has a word, so that reads need no check: those beyond the depth
         // stay zero.
         let depth = (ports.depth as usize).max(1 << bits);
@@ -60,25 +65,27 @@ pub(super) fn banks(program: &Program, strips: &Strips) -> (Vec<MemoryAt>, Vec<B
     (all.into_iter().map(|at| at.expect("every memory is in a group")).collect(), banks)
 }
 
-fn ports(program: &Program, index: usize, memory: &Memory) -> Ports {
-    let asynchronous = program.operations.iter().filter_map(|operation| match operation.kind {
-        Kind::Read { memory, address } if memory as usize == index => Some(address),
-        _ => None,
-    });
-    let mut reads: Vec<ValueId> = memory.reads.iter().map(|read| read.address).chain(asynchronous).collect();
-    reads.sort();
-    reads.dedup();
-    let writes: Vec<_> = memory.writes.iter().map(|port| (port.clock, port.enable, port.address)).collect();
-    let alone = (!program.passes.side_by_side || writes.is_empty()).then_some(index);
-    Ports { lanes: memory.lanes, depth: memory.depth, writes, reads, alone }
+/// The addresses at which each memory is read.
+fn reads(program: &Program) -> Vec<Vec<ValueId>> {
+    let synchronous = |memory: &Memory| memory.reads.iter().map(|read| read.address).collect();
+    let mut all: Vec<Vec<ValueId>> = program.memories.iter().map(synchronous).collect();
+    for operation in &program.operations {
+        if let Kind::Read { memory, address } = operation.kind {
+            all[memory as usize].push(address);
+        }
+    }
+    for reads in &mut all {
+        reads.sort();
+        reads.dedup();
+    }
+    all
 }
 
-/// Whether a value is the same in all lanes, and can be taken from one.
-fn is_common(program: &Program, id: ValueId) -> bool {
-    program.operations.iter().any(|operation| {
-        let is_broadcast = matches!(operation.kind, Kind::Broadcast(of, _) if program.value(of).lanes == 1);
-        operation.result == id && is_broadcast
-    })
+/// The values that are the same in all lanes, and can be taken from one.
+fn common(program: &Program) -> FxHashSet<ValueId> {
+    let is_broadcast = |kind: &Kind| matches!(kind, Kind::Broadcast(of, _) if program.value(*of).lanes == 1);
+    let operations = program.operations.iter().filter(|operation| is_broadcast(&operation.kind));
+    operations.map(|operation| operation.result).collect()
 }
 
 #[cfg(test)]

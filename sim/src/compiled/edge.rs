@@ -97,7 +97,10 @@ impl Compiled {
     /// The registers of those clocks whose resets are high take their reset values.
     pub(super) fn reset(&mut self, rising: &[usize]) {
         let program = self.program.clone();
-        for &clock in rising.iter().filter(|&&clock| self.resets[clock]).collect::<Vec<_>>() {
+        for &clock in rising {
+            if !self.resets[clock] {
+                continue;
+            }
             for &index in &program.clocks[clock].registers {
                 let register = &program.registers[index as usize];
                 if let Some(reset) = &register.reset {

@@ -3,7 +3,6 @@
 use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::{InstBuilder, MemFlagsData, Value, types};
 use cranelift_frontend::FunctionBuilder;
-use tilewright_hdl::ir::{Binary, Reduction};
 
 use super::graph::{Graph, Sink};
 use super::layout::{Layout, Place, Strips, Words};
@@ -30,6 +29,11 @@ pub(super) struct MemoryAt {
 }
 
 impl MemoryAt {
+    /// Where a word is in the bank.
+    pub fn at(&self, lane: u32, address: u32) -> usize {
+        self.first + self.words.at(lane, address)
+    }
+
     /// How a word stands in the memory, or the word that stands so.
     pub fn standing(&self, limbs: &[u64]) -> Vec<u64> {
         let mut limbs = limbs.to_vec();
@@ -320,14 +324,4 @@ impl<'a, 'b, 'c> Emitter<'a, 'b, 'c> {
 /// An offset as instructions take it.
 pub(super) fn offset(bytes: usize) -> i32 {
     i32::try_from(bytes).expect("the state of a circuit is smaller than 2 GB; memories are apart from it")
-}
-
-/// The operator that combines two lanes.
-pub(super) fn combining(by: Reduction) -> Binary {
-    match by {
-        Reduction::And => Binary::And,
-        Reduction::Or => Binary::Or,
-        Reduction::Xor => Binary::Xor,
-        Reduction::Add => Binary::Add,
-    }
 }

@@ -224,18 +224,13 @@ impl Engine for Compiled {
     fn word(&self, memory: u32, lane: u32, address: u32) -> Vec<u64> {
         let at = self.memories[memory as usize];
         let mut limbs = vec![0; limbs_for(at.width)];
-        self.banks[at.bank].get_word(at.first + at.words.at(lane, address), at.words.word, at.width, &mut limbs);
+        self.banks[at.bank].get_word(at.at(lane, address), at.words.word, at.width, &mut limbs);
         at.standing(&limbs)
     }
 
     fn set_word(&mut self, memory: u32, lane: u32, address: u32, limbs: &[u64]) {
         let at = self.memories[memory as usize];
-        self.banks[at.bank].put_word(
-            at.first + at.words.at(lane, address),
-            at.words.word,
-            at.width,
-            &at.standing(limbs),
-        );
+        self.banks[at.bank].put_word(at.at(lane, address), at.words.word, at.width, &at.standing(limbs));
         self.changed(Triggers::ALL);
     }
 

@@ -94,7 +94,8 @@ impl Plan {
         let needed = graph.needed();
         let positions = vec![Position { stage: 0, place: 0 }; graph.cells.len()];
         let looked_at = looked_at(graph, &needed);
-        let mut planner = Planner { graph, far, positions, looked_at, kernels: BTreeMap::new() };
+        let ports = ports(graph, far.len());
+        let mut planner = Planner { graph, far, ports, positions, looked_at, kernels: BTreeMap::new() };
         let mut plan = Plan::default();
         for &id in &needed {
             planner.positions[id.index()] = Position { stage: planner.stage(id), place: planner.role(id).place() };
@@ -150,10 +151,35 @@ fn looked_at(graph: &Graph, needed: &[ValueId]) -> BTreeSet<ValueId> {
     of.chain(shown).collect()
 }
 
+/// What looks at a memory and changes it.
+#[derive(Debug, Clone, Default)]
+struct Ports {
+    reads: Vec<ValueId>,
+    /// By index in [`Graph::sinks`].
+    writes: Vec<usize>,
+}
+
+/// The ports of so many memories.
+fn ports(graph: &Graph, memories: usize) -> Vec<Ports> {
+    let mut ports = vec![Ports::default(); memories];
+    for (id, cell) in (0..).map(ValueId).zip(&graph.cells) {
+        if let Kind::Read { memory, .. } = cell.kind {
+            ports[memory as usize].reads.push(id);
+        }
+    }
+    for (index, sink) in graph.sinks.iter().enumerate() {
+        if let Sink::Write { memory, .. } = *sink {
+            ports[memory as usize].writes.push(index);
+        }
+    }
+    ports
+}
+
 struct Planner<'a> {
     graph: &'a Graph,
     /// Per memory.
     far: &'a [bool],
+    ports: Vec<Ports>,
     positions: Vec<Position>,
     looked_at: BTreeSet<ValueId>,
     /// Per lane count: the stage of the kernel that does most of the work, if it can be said to be one.
@@ -292,12 +318,9 @@ impl Planner<'_> {
 
     /// The first stage in which a memory has been read, and all its ports can write, one after the other.
     fn written(&self, memory: u32) -> usize {
-        let cells = self.graph.cells.iter().zip(&self.positions);
-        let reads = cells.filter(|(cell, _)| matches!(cell.kind, Kind::Read { memory: read, .. } if read == memory));
-        let reads = reads.map(|(_, position)| position.stage);
-        let sinks = self.graph.sinks.iter();
-        let writes = sinks.filter(|sink| matches!(sink, Sink::Write { memory: written, .. } if *written == memory));
-        reads.chain(writes.map(|sink| self.taken(sink))).max().unwrap_or(0)
+        let Ports { reads, writes } = &self.ports[memory as usize];
+        let reads = reads.iter().map(|id| self.positions[id.index()].stage);
+        reads.chain(writes.iter().map(|&sink| self.taken(&self.graph.sinks[sink]))).max().unwrap_or(0)
     }
 
     fn sinks(&mut self, plan: &mut Plan) {

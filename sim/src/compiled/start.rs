@@ -21,7 +21,7 @@ impl State for Compiled {
         }
         let store = &mut self.banks[at.bank];
         let mut repeat = |lane, address, count| {
-            store.repeat_word(at.first + at.words.at(lane, address), at.words.word, at.width, limbs, count);
+            store.repeat_word(at.at(lane, address), at.words.word, at.width, limbs, count);
         };
         if at.words.together() {
             addresses.for_each(|address| repeat(lanes.start, address, lanes.len()));

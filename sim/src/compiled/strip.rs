@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use cranelift_codegen::ir::{InstBuilder, Value, types};
 use tilewright_hdl::ir::Reduction;
 
-use super::function::{Emitter, combining, offset};
+use super::function::{Emitter, offset};
 use super::lanes::{Lanes, Span};
 use super::layout::{GUARD, Place};
 use super::scalar::{Scalar, Scalars};
@@ -349,7 +349,7 @@ impl Emitter<'_, '_, '_> {
             let single = &mut strip.singles[lane as usize];
             let b = &mut *self.builder;
             single.load(b, before, width, place.integer(), at, offset(place.offset));
-            single.evaluate(b, both, &Kind::Binary(combining(by), before, of), width);
+            single.evaluate(b, both, &Kind::Binary(by.operator(), before, of), width);
             single.define_flag(first, is_first);
             single.evaluate(b, all, &Kind::Mux { select: first, on_true: of, on_false: both }, width);
             single.store(b, all, place.integer(), at, offset(place.offset));

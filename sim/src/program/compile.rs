@@ -38,7 +38,7 @@ pub fn compile_lanes(design: &Design, lanes: u32, passes: &Passes) -> Result<Pro
         match order::order(&netlist) {
             Ok(order) => {
                 simplify::simplify(&mut netlist, &order, passes);
-                return Ok(Program { passes: passes.clone(), ..schedule::schedule(netlist) });
+                return Ok(schedule::schedule(netlist, passes));
             }
             Err(cycle) => {
                 let arrays = arrays_on(&netlist, &cycle);

@@ -11,7 +11,7 @@ const DEPTH: u32 = 16;
 
 /// The array of these lanes, if they are the lanes of one, or are computed in the same way from such, from constants
 /// and from what is the same for all: then it is computed in all lanes together.
-pub(super) fn lift(netlist: &mut Netlist, known: &mut Known, parts: &[ValueId], lanes: u32) -> Option<Kind> {
+pub(super) fn lift(netlist: &mut Netlist, known: &mut Known, parts: &[ValueId], lanes: u32) -> Option<ValueId> {
     let is_computed = |part: &ValueId| match netlist.cell(*part).kind {
         Kind::Lane { .. } => true,
         ref kind => kind.is_elementwise(),
@@ -19,8 +19,7 @@ pub(super) fn lift(netlist: &mut Netlist, known: &mut Known, parts: &[ValueId], 
     if parts.len() < 2 || !parts.iter().any(is_computed) {
         return None;
     }
-    let whole = Lift { netlist, known, lanes, found: FxHashMap::default() }.array(parts, DEPTH)?;
-    Some(Kind::Alias(whole))
+    Lift { netlist, known, lanes, found: FxHashMap::default() }.array(parts, DEPTH)
 }
 
 struct Lift<'a> {

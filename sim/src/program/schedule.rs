@@ -15,7 +15,7 @@ use super::{Kind, Memory, Operation, Program, Readers, Segment, Triggers, Value,
 use crate::passes::Passes;
 
 /// Schedules a netlist without cycles.
-pub(super) fn schedule(mut netlist: Netlist) -> Program {
+pub(super) fn schedule(mut netlist: Netlist, passes: &Passes) -> Program {
     let order = order(&netlist).expect("cycles were found before");
     assign_to_clocks(&mut netlist);
     let triggers = triggers(&netlist, &order);
@@ -40,7 +40,7 @@ pub(super) fn schedule(mut netlist: Netlist) -> Program {
         layout.add(&mut netlist, *old, shape(old), &number);
     }
     netlist.rewrite_roots(|value| *value = number[value.index()]);
-    layout.finish(netlist)
+    layout.finish(netlist, passes)
 }
 
 /// Enters into each clock what happens at its edges.
@@ -205,7 +205,7 @@ impl Layout {
         self.segments.len() as u32 - 1
     }
 
-    fn finish(self, netlist: Netlist) -> Program {
+    fn finish(self, netlist: Netlist, passes: &Passes) -> Program {
         Program {
             values: self.values,
             storage: self.storage,
@@ -220,7 +220,7 @@ impl Layout {
             memories: netlist.memories,
             asserts: netlist.asserts,
             hierarchy: netlist.hierarchy,
-            passes: Passes::default(),
+            passes: passes.clone(),
         }
     }
 }

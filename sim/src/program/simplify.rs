@@ -61,7 +61,7 @@ fn uniform(netlist: &mut Netlist, known: &mut Known, id: ValueId, passes: &Passe
     let Cell { kind, lanes, width, .. } = netlist.cell(id).clone();
     if passes.lift
         && let Kind::PerLane(parts) = &kind
-        && let Some(Kind::Alias(whole)) = lift(netlist, known, parts, lanes)
+        && let Some(whole) = lift(netlist, known, parts, lanes)
     {
         return Some(whole);
     }
@@ -106,8 +106,8 @@ fn tile(netlist: &mut Netlist, known: &mut Known, parts: &[ValueId], lanes: u32,
     let plain = plain.collect::<Option<Vec<ValueId>>>().filter(|_| groups > 1)?;
     let row = lanes / groups;
     let of = match lift(netlist, known, &plain, row) {
-        Some(Kind::Alias(of)) => of,
-        _ => add(netlist, known, Kind::PerLane(plain), row, width),
+        Some(of) => of,
+        None => add(netlist, known, Kind::PerLane(plain), row, width),
     };
     Some(Kind::Tile(of, groups))
 }

@@ -2,7 +2,7 @@
 
 use super::Fold;
 use super::Outcome::{self, Op as Is, Same};
-use tilewright_hdl::ir::{Binary, NodeId, Op, Reduction};
+use tilewright_hdl::ir::{NodeId, Op, Reduction};
 
 impl Fold {
     pub(super) fn lane(&self, of: NodeId, lane: u32) -> Outcome {
@@ -36,7 +36,7 @@ impl Fold {
         if lanes > 1 && matches!(node.op, Op::Output(..)) {
             return Is(Op::Reduce(reduction, of));
         }
-        let (width, binary) = (node.width, plain_operator(reduction));
+        let (width, binary) = (node.width, reduction.operator());
         let mut level: Vec<NodeId> = (0..lanes).map(|lane| self.add(id, width, Op::Lane(of, lane))).collect();
         while level.len() > 1 {
             let pairs: Vec<Vec<NodeId>> = level.chunks(2).map(<[NodeId]>::to_vec).collect();
@@ -49,16 +49,6 @@ impl Fold {
                 .collect();
         }
         Same(level[0])
-    }
-}
-
-/// The operator that combines two lanes.
-fn plain_operator(reduction: Reduction) -> Binary {
-    match reduction {
-        Reduction::And => Binary::And,
-        Reduction::Or => Binary::Or,
-        Reduction::Xor => Binary::Xor,
-        Reduction::Add => Binary::Add,
     }
 }
 

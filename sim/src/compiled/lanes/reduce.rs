@@ -4,7 +4,6 @@ use cranelift_codegen::ir::{InstBuilder, Value, types};
 use cranelift_frontend::FunctionBuilder;
 use tilewright_hdl::ir::{Binary, Reduction};
 
-use super::super::function::combining;
 use super::Lanes;
 use super::emit::{self, cast, low_mask, ty};
 use super::form::Vector;
@@ -12,7 +11,7 @@ use super::form::Vector;
 impl Lanes {
     /// Lane by lane, both as [`Lanes::carried`] gives them; so is the result.
     pub fn combine(&mut self, b: &mut FunctionBuilder, by: Reduction, x: &Vector, y: &Vector) -> Vector {
-        let both = self.combined(b, combining(by), x, y);
+        let both = self.combined(b, by.operator(), x, y);
         self.shape(x.width, both.parts)
     }
 
@@ -25,7 +24,7 @@ impl Lanes {
 
     /// All lanes of a vector as [`Lanes::carried`] gives it, combined into a clean I64.
     pub fn reduce(&mut self, b: &mut FunctionBuilder, by: Reduction, vector: &Vector) -> Value {
-        let (width, element, op) = (vector.width, vector.element, combining(by));
+        let (width, element, op) = (vector.width, vector.element, by.operator());
         let op = if width == 1 && op == Binary::Add { Binary::Xor } else { op };
         let combine = |b: &mut FunctionBuilder, x: Value, y: Value| match op {
             Binary::And => b.ins().band(x, y),

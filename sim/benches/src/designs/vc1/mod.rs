@@ -56,9 +56,7 @@ impl Vc1Frames {
         let pages = (patches.count() / 4).clamp(2, 4096);
         Ok(Vc1Frames { vc1: Vc1::new(patches, pages, processors)?, patches, processors, painted: pages.div_ceil(4) })
     }
-}
 
-impl Vc1Frames {
     /// How many cycles there are from a frame to the next, where drawing takes less time than merging: T_m (VC1-TM) and the
     /// swaps, in clocks of the merger, with 4 instants for each at which one or both of its clocks rise.
     pub fn frame_cycles(&self) -> u64 {
