@@ -2,7 +2,7 @@
 
 use tilewright_hdl::{Scenario, Script, elaborate, elaborate_at};
 
-use super::entries::{EMPTY, HEIGHT, WIDTH};
+use super::shared::{EMPTY, HEIGHT, PAGES, PATCH, WIDTH};
 use super::{CatalogError, Entry, Parameter, Values};
 use crate::clocks::{MERGE, PE};
 use crate::lfb::{
@@ -11,11 +11,6 @@ use crate::lfb::{
 };
 use crate::parameter::Screen;
 use crate::scan::ScanControl;
-
-pub(super) const PAGES: Parameter =
-    Parameter { name: "pages", default: 4, min: 2, max: 1 << 18, meaning: "pages of image memory in a buffer" };
-pub(super) const PATCH: Parameter =
-    Parameter { name: "patch", default: 4, min: 4, max: 16, meaning: "edge of a patch in pixels: 4, 8 or 16" };
 
 pub(super) const LFB_UNIT: Entry = Entry {
     name: "lfb-unit",

@@ -1,167 +1,31 @@
 //! Every block by name, with its parameters and a scenario: what the command line lists, prints and shows as a wave.
 
-mod entries;
+mod entry;
+mod error;
+mod gfb;
 mod lfb;
+mod merger;
+mod shared;
 mod vc1;
 
-use std::collections::BTreeMap;
-use std::fmt;
+pub use entry::{Entry, Parameter, Values};
+pub use error::CatalogError;
 
-use tilewright_hdl::{Design, Problems, Scenario};
-
-use crate::parameter::ParameterError;
-
-pub use entries::ENTRIES;
-
-/// A block of the catalogue.
-#[derive(Debug, Clone, Copy)]
-pub struct Entry {
-    /// Its name on the command line, such as `merging-unit`.
-    pub name: &'static str,
-    /// What it is, in a few words.
-    pub summary: &'static str,
-    /// What can be set.
-    pub parameters: &'static [Parameter],
-    design: fn(&Values) -> Result<Design, CatalogError>,
-    scenario: fn(&Values) -> Result<Scenario, CatalogError>,
-}
-
-/// A number that can be set.
-#[derive(Debug, Clone, Copy)]
-pub struct Parameter {
-    /// Its name.
-    pub name: &'static str,
-    /// Its value where it is not set.
-    pub default: u64,
-    /// The least value.
-    pub min: u64,
-    /// The greatest value.
-    pub max: u64,
-    /// What it is.
-    pub meaning: &'static str,
-}
-
-/// The values of an entry's parameters.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Values(BTreeMap<&'static str, u64>);
-
-/// Why an entry cannot be had.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub enum CatalogError {
-    /// There is no such parameter.
-    UnknownParameter {
-        /// The block.
-        block: &'static str,
-        /// The name.
-        name: String,
-        /// The names that there are.
-        known: Vec<&'static str>,
-    },
-    /// A value outside of the parameter's range.
-    OutOfRange {
-        /// The parameter.
-        name: &'static str,
-        /// The value.
-        value: u64,
-        /// The least and the greatest value.
-        range: [u64; 2],
-    },
-    /// The parameters do not go together.
-    Parameter(ParameterError),
-    /// The description has mistakes.
-    Description(Problems),
-}
-
-impl fmt::Display for CatalogError {
-    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        match self {
-            CatalogError::UnknownParameter { block, name, known } if known.is_empty() => {
-                write!(f, "{block} has no parameters, so `{name}` cannot be set")
-            }
-            CatalogError::UnknownParameter { block, name, known } => {
-                write!(f, "{block} has no parameter `{name}`; it has {}", known.join(", "))
-            }
-            CatalogError::OutOfRange { name, value, range: [min, max] } => {
-                write!(f, "{name} = {value} is out of range: it is from {min} to {max}")
-            }
-            CatalogError::Parameter(error) => error.fmt(f),
-            CatalogError::Description(problems) => problems.fmt(f),
-        }
-    }
-}
-
-impl std::error::Error for CatalogError {}
-
-impl From<ParameterError> for CatalogError {
-    fn from(error: ParameterError) -> CatalogError {
-        CatalogError::Parameter(error)
-    }
-}
-
-impl From<Problems> for CatalogError {
-    fn from(problems: Problems) -> CatalogError {
-        CatalogError::Description(problems)
-    }
-}
+/// Every block: the whole, then its parts in the order of the data's way through it.
+pub const ENTRIES: &[Entry] = &[
+    vc1::VC1,
+    lfb::LFB_UNIT,
+    lfb::PATCH_TABLE,
+    lfb::PAGE_ID_GENERATOR,
+    lfb::IMAGE_MEMORY,
+    lfb::SCAN_COUNTER,
+    merger::MERGING_UNIT,
+    merger::IMAGE_MERGER,
+    gfb::GFB_UNIT,
+    gfb::GFB_SEQUENCER,
+];
 
 /// The entry of that name.
 pub fn find(name: &str) -> Option<&'static Entry> {
     ENTRIES.iter().find(|entry| entry.name == name)
-}
-
-impl Entry {
-    /// The defaults with `set` in their place.
-    ///
-    /// # Errors
-    ///
-    /// A name that is not a parameter's, or a value out of range.
-    pub fn values<'a>(&self, set: impl IntoIterator<Item = (&'a str, u64)>) -> Result<Values, CatalogError> {
-        let mut values: BTreeMap<_, _> = self.parameters.iter().map(|p| (p.name, p.default)).collect();
-        for (name, value) in set {
-            let Some(parameter) = self.parameters.iter().find(|parameter| parameter.name == name) else {
-                let known = self.parameters.iter().map(|parameter| parameter.name).collect();
-                return Err(CatalogError::UnknownParameter { block: self.name, name: name.to_owned(), known });
-            };
-            if !(parameter.min..=parameter.max).contains(&value) {
-                let range = [parameter.min, parameter.max];
-                return Err(CatalogError::OutOfRange { name: parameter.name, value, range });
-            }
-            values.insert(parameter.name, value);
-        }
-        Ok(Values(values))
-    }
-
-    /// The circuit.
-    ///
-    /// # Errors
-    ///
-    /// The values do not go together.
-    pub fn design(&self, values: &Values) -> Result<Design, CatalogError> {
-        (self.design)(values)
-    }
-
-    /// A run that shows what the block does.
-    ///
-    /// # Errors
-    ///
-    /// The values do not go together.
-    pub fn scenario(&self, values: &Values) -> Result<Scenario, CatalogError> {
-        (self.scenario)(values)
-    }
-}
-
-impl Values {
-    /// The value of one of the entry's parameters.
-    pub fn get(&self, name: &str) -> u64 {
-        self.0[name]
-    }
-
-    /// Each parameter with its value, by name.
-    pub fn iter(&self) -> impl Iterator<Item = (&'static str, u64)> + '_ {
-        self.0.iter().map(|(name, value)| (*name, *value))
-    }
-
-    fn get_u32(&self, name: &str) -> u32 {
-        u32::try_from(self.get(name)).expect("every range is within 32 bits")
-    }
 }

@@ -2,8 +2,7 @@
 
 use tilewright_hdl::{Scenario, Script, elaborate};
 
-use super::entries::{HEIGHT, WIDTH};
-use super::lfb::{PAGES, PATCH};
+use super::shared::{HEIGHT, PAGES, PATCH, WIDTH};
 use super::{CatalogError, Entry, Parameter, Values};
 use crate::clocks::{MERGE, PE};
 use crate::gfb::Host;

@@ -1,0 +1,96 @@
+//! What an entry of the catalogue is: a block, its parameters and its scenario.
+
+use std::collections::BTreeMap;
+
+use tilewright_hdl::{Design, Scenario};
+
+use super::CatalogError;
+
+/// A block of the catalogue.
+#[derive(Debug, Clone, Copy)]
+pub struct Entry {
+    /// Its name on the command line, such as `merging-unit`.
+    pub name: &'static str,
+    /// What it is, in a few words.
+    pub summary: &'static str,
+    /// What can be set.
+    pub parameters: &'static [Parameter],
+    pub(super) design: fn(&Values) -> Result<Design, CatalogError>,
+    pub(super) scenario: fn(&Values) -> Result<Scenario, CatalogError>,
+}
+
+/// A number that can be set.
+#[derive(Debug, Clone, Copy)]
+pub struct Parameter {
+    /// Its name.
+    pub name: &'static str,
+    /// Its value where it is not set.
+    pub default: u64,
+    /// The least value.
+    pub min: u64,
+    /// The greatest value.
+    pub max: u64,
+    /// What it is.
+    pub meaning: &'static str,
+}
+
+/// The values of an entry's parameters.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Values(BTreeMap<&'static str, u64>);
+
+impl Entry {
+    /// The defaults with `set` in their place.
+    ///
+    /// # Errors
+    ///
+    /// A name that is not a parameter's, or a value out of range.
+    pub fn values<'a>(&self, set: impl IntoIterator<Item = (&'a str, u64)>) -> Result<Values, CatalogError> {
+        let mut values: BTreeMap<_, _> = self.parameters.iter().map(|p| (p.name, p.default)).collect();
+        for (name, value) in set {
+            let Some(parameter) = self.parameters.iter().find(|parameter| parameter.name == name) else {
+                let known = self.parameters.iter().map(|parameter| parameter.name).collect();
+                return Err(CatalogError::UnknownParameter { block: self.name, name: name.to_owned(), known });
+            };
+            if !(parameter.min..=parameter.max).contains(&value) {
+                let range = [parameter.min, parameter.max];
+                return Err(CatalogError::OutOfRange { name: parameter.name, value, range });
+            }
+            values.insert(parameter.name, value);
+        }
+        Ok(Values(values))
+    }
+
+    /// The circuit.
+    ///
+    /// # Errors
+    ///
+    /// The values do not go together.
+    pub fn design(&self, values: &Values) -> Result<Design, CatalogError> {
+        (self.design)(values)
+    }
+
+    /// A run that shows what the block does.
+    ///
+    /// # Errors
+    ///
+    /// The values do not go together.
+    pub fn scenario(&self, values: &Values) -> Result<Scenario, CatalogError> {
+        (self.scenario)(values)
+    }
+}
+
+impl Values {
+    /// The value of one of the entry's parameters.
+    pub fn get(&self, name: &str) -> u64 {
+        self.0[name]
+    }
+
+    /// Each parameter with its value, by name.
+    pub fn iter(&self) -> impl Iterator<Item = (&'static str, u64)> + '_ {
+        self.0.iter().map(|(name, value)| (*name, *value))
+    }
+
+    pub(super) fn get_u32(&self, name: &str) -> u32 {
+        u32::try_from(self.get(name)).expect("every range is within 32 bits")
+    }
+}

@@ -1,0 +1,66 @@
+//! Why an entry of the catalogue cannot be had.
+
+use std::fmt;
+
+use tilewright_hdl::Problems;
+
+use crate::parameter::ParameterError;
+
+/// Why an entry cannot be had.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum CatalogError {
+    /// There is no such parameter.
+    UnknownParameter {
+        /// The block.
+        block: &'static str,
+        /// The name.
+        name: String,
+        /// The names that there are.
+        known: Vec<&'static str>,
+    },
+    /// A value outside of the parameter's range.
+    OutOfRange {
+        /// The parameter.
+        name: &'static str,
+        /// The value.
+        value: u64,
+        /// The least and the greatest value.
+        range: [u64; 2],
+    },
+    /// The parameters do not go together.
+    Parameter(ParameterError),
+    /// The description has mistakes.
+    Description(Problems),
+}
+
+impl fmt::Display for CatalogError {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            CatalogError::UnknownParameter { block, name, known } if known.is_empty() => {
+                write!(f, "{block} has no parameters, so `{name}` cannot be set")
+            }
+            CatalogError::UnknownParameter { block, name, known } => {
+                write!(f, "{block} has no parameter `{name}`; it has {}", known.join(", "))
+            }
+            CatalogError::OutOfRange { name, value, range: [min, max] } => {
+                write!(f, "{name} = {value} is out of range: it is from {min} to {max}")
+            }
+            CatalogError::Parameter(error) => error.fmt(f),
+            CatalogError::Description(problems) => problems.fmt(f),
+        }
+    }
+}
+
+impl std::error::Error for CatalogError {}
+
+impl From<ParameterError> for CatalogError {
+    fn from(error: ParameterError) -> CatalogError {
+        CatalogError::Parameter(error)
+    }
+}
+
+impl From<Problems> for CatalogError {
+    fn from(problems: Problems) -> CatalogError {
+        CatalogError::Description(problems)
+    }
+}

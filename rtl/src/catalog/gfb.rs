@@ -1,0 +1,57 @@
+//! The entries of the global frame buffer and its sequencer.
+
+use tilewright_hdl::{Scenario, Script, elaborate_at};
+
+use super::shared::{HEIGHT, UNITS, WIDTH};
+use super::{CatalogError, Entry, Parameter, Values};
+use crate::clocks::MERGE;
+use crate::gfb::{GfbUnit, GfbUnitIn, Host, Sequencer, SequencerIn};
+use crate::parameter::Screen;
+
+const OVERHEAD: Parameter =
+    Parameter { name: "overhead", default: 20, min: 1, max: 255, meaning: "clocks of overhead after a scan line" };
+
+pub(super) const GFB_UNIT: Entry = Entry {
+    name: "gfb-unit",
+    summary: "leads the scan, feeds the merger and keeps the frame",
+    parameters: &[WIDTH, HEIGHT, UNITS, OVERHEAD],
+    design: |values| Ok(elaborate_at(&gfb_unit(values)?, MERGE.period)?),
+    scenario: |values| Ok(two_rounds(&gfb_unit(values)?)),
+};
+
+pub(super) const GFB_SEQUENCER: Entry = Entry {
+    name: "gfb-sequencer",
+    summary: "leads a merging round: the scan, and what enters and leaves the merger",
+    parameters: &[WIDTH, HEIGHT, UNITS, OVERHEAD],
+    design: |values| Ok(elaborate_at(&sequencer(values)?, MERGE.period)?),
+    scenario: |values| Ok(a_round(&sequencer(values)?)),
+};
+
+fn gfb_unit(values: &Values) -> Result<GfbUnit, CatalogError> {
+    let screen = Screen::new(values.get_u32("width"), values.get_u32("height"))?;
+    Ok(GfbUnit::new(screen, values.get_u32("units"), values.get_u32("overhead"))?)
+}
+
+fn two_rounds(gfb: &GfbUnit) -> Scenario {
+    let mut script = Script::new(gfb, MERGE.period);
+    let host = |start, swap, read_address| Host { start, swap, read_address, background: 0xffffff_102030 };
+    for merged in [21, 42] {
+        script.clock(&GfbUnitIn { host: host(1, 0, 0), merged });
+        script.clock(&GfbUnitIn { host: host(0, 0, 0), merged });
+        script.wait(gfb.merge_clocks() + 4);
+        script.clock(&GfbUnitIn { host: host(0, 1, 0), merged });
+        (0..4).for_each(|pixel| script.clock(&GfbUnitIn { host: host(0, 0, pixel), merged }));
+    }
+    script.finish("two frames: a round of merging each, a swap of the banks, and a look at the first pixels")
+}
+
+fn sequencer(values: &Values) -> Result<Sequencer, CatalogError> {
+    Ok(gfb_unit(values)?.sequencer())
+}
+
+fn a_round(sequencer: &Sequencer) -> Scenario {
+    let mut script = Script::new(sequencer, MERGE.period);
+    script.clock(&SequencerIn { start: 1 });
+    script.hold(&SequencerIn { start: 0 }, sequencer.merge_clocks() + 6);
+    script.finish("a merging round: line by line, and on until the last pixel has left the chain")
+}

@@ -1,0 +1,17 @@
+//! What several entries share.
+
+use super::Parameter;
+
+/// The word that is behind every other: an empty pixel.
+pub(super) const EMPTY: u64 = (1 << 48) - 1;
+
+pub(super) const WIDTH: Parameter =
+    Parameter { name: "width", default: 16, min: 2, max: 2048, meaning: "pixels in a scan line of the screen" };
+pub(super) const HEIGHT: Parameter =
+    Parameter { name: "height", default: 8, min: 2, max: 2048, meaning: "scan lines of the screen" };
+pub(super) const PATCH: Parameter =
+    Parameter { name: "patch", default: 4, min: 4, max: 16, meaning: "edge of a patch in pixels: 4, 8 or 16" };
+pub(super) const PAGES: Parameter =
+    Parameter { name: "pages", default: 4, min: 2, max: 1 << 18, meaning: "pages of image memory in a buffer" };
+pub(super) const UNITS: Parameter =
+    Parameter { name: "units", default: 4, min: 1, max: 256, meaning: "merging units in the chain" };
