@@ -3,24 +3,25 @@
 set -euo pipefail
 cd "$(dirname "$0")"
 
-# Verilog simulators and linters, and the C++ compiler for the fastest of them. Without them the tests that need them say `skipped`;
-# with CI set they fail.
-missing=()
-for tool in verilator iverilog yosys clang; do
-    command -v "$tool" >/dev/null || missing+=("$tool")
+# Each program with the Debian package that has it: Verilog simulators and linters, what they call in turn (Verilator a C++ compiler and
+# make, Yosys vcd2fst to read a VCD), and the C++ compiler for the fastest models. Without one the tests that need it say `skipped` and
+# its name; with CI set they fail.
+tools=(verilator:verilator iverilog:iverilog yosys:yosys clang:clang g++:g++ make:make vcd2fst:gtkwave python3:python3 pip3:python3-pip)
+as_root_on_debian() { command -v apt-get >/dev/null && [ "$(id -u)" = 0 ]; }
+
+missing=() packages=()
+for tool in "${tools[@]}"; do
+    command -v "${tool%%:*}" >/dev/null || { missing+=("${tool%%:*}") packages+=("${tool##*:}"); }
 done
 if [ ${#missing[@]} -gt 0 ]; then
-    if command -v apt-get >/dev/null && [ "$(id -u)" = 0 ]; then
+    if as_root_on_debian; then
         apt-get update -qq
-        DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" g++ make >/dev/null
+        DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${packages[@]}" >/dev/null
     else
-        echo "not installed: ${missing[*]} (Debian: apt-get install ${missing[*]} g++ make)"
+        echo "not installed: ${missing[*]} (Debian: apt-get install ${packages[*]})"
     fi
 fi
 if ! python3 -c 'import pyslang' 2>/dev/null; then
-    if ! command -v pip3 >/dev/null && command -v apt-get >/dev/null && [ "$(id -u)" = 0 ]; then
-        DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends python3 python3-pip >/dev/null
-    fi
     python3 -m pip install -q pyslang 2>/dev/null || python3 -m pip install -q --break-system-packages pyslang ||
         echo "not installed: pyslang (pip install pyslang)"
 fi
