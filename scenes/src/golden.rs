@@ -1,7 +1,7 @@
 //! The golden rasterizer: the plainest double loop over the integer contract, against which every machine is compared.
 //!
 //! Source: facts E0. It shares the packet's type with the machines and nothing else: products are formed directly in i64, with
-//! no increments, no tree and no early exit, so that it can be checked by reading.
+//! no increments and no tree, over each pixel of a triangle's box, so that it can be checked by reading.
 
 use crate::frame::{Frame, depth_of, rgb_of, word};
 use crate::packet::*;
@@ -32,28 +32,47 @@ impl Triangle {
 /// The whole part of a plane of `bits` bits at pixel (x, y).
 fn plane_at(plane: &Plane, x: u32, y: u32, bits: u32) -> u64 {
     let sum = u128::from(plane.x) * u128::from(x) + u128::from(plane.y) * u128::from(y) + u128::from(plane.origin);
-    ((sum % (1u128 << bits)) >> FRACTION_BITS) as u64
+    ((sum & ((1u128 << bits) - 1)) >> FRACTION_BITS) as u64
 }
 
 /// Renders triangles over a background: each pixel keeps the least word (DES-MIN), so their order does not matter.
 pub fn render(size: Size, triangles: &[Triangle], background: [u8; 3]) -> Frame {
+    render_watched(size, triangles, background, |_| true).expect("nobody stops it")
+}
+
+/// As [`render`], and `go_on` is told before each triangle how many are done; `None` as soon as it answers `false`.
+///
+/// A triangle that fills the largest screen takes some tens of milliseconds.
+pub fn render_watched(
+    size: Size,
+    triangles: &[Triangle],
+    background: [u8; 3],
+    mut go_on: impl FnMut(usize) -> bool,
+) -> Option<Frame> {
     let mut frame = Frame::blank(size, background);
-    each_fragment(size, triangles, |pixel, fragment| {
-        let kept = &mut frame.words[pixel];
-        *kept = (*kept).min(fragment);
-    });
-    frame
+    for (done, triangle) in triangles.iter().enumerate() {
+        if !go_on(done) {
+            return None;
+        }
+        each_fragment(size, triangle, |pixel, fragment| {
+            let kept = &mut frame.words[pixel];
+            *kept = (*kept).min(fragment);
+        });
+    }
+    Some(frame)
 }
 
 /// Renders triangles with the strict rule: depth alone decides, and of equal depths the first submitted stays (facts E0).
 pub fn render_strict(size: Size, triangles: &[Triangle], background: [u8; 3]) -> Frame {
     let mut frame = Frame::blank(size, background);
-    each_fragment(size, triangles, |pixel, fragment| {
-        let kept = &mut frame.words[pixel];
-        if depth_of(fragment) < depth_of(*kept) {
-            *kept = fragment;
-        }
-    });
+    for triangle in triangles {
+        each_fragment(size, triangle, |pixel, fragment| {
+            let kept = &mut frame.words[pixel];
+            if depth_of(fragment) < depth_of(*kept) {
+                *kept = fragment;
+            }
+        });
+    }
     frame
 }
 
@@ -78,7 +97,7 @@ pub fn ties(size: Size, triangles: &[Triangle]) -> Ties {
         coloured: bool,
     }
     let mut front: Vec<Option<Front>> = vec![None; size.pixels()];
-    each_fragment(size, triangles, |pixel, fragment| {
+    let mut see = |pixel: usize, fragment: u64| {
         let (depth, rgb) = (depth_of(fragment), rgb_of(fragment));
         match &mut front[pixel] {
             Some(kept) if kept.depth < depth => {}
@@ -90,7 +109,8 @@ pub fn ties(size: Size, triangles: &[Triangle]) -> Ties {
                 *nearer = Some(Front { depth, rgb, tied: false, coloured: false });
             }
         }
-    });
+    };
+    triangles.iter().for_each(|triangle| each_fragment(size, triangle, &mut see));
     let mut ties = Ties::default();
     for kept in front.into_iter().flatten() {
         ties.covered += 1;
@@ -100,16 +120,14 @@ pub fn ties(size: Size, triangles: &[Triangle]) -> Ties {
     ties
 }
 
-/// Calls `visit(pixel index, word)` for every pixel that each triangle covers, triangle by triangle.
-fn each_fragment(size: Size, triangles: &[Triangle], mut visit: impl FnMut(usize, u64)) {
-    for triangle in triangles {
-        let bounds = triangle.bounds;
-        // A packet set up for a larger screen is cut to this one.
-        for y in bounds.top..=bounds.bottom.min(size.height() - 1) {
-            for x in bounds.left..=bounds.right.min(size.width() - 1) {
-                if triangle.covers(x, y) {
-                    visit(y as usize * size.width() as usize + x as usize, triangle.word(x, y));
-                }
+/// Calls `visit(pixel index, word)` for every pixel that the triangle covers.
+fn each_fragment(size: Size, triangle: &Triangle, mut visit: impl FnMut(usize, u64)) {
+    let bounds = triangle.bounds;
+    // A packet set up for a larger screen is cut to this one.
+    for y in bounds.top..=bounds.bottom.min(size.height() - 1) {
+        for x in bounds.left..=bounds.right.min(size.width() - 1) {
+            if triangle.covers(x, y) {
+                visit(y as usize * size.width() as usize + x as usize, triangle.word(x, y));
             }
         }
     }

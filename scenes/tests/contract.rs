@@ -209,6 +209,21 @@ proptest! {
     }
 }
 
+#[test]
+fn rendering_can_be_watched_and_stopped() {
+    let at = |x, y| ScreenVertex { x, y, z: 9, rgb: [7; 3] };
+    let triangles = packets(&[[at(0, 0), at(320, 0), at(0, 320)], [at(640, 0), at(640, 640), at(320, 0)]]);
+    assert_eq!(triangles.len(), 2);
+    let mut heard = Vec::new();
+    let whole = golden::render_watched(screen(), &triangles, [1; 3], |done| {
+        heard.push(done);
+        true
+    });
+    assert_eq!(heard, [0, 1]);
+    assert_eq!(whole, Some(golden::render(screen(), &triangles, [1; 3])));
+    assert_eq!(golden::render_watched(screen(), &triangles, [1; 3], |done| done == 0), None);
+}
+
 /// Packets against the numbers of the reference script (`setup` at the end of `check_facts.py`). A row of the file: three vertices
 /// x y z, then `none`, or area2, three edges a b c, zx zy z0.
 #[test]
