@@ -26,6 +26,13 @@ pub fn scene(name: &str) -> Option<Scene> {
     Some(with_defaults(name, mesh, camera))
 }
 
+impl Scene {
+    /// A built-in scene by its name, one of [`NAMES`], or `None`.
+    pub fn builtin(name: &str) -> Option<Scene> {
+        scene(name)
+    }
+}
+
 /// A scene with the light, the background and the size that everything gets unless it asks for others.
 pub(crate) fn with_defaults(name: &str, mesh: Mesh, camera: Camera) -> Scene {
     Scene {

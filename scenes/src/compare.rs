@@ -134,7 +134,7 @@ impl fmt::Display for Colour {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::SceneError;
+    use crate::error::SceneError;
 
     fn pair() -> Result<(Frame, Frame), SceneError> {
         let left = Frame::blank(Size::new(5, 4)?, [8, 16, 24]);

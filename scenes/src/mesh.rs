@@ -3,8 +3,8 @@
 //! Numbers are f64 (glam's `DVec3`): its operations here are + - * / and square root alone, which IEEE 754 fixes to the last
 //! bit, and 53 bits leave the snapping to 1/16 pixel and the 24-bit depth far from rounding noise.
 
-use crate::SceneError;
 use crate::checksum::Fnv;
+use crate::error::SceneError;
 use glam::DVec3;
 
 /// A triangle of a mesh, as indices into its positions and normals.

@@ -3,7 +3,7 @@
 //! The bytes go to a new file in the same folder, are flushed to the disk, and take the name only then: a full disk or a killed run
 //! leaves the old file, or none. A device or a pipe cannot be renamed over and is written directly.
 
-use crate::SceneError;
+use crate::error::SceneError;
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};

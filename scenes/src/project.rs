@@ -6,9 +6,9 @@
 //!
 //! Float results are bit-equal on every machine: only + - * / and square roots of f64 are used (see [`crate::angle`]).
 
-use crate::SceneError;
 use crate::camera::View;
 use crate::clip::{ClipPlane, ViewVertex};
+use crate::error::SceneError;
 use crate::light::{Lighting, facing};
 use crate::mesh::{MeshTriangle, unit_or_z};
 use crate::packet::*;
@@ -47,6 +47,16 @@ pub struct Projection {
     pub vertices: Vec<[ScreenVertex; 3]>,
     /// What became of the polygons.
     pub counts: Counts,
+}
+
+impl Scene {
+    /// Triangle packets for the size that the scene asks for.
+    ///
+    /// # Errors
+    /// As [`project`].
+    pub fn project(&self) -> Result<Projection, SceneError> {
+        project(self, self.size)
+    }
 }
 
 /// Projects a scene onto a screen.

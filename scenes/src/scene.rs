@@ -1,11 +1,9 @@
-//! A scene: mesh, camera, light, background and size; the built-in ones, and the loading of all kinds by name.
+//! A scene: mesh, camera, light, background and size.
 
 use crate::camera::Camera;
 use crate::light::Lighting;
 use crate::mesh::Mesh;
-use crate::project::{Projection, project};
 use crate::size::Size;
-use crate::{SceneError, builtin};
 
 /// Everything a frame is made from.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,23 +18,8 @@ pub struct Scene {
     pub lighting: Lighting,
     /// Red, green and blue of a pixel that nothing covers.
     pub background: [u8; 3],
-    /// The screen that the scene asks for; [`project`] takes any other.
+    /// The screen that the scene asks for; [`crate::project`] takes any other.
     pub size: Size,
     /// What was odd about the files but did no harm, a sentence each.
     pub warnings: Vec<String>,
-}
-
-impl Scene {
-    /// A built-in scene by its name, one of [`builtin::NAMES`], or `None`.
-    pub fn builtin(name: &str) -> Option<Scene> {
-        builtin::scene(name)
-    }
-
-    /// Triangle packets for the size that the scene asks for.
-    ///
-    /// # Errors
-    /// As [`project`].
-    pub fn project(&self) -> Result<Projection, SceneError> {
-        project(self, self.size)
-    }
 }

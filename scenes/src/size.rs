@@ -1,6 +1,6 @@
 //! The size of a screen, in pixels: at most 2048 x 2048, since vertices are 16-bit numbers of 1/16 pixel (facts E0).
 
-use crate::SceneError;
+use crate::error::SceneError;
 use std::fmt;
 
 /// The largest width and height of a screen, in pixels (facts E0: the guard band is +-2048 pixels).
