@@ -2,9 +2,10 @@
 //!
 //! The recipe for views round a scene (VC1-T1: 48 azimuths) is [`Camera::orbited`].
 
-use crate::SceneError;
 use crate::angle;
+use crate::error::SceneError;
 use crate::mesh::{BoundingBox, representable};
+use crate::quote::number;
 use crate::size::Size;
 use glam::DVec3;
 
@@ -17,8 +18,17 @@ pub struct Camera {
     pub target: DVec3,
     /// The direction that is up in the picture; not parallel to the line of sight.
     pub up: DVec3,
-    /// Vertical field of view in degrees, above 0 and below 180.
+    /// Vertical field of view in degrees, from 1e-6 to less than 180.
     pub fov: f64,
+}
+
+/// A part of a camera, as a scene file names it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Part {
+    Eye,
+    Target,
+    Up,
+    Fov,
 }
 
 /// A camera's axes, unit vectors at right angles, and the picture's scale.
@@ -37,8 +47,11 @@ impl Camera {
     pub fn framing(bounds: BoundingBox, direction: DVec3, up: DVec3, fov: f64, size: Size) -> Camera {
         let centre = bounds.min / 2.0 + bounds.max / 2.0;
         let half = bounds.max / 2.0 - bounds.min / 2.0;
-        // A single point still needs a distance.
-        let radius = half.dot(half).sqrt().max(1e-9);
+        let radius = match half.dot(half).sqrt() {
+            // A single point still needs a distance.
+            0.0 => 1.0,
+            radius => radius,
+        };
         // The sphere round the box must fit the narrower field of view.
         let aspect = f64::from(size.width()) / f64::from(size.height());
         let tangent = angle::tan(fov / 2.0) * aspect.min(1.0);
@@ -66,36 +79,35 @@ impl Camera {
     }
 
     pub(crate) fn view(&self) -> Result<View, SceneError> {
-        if !(self.fov > 0.0 && self.fov < 180.0) {
-            return Err(SceneError::invalid(
-                format!("the camera's field of view is {} degrees", self.fov),
-                "give an angle above 0 and below 180",
-            ));
+        self.examined().map_err(|(_, error)| error)
+    }
+
+    /// The view, or what is wrong and which part of the camera to blame.
+    pub(crate) fn examined(&self) -> Result<View, (Part, SceneError)> {
+        let wrong = |part, problem, remedy: &str| Err((part, SceneError::invalid(problem, remedy)));
+        // From so far away that a narrower one frames a mesh, its vertices could no longer be told apart.
+        if !(self.fov >= 1e-6 && self.fov < 180.0) {
+            let problem = format!("the camera's field of view is {} degrees", number(self.fov));
+            return wrong(Part::Fov, problem, "give an angle from 1e-6 to less than 180");
         }
-        for (name, v) in [("eye", self.eye), ("target", self.target), ("up", self.up)] {
+        let vectors = [("eye", Part::Eye, self.eye), ("target", Part::Target, self.target), ("up", Part::Up, self.up)];
+        for (name, part, v) in vectors {
             if !representable(v) {
-                return Err(SceneError::invalid(
-                    format!("the camera's {name} is {v}"),
-                    "give three finite numbers below 1e100",
-                ));
+                return wrong(part, format!("the camera's {name} is {v}"), "give three finite numbers below 1e100");
             }
         }
         let sight = self.target - self.eye;
         if sight == DVec3::ZERO {
-            return Err(SceneError::invalid(
-                format!("the camera's eye and target are the same point, {}", self.eye),
-                "move one of them",
-            ));
+            let problem = format!("the camera's eye and target are the same point, {}", self.eye);
+            return wrong(Part::Eye, problem, "move one of them");
         }
         let forward = unit(sight);
         let right = forward.cross(unit(self.up));
         let sine2 = right.dot(right);
         // An up of length zero is NaN here.
         if sine2.is_nan() || sine2 < 1e-12 {
-            return Err(SceneError::invalid(
-                format!("the camera's up, {}, is zero or parallel to its line of sight", self.up),
-                "choose another up",
-            ));
+            let problem = format!("the camera's up, {}, is zero or parallel to its line of sight", self.up);
+            return wrong(Part::Up, problem, "choose another up");
         }
         let right = unit(right);
         Ok(View { eye: self.eye, right, down: forward.cross(right), forward, half_height: angle::tan(self.fov / 2.0) })

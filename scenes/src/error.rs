@@ -1,5 +1,6 @@
 //! Everything a user can get wrong, each as one sentence that names the place and the remedy.
 
+use crate::quote::{quote, shown};
 use std::path::PathBuf;
 
 /// A mistake in a scene, a file or a name. `Display` is the whole sentence.
@@ -14,7 +15,7 @@ pub enum SceneError {
         height: i64,
     },
     /// A name that is neither a built-in scene nor a file's.
-    #[error("there is no scene `{name}`: {remedy}")]
+    #[error("there is no scene {}: {remedy}", quote(name))]
     UnknownScene {
         /// What was asked for.
         name: String,
@@ -22,7 +23,7 @@ pub enum SceneError {
         remedy: String,
     },
     /// A file that cannot be opened or read.
-    #[error("{}: cannot be read ({reason}): {remedy}", path.display())]
+    #[error("{}: cannot be read ({reason}): {remedy}", shown(path))]
     Read {
         /// The file.
         path: PathBuf,
@@ -32,7 +33,7 @@ pub enum SceneError {
         remedy: String,
     },
     /// A file that cannot be written; nothing of it is left behind.
-    #[error("{}: cannot be written ({reason}): {remedy}", path.display())]
+    #[error("{}: cannot be written ({reason}): {remedy}", shown(path))]
     Write {
         /// The file.
         path: PathBuf,
@@ -42,7 +43,7 @@ pub enum SceneError {
         remedy: String,
     },
     /// A mistake in a line of a file.
-    #[error("{}:{line}: {problem}: {remedy}", path.display())]
+    #[error("{}:{line}: {problem}: {remedy}", shown(path))]
     Line {
         /// The file.
         path: PathBuf,
@@ -54,7 +55,7 @@ pub enum SceneError {
         remedy: String,
     },
     /// A mistake at a place of a scene file.
-    #[error("{}:{line}:{column}: {problem}: {remedy}", path.display())]
+    #[error("{}:{line}:{column}: {problem}: {remedy}", shown(path))]
     Place {
         /// The file.
         path: PathBuf,
@@ -68,7 +69,7 @@ pub enum SceneError {
         remedy: String,
     },
     /// A mistake in a file as a whole.
-    #[error("{}: {problem}: {remedy}", path.display())]
+    #[error("{}: {problem}: {remedy}", shown(path))]
     File {
         /// The file.
         path: PathBuf,

@@ -1,20 +1,82 @@
-//! Reading a user's file, with an error that names it.
+//! Reading a user's file: no further than a limit, and with an error that names the file.
 
-use crate::SceneError;
+use crate::error::SceneError;
 use crate::output::reason;
-use std::io;
+use std::fs::File;
+use std::io::{self, Read};
 use std::path::Path;
 
-/// The bytes of a file; `remedy` says what to do if it cannot be read.
-pub(crate) fn read_bytes(path: &Path, remedy: &str) -> Result<Vec<u8>, SceneError> {
-    let failed = |error: io::Error| SceneError::Read {
-        path: path.to_owned(),
-        reason: reason(&error),
-        remedy: remedy.to_owned(),
-    };
+/// What a file is read as.
+pub(crate) struct Kind {
+    /// The most that is read of it, in MiB.
+    limit: u64,
+    /// What to do if it is larger.
+    smaller: &'static str,
+    /// What to do if it cannot be read.
+    readable: &'static str,
+}
+
+const SCENE_OR_MESH: &str = "name an .obj or a .toml file that you may read, or a built-in scene";
+
+/// A scene file.
+pub(crate) const SCENE: Kind = Kind { limit: 1, smaller: "name a scene file", readable: SCENE_OR_MESH };
+/// A mesh; of that size it has some three million polygons.
+pub(crate) const MESH: Kind = Kind { limit: 256, smaller: "simplify the mesh, or cut it", readable: SCENE_OR_MESH };
+/// The materials of a mesh.
+pub(crate) const MATERIALS: Kind = Kind {
+    limit: 16,
+    smaller: "remove what the mesh does not use",
+    readable: "make it readable, or remove the mtllib line",
+};
+/// A picture of at most 2048x2048 pixels: twice what its bytes take before they are compressed.
+pub(crate) const PICTURE: Kind = Kind { limit: 64, smaller: "name a picture of a frame", readable: "name a PNG file" };
+
+/// Opens a file, or says why it cannot be read.
+pub(crate) fn open(path: &Path, kind: &Kind) -> Result<File, SceneError> {
     // Opening a directory for reading succeeds on some systems.
-    if path.is_dir() {
-        return Err(failed(io::ErrorKind::IsADirectory.into()));
+    match path.is_dir() {
+        true => Err(unreadable(path, kind, &io::ErrorKind::IsADirectory.into())),
+        false => File::open(path).map_err(|error| unreadable(path, kind, &error)),
     }
-    std::fs::read(path).map_err(failed)
+}
+
+/// The bytes of a file.
+pub(crate) fn read_bytes(path: &Path, kind: &Kind) -> Result<Vec<u8>, SceneError> {
+    let file = open(path, kind)?;
+    let failed = |error: io::Error| unreadable(path, kind, &error);
+    let most = kind.limit << 20;
+    // A device or a pipe does not know its length, so what comes is counted as well.
+    let length = file.metadata().map_err(failed)?.len();
+    let mut bytes = Vec::with_capacity(length.min(most) as usize);
+    if length <= most {
+        file.take(most + 1).read_to_end(&mut bytes).map_err(failed)?;
+    }
+    if length.max(bytes.len() as u64) > most {
+        return Err(SceneError::File {
+            path: path.to_owned(),
+            problem: format!("is larger than {} MiB, the most that is read", kind.limit),
+            remedy: kind.smaller.to_owned(),
+        });
+    }
+    Ok(bytes)
+}
+
+/// The bytes of a file of lines, in ASCII or in an encoding that contains it.
+pub(crate) fn read_lines(path: &Path, kind: &Kind) -> Result<Vec<u8>, SceneError> {
+    let bytes = read_bytes(path, kind)?;
+    let ends = bytes.iter().filter(|&&byte| byte == b'\n').count();
+    let (problem, remedy) = if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {
+        ("is text in UTF-16", "save it in UTF-8")
+    } else if bytes.contains(&0) {
+        ("holds a zero byte, as UTF-16 and files that are no text do", "save it as text in UTF-8")
+    } else if bytes.windows(2).filter(|pair| pair[0] == b'\r' && pair[1] != b'\n').count() > ends {
+        ("ends its lines with CR alone", "save it with LF or CR LF at the ends of lines")
+    } else {
+        return Ok(bytes);
+    };
+    Err(SceneError::File { path: path.to_owned(), problem: problem.to_owned(), remedy: remedy.to_owned() })
+}
+
+fn unreadable(path: &Path, kind: &Kind, error: &io::Error) -> SceneError {
+    SceneError::Read { path: path.to_owned(), reason: reason(error), remedy: kind.readable.to_owned() }
 }

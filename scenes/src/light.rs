@@ -3,8 +3,9 @@
 //! Facts D: the teapot must be drawn two-sided, since the gap round its lid shows insides. So each corner's normal is turned to
 //! the side of its triangle that the eye is on.
 
-use crate::SceneError;
+use crate::error::SceneError;
 use crate::mesh::{representable, unit_or_z};
+use crate::quote::number;
 use glam::DVec3;
 
 /// A light from far away.
@@ -34,21 +35,20 @@ impl Lighting {
         let bright = |v: f64| (0.0..1e6).contains(&v);
         if !bright(self.ambient) {
             return Err(SceneError::invalid(
-                format!("the ambient light is {}", shown(self.ambient)),
+                format!("the ambient light is {}", number(self.ambient)),
                 "give a number from 0 to 1",
             ));
         }
         for (i, light) in self.lights.iter().enumerate() {
-            let number = i + 1;
             if !bright(light.intensity) {
                 return Err(SceneError::invalid(
-                    format!("the intensity of light {number} is {}", shown(light.intensity)),
+                    format!("the intensity of light {} is {}", i + 1, number(light.intensity)),
                     "give a number from 0 to less than 1e6",
                 ));
             }
             if light.toward == DVec3::ZERO || !representable(light.toward) {
                 return Err(SceneError::invalid(
-                    format!("the direction of light {number} is {}", light.toward),
+                    format!("the direction of light {} is {}", i + 1, light.toward),
                     "give the direction towards the light, not all zero",
                 ));
             }
@@ -70,12 +70,6 @@ impl Lighting {
             .fold(self.ambient, |sum, light| sum + light.intensity * normal.dot(light.toward).max(0.0));
         sum.min(1.0)
     }
-}
-
-/// A number for a person: one of hundreds of digits as a power of ten.
-fn shown(number: f64) -> String {
-    let plain = number == 0.0 || (1e-6..1e6).contains(&number.abs()) || !number.is_finite();
-    if plain { number.to_string() } else { format!("{number:e}") }
 }
 
 /// Turns a corner's normal to the side of its triangle that faces the eye.

@@ -1,8 +1,8 @@
 //! Frames as PNG files: colours alone, 8 bits a channel.
 
-use crate::SceneError;
+use crate::error::SceneError;
 use crate::frame::{Frame, blank};
-use crate::input::read_bytes;
+use crate::input::{self, read_bytes};
 use crate::output::write_whole;
 use crate::size::Size;
 use image::{ExtendedColorType, ImageEncoder, ImageFormat, codecs::png::PngEncoder};
@@ -38,7 +38,7 @@ impl Frame {
             problem,
             remedy: remedy.to_owned(),
         };
-        let bytes = read_bytes(path, "name a PNG file")?;
+        let bytes = read_bytes(path, &input::PICTURE)?;
         let picture = image::load_from_memory_with_format(&bytes, ImageFormat::Png)
             .map_err(|error| wrong(format!("is not a sound PNG file ({error})"), "make it again, or name another"))?
             .into_rgb8();

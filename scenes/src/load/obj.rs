@@ -1,13 +1,14 @@
 //! OBJ files: polygons with normals and diffuse colours become a mesh.
 //!
-//! [`super::obj_scan`] checks the lines, the crate `tobj` resolves the indices and cuts polygons into fans. Each triangle of a fan
-//! counts as a polygon, in the file's order.
+//! [`super::obj_scan`] reads the lines, [`super::faces`] cuts polygons. Each triangle of a face counts as a polygon, in the file's order.
 
-use super::material::{GREY, plain_materials};
-use super::obj_scan::scan;
-use crate::SceneError;
-use crate::input::read_bytes;
+use super::faces::cut;
+use super::material::{GREY, diffuse_colours};
+use super::obj_scan::{Scan, scan};
+use crate::error::SceneError;
+use crate::input::{self, read_lines};
 use crate::mesh::{Mesh, MeshTriangle, smooth_normals};
+use crate::quote::shown;
 use glam::DVec3;
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -19,35 +20,37 @@ pub(super) struct Loaded {
 }
 
 pub(super) fn load(path: &Path) -> Result<Loaded, SceneError> {
-    let bytes = read_bytes(path, super::READ_REMEDY)?;
+    let bytes = read_lines(path, &input::MESH)?;
     // Names and comments may be in any encoding; what matters is ASCII.
     let scan = scan(path, &String::from_utf8_lossy(&bytes))?;
     let mut warnings = Vec::new();
-    if let Some(line) = scan.mixed_at {
-        warnings.push(format!(
-            "{}:{line}: this face has no normals and others have, so all normals are computed: export all or none",
-            path.display()
-        ));
-    }
-    let materials = plain_materials(path, &scan, &mut warnings)?;
-    let text = format!("mtllib plain\n{}", scan.plain);
-    let options = tobj::LoadOptions { triangulate: true, ..Default::default() };
-    let unsound = |error: &dyn std::fmt::Display| SceneError::File {
-        path: path.to_owned(),
-        problem: format!("is not a sound OBJ file ({error})"),
-        remedy: "export the mesh again".to_owned(),
-    };
-    let (models, materials) =
-        tobj::load_obj_buf(&mut text.as_bytes(), &options, |_| tobj::load_mtl_buf(&mut materials.as_bytes()))
-            .map_err(|error| unsound(&error))?;
-    let materials = materials.map_err(|error| unsound(&error))?;
+    let has_normals = normals_are_whole(path, &scan, &mut warnings);
+    let colours = diffuse_colours(path, &scan, &mut warnings)?;
     let mut parts = Parts::default();
-    for model in &models {
-        let material = model.mesh.material_id.and_then(|id| materials.get(id));
-        let diffuse = material.and_then(|m| m.diffuse).unwrap_or(GREY);
-        parts.add(&model.mesh, diffuse);
+    let mut crossing = Vec::new();
+    for face in &scan.faces {
+        let corners: Vec<DVec3> = face.corners.iter().map(|&(vertex, _)| scan.positions[vertex as usize]).collect();
+        let cut = cut(&corners);
+        if cut.crosses {
+            crossing.push(face.line);
+        }
+        let places: Vec<u32> = corners.into_iter().map(|corner| parts.place(corner)).collect();
+        let diffuse = face.material.map_or(GREY, |material| colours[material]);
+        for triangle in cut.triangles {
+            let positions = triangle.map(|i| places[i]);
+            let normals = match has_normals {
+                true => triangle.map(|i| face.corners[i].1.unwrap_or_default()),
+                false => positions,
+            };
+            parts.triangles.push(MeshTriangle { positions, normals, diffuse });
+        }
     }
-    let mesh = parts.into_mesh(scan.has_normals).map_err(|error| unsound(&error))?;
+    warnings.extend(crossing_faces(path, &crossing));
+    let normals = match has_normals {
+        true => scan.normals,
+        false => smooth_normals(&parts.positions, &parts.triangles.iter().map(|t| t.positions).collect::<Vec<_>>()),
+    };
+    let mesh = Mesh::new(parts.positions, normals, parts.triangles)?;
     if !mesh.triangles().iter().any(|triangle| has_area(&mesh, triangle)) {
         return Err(SceneError::File {
             path: path.to_owned(),
@@ -56,6 +59,32 @@ pub(super) fn load(path: &Path) -> Result<Loaded, SceneError> {
         });
     }
     Ok(Loaded { mesh, warnings })
+}
+
+/// Whether every corner of every face names a normal; a warning if some do and others do not.
+fn normals_are_whole(path: &Path, scan: &Scan, warnings: &mut Vec<String>) -> bool {
+    let bare = scan.faces.iter().find(|face| face.corners.iter().any(|corner| corner.1.is_none()));
+    let some = || scan.faces.iter().flat_map(|face| &face.corners).any(|corner| corner.1.is_some());
+    if let Some(face) = bare
+        && some()
+    {
+        warnings.push(format!(
+            "{}:{}: this face has no normals and others have, so all normals are computed: export all or none",
+            shown(path),
+            face.line
+        ));
+    }
+    bare.is_none()
+}
+
+/// One warning for all faces that cross themselves, which begin at these lines.
+fn crossing_faces(path: &Path, lines: &[usize]) -> Option<String> {
+    let first = lines.first()?;
+    let what = match lines.len() {
+        1 => "this face crosses itself, so it is drawn roughly".to_owned(),
+        several => format!("this face and {} more cross themselves, so they are drawn roughly", several - 1),
+    };
+    Some(format!("{}:{first}: {what}: cut it where its edges meet", shown(path)))
 }
 
 fn has_area(mesh: &Mesh, triangle: &MeshTriangle) -> bool {
@@ -68,29 +97,10 @@ fn has_area(mesh: &Mesh, triangle: &MeshTriangle) -> bool {
 struct Parts {
     positions: Vec<DVec3>,
     index_of: BTreeMap<[u64; 3], u32>,
-    normals: Vec<DVec3>,
     triangles: Vec<MeshTriangle>,
 }
 
 impl Parts {
-    fn add(&mut self, part: &tobj::Mesh, diffuse: [f64; 3]) {
-        let places: Vec<u32> =
-            part.positions.chunks_exact(3).map(|p| self.place(DVec3::new(p[0], p[1], p[2]))).collect();
-        let first_normal = self.normals.len() as u32;
-        let vectors = part.normals.chunks_exact(3);
-        self.normals.extend(vectors.map(|n| DVec3::new(n[0], n[1], n[2])));
-        let mut normals = part.normal_indices.chunks_exact(3);
-        for corners in part.indices.chunks_exact(3) {
-            let at = |i: usize| places[corners[i] as usize];
-            let normals = normals.next().unwrap_or(&[0; 3]);
-            self.triangles.push(MeshTriangle {
-                positions: [at(0), at(1), at(2)],
-                normals: [0, 1, 2].map(|i: usize| first_normal + normals[i]),
-                diffuse,
-            });
-        }
-    }
-
     fn place(&mut self, position: DVec3) -> u32 {
         // Adding zero turns -0 into 0, which is the same place.
         let key = (position + DVec3::ZERO).to_array().map(f64::to_bits);
@@ -98,16 +108,5 @@ impl Parts {
             self.positions.push(position);
             self.positions.len() as u32 - 1
         })
-    }
-
-    fn into_mesh(mut self, has_normals: bool) -> Result<Mesh, SceneError> {
-        if !has_normals {
-            let corners: Vec<_> = self.triangles.iter().map(|t| t.positions).collect();
-            self.normals = smooth_normals(&self.positions, &corners);
-            for triangle in &mut self.triangles {
-                triangle.normals = triangle.positions;
-            }
-        }
-        Mesh::new(self.positions, self.normals, self.triangles)
     }
 }

@@ -1,16 +1,20 @@
 //! Scene files: a mesh, and what is to differ from the defaults, in TOML.
 //! The keys are in the crate's README. Every mistake is reported with its line and column; unknown keys are mistakes.
 
-use super::toml_values::{Vector, lights};
-use super::{FRAMING_FOV, OBJ_UP, READ_REMEDY, framing_camera, nearest, obj, stem};
+use super::framing::{FRAMING_FOV, OBJ_UP, framing_camera};
+use super::names::{nearest, stem};
+use super::obj;
+use super::toml_values::{Keys, Table, Vector, lights};
 use crate::builtin::{self, default_lighting, with_defaults};
-use crate::input::read_bytes;
+use crate::camera::Part;
+use crate::error::SceneError;
+use crate::input::{self, read_lines};
 use crate::light::Light;
-use crate::mesh::representable;
+use crate::mesh::{Mesh, representable};
 use crate::project::nothing_in_front;
+use crate::quote::{brief, quote, shown};
 use crate::scene::Scene;
 use crate::size::Size;
-use crate::{SceneError, mesh::Mesh};
 use glam::DVec3;
 use serde::Deserialize;
 use std::ops::Range;
@@ -25,9 +29,9 @@ struct SceneTable {
     background: Option<Spanned<Vector<i64, 3>>>,
     ambient: Option<Spanned<f64>>,
     #[serde(default)]
-    camera: CameraTable,
+    camera: Table<CameraTable>,
     #[serde(default, deserialize_with = "lights")]
-    light: Option<Vec<LightTable>>,
+    light: Option<Vec<Table<LightTable>>>,
 }
 
 #[derive(Deserialize, Default)]
@@ -46,14 +50,42 @@ struct LightTable {
     intensity: Spanned<f64>,
 }
 
+impl Keys for CameraTable {
+    const HEAD: &str = "`[camera]` above its keys";
+}
+
+impl CameraTable {
+    /// Where a part of the camera is given.
+    fn place_of(&self, part: Part) -> Option<Range<usize>> {
+        match part {
+            Part::Eye => self.eye.as_ref().map(Spanned::span),
+            Part::Target => self.target.as_ref().map(Spanned::span),
+            Part::Up => self.up.as_ref().map(Spanned::span),
+            Part::Fov => self.fov.as_ref().map(Spanned::span),
+        }
+    }
+
+    /// Where the camera goes wrong: at that part, or if it is not given at the first of the others that is.
+    fn blame(&self, part: Part) -> Option<Range<usize>> {
+        [part, Part::Eye, Part::Target, Part::Up, Part::Fov].into_iter().find_map(|part| self.place_of(part))
+    }
+}
+
+impl Keys for LightTable {
+    const HEAD: &str = "`[[light]]` above each light";
+}
+
+/// The most characters of a sentence of the TOML library's: it may quote the whole file.
+const MESSAGE: usize = 200;
+
 /// The file, to turn byte ranges into places.
 struct Source<'a> {
     path: &'a Path,
     text: &'a str,
 }
 
-pub(super) fn load(path: &Path) -> Result<Scene, SceneError> {
-    let bytes = read_bytes(path, READ_REMEDY)?;
+pub(super) fn load(path: &Path, size: Option<Size>) -> Result<Scene, SceneError> {
+    let bytes = read_lines(path, &input::SCENE)?;
     let text = String::from_utf8(bytes).map_err(|error| SceneError::File {
         path: path.to_owned(),
         problem: format!("is not UTF-8 text from byte {} on", error.utf8_error().valid_up_to()),
@@ -61,14 +93,14 @@ pub(super) fn load(path: &Path) -> Result<Scene, SceneError> {
     })?;
     let source = Source { path, text: &text };
     let table: SceneTable = toml::from_str(&text).map_err(|error| source.not_toml(&error))?;
-    source.scene(&table)
+    source.scene(&table, size)
 }
 
 impl Source<'_> {
-    fn scene(&self, table: &SceneTable) -> Result<Scene, SceneError> {
-        let mut scene = self.base(table)?;
+    fn scene(&self, table: &SceneTable, size: Option<Size>) -> Result<Scene, SceneError> {
+        let mut scene = self.base(table, size)?;
         scene.name = stem(self.path);
-        self.set_camera(&table.camera, &mut scene)?;
+        self.set_camera(&table.camera.0, &mut scene)?;
         if let Some(background) = &table.background {
             let channels = background.as_ref().0.map(u8::try_from);
             let [Ok(r), Ok(g), Ok(b)] = channels else {
@@ -86,7 +118,7 @@ impl Source<'_> {
         }
         if let Some(lights) = &table.light {
             scene.lighting.lights.clear();
-            for light in lights {
+            for Table(light) in lights {
                 self.vector(&light.toward)?;
                 scene.lighting.lights.push(Light {
                     toward: DVec3::from_array(light.toward.as_ref().0),
@@ -98,22 +130,22 @@ impl Source<'_> {
             }
         }
         if let Some(error) = nothing_in_front(&scene)? {
-            let camera = &table.camera;
-            let span = camera.eye.as_ref().or(camera.target.as_ref()).map(Spanned::span);
-            self.place(span.unwrap_or(table.mesh.span()), Err(error))?;
+            let place = table.camera.0.blame(Part::Eye);
+            self.place(place.unwrap_or(table.mesh.span()), Err(error))?;
         }
         Ok(scene)
     }
 
-    /// Mesh and size, and the camera and light that come with them.
-    fn base(&self, table: &SceneTable) -> Result<Scene, SceneError> {
-        let size = table.size.as_ref().map(|size| self.size(size)).transpose()?;
+    /// Mesh and size, and the camera and light that come with them; `asked` goes before the file's own size.
+    fn base(&self, table: &SceneTable, asked: Option<Size>) -> Result<Scene, SceneError> {
+        let own = table.size.as_ref().map(|size| self.size(size)).transpose()?;
+        let size = asked.or(own);
         let name = table.mesh.as_ref();
         let mut scene = match builtin::scene(name) {
             Some(scene) => scene,
             None => {
                 let (mesh, warnings) = self.mesh(&table.mesh)?;
-                let camera = &table.camera;
+                let camera = &table.camera.0;
                 // What these are good for is checked with the rest of the camera.
                 let up = camera.up.as_ref().map_or(OBJ_UP, |up| DVec3::from_array(up.as_ref().0));
                 let fov = camera.fov.as_ref().map_or(FRAMING_FOV, |fov| *fov.as_ref());
@@ -133,7 +165,7 @@ impl Source<'_> {
             let all = builtin::NAMES.join(", ");
             return Err(self.error(
                 name.span(),
-                format!("the mesh `{}` is neither an .obj file nor a built-in scene", name.as_ref()),
+                format!("the mesh {} is neither an .obj file nor a built-in scene", quote(name.as_ref())),
                 match nearest(name.as_ref()) {
                     Some(known) => format!("did you mean `{known}`? Name an .obj file, or one of {all}"),
                     None => format!("name an .obj file, or one of {all}"),
@@ -144,7 +176,7 @@ impl Source<'_> {
         if !path.exists() {
             return Err(self.error(
                 name.span(),
-                format!("there is no mesh {}", path.display()),
+                format!("there is no mesh {}", shown(&path)),
                 "the path is relative to the scene file's folder; correct it",
             ));
         }
@@ -165,22 +197,16 @@ impl Source<'_> {
     fn set_camera(&self, table: &CameraTable, scene: &mut Scene) -> Result<(), SceneError> {
         let camera = &mut scene.camera;
         let vectors = [(&table.eye, &mut camera.eye), (&table.target, &mut camera.target), (&table.up, &mut camera.up)];
-        let mut first = None;
         for (given, kept) in vectors {
             if let Some(given) = given {
                 self.vector(given)?;
                 *kept = DVec3::from_array(given.as_ref().0);
-                first.get_or_insert(given.span());
             }
         }
-        if let Some(fov) = &table.fov {
-            camera.fov = *fov.as_ref();
-            // A wrong angle is the only mistake left that is not about the vectors.
-            if !(camera.fov > 0.0 && camera.fov < 180.0) {
-                self.place(fov.span(), camera.check())?;
-            }
+        camera.fov = table.fov.as_ref().map_or(camera.fov, |fov| *fov.as_ref());
+        if let Err((part, error)) = camera.examined() {
+            self.place(table.blame(part).unwrap_or(0..0), Err(error))?;
         }
-        self.place(first.unwrap_or(0..0), camera.check())?;
         scene.lighting = default_lighting(camera);
         Ok(())
     }
@@ -218,16 +244,18 @@ impl Source<'_> {
     }
 
     fn not_toml(&self, error: &toml::de::Error) -> SceneError {
-        let message = error.message().trim().replace('\n', ", ");
+        let message = error.message().trim();
         let span = error.span().unwrap_or(0..0);
         // The library's sentences name the remedy after "expected".
-        let (problem, remedy) = match message.split_once(", expected ") {
+        let (problem, remedy) = match message.rsplit_once(", expected ") {
             Some((problem, "i64")) => (problem, "write a whole number".to_owned()),
             Some((problem, "f64")) => (problem, "write a number".to_owned()),
-            Some((problem, expected)) => (problem, format!("write {expected}")),
-            None if message.starts_with("missing field") => (&*message, "add it".to_owned()),
-            None => (&*message, "correct the TOML".to_owned()),
+            Some((problem, expected)) => (problem, format!("write {}", brief(expected, MESSAGE))),
+            None if message.starts_with("missing field") => (message, "add it".to_owned()),
+            None => (message, "correct the TOML".to_owned()),
         };
-        self.error(span, problem.replace("field", "key"), remedy)
+        // The library's word for a key; what is quoted after it stays as it is.
+        let problem = brief(problem, MESSAGE).replacen("field", "key", 1);
+        self.error(span, problem, remedy)
     }
 }

@@ -1,6 +1,6 @@
 //! Values of a scene file that the TOML library's own types take too lightly: it ignores what is too much in an array.
 
-use serde::de::value::SeqAccessDeserializer;
+use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
 use serde::de::{Deserialize, Deserializer, Error, MapAccess, SeqAccess, Visitor};
 use std::fmt;
 use std::marker::PhantomData;
@@ -33,25 +33,59 @@ impl<'de, T: Deserialize<'de>, const N: usize> Visitor<'de> for Numbers<T, N> {
     }
 }
 
+/// A table, and neither a list of values nor a list of tables, which the library would take for one.
+#[derive(Default)]
+pub(super) struct Table<T>(pub(super) T);
+
+/// Keys that stand in a table.
+pub(super) trait Keys {
+    /// What to write in place of something that is no such table.
+    const HEAD: &str;
+}
+
+impl<'de, T: Deserialize<'de> + Keys> Deserialize<'de> for Table<T> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(OneTable(PhantomData))
+    }
+}
+
+struct OneTable<T>(PhantomData<T>);
+
+impl<'de, T: Deserialize<'de> + Keys> Visitor<'de> for OneTable<T> {
+    type Value = Table<T>;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(T::HEAD)
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, table: A) -> Result<Self::Value, A::Error> {
+        T::deserialize(MapAccessDeserializer::new(table)).map(Table)
+    }
+}
+
 /// A list of tables; a single one is a likely slip and gets a sentence of its own.
-pub(super) fn lights<'de, D: Deserializer<'de>, T: Deserialize<'de>>(from: D) -> Result<Option<Vec<T>>, D::Error> {
+pub(super) fn lights<'de, D, T>(from: D) -> Result<Option<Vec<Table<T>>>, D::Error>
+where
+    D: Deserializer<'de>,
+    T: Deserialize<'de> + Keys,
+{
     from.deserialize_any(Lights(PhantomData)).map(Some)
 }
 
 struct Lights<T>(PhantomData<T>);
 
-impl<'de, T: Deserialize<'de>> Visitor<'de> for Lights<T> {
-    type Value = Vec<T>;
+impl<'de, T: Deserialize<'de> + Keys> Visitor<'de> for Lights<T> {
+    type Value = Vec<Table<T>>;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("`[[light]]` above each light")
+        f.write_str(T::HEAD)
     }
 
-    fn visit_seq<A: SeqAccess<'de>>(self, tables: A) -> Result<Vec<T>, A::Error> {
+    fn visit_seq<A: SeqAccess<'de>>(self, tables: A) -> Result<Self::Value, A::Error> {
         Vec::deserialize(SeqAccessDeserializer::new(tables))
     }
 
-    fn visit_map<A: MapAccess<'de>>(self, _: A) -> Result<Vec<T>, A::Error> {
+    fn visit_map<A: MapAccess<'de>>(self, _: A) -> Result<Self::Value, A::Error> {
         Err(A::Error::custom("`light` is one table, expected `[[light]]` above each light"))
     }
 }

@@ -1,0 +1,21 @@
+//! The camera that frames a mesh by itself.
+
+use crate::camera::Camera;
+use crate::mesh::Mesh;
+use crate::size::Size;
+use glam::{DVec3, dvec3};
+
+/// Field of view of the camera that frames a mesh by itself, in degrees.
+pub(super) const FRAMING_FOV: f64 = 35.0;
+
+/// Which way is up in an OBJ file, by custom, and from where such a mesh is seen: a little from the right and from above.
+pub(super) const OBJ_UP: DVec3 = DVec3::Y;
+const OBJ_DIRECTION: DVec3 = dvec3(0.45, 0.35, 1.0);
+
+/// A camera that shows the whole of an OBJ file's mesh.
+pub(super) fn framing_camera(mesh: &Mesh, up: DVec3, fov: f64, size: Size) -> Camera {
+    // If up is turned, the direction turns with it: over the same shoulder, wherever the shoulder is.
+    let direction =
+        if up.z.abs() > up.y.abs() { dvec3(OBJ_DIRECTION.x, -OBJ_DIRECTION.z, OBJ_DIRECTION.y) } else { OBJ_DIRECTION };
+    Camera::framing(mesh.bounding_box(), direction, up, fov, size)
+}

@@ -1,0 +1,58 @@
+//! Names of scenes: a file's own, and the built-in one that a misspelt name may mean.
+
+use crate::builtin;
+use crate::error::SceneError;
+use std::path::Path;
+
+/// A file's name without folder and extension.
+pub(super) fn stem(path: &Path) -> String {
+    path.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned())
+}
+
+pub(super) fn unknown_name(name: &str) -> SceneError {
+    let all = builtin::NAMES.join(", ");
+    let files = "or name an .obj or a .toml file";
+    SceneError::UnknownScene {
+        name: name.to_owned(),
+        remedy: match nearest(name) {
+            Some(known) => format!("did you mean `{known}`? The built-in scenes are {all}; {files}"),
+            None => format!("the built-in scenes are {all}; {files}"),
+        },
+    }
+}
+
+/// The built-in scene that a misspelt name may mean.
+pub(super) fn nearest(name: &str) -> Option<&'static str> {
+    let lower = name.to_lowercase();
+    let (edits, known) = builtin::NAMES.into_iter().map(|known| (distance(&lower, known), known)).min()?;
+    (edits <= 1 + known.len() / 4).then_some(known)
+}
+
+/// Levenshtein's distance: how many characters to insert, remove or change.
+fn distance(left: &str, right: &str) -> usize {
+    let right: Vec<char> = right.chars().collect();
+    let mut row: Vec<usize> = (0..=right.len()).collect();
+    for (i, l) in left.chars().enumerate() {
+        let mut diagonal = row[0];
+        row[0] = i + 1;
+        for (j, r) in right.iter().enumerate() {
+            let changed = diagonal + usize::from(l != *r);
+            diagonal = row[j + 1];
+            row[j + 1] = changed.min(row[j] + 1).min(diagonal + 1);
+        }
+    }
+    row[right.len()]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn distances_are_counted() {
+        let cases = [("teapot", "teapot", 0), ("tepot", "teapot", 1), ("", "abc", 3), ("ter1", "ter250", 3)];
+        for (left, right, edits) in cases {
+            assert_eq!(distance(left, right), edits, "{left} {right}");
+        }
+    }
+}
