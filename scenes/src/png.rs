@@ -5,8 +5,13 @@ use crate::frame::{Frame, blank};
 use crate::input::{self, read_bytes};
 use crate::output::write_whole;
 use crate::size::Size;
-use image::{ExtendedColorType, ImageEncoder, ImageFormat, codecs::png::PngEncoder};
+use image::codecs::png::{PngDecoder, PngEncoder};
+use image::{DynamicImage, ExtendedColorType, ImageDecoder, ImageEncoder};
+use std::io::Cursor;
 use std::path::Path;
+
+/// How every PNG file begins.
+const SIGNATURE: &[u8] = b"\x89PNG\r\n\x1a\n";
 
 impl Frame {
     /// The frame's colours as the bytes of a PNG file.
@@ -39,13 +44,17 @@ impl Frame {
             remedy: remedy.to_owned(),
         };
         let bytes = read_bytes(path, &input::PICTURE)?;
-        let picture = image::load_from_memory_with_format(&bytes, ImageFormat::Png)
-            .map_err(|error| wrong(format!("is not a sound PNG file ({error})"), "make it again, or name another"))?
-            .into_rgb8();
-        let size = Size::new(picture.width(), picture.height()).map_err(|_| {
-            let (width, height) = picture.dimensions();
+        if !bytes.starts_with(SIGNATURE) {
+            return Err(wrong("is not a PNG file".to_owned(), "name a PNG file"));
+        }
+        // What the library says of a damaged file is its own jargon.
+        let damaged = |_| wrong("is a damaged PNG file".to_owned(), "make it again, or name another");
+        let decoder = PngDecoder::new(Cursor::new(&bytes)).map_err(damaged)?;
+        let (width, height) = decoder.dimensions();
+        let size = Size::new(width, height).map_err(|_| {
             wrong(format!("holds {width}x{height} pixels, and a frame has at most 2048x2048"), "name a smaller picture")
         })?;
+        let picture = DynamicImage::from_decoder(decoder).map_err(damaged)?.into_rgb8();
         let mut frame = Frame::blank(size, [0; 3]);
         for (word, pixel) in frame.words.iter_mut().zip(picture.pixels()) {
             *word = blank(pixel.0);

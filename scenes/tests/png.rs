@@ -92,15 +92,60 @@ fn a_link_stays_a_link() {
 }
 
 #[test]
-fn a_file_that_is_no_png_is_refused() {
-    let path = folder("not_a_png").join("frame.png");
-    fs::write(&path, "GIF89a").unwrap();
-    let error = Frame::read_png(&path).unwrap_err();
-    assert!(matches!(error, SceneError::File { .. }), "{error:?}");
-    assert!(error.to_string().contains("frame.png: is not a sound PNG file"), "{error}");
+fn a_file_that_is_no_sound_png_is_refused_in_plain_words() {
+    let folder = folder("not_a_png");
+    let path = folder.join("frame.png");
+    let sentence = |bytes: &[u8]| {
+        fs::write(&path, bytes).unwrap();
+        let error = Frame::read_png(&path).unwrap_err();
+        assert!(matches!(error, SceneError::File { .. }), "{error:?}");
+        error.to_string().replace(&format!("{}/", folder.display()), "")
+    };
+    let sound = picture().to_png();
+    for no_png in [b"GIF89a".as_slice(), b"", &sound[..7], &sound[1..]] {
+        assert_eq!(sentence(no_png), "frame.png: is not a PNG file: name a PNG file");
+    }
+    let damaged = "frame.png: is a damaged PNG file: make it again, or name another";
+    for length in [8, 30, sound.len() / 2, sound.len() - 20] {
+        assert_eq!(sentence(&sound[..length]), damaged, "cut to {length} bytes");
+    }
+    // In turn the type of the first chunk, its checksum, and the compressed colours.
+    for place in [13, 30, 60] {
+        let mut bytes = sound.clone();
+        bytes[place] ^= 0x10;
+        assert_eq!(sentence(&bytes), damaged, "byte {place} changed");
+    }
+}
 
-    let mut cut = picture().to_png();
-    cut.truncate(cut.len() / 2);
-    fs::write(&path, cut).unwrap();
-    assert!(Frame::read_png(&path).is_err());
+/// The size is in the head, so the rest is not decoded.
+#[test]
+fn a_picture_that_is_larger_than_a_frame_is_refused() {
+    let path = folder("large").join("frame.png");
+    let sentence = |width: u32, height: u32| {
+        fs::write(&path, head(width, height)).unwrap();
+        Frame::read_png(&path).unwrap_err().to_string()
+    };
+    for (width, height) in [(2049, 1), (1, 2049), (60_000, 60_000)] {
+        let expected =
+            format!("holds {width}x{height} pixels, and a frame has at most 2048x2048: name a smaller picture");
+        let got = sentence(width, height);
+        assert!(got.ends_with(&expected), "{got}");
+    }
+    assert!(sentence(2048, 2048).contains("is a damaged PNG file"));
+}
+
+/// A PNG file that ends where its colours would begin.
+fn head(width: u32, height: u32) -> Vec<u8> {
+    let mut chunk = b"IHDR".to_vec();
+    chunk.extend(width.to_be_bytes());
+    chunk.extend(height.to_be_bytes());
+    chunk.extend([8, 2, 0, 0, 0]);
+    let checksum = crc(&chunk);
+    [b"\x89PNG\r\n\x1a\n\0\0\0\x0d", &*chunk, &checksum.to_be_bytes(), b"\0\0\0\0IDAT\x35\xaf\x06\x1e"].concat()
+}
+
+/// The checksum of a chunk, as the PNG specification has it.
+fn crc(bytes: &[u8]) -> u32 {
+    let step = |crc: u32, _| if crc & 1 == 1 { crc >> 1 ^ 0xedb8_8320 } else { crc >> 1 };
+    !bytes.iter().fold(!0, |crc, &byte| (0..8).fold(crc ^ u32::from(byte), step))
 }
