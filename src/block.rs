@@ -65,8 +65,8 @@ pub fn simulation(design: &Design, engine: EngineKind) -> Result<Simulation, Fai
 
 /// The bytes of all memories of all instances; words are kept in limbs of 64 bits.
 fn memory_bytes(design: &Design) -> u64 {
-    let mut sizes: Vec<u64> = Vec::with_capacity(design.modules.len());
-    for module in &design.modules {
+    let mut sizes: Vec<u64> = Vec::with_capacity(design.modules().len());
+    for module in design.modules() {
         let own = module.memories.iter().map(|it| 8 * u64::from(it.depth) * limbs_for(it.width) as u64);
         let inner = module
             .instances

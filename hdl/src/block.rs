@@ -6,7 +6,7 @@ use crate::draft::Draft;
 use crate::elaboration;
 use crate::finish;
 use crate::ir::{About, Design, Input, ModuleId, Op};
-use crate::limits::sound_width;
+use crate::limits::{DEEPEST, sound_width};
 use crate::loc::Loc;
 use crate::module::{Module, port_name};
 use crate::names;
@@ -79,11 +79,11 @@ pub fn elaborate_typed<B: Block>(block: &B, period: Period) -> Result<Typed<B>, 
         ));
         elaboration::with(names::check_module_names);
     })?;
-    let mut design = Design { modules: ended.done };
-    let top = design.modules.last_mut().expect("the top was elaborated");
+    let mut modules = ended.done;
+    let top = modules.last_mut().expect("the top was elaborated");
     top.clocks.iter_mut().filter(|clock| clock.period.is_none()).for_each(|clock| clock.period = Some(period));
     let (inputs, outputs) = ports.expect("the description ran");
-    Ok((design, inputs, outputs))
+    Ok((Design::new(modules)?, inputs, outputs))
 }
 
 /// A module that has been elaborated, with the output bundle that its `build` returned.
@@ -98,9 +98,6 @@ impl Elaborated {
         self.outputs.downcast_ref().expect("the shape was stored under its block's type")
     }
 }
-
-/// Deeper nesting than this is a block that instantiates itself without end.
-const DEEPEST: usize = 100;
 
 /// The module of `block`: the one made before for the same type and parameters, or a new one.
 pub(crate) fn elaborate_module<B: Block>(block: &B, loc: Loc) -> Elaborated {

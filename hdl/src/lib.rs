@@ -60,6 +60,7 @@ mod bits;
 mod block;
 mod bundle;
 mod check;
+mod circuit;
 pub mod clock;
 mod draft;
 mod elaboration;

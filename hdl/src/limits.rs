@@ -1,4 +1,4 @@
-//! How wide a signal may be.
+//! How wide a signal may be, and how large a design.
 
 use crate::elaboration::Elaboration;
 use crate::ir::NodeId;
@@ -7,6 +7,18 @@ use crate::problem::Problem;
 
 /// The widest signal in bits.
 pub(crate) const WIDEST: u32 = 1 << 20;
+
+/// The deepest nesting of instances: a block that instantiates itself without end goes deeper.
+pub(crate) const DEEPEST: usize = 100;
+
+/// The most lanes that arrays in arrays come to.
+pub(crate) const MOST_LANES: u64 = 1 << 24;
+
+/// The most 64-bit limbs of a value in all its lanes: half a gibibyte.
+pub(crate) const MOST_LIMBS: u64 = 1 << 26;
+
+/// The most 64-bit limbs of a memory in all its lanes: 32 gibibytes.
+pub(crate) const MOST_MEMORY_LIMBS: u64 = 1 << 32;
 
 /// The width of what is to have `width` bits and is called `what`: no bits, or more than [`WIDEST`], are a problem, and
 /// the nearest width stands in. `operands` are the nodes that it is made of.

@@ -1,8 +1,9 @@
 //! What a parent needs to know of a finished module: which inputs and clocks each output depends on within a cycle.
 
+use crate::circuit::Circuit;
 use crate::draft::Draft;
 use crate::graph::{Edges, Sets};
-use crate::ir::{NodeId, Op};
+use crate::ir::{Module, NodeId, Op};
 use std::collections::BTreeSet;
 
 /// For each output of a module, what it depends on without a register between; and what its inputs feed.
@@ -40,22 +41,22 @@ impl Summary {
 }
 
 /// The combinational edges of a module, from a node to those it is computed from.
-pub(crate) fn combinational_edges(draft: &Draft, summaries: &[Summary]) -> Edges {
-    Edges::new(draft.nodes.len(), |node, push| operands(draft, summaries, NodeId(node), &mut |id| push(id.0)))
+pub(crate) fn combinational_edges(circuit: &impl Circuit, summaries: &[Summary]) -> Edges {
+    Edges::new(circuit.nodes().len(), |node, push| operands(circuit, summaries, NodeId(node), &mut |id| push(id.0)))
 }
 
 /// Every node that `id` is computed from in the same cycle, through instances and asynchronous reads too.
-pub(crate) fn operands(draft: &Draft, summaries: &[Summary], id: NodeId, visit: &mut dyn FnMut(NodeId)) {
-    let op = &draft.node(id).op;
+pub(crate) fn operands(circuit: &impl Circuit, summaries: &[Summary], id: NodeId, visit: &mut dyn FnMut(NodeId)) {
+    let op = &circuit.node(id).op;
     match op {
         Op::Read(memory, port) => {
-            let read = &draft.memories[memory.0 as usize].memory.reads[*port as usize];
+            let read = circuit.read(*memory, *port);
             if read.clock.is_none() {
                 visit(read.address);
             }
         }
         Op::Output(instance, port) => {
-            let instance = &draft.instances[instance.0 as usize];
+            let instance = &circuit.instances()[instance.0 as usize];
             let inputs = &summaries[instance.module.0 as usize].outputs[*port as usize].inputs;
             inputs.iter().filter_map(|input| instance.inputs.get(*input as usize)).for_each(|id| visit(*id));
         }
@@ -152,11 +153,21 @@ pub(crate) fn timed_input_sets(draft: &Draft, summaries: &[Summary]) -> Sets {
 }
 
 /// The inputs that each node depends on by these edges.
-fn input_sets(draft: &Draft, edges: &Edges) -> Sets {
-    let mut inputs = Sets::new(draft.nodes.len(), draft.inputs.len());
-    draft.inputs.iter().enumerate().for_each(|(i, input)| inputs.insert(input.node.0, i));
+fn input_sets(circuit: &impl Circuit, edges: &Edges) -> Sets {
+    let mut inputs = Sets::new(circuit.nodes().len(), circuit.inputs().len());
+    circuit.inputs().iter().enumerate().for_each(|(i, input)| inputs.insert(input.node.0, i));
     inputs.spread(edges);
     inputs
+}
+
+/// As much of a finished module's summary as its parents' loops depend on.
+pub(crate) fn of_loops(module: &Module, summaries: &[Summary], outputs: &[NodeId]) -> Summary {
+    let sets = input_sets(module, &combinational_edges(module, summaries));
+    let mut summary = Summary::unknown(outputs.len());
+    for (output, node) in summary.outputs.iter_mut().zip(outputs) {
+        output.inputs = sets.members(node.0).map(|input| input as u32).collect();
+    }
+    summary
 }
 
 /// The summary of a draft whose clocks are numbered as in the finished module by `renumber`.

@@ -12,8 +12,8 @@ pub const ADDRESS: &str = "address";
 
 /// The statements and generate loops that set all state to its usual start.
 pub fn usual(design: &Design) -> Vec<String> {
-    let states: Vec<Vec<State>> = design.modules.iter().map(|module| state(design, module)).collect();
-    scope(design, &states, ModuleId(design.modules.len() as u32 - 1), "dut", 0)
+    let states: Vec<Vec<State>> = design.modules().iter().map(|module| state(design, module)).collect();
+    scope(design, &states, ModuleId(design.modules().len() as u32 - 1), "dut", 0)
 }
 
 fn scope(design: &Design, states: &[Vec<State>], id: ModuleId, path: &str, depth: usize) -> Vec<String> {
@@ -41,8 +41,8 @@ fn scope(design: &Design, states: &[Vec<State>], id: ModuleId, path: &str, depth
 
 /// How deep arrays nest, which is how many loop variables there are.
 pub fn array_depth(design: &Design) -> usize {
-    let mut depths = Vec::with_capacity(design.modules.len());
-    for module in &design.modules {
+    let mut depths = Vec::with_capacity(design.modules().len());
+    for module in design.modules() {
         depths.push(deepest(module, &depths));
     }
     depths.last().copied().unwrap_or(0)
@@ -119,7 +119,7 @@ fn no_state(path: &str) -> ! {
 /// The module, the Verilog path of its instance, and the last name of a path such as `u_row.u_cell[3].q`.
 fn find<'a>(design: &Design, path: &'a str) -> (ModuleId, String, &'a str) {
     let (scopes, name) = path.rsplit_once('.').unwrap_or(("", path));
-    let (mut module, mut verilog) = (ModuleId(design.modules.len() as u32 - 1), "dut".to_string());
+    let (mut module, mut verilog) = (ModuleId(design.modules().len() as u32 - 1), "dut".to_string());
     for scope in scopes.split('.').filter(|scope| !scope.is_empty()) {
         let instance_name = scope.split('[').next().unwrap_or(scope);
         let instance = design.module(module).instances.iter().find(|instance| instance.name == instance_name);

@@ -36,7 +36,7 @@ use tilewright_hdl::ir::{Design, Module};
 /// bytes for the same design, and with the names of the description.
 pub fn verilog(design: &Design) -> Vec<VerilogFile> {
     let mut files = Vec::new();
-    for module in &design.modules {
+    for module in design.modules() {
         let folded = simplified(module);
         let text = module::print(&mut Printer::new(design, &folded));
         files.push(VerilogFile { name: format!("{}.v", module.name), text });

@@ -1,6 +1,6 @@
 //! Combinational loops: on values, through instances, and lane by lane through arrays.
 
-use crate::draft::Draft;
+use crate::circuit::Circuit;
 use crate::graph::{Edges, cycle_through, cyclic_components};
 use crate::ir::{NodeId, Op};
 use crate::problem::Problem;
@@ -8,41 +8,41 @@ use crate::summary::{self, Summary};
 use std::collections::BTreeMap;
 
 /// Reports every loop; whether there is none.
-pub(crate) fn check(draft: &Draft, summaries: &[Summary], problems: &mut Vec<Problem>) -> bool {
-    let edges = summary::combinational_edges(draft, summaries);
+pub(crate) fn check(circuit: &impl Circuit, summaries: &[Summary], problems: &mut Vec<Problem>) -> bool {
+    let edges = summary::combinational_edges(circuit, summaries);
     let before = problems.len();
     for component in cyclic_components(&edges) {
-        let has_lanes = component.iter().any(|node| draft.node(NodeId(*node)).lanes.is_some());
+        let has_lanes = component.iter().any(|node| circuit.node(NodeId(*node)).lanes.is_some());
         if has_lanes {
-            problems.extend(lane_loop(draft, summaries, &component));
+            problems.extend(lane_loop(circuit, summaries, &component));
         } else {
             // Operands point backwards: the reverse of the cycle is the direction in which values flow.
-            let mut hops: Vec<_> = cycle_through(&edges, &component, first_named(draft, &component));
+            let mut hops: Vec<_> = cycle_through(&edges, &component, first_named(circuit, &component));
             hops[1..].reverse();
-            problems.push(report(draft, hops.into_iter().map(|node| (NodeId(node), None)).collect()));
+            problems.push(report(circuit, hops.into_iter().map(|node| (NodeId(node), None)).collect()));
         }
     }
     problems.len() == before
 }
 
 /// The node to begin the message with: one that the user named, if there is one.
-fn first_named(draft: &Draft, component: &[u32]) -> u32 {
-    *component.iter().find(|node| draft.node(NodeId(**node)).name.is_some()).unwrap_or(&component[0])
+fn first_named(circuit: &impl Circuit, component: &[u32]) -> u32 {
+    *component.iter().find(|node| circuit.node(NodeId(**node)).name.is_some()).unwrap_or(&component[0])
 }
 
 /// A chain from lane to lane is no loop unless it comes back to the same lane.
-fn lane_loop(draft: &Draft, summaries: &[Summary], component: &[u32]) -> Option<Problem> {
+fn lane_loop(circuit: &impl Circuit, summaries: &[Summary], component: &[u32]) -> Option<Problem> {
     let mut vertices = Vec::new();
     let mut place = BTreeMap::new();
     for &node in component {
-        for lane in 0..draft.node(NodeId(node)).lanes.unwrap_or(1) {
+        for lane in 0..circuit.node(NodeId(node)).lanes.unwrap_or(1) {
             place.insert((node, lane), vertices.len() as u32);
             vertices.push((node, lane));
         }
     }
     let edges = Edges::new(vertices.len(), |vertex, push| {
         let (node, lane) = vertices[vertex as usize];
-        lane_operands(draft, summaries, NodeId(node), lane, &mut |node, lane| {
+        lane_operands(circuit, summaries, NodeId(node), lane, &mut |node, lane| {
             place.get(&(node.0, lane)).into_iter().for_each(|&vertex| push(vertex));
         });
     });
@@ -52,14 +52,20 @@ fn lane_loop(draft: &Draft, summaries: &[Summary], component: &[u32]) -> Option<
     hops[1..].reverse();
     let hop = |vertex: u32| {
         let (node, lane) = vertices[vertex as usize];
-        (NodeId(node), draft.node(NodeId(node)).lanes.map(|_| lane))
+        (NodeId(node), circuit.node(NodeId(node)).lanes.map(|_| lane))
     };
-    Some(report(draft, hops.into_iter().map(hop).collect()))
+    Some(report(circuit, hops.into_iter().map(hop).collect()))
 }
 
 /// What one lane of a node is computed from.
-fn lane_operands(draft: &Draft, summaries: &[Summary], id: NodeId, lane: u32, visit: &mut dyn FnMut(NodeId, u32)) {
-    let node = draft.node(id);
+fn lane_operands(
+    circuit: &impl Circuit,
+    summaries: &[Summary],
+    id: NodeId,
+    lane: u32,
+    visit: &mut dyn FnMut(NodeId, u32),
+) {
+    let node = circuit.node(id);
     match &node.op {
         Op::Shifted { of, by, edge } => match lane.checked_add_signed(-by) {
             Some(from) if from < node.lanes.unwrap_or(1) => visit(*of, from),
@@ -68,22 +74,22 @@ fn lane_operands(draft: &Draft, summaries: &[Summary], id: NodeId, lane: u32, vi
         Op::Broadcast(a) => visit(*a, 0),
         Op::PerLane(each) => visit(each[lane as usize], 0),
         Op::Lane(of, index) => visit(*of, *index),
-        Op::Reduce(_, of) => (0..draft.node(*of).lanes.unwrap_or(1)).for_each(|lane| visit(*of, lane)),
-        _ => summary::operands(draft, summaries, id, &mut |operand| visit(operand, lane)),
+        Op::Reduce(_, of) => (0..circuit.node(*of).lanes.unwrap_or(1)).for_each(|lane| visit(*of, lane)),
+        _ => summary::operands(circuit, summaries, id, &mut |operand| visit(operand, lane)),
     }
 }
 
-fn report(draft: &Draft, hops: Vec<(NodeId, Option<u32>)>) -> Problem {
+fn report(circuit: &impl Circuit, hops: Vec<(NodeId, Option<u32>)>) -> Problem {
     let text = |(node, lane): &(NodeId, Option<u32>)| {
         let lane = lane.map_or(String::new(), |lane| format!("[{lane}]"));
-        format!("`{}{lane}`", draft.describe(*node))
+        format!("`{}{lane}`", circuit.describe(*node))
     };
     let mut path: Vec<_> = hops.iter().map(text).collect();
     path.push(path[0].clone());
-    let message = format!("a combinational loop in `{}`: {}", draft.block, path.join(" -> "));
-    let mut problem = Problem::new(draft.node(hops[0].0).loc, message);
+    let message = format!("a combinational loop in `{}`: {}", circuit.title(), path.join(" -> "));
+    let mut problem = Problem::new(circuit.node(hops[0].0).loc, message);
     for hop in &hops {
-        problem = problem.note(format!("{} is computed", text(hop)), draft.node(hop.0).loc);
+        problem = problem.note(format!("{} is computed", text(hop)), circuit.node(hop.0).loc);
     }
     problem.help("put a register into the loop, or break it where a value does not depend on the others")
 }

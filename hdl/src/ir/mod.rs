@@ -3,25 +3,27 @@
 //! A [`Design`] is a list of modules; each was elaborated once for its block type and parameters, however many
 //! instances it has. A module is a graph of [`Node`]s, each an expression of a known width, with the objects of
 //! the schematic (registers, memories, instances) beside it. Everything in a `Design` has passed the checks:
-//! widths agree, every wire is driven once, no combinational loop, every name unique and legal in Verilog.
+//! widths agree, every id leads somewhere, every wire is driven once, no combinational loop, every name unique and
+//! legal in Verilog. Modules that were edited become a design again by [`Design::new`], which checks all of that.
 //!
 //! An instance array is one [`Instance`] with a lane count. Its outputs are nodes with lanes; so are the nodes that
 //! feed its inputs. Lane nodes are only: [`Op::Broadcast`], [`Op::PerLane`], [`Op::Shifted`] and [`Op::Output`] of
 //! an array; [`Op::Lane`] and [`Op::Reduce`] lead back to plain nodes.
 
 mod op;
+mod validate;
 
 use crate::bits::Bits;
 use crate::clock::Period;
 use crate::loc::Loc;
+use crate::problem::Problems;
 
 pub use op::{Binary, Op, Reduction, Relation, Shift, Unary};
 
-/// A whole circuit.
+/// A whole circuit, which keeps every rule of this module: its readers need not ask.
 #[derive(Debug, Clone)]
 pub struct Design {
-    /// The modules, children before the modules that instantiate them; the top is the last.
-    pub modules: Vec<Module>,
+    modules: Vec<Module>,
 }
 
 /// A module's place in [`Design::modules`].
@@ -131,12 +133,12 @@ pub struct Output {
 pub struct Node {
     /// How it is computed.
     pub op: Op,
-    /// Its width in bits, at least 1.
+    /// Its width in bits, 1 to 1,048,576.
     pub width: u32,
     /// `Some(n)` for a value with one element per lane of an array, `None` for a plain one.
     pub lanes: Option<u32>,
-    /// The name that the description gave it; unique in the module, legal in Verilog and VCD. Inputs, registers and
-    /// wires always have one.
+    /// The name that the description gave it; unique in the module, legal in Verilog and VCD. Inputs and registers
+    /// always have one.
     pub name: Option<String>,
     /// Where the description made it.
     pub loc: Loc,
@@ -216,7 +218,7 @@ pub struct Memory {
 pub struct ReadPort {
     /// `Some` for a synchronous port: the data is a register that takes the word at the edge. `None`: asynchronous.
     pub clock: Option<ClockId>,
-    /// The address; enough bits for the depth, at least 1.
+    /// The address, of [`index_width`](crate::index_width)`(depth)` bits.
     pub address: NodeId,
     /// 1 bit: a synchronous port keeps its data where this is low; `None` means always reading.
     pub enable: Option<NodeId>,
@@ -270,6 +272,27 @@ pub struct Assert {
 }
 
 impl Design {
+    /// The design of these modules, children before the modules that instantiate them; the top is the last.
+    ///
+    /// # Errors
+    ///
+    /// Every rule that the modules break, each at the place that the part in question was described.
+    #[track_caller]
+    pub fn new(modules: Vec<Module>) -> Result<Design, Problems> {
+        let problems = validate::validate(&modules);
+        if problems.is_empty() { Ok(Design { modules }) } else { Err(Problems(problems)) }
+    }
+
+    /// The modules, children before the modules that instantiate them; the top is the last.
+    pub fn modules(&self) -> &[Module] {
+        &self.modules
+    }
+
+    /// The modules, to be edited; [`Design::new`] makes a design of them again.
+    pub fn into_modules(self) -> Vec<Module> {
+        self.modules
+    }
+
     /// The module that is not instantiated by another.
     pub fn top(&self) -> &Module {
         self.modules.last().expect("a design has a top module")

@@ -63,7 +63,7 @@ impl Body {
 impl Flatten<'_> {
     fn top(&mut self, lanes: u32) {
         let module = self.design.top();
-        let id = ModuleId(self.design.modules.len() as u32 - 1);
+        let id = ModuleId(self.design.modules().len() as u32 - 1);
         self.netlist.clocks = module.clocks.iter().map(program_clock).collect();
         let clocks = (0..module.clocks.len() as u32).collect();
         let scope = self.scope(None, module.name.clone(), id, Replication::Single, lanes);

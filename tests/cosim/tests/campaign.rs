@@ -68,7 +68,7 @@ fn every_node_of_the_circuit_is_generated() {
     let mut seen = BTreeSet::new();
     for number in 0..400 {
         let design = elaborate(&build::top(&campaign.design(number), "d")).unwrap();
-        for module in &design.modules {
+        for module in design.modules() {
             seen.extend(module.nodes.iter().map(|node| kind(&node.op)));
         }
     }

@@ -1,0 +1,74 @@
+//! What the walks over a module read: of one under construction and of a finished one alike.
+
+use crate::draft::Draft;
+use crate::ir::{Input, Instance, MemoryId, Module, Node, NodeId, ReadPort};
+
+/// A graph of nodes with its inputs, memories and instances.
+pub(crate) trait Circuit {
+    /// The module's name for messages.
+    fn title(&self) -> &str;
+    fn nodes(&self) -> &[Node];
+    fn inputs(&self) -> &[Input];
+    fn instances(&self) -> &[Instance];
+    fn read(&self, memory: MemoryId, port: u32) -> &ReadPort;
+    /// A node for messages.
+    fn describe(&self, id: NodeId) -> String;
+
+    fn node(&self, id: NodeId) -> &Node {
+        &self.nodes()[id.0 as usize]
+    }
+}
+
+impl Circuit for Draft {
+    fn title(&self) -> &str {
+        self.block
+    }
+
+    fn nodes(&self) -> &[Node] {
+        &self.nodes
+    }
+
+    fn inputs(&self) -> &[Input] {
+        &self.inputs
+    }
+
+    fn instances(&self) -> &[Instance] {
+        &self.instances
+    }
+
+    fn read(&self, memory: MemoryId, port: u32) -> &ReadPort {
+        &self.memories[memory.0 as usize].memory.reads[port as usize]
+    }
+
+    fn describe(&self, id: NodeId) -> String {
+        Draft::describe(self, id)
+    }
+}
+
+impl Circuit for Module {
+    fn title(&self) -> &str {
+        &self.name
+    }
+
+    fn nodes(&self) -> &[Node] {
+        &self.nodes
+    }
+
+    fn inputs(&self) -> &[Input] {
+        &self.inputs
+    }
+
+    fn instances(&self) -> &[Instance] {
+        &self.instances
+    }
+
+    fn read(&self, memory: MemoryId, port: u32) -> &ReadPort {
+        &self.memories[memory.0 as usize].reads[port as usize]
+    }
+
+    /// Its name, or its number, as an edited circuit need not come from an expression.
+    fn describe(&self, id: NodeId) -> String {
+        let name = self.nodes.get(id.0 as usize).and_then(|node| node.name.clone());
+        name.unwrap_or_else(|| format!("node {}", id.0))
+    }
+}

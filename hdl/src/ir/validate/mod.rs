@@ -1,0 +1,147 @@
+//! Whether a circuit keeps the rules that its readers rely on: simulators and printers look things up without asking.
+//!
+//! A description is checked while it is elaborated, with better messages; this is the last gate, and the only one for
+//! a circuit that was edited.
+
+mod loops;
+mod names;
+mod nodes;
+mod objects;
+mod ports;
+mod size;
+
+use super::{ClockId, Module, NodeId};
+use crate::circuit::Circuit;
+use crate::loc::Loc;
+use crate::problem::Problem;
+use crate::signal::bits_text;
+use std::fmt;
+
+/// Everything that is wrong with these modules, of which the last is the top.
+pub(super) fn validate(modules: &[Module]) -> Vec<Problem> {
+    let mut problems = Vec::new();
+    if modules.is_empty() {
+        problems.push(problem(Loc::caller(), "a design has at least one module, its top"));
+    }
+    for (index, module) in modules.iter().enumerate() {
+        let mut rules = Rules { done: &modules[..index], module, problems: &mut problems };
+        rules.nodes();
+        rules.ports();
+        rules.registers();
+        rules.memories();
+        rules.asserts();
+        rules.instances();
+        rules.names();
+    }
+    names::modules(modules, &mut problems);
+    ports::top(modules, &mut problems);
+    // These follow ids wherever they lead.
+    if problems.is_empty() {
+        size::check(modules, &mut problems);
+        loops::check(modules, &mut problems);
+    }
+    problems
+}
+
+fn problem(loc: Loc, message: impl Into<String>) -> Problem {
+    Problem::new(loc, message).help("this circuit was edited: it must keep what `tilewright_hdl::ir` says of each part")
+}
+
+/// The rules of one module.
+struct Rules<'a> {
+    /// The modules before this one.
+    done: &'a [Module],
+    module: &'a Module,
+    problems: &'a mut Vec<Problem>,
+}
+
+/// What a node that something refers to must be.
+#[derive(Clone, Copy)]
+struct Shape {
+    /// In bits; any, if `None`.
+    width: Option<u32>,
+    lanes: Option<u32>,
+}
+
+impl Shape {
+    /// A plain value of that width.
+    fn plain(width: u32) -> Shape {
+        Shape { width: Some(width), lanes: None }
+    }
+
+    /// A plain value of any width.
+    const PLAIN: Shape = Shape { width: None, lanes: None };
+}
+
+impl<'a> Rules<'a> {
+    fn report(&mut self, loc: Loc, message: impl Into<String>) {
+        self.problems.push(problem(loc, message));
+    }
+
+    /// Reports `message` unless `holds`.
+    fn rule(&mut self, holds: bool, loc: Loc, message: impl FnOnce() -> String) {
+        if !holds {
+            self.report(loc, message());
+        }
+    }
+
+    /// Something of this module for messages, such as `counter.count`.
+    fn of(&self, name: &str) -> String {
+        format!("`{}.{name}`", self.module.name)
+    }
+
+    /// A node for messages.
+    fn node(&self, id: NodeId) -> Named<'a> {
+        Named { module: self.module, id }
+    }
+
+    /// `role` of `owner` is node `id`, which must exist and have this shape.
+    fn refers(&mut self, loc: Loc, role: &str, owner: &dyn fmt::Display, id: NodeId, shape: Shape) {
+        let Some(node) = self.module.nodes.get(id.0 as usize) else {
+            let count = self.module.nodes.len();
+            return self.report(loc, format!("{role} of {owner} is node {} of {count}", id.0));
+        };
+        let text = self.node(id);
+        if let Some(width) = shape.width.filter(|width| *width != node.width) {
+            let (has, needs) = (bits_text(node.width), bits_text(width));
+            self.report(loc, format!("{role} of {owner}, {text}, has {has}, not {needs}"));
+        }
+        if node.lanes != shape.lanes {
+            let text = format!("{role} of {owner}, {text}, has {}", lanes_text(node.lanes));
+            self.report(
+                loc,
+                match shape.lanes {
+                    Some(needs) => format!("{text}, not {needs}"),
+                    None => format!("{text}, but must be plain"),
+                },
+            );
+        }
+    }
+
+    /// `owner` runs on a clock of this module.
+    fn clock(&mut self, loc: Loc, owner: &dyn fmt::Display, clock: ClockId) {
+        let count = self.module.clocks.len();
+        self.rule((clock.0 as usize) < count, loc, || format!("the clock of {owner} is clock {} of {count}", clock.0));
+    }
+}
+
+/// A node as messages call it, such as `counter.count`; most are never written.
+#[derive(Clone, Copy)]
+struct Named<'a> {
+    module: &'a Module,
+    id: NodeId,
+}
+
+impl fmt::Display for Named<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        write!(f, "`{}.{}`", self.module.name, self.module.describe(self.id))
+    }
+}
+
+fn lanes_text(lanes: Option<u32>) -> String {
+    match lanes {
+        None => "no lanes".to_owned(),
+        Some(1) => "1 lane".to_owned(),
+        Some(n) => format!("{n} lanes"),
+    }
+}

@@ -1,0 +1,170 @@
+//! The rules of expressions: what each operator needs of its operands.
+
+use super::{Named, Rules, Shape};
+use crate::ir::{Binary, InstanceId, Node, NodeId, Op, RegisterId, Unary};
+use crate::limits::WIDEST;
+use crate::signal::bits_text;
+use std::collections::HashSet;
+
+impl Rules<'_> {
+    pub(super) fn nodes(&mut self) {
+        for (id, node) in (0..).map(NodeId).zip(&self.module.nodes) {
+            let owner = self.node(id);
+            self.rule((1..=WIDEST).contains(&node.width), node.loc, || {
+                format!("{owner} has {}, not 1 to {WIDEST}", bits_text(node.width))
+            });
+            let can_have_lanes =
+                matches!(node.op, Op::Broadcast(_) | Op::PerLane(_) | Op::Shifted { .. } | Op::Output(..));
+            self.rule(can_have_lanes || node.lanes.is_none(), node.loc, || {
+                format!("{owner} has lanes, as only broadcasts, lists and shifts of lanes and outputs of arrays have")
+            });
+            self.op(id, node, owner);
+        }
+    }
+
+    fn op(&mut self, id: NodeId, node: &Node, owner: Named) {
+        let (width, loc, module) = (node.width, node.loc, self.module);
+        let width_of = |id: NodeId| module.nodes.get(id.0 as usize).map_or(0, |node| u64::from(node.width));
+        let same = Shape::plain(width);
+        match &node.op {
+            Op::Input(port) => {
+                let there = module.inputs.get(*port as usize).map(|input| input.node);
+                self.linked(id, node, there, &format!("input {port}"));
+            }
+            Op::Register(RegisterId(register)) => {
+                let there = module.registers.get(*register as usize).map(|register| register.node);
+                self.linked(id, node, there, &format!("register {register}"));
+            }
+            Op::Read(memory, port) => {
+                let memory_there = module.memories.get(memory.0 as usize);
+                let there = memory_there.and_then(|memory| memory.reads.get(*port as usize)).map(|read| read.node);
+                self.linked(id, node, there, &format!("read port {port} of memory {}", memory.0));
+            }
+            Op::Output(InstanceId(instance), port) => {
+                let instance_there = module.instances.get(*instance as usize);
+                let there = instance_there.and_then(|instance| instance.outputs.get(*port as usize)).copied();
+                self.linked(id, node, there, &format!("output {port} of instance {instance}"));
+            }
+            Op::Const(bits) => self.has_width(node, owner, bits.width().into(), "its constant has"),
+            Op::Unary(Unary::Not, a) => self.refers(loc, "the operand", &owner, *a, same),
+            Op::Unary(_, a) => {
+                self.has_width(node, owner, 1, "its operator gives");
+                self.refers(loc, "the operand", &owner, *a, Shape::PLAIN);
+            }
+            Op::Binary(Binary::Mul | Binary::MulSigned, a, b) => {
+                [a, b].into_iter().for_each(|id| self.refers(loc, "an operand", &owner, *id, Shape::PLAIN));
+                self.has_width(node, owner, width_of(*a) + width_of(*b), "its product has");
+            }
+            Op::Binary(_, a, b) => [a, b].into_iter().for_each(|id| self.refers(loc, "an operand", &owner, *id, same)),
+            Op::Compare { operands: [a, b], .. } => {
+                self.has_width(node, owner, 1, "its comparison gives");
+                self.refers(loc, "the left operand", &owner, *a, Shape::PLAIN);
+                self.refers(loc, "the right operand", &owner, *b, Shape::plain(width_of(*a) as u32));
+            }
+            Op::Shift(_, a, amount) => {
+                self.refers(loc, "the operand", &owner, *a, same);
+                self.refers(loc, "the amount", &owner, *amount, Shape::PLAIN);
+            }
+            Op::Mux { select, on_true, on_false } => {
+                self.refers(loc, "the select", &owner, *select, Shape::plain(1));
+                [on_true, on_false].into_iter().for_each(|id| self.refers(loc, "a value", &owner, *id, same));
+            }
+            Op::Select { arms, default } => {
+                for (condition, value) in arms {
+                    self.refers(loc, "a condition", &owner, *condition, Shape::plain(1));
+                    self.refers(loc, "a value", &owner, *value, same);
+                }
+                self.refers(loc, "the default", &owner, *default, same);
+            }
+            Op::Case { subject, arms, default } => {
+                self.refers(loc, "the subject", &owner, *subject, Shape::PLAIN);
+                let mut keys = HashSet::with_capacity(arms.len());
+                for (key, value) in arms {
+                    let needed = width_of(*subject);
+                    self.rule(u64::from(key.width()) == needed, loc, || {
+                        format!("the key {key} of {owner} is not as wide as its subject, which has {needed} bits")
+                    });
+                    self.rule(keys.insert(key), loc, || format!("the key {key} of {owner} stands twice"));
+                    self.refers(loc, "a value", &owner, *value, same);
+                }
+                self.refers(loc, "the default", &owner, *default, same);
+            }
+            Op::Slice { of, low } => {
+                self.refers(loc, "the operand", &owner, *of, Shape::PLAIN);
+                let (high, has) = (u64::from(*low) + u64::from(width), width_of(*of));
+                self.rule(high <= has, loc, || format!("{owner} is the slice {low}..{high} of {has} bits"));
+            }
+            Op::Concat(parts) => {
+                parts.iter().for_each(|id| self.refers(loc, "a part", &owner, *id, Shape::PLAIN));
+                self.has_width(node, owner, parts.iter().map(|id| width_of(*id)).sum(), "its parts have");
+            }
+            Op::Repeat(of, times) => {
+                self.refers(loc, "the operand", &owner, *of, Shape::PLAIN);
+                self.has_width(node, owner, width_of(*of) * u64::from(*times), "its repetition has");
+            }
+            Op::Extend { of, .. } => {
+                self.refers(loc, "the operand", &owner, *of, Shape::PLAIN);
+                let has = width_of(*of);
+                self.rule(has < width.into(), loc, || format!("{owner} extends {has} bits to {width}"));
+            }
+            Op::Wire(of) | Op::QuasiStatic(of, _) => self.refers(loc, "the driver", &owner, *of, same),
+            Op::Broadcast(of) => {
+                self.has_lanes(node, owner);
+                self.refers(loc, "the operand", &owner, *of, same);
+            }
+            Op::PerLane(parts) => {
+                let (has, needs) = (parts.len(), node.lanes.unwrap_or(0));
+                self.has_lanes(node, owner);
+                self.rule(has == needs as usize, loc, || format!("{owner} lists {has} signals for {needs} lanes"));
+                parts.iter().for_each(|id| self.refers(loc, "a lane", &owner, *id, same));
+            }
+            Op::Shifted { of, by, edge } => {
+                self.has_lanes(node, owner);
+                self.refers(loc, "the operand", &owner, *of, Shape { lanes: node.lanes, ..same });
+                self.refers(loc, "the edge", &owner, *edge, same);
+                let lanes = node.lanes.unwrap_or(0);
+                let far = by.unsigned_abs() > lanes;
+                self.rule(!far, loc, || format!("{owner} shifts {lanes} lanes by {by}, more than there are"));
+            }
+            Op::Lane(of, index) => {
+                let lanes = self.takes_lanes(node, owner, *of);
+                self.rule(*index < lanes, loc, || format!("{owner} is lane {index} of {lanes}"));
+            }
+            Op::Reduce(_, of) => {
+                self.takes_lanes(node, owner, *of);
+            }
+        }
+    }
+
+    /// The width of what a node does is its own.
+    fn has_width(&mut self, node: &Node, owner: Named, width: u64, what: &str) {
+        self.rule(width == node.width.into(), node.loc, || {
+            format!("{owner} has {}, but {what} {width}", bits_text(node.width))
+        });
+    }
+
+    fn has_lanes(&mut self, node: &Node, owner: Named) {
+        self.rule(node.lanes.is_some_and(|lanes| lanes > 0), node.loc, || format!("{owner} needs at least 1 lane"));
+    }
+
+    /// The operand has lanes of the node's width; how many.
+    fn takes_lanes(&mut self, node: &Node, owner: Named, of: NodeId) -> u32 {
+        let lanes = self.module.nodes.get(of.0 as usize).and_then(|operand| operand.lanes);
+        self.refers(node.loc, "the operand", &owner, of, Shape { width: Some(node.width), lanes });
+        let text = self.node(of);
+        self.rule(lanes.is_some(), node.loc, || format!("{owner} needs lanes, but {text} has none"));
+        lanes.unwrap_or(0)
+    }
+
+    /// What a node says it is says the same of the node.
+    fn linked(&mut self, id: NodeId, node: &Node, there: Option<NodeId>, what: &str) {
+        let owner = self.node(id);
+        match there {
+            None => self.report(node.loc, format!("{owner} is {what}, which there is not")),
+            Some(other) if other != id => {
+                self.report(node.loc, format!("{owner} is {what}, whose node is node {}", other.0));
+            }
+            Some(_) => {}
+        }
+    }
+}

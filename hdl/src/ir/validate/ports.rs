@@ -1,0 +1,96 @@
+//! The rules of clocks, ports and instances.
+
+use super::{Rules, Shape, problem};
+use crate::ir::{Instance, InstanceId, Module, Op};
+use crate::problem::Problem;
+
+/// At the top every clock has a period, as there is nothing above that drives it.
+pub(super) fn top(modules: &[Module], problems: &mut Vec<Problem>) {
+    if let Some(top) = modules.last() {
+        for clock in top.clocks.iter().filter(|clock| clock.period.is_none()) {
+            problems
+                .push(problem(top.loc, format!("clock `{}` of the top, `{}`, has no period", clock.port, top.name)));
+        }
+    }
+}
+
+impl Rules<'_> {
+    pub(super) fn ports(&mut self) {
+        let loc = self.module.loc;
+        for (index, clock) in self.module.clocks.iter().enumerate() {
+            let owner = self.of(&clock.port);
+            self.rule(clock.name.is_none() || clock.period.is_some(), loc, || {
+                format!("{owner} is a clock with a name, but has no period")
+            });
+            self.rule(clock.name.is_some() || index == 0, loc, || {
+                format!("{owner} is a default clock, but not the first clock of its module")
+            });
+        }
+        for (index, input) in (0..).zip(&self.module.inputs) {
+            let owner = self.of(&input.name);
+            if self.is_node(loc, &owner, input.node, &Op::Input(index)).is_some() {
+                self.refers(loc, "the node", &owner, input.node, Shape::PLAIN);
+                let name = self.module.node(input.node).name.as_ref();
+                self.rule(name == Some(&input.name), loc, || format!("the node of input {owner} has another name"));
+            }
+            input.clock.into_iter().for_each(|clock| self.clock(loc, &owner, clock));
+        }
+        for output in &self.module.outputs {
+            self.refers(loc, "the driver", &self.of(&output.name), output.node, Shape::PLAIN);
+        }
+    }
+
+    pub(super) fn instances(&mut self) {
+        for (id, instance) in (0..).map(InstanceId).zip(&self.module.instances) {
+            let owner = self.of(&instance.name);
+            self.rule(instance.lanes != Some(0), instance.loc, || format!("{owner} is an array without lanes"));
+            let count = self.done.len();
+            match self.done.get(instance.module.0 as usize) {
+                Some(child) => self.instance(id, instance, child, &owner),
+                None => self.report(
+                    instance.loc,
+                    format!("{owner} is an instance of module {}, but only {count} come before", instance.module.0),
+                ),
+            }
+        }
+    }
+
+    fn instance(&mut self, id: InstanceId, instance: &Instance, child: &Module, owner: &String) {
+        let loc = instance.loc;
+        let mut as_many = |what: &str, has: usize, needs: usize| {
+            self.rule(has == needs, loc, || {
+                format!("{owner} has {has} {what}, but its module `{}` has {needs}", child.name)
+            });
+        };
+        as_many("inputs", instance.inputs.len(), child.inputs.len());
+        as_many("outputs", instance.outputs.len(), child.outputs.len());
+        as_many("clocks", instance.clocks.len(), child.clocks.len());
+        for (port, driver) in child.inputs.iter().zip(&instance.inputs) {
+            let width = child.nodes.get(port.node.0 as usize).map(|node| node.width);
+            let shape = Shape { width, lanes: instance.lanes };
+            self.refers(loc, &format!("input `{}`", port.name), owner, *driver, shape);
+        }
+        for ((index, port), node) in (0..).zip(&child.outputs).zip(&instance.outputs) {
+            let name = format!("output `{}` of {owner}", port.name);
+            if self.is_node(loc, &name, *node, &Op::Output(id, index)).is_some() {
+                let width = child.nodes.get(port.node.0 as usize).map(|node| node.width);
+                let shape = Shape { width, lanes: instance.lanes };
+                self.refers(loc, &format!("output `{}`", port.name), owner, *node, shape);
+            }
+        }
+        for (clock, driver) in child.clocks.iter().zip(&instance.clocks) {
+            self.clock(loc, owner, *driver);
+            let Some(driver) = self.module.clocks.get(driver.0 as usize) else { continue };
+            let named = |clock: &crate::ir::Clock| (clock.name, clock.period);
+            self.rule(clock.name.is_none() || named(clock) == named(driver), loc, || {
+                format!("clock `{}` of {owner} is driven by `{}`, which is another clock", clock.port, driver.port)
+            });
+            self.rule(clock.reset.is_none() || driver.reset.is_some(), loc, || {
+                format!(
+                    "clock `{}` of {owner} has a reset, but `{}`, which drives it, has none",
+                    clock.port, driver.port
+                )
+            });
+        }
+    }
+}

@@ -1,0 +1,55 @@
+//! How large a design may be: what nested arrays come to, and how deep instances nest.
+
+use super::problem;
+use crate::bits::limbs_for;
+use crate::ir::{Instance, Memory, Module};
+use crate::limits::{DEEPEST, MOST_LANES, MOST_LIMBS, MOST_MEMORY_LIMBS};
+use crate::problem::Problem;
+
+/// What a module comes to, with all that is in it.
+#[derive(Clone, Copy)]
+struct Size {
+    depth: usize,
+    /// Lanes of the widest array in arrays.
+    lanes: u64,
+    /// 64-bit limbs of the largest value, in all lanes.
+    limbs: u64,
+    /// The same of the largest memory.
+    memory: u64,
+}
+
+pub(super) fn check(modules: &[Module], problems: &mut Vec<Problem>) {
+    let mut sizes: Vec<Size> = Vec::with_capacity(modules.len());
+    for module in modules {
+        let size = size(module, &sizes);
+        let mut limit = |what: &str, has: u64, most: u64| {
+            if has > most {
+                problems.push(problem(module.loc, format!("`{}` has {what}: {has}, more than {most}", module.name)));
+            }
+        };
+        limit("instances nested too deep", size.depth as u64, DEEPEST as u64);
+        limit("too many lanes in nested arrays", size.lanes, MOST_LANES);
+        limit("a value of too many 64-bit words in all lanes", size.limbs, MOST_LIMBS);
+        limit("a memory of too many 64-bit words in all lanes", size.memory, MOST_MEMORY_LIMBS);
+        sizes.push(size);
+    }
+}
+
+fn size(module: &Module, below: &[Size]) -> Size {
+    let mut size = Size { depth: 1, lanes: 1, limbs: 1, memory: 0 };
+    for node in &module.nodes {
+        let lanes = u64::from(node.lanes.unwrap_or(1));
+        size.lanes = size.lanes.max(lanes);
+        size.limbs = size.limbs.max(lanes * limbs_for(node.width) as u64);
+    }
+    let words = |memory: &Memory| u64::from(memory.depth).saturating_mul(limbs_for(memory.width) as u64);
+    size.memory = module.memories.iter().map(words).max().unwrap_or(0);
+    for Instance { module, lanes, .. } in &module.instances {
+        let (child, lanes) = (below[module.0 as usize], u64::from(lanes.unwrap_or(1)));
+        size.depth = size.depth.max(child.depth + 1);
+        size.lanes = size.lanes.max(child.lanes.saturating_mul(lanes));
+        size.limbs = size.limbs.max(child.limbs.saturating_mul(lanes));
+        size.memory = size.memory.max(child.memory.saturating_mul(lanes));
+    }
+    size
+}

@@ -1,0 +1,6 @@
+//! Circuits that were edited: each kind of edit that breaks a rule has its sentence.
+
+mod common;
+mod expressions;
+mod objects;
+mod whole;
