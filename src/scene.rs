@@ -3,7 +3,7 @@
 use crate::shell::{Failure, output};
 use clap::Args;
 use std::path::Path;
-use tilewright_scenes::{Projection, Scene, Size, project};
+use tilewright_scenes::{Projection, Scene, Size};
 
 /// A scene on a screen.
 #[derive(Args)]
@@ -28,9 +28,10 @@ impl SceneArguments {
     /// # Errors
     /// The scene's, naming file and line.
     pub fn load(&self) -> Result<(Scene, Projection), Failure> {
-        let scene = Scene::load(&self.scene)?;
-        scene.warnings.iter().for_each(|warning| output::talk(&format!("warning: {warning}")));
-        let projection = project(&scene, self.size.unwrap_or(scene.size))?;
+        let scene = Scene::load_sized(&self.scene, self.size)?;
+        let projection = scene.project()?;
+        let warnings = scene.warnings.iter().cloned().chain(projection.warning());
+        warnings.for_each(|warning| output::talk(&format!("warning: {warning}")));
         Ok((scene, projection))
     }
 }

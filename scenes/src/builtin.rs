@@ -42,6 +42,7 @@ pub(crate) fn with_defaults(name: &str, mesh: Mesh, camera: Camera) -> Scene {
         camera,
         background: BACKGROUND,
         size: Size::VGA,
+        files: Vec::new(),
         warnings: Vec::new(),
     }
 }

@@ -6,6 +6,7 @@
 use crate::frame::{Frame, depth_of, rgb_of, word};
 use crate::packet::*;
 use crate::size::Size;
+use std::ops::ControlFlow;
 
 impl Triangle {
     /// Whether the triangle covers pixel (x, y): all three reduced edge functions are at least 0 (DES-EDGE).
@@ -37,29 +38,34 @@ fn plane_at(plane: &Plane, x: u32, y: u32, bits: u32) -> u64 {
 
 /// Renders triangles over a background: each pixel keeps the least word (DES-MIN), so their order does not matter.
 pub fn render(size: Size, triangles: &[Triangle], background: [u8; 3]) -> Frame {
-    render_watched(size, triangles, background, |_| true).expect("nobody stops it")
+    let mut frame = Frame::blank(size, background);
+    triangles.iter().for_each(|triangle| draw(&mut frame, triangle));
+    frame
 }
 
-/// As [`render`], and `go_on` is told before each triangle how many are done; `None` as soon as it answers `false`.
-///
-/// A triangle that fills the largest screen takes some tens of milliseconds.
+/// As [`render`], with a call of `watch` before every triangle; it gets how many of them are done, from 0 to 1, and may break it
+/// off: then there is no frame.
 pub fn render_watched(
     size: Size,
     triangles: &[Triangle],
     background: [u8; 3],
-    mut go_on: impl FnMut(usize) -> bool,
+    mut watch: impl FnMut(f64) -> ControlFlow<()>,
 ) -> Option<Frame> {
     let mut frame = Frame::blank(size, background);
     for (done, triangle) in triangles.iter().enumerate() {
-        if !go_on(done) {
+        if watch(done as f64 / triangles.len() as f64).is_break() {
             return None;
         }
-        each_fragment(size, triangle, |pixel, fragment| {
-            let kept = &mut frame.words[pixel];
-            *kept = (*kept).min(fragment);
-        });
+        draw(&mut frame, triangle);
     }
     Some(frame)
+}
+
+fn draw(frame: &mut Frame, triangle: &Triangle) {
+    each_fragment(frame.size(), triangle, |pixel, fragment| {
+        let kept = &mut frame.words[pixel];
+        *kept = (*kept).min(fragment);
+    });
 }
 
 /// Renders triangles with the strict rule: depth alone decides, and of equal depths the first submitted stays (facts E0).

@@ -26,7 +26,7 @@ impl Scene {
     ///
     /// # Errors
     /// [`SceneError`], one sentence that names file, line and remedy.
-    pub fn load(name_or_path: &str) -> Result<Scene, SceneError> {
+    pub fn load(name_or_path: impl AsRef<Path>) -> Result<Scene, SceneError> {
         Scene::load_sized(name_or_path, None)
     }
 
@@ -35,16 +35,16 @@ impl Scene {
     ///
     /// # Errors
     /// As [`Scene::load`].
-    pub fn load_sized(name_or_path: &str, size: Option<Size>) -> Result<Scene, SceneError> {
-        if let Some(scene) = builtin::scene(name_or_path) {
+    pub fn load_sized(name_or_path: impl AsRef<Path>, size: Option<Size>) -> Result<Scene, SceneError> {
+        let path = name_or_path.as_ref();
+        if let Some(scene) = path.to_str().and_then(builtin::scene) {
             return Ok(Scene { size: size.unwrap_or(scene.size), ..scene });
         }
-        let path = Path::new(name_or_path);
         let extension = path.extension().map(|e| e.to_string_lossy().to_lowercase());
         match extension.as_deref() {
             Some("obj") => obj_scene(path, size.unwrap_or(Size::VGA)),
             Some("toml") => toml_file::load(path, size),
-            None if !path.exists() && path.components().count() <= 1 => Err(unknown_name(name_or_path)),
+            None if !path.exists() && path.components().count() <= 1 => Err(unknown_name(&path.to_string_lossy())),
             _ => {
                 open(path, &input::SCENE)?;
                 Err(SceneError::File {
@@ -61,5 +61,5 @@ fn obj_scene(path: &Path, size: Size) -> Result<Scene, SceneError> {
     let loaded = obj::load(path)?;
     let camera = framing_camera(&loaded.mesh, OBJ_UP, FRAMING_FOV, size);
     let scene = with_defaults(&stem(path), loaded.mesh, camera);
-    Ok(Scene { size, warnings: loaded.warnings, ..scene })
+    Ok(Scene { size, files: loaded.files, warnings: loaded.warnings, ..scene })
 }

@@ -4,6 +4,7 @@ use crate::camera::Camera;
 use crate::light::Lighting;
 use crate::mesh::Mesh;
 use crate::size::Size;
+use std::path::PathBuf;
 
 /// Everything a frame is made from.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,6 +21,8 @@ pub struct Scene {
     pub background: [u8; 3],
     /// The screen that the scene asks for; [`crate::project`] takes any other.
     pub size: Size,
+    /// The files that it was read from, in order: none for a built-in one.
+    pub files: Vec<PathBuf>,
     /// What was odd about the files but did no harm, a sentence each.
     pub warnings: Vec<String>,
 }

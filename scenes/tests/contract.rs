@@ -3,6 +3,7 @@
 mod oracle;
 
 use proptest::prelude::*;
+use std::ops::ControlFlow;
 use tilewright_scenes::packet::{EMPTY, FARTHEST_VERTEX, NEAREST_VERTEX};
 use tilewright_scenes::{Frame, ScreenVertex, Size, Triangle, frame, golden, set_up};
 
@@ -217,11 +218,14 @@ fn rendering_can_be_watched_and_stopped() {
     let mut heard = Vec::new();
     let whole = golden::render_watched(screen(), &triangles, [1; 3], |done| {
         heard.push(done);
-        true
+        ControlFlow::Continue(())
     });
-    assert_eq!(heard, [0, 1]);
+    assert_eq!(heard, [0.0, 0.5]);
     assert_eq!(whole, Some(golden::render(screen(), &triangles, [1; 3])));
-    assert_eq!(golden::render_watched(screen(), &triangles, [1; 3], |done| done == 0), None);
+    let stopped = golden::render_watched(screen(), &triangles, [1; 3], |done| {
+        if done == 0.0 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+    });
+    assert_eq!(stopped, None);
 }
 
 /// Packets against the numbers of the reference script (`setup` at the end of `check_facts.py`). A row of the file: three vertices

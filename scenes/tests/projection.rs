@@ -22,6 +22,7 @@ fn scene(mesh: Mesh, distance: f64) -> Scene {
         lighting: Lighting { ambient: 1.0, lights: Vec::new() },
         background: [0; 3],
         size: Size::new(64, 48).unwrap(),
+        files: Vec::new(),
         warnings: Vec::new(),
     }
 }

@@ -14,10 +14,12 @@ use std::path::{Path, PathBuf};
 /// The colour of what has no material.
 pub(super) const GREY: [f64; 3] = [0.8; 3];
 
-/// The diffuse colours of a mesh's materials, in the order of [`Scan::materials`]. What is odd goes to `warnings`.
+/// The diffuse colours of a mesh's materials, in the order of [`Scan::materials`]. The paths of their files go to
+/// `files`, what is odd to `warnings`.
 pub(super) fn diffuse_colours(
     obj: &Path,
     scan: &Scan,
+    files: &mut Vec<PathBuf>,
     warnings: &mut Vec<String>,
 ) -> Result<Vec<[f64; 3]>, SceneError> {
     let mut found = BTreeMap::new();
@@ -26,6 +28,7 @@ pub(super) fn diffuse_colours(
         for path in library_paths(obj, operand) {
             if path.exists() {
                 read_library(&path, &mut found)?;
+                files.push(path);
             } else {
                 complete = false;
                 warnings.push(format!(

@@ -11,11 +11,12 @@ use crate::mesh::{Mesh, MeshTriangle, smooth_normals};
 use crate::quote::shown;
 use glam::DVec3;
 use std::collections::BTreeMap;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-/// A mesh, and what was odd about its files.
+/// A mesh, the files that it is in, and what was odd about them.
 pub(super) struct Loaded {
     pub(super) mesh: Mesh,
+    pub(super) files: Vec<PathBuf>,
     pub(super) warnings: Vec<String>,
 }
 
@@ -23,9 +24,9 @@ pub(super) fn load(path: &Path) -> Result<Loaded, SceneError> {
     let bytes = read_lines(path, &input::MESH)?;
     // Names and comments may be in any encoding; what matters is ASCII.
     let scan = scan(path, &String::from_utf8_lossy(&bytes))?;
-    let mut warnings = Vec::new();
+    let (mut files, mut warnings) = (vec![path.to_owned()], Vec::new());
     let has_normals = normals_are_whole(path, &scan, &mut warnings);
-    let colours = diffuse_colours(path, &scan, &mut warnings)?;
+    let colours = diffuse_colours(path, &scan, &mut files, &mut warnings)?;
     let mut parts = Parts::default();
     let mut crossing = Vec::new();
     for face in &scan.faces {
@@ -58,7 +59,7 @@ pub(super) fn load(path: &Path) -> Result<Loaded, SceneError> {
             remedy: "give at least one face three corners that are not in a line".to_owned(),
         });
     }
-    Ok(Loaded { mesh, warnings })
+    Ok(Loaded { mesh, files, warnings })
 }
 
 /// Whether every corner of every face names a normal; a warning if some do and others do not.

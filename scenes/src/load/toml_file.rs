@@ -3,14 +3,14 @@
 
 use super::framing::{FRAMING_FOV, OBJ_UP, framing_camera};
 use super::names::{nearest, stem};
-use super::obj;
+use super::obj::{self, Loaded};
 use super::toml_values::{Keys, Table, Vector, lights};
 use crate::builtin::{self, default_lighting, with_defaults};
 use crate::camera::Part;
 use crate::error::SceneError;
 use crate::input::{self, read_lines};
 use crate::light::Light;
-use crate::mesh::{Mesh, representable};
+use crate::mesh::representable;
 use crate::project::nothing_in_front;
 use crate::quote::{brief, quote, shown};
 use crate::scene::Scene;
@@ -100,6 +100,7 @@ impl Source<'_> {
     fn scene(&self, table: &SceneTable, size: Option<Size>) -> Result<Scene, SceneError> {
         let mut scene = self.base(table, size)?;
         scene.name = stem(self.path);
+        scene.files.insert(0, self.path.to_owned());
         self.set_camera(&table.camera.0, &mut scene)?;
         if let Some(background) = &table.background {
             let channels = background.as_ref().0.map(u8::try_from);
@@ -144,14 +145,14 @@ impl Source<'_> {
         let mut scene = match builtin::scene(name) {
             Some(scene) => scene,
             None => {
-                let (mesh, warnings) = self.mesh(&table.mesh)?;
+                let Loaded { mesh, files, warnings } = self.mesh(&table.mesh)?;
                 let camera = &table.camera.0;
                 // What these are good for is checked with the rest of the camera.
                 let up = camera.up.as_ref().map_or(OBJ_UP, |up| DVec3::from_array(up.as_ref().0));
                 let fov = camera.fov.as_ref().map_or(FRAMING_FOV, |fov| *fov.as_ref());
                 let framing = framing_camera(&mesh, up, fov, size.unwrap_or(Size::VGA));
                 let mut scene = with_defaults(name, mesh, framing);
-                scene.warnings = warnings;
+                (scene.files, scene.warnings) = (files, warnings);
                 scene
             }
         };
@@ -159,7 +160,7 @@ impl Source<'_> {
         Ok(scene)
     }
 
-    fn mesh(&self, name: &Spanned<String>) -> Result<(Mesh, Vec<String>), SceneError> {
+    fn mesh(&self, name: &Spanned<String>) -> Result<Loaded, SceneError> {
         let file = Path::new(name.as_ref());
         if !file.extension().is_some_and(|e| e.eq_ignore_ascii_case("obj")) {
             let all = builtin::NAMES.join(", ");
@@ -180,8 +181,7 @@ impl Source<'_> {
                 "the path is relative to the scene file's folder; correct it",
             ));
         }
-        let loaded = obj::load(&path)?;
-        Ok((loaded.mesh, loaded.warnings))
+        obj::load(&path)
     }
 
     fn size(&self, size: &Spanned<Vector<i64, 2>>) -> Result<Size, SceneError> {

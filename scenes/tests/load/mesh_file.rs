@@ -25,6 +25,7 @@ fn an_obj_file_keeps_order_colours_and_normals() {
     let scene = load(&folder.join("mesh.obj")).unwrap();
     assert_eq!(scene.warnings, [""; 0]);
     assert_eq!(scene.name, "mesh");
+    assert_eq!(scene.files, ["mesh.obj", "my colours.mtl"].map(|name| folder.join(name)));
     let triangles = scene.mesh.triangles();
     let places: Vec<_> = triangles.iter().map(|t| t.positions).collect();
     assert_eq!(places, [[0, 1, 2], [0, 2, 3], [0, 1, 3]]);

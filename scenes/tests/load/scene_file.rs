@@ -25,6 +25,7 @@ fn a_scene_file_says_what_differs() {
     assert_eq!((scene.camera.eye, scene.camera.fov), (dvec3(0.0, 0.0, 5.0), 60.0));
     assert_eq!((scene.lighting.lights.len(), scene.lighting.lights[0].intensity), (1, 0.25));
     assert_eq!(scene.name, "scene");
+    assert_eq!(scene.files, ["scene.toml", "mesh.obj"].map(|name| folder.join(name)));
     let turned = load(&folder.join("turned.toml")).unwrap();
     let teapot = Scene::builtin("teapot").unwrap();
     assert_eq!(turned.camera.eye, dvec3(9.0, 0.0, 3.0));
