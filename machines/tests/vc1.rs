@@ -5,7 +5,7 @@ use std::io::BufReader;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use proptest::prelude::*;
-use tilewright_machines::vc1::{Assignment, Config, CostTable, Machine, Report, demand};
+use tilewright_machines::vc1::{Assignment, Config, CostTable, Demand, Machine, ProcessorReport, Report, demand};
 use tilewright_machines::{Error, Progress, Watch};
 use tilewright_scenes::{
     Comparison, Counts, Frame, Projection, Scene, ScreenVertex, Size, compare, golden, project, set_up,
@@ -69,13 +69,16 @@ fn the_report_counts_what_the_dry_run_expects() {
     let (_, report) = render(config, &projection).expect("there are pages for all patches");
     let assignment = Assignment::new(&projection, 5, 20, &HASTY);
     let expected = demand(&assignment, &projection.triangles, &config.patches().expect("4x4 fits"));
-    for (it, expected) in report.processors.iter().zip(&expected) {
-        assert_eq!((it.pixels, it.pages), (expected.pixels, expected.pages));
-    }
+    let drawn: Vec<Demand> = report.processors.iter().map(|it| Demand { pixels: it.pixels, pages: it.pages }).collect();
+    assert_eq!(drawn, expected);
     assert_eq!(report.pixels, covered(&projection));
     assert_eq!(report.polygons, 4096);
     assert_eq!(report.processors.iter().map(|it| it.polygons).sum::<u32>(), 4096);
-    assert_eq!(report.processors.iter().map(|it| it.waiting).min(), Some(0));
+    let clocks = |it: &ProcessorReport| it.work.total() + it.stalls + it.waiting;
+    let last = clocks(&report.processors[0]);
+    assert!(report.processors.iter().all(|it| clocks(it) == last), "each clock is work, a stall or waiting: {report}");
+    // The last program to end computes for long enough after its last pixel that this has arrived by then.
+    assert_eq!(report.phases[0].pe_clocks + report.phases[1].pe_clocks, last);
 }
 
 #[test]

@@ -73,6 +73,8 @@ mod tests {
             let mut other = plane.clip(&[r, q, p]);
             other.reverse();
             let one = plane.clip(&corners);
+            let inside = corners.iter().filter(|corner| plane.inside_by(corner.at) >= 0.0).count();
+            prop_assert_eq!(one.len(), [0, 3, 4, 3][inside]);
             prop_assert_eq!(one.len(), other.len());
             for vertex in one {
                 prop_assert!(other.contains(&vertex), "{:?} against {:?}", vertex, other);
