@@ -5,7 +5,7 @@
 
 use super::lines::{At, logical_lines, numbers};
 use crate::error::SceneError;
-use crate::quote::quote;
+use crate::quote::{number, quote};
 use glam::{DVec3, dvec3};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -70,7 +70,7 @@ pub(super) fn scan(path: &Path, text: &str) -> Result<Scan, SceneError> {
         let Some(keyword) = words.next() else {
             continue;
         };
-        let words: Vec<&str> = words.collect();
+        let words: Vec<&str> = words.take(MOST_CORNERS + 1).collect();
         let operand = statement.trim_start()[keyword.len()..].trim();
         match keyword {
             "v" => scan.positions.push(vertex(at, &words)?),
@@ -120,7 +120,9 @@ pub(super) fn scan(path: &Path, text: &str) -> Result<Scan, SceneError> {
 fn vertex(at: At, words: &[&str]) -> Result<DVec3, SceneError> {
     let [x, y, z, w] = numbers::<4>(at, "v", words, &[3, 4, 6, 7])?;
     if matches!(words.len(), 4 | 7) && w != 1.0 {
-        return Err(at.error(format!("`v` with the weight {w}"), "remove it: weights belong to free-form surfaces"));
+        return Err(
+            at.error(format!("`v` with the weight {}", number(w)), "remove it: weights belong to free-form surfaces")
+        );
     }
     Ok(dvec3(x, y, z))
 }
@@ -130,8 +132,7 @@ fn face(at: At, words: &[&str], seen: &Scan) -> Result<Vec<Corner>, SceneError> 
         return Err(at.error(format!("a face with {} corners", words.len()), "give at least three"));
     }
     if words.len() > MOST_CORNERS {
-        let problem = format!("a face with {} corners", words.len());
-        return Err(at.error(problem, format!("give at most {MOST_CORNERS}, or cut it")));
+        return Err(at.error(format!("a face with more than {MOST_CORNERS} corners"), "cut it"));
     }
     words.iter().map(|word| corner(at, word, seen)).collect()
 }
