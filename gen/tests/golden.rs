@@ -13,7 +13,7 @@ use tilewright_hdl::{Block, elaborate};
 fn check<B: Block>(block: &B) {
     let files = verilog(&elaborate(block).expect("the block is sound"));
     assert_eq!(files, verilog(&elaborate(block).expect("the block is sound")), "the same design prints differently");
-    files.iter().for_each(compare);
+    files.iter().filter(|file| file.name.ends_with(".v")).for_each(compare);
     tools::lint(&files).unwrap();
 }
 

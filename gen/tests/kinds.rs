@@ -90,11 +90,24 @@ fn a_table_too_long_for_the_text() {
         table.read(cat![i.a.trunc(3), i.b]) ^ table.read(i.a.zext(11))
     };
     let text = clean("loaded", build);
-    assert!(text.contains("$readmemh(\"loaded_squares.hex\", squares);"), "{text}");
+    assert!(text.contains("$readmemh(\"loaded.squares.hex\", squares);"), "{text}");
     let files = print("loaded", build);
-    let data = files.iter().find(|file| file.name == "loaded_squares.hex").expect("the data are a file");
+    let data = files.iter().find(|file| file.name == "loaded.squares.hex").expect("the data are a file");
     assert_eq!(data.text.lines().count(), 2000);
     assert_eq!(data.text.lines().nth(20), Some("90"));
+}
+
+/// Yosys takes the square of the words that an `initial` block gives.
+#[test]
+fn a_large_memory_is_filled_from_a_file() {
+    let files = print("vast", |m, i| {
+        m.memory("filled", 65_536, 8, ReadUnderWrite::Old).fill(Bits::new(8, 0x5a)).read(cat![i.a, i.b])
+    });
+    let started = std::time::Instant::now();
+    tools::lint(&files).unwrap();
+    assert!(started.elapsed().as_secs() < 60, "the linters take {:?}", started.elapsed());
+    let data = files.iter().find(|file| file.name == "vast.filled.hex").expect("the data are a file");
+    assert!(data.text.lines().count() == 65_536 && data.text.lines().all(|line| line == "5a"));
 }
 
 #[test]

@@ -8,10 +8,11 @@ mod start;
 mod text;
 
 use crate::VerilogFile;
+use crate::verilog::Names;
 use tilewright_hdl::ir::Design;
 use tilewright_hdl::{Bits, Recording};
 
-/// The testbench that replays a run: a module `TOP_tb`, for `iverilog -g2005` and `verilator --binary` alike. It prints
+/// The testbench that replays a run: a module `TOP_tb` (`TOP_tb_2` in a design that has a module `TOP_tb`), for `iverilog -g2005` and `verilator --binary` alike. It prints
 /// `PASS: n cycles` and finishes, or the first mismatches by port and cycle and stops: `vvp -N` and a program of Verilator's then
 /// end with a non-zero status.
 ///
@@ -21,7 +22,9 @@ use tilewright_hdl::{Bits, Recording};
 /// out of order, or initial values of something that the design does not have.
 pub fn testbench(design: &Design, recording: &Recording) -> VerilogFile {
     check(design, recording);
-    let name = format!("{}_tb", design.top().name);
+    let mut modules = Names::default();
+    design.modules().iter().for_each(|module| modules.take(&module.name));
+    let name = modules.fresh(&format!("{}_tb", design.top().name));
     VerilogFile { text: text::print(design, recording, &name), name: format!("{name}.v") }
 }
 

@@ -1,48 +1,111 @@
 //! What everything that holds state starts from, set through hierarchical paths: Verilog has unknowns, the recorded
 //! simulation has not.
 
-use crate::verilog::{State, state};
-use std::collections::BTreeMap;
+use crate::verilog::{ModuleState, Names, Scope, State, state};
 use tilewright_hdl::Bits;
 use tilewright_hdl::Recording;
 use tilewright_hdl::ir::{Design, Module, ModuleId};
 
-/// The name of the loop variable that steps through a memory.
-pub const ADDRESS: &str = "address";
-
-/// The statements and generate loops that set all state to its usual start.
-pub fn usual(design: &Design) -> Vec<String> {
-    let states: Vec<Vec<State>> = design.modules().iter().map(|module| state(design, module)).collect();
-    scope(design, &states, ModuleId(design.modules().len() as u32 - 1), "dut", 0)
+/// The start of everything in a design, in the terms of the testbench around it.
+pub struct Start<'a> {
+    design: &'a Design,
+    /// By module.
+    states: Vec<ModuleState>,
+    /// The instance of the top.
+    dut: &'a str,
+    /// The loop variables of nested arrays, from the outside to the inside.
+    pub genvars: Vec<String>,
 }
 
-fn scope(design: &Design, states: &[Vec<State>], id: ModuleId, path: &str, depth: usize) -> Vec<String> {
-    let mut out: Vec<String> = states[id.0 as usize].iter().flat_map(|state| start(path, state)).collect();
-    for instance in &design.module(id).instances {
-        let Some(lanes) = instance.lanes else {
-            let path = format!("{path}.{}", instance.name);
-            out.extend(scope(design, states, instance.module, &path, depth));
-            continue;
-        };
-        let index = format!("lane{depth}");
-        let path = format!("{path}.{}[{index}].lane", instance.name);
-        let inner = scope(design, states, instance.module, &path, depth + 1);
-        if !inner.is_empty() {
-            out.push(format!(
-                "for ({index} = 0; {index} < {lanes}; {index} = {index} + 1) begin : start_{}",
-                label(&path)
-            ));
-            out.extend(inner.into_iter().map(|line| format!("    {line}")));
-            out.push("end".to_string());
-        }
+impl<'a> Start<'a> {
+    /// Takes the names of loop variables from `names`.
+    pub fn new(design: &'a Design, dut: &'a str, names: &mut Names) -> Start<'a> {
+        let states = design.modules().iter().map(|module| state(design, module)).collect();
+        let genvars = (0..array_depth(design)).map(|depth| names.fresh(&format!("lane{depth}"))).collect();
+        Start { design, states, dut, genvars }
     }
-    out
+
+    /// The statements and generate loops that set all state to its usual start; takes their labels from `names`.
+    pub fn usual(&self, names: &mut Names) -> Vec<String> {
+        self.scope(ModuleId(self.design.modules().len() as u32 - 1), self.dut, 0, names)
+    }
+
+    fn scope(&self, id: ModuleId, path: &str, depth: usize, names: &mut Names) -> Vec<String> {
+        let state = &self.states[id.0 as usize];
+        let mut out: Vec<String> = state.own.iter().flat_map(|state| start(path, state, names)).collect();
+        for (instance, lane) in self.design.module(id).instances.iter().zip(&state.lanes) {
+            let (Some(lanes), Some(lane)) = (instance.lanes, lane) else {
+                let path = format!("{path}.{}", instance.name);
+                out.extend(self.scope(instance.module, &path, depth, names));
+                continue;
+            };
+            let index = &self.genvars[depth];
+            let path = format!("{path}.{}[{index}].{lane}", instance.name);
+            let inner = self.scope(instance.module, &path, depth + 1, names);
+            if !inner.is_empty() {
+                let label = names.fresh(&format!("start_{}", label(&path)));
+                out.push(format!("for ({index} = 0; {index} < {lanes}; {index} = {index} + 1) begin : {label}"));
+                out.extend(inner.into_iter().map(|line| format!("    {line}")));
+                out.push("end".to_string());
+            }
+        }
+        out
+    }
+
+    /// The assignments that the recording asks for.
+    pub fn special(&self, recording: &Recording) -> Vec<String> {
+        let mut out = Vec::new();
+        for initial in &recording.initial {
+            let (module, path, name) = self.find(&initial.path);
+            let states = &self.states[module.0 as usize].own;
+            let value = || {
+                assert!(
+                    initial.words.len() == 1,
+                    "`{}` is one value, the recording gives {}",
+                    initial.path,
+                    initial.words.len()
+                );
+                &initial.words[0]
+            };
+            let found = states.iter().find_map(|state| match state {
+                State::Register { name: known, .. } if known == name => {
+                    Some(vec![format!("{path}.{name} = {};", value())])
+                }
+                State::GatedRead { name: known, word, inside, .. } if known == name => {
+                    Some(vec![format!("{path}.{word} = {};", value()), format!("{path}.{inside} = 1'b1;")])
+                }
+                State::Memory { name: known, .. } if known == name => {
+                    let assign = |(address, word)| format!("{path}.{name}[{address}] = {word};");
+                    Some(initial.words.iter().enumerate().map(assign).collect())
+                }
+                _ => None,
+            });
+            out.extend(found.unwrap_or_else(|| no_state(&initial.path)));
+        }
+        out
+    }
+
+    /// The module, the Verilog path of its instance, and the last name of a path such as `u_row.u_cell[3].q`.
+    fn find<'p>(&self, path: &'p str) -> (ModuleId, String, &'p str) {
+        let (scopes, name) = path.rsplit_once('.').unwrap_or(("", path));
+        let (mut module, mut verilog) = (ModuleId(self.design.modules().len() as u32 - 1), self.dut.to_string());
+        for scope in scopes.split('.').filter(|scope| !scope.is_empty()) {
+            let instance_name = scope.split('[').next().unwrap_or(scope);
+            let instances = self.design.module(module).instances.iter().zip(&self.states[module.0 as usize].lanes);
+            let found = { instances }.find(|(instance, _)| instance.name == instance_name);
+            let (instance, lane) = found.unwrap_or_else(|| no_state(path));
+            let lane = lane.as_ref().map(|lane| format!(".{lane}")).unwrap_or_default();
+            verilog = format!("{verilog}.{scope}{lane}");
+            module = instance.module;
+        }
+        (module, verilog, name)
+    }
 }
 
-/// How deep arrays nest, which is how many loop variables there are.
-pub fn array_depth(design: &Design) -> usize {
+/// How deep arrays nest.
+fn array_depth(design: &Design) -> usize {
     let mut depths = Vec::with_capacity(design.modules().len());
-    for module in design.modules() {
+    for module in &design.modules() {
         depths.push(deepest(module, &depths));
     }
     depths.last().copied().unwrap_or(0)
@@ -60,7 +123,7 @@ fn label(path: &str) -> String {
     words.join("_")
 }
 
-fn start(path: &str, state: &State) -> Vec<String> {
+fn start(path: &str, state: &State, names: &mut Names) -> Vec<String> {
     match state {
         State::Register { name, start } => vec![format!("initial {path}.{name} = {start};")],
         State::GatedRead { word, inside, width, .. } => {
@@ -68,65 +131,19 @@ fn start(path: &str, state: &State) -> Vec<String> {
         }
         State::Memory { name, depth, width } => {
             let zero = Bits::zero(*width);
-            let block = format!("fill_{}", label(&format!("{path}.{name}")));
+            let block = names.fresh(&format!("fill_{}", label(&format!("{path}.{name}"))));
+            let address = names.fresh_in(&mut Scope::default(), "word", "address");
             vec![
                 format!("initial begin : {block}"),
-                format!("    integer {ADDRESS};"),
-                format!("    for ({ADDRESS} = 0; {ADDRESS} < {depth}; {ADDRESS} = {ADDRESS} + 1)"),
-                format!("        {path}.{name}[{ADDRESS}] = {zero};"),
+                format!("    integer {address};"),
+                format!("    for ({address} = 0; {address} < {depth}; {address} = {address} + 1)"),
+                format!("        {path}.{name}[{address}] = {zero};"),
                 "end".to_string(),
             ]
         }
     }
 }
 
-/// The assignments that the recording asks for.
-pub fn special(design: &Design, recording: &Recording) -> Vec<String> {
-    let mut states: BTreeMap<u32, Vec<State>> = BTreeMap::new();
-    let mut out = Vec::new();
-    for initial in &recording.initial {
-        let (module, path, name) = find(design, &initial.path);
-        let states = states.entry(module.0).or_insert_with(|| state(design, design.module(module)));
-        let value = || {
-            assert!(
-                initial.words.len() == 1,
-                "`{}` is one value, the recording gives {}",
-                initial.path,
-                initial.words.len()
-            );
-            &initial.words[0]
-        };
-        let found = states.iter().find_map(|state| match state {
-            State::Register { name: known, .. } if known == name => Some(vec![format!("{path}.{name} = {};", value())]),
-            State::GatedRead { name: known, word, inside, .. } if known == name => {
-                Some(vec![format!("{path}.{word} = {};", value()), format!("{path}.{inside} = 1'b1;")])
-            }
-            State::Memory { name: known, .. } if known == name => {
-                let assign = |(address, word)| format!("{path}.{name}[{address}] = {word};");
-                Some(initial.words.iter().enumerate().map(assign).collect())
-            }
-            _ => None,
-        });
-        out.extend(found.unwrap_or_else(|| no_state(&initial.path)));
-    }
-    out
-}
-
 fn no_state(path: &str) -> ! {
     panic!("the recording gives `{path}` an initial value, but the design has no such register or unknown memory")
-}
-
-/// The module, the Verilog path of its instance, and the last name of a path such as `u_row.u_cell[3].q`.
-fn find<'a>(design: &Design, path: &'a str) -> (ModuleId, String, &'a str) {
-    let (scopes, name) = path.rsplit_once('.').unwrap_or(("", path));
-    let (mut module, mut verilog) = (ModuleId(design.modules().len() as u32 - 1), "dut".to_string());
-    for scope in scopes.split('.').filter(|scope| !scope.is_empty()) {
-        let instance_name = scope.split('[').next().unwrap_or(scope);
-        let instance = design.module(module).instances.iter().find(|instance| instance.name == instance_name);
-        let instance = instance.unwrap_or_else(|| no_state(path));
-        let lane = if instance.lanes.is_some() { ".lane" } else { "" };
-        verilog = format!("{verilog}.{scope}{lane}");
-        module = instance.module;
-    }
-    (module, verilog, name)
 }

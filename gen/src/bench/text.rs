@@ -1,7 +1,8 @@
 //! The text of a replay testbench.
 
-use super::start;
-use crate::verilog::{connect, range};
+use super::start::Start;
+use crate::verilog::{Names, connect, range};
+use std::collections::BTreeMap;
 use std::fmt::Write;
 use tilewright_hdl::Bits;
 use tilewright_hdl::Recording;
@@ -10,15 +11,19 @@ use tilewright_hdl::ir::{Design, Module};
 /// Mismatches beyond this many are counted and not shown.
 const MOST_SHOWN: u32 = 10;
 
+/// What the bench itself declares.
+const OWN: [&str; 9] = ["dut", "stimulus", "expected", "gap", "rising", "cycle", "errors", "fill", "run"];
+
 /// A port of the top: its name and width.
 type Port<'a> = (&'a str, u32);
 
 pub fn print(design: &Design, recording: &Recording, name: &str) -> String {
-    let bench = Bench::new(design.top(), recording);
+    let (bench, mut names) = Bench::new(design.top(), recording);
+    let start = Start::new(design, bench.own("dut"), &mut names);
     let mut body = bench.declarations();
     body.extend(bench.device(design.top()));
-    body.extend(generate_start(design));
-    body.extend(bench.run(&start::special(design, recording)));
+    body.extend(generate_start(&start, &mut names));
+    body.extend(bench.run(&start.special(recording)));
     body.extend(bench.tables());
     let mut text = format!(
         "// {name}\n//\n// Replays {} recorded steps of {} and compares every output before every edge.\n\
@@ -40,14 +45,16 @@ struct Bench<'a> {
     /// For each clock, whether it has a reset.
     has_reset: Vec<bool>,
     outputs: Vec<Port<'a>>,
-    /// Goes before the bench's own names where a port has such a name.
-    prefix: &'static str,
+    /// What it calls its own things, and the expected value of each output.
+    own: BTreeMap<&'static str, String>,
+    wants: Vec<String>,
     /// The gap between steps, if it is always the same.
     period: Option<u64>,
 }
 
 impl<'a> Bench<'a> {
-    fn new(top: &'a Module, recording: &'a Recording) -> Bench<'a> {
+    /// The bench, and the names in use in it.
+    fn new(top: &'a Module, recording: &'a Recording) -> (Bench<'a>, Names) {
         let resets = top.clocks.iter().filter_map(|clock| Some((clock.reset.as_deref()?, 1)));
         let inputs = top.inputs.iter().map(|input| (input.name.as_str(), top.width(input.node)));
         let outputs = top.outputs.iter().map(|output| (output.name.as_str(), top.width(output.node)));
@@ -57,23 +64,18 @@ impl<'a> Bench<'a> {
             driven: resets.chain(inputs).collect(),
             has_reset: top.clocks.iter().map(|clock| clock.reset.is_some()).collect(),
             outputs: outputs.collect(),
-            prefix: "",
+            own: BTreeMap::new(),
+            wants: Vec::new(),
             period: None,
         };
-        let own = ["stimulus", "expected", "gap", "rising", "cycle", "errors", "dut", "fill", "run"];
-        let ports = || bench.driven.iter().chain(&bench.outputs).map(|port| port.0).chain(bench.clocks.iter().copied());
-        if ports().any(|port| {
-            own.contains(&port)
-                || port.starts_with("want_")
-                || port.starts_with("lane")
-                || port.starts_with("start_")
-                || port.starts_with("fill_")
-        }) {
-            bench.prefix = "tb_";
-        }
+        let mut names = Names::default();
+        bench.clocks.iter().for_each(|clock| names.take(clock));
+        bench.driven.iter().chain(&bench.outputs).for_each(|(port, _)| names.take(port));
+        bench.own = OWN.into_iter().map(|name| (name, names.fresh(name))).collect();
+        bench.wants = bench.outputs.iter().map(|(name, _)| names.fresh(&format!("want_{name}"))).collect();
         let gaps = bench.gaps();
         bench.period = gaps.first().copied().filter(|first| gaps.iter().all(|gap| gap == first));
-        bench
+        (bench, names)
     }
 
     fn gaps(&self) -> Vec<u64> {
@@ -81,8 +83,8 @@ impl<'a> Bench<'a> {
         self.recording.steps.iter().map(|step| step.time_ps - std::mem::replace(&mut before, step.time_ps)).collect()
     }
 
-    fn own(&self, name: &str) -> String {
-        format!("{}{name}", self.prefix)
+    fn own(&self, name: &str) -> &str {
+        &self.own[name]
     }
 
     fn width(ports: &[Port]) -> u32 {
@@ -96,7 +98,8 @@ impl<'a> Bench<'a> {
         out.extend(self.clocks.iter().map(|clock| format!("reg {clock};")));
         out.extend(self.driven.iter().map(|&(name, width)| format!("reg {}{name};", range(width))));
         out.extend(self.outputs.iter().map(|&(name, width)| format!("wire {}{name};", range(width))));
-        out.extend(self.outputs.iter().map(|&(name, width)| format!("reg {}{};", range(width), self.want(name))));
+        let wants = self.outputs.iter().zip(&self.wants);
+        out.extend(wants.map(|(&(_, width), want)| format!("reg {}{want};", range(width))));
         out.push(String::new());
         if !self.driven.is_empty() {
             out.push(table(Self::width(&self.driven), "stimulus"));
@@ -114,15 +117,11 @@ impl<'a> Bench<'a> {
         out
     }
 
-    fn want(&self, output: &str) -> String {
-        self.own(&format!("want_{output}"))
-    }
-
     fn device(&self, top: &Module) -> Vec<String> {
         let names = self.clocks.iter().copied().chain(self.driven.iter().chain(&self.outputs).map(|port| port.0));
         let connections: Vec<(String, String)> = names.map(|name| (name.to_string(), name.to_string())).collect();
         let mut out = vec![String::new()];
-        out.extend(connect(&top.name, "dut", &connections));
+        out.extend(connect(&top.name, self.own("dut"), &connections));
         out
     }
 
@@ -137,7 +136,7 @@ impl<'a> Bench<'a> {
         }
         special.iter().for_each(|assign| line(1, assign.clone()));
         line(1, format!("for ({cycle} = 0; {cycle} < {steps}; {cycle} = {cycle} + 1) begin"));
-        let (half, rest) = self.waits(&cycle);
+        let (half, rest) = self.waits(cycle);
         line(2, half);
         self.clocks.iter().for_each(|clock| line(2, format!("{clock} = 1'b0;")));
         if !self.driven.is_empty() {
@@ -145,11 +144,9 @@ impl<'a> Bench<'a> {
         }
         line(2, rest);
         if !self.outputs.is_empty() {
-            let wants: Vec<String> = self.outputs.iter().map(|(name, _)| self.want(name)).collect();
-            line(2, format!("{{{}}} = {}[{cycle}];", wants.join(", "), self.own("expected")));
+            line(2, format!("{{{}}} = {}[{cycle}];", self.wants.join(", "), self.own("expected")));
         }
-        for (name, _) in &self.outputs {
-            let want = self.want(name);
+        for ((name, _), want) in self.outputs.iter().zip(&self.wants) {
             line(2, format!("if ({name} !== {want}) begin"));
             line(3, format!("if ({errors} < {MOST_SHOWN})"));
             let message = format!("FAIL: cycle %0d: {name} is %h, expected %h");
@@ -225,13 +222,13 @@ fn names(ports: &[Port]) -> String {
     format!("{{{}}}", names.join(", "))
 }
 
-fn generate_start(design: &Design) -> Vec<String> {
-    let lines = start::usual(design);
+fn generate_start(start: &Start, names: &mut Names) -> Vec<String> {
+    let lines = start.usual(names);
     if lines.is_empty() {
         return Vec::new();
     }
     let mut out = vec![String::new()];
-    out.extend((0..start::array_depth(design)).map(|depth| format!("genvar lane{depth};")));
+    out.extend(start.genvars.iter().map(|genvar| format!("genvar {genvar};")));
     out.push("generate".to_string());
     out.extend(lines.into_iter().map(|line| format!("    {line}")));
     out.push("endgenerate".to_string());

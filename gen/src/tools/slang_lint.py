@@ -4,15 +4,13 @@ Everything slang knows is a warning here and every warning fails, except:
   unused-net          Verilator decides what is unused; it knows `_unused_ok` by its name, slang does not
   sign-conversion     `wire [7:0] y = $signed(a) >>> n;` keeps every bit: signed operators have a net of their own
   arith-op-mismatch   `$signed(a) * $signed(b)` of two widths extends both signs, as a signed product should
-  shadow-hierarchy    a net of the module may be called `lane`, as the instance in every array is; arrays then name
-                      that net otherwise
 """
 
 import sys
 
 from pyslang.driver import Driver
 
-ALLOWED = ["unused-net", "sign-conversion", "arith-op-mismatch", "shadow-hierarchy"]
+ALLOWED = ["unused-net", "sign-conversion", "arith-op-mismatch"]
 
 top, files = sys.argv[1], sys.argv[2:]
 flags = ["-Weverything"] + ["-Wno-" + name for name in ALLOWED]

@@ -1,8 +1,8 @@
 //! Choices as statements: the `if` chains and `case`s of registers and of `always @*` blocks.
 
-use super::expression::Printer;
 use super::literal::{Style, literal};
 use super::plan::Form;
+use super::printer::Printer;
 use super::statement::Statement;
 use tilewright_hdl::ir::{NodeId, Op, Unary};
 

@@ -1,68 +1,14 @@
 //! Expressions as text. Both sides of an operator have equal widths and every change of width is spelled, so that no
 //! context of Verilog's own widens or truncates anything; an operand that is itself an operator has parentheses.
 
-use super::array::ArrayNames;
 use super::literal::{Style, literal};
-use super::memory::{ReadNames, name_reads};
-use super::names::{Taken, name_nodes};
-use super::plan::{Form, Plan};
-use super::states::StateNames;
-use super::usage::Usage;
-use std::collections::{BTreeMap, BTreeSet};
-use tilewright_hdl::ir::{Binary, Design, InstanceId, Module, NodeId, Op, Relation, Shift, Unary};
+use super::plan::Form;
+use super::printer::Printer;
+use super::reads::{can_exceed, constant_address};
+use tilewright_hdl::Bits;
+use tilewright_hdl::ir::{Binary, Memory, MemoryId, NodeId, Op, Relation, Shift, Unary};
 
-/// A folded module while it is being printed.
-pub struct Printer<'a> {
-    pub design: &'a Design,
-    pub module: &'a Module,
-    pub plan: Plan,
-    pub taken: Taken,
-    /// The names of the nodes that have one.
-    pub names: Vec<Option<String>>,
-    /// The names of synchronous read ports, by memory and port.
-    pub reads: Vec<Vec<Option<ReadNames>>>,
-    pub states: StateNames,
-    pub arrays: ArrayNames,
-    pub usage: Usage,
-    /// Which lanes of an array's output something reads whole.
-    pub lanes_read: BTreeMap<NodeId, Vec<bool>>,
-    /// Clock and reset ports that something reads.
-    pub clocks_read: BTreeSet<String>,
-    /// Memories of which something reads a word.
-    pub memories_read: BTreeSet<String>,
-}
-
-impl<'a> Printer<'a> {
-    pub fn new(design: &'a Design, module: &'a Module) -> Printer<'a> {
-        let plan = Plan::new(module);
-        let mut taken = Taken::of(module);
-        let reads = name_reads(module, &mut taken);
-        let names = name_nodes(design, module, &plan, &reads, &mut taken);
-        let states = StateNames::new(module, &mut taken);
-        let arrays = ArrayNames::new(design, module, &mut taken);
-        let usage = Usage::new(module.nodes.len());
-        let (lanes_read, clocks_read, memories_read) = (BTreeMap::new(), BTreeSet::new(), BTreeSet::new());
-        Printer {
-            design,
-            module,
-            plan,
-            taken,
-            names,
-            reads,
-            states,
-            arrays,
-            usage,
-            lanes_read,
-            clocks_read,
-            memories_read,
-        }
-    }
-
-    /// The name of a node that has one.
-    pub fn name(&self, id: NodeId) -> &str {
-        self.names[id.0 as usize].as_deref().expect("a declared node has a name")
-    }
-
+impl Printer<'_> {
     /// The expression of a node where it is used: its name if it has one.
     pub fn value(&mut self, id: NodeId) -> String {
         self.value_as(id, Style::Count)
@@ -239,24 +185,33 @@ impl<'a> Printer<'a> {
         }
     }
 
-    /// The name of one lane of an array's output, seen from outside the array.
-    pub fn lane_name(&self, of: NodeId, lane: u32) -> String {
-        let (instance, port) = self.array_output(of);
-        let instance_name = &self.module.instances[instance.0 as usize].name;
-        format!("{instance_name}[{lane}].{}", self.lane_port(instance, port))
+    /// `address < depth`.
+    pub fn inside(&mut self, memory: &Memory, address: NodeId) -> String {
+        let depth = literal(&Bits::new(self.module.width(address), u64::from(memory.depth)), Style::Count);
+        format!("{} < {depth}", self.operand(address, Style::Count))
     }
 
-    /// Notes that a whole lane is read.
-    pub fn read_lane(&mut self, of: NodeId, lane: u32) {
-        let lanes = self.module.node(of).lanes.expect("an array's output has lanes");
-        self.lanes_read.entry(of).or_insert_with(|| vec![false; lanes as usize])[lane as usize] = true;
-    }
-
-    /// The array and the port that a lane node comes from.
-    pub fn array_output(&self, of: NodeId) -> (InstanceId, u32) {
-        match self.module.node(of).op {
-            Op::Output(instance, port) => (instance, port),
-            _ => unreachable!("folding leaves only outputs to pick lanes of"),
+    /// The word at an address, which is zero at a constant address beyond the depth.
+    pub fn word(&mut self, memory: &Memory, address: NodeId) -> String {
+        match constant_address(self.module, address) {
+            Some(address) if address >= u64::from(memory.depth) => literal(&Bits::zero(memory.width), Style::Count),
+            _ => {
+                self.memories_read.insert(memory.name.clone());
+                format!("{}[{}]", memory.name, self.value(address))
+            }
         }
+    }
+
+    /// The word of an asynchronous port, zero beyond the depth.
+    pub fn asynchronous_read(&mut self, memory: MemoryId, port: u32) -> String {
+        let module = self.module;
+        let memory = &module.memories[memory.0 as usize];
+        let address = memory.reads[port as usize].address;
+        let word = self.word(memory, address);
+        if !can_exceed(module, memory, address) {
+            return word;
+        }
+        let zero = literal(&Bits::zero(memory.width), Style::Count);
+        format!("({}) ? {word} : {zero}", self.inside(memory, address))
     }
 }

@@ -1,7 +1,7 @@
 //! Instances, with every port connected by name.
 
-use super::expression::Printer;
-use super::layout::{range, with_place};
+use super::layout::{connect, range, with_place};
+use super::printer::Printer;
 use tilewright_hdl::ir::{Instance, InstanceId, Module};
 
 impl Printer<'_> {
@@ -55,19 +55,4 @@ impl Printer<'_> {
         }
         connections
     }
-}
-
-/// An instance of `module` with its connections aligned.
-pub fn connect(module: &str, name: &str, connections: &[(String, String)]) -> Vec<String> {
-    if connections.is_empty() {
-        return vec![format!("{module} {name} ();")];
-    }
-    let longest = connections.iter().map(|(port, _)| port.len()).max().unwrap_or(0);
-    let mut out = vec![format!("{module} {name} (")];
-    for (index, (port, value)) in connections.iter().enumerate() {
-        let comma = if index + 1 < connections.len() { "," } else { "" };
-        out.push(format!("    .{port:longest$} ({value}){comma}"));
-    }
-    out.push(");".to_string());
-    out
 }

@@ -34,3 +34,27 @@ pub fn wrapped(items: &[String], indent: usize) -> String {
     }
     out
 }
+
+/// An instance of `module` with its connections aligned.
+pub fn connect(module: &str, name: &str, connections: &[(String, String)]) -> Vec<String> {
+    if connections.is_empty() {
+        return vec![format!("{module} {name} ();")];
+    }
+    let longest = connections.iter().map(|(port, _)| port.len()).max().unwrap_or(0);
+    let mut out = vec![format!("{module} {name} (")];
+    for (index, (port, value)) in connections.iter().enumerate() {
+        let comma = if index + 1 < connections.len() { "," } else { "" };
+        out.push(format!("    .{port:longest$} ({value}){comma}"));
+    }
+    out.push(");".to_string());
+    out
+}
+
+/// A generate loop or choice around its body.
+pub fn generate(head: String, body: Vec<String>) -> Vec<String> {
+    let mut out = vec!["generate".to_string(), format!("    {head}")];
+    let indent = |line: String| if line.is_empty() { line } else { format!("        {line}") };
+    out.extend(body.into_iter().map(indent));
+    out.extend(["    end".to_string(), "endgenerate".to_string()]);
+    out
+}

@@ -4,9 +4,11 @@ mod adopt;
 mod array;
 mod branches;
 mod constant;
+mod contents;
 mod expression;
 mod fold;
 mod instance;
+mod lane_names;
 mod layout;
 mod literal;
 mod memory;
@@ -16,17 +18,21 @@ mod nets;
 mod order;
 mod pattern;
 mod plan;
+mod printer;
+mod reads;
+mod reduction;
 mod registers;
+mod scope;
 mod state;
 mod statement;
 mod states;
 mod usage;
 
 use crate::VerilogFile;
-use expression::Printer;
-pub use instance::connect;
-pub use layout::range;
-pub use state::State;
+pub use layout::{connect, range};
+use printer::Printer;
+pub use scope::{Names, Scope};
+pub use state::{ModuleState, State};
 use tilewright_hdl::ir::{Design, Module};
 
 /// The design as Verilog, one file a module, each followed by the data files of its memories; the top is the last
@@ -40,13 +46,13 @@ pub fn verilog(design: &Design) -> Vec<VerilogFile> {
         let folded = simplified(module);
         let text = module::print(&mut Printer::new(design, &folded));
         files.push(VerilogFile { name: format!("{}.v", module.name), text });
-        files.extend(memory::data_files(&folded));
+        files.extend(contents::data_files(&folded));
     }
     files
 }
 
 /// What holds state in a module, by the names that its text has.
-pub fn state(design: &Design, module: &Module) -> Vec<State> {
+pub fn state(design: &Design, module: &Module) -> ModuleState {
     Printer::new(design, &simplified(module)).state()
 }
 

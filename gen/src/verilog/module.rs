@@ -2,9 +2,9 @@
 //! outputs, and what nothing reads.
 
 use super::array::UNREAD;
-use super::expression::Printer;
 use super::layout::{range, with_place, wrapped};
 use super::plan::Form;
+use super::printer::Printer;
 use tilewright_hdl::ir::{InstanceId, Module, NodeId, Op};
 
 /// The text of a folded module.
@@ -23,7 +23,9 @@ pub fn print(printer: &mut Printer) -> String {
     body.section(contents);
     body.section(printer.output_nets());
     body.section(nets.before);
-    body.section(printer.array_declarations(&instances));
+    if !printer.arrays.genvar.is_empty() {
+        body.section(vec![format!("genvar {};", printer.arrays.genvar)]);
+    }
     body.section(instances);
     body.section(nets.after);
     body.section(memory_ports);
@@ -115,12 +117,6 @@ impl Printer<'_> {
         }
     }
 
-    /// Whether a node's name is the name of the output port that it drives.
-    pub fn is_port(&self, id: NodeId) -> bool {
-        let name = self.names[id.0 as usize].as_ref();
-        self.module.outputs.iter().any(|output| output.node == id && Some(&output.name) == name)
-    }
-
     fn register_declarations(&self) -> Vec<String> {
         let module = self.module;
         let inner = module.registers.iter().filter(|register| !self.is_port(register.node));
@@ -170,7 +166,8 @@ impl Printer<'_> {
             return Vec::new();
         }
         items.insert(0, "1'b0".to_string());
-        vec![format!("wire _unused_ok = &{{{}}};", wrapped(&items, 8).replace('\n', "\n    "))]
+        let name = self.taken.fresh("_unused_ok");
+        vec![format!("wire {name} = &{{{}}};", wrapped(&items, 8).replace('\n', "\n    "))]
     }
 
     fn is_declared(&self, id: NodeId) -> bool {
@@ -189,7 +186,7 @@ impl Printer<'_> {
     }
 
     /// Indents the body, and says at the end of each array what of its lanes nothing reads.
-    fn fill_in_unread(&self, lines: Vec<String>) -> String {
+    fn fill_in_unread(&mut self, lines: Vec<String>) -> String {
         let module = self.module;
         let arrays = (0..module.instances.len()).filter(|&index| module.instances[index].lanes.is_some());
         let mut arrays = arrays.map(|index| InstanceId(index as u32));

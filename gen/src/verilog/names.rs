@@ -1,48 +1,11 @@
 //! Names: those of the description as they are, and for the few nets that have none a name made of the consumer's
 //! name and the operator, such as `count_sum`. An edit elsewhere in the module renames nothing.
 
-use super::memory::ReadNames;
 use super::order::for_each_read;
 use super::plan::{Form, Plan};
-use std::collections::{BTreeMap, BTreeSet};
+use super::reads::ReadNames;
+use super::scope::Names;
 use tilewright_hdl::ir::{Binary, Design, Module, NodeId, Op, Reduction, Relation, Unary};
-
-/// The names in use in a module; Verilog tells them apart by case, people and some tools do not.
-pub struct Taken {
-    names: BTreeSet<String>,
-    /// For each name that was wanted more than once, the number to try next.
-    numbers: BTreeMap<String, u32>,
-}
-
-impl Taken {
-    /// Every name that the module declares.
-    pub fn of(module: &Module) -> Taken {
-        let clocks = module.clocks.iter().flat_map(|clock| [Some(&clock.port), clock.reset.as_ref()]).flatten();
-        let ports = module.inputs.iter().map(|port| &port.name).chain(module.outputs.iter().map(|port| &port.name));
-        let nodes = module.nodes.iter().filter_map(|node| node.name.as_ref());
-        let memories = module.memories.iter().map(|memory| &memory.name);
-        let instances = module.instances.iter().map(|instance| &instance.name);
-        let all = clocks.chain(ports).chain(nodes).chain(memories).chain(instances);
-        Taken { names: all.map(|name| name.to_lowercase()).collect(), numbers: BTreeMap::new() }
-    }
-
-    /// Whether the name is in use.
-    pub fn contains(&self, name: &str) -> bool {
-        self.names.contains(&name.to_lowercase())
-    }
-
-    /// The wanted name, or the first of `wanted_2`, `wanted_3` ... that is free; it is in use from now on.
-    pub fn fresh(&mut self, wanted: &str) -> String {
-        let mut name = wanted.to_string();
-        while self.contains(&name) {
-            let number = self.numbers.entry(wanted.to_string()).or_insert(2);
-            name = format!("{wanted}_{number}");
-            *number += 1;
-        }
-        self.names.insert(name.to_lowercase());
-        name
-    }
-}
 
 /// The name of every node that is referred to by one.
 pub fn name_nodes(
@@ -50,7 +13,7 @@ pub fn name_nodes(
     module: &Module,
     plan: &Plan,
     reads: &[Vec<Option<ReadNames>>],
-    taken: &mut Taken,
+    taken: &mut Names,
 ) -> Vec<Option<String>> {
     let mut namer =
         Namer { design, module, plan, taken, names: module.nodes.iter().map(|node| node.name.clone()).collect() };
@@ -81,7 +44,7 @@ struct Namer<'a> {
     design: &'a Design,
     module: &'a Module,
     plan: &'a Plan,
-    taken: &'a mut Taken,
+    taken: &'a mut Names,
     names: Vec<Option<String>>,
 }
 

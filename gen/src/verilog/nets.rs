@@ -3,11 +3,11 @@
 //! A net that reads an array's lanes is declared before the instances and assigned after them.
 
 use super::branches::Target;
-use super::expression::Printer;
 use super::layout::{range, with_place};
 use super::literal::Style;
 use super::order::{for_each_read, operands_first};
 use super::plan::Form;
+use super::printer::Printer;
 use super::statement::lines;
 use tilewright_hdl::ir::{NodeId, Op};
 

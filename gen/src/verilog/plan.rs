@@ -1,8 +1,8 @@
 //! Decides how each node of a module appears in the text: inline where it is used, as a net of its own, as branches
 //! of an always block, or not at all.
 
-use super::memory::can_exceed;
 use super::order::operands_first;
+use super::reads::can_exceed;
 use tilewright_hdl::ir::{Binary, Module, Node, NodeId, Op, Shift, Unary};
 
 /// An expression longer than this, in columns, is split.

@@ -2,8 +2,8 @@
 //! look for.
 
 use super::branches::Target;
-use super::expression::Printer;
 use super::literal::{Style, literal};
+use super::printer::Printer;
 use super::statement::{Statement, lines};
 use tilewright_hdl::ir::{ClockId, NodeId, Register};
 
@@ -80,20 +80,5 @@ impl Printer<'_> {
         out.extend(lines(body, 1));
         out.extend(["end".to_string(), String::new()]);
         out
-    }
-
-    /// The name of a clock's port, which is read from here on.
-    pub fn clock_port(&mut self, clock: ClockId) -> String {
-        let port = self.module.clocks[clock.0 as usize].port.clone();
-        self.clocks_read.insert(port.clone());
-        port
-    }
-
-    /// The name of the reset port that goes with a clock, which is read from here on.
-    pub fn reset_port(&mut self, clock: ClockId) -> String {
-        let reset = self.module.clocks[clock.0 as usize].reset.clone();
-        let reset = reset.expect("a clock with a reset register has a reset port");
-        self.clocks_read.insert(reset.clone());
-        reset
     }
 }

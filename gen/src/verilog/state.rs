@@ -1,8 +1,16 @@
 //! What holds state in a module, by the names that the printed text has: for testbenches, which set it.
 
-use super::expression::Printer;
+use super::printer::Printer;
 use tilewright_hdl::Bits;
-use tilewright_hdl::ir::{Contents, Memory, Register};
+use tilewright_hdl::ir::{Contents, InstanceId, Memory, Register};
+
+/// What a testbench knows of a module.
+pub struct ModuleState {
+    /// What holds state in the module itself, not in its instances.
+    pub own: Vec<State>,
+    /// For each instance that is an array, what the instance in each lane is called.
+    pub lanes: Vec<Option<String>>,
+}
 
 /// Something that holds state.
 pub enum State {
@@ -15,12 +23,14 @@ pub enum State {
 }
 
 impl Printer<'_> {
-    /// The state of the module itself, not of its instances: registers, read data, memories of unknown contents.
-    pub fn state(&self) -> Vec<State> {
+    /// Registers, read data and memories of unknown contents, and where those of the lanes are.
+    pub fn state(&self) -> ModuleState {
         let module = self.module;
         let registers = module.registers.iter().map(|register| self.register_state(register));
         let memories = module.memories.iter().enumerate().flat_map(|(index, memory)| self.memory_state(index, memory));
-        registers.chain(memories).collect()
+        let instances = (0..module.instances.len() as u32).map(InstanceId);
+        let lanes = instances.map(|id| Some(self.arrays.arrays.get(&id)?.instance.clone()));
+        ModuleState { own: registers.chain(memories).collect(), lanes: lanes.collect() }
     }
 
     fn register_state(&self, register: &Register) -> State {

@@ -2,7 +2,7 @@
 //! compared with are printed by that name.
 
 use super::literal::{Style, literal};
-use super::names::Taken;
+use super::scope::Names;
 use std::collections::BTreeSet;
 use tilewright_hdl::Bits;
 use tilewright_hdl::ir::{Module, NodeId, Op, States};
@@ -22,7 +22,7 @@ struct Enum {
 }
 
 impl StateNames {
-    pub fn new(module: &Module, taken: &mut Taken) -> StateNames {
+    pub fn new(module: &Module, taken: &mut Names) -> StateNames {
         let mut all = StateNames { enums: Vec::new(), of: vec![None; module.nodes.len()] };
         for register in &module.registers {
             let Some(states) = &register.states else { continue };

@@ -22,10 +22,7 @@ module line_buffer (
     wire [23:0] line_read = line_read_inside ? line_read_word : 24'd0;
     reg [7:0] gains [0:3];                                       // gen/tests/blocks/mod.rs:96
 
-    initial begin : line_contents
-        integer i;
-        for (i = 0; i < 1000; i = i + 1) line[i] = 24'hffffff;
-    end
+    initial $readmemh("line_buffer.line.hex", line);
 
     initial begin : gains_contents
         gains[0] = 8'h01;

@@ -1,0 +1,194 @@
+//! Names of the description that the printer, the testbench or a tool could use for something else.
+
+use tilewright_gen::tools::{self, Problems};
+use tilewright_gen::{testbench, verilog};
+use tilewright_hdl::recording::Step;
+use tilewright_hdl::*;
+
+bundle! {
+    struct CellIn<T> { x: T }
+    struct CellOut<T> { y: T, done: T }
+    struct RowIn<T> { x: Vec<T> }
+    struct RowOut<T> { y: T, last: T }
+}
+
+/// Adds one.
+#[derive(Debug)]
+struct Cell;
+
+impl Block for Cell {
+    type In = CellIn;
+    type Out = CellOut;
+
+    fn inputs(&self) -> CellIn<Width> {
+        CellIn { x: bits(8) }
+    }
+
+    fn build(&self, m: Module, i: CellIn) -> CellOut {
+        let y = m.pipe("sum", i.x + 1);
+        CellOut { y, done: y.eq(9) }
+    }
+}
+
+/// What a parent feeds its cells.
+#[derive(Debug)]
+struct Row;
+
+impl Block for Row {
+    type In = RowIn;
+    type Out = RowOut;
+
+    fn inputs(&self) -> RowIn<Width> {
+        RowIn { x: vec![bits(8); 4] }
+    }
+
+    fn build(&self, m: Module, i: RowIn) -> RowOut {
+        let cells = m.array("u_cell", 4, &Cell, |row| CellIn { x: row.each(i.x) });
+        RowOut { y: cells.y.sum(), last: cells.done.or_all() }
+    }
+}
+
+fn clean<B: Block>(block: &B) -> String {
+    let files = verilog(&elaborate(block).unwrap_or_else(|problems| panic!("{problems}")));
+    tools::lint(&files).unwrap_or_else(|problems| panic!("{problems}\n{}", files.last().unwrap().text));
+    files.into_iter().next_back().unwrap().text
+}
+
+#[test]
+fn a_parents_port_may_have_the_name_of_the_port_it_feeds() {
+    clean(&Row);
+}
+
+bundle! {
+    struct LaneIn<T> { lane: T, i: T, value: T, leaf: T, pair: T, u_cell_y_sum_tree: T }
+    struct LaneOut<T> { y: T, sum: T, any: T }
+}
+
+/// Feeds cells from ports that are called as arrays call things.
+#[derive(Debug)]
+struct LanePorts;
+
+impl Block for LanePorts {
+    type In = LaneIn;
+    type Out = LaneOut;
+
+    fn inputs(&self) -> LaneIn<Width> {
+        LaneIn { lane: bits(8), i: bits(8), value: bits(8), leaf: bits(8), pair: bits(8), u_cell_y_sum_tree: bits(8) }
+    }
+
+    fn build(&self, m: Module, i: LaneIn) -> LaneOut {
+        let parts = [i.lane, i.i, i.value, i.leaf, i.pair, i.u_cell_y_sum_tree];
+        let cells = m.array("u_cell", 6, &Cell, |row| CellIn { x: row.each(parts) });
+        let links = m.array("u_link", 3, &Cell, |row| CellIn { x: row.out.y.previous(i.lane) });
+        LaneOut { y: links.y.last() ^ links.y.sum(), sum: cells.y.sum(), any: cells.done.or_all() }
+    }
+}
+
+#[test]
+fn ports_may_be_called_as_things_of_arrays_are() {
+    clean(&LanePorts);
+}
+
+bundle! {
+    struct ArraysOut<T> { result: T }
+}
+
+/// Arrays that are called as things of arrays are.
+#[derive(Debug)]
+struct Arrays;
+
+impl Block for Arrays {
+    type In = CellIn;
+    type Out = ArraysOut;
+
+    fn inputs(&self) -> CellIn<Width> {
+        CellIn { x: bits(8) }
+    }
+
+    fn build(&self, m: Module, i: CellIn) -> ArraysOut {
+        let names =
+            ["lane", "value", "leaf", "pair", "i", "y", "done", "x_edge", "x_link", "_unused_lane", "_unused_ok"];
+        let x = names.into_iter().fold(i.x, |x, name| {
+            let cells = m.array(name, 3, &Cell, |row| CellIn { x: row.out.y.previous(x) });
+            cells.y.sum() ^ cells.done.or_all().zext(8)
+        });
+        ArraysOut { result: x }
+    }
+}
+
+#[test]
+fn arrays_may_be_called_as_things_of_arrays_are() {
+    clean(&Arrays);
+}
+
+bundle! {
+    struct BenchIn<T> {
+        cycle: T, tb_cycle: T, dut: T, errors: T, want_y: T, lane0: T, run: T, fill: T, start_u_cell: T, gap: T, names_tb: T
+    }
+    struct BenchOut<T> { y: T, stimulus: T, tb_want_y: T, expected: T, address: T, fill_words: T }
+}
+
+/// Its ports are called as things of a testbench are; in it are lanes and a memory that the bench sets.
+#[derive(Debug)]
+struct BenchNames;
+
+impl Block for BenchNames {
+    type In = BenchIn;
+    type Out = BenchOut;
+
+    fn inputs(&self) -> BenchIn<Width> {
+        let bit = bits(1);
+        BenchIn {
+            cycle: bit,
+            tb_cycle: bit,
+            dut: bit,
+            errors: bit,
+            want_y: bit,
+            lane0: bit,
+            run: bit,
+            fill: bit,
+            start_u_cell: bit,
+            gap: bit,
+            names_tb: bit,
+        }
+    }
+
+    fn build(&self, m: Module, i: BenchIn) -> BenchOut {
+        let cells = m.array("u_cell", 2, &Cell, |row| CellIn { x: row.all(&i.cycle.zext(8)) });
+        let words = m.memory("words", 2, 8, ReadUnderWrite::Old);
+        words.write(i.tb_cycle, i.dut, cells.y.sum());
+        let y = words.read(i.errors);
+        BenchOut {
+            y,
+            stimulus: i.want_y ^ i.lane0,
+            tb_want_y: i.run ^ i.fill,
+            expected: i.start_u_cell ^ i.gap,
+            address: i.names_tb,
+            fill_words: cells.done.or_all(),
+        }
+    }
+
+    fn name(&self) -> String {
+        "names".to_string()
+    }
+}
+
+#[test]
+fn ports_may_be_called_as_things_of_the_testbench_are() {
+    let design = elaborate(&BenchNames).unwrap_or_else(|problems| panic!("{problems}"));
+    let step = |number: u64| Step {
+        time_ps: 10_000 * (number + 1),
+        rising: vec![0],
+        resets: vec![],
+        inputs: vec![Bits::zero(1); 11],
+        outputs: [8, 1, 1, 1, 1, 1].map(Bits::zero).to_vec(),
+    };
+    let recording = Recording { steps: (0..3).map(step).collect(), initial: Vec::new() };
+    let (files, bench) = (verilog(&design), testbench(&design, &recording));
+    let run = || -> Result<(), Problems> {
+        let _ = tools::replay_in_icarus(&files, &bench)?;
+        let _ = tools::replay_in_verilator(&files, &bench)?;
+        Ok(())
+    };
+    run().unwrap_or_else(|problems| panic!("{problems}\n{}", bench.text));
+}
