@@ -148,8 +148,8 @@ fn what_nothing_reads_is_tied() {
         idle.next(i.b);
         i.a.trunc(4).zext(8)
     });
-    assert!(text.contains("wire _unused_ok = &{1'b0, "), "{text}");
-    assert!(!text.contains("!= 8'd0"), "an expression of an assertion alone is not printed:\n{text}");
+    // What assertions alone read is unread in synthesis.
+    assert!(text.contains("wire _unused_ok = &{1'b0, rst, u_idle_y, checked, idle};"), "{text}");
 }
 
 #[test]

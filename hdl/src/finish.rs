@@ -54,7 +54,7 @@ fn place_clocks(draft: &mut Draft) -> Vec<Option<u32>> {
     draft.clock_used.iter().map(|used| used.then(|| place.next().expect("endless"))).collect()
 }
 
-/// For each clock of the draft the name of its reset port, if anything on it is reset.
+/// For each clock of the draft the name of its reset port, if anything on it is reset, or asserted while it is low.
 fn find_resets(draft: &Draft, done: &[Module]) -> Vec<Option<String>> {
     let mut resets = vec![None; draft.clocks.len()];
     let mut needs = |clock: ClockId| {
@@ -62,6 +62,7 @@ fn find_resets(draft: &Draft, done: &[Module]) -> Vec<Option<String>> {
         resets[clock.0 as usize] = Some(name);
     };
     draft.registers.iter().filter(|register| register.reset.is_some()).for_each(|register| needs(register.clock));
+    draft.asserts.iter().for_each(|assert| needs(assert.clock));
     for instance in &draft.instances {
         let child = &done[instance.module.0 as usize];
         let reset = child.clocks.iter().zip(&instance.clocks).filter(|(clock, _)| clock.reset.is_some());

@@ -3,6 +3,9 @@
 //! One time unit of the bench is a picosecond. Clocks fall, and inputs change, halfway between two edges; outputs are
 //! compared at the edge itself, just before the clocks rise. Registers start at their reset value and everything
 //! else at zero, as in the simulation, unless the replay says otherwise.
+//!
+//! An assertion that fails ends the bench by itself. So the bench of a run that ended at a failing assertion, of which
+//! the recording has the edge, fails there as the run did.
 
 mod start;
 mod text;
@@ -14,7 +17,8 @@ use tilewright_hdl::{Bits, Recording};
 
 /// The testbench that replays a run: a module `TOP_tb` (`TOP_tb_2` in a design that has a module `TOP_tb`), for `iverilog -g2005` and `verilator --binary` alike. It prints
 /// `PASS: n cycles` and finishes, or the first mismatches by port and cycle and stops: `vvp -N` and a program of Verilator's then
-/// end with a non-zero status.
+/// end with a non-zero status. An assertion of the design that fails is printed as `FAIL: time t: INSTANCE: message`, and
+/// stops it at once.
 ///
 /// # Panics
 ///

@@ -129,6 +129,7 @@ impl<'a> Bench<'a> {
         let (cycle, errors, steps) = (self.own("cycle"), self.own("errors"), self.recording.steps.len());
         let mut out = vec![String::new(), format!("initial begin : {}", self.own("run"))];
         let mut line = |indent: usize, text: String| out.push(format!("{}{text}", "    ".repeat(indent)));
+        line(1, format!("{};", self.own("fill")));
         line(1, format!("{errors} = 0;"));
         self.clocks.iter().for_each(|clock| line(1, format!("{clock} = 1'b0;")));
         if !special.is_empty() {
@@ -161,6 +162,8 @@ impl<'a> Bench<'a> {
             }
         }
         line(1, "end".to_string());
+        // An assertion that fails at the last edge is heard before the verdict.
+        line(1, "#1;".to_string());
         line(1, format!("if ({errors} == 0) $display(\"PASS: {steps} cycles\");"));
         line(1, "else begin".to_string());
         line(2, format!("$display(\"FAIL: %0d mismatches in {steps} cycles\", {errors});"));
@@ -184,7 +187,7 @@ impl<'a> Bench<'a> {
     }
 
     fn tables(&self) -> Vec<String> {
-        let mut out = vec![String::new(), format!("initial begin : {}", self.own("fill"))];
+        let mut out = vec![String::new(), format!("task {};", self.own("fill")), "begin".to_string()];
         let gaps = self.gaps();
         for (cycle, step) in self.recording.steps.iter().enumerate() {
             let mut columns = Vec::new();
@@ -207,7 +210,7 @@ impl<'a> Bench<'a> {
                 columns.into_iter().map(|(table, value)| format!("{}[{cycle}] = {value};", self.own(table))).collect();
             out.push(format!("    {}", assigns.join(" ")));
         }
-        out.push("end".to_string());
+        out.extend(["end".to_string(), "endtask".to_string()]);
         out
     }
 }

@@ -78,7 +78,7 @@ impl Compiler {
         clang.iter().map(u32::to_string).collect::<Vec<_>>().join(".")
     }
 
-    /// Compiles a design at the strongest settings, for this machine's processor.
+    /// Compiles a design at the strongest settings, for this machine's processor, without its assertions.
     ///
     /// # Errors
     ///
@@ -91,7 +91,17 @@ impl Compiler {
         let started = Instant::now();
 
         let mut command = self.verilator.command().ok_or_else(|| problem("verilator", "it went away".to_owned()))?;
-        command.args(["--cc", "--exe", "-O3", "--x-assign", "fast", "--x-initial", "fast", "--no-assert"]);
+        command.args([
+            "--cc",
+            "--exe",
+            "-O3",
+            "--x-assign",
+            "fast",
+            "--x-initial",
+            "fast",
+            "--no-assert",
+            "-DSYNTHESIS",
+        ]);
         command.args(["-Wno-fatal", "-Wno-lint", "-Wno-style"]);
         command.args(["--prefix", "Vmodel", "--Mdir", BUILD, "-o", "model", "--top-module", top]);
         command.args(parameters.iter().map(|(name, value)| format!("-G{name}={value}")));

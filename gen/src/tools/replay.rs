@@ -22,8 +22,9 @@ pub fn replay_in_icarus(files: &[VerilogFile], bench: &VerilogFile) -> Result<Ch
     if !succeeded || !output.is_empty() {
         return Err(problem("iverilog", output));
     }
-    let (_, output) = folder.run(Command::new("vvp").args(["-n", "bench.vvp"]));
-    verdict("iverilog", output)
+    // `-N` ends with a non-zero status at `$stop`.
+    let (succeeded, output) = folder.run(Command::new("vvp").args(["-N", "bench.vvp"]));
+    verdict("iverilog", succeeded, output)
 }
 
 /// Builds the testbench with Verilator and runs it; takes a C++ compiler and some ten seconds.
@@ -43,8 +44,8 @@ pub fn replay_in_verilator(files: &[VerilogFile], bench: &VerilogFile) -> Result
     if !succeeded {
         return Err(problem(tool, output));
     }
-    let (_, output) = folder.run(&mut Command::new(folder.path().join("build/bench")));
-    verdict(tool, output)
+    let (succeeded, output) = folder.run(&mut Command::new(folder.path().join("build/bench")));
+    verdict(tool, succeeded, output)
 }
 
 fn folder_with(files: &[VerilogFile], bench: &VerilogFile) -> Folder {
@@ -53,8 +54,9 @@ fn folder_with(files: &[VerilogFile], bench: &VerilogFile) -> Folder {
     Folder::with(&all)
 }
 
-fn verdict(tool: &str, output: String) -> Result<Checked, Problems> {
-    match output.lines().any(|line| line.starts_with("PASS: ")) {
+fn verdict(tool: &str, succeeded: bool, output: String) -> Result<Checked, Problems> {
+    let says = |what: &str| output.lines().any(|line| line.starts_with(what));
+    match succeeded && says("PASS: ") && !says("FAIL: ") {
         true => Ok(Checked::Passed),
         false => Err(problem(tool, output)),
     }

@@ -174,7 +174,7 @@ impl Printer<'_> {
     /// Ties the lane outputs that some lane's reader lacks; known only when all else is printed.
     pub fn tie_lanes(&mut self, array: InstanceId) -> Option<String> {
         let instance = &self.module.instances[array.0 as usize];
-        let is_read = |id: NodeId| self.lanes_read.get(&id).is_some_and(|lanes| lanes.iter().all(|&read| read));
+        let is_read = |id: NodeId| self.usage.lanes.get(&id).is_some_and(|lanes| lanes.iter().all(|&read| read));
         let unread = instance.outputs.iter().enumerate().filter(|&(_, &id)| !is_read(id));
         let nets: Vec<String> = unread.map(|(port, _)| self.lane_port(array, port as u32).to_string()).collect();
         (!nets.is_empty())

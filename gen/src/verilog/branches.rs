@@ -94,7 +94,7 @@ impl Printer<'_> {
     }
 
     /// A condition that holds where the given one does not.
-    fn negated(&mut self, condition: NodeId) -> String {
+    pub fn negated(&mut self, condition: NodeId) -> String {
         match self.module.node(condition).op {
             Op::Unary(Unary::Not, inner) if self.plan.form(condition) == Form::Inline => self.value(inner),
             _ => format!("!{}", self.operand(condition, Style::Count)),

@@ -196,7 +196,7 @@ impl Printer<'_> {
         match constant_address(self.module, address) {
             Some(address) if address >= u64::from(memory.depth) => literal(&Bits::zero(memory.width), Style::Count),
             _ => {
-                self.memories_read.insert(memory.name.clone());
+                self.usage.memories.insert(memory.name.clone());
                 format!("{}[{}]", memory.name, self.value(address))
             }
         }

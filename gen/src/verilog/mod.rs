@@ -2,6 +2,7 @@
 
 mod adopt;
 mod array;
+mod asserts;
 mod branches;
 mod constant;
 mod contents;

@@ -1,5 +1,5 @@
 //! A whole module, in this order: header, ports, state names, registers and memories, nets, instances, always blocks,
-//! outputs, and what nothing reads.
+//! outputs, assertions, and what nothing reads.
 
 use super::array::UNREAD;
 use super::layout::{range, with_place, wrapped};
@@ -31,6 +31,7 @@ pub fn print(printer: &mut Printer) -> String {
     body.section(memory_ports);
     body.section(registers);
     body.section(outputs);
+    body.section(printer.assertions());
     body.section(printer.unused());
     let body = printer.fill_in_unread(body.lines);
     let module = printer.module;
@@ -145,7 +146,7 @@ impl Printer<'_> {
         let mut items: Vec<String> = Vec::new();
         for clock in &module.clocks {
             let ports = [Some(&clock.port), clock.reset.as_ref()].into_iter().flatten();
-            items.extend(ports.filter(|port| !self.clocks_read.contains(*port)).cloned());
+            items.extend(ports.filter(|port| !self.usage.clocks.contains(*port)).cloned());
         }
         for id in (0..module.nodes.len() as u32).map(NodeId) {
             if !self.is_declared(id) || self.is_port(id) {
@@ -160,7 +161,7 @@ impl Printer<'_> {
                 });
             }
         }
-        let unread = module.memories.iter().filter(|memory| !self.memories_read.contains(&memory.name));
+        let unread = module.memories.iter().filter(|memory| !self.usage.memories.contains(&memory.name));
         items.extend(unread.map(|memory| format!("{}[0]", memory.name)));
         if items.is_empty() {
             return Vec::new();
@@ -201,6 +202,7 @@ impl Printer<'_> {
             };
             match line {
                 Some(line) if line.is_empty() => out.push('\n'),
+                Some(line) if line.starts_with('`') => out.push_str(&format!("{line}\n")),
                 Some(line) => out.push_str(&format!("    {line}\n")),
                 None => {}
             }

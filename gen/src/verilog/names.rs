@@ -37,6 +37,9 @@ pub fn name_nodes(
             namer.name_below(input, &base, &base);
         }
     }
+    for assert in &module.asserts {
+        namer.name_below(assert.condition, "asserted", "asserted");
+    }
     namer.names
 }
 

@@ -58,8 +58,8 @@ impl Plan {
     }
 }
 
-/// Calls `visit` with every node that a register, memory, instance or port takes its value from, as often as the text
-/// names it.
+/// Calls `visit` with every node that a register, memory, instance, port or assertion takes its value from, as often as
+/// the text names it.
 pub fn for_each_root(module: &Module, mut visit: impl FnMut(NodeId)) {
     for register in &module.registers {
         register.enable.iter().for_each(|&id| visit(id));
@@ -79,6 +79,7 @@ pub fn for_each_root(module: &Module, mut visit: impl FnMut(NodeId)) {
     }
     module.instances.iter().flat_map(|instance| &instance.inputs).for_each(|&id| visit(id));
     module.outputs.iter().for_each(|output| visit(output.node));
+    module.asserts.iter().for_each(|assert| visit(assert.condition));
 }
 
 struct Planner<'a> {

@@ -7,7 +7,6 @@ use super::reads::{ReadNames, name_reads};
 use super::scope::Names;
 use super::states::StateNames;
 use super::usage::Usage;
-use std::collections::{BTreeMap, BTreeSet};
 use tilewright_hdl::ir::{ClockId, Design, InstanceId, Module, NodeId, Op};
 
 /// A folded module while it is being printed.
@@ -23,12 +22,6 @@ pub struct Printer<'a> {
     pub states: StateNames,
     pub arrays: ArrayNames,
     pub usage: Usage,
-    /// Which lanes of an array's output something reads whole.
-    pub lanes_read: BTreeMap<NodeId, Vec<bool>>,
-    /// Clock and reset ports that something reads.
-    pub clocks_read: BTreeSet<String>,
-    /// Memories of which something reads a word.
-    pub memories_read: BTreeSet<String>,
 }
 
 impl<'a> Printer<'a> {
@@ -40,21 +33,7 @@ impl<'a> Printer<'a> {
         let states = StateNames::new(module, &mut taken);
         let arrays = ArrayNames::new(design, module, &mut taken);
         let usage = Usage::new(module.nodes.len());
-        let (lanes_read, clocks_read, memories_read) = (BTreeMap::new(), BTreeSet::new(), BTreeSet::new());
-        Printer {
-            design,
-            module,
-            plan,
-            taken,
-            names,
-            reads,
-            states,
-            arrays,
-            usage,
-            lanes_read,
-            clocks_read,
-            memories_read,
-        }
+        Printer { design, module, plan, taken, names, reads, states, arrays, usage }
     }
 
     /// The name of a node that has one.
@@ -88,7 +67,7 @@ impl<'a> Printer<'a> {
     /// Notes that a whole lane is read.
     pub fn read_lane(&mut self, of: NodeId, lane: u32) {
         let lanes = self.module.node(of).lanes.expect("an array's output has lanes");
-        self.lanes_read.entry(of).or_insert_with(|| vec![false; lanes as usize])[lane as usize] = true;
+        self.usage.lanes.entry(of).or_insert_with(|| vec![false; lanes as usize])[lane as usize] = true;
     }
 
     /// The array and the port that a lane node comes from.
@@ -102,7 +81,7 @@ impl<'a> Printer<'a> {
     /// The name of a clock's port, which is read from here on.
     pub fn clock_port(&mut self, clock: ClockId) -> String {
         let port = self.module.clocks[clock.0 as usize].port.clone();
-        self.clocks_read.insert(port.clone());
+        self.usage.clocks.insert(port.clone());
         port
     }
 
@@ -110,7 +89,7 @@ impl<'a> Printer<'a> {
     pub fn reset_port(&mut self, clock: ClockId) -> String {
         let reset = self.module.clocks[clock.0 as usize].reset.clone();
         let reset = reset.expect("a clock with a reset register has a reset port");
-        self.clocks_read.insert(reset.clone());
+        self.usage.clocks.insert(reset.clone());
         reset
     }
 }

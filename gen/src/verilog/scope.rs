@@ -22,7 +22,8 @@ pub struct Names {
 pub struct Scope(BTreeSet<String>);
 
 impl Names {
-    /// Every name that the module declares, and those of its instances, which linters do not want to see hidden in it.
+    /// Every name that the module declares, its own, and those of its instances, which linters do not want to see hidden
+    /// in it.
     pub fn of(design: &Design, module: &Module) -> Names {
         let clocks = module.clocks.iter().flat_map(|clock| [Some(&clock.port), clock.reset.as_ref()]).flatten();
         let ports = module.inputs.iter().map(|port| &port.name).chain(module.outputs.iter().map(|port| &port.name));
@@ -35,6 +36,7 @@ impl Names {
         let mut names = Names::default();
         clocks.chain(ports).chain(nodes).chain(memories).chain(instances).for_each(|name| names.take(name));
         own.for_each(|name| names.take(name));
+        names.take(&module.name);
         names
     }
 

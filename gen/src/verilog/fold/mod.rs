@@ -82,6 +82,7 @@ impl Fold {
         module.instances.iter_mut().flat_map(|instance| &mut instance.inputs).for_each(to);
         module.outputs.iter_mut().for_each(|output| to(&mut output.node));
         module.asserts.iter_mut().for_each(|assert| to(&mut assert.condition));
+        module.asserts.retain(|assert| constant(&module.nodes, assert.condition) != Some(true));
     }
 
     /// The value of a node that is constant, also behind a name.
