@@ -105,7 +105,7 @@ impl<'a> Start<'a> {
 /// How deep arrays nest.
 fn array_depth(design: &Design) -> usize {
     let mut depths = Vec::with_capacity(design.modules().len());
-    for module in &design.modules() {
+    for module in design.modules() {
         depths.push(deepest(module, &depths));
     }
     depths.last().copied().unwrap_or(0)
