@@ -1,5 +1,6 @@
 //! A value of a known width: what a signal holds at one moment.
 
+use crate::operand::{Literal, Operand, Value};
 use std::fmt;
 
 /// A bit vector of a fixed width, 1 bit to thousands, in two's complement where it stands for a signed number.
@@ -211,6 +212,12 @@ impl fmt::Debug for Bits {
 impl From<bool> for Bits {
     fn from(value: bool) -> Bits {
         Bits::new(1, u64::from(value))
+    }
+}
+
+impl Operand for Bits {
+    fn operand(self) -> Value {
+        Value::Literal(Literal::Exact(self))
     }
 }
 

@@ -1,11 +1,12 @@
 //! What may stand on the right of an operator: signals, registers, wires, and integers.
 
 use crate::bits::Bits;
-use crate::ir::{Binary, Shift};
-use crate::register::{Reg, StateReg};
-use crate::signal::Signal;
-use crate::signed::{Signed, SignedOperand};
-use crate::wire::Wire;
+use crate::draft::Draft;
+use crate::elaboration;
+use crate::ir::{NodeId, Op, Shift};
+use crate::loc::Loc;
+use crate::problem::Problem;
+use crate::signal::{Signal, bits_text};
 use std::fmt;
 
 /// Anything that can be read as an unsigned value.
@@ -41,16 +42,42 @@ impl fmt::Display for Literal {
     }
 }
 
-impl Operand for Signal {
-    fn operand(self) -> Value {
-        Value::Signal(self)
+impl Value {
+    /// The operand as a signal as wide as `left`, with which it meets in `operator`.
+    #[track_caller]
+    pub(crate) fn with_width_of(self, left: Signal, operator: &str) -> Signal {
+        let loc = Loc::caller();
+        let right = match self {
+            Value::Literal(literal) => return literal.sized(left.width, false),
+            Value::Signal(right) if right.width == left.width => return right,
+            Value::Signal(right) => right,
+        };
+        let (left_id, right_id) = (left.id(), right.id());
+        elaboration::with(|e| {
+            let problem = width_mismatch(e.draft(), operator, left_id, right_id, loc);
+            e.report_instead_of(&[left_id, right_id], problem);
+            Signal::make_in(e, Op::Const(Bits::zero(left.width)), left.width, loc)
+        })
     }
 }
 
-impl Operand for Bits {
-    fn operand(self) -> Value {
-        Value::Literal(Literal::Exact(self))
-    }
+fn width_mismatch(draft: &Draft, operator: &str, left: NodeId, right: NodeId, loc: Loc) -> Problem {
+    let (l, r) = (draft.node(left), draft.node(right));
+    let (left_text, right_text) = (draft.describe(left), draft.describe(right));
+    let (wide, narrow) = (l.width.max(r.width), l.width.min(r.width));
+    Problem::new(
+        loc,
+        format!(
+            "`{operator}` needs equal widths: `{left_text}` has {}, `{right_text}` has {}",
+            bits_text(l.width),
+            bits_text(r.width)
+        ),
+    )
+    .note(format!("`{left_text}` is made"), l.loc)
+    .note(format!("`{right_text}` is made"), r.loc)
+    .help(format!(
+        "widen the narrow side with `.zext({wide})` or `.sext({wide})`, or cut the wide one with `.trunc({narrow})`"
+    ))
 }
 
 macro_rules! integers {
@@ -64,20 +91,13 @@ macro_rules! integers {
 }
 integers!(u8 u16 u32 u64 usize i32 i64 bool);
 
-/// Reads as its value.
-impl<S> Operand for StateReg<S> {
-    fn operand(self) -> Value {
-        Value::Signal(*self)
-    }
-}
-
 macro_rules! binary_operators {
     ($ty:ty: $($trait:ident $method:ident $op:ident),*) => {$(
-        impl<R: Operand> std::ops::$trait<R> for $ty {
-            type Output = Signal;
+        impl<R: $crate::operand::Operand> std::ops::$trait<R> for $ty {
+            type Output = $crate::Signal;
             #[track_caller]
-            fn $method(self, right: R) -> Signal {
-                Signal::from(self).binary(Binary::$op, right)
+            fn $method(self, right: R) -> $crate::Signal {
+                $crate::Signal::from(self).binary($crate::ir::Binary::$op, right)
             }
         }
     )*};
@@ -93,7 +113,7 @@ macro_rules! constant_shift_amounts {
     ($($ty:ty)*) => {$(
         impl ShiftAmount for $ty {
             #[track_caller]
-            fn shift(self, operand: Signal, shift: Shift) -> Signal {
+            fn shift(self, operand: Signal, shift: Shift) -> $crate::Signal {
                 let Ok(amount) = u32::try_from(self) else { panic!("a shift by {self} bits: an amount is 0 or more") };
                 operand.shift_by(shift, amount)
             }
@@ -109,126 +129,69 @@ impl ShiftAmount for u32 {
     }
 }
 
-impl ShiftAmount for Signal {
-    #[track_caller]
-    fn shift(self, operand: Signal, shift: Shift) -> Signal {
-        operand.shift(shift, self)
-    }
-}
-
 macro_rules! operators {
-    ($($ty:ty)*) => {$(
-        binary_operators!($ty: Add add Add, Sub sub Sub, BitAnd bitand And, BitOr bitor Or, BitXor bitxor Xor);
+    ($ty:ty) => {
+        $crate::operand::binary_operators!($ty: Add add Add, Sub sub Sub, BitAnd bitand And, BitOr bitor Or, BitXor bitxor Xor);
 
         /// Every bit inverted.
         impl std::ops::Not for $ty {
-            type Output = Signal;
+            type Output = $crate::Signal;
             #[track_caller]
-            fn not(self) -> Signal {
-                Signal::from(self).inverted()
+            fn not(self) -> $crate::Signal {
+                $crate::Signal::from(self).inverted()
             }
         }
 
         /// The unsigned product; its width is the sum of the operands' widths.
-        impl<R: Into<Signal>> std::ops::Mul<R> for $ty {
-            type Output = Signal;
+        impl<R: Into<$crate::Signal>> std::ops::Mul<R> for $ty {
+            type Output = $crate::Signal;
             #[track_caller]
-            fn mul(self, right: R) -> Signal {
-                Signal::from(self).times(right.into())
+            fn mul(self, right: R) -> $crate::Signal {
+                $crate::Signal::from(self).times(right.into())
             }
         }
 
         /// Towards the most significant bit, filled with zeros.
-        impl<R: ShiftAmount> std::ops::Shl<R> for $ty {
-            type Output = Signal;
+        impl<R: $crate::operand::ShiftAmount> std::ops::Shl<R> for $ty {
+            type Output = $crate::Signal;
             #[track_caller]
-            fn shl(self, amount: R) -> Signal {
-                amount.shift(Signal::from(self), Shift::Left)
+            fn shl(self, amount: R) -> $crate::Signal {
+                amount.shift($crate::Signal::from(self), $crate::ir::Shift::Left)
             }
         }
 
         /// Towards the least significant bit, filled with zeros.
-        impl<R: ShiftAmount> std::ops::Shr<R> for $ty {
-            type Output = Signal;
+        impl<R: $crate::operand::ShiftAmount> std::ops::Shr<R> for $ty {
+            type Output = $crate::Signal;
             #[track_caller]
-            fn shr(self, amount: R) -> Signal {
-                amount.shift(Signal::from(self), Shift::Right)
+            fn shr(self, amount: R) -> $crate::Signal {
+                amount.shift($crate::Signal::from(self), $crate::ir::Shift::Right)
             }
         }
-    )*};
+    };
 }
 
 macro_rules! reads_as_signal {
-    ($($ty:ty)*) => {$(
-        impl From<$ty> for Signal {
-            fn from(handle: $ty) -> Signal {
+    ($ty:ty) => {
+        impl From<$ty> for $crate::Signal {
+            fn from(handle: $ty) -> $crate::Signal {
                 *handle
             }
         }
 
-        impl Operand for $ty {
-            fn operand(self) -> Value {
-                Value::Signal(*self)
+        impl $crate::operand::Operand for $ty {
+            fn operand(self) -> $crate::operand::Value {
+                $crate::operand::Value::Signal(*self)
             }
         }
 
-        impl ShiftAmount for $ty {
+        impl $crate::operand::ShiftAmount for $ty {
             #[track_caller]
-            fn shift(self, operand: Signal, shift: Shift) -> Signal {
+            fn shift(self, operand: $crate::Signal, shift: $crate::ir::Shift) -> $crate::Signal {
                 operand.shift(shift, *self)
             }
         }
-    )*};
+    };
 }
 
-reads_as_signal!(Reg Wire);
-operators!(Signal Reg Wire);
-
-macro_rules! signed_operators {
-    ($($trait:ident $method:ident $op:ident),*) => {$(
-        impl<R: SignedOperand> std::ops::$trait<R> for Signed {
-            type Output = Signed;
-            #[track_caller]
-            fn $method(self, right: R) -> Signed {
-                self.binary(Binary::$op, right)
-            }
-        }
-    )*};
-}
-signed_operators!(Add add Add, Sub sub Sub);
-
-/// The product; its width is the sum of the operands' widths.
-impl std::ops::Mul for Signed {
-    type Output = Signed;
-    #[track_caller]
-    fn mul(self, right: Signed) -> Signed {
-        self.times(right)
-    }
-}
-
-/// The negative, modulo 2 to the width.
-impl std::ops::Neg for Signed {
-    type Output = Signed;
-    #[track_caller]
-    fn neg(self) -> Signed {
-        Signed(crate::lit(self.width(), 0)) - self
-    }
-}
-
-/// Towards the most significant bit, filled with zeros.
-impl<R: ShiftAmount> std::ops::Shl<R> for Signed {
-    type Output = Signed;
-    #[track_caller]
-    fn shl(self, amount: R) -> Signed {
-        Signed(amount.shift(self.0, Shift::Left))
-    }
-}
-
-/// Towards the least significant bit, filled with the sign.
-impl<R: ShiftAmount> std::ops::Shr<R> for Signed {
-    type Output = Signed;
-    #[track_caller]
-    fn shr(self, amount: R) -> Signed {
-        Signed(amount.shift(self.0, Shift::RightSigned))
-    }
-}
+pub(crate) use {binary_operators, operators, reads_as_signal};

@@ -4,7 +4,7 @@ use crate::bits::Bits;
 use crate::elaboration;
 use crate::ir::Op;
 use crate::loc::Loc;
-use crate::operand::{Operand, Value};
+use crate::operand::{Operand, Value, operators, reads_as_signal};
 use crate::problem::Problem;
 use crate::select::{condition, select};
 use crate::signal::{Signal, bits_text};
@@ -30,6 +30,9 @@ impl Deref for Reg {
         &self.signal
     }
 }
+
+operators!(Reg);
+reads_as_signal!(Reg);
 
 impl Reg {
     /// The present value.
@@ -159,6 +162,13 @@ impl<S> Deref for StateReg<S> {
 
     fn deref(&self) -> &Signal {
         &self.register.signal
+    }
+}
+
+/// Reads as its value.
+impl<S> Operand for StateReg<S> {
+    fn operand(self) -> Value {
+        Value::Signal(*self)
     }
 }
 

@@ -5,7 +5,7 @@ use crate::elaboration::{self, Elaboration};
 use crate::ir::{Binary, NodeId, Op, Relation, Shift, Unary};
 use crate::limits::{WIDEST, sound_width};
 use crate::loc::Loc;
-use crate::operand::{Operand, Value};
+use crate::operand::{Operand, ShiftAmount, Value, operators};
 use crate::problem::Problem;
 use crate::signed::Signed;
 use std::ops::Range;
@@ -348,46 +348,17 @@ pub(crate) fn bits_text(width: u32) -> String {
     if width == 1 { "1 bit".to_owned() } else { format!("{width} bits") }
 }
 
-impl Value {
-    /// The operand as a signal as wide as `left`, with which it meets in `operator`.
-    #[track_caller]
-    pub(crate) fn with_width_of(self, left: Signal, operator: &str) -> Signal {
-        let loc = Loc::caller();
-        let right = match self {
-            Value::Literal(literal) => return literal.sized(left.width, false),
-            Value::Signal(right) if right.width == left.width => return right,
-            Value::Signal(right) => right,
-        };
-        let (left_id, right_id) = (left.id(), right.id());
-        elaboration::with(|e| {
-            let problem = width_mismatch(e.draft(), operator, left_id, right_id, loc);
-            e.report_instead_of(&[left_id, right_id], problem);
-            Signal::make_in(e, Op::Const(Bits::zero(left.width)), left.width, loc)
-        })
+impl Operand for Signal {
+    fn operand(self) -> Value {
+        Value::Signal(self)
     }
 }
 
-pub(crate) fn width_mismatch(
-    draft: &crate::draft::Draft,
-    operator: &str,
-    left: NodeId,
-    right: NodeId,
-    loc: Loc,
-) -> Problem {
-    let (l, r) = (draft.node(left), draft.node(right));
-    let (left_text, right_text) = (draft.describe(left), draft.describe(right));
-    let (wide, narrow) = (l.width.max(r.width), l.width.min(r.width));
-    Problem::new(
-        loc,
-        format!(
-            "`{operator}` needs equal widths: `{left_text}` has {}, `{right_text}` has {}",
-            bits_text(l.width),
-            bits_text(r.width)
-        ),
-    )
-    .note(format!("`{left_text}` is made"), l.loc)
-    .note(format!("`{right_text}` is made"), r.loc)
-    .help(format!(
-        "widen the narrow side with `.zext({wide})` or `.sext({wide})`, or cut the wide one with `.trunc({narrow})`"
-    ))
+impl ShiftAmount for Signal {
+    #[track_caller]
+    fn shift(self, operand: Signal, shift: Shift) -> Signal {
+        operand.shift(shift, self)
+    }
 }
+
+operators!(Signal);

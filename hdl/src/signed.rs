@@ -1,9 +1,9 @@
 //! Signed values: a type of their own, so that mixing them with unsigned ones does not compile.
 
 use crate::elaboration;
-use crate::ir::{Binary, Op, Relation};
+use crate::ir::{Binary, Op, Relation, Shift};
 use crate::loc::Loc;
-use crate::operand::{Literal, Value};
+use crate::operand::{Literal, ShiftAmount, Value};
 use crate::signal::{Signal, bits_text};
 
 /// A value in two's complement. Made by [`Signal::signed`]; [`Signed::bits`] leads back.
@@ -129,6 +129,55 @@ impl Signed {
     #[track_caller]
     pub fn times(self, right: Signed) -> Signed {
         Signed(self.0.product(Binary::MulSigned, right.0))
+    }
+}
+
+macro_rules! signed_operators {
+    ($($trait:ident $method:ident $op:ident),*) => {$(
+        impl<R: SignedOperand> std::ops::$trait<R> for Signed {
+            type Output = Signed;
+            #[track_caller]
+            fn $method(self, right: R) -> Signed {
+                self.binary(Binary::$op, right)
+            }
+        }
+    )*};
+}
+signed_operators!(Add add Add, Sub sub Sub);
+
+/// The product; its width is the sum of the operands' widths.
+impl std::ops::Mul for Signed {
+    type Output = Signed;
+    #[track_caller]
+    fn mul(self, right: Signed) -> Signed {
+        self.times(right)
+    }
+}
+
+/// The negative, modulo 2 to the width.
+impl std::ops::Neg for Signed {
+    type Output = Signed;
+    #[track_caller]
+    fn neg(self) -> Signed {
+        Signed(crate::lit(self.width(), 0)) - self
+    }
+}
+
+/// Towards the most significant bit, filled with zeros.
+impl<R: ShiftAmount> std::ops::Shl<R> for Signed {
+    type Output = Signed;
+    #[track_caller]
+    fn shl(self, amount: R) -> Signed {
+        Signed(amount.shift(self.0, Shift::Left))
+    }
+}
+
+/// Towards the least significant bit, filled with the sign.
+impl<R: ShiftAmount> std::ops::Shr<R> for Signed {
+    type Output = Signed;
+    #[track_caller]
+    fn shr(self, amount: R) -> Signed {
+        Signed(amount.shift(self.0, Shift::RightSigned))
     }
 }
 

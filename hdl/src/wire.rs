@@ -3,7 +3,7 @@
 use crate::elaboration;
 use crate::ir::NodeId;
 use crate::loc::Loc;
-use crate::operand::Operand;
+use crate::operand::{Operand, operators, reads_as_signal};
 use crate::problem::Problem;
 use crate::signal::Signal;
 use std::ops::Deref;
@@ -23,6 +23,9 @@ impl Deref for Wire {
         &self.signal
     }
 }
+
+operators!(Wire);
+reads_as_signal!(Wire);
 
 impl Wire {
     /// What drives it, as a signal.
