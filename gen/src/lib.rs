@@ -13,7 +13,7 @@
 //!     struct ToggleOut<T> { on: T }
 //! }
 //!
-//! #[derive(Debug)]
+//! #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 //! struct Toggle;
 //!
 //! impl Block for Toggle {

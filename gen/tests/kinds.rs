@@ -14,6 +14,8 @@ bundle! {
 }
 
 /// A block of two inputs of 8 bits and one output, described by a function.
+#[derive(Clone, PartialEq, Eq, Hash)]
+#[allow(unpredictable_function_pointer_comparisons, reason = "a block that is built twice for one function is no harm")]
 struct Small {
     name: &'static str,
     build: fn(Module, Pair) -> Signal,
@@ -229,7 +231,7 @@ fn memories_become_block_ram() {
 }
 
 /// An array of registers in a chain.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Wide {
     lanes: u32,
 }
@@ -249,7 +251,7 @@ impl Block for Wide {
     }
 }
 
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Cell;
 
 impl Block for Cell {

@@ -10,7 +10,7 @@ bundle! {
 }
 
 /// Counts from 0 to `limit - 1` and starts again.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Counter {
     width: u32,
     limit: u64,

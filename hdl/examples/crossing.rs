@@ -12,7 +12,7 @@ bundle! {
 }
 
 /// Cars have green until somebody presses the button, but for `clocks[0]` clocks; then amber and red for the others.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Crossing {
     clocks: [u64; 3],
 }

@@ -10,7 +10,7 @@ bundle! {
 }
 
 /// Holds up to `depth` words, a power of two; the oldest is at the head. A push when full and a pop when empty do nothing.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Fifo {
     depth: u32,
     width: u32,

@@ -15,11 +15,15 @@ use crate::signal::Signal;
 use crate::width::Width;
 use std::any::Any;
 use std::fmt::Debug;
+use std::hash::Hash;
 use std::rc::Rc;
 
 /// A hardware block: the struct holds its parameters, [`build`](Block::build) describes it. Instances of one type with
-/// equal parameters (as `Debug` prints them) are one module.
-pub trait Block: Debug + 'static {
+/// equal parameters are one module; what `Debug` prints of them goes into its name and into messages.
+///
+/// Write `#[derive(Debug, Clone, PartialEq, Eq, Hash)]` before the struct. Floating-point parameters have no `Eq`: state
+/// them as integers.
+pub trait Block: Debug + Clone + Eq + Hash + 'static {
     /// The input bundle.
     type In: Bundle;
     /// The output bundle; its widths follow from the description.
@@ -101,12 +105,11 @@ impl Elaborated {
 
 /// The module of `block`: the one made before for the same type and parameters, or a new one.
 pub(crate) fn elaborate_module<B: Block>(block: &B, loc: Loc) -> Elaborated {
-    let key = (std::any::type_name::<B>(), format!("{block:?}"));
-    let cached = elaboration::with(|e| e.cache.get(&key).copied().map(|id| (id, e.shapes[id.0 as usize].clone())));
+    let cached = elaboration::with(|e| e.known.get(block).map(|id| (id, e.shapes[id.0 as usize].clone())));
     if let Some((id, outputs)) = cached {
         return Elaborated { id, outputs };
     }
-    let parameters = key.1.clone();
+    let parameters = format!("{block:?}");
     elaboration::with(|e| {
         assert!(
             e.drafts.len() < DEEPEST,
@@ -114,7 +117,7 @@ pub(crate) fn elaborate_module<B: Block>(block: &B, loc: Loc) -> Elaborated {
         );
         e.drafts_begun += 1;
         let serial = e.drafts_begun;
-        e.drafts.push(Draft::new(serial, names::short(key.0), loc));
+        e.drafts.push(Draft::new(serial, names::short(std::any::type_name::<B>()), loc));
     });
     let widths = block.inputs();
     let inputs = B::In::signals(&widths, &mut |path, width| declare_input(path, *width));
@@ -123,7 +126,7 @@ pub(crate) fn elaborate_module<B: Block>(block: &B, loc: Loc) -> Elaborated {
     elaboration::with(|e| {
         finish::finish(e, outputs, block.name(), block.about(), parameters);
         let id = ModuleId(e.done.len() as u32 - 1);
-        e.cache.insert(key, id);
+        e.known.insert(block.clone(), id);
         let outputs: Rc<dyn Any> = Rc::new(out);
         e.shapes.push(outputs.clone());
         Elaborated { id, outputs }

@@ -10,9 +10,10 @@ use crate::ir::{Module, ModuleId, NodeId};
 use crate::loc::Loc;
 use crate::problem::{Problem, Problems};
 use crate::summary::Summary;
-use std::any::Any;
+use std::any::{Any, TypeId};
 use std::cell::RefCell;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
+use std::hash::Hash;
 use std::rc::Rc;
 use std::sync::atomic::{AtomicU32, Ordering};
 
@@ -23,14 +24,32 @@ pub(crate) struct Elaboration {
     pub summaries: Vec<Summary>,
     /// For each finished module the output bundle of its block, as a shape.
     pub shapes: Vec<Rc<dyn Any>>,
-    /// Block type and parameters, to the module that they were elaborated to.
-    pub cache: BTreeMap<(&'static str, String), ModuleId>,
+    /// Where each finished module was first instantiated.
+    pub instantiated: Vec<Loc>,
+    /// The modules that blocks were elaborated to.
+    pub known: KnownBlocks,
     /// The modules under construction, the innermost last.
     pub drafts: Vec<Draft>,
     pub drafts_begun: u32,
     /// Every named clock, with its period and where it was first used.
     pub clocks: BTreeMap<&'static str, (Period, Loc)>,
     pub problems: Vec<Problem>,
+}
+
+/// Blocks by type and value, whatever they print. For each type there is a `HashMap` of its blocks.
+#[derive(Default)]
+pub(crate) struct KnownBlocks(HashMap<TypeId, Box<dyn Any>>);
+
+impl KnownBlocks {
+    pub fn get<B: Eq + Hash + 'static>(&self, block: &B) -> Option<ModuleId> {
+        let of_type: &HashMap<B, ModuleId> = self.0.get(&TypeId::of::<B>())?.downcast_ref()?;
+        of_type.get(block).copied()
+    }
+
+    pub fn insert<B: Eq + Hash + 'static>(&mut self, block: B, id: ModuleId) {
+        let of_type = self.0.entry(TypeId::of::<B>()).or_insert_with(|| Box::new(HashMap::<B, ModuleId>::new()));
+        of_type.downcast_mut::<HashMap<B, ModuleId>>().expect("a map of that type").insert(block, id);
+    }
 }
 
 thread_local! {
@@ -57,7 +76,8 @@ pub(crate) fn run(describe: impl FnOnce()) -> Result<Elaboration, Problems> {
             done: Vec::new(),
             summaries: Vec::new(),
             shapes: Vec::new(),
-            cache: BTreeMap::new(),
+            instantiated: Vec::new(),
+            known: KnownBlocks::default(),
             drafts: Vec::new(),
             drafts_begun: 0,
             clocks: BTreeMap::new(),

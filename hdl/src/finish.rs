@@ -35,6 +35,7 @@ pub(crate) fn finish(
     mixed.into_iter().for_each(|output| summary.outputs[output].hide_clocks());
     summary.synchronized = check::synchronizers::check(&draft, &e.summaries, problems);
     e.summaries.push(summary);
+    e.instantiated.push(draft.loc);
     e.done.push(module(draft, outputs, &renumber, &resets, name, about, parameters));
 }
 

@@ -10,6 +10,7 @@ use crate::lanes::{Array, Lanes};
 use crate::loc::Loc;
 use crate::module::Module;
 use crate::problem::Problem;
+use crate::shape::{Uneven, uneven};
 use crate::signal::{Signal, bits_text};
 
 impl Module {
@@ -18,7 +19,7 @@ impl Module {
     pub fn instance<B: Block>(self, name: &str, block: &B, inputs: B::In) -> B::Out {
         let loc = Loc::caller();
         let child = elaborate_module(block, loc);
-        let drivers = inputs.leaves().iter().map(|(_, signal)| (signal.id_at(loc), signal.width)).collect();
+        let drivers = inputs.leaves().into_iter().map(|(path, signal)| (path, signal.id_at(loc))).collect();
         let instance = self.declare(name, child.id, None, loc);
         self.feed(instance.id, child.id, drivers, loc);
         let mut outputs = instance.outputs.into_iter();
@@ -59,7 +60,7 @@ impl Module {
             })
         });
         let fed = feed(Array { out: out.clone(), lanes });
-        let drivers = fed.leaves().iter().map(|(_, lanes)| (lanes.id_at(loc), lanes.width)).collect();
+        let drivers = fed.leaves().into_iter().map(|(path, lanes)| (path, lanes.id_at(loc))).collect();
         self.feed(instance.id, child.id, drivers, loc);
         out
     }
@@ -93,18 +94,42 @@ impl Module {
         e.draft().use_clock(named.or(self.clock))
     }
 
-    /// Says what drives the inputs of a declared instance.
-    fn feed(self, id: InstanceId, child: ModuleId, drivers: Vec<(NodeId, u32)>, loc: Loc) {
+    /// Says what drives the inputs of a declared instance: nodes, by their paths in its input bundle.
+    fn feed(self, id: InstanceId, child: ModuleId, drivers: Vec<(String, NodeId)>, loc: Loc) {
         elaboration::with(|e| {
             let module = &e.done[child.0 as usize];
-            let ports: Vec<_> = module.inputs.iter().map(|i| Port::of(i.name.clone(), module.node(i.node))).collect();
-            let fit = |(port, (driver, width)): (&Port, (NodeId, u32))| {
-                if width == port.width { driver } else { stand_in(e, id, port, driver, loc) }
+            let ports: Vec<_> =
+                module.inputs.iter().map(|i| (i.path.clone(), Port::of(i.name.clone(), module.node(i.node)))).collect();
+            let inputs = match uneven(&drivers, &ports) {
+                None => ports.iter().zip(&drivers).map(|((_, port), (_, node))| fit(e, id, port, *node, loc)).collect(),
+                Some(uneven) => {
+                    report_uneven(e, id, &uneven, &ports, &drivers, loc);
+                    ports.iter().map(|(_, port)| zero(e, id, port, loc)).collect()
+                }
             };
-            let inputs = ports.iter().zip(drivers).map(fit).collect();
             e.draft().instances[id.0 as usize].inputs = inputs;
         });
     }
+}
+
+/// A list in the input bundle of an instance is longer or shorter than the block's.
+fn report_uneven(
+    e: &mut Elaboration,
+    id: InstanceId,
+    uneven: &Uneven,
+    ports: &[(String, Port)],
+    drivers: &[(String, NodeId)],
+    loc: Loc,
+) {
+    let instance = &e.draft().instances[id.0 as usize].name;
+    let Uneven { has, needs, .. } = uneven;
+    let message = format!("input{uneven} of `{instance}` is a list of {needs}, but is fed a list of {has}");
+    let mut problem = Problem::new(loc, message);
+    if let Some((_, port)) = ports.iter().find(|(path, _)| path.starts_with(&format!("{}.", uneven.list))) {
+        problem = problem.note(format!("`{}` is declared", uneven.list), port.declared);
+    }
+    let nodes: Vec<_> = drivers.iter().map(|(_, node)| *node).collect();
+    e.report_instead_of(&nodes, problem.help("feed as many as the block's `fn inputs` declares"));
 }
 
 /// An input port of a child.
@@ -120,20 +145,37 @@ impl Port {
     }
 }
 
-/// Reports a driver of another width than its port, and gives a zero of the right width.
-fn stand_in(e: &mut Elaboration, id: InstanceId, port: &Port, driver: NodeId, loc: Loc) -> NodeId {
+/// The driver of a port, which must have the port's width and the instance's lanes; if not, that is reported, and a
+/// zero stands in.
+fn fit(e: &mut Elaboration, id: InstanceId, port: &Port, driver: NodeId, loc: Loc) -> NodeId {
     let draft = e.draft();
-    let (instance, text) = (&draft.instances[id.0 as usize].name, draft.describe(driver));
-    let (place, lanes, width) = (draft.node(driver).loc, draft.node(driver).lanes, draft.node(driver).width);
-    let (needs, has) = (bits_text(port.width), bits_text(width));
-    let message = format!("input `{}` of `{instance}` has {needs}, but `{text}` has {has}", port.name);
-    let zero = draft.add(Op::Const(Bits::zero(port.width)), port.width, None, loc);
-    let zero = if lanes.is_some() { draft.add(Op::Broadcast(zero), port.width, lanes, loc) } else { zero };
+    let (instance, node) = (&draft.instances[id.0 as usize], draft.node(driver));
+    let (name, text) = (&instance.name, draft.describe(driver));
+    let (message, help) = if node.width != port.width {
+        let (needs, has) = (bits_text(port.width), bits_text(node.width));
+        let message = format!("input `{}` of `{name}` has {needs}, but `{text}` has {has}", port.name);
+        (message, "spell the change of width where the instance is fed")
+    } else if let (Some(needs), Some(has)) = (instance.lanes, node.lanes)
+        && needs != has
+    {
+        let message = format!("input `{}` of `{name}` has {needs} lanes, but `{text}` has {has}", port.name);
+        (message, "an array is fed one value for each of its lanes: list them with `each`, as in `a.each(x.to_vec())`")
+    } else {
+        return driver;
+    };
     let problem = Problem::new(loc, message)
         .note(format!("`{}` is declared", port.name), port.declared)
-        .note(format!("`{text}` is made"), place);
-    e.report_instead_of(&[driver], problem.help("spell the change of width where the instance is fed"));
-    zero
+        .note(format!("`{text}` is made"), node.loc);
+    e.report_instead_of(&[driver], problem.help(help));
+    zero(e, id, port, loc)
+}
+
+/// A zero for a port, in every lane of an array.
+fn zero(e: &mut Elaboration, id: InstanceId, port: &Port, loc: Loc) -> NodeId {
+    let draft = e.draft();
+    let lanes = draft.instances[id.0 as usize].lanes;
+    let zero = draft.add(Op::Const(Bits::zero(port.width)), port.width, None, loc);
+    if lanes.is_some() { draft.add(Op::Broadcast(zero), port.width, lanes, loc) } else { zero }
 }
 
 /// An instance whose inputs are not known yet.

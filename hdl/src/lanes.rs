@@ -6,6 +6,7 @@ use crate::ir::{NodeId, Op, Reduction};
 use crate::loc::Loc;
 use crate::operand::Operand;
 use crate::problem::Problem;
+use crate::shape::{Uneven, uneven};
 use crate::signal::Signal;
 
 /// One value for each lane of an instance array: its outputs, and what may feed its inputs.
@@ -46,14 +47,24 @@ impl<O> Array<O> {
     pub fn each<B: Fields<Signal>>(&self, values: impl IntoIterator<Item = B>) -> B::With<Lanes> {
         let loc = Loc::caller();
         let values: Vec<B> = values.into_iter().collect();
-        let by_lane: Vec<Vec<Signal>> =
-            values.iter().map(|value| value.leaves().into_iter().map(|(_, signal)| signal).collect()).collect();
         let first =
             values.first().unwrap_or_else(|| panic!("an array is fed nothing, at {loc}: give a value for each lane"));
+        let mut by_lane: Vec<_> = values.iter().map(Fields::leaves).collect();
+        for lane in 1..by_lane.len() {
+            if let Some(uneven) = uneven(&by_lane[lane], &by_lane[0]) {
+                let nodes: Vec<_> = by_lane[lane].iter().map(|(_, signal)| signal.id_at(loc)).collect();
+                let Uneven { has, needs, .. } = uneven;
+                let message =
+                    format!("lane {lane} of an array is fed a list{uneven} of {has}, but lane 0 one of {needs}");
+                let problem = Problem::new(loc, message).help("give every lane lists of the same length");
+                elaboration::with(|e| e.report_instead_of(&nodes, problem));
+                by_lane[lane] = by_lane[0].clone();
+            }
+        }
         let mut leaf = 0..;
         first.map(|_| {
             let leaf = leaf.next().expect("endless");
-            self.each_signal(by_lane.iter().map(|lane| lane[leaf]).collect(), loc)
+            self.each_signal(by_lane.iter().map(|lane| lane[leaf].1).collect(), loc)
         })
     }
 

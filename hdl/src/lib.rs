@@ -11,7 +11,7 @@
 //! }
 //!
 //! /// Counts from 0 to `limit - 1` and starts again.
-//! #[derive(Debug)]
+//! #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 //! pub struct Counter { pub width: u32, pub limit: u64 }
 //!
 //! impl Block for Counter {
@@ -80,6 +80,7 @@ pub mod recording;
 mod register;
 pub mod scenario;
 mod select;
+mod shape;
 mod signal;
 mod signed;
 mod summary;
@@ -103,6 +104,8 @@ pub use recording::Recording;
 pub use register::{Reg, StateReg, States, Transition, goto, hold, when};
 pub use scenario::{Scenario, Script};
 pub use select::{case, concat, lit, mux, mux_bundle, select};
+#[doc(hidden)]
+pub use shape::{Uneven, uneven};
 pub use signal::Signal;
 pub use signed::{Signed, SignedOperand};
 pub use width::{Width, bit, bits, index_width, on};

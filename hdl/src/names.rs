@@ -1,6 +1,6 @@
 //! Names that are legal in Verilog and in waves.
 
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 use std::sync::LazyLock;
 
 use crate::elaboration::Elaboration;
@@ -66,20 +66,28 @@ fn snake_case(name: &str) -> String {
     snake
 }
 
-/// Two modules of different contents may not share a name.
+/// Two different blocks may not share a module's name.
 pub(crate) fn check_module_names(e: &mut Elaboration) {
     let mut problems = Vec::new();
+    let mut taken: HashMap<&str, usize> = HashMap::with_capacity(e.done.len());
     for (i, module) in e.done.iter().enumerate() {
-        if let Some(other) = e.done[..i].iter().find(|other| other.name == module.name) {
-            let message =
-                format!("`{}` and `{}` are both called `{}`", other.parameters, module.parameters, module.name);
-            let problem = Problem::new(module.loc, message).note("the other one is described", other.loc);
-            problems.push(problem.help("tell them apart in the block's `fn name`"));
+        if let Some(&other) = taken.get(module.name.as_str()) {
+            let (first, name) = (&e.done[other], &module.name);
+            let message = match first.parameters == module.parameters {
+                true => format!("two different blocks print as `{}` and are both called `{name}`", module.parameters),
+                false => format!("`{}` and `{}` are both called `{name}`", first.parameters, module.parameters),
+            };
+            let problem = Problem::new(e.instantiated[i], message)
+                .note(format!("`{}` is described", module.parameters), module.loc)
+                .note("the other one is instantiated", e.instantiated[other])
+                .note("the other one is described", first.loc);
+            problems.push(problem.help("tell them apart in the block's `fn name`, or in what `Debug` prints of it"));
         } else if is_reserved(&module.name) || !is_legal(&module.name) {
             let message = format!("`{}` cannot be the name of a module", module.name);
             let problem = Problem::new(module.loc, message);
             problems.push(problem.help("a name is letters, digits and `_`, and no reserved word of Verilog"));
         }
+        taken.entry(&module.name).or_insert(i);
     }
     problems.into_iter().for_each(|problem| e.report(problem));
 }

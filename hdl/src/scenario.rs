@@ -4,7 +4,9 @@ use crate::bits::Bits;
 use crate::block::Block;
 use crate::bundle::{Bundle, Fields};
 use crate::clock::Period;
+use crate::loc::Loc;
 use crate::module::port_name;
+use crate::shape::{Uneven, uneven};
 use crate::width::Width;
 
 /// What the inputs do over time. A reset comes first, at one edge of every clock; inputs not mentioned are zero.
@@ -54,9 +56,18 @@ impl<B: Block> Script<B> {
     }
 
     /// One clock with these inputs.
+    ///
+    /// # Panics
+    ///
+    /// A list of inputs is not as long as the block's.
+    #[track_caller]
     pub fn clock(&mut self, inputs: &<B::In as Bundle>::Of<u64>) {
-        let widths = self.widths.leaves();
-        for (((path, value), (_, width)), last) in inputs.leaves().into_iter().zip(widths).zip(&mut self.last) {
+        let (widths, values) = (self.widths.leaves(), inputs.leaves());
+        if let Some(uneven) = uneven(&values, &widths) {
+            let (Uneven { has, needs, .. }, loc) = (&uneven, Loc::caller());
+            panic!("input{uneven} is a list of {needs}, but a list of {has} is given, at {loc}");
+        }
+        for (((path, value), (_, width)), last) in values.into_iter().zip(widths).zip(&mut self.last) {
             if value != *last {
                 let input = port_name("", &path);
                 self.events.push(Event { at_ps: self.at_ps, input, value: Bits::new(width.bits(), value) });
@@ -67,6 +78,11 @@ impl<B: Block> Script<B> {
     }
 
     /// Some clocks with these inputs.
+    ///
+    /// # Panics
+    ///
+    /// As [`Script::clock`].
+    #[track_caller]
     pub fn hold(&mut self, inputs: &<B::In as Bundle>::Of<u64>, clocks: u64) {
         self.clock(inputs);
         self.wait(clocks - 1);

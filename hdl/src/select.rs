@@ -8,6 +8,7 @@ use crate::limits::sound_width;
 use crate::loc::Loc;
 use crate::operand::{Literal, Operand, Value};
 use crate::problem::Problem;
+use crate::shape::{Uneven, uneven};
 use crate::signal::{Signal, bits_text};
 
 /// A constant of `width` bits.
@@ -126,13 +127,22 @@ pub fn mux(select: impl Into<Signal>, on_true: impl Operand, on_false: impl Oper
 /// [`mux`] of each field of two bundles.
 #[track_caller]
 pub fn mux_bundle<B: Fields<Signal>>(select: impl Into<Signal>, on_true: &B, on_false: &B) -> B::With<Signal> {
-    let select = select.into();
+    let (loc, select) = (Loc::caller(), select.into());
+    let (leaves, mut others) = (on_true.leaves(), on_false.leaves());
+    if let Some(uneven) = uneven(&others, &leaves) {
+        let nodes: Vec<_> = leaves.iter().chain(&others).map(|(_, signal)| signal.id_at(loc)).collect();
+        let Uneven { has, needs, .. } = uneven;
+        let message = format!("`mux_bundle` chooses between lists{uneven} of {needs} and of {has}");
+        let problem = Problem::new(loc, message).help("both bundles have lists of the same lengths");
+        elaboration::with(|e| e.report_instead_of(&nodes, problem));
+        others = leaves.clone();
+    }
     let mut chosen = Vec::new();
-    for ((_, on_true), (_, on_false)) in on_true.leaves().into_iter().zip(on_false.leaves()) {
+    for ((_, on_true), (_, on_false)) in leaves.into_iter().zip(others) {
         chosen.push(mux(select, on_true, on_false));
     }
     let mut chosen = chosen.into_iter();
-    on_true.map(|_| chosen.next().expect("two bundles of one shape"))
+    on_true.map(|_| chosen.next().expect("a choice for each leaf"))
 }
 
 /// The value of the first arm whose condition holds, else `default`.

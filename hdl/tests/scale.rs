@@ -8,7 +8,8 @@ bundle! {
 }
 
 /// One word in, one word out, described by a function.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+#[allow(unpredictable_function_pointer_comparisons, reason = "a block that is built twice for one function is no harm")]
 struct Big(fn(Module, Signal) -> Signal);
 
 impl Block for Big {
@@ -54,7 +55,7 @@ fn a_chain_of_wires_in_the_wrong_order() {
 #[test]
 fn an_array_of_sixteen_thousand_lanes_is_one_instance() {
     /// Adds one.
-    #[derive(Debug)]
+    #[derive(Debug, Clone, PartialEq, Eq, Hash)]
     struct Increment;
     impl Block for Increment {
         type In = Word;
@@ -73,4 +74,29 @@ fn an_array_of_sixteen_thousand_lanes_is_one_instance() {
     let top = design.top();
     assert_eq!((top.instances.len(), top.instances[0].lanes), (1, Some(16_384)));
     assert!(top.nodes.len() < 10);
+}
+
+#[test]
+fn a_block_that_twice_holds_its_next_smaller_self_is_built_once_a_size() {
+    thread_local!(static BUILT: std::cell::Cell<usize> = const { std::cell::Cell::new(0) });
+    /// A tree of this height.
+    #[derive(Debug, Clone, PartialEq, Eq, Hash)]
+    struct Tree(u32);
+    impl Block for Tree {
+        type In = Word;
+        type Out = Result;
+        fn inputs(&self) -> Word<Width> {
+            Word { x: bits(8) }
+        }
+        fn build(&self, m: Module, i: Word) -> Result {
+            BUILT.set(BUILT.get() + 1);
+            if self.0 == 0 {
+                return Result { y: !i.x };
+            }
+            let left = m.instance(&format!("u_left{}", self.0), &Tree(self.0 - 1), Word { x: i.x }).y;
+            Result { y: left ^ m.instance(&format!("u_right{}", self.0), &Tree(self.0 - 1), Word { x: i.x + 1 }).y }
+        }
+    }
+    let design = elaborate(&Tree(30)).unwrap();
+    assert_eq!((BUILT.get(), design.modules().len()), (31, 31));
 }

@@ -131,7 +131,7 @@ mod tests {
     }
 
     /// A register.
-    #[derive(Debug)]
+    #[derive(Debug, Clone, PartialEq, Eq, Hash)]
     struct Delay;
 
     impl Block for Delay {

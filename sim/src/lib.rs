@@ -11,7 +11,7 @@
 //!     pub struct CounterOut<T> { pub count: T }
 //! }
 //!
-//! #[derive(Debug)]
+//! #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 //! struct Counter { width: u32 }
 //!
 //! impl Block for Counter {
@@ -79,7 +79,7 @@
 //! #     /// The sum.
 //! #     pub struct SumOut<T> { pub sum: T }
 //! # }
-//! # #[derive(Debug)]
+//! # #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 //! # struct Sum;
 //! # impl Block for Sum {
 //! #     type In = SumIn;

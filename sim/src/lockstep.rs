@@ -213,7 +213,7 @@ mod tests {
     }
 
     /// Takes over its input.
-    #[derive(Debug)]
+    #[derive(Debug, Clone, PartialEq, Eq, Hash)]
     struct Follow;
 
     impl Block for Follow {

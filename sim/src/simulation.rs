@@ -3,7 +3,7 @@
 use std::fmt;
 use std::sync::Arc;
 
-use tilewright_hdl::{Bits, Block, Bundle, DEFAULT_PERIOD, Design, Period, elaborate_typed};
+use tilewright_hdl::{Bits, Block, Bundle, DEFAULT_PERIOD, Design, Fields, Leaf, Period, elaborate_typed, uneven};
 
 use crate::choice::{EngineKind, Started};
 use crate::engine::lane;
@@ -241,7 +241,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     ///
     /// # Panics
     ///
-    /// A value does not fit.
+    /// A value does not fit, or a list is not as long as the block's.
     #[track_caller]
     pub fn drive(&mut self, values: I::Of<u64>) {
         let values = I::convert(&values, &mut |_, value: &u64| u128::from(*value));
@@ -252,16 +252,15 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     ///
     /// # Panics
     ///
-    /// A value has another width than its port.
+    /// A value has another width than its port, or a list is not as long as the block's.
     #[track_caller]
     pub fn drive_bits(&mut self, values: I::Of<Bits>) {
         self.drive_each(&values);
     }
 
     #[track_caller]
-    fn drive_each<V: IntoValue + tilewright_hdl::Leaf>(&mut self, values: &I::Of<V>) {
-        use tilewright_hdl::Fields;
-        for ((_, port), (_, value)) in self.i.leaves().into_iter().zip(values.leaves()) {
+    fn drive_each<V: IntoValue + Leaf>(&mut self, values: &I::Of<V>) {
+        for (port, value) in paired::<I, V>(&self.i, values) {
             self.set(port, value);
         }
     }
@@ -313,6 +312,16 @@ pub(crate) struct Typed<B: Block> {
     pub design: Design,
     pub i: <B::In as Bundle>::Of<Port>,
     pub o: <B::Out as Bundle>::Of<Port>,
+}
+
+/// Each input port with its value.
+#[track_caller]
+pub(crate) fn paired<I: Bundle, V: Leaf>(ports: &I::Of<Port>, values: &I::Of<V>) -> Vec<(Port, V)> {
+    let (ports, values) = (ports.leaves(), values.leaves());
+    if let Some(uneven) = uneven(&values, &ports) {
+        panic!("input{uneven} is a list of {}, but is set to a list of {}", uneven.needs, uneven.has)
+    }
+    ports.into_iter().zip(values).map(|((_, port), (_, value))| (port, value)).collect()
 }
 
 /// Elaborates a block.

@@ -23,7 +23,7 @@ bundle! {
 }
 
 /// All operators on two operands of `width` bits.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Operators {
     width: u32,
 }

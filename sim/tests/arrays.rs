@@ -16,7 +16,7 @@ bundle! {
 }
 
 /// A cell with a memory, a register and a path from its left neighbour at once.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Cell {
     width: u32,
     /// Whether `at_once` depends on the neighbour within the cycle.
@@ -48,7 +48,7 @@ bundle! {
 }
 
 /// A chain of cells, linked through `value` or, if chained, through `at_once`.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Row {
     lanes: u32,
     width: u32,
@@ -213,7 +213,7 @@ proptest! {
 }
 
 /// Rows in an array: lanes of lanes.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Grid {
     width: u32,
 }
@@ -262,7 +262,7 @@ fn arrays_nest() {
 }
 
 /// A chain of adders as deep as it is long.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Deep {
     depth: u32,
 }

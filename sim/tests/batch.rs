@@ -18,7 +18,7 @@ bundle! {
 }
 
 /// A memory and a register of 12 bits, both without a known start.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Cell;
 
 impl Block for Cell {
@@ -49,7 +49,7 @@ bundle! {
 }
 
 /// An array with memories, a memory of its own, a value of 100 bits, a state machine, and state without a reset.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Mixed;
 
 impl Block for Mixed {
@@ -87,7 +87,7 @@ bundle! {
 }
 
 /// A sum that must stay below 100, in an instance.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Limit {
     inside: bool,
 }

@@ -12,7 +12,7 @@ use store::{FAST, SLOW, Store, StoreIn, StoreOut};
 use tilewright_hdl::{Block, Module, ReadUnderWrite, Signal, bundle, lit};
 
 /// A count on each of two clocks; each is sampled by the other.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Pair;
 
 bundle! {
@@ -117,7 +117,7 @@ fn an_edge_evaluates_nothing_that_depends_on_another_clock_alone() {
 }
 
 /// A word that two clocks write again and again.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Contested;
 
 impl Block for Contested {

@@ -23,7 +23,7 @@ states! {
 }
 
 /// Registers with a reset and without, a memory between two clocks, a state machine, an assertion.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Cell;
 
 impl Block for Cell {
@@ -66,7 +66,7 @@ bundle! {
 }
 
 /// A chain of cells.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 struct Row {
     lanes: u32,
 }

@@ -21,7 +21,7 @@ bundle! {
 }
 
 /// Adds what its row holds to what it holds itself.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Adder;
 
 impl Block for Adder {
@@ -40,7 +40,7 @@ impl Block for Adder {
 }
 
 /// Takes the sum of its adders, which depends on what it holds, into account.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct AdderRow;
 
 impl Block for AdderRow {
@@ -62,7 +62,7 @@ impl Block for AdderRow {
 }
 
 /// Blocks with a seed each.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Rows<B>(u32, B);
 
 impl<B: Block<In = SeedIn, Out = SumOut>> Block for Rows<B> {
@@ -88,7 +88,7 @@ bundle! {
 }
 
 /// Holds its input.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Leaf;
 
 impl Block for Leaf {
@@ -105,7 +105,7 @@ impl Block for Leaf {
 }
 
 /// Two leaves that are given its input and the inverse of it.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Pair;
 
 impl Block for Pair {
@@ -123,7 +123,7 @@ impl Block for Pair {
 }
 
 /// Pairs that are given values of a counter, the same in every group.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Group;
 
 impl Block for Group {
@@ -141,7 +141,7 @@ impl Block for Group {
 }
 
 /// Groups that are all given the same.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Groups;
 
 impl Block for Groups {
@@ -164,7 +164,7 @@ fn a_row_that_all_groups_share_is_made_into_an_array_of_more_lanes() {
 }
 
 /// A value of 1024 bits, of few that are as wide.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Wide;
 
 impl Block for Wide {
@@ -185,7 +185,7 @@ impl Block for Wide {
 }
 
 /// Two of them, combined.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct WideRow;
 
 impl Block for WideRow {

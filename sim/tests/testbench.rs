@@ -13,7 +13,7 @@ bundle! {
     pub struct CounterOut<T> { pub count: T, pub wrapped: T }
 }
 
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Counter {
     width: u32,
     limit: u64,
@@ -110,7 +110,7 @@ bundle! {
 }
 
 /// Combinational, and wider than an integer.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Inverter;
 
 impl Block for Inverter {
@@ -148,7 +148,7 @@ states! {
 }
 
 /// Asserts that it is not started twice.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Worker;
 
 impl Block for Worker {
@@ -261,7 +261,7 @@ bundle! {
 }
 
 /// A memory with one port each way, of a policy.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Store {
     policy: ReadUnderWrite,
 }

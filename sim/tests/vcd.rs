@@ -22,7 +22,7 @@ states! {
     enum Lamp { Off, On }
 }
 
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct OneLamp;
 
 impl Block for OneLamp {
@@ -45,7 +45,7 @@ impl Block for OneLamp {
 }
 
 /// Two lamps and a count of edges, which must stay below 3.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Lamps;
 
 impl Block for Lamps {

@@ -32,7 +32,7 @@ bundle! {
 }
 
 /// A door, and a wide sum that grows while it is open.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Cell;
 
 impl Block for Cell {
@@ -59,7 +59,7 @@ impl Block for Cell {
 }
 
 /// Five of them on a fast clock; on a slow one a shelf that is read at once, and a count that stops.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct House;
 
 impl Block for House {

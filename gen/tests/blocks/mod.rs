@@ -9,7 +9,7 @@ bundle! {
 }
 
 /// Counts up to a limit.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Counter {
     pub width: u32,
     pub limit: u64,
@@ -50,7 +50,7 @@ bundle! {
 }
 
 /// A state machine.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Pump;
 
 impl Block for Pump {
@@ -79,7 +79,7 @@ bundle! {
 }
 
 /// A line buffer of 1000 words and a table.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct LineBuffer;
 
 impl Block for LineBuffer {
@@ -106,7 +106,7 @@ bundle! {
 }
 
 /// A cell of a systolic row.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Cell;
 
 impl Block for Cell {
@@ -130,7 +130,7 @@ bundle! {
 }
 
 /// A chain of cells.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Row {
     pub lanes: u32,
 }
@@ -165,7 +165,7 @@ bundle! {
 }
 
 /// A count of one clock, sampled by another.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Clocks;
 
 impl Block for Clocks {

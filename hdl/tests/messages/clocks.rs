@@ -33,7 +33,7 @@ fn declared_crossings_are_fine() {
 #[test]
 fn a_child_may_declare_the_crossing() {
     /// Hands on an input of another clock as stable.
-    #[derive(Debug)]
+    #[derive(Debug, Clone, PartialEq, Eq, Hash)]
     struct Held;
     impl Block for Held {
         type In = Link;
@@ -58,7 +58,8 @@ bundle! {
 }
 
 /// A block of two named clocks and none of its own, described by a function.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+#[allow(unpredictable_function_pointer_comparisons, reason = "a block that is built twice for one function is no harm")]
 struct TwoClocks {
     inputs: fn() -> Link<Width>,
     build: fn(Module, Module, Signal) -> (Signal, Signal),
@@ -169,7 +170,7 @@ fn logic_that_enters_a_synchronizer_in_an_instance_or_comes_from_one() {
     assert!(inside.starts_with("`a + 1` enters synchronizer `u_two.flag` but is logic"), "{inside}");
     let build = |m: Module, i: In| {
         /// Compares in the same clock.
-        #[derive(Debug)]
+        #[derive(Debug, Clone, PartialEq, Eq, Hash)]
         struct IsZero;
         impl Block for IsZero {
             type In = Link;
@@ -209,7 +210,7 @@ fn an_instance_is_fed_on_its_own_clock() {
 fn a_clock_has_one_period() {
     const OTHER: Clock = Clock::new("fast", Period::ns(6));
     /// Takes a clock as a parameter.
-    #[derive(Debug)]
+    #[derive(Debug, Clone, PartialEq, Eq, Hash)]
     struct Timed(Clock);
     impl Block for Timed {
         type In = Link;

@@ -11,6 +11,8 @@ bundle! {
 pub type Build = fn(Module, In) -> Signal;
 
 /// A block of three inputs (8, 7 and 1 bits), described by a function.
+#[derive(Clone, PartialEq, Eq, Hash)]
+#[allow(unpredictable_function_pointer_comparisons, reason = "a block that is built twice for one function is no harm")]
 pub struct Case(pub Build);
 
 impl std::fmt::Debug for Case {
@@ -42,7 +44,7 @@ bundle! {
 }
 
 /// Passes its input on, inverted, in the same cycle or the next.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Inverter {
     pub registered: bool,
 }
@@ -67,7 +69,7 @@ bundle! {
 }
 
 /// Drives its one output by its one input.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Through;
 
 impl Block for Through {
@@ -97,7 +99,7 @@ pub enum Kept {
 thread_local!(pub static KEPT: std::cell::Cell<Option<Kept>> = const { std::cell::Cell::new(None) });
 
 /// Uses what another module left.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Keeper;
 
 impl Block for Keeper {

@@ -23,7 +23,7 @@ fn a_panic_in_a_description_leaves_nothing_behind() {
 #[should_panic(expected = "does it instantiate itself?")]
 fn blocks_that_instantiate_themselves() {
     /// Has an endless inside.
-    #[derive(Debug)]
+    #[derive(Debug, Clone, PartialEq, Eq, Hash)]
     struct Doll(u32);
     impl Block for Doll {
         type In = ();

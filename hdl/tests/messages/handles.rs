@@ -8,7 +8,7 @@ fn signals_of_another_module() {
     use std::cell::Cell;
     thread_local!(static LEAKED: Cell<Option<Signal>> = const { Cell::new(None) });
     /// Uses a signal of the module that instantiates it.
-    #[derive(Debug)]
+    #[derive(Debug, Clone, PartialEq, Eq, Hash)]
     struct Thief;
     impl Block for Thief {
         type In = ();
@@ -72,7 +72,7 @@ fn lanes_of_another_module() {
 #[test]
 fn registers_of_another_module() {
     /// Lends its register to an instance in it.
-    #[derive(Debug)]
+    #[derive(Debug, Clone, PartialEq, Eq, Hash)]
     struct Lender;
     impl Block for Lender {
         type In = ();
@@ -96,7 +96,7 @@ fn registers_of_another_module() {
 #[test]
 fn signals_of_a_finished_module() {
     /// Leaves its output where others find it.
-    #[derive(Debug)]
+    #[derive(Debug, Clone, PartialEq, Eq, Hash)]
     struct Leaver;
     impl Block for Leaver {
         type In = ();

@@ -8,6 +8,7 @@ mod common;
 mod elaborations;
 mod handles;
 mod instances;
+mod lists;
 mod loops;
 mod names;
 mod reports;

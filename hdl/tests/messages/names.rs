@@ -28,7 +28,7 @@ fn ports_with_reserved_names() {
 fn ports_with_names_reserved_in_cpp() {
     bundle! { struct Distance<T> { near: T } }
     /// Has a port that Verilator refuses.
-    #[derive(Debug)]
+    #[derive(Debug, Clone, PartialEq, Eq, Hash)]
     struct Near;
     impl Block for Near {
         type In = Distance;
@@ -53,7 +53,7 @@ fn instances_that_hide_something() {
          help: call the instance `u_y`",
     );
     /// Has a register called as every lane is.
-    #[derive(Debug)]
+    #[derive(Debug, Clone, PartialEq, Eq, Hash)]
     struct Street;
     impl Block for Street {
         type In = Link;
@@ -78,7 +78,7 @@ fn inner_names_that_are_reserved_get_an_underscore() {
 #[test]
 fn modules_of_one_name_and_different_contents() {
     /// Named alike whatever its parameter.
-    #[derive(Debug)]
+    #[derive(Debug, Clone, PartialEq, Eq, Hash)]
     struct Twin(u32);
     impl Block for Twin {
         type In = Link;
@@ -103,7 +103,7 @@ fn modules_of_one_name_and_different_contents() {
 #[test]
 fn modules_with_illegal_names() {
     /// Called by a word of Verilog.
-    #[derive(Debug)]
+    #[derive(Debug, Clone, PartialEq, Eq, Hash)]
     struct Unnameable;
     impl Block for Unnameable {
         type In = Link;
@@ -121,4 +121,48 @@ fn modules_with_illegal_names() {
     let text = problems(&Unnameable);
     assert!(text.starts_with("input `x` has no bits\n  --> [Link { x: bits(0) }]"), "{text}");
     assert!(text.contains("`endmodule` cannot be the name of a module"), "{text}");
+}
+
+/// A table of constants that prints no more than its length.
+#[derive(Clone, PartialEq, Eq, Hash)]
+struct Rom(&'static [u64]);
+
+impl std::fmt::Debug for Rom {
+    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+        write!(f, "Rom {{ words: {} }}", self.0.len())
+    }
+}
+
+impl Block for Rom {
+    type In = Link;
+    type Out = Out;
+
+    fn inputs(&self) -> Link<Width> {
+        Link { x: bits(8) }
+    }
+
+    fn build(&self, _: Module, i: Link) -> Out {
+        Out { out: case(i.x, (0..).zip(self.0.iter().map(|word| lit(8, *word))), 0) }
+    }
+}
+
+#[test]
+fn different_blocks_that_print_alike() {
+    expect(
+        |m, i| {
+            let one = m.instance("u_one", &Rom(&[1, 2]), Link { x: i.a }).out;
+            one ^ m.instance("u_two", &Rom(&[1, 3]), Link { x: i.a }).out
+        },
+        "two different blocks print as `Rom { words: 2 }` and are both called `rom_words2`
+         --> [one ^ m.instance(\"u_two\", &Rom(&[1, 3]), Link { x: i.a }).out]
+         `Rom { words: 2 }` is described at [Out { out: case(i.x, (0..).zip(self.0.iter().map(|word| lit(8, *word))), 0) }]
+         the other one is instantiated at [let one = m.instance(\"u_one\", &Rom(&[1, 2]), Link { x: i.a }).out;]
+         the other one is described at [Out { out: case(i.x, (0..).zip(self.0.iter().map(|word| lit(8, *word))), 0) }]
+         help: tell them apart in the block's `fn name`, or in what `Debug` prints of it",
+    );
+    let same = elaborate(&Case(|m, i| {
+        let one = m.instance("u_one", &Rom(&[1, 2]), Link { x: i.a }).out;
+        one ^ m.instance("u_two", &Rom(&[1, 2]), Link { x: i.a }).out
+    }));
+    assert_eq!(same.unwrap().modules().len(), 2);
 }

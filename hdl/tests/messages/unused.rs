@@ -4,7 +4,7 @@ use crate::common::*;
 use tilewright_hdl::*;
 
 /// Leaves an input unused.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Careless;
 
 impl Block for Careless {
@@ -25,7 +25,11 @@ impl Block for Careless {
 #[test]
 fn inputs_in_faulty_expressions_are_used() {
     /// As [`Case`], but nothing is said of unused inputs.
-    #[derive(Debug)]
+    #[derive(Debug, Clone, PartialEq, Eq, Hash)]
+    #[allow(
+        unpredictable_function_pointer_comparisons,
+        reason = "a block that is built twice for one function is no harm"
+    )]
     struct Strict(Build);
     impl Block for Strict {
         type In = In;

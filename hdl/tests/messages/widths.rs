@@ -155,7 +155,7 @@ fn things_without_bits() {
 }
 
 /// Inverts an input of some width.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Port(u32);
 
 impl Block for Port {

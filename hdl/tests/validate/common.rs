@@ -14,7 +14,7 @@ bundle! {
 }
 
 /// A register and a path past it.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Stage;
 
 impl Block for Stage {
@@ -37,7 +37,7 @@ const FAST: Clock = Clock::new("fast", Period::ns(4));
 states! { enum Phase { Idle, Run, Done } }
 
 /// Every operator and every object, most of them named.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Top;
 
 impl Block for Top {

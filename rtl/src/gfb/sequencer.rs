@@ -59,7 +59,7 @@ states! {
 }
 
 /// Leads merging rounds. [`GfbUnit::sequencer`](super::GfbUnit::sequencer) makes it.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Sequencer {
     /// The screen: M x N pixels.
     pub(super) screen: Screen,

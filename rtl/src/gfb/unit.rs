@@ -73,7 +73,7 @@ bundle! {
 }
 
 /// A double-buffered frame buffer with depth, at both ends of a chain of merging units.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct GfbUnit {
     screen: Screen,
     units: u32,

@@ -81,7 +81,7 @@ states! {
 }
 
 /// Two buffers of pages.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct ImageMemory {
     /// The number of pages in a buffer.
     pub pages: u32,

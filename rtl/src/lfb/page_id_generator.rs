@@ -35,7 +35,7 @@ bundle! {
 }
 
 /// Hands out the pages 0, 1, 2 ... of an image memory.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct PageIdGenerator {
     /// The number of pages.
     pub pages: u32,

@@ -104,7 +104,7 @@ states! {
 }
 
 /// Two tables that give each patch of the screen its page of image memory.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct PatchTable {
     /// The number of patches.
     pub patches: u32,

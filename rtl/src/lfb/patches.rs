@@ -21,7 +21,7 @@ bundle! {
 }
 
 /// A screen divided into square patches. A page of image memory holds one patch.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Patches {
     screen: Screen,
     edge: u32,

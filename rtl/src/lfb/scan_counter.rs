@@ -49,7 +49,7 @@ states! {
 }
 
 /// Counts the pixels of a screen in raster order.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct ScanCounter {
     /// The screen.
     pub screen: Screen,
@@ -151,7 +151,7 @@ mod tests {
     }
 
     /// A chain of counters with the presets of their positions.
-    #[derive(Debug)]
+    #[derive(Debug, Clone, PartialEq, Eq, Hash)]
     struct Chain {
         screen: Screen,
         length: u32,

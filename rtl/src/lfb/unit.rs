@@ -95,7 +95,7 @@ bundle! {
 }
 
 /// A virtual local frame buffer.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct LfbUnit {
     patches: Patches,
     pages: u32,

@@ -35,7 +35,7 @@ bundle! {
 }
 
 /// A chain of merging units.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct ImageMerger {
     /// How many, at least 1.
     pub units: u32,

@@ -45,7 +45,7 @@ bundle! {
 }
 
 /// Sends on the nearer of two pixels.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct MergingUnit;
 
 impl Block for MergingUnit {

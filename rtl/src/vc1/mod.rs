@@ -90,7 +90,7 @@ bundle! {
 }
 
 /// The frame buffer subsystem of a VC-1.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Vc1 {
     lfb: LfbUnit,
     processors: u32,

@@ -12,7 +12,7 @@ use crate::error::{Error, UnknownName};
 use crate::passes::Passes;
 use crate::port::{IntoValue, Port};
 use crate::program::{self, Program};
-use crate::simulation::{Simulation, Typed, typed};
+use crate::simulation::{Simulation, Typed, paired, typed};
 
 /// So many runs of one circuit at a time, each with inputs and a start of its own, as many
 /// [`Simulation`](crate::Simulation)s would be, but that they are steps of one program: the compiled engine has the
@@ -27,7 +27,7 @@ use crate::simulation::{Simulation, Typed, typed};
 /// #     /// How many there were.
 /// #     pub struct CounterOut<T> { pub count: T }
 /// # }
-/// # #[derive(Debug)]
+/// # #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 /// # struct Counter { width: u32 }
 /// # impl Block for Counter {
 /// #     type In = CounterIn;
@@ -242,8 +242,7 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
 
     #[track_caller]
     fn drive_run<V: IntoValue + Leaf>(&mut self, run: u32, values: &I::Of<V>) {
-        use tilewright_hdl::Fields;
-        for ((_, port), (_, value)) in self.i.leaves().into_iter().zip(values.leaves()) {
+        for (port, value) in paired::<I, V>(&self.i, values) {
             self.set(port, run, value);
         }
     }

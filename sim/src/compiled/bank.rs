@@ -102,7 +102,7 @@ mod tests {
     }
 
     /// Two memories with the same ports, and one that is written at another address.
-    #[derive(Debug)]
+    #[derive(Debug, Clone, PartialEq, Eq, Hash)]
     struct Memories;
 
     impl Block for Memories {

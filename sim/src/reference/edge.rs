@@ -232,7 +232,7 @@ mod tests {
     }
 
     /// A running exclusive or.
-    #[derive(Debug)]
+    #[derive(Debug, Clone, PartialEq, Eq, Hash)]
     struct Toggle;
 
     impl Block for Toggle {

@@ -11,7 +11,7 @@ bundle! {
 }
 
 /// A memory written on one clock and read on another.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Store {
     pub policy: ReadUnderWrite,
 }

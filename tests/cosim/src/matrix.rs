@@ -42,7 +42,7 @@ bundle! {
 }
 
 /// All operators at one width.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Matrix {
     /// The width of both operands in bits.
     pub width: u32,
@@ -66,7 +66,7 @@ impl Block for Matrix {
 }
 
 /// Passes its input on, so that an array of it makes lanes.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Cell {
     width: u32,
 }

@@ -14,7 +14,7 @@ use tilewright_hdl::ir::{Reduction, Relation, Shift};
 pub const WIDEST: u32 = 280;
 
 /// A whole design.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Spec {
     /// The modules; each may instantiate those before it, and the last is the top.
     pub parts: Vec<Part>,
@@ -28,7 +28,7 @@ pub struct Spec {
 }
 
 /// The inputs over time.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Stimulus {
     /// The instants simulated.
     pub steps: u8,
@@ -37,7 +37,7 @@ pub struct Stimulus {
 }
 
 /// A module.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Part {
     /// The input ports.
     pub inputs: Vec<Input>,
@@ -46,7 +46,7 @@ pub struct Part {
 }
 
 /// An input port.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Input {
     /// Its width in bits.
     pub width: u32,
@@ -57,7 +57,7 @@ pub struct Input {
 }
 
 /// What an output that is linked to an input has.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Link {
     /// The value.
     pub of: Pick,
@@ -66,7 +66,7 @@ pub struct Link {
 }
 
 /// One of the design's clocks; the first, if there is only one.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum ClockPick {
     /// The module's own clock.
     Own,
@@ -75,7 +75,7 @@ pub enum ClockPick {
 }
 
 /// A choice among the values that exist, and how it is fitted to the width it meets. 0 is the first value.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Pick(pub u16);
 
 /// On one line, since there are many.
@@ -86,7 +86,7 @@ impl std::fmt::Debug for Pick {
 }
 
 /// A constant of some width.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Pattern {
     /// All bits zero.
     Zero,
@@ -103,7 +103,7 @@ pub enum Pattern {
 }
 
 /// An object or an operator on one of the clocks.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Step {
     /// Its clock.
     pub clock: ClockPick,
@@ -113,7 +113,7 @@ pub struct Step {
 
 /// What a step makes.
 #[allow(missing_docs, reason = "the fields are those of the operators of `tilewright_hdl::ir`")]
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub enum Make {
     /// A constant.
     Constant(u32, Pattern),
@@ -176,7 +176,7 @@ pub enum Make {
 }
 
 /// Operators of one operand.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Unary {
     /// Every bit inverted.
     Not,
@@ -191,7 +191,7 @@ pub enum Unary {
 }
 
 /// Operators of two operands of one width.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Binary {
     /// Bitwise and.
     And,
@@ -208,7 +208,7 @@ pub enum Binary {
 }
 
 /// What an opcode stands for: `(a op b) + (c - a)`.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Arm {
     /// The operator.
     pub op: Binary,
@@ -217,7 +217,7 @@ pub struct Arm {
 }
 
 /// A state machine of four states.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Machine {
     /// Where it goes from each state.
     pub states: [Exits; 4],
@@ -226,7 +226,7 @@ pub struct Machine {
 }
 
 /// Where a state machine goes from a state.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Exits {
     /// Conditions, and the states they lead to.
     pub when: Vec<(Pick, u8)>,
@@ -235,7 +235,7 @@ pub struct Exits {
 }
 
 /// A memory.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Memory {
     /// Words.
     pub depth: u32,
@@ -256,7 +256,7 @@ pub struct Memory {
 }
 
 /// A memory's contents at the start.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub enum Contents {
     /// None given.
     Unknown,
@@ -267,7 +267,7 @@ pub enum Contents {
 }
 
 /// A port that reads.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Read {
     /// Within the cycle, where both ports have one clock.
     pub asynchronous: bool,
@@ -278,7 +278,7 @@ pub struct Read {
 }
 
 /// A port that writes.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Write {
     /// When it writes.
     pub enable: Pick,
@@ -289,7 +289,7 @@ pub struct Write {
 }
 
 /// What feeds an input of an array.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Feed {
     /// One value to all lanes.
     Broadcast,
@@ -315,7 +315,7 @@ pub enum Feed {
 }
 
 /// How the lanes of an output become one value.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Gather {
     /// All lanes combined.
     Reduce(Reduction),

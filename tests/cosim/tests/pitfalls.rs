@@ -15,7 +15,8 @@ bundle! {
 }
 
 /// A circuit of three inputs and one output.
-#[derive(Clone)]
+#[derive(Clone, PartialEq, Eq, Hash)]
+#[allow(unpredictable_function_pointer_comparisons, reason = "a block that is built twice for one function is no harm")]
 struct Pitfall {
     name: &'static str,
     /// Of the inputs, in bits.
@@ -239,7 +240,7 @@ fn the_printed_verilog_avoids_them_in_verilator() {
 }
 
 /// Reads a memory at addresses that are computed, and wrap.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Wrapping;
 
 impl Block for Wrapping {

@@ -33,7 +33,7 @@ bundle! {
 }
 
 /// A part of a random design, as a block.
-#[derive(Clone)]
+#[derive(Clone, PartialEq, Eq, Hash)]
 pub struct PartBlock {
     /// Goes before the name of each module.
     pub prefix: String,

@@ -29,7 +29,7 @@ bundle! {
 
 /// A patch table, which gives patches their pages as they are drawn into, and the image memory of those pages: a quarter as many
 /// as patches.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct FrameBuffer {
     /// Patches in a row of the screen, from 5.
     pub columns: u32,

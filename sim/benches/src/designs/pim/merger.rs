@@ -18,7 +18,7 @@ bundle! {
 }
 
 /// Takes the pixels, compares the halves of their depths, decides, chooses. Of two that are equally deep the right one.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Merger;
 
 impl Block for Merger {

@@ -39,7 +39,7 @@ fn pixel() -> Pixel<Width> {
 }
 
 /// The chain.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Pim {
     /// Merging units, at least 1.
     pub stages: u32,
@@ -110,7 +110,7 @@ bundle! {
 }
 
 /// A merger and its local frame buffer.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Stage {
     frame_buffer: FrameBuffer,
 }

@@ -12,7 +12,7 @@ use crate::word::{rotated, seed};
 use unit::{Unit, UnitIn, UnitOut};
 
 /// The units, and a checksum of what they find.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Qt {
     /// How many, at least 1.
     pub units: u32,
@@ -21,7 +21,7 @@ pub struct Qt {
 }
 
 /// A unit whose seed is fixed.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Seeded(u32);
 
 impl Block for Seeded {

@@ -30,7 +30,7 @@ bundle! {
 }
 
 /// A unit with a source of random triangles.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Unit;
 
 /// An edge of the triangle: a x + b y + value, which is negative outside.

@@ -27,7 +27,7 @@ use row::{Row, RowIn};
 use sequencer::{Sequencer, SequencerIn};
 
 /// The array.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Simd {
     /// Processors in a row, and rows; from 1 to 256.
     pub edge: u32,

@@ -23,7 +23,7 @@ bundle! {
 }
 
 /// One of the processors.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Processor;
 
 impl Block for Processor {

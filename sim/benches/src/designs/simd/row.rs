@@ -26,7 +26,7 @@ bundle! {
 }
 
 /// One of the rows.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Row {
     pub processors: u32,
 }

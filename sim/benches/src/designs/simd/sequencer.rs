@@ -57,7 +57,7 @@ bundle! {
 }
 
 /// Issues an instruction every clock.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Sequencer;
 
 impl Block for Sequencer {

@@ -53,7 +53,7 @@ bundle! {
 }
 
 /// The host of a machine with that screen.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Host {
     pub screen: Screen,
 }

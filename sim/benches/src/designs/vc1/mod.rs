@@ -31,7 +31,7 @@ use host::{Host, HostIn};
 use painter::{Painter, PainterIn};
 
 /// Frames on a VC-1.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Vc1Frames {
     vc1: Vc1,
     patches: Patches,

@@ -50,7 +50,7 @@ bundle! {
 }
 
 /// A painter on a screen of these patches, of 4x4 pixels.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Painter {
     pub patches: Patches,
     /// Patches for a frame.
