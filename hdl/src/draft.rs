@@ -39,6 +39,7 @@ pub(crate) struct DraftRegister {
     pub enable: Option<(NodeId, Loc)>,
     pub next: Option<(NodeId, Loc)>,
     pub states: Option<States>,
+    pub is_synchronizer: bool,
 }
 
 pub(crate) struct DraftWire {

@@ -110,6 +110,7 @@ fn module(
         enable: register.enable.map(|(node, _)| node),
         next: register.next.map_or(register.node, |(node, _)| node),
         states: register.states,
+        is_synchronizer: register.is_synchronizer,
     });
     let registers = registers.collect();
     let memories = draft.memories.into_iter().map(|draft| {

@@ -48,7 +48,7 @@
 //! | a state machine | [`states!`], [`Module::fsm`], [`StateReg::next`] |
 //! | a memory | [`Module::memory`], [`Mem::read`], [`Mem::read_async`], [`Mem::write`] |
 //! | an instance, an array of them | [`Module::instance`], [`Module::array`] with [`Lanes`] |
-//! | another clock | [`Module::on`], [`Mem::on`], [`Width::on`] and [`on`]; [`Module::synchronize`], [`Signal::quasi_static`] to cross |
+//! | another clock | [`Module::on`], [`Mem::on`], [`Width::on`] and [`on`]; [`Module::synchronize`], [`Module::synchronize_from`], [`Signal::quasi_static`] to cross |
 //! | what must hold | [`Module::assert`] |
 //!
 //! Both sides of an operator have equal widths, results wrap, and `==` does not compile: [`Signal::eq`] does. Every mistake

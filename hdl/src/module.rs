@@ -47,7 +47,8 @@ impl Module {
             let index = draft.registers.len();
             let node = draft.add(Op::Register(RegisterId(index as u32)), width, None, loc);
             draft.node_mut(node).name = Some(name.to_owned());
-            draft.registers.push(DraftRegister { node, clock, reset: None, enable: None, next: None, states });
+            let (reset, enable, next) = (None, None, None);
+            draft.registers.push(DraftRegister { node, clock, reset, enable, next, states, is_synchronizer: false });
             Reg { signal: Signal::at(e, node), index }
         })
     }
@@ -141,10 +142,19 @@ impl Module {
         })
     }
 
-    /// `signal` of another clock, 1 bit, brought into this one through two registers, `NAME_meta` and `NAME`. It must
-    /// come straight from a register or an input, as logic glitches.
+    /// `signal` of another clock, 1 bit, brought into this one through two registers, `NAME_meta` and `NAME`, which a
+    /// reset sets to 0. It must come straight from a register or an input, as logic glitches.
+    ///
+    /// Verilog marks both registers `ASYNC_REG`, so that synthesizers keep them as they are.
     #[track_caller]
     pub fn synchronize(self, name: &str, signal: Signal) -> Signal {
+        self.synchronize_from(false, name, signal)
+    }
+
+    /// As [`Module::synchronize`], with registers that a reset sets to `reset`: what the signal is while nothing happens.
+    /// A line that idles high, as a UART's does, would else begin with an edge that nobody sent.
+    #[track_caller]
+    pub fn synchronize_from(self, reset: bool, name: &str, signal: Signal) -> Signal {
         let loc = Loc::caller();
         let enters = condition(signal, "synchronize");
         let signal = elaboration::with(|e| {
@@ -152,8 +162,11 @@ impl Module {
             Signal::at(e, enters)
         });
         let entered = signal.quasi_static("enters a synchronizer");
-        let meta = self.reg(&format!("{name}_meta"), 1).reset(0);
-        let stable = self.reg(name, 1).reset(0);
+        let meta = self.reg(&format!("{name}_meta"), 1).reset(reset);
+        let stable = self.reg(name, 1).reset(reset);
+        elaboration::draft(|draft| {
+            [meta, stable].into_iter().for_each(|register| draft.registers[register.index].is_synchronizer = true);
+        });
         meta.next(entered);
         stable.next(meta);
         stable.value()

@@ -93,7 +93,11 @@ impl Printer<'_> {
         ports.extend(module.inputs.iter().map(|input| ("input  wire", module.width(input.node), input.name.as_str())));
         for output in &module.outputs {
             let own = self.is_port(output.node) && self.names[output.node.0 as usize].as_ref() == Some(&output.name);
-            let direction = if own && self.is_variable(output.node) { "output reg " } else { "output wire" };
+            let direction = match own && self.is_variable(output.node) {
+                true if self.is_synchronizer(output.node) => "(* ASYNC_REG = \"TRUE\" *) output reg ",
+                true => "output reg ",
+                false => "output wire",
+            };
             ports.push((direction, module.width(output.node), &output.name));
         }
         let longest = ports.iter().map(|&(_, width, _)| range(width).len()).max().unwrap_or(0);
@@ -118,11 +122,18 @@ impl Printer<'_> {
         }
     }
 
+    /// Whether a node is a register that synthesizers are to keep as it is, close to the other one of its synchronizer.
+    fn is_synchronizer(&self, id: NodeId) -> bool {
+        let Op::Register(register) = self.module.node(id).op else { return false };
+        self.module.registers[register.0 as usize].is_synchronizer
+    }
+
     fn register_declarations(&self) -> Vec<String> {
         let module = self.module;
         let inner = module.registers.iter().filter(|register| !self.is_port(register.node));
         let declare = |id: NodeId| {
-            let declaration = format!("reg {}{};", range(module.width(id)), self.name(id));
+            let mark = if self.is_synchronizer(id) { "(* ASYNC_REG = \"TRUE\" *) " } else { "" };
+            let declaration = format!("{mark}reg {}{};", range(module.width(id)), self.name(id));
             with_place(declaration, module.node(id).loc)
         };
         inner.map(|register| declare(register.node)).collect()

@@ -160,6 +160,9 @@ pub struct Register {
     pub next: NodeId,
     /// For a state machine: the state's names, by code.
     pub states: Option<States>,
+    /// Whether it is one of the two registers of a synchronizer, which a synthesizer is to keep as they are and close
+    /// together: `ASYNC_REG` in Verilog.
+    pub is_synchronizer: bool,
 }
 
 /// The names of a state machine's states.
