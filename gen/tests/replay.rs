@@ -65,8 +65,11 @@ fn a_wrong_expectation_fails_with_port_and_cycle() {
 #[test]
 fn lanes_and_memories_start_from_what_the_recording_says() {
     let outputs = [(1, 0), (1, 0), (8, 9), (8, 12), (8, 0x67)];
-    let initial = [(0, 1), (1, 2), (4, 9)]
-        .map(|(lane, value)| Initial { path: format!("u_cell[{lane}].q"), words: vec![Bits::new(8, value)] });
+    let initial = [(0, 1), (1, 2), (4, 9)].map(|(lane, value)| Initial {
+        path: format!("u_cell[{lane}].q"),
+        address: 0,
+        words: vec![Bits::new(8, value)],
+    });
     let recording = Recording { steps: vec![step(0, false, &[(1, 0), (8, 5)], &outputs)], initial: initial.to_vec() };
     run(&Row { lanes: 5 }, &recording).unwrap();
 }

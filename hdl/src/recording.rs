@@ -8,7 +8,7 @@ use crate::bits::Bits;
 pub struct Recording {
     /// The instants at which clocks rise, in order of time; in a design without clocks, those of comparison.
     pub steps: Vec<Step>,
-    /// State that starts neither at its reset value nor at zero.
+    /// State that starts neither at its reset value, nor with its contents, nor at zero.
     pub initial: Vec<Initial>,
 }
 
@@ -32,6 +32,8 @@ pub struct Step {
 pub struct Initial {
     /// The path below the top, such as `u_row.u_cell[3].q`.
     pub path: String,
-    /// The value of a register; the words of a memory from address 0, the rest of which is zero.
+    /// The address of the first of the words of a memory; 0 for a register.
+    pub address: u32,
+    /// The value of a register; the words of a memory from that address on. Its other words start as they always do.
     pub words: Vec<Bits>,
 }

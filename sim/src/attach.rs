@@ -63,7 +63,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         Ok(header(&self.program, 0, &vcd.patterns)?.text)
     }
 
-    /// Records inputs and outputs at every instant from here on.
+    /// Records inputs and outputs at every instant from here on, and what memories were poked with before the first step.
     ///
     /// # Panics
     ///
@@ -78,7 +78,8 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         let seed = self.engine.seeds[run as usize];
         assert!(self.timeline.time == 0, "a recording starts before the first step");
         assert!(seed == 0, "a recording starts from zeros, not from seed {seed}");
-        let recorder = Recorder::of(run);
+        let recorder = Recorder::of(run, self.poked.clone());
+        self.recorded.push(run);
         self.observers.push(Box::new(recorder.clone()));
         recorder
     }

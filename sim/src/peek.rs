@@ -2,7 +2,7 @@
 
 use tilewright_hdl::{Bits, Bundle};
 
-use crate::engine::lane;
+use crate::engine::{Word, lane};
 use crate::error::UnknownName;
 use crate::lookup::{self, Found};
 use crate::port::IntoValue;
@@ -54,7 +54,8 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     ///
     /// # Panics
     ///
-    /// The address is beyond its depth, or the value does not fit.
+    /// The address is beyond its depth, the value does not fit, or a recording goes on and the first step is over: before
+    /// it, what is poked is part of what the recording starts from.
     #[track_caller]
     pub fn poke_memory(&mut self, path: &str, address: u32, value: impl IntoValue) -> Result<(), UnknownName> {
         self.poke_word(path, 0, address, value)
@@ -69,10 +70,18 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         value: impl IntoValue,
     ) -> Result<(), UnknownName> {
         let (memory, lane) = self.memory(path, run, address)?;
+        let is_start = self.timeline.time == 0;
+        assert!(
+            is_start || !self.recorded.contains(&run),
+            "`{path}` is poked after the first step of a recording, which could not be repeated: poke before that, or write through the ports"
+        );
         match value.into_value(self.program.memories[memory as usize].width) {
             Ok(bits) => {
                 self.engine.set_word(memory, lane, address, bits.limbs());
                 self.changed = Triggers::ALL;
+                if is_start {
+                    self.poked.add(Word { memory, lane, address });
+                }
             }
             Err(problem) => panic!("a word of `{path}` {problem}"),
         }

@@ -12,7 +12,7 @@ use crate::passes::Passes;
 use crate::port::{IntoValue, Port};
 use crate::program::{self, Program, Triggers};
 use crate::timeline::Timeline;
-use crate::trace::Observer;
+use crate::trace::{Observer, Poked};
 
 /// A running circuit.
 ///
@@ -28,6 +28,10 @@ pub struct Simulation<I: Bundle = (), O: Bundle = ()> {
     pub(crate) timeline: Timeline,
     pub(crate) resets: Vec<bool>,
     pub(crate) observers: Vec<Box<dyn Observer + Send>>,
+    /// The words that were replaced before the first step, of which recordings tell.
+    pub(crate) poked: Poked,
+    /// The runs that are recorded: from the first step on, a recording has to explain everything.
+    pub(crate) recorded: Vec<u32>,
     /// What may have changed since the observers last saw it.
     pub(crate) changed: Triggers,
     /// The clocks of the coming instant; kept to save an allocation.
@@ -93,6 +97,8 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
             timeline: Timeline::new(&program),
             resets: vec![false; program.clocks.len()],
             observers: Vec::new(),
+            poked: Poked::default(),
+            recorded: Vec::new(),
             changed: Triggers::NONE,
             rising: Vec::new(),
             program,
@@ -142,6 +148,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     fn restart(&mut self, engine: Started) {
         self.engine = engine;
         self.resets.fill(false);
+        self.poked.clear();
     }
 
     /// The engine that runs: the one chosen, or the reference engine where no code can be generated for this machine.

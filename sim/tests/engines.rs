@@ -183,6 +183,8 @@ fn transcript(row: Row, kind: EngineKind, seed: u64, observed: bool, acts: &[Act
                 Ok(())
             }
             Act::Reset => sim.try_reset(),
+            // A recording takes no more of them.
+            Act::Poke { .. } if recording.is_some() && sim.time() > 0 => Ok(()),
             Act::Poke { lane, address, word } => {
                 sim.poke_memory(&format!("u_cell[{lane}].store"), *address, *word).unwrap();
                 Ok(())

@@ -76,7 +76,7 @@ impl<'a> Start<'a> {
                 }
                 State::Memory { name: known, .. } if known == name => {
                     let assign = |(address, word)| format!("{path}.{name}[{address}] = {word};");
-                    Some(initial.words.iter().enumerate().map(assign).collect())
+                    Some((initial.address..).zip(&initial.words).map(assign).collect())
                 }
                 _ => None,
             });
@@ -129,7 +129,8 @@ fn start(path: &str, state: &State, names: &mut Names) -> Vec<String> {
         State::GatedRead { word, inside, width, .. } => {
             vec![format!("initial {path}.{word} = {};", Bits::zero(*width)), format!("initial {path}.{inside} = 1'b0;")]
         }
-        State::Memory { name, depth, width } => {
+        State::Memory { is_unknown: false, .. } => vec![],
+        State::Memory { name, depth, width, .. } => {
             let zero = Bits::zero(*width);
             let block = names.fresh(&format!("fill_{}", label(&format!("{path}.{name}"))));
             let address = names.fresh_in(&mut Scope::default(), "word", "address");
@@ -145,5 +146,5 @@ fn start(path: &str, state: &State, names: &mut Names) -> Vec<String> {
 }
 
 fn no_state(path: &str) -> ! {
-    panic!("the recording gives `{path}` an initial value, but the design has no such register or unknown memory")
+    panic!("the recording gives `{path}` an initial value, but the design has no such register or memory")
 }

@@ -18,12 +18,12 @@ pub enum State {
     Register { name: String, start: Bits },
     /// The data of a synchronous read whose word is gated: the word's register and the flag that lets it through.
     GatedRead { name: String, word: String, inside: String, width: u32 },
-    /// A memory of unknown contents.
-    Memory { name: String, depth: u32, width: u32 },
+    /// A memory; one of unknown contents starts with zeros.
+    Memory { name: String, depth: u32, width: u32, is_unknown: bool },
 }
 
 impl Printer<'_> {
-    /// Registers, read data and memories of unknown contents, and where those of the lanes are.
+    /// Registers, read data and memories, and where those of the lanes are.
     pub fn state(&self) -> ModuleState {
         let module = self.module;
         let registers = module.registers.iter().map(|register| self.register_state(register));
@@ -46,9 +46,8 @@ impl Printer<'_> {
             Some(raw) => State::GatedRead { name: names.data.clone(), word: raw.word, inside: raw.inside, width },
         });
         let mut all: Vec<State> = reads.collect();
-        if memory.contents == Contents::Unknown {
-            all.push(State::Memory { name: memory.name.clone(), depth: memory.depth, width });
-        }
+        let is_unknown = memory.contents == Contents::Unknown;
+        all.push(State::Memory { name: memory.name.clone(), depth: memory.depth, width, is_unknown });
         all
     }
 }

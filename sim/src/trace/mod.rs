@@ -15,6 +15,7 @@ use crate::error::Error;
 use crate::program::{Program, Triggers};
 
 pub(crate) use dump::Dump;
+pub(crate) use recording::Poked;
 pub use recording::Recorder;
 pub use vcd::Vcd;
 pub(crate) use vcd::Window;
