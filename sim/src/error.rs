@@ -6,17 +6,15 @@ use std::path::PathBuf;
 use tilewright_hdl::{Loc, Problems};
 
 use crate::engine::Difference;
-use crate::program::Looping;
 
 /// Why a simulation could not be made or could not go on.
-#[derive(Debug, thiserror::Error)]
+///
+/// Its `Debug` is its sentences, so that a `main` that returns it says what is wrong.
+#[derive(thiserror::Error)]
 pub enum Error {
     /// The description has mistakes.
     #[error(transparent)]
     Description(#[from] Problems),
-    /// A design that was not checked has a combinational cycle.
-    #[error(transparent)]
-    Looping(#[from] Looping),
     /// Assertions do not hold.
     #[error("{}", sentences(.0))]
     Violated(Vec<Violation>),
@@ -45,6 +43,15 @@ pub enum Error {
         /// What the system says.
         source: std::io::Error,
     },
+}
+
+impl fmt::Debug for Error {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Error::Description(problems) => fmt::Debug::fmt(problems, f),
+            error => fmt::Display::fmt(error, f),
+        }
+    }
 }
 
 fn sentences(violations: &[Violation]) -> String {

@@ -154,6 +154,5 @@ pub use engine::Difference;
 pub use error::{Error, UnknownName, Violation};
 pub use passes::Passes;
 pub use port::{IntoValue, Port};
-pub use program::Looping;
 pub use simulation::Simulation;
 pub use trace::{Recorder, Vcd, Wave};

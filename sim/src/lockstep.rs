@@ -234,7 +234,7 @@ mod tests {
 
     /// Side by side, the second with another input than the first.
     fn apart(x: u64, other: u64) -> Lockstep {
-        let program = Arc::new(compile(&elaborate(&Follow).unwrap(), &crate::Passes::default()).unwrap());
+        let program = Arc::new(compile(&elaborate(&Follow).unwrap(), &crate::Passes::default()));
         let engine = || reference::Engine::new(program.clone(), &[0]);
         let mut lockstep = Lockstep::new(program.clone(), engine(), Box::new(engine()));
         lockstep.write(program.inputs[0].value, &[5], program.inputs[0].triggers);

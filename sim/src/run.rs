@@ -187,6 +187,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         let mut observers = std::mem::take(&mut self.observers);
         let result = observers.iter_mut().try_for_each(|observer| observer.sample(&mut self.view(until)));
         self.observers = observers;
+        self.observers.retain(|observer| !observer.is_over());
         if result.is_ok() {
             self.changed = Triggers::NONE;
         }

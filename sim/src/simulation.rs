@@ -64,7 +64,7 @@ impl Simulation {
     ///
     /// # Errors
     ///
-    /// [`Error::Looping`] if the design was not checked and has a combinational cycle.
+    /// None at present: every [`Design`] can be compiled.
     pub fn from_design(design: &Design) -> Result<Simulation, Error> {
         Simulation::with_passes(design, &Passes::default())
     }
@@ -88,7 +88,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         o: O::Of<Port>,
         passes: &Passes,
     ) -> Result<Simulation<I, O>, Error> {
-        let program = Arc::new(program::compile_lanes(design, runs, passes)?);
+        let program = Arc::new(program::compile_lanes(design, runs, passes));
         let engine = Started::new(program.clone(), EngineKind::default(), vec![0; runs as usize]);
         Ok(Simulation {
             i,
@@ -314,13 +314,6 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     }
 }
 
-/// A block's design and ports.
-pub(crate) struct Typed<B: Block> {
-    pub design: Design,
-    pub i: <B::In as Bundle>::Of<Port>,
-    pub o: <B::Out as Bundle>::Of<Port>,
-}
-
 /// Each input port with its value.
 #[track_caller]
 pub(crate) fn paired<I: Bundle, V: Leaf>(ports: &I::Of<Port>, values: &I::Of<V>) -> Vec<(Port, V)> {
@@ -329,6 +322,13 @@ pub(crate) fn paired<I: Bundle, V: Leaf>(ports: &I::Of<Port>, values: &I::Of<V>)
         panic!("input{uneven} is a list of {}, but is set to a list of {}", uneven.needs, uneven.has)
     }
     ports.into_iter().zip(values).map(|((_, port), (_, value))| (port, value)).collect()
+}
+
+/// A block's design and ports.
+pub(crate) struct Typed<B: Block> {
+    pub design: Design,
+    pub i: <B::In as Bundle>::Of<Port>,
+    pub o: <B::Out as Bundle>::Of<Port>,
 }
 
 /// Elaborates a block.

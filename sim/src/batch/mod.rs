@@ -102,8 +102,7 @@ impl Batch {
     ///
     /// # Errors
     ///
-    /// [`Error::Looping`] if the design was not checked and has a combinational cycle; [`Error::Runs`] if there are no
-    /// runs or too many.
+    /// [`Error::Runs`] if there are no runs or too many.
     pub fn from_design(design: &Design, runs: u32) -> Result<Batch, Error> {
         Batch::new(design, runs, (), ())
     }
@@ -317,7 +316,7 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
     ///
     /// # Panics
     ///
-    /// The address is beyond its depth, the value does not fit, or there is no such run.
+    /// As [`Simulation::poke_memory`](crate::Simulation::poke_memory), or there is no such run.
     #[track_caller]
     pub fn poke_memory(
         &mut self,

@@ -127,7 +127,7 @@ mod tests {
     fn memories_with_the_same_ports_share_a_bank() {
         let design = elaborate(&Memories).unwrap();
         let banked = |passes: &Passes| {
-            let program = compile(&design, passes).unwrap();
+            let program = compile(&design, passes);
             let (memories, banks) = banks(&program, &Strips::of(&program));
             (memories.iter().map(|at| (at.bank, at.first)).collect::<Vec<_>>(), banks.len())
         };

@@ -7,19 +7,11 @@ use tilewright_hdl::ir::{Design, Instance};
 use super::netlist::{ArrayKey, Netlist};
 use super::{Passes, Program, ValueId, flatten, order, schedule, simplify};
 
-/// A combinational cycle, which elaboration should have reported.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("the circuit has a combinational cycle through {}: put a register into it", .hops.join(", "))]
-pub struct Looping {
-    /// Nodes on the cycle: module, name if it has one, and place in the source.
-    pub hops: Vec<String>,
-}
-
 /// Compiles a design.
 ///
 /// An instance array whose lanes depend on each other within a clock cycle would be a cycle if all its lanes were
 /// evaluated at once; such an array, and no other, is run as single instances.
-pub fn compile(design: &Design, passes: &Passes) -> Result<Program, Looping> {
+pub fn compile(design: &Design, passes: &Passes) -> Program {
     compile_lanes(design, 1, passes)
 }
 
@@ -29,7 +21,7 @@ pub fn compile(design: &Design, passes: &Passes) -> Result<Program, Looping> {
 /// # Panics
 ///
 /// There are no lanes, or more than [`most_lanes`].
-pub fn compile_lanes(design: &Design, lanes: u32, passes: &Passes) -> Result<Program, Looping> {
+pub fn compile_lanes(design: &Design, lanes: u32, passes: &Passes) -> Program {
     let most = most_lanes(design);
     assert!((1..=most).contains(&lanes), "a program of this design has from 1 to {most} lanes, not {lanes}");
     let mut unrolled = BTreeSet::new();
@@ -38,13 +30,11 @@ pub fn compile_lanes(design: &Design, lanes: u32, passes: &Passes) -> Result<Pro
         match order::order(&netlist) {
             Ok(order) => {
                 simplify::simplify(&mut netlist, &order, passes);
-                return Ok(schedule::schedule(netlist, passes));
+                return schedule::schedule(netlist, passes);
             }
             Err(cycle) => {
                 let arrays = arrays_on(&netlist, &cycle);
-                if arrays.is_empty() {
-                    return Err(looping(design, &netlist, &cycle));
-                }
+                assert!(!arrays.is_empty(), "a design has no combinational cycle but through the lanes of arrays");
                 unrolled.extend(arrays);
             }
         }
@@ -72,15 +62,4 @@ pub fn most_lanes(design: &Design) -> u32 {
 fn arrays_on(netlist: &Netlist, cycle: &[ValueId]) -> Vec<ArrayKey> {
     let on_cycle = |value: &ValueId| cycle.binary_search(value).is_ok();
     netlist.array_outputs.iter().filter(|(value, _)| on_cycle(value)).map(|(_, key)| key.clone()).collect()
-}
-
-fn looping(design: &Design, netlist: &Netlist, cycle: &[ValueId]) -> Looping {
-    let hop = |value: &ValueId| {
-        let (module, node) = netlist.cell(*value).origin?;
-        let module = design.module(module);
-        let node = &module.nodes[node as usize];
-        let name = node.name.as_deref().map(|name| format!("{name}, ")).unwrap_or_default();
-        Some(format!("`{}` ({name}{})", module.name, node.loc))
-    };
-    Looping { hops: cycle.iter().filter_map(hop).take(8).collect() }
 }

@@ -9,9 +9,6 @@ use super::instances::{Children, key_of};
 use super::netlist::{ArrayKey, Cell, Netlist};
 use super::{Assert, Clock, Kind, Memory, Passes, Port, ReadPort, Register, Triggers, ValueId, WritePort};
 
-/// The period of a top module's clock that has none, in picoseconds.
-const DEFAULT_PERIOD: u64 = 10_000;
-
 /// The design as cells, so many times side by side; the arrays of `unrolled` become single instances.
 pub(super) fn flatten(design: &Design, lanes: u32, unrolled: &BTreeSet<ArrayKey>, passes: &Passes) -> Netlist {
     let mut flatten = Flatten { design, unrolled, passes, netlist: Netlist::default(), open: VecDeque::new() };
@@ -128,8 +125,8 @@ impl Flatten<'_> {
     ) -> u32 {
         let definition = self.design.module(module);
         let base = self.netlist.cells.len() as u32;
-        for (index, node) in definition.nodes.iter().enumerate() {
-            self.cell(lanes * node.lanes.unwrap_or(1), node.width, Some((module, index as u32)));
+        for node in &definition.nodes {
+            self.cell(lanes * node.lanes.unwrap_or(1), node.width);
         }
         let splits = definition
             .instances
@@ -139,8 +136,7 @@ impl Flatten<'_> {
         if splits {
             for (index, node) in definition.nodes.iter().enumerate() {
                 split[index] = node.lanes.map(|n| {
-                    let origin = Some((module, index as u32));
-                    let ids: Vec<u32> = (0..n).map(|_| self.cell(lanes, node.width, origin)).collect();
+                    let ids: Vec<u32> = (0..n).map(|_| self.cell(lanes, node.width)).collect();
                     ids[0]
                 });
             }
@@ -149,8 +145,8 @@ impl Flatten<'_> {
         base
     }
 
-    pub(super) fn cell(&mut self, lanes: u32, width: u32, origin: Option<(ModuleId, u32)>) -> u32 {
-        self.netlist.cells.push(Cell { kind: Kind::State, lanes, width, origin });
+    pub(super) fn cell(&mut self, lanes: u32, width: u32) -> u32 {
+        self.netlist.cells.push(Cell { kind: Kind::State, lanes, width });
         self.netlist.cells.len() as u32 - 1
     }
 
@@ -315,7 +311,7 @@ fn program_clock(clock: &tilewright_hdl::ir::Clock) -> Clock {
         name: clock.name.unwrap_or(&clock.port).to_string(),
         port: clock.port.clone(),
         reset: clock.reset.clone(),
-        period: clock.period.map_or(DEFAULT_PERIOD, |period| period.picoseconds()),
+        period: clock.period.expect("the clocks of a top have periods").picoseconds(),
         triggers: Triggers::NONE,
         registers: Vec::new(),
         reads: Vec::new(),

@@ -66,7 +66,7 @@ impl Flatten<'_> {
         let inputs = (0..instances[0].inputs.len()).map(|port| {
             let parts: Vec<ValueId> = instances.iter().map(|instance| body.whole(instance.inputs[port])).collect();
             let width = self.netlist.cell(parts[0]).width;
-            let cell = self.cell(lanes, width, None);
+            let cell = self.cell(lanes, width);
             self.netlist.cells[cell as usize].kind = Kind::PerLane(parts);
             ValueId(cell)
         });

@@ -25,7 +25,7 @@ use crate::passes::Passes;
 use tilewright_hdl::ir::{Contents, ReadUnderWrite};
 use tilewright_hdl::{Bits, Loc, limbs_for};
 
-pub use compile::{Looping, compile, compile_lanes, most_lanes};
+pub use compile::{compile, compile_lanes, most_lanes};
 pub use hierarchy::Hierarchy;
 pub use kind::Kind;
 

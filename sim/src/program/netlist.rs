@@ -1,7 +1,5 @@
 //! The flat circuit before it is scheduled: cells in no particular order, and what holds state beside them.
 
-use tilewright_hdl::ir::ModuleId;
-
 use super::{Assert, Clock, Hierarchy, Kind, Memory, Port, Register, ValueId};
 
 /// The flat circuit. Ids of values are indices into `cells`.
@@ -28,8 +26,6 @@ pub(super) struct Cell {
     pub kind: Kind,
     pub lanes: u32,
     pub width: u32,
-    /// The node that it was made from, for error messages.
-    pub origin: Option<(ModuleId, u32)>,
 }
 
 impl Netlist {

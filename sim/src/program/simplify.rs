@@ -138,6 +138,6 @@ fn hoist(netlist: &mut Netlist, known: &mut Known, kind: &Kind, lanes: u32, widt
 
 /// A cell, or an earlier one that computes the same.
 pub(super) fn add(netlist: &mut Netlist, known: &mut Known, kind: Kind, lanes: u32, width: u32) -> ValueId {
-    netlist.cells.push(Cell { kind, lanes, width, origin: None });
+    netlist.cells.push(Cell { kind, lanes, width });
     share(netlist, known, ValueId(netlist.cells.len() as u32 - 1))
 }

@@ -45,6 +45,11 @@ pub(crate) trait Observer {
     /// The circuit as it is just before an edge. An error is one from before; the sample is then not taken.
     fn sample(&mut self, view: &mut View) -> Result<(), Error>;
 
+    /// Whether it wants no more samples.
+    fn is_over(&self) -> bool {
+        false
+    }
+
     /// An assertion failed; the sample before this call shows it.
     fn failed(&mut self) {}
 

@@ -10,13 +10,14 @@
 //! ```
 
 use std::fmt;
+use std::ops::Range;
 use std::sync::{Arc, Mutex, MutexGuard};
 
 use tilewright_hdl::Bits;
 use tilewright_hdl::ir::States;
 
 use super::{Observer, View};
-use crate::error::Error;
+use crate::error::{Error, UnknownName};
 use crate::program::ValueId;
 
 /// The narrowest column, which still shows a clock, and the widest.
@@ -36,6 +37,9 @@ struct Data {
     rows: Vec<Row>,
     /// Begin and end of every column, in picoseconds.
     columns: Vec<(u64, u64)>,
+    /// What it shows, in picoseconds.
+    times: Range<u64>,
+    is_over: bool,
 }
 
 #[derive(Debug)]
@@ -56,11 +60,41 @@ pub(crate) struct Source {
 impl Wave {
     pub(crate) fn new(clocks: Vec<(String, u64)>, sources: Vec<Source>) -> Wave {
         let rows = sources.into_iter().map(|source| Row { source, values: Vec::new() }).collect();
-        Wave { data: Arc::new(Mutex::new(Data { clocks, rows, columns: Vec::new() })) }
+        let data = Data { clocks, rows, columns: Vec::new(), times: 0..u64::MAX, is_over: false };
+        Wave { data: Arc::new(Mutex::new(data)) }
     }
 
     fn data(&self) -> MutexGuard<'_, Data> {
         self.data.lock().expect("no panic while drawing")
+    }
+
+    /// Draws only what happens in these picoseconds: the columns that have a part in them.
+    pub fn times(self, picoseconds: Range<u64>) -> Wave {
+        self.data().times = picoseconds;
+        self
+    }
+
+    /// Draws only these cycles of a clock, the first being 0.
+    ///
+    /// # Panics
+    ///
+    /// There is no such clock.
+    #[track_caller]
+    pub fn cycles(self, clock: &str, cycles: Range<u64>) -> Wave {
+        let data = self.data();
+        let is_it = |port: &str| port == clock || port.strip_suffix("_clk") == Some(clock);
+        let period = data.clocks.iter().find(|(port, _)| is_it(port)).map(|(_, period)| *period);
+        let names: Vec<String> = data.clocks.iter().map(|(port, _)| port.clone()).collect();
+        drop(data);
+        match period {
+            Some(period) => self.times(cycles.start.saturating_mul(period)..cycles.end.saturating_mul(period)),
+            None => panic!("{}", UnknownName::new("clock", clock, &names)),
+        }
+    }
+
+    /// Draws no more: what was drawn so far stays.
+    pub fn stop(&self) {
+        self.data().is_over = true;
     }
 
     /// Panics unless the wave is `expected`, whose common indentation and surrounding blank lines do not count; the
@@ -86,6 +120,10 @@ pub(crate) struct Draw(pub Wave);
 impl Observer for Draw {
     fn sample(&mut self, view: &mut View) -> Result<(), Error> {
         let mut data = self.0.data();
+        data.is_over |= view.since >= data.times.end;
+        if data.is_over || view.until <= data.times.start {
+            return Ok(());
+        }
         data.columns.push((view.since, view.until));
         for row in &mut data.rows {
             let value = view.program.value(row.source.value);
@@ -94,6 +132,10 @@ impl Observer for Draw {
             row.values.push(Bits::from_limbs(value.width, limbs));
         }
         Ok(())
+    }
+
+    fn is_over(&self) -> bool {
+        self.0.data().is_over
     }
 }
 
@@ -147,18 +189,18 @@ impl Row {
     }
 
     /// The values of some columns, each with the number of columns that it lasts.
-    fn runs(&self, columns: std::ops::Range<usize>) -> Vec<(String, usize)> {
+    fn runs(&self, columns: Range<usize>) -> Vec<(String, usize)> {
         self.values[columns].chunk_by(|a, b| a == b).map(|run| (self.text(&run[0]), run.len())).collect()
     }
 
-    fn line(&self, columns: std::ops::Range<usize>, column: usize) -> String {
+    fn line(&self, columns: Range<usize>, column: usize) -> String {
         match self.is_bit() {
             true => self.levels(columns, column),
             false => self.runs(columns).into_iter().map(|(text, count)| cell(&text, count * column)).collect(),
         }
     }
 
-    fn levels(&self, columns: std::ops::Range<usize>, column: usize) -> String {
+    fn levels(&self, columns: Range<usize>, column: usize) -> String {
         let high: Vec<bool> = self.values[columns].iter().map(|value| value.bit(0)).collect();
         let level = |high| if high { '~' } else { '_' };
         let mut line = String::new();
