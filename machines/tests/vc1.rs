@@ -156,6 +156,16 @@ fn progress_goes_through_the_phases_and_a_run_can_be_cancelled() {
         assert!(pair[0].phase != pair[1].phase || pair[0].fraction <= pair[1].fraction, "{pair:?}");
     }
     assert!(seen.iter().all(|it| (0.0..=1.0).contains(&it.fraction)));
+    seen.dedup();
+    let fractions = |phase| seen.iter().filter(|it| it.phase == phase).map(|it| it.fraction).collect::<Vec<_>>();
+    for phase in phases {
+        assert_eq!(fractions(phase).last(), Some(&1.0), "{phase}");
+    }
+    // Every 1024 clocks: of the (48 + 20) * 36 + 4 * 16 of a merging round, and of the 48 * 36 pixels that are read.
+    assert_eq!(fractions("merging"), [0.0, 1024.0 / 2512.0, 2048.0 / 2512.0, 1.0]);
+    assert_eq!(fractions("reading out"), [0.0, 1024.0 / 1728.0, 1.0]);
+    let drawing = fractions("drawing");
+    assert!(drawing[0] == 0.0 && drawing.len() > 100 && drawing[drawing.len() / 2] > 0.3, "{drawing:?}");
 
     let machine = Machine::new(Config::new(projection.size)).expect("can be built");
     let cancel = AtomicBool::new(true);

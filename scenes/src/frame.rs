@@ -90,3 +90,25 @@ impl Frame {
         sum.value()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn words_must_be_as_many_as_pixels_and_of_48_bits() {
+        let size = Size::new(3, 2).expect("in range");
+        assert!(Frame::from_words(size, vec![0; 5]).is_none());
+        assert!(Frame::from_words(size, vec![0; 7]).is_none());
+        assert!(Frame::from_words(size, vec![1 << 48; 6]).is_none());
+        let frame = Frame::from_words(size, vec![word(0xab_cdef, [1, 2, 3]); 6]).expect("fits");
+        assert_eq!((frame.depth(2, 1), frame.rgb(2, 1)), (0xab_cdef, [1, 2, 3]));
+        assert_eq!(frame.rgb_bytes(), [1, 2, 3].repeat(6));
+    }
+
+    #[test]
+    #[should_panic(expected = "column 3 of a frame of 3x2")]
+    fn a_column_beyond_the_frame_is_not_the_next_row() {
+        Frame::blank(Size::new(3, 2).expect("in range"), [0; 3]).word(3, 0);
+    }
+}

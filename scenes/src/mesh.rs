@@ -145,3 +145,77 @@ pub(crate) fn unit_or_z(v: DVec3) -> DVec3 {
         DVec3::Z
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::dvec3;
+
+    const CORNERS: [DVec3; 4] = [DVec3::ZERO, DVec3::X, DVec3::Y, dvec3(-3.0, 5.0, 0.5)];
+
+    fn triangle(positions: [u32; 3]) -> MeshTriangle {
+        MeshTriangle { positions, normals: [0; 3], diffuse: [0.0, 0.5, 1.0] }
+    }
+
+    #[test]
+    fn a_mesh_that_makes_no_sense_is_refused() {
+        let sound = triangle([0, 1, 2]);
+        let refused = |positions: &[DVec3], normals: &[DVec3], triangles: &[MeshTriangle]| {
+            let made = Mesh::new(positions.to_vec(), normals.to_vec(), triangles.to_vec());
+            made.expect_err("the mesh is unsound").to_string()
+        };
+        let normals = [DVec3::Z];
+        let far = [DVec3::ZERO, DVec3::X, dvec3(0.0, f64::INFINITY, 0.0)];
+        let cases = [
+            (refused(&CORNERS, &normals, &[]), "the mesh has no triangle: give at least one"),
+            (
+                refused(&far, &normals, &[sound]),
+                "position 2 of the mesh is [0, inf, 0]: give finite numbers below 1e100",
+            ),
+            (
+                refused(&CORNERS, &[DVec3::NAN], &[sound]),
+                "normal 0 of the mesh is [NaN, NaN, NaN]: give finite numbers below 1e100",
+            ),
+            (
+                refused(&CORNERS, &normals, &[sound, triangle([0, 4, 1])]),
+                "triangle 1 of the mesh names a vertex or normal that does not exist: use indices below 4 and 1",
+            ),
+            (
+                refused(&CORNERS, &normals, &[MeshTriangle { normals: [0, 0, 1], ..sound }]),
+                "triangle 0 of the mesh names a vertex or normal that does not exist: use indices below 4 and 1",
+            ),
+            (
+                refused(&CORNERS, &normals, &[MeshTriangle { diffuse: [0.0, 1.5, 0.0], ..sound }]),
+                "triangle 0 of the mesh has the colour [0.0, 1.5, 0.0]: give three numbers from 0 to 1",
+            ),
+        ];
+        for (sentence, expected) in cases {
+            assert_eq!(sentence, expected);
+        }
+        assert!(Mesh::new(CORNERS.to_vec(), normals.to_vec(), vec![sound]).is_ok());
+    }
+
+    #[test]
+    fn the_box_is_round_what_triangles_use() {
+        let mesh = |triangles: &[[u32; 3]]| {
+            Mesh::new(CORNERS.to_vec(), vec![DVec3::Z], triangles.iter().copied().map(triangle).collect())
+        };
+        let bounds = |triangles: &[[u32; 3]]| mesh(triangles).expect("a sound mesh").bounding_box();
+        assert_eq!(bounds(&[[0, 1, 2]]), BoundingBox { min: DVec3::ZERO, max: dvec3(1.0, 1.0, 0.0) });
+        let all = BoundingBox { min: dvec3(-3.0, 0.0, 0.0), max: dvec3(1.0, 5.0, 0.5) };
+        assert_eq!(bounds(&[[0, 1, 2], [1, 2, 3]]), all);
+    }
+
+    #[test]
+    fn normals_are_weighted_by_area_and_of_length_1() {
+        // Twice 6 along x and twice 2.5 along y meet at the first corner.
+        let positions =
+            [DVec3::ZERO, dvec3(0.0, 3.0, 0.0), dvec3(0.0, 0.0, 4.0), dvec3(5.0, 0.0, 0.0), dvec3(0.0, 0.0, 1.0)];
+        let normals = smooth_normals(&positions, &[[0, 1, 2], [0, 4, 3]]);
+        assert!((normals[0] - dvec3(12.0, 5.0, 0.0) / 13.0).length() < 1e-15);
+        assert_eq!([normals[1], normals[3]], [DVec3::X, DVec3::Y]);
+        // Too small to be squared, and no area at all.
+        let tiny = positions.map(|p| p * 1e-100);
+        assert_eq!(smooth_normals(&tiny, &[[0, 1, 2]])[..4], [DVec3::X, DVec3::X, DVec3::X, DVec3::Z]);
+    }
+}

@@ -78,11 +78,6 @@ pub struct PixelBox {
 }
 
 impl PixelBox {
-    /// Pixels in the box.
-    pub fn pixels(&self) -> u64 {
-        u64::from(self.right - self.left + 1) * u64::from(self.bottom - self.top + 1)
-    }
-
     /// Whether pixel (x, y) is in the box.
     pub fn contains(&self, x: u32, y: u32) -> bool {
         (self.left..=self.right).contains(&x) && (self.top..=self.bottom).contains(&y)
@@ -111,5 +106,25 @@ impl Triangle {
     /// Area in pixels.
     pub fn area(&self) -> f64 {
         self.area2 as f64 / f64::from(2 * SUBPIXELS * SUBPIXELS)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::setup::set_up;
+    use crate::size::Size;
+
+    use super::*;
+
+    #[test]
+    fn a_packet_tells_its_area_and_its_pixels() {
+        let at = |x: i32, y: i32| ScreenVertex { x: 16 * x, y: 16 * y, z: 1, rgb: [0; 3] };
+        let size = Size::new(40, 40).expect("in range");
+        let packet = set_up(&[at(2, 3), at(7, 3), at(2, 12)], size).expect("covers pixels");
+        assert_eq!(packet.area(), 22.5);
+        let bounds = packet.bounds;
+        assert_eq!(bounds, PixelBox { left: 2, top: 3, right: 6, bottom: 11 });
+        let inside = (0..40).flat_map(|y| (0..40).map(move |x| (x, y))).filter(|&(x, y)| bounds.contains(x, y));
+        assert_eq!(inside.count(), 45);
     }
 }

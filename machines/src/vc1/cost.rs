@@ -41,3 +41,20 @@ impl CostTable {
 pub(crate) fn rows(packet: &Triangle) -> u32 {
     packet.bounds.bottom - packet.bounds.top + 1
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use tilewright_scenes::{ScreenVertex, Size, set_up};
+
+    #[test]
+    fn a_packet_costs_its_set_up_its_rows_and_its_area() {
+        let at = |x, y| ScreenVertex { x, y, z: 1, rgb: [0; 3] };
+        // Rows 3 to 7 of a screen, and 25/2 pixels, which round up.
+        let packet = set_up(&[at(16, 48), at(96, 48), at(16, 128)], Size::new(20, 20).expect("in range"));
+        let packet = packet.expect("covers pixels");
+        assert_eq!(rows(&packet), 5);
+        let costs = CostTable { geometry: 10_000, set_up: 1000, row: 100, pixel: 3, clear: 50_000 };
+        assert_eq!(costs.estimate(&packet), 1000 + 5 * 100 + 13 * 3);
+    }
+}

@@ -132,3 +132,87 @@ impl fmt::Display for Report {
         self.write_processors(f)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::vc1::config::Config;
+    use tilewright_scenes::Size;
+
+    /// Two processing elements: one works for 100 clocks and stalls for 20, the other works for 60.
+    fn report() -> Report {
+        let config = Config { processors: 2, ..Config::new(Size::VGA) };
+        let busy = ProcessorReport {
+            polygons: 4,
+            expected: 90,
+            pixels: 30,
+            pages: 2,
+            work: Work { clear: 10, geometry: 40, rasterization: 50 },
+            stalls: 20,
+            waiting: 0,
+        };
+        let idle = ProcessorReport {
+            polygons: 3,
+            expected: 60,
+            pixels: 10,
+            pages: 1,
+            work: Work { clear: 10, geometry: 20, rasterization: 30 },
+            stalls: 0,
+            waiting: 60,
+        };
+        let phase = |name, pe_clocks, merge_clocks, picoseconds| Phase { name, pe_clocks, merge_clocks, picoseconds };
+        Report {
+            machine: config.built().expect("can be built"),
+            polygons: 7,
+            packets: 8,
+            pixels: 40,
+            processors: vec![busy, idle],
+            phases: vec![
+                phase("drawing", 120, 37, 3_000_000_000),
+                phase("merging", 200, 64, 5_500_000_000),
+                phase(Report::READ_OUT, 9, 3, 700_000_000),
+            ],
+            merge_clocks: 64,
+        }
+    }
+
+    #[test]
+    fn a_frame_ends_before_it_is_read_out() {
+        let report = report();
+        assert_eq!(report.frame_picoseconds(), 8_500_000_000);
+        assert_eq!(report.phases[1].milliseconds(), 5.5);
+        assert_eq!(report.clocks(), 120 + 37 + 200 + 64 + 9 + 3);
+    }
+
+    #[test]
+    fn the_load_is_balanced_by_the_busiest() {
+        let mut report = report();
+        assert_eq!(report.balance(), (120.0 + 60.0) / (2.0 * 120.0));
+        assert_eq!(report.stalls_per_pixel(), 0.5);
+        report.pixels = 0;
+        assert_eq!(report.stalls_per_pixel(), 20.0, "without pixels, all stalls");
+        report.processors.iter_mut().for_each(|it| (it.work, it.stalls) = (Work::default(), 0));
+        assert_eq!(report.balance(), 0.0, "nothing to share");
+    }
+
+    #[test]
+    fn it_reads_as_tables() {
+        assert_eq!(
+            report().to_string(),
+            "VC-1, n = 2: 640x480 pixels, 19200 patches of 4x4,\n\
+             4096 pages in each local frame buffer, clusters of 32 polygons\n\
+             7 polygons, 8 packets, 40 pixels drawn\n\
+             \n\
+             phase            PE clocks  merge clocks         ms\n\
+             drawing                120            37      3.000\n\
+             merging                200            64      5.500\n\
+             reading out              9             3      0.700\n\
+             The frame takes 8.500 ms before it is read out; T_m is 64 merge clocks.\n\
+             \n\
+             PE  polygons    pixels  pages   geometry     raster   stalls    waiting\n \
+              0         4        30      2         40         50       20          0\n \
+              1         3        10      1         20         30        0         60\n\
+             The load is 75.0 % balanced; a pixel stalls for 0.500 clocks on average."
+        );
+    }
+}

@@ -32,6 +32,14 @@ fn files_that_are_too_large_are_not_read() {
     }
 }
 
+#[test]
+fn a_file_of_just_the_limit_is_read() {
+    let scene = "mesh = 'teapot'\nsize = [20, 10]\n";
+    let padding = "#".repeat((1 << 20) - scene.len());
+    let folder = folder("just_fits", &[("scene.toml", &format!("{scene}{padding}"))]);
+    assert_eq!(load(&folder.join("scene.toml")).unwrap().size.width(), 20);
+}
+
 /// A device says that it is empty, and goes on for ever.
 #[test]
 #[cfg(unix)]
