@@ -32,8 +32,9 @@ impl Triangle {
 
 /// The whole part of a plane of `bits` bits at pixel (x, y).
 fn plane_at(plane: &Plane, x: u32, y: u32, bits: u32) -> u64 {
-    let sum = u128::from(plane.x) * u128::from(x) + u128::from(plane.y) * u128::from(y) + u128::from(plane.origin);
-    ((sum & ((1u128 << bits) - 1)) >> FRACTION_BITS) as u64
+    // Fields have at most 40 bits and positions 11, so this is exact.
+    let sum = plane.x * u64::from(x) + plane.y * u64::from(y) + plane.origin;
+    (sum & ((1 << bits) - 1)) >> FRACTION_BITS
 }
 
 /// Renders triangles over a background: each pixel keeps the least word (DES-MIN), so their order does not matter.
