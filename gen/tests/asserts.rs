@@ -19,7 +19,7 @@ bundle! {
 const LANE_MESSAGE: &str = "100% of \"x\"\nstay \\below\\ 200, é";
 
 /// Remembers its input.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Cell;
 
 impl Block for Cell {
@@ -38,7 +38,7 @@ impl Block for Cell {
 }
 
 /// Assertions in lanes, on two clocks, of a choice, of nets that nothing else reads; none of its registers has a reset.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Asserted;
 
 impl Block for Asserted {

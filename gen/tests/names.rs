@@ -13,7 +13,7 @@ bundle! {
 }
 
 /// Adds one.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Cell;
 
 impl Block for Cell {
@@ -31,7 +31,7 @@ impl Block for Cell {
 }
 
 /// What a parent feeds its cells.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Row;
 
 impl Block for Row {
@@ -65,7 +65,7 @@ bundle! {
 }
 
 /// Feeds cells from ports that are called as arrays call things.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct LanePorts;
 
 impl Block for LanePorts {
@@ -94,7 +94,7 @@ bundle! {
 }
 
 /// Arrays that are called as things of arrays are.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Arrays;
 
 impl Block for Arrays {
@@ -129,7 +129,7 @@ bundle! {
 }
 
 /// Its ports are called as things of a testbench are; in it are lanes and a memory that the bench sets.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct BenchNames;
 
 impl Block for BenchNames {
