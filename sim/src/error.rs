@@ -102,13 +102,18 @@ pub struct UnknownName {
 impl UnknownName {
     /// The error with the nearest of `names` as its hint.
     pub(crate) fn new(what: &'static str, name: &str, names: &[String]) -> UnknownName {
+        UnknownName::among(what, name, names, names)
+    }
+
+    /// The error with the nearest of `names` as its hint, or if none is near with what there is to `choose` from.
+    pub(crate) fn among(what: &'static str, name: &str, names: &[String], choose: &[String]) -> UnknownName {
         let nearest = names.iter().min_by_key(|candidate| distance(name, candidate));
         let hint = match nearest {
             Some(nearest) if distance(name, nearest) <= 2 + name.len() / 4 => format!("did you mean `{nearest}`?"),
-            _ if names.is_empty() => "there is none here".to_string(),
+            _ if choose.is_empty() => "there is none here".to_string(),
             _ => {
-                let some: Vec<String> = names.iter().take(12).map(|name| format!("`{name}`")).collect();
-                let more = if names.len() > 12 { ", ..." } else { "" };
+                let some: Vec<String> = choose.iter().take(12).map(|name| format!("`{name}`")).collect();
+                let more = if choose.len() > 12 { ", ..." } else { "" };
                 format!("there are {}{more}", some.join(", "))
             }
         };

@@ -56,7 +56,7 @@ impl Dump {
     pub fn new(vcd: Vcd, program: &Program, header: Header, window: Range<u64>) -> Result<Dump, Error> {
         let lanes: Vec<_> = header.variables.iter().map(|variable| (variable.value, variable.lane)).collect();
         let mut dump = Dump {
-            file: StepFile::new(vcd.path),
+            file: StepFile::new(vcd.path, vcd.file),
             shown: Shown::new(program, &lanes),
             header,
             window,

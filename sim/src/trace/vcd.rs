@@ -4,12 +4,16 @@
 //! with the instance `lane` in each. A state machine's register has a `string` twin, `NAME_state`. Times are the
 //! clocks' own, in picoseconds; what a testbench sets after an edge shows from that edge on.
 
+use std::fs::File;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// What a waveform file shows. Attach it with [`Simulation::trace`](crate::Simulation::trace).
 #[derive(Debug, Clone)]
 pub struct Vcd {
     pub(crate) path: PathBuf,
+    /// One that is open already.
+    pub(crate) file: Option<Arc<File>>,
     pub(crate) patterns: Vec<String>,
     pub(crate) window: Option<Window>,
     pub(crate) last: Option<usize>,
@@ -25,7 +29,12 @@ pub(crate) enum Window {
 impl Vcd {
     /// Everything, for the whole run, into this file.
     pub fn to(path: impl AsRef<Path>) -> Vcd {
-        Vcd { path: path.as_ref().to_path_buf(), patterns: Vec::new(), window: None, last: None }
+        Vcd { path: path.as_ref().to_path_buf(), file: None, patterns: Vec::new(), window: None, last: None }
+    }
+
+    /// As [`Vcd::to`], into a file that is open for writing, from where it stands; errors call it by that name.
+    pub fn into(name: impl AsRef<Path>, file: File) -> Vcd {
+        Vcd { file: Some(Arc::new(file)), ..Vcd::to(name) }
     }
 
     /// Only the signals whose hierarchical name matches this pattern, or another one given: `*` stands for anything

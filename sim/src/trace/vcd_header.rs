@@ -61,7 +61,7 @@ pub(crate) fn header(program: &Program, run: u32, patterns: &[String]) -> Result
     let mut build = Build {
         program,
         run,
-        patterns,
+        patterns: patterns.iter().map(|pattern| readings(pattern, &program.hierarchy.scopes[0].name)).collect(),
         used: vec![false; patterns.len()],
         writer: Writer::new(Vec::new()),
         ids: HashMap::new(),
@@ -81,24 +81,46 @@ pub(crate) fn header(program: &Program, run: u32, patterns: &[String]) -> Result
     }
 }
 
-/// The error for a pattern that matches nothing, with the nearest one that does: a name, or all names below an instance.
+/// A pattern as it is, and as what a path of the file or of the Verilog matches, below this top: those begin with the top's name,
+/// have a scope `lane` in each element of an array, and may end in a range of bits.
+fn readings(pattern: &str, top: &str) -> [String; 2] {
+    let below = pattern.strip_prefix(top).and_then(|rest| rest.strip_prefix('.')).unwrap_or(pattern);
+    let is_range = |bits: &str| bits.contains(':') && bits.chars().all(|c| c.is_ascii_digit() || c == ':');
+    let range = below.strip_suffix(']').and_then(|rest| rest.rsplit_once('['));
+    let name = range.filter(|(_, bits)| is_range(bits)).map_or(below, |(name, _)| name);
+    let instances: Vec<&str> = name.split('.').filter(|part| *part != "lane").collect();
+    [pattern.to_string(), instances.join(".")]
+}
+
+/// The error for a pattern that matches nothing, with the nearest one that does, a name or all names below an instance; or else
+/// with the instances that there are, those of an array together.
 fn unmatched(program: &Program, pattern: &str) -> UnknownName {
     let hierarchy = &program.hierarchy;
-    let mut names = Vec::new();
+    let (mut names, mut instances) = (Vec::new(), Vec::new());
     for place in hierarchy.places(0) {
         let scope = hierarchy.scope(place.scope);
         let signals = scope.signals.iter().filter(|signal| signal.group.is_none()).map(|signal| &signal.name);
         let clocks = scope.clocks.iter().flat_map(|ports| [Some(&ports.port), ports.reset.as_ref()]).flatten();
         let names_here = signals.chain(clocks).map(String::as_str).chain(["**"]);
         names.extend(names_here.map(|name| hierarchy.path_in(place, name)));
+        instances.push(every_element(&hierarchy.path_in(place, "**")));
     }
-    UnknownName::new("signal that matches", pattern, &names)
+    instances.sort();
+    instances.dedup();
+    UnknownName::among("signal that matches", pattern, &names, &instances)
+}
+
+/// A path with a star for the index of each array.
+fn every_element(path: &str) -> String {
+    let after = |part: &str| part.find(']').map_or_else(|| part.to_string(), |end| format!("*{}", &part[end..]));
+    path.split_inclusive('[').map(after).collect()
 }
 
 struct Build<'a> {
     program: &'a Program,
     run: u32,
-    patterns: &'a [String],
+    /// Each in all its readings.
+    patterns: Vec<[String; 2]>,
     /// Which patterns have matched something.
     used: Vec<bool>,
     writer: Writer<Vec<u8>>,
@@ -173,7 +195,7 @@ impl Build<'_> {
         let full = if path.is_empty() { name.to_string() } else { format!("{path}.{name}") };
         let mut shown = self.patterns.is_empty();
         for (pattern, used) in self.patterns.iter().zip(&mut self.used) {
-            if glob::matches(pattern, &full) {
+            if pattern.iter().any(|reading| glob::matches(reading, &full)) {
                 (*used, shown) = (true, true);
             }
         }
