@@ -49,14 +49,14 @@ pub fn measure(
         contenders.extend(models(compiler, subject)?.into_iter().map(|model| Box::new(model) as _));
     }
     show("measuring", 0.0)?;
-    let cycles = sufficient_cycles(&contenders, effort.time)?;
+    let cycles = sufficient_cycles(&contenders, effort.time, &mut || show("measuring", 0.0))?;
 
     let mut runs: Vec<Vec<Run>> = vec![Vec::new(); contenders.len()];
     for round in 0..effort.rounds {
         for (contender, runs) in contenders.iter().zip(&mut runs) {
+            show("measuring", f64::from(round) / f64::from(effort.rounds))?;
             runs.push(contender.run(cycles)?);
         }
-        show("measuring", f64::from(round + 1) / f64::from(effort.rounds))?;
     }
     let checksum = agreed(subject, cycles, &contenders, &runs)?;
 
@@ -88,12 +88,17 @@ pub fn measure(
     })
 }
 
-/// The first of 100, 200, 500, 1000 and so on that takes the slowest contender nearly so long.
-fn sufficient_cycles(contenders: &[Box<dyn Contender>], time: Duration) -> Result<u64, Error> {
+/// The first of 100, 200, 500, 1000 and so on that takes the slowest contender nearly so long; `go_on` may break it off.
+fn sufficient_cycles(
+    contenders: &[Box<dyn Contender>],
+    time: Duration,
+    go_on: &mut dyn FnMut() -> Result<(), Error>,
+) -> Result<u64, Error> {
     let numbers = (2..12).flat_map(|power| [1, 2, 5].map(|digit| digit * 10_u64.pow(power)));
     for cycles in numbers {
         let mut slowest = Duration::ZERO;
         for contender in contenders {
+            go_on()?;
             slowest = slowest.max(contender.run(cycles)?.others);
         }
         // The next number could take more than twice the time.
