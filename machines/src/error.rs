@@ -21,6 +21,14 @@ pub enum Error {
         /// Simulated picoseconds since the reset began.
         time: u64,
     },
+    /// The run failed, and its waveform could not be written to the end either.
+    #[error("{run}\n{trace}")]
+    Untraced {
+        /// Why the run failed.
+        run: Box<Error>,
+        /// Why the waveform did.
+        trace: tilewright_sim::Error,
+    },
     /// The hardware could not be simulated, or an assertion of it does not hold.
     #[error(transparent)]
     Simulation(#[from] tilewright_sim::Error),

@@ -51,7 +51,7 @@ impl Machine {
     ///
     /// # Errors
     /// [`Error::Overflow`] if a processing element runs out of pages; [`Error::Parameter`] if the projection is for another
-    /// screen; [`Error::Cancelled`]; [`Error::Simulation`].
+    /// screen; [`Error::Cancelled`]; [`Error::Simulation`]; [`Error::Untraced`].
     pub fn render(
         mut self,
         projection: &Projection,
@@ -59,10 +59,10 @@ impl Machine {
         watch: &mut Watch,
     ) -> Result<(Frame, Report), Error> {
         let rendered = self.run(projection, background, watch);
-        let traced = self.hardware.sim.finish();
-        let rendered = rendered?;
-        traced?;
-        Ok(rendered)
+        match (rendered, self.hardware.sim.finish()) {
+            (Err(run), Err(trace)) => Err(Error::Untraced { run: Box::new(run), trace }),
+            (rendered, traced) => rendered.and_then(|rendered| Ok(traced.map(|()| rendered)?)),
+        }
     }
 
     fn run(
