@@ -1,10 +1,9 @@
 //! `tilewright bench`: the speed of the simulator, alone or against Verilator.
 
 use crate::engine::tell_refused;
-use crate::shell::{Exit, Failure, Progress, interrupt, output};
+use crate::number::number;
+use crate::shell::{Exit, Failure, Progress, interrupt, terminal};
 use clap::{Args, ValueEnum};
-use std::ops::ControlFlow;
-use std::sync::atomic::Ordering;
 use std::time::Duration;
 use tilewright_benches::{Effort, Error, FORMAT, Measurement, Report, Subject, USUAL, Versions, measure};
 use tilewright_gen::tools::Compiler;
@@ -39,7 +38,7 @@ pub struct Bench {
     #[arg(long, value_enum, value_name = "SIMULATOR")]
     against: Option<Against>,
     /// Runs of each simulator; they alternate
-    #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    #[arg(long, value_name = "N", default_value_t = 5, value_parser = number(1_u32..=1000))]
     rounds: u32,
     /// About how long a run of the slowest simulator takes
     #[arg(long, value_name = "S", default_value = "1", value_parser = seconds)]
@@ -71,25 +70,25 @@ impl Bench {
         let designs = measured(&self.designs, compiler.as_ref(), effort)?;
         let report = Report { format: FORMAT, verilator: versions, rounds: self.rounds, designs };
         match self.json {
-            true => output::print_json(&report)?,
-            false => output::print(&report.to_string())?,
+            true => terminal::print_json(&report)?,
+            false => terminal::print(&report.to_string())?,
         }
         Ok(Exit::Done)
     }
 }
 
 fn measured(designs: &[Subject], compiler: Option<&Compiler>, effort: Effort) -> Result<Vec<Measurement>, Failure> {
-    let (interrupted, progress) = (interrupt::flag(), Progress::new());
+    let progress = Progress::new();
     let mut done = Vec::new();
     for design in designs {
         let before = done.len() as f64;
         let measurement = measure(*design, compiler, effort, &mut |what, fraction| {
             progress.show(what, (before + fraction) / designs.len() as f64);
-            if interrupted.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+            interrupt::go_on()
         });
         // Ctrl-C reaches Verilator and clang too, which then fail.
         let design = design.to_string();
-        done.push(match interrupted.load(Ordering::Relaxed) {
+        done.push(match interrupt::asked() {
             true => measurement.map_err(|_| Error::Interrupted { design })?,
             false => measurement?,
         });

@@ -1,7 +1,7 @@
 //! `tilewright completions`: a script that completes commands, options and names in a shell.
 
 use crate::CommandLine;
-use crate::shell::{Exit, Failure, output};
+use crate::shell::{Exit, Failure, terminal};
 use clap::{Args, CommandFactory};
 use clap_complete::Shell;
 
@@ -21,7 +21,7 @@ impl Completions {
     pub fn run(self) -> Result<Exit, Failure> {
         let mut script = Vec::new();
         clap_complete::generate(self.shell, &mut CommandLine::command(), "tilewright", &mut script);
-        output::print(&String::from_utf8_lossy(&script))?;
+        terminal::print(&String::from_utf8_lossy(&script))?;
         Ok(Exit::Done)
     }
 }

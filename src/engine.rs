@@ -1,6 +1,6 @@
 //! The engine that a command is given, and what is said where it cannot run.
 
-use crate::shell::output;
+use crate::shell::terminal;
 use clap::{Args, ValueEnum};
 use tilewright_hdl::Bundle;
 use tilewright_sim::{EngineKind, Simulation};
@@ -44,11 +44,11 @@ pub fn tell_fallback<I: Bundle, O: Bundle>(sim: &Simulation<I, O>) {
 
 /// Tells the user why no generated code runs.
 pub fn tell_refused(reason: &str) {
-    output::talk(&warning(reason));
+    terminal::warn(&warning(reason));
 }
 
 fn warning(reason: &str) -> String {
-    format!("warning: the reference engine runs alone, with the same results but slowly: {reason}")
+    format!("the reference engine runs alone, with the same results but slowly: {reason}")
 }
 
 #[cfg(test)]
@@ -64,7 +64,7 @@ mod tests {
         for asked in [EngineKind::Compiled, EngineKind::Both] {
             assert_eq!(sim().on(asked).fallback(), None);
             let mut without = sim().without_code("no code can be generated for this machine (a typewriter)").on(asked);
-            let sentence = "warning: the reference engine runs alone, with the same results but slowly: \
+            let sentence = "the reference engine runs alone, with the same results but slowly: \
                             no code can be generated for this machine (a typewriter)";
             assert_eq!(without.fallback().map(warning).as_deref(), Some(sentence));
             without.step();

@@ -1,22 +1,25 @@
 //! `tilewright golden`: the software rasterizer's image of a scene, which every machine has to match.
 
 use crate::scene::SceneArguments;
-use crate::shell::{Exit, Failure, output};
+use crate::shell::output::Output;
+use crate::shell::place::check_distinct;
+use crate::shell::{Exit, Failure, Progress, interrupt, terminal};
 use clap::Args;
 use serde::Serialize;
 use std::path::PathBuf;
-use tilewright_scenes::golden;
+use tilewright_scenes::{Frame, Projection, golden};
 
 /// Renders a scene with the plain software rasterizer: the golden image
 #[derive(Args)]
 #[command(after_help = "\
 Examples:
   tilewright golden teapot -o golden.png
+  tilewright golden teapot --quiet -o - > golden.png
   tilewright golden ter1k --size 320x240 -o small.png --json")]
 pub struct Golden {
     #[command(flatten)]
     scene: SceneArguments,
-    /// The picture, a PNG file
+    /// The picture, a PNG file; `-` is standard output
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
     /// Print the report as JSON
@@ -38,11 +41,11 @@ struct Report {
 impl Golden {
     /// Writes the picture and reports.
     pub fn run(self) -> Result<Exit, Failure> {
-        output::check_place(&self.output)?;
-        output::check_distinct(&[&self.output], &Vec::from_iter(self.scene.file()))?;
         let (scene, projection) = self.scene.load()?;
-        let frame = golden::render(projection.size, &projection.triangles, scene.background);
-        output::write_file(&self.output, &frame.to_png())?;
+        check_distinct(&[&self.output], &Vec::from_iter(scene.files.iter().map(PathBuf::as_path)))?;
+        let output = Output::at(&self.output)?;
+        let frame = draw(&projection, scene.background)?;
+        output.write(&frame.to_png())?;
         let report = Report {
             format: 1,
             scene: scene.name,
@@ -52,14 +55,27 @@ impl Golden {
             checksum: format!("{:016x}", frame.checksum()),
         };
         if self.json {
-            output::print_json(&report)?;
+            terminal::print_json(&report)?;
         } else {
             let Report { scene, polygons, packets, checksum, .. } = report;
             let size = projection.size;
-            output::print(&format!(
+            terminal::report(&format!(
                 "{scene}: {polygons} polygons, {packets} packets, {size} pixels, checksum {checksum}\n"
             ))?;
         }
         Ok(Exit::Done)
     }
+}
+
+/// The software rasterizer's frame.
+///
+/// # Errors
+/// Ctrl-C.
+pub fn draw(projection: &Projection, background: [u8; 3]) -> Result<Frame, Failure> {
+    let progress = Progress::new();
+    let frame = golden::render_watched(projection.size, &projection.triangles, background, |drawn| {
+        progress.show("golden image", drawn);
+        interrupt::go_on()
+    });
+    frame.ok_or_else(|| Failure::new(interrupt::exit(), "interrupted while the golden image was drawn"))
 }

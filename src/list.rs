@@ -1,7 +1,7 @@
 //! `tilewright list`: what there is to render, to run and to print.
 
 use crate::machine::Machine;
-use crate::shell::{Exit, Failure, output};
+use crate::shell::{Exit, Failure, terminal};
 use clap::{Args, ValueEnum};
 use serde::Serialize;
 use std::fmt::Write;
@@ -69,9 +69,9 @@ impl List {
             blocks: ENTRIES.iter().map(block).collect::<Result<_, _>>()?,
         };
         if self.json {
-            output::print_json(&lists)?
+            terminal::print_json(&lists)?
         } else {
-            output::print(&table(&lists))?
+            terminal::print(&table(&lists))?
         }
         Ok(Exit::Done)
     }

@@ -7,6 +7,7 @@ mod engine;
 mod golden;
 mod list;
 mod machine;
+mod number;
 mod player;
 mod render;
 mod save_file;
@@ -18,7 +19,7 @@ mod verilog;
 mod wave;
 
 use clap::{Parser, Subcommand};
-use shell::{Exit, Failure, crash, output};
+use shell::{Exit, Failure, crash, interrupt, terminal};
 use std::process::ExitCode;
 
 /// Parallel rendering machines of the 1990s, as hardware that runs cycle by cycle
@@ -27,6 +28,9 @@ use std::process::ExitCode;
 struct CommandLine {
     #[command(subcommand)]
     command: Command,
+    /// Print no progress, no `wrote FILE` and no report in words; warnings and errors stay
+    #[arg(short, long, global = true)]
+    quiet: bool,
 }
 
 const AFTER_HELP: &str = "\
@@ -37,9 +41,15 @@ Exit codes:
   3    an output cannot be written
   4    a program that was asked for is not installed, or fails
   70   a mistake in tilewright itself
+  71   out of memory
+  129  as 130, by a terminal that went away (SIGHUP)
   130  interrupted; a waveform that was being written opens
+  143  as 130, by another program (SIGTERM)
 
-Results go to standard output, everything else to standard error.
+Results go to standard output, everything else to standard error. With `-o -` or `--vcd -` standard output takes the picture or the waveform,
+and all text goes to standard error. `--quiet` leaves out progress, `wrote FILE` and reports, but not --json, --ascii, warnings and errors.
+A file appears whole or not at all, keeps its permissions and, where the system allows it, its owner; through a link, its target is written.
+A waveform alone grows in its place.
 `tilewright help COMMAND` has the options and examples of a command.";
 
 #[derive(Subcommand)]
@@ -68,17 +78,22 @@ impl Command {
 }
 
 fn main() -> ExitCode {
+    interrupt::tame();
     crash::guard(|| match CommandLine::try_parse() {
-        Ok(line) => line.command.run(),
+        Ok(line) => {
+            if line.quiet {
+                terminal::be_quiet();
+            }
+            line.command.run()
+        }
         Err(shown) if shown.use_stderr() => {
-            // Nobody is left to tell if standard error is closed.
-            let _ = shown.print();
+            terminal::scold(&shown.to_string());
             Ok(Exit::BadInput)
         }
-        Err(help) => output::check(help.print()).map(|()| Exit::Done),
+        Err(help) => terminal::check(help.print()).map(|()| Exit::Done),
     })
     .unwrap_or_else(|failure| {
-        output::talk(&format!("error: {}", failure.sentence));
+        terminal::complain(&failure);
         failure.exit
     })
     .into()

@@ -2,7 +2,6 @@
 
 use crate::shell::{Exit, Failure, Progress, interrupt};
 use std::ops::ControlFlow;
-use std::sync::atomic::Ordering;
 use tilewright_hdl::Scenario;
 use tilewright_sim::Simulation;
 
@@ -25,19 +24,19 @@ pub fn check_length(sim: &Simulation, scenario: &Scenario, what: &str) -> Result
     Err(Failure::new(Exit::BadInput, sentence))
 }
 
-/// Resets the simulation and plays the scenario to its end. Traces stay open.
+/// Resets the simulation and plays the scenario, to its end or until `end` picoseconds have passed. Traces stay open.
 ///
 /// # Errors
 /// Ctrl-C; an assertion does not hold; a trace cannot be written.
-pub fn play(sim: &mut Simulation, scenario: &Scenario) -> Result<(), Failure> {
-    let (interrupted, progress) = (interrupt::flag(), Progress::new());
-    let ended = sim.play_watched(scenario, SLICE, |_, played| {
-        progress.show("running", played);
-        if interrupted.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+pub fn play(sim: &mut Simulation, scenario: &Scenario, end: u64) -> Result<(), Failure> {
+    let progress = Progress::new();
+    let ended = sim.play_watched(scenario, SLICE, |sim, played| {
+        progress.show("running", played.max(sim.time() as f64 / end as f64));
+        if sim.time() >= end { ControlFlow::Break(()) } else { interrupt::go_on() }
     })?;
-    if ended.is_break() {
+    if ended.is_break() && interrupt::asked() {
         let sentence = format!("the run was interrupted at {} ps of simulated time", sim.time());
-        return Err(Failure::new(Exit::Interrupted, sentence));
+        return Err(Failure::new(interrupt::exit(), sentence));
     }
     Ok(())
 }

@@ -2,8 +2,12 @@
 
 use crate::engine::{EngineArguments, tell_fallback};
 use crate::machine::Machine;
+use crate::number::number;
 use crate::scene::SceneArguments;
-use crate::shell::{Exit, Failure, Progress, interrupt, output};
+use crate::shell::output::{Output, Waveform};
+use crate::shell::place::{beside, check_distinct};
+use crate::shell::text::legible;
+use crate::shell::{Exit, Failure, Progress, interrupt, terminal};
 use crate::trace::TraceOptions;
 use crate::verdict::{Golden, Verdict};
 use clap::Args;
@@ -11,8 +15,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 use tilewright_machines::{Watch, vc1};
-use tilewright_scenes::{Frame, Projection, Scene};
-use tilewright_sim::Vcd;
+use tilewright_scenes::{Frame, MAX_SIDE, Projection, Scene};
 
 /// Renders a scene on a machine, clock by clock, and compares the frame with the golden image
 #[derive(Args)]
@@ -31,19 +34,19 @@ pub struct Render {
     /// The machine
     #[arg(long, value_enum, default_value_t = Machine::Vc1)]
     machine: Machine,
-    /// The frame, a PNG file
+    /// The frame, a PNG file; `-` is standard output
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
     /// Processing elements
     #[arg(long, value_name = "N", default_value_t = 16,
-          value_parser = clap::value_parser!(u32).range(1..=i64::from(vc1::Config::MAX_PROCESSORS)))]
+          value_parser = number(1..=vc1::Config::MAX_PROCESSORS))]
     processors: u32,
     /// The edge of a patch in pixels
     #[arg(long, value_name = "EDGE", default_value = "4",
           value_parser = PossibleValuesParser::new(["4", "8", "16"]).map(|edge| edge.parse::<u32>().unwrap_or_default()))]
     patch: u32,
     /// Pages of image memory in each local frame buffer [default: those of 65536 pixels, or the whole screen]
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = number(1..=MOST_PAGES))]
     pages: Option<u32>,
     /// Compare the colours with this picture instead of the software rasterizer's frame
     #[arg(long, value_name = "FILE")]
@@ -53,7 +56,7 @@ pub struct Render {
     /// Print the report as JSON
     #[arg(long)]
     json: bool,
-    /// Write the waveform of the run, a VCD file; that of a whole frame takes about a gigabyte unless it is filtered
+    /// Write the waveform of the run, a VCD file (`-`: standard output); that of a whole frame takes about a gigabyte unless it is filtered
     #[arg(long, value_name = "FILE")]
     vcd: Option<PathBuf>,
     #[command(flatten)]
@@ -72,44 +75,48 @@ struct Report<'a> {
 impl Render {
     /// Renders, compares, writes the files and reports.
     pub fn run(self) -> Result<Exit, Failure> {
-        // A long run should not end in what can be told beforehand.
-        let vcd = self.filters.vcd(self.vcd.as_deref(), "--vcd")?;
-        self.output.iter().try_for_each(|path| output::check_place(path))?;
-        self.check_distinct()?;
+        self.filters.check(self.vcd.as_deref(), "--vcd")?;
         let (scene, projection) = self.scene.load()?;
+        self.check_distinct(&scene.files)?;
+        let output = self.output.as_deref().map(Output::at).transpose()?;
+        let waveform = self.vcd.as_deref().map(Waveform::at).transpose()?;
         let golden = Golden::new(self.golden.as_deref(), &scene, &projection)?;
-        let (frame, report) = self.simulate(&scene, &projection, vcd)?;
+        let (frame, report) = self.simulate(&scene, &projection, waveform.as_ref())?;
         let verdict = golden.judge(&frame);
-        if let Some(path) = &self.output {
-            output::write_file(path, &frame.to_png())?;
+        if let (Some(output), Some(path)) = (output, &self.output) {
+            output.write(&frame.to_png())?;
             leave_difference(path, verdict.picture.as_ref());
         }
         match self.json {
-            true => output::print_json(&Report {
+            true => terminal::print_json(&Report {
                 format: 1,
                 scene: &scene.name,
                 machine: self.machine.name(),
                 report: &report,
                 golden: &verdict,
             })?,
-            false => output::print(&format!("{}: {report}\n\n{verdict}\n", scene.name))?,
+            false => {
+                let text = format!("{}: {report}\n\n{verdict}\n", scene.name);
+                // Of a failure there is a report in any case.
+                if verdict.identical { terminal::report(&text)? } else { terminal::print(&legible(&text))? }
+            }
         }
         Ok(if verdict.identical { Exit::Done } else { Exit::CheckFailed })
     }
 
     /// That no file which is written is another one, or one that is read.
-    fn check_distinct(&self) -> Result<(), Failure> {
-        let difference = self.output.as_ref().and_then(|path| output::beside(path, DIFFERENCE));
+    fn check_distinct(&self, scene: &[PathBuf]) -> Result<(), Failure> {
+        let difference = self.output.as_ref().and_then(|path| beside(path, DIFFERENCE));
         let written = self.output.iter().chain(&difference).chain(&self.vcd).map(PathBuf::as_path);
-        let read = self.scene.file().into_iter().chain(self.golden.as_deref());
-        output::check_distinct(&Vec::from_iter(written), &Vec::from_iter(read))
+        let read = scene.iter().chain(&self.golden).map(PathBuf::as_path);
+        check_distinct(&Vec::from_iter(written), &Vec::from_iter(read))
     }
 
     fn simulate(
         &self,
         scene: &Scene,
         projection: &Projection,
-        vcd: Option<Vcd>,
+        waveform: Option<&Waveform>,
     ) -> Result<(Frame, vc1::Report), Failure> {
         let Machine::Vc1 = self.machine;
         let config = vc1::Config {
@@ -120,23 +127,30 @@ impl Render {
         };
         let mut machine = vc1::Machine::new(config)?.on(self.engine.kind());
         tell_fallback(machine.simulation());
-        if let Some(vcd) = vcd {
-            machine.simulation().trace(vcd)?;
+        if let Some(waveform) = waveform {
+            self.filters.attach(waveform, machine.simulation())?;
         }
         let progress = Progress::new();
-        let mut show = |it: tilewright_machines::Progress| progress.show(it.phase, it.fraction);
+        let mut show = |it: tilewright_machines::Progress| {
+            progress.show(it.phase, it.fraction);
+            // The machine looks at the flag itself, next.
+            interrupt::asked();
+        };
         let mut watch = Watch { progress: Some(&mut show), cancel: Some(interrupt::flag()) };
         let ended = machine.render(projection, scene.background, &mut watch).map_err(Failure::from);
         drop(progress);
         if let Ok((_, report)) = &ended {
             self.filters.warn_if_empty(report.phases.iter().map(|phase| phase.picoseconds).sum());
         }
-        if let Some(path) = self.vcd.as_ref().filter(|_| Failure::leaves_a_waveform(&ended)) {
-            output::talk(&format!("wrote {}", path.display()));
+        if let Some(waveform) = waveform.filter(|_| Failure::leaves_a_waveform(&ended)) {
+            waveform.tell_written();
         }
         ended
     }
 }
+
+/// The most pages that could be of use: the patches of the largest screen.
+const MOST_PAGES: u32 = (MAX_SIDE / 4) * (MAX_SIDE / 4);
 
 /// What the difference picture's name ends in instead of the frame's `png`.
 const DIFFERENCE: &str = "difference.png";
@@ -144,15 +158,16 @@ const DIFFERENCE: &str = "difference.png";
 /// Writes the picture of the differences beside the frame; without one, removes what an earlier run left there. What fails is a
 /// warning alone: the verdict matters more.
 fn leave_difference(frame: &Path, picture: Option<&Frame>) {
-    let Some(path) = output::beside(frame, DIFFERENCE) else { return };
+    let Some(path) = beside(frame, DIFFERENCE) else { return };
     if let Some(picture) = picture {
-        if let Err(failure) = output::write_file(&path, &picture.to_png()) {
-            output::talk(&format!("warning: {}", failure.sentence));
-        }
+        let written = Output::at(&path).and_then(|output| output.write(&picture.to_png()));
+        written.unwrap_or_else(|failure| failure.sentences().for_each(terminal::warn));
     } else if path.is_file() {
-        output::talk(&match std::fs::remove_file(&path) {
-            Ok(()) => format!("removed {}", path.display()),
-            Err(_) => format!("warning: {} is of an earlier run and cannot be removed: remove it", path.display()),
-        });
+        match std::fs::remove_file(&path) {
+            Ok(()) => terminal::talk(&format!("removed {}", path.display())),
+            Err(_) => {
+                terminal::warn(&format!("{} is of an earlier run and cannot be removed: remove it", path.display()));
+            }
+        }
     }
 }

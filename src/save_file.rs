@@ -9,6 +9,9 @@ use vcd::{Header, Parser, Scope, ScopeItem, Var, VarType};
 const BINARY: &str = "@28";
 const HEXADECIMAL: &str = "@22";
 
+/// What all of them begin with; those that GTKWave saves begin otherwise.
+pub const FIRST_LINE: &str = "[*] Tilewright\n";
+
 /// The pixels in which the wave is to fit.
 const PIXELS: u64 = 1000;
 
@@ -27,8 +30,7 @@ fn print(header: &Header, name: &str, times: Range<u64>, all: bool) -> String {
     let start = times.start;
     // So many powers of two of picoseconds are a pixel; the marker at -1 is none.
     let zoom = (times.end.saturating_sub(start) / PIXELS + 1).next_power_of_two().ilog2();
-    let mut text =
-        format!("[*] Tilewright\n[dumpfile] \"{name}\"\n[timestart] {start}\n[size] 1400 700\n*-{zoom}.0 -1\n");
+    let mut text = format!("{FIRST_LINE}[dumpfile] \"{name}\"\n[timestart] {start}\n[size] 1400 700\n*-{zoom}.0 -1\n");
     for item in &header.items {
         if let ScopeItem::Scope(top) = item {
             let _ = writeln!(text, "[treeopen] {}.", top.identifier);

@@ -1,8 +1,8 @@
 //! The scene that a command is given, and the size of the frame.
 
-use crate::shell::{Failure, output};
+use crate::shell::{Failure, terminal};
 use clap::Args;
-use std::path::Path;
+use std::ffi::OsString;
 use tilewright_scenes::{Projection, Scene, Size};
 
 /// A scene on a screen.
@@ -10,19 +10,13 @@ use tilewright_scenes::{Projection, Scene, Size};
 pub struct SceneArguments {
     /// A built-in scene's name, or the path of an .obj or a .toml file
     #[arg(value_name = "SCENE")]
-    scene: String,
+    scene: OsString,
     /// Pixels of the frame [default: what the scene asks for]
     #[arg(long, value_name = "WxH", value_parser = size)]
     size: Option<Size>,
 }
 
 impl SceneArguments {
-    /// The scene's own file, if it has one.
-    pub fn file(&self) -> Option<&Path> {
-        let path = Path::new(&self.scene);
-        (Scene::builtin(&self.scene).is_none() && path.is_file()).then_some(path)
-    }
-
     /// Loads the scene and sets its triangles up; passes on what was odd about its files.
     ///
     /// # Errors
@@ -31,7 +25,7 @@ impl SceneArguments {
         let scene = Scene::load_sized(&self.scene, self.size)?;
         let projection = scene.project()?;
         let warnings = scene.warnings.iter().cloned().chain(projection.warning());
-        warnings.for_each(|warning| output::talk(&format!("warning: {warning}")));
+        warnings.for_each(|warning| terminal::warn(&warning));
         Ok((scene, projection))
     }
 }

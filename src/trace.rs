@@ -1,16 +1,18 @@
 //! Which part of a run goes to a waveform file.
 
-use crate::shell::{Exit, Failure, output};
+use crate::shell::output::Waveform;
+use crate::shell::{Exit, Failure, terminal};
 use clap::Args;
 use std::ops::Range;
 use std::path::Path;
-use tilewright_sim::Vcd;
+use tilewright_hdl::Bundle;
+use tilewright_sim::Simulation;
 
 /// Filters of a waveform file.
 #[derive(Args, Clone)]
 #[command(next_help_heading = "Waveform filters")]
 pub struct TraceOptions {
-    /// Only signals whose path matches, such as `u_cell[*].value`: `*` stands for anything but a dot, `**` for anything
+    /// Only signals whose path matches, such as `u_cell[*].value`, also written as in the Verilog: `*` stands for anything but a dot, `**` for anything
     #[arg(long, value_name = "GLOB")]
     scope: Vec<String>,
     /// Only from this simulated time on, such as 250ns or 1.5us
@@ -35,28 +37,39 @@ impl TraceOptions {
     /// Warns of a waveform without a moment in it, as the run ended at `end` picoseconds.
     pub fn warn_if_empty(&self, end: u64) {
         if self.times().start > end {
-            output::talk(&format!("warning: the run ended at {end} ps, before --from, so the waveform shows nothing"));
+            terminal::warn(&format!("the run ended at {end} ps, before --from, so the waveform shows nothing"));
         }
     }
 
-    /// The waveform file of that name with these filters, if there is to be one; `option` is what names it.
+    /// That there is a waveform if there are filters; `option` is what names it.
     ///
     /// # Errors
-    /// There are filters but no file, or no time between `--from` and `--to`; or the file has no place.
-    pub fn vcd(&self, path: Option<&Path>, option: &str) -> Result<Option<Vcd>, Failure> {
+    /// There is none, or no time between `--from` and `--to`.
+    pub fn check(&self, waveform: Option<&Path>, option: &str) -> Result<(), Failure> {
         let bad = |sentence: String| Err(Failure::new(Exit::BadInput, sentence));
         if self.times().is_empty() {
             return bad("no time is left between --from and --to: give --to a later time than --from".to_owned());
         }
-        let Some(path) = path else {
-            return match self.is_scoped() || self.from.is_some() || self.to.is_some() {
-                true => bad(format!("--scope, --from and --to are for a waveform file: name it with {option} FILE")),
-                false => Ok(None),
-            };
-        };
-        output::check_place(path)?;
-        let whole = Vcd::to(path).times(self.times());
-        Ok(Some(self.scope.iter().fold(whole, |vcd, pattern| vcd.only(pattern))))
+        if waveform.is_none() && (self.is_scoped() || self.from.is_some() || self.to.is_some()) {
+            return bad(format!("--scope, --from and --to are for a waveform file: name it with {option} FILE"));
+        }
+        Ok(())
+    }
+
+    /// Has a simulation write the waveform, with these filters; its header.
+    ///
+    /// # Errors
+    /// A filter matches nothing, or it cannot be written.
+    pub fn attach<I: Bundle, O: Bundle>(
+        &self,
+        waveform: &Waveform,
+        sim: &mut Simulation<I, O>,
+    ) -> Result<Vec<u8>, Failure> {
+        let vcd = self.scope.iter().fold(waveform.vcd()?.times(self.times()), |vcd, pattern| vcd.only(pattern));
+        let header = sim.trace_header(&vcd)?;
+        waveform.clear()?;
+        sim.trace(vcd)?;
+        Ok(header)
     }
 }
 

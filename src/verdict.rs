@@ -1,9 +1,11 @@
 //! Whether a frame is the golden image.
 
+use crate::golden;
+use crate::shell::Failure;
 use serde::Serialize;
 use std::fmt;
 use std::path::Path;
-use tilewright_scenes::{Comparison, Frame, Projection, Scene, SceneError, compare, compare_colours, golden};
+use tilewright_scenes::{Comparison, Frame, Projection, Scene, SceneError, compare, compare_colours};
 
 /// What a frame is compared with.
 pub enum Golden {
@@ -17,8 +19,8 @@ impl Golden {
     /// The picture in that file, or without one the software rasterizer's frame.
     ///
     /// # Errors
-    /// The file cannot be read, or is of another size than the frame.
-    pub fn new(file: Option<&Path>, scene: &Scene, projection: &Projection) -> Result<Golden, SceneError> {
+    /// The file cannot be read, or is of another size than the frame; Ctrl-C.
+    pub fn new(file: Option<&Path>, scene: &Scene, projection: &Projection) -> Result<Golden, Failure> {
         Ok(match file {
             Some(path) => {
                 let picture = Frame::read_png(path)?;
@@ -27,11 +29,12 @@ impl Golden {
                         path: path.to_owned(),
                         problem: format!("holds {} pixels, the frame {}", picture.size(), projection.size),
                         remedy: format!("pass --size {}, or name another picture", picture.size()),
-                    });
+                    }
+                    .into());
                 }
                 Golden::Picture(picture)
             }
-            None => Golden::Rendered(golden::render(projection.size, &projection.triangles, scene.background)),
+            None => Golden::Rendered(golden::draw(projection, scene.background)?),
         })
     }
 

@@ -2,8 +2,9 @@
 
 use crate::block::{BlockArguments, simulation};
 use crate::player::{check_length, play};
-use crate::shell::output::{self, quoted};
-use crate::shell::{Exit, Failure};
+use crate::shell::output::{Folder, Output, quoted, write_all};
+use crate::shell::place::{is_standard_output, shown};
+use crate::shell::{Exit, Failure, terminal};
 use clap::Args;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -25,7 +26,7 @@ mismatch, and then stops so that the printed commands end with a non-zero status
 pub struct Verilog {
     #[command(flatten)]
     block: BlockArguments,
-    /// The folder for the files; it is made if it is not there
+    /// The folder for the files, which is made if it is not there; all of them are written, or none
     #[arg(short, long, value_name = "FOLDER")]
     output: PathBuf,
     /// Write a testbench as well, recorded from a run of the block's scenario
@@ -45,7 +46,7 @@ struct Report<'a> {
     top: &'a str,
     /// Cycles that the testbench compares, if there is one.
     cycles: Option<usize>,
-    files: Vec<PathBuf>,
+    files: Vec<String>,
     /// The lines that run the testbench, if there is one.
     commands: Vec<String>,
 }
@@ -53,7 +54,12 @@ struct Report<'a> {
 impl Verilog {
     /// Writes the files and reports them.
     pub fn run(self) -> Result<Exit, Failure> {
+        if is_standard_output(&self.output) {
+            let sentence = "-o -: standard output takes one file, and this writes several: name a folder";
+            return Err(Failure::new(Exit::BadInput, sentence));
+        }
         let (entry, values) = self.block.find()?;
+        let folder = Folder::make(&self.output)?;
         let design = entry.design(&values)?;
         let mut files = verilog(&design);
         let mut cycles = None;
@@ -63,22 +69,22 @@ impl Verilog {
             files.push(testbench(&design, &recording));
         }
         let commands = if self.testbench { simulators(&self.output, &files) } else { Vec::new() };
-        output::make_folder(&self.output)?;
-        for file in &files {
-            output::write_file(&self.output.join(&file.name), file.text.as_bytes())?;
-        }
+        let outputs: Result<Vec<Output>, _> =
+            files.iter().map(|file| Output::at(&self.output.join(&file.name))).collect();
+        write_all(outputs?.into_iter().zip(files.iter().map(|file| file.text.as_bytes())))?;
+        folder.keep();
         if self.json {
-            output::print_json(&Report {
+            terminal::print_json(&Report {
                 format: 1,
                 block: entry.name,
                 parameters: values.iter().collect(),
                 top: &design.top().name,
                 cycles,
-                files: files.iter().map(|file| self.output.join(&file.name)).collect(),
+                files: files.iter().map(|file| shown(&self.output.join(&file.name))).collect(),
                 commands,
             })?;
         } else {
-            commands.iter().try_for_each(|line| output::print(&format!("{line}\n")))?;
+            commands.iter().try_for_each(|line| terminal::report(&format!("{line}\n")))?;
         }
         Ok(Exit::Done)
     }
@@ -89,7 +95,7 @@ fn record(design: &Design, scenario: &Scenario) -> Result<Recording, Failure> {
     let mut sim = simulation(design, EngineKind::default())?;
     check_length(&sim, scenario, "a testbench")?;
     let recording = sim.recording();
-    play(&mut sim, scenario)?;
+    play(&mut sim, scenario, u64::MAX)?;
     Ok(recording.take())
 }
 

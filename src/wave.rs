@@ -4,16 +4,20 @@ use crate::block::{BlockArguments, simulation};
 use crate::engine::EngineArguments;
 use crate::player::{check_length, play};
 use crate::save_file;
-use crate::shell::output::{self, quoted};
-use crate::shell::{Exit, Failure};
+use crate::shell::output::{Output, Waveform, quoted};
+use crate::shell::place::{beside, check_distinct, shown};
+use crate::shell::{Exit, Failure, terminal};
 use crate::trace::TraceOptions;
 use clap::Args;
+use clap::builder::{PathBufValueParser, TypedValueParser};
 use serde::Serialize;
 use std::collections::BTreeMap;
+use std::fs::File;
+use std::io::Read;
 use std::path::{Path, PathBuf};
 use tilewright_hdl::Scenario;
 use tilewright_rtl::catalog::{Entry, Values};
-use tilewright_sim::{Probe, Simulation, Vcd};
+use tilewright_sim::{Probe, Simulation};
 
 /// Runs a block's scenario and shows it as a waveform
 #[derive(Args)]
@@ -25,13 +29,13 @@ Examples:
   tilewright wave image-merger --set units=8 -o merger.vcd --scope 'u_merging_unit[*].**' --to 2us
 
 Beside the waveform file stands a .gtkw file with which GTKWave opens it with the signals in place, unless -o names a pipe or a device.
-The values in --ascii waves are hexadecimal. Exit code 1 means that an assertion of the block does not hold, or that with --engine both
+One that GTKWave or somebody else wrote stays as it is. With --to the run ends there, unless --ascii shows all of it. The values in --ascii waves are hexadecimal. Exit code 1 means that an assertion of the block does not hold, or that with --engine both
 the engines differ.")]
 pub struct Wave {
     #[command(flatten)]
     block: BlockArguments,
-    /// The waveform, a VCD file
-    #[arg(short, long, value_name = "FILE", value_parser = waveform)]
+    /// The waveform, a VCD file; `-` is standard output
+    #[arg(short, long, value_name = "FILE", value_parser = PathBufValueParser::new().try_map(waveform))]
     output: Option<PathBuf>,
     /// Print the ports' waves as text, values in hexadecimal
     #[arg(long, conflicts_with = "json")]
@@ -55,7 +59,7 @@ struct Report<'a> {
     picoseconds: u64,
     /// How often each clock rose, by its name.
     clocks: BTreeMap<String, u64>,
-    files: &'a [PathBuf],
+    files: Vec<String>,
     /// The lines that open the waveform.
     commands: Vec<String>,
 }
@@ -68,51 +72,69 @@ impl Wave {
                 "there is nowhere to show the wave: name a waveform file with -o FILE, or pass --ascii for text";
             return Err(Failure::new(Exit::BadInput, sentence));
         }
-        let save = self.output.as_ref().and_then(|path| output::beside(path, "gtkw"));
-        output::check_distinct(&Vec::from_iter(self.output.iter().chain(&save).map(PathBuf::as_path)), &[])?;
+        self.filters.check(self.output.as_deref(), "-o")?;
+        let save = self.output.as_ref().and_then(|path| beside(path, "gtkw"));
+        check_distinct(&Vec::from_iter(self.output.iter().chain(&save).map(PathBuf::as_path)), &[])?;
         let (entry, values) = self.block.find()?;
         let scenario = entry.scenario(&values)?;
         let mut sim = simulation(&entry.design(&values)?, self.engine.kind())?;
         let text = if self.ascii { Some(record_ports(&mut sim, &scenario)?) } else { None };
-        let vcd = self.filters.vcd(self.output.as_deref(), "-o")?;
-        let header = vcd.map(|vcd| trace(&mut sim, vcd)).transpose()?;
-        let played = play(&mut sim, &scenario);
+        let waveform = self.output.as_deref().map(Waveform::at).transpose()?;
+        let ours = save.as_deref().filter(|path| is_ours(path)).map(Output::at).transpose()?;
+        let header = waveform.as_ref().map(|waveform| self.filters.attach(waveform, &mut sim)).transpose()?;
+        let end = if self.ascii { u64::MAX } else { self.filters.times().end };
+        let played = play(&mut sim, &scenario, end);
         // An interrupted or failed run leaves its waves too.
-        let ended = played.and(sim.finish().map_err(Failure::from));
+        let mut ended = Failure::both(played, sim.finish().map_err(Failure::from));
         let mut files = Vec::new();
-        if let (Some(path), Some(header), true) = (&self.output, &header, Failure::leaves_a_waveform(&ended)) {
-            files = self.save(path, save, header, sim.time())?;
+        if let (Some(waveform), Some(header), true) = (&waveform, &header, Failure::leaves_a_waveform(&ended)) {
+            waveform.tell_written();
+            self.filters.warn_if_empty(sim.time());
+            files.extend(self.output.clone());
+            if let Some(ours) = ours {
+                ended = Failure::both(ended, ours.write(self.save_file(header, sim.time()).as_bytes()));
+                files.extend(save.clone());
+            }
         }
         ended?;
         if let Some(text) = text {
-            output::print(&text.to_string())?;
+            terminal::print(&text.to_string())?;
         }
+        let viewers = self.output.as_ref().zip(save).map_or_else(Vec::new, |(path, save)| viewers(path, &save));
         if self.json {
-            output::print_json(&report(entry, &values, &scenario, &sim, &files))?;
+            terminal::print_json(&report(entry, &values, &scenario, &sim, &files, viewers))?;
         } else {
-            viewers(&files).iter().try_for_each(|line| output::print(&format!("{line}\n")))?;
+            viewers.iter().try_for_each(|line| terminal::report(&format!("{line}\n")))?;
         }
         Ok(Exit::Done)
     }
 
-    /// Writes the save file, if there is to be one, beside the waveform, which has that header and ends at `end` picoseconds; returns
-    /// the files that were written.
-    fn save(&self, path: &Path, save: Option<PathBuf>, header: &[u8], end: u64) -> Result<Vec<PathBuf>, Failure> {
-        output::talk(&format!("wrote {}", path.display()));
-        self.filters.warn_if_empty(end);
-        let Some(save) = save else { return Ok(vec![path.to_owned()]) };
-        let times = self.filters.times();
-        let text = save_file::of(path, header, times.start..times.end.min(end), self.filters.is_scoped());
-        output::write_file(&save, text.as_bytes())?;
-        Ok(vec![path.to_owned(), save])
+    /// The save file for the waveform, which has that header and ends at `end` picoseconds.
+    fn save_file(&self, header: &[u8], end: u64) -> String {
+        let (waveform, times) = (self.output.as_deref().unwrap_or(Path::new("")), self.filters.times());
+        save_file::of(waveform, header, times.start..times.end.min(end), self.filters.is_scoped())
     }
 }
 
 /// A waveform's name, which is not that of the save file beside it.
-fn waveform(text: &str) -> Result<PathBuf, &'static str> {
-    let path = PathBuf::from(text);
+fn waveform(path: PathBuf) -> Result<PathBuf, &'static str> {
     let is_save_file = path.extension().is_some_and(|it| it == "gtkw");
     if is_save_file { Err("the .gtkw file is written beside the waveform: name the waveform .vcd") } else { Ok(path) }
+}
+
+/// Whether a save file is not there yet, or of an earlier run; if not, says that it stays.
+fn is_ours(path: &Path) -> bool {
+    let mut begin = String::new();
+    let read = |file: File| file.take(save_file::FIRST_LINE.len() as u64).read_to_string(&mut begin);
+    let is_read = path.is_file() && File::open(path).and_then(read).is_ok();
+    let ours = !path.exists() || is_read && begin == save_file::FIRST_LINE;
+    if !ours {
+        terminal::warn(&format!(
+            "{} is not of tilewright and stays as it is: remove it to have it written",
+            path.display()
+        ));
+    }
+    ours
 }
 
 fn record_ports(sim: &mut Simulation, scenario: &Scenario) -> Result<tilewright_sim::Wave, Failure> {
@@ -123,18 +145,10 @@ fn record_ports(sim: &mut Simulation, scenario: &Scenario) -> Result<tilewright_
     Ok(sim.record(probes))
 }
 
-/// Starts the waveform; its header.
-fn trace(sim: &mut Simulation, vcd: Vcd) -> Result<Vec<u8>, Failure> {
-    let header = sim.trace_header(&vcd)?;
-    sim.trace(vcd)?;
-    Ok(header)
-}
-
-/// The lines that open the waveform; none for one that went to a pipe or a device.
-fn viewers(files: &[PathBuf]) -> Vec<String> {
-    let [path, save] = files else { return Vec::new() };
-    let (path, save) = (quoted(path), quoted(save));
-    vec![format!("gtkwave {path} {save}"), format!("surfer {path}")]
+/// The lines that open a waveform.
+fn viewers(waveform: &Path, save: &Path) -> Vec<String> {
+    let (waveform, save) = (quoted(waveform), quoted(save));
+    vec![format!("gtkwave {waveform} {save}"), format!("surfer {waveform}")]
 }
 
 fn report<'a>(
@@ -142,7 +156,8 @@ fn report<'a>(
     values: &Values,
     scenario: &'a Scenario,
     sim: &Simulation,
-    files: &'a [PathBuf],
+    files: &[PathBuf],
+    commands: Vec<String>,
 ) -> Report<'a> {
     let cycles = |name: &str| sim.cycles(name).expect("it is a clock of the block");
     Report {
@@ -152,7 +167,7 @@ fn report<'a>(
         scenario: scenario.about,
         picoseconds: sim.time(),
         clocks: sim.program().clocks.iter().map(|clock| (clock.name.clone(), cycles(&clock.name))).collect(),
-        files,
-        commands: viewers(files),
+        files: files.iter().map(|file| shown(file)).collect(),
+        commands,
     }
 }

@@ -29,7 +29,7 @@ pub use error::SceneError;
 pub use frame::Frame;
 pub use light::{Light, Lighting};
 pub use mesh::{BoundingBox, Mesh, MeshTriangle, smooth_normals};
-pub use output::write_whole;
+pub use output::{Place, WholeFile, behind_links, write_whole};
 pub use packet::{Edge, PixelBox, Plane, ScreenVertex, Triangle};
 pub use project::{Counts, Projection, project, project_sample};
 pub use quote::{escape, quote};

@@ -1,12 +1,12 @@
 //! The last resort: a panic becomes one sentence that asks for a report, and an exit code.
 
-use super::{Exit, Failure, output};
+use super::{Exit, Failure, terminal, text};
 use std::panic::{self, AssertUnwindSafe, PanicHookInfo};
 
 /// Runs a command; if it panics, the user gets a sentence and [`Exit::Crash`]. The panic unwinds first, so that what drops on its
 /// way closes its files.
 pub fn guard(command: impl FnOnce() -> Result<Exit, Failure>) -> Result<Exit, Failure> {
-    panic::set_hook(Box::new(|panic| output::talk(&sentence(panic))));
+    panic::set_hook(Box::new(|panic| terminal::tell(&text::legible(&sentence(panic)))));
     panic::catch_unwind(AssertUnwindSafe(command)).unwrap_or(Ok(Exit::Crash))
 }
 

@@ -1,7 +1,7 @@
 //! Exit codes, and the errors that lead to them.
 
-use std::fmt::Display;
-use std::io;
+use super::interrupt;
+use super::text::one_line;
 use std::process::ExitCode;
 use tilewright_rtl::catalog::CatalogError;
 use tilewright_scenes::SceneError;
@@ -21,8 +21,14 @@ pub enum Exit {
     NoTool = 4,
     /// A mistake in this program.
     Crash = 70,
+    /// The system has no more memory, or the stack is full.
+    NoMemory = 71,
+    /// The terminal went away.
+    HungUp = 129,
     /// Ctrl-C.
     Interrupted = 130,
+    /// Asked to end by another program.
+    Terminated = 143,
 }
 
 impl From<Exit> for ExitCode {
@@ -38,31 +44,48 @@ pub struct Failure {
     pub exit: Exit,
     /// For the user: what is wrong, where, and what to do.
     pub sentence: String,
+    /// What went wrong after that.
+    next: Option<Box<Failure>>,
 }
 
 impl Failure {
     /// A failure of that kind.
     pub fn new(exit: Exit, sentence: impl Into<String>) -> Failure {
-        Failure { exit, sentence: sentence.into() }
+        Failure { exit, sentence: sentence.into(), next: None }
+    }
+
+    /// What came of two things that were both done: the first failure decides the exit code, and all are told.
+    pub fn both<T>(first: Result<T, Failure>, second: Result<(), Failure>) -> Result<T, Failure> {
+        match (first, second) {
+            (Ok(done), Ok(())) => Ok(done),
+            (Ok(_), Err(failure)) | (Err(failure), Ok(())) => Err(failure),
+            (Err(first), Err(second)) => Err(first.then(second)),
+        }
+    }
+
+    fn then(self, next: Failure) -> Failure {
+        Failure { next: Some(Box::new(next)), ..self }
+    }
+
+    /// Its sentences and those of what went wrong after it.
+    pub fn sentences(&self) -> impl Iterator<Item = &str> {
+        self.chain().map(|failure| failure.sentence.as_str())
     }
 
     /// Whether the waveform of a run that ended so has been written: not all of it was if an output failed.
     pub fn leaves_a_waveform<T>(ended: &Result<T, Failure>) -> bool {
-        !matches!(ended, Err(Failure { exit: Exit::NoOutput, .. }))
+        ended.as_ref().err().is_none_or(|failure| failure.chain().all(|it| it.exit != Exit::NoOutput))
     }
 
-    /// An output that the system does not let us write.
-    pub fn unwritable(output: &dyn Display, error: &io::Error) -> Failure {
-        let text = error.to_string();
-        let reason = text.split(" (os error").next().unwrap_or_default().to_lowercase();
-        Failure::new(Exit::NoOutput, format!("{output}: cannot be written ({reason}): choose another place"))
+    fn chain(&self) -> impl Iterator<Item = &Failure> {
+        std::iter::successors(Some(self), |failure| failure.next.as_deref())
     }
 }
 
 impl From<SceneError> for Failure {
     fn from(error: SceneError) -> Failure {
         let exit = if let SceneError::Write { .. } = error { Exit::NoOutput } else { Exit::BadInput };
-        Failure::new(exit, error.to_string())
+        Failure::new(exit, one_line(&error.to_string()))
     }
 }
 
@@ -75,7 +98,7 @@ impl From<CatalogError> for Failure {
 impl From<tilewright_sim::Error> for Failure {
     fn from(error: tilewright_sim::Error) -> Failure {
         match error {
-            tilewright_sim::Error::Trace { path, source } => Failure::unwritable(&path.display(), &source),
+            tilewright_sim::Error::Trace { path, source } => SceneError::unwritable(&path, &source).into(),
             tilewright_sim::Error::Violated(_) | tilewright_sim::Error::Differs(_) => {
                 Failure::new(Exit::CheckFailed, error.to_string())
             }
@@ -88,7 +111,8 @@ impl From<tilewright_machines::Error> for Failure {
     fn from(error: tilewright_machines::Error) -> Failure {
         match error {
             tilewright_machines::Error::Simulation(error) => error.into(),
-            tilewright_machines::Error::Cancelled { .. } => Failure::new(Exit::Interrupted, error.to_string()),
+            tilewright_machines::Error::Untraced { run, trace } => Failure::from(*run).then(trace.into()),
+            tilewright_machines::Error::Cancelled { .. } => Failure::new(interrupt::exit(), error.to_string()),
             _ => Failure::new(Exit::BadInput, error.to_string()),
         }
     }
@@ -101,7 +125,7 @@ impl From<tilewright_benches::Error> for Failure {
             Simulation(error) => return error.into(),
             Missing(_) | Tool(_) | Unreadable { .. } => Exit::NoTool,
             Differs { .. } => Exit::CheckFailed,
-            Interrupted { .. } => Exit::Interrupted,
+            Interrupted { .. } => interrupt::exit(),
         };
         Failure::new(exit, error.to_string())
     }
@@ -110,6 +134,7 @@ impl From<tilewright_benches::Error> for Failure {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::io;
     use tilewright_hdl::Bits;
     use tilewright_machines::Error;
     use tilewright_sim::Difference;
@@ -147,9 +172,13 @@ mod tests {
         for (error, exit) in cases {
             assert_eq!(Failure::from(error).exit, exit);
         }
+        let untraced = Error::Untraced { run: Box::new(Error::Cancelled { phase: "drawing", time: 5 }), trace: full() };
+        let both = Failure::from(untraced);
+        assert_eq!((both.exit, both.sentences().count()), (Exit::Interrupted, 2));
+        assert!(!Failure::leaves_a_waveform::<()>(&Err(both)));
         assert_eq!(
             Failure::from(full()).sentence,
-            "run.vcd: cannot be written (no storage space): choose another place"
+            "run.vcd: cannot be written (no storage space): make room, or choose another disk"
         );
     }
 }

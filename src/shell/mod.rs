@@ -4,7 +4,10 @@ pub mod crash;
 mod exit;
 pub mod interrupt;
 pub mod output;
+pub mod place;
 mod progress;
+pub mod terminal;
+pub mod text;
 
 pub use exit::{Exit, Failure};
 pub use progress::Progress;

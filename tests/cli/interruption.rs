@@ -1,39 +1,133 @@
-//! Ctrl-C during a run: the waveform opens, and the exit code says what happened.
+//! Signals during a run: the waveform opens, and sentence and exit code say what happened.
 #![cfg(unix)]
 
 use crate::harness::{Folder, Run, Waveform};
-use std::process::{Command, Stdio};
+use std::process::{Child, Command, Stdio};
 use std::thread::sleep;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
-/// Runs a command, interrupts it when its waveform has grown to some size, and returns how it ended.
-fn interrupted(folder: &Folder, line: &str, waveform: &str) -> Run {
-    let mut child = folder.command(line).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+/// A scenario that takes long.
+const LONG: &str = "wave gfb-unit --set width=2048 --set height=2048 -o long.vcd";
+
+/// The signals that ask a run to stop, with the exit codes.
+const STOPS: [(&str, i32); 3] = [("INT", 130), ("TERM", 143), ("HUP", 129)];
+
+fn start(folder: &Folder, line: &str) -> Child {
+    folder.command(line).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap()
+}
+
+/// Waits until a command's waveform has grown to some size.
+fn await_waveform(folder: &Folder, child: &mut Child, waveform: &str) {
     while std::fs::metadata(folder.path(waveform)).map_or(0, |it| it.len()) < 200_000 {
-        assert!(child.try_wait().unwrap().is_none(), "{line} ended before it could be interrupted");
+        assert!(child.try_wait().unwrap().is_none(), "it ended before it could be interrupted");
         sleep(Duration::from_millis(5));
     }
-    let killed = Command::new("kill").args(["-s", "INT", &child.id().to_string()]).status().unwrap();
+}
+
+fn send(child: &Child, signal: &str) {
+    let killed = Command::new("kill").args(["-s", signal, &child.id().to_string()]).status().unwrap();
     assert!(killed.success());
+}
+
+/// Runs a command, stops it when its waveform has grown to some size, and returns how it ended.
+fn interrupted(folder: &Folder, line: &str, waveform: &str, signal: &str) -> Run {
+    let mut child = start(folder, line);
+    await_waveform(folder, &mut child, waveform);
+    send(&child, signal);
     Run::of(child.wait_with_output().unwrap())
+}
+
+/// Runs a command, stops it after a while, and returns how it ended and how long that took.
+fn stopped_after(folder: &Folder, line: &str, wait: Duration) -> (Run, Duration) {
+    let mut child = start(folder, line);
+    sleep(wait);
+    assert!(child.try_wait().unwrap().is_none(), "{line} ended before it could be interrupted");
+    let begin = Instant::now();
+    send(&child, "INT");
+    (Run::of(child.wait_with_output().unwrap()), begin.elapsed())
 }
 
 #[test]
 fn an_interrupted_scenario_leaves_a_waveform_that_opens() {
-    let folder = Folder::new();
-    let run = interrupted(&folder, "wave gfb-unit --set width=2048 --set height=2048 -o long.vcd", "long.vcd");
-    assert_eq!((run.code, run.stdout.as_str()), (Some(130), ""), "{run:?}");
-    assert!(run.stderr.contains("error: the run was interrupted at "), "{run:?}");
-    assert!(Waveform::read(&folder.path("long.vcd")).times.len() > 1000);
-    assert!(folder.path("long.gtkw").exists());
+    for (signal, code) in STOPS {
+        let folder = Folder::new();
+        let run = interrupted(&folder, LONG, "long.vcd", signal);
+        assert_eq!((run.code, run.stdout.as_str()), (Some(code), ""), "{signal}: {run:?}");
+        assert!(run.stderr.contains("error: the run was interrupted at "), "{signal}: {run:?}");
+        assert!(Waveform::read(&folder.path("long.vcd")).times.len() > 1000);
+        assert!(folder.path("long.gtkw").exists());
+    }
 }
 
 #[test]
 fn an_interrupted_frame_leaves_a_waveform_that_opens_and_no_picture() {
+    for (signal, code) in STOPS {
+        let folder = Folder::new();
+        let line = "render teapot --processors 2 --vcd run.vcd -o frame.png";
+        let run = interrupted(&folder, line, "run.vcd", signal);
+        assert_eq!((run.code, run.stdout.as_str()), (Some(code), ""), "{signal}: {run:?}");
+        assert!(run.stderr.contains("error: the run was interrupted at "), "{signal}: {run:?}");
+        assert!(Waveform::read(&folder.path("run.vcd")).times.len() > 100);
+        assert_eq!(folder.names(), ["run.vcd"]);
+    }
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn a_run_below_nohup_goes_on_when_the_terminal_goes_away() {
     let folder = Folder::new();
-    let run = interrupted(&folder, "render teapot --processors 2 --vcd run.vcd -o frame.png", "run.vcd");
+    let mut shell = Command::new("sh");
+    let line = format!("trap '' HUP; exec {} {LONG}", crate::harness::PROGRAM);
+    shell.args(["-c", &line]).current_dir(folder.path(".")).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let mut child = shell.spawn().unwrap();
+    await_waveform(&folder, &mut child, "long.vcd");
+    send(&child, "HUP");
+    sleep(Duration::from_millis(300));
+    assert!(child.try_wait().unwrap().is_none(), "SIGHUP was to be ignored");
+    send(&child, "TERM");
+    assert_eq!(child.wait_with_output().unwrap().status.code(), Some(143));
+}
+
+#[test]
+fn two_runs_do_not_write_one_waveform() {
+    let folder = Folder::new();
+    let mut first = start(&folder, LONG);
+    await_waveform(&folder, &mut first, "long.vcd");
+    std::fs::hard_link(folder.path("long.vcd"), folder.path("again.vcd")).unwrap();
+    for line in ["wave merging-unit -o again.vcd", "render teapot --size 16x12 --vcd long.vcd"] {
+        let run = folder.run(line);
+        assert_eq!((run.code, run.stdout.as_str()), (Some(3), ""), "{line}: {run:?}");
+        assert!(run.stderr.contains(".vcd: another run is writing it: wait for that"), "{line}: {run:?}");
+    }
+    send(&first, "INT");
+    assert_eq!(first.wait_with_output().unwrap().status.code(), Some(130));
+    assert!(Waveform::read(&folder.path("long.vcd")).times.len() > 1000);
+    // The file is free again.
+    folder.stdout("wave merging-unit -o long.vcd");
+    assert!(Waveform::read(&folder.path("again.vcd")).times.len() < 100);
+}
+
+#[test]
+fn a_golden_image_can_be_interrupted() {
+    let triangles = "f 1 2 3\n".repeat(20_000);
+    let folder = Folder::with(&[
+        ("s.obj", &format!("v -50 -50 0\nv 50 -50 0\nv 0 80 0\n{triangles}")),
+        ("s.toml", "mesh = \"s.obj\"\nsize = [1024, 1024]\n[camera]\neye = [0, 0, 10]\ntarget = [0, 0, 0]\n"),
+    ]);
+    let names = folder.names();
+    for line in ["golden s.toml -o x.png", "render s.toml -o x.png --vcd x.vcd"] {
+        let (run, took) = stopped_after(&folder, line, Duration::from_secs(1));
+        assert_eq!((run.code, run.stdout.as_str()), (Some(130), ""), "{line}: {run:?}");
+        assert_eq!(run.stderr, "error: interrupted while the golden image was drawn\n", "{line}");
+        assert!(took < Duration::from_secs(1), "{line}: {took:?}");
+        assert_eq!(folder.names(), names, "{line}");
+    }
+}
+
+#[test]
+fn what_does_not_look_is_ended_soon() {
+    let (run, took) = stopped_after(&Folder::new(), "bench qt4096*64", Duration::from_secs(1));
     assert_eq!((run.code, run.stdout.as_str()), (Some(130), ""), "{run:?}");
-    assert!(run.stderr.contains("error: the run was interrupted at "), "{run:?}");
-    assert!(Waveform::read(&folder.path("run.vcd")).times.len() > 100);
-    assert_eq!(folder.names(), ["run.vcd"]);
+    assert!(run.stderr.contains("interrupted") && run.stderr.lines().count() == 1, "{run:?}");
+    assert!(took < Duration::from_secs(4), "{took:?}");
 }

@@ -50,3 +50,46 @@ fn every_block_that_is_listed_can_be_run() {
         Waveform::read(&folder.path(format!("{name}.vcd")));
     }
 }
+
+#[test]
+fn a_pattern_may_be_a_path_of_the_waveform_or_the_verilog() {
+    let folder = Folder::new();
+    let names = |scope: &str| {
+        folder.stdout(&format!("wave image-merger --set units=4 -o some.vcd --scope {scope}"));
+        Waveform::read(&folder.path("some.vcd")).names
+    };
+    let short = names("u_merging_unit[1].left1");
+    assert!(short.contains(&"image_merger_units4.u_merging_unit[1].lane.left1[47:0]".to_owned()), "{short:?}");
+    for scope in [
+        "u_merging_unit[1].lane.left1",
+        "image_merger_units4.u_merging_unit[1].left1",
+        "image_merger_units4.u_merging_unit[1].lane.left1[47:0]",
+    ] {
+        assert_eq!(names(scope), short, "{scope}");
+    }
+    assert_eq!(names("image_merger_units4.u_merging_unit[*].lane.*"), names("u_merging_unit[*].*"));
+    let run = folder.run("wave image-merger --set units=4 -o some.vcd --scope no_such_scope.at_all.*");
+    assert_eq!(run.code, Some(2));
+    assert!(run.stderr.ends_with(": there are `**`, `u_merging_unit[*].**`\n"), "{run:?}");
+}
+
+#[test]
+fn a_pattern_of_many_stars_is_no_riddle() {
+    let folder = Folder::new();
+    let run = folder.shell(&format!("timeout 20 tilewright wave vc1 -o x.vcd --scope '{}z'", "**".repeat(30)));
+    assert!(run.code == Some(2) && run.stderr.contains("no signal that matches"), "{run:?}");
+}
+
+#[test]
+fn the_run_ends_with_the_waveform() {
+    let folder = Folder::new();
+    let line = "wave gfb-unit --set width=64 --set height=64 -o x.vcd";
+    let whole = folder.json(&format!("{line} --json"))["picoseconds"].as_u64().unwrap();
+    let report = folder.json(&format!("{line} --to 1us --json"));
+    assert!(report["picoseconds"].as_u64().unwrap() < 20_000_000 && whole > 100_000_000, "{whole}: {report}");
+    assert_eq!(Waveform::read(&folder.path("x.vcd")).times.last(), Some(&1_000_000));
+    // Text shows the whole scenario.
+    let text = |more: &str| folder.stdout(&format!("wave gfb-unit --ascii {more}"));
+    let whole = text("");
+    assert!(text("-o x.vcd --to 100ns").starts_with(&whole));
+}

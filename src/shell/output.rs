@@ -1,0 +1,221 @@
+//! Where a command writes: a file, a device, a pipe or standard output.
+//!
+//! Outputs are opened when the inputs have been read and before the work begins, so that a long run does not end in a place that
+//! cannot be written.
+
+use super::place::{is_standard_output, shown, standard_output};
+use super::terminal::{self, STANDARD_OUTPUT, take_standard_output, talk};
+use super::{Exit, Failure};
+use std::fs::{self, File, OpenOptions, TryLockError};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+use tilewright_scenes::{Place, SceneError, WholeFile};
+use tilewright_sim::Vcd;
+
+/// An output that is written at once: a file appears whole or not at all.
+pub struct Output {
+    name: String,
+    to: To,
+}
+
+enum To {
+    Standard(File),
+    File(WholeFile),
+}
+
+impl Output {
+    /// Prepares an output of that name; `-` is standard output.
+    ///
+    /// # Errors
+    /// It cannot be written.
+    pub fn at(path: &Path) -> Result<Output, Failure> {
+        let to = match is_standard_output(path) {
+            true => To::Standard(taken()?),
+            false => To::File(WholeFile::at(path)?),
+        };
+        Ok(Output { name: shown(path), to })
+    }
+
+    /// Writes it, and says so.
+    ///
+    /// # Errors
+    /// It cannot be written.
+    pub fn write(self, bytes: &[u8]) -> Result<(), Failure> {
+        write_all([(self, bytes)])
+    }
+}
+
+/// Writes several outputs, and says so: if one does not fit, none of the files changes.
+///
+/// # Errors
+/// One cannot be written.
+pub fn write_all<'a>(outputs: impl IntoIterator<Item = (Output, &'a [u8])>) -> Result<(), Failure> {
+    let mut filled = Vec::new();
+    for (Output { name, to }, bytes) in outputs {
+        match to {
+            To::Standard(mut file) => terminal::check(file.write_all(bytes))?,
+            To::File(mut file) => {
+                file.fill(bytes)?;
+                filled.push((name, file));
+            }
+        }
+    }
+    for (name, file) in filled {
+        file.commit()?;
+        talk(&format!("wrote {name}"));
+    }
+    Ok(())
+}
+
+/// The file of a waveform, which grows while a simulation runs; a run that is broken off leaves what there is.
+pub struct Waveform {
+    name: String,
+    file: File,
+    /// Whether what was in it goes away.
+    is_plain: bool,
+    /// The file, if it was made for this.
+    made: Option<PathBuf>,
+    is_standard: bool,
+}
+
+impl Waveform {
+    /// Opens a file of that name, or makes it, without changing what is in it; `-` is standard output.
+    ///
+    /// # Errors
+    /// It cannot be written, or another run writes it.
+    pub fn at(path: &Path) -> Result<Waveform, Failure> {
+        let name = shown(path);
+        if is_standard_output(path) {
+            let name = STANDARD_OUTPUT.to_owned();
+            return Ok(Waveform { name, file: taken()?, is_plain: false, made: None, is_standard: true });
+        }
+        let place = Place::of(path)?;
+        let (real, is_plain) = match &place {
+            Place::Stream => (path, false),
+            Place::File(real) => (real.as_path(), true),
+        };
+        let is_new = is_plain && !real.exists();
+        let opened = OpenOptions::new().write(true).create(is_plain).truncate(false).open(real);
+        let file = opened.map_err(|error| SceneError::unwritable(path, &error))?;
+        // Not every file system has locks; what is no plain file needs none.
+        if is_plain && matches!(file.try_lock(), Err(TryLockError::WouldBlock)) {
+            let sentence = format!("{name}: another run is writing it: wait for that, or name another file");
+            return Err(Failure::new(Exit::NoOutput, sentence));
+        }
+        let made = is_new.then(|| real.to_owned());
+        Ok(Waveform { name, file, is_plain, made, is_standard: false })
+    }
+
+    /// What a simulation writes there.
+    ///
+    /// # Errors
+    /// The system has no room for another open file.
+    pub fn vcd(&self) -> Result<Vcd, Failure> {
+        Ok(Vcd::into(&self.name, self.file.try_clone().map_err(|error| self.unwritable(&error))?))
+    }
+
+    /// Makes room: what was in the file goes away.
+    ///
+    /// # Errors
+    /// The system does not let it.
+    pub fn clear(&self) -> Result<(), Failure> {
+        if self.is_plain {
+            self.file.set_len(0).map_err(|error| self.unwritable(&error))?;
+        }
+        Ok(())
+    }
+
+    /// Says that it was written.
+    pub fn tell_written(&self) {
+        if !self.is_standard {
+            talk(&format!("wrote {}", self.name));
+        }
+    }
+
+    fn unwritable(&self, error: &io::Error) -> Failure {
+        SceneError::unwritable(Path::new(&self.name), error).into()
+    }
+}
+
+/// A command that fails before it writes leaves no empty file.
+impl Drop for Waveform {
+    fn drop(&mut self) {
+        if let Some(path) = self.made.take().filter(|_| self.file.metadata().is_ok_and(|it| it.len() == 0)) {
+            let _ = fs::remove_file(path);
+        }
+    }
+}
+
+/// Standard output, for something else than text.
+fn taken() -> Result<File, Failure> {
+    take_standard_output();
+    standard_output().map_err(|error| SceneError::unwritable(Path::new(STANDARD_OUTPUT), &error).into())
+}
+
+/// A folder for outputs, which is made with those above it; what was made goes away again unless it is kept.
+pub struct Folder {
+    made: Vec<PathBuf>,
+}
+
+impl Folder {
+    /// Makes a folder and those above it, unless they are there.
+    ///
+    /// # Errors
+    /// It cannot be made.
+    pub fn make(path: &Path) -> Result<Folder, Failure> {
+        let missing = path.ancestors().take_while(|folder| !folder.as_os_str().is_empty() && !folder.exists());
+        let folder = Folder { made: missing.map(Path::to_owned).collect() };
+        fs::create_dir_all(path).map_err(|error| SceneError::unwritable(path, &error))?;
+        Ok(folder)
+    }
+
+    /// Leaves the folder where it is.
+    pub fn keep(mut self) {
+        self.made.clear();
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        // What is not empty belongs to somebody else by now.
+        self.made.iter().for_each(|folder| drop(fs::remove_dir(folder)));
+    }
+}
+
+/// A path as a shell takes it.
+pub fn quoted(path: &Path) -> String {
+    let text = path.to_string_lossy();
+    let plain = |c: char| c.is_alphanumeric() || "-_./+,:@%=".contains(c);
+    if path.to_str().is_none() || text.chars().any(char::is_control) {
+        let byte = |byte: &u8| match byte {
+            b'\'' | b'\\' => format!("\\{}", *byte as char),
+            b' '..=b'~' => (*byte as char).to_string(),
+            _ => format!("\\{byte:03o}"),
+        };
+        return format!("$'{}'", path.as_os_str().as_encoded_bytes().iter().map(byte).collect::<String>());
+    }
+    if !text.is_empty() && text.chars().all(plain) {
+        text.into_owned()
+    } else {
+        format!("'{}'", text.replace('\'', r"'\''"))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_shell_reads_back_what_was_quoted() {
+        assert_eq!(quoted(Path::new("out/mu.vcd")), "out/mu.vcd");
+        assert_eq!(quoted(Path::new("my wave's.vcd")), r"'my wave'\''s.vcd'");
+        assert_eq!(quoted(Path::new("a\u{1b}'.vcd")), r"$'a\033\'.vcd'");
+    }
+
+    #[test]
+    #[cfg(unix)]
+    fn a_name_that_is_no_text_is_quoted_byte_by_byte() {
+        let name = std::os::unix::ffi::OsStrExt::from_bytes(b"a \xff.vcd");
+        assert_eq!(quoted(Path::new::<std::ffi::OsStr>(name)), r"$'a \377.vcd'");
+    }
+}
