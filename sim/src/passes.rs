@@ -30,6 +30,9 @@ pub struct Passes {
     pub held_after: u64,
     /// From how many operations on a function is cut into several.
     pub longest: usize,
+    /// What code works on lies between pages that nobody may touch, so that code that reaches out of it ends the program;
+    /// on wherever debug assertions are.
+    pub guarded: bool,
 }
 
 impl Default for Passes {
@@ -48,6 +51,7 @@ impl Default for Passes {
             near: 1 << 20,
             held_after: 50_000,
             longest: 500,
+            guarded: cfg!(debug_assertions),
         }
     }
 }
@@ -69,6 +73,7 @@ impl Passes {
             near: usize::MAX,
             held_after: u64::MAX,
             longest: usize::MAX,
+            guarded: cfg!(debug_assertions),
         }
     }
 }

@@ -1,5 +1,5 @@
-//! Where the words of memories stand: those of memories with the same ports side by side, so that who reads or writes
-//! them all does so in one line of the cache.
+//! Where the words of memories stand: those of memories with the same ports side by side, so that an access to all of
+//! them is one to a single line of the cache.
 
 use std::collections::BTreeMap;
 
@@ -46,10 +46,10 @@ pub(super) fn banks(program: &Program, strips: &Strips) -> (Vec<MemoryAt>, Vec<B
         let together =
             ports.lanes > 1 && widths.iter().all(|&width| width <= 64) && addresses().all(|id| common.contains(&id));
         // Every address that its width can express has a word, so that reads need no check: those beyond the depth
-        // stay zero.
+        // stay zero. The width is that of the depth, as `demands` has seen.
         let depth = (ports.depth as usize).max(1 << bits);
         let places = Words::side_by_side(&widths, ports.lanes, depth, together, strips);
-        let bank = Bank::new(places[0].1.size);
+        let bank = Bank::new(places[0].1.size, program.passes.guarded);
         let is_full = ports.depth as usize >= 1 << bits;
         for ((&index, &width), &(first, words)) in group.iter().zip(&widths).zip(&places) {
             let address = bank.address() as usize + first;

@@ -15,7 +15,7 @@ use crate::program::{Kind, ValueId};
 
 /// The widest value that is branched on.
 const WIDEST: u32 = 6;
-/// Of what a kernel computes, the part that its variants may still compute on average.
+/// The part of a kernel's work that its variants may leave on average; if they leave more, it is not split.
 const REMAINING: f64 = 0.7;
 /// Operations on strips that a branch must save to be worth its own cost.
 const WORTH: usize = 24;
@@ -249,7 +249,7 @@ impl<'a> Known<'a> {
                 }
             }
             self.became.insert(id, became);
-            // An operand that it is the same as is computed before, or elsewhere.
+            // If it is an alias, what it stands for is computed before, or elsewhere.
             if (became == id || alias.is_none() || is_read) && seen.insert(became) {
                 cells.push(became);
             }

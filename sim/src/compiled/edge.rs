@@ -13,7 +13,7 @@ use crate::start::State;
 pub(super) struct Edge {
     /// The clocks that rise.
     rising: Vec<usize>,
-    /// The resets that are high, as far as assertions are concerned.
+    /// The resets that are high where that decides which assertions it checks.
     resets: Vec<bool>,
     code: Code,
     /// Since when inputs are as they are, and for how many edges.
@@ -26,8 +26,8 @@ pub(super) struct Edge {
 impl Compiled {
     /// The function for so many edges of these clocks; with inputs folded in if they have long been as they are.
     ///
-    /// It is the same whatever resets are high, as registers are reset behind it: a circuit that begins with a reset has
-    /// one function made and not two. All that it depends on is which assertions are checked.
+    /// Registers are reset after it has run, so one function serves whether resets are high or not, except for the
+    /// assertions that it checks: a circuit that begins with a reset has one function made, not two.
     pub(super) fn edge_code(&mut self, rising: &[usize], count: u64) -> Code {
         let mut asserting = rising.iter().filter(|&&clock| !self.program.clocks[clock].asserts.is_empty());
         let unchecked = asserting.all(|&clock| self.resets[clock]);

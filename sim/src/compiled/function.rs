@@ -2,8 +2,8 @@
 
 use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::{InstBuilder, MemFlagsData, Value, types};
-use cranelift_frontend::FunctionBuilder;
 
+use super::builder::FunctionBuilder;
 use super::graph::{Graph, Sink};
 use super::layout::{Layout, Place, Strips, Words};
 use super::plan::{Plan, is_table};
@@ -21,8 +21,8 @@ pub(super) struct MemoryAt {
     pub words: Words,
     pub depth: u32,
     pub width: u32,
-    /// What zeros stand for, up to 64 bits: words stand exclusive or with it, so that a memory that is full of one word
-    /// at the start has not to be written.
+    /// What zeros stand for, up to 64 bits: words are stored as their exclusive or with it, so that a memory that is full
+    /// of one word at the start need not be written.
     pub blank: u64,
     /// Every address that can be expressed is within the depth.
     pub is_full: bool,

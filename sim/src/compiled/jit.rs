@@ -1,69 +1,90 @@
 //! Machine code in memory, through Cranelift: the one place that makes it and the one that calls it.
 
+use std::mem::transmute;
+use std::sync::atomic::AtomicPtr;
 use std::sync::{Arc, OnceLock};
 
-use cranelift_codegen::ir::{AbiParam, Function, InstBuilder, Signature, Type, UserFuncName, Value, types};
-use cranelift_codegen::settings::{self, Configurable};
-use cranelift_codegen::{Context, isa};
-use cranelift_frontend::{FunctionBuilder, FunctionBuilderContext};
-use cranelift_jit::{JITBuilder, JITModule};
-use cranelift_module::{Module, default_libcall_names};
+use cranelift_codegen::Context;
+use cranelift_codegen::control::ControlPlane;
+use cranelift_codegen::ir::{InstBuilder, UserFuncName, Value};
+use cranelift_codegen::isa::OwnedTargetIsa;
 
-use super::scalar::{Call, take_calls};
+use super::builder::{FunctionBuilder, signature};
+use super::pages::CodePages;
+use super::scalar::Call;
+use super::target::{Unsupported, host};
 
-/// The type of addresses.
-pub(super) const POINTER: Type = types::I64;
+/// A function of generated code: takes the addresses of the state and of scratch memory and a number, gives a number.
+type Entry = unsafe extern "C" fn(*mut u8, u64, *mut u64) -> u64;
 
-/// Why this machine runs no generated code.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("no code can be generated for this machine ({0})")]
-pub struct Unsupported(pub(super) String);
+/// Bytes of stack that whoever runs code is taken to have left.
+const STACK: usize = 64 << 10;
+/// Bytes of stack for what code calls.
+const CALLED: usize = 64 << 10;
 
-/// A function of generated code: takes the address of the state and a number, gives a number.
+/// A function of generated code.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Code(unsafe extern "C" fn(*mut u8, u64) -> u64);
+pub(super) struct Code {
+    entry: Entry,
+    /// Bytes of stack that it takes, with the functions that it calls.
+    stack: usize,
+}
 
 impl Code {
-    /// Runs it.
+    /// Runs it; on a stack of its own if it takes much of it, so that no design overflows that of a thread.
     ///
     /// # Safety
     ///
-    /// The [`Jit`] that made it lives, and `state` is laid out as the code was told, with nobody else using it.
+    /// The [`Jit`] that made it lives, `state` is laid out as the code was told, and `scratch` has as many limbs as the
+    /// [`Jit`] says; nobody else uses them.
     #[allow(unsafe_code, reason = "generated code is a foreign function")]
-    pub unsafe fn call(self, state: *mut u8, argument: u64) -> u64 {
-        // SAFETY: the caller's promise.
-        unsafe { (self.0)(state, argument) }
+    pub unsafe fn call(self, state: *mut u8, argument: u64, scratch: *mut u64) -> u64 {
+        if self.stack <= STACK {
+            // SAFETY: the caller's promise.
+            return unsafe { (self.entry)(state, argument, scratch) };
+        }
+        let (state, scratch) = (AtomicPtr::new(state), AtomicPtr::new(scratch));
+        let run = || {
+            // SAFETY: the caller's promise; it waits until this is done.
+            unsafe { (self.entry)(state.into_inner(), argument, scratch.into_inner()) }
+        };
+        std::thread::scope(|scope| {
+            let thread = std::thread::Builder::new().stack_size(self.stack + CALLED).spawn_scoped(scope, run);
+            thread
+                .expect("the system has a thread and its stack to give")
+                .join()
+                .expect("generated code does not panic")
+        })
     }
 
     /// Emits a call of it in another function.
     pub fn emit_call(self, b: &mut FunctionBuilder, state: Value, argument: Value) -> Value {
-        let mut signature = Signature::new(b.func.signature.call_conv);
-        signature.params.extend([AbiParam::new(POINTER), AbiParam::new(types::I64)]);
-        signature.returns.push(AbiParam::new(types::I64));
-        let signature = b.import_signature(signature);
-        let address = b.ins().iconst(POINTER, self.0 as usize as i64);
-        let call = b.ins().call_indirect(signature, address, &[state, argument]);
-        b.inst_results(call)[0]
+        b.stack_of_called = b.stack_of_called.max(self.stack);
+        let scratch = b.scratch();
+        b.call(self.entry as usize, &[state, argument, scratch], true).expect("it gives a number")
     }
 }
 
 /// Makes functions and owns their memory.
 pub(super) struct Jit {
-    /// `None` only while it is dropped.
-    module: Option<JITModule>,
+    target: OwnedTargetIsa,
     context: Context,
-    scratch: FunctionBuilderContext,
+    pages: Vec<CodePages>,
     /// What functions refer to by address.
     calls: Vec<Arc<Call>>,
+    /// Limbs of scratch memory that functions take at most.
+    pub scratch: usize,
 }
 
 impl Jit {
     /// Prepares for the machine that this runs on.
     pub fn new() -> Result<Jit, Unsupported> {
-        let target = host()?;
-        let module = JITModule::new(JITBuilder::with_isa(target, default_libcall_names()));
-        let context = module.make_context();
-        Ok(Jit { module: Some(module), context, scratch: FunctionBuilderContext::new(), calls: Vec::new() })
+        host().map(Jit::on)
+    }
+
+    /// Prepares for a machine.
+    pub fn on(target: OwnedTargetIsa) -> Jit {
+        Jit { target, context: Context::new(), pages: Vec::new(), calls: Vec::new(), scratch: 0 }
     }
 
     /// Makes a function; `body` gets the builder in the entry block, the address of the state and the argument, and
@@ -77,43 +98,28 @@ impl Jit {
     }
 
     fn try_function(&mut self, body: impl FnOnce(&mut FunctionBuilder, Value, Value)) -> Result<Code, Unsupported> {
-        let module = self.module.as_mut().expect("it is not being dropped");
-        let frontend = module.target_config();
-        let mut signature = module.make_signature();
-        signature.params.extend([AbiParam::new(POINTER), AbiParam::new(types::I64)]);
-        signature.returns.push(AbiParam::new(types::I64));
-        self.context.func = Function::with_name_signature(UserFuncName::user(0, 0), signature);
-        let mut builder = FunctionBuilder::new(&mut self.context.func, &mut self.scratch);
-        let entry = builder.create_block();
-        builder.append_block_params_for_function_params(entry);
-        builder.switch_to_block(entry);
-        let (state, argument) = (builder.block_params(entry)[0], builder.block_params(entry)[1]);
+        self.context.clear();
+        self.context.func.name = UserFuncName::user(0, 0);
+        self.context.func.signature = signature(self.target.default_call_conv(), 3, true);
+        let (mut builder, state, argument) = FunctionBuilder::new(&mut self.context.func);
         body(&mut builder, state, argument);
-        self.calls.extend(take_calls());
-        builder.seal_all_blocks();
-        builder.finalize(frontend);
-        let id = module.declare_anonymous_function(&self.context.func.signature).expect("a new function has no rival");
-        if let Err(error) = module.define_function(id, &mut self.context) {
-            panic!("generated code is not accepted: {error:?}\n{}", self.context.func.display());
-        }
-        module.clear_context(&mut self.context);
-        module.finalize_definitions().map_err(|error| Unsupported(error.to_string()))?;
-        let address = module.get_finalized_function(id);
+        let FunctionBuilder { calls, most_scratch, stack_of_called, .. } = builder;
+        self.calls.extend(calls);
+        self.scratch = self.scratch.max(most_scratch);
+        let code = match self.context.compile(&*self.target, &mut ControlPlane::default()) {
+            Ok(code) => &code.buffer,
+            Err(error) => panic!("generated code is not accepted: {:?}\n{}", error.inner, error.func.display()),
+        };
+        // All that code refers to is within it, or stands in it as an address.
+        assert!(code.relocs().is_empty(), "generated code refers to what nobody fills in: {:?}", code.relocs());
+        let frame = code.frame_layout().map_or(0, |frame| frame.frame_to_fp_offset as usize);
+        let pages = CodePages::new(code.data(), code.alignment as usize)?;
+        let entry = pages.entry();
+        self.pages.push(pages);
         // SAFETY: the function was just made with this signature, in the C convention of this machine.
         #[allow(unsafe_code, reason = "a function pointer is made of an address")]
-        Ok(Code(unsafe { std::mem::transmute::<*const u8, unsafe extern "C" fn(*mut u8, u64) -> u64>(address) }))
-    }
-}
-
-impl Drop for Jit {
-    fn drop(&mut self) {
-        if let Some(module) = self.module.take() {
-            // SAFETY: `Code` may only be called while its `Jit` lives.
-            #[allow(unsafe_code, reason = "frees memory that function pointers point into")]
-            unsafe {
-                module.free_memory();
-            }
-        }
+        let entry = unsafe { transmute::<*const u8, Entry>(entry) };
+        Ok(Code { entry, stack: frame + stack_of_called })
     }
 }
 
@@ -136,36 +142,9 @@ pub(crate) fn unsupported() -> Option<Unsupported> {
     REFUSED.get_or_init(try_one).clone()
 }
 
-/// The machine that this runs on, which is found out once.
-fn host() -> Result<isa::OwnedTargetIsa, Unsupported> {
-    static HOST: OnceLock<Result<isa::OwnedTargetIsa, Unsupported>> = OnceLock::new();
-    HOST.get_or_init(target).clone()
-}
-
-/// The machine that this runs on. No optimisation by Cranelift: netlists come optimised, and its global value
-/// numbering lengthens live ranges.
-fn target() -> Result<isa::OwnedTargetIsa, Unsupported> {
-    let unsupported = |error: &dyn std::fmt::Display| Unsupported(error.to_string());
-    if cfg!(target_endian = "big") {
-        return Err(Unsupported("it is big-endian".to_owned()));
-    }
-    let mut flags = settings::builder();
-    let options = [
-        ("opt_level", "none"),
-        ("regalloc_algorithm", "backtracking"),
-        ("unwind_info", "false"),
-        ("enable_verifier", if cfg!(debug_assertions) { "true" } else { "false" }),
-    ];
-    for (name, value) in options {
-        flags.set(name, value).expect("Cranelift knows its settings");
-    }
-    let machine = cranelift_native::builder().map_err(|error| unsupported(&error))?;
-    machine.finish(settings::Flags::new(flags)).map_err(|error| unsupported(&error))
-}
-
 #[cfg(test)]
 mod tests {
-    use cranelift_codegen::ir::MemFlagsData;
+    use cranelift_codegen::ir::{MemFlagsData, StackSlotData, StackSlotKind, types};
 
     use super::*;
 
@@ -181,7 +160,51 @@ mod tests {
         });
         let mut state = [1u64, 40];
         // SAFETY: the code touches the second number of the state alone.
-        let old = unsafe { code.call(state.as_mut_ptr().cast(), 2) };
+        let old = unsafe { code.call(state.as_mut_ptr().cast(), 2, std::ptr::null_mut()) };
         assert_eq!((old, state), (40, [1, 42]));
+    }
+
+    #[test]
+    #[allow(unsafe_code, reason = "calls generated code")]
+    fn a_function_with_a_large_frame_runs_on_a_stack_of_its_own() {
+        const FRAME: u32 = 64 << 20;
+        let mut jit = Jit::new().unwrap();
+        let inner = jit.function(|b, _, argument| {
+            let slot = StackSlotData::new(StackSlotKind::ExplicitSlot, FRAME, 3);
+            let slot = b.func.create_sized_stack_slot(slot);
+            let [low, high] = [0, FRAME as i32 - 8].map(|at| b.ins().stack_addr(types::I64, slot, at));
+            for at in [low, high] {
+                b.ins().store(MemFlagsData::trusted(), argument, at, 0);
+            }
+            let [low, high] = [low, high].map(|at| b.ins().load(types::I64, MemFlagsData::trusted(), at, 0));
+            let sum = b.ins().iadd(low, high);
+            b.ins().return_(&[sum]);
+        });
+        let outer = jit.function(|b, state, argument| {
+            let sum = inner.emit_call(b, state, argument);
+            b.ins().return_(&[sum]);
+        });
+        assert!(inner.stack >= FRAME as usize && outer.stack >= inner.stack);
+        for code in [inner, outer] {
+            // SAFETY: the code touches its stack alone.
+            assert_eq!(unsafe { code.call(std::ptr::null_mut(), 21, std::ptr::null_mut()) }, 42);
+        }
+    }
+
+    #[test]
+    #[should_panic(expected = "refers to what nobody fills in")]
+    fn code_that_needs_an_address_filled_in_is_refused() {
+        let mut jit = Jit::new().unwrap();
+        let _ = jit.function(|b, _, argument| {
+            // Some machines round by a function of the C library.
+            let signature = signature(b.func.signature.call_conv, 1, true);
+            let signature = b.func.import_signature(signature);
+            let name = cranelift_codegen::ir::ExternalName::LibCall(cranelift_codegen::ir::LibCall::Memcpy);
+            let data = cranelift_codegen::ir::ExtFuncData { name, signature, colocated: false, patchable: false };
+            let function = b.func.import_function(data);
+            let call = b.ins().call(function, &[argument]);
+            let result = b.func.dfg.inst_results(call)[0];
+            b.ins().return_(&[result]);
+        });
     }
 }

@@ -62,7 +62,7 @@ impl Emitter<'_, '_, '_> {
         if kernel.cells.is_empty() && kernel.sinks.is_empty() {
             return;
         }
-        let outer = self.scalars.clone();
+        let (outer, scratch) = (self.scalars.clone(), self.builder.taken());
         let row = self.row_length(lanes, kernel);
         let mut strip = Strip::new(self.strips.strip(lanes), lanes, row);
         self.splat_uniforms(&mut strip, kernel);
@@ -84,6 +84,7 @@ impl Emitter<'_, '_, '_> {
             }
         };
         self.scalars = outer;
+        self.builder.give_back(scratch);
         for (id, sum) in sums {
             self.sum(id, sum, self.state);
         }
@@ -145,9 +146,6 @@ impl Emitter<'_, '_, '_> {
                 if cell.width <= 64 {
                     let limbs = self.scalars.clean(self.builder, of);
                     strip.lanes.splat(self.builder, id, cell.width, limbs[0]);
-                } else {
-                    // Not to be converted in a loop and used behind it.
-                    self.scalars.clean(self.builder, of);
                 }
             }
         }

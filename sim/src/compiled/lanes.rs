@@ -17,8 +17,8 @@ mod shift;
 #[cfg(test)]
 mod tests;
 
+use crate::compiled::builder::FunctionBuilder;
 use cranelift_codegen::ir::{InstBuilder, Value};
-use cranelift_frontend::FunctionBuilder;
 use rustc_hash::FxHashMap;
 use tilewright_hdl::Bits;
 use tilewright_hdl::ir::Unary;
@@ -109,8 +109,8 @@ impl Lanes {
         self.insert(id, Entry { width: bits.width(), constant, ..Entry::default() });
     }
 
-    /// The same in every lane: `scalar` is a clean I64. Emits the vectors of all elements, best before the loop; those
-    /// that nobody takes become no code.
+    /// The same in every lane: `scalar` is a clean I64. Emits a vector for each size of element; those that nobody
+    /// takes become no code. It is best called before the loop.
     pub fn splat(&mut self, b: &mut FunctionBuilder, id: ValueId, width: u32, scalar: Value) {
         let mut forms = Vec::new();
         let smallest = self.element(width);
@@ -165,8 +165,8 @@ impl Lanes {
         self.define(result, vector);
     }
 
-    /// A value in the one shape that all values of its width can have: masks for 1 bit, else dirty numbers, in its own
-    /// element. For what goes from block to block as parameters, or around a loop.
+    /// A value in the shape that every value of its width can be brought to: a mask for 1 bit, else numbers in the
+    /// smallest element, with anything above the width. For parameters of blocks, as around a loop.
     pub fn carried(&mut self, b: &mut FunctionBuilder, id: ValueId) -> Vector {
         let width = self.width(id);
         let vector = self.number(b, id, self.element(width), Need::of(width));
@@ -185,7 +185,8 @@ impl Lanes {
         Mark(self.done.len())
     }
 
-    /// Drops all values and conversions made since: they hold only in blocks that theirs dominates.
+    /// Drops all values and conversions that were made since, which do not hold in blocks behind the branch that they
+    /// were made in.
     pub fn forget(&mut self, mark: Mark) {
         while self.done.len() > mark.0 {
             match self.done.pop().expect("there are more") {

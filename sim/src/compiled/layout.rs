@@ -134,9 +134,9 @@ pub(super) struct Words {
     pub lane: usize,
     /// Bytes from an address to the next.
     pub address: usize,
-    /// Bytes of it all, with what stands beside it.
+    /// Bytes of the whole bank.
     pub size: usize,
-    /// Where code that has nothing to write may write, from the lane's first byte; only where lanes stand apart.
+    /// Where lanes stand apart: the place, from a lane's first byte, that a write port that is not enabled writes to.
     pub nowhere: usize,
 }
 

@@ -40,9 +40,13 @@ const LOOKED_UP_BY: u32 = 8;
 /// From how many arms on a choice between constants is looked up.
 const ARMS: usize = 4;
 
-/// Rewrites a graph: choices between constants are looked up in a table, and rotations are found; words of memories are
-/// converted from and to how they stand there; neighbours are loaded from anywhere and replaced at the edges of their
-/// groups (`edge` of what remains is not looked at); lanes that pad the last strip take no part in reductions and write nothing.
+/// Rewrites a graph:
+///
+/// - choices between constants are looked up in a table, and rotations are found;
+/// - words of memories are converted from and to how they stand there;
+/// - neighbours are loaded from anywhere, and replaced at the edges of their groups: the `edge` of the [`Kind::Shifted`]
+///   that remains is not looked at;
+/// - lanes that pad the last strip take no part in reductions and write nothing.
 pub(super) fn lower(graph: &mut Graph, strips: &Strips, memories: &[MemoryAt], passes: &Passes) {
     let mut tables = Tables::default();
     for index in 0..graph.cells.len() {

@@ -6,14 +6,12 @@ use cranelift_codegen::ir::{InstBuilder, MemFlagsData, Type, Value, types};
 use super::function::{Emitter, MemoryAt, offset};
 use super::graph::Sink;
 use super::lanes::Span;
-use super::scalar::Scalar;
+use super::scalar::{LONGEST, Scalar};
 use super::strip::Strip;
 use crate::program::{Kind, ValueId};
 
 impl Emitter<'_, '_, '_> {
-    /// Reads a memory of one lane.
-    ///
-    /// Every address that fits has a word, and those beyond the depth are zero.
+    /// Reads a memory of one lane. Every address that the port can express has a word; those beyond the depth are zero.
     pub(super) fn read(&mut self, id: ValueId, memory: u32, address: ValueId) {
         let address = self.scalars.clean(self.builder, address)[0];
         let memory = self.memories[memory as usize];
@@ -40,7 +38,7 @@ impl Emitter<'_, '_, '_> {
             let at = emitter.word(memory, address, base);
             emitter.scalars.store(emitter.builder, data, memory.element(), at, 0);
         });
-        // What is converted in the branch is not there behind it.
+        // A conversion that was made in the branch does not hold behind it.
         self.scalars.define(data, before);
     }
 
@@ -159,7 +157,7 @@ impl Emitter<'_, '_, '_> {
             });
             return;
         }
-        // Conversions in the branch are not there behind it, but bases of memories would be looked for.
+        // Conversions that are made in the branch are forgotten behind it. The base is not, so it is computed here.
         self.lane_base(strip, at, 0);
         let mark = strip.lanes.mark();
         let singles = strip.save();
@@ -169,12 +167,17 @@ impl Emitter<'_, '_, '_> {
                 let enabled = strip.lanes.extract(emitter.builder, enable, lane);
                 let enabled = emitter.builder.ins().ireduce(types::I8, enabled);
                 let go = emitter.inside(at, number, enabled);
-                // No branch, as nobody can foresee it: a lane that does not write does so nowhere.
+                // Without a branch, which would be hard to predict: a lane that is not enabled writes to a place that
+                // nobody reads.
                 let (base, offset) = emitter.lane_base(strip, at, lane);
                 let within = emitter.scaled(number, at.words.address);
                 let nowhere = emitter.builder.ins().iconst(types::I64, at.words.nowhere as i64);
                 let within = emitter.builder.ins().select(go, within, nowhere);
                 let word = emitter.builder.ins().iadd(base, within);
+                if at.width > LONGEST {
+                    emitter.store_long(strip, data, lane, word, offset);
+                    continue;
+                }
                 let limbs = emitter.limbs(strip, data, lane);
                 let kind = Type::int(at.element() as u16).expect("an element is an integer");
                 for (i, limb) in limbs.into_iter().enumerate() {

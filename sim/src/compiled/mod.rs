@@ -6,6 +6,7 @@
 
 mod bank;
 mod branch;
+mod builder;
 mod edge;
 mod function;
 mod graph;
@@ -15,6 +16,7 @@ mod lanes;
 mod layout;
 mod lower;
 mod memory;
+mod pages;
 mod plan;
 mod prepare;
 mod scalar;
@@ -23,6 +25,7 @@ mod simplify;
 mod start;
 mod store;
 mod strip;
+mod target;
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -35,11 +38,11 @@ use bank::Bank;
 use edge::Edge;
 use function::MemoryAt;
 use graph::{Graph, Sink};
-pub use jit::Unsupported;
 pub(crate) use jit::unsupported;
 use jit::{Code, Jit};
 use layout::{Layout, Place, Strips};
 use store::Store;
+pub use target::Unsupported;
 
 /// The state of a running circuit and the code that runs it.
 pub(crate) struct Compiled {
@@ -47,6 +50,8 @@ pub(crate) struct Compiled {
     jit: Jit,
     /// State and what functions store.
     state: Store,
+    /// What functions need for a moment.
+    scratch: Store,
     layout: Layout,
     /// Per value of the program: where it is, if it is state.
     places: Vec<Option<Place>>,
@@ -105,7 +110,8 @@ impl Compiled {
         let inputs = inputs.filter(|&id| program.value(id).lanes == 1 && program.value(id).width <= HELD).collect();
         let mut engine = Compiled {
             jit,
-            state: Store::new(layout.size),
+            state: Store::new(layout.size, program.passes.guarded),
+            scratch: Store::new(0, program.passes.guarded),
             layout,
             places,
             memories,
@@ -187,12 +193,12 @@ impl Compiled {
 
     /// Runs a function so many times; gives how many are left because something did not hold.
     fn call(&mut self, code: Code, count: u64) -> u64 {
-        let state = self.state.address();
+        let (state, scratch) = (self.state.address(), self.scratch.address().cast());
         // SAFETY: the code was made by this engine's `jit` for the layout of `state` and for these memories, which
-        // are borrowed exclusively here and have not moved.
+        // are borrowed exclusively here and have not moved; `scratch` grows when a function is made.
         #[allow(unsafe_code, reason = "calls generated code")]
         unsafe {
-            code.call(state, count)
+            code.call(state, count, scratch)
         }
     }
 }

@@ -1,8 +1,8 @@
 //! From a graph to a function that can be called.
 
 use cranelift_codegen::ir::{InstBuilder, MemFlagsData, Value, types};
-use cranelift_frontend::FunctionBuilder;
 
+use super::builder::FunctionBuilder;
 use super::function::{self, Addresses, Emitter, MemoryAt};
 use super::graph::{Graph, Sink};
 use super::jit::Code;
@@ -78,7 +78,7 @@ impl Compiled {
             }
         });
         let pieces: Vec<Vec<Code>> = pieces.collect();
-        self.jit.function(|builder, state, count| {
+        let code = self.jit.function(|builder, state, count| {
             let body = builder.create_block();
             let done = builder.create_block();
             builder.append_block_param(body, types::I64);
@@ -114,7 +114,9 @@ impl Compiled {
             builder.switch_to_block(done);
             let left = builder.block_params(done)[0];
             builder.ins().return_(&[left]);
-        })
+        });
+        self.scratch.grow(self.jit.scratch * 8);
+        code
     }
 
     /// Writes an array of constants into the memory.

@@ -1,26 +1,30 @@
 //! A block of memory for generated code, seen from Rust as values.
 
 use std::cell::Cell;
+use std::ops::Deref;
 
 use super::layout::Place;
+use super::pages::Guarded;
 
 /// Bytes of a line of the cache, to which blocks are aligned.
 const LINE: usize = 64;
 
 /// Zeros at first.
-#[derive(Debug)]
 pub(super) struct Store {
-    /// Cells, as code changes them through their address.
-    words: Box<[Cell<u64>]>,
+    words: Words,
     /// How many words come before the first line.
     skipped: usize,
     size: usize,
 }
 
 impl Store {
-    /// A block of so many bytes.
-    pub fn new(size: usize) -> Store {
-        let words = zeros(size.div_ceil(8) + 2 * LINE / 8);
+    /// A block of so many bytes; if `guarded`, between pages that nobody may touch.
+    pub fn new(size: usize, guarded: bool) -> Store {
+        if guarded {
+            let words = Guarded::new(size.next_multiple_of(LINE) / 8);
+            return Store { words: Words::Guarded(words), skipped: 0, size };
+        }
+        let words = Words::Plain(zeros(size.div_ceil(8) + 2 * LINE / 8));
         let skipped = words.as_ptr().align_offset(LINE);
         Store { words, skipped, size }
     }
@@ -28,10 +32,14 @@ impl Store {
     /// Makes it at least so large; it may move.
     pub fn grow(&mut self, size: usize) {
         if size > self.size {
-            let mut larger = Store::new(size.max(2 * self.size));
+            let larger = match self.words {
+                Words::Plain(_) => Store::new(size.max(2 * self.size), false),
+                // Exactly, so that its end remains where the guard begins.
+                Words::Guarded(_) => Store::new(size, true),
+            };
             let used = self.size.div_ceil(8);
-            larger.words[larger.skipped..larger.skipped + used]
-                .clone_from_slice(&self.words[self.skipped..self.skipped + used]);
+            let words = larger.words[larger.skipped..].iter().zip(&self.words[self.skipped..][..used]);
+            words.for_each(|(new, old)| new.set(old.get()));
             *self = larger;
         }
     }
@@ -119,6 +127,23 @@ impl Store {
     }
 }
 
+/// The words of a block: cells, as code changes them through their address.
+enum Words {
+    Plain(Box<[Cell<u64>]>),
+    Guarded(Guarded),
+}
+
+impl Deref for Words {
+    type Target = [Cell<u64>];
+
+    fn deref(&self) -> &[Cell<u64>] {
+        match self {
+            Words::Plain(words) => words,
+            Words::Guarded(words) => words,
+        }
+    }
+}
+
 /// So many zeros. They come from the system as pages that take no memory, and no time, before they are written;
 /// `vec![Cell::new(0); n]` would write them all.
 fn zeros(count: usize) -> Box<[Cell<u64>]> {
@@ -143,7 +168,7 @@ mod tests {
     fn words_are_repeated_as_if_one_by_one() {
         for (bytes, width) in [(1, 1), (1, 8), (2, 1), (2, 11), (4, 32), (8, 1), (8, 50), (16, 100)] {
             for (at, count) in [(0_usize, 1), (8, 5), (16, 64), (24, 67), (4, 9)] {
-                let (mut one_by_one, mut together) = (Store::new(2048), Store::new(2048));
+                let (mut one_by_one, mut together) = (Store::new(2048, false), Store::new(2048, true));
                 for store in [&mut one_by_one, &mut together] {
                     store.repeat_word(0, 8, 64, &[0x5a5a_5a5a_5a5a_5a5a], 256);
                 }

@@ -26,7 +26,7 @@ pub(super) struct Strip {
     /// The first lane, and the first lane within the row.
     pub first: Option<Value>,
     within: Option<Value>,
-    /// What is added to a place's offset, by the bytes of a lane.
+    /// The state's address plus the first lane's distance, by the bytes of a lane; a place's offset is added to it.
     addresses: HashMap<usize, Value>,
     /// The first lane's words, by the address of their memory.
     pub memories: HashMap<usize, Value>,
@@ -182,7 +182,7 @@ impl Emitter<'_, '_, '_> {
         if self.graph.cell(id).width <= 64 { self.vector(strip, id) } else { self.singles(strip, id) }
     }
 
-    /// An operand's clean limbs in one lane.
+    /// An operand's clean limbs in one lane; it has up to [`LONGEST`](super::scalar::LONGEST) bits.
     pub(super) fn limbs(&mut self, strip: &mut Strip, id: ValueId, lane: u32) -> Vec<Value> {
         if self.graph.cell(id).width <= 64 {
             self.vector(strip, id);
@@ -190,6 +190,12 @@ impl Emitter<'_, '_, '_> {
         }
         self.singles(strip, id);
         strip.singles[lane as usize].clean(self.builder, id)
+    }
+
+    /// Stores a value of more than [`LONGEST`](super::scalar::LONGEST) bits in one lane.
+    pub(super) fn store_long(&mut self, strip: &mut Strip, id: ValueId, lane: u32, at: Value, offset: i32) {
+        self.singles(strip, id);
+        strip.singles[lane as usize].store(self.builder, id, 64, at, offset);
     }
 
     /// Stores the lanes of a value.
@@ -300,7 +306,7 @@ impl Emitter<'_, '_, '_> {
         self.collect(strip, id, of, |emitter, lane| emitter.divided(lane, total, n).1);
     }
 
-    /// The lanes `by` before, beyond the edges of its group anything.
+    /// For each lane the one `by` lanes before it; anything, where that is beyond the edge of its group.
     fn neighbour(&mut self, strip: &mut Strip, id: ValueId, of: ValueId, by: i32) {
         let width = self.graph.cell(id).width;
         if let Kind::Const(bits) = &self.graph.cell(of).kind

@@ -1,8 +1,8 @@
 //! Operations on all bits of one or two operands.
 
+use crate::compiled::builder::FunctionBuilder;
 use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::{InstBuilder, Value, types};
-use cranelift_frontend::FunctionBuilder;
 use tilewright_hdl::ir::{Binary, Unary};
 
 use super::Lanes;

@@ -1,8 +1,8 @@
 //! Comparisons, which give masks.
 
+use crate::compiled::builder::FunctionBuilder;
 use cranelift_codegen::ir::InstBuilder;
 use cranelift_codegen::ir::condcodes::IntCC;
-use cranelift_frontend::FunctionBuilder;
 use tilewright_hdl::ir::{Binary, Relation, Unary};
 
 use super::emit::{self, signed_constant};

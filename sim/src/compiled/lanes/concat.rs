@@ -1,7 +1,7 @@
 //! Bits taken apart and put together.
 
+use crate::compiled::builder::FunctionBuilder;
 use cranelift_codegen::ir::{InstBuilder, types};
-use cranelift_frontend::FunctionBuilder;
 
 use super::emit::{self, low_mask, ty};
 use super::form::{Form, Need, Vector};

@@ -1,7 +1,7 @@
 //! The forms of values: what a conversion costs, and its instructions.
 
+use crate::compiled::builder::FunctionBuilder;
 use cranelift_codegen::ir::{InstBuilder, Value, types};
-use cranelift_frontend::FunctionBuilder;
 
 use super::emit::{self, low_mask};
 use super::form::{Form, Need, Step, Vector, next};

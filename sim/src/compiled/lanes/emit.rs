@@ -1,8 +1,8 @@
 //! Single instructions on single vectors.
 
+use crate::compiled::builder::FunctionBuilder;
 use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::{ConstantData, Endianness, InstBuilder, MemFlagsData, Type, Value, types};
-use cranelift_frontend::FunctionBuilder;
 
 use super::form::Step;
 
@@ -130,8 +130,7 @@ pub(super) fn blend(b: &mut FunctionBuilder, mask: Value, x: Value, y: Value) ->
     if !cfg!(target_arch = "x86_64") {
         return b.ins().bitselect(mask, x, y);
     }
-    // One instruction, which `bitselect` is only where Cranelift sees that the mask is one. Also without SSE4.1 if it
-    // could be: then there is no such instruction, but such machines are not supported.
+    // This is always one instruction, of SSE4.1; `bitselect` is one only where Cranelift sees that the mask is one.
     let of = b.func.dfg.value_type(x);
     let [mask, x, y] = [mask, x, y].map(|value| cast(b, value, types::I8X16));
     let out = b.ins().blendv(mask, x, y);

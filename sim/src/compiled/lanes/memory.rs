@@ -2,8 +2,8 @@
 
 use std::cmp::Ordering;
 
+use crate::compiled::builder::FunctionBuilder;
 use cranelift_codegen::ir::{InstBuilder, MemFlagsData, Value, types};
-use cranelift_frontend::FunctionBuilder;
 
 use super::emit::{self, cast, low_mask, ty};
 use super::form::{Form, Need, Step, Vector};

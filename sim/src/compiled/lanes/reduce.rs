@@ -1,7 +1,7 @@
 //! Lanes combined.
 
+use crate::compiled::builder::FunctionBuilder;
 use cranelift_codegen::ir::{InstBuilder, Value, types};
-use cranelift_frontend::FunctionBuilder;
 use tilewright_hdl::ir::{Binary, Reduction};
 
 use super::Lanes;

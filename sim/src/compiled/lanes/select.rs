@@ -1,7 +1,7 @@
 //! Choices between values.
 
+use crate::compiled::builder::FunctionBuilder;
 use cranelift_codegen::ir::{InstBuilder, types};
-use cranelift_frontend::FunctionBuilder;
 use tilewright_hdl::Bits;
 
 use super::Lanes;

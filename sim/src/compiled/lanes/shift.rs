@@ -1,8 +1,8 @@
 //! Shifts by an amount that is a value. There are none by an amount per lane in Cranelift.
 
+use crate::compiled::builder::FunctionBuilder;
 use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::{Endianness, InstBuilder, MemFlagsData, Value, types};
-use cranelift_frontend::FunctionBuilder;
 use tilewright_hdl::ir::{Binary, Shift};
 
 use super::emit::{self, cast, low_mask, ty};

@@ -1,21 +1,28 @@
 //! Elementwise operations on one lane, in general registers.
 //!
 //! A value of up to 64 bits is one integer whose upper bits may be anything until somebody needs them zero; `bound`
-//! says how many bits may be set, so that they are cut only where they have to be. What compares give, and what
-//! selects and branches take, are flags.
+//! says how many bits may be set, so that they are cut only where they have to be. Comparisons give flags, and choices
+//! and branches take flags.
+//!
+//! A value of more than 64 bits is its limbs; above [`LONGEST`] bits these stand in the engine's scratch memory, not in
+//! registers, which would spill to a stack that may be small.
 
 mod narrow;
 mod wide;
 
+use crate::compiled::builder::FunctionBuilder;
 use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::{InstBuilder, MemFlagsData, Type, Value, types};
-use cranelift_frontend::FunctionBuilder;
 use rustc_hash::FxHashMap;
 use tilewright_hdl::{Bits, limbs_for};
 
 use super::store::is_mask;
 use crate::program::{Kind, ValueId};
-pub(super) use wide::{Call, take_calls};
+pub(super) use wide::Call;
+use wide::emit_copy;
+
+/// The widest value whose limbs are kept in registers.
+pub(super) const LONGEST: u32 = 256;
 
 /// A value of one lane in general registers, in the forms that somebody has asked for.
 #[derive(Debug, Clone)]
@@ -28,13 +35,23 @@ pub(super) struct Scalar {
     flag: Option<Value>,
     /// Above 64 bits, and for one who has asked: limbs, with zeros above the width.
     limbs: Option<Vec<Value>>,
+    /// Above [`LONGEST`] bits: the first of its limbs in the scratch memory, with zeros above the width.
+    scratch: Option<usize>,
     /// The value, if it is a constant of up to 64 bits.
     known: Option<u64>,
 }
 
 impl Scalar {
     fn integer(width: u32, integer: Value, bound: u32) -> Scalar {
-        Scalar { width, integer: Some(integer), bound: bound.min(64), flag: None, limbs: None, known: None }
+        Scalar {
+            width,
+            integer: Some(integer),
+            bound: bound.min(64),
+            flag: None,
+            limbs: None,
+            scratch: None,
+            known: None,
+        }
     }
 
     /// An integer of up to 64 bits with zeros above its width.
@@ -44,16 +61,28 @@ impl Scalar {
 
     /// Loads the limbs of a value of more than 64 bits.
     pub fn load(b: &mut FunctionBuilder, width: u32, at: Value, offset: i32) -> Scalar {
+        let count = limbs_for(width);
+        if width > LONGEST {
+            let first = b.take(count);
+            let from = b.ins().iadd_imm_s(at, i64::from(offset));
+            let to = wide::address(b, first);
+            emit_copy(b, from, to, count);
+            return Scalar::scratch(width, first);
+        }
         let limb = |i: i32| b.ins().load(types::I64, MemFlagsData::trusted(), at, offset + i * 8);
-        Scalar::limbs(width, (0..limbs_for(width) as i32).map(limb).collect())
+        Scalar::limbs(width, (0..count as i32).map(limb).collect())
     }
 
     fn flag(flag: Value) -> Scalar {
-        Scalar { width: 1, integer: None, bound: 1, flag: Some(flag), limbs: None, known: None }
+        Scalar { width: 1, integer: None, bound: 1, flag: Some(flag), limbs: None, scratch: None, known: None }
     }
 
     fn limbs(width: u32, limbs: Vec<Value>) -> Scalar {
-        Scalar { width, integer: None, bound: 64, flag: None, limbs: Some(limbs), known: None }
+        Scalar { width, integer: None, bound: 64, flag: None, limbs: Some(limbs), scratch: None, known: None }
+    }
+
+    fn scratch(width: u32, first: usize) -> Scalar {
+        Scalar { width, integer: None, bound: 64, flag: None, limbs: None, scratch: Some(first), known: None }
     }
 }
 
@@ -81,6 +110,10 @@ impl Scalars {
 
     /// A constant.
     pub fn constant(&mut self, b: &mut FunctionBuilder, id: ValueId, bits: &Bits) {
+        if bits.width() > LONGEST {
+            let scalar = self.call(b, &Kind::Const(bits.clone()), bits.width());
+            return self.define(id, scalar);
+        }
         let limbs: Vec<Value> = bits.limbs().iter().map(|&limb| b.ins().iconst(types::I64, limb as i64)).collect();
         let scalar = match (bits.width(), limbs.as_slice()) {
             (width, [limb]) => Scalar { known: Some(bits.limbs()[0]), ..Scalar::integer(width, *limb, width) },
@@ -148,7 +181,7 @@ impl Scalars {
         clean
     }
 
-    /// Limbs with zeros above the width.
+    /// The limbs of a value of up to [`LONGEST`] bits, with zeros above the width.
     pub fn clean(&mut self, b: &mut FunctionBuilder, id: ValueId) -> Vec<Value> {
         match &self.values[&id].limbs {
             Some(limbs) => limbs.clone(),
@@ -176,15 +209,13 @@ impl Scalars {
             let flag = b.ins().band_imm_u(mask, 1);
             return self.define_flag(id, flag);
         }
-        let mut limb = |i: i32| {
-            let limb = b.ins().load(kind, flags, at, offset + i * 8);
-            if element < 64 { b.ins().uextend(types::I64, limb) } else { limb }
-        };
-        let scalar = match limbs_for(width) {
-            1 => Scalar::integer(width, limb(0), width),
-            n => Scalar::limbs(width, (0..n as i32).map(limb).collect()),
-        };
-        self.define(id, scalar);
+        if width > 64 {
+            let scalar = Scalar::load(b, width, at, offset);
+            return self.define(id, scalar);
+        }
+        let limb = b.ins().load(kind, flags, at, offset);
+        let limb = if element < 64 { b.ins().uextend(types::I64, limb) } else { limb };
+        self.define(id, Scalar::clean(width, limb));
     }
 
     /// Stores a value as [`Scalars::load`] takes it.
@@ -204,6 +235,11 @@ impl Scalars {
             let integer = b.ins().ireduce(kind, integer);
             b.ins().store(flags, integer, at, offset);
             return;
+        }
+        if let Some(first) = self.values[&id].scratch {
+            let from = wide::address(b, first);
+            let to = b.ins().iadd_imm_s(at, i64::from(offset));
+            return emit_copy(b, from, to, limbs_for(self.width(id)));
         }
         for (i, limb) in self.clean(b, id).into_iter().enumerate() {
             let kind = Type::int(element as u16).expect("an element is an integer");

@@ -1,8 +1,8 @@
 //! Operations on values of up to 64 bits.
 
+use crate::compiled::builder::FunctionBuilder;
 use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::{InstBuilder, Type, Value, types};
-use cranelift_frontend::FunctionBuilder;
 use tilewright_hdl::ir::{Binary, Relation, Shift, Unary};
 use tilewright_hdl::{Bits, top_mask};
 

@@ -244,11 +244,10 @@ impl Chain {
         Span { storage: self.storage(index), address, offset: at as i32, aligned: at.is_multiple_of(16) }
     }
 
-    /// Runs the chain on memory and compares all that is stored; at the end if `late`, as what is stored is clean
-    /// thereafter.
+    /// Runs the chain on memory and compares all that is stored. It is stored at the end if `late`, and otherwise at
+    /// once, which leaves each value clean for what follows.
     #[allow(unsafe_code, reason = "calls generated code")]
-    pub fn check(&self, late: bool) {
-        let mut jit = Jit::new().unwrap();
+    pub fn check(&self, mut jit: Jit, late: bool) {
         let code = jit.function(|b, state, _| {
             let mut lanes = Lanes::new(self.strip);
             for (i, node) in self.nodes.iter().enumerate() {
@@ -280,7 +279,7 @@ impl Chain {
             memory[node.at..node.at + bytes.len()].copy_from_slice(&bytes);
         }
         // SAFETY: the code stays within the nodes' bytes.
-        unsafe { code.call(memory.as_mut_ptr(), 0) };
+        unsafe { code.call(memory.as_mut_ptr(), 0, std::ptr::null_mut()) };
         for (i, node) in self.nodes.iter().enumerate().filter(|(_, node)| node.kind != Kind::State) {
             let bytes = self.bytes(i);
             let got = &memory[node.at..node.at + bytes.len()];

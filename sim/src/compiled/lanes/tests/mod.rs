@@ -1,5 +1,7 @@
 //! Chains of random operations against [`crate::lane::evaluate`].
 
+use std::ops::Range;
+
 use cranelift_codegen::ir::{InstBuilder, MemFlagsData, types};
 use tilewright_hdl::Bits;
 use tilewright_hdl::ir::{Reduction, Shift, Unary};
@@ -10,23 +12,44 @@ use super::emit::low_mask;
 use super::memory::Span;
 use super::*;
 use crate::compiled::jit::Jit;
+use crate::compiled::target::tests::least;
 use chain::{Random, chain};
 
-/// How many chains are tried with each strip, twice: always the same and others.
-const CHAINS: u64 = 50;
+/// A chain from each seed, with each strip.
+fn check_chains(seeds: Range<u64>, jit: fn() -> Jit) {
+    for strip in [4, 8, 16] {
+        for seed in seeds.clone() {
+            let mut chain = chain(strip, seed.wrapping_mul(3).wrapping_add(strip.into()));
+            (0..160).for_each(|_| chain.operation());
+            chain.check(jit(), seed % 3 > 0);
+        }
+    }
+}
+
+fn host() -> Jit {
+    Jit::new().unwrap()
+}
 
 #[test]
 fn chains_of_operations_are_as_lane_by_lane() {
-    // Other chains in every run, as each takes long; the first always, so that every kind of operation is tried.
-    let now = std::time::UNIX_EPOCH.elapsed().map_or(0, |time| time.as_nanos() as u64 >> 10);
-    let seeds = (1000..1000 + CHAINS).chain(now..now + CHAINS);
-    for strip in [4, 8, 16] {
-        for seed in seeds.clone() {
-            let mut chain = chain(strip, seed.wrapping_mul(3) + u64::from(strip));
-            (0..160).for_each(|_| chain.operation());
-            chain.check(seed % 3 > 0);
-        }
-    }
+    check_chains(1000..1060, host);
+}
+
+#[test]
+fn chains_of_operations_need_no_more_than_a_processor_is_asked_for() {
+    check_chains(2000..2020, || Jit::on(least()));
+}
+
+/// By hand, for a long time: ARCHITECTURE.md has the command.
+#[test]
+#[ignore = "tries as many chains as LANES_CHAINS says, from LANES_SEED on"]
+fn chains_of_operations_from_a_seed_are_as_lane_by_lane() {
+    let number = |name| {
+        let text: String = std::env::var(name).unwrap_or_else(|_| panic!("{name} says no number"));
+        text.parse::<u64>().unwrap_or_else(|_| panic!("{name} is no number: {text}"))
+    };
+    let seed = number("LANES_SEED");
+    check_chains(seed..seed + number("LANES_CHAINS"), host);
 }
 
 #[test]
@@ -52,8 +75,8 @@ fn shifts_by_all_amounts_are_as_lane_by_lane() {
                 }
             }
         }
-        chain.check(true);
-        chain.check(false);
+        chain.check(host(), true);
+        chain.check(host(), false);
     }
 }
 
@@ -67,7 +90,7 @@ fn run(memory: &mut [u64], body: impl FnOnce(&mut FunctionBuilder, Value)) {
         b.ins().return_(&[zero]);
     });
     // SAFETY: the tests' code stays within the memory.
-    unsafe { code.call(memory.as_mut_ptr().cast(), 0) };
+    unsafe { code.call(memory.as_mut_ptr().cast(), 0, std::ptr::null_mut()) };
 }
 
 #[test]

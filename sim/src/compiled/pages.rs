@@ -1,0 +1,116 @@
+//! Pages of memory from the system: code that can be run, and blocks with pages around them that nobody may touch.
+
+use std::ops::Deref;
+
+use region::{Allocation, Protection};
+
+use super::target::Unsupported;
+
+/// Pages of one's own.
+struct Pages(Allocation);
+
+// SAFETY: it is the only one that knows its pages, and gives them back to the system, which does not ask which thread
+// does so.
+#[allow(unsafe_code, reason = "an address is not sent to other threads by itself")]
+unsafe impl Send for Pages {}
+
+/// Machine code, which can be run and not written.
+pub(super) struct CodePages(Pages);
+
+impl CodePages {
+    /// Pages that begin with this code.
+    #[allow(unsafe_code, reason = "writes code, and has it run")]
+    pub fn new(code: &[u8], alignment: usize) -> Result<CodePages, Unsupported> {
+        let refused = |error: region::Error| Unsupported(format!("its system gives no memory that code can run in: {error}"));
+        assert!(alignment <= region::page::size(), "code is aligned to {alignment} bytes, which is more than a page");
+        let mut pages = region::alloc(code.len(), Protection::READ_WRITE).map_err(refused)?;
+        // SAFETY: the pages are at least as long, and nobody else knows them yet.
+        unsafe { std::ptr::copy_nonoverlapping(code.as_ptr(), pages.as_mut_ptr(), code.len()) };
+        // SAFETY: nothing but the code is in these pages.
+        unsafe { region::protect(pages.as_ptr::<u8>(), pages.len(), Protection::READ_EXECUTE) }.map_err(refused)?;
+        #[cfg(target_arch = "aarch64")]
+        {
+            use wasmtime_internal_jit_icache_coherence::{clear_cache, pipeline_flush_mt};
+            let refused = |error: std::io::Error| Unsupported(format!("its caches keep what was there: {error}"));
+            // SAFETY: the pages are there.
+            unsafe { clear_cache(pages.as_ptr(), pages.len()) }.map_err(refused)?;
+            pipeline_flush_mt().map_err(refused)?;
+        }
+        Ok(CodePages(Pages(pages)))
+    }
+
+    /// Where the code begins.
+    pub fn entry(&self) -> *const u8 {
+        self.0.0.as_ptr()
+    }
+}
+
+/// Numbers, zeros at first, that end where a page begins that nobody may touch; another such page is before them.
+pub(super) struct Guarded {
+    pages: Pages,
+    count: usize,
+}
+
+impl Guarded {
+    /// So many numbers.
+    pub fn new(count: usize) -> Guarded {
+        let page = region::page::size();
+        let inner = (count * 8).next_multiple_of(page);
+        let pages = region::alloc(inner + 2 * page, Protection::READ_WRITE).expect("the system has memory to give");
+        for guard in [0, page + inner] {
+            let guard = pages.as_ptr::<u8>().wrapping_add(guard);
+            // SAFETY: these pages were just made, and nobody looks at them.
+            #[allow(unsafe_code, reason = "takes away the right to touch pages")]
+            unsafe { region::protect(guard, page, Protection::NONE) }.expect("pages of one's own can be protected");
+        }
+        Guarded { pages: Pages(pages), count }
+    }
+
+    /// The first number.
+    fn start(&self) -> *const u64 {
+        let end = self.pages.0.as_ptr_range::<u8>().end.wrapping_sub(region::page::size());
+        end.cast::<u64>().wrapping_sub(self.count)
+    }
+}
+
+impl Deref for Guarded {
+    type Target = [std::cell::Cell<u64>];
+
+    fn deref(&self) -> &Self::Target {
+        // SAFETY: so many numbers stand before the last page and behind the first, in memory that lives as long and began as
+        // zeros; they are looked at as cells alone.
+        #[allow(unsafe_code, reason = "pages are raw memory")]
+        unsafe {
+            std::slice::from_raw_parts(self.start().cast(), self.count)
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn nobody_may_touch_what_is_around_guarded_numbers() {
+        for count in [1, 512, 700] {
+            let numbers = Guarded::new(count);
+            numbers[0].set(1);
+            numbers[count - 1].set(2);
+            let protection = |at: *const u64| region::query(at).unwrap().protection();
+            let (first, end) = (numbers.as_ptr().cast::<u64>(), numbers.as_ptr_range().end.cast::<u64>());
+            let page_before = first.wrapping_byte_sub(region::page::size());
+            assert_eq!(protection(first), Protection::READ_WRITE, "{count}");
+            assert_eq!(protection(end), Protection::NONE, "{count}");
+            assert_eq!(protection(page_before), Protection::NONE, "{count}");
+        }
+    }
+
+    #[test]
+    fn code_is_never_there_to_be_written() {
+        let code = CodePages::new(&[0; 5000], 64).unwrap();
+        for page in [0, region::page::size()] {
+            let protection = region::query(code.entry().wrapping_add(page)).unwrap().protection();
+            assert_eq!(protection, Protection::READ_EXECUTE);
+        }
+    }
+}

@@ -1,0 +1,110 @@
+//! The machine that code is made for: this one, if it has what the code needs.
+
+use std::sync::OnceLock;
+
+use cranelift_codegen::isa::{self, OwnedTargetIsa};
+use cranelift_codegen::settings::{self, Configurable};
+use target_lexicon::Triple;
+
+/// Why this machine runs no generated code.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("no code can be generated for this machine ({0})")]
+pub struct Unsupported(pub(super) String);
+
+/// The machine that this runs on, which is found out once.
+pub(super) fn host() -> Result<OwnedTargetIsa, Unsupported> {
+    static HOST: OnceLock<Result<OwnedTargetIsa, Unsupported>> = OnceLock::new();
+    HOST.get_or_init(|| target(&features())).clone()
+}
+
+/// What instructions of vectors need on x86-64, by Cranelift's names and as people know it; all else it can do without.
+const NEEDED: [(&str, &str); 3] = [("has_sse3", "SSE3"), ("has_ssse3", "SSSE3"), ("has_sse41", "SSE4.1")];
+
+/// A machine as this one, whose processor has these features. No optimisation by Cranelift: netlists come optimised,
+/// and its global value numbering lengthens live ranges.
+pub(super) fn target(features: &[&str]) -> Result<OwnedTargetIsa, Unsupported> {
+    let unsupported = |error: &dyn std::fmt::Display| Unsupported(error.to_string());
+    if cfg!(target_endian = "big") {
+        return Err(Unsupported("it is big-endian".to_owned()));
+    }
+    if cfg!(target_arch = "x86_64") {
+        if let Some((_, name)) = NEEDED.iter().find(|(flag, _)| !features.contains(flag)) {
+            return Err(Unsupported(format!("its processor lacks {name}")));
+        }
+    } else if !cfg!(target_arch = "aarch64") {
+        // Others may need more than `Pages` does before they run what was written.
+        return Err(Unsupported("its processor is neither x86-64 nor aarch64".to_owned()));
+    }
+    let mut flags = settings::builder();
+    let options = [
+        ("opt_level", "none"),
+        ("regalloc_algorithm", "backtracking"),
+        ("unwind_info", "false"),
+        // A frame larger than the guard page of the stack touches each page, so that it cannot step over that one.
+        ("enable_probestack", "true"),
+        ("probestack_strategy", "inline"),
+        ("enable_verifier", if cfg!(debug_assertions) { "true" } else { "false" }),
+    ];
+    for (name, value) in options {
+        flags.set(name, value).expect("Cranelift knows its settings");
+    }
+    let mut machine = isa::lookup(Triple::host()).map_err(|error| unsupported(&error))?;
+    for feature in features {
+        machine.enable(feature).expect("Cranelift knows its features");
+    }
+    machine.finish(settings::Flags::new(flags)).map_err(|error| unsupported(&error))
+}
+
+/// What this processor has, by Cranelift's names.
+fn features() -> Vec<&'static str> {
+    #[cfg(target_arch = "x86_64")]
+    macro_rules! detected {
+        ($($feature:tt $flag:literal,)*) => {{
+            let all = [$((std::is_x86_feature_detected!($feature), $flag)),*];
+            all.into_iter().filter(|(is_there, _)| *is_there).map(|(_, flag)| flag).collect()
+        }};
+    }
+    #[cfg(target_arch = "x86_64")]
+    return detected! {
+        "sse3" "has_sse3",
+        "ssse3" "has_ssse3",
+        "sse4.1" "has_sse41",
+        "sse4.2" "has_sse42",
+        "popcnt" "has_popcnt",
+        "lzcnt" "has_lzcnt",
+        "bmi1" "has_bmi1",
+        "bmi2" "has_bmi2",
+        "fma" "has_fma",
+        "avx" "has_avx",
+        "avx2" "has_avx2",
+        "avx512f" "has_avx512f",
+        "avx512vl" "has_avx512vl",
+        "avx512dq" "has_avx512dq",
+        "avx512bitalg" "has_avx512bitalg",
+        "avx512vbmi" "has_avx512vbmi",
+    };
+    // What Cranelift can use above the common ground of these processors is atomics, half floats and products of
+    // bytes, none of which the code has.
+    #[cfg(not(target_arch = "x86_64"))]
+    return Vec::new();
+}
+
+#[cfg(test)]
+pub(super) mod tests {
+    use super::*;
+
+    /// A machine with what is needed and no more.
+    pub fn least() -> OwnedTargetIsa {
+        target(&NEEDED.map(|(flag, _)| flag)).expect("it has all that is needed")
+    }
+
+    #[test]
+    #[cfg(target_arch = "x86_64")]
+    fn a_processor_without_vector_instructions_that_are_needed_is_refused() {
+        let refused = |features: &[&str]| target(features).err().map(|reason| reason.to_string());
+        let sentence = |name| Some(format!("no code can be generated for this machine (its processor lacks {name})"));
+        assert_eq!(refused(&[]), sentence("SSE3"));
+        assert_eq!(refused(&["has_sse3", "has_ssse3"]), sentence("SSE4.1"));
+        assert_eq!(refused(&["has_sse3", "has_ssse3", "has_sse41"]), None);
+    }
+}
