@@ -7,6 +7,7 @@
 mod bank;
 mod branch;
 mod builder;
+mod demands;
 mod edge;
 mod function;
 mod graph;
@@ -99,6 +100,7 @@ impl Compiled {
     /// The machine is not one that code can be generated for.
     pub fn new(program: Arc<Program>, seeds: &[u64]) -> Result<Compiled, Unsupported> {
         let jit = Jit::new()?;
+        demands::check(&program);
         let mut layout = Layout::new(Strips::of(&program));
         let mut places = vec![None; program.values.len()];
         for (id, value) in program.values.iter().enumerate().filter(|(_, value)| value.offset < program.state_end) {
