@@ -208,6 +208,7 @@ proptest! {
             let word = |sim: &Simulation<_, _>, lane| sim.peek_memory(&format!("u_cell[{lane}].store"), 3).unwrap();
             (0..3).map(|lane| (sim.peek(&format!("u_cell[{lane}].value")).unwrap(), word(&sim, lane))).collect::<Vec<_>>()
         };
+        prop_assert!(start(false).iter().all(|(value, word)| !value.is_zero() && !word.is_zero()));
         prop_assert_eq!(start(false), start(true));
     }
 }

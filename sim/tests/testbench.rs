@@ -76,6 +76,9 @@ fn a_reset_returns_to_the_reset_values() {
 fn names_inside_can_be_read() {
     let mut sim = of(&COUNTER);
     assert_eq!(sim.peek("at_end").unwrap(), 0);
+    sim.set(sim.i.enable, 1);
+    sim.run(2);
+    assert_eq!(sim.peek("at_end").unwrap(), 1);
     let error = sim.peek("at_ned").unwrap_err().to_string();
     assert_eq!(error, "there is no signal `at_ned`: did you mean `at_end`?");
     let error = sim.peek("u_core.count").unwrap_err().to_string();
@@ -300,9 +303,14 @@ fn a_read_under_write_follows_the_policy() {
 #[test]
 fn addresses_beyond_the_depth_read_zero_and_write_nothing() {
     let mut sim = of(&Store { policy: ReadUnderWrite::Old }).seeded(7);
+    let words = |sim: &Simulation<_, _>| -> Vec<Bits> {
+        (0..6).map(|address| sim.peek_memory("store", address).unwrap()).collect()
+    };
+    let before = words(&sim);
     sim.drive(StoreIn { write: 1, to: 7, from: 3, data: 5 });
     sim.step();
     assert_ne!(sim.get(sim.o.answer), 0, "the seed fills memories");
+    assert_eq!(words(&sim), before);
     sim.drive(StoreIn { write: 0, to: 0, from: 7, data: 5 });
     sim.step();
     assert_eq!(sim.get(sim.o.answer), 0);

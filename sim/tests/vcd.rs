@@ -8,7 +8,7 @@ use std::fs;
 use std::path::PathBuf;
 
 use engine::of;
-use tilewright_hdl::{Block, Module, Width, bit, bits, bundle, hold, states, when};
+use tilewright_hdl::{Block, Module, Width, bit, bits, bundle, states, when};
 use tilewright_sim::{Error, Vcd};
 
 bundle! {
@@ -39,7 +39,6 @@ impl Block for OneLamp {
             Lamp::Off => when(i.toggle, Lamp::On),
             Lamp::On => when(i.toggle, Lamp::Off),
         });
-        let _ = hold::<Lamp>;
         LampOut { lit: lamp.is(Lamp::On) }
     }
 }
