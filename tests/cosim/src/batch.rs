@@ -177,7 +177,7 @@ fn verilator(folder: &TempDir) -> Result<String, Refused> {
 }
 
 /// Runs a program in the folder, for so long at most: whether it succeeded, and all that it printed.
-fn execute(folder: &TempDir, command: &mut Command, patience: Duration) -> (bool, String) {
+pub(crate) fn execute(folder: &TempDir, command: &mut Command, patience: Duration) -> (bool, String) {
     let name = command.get_program().to_string_lossy().into_owned();
     let printed = folder.path().join("printed.txt");
     let file = File::create(&printed).expect("a file can be written");

@@ -2,6 +2,7 @@
 //!
 //! - [`operators`] and [`matrix`]: every operator at every width against big integers, Icarus and Verilator;
 //! - [`campaign`]: thousands of random designs, shrunk where they differ;
+//! - [`fuzz`]: random designs and random edits of them, on both engines;
 //! - [`many`]: several stimuli of a random design at once;
 //! - [`check`]: one design through all tools, for the blocks of the catalogue.
 
@@ -9,6 +10,8 @@ pub mod batch;
 pub mod build;
 pub mod campaign;
 pub mod check;
+mod edit;
+pub mod fuzz;
 pub mod many;
 pub mod matrix;
 pub mod operators;

@@ -3,23 +3,29 @@
 
 use std::io::IsTerminal;
 use std::process::ExitCode;
+use std::time::Duration;
 use tilewright_cosim::batch::Tool;
-use tilewright_cosim::{Campaign, Summary};
+use tilewright_cosim::{Campaign, Summary, fuzz};
 
 const USAGE: &str = "usage: tilewright-cosim [--designs N] [--verilator N] [--seed N] [--first N] [--jobs N]
+       tilewright-cosim --fuzz SECONDS [--seed N] [--first N] [--jobs N]
 
 Runs N random designs through our simulator and Icarus Verilog, and N through Verilator (none by default).
-The same seed makes the same designs; --first says the number of the first one.";
+With --fuzz, runs random designs and random edits of them on both of our engines for so long instead; --fuzz-designs N
+runs so many in this process. The same seed makes the same designs; --first says the number of the first one.";
 
 fn main() -> ExitCode {
     let mut campaign = Campaign::icarus(1, 5000);
     let mut verilator = 0;
+    let (mut fuzz, mut fuzz_designs) = (None, None);
     let mut arguments = std::env::args().skip(1);
     while let Some(option) = arguments.next() {
         let number = arguments.next().and_then(|number| number.parse::<u64>().ok());
         match (option.as_str(), number) {
             ("--designs", Some(number)) => campaign.designs = number,
             ("--verilator", Some(number)) => verilator = number,
+            ("--fuzz", Some(number)) => fuzz = Some(Duration::from_secs(number)),
+            ("--fuzz-designs", Some(number)) => fuzz_designs = Some(number),
             ("--seed", Some(number)) => campaign.seed = number,
             ("--first", Some(number)) => campaign.first = number,
             ("--jobs", Some(number)) if number > 0 => campaign.jobs = number as usize,
@@ -28,6 +34,17 @@ fn main() -> ExitCode {
                 return ExitCode::from(2);
             }
         }
+    }
+    let Campaign { seed, first, jobs, .. } = campaign;
+    if let Some(designs) = fuzz_designs {
+        println!("{}", fuzz::run_here(seed, first, designs));
+        return ExitCode::SUCCESS;
+    }
+    if let Some(time) = fuzz {
+        let (tally, failures) = fuzz::run_for(seed, first, time, jobs);
+        failures.iter().for_each(|failure| println!("{failure}\n"));
+        println!("{tally}, failures: {}", failures.len());
+        return ExitCode::from(u8::from(!failures.is_empty()));
     }
     let in_verilator = Campaign { first: campaign.first, ..Campaign::verilator(campaign.seed, verilator) };
     let mut failed = false;

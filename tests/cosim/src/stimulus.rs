@@ -60,7 +60,7 @@ pub fn run(design: &Design, stimulus: &Stimulus) -> Result<Recording, tilewright
 }
 
 /// All passes but one, or none at all; code for held inputs and functions that are cut early, no memory near.
-fn passes(seed: u64) -> Passes {
+pub(crate) fn passes(seed: u64) -> Passes {
     let mut passes = Passes { held_after: 3, longest: 20, near: 0, ..Passes::default() };
     match seed % 11 {
         0 => passes = Passes::none(),
@@ -78,7 +78,11 @@ fn passes(seed: u64) -> Passes {
     passes
 }
 
-fn record(design: &Design, stimulus: &Stimulus, mut sim: Simulation) -> Result<Recording, tilewright_sim::Error> {
+pub(crate) fn record(
+    design: &Design,
+    stimulus: &Stimulus,
+    mut sim: Simulation,
+) -> Result<Recording, tilewright_sim::Error> {
     let mut numbers = Numbers(stimulus.seed);
     let top = design.top();
     let ports: Vec<_> = top.inputs.iter().map(|input| (input.name.as_str(), top.width(input.node))).collect();

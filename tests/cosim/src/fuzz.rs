@@ -1,0 +1,181 @@
+//! Random designs, and random edits of them, on both engines, with the memory of generated code between pages that
+//! nobody may touch: an edit is refused with a sentence, or what it makes runs alike on both.
+//!
+//! Designs run in processes of their own, some at a time, so that one that breaks its process is known and the others
+//! go on.
+
+use crate::batch::execute;
+use crate::edit::edit;
+use crate::spec::{Spec, Stimulus};
+use crate::stimulus::{Numbers, passes, record};
+use crate::{Campaign, build};
+use std::fmt;
+use std::process::Command;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::time::{Duration, Instant};
+use tempfile::TempDir;
+use tilewright_hdl::elaborate;
+use tilewright_hdl::ir::Design;
+use tilewright_sim::{EngineKind, Passes, Simulation};
+
+/// How many designs run in one process, and for how long at most.
+const TOGETHER: u64 = 50;
+const PATIENCE: Duration = Duration::from_secs(300);
+
+/// How often a design is edited, and in how many places at most.
+const EDITED: u64 = 12;
+const PLACES: u64 = 3;
+
+/// What has run.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Tally {
+    /// Designs, as they were drawn.
+    pub designs: u64,
+    /// Edited designs that keep all rules.
+    pub edited: u64,
+    /// Edited designs that were refused.
+    pub refused: u64,
+    /// Instants, on both engines.
+    pub instants: u64,
+}
+
+impl Tally {
+    fn numbers(self) -> [u64; 4] {
+        [self.designs, self.edited, self.refused, self.instants]
+    }
+
+    fn of([designs, edited, refused, instants]: [u64; 4]) -> Tally {
+        Tally { designs, edited, refused, instants }
+    }
+
+    /// What [`fmt::Display`] printed, in the last line of a text.
+    fn read(text: &str) -> Option<Tally> {
+        let numbers = text.lines().last()?.split(|c: char| !c.is_ascii_digit()).filter(|part| !part.is_empty());
+        let numbers: Vec<u64> = numbers.map_while(|number| number.parse().ok()).collect();
+        Some(Tally::of(numbers.try_into().ok()?))
+    }
+}
+
+impl fmt::Display for Tally {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let Tally { designs, edited, refused, instants } = self;
+        write!(f, "designs: {designs}, edited and run: {edited}, edited and refused: {refused}, instants: {instants}")
+    }
+}
+
+/// Runs a design on both engines; gives how many instants.
+///
+/// # Panics
+///
+/// The engines differ, or the simulator does not take the design.
+fn run(design: &Design, stimulus: &Stimulus) -> u64 {
+    let usual = Passes { held_after: 3, ..Passes::default() };
+    let passes = if stimulus.seed.is_multiple_of(2) { usual } else { passes(stimulus.seed / 2) };
+    let passes = Passes { guarded: true, ..passes };
+    let sim = Simulation::with_passes(design, &passes).unwrap_or_else(|error| panic!("{error}"));
+    let recording = record(design, stimulus, sim.on(EngineKind::Both)).unwrap_or_else(|error| panic!("{error}"));
+    recording.steps.len() as u64
+}
+
+/// Runs a random design, and what random edits make of it.
+///
+/// # Panics
+///
+/// The engines differ, or something panics.
+fn run_with_edits(spec: &Spec, number: u64) -> Tally {
+    let top = build::top(spec, &format!("d{number}"));
+    let design = elaborate(&top).unwrap_or_else(|problems| panic!("{problems}"));
+    let mut tally = Tally { designs: 1, instants: run(&design, &spec.stimulus), ..Tally::default() };
+    let mut numbers = Numbers(spec.stimulus.seed ^ number);
+    for _ in 0..EDITED {
+        let mut modules = design.modules().to_vec();
+        (0..=numbers.draw() % PLACES).for_each(|_| edit(&mut modules, &mut numbers));
+        match Design::new(modules) {
+            Ok(edited) => {
+                tally.instants += run(&edited, &spec.stimulus);
+                tally.edited += 1;
+            }
+            Err(problems) => {
+                assert!(problems.0.iter().all(|problem| !problem.message.is_empty()), "a problem without a sentence");
+                tally.refused += 1;
+            }
+        }
+    }
+    tally
+}
+
+/// Runs so many designs of a seed, from a number on, in this process; prints each number before its design.
+///
+/// # Panics
+///
+/// The engines differ, or something panics.
+pub fn run_here(seed: u64, first: u64, designs: u64) -> Tally {
+    let campaign = Campaign::icarus(seed, designs);
+    (first..first + designs).fold(Tally::default(), |tally, number| {
+        println!("design {number}");
+        let one = run_with_edits(&campaign.design(number), number).numbers();
+        let mut sum = tally.numbers();
+        sum.iter_mut().zip(one).for_each(|(sum, one)| *sum += one);
+        Tally::of(sum)
+    })
+}
+
+/// Runs designs of a seed, from a number on, for so long, so many processes at a time; gives what went wrong.
+pub fn run_for(seed: u64, first: u64, time: Duration, jobs: usize) -> (Tally, Vec<String>) {
+    let (start, next) = (Instant::now(), AtomicU64::new(first));
+    let all: Mutex<(Tally, Vec<String>)> = Mutex::default();
+    let work = || {
+        while start.elapsed() < time {
+            let result = in_a_process(seed, next.fetch_add(TOGETHER, Ordering::Relaxed));
+            let mut all = all.lock().expect("no panic while collecting");
+            match result {
+                Ok(tally) => {
+                    let sum = all.0.numbers().into_iter().zip(tally.numbers()).map(|(a, b)| a + b);
+                    let sum: Vec<u64> = sum.collect();
+                    all.0 = Tally::of(sum.try_into().expect("as many as there were"));
+                }
+                Err(what) => all.1.push(what),
+            }
+        }
+    };
+    std::thread::scope(|scope| (0..jobs).for_each(|_| drop(scope.spawn(work))));
+    all.into_inner().expect("no panic while collecting")
+}
+
+/// Runs some designs in a process of their own.
+fn in_a_process(seed: u64, first: u64) -> Result<Tally, String> {
+    let folder = TempDir::with_prefix("tilewright-fuzz-").expect("a temporary folder can be made");
+    let program = std::env::current_exe().expect("this program has a path");
+    let arguments = [("--fuzz-designs", TOGETHER), ("--seed", seed), ("--first", first)];
+    let arguments = arguments.map(|(name, number)| [name.to_owned(), number.to_string()]);
+    let (succeeded, printed) = execute(&folder, Command::new(program).args(arguments.as_flattened()), PATIENCE);
+    if let Some(tally) = succeeded.then(|| Tally::read(&printed)).flatten() {
+        return Ok(tally);
+    }
+    let number = printed.lines().filter_map(|line| line.strip_prefix("design ")).next_back().unwrap_or("none");
+    let rest = printed.split_once(&format!("design {number}\n")).map_or("", |(_, rest)| rest.trim_end());
+    Err(format!(
+        "design {number} of seed {seed} fails, breaks its process, or takes minutes:\n{rest}\n\
+        again: cargo run --release -p tilewright-cosim -- --fuzz-designs 1 --seed {seed} --first {number}"
+    ))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_tally_is_read_as_it_is_printed() {
+        let tally = Tally { designs: 50, edited: 7, refused: 593, instants: 12_345 };
+        assert_eq!(Tally::read(&format!("design 3\n{tally}\n")), Some(tally));
+        assert_eq!(Tally::read("design 3\n"), None);
+    }
+
+    #[test]
+    fn edited_designs_run_alike_or_are_refused() {
+        let tally = run_here(3, 0, 12);
+        assert_eq!((tally.designs, tally.edited + tally.refused), (12, 12 * EDITED));
+        assert!(tally.edited > EDITED && tally.refused > EDITED, "{tally}");
+    }
+}
