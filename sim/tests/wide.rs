@@ -10,7 +10,7 @@ bundle! {
 }
 
 /// A register, a memory, and each kind of work on wide values, with many of them under way at once.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Cell {
     width: u32,
     operations: u32,
@@ -54,7 +54,7 @@ bundle! {
     pub struct RowOut<T> { pub sum: T, pub all: T, pub last: T }
 }
 
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Row {
     lanes: u32,
     width: u32,

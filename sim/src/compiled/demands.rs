@@ -134,7 +134,7 @@ mod tests {
     }
 
     /// A memory.
-    #[derive(Debug)]
+    #[derive(Debug, Clone, PartialEq, Eq, Hash)]
     struct Cell;
 
     impl Block for Cell {
@@ -158,7 +158,7 @@ mod tests {
     }
 
     /// Memories in lanes.
-    #[derive(Debug)]
+    #[derive(Debug, Clone, PartialEq, Eq, Hash)]
     struct Top;
 
     impl Block for Top {
@@ -176,7 +176,7 @@ mod tests {
     }
 
     fn program() -> Program {
-        compile(&elaborate(&Top).unwrap(), &Passes::none()).unwrap()
+        compile(&elaborate(&Top).unwrap(), &Passes::none())
     }
 
     fn operation<'a>(program: &'a mut Program, is_it: fn(&Kind) -> bool) -> &'a mut Kind {
