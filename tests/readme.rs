@@ -1,6 +1,8 @@
 //! What the README shows is what the code holds and the commands print.
 
+use std::path::Path;
 use std::process::Command;
+use tilewright_scenes::{Frame, compare_colours};
 
 const README: &str = include_str!("../README.md");
 
@@ -55,8 +57,7 @@ fn the_picture_is_the_golden_image() {
     let folder = tempfile::tempdir().unwrap();
     let golden = folder.path().join("golden.png");
     tilewright(&format!("golden teapot -o {}", golden.display()));
-    assert!(
-        std::fs::read(golden).unwrap() == include_bytes!("../docs/teapot.png"),
-        "docs/teapot.png is another picture"
-    );
+    let [drawn, shown] = [golden.as_path(), Path::new("docs/teapot.png")].map(|path| Frame::read_png(path).unwrap());
+    // Releases of the encoder differ in the bytes.
+    assert!(compare_colours(&drawn, &shown).is_equal(), "docs/teapot.png is another picture");
 }

@@ -37,7 +37,7 @@ fn a_long_word_does_not_fill_the_terminal() {
     assert!(run.stderr.starts_with("error: long.obj:1: `zzz"), "{run:?}");
     let run = folder.run(&format!("wave merging-unit -o x.vcd --scope {}", "z".repeat(100_000)));
     assert!(run.code == Some(2) && run.stderr.len() < 1000, "{} bytes", run.stderr.len());
-    assert!(run.stderr.contains("zzz[..]zzz`: there are `**`"), "{run:?}");
+    assert!(run.stderr.contains("zzz[..]zzz") && run.stderr.ends_with("z`: there are `**`\n"), "{run:?}");
 }
 
 /// What a line writes to a terminal of so many columns, or `None` without the program that makes one.
