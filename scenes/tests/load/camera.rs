@@ -1,6 +1,7 @@
 //! The camera that frames a mesh by itself, and pictures in which nothing is drawn.
 
 use crate::{TRIANGLE, folder, load};
+use glam::dvec3;
 use std::fs;
 use tilewright_scenes::{Counts, Projection, Scene, ScreenVertex, Size, golden, set_up};
 
@@ -10,11 +11,18 @@ const BOX: &str = "v 3 0 0\nv 9 0 0\nv 9 5 0\nv 3 5 0\nv 3 0 7\nv 9 0 7\nv 9 5 7
 
 #[test]
 fn a_framed_mesh_is_wholly_on_the_screen() {
-    for (name, up) in [("y up", "[0, 1, 0]"), ("z up", "[0, 0, 1]"), ("x up", "[1, 0, 0]")] {
+    let over_the_shoulder = dvec3(0.45, 0.35, 1.0).normalize();
+    for (name, up, direction) in [
+        ("y up", "[0, 1, 0]", over_the_shoulder),
+        ("z up", "[0, 0, 1]", dvec3(0.45, -1.0, 0.35).normalize()),
+        ("x up", "[1, 0, 0]", over_the_shoulder),
+    ] {
         for size in ["[640, 480]", "[100, 400]"] {
             let text = format!("mesh = 'mesh.obj'\nsize = {size}\ncamera.up = {up}\n");
             let folder = folder("framed", &[("mesh.obj", BOX), ("scene.toml", &text)]);
             let scene = load(&folder.join("scene.toml")).unwrap();
+            let arm = scene.camera.eye - scene.camera.target;
+            assert!((arm.normalize() - direction).length() < 1e-12, "{name}: seen along {arm}");
             let p = scene.project().unwrap();
             assert_eq!((p.counts.polygons, p.counts.drawn), (12, 12), "{name}");
             let (width, height) = (scene.size.width() as i32 * 16, scene.size.height() as i32 * 16);
