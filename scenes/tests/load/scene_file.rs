@@ -45,6 +45,7 @@ fn bad_scene_files_are_refused_with_their_place() {
             "scene.toml:3:1: unknown key `eyes`: write one of `eye`, `target`, `up`, `fov`",
         ),
         ("type", mesh("size = 'large'"), "scene.toml:2:8: invalid type: string \"large\": write an array of length 2"),
+        ("twice", mesh("size = [6, 4]\nsize = [6, 4]"), "scene.toml:3:1: duplicate key: correct the TOML"),
         ("no_mesh", "size = [6, 4]".into(), "scene.toml:1:1: missing key `mesh`: add it"),
         (
             "zero",
