@@ -192,3 +192,50 @@ fn ports_may_be_called_as_things_of_the_testbench_are() {
     };
     run().unwrap_or_else(|problems| panic!("{problems}\n{}", bench.text));
 }
+
+bundle! {
+    struct SumIn<T> { a: T, b: T }
+    struct SumOut<T> { sum: T, lane: T }
+}
+
+/// Its output is called as its module is, another as an instance in an array.
+#[derive(Debug)]
+struct Sum;
+
+impl Block for Sum {
+    type In = SumIn;
+    type Out = SumOut;
+
+    fn inputs(&self) -> SumIn<Width> {
+        SumIn { a: bits(8), b: bits(8) }
+    }
+
+    fn build(&self, _: Module, i: SumIn) -> SumOut {
+        SumOut { sum: i.a + i.b, lane: i.a ^ i.b }
+    }
+}
+
+/// An array of sums.
+#[derive(Debug)]
+struct Sums;
+
+impl Block for Sums {
+    type In = SumIn;
+    type Out = SumOut;
+
+    fn inputs(&self) -> SumIn<Width> {
+        Sum.inputs()
+    }
+
+    fn build(&self, m: Module, i: SumIn) -> SumOut {
+        let all =
+            m.array("u_sum", 3, &Sum, |row| SumIn { a: row.out.sum.previous(i.a), b: row.out.lane.previous(i.b) });
+        SumOut { sum: all.sum.last(), lane: all.lane.last() }
+    }
+}
+
+#[test]
+fn a_port_may_have_the_name_of_its_module() {
+    assert!(clean(&Sum).contains("module sum_ ("));
+    clean(&Sums);
+}

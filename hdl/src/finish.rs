@@ -22,7 +22,7 @@ pub(crate) fn finish(
     check::drives::check(&mut draft, problems);
     let renumber = place_clocks(&mut draft);
     let resets = find_resets(&draft, &e.done);
-    check::naming::check(&mut draft, &e.done, &outputs, &resets, problems);
+    let name = check::naming::check(&mut draft, &e.done, &outputs, &resets, name, problems);
     check::unused::check(&draft, &outputs, problems);
     let sound = check::loops::check(&draft, &e.summaries, problems);
     let mixed = check::domains::check(&draft, &e.done, &e.summaries, &outputs, problems);

@@ -46,7 +46,13 @@ impl ArrayNames {
 impl LaneNames {
     fn new(child: &Module, taken: &mut Names) -> LaneNames {
         let mut scope = Scope::default();
-        let instance = taken.fresh_in(&mut scope, LANE, LANE);
+        // What is in the instance must not hide it: linters do not want that.
+        let ports = child.outputs.iter().map(|port| &port.name);
+        let inside: Vec<&String> = ports.chain(child.nodes.iter().filter_map(|node| node.name.as_ref())).collect();
+        let hides = |name: &String| inside.iter().any(|inner| inner.eq_ignore_ascii_case(name));
+        let prefixed = (0..).map(|number| format!("{}{LANE}", "u_".repeat(number)));
+        let instance = { prefixed }.find(|name| !hides(name) && !taken.contains(name)).expect("some name is free");
+        let instance = taken.fresh_in(&mut scope, LANE, &instance);
         let outputs = child.outputs.iter().map(|port| taken.fresh_in(&mut scope, LANE, &port.name)).collect();
         LaneNames { instance, outputs, local: BTreeMap::new(), tables: BTreeMap::new(), scope }
     }

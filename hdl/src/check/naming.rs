@@ -8,13 +8,15 @@ use crate::names::{is_legal, is_reserved, is_reserved_in_cpp};
 use crate::problem::Problem;
 use std::collections::BTreeMap;
 
+/// Returns the module's name: with a `_` where something in it has that name, for Verilator takes no such top.
 pub(crate) fn check(
     draft: &mut Draft,
     done: &[Module],
     outputs: &[(String, NodeId)],
     resets: &[Option<String>],
+    mut name: String,
     problems: &mut Vec<Problem>,
-) {
+) -> String {
     let mut names = Names { taken: BTreeMap::new(), problems };
     for (i, clock) in draft.clocks.iter().enumerate().filter(|(i, _)| draft.clock_used[*i]) {
         let port = clock.map_or("clk".to_owned(), |clock| format!("{}_clk", clock.name));
@@ -45,9 +47,13 @@ pub(crate) fn check(
     for instance in &mut draft.instances {
         instance.name = names.inner("instance", instance.name.clone(), instance.loc);
     }
+    while names.taken.contains_key(&name) {
+        name.push('_');
+    }
     for instance in &draft.instances {
         check_hiding(instance, &done[instance.module.0 as usize], problems);
     }
+    name
 }
 
 /// Inside of a module, its own things hide an instance of the same name: linters refuse that. Each lane of an array is
