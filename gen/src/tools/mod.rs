@@ -5,15 +5,18 @@
 //! installed` and counts as skipped; with the environment variable `CI` set it fails instead, so that no pipeline
 //! passes by leaving out its checks.
 
+mod binary;
 mod linters;
 mod model;
 mod replay;
 mod run;
 mod synthesis;
 
-pub use linters::lint;
+pub use binary::verilated;
+pub use linters::{lint, lint_all};
 pub use model::{Compiler, Model, Source};
 pub use replay::{replay_in_icarus, replay_in_verilator, yosys_replay_vcd};
+pub use run::skipped_without;
 pub use synthesis::{Target, cells};
 
 use std::fmt;
@@ -26,6 +29,15 @@ pub enum Checked {
     Passed,
     /// The program is not installed.
     Skipped,
+}
+
+/// Which linters looked at the files.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Linted {
+    /// Those that ran, and found nothing.
+    pub ran: Vec<&'static str>,
+    /// Those that are not installed.
+    pub skipped: Vec<&'static str>,
 }
 
 /// A program that is not installed.

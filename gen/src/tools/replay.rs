@@ -1,6 +1,7 @@
 //! Replays: a testbench in Icarus and in Verilator, and a dump against the printed Verilog in Yosys.
 
-use super::run::{Folder, Verilator, is_installed, missing, problem, sources, top};
+use super::binary::verilated;
+use super::run::{Folder, problem, skipped_without, sources, top};
 use super::{Checked, Problems};
 use crate::VerilogFile;
 use std::path::Path;
@@ -12,8 +13,8 @@ use std::process::Command;
 ///
 /// What Icarus or the testbench printed, if that is not `PASS`.
 pub fn replay_in_icarus(files: &[VerilogFile], bench: &VerilogFile) -> Result<Checked, Problems> {
-    if !is_installed("iverilog") || !is_installed("vvp") {
-        return Ok(missing("iverilog"));
+    if let Some(skipped) = skipped_without(&["iverilog", "vvp"]) {
+        return Ok(skipped);
     }
     let folder = folder_with(files, bench);
     let mut compile = Command::new("iverilog");
@@ -27,25 +28,18 @@ pub fn replay_in_icarus(files: &[VerilogFile], bench: &VerilogFile) -> Result<Ch
     verdict("iverilog", succeeded, output)
 }
 
-/// Builds the testbench with Verilator and runs it; takes a C++ compiler and some ten seconds.
+/// Builds the testbench with Verilator and runs it; takes a C++ compiler and some seconds.
 ///
 /// # Errors
 ///
 /// What Verilator, the compiler or the testbench printed, if that is not `PASS`.
 pub fn replay_in_verilator(files: &[VerilogFile], bench: &VerilogFile) -> Result<Checked, Problems> {
-    let verilators = [Verilator::System, Verilator::Python];
-    let Some((tool, mut build)) = verilators.into_iter().find_map(|v| Some((v.name(), v.command()?))) else {
-        return Ok(missing("verilator"));
-    };
     let folder = folder_with(files, bench);
     let top = bench.name.trim_end_matches(".v");
-    build.args(["--binary", "--Mdir", "build", "-o", "bench", "--top-module", top, &bench.name]).args(sources(files));
-    let (succeeded, output) = folder.run(&mut build);
-    if !succeeded {
-        return Err(problem(tool, output));
-    }
-    let (succeeded, output) = folder.run(&mut Command::new(folder.path().join("build/bench")));
-    verdict(tool, succeeded, output)
+    let all: Vec<&str> = [bench.name.as_str()].into_iter().chain(sources(files)).collect();
+    let Some(program) = verilated(folder.path(), &all, top, &[])? else { return Ok(Checked::Skipped) };
+    let (succeeded, output) = folder.run(&mut Command::new(program));
+    verdict("verilator", succeeded, output)
 }
 
 fn folder_with(files: &[VerilogFile], bench: &VerilogFile) -> Folder {
@@ -71,8 +65,10 @@ fn verdict(tool: &str, succeeded: bool, output: String) -> Result<Checked, Probl
 ///
 /// What Yosys printed, if it found a difference.
 pub fn yosys_replay_vcd(files: &[VerilogFile], dump: &Path, scope: &str, clocks: &[&str]) -> Result<Checked, Problems> {
-    if !is_installed("yosys") {
-        return Ok(missing("yosys"));
+    // Yosys reads FST itself, and VCD through another program.
+    let is_vcd = dump.extension().is_some_and(|extension| extension == "vcd");
+    if let Some(skipped) = skipped_without(if is_vcd { &["yosys", "vcd2fst"] } else { &["yosys"] }) {
+        return Ok(skipped);
     }
     let folder = Folder::with(files);
     let dump = dump.canonicalize().unwrap_or_else(|error| panic!("{} cannot be read: {error}", dump.display()));

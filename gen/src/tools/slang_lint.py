@@ -1,4 +1,4 @@
-"""Lints Verilog files with slang (pyslang): slang_lint.py TOP FILE...
+"""Lints Verilog files with slang (pyslang): slang_lint.py TOP[,TOP]... FILE...
 
 Everything slang knows is a warning here and every warning fails, except:
   unused-net          Verilator decides what is unused; it knows `_unused_ok` by its name, slang does not
@@ -12,11 +12,11 @@ from pyslang.driver import Driver
 
 ALLOWED = ["unused-net", "sign-conversion", "arith-op-mismatch"]
 
-top, files = sys.argv[1], sys.argv[2:]
+tops, files = sys.argv[1].split(","), sys.argv[2:]
 flags = ["-Weverything"] + ["-Wno-" + name for name in ALLOWED]
 driver = Driver()
 driver.addStandardArgs()
-ok = driver.parseCommandLine(" ".join(["slang", "-Werror", "--top", top] + flags + files))
+ok = driver.parseCommandLine(" ".join(["slang", "-Werror"] + ["--top=" + top for top in tops] + flags + files))
 ok = ok and driver.processOptions() and driver.parseAllSources()
 if ok:
     compilation = driver.createCompilation()

@@ -1,0 +1,82 @@
+//! Programs that Verilator makes, to be run once: without optimization, and with a runtime that is compiled once.
+//!
+//! Verilator's runtime takes longer to compile than a small design. Its objects are kept in the user's cache folder, by
+//! the versions of Verilator and of the compiler; a build that fails with them is made again without.
+
+use super::Problems;
+use super::run::{Verilator, line_of, problem, run_in, skipped_without};
+use std::ffi::OsString;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// What Verilator's own makefile calls.
+const COMPILER: &str = "g++";
+/// The C++ runs for a moment and takes long to compile.
+const MAKE_FLAGS: &str = "OPT_FAST=-O0 OPT_SLOW=-O0 OPT_GLOBAL=-O0";
+/// The program in the folder of a build.
+const PROGRAM: &str = "build/program";
+
+/// Builds a program of the Verilog files of a folder, and returns its path; `None` if something is not installed.
+///
+/// # Errors
+///
+/// What Verilator or the compiler printed.
+pub fn verilated(folder: &Path, sources: &[&str], top: &str, flags: &[&str]) -> Result<Option<PathBuf>, Problems> {
+    let verilator = [Verilator::System, Verilator::Python].into_iter().find(|it| it.command().is_some());
+    let verilator = verilator.unwrap_or(Verilator::System);
+    if skipped_without(&[verilator.programs(), vec!["make", COMPILER]].concat()).is_some() {
+        return Ok(None);
+    }
+    let build = |runtime: Option<&Vec<PathBuf>>| {
+        let mut command = verilator.command().expect("it is installed");
+        let overridden = runtime.map(|_| " VM_GLOBAL_FAST= VM_GLOBAL_SLOW=").unwrap_or_default();
+        command.args(["--binary", "-j", "2", "--Mdir", "build", "-o", "program", "--top-module", top]);
+        command.args(flags).args(["-CFLAGS", "-O0", "-MAKEFLAGS", &format!("{MAKE_FLAGS}{overridden}")]);
+        run_in(folder, command.args(sources).args(runtime.into_iter().flatten()))
+    };
+    let cache = cache(verilator);
+    let runtime = cache.as_deref().and_then(objects).filter(|objects| !objects.is_empty());
+    if runtime.is_some() && build(runtime.as_ref()).0 {
+        return Ok(Some(folder.join(PROGRAM)));
+    }
+    let (succeeded, output) = build(None);
+    if !succeeded {
+        return Err(problem(verilator.name(), output));
+    }
+    if let Some(cache) = cache {
+        // Another build may do the same; without a cache the next one takes longer.
+        let _ = keep_objects(&folder.join("build"), &cache);
+    }
+    Ok(Some(folder.join(PROGRAM)))
+}
+
+/// The folder for the objects of this Verilator and this compiler.
+fn cache(verilator: Verilator) -> Option<PathBuf> {
+    let set = |name: &str| std::env::var_os(name).filter(|value: &OsString| !value.is_empty()).map(PathBuf::from);
+    let folder = set("XDG_CACHE_HOME").or_else(|| Some(set("HOME")?.join(".cache")))?;
+    let versions = format!("{} {}", verilator.version()?, line_of(Command::new(COMPILER).arg("--version"))?);
+    let name: String = versions.chars().map(|c| if c.is_ascii_alphanumeric() || c == '.' { c } else { '-' }).collect();
+    Some(folder.join("tilewright").join(name))
+}
+
+/// The objects in a folder, in order.
+fn objects(folder: &Path) -> Option<Vec<PathBuf>> {
+    let files = folder.read_dir().ok()?.flatten().map(|file| file.path());
+    let mut objects: Vec<PathBuf> = files.filter(|file| file.extension().is_some_and(|it| it == "o")).collect();
+    objects.sort();
+    Some(objects)
+}
+
+/// Copies the runtime's objects of a build to the cache, all or none.
+fn keep_objects(build: &Path, cache: &Path) -> std::io::Result<()> {
+    let parent = cache.parent().unwrap_or(cache);
+    std::fs::create_dir_all(parent)?;
+    let aside = tempfile::TempDir::with_prefix_in("runtime-", parent)?;
+    for object in objects(build).unwrap_or_default() {
+        let name = object.file_name().unwrap_or_default();
+        if name.to_string_lossy().starts_with("verilated") {
+            std::fs::copy(&object, aside.path().join(name))?;
+        }
+    }
+    std::fs::rename(aside.keep(), cache)
+}
