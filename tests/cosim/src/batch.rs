@@ -10,7 +10,7 @@ use std::fs::File;
 use std::process::{Child, Command};
 use std::time::{Duration, Instant};
 use tempfile::TempDir;
-use tilewright_gen::VerilogFile;
+use tilewright_gen::{VerilogFile, tools};
 
 /// A design that was printed, with the testbench that replays its run.
 #[derive(Debug, Clone)]
@@ -19,6 +19,8 @@ pub struct Printed {
     pub files: Vec<VerilogFile>,
     /// The testbench.
     pub bench: VerilogFile,
+    /// The run ended at an assertion that did not hold, as the replay has to.
+    pub fails: bool,
 }
 
 /// A simulator of Verilog.
@@ -42,24 +44,13 @@ impl Tool {
     fn programs(self) -> &'static [&'static str] {
         match self {
             Tool::Icarus => &["iverilog", "vvp"],
-            Tool::Verilator => &["verilator"],
+            Tool::Verilator => &["verilator", "perl", "make", "g++"],
         }
     }
 
-    /// Whether its programs are on the search path; where they are not, says so, and fails if `CI` is set.
+    /// Whether its programs and those that they call are installed; where one is not, says so, and fails if `CI` is set.
     pub fn is_here(self) -> bool {
-        let path = std::env::var_os("PATH").unwrap_or_default();
-        let is_program = |name: &&str| std::env::split_paths(&path).any(|folder| folder.join(name).is_file());
-        let is_here = self.programs().iter().all(is_program);
-        if !is_here {
-            let name = self.name();
-            assert!(
-                std::env::var_os("CI").is_none(),
-                "{name} is not installed, and CI is set: install it, or unset CI"
-            );
-            eprintln!("skipped: {name} is not installed");
-        }
-        is_here
+        tools::skipped_without(self.programs()).is_none()
     }
 }
 
@@ -92,7 +83,8 @@ pub fn run(tool: Tool, designs: &[Printed]) -> Result<Vec<Option<String>>, Refus
                 continue;
             }
             match file.name.ends_with(".v") {
-                true => text += &file.text,
+                // An assertion that fails must not end the other benches.
+                true => text += &file.text.replace("$stop;", ""),
                 false => std::fs::write(folder.path().join(&file.name), &file.text).expect("a file can be written"),
             }
         }
@@ -106,7 +98,7 @@ pub fn run(tool: Tool, designs: &[Printed]) -> Result<Vec<Option<String>>, Refus
         Tool::Icarus => icarus(&folder)?,
         Tool::Verilator => verilator(&folder)?,
     };
-    Ok(verdicts(&output, designs.len()))
+    Ok(verdicts(&output, designs))
 }
 
 /// The bench with its number before each line that it prints, and without the end of the simulation.
@@ -116,21 +108,32 @@ fn named_verdicts(bench: &str, number: usize) -> String {
     named.replace("$finish;", "").replace("$stop;", "")
 }
 
-fn verdicts(output: &str, count: usize) -> Vec<Option<String>> {
+fn verdicts(output: &str, designs: &[Printed]) -> Vec<Option<String>> {
     let mut lines: BTreeMap<usize, Vec<&str>> = BTreeMap::new();
+    let mut asserted: BTreeMap<usize, &str> = BTreeMap::new();
     for line in output.lines() {
-        if let Some((number, text)) = line.split_once(": ")
+        if let Some((_, place)) = line.split_once("all_benches.bench") {
+            let number = place.split('.').next().and_then(|number| number.parse().ok());
+            asserted.entry(number.expect("an assertion says in which bench it fails")).or_insert(line);
+        } else if let Some((number, text)) = line.split_once(": ")
             && let Ok(number) = number.parse()
         {
             lines.entry(number).or_default().push(text);
         }
     }
-    let verdict = |number| match lines.get(&number).map(Vec::as_slice) {
-        Some([line]) if line.starts_with("PASS: ") => None,
-        Some(lines) => Some(lines.join("\n")),
-        None => Some("the bench printed nothing".to_owned()),
+    let verdict = |(number, design): (usize, &Printed)| {
+        let asserted = asserted.get(&number);
+        match lines.get(&number).map(Vec::as_slice) {
+            Some([line]) if line.starts_with("PASS: ") => match (asserted, design.fails) {
+                (Some(line), false) => Some((*line).to_owned()),
+                (None, true) => Some("no assertion fails, but one did in the run".to_owned()),
+                _ => None,
+            },
+            Some(lines) => Some(lines.join("\n")),
+            None => Some("the bench printed nothing".to_owned()),
+        }
     };
-    (0..count).map(verdict).collect()
+    designs.iter().enumerate().map(verdict).collect()
 }
 
 fn icarus(folder: &TempDir) -> Result<String, Refused> {
@@ -164,16 +167,12 @@ fn ends(child: &mut Child, patience: Duration) -> bool {
 }
 
 fn verilator(folder: &TempDir) -> Result<String, Refused> {
-    // The C++ runs for a moment and takes long to compile: no optimization.
-    let build = ["--binary", "-j", "2", "-Wno-fatal", "-Wno-lint", "--output-split", "20000"];
-    let compiler = ["-CFLAGS", "-O0", "-MAKEFLAGS", "OPT_FAST=-O0 OPT_SLOW=-O0 OPT_GLOBAL=-O0"];
-    let top = ["--Mdir", "build", "-o", "benches", "--top-module", "all_benches", "all_benches.v"];
-    let (succeeded, output) =
-        execute(folder, Command::new("verilator").args(build).args(compiler).args(top), Duration::MAX);
-    if !succeeded {
-        return Err(Refused::Verilog(output));
+    let flags = ["-Wno-fatal", "-Wno-lint", "--output-split", "20000"];
+    match tools::verilated(folder.path(), &["all_benches.v"], "all_benches", &flags) {
+        Ok(Some(program)) => Ok(execute(folder, &mut Command::new(program), Duration::MAX).1),
+        Ok(None) => Err(Refused::Itself("it is not installed".to_owned())),
+        Err(problems) => Err(Refused::Verilog(problems.to_string())),
     }
-    Ok(execute(folder, &mut Command::new(folder.path().join("build/benches")), Duration::MAX).1)
 }
 
 /// Runs a program in the folder, for so long at most: whether it succeeded, and all that it printed.

@@ -1,16 +1,19 @@
-//! A campaign: many random designs through our simulator and another one, and what is left of one that differs.
+//! A campaign: many random designs through our simulator and another one and the linters, and what is left of one that
+//! differs.
 
 use crate::batch::{self, Printed, Refused, Tool};
 use crate::spec::Spec;
+use crate::stimulus::Run;
 use crate::{build, many, stimulus, strategy};
 use proptest::strategy::{Strategy, ValueTree};
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
+use std::collections::BTreeMap;
 use std::fmt;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::PathBuf;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
-use tilewright_gen::{VerilogFile, testbench, verilog};
+use tilewright_gen::{VerilogFile, testbench, tools, verilog};
 use tilewright_hdl::Recording;
 use tilewright_hdl::{Design, elaborate};
 
@@ -29,6 +32,8 @@ pub struct Campaign {
     pub batch: u64,
     /// How many runs of it go on at once.
     pub jobs: usize,
+    /// Whether every linter looks at every design.
+    pub lints: bool,
     /// What prints the Verilog; another than [`verilog`] serves to see the campaign fail.
     pub printer: fn(&Design) -> Vec<VerilogFile>,
 }
@@ -63,6 +68,13 @@ pub struct Failure {
     pub folder: PathBuf,
 }
 
+/// What a design fails in.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Against {
+    Simulator,
+    Linters,
+}
+
 /// What became of one design.
 enum Verdict {
     Agrees,
@@ -73,12 +85,12 @@ enum Verdict {
 impl Campaign {
     /// So many designs against Icarus, with sizes and jobs that suit two processors.
     pub fn icarus(seed: u64, designs: u64) -> Campaign {
-        Campaign { seed, designs, first: 0, tool: Tool::Icarus, batch: 125, jobs: 2, printer: verilog }
+        Campaign { seed, designs, first: 0, tool: Tool::Icarus, batch: 125, jobs: 2, lints: true, printer: verilog }
     }
 
-    /// So many designs against Verilator.
+    /// So many designs against Verilator, which are not linted: the first designs against Icarus are the same.
     pub fn verilator(seed: u64, designs: u64) -> Campaign {
-        Campaign { tool: Tool::Verilator, batch: 100, jobs: 1, ..Campaign::icarus(seed, designs) }
+        Campaign { tool: Tool::Verilator, batch: 100, jobs: 1, lints: false, ..Campaign::icarus(seed, designs) }
     }
 
     /// Runs it; `progress` hears how many designs are done. The summary depends on the seed and the number of designs
@@ -121,14 +133,18 @@ impl Campaign {
                     numbers.push(number);
                     printed.push(design);
                 }
-                Err(what) => summary.failures.push(self.shrink(number, what)),
+                Err(what) => summary.failures.push(self.shrink(number, what, Against::Simulator)),
             }
         }
-        for (number, verdict) in numbers.iter().zip(self.compare(&printed)) {
-            match verdict {
-                Verdict::Agrees => {}
-                Verdict::Differs(what) => summary.failures.push(self.shrink(*number, what)),
-                Verdict::Unusable => summary.unusable += 1,
+        let complaints = self.lint(&printed);
+        for (place, (number, verdict)) in numbers.iter().zip(self.compare(&printed)).enumerate() {
+            match (complaints.get(&place), verdict) {
+                (Some(what), _) => summary.failures.push(self.shrink(*number, what.clone(), Against::Linters)),
+                (None, Verdict::Agrees) => {}
+                (None, Verdict::Differs(what)) => {
+                    summary.failures.push(self.shrink(*number, what, Against::Simulator));
+                }
+                (None, Verdict::Unusable) => summary.unusable += 1,
             }
         }
         summary.failures.sort_by_key(|failure| failure.number);
@@ -153,6 +169,16 @@ impl Campaign {
         }
     }
 
+    /// What the linters say of the designs that are not clean, by their places.
+    fn lint(&self, printed: &[Printed]) -> BTreeMap<usize, String> {
+        if !self.lints || printed.is_empty() {
+            return BTreeMap::new();
+        }
+        let files: Vec<&[VerilogFile]> = printed.iter().map(|design| design.files.as_slice()).collect();
+        let wrong = tools::lint_all(&files).err().unwrap_or_default();
+        wrong.into_iter().map(|(place, problems)| (place, problems.to_string())).collect()
+    }
+
     /// A random design, with the way to smaller ones.
     fn draw(&self, number: u64) -> impl ValueTree<Value = Spec> + use<> {
         let mut seed = [0; 32];
@@ -168,10 +194,10 @@ impl Campaign {
         let run = || {
             let design =
                 elaborate(&build::top(spec, &format!("d{number}"))).map_err(|problems| problems.to_string())?;
-            let replay = stimulus::run(&design, &spec.stimulus).map_err(|error| error.to_string())?;
+            let Run { recording, fails } = stimulus::run(&design, &spec.stimulus).map_err(|error| error.to_string())?;
             many::check(&design, &spec.stimulus, number)?;
-            let printed = Printed { files: (self.printer)(&design), bench: testbench(&design, &replay) };
-            Ok((replay, printed))
+            let printed = Printed { files: (self.printer)(&design), bench: testbench(&design, &recording), fails };
+            Ok((recording, printed))
         };
         catch_unwind(AssertUnwindSafe(run)).unwrap_or_else(|panic| {
             let text = panic.downcast_ref::<String>().map(String::as_str);
@@ -181,20 +207,21 @@ impl Campaign {
     }
 
     /// What is wrong with one design, if anything.
-    fn failure(&self, spec: &Spec, number: u64) -> Option<String> {
-        match self.simulate(spec, number) {
-            Ok((_, printed)) => match self.compare(&[printed]).remove(0) {
+    fn failure(&self, spec: &Spec, number: u64, against: Against) -> Option<String> {
+        match (self.simulate(spec, number), against) {
+            (Ok((_, printed)), Against::Linters) => self.lint(&[printed]).remove(&0),
+            (Ok((_, printed)), Against::Simulator) => match self.compare(&[printed]).remove(0) {
                 Verdict::Differs(what) => Some(what),
                 Verdict::Agrees | Verdict::Unusable => None,
             },
-            Err(what) => Some(what),
+            (Err(what), _) => Some(what),
         }
     }
 
     /// The smallest design that still fails, by proptest's steps.
-    fn shrink(&self, number: u64, what: String) -> Failure {
-        // A single run takes 20 ms in Icarus, and some seconds in Verilator.
-        let most_runs = if self.tool == Tool::Icarus { 400 } else { 20 };
+    fn shrink(&self, number: u64, what: String, against: Against) -> Failure {
+        // A single run takes 20 ms in Icarus, and some seconds in Verilator and in all linters.
+        let most_runs = if self.tool == Tool::Icarus && against == Against::Simulator { 400 } else { 20 };
         let mut tree = self.draw(number);
         let mut smallest = (tree.current(), what);
         let mut runs = 0;
@@ -202,7 +229,7 @@ impl Campaign {
             loop {
                 runs += 1;
                 let spec = tree.current();
-                if let Some(what) = self.failure(&spec, number) {
+                if let Some(what) = self.failure(&spec, number, against) {
                     smallest = (spec, what);
                     break;
                 }
@@ -222,7 +249,7 @@ impl Campaign {
         std::fs::create_dir_all(&folder).expect("a temporary folder can be made");
         // Without a testbench where our simulator itself fails.
         let files = match self.simulate(spec, number) {
-            Ok((_, Printed { files, bench })) => files.into_iter().chain([bench]).collect(),
+            Ok((_, Printed { files, bench, .. })) => files.into_iter().chain([bench]).collect(),
             Err(_) => elaborate(&build::top(spec, &format!("d{number}"))).map_or(Vec::new(), |design| verilog(&design)),
         };
         for file in files {

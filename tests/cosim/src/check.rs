@@ -21,7 +21,7 @@ pub fn check_design(
     stimulus: impl FnOnce(&mut Simulation) -> Result<(), Error>,
 ) -> Result<(), Problems> {
     let run = Run::of(design, stimulus).unwrap_or_else(|error| panic!("{error}"));
-    let Printed { files, bench } = &run.printed;
+    let Printed { files, bench, .. } = &run.printed;
     let _ = tools::replay_in_icarus(files, bench)?;
     let _ = tools::replay_in_verilator(files, bench)?;
     run.check_dump(design)
@@ -48,7 +48,7 @@ impl Run {
         let recording = sim.recording();
         stimulus(&mut sim)?;
         sim.finish()?;
-        let printed = Printed { files: verilog(design), bench: testbench(design, &recording.take()) };
+        let printed = Printed { files: verilog(design), bench: testbench(design, &recording.take()), fails: false };
         Ok(Run { printed, folder })
     }
 

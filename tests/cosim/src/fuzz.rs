@@ -74,8 +74,8 @@ fn run(design: &Design, stimulus: &Stimulus) -> u64 {
     let passes = if stimulus.seed.is_multiple_of(2) { usual } else { passes(stimulus.seed / 2) };
     let passes = Passes { guarded: true, ..passes };
     let sim = Simulation::with_passes(design, &passes).unwrap_or_else(|error| panic!("{error}"));
-    let recording = record(design, stimulus, sim.on(EngineKind::Both)).unwrap_or_else(|error| panic!("{error}"));
-    recording.steps.len() as u64
+    let run = record(design, stimulus, sim.on(EngineKind::Both)).unwrap_or_else(|error| panic!("{error}"));
+    run.recording.steps.len() as u64
 }
 
 /// Runs a random design, and what random edits make of it.

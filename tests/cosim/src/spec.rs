@@ -23,6 +23,8 @@ pub struct Spec {
     pub room: u32,
     /// The period of the second clock in picoseconds, if there is one; the first has 10 ns.
     pub second_period: Option<u64>,
+    /// The seed of the names; 0 for names that are plain numbers.
+    pub names: u64,
     /// What is done to it.
     pub stimulus: Stimulus,
 }

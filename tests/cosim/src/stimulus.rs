@@ -50,13 +50,23 @@ impl Numbers {
 /// # Panics
 ///
 /// The engines differ, or a pass changes what the design does.
-pub fn run(design: &Design, stimulus: &Stimulus) -> Result<Recording, tilewright_sim::Error> {
+pub fn run(design: &Design, stimulus: &Stimulus) -> Result<Run, tilewright_sim::Error> {
     let recording = record(design, stimulus, Simulation::from_design(design)?.on(EngineKind::Both))?;
     let passes = passes(stimulus.seed);
     let kind = if passes == Passes::none() { EngineKind::Reference } else { EngineKind::Compiled };
     let other = record(design, stimulus, Simulation::with_passes(design, &passes)?.on(kind))?;
-    assert!(recording.steps == other.steps, "it does something else with {passes:?}");
+    let same = (&recording.recording.steps, recording.fails) == (&other.recording.steps, other.fails);
+    assert!(same, "it does something else with {passes:?}");
     Ok(recording)
+}
+
+/// A recorded run.
+#[derive(Debug)]
+pub struct Run {
+    /// What went in and came out.
+    pub recording: Recording,
+    /// An assertion failed at its last edge.
+    pub fails: bool,
 }
 
 /// All passes but one, or none at all; code for held inputs and functions that are cut early, no memory near.
@@ -78,11 +88,7 @@ pub(crate) fn passes(seed: u64) -> Passes {
     passes
 }
 
-pub(crate) fn record(
-    design: &Design,
-    stimulus: &Stimulus,
-    mut sim: Simulation,
-) -> Result<Recording, tilewright_sim::Error> {
+pub(crate) fn record(design: &Design, stimulus: &Stimulus, mut sim: Simulation) -> Result<Run, tilewright_sim::Error> {
     let mut numbers = Numbers(stimulus.seed);
     let top = design.top();
     let ports: Vec<_> = top.inputs.iter().map(|input| (input.name.as_str(), top.width(input.node))).collect();
@@ -102,9 +108,11 @@ pub(crate) fn record(
                 outputs: outputs.iter().map(|port| sim.get(*port)).collect(),
             }
         };
-        return Ok(Recording { steps: (0..stimulus.steps).map(step).collect(), initial: Vec::new() });
+        let recording = Recording { steps: (0..stimulus.steps).map(step).collect(), initial: Vec::new() };
+        return Ok(Run { recording, fails: false });
     }
     let recording = sim.recording();
+    let mut fails = false;
     for _ in 0..stimulus.steps {
         for (port, width) in &inputs {
             // Inputs that stay let state machines and enables show their other side.
@@ -114,9 +122,12 @@ pub(crate) fn record(
         }
         let done = if numbers.draw().is_multiple_of(12) { sim.try_reset() } else { sim.try_step() };
         match done {
-            Err(tilewright_sim::Error::Violated(_)) => break,
+            Err(tilewright_sim::Error::Violated(_)) => {
+                fails = true;
+                break;
+            }
             done => done?,
         }
     }
-    Ok(recording.take())
+    Ok(Run { recording: recording.take(), fails })
 }

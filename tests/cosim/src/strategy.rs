@@ -18,10 +18,12 @@ pub fn designs() -> impl Strategy<Value = Spec> {
     let room = prop_oneof![7 => 100..250u32, 1 => 250..900u32];
     // Equal periods, a whole ratio, and edges that drift against each other.
     let second_period = weighted(0.4, select(vec![10_000u64, 20_000, 14_000, 26_002, 6_000]));
-    (parts, room, second_period, stimulus()).prop_map(|(parts, room, second_period, stimulus)| Spec {
+    let names = prop_oneof![1 => Just(0u64), 4 => any::<u64>()];
+    (parts, room, second_period, names, stimulus()).prop_map(|(parts, room, second_period, names, stimulus)| Spec {
         parts,
         room,
         second_period,
+        names,
         stimulus,
     })
 }

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use tilewright_cosim::batch::Tool;
 use tilewright_cosim::{Campaign, build};
-use tilewright_gen::{VerilogFile, verilog};
+use tilewright_gen::{VerilogFile, tools, verilog};
 use tilewright_hdl::ir::Op;
 use tilewright_hdl::{Design, elaborate};
 
@@ -46,13 +46,36 @@ fn a_wrong_operator_is_found_and_shrunk() {
     if !Tool::Icarus.is_here() {
         return;
     }
-    let campaign = Campaign { printer: wrong_printer, jobs: 1, batch: 40, ..Campaign::icarus(SEED, 160) };
+    let campaign = Campaign { printer: wrong_printer, jobs: 1, batch: 40, lints: false, ..Campaign::icarus(SEED, 160) };
     let summary = campaign.run(|_| {});
     let smallest = summary.failures.iter().map(|failure| failure.spec.parts.iter().map(|part| part.steps.len()).sum());
     let smallest: usize = smallest.min().expect("a wrong operator goes unnoticed");
     assert!(smallest <= 3, "the smallest failing design still has {smallest} steps");
     let text = summary.failures[0].to_string();
     assert!(text.contains("FAIL: cycle ") && text.contains("--first "), "{text}");
+}
+
+/// Gives labels in lanes the names that ports have.
+fn hiding_printer(design: &Design) -> Vec<VerilogFile> {
+    let files = verilog(design).into_iter();
+    files.map(|file| VerilogFile { text: file.text.replace("begin : lane_", "begin : "), ..file }).collect()
+}
+
+#[test]
+fn a_label_that_hides_a_name_is_found() {
+    let campaign = Campaign::icarus(SEED, 0);
+    let printed = (0..60).map(|number| {
+        let design = elaborate(&build::top(&campaign.design(number), &format!("d{number}"))).unwrap();
+        (verilog(&design), hiding_printer(&design))
+    });
+    let printed: Vec<_> = printed.collect();
+    let differing: Vec<&[VerilogFile]> =
+        printed.iter().filter(|(right, wrong)| right != wrong).map(|(_, wrong)| wrong.as_slice()).collect();
+    assert!(!differing.is_empty(), "no design has a label that could hide a name");
+    match tools::lint_all(&differing) {
+        Ok(linted) => assert!(linted.ran.is_empty(), "a hidden name goes unnoticed"),
+        Err(wrong) => println!("{} of {} designs are refused", wrong.len(), differing.len()),
+    }
 }
 
 #[test]

@@ -134,10 +134,14 @@ impl Builder<'_> {
                 let of = self.pick(d, *of);
                 of.repeat((*times).min(WIDEST / of.width()).max(1))
             }
-            Make::Name(of) => self.pick(d, *of).named(&format!("n{number}")),
+            Make::Name(of) => {
+                let name = self.inner_name(&format!("n{number}"));
+                self.pick(d, *of).named(&name)
+            }
             Make::Wire(of) => {
                 let of = self.pick(d, *of);
-                let wire = self.on(d).wire(&format!("w{number}"), of.width());
+                let name = self.inner_name(&format!("w{number}"));
+                let wire = self.on(d).wire(&name, of.width());
                 let read = !*wire;
                 wire.drive(of);
                 read

@@ -1,7 +1,7 @@
 //! Steps that are instances of earlier parts, alone and in arrays.
 
 use super::expression::binary;
-use super::{Builder, PartBlock, PartIn, PartOut, child_index, fit, narrow};
+use super::{Builder, PartBlock, PartIn, PartOut, Ports, child_index, fit, narrow};
 use crate::spec::*;
 use crate::stimulus::Numbers;
 use tilewright_hdl::ir::Reduction;
@@ -20,8 +20,10 @@ impl Builder<'_> {
     }
 
     /// A name that nothing inside of the instance has: the part's number is above those of the parts below it.
-    fn instance_name(&self, number: usize) -> String {
-        format!("u{}_{number}", self.block.index)
+    fn instance_name(&mut self, number: usize) -> String {
+        let name = format!("u{}_{number}", self.block.index);
+        self.namer.remember(&name);
+        name
     }
 
     pub fn instance(&mut self, d: usize, number: usize, child: &PartBlock, inputs: &[Pick]) {
@@ -29,20 +31,21 @@ impl Builder<'_> {
         let [own, second] = [0, 1].map(|domain| {
             let feed =
                 |input: &Input| self.pick_fit(Self::outside(d, domain), picks.next().expect("endless"), input.width);
-            child.inputs_on(domain).map(feed).collect()
+            child.ports_on(domain, feed)
         });
-        let out = self.on(d).instance(&self.instance_name(number), child, PartIn { own, second });
+        let name = self.instance_name(number);
+        let out = self.on(d).instance(&name, child, PartIn { own, second });
         for (domain, signals) in [(0, out.out), (1, out.second_out), (0, out.link), (1, out.second_link)] {
-            signals.into_iter().for_each(|signal| self.push(Self::outside(d, domain), signal));
+            signals.values().into_iter().for_each(|signal| self.push(Self::outside(d, domain), signal));
         }
     }
 
     pub fn array(&mut self, d: usize, number: usize, child: &PartBlock, row: Row) {
         let module = self.on(d);
         let mut feeds = row.inputs.iter().copied().chain(std::iter::repeat((Feed::Broadcast, Pick(1))));
-        let name = self.instance_name(number);
+        let name = self.inner_name(&format!("u{}_{number}", self.block.index));
         let out = module.array(&name, row.lanes, child, |array| {
-            let links = [array.out.link.clone(), array.out.second_link.clone()];
+            let links = [array.out.link.clone(), array.out.second_link.clone()].map(Ports::values);
             let [own, second] = [0, 1].map(|domain| {
                 let mut links = links[domain].iter();
                 let feed = |input: &Input| {
@@ -50,13 +53,13 @@ impl Builder<'_> {
                     let (feed, pick) = feeds.next().expect("endless");
                     self.feed(&array, &row, Self::outside(d, domain), (feed, pick, input.width), link)
                 };
-                child.inputs_on(domain).map(feed).collect()
+                child.ports_on(domain, feed)
             });
             PartIn { own, second }
         });
         let mut gathers = row.outputs.iter().copied().chain(std::iter::repeat(Gather::Reduce(Reduction::Xor)));
         for (domain, lanes) in [(0, out.out), (1, out.second_out), (0, out.link), (1, out.second_link)] {
-            for lanes in lanes {
+            for lanes in lanes.values() {
                 let signal = gather(lanes, gathers.next().expect("endless"));
                 self.push(Self::outside(d, domain), signal);
                 self.rows[Self::outside(d, domain)].push(lanes);

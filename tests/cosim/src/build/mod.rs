@@ -2,11 +2,13 @@
 
 mod expression;
 mod instances;
+mod names;
 mod objects;
 
 use crate::spec::*;
 pub use expression::compare;
 use instances::Row;
+use names::{Kind, Namer, Ports};
 use std::fmt;
 use std::rc::Rc;
 use tilewright_hdl::*;
@@ -15,20 +17,20 @@ bundle! {
     /// The inputs of a part, by clock.
     pub struct PartIn<T> {
         /// On the module's own clock.
-        pub own: Vec<T>,
+        pub own: Ports<T>,
         /// On the second clock.
-        pub second: Vec<T>,
+        pub second: Ports<T>,
     }
     /// The outputs of a part, by clock.
     pub struct PartOut<T> {
         /// On the module's own clock.
-        pub out: Vec<T>,
+        pub out: Ports<T>,
         /// On the second clock.
-        pub second_out: Vec<T>,
+        pub second_out: Ports<T>,
         /// For each input on the own clock that has a link, a value of its width.
-        pub link: Vec<T>,
+        pub link: Ports<T>,
         /// For each input on the second clock that has a link, a value of its width.
-        pub second_link: Vec<T>,
+        pub second_link: Ports<T>,
     }
 }
 
@@ -109,6 +111,13 @@ impl PartBlock {
     fn inputs_on(&self, domain: usize) -> impl Iterator<Item = &Input> {
         self.part().inputs.iter().filter(move |input| self.domain(input.clock) == domain)
     }
+
+    /// The inputs of a clock, each made of its description.
+    fn ports_on<T>(&self, domain: usize, mut make: impl FnMut(&Input) -> T) -> Ports<T> {
+        let named = self.part().inputs.iter().zip(Namer::of(self).1);
+        let ours = named.filter(|(input, _)| self.domain(input.clock) == domain);
+        Ports(ours.map(|(input, name)| (name, make(input))).collect())
+    }
 }
 
 impl Block for PartBlock {
@@ -116,14 +125,14 @@ impl Block for PartBlock {
     type Out = PartOut;
 
     fn inputs(&self) -> PartIn<Width> {
-        let own = self.inputs_on(0).map(|input| bits(input.width)).collect();
-        let second = self.second().map(|clock| self.inputs_on(1).map(|input| bits(input.width).on(clock)).collect());
+        let own = self.ports_on(0, |input| bits(input.width));
+        let second = self.second().map(|clock| self.ports_on(1, |input| bits(input.width).on(clock)));
         PartIn { own, second: second.unwrap_or_default() }
     }
 
     fn build(&self, m: Module, i: PartIn) -> PartOut {
         m.ignore(&i);
-        let mut builder = Builder::new(self, m, [i.own, i.second]);
+        let mut builder = Builder::new(self, m, [i.own.values(), i.second.values()]);
         for (number, step) in self.part().steps.iter().enumerate() {
             builder.step(number, step);
         }
@@ -156,12 +165,20 @@ struct Builder<'a> {
     late: Vec<(usize, Late)>,
     /// Outputs of arrays, by clock.
     rows: [Vec<Lanes>; 2],
+    namer: Namer,
 }
 
 impl<'a> Builder<'a> {
     fn new(block: &'a PartBlock, module: Module, inputs: [Vec<Signal>; 2]) -> Self {
         let pools = inputs.map(|of| of.into_iter().map(|signal| Value { signal, is_read: true }).collect());
-        let mut builder = Builder { block, module, pools, late: Vec::new(), rows: [Vec::new(), Vec::new()] };
+        let mut builder = Builder {
+            block,
+            module,
+            pools,
+            late: Vec::new(),
+            rows: [Vec::new(), Vec::new()],
+            namer: Namer::of(block).0,
+        };
         if block.second().is_some() {
             // With state on the own clock, inputs that name no clock belong to it.
             let beat = module.reg("beat", 1).reset(0);
@@ -212,11 +229,24 @@ impl<'a> Builder<'a> {
         }
     }
 
+    /// A name for a register, a net or an array.
+    fn inner_name(&mut self, plain: &str) -> String {
+        self.namer.draw(plain, Kind::Inner)
+    }
+
+    /// Names for outputs.
+    fn outputs(&mut self, plain: &str, signals: Vec<Signal>) -> Ports<Signal> {
+        let named = signals.into_iter().enumerate();
+        let named = named.map(|(number, signal)| (self.namer.draw(&format!("{plain}_{number}"), Kind::Output), signal));
+        Ports(named.collect())
+    }
+
     fn step(&mut self, number: usize, step: &Step) {
         let d = self.block.domain(step.clock);
         match &step.make {
             Make::Register { width, reset, enable, next } => {
-                let mut register = self.on(d).reg(&format!("r{number}"), *width);
+                let name = self.inner_name(&format!("r{number}"));
+                let mut register = self.on(d).reg(&name, *width);
                 if let Some(reset) = reset {
                     register = register.reset(reset.bits(*width));
                 }
@@ -273,16 +303,21 @@ impl<'a> Builder<'a> {
             let link = |(number, input): (usize, &Input)| {
                 let Link { of, registered } = input.link?;
                 let signal = self.pick_fit(domain, of, input.width);
-                let name = format!("l{domain}_{number}");
+                let name = self.inner_name(&format!("l{domain}_{number}"));
                 Some(if registered { self.on(domain).pipe(&name, signal) } else { signal })
             };
-            block.inputs_on(domain).enumerate().filter_map(link).collect()
+            block.inputs_on(domain).enumerate().filter_map(link).collect::<Vec<_>>()
         });
-        let [out, second_out] = self
-            .pools
+        let [out, second_out] = std::mem::take(&mut self.pools)
             .map(|pool| pool.iter().filter(|value| !value.is_read).map(|value| value.signal).collect::<Vec<_>>());
         let nothing = out.is_empty() && second_out.is_empty();
-        PartOut { out: if nothing { vec![lit(1, 1)] } else { out }, second_out, link, second_link }
+        let out = if nothing { vec![lit(1, 1)] } else { out };
+        PartOut {
+            out: self.outputs("out", out),
+            second_out: self.outputs("second_out", second_out),
+            link: self.outputs("link", link),
+            second_link: self.outputs("second_link", second_link),
+        }
     }
 }
 

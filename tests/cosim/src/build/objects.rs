@@ -1,6 +1,6 @@
 //! Steps that hold state or cross clocks: state machines, memories, synchronizers.
 
-use super::{Builder, Late};
+use super::{Builder, Kind, Late};
 use crate::spec::*;
 use tilewright_hdl::*;
 
@@ -10,7 +10,8 @@ states! {
 
 impl Builder<'_> {
     pub fn machine(&mut self, d: usize, number: usize, machine: &Machine) {
-        let state = self.on(d).fsm(&format!("s{number}"), Phase::Idle);
+        let name = self.inner_name(&format!("s{number}"));
+        let state = self.on(d).fsm(&name, Phase::Idle);
         let width = self.pick(d, machine.chosen[0]).width();
         let chosen = machine.chosen.map(|pick| self.pick_fit(d, pick, width));
         let chosen = state.pick(|phase| chosen[phase.code() as usize]);
@@ -46,8 +47,9 @@ impl Builder<'_> {
         from: Option<Pick>,
     ) {
         let enable = enable.map(|pick| self.pick_fit(d, pick, 1));
-        let register = |place: u32| {
-            let register = self.on(d).reg(&format!("c{number}_{place}"), width);
+        let names = (0..length.max(1)).map(|place| self.inner_name(&format!("c{number}_{place}"))).collect::<Vec<_>>();
+        let register = |(place, name): (u32, &String)| {
+            let register = self.on(d).reg(name, width);
             let register = if place.is_multiple_of(2) {
                 register.reset(Pattern::Number(0x9e37_79b9 << place).bits(width))
             } else {
@@ -55,7 +57,7 @@ impl Builder<'_> {
             };
             enable.map_or(register, |enable| register.enable(enable))
         };
-        let registers: Vec<Reg> = (0..length.max(1)).map(register).collect();
+        let registers: Vec<Reg> = (0..).zip(&names).map(register).collect();
         registers.windows(2).for_each(|pair| pair[1].next(pair[0].value()));
         let last = registers[registers.len() - 1];
         match from {
@@ -86,8 +88,13 @@ impl Builder<'_> {
             (read.asynchronous && !crossing, enable, address)
         });
         let reads: Vec<_> = reads.collect();
-        let twin = memory.twin.map(|width| (format!("m{number}_twin"), width));
-        for (name, width) in [(format!("m{number}"), memory.width)].into_iter().chain(twin) {
+        let clocked = reads.iter().filter(|(asynchronous, ..)| !asynchronous).count();
+        let numbers = (0..clocked).map(|port| if clocked > 1 { format!("_read{port}") } else { "_read".to_owned() });
+        let numbers: Vec<String> = numbers.collect();
+        let mut name = |plain: String| self.namer.draw_with(&plain, Kind::Inner, &numbers);
+        let first = (name(format!("m{number}")), memory.width);
+        let twin = memory.twin.map(|width| (name(format!("m{number}_twin")), width));
+        for (name, width) in [first].into_iter().chain(twin) {
             // A memory handle goes from the own clock to the second one, not back.
             let mut mem = self.on(if crossing { 0 } else { d }).memory(&name, memory.depth, width, policy);
             if writes.len() > 1 {
@@ -124,8 +131,10 @@ impl Builder<'_> {
         let signal = match synchronize {
             true => {
                 let logic = self.pick_fit(1 - d, of, 1);
-                let steady = self.on(1 - d).pipe(&format!("y{number}_from"), logic);
-                self.on(d).synchronize(&format!("y{number}"), steady)
+                let from = self.inner_name(&format!("y{number}_from"));
+                let steady = self.on(1 - d).pipe(&from, logic);
+                let name = self.namer.draw_with(&format!("y{number}"), Kind::Inner, &["_meta".to_owned()]);
+                self.on(d).synchronize(&name, steady)
             }
             false => self.pick(1 - d, of).quasi_static("the simulators agree on every instant"),
         };
