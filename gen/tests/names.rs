@@ -199,7 +199,7 @@ bundle! {
 }
 
 /// Its output is called as its module is, another as an instance in an array.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Sum;
 
 impl Block for Sum {
@@ -216,7 +216,7 @@ impl Block for Sum {
 }
 
 /// An array of sums.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Sums;
 
 impl Block for Sums {

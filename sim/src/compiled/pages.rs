@@ -21,7 +21,8 @@ impl CodePages {
     /// Pages that begin with this code.
     #[allow(unsafe_code, reason = "writes code, and has it run")]
     pub fn new(code: &[u8], alignment: usize) -> Result<CodePages, Unsupported> {
-        let refused = |error: region::Error| Unsupported(format!("its system gives no memory that code can run in: {error}"));
+        let refused =
+            |error: region::Error| Unsupported(format!("its system gives no memory that code can run in: {error}"));
         assert!(alignment <= region::page::size(), "code is aligned to {alignment} bytes, which is more than a page");
         let mut pages = region::alloc(code.len(), Protection::READ_WRITE).map_err(refused)?;
         // SAFETY: the pages are at least as long, and nobody else knows them yet.
