@@ -79,6 +79,12 @@ fn the_report_counts_what_the_dry_run_expects() {
     assert!(report.processors.iter().all(|it| clocks(it) == last), "each clock is work, a stall or waiting: {report}");
     // The last program to end computes for long enough after its last pixel that this has arrived by then.
     assert_eq!(report.phases[0].pe_clocks + report.phases[1].pe_clocks, last);
+    for phase in &report.phases {
+        // Clocks of 25 ns and 80 ns; a phase may begin and end anywhere between edges of the clock that it does not run by.
+        let (pe, merge) = (25_000 * phase.pe_clocks, 80_000 * phase.merge_clocks);
+        assert!(phase.picoseconds.abs_diff(pe) <= 25_000, "{phase:?}");
+        assert!(phase.picoseconds.abs_diff(merge) <= 80_000, "{phase:?}");
+    }
 }
 
 #[test]
