@@ -11,18 +11,37 @@ use std::collections::BTreeMap;
 pub(crate) fn check(circuit: &impl Circuit, summaries: &[Summary], problems: &mut Vec<Problem>) -> bool {
     let edges = summary::combinational_edges(circuit, summaries);
     let before = problems.len();
-    for component in cyclic_components(&edges) {
+    let components = cyclic_components(&edges);
+    for component in &components {
         let has_lanes = component.iter().any(|node| circuit.node(NodeId(*node)).lanes.is_some());
         if has_lanes {
-            problems.extend(lane_loop(circuit, summaries, &component));
+            problems.extend(lane_loop(circuit, summaries, component));
         } else {
-            // Operands point backwards: the reverse of the cycle is the direction in which values flow.
-            let mut hops: Vec<_> = cycle_through(&edges, &component, first_named(circuit, &component));
-            hops[1..].reverse();
-            problems.push(report(circuit, hops.into_iter().map(|node| (NodeId(node), None)).collect()));
+            problems.push(node_loop(circuit, &edges, component));
         }
     }
+    if problems.len() == before && !components.is_empty() {
+        problems.extend(wiring_loops(circuit, summaries));
+    }
     problems.len() == before
+}
+
+fn node_loop(circuit: &impl Circuit, edges: &Edges, component: &[u32]) -> Problem {
+    // Operands point backwards: the reverse of the cycle is the direction in which values flow.
+    let mut hops: Vec<_> = cycle_through(edges, component, first_named(circuit, component));
+    hops[1..].reverse();
+    report(circuit, hops.into_iter().map(|node| (NodeId(node), None)).collect())
+}
+
+/// Loops past all instances, of lanes that do not depend on themselves: instances can be taken one by one, in the order
+/// in which they depend on each other, and other nodes cannot.
+fn wiring_loops(circuit: &impl Circuit, summaries: &[Summary]) -> Vec<Problem> {
+    let edges = Edges::new(circuit.nodes().len(), |node, push| {
+        if !matches!(circuit.node(NodeId(node)).op, Op::Output(..)) {
+            summary::operands(circuit, summaries, NodeId(node), &mut |operand| push(operand.0));
+        }
+    });
+    cyclic_components(&edges).iter().map(|component| node_loop(circuit, &edges, component)).collect()
 }
 
 /// The node to begin the message with: one that the user named, if there is one.

@@ -71,6 +71,22 @@ fn names() {
     refused("`module` cannot be the name of a module", |it| it.stage().name = "module".to_owned());
 }
 
+/// Lane 0 is the first input, and lane 1 is lane 0: no lane depends on itself, but nothing in between says in which
+/// order the array comes about.
+#[test]
+fn an_array_that_is_made_of_its_own_lanes() {
+    refused("a combinational loop in `top`: `add` -> `lane_two` -> `add`", |it| {
+        let (add, a) = (it.id("add"), it.first(|op| matches!(op, Op::Input(0))).clone());
+        it.node("add").lanes = Some(2);
+        let lane = it.id("lane_two");
+        it.op("lane_two", |op| *op = Op::Lane(add, 0));
+        let input = NodeId(it.top().nodes.iter().position(|node| node.op == a.op).unwrap() as u32);
+        it.op("add", |op| *op = Op::PerLane(vec![input, lane]));
+        it.top().outputs[0].node = input;
+        it.top().memories[0].writes[0].data = input;
+    });
+}
+
 #[test]
 fn loops() {
     refused("a combinational loop in `top`: `add` -> `add`", |it| {
