@@ -179,7 +179,7 @@ mod tests {
         compile(&elaborate(&Top).unwrap(), &Passes::none())
     }
 
-    fn operation<'a>(program: &'a mut Program, is_it: fn(&Kind) -> bool) -> &'a mut Kind {
+    fn operation(program: &mut Program, is_it: fn(&Kind) -> bool) -> &mut Kind {
         let mut kinds = program.operations.iter_mut().map(|operation| &mut operation.kind);
         kinds.find(|kind| is_it(kind)).expect("the circuit has one")
     }

@@ -103,12 +103,12 @@ fn operator(module: &mut Module, numbers: &mut Numbers) {
         Op::Compare { relation, signed, .. } => {
             use Relation::{Eq, Ge, Gt, Le, Lt, Ne};
             *relation = [Eq, Ne, Lt, Le, Gt, Ge][any(6)];
-            *signed = which / 6 % 2 == 0;
+            *signed = (which / 6).is_multiple_of(2);
         }
         Op::Shift(op, ..) => *op = [Shift::Left, Shift::Right, Shift::RightSigned][any(3)],
         Op::Reduce(op, _) => *op = [Reduction::And, Reduction::Or, Reduction::Xor, Reduction::Add][any(4)],
         Op::Extend { signed, .. } => *signed = !*signed,
-        Op::Const(bits) => *bits = numbers.bits(bits.width() + u32::from(which % 8 == 0)),
+        Op::Const(bits) => *bits = numbers.bits(bits.width() + u32::from(which.is_multiple_of(8))),
         _ => {}
     }
 }
