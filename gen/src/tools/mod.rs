@@ -13,7 +13,7 @@ mod run;
 mod synthesis;
 
 pub use binary::verilated;
-pub use linters::{lint, lint_all};
+pub use linters::{lint, lint_all, lint_quickly};
 pub use model::{Compiler, Model, Source};
 pub use replay::{replay_in_icarus, replay_in_verilator, yosys_replay_vcd};
 pub use run::skipped_without;

@@ -32,7 +32,7 @@ pub struct Campaign {
     pub batch: u64,
     /// How many runs of it go on at once.
     pub jobs: usize,
-    /// Whether every linter looks at every design.
+    /// Whether Yosys and slang look at every design, and all linters at those of each eighth batch.
     pub lints: bool,
     /// What prints the Verilog; another than [`verilog`] serves to see the campaign fail.
     pub printer: fn(&Design) -> Vec<VerilogFile>,
@@ -136,7 +136,8 @@ impl Campaign {
                 Err(what) => summary.failures.push(self.shrink(number, what, Against::Simulator)),
             }
         }
-        let complaints = self.lint(&printed);
+        // Verilator takes its time: it looks at each eighth batch.
+        let complaints = self.lint(&printed, (first / self.batch).is_multiple_of(8));
         for (place, (number, verdict)) in numbers.iter().zip(self.compare(&printed)).enumerate() {
             match (complaints.get(&place), verdict) {
                 (Some(what), _) => summary.failures.push(self.shrink(*number, what.clone(), Against::Linters)),
@@ -170,12 +171,13 @@ impl Campaign {
     }
 
     /// What the linters say of the designs that are not clean, by their places.
-    fn lint(&self, printed: &[Printed]) -> BTreeMap<usize, String> {
+    fn lint(&self, printed: &[Printed], in_all: bool) -> BTreeMap<usize, String> {
         if !self.lints || printed.is_empty() {
             return BTreeMap::new();
         }
         let files: Vec<&[VerilogFile]> = printed.iter().map(|design| design.files.as_slice()).collect();
-        let wrong = tools::lint_all(&files).err().unwrap_or_default();
+        let linted = if in_all { tools::lint_all(&files) } else { tools::lint_quickly(&files) };
+        let wrong = linted.err().unwrap_or_default();
         wrong.into_iter().map(|(place, problems)| (place, problems.to_string())).collect()
     }
 
@@ -209,7 +211,7 @@ impl Campaign {
     /// What is wrong with one design, if anything.
     fn failure(&self, spec: &Spec, number: u64, against: Against) -> Option<String> {
         match (self.simulate(spec, number), against) {
-            (Ok((_, printed)), Against::Linters) => self.lint(&[printed]).remove(&0),
+            (Ok((_, printed)), Against::Linters) => self.lint(&[printed], true).remove(&0),
             (Ok((_, printed)), Against::Simulator) => match self.compare(&[printed]).remove(0) {
                 Verdict::Differs(what) => Some(what),
                 Verdict::Agrees | Verdict::Unusable => None,
