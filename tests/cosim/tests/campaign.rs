@@ -64,7 +64,7 @@ fn hiding_printer(design: &Design) -> Vec<VerilogFile> {
 #[test]
 fn a_label_that_hides_a_name_is_found() {
     let campaign = Campaign::icarus(SEED, 0);
-    let printed = (0..60).map(|number| {
+    let printed = (0..400).map(|number| {
         let design = elaborate(&build::top(&campaign.design(number), &format!("d{number}"))).unwrap();
         (verilog(&design), hiding_printer(&design))
     });
