@@ -57,14 +57,18 @@ fn a_wrong_operator_is_found_and_shrunk() {
 
 /// Gives labels in lanes the names that ports have.
 fn hiding_printer(design: &Design) -> Vec<VerilogFile> {
+    let hiding = |line: &str| match line.contains(" assign ") {
+        true => line.replace("begin : lane_", "begin : ") + "\n",
+        false => line.to_owned() + "\n",
+    };
     let files = verilog(design).into_iter();
-    files.map(|file| VerilogFile { text: file.text.replace("begin : lane_", "begin : "), ..file }).collect()
+    files.map(|file| VerilogFile { text: file.text.lines().map(hiding).collect(), ..file }).collect()
 }
 
 #[test]
 fn a_label_that_hides_a_name_is_found() {
     let campaign = Campaign::icarus(SEED, 0);
-    let printed = (0..400).map(|number| {
+    let printed = (0..500).map(|number| {
         let design = elaborate(&build::top(&campaign.design(number), &format!("d{number}"))).unwrap();
         (verilog(&design), hiding_printer(&design))
     });
@@ -72,7 +76,7 @@ fn a_label_that_hides_a_name_is_found() {
     let differing: Vec<&[VerilogFile]> =
         printed.iter().filter(|(right, wrong)| right != wrong).map(|(_, wrong)| wrong.as_slice()).collect();
     assert!(!differing.is_empty(), "no design has a label that could hide a name");
-    match tools::lint_all(&differing) {
+    match tools::lint_quickly(&differing) {
         Ok(linted) => assert!(linted.ran.is_empty(), "a hidden name goes unnoticed"),
         Err(wrong) => println!("{} of {} designs are refused", wrong.len(), differing.len()),
     }

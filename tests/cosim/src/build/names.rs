@@ -156,7 +156,12 @@ impl Namer {
         let is_inner = block.index + 1 < block.spec.parts.len();
         let mut namer = Namer { numbers, words, taken, is_inner };
         let Part { inputs, .. } = block.part();
-        let inputs = (0..inputs.len()).map(|number| namer.draw(&format!("in_{number}"), Kind::Input)).collect();
+        let list = namer.list();
+        let input = |number| match &list {
+            Some(list) if namer.take(&format!("{list}_{number}"), Kind::Input, &[]) => format!("{list}_{number}"),
+            _ => namer.draw(&format!("in_{number}"), Kind::Input),
+        };
+        let inputs = (0..inputs.len()).map(input).collect();
         (namer, inputs)
     }
 
@@ -169,13 +174,7 @@ impl Namer {
     pub fn draw_with(&mut self, plain: &str, kind: Kind, ends: &[String]) -> String {
         for _ in 0..8 {
             let Some(name) = self.candidate() else { break };
-            // What the language makes of it.
-            let printed = if is_reserved(&name, kind) { format!("{name}_") } else { name.clone() };
-            let all = || [printed.clone()].into_iter().chain(ends.iter().map(|end| format!("{name}{end}")));
-            let is_legal = kind == Kind::Inner || printed == name;
-            let is_lane = self.is_inner && kind != Kind::Output && name == "lane";
-            if is_legal && !is_lane && all().all(|name| !self.taken.contains(&name)) {
-                self.taken.extend(all());
+            if self.take(&name, kind, ends) {
                 // Later names may be near misses of this one.
                 if self.words.len() < 24 {
                     self.words.push(name.clone());
@@ -185,6 +184,27 @@ impl Namer {
         }
         self.taken.insert(plain.to_owned());
         plain.to_owned()
+    }
+
+    /// Puts a name to use, if the language takes it and nothing has it.
+    fn take(&mut self, name: &str, kind: Kind, ends: &[String]) -> bool {
+        // What the language makes of it.
+        let printed = if is_reserved(name, kind) { format!("{name}_") } else { name.to_owned() };
+        let all = || [printed.clone()].into_iter().chain(ends.iter().map(|end| format!("{name}{end}")));
+        let is_legal = kind == Kind::Inner || printed == name;
+        let is_lane = self.is_inner && kind != Kind::Output && name == "lane";
+        let is_free = is_legal && !is_lane && all().all(|name| !self.taken.contains(&name));
+        if is_free {
+            self.taken.extend(all());
+        }
+        is_free
+    }
+
+    /// What the inputs are a list of, in one part of three: such a list often feeds an array by the name of its port.
+    fn list(&mut self) -> Option<String> {
+        let numbers = self.numbers.as_mut()?;
+        let word = &self.words[numbers.draw() as usize % self.words.len()];
+        numbers.draw().is_multiple_of(3).then(|| word.clone())
     }
 
     /// Lets later names be near misses of this one, which is given otherwise.
