@@ -1,13 +1,9 @@
 //! Waveform files: the whole text of a small one, filters, the flight recorder, and what happens on errors.
-#![allow(missing_docs)]
-
-#[path = "engine/mod.rs"]
-mod engine;
 
 use std::fs;
 use std::path::PathBuf;
 
-use engine::of;
+use crate::engine::{engine, of};
 use tilewright_hdl::{Block, Module, Width, bit, bits, bundle, states, when};
 use tilewright_sim::{Error, Vcd};
 
@@ -65,7 +61,7 @@ impl Block for Lamps {
 }
 
 fn path(name: &str) -> PathBuf {
-    PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("{:?}_{name}", engine::ENGINE))
+    PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("{:?}_{name}", engine()))
 }
 
 /// The text of what two steps leave, the second with both lamps toggled.

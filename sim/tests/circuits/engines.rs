@@ -1,6 +1,5 @@
 //! The engines are alike in everything that a testbench can see, whatever it does: values, names inside, memories,
 //! errors, times, waveform files, waves in text and recordings.
-#![allow(missing_docs)]
 
 use std::fs;
 

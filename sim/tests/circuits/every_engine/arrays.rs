@@ -1,10 +1,6 @@
 //! Instance arrays as lanes: against the same circuit as single instances, nested, and unrolled where they must be.
-#![allow(missing_docs)]
 
-#[path = "engine/mod.rs"]
-mod engine;
-
-use engine::{ENGINE, of};
+use crate::engine::{engine, of};
 use proptest::prelude::*;
 use tilewright_hdl::ir::{Design, Instance, InstanceId, Module as IrModule, Node, NodeId, Op, Reduction};
 use tilewright_hdl::{Bits, Block, Module, ReadUnderWrite, Width, bits, bundle, elaborate, mux};
@@ -175,8 +171,8 @@ proptest! {
         stimulus in prop::collection::vec((any::<u64>(), any::<u64>()), 1..20),
     ) {
         let design = elaborate(&Row { lanes, width, chained }).unwrap();
-        let mut whole = Simulation::from_design(&design).unwrap().on(ENGINE);
-        let mut single = Simulation::from_design(&without_arrays(&design)).unwrap().on(ENGINE);
+        let mut whole = Simulation::from_design(&design).unwrap().on(engine());
+        let mut single = Simulation::from_design(&without_arrays(&design)).unwrap().on(engine());
         let lanes_kept = whole.program().hierarchy.scopes.iter().any(|scope| scope.lanes == lanes);
         prop_assert_eq!(lanes_kept, !chained || lanes == 1);
         for (common, entering) in stimulus {

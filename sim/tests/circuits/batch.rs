@@ -1,12 +1,9 @@
 //! Many runs at once: each is what a simulation of it alone gives.
-#![allow(missing_docs)]
-
-mod store;
 
 use std::fs;
 use std::path::PathBuf;
 
-use store::Store;
+use crate::store::Store;
 use tilewright_hdl::{
     Bits, Block, Design, Module, ReadUnderWrite, Width, bits, bundle, cat, elaborate, mux, states, when,
 };

@@ -1,14 +1,8 @@
 //! Several clocks: the order of edges, what crosses, and memories between two clocks against a plain model.
-#![allow(missing_docs)]
 
-#[path = "engine/mod.rs"]
-mod engine;
-#[path = "store/mod.rs"]
-mod store;
-
-use engine::of;
+use crate::engine::of;
+use crate::store::{FAST, SLOW, Store, StoreIn, StoreOut};
 use proptest::prelude::*;
-use store::{FAST, SLOW, Store, StoreIn, StoreOut};
 use tilewright_hdl::{Block, Module, ReadUnderWrite, Signal, bundle, lit};
 
 /// A count on each of two clocks; each is sampled by the other.

@@ -1,10 +1,6 @@
 //! Every operator at every width against big integers.
-#![allow(missing_docs)]
 
-#[path = "engine/mod.rs"]
-mod engine;
-
-use engine::of;
+use crate::engine::of;
 use num_bigint::BigUint;
 use proptest::prelude::*;
 use tilewright_hdl::{Bits, Block, Module, Width, bits, bundle, case, mux, select};

@@ -1,5 +1,4 @@
 //! Waves and recordings of a part of a run, and how mistakes of a testbench read.
-#![allow(missing_docs)]
 
 use tilewright_hdl::recording::Initial;
 use tilewright_hdl::{Bits, Block, Module, ReadUnderWrite, Width, bit, bits, bundle};

@@ -1,5 +1,4 @@
 //! Values of thousands of bits, on threads whose stack is small: no code may need more of it than there is.
-#![allow(missing_docs)]
 
 use tilewright_hdl::{Bits, Block, Module, ReadUnderWrite, Width, bit, bits, bundle, concat, elaborate, mux};
 use tilewright_sim::{EngineKind, Simulation};

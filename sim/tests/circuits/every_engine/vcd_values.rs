@@ -1,15 +1,11 @@
 //! A waveform file against the circuit: at each instant it shows what a look at every signal gives, whatever did or did
 //! not change, and a flight recorder writes what a file from the start would have.
-#![allow(missing_docs)]
-
-#[path = "engine/mod.rs"]
-mod engine;
 
 use std::collections::HashMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use engine::of;
+use crate::engine::{engine, of};
 use proptest::prelude::*;
 use tilewright_hdl::{
     Bits, Block, Clock, Module, Period, ReadUnderWrite, Width, bit, bits, bundle, hold, mux, states, when,
@@ -202,7 +198,7 @@ fn expect_clock(file: &Path, name: &str, period: u64) {
 }
 
 fn path(name: &str) -> PathBuf {
-    PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("{:?}_{name}", engine::ENGINE))
+    PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("{:?}_{name}", engine()))
 }
 
 proptest! {

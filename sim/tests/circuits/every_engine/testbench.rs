@@ -1,10 +1,6 @@
 //! The testbench interface: setting, reading, stepping, looking inside, and every error.
-#![allow(missing_docs)]
 
-#[path = "engine/mod.rs"]
-mod engine;
-
-use engine::of;
+use crate::engine::of;
 use tilewright_hdl::{Bits, Block, Module, ReadUnderWrite, Width, bit, bits, bundle, mux, net, states, when};
 use tilewright_sim::{EngineKind, Error, Simulation};
 

@@ -1,5 +1,4 @@
 //! Arrays in arrays, on both engines side by side: what loops store, recompute and leave out.
-#![allow(missing_docs)]
 
 use std::collections::BTreeSet;
 

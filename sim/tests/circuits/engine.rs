@@ -1,0 +1,44 @@
+//! The engine that the tests of [`every_engine`](crate::every_engine) run on: the compiled one, or the one that the environment names.
+
+use std::env;
+use std::process::Command;
+
+use tilewright_hdl::Block;
+use tilewright_sim::{EngineKind, Simulation};
+
+/// The environment's variable.
+const ENGINE: &str = "TILEWRIGHT_TEST_ENGINE";
+
+pub fn engine() -> EngineKind {
+    match env::var(ENGINE).as_deref() {
+        Err(env::VarError::NotPresent) => EngineKind::Compiled,
+        Ok("reference") => EngineKind::Reference,
+        Ok("both") => EngineKind::Both,
+        other => panic!("{ENGINE} is {other:?}: it names the engine `reference` or `both`, or is not set"),
+    }
+}
+
+/// A block on that engine.
+#[track_caller]
+pub fn of<B: Block>(block: &B) -> Simulation<B::In, B::Out> {
+    Simulation::of(block).unwrap().on(engine())
+}
+
+/// Runs the tests of `every_engine` in a process of their own, on another engine than the compiled one.
+fn again_on(engine: &str) {
+    let mut tests = Command::new(env::current_exe().unwrap());
+    let output = tests.env(ENGINE, engine).arg("every_engine::").output().unwrap();
+    let text = String::from_utf8_lossy(&output.stdout);
+    assert!(output.status.success(), "{text}{}", String::from_utf8_lossy(&output.stderr));
+    assert!(!text.contains("ok. 0 passed"), "there are no such tests:\n{text}");
+}
+
+#[test]
+fn every_test_passes_on_the_reference_engine() {
+    again_on("reference");
+}
+
+#[test]
+fn every_test_passes_on_both_engines_side_by_side() {
+    again_on("both");
+}

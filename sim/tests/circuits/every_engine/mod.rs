@@ -1,0 +1,8 @@
+//! What holds on every engine.
+
+mod arithmetic;
+mod arrays;
+mod clocks;
+mod testbench;
+mod vcd;
+mod vcd_values;

@@ -1,0 +1,11 @@
+//! Circuits that run: what a testbench sees of them, on every engine.
+#![allow(missing_docs)]
+
+mod batch;
+mod engine;
+mod engines;
+mod every_engine;
+mod nested;
+mod store;
+mod watching;
+mod wide;
