@@ -34,6 +34,8 @@ pub struct Campaign {
     pub jobs: usize,
     /// Whether Yosys and slang look at every design, and all linters at those of each eighth batch.
     pub lints: bool,
+    /// How many of the designs that fail, by number, are shrunk: each takes up to 400 runs.
+    pub shrinks: usize,
     /// What prints the Verilog; another than [`verilog`] serves to see the campaign fail.
     pub printer: fn(&Design) -> Vec<VerilogFile>,
 }
@@ -49,7 +51,7 @@ pub struct Summary {
     pub outputs: u64,
     /// Designs that the other simulator broke on by a fault of its own ([`Refused::Itself`]).
     pub unusable: u64,
-    /// The designs that differ, by number, shrunk.
+    /// The designs that differ, by number, the first of them shrunk.
     pub failures: Vec<Failure>,
 }
 
@@ -60,7 +62,9 @@ pub struct Failure {
     pub seed: u64,
     /// The design's number in the campaign.
     pub number: u64,
-    /// What happened to the smallest design that still fails.
+    /// What it fails in.
+    pub against: Against,
+    /// What happened to the smallest design that was found to fail.
     pub what: String,
     /// That design.
     pub spec: Spec,
@@ -70,8 +74,10 @@ pub struct Failure {
 
 /// What a design fails in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Against {
+pub enum Against {
+    /// Our simulator breaks on it, or differs from the other one.
     Simulator,
+    /// A linter does not find it clean.
     Linters,
 }
 
@@ -85,7 +91,7 @@ enum Verdict {
 impl Campaign {
     /// So many designs against Icarus, with sizes and jobs that suit two processors.
     pub fn icarus(seed: u64, designs: u64) -> Campaign {
-        Campaign { seed, designs, first: 0, tool: Tool::Icarus, batch: 125, jobs: 2, lints: true, printer: verilog }
+        Campaign { seed, designs, first: 0, tool: Tool::Icarus, batch: 125, jobs: 2, lints: true, shrinks: 5, printer: verilog }
     }
 
     /// So many designs against Verilator, which are not linted: the first designs against Icarus are the same.
@@ -113,7 +119,10 @@ impl Campaign {
         std::thread::scope(|scope| (0..self.jobs).for_each(|_| drop(scope.spawn(work))));
         let mut summaries = summaries.into_inner().expect("no panic while collecting");
         summaries.sort_by_key(|(start, _)| *start);
-        summaries.into_iter().fold(Summary::default(), |sum, (_, one)| sum.and(one))
+        let mut summary = summaries.into_iter().fold(Summary::default(), |sum, (_, one)| sum.and(one));
+        summary.failures.iter_mut().take(self.shrinks).for_each(|failure| self.shrink(failure));
+        summary.failures.iter_mut().for_each(|failure| failure.folder = self.keep(&failure.spec, failure.number));
+        summary
     }
 
     /// The random design of that number.
@@ -133,18 +142,16 @@ impl Campaign {
                     numbers.push(number);
                     printed.push(design);
                 }
-                Err(what) => summary.failures.push(self.shrink(number, what, Against::Simulator)),
+                Err(what) => summary.failures.push(self.fails(number, what, Against::Simulator)),
             }
         }
         // Verilator takes its time: it looks at each eighth batch.
         let complaints = self.lint(&printed, (first / self.batch).is_multiple_of(8));
         for (place, (number, verdict)) in numbers.iter().zip(self.compare(&printed)).enumerate() {
             match (complaints.get(&place), verdict) {
-                (Some(what), _) => summary.failures.push(self.shrink(*number, what.clone(), Against::Linters)),
+                (Some(what), _) => summary.failures.push(self.fails(*number, what.clone(), Against::Linters)),
                 (None, Verdict::Agrees) => {}
-                (None, Verdict::Differs(what)) => {
-                    summary.failures.push(self.shrink(*number, what, Against::Simulator));
-                }
+                (None, Verdict::Differs(what)) => summary.failures.push(self.fails(*number, what, Against::Simulator)),
                 (None, Verdict::Unusable) => summary.unusable += 1,
             }
         }
@@ -220,29 +227,30 @@ impl Campaign {
         }
     }
 
-    /// The smallest design that still fails, by proptest's steps.
-    fn shrink(&self, number: u64, what: String, against: Against) -> Failure {
+    fn fails(&self, number: u64, what: String, against: Against) -> Failure {
+        Failure { seed: self.seed, number, against, what, spec: self.design(number), folder: PathBuf::new() }
+    }
+
+    /// Makes the design smaller for as long as it fails, by proptest's steps.
+    fn shrink(&self, failure: &mut Failure) {
         // A single run takes 20 ms in Icarus, and some seconds in Verilator and in all linters.
-        let most_runs = if self.tool == Tool::Icarus && against == Against::Simulator { 400 } else { 20 };
-        let mut tree = self.draw(number);
-        let mut smallest = (tree.current(), what);
+        let is_quick = self.tool == Tool::Icarus && failure.against == Against::Simulator;
+        let most_runs = if is_quick { 400 } else { 20 };
+        let mut tree = self.draw(failure.number);
         let mut runs = 0;
-        'smaller: while runs < most_runs && tree.simplify() {
+        while runs < most_runs && tree.simplify() {
             loop {
                 runs += 1;
                 let spec = tree.current();
-                if let Some(what) = self.failure(&spec, number, against) {
-                    smallest = (spec, what);
+                if let Some(what) = self.failure(&spec, failure.number, failure.against) {
+                    (failure.spec, failure.what) = (spec, what);
                     break;
                 }
                 if runs >= most_runs || !tree.complicate() {
-                    break 'smaller;
+                    return;
                 }
             }
         }
-        let (spec, what) = smallest;
-        let folder = self.keep(&spec, number);
-        Failure { seed: self.seed, number, what, spec, folder }
     }
 
     /// Writes the files of a failing design.
@@ -287,7 +295,7 @@ impl fmt::Display for Summary {
 
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let Failure { seed, number, what, spec, folder } = self;
+        let Failure { seed, number, what, spec, folder, .. } = self;
         writeln!(f, "design {number} of seed {seed} fails:\n{}\n{spec:#?}", what.trim_end())?;
         writeln!(f, "its Verilog is in {}", folder.display())?;
         write!(f, "again: cargo run --release -p tilewright-cosim -- --seed {seed} --first {number} --designs 1")
