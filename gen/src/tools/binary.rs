@@ -12,7 +12,7 @@ use std::process::Command;
 /// What Verilator's own makefile calls.
 const COMPILER: &str = "g++";
 /// The C++ runs for a moment and takes long to compile.
-const MAKE_FLAGS: &str = "OPT_FAST=-O0 OPT_SLOW=-O0 OPT_GLOBAL=-O0";
+const MAKE_FLAGS: &str = "VM_PARALLEL_BUILDS=0 OPT_FAST=-O0 OPT_SLOW=-O0 OPT_GLOBAL=-O0";
 /// The program in the folder of a build.
 const PROGRAM: &str = "build/program";
 
