@@ -3,7 +3,7 @@
 use crate::harness::Folder;
 
 const LINES: [&str; 5] = [
-    "render teapot --size 32x24 --processors 2 -o frame.png --vcd run.vcd --json",
+    "render pyramid.obj --size 32x24 --processors 2 -o frame.png --vcd run.vcd --json",
     "golden ter1k --size 64x48 -o golden.png",
     "wave gfb-unit -o gfb.vcd --ascii",
     "verilog gfb-unit -o . --testbench",
@@ -12,7 +12,7 @@ const LINES: [&str; 5] = [
 
 #[test]
 fn two_runs_give_the_same_bytes_and_no_file_names_its_place() {
-    let folders = [Folder::new(), Folder::new()];
+    let folders = [Folder::with_pyramid(), Folder::with_pyramid()];
     for line in LINES {
         let [one, two] = [0, 1].map(|i| folders[i].run(line));
         assert_eq!((one.code, &one.stdout, &one.stderr), (Some(0), &two.stdout, &two.stderr), "{line}");

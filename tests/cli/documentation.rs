@@ -1,6 +1,7 @@
 //! Every command line that the help texts and the README show runs as it stands.
 
 use crate::harness::Folder;
+use std::collections::BTreeSet;
 
 /// The subcommands, from the program's own list.
 fn subcommands(folder: &Folder) -> Vec<String> {
@@ -20,32 +21,31 @@ fn assert_runs(folder: &Folder, arguments: &str) {
     assert_eq!(run.code, Some(0), "{arguments}: {run:?}");
 }
 
-#[test]
-fn the_examples_of_every_subcommand_run() {
-    let folder = Folder::new();
-    for name in subcommands(&folder) {
-        let help = folder.stdout(&format!("{name} --help"));
-        let examples: Vec<&str> = help.lines().filter_map(|line| line.strip_prefix("  tilewright ")).collect();
-        assert!(!examples.is_empty(), "`tilewright {name} --help` has no example");
-        for example in examples {
-            assert_runs(&folder, example);
-        }
-    }
+/// The arguments of a command line without its comment.
+fn arguments<'a>(line: &'a str, program: &str) -> Option<&'a str> {
+    line.strip_prefix(program).map(|rest| rest.split(" #").next().unwrap_or(rest).trim())
 }
 
 #[test]
-fn the_commands_of_the_readme_run() {
+fn the_commands_of_the_help_texts_and_of_the_readme_run() {
     let folder = Folder::new();
-    let readme = include_str!("../../README.md");
-    let mut count = 0;
-    for line in readme.split("```sh\n").skip(1).flat_map(|rest| rest.split("```").next()).flat_map(str::lines) {
-        let Some(arguments) = line.strip_prefix("cargo run --release -- ").or(line.strip_prefix("tilewright ")) else {
-            continue;
-        };
-        assert_runs(&folder, arguments);
-        count += 1;
+    let mut lines = BTreeSet::new();
+    for name in subcommands(&folder) {
+        let help = folder.stdout(&format!("{name} --help"));
+        let before = lines.len();
+        lines.extend(help.lines().filter_map(|line| arguments(line, "  tilewright ").map(str::to_owned)));
+        assert!(lines.len() > before, "`tilewright {name} --help` has no example");
     }
-    assert!(count > 0, "the README shows no command");
+    let before = lines.len();
+    let blocks = include_str!("../../README.md").split("```sh\n").skip(1);
+    for line in blocks.flat_map(|rest| rest.split("```").next()).flat_map(str::lines) {
+        let arguments = arguments(line, "cargo run --release -- ").or(arguments(line, "tilewright "));
+        lines.extend(arguments.map(str::to_owned));
+    }
+    assert!(lines.len() > before, "the README shows no command of its own");
+    for line in lines {
+        assert_runs(&folder, &line);
+    }
 }
 
 #[test]

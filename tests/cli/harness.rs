@@ -8,6 +8,9 @@ use tempfile::TempDir;
 /// The program under test.
 pub const PROGRAM: &str = env!("CARGO_BIN_EXE_tilewright");
 
+/// The text of `pyramid.obj`, a scene of four faces that is drawn in no time.
+pub const PYRAMID: &str = "v -1 0 -1\nv 1 0 -1\nv 0 0 1\nv 0 1.5 0\nf 1 2 4\nf 2 3 4\nf 3 1 4\nf 1 3 2\n";
+
 /// A folder in which commands run; it goes away when dropped.
 pub struct Folder(TempDir);
 
@@ -31,6 +34,11 @@ impl Folder {
             std::fs::write(folder.path(name), text).unwrap();
         }
         folder
+    }
+
+    /// A folder with `pyramid.obj` in it.
+    pub fn with_pyramid() -> Folder {
+        Folder::with(&[("pyramid.obj", PYRAMID)])
     }
 
     pub fn path(&self, name: impl AsRef<Path>) -> PathBuf {

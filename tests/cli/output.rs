@@ -1,13 +1,13 @@
 //! Outputs that cannot be written, readers that go away, and what goes where.
 
-use crate::harness::{Folder, Run, Waveform};
+use crate::harness::{Folder, PYRAMID, Run, Waveform};
 use std::process::Stdio;
 
-const RENDER: &str = "render teapot --size 32x24 --processors 1";
+const RENDER: &str = "render pyramid.obj --size 32x24 --processors 1";
 
 #[test]
 fn an_output_that_cannot_be_written_is_named() {
-    let folder = Folder::with(&[("file", "")]);
+    let folder = Folder::with(&[("file", ""), ("pyramid.obj", PYRAMID)]);
     let cases = [
         (format!("{RENDER} -o ."), ".: cannot be written (is a directory): name a file in that folder"),
         (
@@ -35,13 +35,13 @@ fn an_output_that_cannot_be_written_is_named() {
         assert!(run.stderr.starts_with(&format!("error: {sentence}")), "{line}: {run:?}");
         assert_eq!(run.stderr.lines().count(), 1, "{line}: {run:?}");
     }
-    assert_eq!(folder.names(), ["file"]);
+    assert_eq!(folder.names(), ["file", "pyramid.obj"]);
 }
 
 #[test]
 #[cfg(target_os = "linux")]
 fn a_full_disk_is_no_success() {
-    let folder = Folder::new();
+    let folder = Folder::with_pyramid();
     let lines = [
         format!("{RENDER} -o /dev/full"),
         format!("{RENDER} --vcd /dev/full"),
@@ -83,7 +83,7 @@ fn a_disk_that_fills_up_is_no_success_either() {
 #[test]
 #[cfg(target_os = "linux")]
 fn a_waveform_goes_to_a_pipe_or_a_device_without_a_save_file() {
-    let folder = Folder::new();
+    let folder = Folder::with_pyramid();
     folder.stdout("wave merging-unit -o plain.vcd");
     let run = folder.shell("timeout 20 tilewright wave merging-unit -o /dev/stdout | cat > piped.vcd");
     assert_eq!((run.code, run.stderr.as_str()), (Some(0), ""));
@@ -95,7 +95,7 @@ fn a_waveform_goes_to_a_pipe_or_a_device_without_a_save_file() {
     assert_eq!(folder.read("fifo.vcd"), folder.read("plain.vcd"));
     for line in [
         "wave merging-unit -o /dev/null",
-        "render teapot --size 32x24 --processors 1 -o /dev/null --vcd /dev/null --scope gfb_start",
+        "render pyramid.obj --size 32x24 --processors 1 -o /dev/null --vcd /dev/null --scope gfb_start",
     ] {
         let run = folder.run(line);
         assert_eq!((run.code, run.stderr.replace("wrote /dev/null\n", "").as_str()), (Some(0), ""), "{line}: {run:?}");
@@ -103,7 +103,7 @@ fn a_waveform_goes_to_a_pipe_or_a_device_without_a_save_file() {
     for left in ["stdout.gtkw", "null.gtkw", "null.difference.png"] {
         assert!(!std::path::Path::new("/dev").join(left).exists(), "{left} is left in /dev");
     }
-    assert_eq!(folder.names(), ["fifo.vcd", "pipe", "piped.vcd", "plain.gtkw", "plain.vcd"]);
+    assert_eq!(folder.names(), ["fifo.vcd", "pipe", "piped.vcd", "plain.gtkw", "plain.vcd", "pyramid.obj"]);
 }
 
 #[test]
@@ -141,7 +141,7 @@ fn a_reader_that_has_gone_away_stops_it_silently() {
 
 #[test]
 fn results_go_to_standard_output_and_talk_to_standard_error() {
-    let folder = Folder::new();
+    let folder = Folder::with_pyramid();
     let run = folder.run(&format!("{RENDER} -o frame.png --json"));
     assert_eq!(run.stderr, "wrote frame.png\n", "no progress bar either, where there is no terminal");
     assert!(run.stdout.starts_with("{\n  \"format\": 1,\n"), "{run:?}");

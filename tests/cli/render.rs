@@ -1,12 +1,10 @@
 //! `render` and `golden`.
 
-use crate::harness::{Folder, Waveform};
+use crate::harness::{Folder, PYRAMID, Waveform};
 use serde_json::json;
 use tilewright_scenes::Frame;
 
 const SMALL: &str = "render teapot --machine vc1 --size 64x48 --processors 2";
-
-const PYRAMID: &str = "v -1 0 -1\nv 1 0 -1\nv 0 0 1\nv 0 1.5 0\nf 1 2 4\nf 2 3 4\nf 3 1 4\nf 1 3 2\n";
 
 #[test]
 fn the_report_counts_the_work_and_the_clocks() {
@@ -58,17 +56,17 @@ fn a_mesh_and_a_scene_file_work_like_a_name() {
 
 #[test]
 fn a_frame_that_differs_is_an_error_with_its_first_pixel_and_a_picture() {
-    let folder = Folder::new();
-    folder.stdout("golden teapot --size 64x48 -o golden.png");
-    let line = format!("{SMALL} --golden golden.png -o frame.png");
-    assert!(folder.stdout(&line).ends_with("\nidentical to the golden image\n"));
+    let folder = Folder::with_pyramid();
+    folder.stdout("golden pyramid.obj --size 64x48 -o golden.png");
+    let line = "render pyramid.obj --size 64x48 --processors 2 --golden golden.png -o frame.png";
+    assert!(folder.stdout(line).ends_with("\nidentical to the golden image\n"));
 
     let mut golden = Frame::read_png(folder.path("golden.png")).unwrap();
     let [first, second] = [golden.index(3, 2), golden.index(60, 40)];
     golden.words[first] ^= 0x01_00_00;
     golden.words[second] ^= 0x80;
     golden.write_png(folder.path("golden.png")).unwrap();
-    let run = folder.run(&line);
+    let run = folder.run(line);
     assert_eq!(run.code, Some(1), "{run:?}");
     let verdict = run.stdout.lines().last().unwrap();
     assert!(verdict.starts_with("NOT identical to the golden image: 2 of 3072 pixels differ"), "{verdict}");
@@ -82,8 +80,8 @@ fn a_frame_that_differs_is_an_error_with_its_first_pixel_and_a_picture() {
     assert_eq!((run.code, &report["golden"]["first"]["x"]), (Some(1), &json!(3)), "{report}");
     assert_eq!(report["golden"]["first"]["golden"].as_str().map(str::len), Some(6), "{report}");
 
-    folder.stdout("golden teapot --size 64x48 -o golden.png");
-    let run = folder.run(&line);
+    folder.stdout("golden pyramid.obj --size 64x48 -o golden.png");
+    let run = folder.run(line);
     assert_eq!((run.code, run.stderr.as_str()), (Some(0), "wrote frame.png\nremoved frame.difference.png\n"));
     assert!(!folder.path("frame.difference.png").exists());
 }
@@ -101,8 +99,8 @@ fn a_picture_of_the_differences_that_cannot_be_written_is_a_warning() {
 
 #[test]
 fn an_empty_waveform_is_a_warning() {
-    let folder = Folder::new();
-    for line in ["wave merging-unit -o late.vcd", "render teapot --size 32x24 --processors 1 --vcd late.vcd"] {
+    let folder = Folder::with_pyramid();
+    for line in ["wave merging-unit -o late.vcd", "render pyramid.obj --size 32x24 --processors 1 --vcd late.vcd"] {
         let run = folder.run(&format!("{line} --from 5s"));
         assert_eq!(run.code, Some(0), "{run:?}");
         assert!(run.stderr.contains("warning: the run ended at ") && run.stderr.contains("before --from"), "{run:?}");

@@ -6,7 +6,7 @@ use std::fs;
 
 const GOLDEN: &str = "golden teapot --size 32x24 -o";
 
-const RENDER: &str = "render teapot --size 32x24 --processors 1";
+const RENDER: &str = "render pyramid.obj --size 32x24 --processors 1";
 
 /// Runs a line in a shell, which has to succeed without printing anything to standard output.
 #[track_caller]
@@ -40,7 +40,7 @@ fn standard_output_takes_a_picture_and_standard_error_the_report() {
 
 #[test]
 fn standard_output_takes_a_waveform() {
-    let folder = Folder::new();
+    let folder = Folder::with_pyramid();
     for line in ["wave merging-unit -o", &format!("{RENDER} --scope gfb_start --vcd")] {
         let report = folder.stdout(&format!("{line} plain.vcd"));
         let waveform = folder.read("plain.vcd");
@@ -58,7 +58,7 @@ fn standard_output_takes_a_waveform() {
     assert!(run.stderr.starts_with("{\n  \"format\": 1,") && run.stderr.ends_with("}\n"), "{run:?}");
     let run = silent(&folder, "tilewright wave merging-unit -o - --ascii > x.vcd");
     assert!(run.stderr.starts_with("clk    |__"), "{run:?}");
-    assert_eq!(folder.names(), ["log", "plain.gtkw", "plain.vcd", "x.vcd"]);
+    assert_eq!(folder.names(), ["log", "plain.gtkw", "plain.vcd", "pyramid.obj", "x.vcd"]);
 }
 
 #[test]
@@ -86,7 +86,7 @@ fn who_stops_reading_ends_a_picture_silently_and_a_waveform_with_a_sentence() {
 
 #[test]
 fn a_quiet_command_says_nothing_of_a_success() {
-    let folder = Folder::new();
+    let folder = Folder::with_pyramid();
     let lines = [
         format!("{GOLDEN} g.png"),
         format!("{RENDER} -o f.png --vcd f.vcd --scope gfb_start"),
@@ -107,7 +107,7 @@ fn a_quiet_command_says_nothing_of_a_success() {
 
 #[test]
 fn a_quiet_command_still_warns_and_tells_what_failed() {
-    let folder = Folder::new();
+    let folder = Folder::with_pyramid();
     let run = folder.run("wave merging-unit -o late.vcd --from 5s --quiet");
     assert!(run.code == Some(0) && run.stderr.starts_with("warning: the run ended at "), "{run:?}");
     let run = folder.run("golden teepot -o g.png --quiet");

@@ -91,7 +91,17 @@ enum Verdict {
 impl Campaign {
     /// So many designs against Icarus, with sizes and jobs that suit two processors.
     pub fn icarus(seed: u64, designs: u64) -> Campaign {
-        Campaign { seed, designs, first: 0, tool: Tool::Icarus, batch: 125, jobs: 2, lints: true, shrinks: 5, printer: verilog }
+        Campaign {
+            seed,
+            designs,
+            first: 0,
+            tool: Tool::Icarus,
+            batch: 125,
+            jobs: 2,
+            lints: true,
+            shrinks: 5,
+            printer: verilog,
+        }
     }
 
     /// So many designs against Verilator, which are not linted: the first designs against Icarus are the same.
