@@ -182,8 +182,12 @@ impl Namer {
                 return name;
             }
         }
-        self.taken.insert(plain.to_owned());
-        plain.to_owned()
+        // A drawn name may be the plain one of something that comes later.
+        let mut name = plain.to_owned();
+        while !self.taken.insert(name.clone()) {
+            name.push_str("_more");
+        }
+        name
     }
 
     /// Puts a name to use, if the language takes it and nothing has it.
@@ -250,5 +254,18 @@ impl<T> Ports<T> {
     /// The values without their names.
     pub fn values(self) -> Vec<T> {
         self.0.into_iter().map(|(_, value)| value).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_plain_name_that_was_drawn_for_another_gets_an_end() {
+        let taken = ["link_0".to_owned()].into();
+        let mut namer = Namer { numbers: None, words: Vec::new(), taken, is_inner: false };
+        let names = [(); 2].map(|()| namer.draw("link_0", Kind::Output));
+        assert_eq!(names, ["link_0_more", "link_0_more_more"]);
     }
 }
