@@ -62,6 +62,17 @@ mod tests {
         })
     }
 
+    #[test]
+    fn a_cut_has_the_place_and_the_colour_at_which_the_edge_meets_the_plane() {
+        let plane = ClipPlane { normal: DVec3::Z, offset: 2.0 };
+        let vertex = |at: [f64; 3], rgb: [f64; 3]| ViewVertex { at: at.into(), rgb: rgb.into() };
+        let inner = vertex([0.0, 0.0, 6.0], [1.0, 0.0, 0.5]);
+        let outer = [vertex([8.0, 0.0, -2.0], [0.5, 1.0, 0.0]), vertex([0.0, 16.0, -10.0], [0.0, 0.0, 1.0])];
+        // Half of one edge is inside, and a quarter of the other.
+        let cuts = [vertex([4.0, 0.0, 2.0], [0.75, 0.5, 0.25]), vertex([0.0, 4.0, 2.0], [0.75, 0.0, 0.625])];
+        assert_eq!(plane.clip(&[inner, outer[0], outer[1]]), [inner, cuts[0], cuts[1]]);
+    }
+
     proptest! {
         #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(500) })]
 

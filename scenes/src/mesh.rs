@@ -211,9 +211,11 @@ mod tests {
         // Twice 6 along x and twice 2.5 along y meet at the first corner.
         let positions =
             [DVec3::ZERO, dvec3(0.0, 3.0, 0.0), dvec3(0.0, 0.0, 4.0), dvec3(5.0, 0.0, 0.0), dvec3(0.0, 0.0, 1.0)];
-        let normals = smooth_normals(&positions, &[[0, 1, 2], [0, 4, 3]]);
-        assert!((normals[0] - dvec3(12.0, 5.0, 0.0) / 13.0).length() < 1e-15);
-        assert_eq!([normals[1], normals[3]], [DVec3::X, DVec3::Y]);
+        for place in [DVec3::ZERO, dvec3(7.0, -2.0, 4.0)] {
+            let normals = smooth_normals(&positions.map(|p| p + place), &[[0, 1, 2], [0, 4, 3]]);
+            assert!((normals[0] - dvec3(12.0, 5.0, 0.0) / 13.0).length() < 1e-15);
+            assert_eq!([normals[1], normals[3]], [DVec3::X, DVec3::Y]);
+        }
         // Too small to be squared, and no area at all.
         let tiny = positions.map(|p| p * 1e-100);
         assert_eq!(smooth_normals(&tiny, &[[0, 1, 2]])[..4], [DVec3::X, DVec3::X, DVec3::X, DVec3::Z]);

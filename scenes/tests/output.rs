@@ -2,10 +2,11 @@
 #![cfg(unix)]
 
 use std::fs::{self, Permissions};
+use std::io::ErrorKind;
 use std::os::unix::fs::{PermissionsExt, symlink};
 use std::path::Path;
 use tempfile::TempDir;
-use tilewright_scenes::{Place, Scene, WholeFile};
+use tilewright_scenes::{Place, Scene, SceneError, WholeFile};
 
 fn names(folder: &Path) -> Vec<String> {
     let mut names: Vec<String> =
@@ -102,6 +103,19 @@ fn a_place_that_cannot_be_written_is_named_with_a_remedy() {
     assert_eq!(problem(&at("file/a")), no_folder);
     assert!(problem(&at("round")).ends_with(": choose another place"));
     assert_eq!(Place::of(Path::new("")).unwrap_err().to_string(), format!(": cannot be written {is_folder}"));
+}
+
+#[test]
+fn a_disk_that_takes_no_more_has_a_remedy() {
+    let problem = |kind: ErrorKind| SceneError::unwritable(Path::new("a"), &kind.into()).to_string();
+    assert_eq!(
+        problem(ErrorKind::StorageFull),
+        "a: cannot be written (no storage space): make room, or choose another disk"
+    );
+    assert_eq!(
+        problem(ErrorKind::FileTooLarge),
+        "a: cannot be written (file too large): allow larger files (`ulimit -f`), or choose another disk"
+    );
 }
 
 #[test]

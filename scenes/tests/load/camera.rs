@@ -1,9 +1,9 @@
 //! The camera that frames a mesh by itself, and pictures in which nothing is drawn.
 
 use crate::{TRIANGLE, folder, load};
-use glam::dvec3;
+use glam::{DVec3, dvec3};
 use std::fs;
-use tilewright_scenes::{Counts, Projection, Scene, ScreenVertex, Size, golden, set_up};
+use tilewright_scenes::{BoundingBox, Camera, Counts, Projection, Scene, ScreenVertex, Size, golden, set_up};
 
 /// A box away from the origin: 12 triangles.
 const BOX: &str = "v 3 0 0\nv 9 0 0\nv 9 5 0\nv 3 5 0\nv 3 0 7\nv 9 0 7\nv 9 5 7\nv 3 5 7\n\
@@ -31,6 +31,19 @@ fn a_framed_mesh_is_wholly_on_the_screen() {
             let ties = golden::ties(p.size, &p.triangles);
             assert!(ties.covered * 12 > p.size.pixels() as u64, "{name}: the mesh is tiny");
         }
+    }
+}
+
+/// Half the field of view is 45 degrees from top to bottom. The sphere round the box has radius 3 and touches the nearer edges.
+#[test]
+fn the_sphere_round_a_framed_box_touches_the_edges_of_the_picture() {
+    let bounds = BoundingBox { min: dvec3(4.0, 0.0, -2.0), max: dvec3(6.0, 4.0, 2.0) };
+    // The sine of 45 degrees, and that of an angle whose tangent is 3/4.
+    for (width, height, sine) in [(400, 300, 0.5_f64.sqrt()), (300, 400, 0.6)] {
+        let size = Size::new(width, height).unwrap();
+        let camera = Camera::framing(bounds, dvec3(0.0, 0.0, 7.0), DVec3::Y, 90.0, size);
+        let distance = (camera.eye - dvec3(5.0, 2.0, 0.0)).length();
+        assert!((distance - 3.0 / sine).abs() < 1e-9, "{size}: {distance}");
     }
 }
 
@@ -115,4 +128,17 @@ fn a_sliver_that_misses_every_centre_is_a_warning_too() {
     let projection = Projection { size, triangles: vec![packet], vertices: vec![vertices], counts };
     assert_eq!(golden::ties(size, &projection.triangles).covered, 0, "the sliver is not one");
     assert!(projection.warning().unwrap().contains("1 is too small for a pixel"));
+}
+
+#[test]
+fn a_warning_counts_every_fate() {
+    let counts =
+        Counts { polygons: 31, behind: 1, off_screen: 2, degenerate: 4, between_centres: 8, drawn: 16, split: 0 };
+    let size = Size::new(64, 64).unwrap();
+    let projection = Projection { size, triangles: Vec::new(), vertices: Vec::new(), counts };
+    assert_eq!(
+        projection.warning().unwrap(),
+        "nothing is drawn: of 31 polygons, 1 is behind the camera, 2 are outside the picture, 28 are too small for a pixel: \
+         correct the eye, the target or the fov of the camera"
+    );
 }

@@ -157,11 +157,13 @@ fn normals_stay_with_their_corners() {
 fn a_face_that_crosses_itself_is_a_warning() {
     let bow_tie = "v 0 0 0\nv 4 4 0\nv 4 0 0\nv 0 4 0\n";
     let uneven = "v 0 0 0\nv 4 4 0\nv 4 1 0\nv 0 4 0\n";
+    let tiny = "v 0 0 0\nv 4e-4 4e-4 0\nv 4e-4 1e-4 0\nv 0 4e-4 0\n";
     let folder = folder("crossing", &[]);
     let path = folder.join("mesh.obj");
     for (vertices, faces, sentence) in [
         (bow_tie, "f 1 2 3 4\n", "5: this face crosses itself, so it is drawn roughly"),
         (uneven, "f 1 2 3 4\n", "5: this face crosses itself, so it is drawn roughly"),
+        (tiny, "f 1 2 3 4\n", "5: this face crosses itself, so it is drawn roughly"),
         (
             uneven,
             "f 1 2 3\nf 1 2 3 4\nf 2 3 4 1\n",
@@ -172,6 +174,12 @@ fn a_face_that_crosses_itself_is_a_warning() {
         let expected = format!("{}:{sentence}: cut it where its edges meet", path.display());
         assert_eq!(load(&path).unwrap().warnings, [expected]);
     }
+}
+
+#[test]
+fn a_face_of_one_point_does_not_cross_itself() {
+    let folder = folder("point", &[("mesh.obj", "v 0 0 0\nv 4 4 0\nv 4 0 0\nf 1 2 3\nf 1 1 1 1\n")]);
+    assert_eq!(load(&folder.join("mesh.obj")).unwrap().warnings, [""; 0]);
 }
 
 /// An outline round (0, 0) without crossings: corners at growing angles, as far out as they like.

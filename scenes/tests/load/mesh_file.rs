@@ -81,6 +81,20 @@ fn a_missing_material_is_a_warning() {
 }
 
 #[test]
+fn a_material_file_may_have_blanks_in_its_name() {
+    let two = format!("mtllib a.mtl b.mtl\n{TRIANGLE}");
+    let folder = folder("blanks", &[("mesh.obj", &two), ("a.mtl", ""), ("b.mtl", "")]);
+    let mesh = folder.join("mesh.obj");
+    assert_eq!(load(&mesh).unwrap().files, ["mesh.obj", "a.mtl", "b.mtl"].map(|name| folder.join(name)));
+    fs::write(folder.join("a.mtl b.mtl"), "").unwrap();
+    assert_eq!(load(&mesh).unwrap().files, ["mesh.obj", "a.mtl b.mtl"].map(|name| folder.join(name)));
+    fs::write(&mesh, format!("mtllib lost colours.mtl\n{TRIANGLE}")).unwrap();
+    let warnings = load(&mesh).unwrap().warnings;
+    let missing = format!("the material file {} is missing", folder.join("lost colours.mtl").display());
+    assert!(warnings.len() == 1 && warnings[0].contains(&missing), "{warnings:?}");
+}
+
+#[test]
 fn malformed_meshes_are_refused_with_their_line() {
     let cases = [
         ("number", "v 0 0 0\nv 1 x 0\n", "mesh.obj:2: `x` after `v` is not a number: write it as in 1.5 or -2e-3"),
@@ -134,11 +148,11 @@ fn malformed_meshes_are_refused_with_their_line() {
 
 #[test]
 fn a_mesh_without_any_area_is_refused() {
-    let flat = "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\nf 1 1 2\n";
+    let flat = "v 0 1 0\nv 1 2 0\nv 2 3 0\nf 1 2 3\nf 1 1 2\n";
     assert_eq!(
         obj_error("flat", flat),
         "mesh.obj: holds no face with an area, so nothing would be drawn: give at least one face three corners that are not in a line"
     );
-    let mixed = folder("mixed_area", &[("mesh.obj", &format!("{flat}v 0 1 0\nf 1 2 4\n"))]);
+    let mixed = folder("mixed_area", &[("mesh.obj", &format!("{flat}v 0 0 0\nf 1 2 4\n"))]);
     assert_eq!(load(&mixed.join("mesh.obj")).unwrap().mesh.triangles().len(), 3);
 }
