@@ -2,48 +2,10 @@
 
 mod blocks;
 
-use blocks::LineBuffer;
-use std::fmt::Debug;
+use blocks::{LineBuffer, One, Pair, Small};
 use tilewright_gen::tools::Target;
 use tilewright_gen::{VerilogFile, tools, verilog};
 use tilewright_hdl::*;
-
-bundle! {
-    struct Pair<T> { a: T, b: T }
-    struct One<T> { y: T }
-}
-
-/// A block of two inputs of 8 bits and one output, described by a function.
-#[derive(Clone, PartialEq, Eq, Hash)]
-#[allow(unpredictable_function_pointer_comparisons, reason = "a block that is built twice for one function is no harm")]
-struct Small {
-    name: &'static str,
-    build: fn(Module, Pair) -> Signal,
-}
-
-impl Debug for Small {
-    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
-        f.write_str(self.name)
-    }
-}
-
-impl Block for Small {
-    type In = Pair;
-    type Out = One;
-
-    fn inputs(&self) -> Pair<Width> {
-        Pair { a: bits(8), b: bits(8) }
-    }
-
-    fn build(&self, m: Module, i: Pair) -> One {
-        m.ignore(&i);
-        One { y: (self.build)(m, i) }
-    }
-
-    fn name(&self) -> String {
-        self.name.to_string()
-    }
-}
 
 fn print(name: &'static str, build: fn(Module, Pair) -> Signal) -> Vec<VerilogFile> {
     verilog(&elaborate(&Small { name, build }).unwrap_or_else(|problems| panic!("{problems}")))
@@ -125,6 +87,18 @@ fn lanes_that_feed_each_other_are_no_loop() {
 }
 
 #[test]
+fn what_all_lanes_make_is_called_after_the_array() {
+    let text = clean("combined", |m, i| {
+        let adder = Small { name: "adder", build: |_, i| i.a + i.b };
+        let sums = m.array("u_sum", 4, &adder, |row| Pair { a: row.all(&i.a), b: row.index(8) });
+        (sums.y.sum() ^ sums.y.xor_all()) + (sums.y.or_all() ^ sums.y.and_all())
+    });
+    for name in ["u_sum_y_sum", "u_sum_y_xor", "u_sum_y_any", "u_sum_y_all"] {
+        assert!(text.contains(&format!("wire [7:0] {name};")), "{text}");
+    }
+}
+
+#[test]
 fn names_that_arrays_use_are_free_for_others() {
     clean("hostile", |m, i| {
         let inner = Small { name: "inner", build: |_, i| i.a + i.b };
@@ -150,6 +124,7 @@ fn what_nothing_reads_is_tied() {
         idle.next(i.b);
         i.a.trunc(4).zext(8)
     });
+    assert!(text.contains("wire [7:0] u_idle_y;"), "{text}");
     // What assertions alone read is unread in synthesis.
     assert!(text.contains("wire _unused_ok = &{1'b0, rst, u_idle_y, checked, idle};"), "{text}");
 }

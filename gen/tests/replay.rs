@@ -3,6 +3,7 @@
 mod blocks;
 
 use blocks::{Clocks, Counter, Row};
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use tilewright_gen::tools::{self, Problems};
 use tilewright_gen::{testbench, verilog};
 use tilewright_hdl::recording::{Initial, Step};
@@ -60,6 +61,38 @@ fn a_wrong_expectation_fails_with_port_and_cycle() {
             assert!(text.contains("FAIL: 1 mismatches in 6 cycles"), "{text}");
         }
     }
+}
+
+/// What is said of a recording of the counter that was changed so that it does not fit.
+fn refusal(change: impl FnOnce(&mut Recording)) -> String {
+    let mut recording = counting();
+    change(&mut recording);
+    let design = elaborate(&Counter { width: 8, limit: 3 }).expect("the block is sound");
+    let printed = catch_unwind(AssertUnwindSafe(|| testbench(&design, &recording)));
+    *printed.expect_err("the recording does not fit").downcast().expect("a panic has a message")
+}
+
+#[test]
+fn a_recording_that_does_not_fit_is_refused() {
+    let late = |ps: u64| move |recording: &mut Recording| recording.steps[1].time_ps = recording.steps[0].time_ps + ps;
+    assert_eq!(refusal(late(1)), "step 1 of the recording is less than 2 ps after the step before");
+    let mut recording = counting();
+    late(2)(&mut recording);
+    let design = elaborate(&Counter { width: 8, limit: 3 }).expect("the block is sound");
+    assert!(testbench(&design, &recording).text.contains("gap[1] = 64'h0000000000000002;"));
+    let clock = "step 2 of the recording names a clock that `counter_width8_limit3` does not have";
+    assert_eq!(refusal(|recording| recording.steps[2].rising = vec![1]), clock);
+    assert_eq!(refusal(|recording| recording.steps[2].resets = vec![1]), clock);
+    let widths = "the values of step 3 of the recording have other widths than the ports";
+    assert!(refusal(|recording| recording.steps[3].inputs[0] = Bits::new(2, 1)).contains(widths));
+    assert!(refusal(|recording| recording.steps[3].outputs.truncate(1)).contains(widths));
+    let start = |path: &str, words: usize| {
+        let initial = Initial { path: path.to_string(), address: 0, words: vec![Bits::zero(8); words] };
+        refusal(|recording| recording.initial = vec![initial])
+    };
+    let none = "the recording gives `total` an initial value, but the design has no such register or memory";
+    assert_eq!(start("total", 1), none);
+    assert_eq!(start("count", 2), "`count` is one value, the recording gives 2");
 }
 
 #[test]

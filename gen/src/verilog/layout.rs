@@ -58,3 +58,20 @@ pub fn generate(head: String, body: Vec<String>) -> Vec<String> {
     out.extend(["    end".to_string(), "endgenerate".to_string()]);
     out
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_line_of_items_ends_at_column_90() {
+        let items = |lengths: &[usize]| lengths.iter().map(|&length| "x".repeat(length)).collect::<Vec<_>>();
+        let [a, b, c] = [28, 29, 24].map(|length| "x".repeat(length));
+        assert_eq!(wrapped(&items(&[28]), 0), a);
+        // Each with its comma and a space.
+        assert_eq!(wrapped(&items(&[28, 28, 28]), 0), format!("{a}, {a}, {a}"));
+        assert_eq!(wrapped(&items(&[28, 28, 29]), 0), format!("{a}, {a},\n{b}"));
+        assert_eq!(wrapped(&items(&[28, 28, 24, 24]), 4), format!("{a}, {a}, {c},\n    {c}"));
+        assert_eq!(wrapped(&items(&[28, 28, 28, 28, 24, 24]), 4), format!("{a}, {a},\n    {a}, {a}, {c},\n    {c}"));
+    }
+}

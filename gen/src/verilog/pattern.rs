@@ -70,7 +70,10 @@ mod tests {
         assert_eq!(formula(|lane| lane / 8).as_deref(), Some("i / 8"));
         assert_eq!(formula(|lane| 1 + 16 * (lane / 4 % 3)).as_deref(), Some("1 + 16 * ((i / 4) % 3)"));
         assert_eq!(formula(|lane| 3 + lane % 2).as_deref(), Some("3 + (i % 2)"));
+        assert_eq!(formula(|lane| lane / 24).as_deref(), Some("i / 24"));
         assert_eq!(formula(|lane| lane * lane), None);
+        // A step that comes once, and late, is no rule.
+        assert_eq!(formula(|lane| lane / 25), None);
         assert_eq!(formula(|lane| u64::from(lane == 47)), None);
     }
 }
