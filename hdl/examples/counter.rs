@@ -32,7 +32,8 @@ impl Block for Counter {
     }
 }
 
-fn main() -> Result<(), Box<dyn std::error::Error>> {
+/// Runs it; a test does so too.
+pub fn main() -> Result<(), Box<dyn std::error::Error>> {
     let counter = Counter { width: 4, limit: 3 };
 
     let mut sim = Simulation::of(&counter)?;

@@ -40,7 +40,8 @@ impl Block for Crossing {
     }
 }
 
-fn main() -> Result<(), Box<dyn std::error::Error>> {
+/// Runs it; a test does so too.
+pub fn main() -> Result<(), Box<dyn std::error::Error>> {
     let crossing = Crossing { clocks: [3, 1, 2] };
     let mut sim = Simulation::of(&crossing)?;
     let vcd = std::env::temp_dir().join("crossing.vcd");

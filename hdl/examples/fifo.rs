@@ -38,7 +38,8 @@ impl Block for Fifo {
     }
 }
 
-fn main() -> Result<(), Box<dyn std::error::Error>> {
+/// Runs it; a test does so too.
+pub fn main() -> Result<(), Box<dyn std::error::Error>> {
     let fifo = Fifo { depth: 4, width: 8 };
     let mut sim = Simulation::of(&fifo)?;
     let vcd = std::env::temp_dir().join("fifo.vcd");

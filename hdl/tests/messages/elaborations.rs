@@ -15,7 +15,8 @@ fn elaboration_inside_a_description() {
 #[test]
 fn a_panic_in_a_description_leaves_nothing_behind() {
     let panicking = Case(|_, _| panic!("the user's own"));
-    assert!(std::panic::catch_unwind(|| elaborate(&panicking)).is_err());
+    let panic = std::panic::catch_unwind(|| elaborate(&panicking)).unwrap_err();
+    assert_eq!(panic.downcast_ref::<&str>(), Some(&"the user's own"));
     elaborate(&Case(|_, i| i.a)).expect("the arena was cleared");
 }
 

@@ -34,5 +34,10 @@ fn all_problems_are_reported_in_one_go() {
         let _ = i.a + i.b;
         r.value().slice(0..9)
     }));
+    for message in
+        ["`+` needs equal widths", "the slice 0..9 is outside of `r`", "register `r` of `Case` is never driven"]
+    {
+        assert!(text.contains(message), "{message} is missing in {text}");
+    }
     assert!(text.ends_with("3 problems in this description"), "{text}");
 }

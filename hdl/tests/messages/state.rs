@@ -65,7 +65,15 @@ fn handles_give_their_values_as_signals() {
         let values: [Signal; 3] = [register.value(), wire.value(), lamp.value()];
         concat(&values).trunc(8)
     };
-    elaborate(&Case(build)).unwrap();
+    let design = elaborate(&Case(build)).unwrap();
+    let node = |id: &ir::NodeId| &design.top().nodes[id.0 as usize];
+    let parts = design
+        .top()
+        .nodes
+        .iter()
+        .find_map(|node| if let ir::Op::Concat(parts) = &node.op { Some(parts) } else { None });
+    let names = parts.unwrap().iter().map(|part| (node(part).name.as_deref(), node(part).width));
+    assert_eq!(names.collect::<Vec<_>>(), [(Some("r"), 8), (Some("w"), 8), (Some("lamp"), 1)]);
 }
 
 #[test]

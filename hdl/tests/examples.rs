@@ -1,0 +1,23 @@
+//! The examples hold what they assert.
+
+#[path = "../examples/counter.rs"]
+mod counter;
+#[path = "../examples/crossing.rs"]
+mod crossing;
+#[path = "../examples/fifo.rs"]
+mod fifo;
+
+#[test]
+fn the_counter_runs() {
+    counter::main().unwrap();
+}
+
+#[test]
+fn the_crossing_runs() {
+    crossing::main().unwrap();
+}
+
+#[test]
+fn the_queue_runs() {
+    fifo::main().unwrap();
+}
