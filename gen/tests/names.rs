@@ -180,10 +180,11 @@ fn ports_may_be_called_as_things_of_the_testbench_are() {
         time_ps: 10_000 * (number + 1),
         rising: vec![0],
         resets: vec![],
-        inputs: vec![Bits::zero(1); 11],
-        outputs: [8, 1, 1, 1, 1, 1].map(Bits::zero).to_vec(),
+        // One input after the other is high of those that go through, two by two into an output, the last one alone.
+        inputs: (0..11).map(|input| Bits::from(input == 4 + number)).collect(),
+        outputs: std::iter::once(Bits::zero(8)).chain((0..5).map(|output| Bits::from(output == number / 2))).collect(),
     };
-    let recording = Recording { steps: (0..3).map(step).collect(), initial: Vec::new() };
+    let recording = Recording { steps: (0..7).map(step).collect(), initial: Vec::new() };
     let (files, bench) = (verilog(&design), testbench(&design, &recording));
     let run = || -> Result<(), Problems> {
         let _ = tools::replay_in_icarus(&files, &bench)?;

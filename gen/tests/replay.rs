@@ -2,7 +2,7 @@
 
 mod blocks;
 
-use blocks::{Clocks, Counter, Row};
+use blocks::{Clocks, Counter, LineBuffer, Row};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use tilewright_gen::tools::{self, Problems};
 use tilewright_gen::{testbench, verilog};
@@ -105,6 +105,16 @@ fn lanes_and_memories_start_from_what_the_recording_says() {
     });
     let recording = Recording { steps: vec![step(0, false, &[(1, 0), (8, 5)], &outputs)], initial: initial.to_vec() };
     run(&Row { lanes: 5 }, &recording).unwrap();
+
+    let line =
+        Initial { path: "line".to_owned(), address: 6, words: [0x123, 0x456].map(|word| Bits::new(24, word)).to_vec() };
+    let read = Initial { path: "line_read".to_owned(), address: 0, words: vec![Bits::new(24, 3)] };
+    // Reads words 5, 6 and 7, one cycle later; the gain doubles.
+    let cycle = |(cycle, (x, nearest)): (u64, (u64, u64))| {
+        step(cycle, false, &[(1, 0), (10, 0), (24, 0), (10, x), (2, 1)], &[(24, nearest), (32, 2 * nearest)])
+    };
+    let steps = (0..).zip([(5, 3), (6, 0xff_ffff), (7, 0x123), (0, 0x456)]).map(cycle).collect();
+    run(&LineBuffer, &Recording { steps, initial: vec![line, read] }).unwrap();
 }
 
 #[test]
@@ -149,11 +159,12 @@ fn a_dump_is_replayed_against_the_verilog() {
 #[cfg(unix)]
 #[test]
 fn a_program_that_is_called_through_another_is_named_when_it_is_missing() {
-    let path = std::env::var_os("PATH").unwrap_or_default();
-    let Some(yosys) = std::env::split_paths(&path).map(|folder| folder.join("yosys")).find(|file| file.is_file())
-    else {
-        return eprintln!("skipped: yosys is not installed");
-    };
+    if tools::skipped_without(&["yosys"]).is_some() {
+        return;
+    }
+    let path = std::env::var_os("PATH").expect("yosys is on it");
+    let yosys = std::env::split_paths(&path).map(|folder| folder.join("yosys")).find(|file| file.is_file());
+    let yosys = yosys.expect("it is installed");
     let folder = tempfile::tempdir().expect("a temporary folder can be made");
     std::os::unix::fs::symlink(yosys, folder.path().join("yosys")).expect("a link can be made");
     let run = |in_ci: bool| {

@@ -78,5 +78,12 @@ mod tests {
         assert!(compare(Relation::Lt, true, &low, &high));
         assert!(compare(Relation::Gt, false, &low, &high));
         assert!(compare(Relation::Ge, true, &Bits::zero(130), &Bits::ones(130)));
+        assert!(!compare(Relation::Gt, true, &low, &high));
+        assert!(!compare(Relation::Le, false, &low, &high));
+        assert!(!compare(Relation::Eq, true, &Bits::zero(130), &Bits::ones(130)));
+        // The highest limb decides, whatever the lower ones say.
+        let (less, more) = (Bits::from_limbs(130, &[u64::MAX, 5, 0]), Bits::from_limbs(130, &[0, 5, 1]));
+        assert!(compare(Relation::Lt, false, &less, &more) && !compare(Relation::Ge, false, &less, &more));
+        assert!(compare(Relation::Ne, true, &less, &more) && compare(Relation::Le, true, &more, &more));
     }
 }
