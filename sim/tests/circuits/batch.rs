@@ -181,10 +181,9 @@ fn check(name: &str, block: &impl Block) {
             }
             for (index, output) in outputs.iter().enumerate() {
                 let port: Port = batch.port(output).unwrap();
-                for (run, value) in (0..).zip(batch.get_each(port)) {
-                    let expected = &singles[run as usize].0[step as usize][index];
-                    assert_eq!(value, *expected, "{output} of run {run} of {runs} after step {step} on {kind:?}");
-                }
+                let expected: Vec<Bits> =
+                    singles[..runs as usize].iter().map(|single| single.0[step as usize][index].clone()).collect();
+                assert_eq!(batch.get_each(port), expected, "{output} of {runs} runs after step {step} on {kind:?}");
                 assert_eq!(batch.get(port, runs - 1), singles[runs as usize - 1].0[step as usize][index]);
             }
         }

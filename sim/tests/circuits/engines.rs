@@ -148,6 +148,10 @@ fn transcript(row: Row, kind: EngineKind, seed: u64, observed: bool, acts: &[Act
     let mut sim = Simulation::of(&row).unwrap().on(kind).seeded(seed);
     assert_eq!(sim.engine(), kind);
     let (signals, memories) = names(&sim);
+    assert!(
+        signals.len() > 10 * row.lanes as usize && memories.len() == row.lanes as usize,
+        "{signals:?} {memories:?}"
+    );
     let folder = tempfile::tempdir().unwrap();
     let files = ["whole.vcd", "some.vcd", "last.vcd"].map(|name| folder.path().join(name));
     let mut wave = None;

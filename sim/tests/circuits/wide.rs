@@ -1,7 +1,7 @@
 //! Values of thousands of bits, on threads whose stack is small: no code may need more of it than there is.
 
 use tilewright_hdl::{Bits, Block, Module, ReadUnderWrite, Width, bit, bits, bundle, concat, elaborate, mux};
-use tilewright_sim::{EngineKind, Simulation};
+use tilewright_sim::{Batch, EngineKind, Simulation};
 
 bundle! {
     pub struct CellIn<T> { pub x: T, pub left: T, pub pick: T }
@@ -79,7 +79,7 @@ impl Block for Row {
     }
 }
 
-/// Runs an array on both engines, on a thread with a stack of so many bytes, and a batch of its cells.
+/// Runs an array on both engines, on a thread with a stack of so many bytes, and a batch of arrays.
 fn runs_on(stack: usize, row: &Row) {
     let design = elaborate(row).unwrap();
     let width = row.width;
@@ -100,6 +100,17 @@ fn runs_on(stack: usize, row: &Row) {
         }
         let nonzero = outputs.map(|port| !sim.get(port).is_zero());
         assert_eq!(nonzero, [true; 3]);
+
+        let mut batch = Batch::from_design(&design, 2).unwrap().on(EngineKind::Both);
+        for n in 0..6 {
+            batch.set_each(x, |run| value(n + u64::from(run)));
+            batch.set_all(pick, n & 1);
+            batch.step();
+        }
+        for port in outputs {
+            assert_eq!(batch.get(port, 0), sim.get(port));
+            assert_ne!(batch.get(port, 1), sim.get(port));
+        }
     };
     std::thread::Builder::new().stack_size(stack).spawn(run).unwrap().join().unwrap();
 }

@@ -101,6 +101,7 @@ fn an_output_cannot_be_set() {
 fn mistakes_in_the_description_are_reported() {
     let error = Simulation::of(&Counter { width: 4, limit: 100 }).unwrap_err();
     assert!(matches!(error, Error::Description(_)), "{error}");
+    assert!(error.to_string().contains("`99` does not fit in 4 bits"), "{error}");
 }
 
 bundle! {
