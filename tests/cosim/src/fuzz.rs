@@ -177,5 +177,6 @@ mod tests {
         let tally = run_here(3, 0, 12);
         assert_eq!((tally.designs, tally.edited + tally.refused), (12, 12 * EDITED));
         assert!(tally.edited > EDITED && tally.refused > EDITED, "{tally}");
+        assert!(tally.instants > 4 * (tally.designs + tally.edited), "{tally}");
     }
 }

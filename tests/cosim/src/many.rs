@@ -114,7 +114,11 @@ pub fn check(design: &Design, stimulus: &Stimulus, number: u64) -> Result<(), St
             done => done.map_err(text)?,
         }
         for (port, output) in design.top().outputs.iter().enumerate() {
-            for ((run, found), alone) in batch.get_each(outputs[port]).into_iter().enumerate().zip(&alone) {
+            let all = batch.get_each(outputs[port]);
+            if all.len() != alone.len() {
+                return Err(format!("output {} has {} values in {runs} runs", output.name, all.len()));
+            }
+            for ((run, found), alone) in all.into_iter().enumerate().zip(&alone) {
                 let expected = &alone[step][port];
                 if found != *expected {
                     let name = &output.name;

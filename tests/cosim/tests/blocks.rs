@@ -15,12 +15,17 @@ fn blocks() -> Vec<(String, Design, Run)> {
         let values = entry.values(set).unwrap();
         let (design, scenario) = (entry.design(&values).unwrap(), entry.scenario(&values).unwrap());
         let run = Run::of(&design, |sim| sim.play(&scenario)).unwrap();
+        // A replay of nothing passes.
+        assert!(!run.printed.bench.text.contains("// Replays 0 recorded steps"), "{} does nothing", entry.name);
         (format!("{} {values:?}", entry.name), design, run)
     };
     let mut blocks = Vec::new();
+    let has = |entry: &Entry, name: &str| entry.parameters.iter().any(|parameter| parameter.name == name);
+    for (name, _) in UNEVEN {
+        assert!(ENTRIES.iter().any(|entry| has(entry, name)), "no block has a {name}");
+    }
     for entry in ENTRIES {
-        let has = |name: &str| entry.parameters.iter().any(|parameter| parameter.name == name);
-        let uneven: Vec<_> = UNEVEN.iter().copied().filter(|(name, _)| has(name)).collect();
+        let uneven: Vec<_> = UNEVEN.iter().copied().filter(|(name, _)| has(entry, name)).collect();
         blocks.push(block(entry, Vec::new()));
         blocks.extend((!uneven.is_empty()).then(|| block(entry, uneven)));
     }

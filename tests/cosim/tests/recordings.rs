@@ -63,10 +63,18 @@ fn poked_memories_are_part_of_what_a_testbench_starts_from() {
     sim.poke_memory("u_table[2].knowns", 6, 0x66).unwrap();
     sim.poke_memory("u_table[0].knowns", 0, 0).unwrap();
     sim.poke_memory("u_table[0].fills", 3, 0x33).unwrap();
+    let mut words = Vec::new();
     for at in 0..8 {
         sim.set(sim.i.at, at);
         sim.step();
+        words.push(sim.get(sim.o.all));
     }
+    // The words of lane 0 of a memory are above those of lane 2, and so is the first memory above the last.
+    let word =
+        |at: usize, memory: u32, lane: u32| words[at].slice(8 * (8 - 3 * memory - lane)..8 * (9 - 3 * memory - lane));
+    let poked = [word(2, 0, 1), word(6, 1, 2), word(0, 1, 0), word(3, 2, 0)];
+    assert_eq!(poked, [0x99, 0x66, 0, 0x33].map(|word| Bits::new(8, word)));
+    assert_eq!([word(0, 1, 1), word(3, 2, 1)], [16, 7].map(|word| Bits::new(8, word)));
     let (files, bench) = (verilog(&design), testbench(&design, &recorder.take()));
     let _ = tools::replay_in_icarus(&files, &bench).unwrap();
     let _ = tools::replay_in_verilator(&files, &bench).unwrap();
