@@ -78,5 +78,8 @@ fn keep_objects(build: &Path, cache: &Path) -> std::io::Result<()> {
             std::fs::copy(&object, aside.path().join(name))?;
         }
     }
-    std::fs::rename(aside.keep(), cache)
+    // Where another build was faster, this folder goes away again.
+    std::fs::rename(aside.path(), cache)?;
+    let _ = aside.keep();
+    Ok(())
 }
