@@ -240,3 +240,58 @@ fn a_port_may_have_the_name_of_its_module() {
     assert!(clean(&Sum).contains("module sum_ ("));
     clean(&Sums);
 }
+
+/// A tree of this height of instances that are called alike at each level, arrays among them; it prints in two lines.
+#[derive(Clone, PartialEq, Eq, Hash)]
+struct Nest(u32);
+
+impl std::fmt::Debug for Nest {
+    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+        write!(f, "nest of\n    {}", self.0)
+    }
+}
+
+impl Block for Nest {
+    type In = CellIn;
+    type Out = CellOut;
+
+    fn name(&self) -> String {
+        format!("nest{}", self.0)
+    }
+
+    fn inputs(&self) -> CellIn<Width> {
+        CellIn { x: bits(8) }
+    }
+
+    fn build(&self, m: Module, i: CellIn) -> CellOut {
+        if self.0 == 0 {
+            return m.instance("u_left", &Cell, i);
+        }
+        let left = m.instance("u_left", &Nest(self.0 - 1), CellIn { x: i.x });
+        let row = m.array("u_row", 2, &Nest(self.0 - 1), |row| CellIn { x: row.all(&left.y) });
+        CellOut { y: row.y.sum(), done: left.done | row.done.or_all() }
+    }
+}
+
+#[test]
+fn an_instance_may_be_called_as_one_inside_of_it() {
+    clean(&Nest(2));
+    let design = elaborate(&Nest(1)).unwrap();
+    // The row adds one to what the left instance made of 4 a clock before.
+    let step = |(number, y): (u64, u64)| Step {
+        time_ps: 10_000 * (number + 1),
+        rising: vec![0],
+        resets: vec![],
+        inputs: vec![Bits::new(8, 4)],
+        outputs: vec![Bits::new(8, y), Bits::zero(1)],
+    };
+    let recording = Recording { steps: (0..).zip([0, 2, 12, 12]).map(step).collect(), initial: Vec::new() };
+    let replayed = tools::replay_in_icarus(&verilog(&design), &testbench(&design, &recording));
+    let _ = replayed.unwrap_or_else(|problems| panic!("{problems}"));
+}
+
+#[test]
+fn parameters_that_print_in_several_lines_stand_in_one() {
+    let text = clean(&Nest(0));
+    assert!(text.contains("\n// Parameters  nest of 0\n"), "{text}");
+}

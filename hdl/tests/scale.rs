@@ -93,8 +93,8 @@ fn a_block_that_twice_holds_its_next_smaller_self_is_built_once_a_size() {
             if self.0 == 0 {
                 return Result { y: !i.x };
             }
-            let left = m.instance(&format!("u_left{}", self.0), &Tree(self.0 - 1), Word { x: i.x }).y;
-            Result { y: left ^ m.instance(&format!("u_right{}", self.0), &Tree(self.0 - 1), Word { x: i.x + 1 }).y }
+            let left = m.instance("u_left", &Tree(self.0 - 1), Word { x: i.x }).y;
+            Result { y: left ^ m.instance("u_right", &Tree(self.0 - 1), Word { x: i.x + 1 }).y }
         }
     }
     let design = elaborate(&Tree(30)).unwrap();

@@ -75,7 +75,9 @@ fn header(module: &Module) -> String {
     lines.push(String::new());
     let facts = [("Parameters", &module.parameters), ("Latency", &about.latency), ("Source", &about.source)];
     for (title, text) in facts.into_iter().filter(|(_, text)| !text.is_empty()) {
-        lines.push(format!("{title:11} {text}"));
+        // On one line: what comes after the next would be Verilog.
+        let words: Vec<&str> = text.split_whitespace().collect();
+        lines.push(format!("{title:11} {}", words.join(" ")));
     }
     lines.push(format!("{:11} {}:{}", "Described", module.loc.file(), module.loc.line()));
     let comment = |line: &String| if line.is_empty() { "//\n".to_string() } else { format!("// {line}\n") };

@@ -56,14 +56,13 @@ pub(crate) fn check(
     name
 }
 
-/// Inside of a module, its own things hide an instance of the same name: linters refuse that. Each lane of an array is
-/// an instance called `lane`.
+/// Inside of a module, its own nets and memories hide an instance of the same name: linters refuse that, but not an
+/// instance in one of the same name. Each lane of an array is an instance called `lane`.
 fn check_hiding(instance: &Instance, child: &Module, problems: &mut Vec<Problem>) {
     let name = if instance.lanes.is_some() { "lane" } else { &instance.name };
     let nets = child.nodes.iter().filter_map(|node| Some((node.name.as_deref()?, node.loc)));
     let memories = child.memories.iter().map(|memory| (memory.name.as_str(), memory.loc));
-    let instances = child.instances.iter().map(|instance| (instance.name.as_str(), instance.loc));
-    let Some((_, inside)) = nets.chain(memories).chain(instances).find(|(inner, _)| *inner == name) else { return };
+    let Some((_, inside)) = nets.chain(memories).find(|(inner, _)| *inner == name) else { return };
     let (message, help) = match instance.lanes {
         None => {
             let message = format!("instance `{name}` has the name of something inside of it");
