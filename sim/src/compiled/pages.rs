@@ -1,5 +1,6 @@
 //! Pages of memory from the system: code that can be run, and blocks with pages around them that nobody may touch.
 
+use std::alloc::{Layout, handle_alloc_error};
 use std::ops::Deref;
 
 use region::{Allocation, Protection};
@@ -57,7 +58,10 @@ impl Guarded {
     pub fn new(count: usize) -> Guarded {
         let page = region::page::size();
         let inner = (count * 8).next_multiple_of(page);
-        let pages = region::alloc(inner + 2 * page, Protection::READ_WRITE).expect("the system has memory to give");
+        let pages = region::alloc(inner + 2 * page, Protection::READ_WRITE);
+        // As where there are no guards: a vector that cannot be made ends the process in this way.
+        let layout = || Layout::array::<u64>(count).expect("so many numbers are less than the address space");
+        let pages = pages.unwrap_or_else(|_| handle_alloc_error(layout()));
         for guard in [0, page + inner] {
             let guard = pages.as_ptr::<u8>().wrapping_add(guard);
             // SAFETY: these pages were just made, and nobody looks at them.
