@@ -155,11 +155,17 @@ const MOST_PAGES: u32 = (MAX_SIDE / 4) * (MAX_SIDE / 4);
 /// What the difference picture's name ends in instead of the frame's `png`.
 const DIFFERENCE: &str = "difference.png";
 
-/// Writes the picture of the differences beside the frame; without one, removes what an earlier run left there. What fails is a
-/// warning alone: the verdict matters more.
+/// Writes the picture of the differences beside the frame; without one, removes what an earlier run left there. A file that is
+/// no picture stays. What fails is a warning alone: the verdict matters more.
 fn leave_difference(frame: &Path, picture: Option<&Frame>) {
     let Some(path) = beside(frame, DIFFERENCE) else { return };
-    if let Some(picture) = picture {
+    let is_somebody_elses = path.is_file() && Frame::read_png(&path).is_err();
+    if is_somebody_elses {
+        if picture.is_some() {
+            let path = path.display();
+            terminal::warn(&format!("{path} is no picture and stays as it is: remove it to see the differences there"));
+        }
+    } else if let Some(picture) = picture {
         let written = Output::at(&path).and_then(|output| output.write(&picture.to_png()));
         written.unwrap_or_else(|failure| failure.sentences().for_each(terminal::warn));
     } else if path.is_file() {

@@ -98,6 +98,20 @@ fn a_picture_of_the_differences_that_cannot_be_written_is_a_warning() {
 }
 
 #[test]
+fn what_is_no_picture_is_not_taken_for_one_of_differences() {
+    let folder = Folder::with(&[("pyramid.obj", PYRAMID), ("frame.difference.png", "notes")]);
+    let line = "render pyramid.obj --size 32x24 --processors 1 -o frame.png";
+    let run = folder.run(line);
+    assert_eq!((run.code, run.stderr.as_str()), (Some(0), "wrote frame.png\n"));
+    folder.stdout("golden teapot --size 32x24 -o golden.png");
+    let run = folder.run(&format!("{line} --golden golden.png"));
+    let warning =
+        "warning: frame.difference.png is no picture and stays as it is: remove it to see the differences there\n";
+    assert!(run.code == Some(1) && run.stderr.contains(warning), "{run:?}");
+    assert_eq!(folder.read("frame.difference.png"), "notes");
+}
+
+#[test]
 fn an_empty_waveform_is_a_warning() {
     let folder = Folder::with_pyramid();
     for line in ["wave merging-unit -o late.vcd", "render pyramid.obj --size 32x24 --processors 1 --vcd late.vcd"] {
