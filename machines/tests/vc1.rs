@@ -226,7 +226,7 @@ fn soup() -> impl Strategy<Value = Vec<[ScreenVertex; 3]>> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(48))]
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(48) })]
 
     #[test]
     fn any_triangles_make_the_golden_frame(
