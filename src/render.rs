@@ -159,21 +159,21 @@ const DIFFERENCE: &str = "difference.png";
 /// no picture stays. What fails is a warning alone: the verdict matters more.
 fn leave_difference(frame: &Path, picture: Option<&Frame>) {
     let Some(path) = beside(frame, DIFFERENCE) else { return };
-    let is_somebody_elses = path.is_file() && Frame::read_png(&path).is_err();
-    if is_somebody_elses {
-        if picture.is_some() {
-            let path = path.display();
-            terminal::warn(&format!("{path} is no picture and stays as it is: remove it to see the differences there"));
+    let name = path.display();
+    let is_there = path.is_file();
+    let is_ours = is_there && Frame::read_png(&path).is_ok();
+    match picture {
+        Some(_) if is_there && !is_ours => {
+            terminal::warn(&format!("{name} is no picture and stays as it is: remove it to see the differences there"));
         }
-    } else if let Some(picture) = picture {
-        let written = Output::at(&path).and_then(|output| output.write(&picture.to_png()));
-        written.unwrap_or_else(|failure| failure.sentences().for_each(terminal::warn));
-    } else if path.is_file() {
-        match std::fs::remove_file(&path) {
-            Ok(()) => terminal::talk(&format!("removed {}", path.display())),
-            Err(_) => {
-                terminal::warn(&format!("{} is of an earlier run and cannot be removed: remove it", path.display()));
-            }
+        Some(picture) => {
+            let written = Output::at(&path).and_then(|output| output.write(&picture.to_png()));
+            written.unwrap_or_else(|failure| failure.sentences().for_each(terminal::warn));
         }
+        None if is_ours => match std::fs::remove_file(&path) {
+            Ok(()) => terminal::talk(&format!("removed {name}")),
+            Err(_) => terminal::warn(&format!("{name} is of an earlier run and cannot be removed: remove it")),
+        },
+        None => {}
     }
 }

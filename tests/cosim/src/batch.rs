@@ -167,8 +167,7 @@ fn ends(child: &mut Child, patience: Duration) -> bool {
 }
 
 fn verilator(folder: &TempDir) -> Result<String, Refused> {
-    let flags = ["-Wno-fatal", "-Wno-lint", "--output-split", "20000"];
-    match tools::verilated(folder.path(), &["all_benches.v"], "all_benches", &flags) {
+    match tools::verilated(folder.path(), &["all_benches.v"], "all_benches", &["-Wno-fatal", "-Wno-lint"]) {
         Ok(Some(program)) => Ok(execute(folder, &mut Command::new(program), Duration::MAX).1),
         Ok(None) => Err(Refused::Itself("it is not installed".to_owned())),
         Err(problems) => Err(Refused::Verilog(problems.to_string())),
