@@ -92,52 +92,64 @@ pub fn lint_quickly(designs: &[&[VerilogFile]]) -> Result<Linted, BTreeMap<usize
 }
 
 fn lint_with(linters: &[&Linter], designs: &[&[VerilogFile]]) -> Result<Linted, BTreeMap<usize, Problems>> {
-    let (mut linted, mut wrong) = (Linted::default(), BTreeMap::new());
-    let numbered: Vec<(usize, Files)> = designs.iter().copied().enumerate().collect();
+    let (mut linted, mut installed) = (Linted::default(), Vec::new());
     for linter in linters {
         let (here, absent): (Vec<&Version>, Vec<&Version>) =
             linter.versions.iter().partition(|version| (version.is_installed)());
         if here.is_empty() {
             let _ = missing(linter.name);
         }
-        for version in &here {
-            complaints(version, &numbered, &mut wrong);
-        }
         linted.ran.extend(here.iter().map(|version| version.name));
         linted.skipped.extend(absent.iter().map(|version| version.name));
+        installed.extend(here);
+    }
+    let mut wrong = BTreeMap::new();
+    if !designs.is_empty() {
+        let numbered: Vec<(usize, Files)> = designs.iter().copied().enumerate().collect();
+        complaints(&installed, &numbered, &mut wrong);
     }
     let problems = |(design, problems)| (design, Problems(problems));
     if wrong.is_empty() { Ok(linted) } else { Err(wrong.into_iter().map(problems).collect()) }
 }
 
-/// What a linter says of each design; where it says something of several, the halves are asked.
-fn complaints(version: &Version, designs: &[(usize, Files)], wrong: &mut BTreeMap<usize, Vec<Problem>>) {
-    let mut files: Vec<VerilogFile> = Vec::new();
+/// What the linters say of each design; where one says something of several, it is asked about the halves.
+fn complaints(linters: &[&Version], designs: &[(usize, Files)], wrong: &mut BTreeMap<usize, Vec<Problem>>) {
+    let all: Vec<Files> = designs.iter().map(|(_, files)| *files).collect();
+    let mut unclean = Vec::new();
+    match files_of_all(&all) {
+        Some(files) => {
+            let folder = Folder::with(&files);
+            unclean.extend(linters.iter().map(|linter| (*linter, (linter.run)(&folder, &all))));
+            unclean.retain(|(_, (clean, _))| !clean);
+        }
+        None => unclean.extend(linters.iter().map(|linter| (*linter, (false, String::new())))),
+    }
+    if unclean.is_empty() {
+        return;
+    }
+    if let [(design, _)] = designs {
+        let problems = unclean.into_iter().flat_map(|(linter, (_, output))| problem(linter.name, output).0);
+        wrong.entry(*design).or_default().extend(problems);
+    } else {
+        let linters: Vec<&Version> = unclean.into_iter().map(|(linter, _)| linter).collect();
+        let (left, right) = designs.split_at(designs.len() / 2);
+        complaints(&linters, left, wrong);
+        complaints(&linters, right, wrong);
+    }
+}
+
+/// The files of all designs, each once; `None` if two of one name differ, which cannot be looked at together.
+fn files_of_all(designs: &[Files]) -> Option<Vec<VerilogFile>> {
     let mut known: BTreeMap<&str, &str> = BTreeMap::new();
-    let mut is_shared = false;
-    for file in designs.iter().flat_map(|(_, files)| *files) {
+    let mut files = Vec::new();
+    for file in designs.iter().copied().flatten() {
         match known.insert(&file.name, &file.text) {
             None => files.push(file.clone()),
-            Some(text) => is_shared |= text != file.text,
+            Some(text) if text == file.text => {}
+            Some(_) => return None,
         }
     }
-    // Designs with different files of one name cannot be looked at together.
-    let (clean, output) = match is_shared {
-        true => (false, String::new()),
-        false => {
-            let all: Vec<Files> = designs.iter().map(|(_, files)| *files).collect();
-            (version.run)(&Folder::with(&files), &all)
-        }
-    };
-    match designs {
-        _ if clean => {}
-        [(design, _)] => wrong.entry(*design).or_default().extend(problem(version.name, output).0),
-        _ => {
-            let (left, right) = designs.split_at(designs.len() / 2);
-            complaints(version, left, wrong);
-            complaints(version, right, wrong);
-        }
-    }
+    Some(files)
 }
 
 fn tops<'a>(designs: &[Files<'a>]) -> Vec<&'a str> {
@@ -176,7 +188,7 @@ fn yosys(folder: &Folder, designs: &[Files], name: &str) -> (bool, String) {
         [files] => format!("hierarchy -check -top {}", top(files)),
         _ => "hierarchy -check".to_string(),
     };
-    let script = format!("read_verilog {}; {hierarchy}; proc; check -assert", all_sources(designs).join(" "));
+    let script = format!("read_verilog {}; {hierarchy}; proc -noopt; check -assert", all_sources(designs).join(" "));
     let (succeeded, output) = folder.run(Command::new(name).args(["-q", "-p", &script]));
     (succeeded && !output.contains("Warning"), output)
 }

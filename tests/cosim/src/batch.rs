@@ -167,7 +167,9 @@ fn ends(child: &mut Child, patience: Duration) -> bool {
 }
 
 fn verilator(folder: &TempDir) -> Result<String, Refused> {
-    match tools::verilated(folder.path(), &["all_benches.v"], "all_benches", &["-Wno-fatal", "-Wno-lint"]) {
+    // Gates put into the code of the benches would double the C++.
+    let flags = ["-Wno-fatal", "-Wno-lint", "-fno-gate"];
+    match tools::verilated(folder.path(), &["all_benches.v"], "all_benches", &flags) {
         Ok(Some(program)) => Ok(execute(folder, &mut Command::new(program), Duration::MAX).1),
         Ok(None) => Err(Refused::Itself("it is not installed".to_owned())),
         Err(problems) => Err(Refused::Verilog(problems.to_string())),
