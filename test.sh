@@ -26,6 +26,6 @@ if ! python3 -c 'import pyslang' 2>/dev/null; then
         echo "not installed: pyslang (pip install pyslang)"
 fi
 
-# All is built once here; what would make the next build after a change quicker makes this one slower.
-export CARGO_INCREMENTAL="${CARGO_INCREMENTAL:-0}"
+# All is built once here: without what makes the next build quicker, and without line numbers in backtraces.
+export CARGO_INCREMENTAL="${CARGO_INCREMENTAL:-0}" CARGO_PROFILE_DEV_DEBUG="${CARGO_PROFILE_DEV_DEBUG:-0}"
 cargo test --workspace "$@"
