@@ -249,3 +249,32 @@ impl Block for Cell {
         One { y: m.pipe("y", i.a ^ i.b.trunc(8) ^ i.b.slice(8..16)) }
     }
 }
+
+/// A row of cells: `take` gives what the first input of each lane is.
+fn cells(m: Module, count: u32, i: Pair, take: impl FnOnce(&Array<One<Lanes>>) -> Lanes) -> Signal {
+    let cell = Small { name: "cell_", build: |_, i| i.a ^ i.b };
+    let row = m.array("u_cell", count, &cell, |row| Pair { a: take(&row), b: row.all(&i.b) });
+    row.y.xor_all()
+}
+
+#[test]
+fn a_shift_has_its_edge_at_the_end_it_comes_from() {
+    let previous = clean("from_previous", |m, i| cells(m, 3, i, |row| row.out.y.previous(i.a)));
+    assert!(previous.contains("if (i < 1) begin : lane_a_edge"), "{previous}");
+    let following = clean("from_following", |m, i| cells(m, 3, i, |row| row.out.y.shifted(-2, i.a)));
+    assert!(following.contains("if (i >= 1) begin : lane_a_edge"), "{following}");
+}
+
+/// Tools take no more than 65,536 bits of a vector.
+#[test]
+fn constants_without_a_rule_are_a_table_up_to_its_widest() {
+    fn text(name: &'static str, build: fn(Module, Pair) -> Signal) -> String {
+        print(name, build).pop().expect("there is a module").text
+    }
+    fn irregular(m: Module, count: u32, i: Pair) -> Signal {
+        let words = (0..u64::from(count)).map(move |lane| lit(8, (lane * lane / 7 + lane) & 0xff));
+        cells(m, count, i, move |row| row.each(words))
+    }
+    assert!(text("widest", |m, i| irregular(m, 8192, i)).contains("[65535:0]"));
+    assert!(!text("too_wide", |m, i| irregular(m, 8193, i)).contains("[65543:0]"));
+}

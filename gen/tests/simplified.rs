@@ -27,6 +27,23 @@ fn check(cases: &[(Build, &str)]) {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
+fn wire(m: Module, name: &str, value: Signal) -> Signal {
+    let wire = m.wire(name, 8);
+    wire.drive(value);
+    wire.value()
+}
+
+#[test]
+fn a_wire_gives_its_name_to_what_drives_it() {
+    check(&[(
+        |m, i| {
+            let sum = i.a + i.b;
+            wire(m, "total", sum) - (sum ^ i.b)
+        },
+        "total - (total ^ b)",
+    )]);
+}
+
 #[test]
 fn a_neutral_operand_disappears_and_a_dominant_one_is_the_result() {
     check(&[
@@ -50,6 +67,7 @@ fn a_neutral_operand_disappears_and_a_dominant_one_is_the_result() {
         (|_, i| lit(4, 0).times(i.a), "12'd0"),
         (|_, i| i.a.signed().times(lit(8, 0).signed()).bits(), "16'd0"),
         (|_, i| i.a.times(lit(8, 1)), "{8'd0, a} * 16'd1"),
+        (|m, i| i.a + wire(m, "nothing", lit(8, 0)), "a"),
     ]);
 }
 
@@ -94,6 +112,7 @@ fn an_inverted_comparison_is_the_opposite_one() {
         (|_, i| i.a.eq(1), "a == 8'd1"),
         (|_, i| i.a.bit(0).any_one(), "a[0]"),
         (|_, i| i.a.all_ones(), "&a"),
+        (|_, i| (!i.a).any_one(), "|(~a)"),
     ]);
 }
 
@@ -198,6 +217,10 @@ fn a_part_is_taken_of_what_has_it() {
         (|_, i| i.a.repeat(2), "{2{a}}"),
         (|_, i| i.a.zext(8), "a"),
         (|_, i| i.a.lt(i.b).sext(8), "{8{a < b}}"),
+        (|_, i| i.a.slice(2..7).sext(8), "{{3{a[6]}}, a[6:2]}"),
+        (|_, i| (i.a + i.b).slice(2..7).sext(8), "{{3{y_sum[6]}}, y_sum[6:2]}"),
+        (|_, i| i.a.zext(12).slice(2..8).sext(9), "{{3{a[7]}}, a[7:2]}"),
+        (|_, i| cat![i.a, i.b].slice(4..8).sext(9), "{{5{b[7]}}, b[7:4]}"),
     ]);
 }
 

@@ -173,7 +173,7 @@ impl Printer<'_> {
         let value = self.value(of);
         let sign = match self.module.node(of).op {
             _ if inner == 1 => return format!("{{{width}{{{value}}}}}"),
-            Op::Slice { of, low } if self.plan.form(of) != Form::Dead && !value.ends_with(')') => {
+            Op::Slice { of, low } => {
                 let base = self.sliced(of, low, inner);
                 format!("{base}[{}]", low + inner - 1)
             }

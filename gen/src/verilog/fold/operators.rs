@@ -13,7 +13,8 @@ impl Fold {
             None if unary != Unary::Not && self.width(a) == 1 => Same(a),
             None => match self.module.node(a) {
                 Node { op: Op::Unary(Unary::Not, inner), name: None, .. } if unary == Unary::Not => Same(*inner),
-                Node { op: Op::Compare { relation, signed, operands }, name: None, .. } if unary == Unary::Not => {
+                // It has one bit, so this is its inverse.
+                Node { op: Op::Compare { relation, signed, operands }, name: None, .. } => {
                     Is(Op::Compare { relation: opposite(*relation), signed: *signed, operands: *operands })
                 }
                 _ => Is(Op::Unary(unary, a)),
