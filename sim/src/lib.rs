@@ -124,35 +124,10 @@
 //! in the time added      156 MB/s, 9.2 million changes/s
 //! ```
 
-mod attach;
-mod batch;
-mod choice;
-mod compiled;
 mod engine;
-mod error;
-mod lane;
 mod limbs;
-mod lockstep;
-mod lookup;
-mod passes;
-mod peek;
-mod play;
-mod port;
-pub mod program;
-mod reference;
-mod run;
-mod simulation;
-mod start;
-mod timeline;
-mod trace;
+mod testbench;
 
-pub use attach::Probe;
-pub use batch::Batch;
-pub use choice::EngineKind;
-pub use compiled::Unsupported;
-pub use engine::Difference;
-pub use error::{Error, UnknownName, Violation};
-pub use passes::Passes;
-pub use port::{IntoValue, Port};
-pub use simulation::Simulation;
-pub use trace::{Recorder, Vcd, Wave};
+pub use engine::program;
+pub use engine::{Difference, EngineKind, Passes, Unsupported};
+pub use testbench::{Batch, Error, IntoValue, Port, Probe, Recorder, Simulation, UnknownName, Vcd, Violation, Wave};

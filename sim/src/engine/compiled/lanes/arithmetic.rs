@@ -1,0 +1,265 @@
+//! Operations on all bits of one or two operands.
+
+use crate::engine::compiled::builder::FunctionBuilder;
+use cranelift_codegen::ir::condcodes::IntCC;
+use cranelift_codegen::ir::{InstBuilder, Value, types};
+use tilewright_hdl::ir::{Binary, Unary};
+
+use super::Lanes;
+use super::emit::{self, cast, low_mask, ty};
+use super::form::{Form, Need, Vector};
+use crate::engine::program::ValueId;
+
+impl Lanes {
+    pub(super) fn unary(&mut self, b: &mut FunctionBuilder, op: Unary, a: ValueId) -> Vector {
+        let width = self.width(a);
+        match op {
+            Unary::Not if width == 1 => {
+                let element = self.pick(8, &[(a, Need::Signed)], 0);
+                let mask = self.number(b, a, element, Need::Signed);
+                self.not(b, mask)
+            }
+            Unary::Not => {
+                let element = self.pick(self.element(width), &[(a, Need::Any)], 1);
+                let vector = self.number(b, a, element, Need::Any);
+                let parts = emit::map(&vector.parts, |part| b.ins().bnot(part));
+                let form = Form::signed(vector.form.signed_bits(element), element);
+                Vector { width, element, form, parts, inverse: None }
+            }
+            Unary::AllOnes => {
+                let (vector, signed) = self.exact(b, &[a]);
+                let element = vector[0].element;
+                let ones = self.bits(b, element, if signed { u64::MAX } else { low_mask(width) });
+                self.mask_of(element, emit::map(&vector[0].parts, |part| emit::equal(b, part, ones)))
+            }
+            Unary::AnyOne => {
+                let (vector, _) = self.exact(b, &[a]);
+                let element = vector[0].element;
+                let zero = self.bits(b, element, 0);
+                if vector[0].form.bits(element) < element {
+                    let more = |part| b.ins().icmp(IntCC::SignedGreaterThan, part, zero);
+                    return self.mask_of(element, emit::map(&vector[0].parts, more));
+                }
+                let equal = self.mask_of(element, emit::map(&vector[0].parts, |part| emit::equal(b, part, zero)));
+                self.not(b, equal)
+            }
+            Unary::Parity => self.parity(b, a),
+        }
+    }
+
+    /// Operands of one width in one element, so that equal numbers have equal bits; whether with their sign above.
+    pub(super) fn exact(&mut self, b: &mut FunctionBuilder, operands: &[ValueId]) -> (Vec<Vector>, bool) {
+        let least = self.element(self.width(operands[0]));
+        let ways = super::ELEMENTS.into_iter().filter(|&element| element >= least);
+        let ways = ways.flat_map(|element| [(element, Need::Clean), (element, Need::Signed)]);
+        let cost = |&(element, need): &(u32, Need)| {
+            let conversions: u32 = operands.iter().map(|&id| self.cost(id, element, need)).sum();
+            conversions + self.parts(element) as u32
+        };
+        let (element, need) = ways.min_by_key(cost).expect("64 bits are enough");
+        let vectors = operands.iter().map(|&id| self.number(b, id, element, need)).collect();
+        (vectors, need == Need::Signed)
+    }
+
+    pub(super) fn mask_of(&self, element: u32, parts: Vec<Value>) -> Vector {
+        Vector { width: 1, element, form: Form::Mask, parts, inverse: None }
+    }
+
+    /// The opposite of a mask; what it was remains known.
+    pub(super) fn not(&mut self, b: &mut FunctionBuilder, mask: Vector) -> Vector {
+        if let Some(inverse) = mask.inverse {
+            return Vector { parts: inverse, inverse: None, ..mask };
+        }
+        let parts = emit::map(&mask.parts, |part| b.ins().bnot(part));
+        Vector { parts, inverse: Some(mask.parts), ..mask }
+    }
+
+    /// Bits fold onto the topmost by shifts to the left, as then nothing needs a mask; bytes, which shift through
+    /// their neighbours, onto the lowest.
+    fn parity(&mut self, b: &mut FunctionBuilder, a: ValueId) -> Vector {
+        let width = self.width(a);
+        let folds: Vec<u32> = (0..).map(|i| 1 << i).take_while(|&by| by < width).collect();
+        let need = if width.is_power_of_two() { Need::Any } else { Need::Clean };
+        let element = self.pick(self.element(width), &[(a, need)], 2 * folds.len() as u32);
+        if element == 8 {
+            let vector = self.number(b, a, element, need);
+            let (one, mut parts) = (self.bits(b, 8, 1), vector.parts);
+            for &by in folds.iter().rev() {
+                parts = emit::map(&parts, |part| {
+                    let moved = emit::shift_dirty(b, part, element, false, by);
+                    b.ins().bxor(part, moved)
+                });
+            }
+            let parts = emit::map(&parts, |part| {
+                let lowest = b.ins().band(part, one);
+                emit::equal(b, lowest, one)
+            });
+            return self.mask_of(element, parts);
+        }
+        let mut parts = self.top(b, a, element).parts;
+        for by in folds {
+            parts = emit::map(&parts, |part| {
+                let moved = emit::shift_dirty(b, part, element, true, by);
+                b.ins().bxor(part, moved)
+            });
+        }
+        let parts = self.top_bits(b, element, &parts);
+        self.mask_of(element, parts)
+    }
+
+    /// Masks of the topmost bits.
+    pub(super) fn top_bits(&mut self, b: &mut FunctionBuilder, element: u32, parts: &[Value]) -> Vec<Value> {
+        if matches!(element, 16 | 32) {
+            let down = b.ins().iconst(types::I64, i64::from(element - 1));
+            return emit::map(parts, |part| b.ins().sshr(part, down));
+        }
+        let zero = self.bits(b, element, 0);
+        emit::map(parts, |part| b.ins().icmp(IntCC::SignedGreaterThan, zero, part))
+    }
+
+    pub(super) fn binary(&mut self, b: &mut FunctionBuilder, op: Binary, x: ValueId, y: ValueId, width: u32) -> Vector {
+        if matches!(op, Binary::Mul | Binary::MulSigned) {
+            return self.product(b, op == Binary::MulSigned, x, y, width);
+        }
+        let need = Need::of(width);
+        let element = self.pick(self.element(width), &[(x, need), (y, need)], 1);
+        let [x, y] = [x, y].map(|id| self.number(b, id, element, need));
+        self.combined(b, op, &x, &y)
+    }
+
+    /// Two vectors of one width and element, masks for 1 bit.
+    pub(super) fn combined(&mut self, b: &mut FunctionBuilder, op: Binary, x: &Vector, y: &Vector) -> Vector {
+        let (width, element) = (x.width, x.element);
+        if width == 1 {
+            return self.logic(b, op, x, y);
+        }
+        let (p, q) = (&x.parts, &y.parts);
+        let signed = || x.form.signed_bits(element).max(y.form.signed_bits(element));
+        let (parts, form) = match op {
+            Binary::And => (emit::map2(p, q, |p, q| b.ins().band(p, q)), x.form.and(y.form, element)),
+            Binary::Or => (emit::map2(p, q, |p, q| b.ins().bor(p, q)), x.form.or(y.form, element)),
+            Binary::Xor => (emit::map2(p, q, |p, q| b.ins().bxor(p, q)), x.form.or(y.form, element)),
+            Binary::Add => {
+                let form = match (x.form, y.form) {
+                    (Form::Bits(p), Form::Bits(q)) => Form::Bits((p.max(q) + 1).min(element)),
+                    _ => Form::signed(signed() + 1, element),
+                };
+                (emit::map2(p, q, |p, q| b.ins().iadd(p, q)), form)
+            }
+            _ => (emit::map2(p, q, |p, q| b.ins().isub(p, q)), Form::signed(signed() + 1, element)),
+        };
+        Vector { width, element, form, parts, inverse: None }
+    }
+
+    /// On masks. Where both are opposites, the result is computed from what they are opposites of.
+    fn logic(&mut self, b: &mut FunctionBuilder, op: Binary, x: &Vector, y: &Vector) -> Vector {
+        let element = x.element;
+        let opposite = match op {
+            Binary::And => Binary::Or,
+            Binary::Or => Binary::And,
+            _ => Binary::Xor,
+        };
+        let mut emit = |op: Binary, p: &[Value], q: &[Value]| {
+            emit::map2(p, q, |p, q| match op {
+                Binary::And => b.ins().band(p, q),
+                Binary::Or => b.ins().bor(p, q),
+                _ => b.ins().bxor(p, q),
+            })
+        };
+        let (parts, inverted) = match (&x.inverse, &y.inverse) {
+            (Some(p), Some(q)) => (emit(opposite, p, q), opposite != Binary::Xor),
+            (Some(p), None) if opposite == Binary::Xor => (emit(op, p, &y.parts), true),
+            (None, Some(q)) if opposite == Binary::Xor => (emit(op, &x.parts, q), true),
+            // The opposite of an or with an opposite is one instruction, `pandn`.
+            (Some(p), None) if op == Binary::Or => {
+                let not: Vec<Value> = emit::map(&y.parts, |part| b.ins().bnot(part));
+                (emit::map2(p, &not, |p, q| b.ins().band(p, q)), true)
+            }
+            (None, Some(q)) if op == Binary::Or => {
+                let not: Vec<Value> = emit::map(&x.parts, |part| b.ins().bnot(part));
+                (emit::map2(q, &not, |p, q| b.ins().band(p, q)), true)
+            }
+            _ => (emit(op, &x.parts, &y.parts), false),
+        };
+        let mask = self.mask_of(element, parts);
+        if inverted { self.not(b, mask) } else { mask }
+    }
+
+    fn product(&mut self, b: &mut FunctionBuilder, signed: bool, x: ValueId, y: ValueId, width: u32) -> Vector {
+        let need = if signed { Need::Signed } else { Need::Clean };
+        let element = self.element(width);
+        let narrow = self.width(x).max(self.width(y)) <= 32;
+        if element == 64 && narrow {
+            // `pmuludq` and `pmuldq`.
+            let [x, y] = [x, y].map(|id| self.number(b, id, 32, need));
+            let parts = self.long_product(b, signed, &x.parts, &y.parts);
+            return Vector { width, element, form: product_form(signed, &x, &y, 64), parts, inverse: None };
+        }
+        let each = if element == 8 { 6 } else { 1 };
+        let element = match element {
+            8 => self.pick(element, &[(x, need), (y, need)], each).min(32),
+            _ => element,
+        };
+        let [x, y] = [x, y].map(|id| self.number(b, id, element, need));
+        let form = product_form(signed, &x, &y, element);
+        let parts = self.multiplied(b, &x, &y);
+        Vector { width, element, form, parts, inverse: None }
+    }
+
+    /// 64-bit products of all 32-bit elements.
+    pub(super) fn long_product(
+        &mut self,
+        b: &mut FunctionBuilder,
+        signed: bool,
+        x: &[Value],
+        y: &[Value],
+    ) -> Vec<Value> {
+        let mut parts = Vec::new();
+        for (&x, &y) in x.iter().zip(y) {
+            // These pairs are one pattern; the widened values do not come into being.
+            let low = match signed {
+                true => [b.ins().swiden_low(x), b.ins().swiden_low(y)],
+                false => [b.ins().uwiden_low(x), b.ins().uwiden_low(y)],
+            };
+            let high = match signed {
+                true => [b.ins().swiden_high(x), b.ins().swiden_high(y)],
+                false => [b.ins().uwiden_high(x), b.ins().uwiden_high(y)],
+            };
+            parts.push(b.ins().imul(low[0], low[1]));
+            parts.push(b.ins().imul(high[0], high[1]));
+        }
+        parts
+    }
+
+    /// Products modulo the element.
+    pub(super) fn multiplied(&mut self, b: &mut FunctionBuilder, x: &Vector, y: &Vector) -> Vec<Value> {
+        let element = x.element;
+        if element != 8 {
+            return emit::map2(&x.parts, &y.parts, |x, y| b.ins().imul(x, y));
+        }
+        // Even and odd bytes apart, in 16-bit lanes.
+        let (even, odd) = (self.bits(b, 16, 0x00ff), self.bits(b, 16, 0xff00));
+        emit::map2(&x.parts, &y.parts, |x, y| {
+            let [x, y] = [x, y].map(|part| cast(b, part, types::I16X8));
+            let low = b.ins().imul(x, y);
+            let low = b.ins().band(low, even);
+            let down = emit::shift_dirty(b, x, 16, false, 8);
+            let up = b.ins().band(y, odd);
+            let high = b.ins().imul(down, up);
+            let both = b.ins().bor(low, high);
+            cast(b, both, ty(8))
+        })
+    }
+}
+
+/// What is known of a product, as numbers of the operands' elements or with `signed` in two's complement.
+fn product_form(signed: bool, x: &Vector, y: &Vector, element: u32) -> Form {
+    let unsigned = |vector: &Vector| match vector.form {
+        Form::Bits(bits) if !signed || bits < vector.element => Some(bits),
+        _ => (!signed).then_some(vector.element),
+    };
+    match (unsigned(x), unsigned(y)) {
+        (Some(p), Some(q)) => Form::Bits((p + q).min(element)),
+        _ => Form::signed(x.form.signed_bits(x.element) + y.form.signed_bits(y.element), element),
+    }
+}

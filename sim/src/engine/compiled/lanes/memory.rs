@@ -1,0 +1,220 @@
+//! Lanes from and to memory, and one by one.
+
+use std::cmp::Ordering;
+
+use crate::engine::compiled::builder::FunctionBuilder;
+use cranelift_codegen::ir::{InstBuilder, MemFlagsData, Value, types};
+
+use super::emit::{self, cast, low_mask, ty};
+use super::form::{Form, Need, Step, Vector};
+use super::{Done, Lanes};
+use crate::engine::program::ValueId;
+
+/// Where the lanes of a strip are side by side: clean numbers, of 1 bit masks.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::engine::compiled) struct Span {
+    /// Bits of a lane: 8, 16, 32 or 64, at least the width.
+    pub storage: u32,
+    /// With the offset, where the first lane is.
+    pub address: Value,
+    pub offset: i32,
+    /// To 16 bytes.
+    pub aligned: bool,
+}
+
+impl Span {
+    fn flags(&self) -> MemFlagsData {
+        let flags = MemFlagsData::new().with_notrap();
+        if self.aligned { flags.with_aligned() } else { flags }
+    }
+}
+
+impl Lanes {
+    /// Loads the lanes of a strip.
+    pub fn load(&mut self, b: &mut FunctionBuilder, id: ValueId, width: u32, from: Span) {
+        let Span { storage, address, offset, .. } = from;
+        let form = if width == 1 { Form::Mask } else { Form::Bits(width) };
+        let flags = from.flags();
+        let mut element = storage;
+        let parts = match (self.strip * storage, storage, width) {
+            (128.., ..) => {
+                let parts = self.parts(storage) as i32;
+                (0..parts).map(|i| b.ins().load(ty(storage), flags, address, offset + 16 * i)).collect()
+            }
+            (64, 8, 1) => vec![b.ins().sload8x8(flags, address, offset)],
+            (64, 8, _) => vec![b.ins().uload8x8(flags, address, offset)],
+            (64, _, 1) => vec![b.ins().sload16x4(flags, address, offset)],
+            (64, ..) => vec![b.ins().uload16x4(flags, address, offset)],
+            _ => {
+                let lanes = b.ins().load(types::I32, flags, address, offset);
+                let lanes = b.ins().scalar_to_vector(types::I32X4, lanes);
+                let bytes = cast(b, lanes, types::I8X16);
+                let step = if width == 1 { Step::WidenSigned } else { Step::Widen };
+                let words = emit::resize(b, step, &[bytes], 8);
+                vec![emit::resize(b, step, &words[..1], 16)[0]]
+            }
+        };
+        element = element.max(128 / self.strip);
+        self.define(id, Vector { width, element, form, parts, inverse: None });
+    }
+
+    /// Stores the lanes of a strip.
+    pub fn store(&mut self, b: &mut FunctionBuilder, id: ValueId, to: Span) {
+        let need = stored(self.width(id));
+        let vector = self.number(b, id, to.storage.max(128 / self.strip), need);
+        self.store_vector(b, &vector, to);
+    }
+
+    /// Stores the lanes where the 1-bit value `select` is 1, and in the others `old`, which is what is there.
+    pub fn store_where(&mut self, b: &mut FunctionBuilder, select: ValueId, id: ValueId, old: ValueId, to: Span) {
+        let need = stored(self.width(id));
+        let element = to.storage.max(128 / self.strip);
+        let select = self.number(b, select, element, Need::Signed);
+        let [id, old] = [id, old].map(|id| self.number(b, id, element, need));
+        let vector = self.mux(b, &select, &id, &old);
+        self.store_vector(b, &vector, to);
+    }
+
+    fn store_vector(&mut self, b: &mut FunctionBuilder, vector: &Vector, to: Span) {
+        let Span { storage, address, offset, .. } = to;
+        let flags = to.flags();
+        if vector.element == storage {
+            for (i, &part) in vector.parts.iter().enumerate() {
+                b.ins().store(flags, part, address, offset + 16 * i as i32);
+            }
+            return;
+        }
+        // Less than a vector.
+        let step = if vector.width == 1 { Step::NarrowSigned } else { Step::Narrow };
+        let (mut lanes, mut element) = (vector.parts[0], vector.element);
+        while element > storage {
+            lanes = emit::narrowed(b, step, lanes, lanes);
+            element /= 2;
+        }
+        let bits = self.strip * storage;
+        // Floats are stored by one instruction, integers would be extracted.
+        let lanes = cast(b, lanes, if bits == 32 { types::F32X4 } else { types::F64X2 });
+        let lanes = b.ins().extractlane(lanes, 0);
+        b.ins().store(flags, lanes, address, offset);
+    }
+
+    /// One lane as a clean I64.
+    pub fn extract(&mut self, b: &mut FunctionBuilder, id: ValueId, lane: u32) -> Value {
+        let entry = &self.values[&id];
+        if let Some(scalar) = entry.scalar {
+            return scalar;
+        }
+        if let Some(constant) = entry.constant {
+            return b.ins().iconst(types::I64, constant as i64);
+        }
+        // A mask in general registers costs no more than the extension.
+        let element = self.pick(self.element(entry.width), &[(id, Need::Any)], 1);
+        let need = if element == 64 || self.cost(id, element, Need::Clean) == 0 { Need::Clean } else { Need::Any };
+        let vector = self.number(b, id, element, need);
+        self.lane(b, &vector, lane, false)
+    }
+
+    /// One lane, clean, or else with its sign; by halves of vectors, as an extraction of each lane takes longer.
+    pub(super) fn lane(&mut self, b: &mut FunctionBuilder, vector: &Vector, lane: u32, signed: bool) -> Value {
+        let Vector { width, element, .. } = *vector;
+        let (part, at) = (vector.parts[(lane * element / 128) as usize], lane * element % 128);
+        let half = self.half(b, part, (at / 64) as u8);
+        let low = at % 64;
+        let number = match low {
+            0 => half,
+            _ => {
+                let by = b.ins().iconst(types::I64, i64::from(low));
+                b.ins().ushr(half, by)
+            }
+        };
+        if element == 64 {
+            return number;
+        }
+        if !signed && !Need::Clean.met(vector.form, width, element) {
+            let mask = b.ins().iconst(types::I64, low_mask(width) as i64);
+            return b.ins().band(number, mask);
+        }
+        if !signed && low + element == 64 {
+            return number;
+        }
+        let number = b.ins().ireduce(ty(element).lane_type(), number);
+        if signed { b.ins().sextend(types::I64, number) } else { b.ins().uextend(types::I64, number) }
+    }
+
+    fn half(&mut self, b: &mut FunctionBuilder, part: Value, index: u8) -> Value {
+        if let Some(half) = self.halves.get(&(part, index)) {
+            return *half;
+        }
+        let both = cast(b, part, types::I64X2);
+        let half = b.ins().extractlane(both, index);
+        self.halves.insert((part, index), half);
+        self.done.push(Done::Half(part, index));
+        half
+    }
+
+    /// A value of clean numbers, one a lane, of any integer type. A load of the type of the value's element with no
+    /// other use becomes part of the insertion; of narrower elements, one that extends to I64 needs no more.
+    pub fn gather(&mut self, b: &mut FunctionBuilder, id: ValueId, width: u32, lanes: &[Value]) {
+        let element = self.element(width);
+        let parts = self.gathered(b, element, lanes);
+        self.define(id, Vector { width, element, form: Form::Bits(width), parts, inverse: None });
+    }
+
+    pub(super) fn gathered(&mut self, b: &mut FunctionBuilder, element: u32, lanes: &[Value]) -> Vec<Value> {
+        debug_assert_eq!(lanes.len(), self.strip as usize);
+        let single = ty(element).lane_type();
+        let parts = lanes.chunks(128 / element as usize).map(|lanes| {
+            let mut fill = |lanes: &[Value]| {
+                let mut vector = None;
+                for (i, &lane) in lanes.iter().enumerate() {
+                    let number = match b.func.dfg.value_type(lane).bits().cmp(&element) {
+                        Ordering::Less => b.ins().uextend(single, lane),
+                        Ordering::Equal => lane,
+                        Ordering::Greater => b.ins().ireduce(single, lane),
+                    };
+                    vector = Some(match vector {
+                        // The pattern of two moves for 64 bits; `movd` for others.
+                        None if element == 64 => b.ins().splat(ty(element), number),
+                        None if element == 32 => b.ins().scalar_to_vector(ty(element), number),
+                        None => {
+                            // What is above it is overwritten.
+                            let wide = match b.func.dfg.value_type(lane) {
+                                types::I64 => b.ins().ireduce(types::I32, lane),
+                                types::I32 => lane,
+                                _ => b.ins().uextend(types::I32, lane),
+                            };
+                            let wide = b.ins().scalar_to_vector(types::I32X4, wide);
+                            cast(b, wide, ty(element))
+                        }
+                        Some(vector) => b.ins().insertlane(vector, number, i as u8),
+                    });
+                }
+                vector.expect("there are lanes")
+            };
+            if element > 16 {
+                return fill(lanes);
+            }
+            // Two chains of half the length.
+            let (low, high) = lanes.split_at(lanes.len() / 2);
+            let (low, high) = (fill(low), fill(high));
+            emit::interleave(b, low, high, 64, false)
+        });
+        parts.collect()
+    }
+
+    /// Whether a 1-bit value is 1 in some lane, as an I8.
+    pub fn any(&mut self, b: &mut FunctionBuilder, id: ValueId) -> Value {
+        let element = self.pick(8, &[(id, Need::Signed)], 1);
+        let mask = self.number(b, id, element, Need::Signed);
+        if let Some(constant) = self.known(id) {
+            return b.ins().iconst(types::I8, (constant & low_mask(1)) as i64);
+        }
+        let parts = mask.parts.iter().copied().reduce(|x, y| b.ins().bor(x, y));
+        b.ins().vany_true(parts.expect("a strip has a vector"))
+    }
+}
+
+/// What state is stored as.
+fn stored(width: u32) -> Need {
+    if width == 1 { Need::Signed } else { Need::Clean }
+}

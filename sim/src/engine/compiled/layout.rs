@@ -1,0 +1,220 @@
+//! Where values and memories stand in the memory that generated code works on.
+//!
+//! A value of one lane takes its 64-bit limbs, so that a testbench reads and writes it in place. A value of several
+//! lanes takes an array, each lane one element, padded at both ends so that a strip may begin or end outside; 1-bit
+//! values are masks there. Wider values take limbs.
+
+use std::collections::BTreeMap;
+
+use tilewright_hdl::limbs_for;
+
+use crate::engine::program::Program;
+
+/// Bytes in front of and behind an array of lanes that code may touch: the largest strip of the widest element.
+pub(super) const GUARD: usize = 128;
+
+/// Where a value is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Place {
+    /// The byte of the first lane.
+    pub offset: usize,
+    /// Bits of an element: 8, 16, 32 or 64; above 64 the limbs of a lane together.
+    pub element: u32,
+    /// How many lanes there are.
+    pub lanes: u32,
+    /// The width of a lane in bits.
+    pub width: u32,
+}
+
+impl Place {
+    /// The byte of one lane.
+    pub fn lane(&self, lane: u32) -> usize {
+        self.offset + lane as usize * self.bytes()
+    }
+
+    /// Bits of the integers that an element consists of.
+    pub fn integer(&self) -> u32 {
+        self.element.min(64)
+    }
+
+    /// Bytes from one lane to the next.
+    pub fn bytes(&self) -> usize {
+        self.element as usize / 8
+    }
+}
+
+/// The smallest element that holds `width` bits; whole limbs above 64.
+fn element(width: u32) -> u32 {
+    match width {
+        0..=8 => 8,
+        9..=16 => 16,
+        17..=32 => 32,
+        _ => limbs_for(width) as u32 * 64,
+    }
+}
+
+/// How many lanes a kernel takes at a time, by lane count: 4, 8 or 16.
+///
+/// A vector of 128 bits holds as many elements of one size; what is smaller is widened to fill it, what is larger
+/// takes several vectors. Strips of 4 suit values of 32 bits, strips of 16 those of 8.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Strips(BTreeMap<u32, u32>);
+
+impl Strips {
+    /// Strips for the values of a program.
+    pub fn of(program: &Program) -> Strips {
+        let mut elements: BTreeMap<u32, [u32; 4]> = BTreeMap::new();
+        for value in program.values.iter().filter(|value| value.lanes > 1) {
+            let counts = elements.entry(value.lanes).or_default();
+            if value.width > 1 {
+                counts[element(value.width).min(64).ilog2() as usize - 3] += 1;
+            }
+        }
+        let strip = |(lanes, [bytes, words, doubles, quads]): (u32, [u32; 4])| {
+            let strip = match () {
+                () if bytes > 2 * (words + doubles + quads) => 16,
+                () if bytes + words > 2 * (doubles + quads) => 8,
+                () => 4,
+            };
+            (lanes, strip.min(lanes.next_power_of_two()).max(4))
+        };
+        Strips(elements.into_iter().map(strip).collect())
+    }
+
+    /// The strip of arrays of so many lanes.
+    pub fn strip(&self, lanes: u32) -> u32 {
+        self.0.get(&lanes).copied().unwrap_or(4)
+    }
+
+    /// Bits of an element that a lane of such an array is stored in.
+    fn storage(&self, lanes: u32, width: u32) -> u32 {
+        match lanes {
+            1 => limbs_for(width) as u32 * 64,
+            _ => element(width).max(128 / self.strip(lanes)),
+        }
+    }
+}
+
+/// Gives out places.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Layout {
+    /// How many bytes are taken.
+    pub size: usize,
+    pub strips: Strips,
+}
+
+impl Layout {
+    /// Nothing placed yet.
+    pub fn new(strips: Strips) -> Layout {
+        Layout { size: 0, strips }
+    }
+
+    /// A place for a value of this shape.
+    pub fn place(&mut self, lanes: u32, width: u32) -> Place {
+        let element = self.strips.storage(lanes, width);
+        if lanes == 1 {
+            let place = Place { offset: self.size, element, lanes, width };
+            self.size += place.bytes();
+            return place;
+        }
+        let offset = self.size.next_multiple_of(GUARD) + GUARD;
+        let place = Place { offset, element, lanes, width };
+        let guard = GUARD.max(self.strips.strip(lanes) as usize * place.bytes());
+        self.size = (place.lane(lanes) + guard).next_multiple_of(GUARD);
+        place
+    }
+}
+
+/// How the words of a memory stand.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Words {
+    /// Bytes of a word.
+    pub word: usize,
+    /// Bytes from a lane to the next.
+    pub lane: usize,
+    /// Bytes from an address to the next.
+    pub address: usize,
+    /// Bytes of the whole bank.
+    pub size: usize,
+    /// Where lanes stand apart: the place, from a lane's first byte, that a write port that is not enabled writes to.
+    pub nowhere: usize,
+}
+
+impl Words {
+    /// How the words of memories stand side by side: for each the first byte, and the others from there. They have as
+    /// many lanes, and `depth` words in each.
+    ///
+    /// Where all lanes have the same address, their words are side by side. Otherwise each lane's are together, and
+    /// lanes are skewed by a cache line, as a power of two between them would put all into one cache set.
+    pub fn side_by_side(
+        widths: &[u32],
+        lanes: u32,
+        depth: usize,
+        together: bool,
+        strips: &Strips,
+    ) -> Vec<(usize, Words)> {
+        let word = |width: u32| (if together { strips.storage(lanes, width) } else { element(width) }) as usize / 8;
+        let padded = lanes.next_multiple_of(strips.strip(lanes)) as usize;
+        let row = |width: u32| if together { (padded * word(width)).next_multiple_of(16) } else { word(width) };
+        // The largest first, so that all are aligned.
+        let mut order: Vec<usize> = (0..widths.len()).collect();
+        order.sort_by_key(|&i| std::cmp::Reverse(row(widths[i])));
+        let mut firsts = vec![0; widths.len()];
+        let mut used = 0;
+        for &i in &order {
+            firsts[i] = used;
+            used += row(widths[i]);
+        }
+        let address = used.next_multiple_of(row(widths[order[0]]).min(8));
+        let nowhere = if together { 0 } else { (depth * address).next_multiple_of(LINE) };
+        let apart = nowhere + address.next_multiple_of(LINE);
+        let size = if together { depth * address } else { apart * lanes as usize };
+        let words = widths.iter().map(|&width| {
+            let word = word(width);
+            Words { word, lane: if together { word } else { apart }, address, size, nowhere }
+        });
+        firsts.into_iter().zip(words).collect()
+    }
+
+    /// The first byte of a word.
+    pub fn at(&self, lane: u32, address: u32) -> usize {
+        lane as usize * self.lane + address as usize * self.address
+    }
+
+    /// Whether the words of all lanes at an address are side by side.
+    pub fn together(&self) -> bool {
+        self.nowhere == 0
+    }
+}
+
+/// Bytes of a line of the cache.
+const LINE: usize = 64;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn words_of_one_bank_are_aligned_and_apart() {
+        let strips = Strips::default();
+        for widths in [vec![8], vec![24, 24], vec![1, 100, 13], vec![13, 48, 8, 30], vec![65, 1, 1]] {
+            for (lanes, together) in [(1, false), (5, false), (5, true)] {
+                let together = together && widths.iter().all(|&width| width <= 64);
+                let words = Words::side_by_side(&widths, lanes, 7, together, &strips);
+                let mut used = vec![false; words[0].1.size];
+                for (first, words) in &words {
+                    for (lane, address) in (0..lanes).flat_map(|lane| (0..7).map(move |address| (lane, address))) {
+                        let at = first + words.at(lane, address);
+                        assert!(at.is_multiple_of(words.word.min(8)), "{widths:?} {lanes} {together}");
+                        assert!(used[at..at + words.word].iter().all(|used| !used), "{widths:?} {lanes} {together}");
+                        used[at..at + words.word].fill(true);
+                    }
+                    assert!(together || words.nowhere + words.word <= words.lane);
+                }
+            }
+        }
+        // Two of 24 bits in the 8 bytes of one address.
+        let [colour, depth] = Words::side_by_side(&[24, 24], 1, 16, false, &strips)[..] else { panic!("two memories") };
+        assert_eq!((colour.0, colour.1.address, depth.0, depth.1.address), (0, 8, 4, 8));
+    }
+}

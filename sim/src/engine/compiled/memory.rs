@@ -1,0 +1,193 @@
+//! Words of memories, read and written by code.
+
+use cranelift_codegen::ir::condcodes::IntCC;
+use cranelift_codegen::ir::{InstBuilder, MemFlagsData, Type, Value, types};
+
+use super::function::{Emitter, MemoryAt, offset};
+use super::graph::Sink;
+use super::lanes::Span;
+use super::scalar::{LONGEST, Scalar};
+use super::strip::Strip;
+use crate::engine::program::{Kind, ValueId};
+
+impl Emitter<'_, '_, '_> {
+    /// Reads a memory of one lane. Every address that the port can express has a word; those beyond the depth are zero.
+    pub(super) fn read(&mut self, id: ValueId, memory: u32, address: ValueId) {
+        let address = self.scalars.clean(self.builder, address)[0];
+        let memory = self.memories[memory as usize];
+        let base = self.builder.ins().iconst(types::I64, memory.address as i64);
+        let at = self.word(memory, address, base);
+        self.scalars.load(self.builder, id, memory.width, memory.element(), at, 0);
+    }
+
+    /// The address of a word.
+    fn word(&mut self, memory: MemoryAt, address: Value, base: Value) -> Value {
+        let within = self.scaled(address, memory.words.address);
+        self.builder.ins().iadd(base, within)
+    }
+
+    /// Writes a word of a memory of one lane, where the port is enabled and the address within the depth.
+    pub(super) fn write(&mut self, memory: u32, enable: ValueId, address: ValueId, data: ValueId) {
+        let memory = self.memories[memory as usize];
+        let address = self.scalars.clean(self.builder, address)[0];
+        let enabled = self.scalars.flag(self.builder, enable);
+        let before = self.scalars.get(data).expect("it was made available").clone();
+        let inside = self.inside(memory, address, enabled);
+        self.branch(inside, |emitter| {
+            let base = emitter.builder.ins().iconst(types::I64, memory.address as i64);
+            let at = emitter.word(memory, address, base);
+            emitter.scalars.store(emitter.builder, data, memory.element(), at, 0);
+        });
+        // A conversion that was made in the branch does not hold behind it.
+        self.scalars.define(data, before);
+    }
+
+    /// A flag, and the address below the depth.
+    fn inside(&mut self, memory: MemoryAt, address: Value, enabled: Value) -> Value {
+        if memory.is_full {
+            return enabled;
+        }
+        let depth = self.builder.ins().iconst(types::I64, i64::from(memory.depth));
+        let inside = self.builder.ins().icmp(IntCC::UnsignedLessThan, address, depth);
+        self.builder.ins().band(enabled, inside)
+    }
+
+    /// Runs `body` where a flag is 1.
+    fn branch(&mut self, flag: Value, body: impl FnOnce(&mut Self)) {
+        let (taken, done) = (self.builder.create_block(), self.builder.create_block());
+        self.builder.ins().brif(flag, taken, &[], done, &[]);
+        self.builder.switch_to_block(taken);
+        body(self);
+        self.builder.ins().jump(done, &[]);
+        self.builder.switch_to_block(done);
+    }
+
+    /// Where the words at the address that all lanes have begin, and that address; to be called before the loop.
+    pub(super) fn begin_words(&mut self, strip: &mut Strip, memory: u32, address: ValueId) {
+        let at = self.memories[memory as usize];
+        if !at.words.together() || strip.words.contains_key(&(memory, address)) {
+            return;
+        }
+        let common = match self.graph.cell(address).kind {
+            Kind::Broadcast(of, _) if self.graph.cell(of).lanes == 1 => of,
+            _ => address,
+        };
+        self.want(common);
+        let number = self.scalars.clean(self.builder, common)[0];
+        let base = self.builder.ins().iconst(types::I64, at.address as i64);
+        let start = self.word(at, number, base);
+        strip.words.insert((memory, address), (start, number));
+    }
+
+    /// Where the words of a strip are, at the address that all lanes have.
+    fn words(&mut self, strip: &mut Strip, memory: u32, address: ValueId) -> (Span, Value) {
+        let (start, number) = strip.words[&(memory, address)];
+        let word = self.memories[memory as usize].words.word;
+        let lanes = self.scaled(strip.first.expect("it has begun"), word);
+        let address = self.builder.ins().iadd(start, lanes);
+        (Span { storage: word as u32 * 8, address, offset: 0, aligned: true }, number)
+    }
+
+    /// Reads a word for each lane.
+    pub(super) fn read_lanes(&mut self, strip: &mut Strip, id: ValueId, memory: u32, address: ValueId) {
+        let at = self.memories[memory as usize];
+        if at.words.together() && at.width <= 64 {
+            let (side, _) = self.words(strip, memory, address);
+            strip.lanes.load(self.builder, id, at.width, side);
+            return;
+        }
+        let mut lanes = Vec::new();
+        for lane in 0..strip.size {
+            let number = self.limbs(strip, address, lane)[0];
+            let (base, offset) = self.lane_base(strip, at, lane);
+            let word = self.word(at, number, base);
+            if at.width <= 64 {
+                let kind = Type::int(at.element() as u16).expect("an element is an integer");
+                lanes.push(self.builder.ins().load(kind, MemFlagsData::trusted(), word, offset));
+            } else {
+                let loaded = Scalar::load(self.builder, at.width, word, offset);
+                strip.define_single(lane, id, loaded);
+            }
+        }
+        if at.width == 1 {
+            lanes = lanes.into_iter().map(|lane| self.builder.ins().band_imm_u(lane, 1)).collect();
+        }
+        if at.width <= 64 {
+            strip.lanes.gather(self.builder, id, at.width, &lanes);
+        }
+    }
+
+    /// Where a lane's words begin, and an offset to add.
+    fn lane_base(&mut self, strip: &mut Strip, memory: MemoryAt, lane: u32) -> (Value, i32) {
+        let apart = lane as usize * memory.words.lane;
+        if strip.is_padded() || i32::try_from(apart + memory.words.word).is_err() {
+            let lane = self.existing(strip, lane);
+            let start = self.scaled(lane, memory.words.lane);
+            return (self.builder.ins().iadd_imm_s(start, memory.address as i64), 0);
+        }
+        let base = match strip.memories.get(&memory.address) {
+            Some(base) => *base,
+            None => {
+                let start = self.scaled(strip.first.expect("it has begun"), memory.words.lane);
+                let base = self.builder.ins().iadd_imm_s(start, memory.address as i64);
+                strip.memories.insert(memory.address, base);
+                base
+            }
+        };
+        (base, offset(apart))
+    }
+
+    /// Writes a word for each lane that is enabled.
+    pub(super) fn write_lanes(&mut self, strip: &mut Strip, sink: usize) {
+        let &Sink::Write { memory, enable, address, data } = &self.graph.sinks[sink] else { unreachable!("a write") };
+        let at = self.memories[memory as usize];
+        for id in [enable, address, data] {
+            self.available(strip, id);
+        }
+        let any = strip.lanes.any(self.builder, enable);
+        if at.words.together() {
+            let (side, number) = self.words(strip, memory, address);
+            let go = self.inside(at, number, any);
+            let mark = strip.lanes.mark();
+            self.branch(go, |emitter| {
+                let old = emitter.id();
+                strip.lanes.load(emitter.builder, old, at.width, side);
+                strip.lanes.store_where(emitter.builder, enable, data, old, side);
+                strip.lanes.forget(mark);
+            });
+            return;
+        }
+        // Conversions that are made in the branch are forgotten behind it. The base is not, so it is computed here.
+        self.lane_base(strip, at, 0);
+        let mark = strip.lanes.mark();
+        let singles = strip.save();
+        self.branch(any, |emitter| {
+            for lane in 0..strip.size {
+                let number = emitter.limbs(strip, address, lane)[0];
+                let enabled = strip.lanes.extract(emitter.builder, enable, lane);
+                let enabled = emitter.builder.ins().ireduce(types::I8, enabled);
+                let go = emitter.inside(at, number, enabled);
+                // Without a branch, which would be hard to predict: a lane that is not enabled writes to a place that
+                // nobody reads.
+                let (base, offset) = emitter.lane_base(strip, at, lane);
+                let within = emitter.scaled(number, at.words.address);
+                let nowhere = emitter.builder.ins().iconst(types::I64, at.words.nowhere as i64);
+                let within = emitter.builder.ins().select(go, within, nowhere);
+                let word = emitter.builder.ins().iadd(base, within);
+                if at.width > LONGEST {
+                    emitter.store_long(strip, data, lane, word, offset);
+                    continue;
+                }
+                let limbs = emitter.limbs(strip, data, lane);
+                let kind = Type::int(at.element() as u16).expect("an element is an integer");
+                for (i, limb) in limbs.into_iter().enumerate() {
+                    let limb = if at.width == 1 { emitter.builder.ins().ineg(limb) } else { limb };
+                    let limb = if at.element() < 64 { emitter.builder.ins().ireduce(kind, limb) } else { limb };
+                    emitter.builder.ins().store(MemFlagsData::trusted(), limb, word, offset + 8 * i as i32);
+                }
+            }
+            strip.lanes.forget(mark);
+            strip.restore(singles);
+        });
+    }
+}

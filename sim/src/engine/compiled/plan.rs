@@ -1,0 +1,396 @@
+//! In which order a function computes its cells, and what of them it has to leave in memory.
+//!
+//! A function goes through *stages*. In each it first computes values of one lane, which stay in registers of the
+//! machine; then it packs single values into arrays of lanes; then it runs *kernels*, loops over the lanes of all
+//! values of one lane count. What leads from lanes to single values or to other lanes (a reduction, a neighbour, one
+//! lane) begins a new stage, unless it looks at state, which is in memory anyway.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::graph::{Graph, Sink};
+use crate::engine::program::{Kind, ValueId};
+
+/// The order of a function.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Plan {
+    pub stages: Vec<Stage>,
+    /// What is stored when it has been computed, apart from state: for other kernels, neighbours and testbenches.
+    pub stored: BTreeSet<ValueId>,
+    /// Registers with lanes that somebody reads after their kernel has run: they change at the end.
+    pub late: BTreeSet<ValueId>,
+    /// Cells of a branch, and those at whose place they are stored.
+    pub moved: BTreeMap<ValueId, ValueId>,
+}
+
+/// A part of a function.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Stage {
+    /// Values of one lane.
+    pub single: Vec<ValueId>,
+    /// Arrays of lanes made of single values or of other arrays.
+    pub packed: Vec<ValueId>,
+    /// Loops by lane count.
+    pub kernels: BTreeMap<u32, Kernel>,
+}
+
+/// A loop over lanes.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Kernel {
+    /// What it computes, each after its operands.
+    pub cells: Vec<ValueId>,
+    /// What it does at the end of a strip, by index in [`Graph::sinks`].
+    pub sinks: Vec<usize>,
+    /// What runs instead.
+    pub switch: Option<Box<Switch>>,
+}
+
+/// Kernels to choose from.
+#[derive(Debug, Clone)]
+pub(super) struct Switch {
+    /// The single value that decides.
+    pub subject: ValueId,
+    pub kernels: Vec<Kernel>,
+    /// The kernel for each number that the subject may be.
+    pub table: Vec<usize>,
+}
+
+/// Where in a stage something runs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+struct Position {
+    stage: usize,
+    /// 0 for single values, 1 for packing, then kernels by their lanes.
+    place: u32,
+}
+
+/// What a cell is to the plan.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Role {
+    /// A constant, the same in all lanes.
+    Constant,
+    /// In memory from the start: state, or lanes that are all constant.
+    Resident,
+    Single,
+    Packed,
+    /// The same single value, or row, in all lanes: no work of its own.
+    Uniform,
+    /// In the kernel of so many lanes.
+    Kernel(u32),
+}
+
+impl Role {
+    fn place(self) -> u32 {
+        match self {
+            Role::Kernel(lanes) => lanes,
+            Role::Packed => 1,
+            _ => 0,
+        }
+    }
+}
+
+impl Plan {
+    /// Plans a function; `postpone` brings the work on an array together in one loop. Memories that are `far` are read
+    /// in loops that do little else, so that many words are under way at a time.
+    pub fn new(graph: &Graph, far: &[bool], postpone: bool) -> Plan {
+        let needed = graph.needed();
+        let positions = vec![Position { stage: 0, place: 0 }; graph.cells.len()];
+        let looked_at = looked_at(graph, &needed);
+        let ports = ports(graph, far.len());
+        let mut planner = Planner { graph, far, ports, positions, looked_at, kernels: BTreeMap::new() };
+        let mut plan = Plan::default();
+        for &id in &needed {
+            planner.positions[id.index()] = Position { stage: planner.stage(id), place: planner.role(id).place() };
+        }
+        if postpone {
+            planner.postpone(&needed);
+        }
+        for &id in &needed {
+            planner.place(&mut plan, id);
+        }
+        planner.sinks(&mut plan);
+        planner.stores(&mut plan, &needed);
+        planner.hazards(&mut plan, &needed);
+        plan
+    }
+
+    /// Adds a single value that needs nothing computed.
+    pub fn single_first(&mut self, id: ValueId) {
+        self.at(0).single.insert(0, id);
+    }
+
+    /// The cell at whose place this one is stored.
+    pub fn home(&self, id: ValueId) -> ValueId {
+        self.moved.get(&id).copied().unwrap_or(id)
+    }
+
+    fn at(&mut self, stage: usize) -> &mut Stage {
+        if self.stages.len() <= stage {
+            self.stages.resize_with(stage + 1, Stage::default);
+        }
+        &mut self.stages[stage]
+    }
+}
+
+/// Whether a cell is an array whose lanes are constants.
+pub(super) fn is_table(graph: &Graph, id: ValueId) -> bool {
+    match &graph.cell(id).kind {
+        Kind::PerLane(parts) => parts.iter().all(|part| matches!(graph.cell(*part).kind, Kind::Const(_))),
+        _ => false,
+    }
+}
+
+/// Arrays that somebody looks at otherwise than lane by lane.
+fn looked_at(graph: &Graph, needed: &[ValueId]) -> BTreeSet<ValueId> {
+    let of = needed.iter().filter_map(|&id| match graph.cell(id).kind {
+        Kind::Shifted { of, .. } | Kind::Lane { of, .. } | Kind::Broadcast(of, _) | Kind::Tile(of, _) => Some(of),
+        _ => None,
+    });
+    let shown = graph.sinks.iter().filter_map(|sink| match sink {
+        Sink::Show(value) => Some(*value),
+        _ => None,
+    });
+    of.chain(shown).collect()
+}
+
+/// What looks at a memory and changes it.
+#[derive(Debug, Clone, Default)]
+struct Ports {
+    reads: Vec<ValueId>,
+    /// By index in [`Graph::sinks`].
+    writes: Vec<usize>,
+}
+
+/// The ports of so many memories.
+fn ports(graph: &Graph, memories: usize) -> Vec<Ports> {
+    let mut ports = vec![Ports::default(); memories];
+    for (id, cell) in (0..).map(ValueId).zip(&graph.cells) {
+        if let Kind::Read { memory, .. } = cell.kind {
+            ports[memory as usize].reads.push(id);
+        }
+    }
+    for (index, sink) in graph.sinks.iter().enumerate() {
+        if let Sink::Write { memory, .. } = *sink {
+            ports[memory as usize].writes.push(index);
+        }
+    }
+    ports
+}
+
+struct Planner<'a> {
+    graph: &'a Graph,
+    /// Per memory.
+    far: &'a [bool],
+    ports: Vec<Ports>,
+    positions: Vec<Position>,
+    looked_at: BTreeSet<ValueId>,
+    /// Per lane count: the stage of the kernel that does most of the work, if it can be said to be one.
+    kernels: BTreeMap<u32, usize>,
+}
+
+impl Planner<'_> {
+    fn role(&self, id: ValueId) -> Role {
+        let cell = self.graph.cell(id);
+        match &cell.kind {
+            Kind::Const(_) => Role::Constant,
+            Kind::State => Role::Resident,
+            _ if is_table(self.graph, id) => Role::Resident,
+            Kind::PerLane(_) => Role::Packed,
+            Kind::Broadcast(of, _) if self.graph.cell(*of).lanes == 1 && !self.looked_at.contains(&id) => Role::Uniform,
+            Kind::Tile(..) if !self.looked_at.contains(&id) => Role::Uniform,
+            Kind::Reduce { of, .. } => Role::Kernel(self.graph.cell(*of).lanes),
+            Kind::Lane { .. } if cell.lanes > 1 => Role::Kernel(cell.lanes),
+            _ if cell.lanes == 1 => Role::Single,
+            _ => Role::Kernel(cell.lanes),
+        }
+    }
+
+    /// Whether a kernel's cell takes its operand lane by lane.
+    fn by_lane(&self, id: ValueId, operand: ValueId) -> bool {
+        let kind = &self.graph.cell(id).kind;
+        (kind.is_elementwise() || matches!(kind, Kind::Read { .. } | Kind::Reduce { .. } | Kind::Alias(_)))
+            && matches!(self.role(operand), Role::Kernel(_) | Role::Packed)
+            && !self.is_apart(operand)
+    }
+
+    /// Whether nobody takes a value of lanes in the loop that computes it.
+    fn is_apart(&self, id: ValueId) -> bool {
+        match self.graph.cell(id).kind {
+            Kind::Reduce { .. } => true,
+            Kind::Read { memory, .. } => self.graph.cell(id).lanes > 1 && self.far[memory as usize],
+            _ => false,
+        }
+    }
+
+    /// The first stage in which all operands are there.
+    fn stage(&self, id: ValueId) -> usize {
+        let mut stage = 0;
+        self.graph.for_each_operand(id, |operand| {
+            stage = stage.max(self.available(operand, self.by_lane(id, operand)));
+        });
+        stage
+    }
+
+    /// From which stage on a value is there, for one who takes it lane by lane in its own kernel or not.
+    fn available(&self, id: ValueId, by_lane: bool) -> usize {
+        let at = self.positions[id.index()].stage;
+        match self.role(id) {
+            Role::Constant | Role::Resident => 0,
+            Role::Single | Role::Uniform => at,
+            Role::Packed if by_lane => at,
+            Role::Kernel(_) if by_lane => at,
+            Role::Packed | Role::Kernel(_) => at + 1,
+        }
+    }
+
+    /// Moves cells to the last kernel of their lane count where nobody needs them before, so that one loop does what
+    /// several would do with the values between them in memory.
+    fn postpone(&mut self, needed: &[ValueId]) {
+        let sinks: Vec<(Position, &Sink)> =
+            self.graph.sinks.iter().map(|sink| (self.sink_position(sink), sink)).collect();
+        let kernels = needed.iter().map(|id| self.positions[id.index()]).filter(|position| position.place > 1);
+        for position in kernels.chain(sinks.iter().map(|sink| sink.0).filter(|position| position.place > 1)) {
+            let last = self.kernels.entry(position.place).or_default();
+            *last = position.stage.max(*last);
+        }
+        let end = self.kernels.values().copied().max().unwrap_or(0) + 1;
+        let mut limits = vec![end; self.graph.cells.len()];
+        for (position, sink) in sinks {
+            let mut sums = false;
+            sink.for_each_operand(|operand| sums |= matches!(self.graph.cell(operand).kind, Kind::Reduce { .. }));
+            let before = match position.place {
+                0 => end,
+                _ if sums => end,
+                lanes => self.kernels[&lanes],
+            };
+            sink.for_each_operand(|operand| {
+                let limit = &mut limits[operand.index()];
+                *limit = (*limit).min(before - usize::from(self.is_apart(operand)));
+            });
+        }
+        for &id in needed.iter().rev() {
+            let Position { stage, place } = self.positions[id.index()];
+            let latest = limits[id.index()];
+            let stage = match place {
+                0 | 1 if stage == 0 => 0,
+                0 | 1 => latest.max(stage),
+                lanes => latest.min(self.kernels[&lanes]).max(stage),
+            };
+            self.positions[id.index()].stage = stage;
+            self.graph.for_each_operand(id, |operand| {
+                let is_stored = matches!(self.role(operand), Role::Kernel(_) | Role::Packed);
+                let after = usize::from(is_stored && !self.by_lane(id, operand));
+                let limit = &mut limits[operand.index()];
+                *limit = (*limit).min(stage.saturating_sub(after));
+            });
+        }
+    }
+
+    /// Enters a cell where its position says.
+    fn place(&self, plan: &mut Plan, id: ValueId) {
+        let stage = self.positions[id.index()].stage;
+        match self.role(id) {
+            Role::Constant | Role::Resident | Role::Uniform => {}
+            Role::Single => plan.at(stage).single.push(id),
+            Role::Packed => plan.at(stage).packed.push(id),
+            Role::Kernel(lanes) => plan.at(stage).kernels.entry(lanes).or_default().cells.push(id),
+        }
+    }
+
+    /// Where a sink takes its operands: the end for single values.
+    fn sink_position(&self, sink: &Sink) -> Position {
+        let lanes = sink.lanes(self.graph);
+        if lanes == 1 {
+            return Position { stage: usize::MAX, place: 0 };
+        }
+        let last = self.kernels.get(&lanes).copied().unwrap_or(0);
+        let stage = match *sink {
+            Sink::Write { memory, .. } => self.written(memory),
+            _ => self.taken(sink),
+        };
+        Position { stage: stage.max(last), place: lanes }
+    }
+
+    /// The first stage in which all that a sink takes is there.
+    fn taken(&self, sink: &Sink) -> usize {
+        let mut stage = 0;
+        sink.for_each_operand(|operand| stage = stage.max(self.available(operand, !self.is_apart(operand))));
+        stage
+    }
+
+    /// The first stage in which a memory has been read, and all its ports can write, one after the other.
+    fn written(&self, memory: u32) -> usize {
+        let Ports { reads, writes } = &self.ports[memory as usize];
+        let reads = reads.iter().map(|id| self.positions[id.index()].stage);
+        reads.chain(writes.iter().map(|&sink| self.taken(&self.graph.sinks[sink]))).max().unwrap_or(0)
+    }
+
+    fn sinks(&mut self, plan: &mut Plan) {
+        for (index, sink) in self.graph.sinks.iter().enumerate() {
+            let position = self.sink_position(sink);
+            if position.place > 0 && !matches!(sink, Sink::Show(_)) {
+                plan.at(position.stage).kernels.entry(position.place).or_default().sinks.push(index);
+            }
+        }
+    }
+
+    /// Finds what has to be in memory for somebody who runs elsewhere.
+    fn stores(&self, plan: &mut Plan, needed: &[ValueId]) {
+        let mut need = |operand: ValueId, reader: Position, by_lane: bool| {
+            let stored = match self.role(operand) {
+                Role::Kernel(_) => !by_lane || self.positions[operand.index()] != reader,
+                Role::Packed => true,
+                _ => false,
+            };
+            if stored {
+                plan.stored.insert(operand);
+            }
+        };
+        for &id in needed {
+            let reader = self.positions[id.index()];
+            self.graph.for_each_operand(id, |operand| need(operand, reader, self.by_lane(id, operand)));
+        }
+        for sink in &self.graph.sinks {
+            let reader = self.sink_position(sink);
+            sink.for_each_operand(|operand| {
+                need(operand, reader, !self.is_apart(operand));
+            });
+        }
+        for sink in &self.graph.sinks {
+            if let Sink::Show(value) = sink
+                && !matches!(self.role(*value), Role::Constant | Role::Resident)
+            {
+                plan.stored.insert(*value);
+            }
+        }
+    }
+
+    /// Finds the registers that cannot change where their kernel runs.
+    fn hazards(&self, plan: &mut Plan, needed: &[ValueId]) {
+        let mut written: BTreeMap<ValueId, Position> = BTreeMap::new();
+        for sink in &self.graph.sinks {
+            if let Sink::Register { state, .. } = sink
+                && self.graph.cell(*state).lanes > 1
+            {
+                written.insert(*state, self.sink_position(sink));
+            }
+        }
+        let mut read = |operand: ValueId, reader: Position, by_lane: bool| {
+            if written.get(&operand).is_some_and(|&writer| reader > writer || (reader == writer && !by_lane)) {
+                plan.late.insert(operand);
+            }
+        };
+        for &id in needed {
+            let kind = &self.graph.cell(id).kind;
+            let by_lane = kind.is_elementwise() || matches!(kind, Kind::Read { .. } | Kind::Reduce { .. });
+            let reader = match self.role(id) {
+                // A row is read where it is used, any time later.
+                Role::Uniform => Position { stage: usize::MAX, place: 0 },
+                _ => self.positions[id.index()],
+            };
+            self.graph.for_each_operand(id, |operand| read(operand, reader, by_lane));
+        }
+        for sink in &self.graph.sinks {
+            let reader = self.sink_position(sink);
+            sink.for_each_operand(|operand| read(operand, reader, true));
+        }
+    }
+}

@@ -1,0 +1,133 @@
+//! From a graph to a function that can be called.
+
+use cranelift_codegen::ir::{InstBuilder, MemFlagsData, Value, types};
+
+use super::builder::FunctionBuilder;
+use super::function::{self, Addresses, Emitter, MemoryAt};
+use super::graph::{Graph, Sink};
+use super::jit::Code;
+use super::layout::{Place, Strips};
+use super::plan::Plan;
+use super::sequence::{self, Step};
+use super::{Compiled, branch, lower};
+use crate::engine::program::{Kind, ValueId};
+
+/// A graph, and where its values are.
+pub(super) struct Prepared {
+    graph: Graph,
+    plan: Plan,
+    /// The steps of each function that it takes.
+    pieces: Vec<Vec<Step>>,
+    pub addresses: Addresses,
+}
+
+impl Prepared {
+    fn emitter<'a, 'b, 'c>(
+        &'a self,
+        memories: &'a [MemoryAt],
+        strips: &'a Strips,
+        builder: &'c mut FunctionBuilder<'b>,
+        state: Value,
+    ) -> Emitter<'a, 'b, 'c> {
+        Emitter::new(&self.graph, &self.plan, &self.addresses, memories, strips, builder, state)
+    }
+}
+
+impl Compiled {
+    /// Gives places to what a graph computes.
+    pub(super) fn prepare(&mut self, mut graph: Graph) -> Prepared {
+        lower::lower(&mut graph, &self.layout.strips, &self.memories, &self.program.passes);
+        let near = self.program.passes.near;
+        let far: Vec<bool> = self.memories.iter().map(|at| !at.words.together() && at.words.size > near).collect();
+        let mut plan = Plan::new(&graph, &far, self.program.passes.postpone);
+        if self.program.passes.branch {
+            branch::branch(&mut graph, &mut plan, &self.layout.strips);
+        }
+        let pieces = sequence::sequence(&mut graph, &mut plan, self.program.passes.longest);
+        let addresses = Addresses::new(&graph, &plan, &self.places, &mut self.layout);
+        self.state.grow(self.layout.size);
+        for &table in &addresses.tables {
+            self.fill(&graph, table, addresses.places[table.index()].expect("a table has a place"));
+        }
+        Prepared { graph, plan, pieces, addresses }
+    }
+
+    /// Makes a function that does what these graphs say, one after the other, so many times; it ends where something
+    /// does not hold, and says how many times are left.
+    pub(super) fn compile(&mut self, parts: &[Prepared]) -> Code {
+        let memories = self.memories.as_slice();
+        let (strips, unchecked) = (&self.layout.strips, self.unchecked);
+        let jit = &mut self.jit;
+        let pieces = parts.iter().map(|part| match part.pieces.as_slice() {
+            [_] => Vec::new(),
+            pieces => {
+                let last = pieces.len() - 1;
+                let piece = |(index, steps): (usize, &Vec<Step>)| {
+                    jit.function(|builder, state, _| {
+                        let mut emitter = part.emitter(memories, strips, builder, state);
+                        emitter.steps(steps);
+                        let held = if index == last { emitter.end() } else { None };
+                        let held = match held {
+                            Some(held) => builder.ins().uextend(types::I64, held),
+                            None => builder.ins().iconst(types::I64, 1),
+                        };
+                        builder.ins().return_(&[held]);
+                    })
+                };
+                pieces.iter().enumerate().map(piece).collect()
+            }
+        });
+        let pieces: Vec<Vec<Code>> = pieces.collect();
+        let code = self.jit.function(|builder, state, count| {
+            let body = builder.create_block();
+            let done = builder.create_block();
+            builder.append_block_param(body, types::I64);
+            builder.append_block_param(done, types::I64);
+            builder.ins().jump(body, &[count.into()]);
+            builder.switch_to_block(body);
+            let left = builder.block_params(body)[0];
+            for (part, pieces) in parts.iter().zip(&pieces) {
+                let held = match pieces.as_slice() {
+                    [] => {
+                        let mut emitter = part.emitter(memories, strips, builder, state);
+                        emitter.steps(&part.pieces[0]);
+                        emitter.end()
+                    }
+                    pieces => {
+                        let results = pieces.iter().map(|code| code.emit_call(builder, state, left));
+                        let last = results.last().expect("there are pieces");
+                        let holds = part.graph.sinks.iter().any(|sink| matches!(sink, Sink::Hold(_)));
+                        holds.then(|| builder.ins().ireduce(types::I8, last))
+                    }
+                };
+                if let Some(held) = held {
+                    let at = function::offset(unchecked.offset);
+                    let unchecked = builder.ins().load(types::I8, MemFlagsData::trusted(), state, at);
+                    let held = builder.ins().bor(held, unchecked);
+                    let next = builder.create_block();
+                    builder.ins().brif(held, next, &[], done, &[left.into()]);
+                    builder.switch_to_block(next);
+                }
+            }
+            let left = builder.ins().iadd_imm_s(left, -1);
+            builder.ins().brif(left, body, &[left.into()], done, &[left.into()]);
+            builder.switch_to_block(done);
+            let left = builder.block_params(done)[0];
+            builder.ins().return_(&[left]);
+        });
+        self.scratch.grow(self.jit.scratch * 8);
+        code
+    }
+
+    /// Writes an array of constants into the memory.
+    fn fill(&mut self, graph: &Graph, table: ValueId, place: Place) {
+        let Kind::PerLane(parts) = &graph.cell(table).kind else { unreachable!("a table is made of parts") };
+        let limbs: Vec<u64> = (0..place.lanes as usize)
+            .flat_map(|lane| match &graph.cell(parts[lane % parts.len()]).kind {
+                Kind::Const(bits) => bits.limbs().to_vec(),
+                _ => unreachable!("a table is made of constants"),
+            })
+            .collect();
+        self.state.put(place, &limbs);
+    }
+}

@@ -1,0 +1,157 @@
+//! Operations on values of more than 64 bits: bits and choices limb by limb, the rest, and all on values of more than
+//! [`LONGEST`] bits, by calls of the general path.
+
+use std::sync::Arc;
+
+use cranelift_codegen::ir::{InstBuilder, MemFlagsData, Value, types};
+use tilewright_hdl::ir::Binary;
+use tilewright_hdl::limbs_for;
+
+use super::{LONGEST, Scalar, Scalars};
+use crate::engine::compiled::builder::{FunctionBuilder, POINTER};
+use crate::engine::program::{Kind, ValueId};
+use crate::engine::semantics::{Number, evaluate};
+
+/// What a call computes, in scratch memory.
+#[derive(Debug)]
+pub(in crate::engine::compiled) struct Call {
+    kind: Kind,
+    width: u32,
+    /// Each operand, its width, and its first limb.
+    operands: Vec<(ValueId, u32, usize)>,
+    /// The first limb of the result.
+    out: usize,
+}
+
+#[allow(unsafe_code, reason = "called by generated code")]
+unsafe extern "C" fn run(call: *const Call, scratch: *mut u64) {
+    // SAFETY: generated code passes what `Scalars::call` laid out: the `Jit` that owns the code keeps the call, and the
+    // scratch memory has all limbs that the call names. The result is apart from the operands.
+    let (call, out) = unsafe {
+        let call = &*call;
+        (call, std::slice::from_raw_parts_mut(scratch.add(call.out), limbs_for(call.width)))
+    };
+    if let Kind::Const(bits) = &call.kind {
+        return out.copy_from_slice(bits.limbs());
+    }
+    evaluate(&call.kind, call.width, out, |id| {
+        let (_, width, at) = call.operands.iter().find(|(of, ..)| *of == id).expect("an operand");
+        // SAFETY: as above.
+        Number { limbs: unsafe { std::slice::from_raw_parts(scratch.add(*at), limbs_for(*width)) }, width: *width }
+    });
+}
+
+#[allow(unsafe_code, reason = "called by generated code")]
+unsafe extern "C" fn copy(from: *const u64, to: *mut u64, limbs: usize) {
+    // SAFETY: generated code passes the limbs of one value, and a place for them; one of them is scratch memory, and the
+    // other is not.
+    unsafe { std::ptr::copy_nonoverlapping(from, to, limbs) }
+}
+
+/// Emits a copy of so many limbs from or to the scratch memory.
+pub(super) fn emit_copy(b: &mut FunctionBuilder, from: Value, to: Value, limbs: usize) {
+    let limbs = b.ins().iconst(types::I64, limbs as i64);
+    b.call(copy as *const () as usize, &[from, to, limbs], false);
+}
+
+/// The address of a limb of the scratch memory.
+pub(super) fn address(b: &mut FunctionBuilder, limb: usize) -> Value {
+    let scratch = b.scratch();
+    b.ins().iadd_imm_s(scratch, limb as i64 * 8)
+}
+
+impl Scalars {
+    /// The result of `kind`, which has an operand or a result of more than 64 bits.
+    pub(super) fn wide(&mut self, b: &mut FunctionBuilder, kind: &Kind, width: u32) -> Scalar {
+        let mut is_long = width > LONGEST;
+        kind.for_each_operand(|operand| is_long |= self.width(operand) > LONGEST);
+        match kind {
+            Kind::Alias(of) => self.values[of].clone(),
+            Kind::Slice(of, low) if width <= 64 => {
+                let (first, within) = ((low / 64) as usize, low % 64);
+                let limb = self.limb(b, *of, first);
+                let by = b.ins().iconst(types::I64, i64::from(within));
+                let lower = if within == 0 { limb } else { b.ins().ushr(limb, by) };
+                if within + width <= 64 {
+                    return Scalar::integer(width, lower, 64 - within);
+                }
+                let up = b.ins().iconst(types::I64, i64::from(64 - within));
+                let next = self.limb(b, *of, first + 1);
+                let upper = b.ins().ishl(next, up);
+                Scalar::integer(width, b.ins().bor(lower, upper), 64)
+            }
+            _ if is_long => self.call(b, kind, width),
+            Kind::Mux { select, on_true, on_false } => {
+                let select = self.flag(b, *select);
+                let (left, right) = (self.clean(b, *on_true), self.clean(b, *on_false));
+                let pairs = left.into_iter().zip(right);
+                Scalar::limbs(width, pairs.map(|(left, right)| b.ins().select(select, left, right)).collect())
+            }
+            Kind::Binary(op @ (Binary::And | Binary::Or | Binary::Xor), x, y) => {
+                let (left, right) = (self.clean(b, *x), self.clean(b, *y));
+                let combined = left.into_iter().zip(right).map(|(left, right)| match op {
+                    Binary::And => b.ins().band(left, right),
+                    Binary::Or => b.ins().bor(left, right),
+                    _ => b.ins().bxor(left, right),
+                });
+                Scalar::limbs(width, combined.collect())
+            }
+            _ => self.call(b, kind, width),
+        }
+    }
+
+    /// A limb of a value of more than 64 bits.
+    fn limb(&self, b: &mut FunctionBuilder, id: ValueId, limb: usize) -> Value {
+        let scalar = &self.values[&id];
+        match scalar.scratch {
+            Some(first) => {
+                let at = address(b, first + limb);
+                b.ins().load(types::I64, MemFlagsData::trusted(), at, 0)
+            }
+            None => scalar.limbs.as_ref().expect("a wide value has limbs")[limb],
+        }
+    }
+
+    /// Calls the general path, with operands and result in scratch memory; for constants as well.
+    pub(super) fn call(&mut self, b: &mut FunctionBuilder, kind: &Kind, width: u32) -> Scalar {
+        let out = b.take(limbs_for(width));
+        let taken = b.taken();
+        let mut operands: Vec<(ValueId, u32, usize)> = Vec::new();
+        kind.for_each_operand(|id| {
+            if !operands.iter().any(|(of, ..)| *of == id) {
+                let first = self.in_scratch(b, id);
+                operands.push((id, self.width(id), first));
+            }
+        });
+        let call = Arc::new(Call { kind: kind.clone(), width, operands, out });
+        let arguments = [b.ins().iconst(POINTER, Arc::as_ptr(&call) as i64), b.scratch()];
+        b.calls.push(call);
+        b.call(run as *const () as usize, &arguments, false);
+        if width > LONGEST {
+            b.give_back(taken);
+            return Scalar::scratch(width, out);
+        }
+        let at = address(b, out);
+        let limb = |i: usize| b.ins().load(types::I64, MemFlagsData::trusted(), at, i as i32 * 8);
+        let limbs: Vec<Value> = (0..limbs_for(width)).map(limb).collect();
+        b.give_back(out);
+        match limbs.as_slice() {
+            [limb] => Scalar::clean(width, *limb),
+            _ => Scalar::limbs(width, limbs),
+        }
+    }
+
+    /// Where a value is in scratch memory; it is brought there if it is elsewhere.
+    fn in_scratch(&mut self, b: &mut FunctionBuilder, id: ValueId) -> usize {
+        if let Some(first) = self.values[&id].scratch {
+            return first;
+        }
+        let limbs = self.clean(b, id);
+        let first = b.take(limbs.len());
+        let at = address(b, first);
+        for (i, limb) in limbs.into_iter().enumerate() {
+            b.ins().store(MemFlagsData::trusted(), limb, at, i as i32 * 8);
+        }
+        first
+    }
+}

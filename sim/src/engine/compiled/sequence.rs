@@ -1,0 +1,188 @@
+//! The steps of a function one after the other, and where it is cut into several.
+//!
+//! Single registers and memories change as early as they may: after what they take is computed, and after all that
+//! looks at what they were. So few values are held at a time, and a cut parts little of what belongs together.
+
+use std::collections::{BTreeMap, BTreeSet, HashMap};
+
+use super::graph::{Graph, Sink};
+use super::plan::{Kernel, Plan};
+use crate::engine::program::{Kind, ValueId};
+
+/// A step of a function.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Step {
+    /// Computes a single value.
+    Single(ValueId),
+    /// Stores single values side by side.
+    Pack(ValueId),
+    /// Runs the kernel of so many lanes, of a stage.
+    Kernel(usize, u32),
+    /// Does what a sink of single values says.
+    Sink(usize),
+}
+
+/// The steps, by function: one, unless it would be longer than `longest` operations, above which Cranelift's time grows
+/// faster than the function. What one function leaves to another is stored.
+pub(super) fn sequence(graph: &mut Graph, plan: &mut Plan, longest: usize) -> Vec<Vec<Step>> {
+    name_states(graph, plan);
+    let steps = interleaved(graph, plan);
+    let weight = |step: &Step| match *step {
+        Step::Kernel(stage, lanes) => kernel_weight(&plan.stages[stage].kernels[&lanes]),
+        _ => 1,
+    };
+    if steps.iter().map(weight).sum::<usize>() <= longest {
+        return vec![steps];
+    }
+    let mut pieces: Vec<Vec<Step>> = vec![Vec::new()];
+    let mut size = 0;
+    for step in steps {
+        let weight = weight(&step);
+        if size > 0 && size + weight > longest / 2 {
+            pieces.push(Vec::new());
+            size = 0;
+        }
+        size += weight;
+        pieces.last_mut().expect("there is one").push(step);
+    }
+    store_between(graph, plan, &pieces);
+    pieces
+}
+
+fn kernel_weight(kernel: &Kernel) -> usize {
+    match &kernel.switch {
+        Some(switch) => switch.kernels.iter().map(kernel_weight).sum(),
+        None => kernel.cells.len() + kernel.sinks.len(),
+    }
+}
+
+/// Gives a sink that takes a state as it is a cell that does, so that only cells look at states.
+fn name_states(graph: &mut Graph, plan: &mut Plan) {
+    let mut names: HashMap<ValueId, ValueId> = HashMap::new();
+    for index in 0..graph.sinks.len() {
+        let mut sink = graph.sinks[index].clone();
+        if sink.lanes(graph) > 1 || matches!(sink, Sink::Show(_) | Sink::Hold(_)) {
+            continue;
+        }
+        sink.rewrite(|operand| {
+            let cell = graph.cell(*operand).clone();
+            if cell.kind == Kind::State {
+                *operand = *names.entry(*operand).or_insert_with(|| {
+                    let name = graph.add(Kind::Alias(*operand), cell.lanes, cell.width);
+                    plan.single_first(name);
+                    name
+                });
+            }
+        });
+        graph.sinks[index] = sink;
+    }
+}
+
+/// What a step looks at.
+fn for_each_read(graph: &Graph, plan: &Plan, step: Step, mut visit: impl FnMut(ValueId)) {
+    match step {
+        Step::Single(id) => graph.for_each_operand(id, visit),
+        Step::Pack(id) => graph.for_each_operand(id, |part| {
+            visit(part);
+            if let Kind::Broadcast(of, _) = graph.cell(part).kind {
+                visit(of);
+            }
+        }),
+        Step::Kernel(stage, lanes) => kernel_reads(graph, &plan.stages[stage].kernels[&lanes], &mut visit),
+        // What stays as it is where it is not enabled is its own.
+        Step::Sink(index) => graph.sinks[index].for_each_operand(&mut visit),
+    }
+}
+
+fn kernel_reads(graph: &Graph, kernel: &Kernel, visit: &mut dyn FnMut(ValueId)) {
+    let mut look = |id: ValueId| {
+        visit(id);
+        if let Kind::Broadcast(of, _) | Kind::Tile(of, _) = graph.cell(id).kind {
+            visit(of);
+        }
+    };
+    for &id in &kernel.cells {
+        look(id);
+        graph.cell(id).kind.for_each_operand(&mut look);
+    }
+    kernel.sinks.iter().for_each(|&sink| graph.sinks[sink].for_each_operand(&mut look));
+    if let Some(switch) = &kernel.switch {
+        visit(switch.subject);
+        switch.kernels.iter().for_each(|kernel| kernel_reads(graph, kernel, visit));
+    }
+}
+
+/// All steps, sinks as early as they may be.
+fn interleaved(graph: &Graph, plan: &Plan) -> Vec<Step> {
+    let mut steps: Vec<Step> = Vec::new();
+    for (number, stage) in plan.stages.iter().enumerate() {
+        steps.extend(stage.single.iter().map(|&id| Step::Single(id)));
+        steps.extend(stage.packed.iter().map(|&id| Step::Pack(id)));
+        steps.extend(stage.kernels.keys().map(|&lanes| Step::Kernel(number, lanes)));
+    }
+    // Per value: after which step it is there, and nobody looks at it any more.
+    let mut last: HashMap<ValueId, usize> = HashMap::new();
+    let mut words: HashMap<u32, usize> = HashMap::new();
+    for (position, &step) in steps.iter().enumerate() {
+        for_each_read(graph, plan, step, |id| {
+            last.insert(id, position);
+        });
+        let computed: &[ValueId] = match step {
+            Step::Single(id) | Step::Pack(id) => &[id],
+            Step::Kernel(stage, lanes) => &plan.stages[stage].kernels[&lanes].cells,
+            Step::Sink(_) => &[],
+        };
+        for &id in computed {
+            last.insert(id, position);
+            if let Kind::Read { memory, .. } = graph.cell(id).kind {
+                words.insert(memory, position);
+            }
+        }
+    }
+    let mut after: BTreeMap<Option<usize>, Vec<usize>> = BTreeMap::new();
+    for (index, sink) in graph.sinks.iter().enumerate().filter(|(_, sink)| sink.lanes(graph) == 1) {
+        let mut position = None;
+        sink.for_each_operand(|operand| position = position.max(last.get(&operand).copied()));
+        match *sink {
+            Sink::Register { state, .. } => position = position.max(last.get(&state).copied()),
+            Sink::Write { memory, .. } => {
+                position = position.max(words.get(&memory).copied());
+                // Ports write one after the other.
+                words.extend(position.map(|position| (memory, position)));
+            }
+            Sink::Show(_) => {}
+            Sink::Hold(_) => continue,
+        }
+        after.entry(position).or_default().push(index);
+    }
+    let sinks = |position| after.get(&position).into_iter().flatten().map(|&index| Step::Sink(index));
+    let rest =
+        steps.into_iter().enumerate().flat_map(|(position, step)| [step].into_iter().chain(sinks(Some(position))));
+    sinks(None).chain(rest).collect()
+}
+
+/// Stores the single values that one function computes and another looks at.
+fn store_between(graph: &Graph, plan: &mut Plan, pieces: &[Vec<Step>]) {
+    let mut made: HashMap<ValueId, usize> = HashMap::new();
+    let mut stored = BTreeSet::new();
+    for (number, piece) in pieces.iter().enumerate() {
+        for &step in piece {
+            for_each_read(graph, plan, step, |id| {
+                if made.get(&id).is_some_and(|&maker| maker != number) {
+                    stored.insert(id);
+                }
+            });
+            if let Step::Single(id) = step {
+                made.insert(id, number);
+            }
+        }
+    }
+    for sink in &graph.sinks {
+        if let Sink::Hold(value) = sink
+            && made.get(value).is_some_and(|&maker| maker + 1 != pieces.len())
+        {
+            stored.insert(*value);
+        }
+    }
+    plan.stored.extend(stored);
+}

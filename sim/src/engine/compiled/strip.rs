@@ -1,0 +1,381 @@
+//! The values of one strip of lanes: up to 64 bits in vectors; wider ones, and what has to do with them, lane by lane.
+
+use std::collections::HashMap;
+
+use cranelift_codegen::ir::{InstBuilder, Value, types};
+use tilewright_hdl::ir::Reduction;
+
+use super::function::{Emitter, offset};
+use super::lanes::{Lanes, Span};
+use super::layout::{GUARD, Place};
+use super::scalar::{Scalar, Scalars};
+use crate::engine::program::{Kind, ValueId};
+
+/// A strip while its code is emitted.
+#[derive(Debug)]
+pub(super) struct Strip {
+    /// Lanes at a time.
+    pub size: u32,
+    /// All lanes.
+    pub total: u32,
+    /// Lanes of a row.
+    pub row: u32,
+    pub lanes: Lanes,
+    /// Lane by lane.
+    singles: Vec<Scalars>,
+    /// The first lane, and the first lane within the row.
+    pub first: Option<Value>,
+    within: Option<Value>,
+    /// The state's address plus the first lane's distance, by the bytes of a lane; a place's offset is added to it.
+    addresses: HashMap<usize, Value>,
+    /// The first lane's words, by the address of their memory.
+    pub memories: HashMap<usize, Value>,
+    /// The words of all lanes, by memory and address, and that address.
+    pub words: HashMap<(u32, ValueId), (Value, Value)>,
+}
+
+impl Strip {
+    /// Strips of `size` lanes.
+    pub fn new(size: u32, total: u32, row: u32) -> Strip {
+        let singles = Vec::new();
+        let (addresses, memories, words) = (HashMap::new(), HashMap::new(), HashMap::new());
+        let lanes = Lanes::new(size);
+        Strip { size, total, row, lanes, singles, first: None, within: None, addresses, memories, words }
+    }
+
+    /// How many rows there are.
+    pub fn rows(&self) -> u32 {
+        self.total / self.row
+    }
+
+    /// Gives a value in one lane.
+    pub fn define_single(&mut self, lane: u32, id: ValueId, scalar: Scalar) {
+        self.singles[lane as usize].define(id, scalar);
+    }
+
+    /// The values lane by lane, to be restored when the branch that looks at them is done.
+    pub fn save(&self) -> Vec<Scalars> {
+        self.singles.clone()
+    }
+
+    /// What [`Strip::save`] gave.
+    pub fn restore(&mut self, singles: Vec<Scalars>) {
+        self.singles = singles;
+    }
+
+    /// Whether the last strip has lanes that do not exist.
+    pub fn is_padded(&self) -> bool {
+        !self.row.is_multiple_of(self.size)
+    }
+}
+
+impl Emitter<'_, '_, '_> {
+    /// Begins a strip.
+    pub(super) fn enter(&mut self, strip: &mut Strip, row: Option<Value>, within: Value) {
+        strip.singles = vec![Scalars::default(); strip.size as usize];
+        strip.addresses.clear();
+        strip.memories.clear();
+        strip.within = Some(within);
+        strip.first = Some(match row {
+            None => within,
+            Some(row) => {
+                let start = self.builder.ins().imul_imm_s(row, i64::from(strip.row));
+                self.builder.ins().iadd(start, within)
+            }
+        });
+    }
+
+    /// The state's address plus so many bytes a lane.
+    pub(super) fn address(&mut self, lane: Value, bytes: usize) -> Value {
+        let by = self.scaled(lane, bytes);
+        self.builder.ins().iadd(self.state, by)
+    }
+
+    /// A number times a constant.
+    pub(super) fn scaled(&mut self, number: Value, by: usize) -> Value {
+        match by {
+            1 => number,
+            _ if by.is_power_of_two() => {
+                let by = self.builder.ins().iconst(types::I64, i64::from(by.ilog2()));
+                self.builder.ins().ishl(number, by)
+            }
+            _ => {
+                let by = self.builder.ins().iconst(types::I64, by as i64);
+                self.builder.ins().imul(number, by)
+            }
+        }
+    }
+
+    /// The address of a strip's first lane, without the offset.
+    fn strip_address(&mut self, strip: &mut Strip, bytes: usize) -> Value {
+        if let Some(address) = strip.addresses.get(&bytes) {
+            return *address;
+        }
+        let address = self.address(strip.first.expect("it has begun"), bytes);
+        strip.addresses.insert(bytes, address);
+        address
+    }
+
+    fn side(&mut self, strip: &mut Strip, place: Place) -> Span {
+        let address = self.strip_address(strip, place.bytes());
+        Span { storage: place.element, address, offset: offset(place.offset), aligned: true }
+    }
+
+    /// Makes an operand available as a vector.
+    pub(super) fn vector(&mut self, strip: &mut Strip, id: ValueId) {
+        if strip.lanes.has(id) {
+            return;
+        }
+        let cell = self.graph.cell(id);
+        if strip.singles[0].get(id).is_some() {
+            let singles = strip.singles.iter_mut();
+            let lanes: Vec<Value> = singles.map(|single| single.clean(self.builder, id)[0]).collect();
+            strip.lanes.gather(self.builder, id, cell.width, &lanes);
+            return;
+        }
+        match &cell.kind {
+            Kind::Const(bits) => strip.lanes.constant(id, bits),
+            // What it is made from may have changed since another loop stored it.
+            Kind::Tile(..) | Kind::Broadcast(..) if !self.addresses.has(id) => self.lane_cell(strip, id),
+            _ => {
+                let side = self.side(strip, self.addresses.of(id));
+                strip.lanes.load(self.builder, id, cell.width, side);
+            }
+        }
+    }
+
+    /// Makes an operand available lane by lane.
+    fn singles(&mut self, strip: &mut Strip, id: ValueId) {
+        if strip.singles[0].get(id).is_some() {
+            return;
+        }
+        let cell = self.graph.cell(id);
+        for lane in 0..strip.size {
+            if strip.lanes.has(id) {
+                let clean = strip.lanes.extract(self.builder, id, lane);
+                strip.singles[lane as usize].define(id, Scalar::clean(cell.width, clean));
+                continue;
+            }
+            match &cell.kind {
+                Kind::Const(bits) => strip.singles[lane as usize].constant(self.builder, id, bits),
+                Kind::Broadcast(of, _) if self.graph.cell(*of).lanes == 1 => {
+                    let uniform = self.scalars.get(*of).expect("it was made available before the loop").clone();
+                    strip.singles[lane as usize].define(id, uniform);
+                }
+                Kind::Broadcast(..) | Kind::Tile(..) if !self.addresses.has(id) => {
+                    self.lane_cell(strip, id);
+                    return self.singles(strip, id);
+                }
+                _ => {
+                    let place = self.addresses.of(id);
+                    let at = self.strip_address(strip, place.bytes());
+                    let offset = offset(place.lane(lane));
+                    let single = &mut strip.singles[lane as usize];
+                    single.load(self.builder, id, place.width, place.integer(), at, offset);
+                }
+            }
+        }
+    }
+
+    /// Makes an operand available in the form that suits its width.
+    pub(super) fn available(&mut self, strip: &mut Strip, id: ValueId) {
+        if self.graph.cell(id).width <= 64 { self.vector(strip, id) } else { self.singles(strip, id) }
+    }
+
+    /// An operand's clean limbs in one lane; it has up to [`LONGEST`](super::scalar::LONGEST) bits.
+    pub(super) fn limbs(&mut self, strip: &mut Strip, id: ValueId, lane: u32) -> Vec<Value> {
+        if self.graph.cell(id).width <= 64 {
+            self.vector(strip, id);
+            return vec![strip.lanes.extract(self.builder, id, lane)];
+        }
+        self.singles(strip, id);
+        strip.singles[lane as usize].clean(self.builder, id)
+    }
+
+    /// Stores a value of more than [`LONGEST`](super::scalar::LONGEST) bits in one lane.
+    pub(super) fn store_long(&mut self, strip: &mut Strip, id: ValueId, lane: u32, at: Value, offset: i32) {
+        self.singles(strip, id);
+        strip.singles[lane as usize].store(self.builder, id, 64, at, offset);
+    }
+
+    /// Stores the lanes of a value.
+    pub(super) fn store_lanes(&mut self, strip: &mut Strip, id: ValueId, place: Place) {
+        if place.width <= 64 {
+            self.vector(strip, id);
+            let side = self.side(strip, place);
+            strip.lanes.store(self.builder, id, side);
+            return;
+        }
+        self.singles(strip, id);
+        let at = self.strip_address(strip, place.bytes());
+        for lane in 0..strip.size {
+            let offset = offset(place.lane(lane));
+            strip.singles[lane as usize].store(self.builder, id, 64, at, offset);
+        }
+    }
+
+    /// Computes an elementwise operation.
+    pub(super) fn elementwise(&mut self, strip: &mut Strip, id: ValueId, kind: &Kind, width: u32) {
+        let mut is_narrow = width <= 64;
+        kind.for_each_operand(|operand| is_narrow &= self.graph.cell(operand).width <= 64);
+        if is_narrow {
+            kind.for_each_operand(|operand| self.vector(strip, operand));
+            strip.lanes.evaluate(self.builder, id, kind, width);
+            return;
+        }
+        kind.for_each_operand(|operand| self.singles(strip, operand));
+        for single in &mut strip.singles {
+            single.evaluate(self.builder, id, kind, width);
+        }
+        if width <= 64 {
+            let singles = strip.singles.iter_mut();
+            let lanes: Vec<Value> = singles.map(|single| single.clean(self.builder, id)[0]).collect();
+            strip.lanes.gather(self.builder, id, width, &lanes);
+        }
+    }
+
+    /// Computes a cell of a kernel.
+    pub(super) fn lane_cell(&mut self, strip: &mut Strip, id: ValueId) {
+        let cell = self.graph.cell(id);
+        match &cell.kind {
+            Kind::Read { memory, address } => self.read_lanes(strip, id, *memory, *address),
+            // Made available before the loop.
+            Kind::Broadcast(..) if strip.lanes.has(id) => {}
+            Kind::Broadcast(of, _) if self.graph.cell(*of).lanes == 1 => self.singles(strip, id),
+            Kind::Broadcast(of, n) => {
+                let (n, total) = (*n, strip.total);
+                self.collect(strip, id, *of, |emitter, lane| emitter.divided(lane, total, n).0);
+            }
+            Kind::Tile(of, _) => self.tile(strip, id, *of),
+            Kind::Lane { of, index, group } => {
+                let (index, group) = (i64::from(*index), *group as usize);
+                self.collect(strip, id, *of, |emitter, lane| {
+                    let start = emitter.scaled(lane, group);
+                    emitter.builder.ins().iadd_imm_s(start, index)
+                });
+            }
+            Kind::Shifted { of, by, .. } => self.neighbour(strip, id, *of, *by),
+            Kind::Reduce { by, of, group } => return self.accumulate(strip, id, *by, *of, *group),
+            kind => self.elementwise(strip, id, kind, cell.width),
+        }
+        if self.plan.stored.contains(&id) {
+            self.store_lanes(strip, id, self.addresses.of(id));
+        }
+    }
+
+    /// Loads from any lane, by its number: for each lane of the strip one of `of`.
+    fn collect(&mut self, strip: &mut Strip, id: ValueId, of: ValueId, from: impl Fn(&mut Self, Value) -> Value) {
+        let width = self.graph.cell(id).width;
+        for lane in 0..strip.size {
+            let at = self.existing(strip, lane);
+            let from = from(self, at);
+            let mut single = std::mem::take(&mut self.scalars);
+            self.load_lane(id, of, from);
+            std::mem::swap(&mut single, &mut self.scalars);
+            strip.singles[lane as usize].define(id, single.get(id).expect("it was loaded").clone());
+        }
+        if width <= 64 {
+            self.vector(strip, id);
+        }
+    }
+
+    /// The number of a lane of the strip, or of the last lane that exists.
+    pub(super) fn existing(&mut self, strip: &Strip, lane: u32) -> Value {
+        let at = self.builder.ins().iadd_imm_s(strip.first.expect("it has begun"), i64::from(lane));
+        if !strip.is_padded() {
+            return at;
+        }
+        let last = self.builder.ins().iconst(types::I64, i64::from(strip.total - 1));
+        self.builder.ins().umin(at, last)
+    }
+
+    /// A row that is the same for all rows.
+    fn tile(&mut self, strip: &mut Strip, id: ValueId, of: ValueId) {
+        let n = self.graph.cell(of).lanes;
+        let is_constant = matches!(self.graph.cell(of).kind, Kind::Const(_));
+        if !is_constant && n == strip.row && self.graph.cell(id).width <= 64 {
+            let place = self.addresses.of(of);
+            let address = self.address(strip.within.expect("it has begun"), place.bytes());
+            // Its own strips are of other sizes.
+            let aligned = (strip.size * place.element).is_multiple_of(128);
+            let side = Span { storage: place.element, address, offset: offset(place.offset), aligned };
+            strip.lanes.load(self.builder, id, self.graph.cell(id).width, side);
+            return;
+        }
+        let total = strip.total;
+        self.collect(strip, id, of, |emitter, lane| emitter.divided(lane, total, n).1);
+    }
+
+    /// For each lane the one `by` lanes before it; anything, where that is beyond the edge of its group.
+    fn neighbour(&mut self, strip: &mut Strip, id: ValueId, of: ValueId, by: i32) {
+        let width = self.graph.cell(id).width;
+        if let Kind::Const(bits) = &self.graph.cell(of).kind
+            && width <= 64
+        {
+            return strip.lanes.constant(id, bits);
+        }
+        let reach = by.unsigned_abs() as usize * 8;
+        if width <= 64 && reach <= GUARD / 2 && !matches!(self.graph.cell(of).kind, Kind::Const(_)) {
+            let place = self.addresses.of(of);
+            let address = self.strip_address(strip, place.bytes());
+            let offset = offset(place.offset) - by * place.bytes() as i32;
+            let side = Span { storage: place.element, address, offset, aligned: false };
+            strip.lanes.load(self.builder, id, width, side);
+            return;
+        }
+        let (by, total) = (i64::from(by), i64::from(strip.total));
+        self.collect(strip, id, of, |emitter, lane| {
+            let from = emitter.builder.ins().iadd_imm_s(lane, -by);
+            // Before the first lane is far behind the last one.
+            let limit = emitter.builder.ins().iconst(types::I64, total - 1);
+            emitter.builder.ins().umin(from, limit)
+        });
+    }
+
+    /// Combines a strip's lanes, one by one, into the groups' results in memory.
+    fn accumulate(&mut self, strip: &mut Strip, id: ValueId, by: Reduction, of: ValueId, group: u32) {
+        self.singles(strip, of);
+        let (place, width) = (self.addresses.of(id), self.graph.cell(id).width);
+        for lane in 0..strip.size {
+            let at = self.builder.ins().iadd_imm_s(strip.first.expect("it has begun"), i64::from(lane));
+            // With one group, lanes that do not exist add nothing to it.
+            let (target, within) = match group == strip.total {
+                true => (self.builder.ins().iconst(types::I64, 0), at),
+                false => {
+                    let (target, within) = self.divided(at, strip.total, group);
+                    // Groups that do not exist go behind the last one.
+                    let behind = self.builder.ins().iconst(types::I64, i64::from(place.lanes));
+                    (if strip.is_padded() { self.builder.ins().umin(target, behind) } else { target }, within)
+                }
+            };
+            let at = self.address(target, place.bytes());
+            let (before, both, first, all) = (self.id(), self.id(), self.id(), self.id());
+            let zero = self.builder.ins().iconst(types::I64, 0);
+            let is_first = self.builder.ins().icmp(cranelift_codegen::ir::condcodes::IntCC::Equal, within, zero);
+            let single = &mut strip.singles[lane as usize];
+            let b = &mut *self.builder;
+            single.load(b, before, width, place.integer(), at, offset(place.offset));
+            single.evaluate(b, both, &Kind::Binary(by.operator(), before, of), width);
+            single.define_flag(first, is_first);
+            single.evaluate(b, all, &Kind::Mux { select: first, on_true: of, on_false: both }, width);
+            single.store(b, all, place.integer(), at, offset(place.offset));
+        }
+    }
+
+    /// The group, of an array of `total` lanes, that a lane is in, and its place there.
+    pub(super) fn divided(&mut self, lane: Value, total: u32, group: u32) -> (Value, Value) {
+        // By a reciprocal, which is exact for lanes below 2 to the 20 in groups below that.
+        const SHIFT: u32 = 40;
+        let quotient = if total < 1 << 19 {
+            let reciprocal = (1u64 << SHIFT) / u64::from(group) + 1;
+            let scaled = self.builder.ins().imul_imm_s(lane, reciprocal as i64);
+            let by = self.builder.ins().iconst(types::I64, i64::from(SHIFT));
+            self.builder.ins().ushr(scaled, by)
+        } else {
+            let group = self.builder.ins().iconst(types::I64, i64::from(group));
+            self.builder.ins().udiv(lane, group)
+        };
+        let start = self.builder.ins().imul_imm_s(quotient, i64::from(group));
+        (quotient, self.builder.ins().isub(lane, start))
+    }
+}

@@ -1,0 +1,138 @@
+//! What executes a circuit: the interface that every engine has, and the engines.
+
+mod choice;
+mod compiled;
+mod lockstep;
+mod passes;
+pub mod program;
+mod reference;
+mod semantics;
+mod start;
+
+use std::fmt;
+
+use tilewright_hdl::Bits;
+
+pub use choice::EngineKind;
+pub(crate) use choice::Started;
+pub use compiled::Unsupported;
+pub use passes::Passes;
+use program::{Program, Triggers, ValueId};
+
+/// An assertion that does not hold.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Failed {
+    /// Its index in [`Program::asserts`](crate::engine::program::Program::asserts).
+    pub assert: u32,
+    /// The lane of its scope.
+    pub lane: u32,
+}
+
+/// What has been done of what was asked for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Done {
+    /// How many edges.
+    pub edges: u64,
+    /// What may have changed.
+    pub changed: Triggers,
+}
+
+/// A word of a memory.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) struct Word {
+    /// The memory, by index.
+    pub memory: u32,
+    /// The lane.
+    pub lane: u32,
+    /// The address in it.
+    pub address: u32,
+}
+
+/// Where two engines first differ.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Difference {
+    /// The signal's hierarchical name, that of a memory with the address, or an instance and the message of an assertion
+    /// in it, which is 1 if it holds.
+    pub signal: String,
+    /// How many instants had passed.
+    pub instant: u64,
+    /// The clocks that rose then; none if the inputs of a later moment make the difference.
+    pub clocks: Vec<String>,
+    /// What the reference engine has.
+    pub reference: Bits,
+    /// What the other one has.
+    pub other: Bits,
+}
+
+impl fmt::Display for Difference {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let Difference { signal, instant, clocks, reference, other } = self;
+        let moment = match &clocks[..] {
+            [] => "before the next edge".to_owned(),
+            clocks => format!("an edge of {}", clocks.join(" and ")),
+        };
+        write!(
+            f,
+            "the engines differ in `{signal}` after instant {instant}, {moment}: the reference engine has {reference:?}, \
+             the other one {other:?}: this is a mistake in tilewright, please report the design"
+        )
+    }
+}
+
+impl std::error::Error for Difference {}
+
+/// A running circuit.
+///
+/// Values are exchanged as 64-bit limbs, lane after lane, the lowest limb first, with zeros above the width.
+pub(crate) trait Engine: Send {
+    /// A value in all lanes, computed if it has to be.
+    fn read(&mut self, id: ValueId) -> &[u64];
+
+    /// Sets an input, all lanes of it.
+    fn write(&mut self, id: ValueId, limbs: &[u64], triggers: Triggers);
+
+    /// A word of a memory.
+    fn word(&self, memory: u32, lane: u32, address: u32) -> Vec<u64>;
+
+    /// Replaces a word of a memory.
+    fn set_word(&mut self, memory: u32, lane: u32, address: u32, limbs: &[u64]);
+
+    /// Sets a clock's reset.
+    fn set_reset(&mut self, clock: usize, high: bool);
+
+    /// The assertions that fail at an edge of these clocks.
+    fn check(&mut self, rising: &[usize]) -> Vec<Failed>;
+
+    /// So many edges of these clocks, one after another, with nothing in between; none before which an assertion fails.
+    /// At an edge all of them sample, then their registers, read data and memories change.
+    ///
+    /// # Errors
+    ///
+    /// Two engines side by side differ.
+    fn edges(&mut self, rising: &[usize], count: u64) -> Result<Done, Box<Difference>>;
+
+    /// That two engines side by side have agreed so far, also on what follows from the inputs of this moment.
+    ///
+    /// # Errors
+    ///
+    /// They differ.
+    fn agree(&mut self) -> Result<(), Box<Difference>> {
+        Ok(())
+    }
+
+    /// Whether a value is certainly as it was when this was last asked with the same `seen`, in which an engine notes what
+    /// it likes; empty the first time. Cheaper than to read it.
+    fn is_as_seen(&mut self, _id: ValueId, _seen: &mut Vec<u64>) -> bool {
+        false
+    }
+
+    /// Prepares for these values being read together.
+    fn watch(&mut self, _values: &[ValueId]) {}
+}
+
+/// One lane of a value, settled.
+pub(crate) fn lane(program: &Program, engine: &mut dyn Engine, id: ValueId, lane: u32) -> Bits {
+    let value = program.value(id);
+    let start = lane as usize * value.limbs();
+    Bits::from_limbs(value.width, &engine.read(id)[start..start + value.limbs()])
+}

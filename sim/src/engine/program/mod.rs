@@ -1,0 +1,321 @@
+//! The compiled form of a circuit: flat, in order of evaluation, with its storage laid out. It says what to compute
+//! and when, and nothing about what executes it, so that every engine reads the same program.
+//!
+//! A [`Value`] is `lanes x width` bits. An instance array stays whole: a value inside an array of `n` inside an
+//! array of `m` has `m * n` lanes, and lane `outer * n + inner` belongs to that pair of instances. Most operations
+//! are elementwise over equal lane counts; the lane operations of [`Kind`] lead from one lane count to another. A
+//! program of several runs of a design is the array of so many top modules.
+//!
+//! Operations are grouped into [`Segment`]s by what can change them and by who needs them, so that an edge of one
+//! clock evaluates nothing that depends on another clock alone.
+
+mod compile;
+mod flatten;
+pub mod hierarchy;
+mod instances;
+mod kind;
+mod lift;
+mod netlist;
+mod order;
+pub(crate) mod rules;
+mod schedule;
+mod simplify;
+
+use crate::engine::Passes;
+use tilewright_hdl::ir::{Contents, ReadUnderWrite};
+use tilewright_hdl::{Bits, Loc, limbs_for};
+
+pub use compile::{compile, compile_lanes, most_lanes};
+pub use hierarchy::Hierarchy;
+pub use kind::Kind;
+
+/// A value's place in [`Program::values`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct ValueId(pub u32);
+
+impl ValueId {
+    /// The id as an index.
+    pub fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+/// What can make a segment's results stale: a bit for each clock's state and for each clock's inputs.
+///
+/// From the 33rd clock on, several share a bit; then a segment may be evaluated more often than it has to be.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Default)]
+pub struct Triggers(u64);
+
+impl Triggers {
+    /// Nothing.
+    pub const NONE: Triggers = Triggers(0);
+    /// Everything.
+    pub const ALL: Triggers = Triggers(u64::MAX);
+
+    /// The registers, read data and memory words that change at an edge of this clock.
+    pub fn state(clock: usize) -> Triggers {
+        Triggers(1 << (2 * (clock % 32)))
+    }
+
+    /// The inputs that belong to this clock; those without a clock count as the first clock's.
+    pub fn inputs(clock: usize) -> Triggers {
+        Triggers(2 << (2 * (clock % 32)))
+    }
+
+    /// Both together.
+    pub fn with(self, other: Triggers) -> Triggers {
+        Triggers(self.0 | other.0)
+    }
+
+    /// Whether they have something in common.
+    pub fn meet(self, other: Triggers) -> bool {
+        self.0 & other.0 != 0
+    }
+
+    /// Whether all of these are among `others`.
+    pub fn within(self, others: Triggers) -> bool {
+        self.0 & !others.0 == 0
+    }
+
+    /// How many there are.
+    pub fn count(self) -> u32 {
+        self.0.count_ones()
+    }
+}
+
+/// Who needs a segment's results: the edges of which clocks, and whether an output port.
+///
+/// From the 64th clock on, several share a bit.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Default)]
+pub struct Readers(u64);
+
+impl Readers {
+    /// Nobody: results that are there for peeking and for waves.
+    pub const NONE: Readers = Readers(0);
+    /// An output port.
+    pub const OUTPUT: Readers = Readers(1);
+
+    /// What an edge of this clock samples.
+    pub fn edge(clock: usize) -> Readers {
+        Readers(2 << (clock % 63))
+    }
+
+    /// Both together.
+    pub fn with(self, other: Readers) -> Readers {
+        Readers(self.0 | other.0)
+    }
+
+    /// Whether they have something in common.
+    pub fn meet(self, other: Readers) -> bool {
+        self.0 & other.0 != 0
+    }
+
+    /// How many there are.
+    pub fn count(self) -> u32 {
+        self.0.count_ones()
+    }
+}
+
+/// A circuit ready to run.
+#[derive(Debug, Clone)]
+pub struct Program {
+    /// Every value in order of storage: what inputs and state hold, then constants, then results in order of
+    /// evaluation.
+    pub values: Vec<Value>,
+    /// How many 64-bit limbs all values take.
+    pub storage: usize,
+    /// The limb at which the state ends and constants and results begin.
+    pub state_end: usize,
+    /// The values that never change.
+    pub constants: Vec<(ValueId, Bits)>,
+    /// The operations, each after those that it depends on.
+    pub operations: Vec<Operation>,
+    /// The operations' grouping, in order of evaluation.
+    pub segments: Vec<Segment>,
+    /// The clocks of the top module.
+    pub clocks: Vec<Clock>,
+    /// Input ports of the top module.
+    pub inputs: Vec<Port>,
+    /// Output ports of the top module.
+    pub outputs: Vec<Port>,
+    /// The registers.
+    pub registers: Vec<Register>,
+    /// The memories.
+    pub memories: Vec<Memory>,
+    /// What must hold at edges.
+    pub asserts: Vec<Assert>,
+    /// The names of it all.
+    pub hierarchy: Hierarchy,
+    /// How it was made, and how code is to be.
+    pub passes: Passes,
+}
+
+/// A value: its shape and its place in the storage.
+#[derive(Debug, Clone, Copy)]
+pub struct Value {
+    /// The number of lanes, at least 1.
+    pub lanes: u32,
+    /// The width of a lane in bits, at least 1.
+    pub width: u32,
+    /// The first limb. Lane `i` has the limbs `offset + i * limbs ..` of [`Value::limbs`] each, the lowest first.
+    pub offset: usize,
+    /// The segment that computes it; `None` for state and constants.
+    pub segment: Option<u32>,
+}
+
+impl Value {
+    /// How many limbs one lane takes.
+    pub fn limbs(&self) -> usize {
+        limbs_for(self.width)
+    }
+
+    /// Where all lanes are in the storage.
+    pub fn range(&self) -> std::ops::Range<usize> {
+        self.offset..self.offset + self.lanes as usize * self.limbs()
+    }
+}
+
+/// One step of evaluation.
+#[derive(Debug, Clone)]
+pub struct Operation {
+    /// What it computes.
+    pub result: ValueId,
+    /// How.
+    pub kind: Kind,
+}
+
+/// A run of operations that become stale by the same triggers and have the same readers.
+#[derive(Debug, Clone)]
+pub struct Segment {
+    /// Its place in [`Program::operations`].
+    pub operations: std::ops::Range<usize>,
+    /// What makes it stale.
+    pub triggers: Triggers,
+    /// Who needs it.
+    pub readers: Readers,
+    /// The earlier segments that it may depend on, in order of evaluation.
+    pub needs: Vec<u32>,
+}
+
+/// A clock and all that happens at its edges.
+#[derive(Debug, Clone)]
+pub struct Clock {
+    /// The clock's name: that of the description, or `clk` for the default clock.
+    pub name: String,
+    /// The port in Verilog.
+    pub port: String,
+    /// The reset port in Verilog, if anything has a reset.
+    pub reset: Option<String>,
+    /// The period in picoseconds.
+    pub period: u64,
+    /// What can make its edge do something else than the last time.
+    pub triggers: Triggers,
+    /// Its registers, by index in [`Program::registers`].
+    pub registers: Vec<u32>,
+    /// Its read ports, by memory and index in [`Memory::reads`].
+    pub reads: Vec<(u32, u32)>,
+    /// Its write ports, by memory and index in [`Memory::writes`], a later one of a memory wins.
+    pub writes: Vec<(u32, u32)>,
+    /// Its asserts, by index in [`Program::asserts`].
+    pub asserts: Vec<u32>,
+}
+
+/// A port of the top module.
+#[derive(Debug, Clone)]
+pub struct Port {
+    /// Its name in Verilog.
+    pub name: String,
+    /// Its path in the bundle.
+    pub path: String,
+    /// Its value, with as many lanes as the program has.
+    pub value: ValueId,
+    /// What a change of this input makes stale; none for an output.
+    pub triggers: Triggers,
+}
+
+/// A register, in all lanes of its array.
+#[derive(Debug, Clone)]
+pub struct Register {
+    /// What it holds.
+    pub value: ValueId,
+    /// Its clock, by index in [`Program::clocks`].
+    pub clock: u32,
+    /// The value of every lane after a reset.
+    pub reset: Option<Bits>,
+    /// 1 bit a lane: whether it takes `next`; `None` means always.
+    pub enable: Option<ValueId>,
+    /// What it takes.
+    pub next: ValueId,
+}
+
+/// A memory, in all lanes of its array.
+#[derive(Debug, Clone)]
+pub struct Memory {
+    /// The number of lanes.
+    pub lanes: u32,
+    /// The number of words in a lane.
+    pub depth: u32,
+    /// The width of a word in bits.
+    pub width: u32,
+    /// What a synchronous read gives when its word is written at the same edge.
+    pub policy: ReadUnderWrite,
+    /// What every lane holds at the start.
+    pub contents: Contents,
+    /// Synchronous read ports.
+    pub reads: Vec<ReadPort>,
+    /// Write ports.
+    pub writes: Vec<WritePort>,
+}
+
+/// A synchronous read port.
+#[derive(Debug, Clone)]
+pub struct ReadPort {
+    /// Its clock, by index in [`Program::clocks`].
+    pub clock: u32,
+    /// The address.
+    pub address: ValueId,
+    /// 1 bit a lane: whether it reads; `None` means always.
+    pub enable: Option<ValueId>,
+    /// The data register.
+    pub value: ValueId,
+}
+
+/// A write port.
+#[derive(Debug, Clone)]
+pub struct WritePort {
+    /// Its clock, by index in [`Program::clocks`].
+    pub clock: u32,
+    /// 1 bit a lane: whether it writes.
+    pub enable: ValueId,
+    /// The address.
+    pub address: ValueId,
+    /// The word.
+    pub data: ValueId,
+}
+
+/// A condition that must hold at every edge of its clock while that clock's reset is low.
+#[derive(Debug, Clone)]
+pub struct Assert {
+    /// Its clock, by index in [`Program::clocks`].
+    pub clock: u32,
+    /// 1 bit a lane.
+    pub condition: ValueId,
+    /// What is wrong if it does not hold.
+    pub message: String,
+    /// Where the description states it.
+    pub loc: Loc,
+    /// The scope that it stands in; several for instances that run in lanes but were written one by one.
+    pub scopes: Vec<hierarchy::ScopeId>,
+}
+
+impl Program {
+    /// How many runs of the design there are side by side.
+    pub fn lanes(&self) -> u32 {
+        self.hierarchy.scopes[0].lanes
+    }
+
+    /// The value of that id.
+    pub fn value(&self, id: ValueId) -> &Value {
+        &self.values[id.index()]
+    }
+}

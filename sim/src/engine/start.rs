@@ -1,0 +1,101 @@
+//! What registers and memories hold before the first edge, for whatever engine is to hold it.
+
+use std::ops::Range;
+
+use tilewright_hdl::ir::Contents;
+use tilewright_hdl::{limbs_for, top_mask};
+
+use crate::engine::program::hierarchy::{Place, Role};
+use crate::engine::program::{Memory, Program, ValueId};
+
+/// State that is zero at first, and told what is not.
+pub(crate) trait State {
+    /// The value that each of these lanes of a register, or of read data, has.
+    fn set(&mut self, id: ValueId, lanes: Range<u32>, limbs: &[u64]);
+
+    /// The word that each of these lanes of a memory has at each of these addresses.
+    fn set_words(&mut self, memory: u32, lanes: Range<u32>, addresses: Range<u32>, limbs: &[u64]);
+}
+
+/// Sets registers to their reset values, memories to their contents, and the rest from the seed of its run, zeros if
+/// that is 0.
+pub(crate) fn start(program: &Program, seeds: &[u64], state: &mut impl State) {
+    for (index, memory) in (0..).zip(&program.memories) {
+        fill_memory(index, memory, state);
+    }
+    for (run, &seed) in (0..).zip(seeds).filter(|(_, seed)| **seed != 0) {
+        scatter(program, run, seed, state);
+    }
+    for register in &program.registers {
+        if let Some(reset) = &register.reset
+            && (seeds.iter().any(|&seed| seed != 0) || !reset.is_zero())
+        {
+            state.set(register.value, 0..program.value(register.value).lanes, reset.limbs());
+        }
+    }
+}
+
+/// The contents of a memory, the same in all lanes.
+fn fill_memory(index: u32, memory: &Memory, state: &mut impl State) {
+    match &memory.contents {
+        Contents::Unknown => {}
+        Contents::Fill(word) if word.is_zero() => {}
+        Contents::Fill(word) => state.set_words(index, 0..memory.lanes, 0..memory.depth, word.limbs()),
+        Contents::Words(words) => {
+            for (address, word) in (0..memory.depth).zip(words).filter(|(_, word)| !word.is_zero()) {
+                state.set_words(index, 0..memory.lanes, address..address + 1, word.limbs());
+            }
+        }
+    }
+}
+
+/// Fills registers, read data and unknown memories of a run with numbers that depend on the seed and the name alone, so that an
+/// array starts the same whether it runs in lanes or unrolled.
+fn scatter(program: &Program, run: u32, seed: u64, state: &mut impl State) {
+    for place in program.hierarchy.places(run) {
+        let scope = program.hierarchy.scope(place.scope);
+        let path = |name: &str| hash(seed, &program.hierarchy.path_in(place, name));
+        for signal in &scope.signals {
+            if matches!(signal.role, Role::Register | Role::ReadData) {
+                let width = program.value(signal.value).width;
+                state.set(signal.value, place.lane..place.lane + 1, &number(path(&signal.name), width));
+            }
+        }
+        for (name, index) in &scope.memories {
+            scatter_memory(*index, &program.memories[*index as usize], place, path(name), state);
+        }
+    }
+}
+
+fn scatter_memory(index: u32, memory: &Memory, place: Place, key: u64, state: &mut impl State) {
+    if memory.contents != Contents::Unknown {
+        return;
+    }
+    for address in 0..memory.depth {
+        let word = number(mix(key ^ mix(u64::from(address))), memory.width);
+        state.set_words(index, place.lane..place.lane + 1, address..address + 1, &word);
+    }
+}
+
+/// A number of `width` bits drawn from `key`.
+fn number(key: u64, width: u32) -> Vec<u64> {
+    let mut limbs: Vec<u64> = (0..limbs_for(width) as u64).map(|i| mix(key.wrapping_add(i))).collect();
+    *limbs.last_mut().expect("a value has a limb") &= top_mask(width);
+    limbs
+}
+
+/// The finalizer of the SplitMix64 generator.
+fn mix(seed: u64) -> u64 {
+    let z = seed.wrapping_add(0x9e37_79b9_7f4a_7c15);
+    let z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    z ^ (z >> 31)
+}
+
+/// The FNV-1a hash of a name, mixed with the seed.
+fn hash(seed: u64, name: &str) -> u64 {
+    let fnv = name
+        .bytes()
+        .fold(0xcbf2_9ce4_8422_2325, |hash: u64, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3));
+    mix(seed ^ mix(fnv))
+}

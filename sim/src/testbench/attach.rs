@@ -1,0 +1,178 @@
+//! What can watch a simulation, and how it is attached.
+
+use tilewright_hdl::Bundle;
+
+use crate::testbench::error::Error;
+use crate::testbench::lookup::{self, Found};
+use crate::testbench::port::Port;
+use crate::testbench::simulation::Simulation;
+use crate::testbench::trace::{Draw, Dump, Recorder, Source, Vcd, Wave, Window, header};
+
+/// What a wave shows: a port, or anything with a name.
+#[derive(Debug, Clone)]
+pub enum Probe {
+    /// A port of the top module.
+    Port(Port),
+    /// A hierarchical name.
+    Path(String),
+}
+
+impl From<Port> for Probe {
+    fn from(port: Port) -> Probe {
+        Probe::Port(port)
+    }
+}
+
+impl From<&str> for Probe {
+    fn from(path: &str) -> Probe {
+        Probe::Path(path.to_string())
+    }
+}
+
+impl<I: Bundle, O: Bundle> Simulation<I, O> {
+    /// Writes a waveform file from here on; [`Simulation::finish`] ends it.
+    ///
+    /// # Errors
+    ///
+    /// The file cannot be created, a pattern matches nothing, or there is no such clock.
+    pub fn trace(&mut self, vcd: Vcd) -> Result<(), Error> {
+        self.trace_run(0, vcd)
+    }
+
+    pub(crate) fn trace_run(&mut self, run: u32, vcd: Vcd) -> Result<(), Error> {
+        let header = header(&self.program, run, &vcd.patterns)?;
+        let window = match &vcd.window {
+            None => 0..u64::MAX,
+            Some(Window::Time(times)) => times.clone(),
+            Some(Window::Cycles(clock, cycles)) => {
+                let period = self.program.clocks[self.clock(clock)?].period;
+                cycles.start.saturating_mul(period)..cycles.end.saturating_mul(period)
+            }
+        };
+        self.engine.watch(&header.variables.iter().map(|variable| variable.value).collect::<Vec<_>>());
+        self.observers.push(Box::new(Dump::new(vcd, &self.program, header, window)?));
+        Ok(())
+    }
+
+    /// The header of the file that [`Simulation::trace`] would write: from `$version` to `$enddefinitions`.
+    ///
+    /// # Errors
+    ///
+    /// A pattern matches nothing.
+    pub fn trace_header(&self, vcd: &Vcd) -> Result<Vec<u8>, Error> {
+        Ok(header(&self.program, 0, &vcd.patterns)?.text)
+    }
+
+    /// Records inputs and outputs at every instant from here on, and what memories were poked with before the first step.
+    ///
+    /// # Panics
+    ///
+    /// After the first step, or with a seed: a replay could not start from the same state.
+    #[track_caller]
+    pub fn recording(&mut self) -> Recorder {
+        self.recording_of(0)
+    }
+
+    #[track_caller]
+    pub(crate) fn recording_of(&mut self, run: u32) -> Recorder {
+        let seed = self.engine.seeds[run as usize];
+        assert!(self.timeline.time == 0, "a recording starts before the first step");
+        assert!(seed == 0, "a recording starts from zeros, not from seed {seed}");
+        let recorder = Recorder::of(run, self.poked.clone());
+        self.recorded.push(run);
+        self.observers.push(Box::new(recorder.clone()));
+        recorder
+    }
+
+    /// Draws a wave of these ports and signals, by [`Port`] or by name, from here on.
+    ///
+    /// # Panics
+    ///
+    /// There is no such name.
+    #[track_caller]
+    pub fn record(&mut self, what: impl IntoIterator<Item = impl Into<Probe>>) -> Wave {
+        self.record_run(0, what)
+    }
+
+    #[track_caller]
+    pub(crate) fn record_run(&mut self, run: u32, what: impl IntoIterator<Item = impl Into<Probe>>) -> Wave {
+        let mut sources = Vec::new();
+        for probe in what {
+            sources.push(self.source(run, probe.into()));
+        }
+        self.engine.watch(&sources.iter().map(|source| source.value).collect::<Vec<_>>());
+        let clocks = self.program.clocks.iter().map(|clock| (clock.port.clone(), clock.period)).collect();
+        let wave = Wave::new(clocks, sources);
+        self.observers.push(Box::new(Draw(wave.clone())));
+        wave
+    }
+
+    #[track_caller]
+    fn source(&self, run: u32, probe: Probe) -> Source {
+        let name = match probe {
+            Probe::Port(port) => self.declared(port).name.clone(),
+            Probe::Path(path) => path,
+        };
+        match lookup::signal(&self.program.hierarchy, &name, run) {
+            Ok(Found { signal, lane }) => Source { value: signal.value, lane, states: signal.states.clone(), name },
+            Err(unknown) => panic!("{unknown}"),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use tilewright_hdl::{Block, Module, Width, bits, bundle};
+
+    use super::*;
+
+    bundle! {
+        pub struct In<T> { pub x: T }
+        pub struct Out<T> { pub y: T }
+    }
+
+    /// A register.
+    #[derive(Debug, Clone, PartialEq, Eq, Hash)]
+    struct Delay;
+
+    impl Block for Delay {
+        type In = In;
+        type Out = Out;
+
+        fn inputs(&self) -> In<Width> {
+            In { x: bits(8) }
+        }
+
+        fn build(&self, m: Module, i: In) -> Out {
+            let y = m.reg("y", 8).reset(0);
+            y.next(i.x);
+            Out { y: y.value() }
+        }
+    }
+
+    #[test]
+    fn a_header_is_what_the_file_begins_with_and_needs_no_file() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("delay.vcd");
+        for vcd in [Vcd::to(&file), Vcd::to(&file).only("y").times(0..5_000)] {
+            let mut sim = Simulation::of(&Delay).unwrap();
+            let header = String::from_utf8(sim.trace_header(&vcd).unwrap()).unwrap();
+            assert!(!file.exists());
+            assert!(header.starts_with("$version\n") && header.ends_with("$enddefinitions $end\n"), "{header}");
+            assert_eq!(header.contains(" x [7:0] "), vcd.patterns.is_empty(), "{header}");
+            sim.trace(vcd).unwrap();
+            sim.step();
+            sim.finish().unwrap();
+            let text = std::fs::read_to_string(&file).unwrap();
+            assert_eq!(text.split_once("#0\n").unwrap().0, header);
+            std::fs::remove_file(&file).unwrap();
+        }
+    }
+
+    #[test]
+    fn a_header_has_no_signal_for_a_pattern_that_matches_nothing() {
+        let sim = Simulation::of(&Delay).unwrap();
+        let error = sim.trace_header(&Vcd::to("delay.vcd").only("y").only("xx")).unwrap_err().to_string();
+        assert_eq!(error, "there is no signal that matches `xx`: did you mean `x`?");
+    }
+}

@@ -1,0 +1,20 @@
+//! What drives and observes a running circuit: simulations, batches of runs, ports, waves and recordings.
+
+mod attach;
+mod batch;
+mod error;
+mod lookup;
+mod peek;
+mod play;
+mod port;
+mod run;
+mod simulation;
+mod timeline;
+mod trace;
+
+pub use attach::Probe;
+pub use batch::Batch;
+pub use error::{Error, UnknownName, Violation};
+pub use port::{IntoValue, Port};
+pub use simulation::Simulation;
+pub use trace::{Recorder, Vcd, Wave};

@@ -1,0 +1,102 @@
+//! Signals and memories by name: what they hold, and what they are to hold.
+
+use tilewright_hdl::{Bits, Bundle};
+
+use crate::engine::program::{Triggers, ValueId};
+use crate::engine::{Word, lane};
+use crate::testbench::error::UnknownName;
+use crate::testbench::lookup::{self, Found};
+use crate::testbench::port::IntoValue;
+use crate::testbench::simulation::Simulation;
+
+impl<I: Bundle, O: Bundle> Simulation<I, O> {
+    /// The value of anything with a name, settled: a port, a register, a named net, the data of a synchronous memory
+    /// read, such as `u_cell[3].sum`.
+    ///
+    /// # Errors
+    ///
+    /// There is no such name; the error has the nearest one.
+    pub fn peek(&mut self, path: &str) -> Result<Bits, UnknownName> {
+        self.peek_run(path, 0)
+    }
+
+    pub(crate) fn peek_run(&mut self, path: &str, run: u32) -> Result<Bits, UnknownName> {
+        let Found { signal, lane } = lookup::signal(&self.program.hierarchy, path, run)?;
+        let value = signal.value;
+        Ok(self.lane(value, lane))
+    }
+
+    /// A word of a memory.
+    ///
+    /// # Errors
+    ///
+    /// There is no such memory.
+    ///
+    /// # Panics
+    ///
+    /// The address is beyond its depth.
+    #[track_caller]
+    pub fn peek_memory(&self, path: &str, address: u32) -> Result<Bits, UnknownName> {
+        self.peek_word(path, 0, address)
+    }
+
+    #[track_caller]
+    pub(crate) fn peek_word(&self, path: &str, run: u32, address: u32) -> Result<Bits, UnknownName> {
+        let (memory, lane) = self.memory(path, run, address)?;
+        Ok(Bits::from_limbs(self.program.memories[memory as usize].width, &self.engine.word(memory, lane, address)))
+    }
+
+    /// Replaces a word of a memory at once.
+    ///
+    /// # Errors
+    ///
+    /// There is no such memory.
+    ///
+    /// # Panics
+    ///
+    /// The address is beyond its depth, the value does not fit, or a recording goes on and the first step is over: before
+    /// it, what is poked is part of what the recording starts from.
+    #[track_caller]
+    pub fn poke_memory(&mut self, path: &str, address: u32, value: impl IntoValue) -> Result<(), UnknownName> {
+        self.poke_word(path, 0, address, value)
+    }
+
+    #[track_caller]
+    pub(crate) fn poke_word(
+        &mut self,
+        path: &str,
+        run: u32,
+        address: u32,
+        value: impl IntoValue,
+    ) -> Result<(), UnknownName> {
+        let (memory, lane) = self.memory(path, run, address)?;
+        let is_start = self.timeline.time == 0;
+        assert!(
+            is_start || !self.recorded.contains(&run),
+            "`{path}` is poked after the first step of a recording, which could not be repeated: poke before that, or write through the ports"
+        );
+        match value.into_value(self.program.memories[memory as usize].width) {
+            Ok(bits) => {
+                self.engine.set_word(memory, lane, address, bits.limbs());
+                self.changed = Triggers::ALL;
+                if is_start {
+                    self.poked.add(Word { memory, lane, address });
+                }
+            }
+            Err(problem) => panic!("a word of `{path}` {problem}"),
+        }
+        Ok(())
+    }
+
+    #[track_caller]
+    fn memory(&self, path: &str, run: u32, address: u32) -> Result<(u32, u32), UnknownName> {
+        let (memory, lane) = lookup::memory(&self.program.hierarchy, path, run)?;
+        let depth = self.program.memories[memory as usize].depth;
+        assert!(address < depth, "address {address} of memory `{path}`, which has {depth} words");
+        Ok((memory, lane))
+    }
+
+    pub(crate) fn lane(&mut self, id: ValueId, index: u32) -> Bits {
+        lane(&self.program, &mut *self.engine, id, index)
+    }
+}

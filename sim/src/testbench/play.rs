@@ -1,0 +1,50 @@
+//! Plays a scenario.
+
+use std::ops::ControlFlow;
+
+use tilewright_hdl::{Bundle, Scenario};
+
+use crate::testbench::error::Error;
+use crate::testbench::simulation::Simulation;
+
+impl<I: Bundle, O: Bundle> Simulation<I, O> {
+    /// Resets the circuit and plays a scenario to its end.
+    ///
+    /// # Errors
+    ///
+    /// The scenario is of another block; or as [`Simulation::try_step`].
+    pub fn play(&mut self, scenario: &Scenario) -> Result<(), Error> {
+        self.play_watched(scenario, u64::MAX, |_, _| ControlFlow::Continue(())).map(|_| ())
+    }
+
+    /// As [`Simulation::play`], with a call of `watch` every `slice` picoseconds and before every event; it gets how much
+    /// of the scenario has been played, from 0 to 1, and may break it off.
+    ///
+    /// # Errors
+    ///
+    /// As [`Simulation::play`].
+    pub fn play_watched(
+        &mut self,
+        scenario: &Scenario,
+        slice: u64,
+        mut watch: impl FnMut(&mut Self, f64) -> ControlFlow<()>,
+    ) -> Result<ControlFlow<()>, Error> {
+        self.try_reset()?;
+        let (start, mut now) = (self.time(), 0);
+        let changes = scenario.events.iter().map(|event| (event.at_ps, Some(event)));
+        for (until, event) in changes.chain([(scenario.end_ps, None)]) {
+            while now < until {
+                now = until.min(now.saturating_add(slice));
+                self.try_run_until(start + now)?;
+                if watch(self, now as f64 / scenario.end_ps as f64).is_break() {
+                    return Ok(ControlFlow::Break(()));
+                }
+            }
+            if let Some(event) = event {
+                let port = self.port(&event.input)?;
+                self.set(port, &event.value);
+            }
+        }
+        Ok(ControlFlow::Continue(()))
+    }
+}

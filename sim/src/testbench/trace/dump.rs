@@ -1,0 +1,217 @@
+//! Writes a waveform file while a simulation runs.
+
+use std::collections::VecDeque;
+use std::ops::Range;
+
+use super::changes::Changes;
+use super::shown::Shown;
+use super::step_file::StepFile;
+use super::vcd::Vcd;
+use super::vcd_header::{Header, Variable, VariableKind};
+use super::{Observer, View};
+use crate::engine::program::Program;
+use crate::testbench::error::Error;
+
+/// How much is collected before it goes to the file, always in whole time steps: unless a run is killed in the midst of
+/// a write, its file ends with one.
+const CHUNK: usize = 1 << 16;
+
+/// Writes a waveform file.
+pub(crate) struct Dump {
+    file: StepFile,
+    header: Header,
+    window: Range<u64>,
+    /// The values of the last step: of the file, or of the flight recorder.
+    shown: Shown,
+    /// Whether the file has a step.
+    begun: bool,
+    /// The resets as the file shows them.
+    resets: Vec<bool>,
+    /// Up to when the text goes.
+    time: u64,
+    /// What is still to go to the file.
+    text: Changes,
+    flight: Option<Flight>,
+}
+
+/// A flight recorder: the last steps.
+struct Flight {
+    /// How many it holds at most.
+    capacity: usize,
+    steps: VecDeque<Step>,
+}
+
+/// What is in force between two instants.
+#[derive(Default)]
+struct Step {
+    since: u64,
+    until: u64,
+    /// As in [`Shown::limbs`].
+    limbs: Vec<u64>,
+    resets: Vec<bool>,
+}
+
+impl Dump {
+    /// Creates the file, or for a flight recorder only prepares it.
+    pub fn new(vcd: Vcd, program: &Program, header: Header, window: Range<u64>) -> Result<Dump, Error> {
+        let lanes: Vec<_> = header.variables.iter().map(|variable| (variable.value, variable.lane)).collect();
+        let mut dump = Dump {
+            file: StepFile::new(vcd.path, vcd.file),
+            shown: Shown::new(program, &lanes),
+            header,
+            window,
+            begun: false,
+            resets: Vec::new(),
+            time: 0,
+            text: Changes::default(),
+            flight: vcd.last.map(|capacity| Flight { capacity, steps: VecDeque::new() }),
+        };
+        if dump.flight.is_none() {
+            dump.open();
+        }
+        dump.file.report()?;
+        Ok(dump)
+    }
+
+    fn open(&mut self) {
+        self.file.create();
+        self.file.append(&self.header.text);
+    }
+
+    /// Hands what is collected to the system.
+    fn flush(&mut self) {
+        self.file.append(self.text.bytes());
+        self.text.clear();
+    }
+
+    /// Writes a time step: the values shown, as they have been since its begin, and the clocks that fall within it.
+    fn step(&mut self, since: u64, until: u64, resets: &[bool]) {
+        // An instant at which an assertion fails is shown again when it is tried again: time goes on from there.
+        let at = since.max(self.time);
+        if self.begun {
+            self.changes(at, resets);
+        } else {
+            self.text.at(at);
+            self.text.command("$dumpvars");
+            self.shown.mark_all();
+            self.changes(at, resets);
+            self.text.command("$end");
+            self.begun = true;
+        }
+        self.time = at;
+        self.falls(at, until);
+        if self.text.bytes().len() >= CHUNK {
+            self.flush();
+        }
+    }
+
+    /// Writes what has changed since the last step.
+    fn changes(&mut self, at: u64, resets: &[bool]) {
+        let Dump { text, header, shown, .. } = self;
+        shown.visit_changed(|number, limbs| {
+            text.at(at);
+            change(text, &header.variables[number], limbs);
+        });
+        for (index, clock) in header.clocks.iter().enumerate() {
+            let high = clock.is_high(at);
+            if let Some(id) = clock.id.filter(|_| !self.begun || high != clock.is_high(self.time)) {
+                text.at(at);
+                text.bit(id, high);
+            }
+            let reset = resets[index];
+            if let Some(id) = clock.reset_id.filter(|_| self.resets.get(index) != Some(&reset)) {
+                text.at(at);
+                text.bit(id, reset);
+            }
+        }
+        self.resets.clear();
+        self.resets.extend_from_slice(resets);
+    }
+
+    /// Writes the clocks that are high at `since` and fall before `until`.
+    fn falls(&mut self, since: u64, until: u64) {
+        let Dump { text, header, time, .. } = self;
+        let falls = || header.clocks.iter().filter_map(|clock| Some((clock.fall(since)?, clock.id)));
+        while let Some(next) = falls().map(|fall| fall.0).filter(|&fall| *time < fall && fall < until).min() {
+            text.at(next);
+            falls().filter(|fall| fall.0 == next).filter_map(|fall| fall.1).for_each(|id| text.bit(id, false));
+            *time = next;
+        }
+    }
+
+    /// Writes what the flight recorder holds; from here on every step is written.
+    fn land(&mut self) {
+        let Some(flight) = self.flight.take() else { return };
+        self.open();
+        for step in flight.steps {
+            self.shown.go_to(&step.limbs);
+            self.step(step.since, step.until, &step.resets);
+        }
+    }
+}
+
+impl Flight {
+    /// Keeps a step, and forgets the oldest one if there are too many.
+    fn keep(&mut self, since: u64, until: u64, limbs: &[u64], resets: &[bool]) {
+        let oldest = if self.steps.len() == self.capacity { self.steps.pop_front() } else { None };
+        let mut step = oldest.unwrap_or_default();
+        (step.since, step.until) = (since, until);
+        step.limbs.clear();
+        step.limbs.extend_from_slice(limbs);
+        step.resets.clear();
+        step.resets.extend_from_slice(resets);
+        self.steps.push_back(step);
+    }
+}
+
+/// Writes a variable's new value.
+fn change(text: &mut Changes, variable: &Variable, limbs: &[u64]) {
+    match &variable.kind {
+        VariableKind::Bit => text.bit(variable.id, limbs[0] != 0),
+        VariableKind::Bits => text.bits(variable.id, limbs),
+        VariableKind::State(states) => match states.names.get(limbs[0] as usize) {
+            Some(name) => text.string(variable.id, name),
+            None => text.string(variable.id, &format!("code_{}", limbs[0])),
+        },
+    }
+}
+
+impl Observer for Dump {
+    fn sample(&mut self, view: &mut View) -> Result<(), Error> {
+        self.file.report()?;
+        let (since, until) = (view.since.max(self.window.start), view.until.min(self.window.end));
+        if since < until {
+            self.shown.take(view.engine, view.changed);
+            match &mut self.flight {
+                None => self.step(since, until, view.resets),
+                Some(flight) => flight.keep(since, until, self.shown.limbs(), view.resets),
+            }
+        }
+        Ok(())
+    }
+
+    fn failed(&mut self) {
+        self.land();
+        self.flush();
+    }
+
+    fn finish(&mut self, view: &mut View) -> Result<(), Error> {
+        self.sample(view)?;
+        let end = view.until.min(self.window.end);
+        if self.begun && self.time < end {
+            self.text.at(end);
+        }
+        self.flush();
+        self.file.report()
+    }
+}
+
+/// A run that ends without [`Simulation::finish`](crate::Simulation::finish), as by a panic, still leaves its waves.
+impl Drop for Dump {
+    fn drop(&mut self) {
+        self.flush();
+        if let Err(error) = self.file.report() {
+            eprintln!("{error}");
+        }
+    }
+}

@@ -1,0 +1,60 @@
+//! What watches a run: waveform files, waves in text, recordings. A run without any pays nothing for them.
+
+mod changes;
+mod dump;
+mod glob;
+mod recording;
+mod shown;
+mod step_file;
+mod vcd;
+mod vcd_header;
+mod wave;
+
+use crate::engine::Engine;
+use crate::engine::program::{Program, Triggers};
+use crate::testbench::error::Error;
+
+pub(crate) use dump::Dump;
+pub(crate) use recording::Poked;
+pub use recording::Recorder;
+pub use vcd::Vcd;
+pub(crate) use vcd::Window;
+pub(crate) use vcd_header::header;
+pub use wave::Wave;
+pub(crate) use wave::{Draw, Source};
+
+/// What an observer sees: the circuit settled before an edge.
+pub(crate) struct View<'a> {
+    pub program: &'a Program,
+    pub engine: &'a mut dyn Engine,
+    /// The last instant, in picoseconds: the values have been in force since.
+    pub since: u64,
+    /// The coming instant.
+    pub until: u64,
+    /// The clocks that rise at the coming instant.
+    pub rising: &'a [usize],
+    /// Which resets are high, by clock.
+    pub resets: &'a [bool],
+    /// What may have changed since the last sample.
+    pub changed: Triggers,
+}
+
+/// Something that watches every instant. What goes wrong is reported by the next sample or at the end: the error of an
+/// assertion at the same instant comes first.
+pub(crate) trait Observer {
+    /// The circuit as it is just before an edge. An error is one from before; the sample is then not taken.
+    fn sample(&mut self, view: &mut View) -> Result<(), Error>;
+
+    /// Whether it wants no more samples.
+    fn is_over(&self) -> bool {
+        false
+    }
+
+    /// An assertion failed; the sample before this call shows it.
+    fn failed(&mut self) {}
+
+    /// The run ends; `view` shows the circuit after the last edge.
+    fn finish(&mut self, _view: &mut View) -> Result<(), Error> {
+        Ok(())
+    }
+}

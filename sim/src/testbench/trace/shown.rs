@@ -1,0 +1,190 @@
+//! The values that a waveform file shows, and which of its variables change from one step to the next.
+//!
+//! An engine gives a value in all lanes at a time, and is asked only for what may have changed; a file has a variable for
+//! each lane, in the order of its scopes. Between the two stands a copy of all values as they were last taken.
+
+use std::collections::HashMap;
+use std::ops::Range;
+
+use crate::engine::Engine;
+use crate::engine::program::{Program, Triggers, ValueId};
+
+/// The values as they were last taken, and marks on the variables that have changed since those were last visited.
+pub(super) struct Shown {
+    limbs: Vec<u64>,
+    /// Those with the same triggers stand together.
+    values: Vec<Traced>,
+    /// What changes which of `values`.
+    groups: Vec<(Triggers, Range<usize>)>,
+    /// Whether the values were ever taken.
+    known: bool,
+    variables: Variables,
+}
+
+/// A value that a variable shows.
+struct Traced {
+    value: ValueId,
+    /// Where it stands among the limbs taken.
+    limbs: Range<usize>,
+    /// How many of them are one lane.
+    per_lane: usize,
+    /// Its first lane in [`Variables::of_lane`].
+    first_lane: usize,
+    /// What the engine knows it by.
+    seen: Vec<u64>,
+}
+
+/// The variables of the file, by number.
+#[derive(Default)]
+struct Variables {
+    /// Where each variable's lane stands among the limbs taken.
+    limbs: Vec<Range<usize>>,
+    /// By lane of all values: the variables that show it.
+    of_lane: Vec<Vec<u32>>,
+    /// A bit for each.
+    changed: Vec<u64>,
+}
+
+impl Shown {
+    /// Variable `i` shows the lane `variables[i]` of a value.
+    pub fn new(program: &Program, variables: &[(ValueId, u32)]) -> Shown {
+        let triggers = triggers(program);
+        let mut values: Vec<ValueId> = variables.iter().map(|variable| variable.0).collect();
+        values.sort_unstable_by_key(|&value| (triggers[value.index()], value));
+        values.dedup();
+        let mut shown = Shown {
+            limbs: Vec::new(),
+            values: Vec::with_capacity(values.len()),
+            groups: Vec::new(),
+            known: false,
+            variables: Variables::default(),
+        };
+        let (mut limbs, mut lanes) = (0, 0);
+        for &id in &values {
+            let value = program.value(id);
+            let end = limbs + value.range().len();
+            shown.values.push(Traced {
+                value: id,
+                limbs: limbs..end,
+                per_lane: value.limbs(),
+                first_lane: lanes,
+                seen: Vec::new(),
+            });
+            (limbs, lanes) = (end, lanes + value.lanes as usize);
+        }
+        shown.limbs = vec![0; limbs];
+        for group in values.chunk_by(|a, b| triggers[a.index()] == triggers[b.index()]) {
+            let start = shown.groups.last().map_or(0, |last| last.1.end);
+            shown.groups.push((triggers[group[0].index()], start..start + group.len()));
+        }
+        let places: HashMap<ValueId, usize> = values.iter().enumerate().map(|(place, &value)| (value, place)).collect();
+        let place = |&(value, lane): &(ValueId, u32)| (&shown.values[places[&value]], lane as usize);
+        shown.variables = Variables::new(lanes, variables.iter().map(place));
+        shown
+    }
+
+    /// Takes the values that these triggers change; the first time, all.
+    pub fn take(&mut self, engine: &mut dyn Engine, changed: Triggers) {
+        for (triggers, group) in &self.groups {
+            if triggers.meet(changed) || !self.known {
+                for traced in &mut self.values[group.clone()] {
+                    if engine.is_as_seen(traced.value, &mut traced.seen) {
+                        continue;
+                    }
+                    let new = engine.read(traced.value);
+                    traced.replace(&mut self.limbs, new, &mut self.variables);
+                }
+            }
+        }
+        self.known = true;
+    }
+
+    /// All values as they were last taken.
+    pub fn limbs(&self) -> &[u64] {
+        &self.limbs
+    }
+
+    /// Goes to what was in [`Shown::limbs`] at another time.
+    pub fn go_to(&mut self, limbs: &[u64]) {
+        for traced in &mut self.values {
+            traced.seen.clear();
+            traced.replace(&mut self.limbs, &limbs[traced.limbs.clone()], &mut self.variables);
+        }
+    }
+
+    /// Marks all variables as changed.
+    pub fn mark_all(&mut self) {
+        self.variables.mark_all();
+    }
+
+    /// Visits the variables that have changed since the last visit, by number, with their limbs.
+    pub fn visit_changed(&mut self, mut visit: impl FnMut(usize, &[u64])) {
+        let Variables { limbs, changed, .. } = &mut self.variables;
+        for (index, word) in changed.iter_mut().enumerate() {
+            let mut rest = std::mem::take(word);
+            while rest != 0 {
+                let variable = 64 * index + rest.trailing_zeros() as usize;
+                visit(variable, &self.limbs[limbs[variable].clone()]);
+                rest &= rest - 1;
+            }
+        }
+    }
+}
+
+impl Traced {
+    /// Replaces it among the limbs, and marks the variables that show a lane that is different.
+    fn replace(&self, limbs: &mut [u64], new: &[u64], variables: &mut Variables) {
+        let old = &mut limbs[self.limbs.clone()];
+        if old == new {
+            return;
+        }
+        let lanes = old.chunks_exact_mut(self.per_lane).zip(new.chunks_exact(self.per_lane));
+        for (lane, (old, new)) in (self.first_lane..).zip(lanes) {
+            if old != new {
+                old.copy_from_slice(new);
+                variables.mark_lane(lane);
+            }
+        }
+    }
+}
+
+impl Variables {
+    /// By variable, the value and its lane; the values have so many `lanes` together.
+    fn new<'a>(lanes: usize, variables: impl Iterator<Item = (&'a Traced, usize)>) -> Variables {
+        let mut all = Variables { of_lane: vec![Vec::new(); lanes], ..Variables::default() };
+        for (number, (traced, lane)) in (0u32..).zip(variables) {
+            let start = traced.limbs.start + lane * traced.per_lane;
+            all.limbs.push(start..start + traced.per_lane);
+            all.of_lane[traced.first_lane + lane].push(number);
+        }
+        all.changed = vec![0; all.limbs.len().div_ceil(64)];
+        all
+    }
+
+    fn mark_all(&mut self) {
+        (0..self.limbs.len()).for_each(|variable| mark(&mut self.changed, variable));
+    }
+
+    fn mark_lane(&mut self, lane: usize) {
+        self.of_lane[lane].iter().for_each(|&variable| mark(&mut self.changed, variable as usize));
+    }
+}
+
+/// Sets a bit.
+fn mark(bits: &mut [u64], index: usize) {
+    bits[index / 64] |= 1 << (index % 64);
+}
+
+/// What can change each value of a program.
+fn triggers(program: &Program) -> Vec<Triggers> {
+    let of_result = |segment: u32| program.segments[segment as usize].triggers;
+    let mut all: Vec<Triggers> = program.values.iter().map(|it| it.segment.map_or(Triggers::NONE, of_result)).collect();
+    program.inputs.iter().for_each(|port| all[port.value.index()] = port.triggers);
+    for register in &program.registers {
+        all[register.value.index()] = Triggers::state(register.clock as usize);
+    }
+    for read in program.memories.iter().flat_map(|memory| &memory.reads) {
+        all[read.value.index()] = Triggers::state(read.clock as usize);
+    }
+    all
+}

@@ -1,0 +1,246 @@
+//! The header of a waveform file: scopes, variables, and what they show.
+
+use std::collections::HashMap;
+use std::io;
+
+use tilewright_hdl::ir::States;
+use vcd::{IdCode, ReferenceIndex, ScopeType, TimescaleUnit, VarType, Writer};
+
+use super::changes::Id;
+use super::glob;
+use crate::engine::program::hierarchy::{Place, Replication, Role, Signal};
+use crate::engine::program::{Program, ValueId};
+use crate::testbench::error::UnknownName;
+
+/// The header and what the changes after it refer to.
+pub(crate) struct Header {
+    /// From `$version` to `$enddefinitions`.
+    pub text: Vec<u8>,
+    pub variables: Vec<Variable>,
+    pub clocks: Vec<Clock>,
+}
+
+/// A variable: what it shows, and how.
+pub(crate) struct Variable {
+    pub id: Id,
+    pub kind: VariableKind,
+    pub value: ValueId,
+    pub lane: u32,
+}
+
+pub(crate) enum VariableKind {
+    /// One bit.
+    Bit,
+    /// A number of more bits.
+    Bits,
+    /// The name of a state.
+    State(States),
+}
+
+/// A clock and its reset; without ids if nothing shows them.
+pub(crate) struct Clock {
+    period: u64,
+    pub id: Option<Id>,
+    pub reset_id: Option<Id>,
+}
+
+impl Clock {
+    /// Its level from this time on.
+    pub fn is_high(&self, time: u64) -> bool {
+        time >= self.period && time % self.period < self.period / 2
+    }
+
+    /// When it falls, if it is high at this time.
+    pub fn fall(&self, time: u64) -> Option<u64> {
+        self.is_high(time).then(|| time - time % self.period + self.period / 2)
+    }
+}
+
+/// The header for the signals of a run that match one of `patterns`, or for all if there are none.
+pub(crate) fn header(program: &Program, run: u32, patterns: &[String]) -> Result<Header, UnknownName> {
+    let mut build = Build {
+        program,
+        run,
+        patterns: patterns.iter().map(|pattern| readings(pattern, &program.hierarchy.scopes[0].name)).collect(),
+        used: vec![false; patterns.len()],
+        writer: Writer::new(Vec::new()),
+        ids: HashMap::new(),
+        strings: HashMap::new(),
+        next: IdCode::FIRST,
+        header: Header { text: Vec::new(), variables: Vec::new(), clocks: Vec::new() },
+    };
+    let clock = |clock: &crate::engine::program::Clock| Clock { period: clock.period, id: None, reset_id: None };
+    build.header.clocks = program.clocks.iter().map(clock).collect();
+    build.write().expect("writing to memory does not fail");
+    match build.used.iter().position(|used| !used) {
+        Some(unused) => Err(unmatched(program, &patterns[unused])),
+        None => {
+            build.header.text = std::mem::take(build.writer.writer());
+            Ok(build.header)
+        }
+    }
+}
+
+/// A pattern as it is, and as what a path of the file or of the Verilog matches, below this top: those begin with the top's name,
+/// have a scope `lane` in each element of an array, and may end in a range of bits.
+fn readings(pattern: &str, top: &str) -> [String; 2] {
+    let below = pattern.strip_prefix(top).and_then(|rest| rest.strip_prefix('.')).unwrap_or(pattern);
+    let is_range = |bits: &str| bits.contains(':') && bits.chars().all(|c| c.is_ascii_digit() || c == ':');
+    let range = below.strip_suffix(']').and_then(|rest| rest.rsplit_once('['));
+    let name = range.filter(|(_, bits)| is_range(bits)).map_or(below, |(name, _)| name);
+    let instances: Vec<&str> = name.split('.').filter(|part| *part != "lane").collect();
+    [pattern.to_string(), instances.join(".")]
+}
+
+/// The error for a pattern that matches nothing, with the nearest one that does, a name or all names below an instance; or else
+/// with the instances that there are, those of an array together.
+fn unmatched(program: &Program, pattern: &str) -> UnknownName {
+    let hierarchy = &program.hierarchy;
+    let (mut names, mut instances) = (Vec::new(), Vec::new());
+    for place in hierarchy.places(0) {
+        let scope = hierarchy.scope(place.scope);
+        let signals = scope.signals.iter().filter(|signal| signal.group.is_none()).map(|signal| &signal.name);
+        let clocks = scope.clocks.iter().flat_map(|ports| [Some(&ports.port), ports.reset.as_ref()]).flatten();
+        let names_here = signals.chain(clocks).map(String::as_str).chain(["**"]);
+        names.extend(names_here.map(|name| hierarchy.path_in(place, name)));
+        instances.push(every_element(&hierarchy.path_in(place, "**")));
+    }
+    instances.sort();
+    instances.dedup();
+    UnknownName::among("signal that matches", pattern, &names, &instances)
+}
+
+/// A path with a star for the index of each array.
+fn every_element(path: &str) -> String {
+    let after = |part: &str| part.find(']').map_or_else(|| part.to_string(), |end| format!("*{}", &part[end..]));
+    path.split_inclusive('[').map(after).collect()
+}
+
+struct Build<'a> {
+    program: &'a Program,
+    run: u32,
+    /// Each in all its readings.
+    patterns: Vec<[String; 2]>,
+    /// Which patterns have matched something.
+    used: Vec<bool>,
+    writer: Writer<Vec<u8>>,
+    /// One id for each lane of a value, whatever its names.
+    ids: HashMap<(ValueId, u32), IdCode>,
+    strings: HashMap<(ValueId, u32), IdCode>,
+    next: IdCode,
+    header: Header,
+}
+
+impl Build<'_> {
+    fn write(&mut self) -> io::Result<()> {
+        self.writer.version(concat!("Tilewright ", env!("CARGO_PKG_VERSION")))?;
+        self.writer.timescale(1, TimescaleUnit::PS)?;
+        let top = self.program.hierarchy.top(self.run);
+        self.writer.scope_def(ScopeType::Module, &self.program.hierarchy.scope(top.scope).name)?;
+        self.scope(top, "")?;
+        self.writer.upscope()?;
+        self.writer.enddefinitions()
+    }
+
+    /// The inside of an instance: clocks, signals, instances.
+    fn scope(&mut self, place: Place, path: &str) -> io::Result<()> {
+        let program = self.program;
+        let scope = program.hierarchy.scope(place.scope);
+        for ports in &scope.clocks {
+            let clock = ports.clock as usize;
+            if self.shows(path, &ports.port) {
+                let id = self.header.clocks[clock].id;
+                self.header.clocks[clock].id = Some(self.wire(id, &ports.port)?);
+            }
+            if let Some(reset) = ports.reset.as_ref().filter(|reset| self.shows(path, reset)) {
+                let id = self.header.clocks[clock].reset_id;
+                self.header.clocks[clock].reset_id = Some(self.wire(id, reset)?);
+            }
+        }
+        for signal in scope.signals.iter().filter(|signal| signal.group.is_none()) {
+            if self.shows(path, &signal.name) {
+                self.signal(signal, place.lane)?;
+            }
+        }
+        for (name, child) in program.hierarchy.children(place) {
+            self.child(&name, child, path)?;
+        }
+        Ok(())
+    }
+
+    /// An instance, and nothing if nothing in it is shown.
+    fn child(&mut self, name: &str, place: Place, path: &str) -> io::Result<()> {
+        let path = if path.is_empty() { name.to_string() } else { format!("{path}.{name}") };
+        let start = self.writer.writer().len();
+        let in_array = self.program.hierarchy.scope(place.scope).replication != Replication::Single;
+        if in_array {
+            self.writer.scope_def(ScopeType::Begin, name)?;
+        }
+        self.writer.scope_def(ScopeType::Module, if in_array { "lane" } else { name })?;
+        let inside = self.writer.writer().len();
+        self.scope(place, &path)?;
+        let is_empty = self.writer.writer().len() == inside;
+        self.writer.upscope()?;
+        if in_array {
+            self.writer.upscope()?;
+        }
+        if is_empty {
+            self.writer.writer().truncate(start);
+        }
+        Ok(())
+    }
+
+    /// Whether a pattern asks for this name; a clock of the top is always shown.
+    fn shows(&mut self, path: &str, name: &str) -> bool {
+        let full = if path.is_empty() { name.to_string() } else { format!("{path}.{name}") };
+        let mut shown = self.patterns.is_empty();
+        for (pattern, used) in self.patterns.iter().zip(&mut self.used) {
+            if pattern.iter().any(|reading| glob::matches(reading, &full)) {
+                (*used, shown) = (true, true);
+            }
+        }
+        let is_top_clock = path.is_empty() && self.program.clocks.iter().any(|clock| clock.port == name);
+        shown || is_top_clock
+    }
+
+    fn wire(&mut self, id: Option<Id>, name: &str) -> io::Result<Id> {
+        let id = id.unwrap_or_else(|| Id::new(fresh(&mut self.next)));
+        self.writer.var_def(VarType::Wire, 1, id.code, name, None)?;
+        Ok(id)
+    }
+
+    fn signal(&mut self, signal: &Signal, lane: u32) -> io::Result<()> {
+        let known = self.ids.get(&(signal.value, lane)).copied();
+        let id = known.unwrap_or_else(|| fresh(&mut self.next));
+        let kind = match signal.role {
+            Role::Register | Role::ReadData => VarType::Reg,
+            Role::Input | Role::Output | Role::Net => VarType::Wire,
+        };
+        let index = (signal.width > 1).then(|| ReferenceIndex::Range(signal.width as i32 - 1, 0));
+        self.writer.var_def(kind, signal.width, id, &signal.name, index)?;
+        if known.is_none() {
+            self.ids.insert((signal.value, lane), id);
+            let kind = if signal.width == 1 { VariableKind::Bit } else { VariableKind::Bits };
+            self.variable(id, kind, signal.value, lane);
+        }
+        let Some(states) = &signal.states else { return Ok(()) };
+        let known = self.strings.get(&(signal.value, lane)).copied();
+        let id = known.unwrap_or_else(|| fresh(&mut self.next));
+        self.writer.var_def(VarType::String, 1, id, &format!("{}_state", signal.name), None)?;
+        if known.is_none() {
+            self.strings.insert((signal.value, lane), id);
+            self.variable(id, VariableKind::State(states.clone()), signal.value, lane);
+        }
+        Ok(())
+    }
+
+    fn variable(&mut self, id: IdCode, kind: VariableKind, value: ValueId, lane: u32) {
+        self.header.variables.push(Variable { id: Id::new(id), kind, value, lane });
+    }
+}
+
+fn fresh(next: &mut IdCode) -> IdCode {
+    let id = *next;
+    *next = id.next();
+    id
+}

@@ -1,0 +1,256 @@
+//! Waves in text, for tests and terminals.
+//!
+//! A column is the time from one instant to the next and shows the values in force there; its last character is the
+//! edge at its end. A bus shows its value in hexadecimal, or its state's name, where it changes.
+//!
+//! ```text
+//! clk    |___/~\_/~\_/~\_/
+//! enable |___/~~~~~~~\____
+//! count  | 0     | 1 | 2 |
+//! ```
+
+use std::fmt;
+use std::ops::Range;
+use std::sync::{Arc, Mutex, MutexGuard};
+
+use tilewright_hdl::Bits;
+use tilewright_hdl::ir::States;
+
+use super::{Observer, View};
+use crate::engine::program::ValueId;
+use crate::testbench::error::{Error, UnknownName};
+
+/// The narrowest column, which still shows a clock, and the widest.
+const COLUMN: std::ops::RangeInclusive<usize> = 4..=16;
+/// The longest line; a longer wave goes on in another block of lines.
+const LINE: usize = 110;
+
+/// A wave that a simulation draws while it runs; [`to_string`](ToString::to_string) shows it at any time.
+#[derive(Debug, Clone)]
+pub struct Wave {
+    data: Arc<Mutex<Data>>,
+}
+
+#[derive(Debug)]
+struct Data {
+    clocks: Vec<(String, u64)>,
+    rows: Vec<Row>,
+    /// Begin and end of every column, in picoseconds.
+    columns: Vec<(u64, u64)>,
+    /// What it shows, in picoseconds.
+    times: Range<u64>,
+    is_over: bool,
+}
+
+#[derive(Debug)]
+struct Row {
+    source: Source,
+    values: Vec<Bits>,
+}
+
+/// What a row shows.
+#[derive(Debug, Clone)]
+pub(crate) struct Source {
+    pub name: String,
+    pub value: ValueId,
+    pub lane: u32,
+    pub states: Option<States>,
+}
+
+impl Wave {
+    pub(crate) fn new(clocks: Vec<(String, u64)>, sources: Vec<Source>) -> Wave {
+        let rows = sources.into_iter().map(|source| Row { source, values: Vec::new() }).collect();
+        let data = Data { clocks, rows, columns: Vec::new(), times: 0..u64::MAX, is_over: false };
+        Wave { data: Arc::new(Mutex::new(data)) }
+    }
+
+    fn data(&self) -> MutexGuard<'_, Data> {
+        self.data.lock().expect("no panic while drawing")
+    }
+
+    /// Draws only what happens in these picoseconds: the columns that have a part in them.
+    pub fn times(self, picoseconds: Range<u64>) -> Wave {
+        self.data().times = picoseconds;
+        self
+    }
+
+    /// Draws only these cycles of a clock, the first being 0.
+    ///
+    /// # Panics
+    ///
+    /// There is no such clock.
+    #[track_caller]
+    pub fn cycles(self, clock: &str, cycles: Range<u64>) -> Wave {
+        let data = self.data();
+        let is_it = |port: &str| port == clock || port.strip_suffix("_clk") == Some(clock);
+        let period = data.clocks.iter().find(|(port, _)| is_it(port)).map(|(_, period)| *period);
+        let names: Vec<String> = data.clocks.iter().map(|(port, _)| port.clone()).collect();
+        drop(data);
+        match period {
+            Some(period) => self.times(cycles.start.saturating_mul(period)..cycles.end.saturating_mul(period)),
+            None => panic!("{}", UnknownName::new("clock", clock, &names)),
+        }
+    }
+
+    /// Draws no more: what was drawn so far stays.
+    pub fn stop(&self) {
+        self.data().is_over = true;
+    }
+
+    /// Panics unless the wave is `expected`, whose common indentation and surrounding blank lines do not count; the
+    /// message shows both.
+    #[track_caller]
+    pub fn expect(&self, expected: &str) {
+        let (expected, actual) = (unindent(expected), unindent(&self.to_string()));
+        assert!(expected == actual, "the wave differs.\nexpected:\n{expected}\nactual:\n{actual}");
+    }
+}
+
+/// Without common indentation, trailing blanks and surrounding blank lines.
+fn unindent(text: &str) -> String {
+    let lines: Vec<&str> = text.lines().map(str::trim_end).collect();
+    let indent = lines.iter().filter(|line| !line.is_empty()).map(|line| line.len() - line.trim_start().len()).min();
+    let lines = lines.iter().map(|line| line.get(indent.unwrap_or(0)..).unwrap_or(""));
+    lines.collect::<Vec<_>>().join("\n").trim_matches('\n').to_string()
+}
+
+/// Fills a wave.
+pub(crate) struct Draw(pub Wave);
+
+impl Observer for Draw {
+    fn sample(&mut self, view: &mut View) -> Result<(), Error> {
+        let mut data = self.0.data();
+        data.is_over |= view.since >= data.times.end;
+        if data.is_over || view.until <= data.times.start {
+            return Ok(());
+        }
+        data.columns.push((view.since, view.until));
+        for row in &mut data.rows {
+            let value = view.program.value(row.source.value);
+            let start = row.source.lane as usize * value.limbs();
+            let limbs = &view.engine.read(row.source.value)[start..start + value.limbs()];
+            row.values.push(Bits::from_limbs(value.width, limbs));
+        }
+        Ok(())
+    }
+
+    fn is_over(&self) -> bool {
+        self.0.data().is_over
+    }
+}
+
+impl fmt::Display for Wave {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let data = self.data();
+        let names = data.clocks.iter().map(|(name, _)| name).chain(data.rows.iter().map(|row| &row.source.name));
+        let label = names.clone().map(|name| name.len()).max().unwrap_or(0);
+        let column = data.column_width();
+        let per_block = (LINE.saturating_sub(label + 2) / column).max(1);
+        for start in (0..data.columns.len()).step_by(per_block) {
+            let range = start..(start + per_block).min(data.columns.len());
+            if start > 0 {
+                writeln!(f)?;
+            }
+            for (name, period) in &data.clocks {
+                writeln!(f, "{name:label$} |{}", clock(*period, &data.columns[range.clone()], column))?;
+            }
+            for row in &data.rows {
+                let line = row.line(range.clone(), column);
+                writeln!(f, "{:label$} |{}", row.source.name, line.trim_end())?;
+            }
+        }
+        Ok(())
+    }
+}
+
+impl Data {
+    /// The narrowest width at which every value can be read.
+    fn column_width(&self) -> usize {
+        let buses = self.rows.iter().filter(|row| !row.is_bit());
+        let needed = buses.flat_map(|row| {
+            row.runs(0..row.values.len()).into_iter().map(|(text, columns)| (text.len() + 3).div_ceil(columns))
+        });
+        needed.max().unwrap_or(0).clamp(*COLUMN.start(), *COLUMN.end())
+    }
+}
+
+impl Row {
+    fn is_bit(&self) -> bool {
+        self.source.states.is_none() && self.values.first().is_some_and(|value| value.width() == 1)
+    }
+
+    fn text(&self, value: &Bits) -> String {
+        let state = |states: &States| states.names.get(value.to_u64()? as usize).cloned();
+        self.source.states.as_ref().and_then(state).unwrap_or_else(|| {
+            let digits = format!("{value:x}");
+            let digits = digits.trim_start_matches('0');
+            if digits.is_empty() { "0".to_string() } else { digits.to_string() }
+        })
+    }
+
+    /// The values of some columns, each with the number of columns that it lasts.
+    fn runs(&self, columns: Range<usize>) -> Vec<(String, usize)> {
+        self.values[columns].chunk_by(|a, b| a == b).map(|run| (self.text(&run[0]), run.len())).collect()
+    }
+
+    fn line(&self, columns: Range<usize>, column: usize) -> String {
+        match self.is_bit() {
+            true => self.levels(columns, column),
+            false => self.runs(columns).into_iter().map(|(text, count)| cell(&text, count * column)).collect(),
+        }
+    }
+
+    fn levels(&self, columns: Range<usize>, column: usize) -> String {
+        let high: Vec<bool> = self.values[columns].iter().map(|value| value.bit(0)).collect();
+        let level = |high| if high { '~' } else { '_' };
+        let mut line = String::new();
+        for (i, &now) in high.iter().enumerate() {
+            line.extend(std::iter::repeat_n(level(now), column - 1));
+            line.push(match high.get(i + 1) {
+                Some(&next) if next != now => {
+                    if next {
+                        '/'
+                    } else {
+                        '\\'
+                    }
+                }
+                _ => level(now),
+            });
+        }
+        line
+    }
+}
+
+/// A bus value in `width` characters, the last of which is the border.
+fn cell(text: &str, width: usize) -> String {
+    let room = width - 3;
+    let text = if text.len() > room { format!("{}..", &text[..room - 2]) } else { text.to_string() };
+    format!(" {text:room$} |")
+}
+
+/// A clock's line: it rises at every multiple of its period and falls half a period later.
+fn clock(period: u64, columns: &[(u64, u64)], width: usize) -> String {
+    let is_high = |time: u64| time >= period && time % period < period / 2;
+    let mut line = String::new();
+    for &(since, until) in columns {
+        let fall = since - since % period + period / 2;
+        let body = width - 1;
+        match is_high(since) {
+            true if fall < until => {
+                let high = (body - 1).div_ceil(2);
+                line.extend(std::iter::repeat_n('~', high));
+                line.push('\\');
+                line.extend(std::iter::repeat_n('_', body - 1 - high));
+            }
+            true => line.extend(std::iter::repeat_n('~', body)),
+            false => line.extend(std::iter::repeat_n('_', body)),
+        }
+        line.push(match (until % period == 0, is_high(since) && fall >= until) {
+            (true, _) => '/',
+            (false, true) if fall == until => '\\',
+            (false, true) => '~',
+            (false, false) => '_',
+        });
+    }
+    line
+}
