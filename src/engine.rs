@@ -16,11 +16,13 @@ pub struct EngineArguments {
 /// An engine by its name on the command line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum Engine {
-    /// A plain interpreter: slow, and what the others are held to
+    /// The plainest engine: very slow, and what the others are held to
     Reference,
-    /// Machine code made for the circuit, which falls back to the reference engine on a computer without it
+    /// An interpreter: slow
+    Interpreter,
+    /// Machine code made for the circuit, which falls back to the interpreter on a computer without it
     Compiled,
-    /// Both side by side, signal by signal, which takes hundreds of times as long as one alone: exit code 1 at the first signal that differs
+    /// Machine code beside the reference engine, signal by signal, which takes thousands of times as long: exit code 1 at the first signal that differs
     Both,
 }
 
@@ -29,6 +31,7 @@ impl EngineArguments {
     pub fn kind(self) -> EngineKind {
         match self.engine {
             Engine::Reference => EngineKind::Reference,
+            Engine::Interpreter => EngineKind::Interpreter,
             Engine::Compiled => EngineKind::Compiled,
             Engine::Both => EngineKind::Both,
         }
@@ -48,7 +51,7 @@ pub fn tell_refused(reason: &str) {
 }
 
 fn warning(reason: &str) -> String {
-    format!("the reference engine runs alone, with the same results but slowly: {reason}")
+    format!("the interpreter runs alone, with the same results but slowly: {reason}")
 }
 
 #[cfg(test)]
@@ -64,12 +67,14 @@ mod tests {
         for asked in [EngineKind::Compiled, EngineKind::Both] {
             assert_eq!(sim().on(asked).fallback(), None);
             let mut without = sim().without_code("no code can be generated for this machine (a typewriter)").on(asked);
-            let sentence = "the reference engine runs alone, with the same results but slowly: \
+            let sentence = "the interpreter runs alone, with the same results but slowly: \
                             no code can be generated for this machine (a typewriter)";
             assert_eq!(without.fallback().map(warning).as_deref(), Some(sentence));
             without.step();
         }
-        let chosen = sim().without_code("a typewriter").on(EngineKind::Reference);
-        assert_eq!(chosen.fallback(), None, "who asks for the reference engine has it");
+        for asked in [EngineKind::Reference, EngineKind::Interpreter] {
+            let chosen = sim().without_code("a typewriter").on(asked);
+            assert_eq!(chosen.fallback(), None, "who asks for an engine without code has it");
+        }
     }
 }

@@ -104,10 +104,11 @@
 //!
 //! [`program::compile`] makes a flat [`program::Program`] of a design, and an engine runs it: [`EngineKind::Compiled`],
 //! machine code made for the circuit, unless [`Simulation::on`] takes another one. All give the same results.
-//! [`EngineKind::Reference`] is a plain interpreter, and takes over by itself on a machine that no code can be generated
-//! for; [`Simulation::engine`] tells which one runs, [`Simulation::fallback`] why. [`EngineKind::Both`] runs the two side by
-//! side and ends with [`Error::Differs`] at the first signal in which they are not alike. An instance array runs in lanes,
-//! all instances at a time. How the code is made, and what one with wider vectors needs, is in `sim/docs/engine.md`.
+//! [`EngineKind::Reference`] is the plainest one, to which the others are held; [`EngineKind::Interpreter`] is faster, and
+//! takes over by itself on a machine that no code can be generated for: [`Simulation::engine`] tells which one runs,
+//! [`Simulation::fallback`] why. [`EngineKind::Both`] runs machine code beside the reference and ends with
+//! [`Error::Differs`] at the first signal in which they are not alike. An instance array runs in lanes, all instances at a
+//! time. How the code is made, and what one with wider vectors needs, is in `sim/docs/engine.md`.
 //! [`Passes`] switches what makes it fast, for tests.
 //!
 //! # What a waveform costs

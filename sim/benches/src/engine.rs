@@ -9,12 +9,13 @@ use tilewright_sim::{Batch, EngineKind, Simulation};
 
 /// The engines of this computer. The first one is what others are compared with.
 pub fn engines() -> impl Iterator<Item = EngineKind> {
-    [EngineKind::Compiled, EngineKind::Reference].into_iter().filter(|kind| kind.refused().is_none())
+    [EngineKind::Compiled, EngineKind::Interpreter].into_iter().filter(|kind| kind.refused().is_none())
 }
 
 fn name(kind: EngineKind) -> &'static str {
     match kind {
         EngineKind::Compiled => "compiled engine",
+        EngineKind::Interpreter => "interpreter",
         EngineKind::Reference => "reference engine",
         EngineKind::Both => "both engines",
     }
@@ -63,7 +64,7 @@ pub struct AtOnce {
 impl AtOnce {
     /// The subject with its stimuli.
     pub fn new(subject: Subject) -> AtOnce {
-        let engine = name(engines().next().expect("the reference engine runs everywhere"));
+        let engine = name(engines().next().expect("the interpreter runs everywhere"));
         AtOnce { name: format!("{engine}, {} at once", subject.stimuli()), subject }
     }
 }

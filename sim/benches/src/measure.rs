@@ -38,7 +38,7 @@ pub fn measure(
         ControlFlow::Break(()) => Err(Error::Interrupted { design: subject.to_string() }),
     };
     let mut contenders: Vec<Box<dyn Contender>> = Vec::new();
-    // The reference engine would keep the runs of the others short.
+    // The interpreter would keep the runs of the others short.
     let engines = engines().take(if compiler.is_some() { 1 } else { usize::MAX });
     if subject.stimuli() > 1 {
         contenders.push(Box::new(AtOnce::new(subject)));

@@ -8,24 +8,26 @@ use crate::engine::Engine;
 use crate::engine::compiled::{self, Compiled};
 use crate::engine::lockstep::Lockstep;
 use crate::engine::program::Program;
-use crate::engine::reference;
+use crate::engine::{interpreter, reference};
 
 /// Which engine executes a circuit. All give the same results.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum EngineKind {
-    /// A plain interpreter: the meaning that the others are held to.
+    /// The plainest one: the meaning that the others are held to.
     Reference,
+    /// An interpreter that takes over by itself where no code can be generated.
+    Interpreter,
     /// Machine code made for the circuit.
     #[default]
     Compiled,
-    /// Both side by side; the first difference is an error that names the signal and the clock.
+    /// Machine code beside the reference engine; the first difference is an error that names the signal and the clock.
     Both,
 }
 
 impl EngineKind {
-    /// Why this engine cannot run on this computer, if it cannot: the reference engine always can.
+    /// Why this engine cannot run on this computer, if it cannot: only those that make machine code may be unable to.
     pub fn refused(self) -> Option<String> {
-        let needs_code = self != EngineKind::Reference;
+        let needs_code = matches!(self, EngineKind::Compiled | EngineKind::Both);
         needs_code.then(compiled::unsupported).flatten().map(|reason| reason.to_string())
     }
 }
@@ -43,7 +45,7 @@ pub(crate) struct Started {
 }
 
 impl Started {
-    /// The circuit at its start on this engine, or on the reference engine where code cannot be generated.
+    /// The circuit at its start on this engine, or on the interpreter where code cannot be generated.
     pub fn new(program: Arc<Program>, chosen: EngineKind, seeds: Vec<u64>) -> Started {
         let refused = EngineKind::Compiled.refused();
         Started { program, chosen, refused, seeds, made: OnceCell::new() }
@@ -66,12 +68,13 @@ impl Started {
 
     /// The engine that runs.
     pub fn kind(&self) -> EngineKind {
-        if self.refused.is_some() { EngineKind::Reference } else { self.chosen }
+        if self.fallback().is_some() { EngineKind::Interpreter } else { self.chosen }
     }
 
     /// Why it is not the one that was asked for.
     pub fn fallback(&self) -> Option<&str> {
-        self.refused.as_deref().filter(|_| self.chosen != EngineKind::Reference)
+        let needs_code = matches!(self.chosen, EngineKind::Compiled | EngineKind::Both);
+        self.refused.as_deref().filter(|_| needs_code)
     }
 
     /// Puts another engine in its place.
@@ -85,6 +88,7 @@ impl Started {
         let compiled = || Box::new(Compiled::new(self.program.clone(), &self.seeds).expect("it was asked before"));
         match self.kind() {
             EngineKind::Reference => Box::new(reference()),
+            EngineKind::Interpreter => Box::new(interpreter::Engine::new(self.program.clone(), &self.seeds)),
             EngineKind::Compiled => compiled(),
             EngineKind::Both => Box::new(Lockstep::new(self.program.clone(), reference(), compiled())),
         }

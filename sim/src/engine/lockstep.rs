@@ -25,10 +25,9 @@ pub(crate) struct Lockstep {
 impl Lockstep {
     /// Both at the same start.
     pub fn new(program: Arc<Program>, reference: reference::Engine, other: Box<dyn Engine>) -> Lockstep {
-        let mut seen = vec![false; program.values.len()];
+        let mut seen = vec![false; program.circuit.len()];
         let signals = program.hierarchy.scopes.iter().flat_map(|scope| &scope.signals).map(|signal| signal.value);
         let named: Vec<ValueId> = signals.filter(|id| !std::mem::replace(&mut seen[id.index()], true)).collect();
-        let reference = reference.noting();
         let mut lockstep = Lockstep { program, reference, other, named, instants: 0, touched: true, found: None };
         lockstep.other.watch(&lockstep.named);
         lockstep
@@ -86,7 +85,7 @@ impl Lockstep {
             Some(format!("{}.{name}[{address}] of lane {lane}", scope.name))
         });
         let name = name.unwrap_or_else(|| format!("memory {memory}, word {address} of lane {lane}"));
-        Err(self.difference(name, rising, bits(reference), bits(&other)))
+        Err(self.difference(name, rising, bits(&reference), bits(&other)))
     }
 
     fn difference(&self, signal: String, rising: &[usize], reference: Bits, other: Bits) -> Box<Difference> {
@@ -146,7 +145,7 @@ impl Engine for Lockstep {
     }
 
     fn word(&self, memory: u32, lane: u32, address: u32) -> Vec<u64> {
-        self.reference.word(memory, lane, address).to_vec()
+        self.reference.word(memory, lane, address)
     }
 
     fn set_word(&mut self, memory: u32, lane: u32, address: u32, limbs: &[u64]) {

@@ -2,10 +2,12 @@
 
 mod choice;
 mod compiled;
+mod interpreter;
 mod lockstep;
 mod passes;
 pub mod program;
 mod reference;
+mod rewrite;
 mod semantics;
 mod start;
 

@@ -125,7 +125,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     }
 
     /// The same circuit at time 0 on this engine; inputs become zero. Where no code can be generated for this machine, it
-    /// is the reference engine in any case: [`Simulation::engine`] tells, and [`Simulation::fallback`] why.
+    /// is the interpreter if that needs code: [`Simulation::engine`] tells, and [`Simulation::fallback`] why.
     ///
     /// # Panics
     ///
@@ -151,12 +151,12 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         self.poked.clear();
     }
 
-    /// The engine that runs: the one chosen, or the reference engine where no code can be generated for this machine.
+    /// The engine that runs: the one chosen, or the interpreter where no code can be generated for this machine.
     pub fn engine(&self) -> EngineKind {
         self.engine.kind()
     }
 
-    /// Why the reference engine runs although another one was chosen; nothing if the chosen one runs.
+    /// Why the interpreter runs although another one was chosen; nothing if the chosen one runs.
     pub fn fallback(&self) -> Option<&str> {
         self.engine.fallback()
     }

@@ -163,6 +163,7 @@ fn check(name: &str, block: &impl Block) {
         (16, EngineKind::Both),
         (64, EngineKind::Compiled),
         (5, EngineKind::Reference),
+        (6, EngineKind::Interpreter),
     ] {
         let mut batch = Batch::from_design(&design, runs).unwrap().on(kind).seeded(|run| u64::from(run) * 7);
         assert_eq!((batch.runs(), batch.engine()), (runs, kind));
@@ -242,7 +243,7 @@ fn a_recording_and_a_wave_are_of_a_run() {
 
 #[test]
 fn a_failed_assertion_names_its_runs_and_stops_all() {
-    for kind in [EngineKind::Reference, EngineKind::Compiled, EngineKind::Both] {
+    for kind in [EngineKind::Reference, EngineKind::Interpreter, EngineKind::Compiled, EngineKind::Both] {
         let mut batch = Batch::of(&Limit { inside: false }, 20).unwrap().on(kind);
         batch.set_each(batch.i.add, |run| if run == 3 || run == 17 { 15 } else { run % 3 });
         let Err(Error::Violated(violations)) = batch.try_run(100) else { panic!("the assertions hold") };

@@ -13,8 +13,11 @@ pub fn engine() -> EngineKind {
     match env::var(ENGINE).as_deref() {
         Err(env::VarError::NotPresent) => EngineKind::Compiled,
         Ok("reference") => EngineKind::Reference,
+        Ok("interpreter") => EngineKind::Interpreter,
         Ok("both") => EngineKind::Both,
-        other => panic!("{ENGINE} is {other:?}: it names the engine `reference` or `both`, or is not set"),
+        other => {
+            panic!("{ENGINE} is {other:?}: it names the engine `reference`, `interpreter` or `both`, or is not set")
+        }
     }
 }
 
@@ -36,6 +39,11 @@ fn again_on(engine: &str) {
 #[test]
 fn every_test_passes_on_the_reference_engine() {
     again_on("reference");
+}
+
+#[test]
+fn every_test_passes_on_the_interpreter() {
+    again_on("interpreter");
 }
 
 #[test]

@@ -219,7 +219,7 @@ fn transcript(row: Row, kind: EngineKind, seed: u64, observed: bool, acts: &[Act
 #[track_caller]
 fn assert_alike(row: Row, seed: u64, observed: bool, acts: &[Act]) {
     let reference = transcript(row, EngineKind::Reference, seed, observed, acts);
-    for kind in [EngineKind::Compiled, EngineKind::Both] {
+    for kind in [EngineKind::Interpreter, EngineKind::Compiled, EngineKind::Both] {
         let other = transcript(row, kind, seed, observed, acts);
         assert_eq!(reference.len(), other.len());
         for (expected, got) in reference.iter().zip(&other) {

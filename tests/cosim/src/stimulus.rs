@@ -53,7 +53,7 @@ impl Numbers {
 pub fn run(design: &Design, stimulus: &Stimulus) -> Result<Run, tilewright_sim::Error> {
     let recording = record(design, stimulus, Simulation::from_design(design)?.on(EngineKind::Both))?;
     let passes = passes(stimulus.seed);
-    let kind = if passes == Passes::none() { EngineKind::Reference } else { EngineKind::Compiled };
+    let kind = if passes == Passes::none() { EngineKind::Interpreter } else { EngineKind::Compiled };
     let other = record(design, stimulus, Simulation::with_passes(design, &passes)?.on(kind))?;
     let same = (&recording.recording.steps, recording.fails) == (&other.recording.steps, other.fails);
     assert!(same, "it does something else with {passes:?}");

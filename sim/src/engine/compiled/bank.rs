@@ -6,10 +6,10 @@ use std::collections::BTreeMap;
 use rustc_hash::FxHashSet;
 use tilewright_hdl::ir::Contents;
 
-use super::function::MemoryAt;
+use super::emitter::MemoryAt;
 use super::layout::{Strips, Words};
 use super::store::Store;
-use crate::engine::program::{Kind, Memory, Program, ValueId};
+use crate::engine::program::{Cell, Kind, Memory, Program, ValueId};
 
 /// Memories that stand side by side.
 pub(super) type Bank = Store;
@@ -69,8 +69,8 @@ pub(super) fn banks(program: &Program, strips: &Strips) -> (Vec<MemoryAt>, Vec<B
 fn reads(program: &Program) -> Vec<Vec<ValueId>> {
     let synchronous = |memory: &Memory| memory.reads.iter().map(|read| read.address).collect();
     let mut all: Vec<Vec<ValueId>> = program.memories.iter().map(synchronous).collect();
-    for operation in &program.operations {
-        if let Kind::Read { memory, address } = operation.kind {
+    for (_, cell) in program.circuit.cells() {
+        if let Kind::Read { memory, address } = cell.kind {
             all[memory as usize].push(address);
         }
     }
@@ -83,9 +83,8 @@ fn reads(program: &Program) -> Vec<Vec<ValueId>> {
 
 /// The values that are the same in all lanes, and can be taken from one.
 fn common(program: &Program) -> FxHashSet<ValueId> {
-    let is_broadcast = |kind: &Kind| matches!(kind, Kind::Broadcast(of, _) if program.value(*of).lanes == 1);
-    let operations = program.operations.iter().filter(|operation| is_broadcast(&operation.kind));
-    operations.map(|operation| operation.result).collect()
+    let is_broadcast = |cell: &Cell| matches!(cell.kind, Kind::Broadcast { of, .. } if program.circuit[of].lanes == 1);
+    program.circuit.cells().filter(|(_, cell)| is_broadcast(cell)).map(|(id, _)| id).collect()
 }
 
 #[cfg(test)]

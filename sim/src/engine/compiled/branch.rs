@@ -6,12 +6,10 @@ use std::collections::BTreeMap;
 use rustc_hash::{FxHashMap, FxHashSet};
 use tilewright_hdl::Bits;
 
-use super::graph::{Graph, Sink};
+use super::function::{Function, Sink, happening};
 use super::layout::Strips;
 use super::plan::{Kernel, Plan, Switch};
-use super::simplify;
-use crate::engine::program::rules::{Cells, alias, fold, shorter};
-use crate::engine::program::{Kind, ValueId};
+use crate::engine::program::{Cell, Circuit, Kind, ValueId};
 
 /// The widest value that is branched on.
 const WIDEST: u32 = 6;
@@ -23,7 +21,7 @@ const WORTH: usize = 24;
 const MOST: usize = 1500;
 
 /// Gives kernels branches where it pays.
-pub(super) fn branch(graph: &mut Graph, plan: &mut Plan, strips: &Strips) {
+pub(super) fn branch(graph: &mut Function, plan: &mut Plan, strips: &Strips) {
     let order = graph.needed();
     let mut stages = std::mem::take(&mut plan.stages);
     for (&lanes, kernel) in stages.iter_mut().flat_map(|stage| &mut stage.kernels) {
@@ -35,7 +33,7 @@ pub(super) fn branch(graph: &mut Graph, plan: &mut Plan, strips: &Strips) {
 
 /// Splits a kernel by the value that most of its choices depend on, and the parts again; gives the cells in the end.
 fn split(
-    graph: &mut Graph,
+    graph: &mut Function,
     plan: &mut Plan,
     order: &[ValueId],
     kernel: &mut Kernel,
@@ -46,14 +44,15 @@ fn split(
     let whole = kernel.cells.len() + kernel.sinks.len();
     let Some(subject) = (depth > 0).then(|| dominant(graph, kernel)).flatten() else { return whole };
     let width = graph.cell(subject).width;
-    let (cells, sinks) = (graph.cells.len(), graph.sinks.len());
+    let (cells, sinks) = (graph.circuit().len(), graph.sinks.len());
+    let cone = cone(graph.circuit(), order, subject);
+    graph.rewriter.vary();
     let mut kernels: Vec<Kernel> = Vec::new();
     let mut moved = Vec::new();
     let mut table = Vec::new();
     let mut remaining = 0;
-    let mut shared = Shared::default();
     for number in 0..1u64 << width {
-        let mut known = Known::new(graph, order, &mut shared, subject, number);
+        let mut known = Known::new(graph, &cone, subject, number);
         let variant = known.kernel(plan, kernel, &mut moved);
         remaining += variant.cells.len() + variant.sinks.len();
         let index = kernels.iter().position(|other| same(graph, other, &variant));
@@ -66,7 +65,7 @@ fn split(
     let total: usize = kernels.iter().map(|kernel| kernel.cells.len() + kernel.sinks.len()).sum();
     let saved = (whole as f64 - average) * times as f64;
     if average > whole as f64 * REMAINING || saved < WORTH as f64 || total > most {
-        graph.cells.truncate(cells);
+        graph.rewriter.truncate(cells);
         graph.sinks.truncate(sinks);
         return whole;
     }
@@ -84,16 +83,16 @@ fn split(
 }
 
 /// Whether two kernels do the same.
-fn same(graph: &Graph, a: &Kernel, b: &Kernel) -> bool {
+fn same(graph: &Function, a: &Kernel, b: &Kernel) -> bool {
     let sinks = |kernel: &Kernel| -> Vec<Sink> { kernel.sinks.iter().map(|&sink| graph.sinks[sink].clone()).collect() };
     a.cells == b.cells && sinks(a) == sinks(b)
 }
 
 /// The single value that most choices of a kernel depend on.
-fn dominant(graph: &Graph, kernel: &Kernel) -> Option<ValueId> {
+fn dominant(graph: &Function, kernel: &Kernel) -> Option<ValueId> {
     let mut scores: BTreeMap<ValueId, usize> = BTreeMap::new();
     let mut score = |id: ValueId, weight: usize| {
-        if let Kind::Broadcast(of, _) = graph.cell(id).kind
+        if let Kind::Broadcast { of, .. } = graph.cell(id).kind
             && let Some(root) = root(graph, of)
         {
             *scores.entry(root).or_default() += weight;
@@ -118,7 +117,7 @@ fn dominant(graph: &Graph, kernel: &Kernel) -> Option<ValueId> {
 }
 
 /// The one value that a single value is computed from, if it is small enough; else the value itself, if that is.
-fn root(graph: &Graph, id: ValueId) -> Option<ValueId> {
+fn root(graph: &Function, id: ValueId) -> Option<ValueId> {
     if graph.cell(id).lanes > 1 {
         return None;
     }
@@ -140,60 +139,42 @@ fn root(graph: &Graph, id: ValueId) -> Option<ValueId> {
     }
 }
 
-/// A graph in which some single values are known.
-struct View<'a> {
-    graph: &'a Graph,
-    singles: &'a FxHashMap<ValueId, Kind>,
-}
-
-impl Cells for View<'_> {
-    fn kind(&self, id: ValueId) -> &Kind {
-        self.singles.get(&id).unwrap_or(&self.graph.cell(id).kind)
-    }
-
-    fn width(&self, id: ValueId) -> u32 {
-        self.graph.cell(id).width
-    }
+/// The single values that depend on one, each after its operands.
+fn cone(circuit: &Circuit, order: &[ValueId], subject: ValueId) -> Vec<ValueId> {
+    let mut inside = FxHashSet::from_iter([subject]);
+    let depends = |id: &ValueId| {
+        let Cell { kind, lanes, .. } = &circuit[*id];
+        let mut depends = false;
+        kind.for_each_operand(|operand| depends |= inside.contains(&operand));
+        let depends = depends && *lanes == 1 && *id != subject;
+        depends && inside.insert(*id)
+    };
+    order.iter().copied().filter(depends).collect()
 }
 
 /// What is known when the subject is a certain number.
 struct Known<'a> {
-    graph: &'a mut Graph,
+    graph: &'a mut Function,
     /// Single values that are known then, as constants.
-    singles: FxHashMap<ValueId, Kind>,
+    singles: FxHashMap<ValueId, ValueId>,
     /// What cells of the kernel have become.
     became: FxHashMap<ValueId, ValueId>,
-    /// Cells made for this or another number.
-    shared: &'a mut Shared,
 }
 
-type Shared = FxHashMap<(Kind, u32, u32), ValueId>;
-
 impl<'a> Known<'a> {
-    fn new(
-        graph: &'a mut Graph,
-        order: &[ValueId],
-        shared: &'a mut Shared,
-        subject: ValueId,
-        number: u64,
-    ) -> Known<'a> {
+    /// `cone` has the single values that depend on the subject, each after its operands.
+    fn new(graph: &'a mut Function, cone: &[ValueId], subject: ValueId, number: u64) -> Known<'a> {
         let bits = Bits::from_limbs(graph.cell(subject).width, &[number]);
-        let mut singles = FxHashMap::from_iter([(subject, Kind::Const(bits))]);
-        for &id in order {
-            let cell = graph.cell(id);
-            if cell.lanes == 1
-                && id != subject
-                && let Some(bits) = fold(&View { graph, singles: &singles }, &cell.kind, cell.width)
-            {
-                singles.insert(id, Kind::Const(bits));
+        let constant = graph.constant(bits, 1);
+        let mut singles = FxHashMap::from_iter([(subject, constant)]);
+        for &id in cone {
+            let mut cell = graph.cell(id).clone();
+            cell.kind.rewrite(|operand| *operand = singles.get(operand).copied().unwrap_or(*operand));
+            if let Some(bits) = graph.rewriter.known(cell) {
+                singles.insert(id, graph.constant(bits, 1));
             }
         }
-        Known { graph, singles, became: FxHashMap::default(), shared }
-    }
-
-    fn add(&mut self, kind: Kind, lanes: u32, width: u32) -> ValueId {
-        let graph = &mut *self.graph;
-        *self.shared.entry((kind.clone(), lanes, width)).or_insert_with(|| graph.add(kind, lanes, width))
+        Known { graph, singles, became: FxHashMap::default() }
     }
 
     /// What an operand of the kernel has become.
@@ -201,14 +182,13 @@ impl<'a> Known<'a> {
         if let Some(&became) = self.became.get(&id) {
             return became;
         }
-        let cell = self.graph.cell(id).clone();
-        let became = match &cell.kind {
-            Kind::Broadcast(of, _) => match self.singles.get(of).cloned() {
-                Some(constant) => self.add(constant, cell.lanes, cell.width),
-                None => id,
-            },
-            _ => id,
+        let &Cell { ref kind, lanes, .. } = self.graph.cell(id);
+        let known = match kind {
+            Kind::Broadcast { of, .. } => self.singles.get(of),
+            _ => None,
         };
+        let bits = known.map(|constant| self.graph.circuit().constant(*constant).expect("it is known").clone());
+        let became = bits.map_or(id, |bits| self.graph.constant(bits, lanes));
         self.became.insert(id, became);
         became
     }
@@ -218,40 +198,30 @@ impl<'a> Known<'a> {
         let mut cells = Vec::new();
         let (mut wanted, mut seen) = (FxHashSet::default(), FxHashSet::default());
         for &id in &kernel.cells {
-            let cell = self.graph.cell(id).clone();
-            let mut kind = cell.kind.clone();
-            kind.rewrite(|operand| *operand = self.operand(*operand));
-            kind = shorter(self.graph, &kind).unwrap_or(kind);
-            kind = fold(self.graph, &kind, cell.width).map_or(kind, Kind::Const);
-            let alias = alias(self.graph, &kind, cell.width);
-            let is_read = plan.stored.contains(&id) || matches!(kind, Kind::Reduce { .. });
-            if is_read && matches!(kind, Kind::Const(_)) {
-                // Others read it from memory, so it has to be brought there.
-                let constant = self.add(kind, cell.lanes, cell.width);
-                let stored = self.graph.add(Kind::Alias(constant), cell.lanes, cell.width);
-                wanted.insert(stored);
-                moved.push((stored, plan.home(id)));
-                cells.push(stored);
-                self.became.insert(id, constant);
-                continue;
-            }
-            let became = match alias {
-                _ if kind == cell.kind => id,
-                Some(of) if !is_read => of,
-                Some(of) => self.graph.add(Kind::Alias(of), cell.lanes, cell.width),
-                None if is_read => self.graph.add(kind, cell.lanes, cell.width),
-                None => self.add(kind, cell.lanes, cell.width),
+            let was = self.graph.cell(id).clone();
+            let mut cell = was.clone();
+            cell.kind.rewrite(|operand| *operand = self.operand(*operand));
+            let is_sum = matches!(cell.kind, Kind::Reduce { .. });
+            let rewriter = &mut self.graph.rewriter;
+            let (became, is_computed) = match () {
+                () if cell == was => (id, true),
+                () if is_sum => (rewriter.push(cell), true),
+                () => rewriter.number_or_find(cell),
             };
-            if is_read {
-                wanted.insert(became);
-                if became != id {
-                    moved.push((became, plan.home(id)));
-                }
-            }
             self.became.insert(id, became);
-            // If it is an alias, what it stands for is computed before, or elsewhere.
-            if (became == id || alias.is_none() || is_read) && seen.insert(became) {
+            if is_computed && seen.insert(became) {
                 cells.push(became);
+            }
+            if is_sum || plan.stored.contains(&id) {
+                // Others read it from memory, where it has to be brought whatever has become of it.
+                let stored = if became == id || is_sum { became } else { self.graph.rewriter.copy(became) };
+                if stored != id {
+                    moved.push((stored, plan.home(id)));
+                }
+                if stored != became {
+                    cells.push(stored);
+                }
+                wanted.insert(stored);
             }
         }
         let sinks: Vec<usize> = kernel.sinks.iter().filter_map(|&sink| self.sink(plan, sink)).collect();
@@ -267,8 +237,8 @@ impl<'a> Known<'a> {
                 });
             }
         }
-        let computed = |id: &ValueId| wanted.contains(id) && !matches!(self.graph.cell(*id).kind, Kind::Const(_));
-        cells.retain(computed);
+        let is_live = |id: &ValueId| wanted.contains(id) && self.graph.circuit().constant(*id).is_none();
+        cells.retain(is_live);
         Kernel { cells, sinks, switch: None }
     }
 
@@ -279,7 +249,7 @@ impl<'a> Known<'a> {
         let is_late = matches!(sink, Sink::Register { state, .. } if plan.late.contains(&state));
         // What is late waits elsewhere: it has to be brought there.
         if !is_late {
-            sink = simplify::happening(self.graph, sink)?;
+            sink = happening(self.graph.circuit(), sink)?;
         }
         if sink == self.graph.sinks[index] {
             return Some(index);

@@ -5,7 +5,7 @@
 use tilewright_hdl::index_width;
 use tilewright_hdl::ir::{Binary, Unary};
 
-use crate::engine::program::{Kind, Program, Value, ValueId};
+use crate::engine::program::{Axis, Cell, Kind, Program, ValueId};
 
 /// Checks a program.
 ///
@@ -13,24 +13,18 @@ use crate::engine::program::{Kind, Program, Value, ValueId};
 ///
 /// It is not one that [`crate::engine::program::compile`] makes of a valid circuit.
 pub(super) fn check(program: &Program) {
-    let mut known: Vec<bool> = program.values.iter().map(|value| value.offset < program.state_end).collect();
-    program.constants.iter().for_each(|(id, _)| known[id.index()] = true);
-    for operation in &program.operations {
-        let result = program.value(operation.result);
-        operation.kind.for_each_operand(|operand| {
-            let is_known = known.get(operand.index()).is_some_and(|known| *known);
-            assert!(is_known, "a circuit uses a value before it is computed: {operation:?}");
+    for (id, cell) in program.circuit.cells() {
+        let is_computed =
+            |operand: ValueId| operand < id || (operand.index() < program.circuit.len() && program.is_state(operand));
+        cell.kind.for_each_operand(|operand| {
+            assert!(is_computed(operand), "a circuit uses a value before it is computed: {cell:?}");
         });
-        let fits = Shapes(program).fit(&operation.kind, result);
-        assert!(fits, "the operands of an operation do not have the shapes that it takes: {operation:?}, {result:?}");
-        known[operation.result.index()] = true;
-    }
-    for (id, bits) in &program.constants {
-        assert!(bits.width() == program.value(*id).width, "a constant has another width than its value: {id:?}");
+        let fits = Shapes(program).fit(cell);
+        assert!(fits, "the operands of an operation do not have the shapes that it takes: {cell:?}");
     }
     let is_flag = |id: ValueId, lanes: u32| Shapes(program).is(id, lanes, 1);
     for register in &program.registers {
-        let Value { lanes, width, .. } = *program.value(register.value);
+        let Cell { lanes, width, .. } = program.circuit[register.value];
         let fits = Shapes(program).is(register.next, lanes, width)
             && register.enable.is_none_or(|enable| is_flag(enable, lanes))
             && register.reset.as_ref().is_none_or(|reset| reset.width() == width);
@@ -51,7 +45,7 @@ pub(super) fn check(program: &Program) {
         assert!(fits, "the ports of a memory do not have its shape: {:?}, {:?}", memory.reads, memory.writes);
     }
     for assert in &program.asserts {
-        assert!(program.value(assert.condition).width == 1, "an assertion is of more than one bit: {assert:?}");
+        assert!(program.circuit[assert.condition].width == 1, "an assertion is of more than one bit: {assert:?}");
     }
 }
 
@@ -60,21 +54,28 @@ struct Shapes<'a>(&'a Program);
 
 impl Shapes<'_> {
     fn is(&self, id: ValueId, lanes: u32, width: u32) -> bool {
-        let value = self.0.value(id);
-        (value.lanes, value.width) == (lanes, width)
+        let cell = &self.0.circuit[id];
+        (cell.lanes, cell.width) == (lanes, width)
     }
 
-    /// Whether an operation that gives `result` has the operands that it takes.
-    fn fit(&self, kind: &Kind, result: &Value) -> bool {
-        let Value { lanes, width, .. } = *result;
-        let (lanes_of, width_of) = (|id: ValueId| self.0.value(id).lanes, |id: ValueId| self.0.value(id).width);
+    /// Whether an operation has the operands that it takes.
+    fn fit(&self, cell: &Cell) -> bool {
+        let Cell { ref kind, lanes, width } = *cell;
+        let (lanes_of, width_of) = (|id: ValueId| self.0.circuit[id].lanes, |id: ValueId| self.0.circuit[id].width);
         let same = |id: ValueId| self.is(id, lanes, width);
         let flag = |id: ValueId| self.is(id, lanes, 1);
         let in_lanes = |id: ValueId| lanes_of(id) == lanes;
-        let times = |id: ValueId, n: u32| lanes_of(id).checked_mul(n) == Some(lanes) && width_of(id) == width;
-        let by_group = |id: ValueId, n: u32| lanes.checked_mul(n) == Some(lanes_of(id)) && width_of(id) == width;
+        // Without an axis, and with one, which groups of the lanes are.
+        let less = |id: ValueId, axis: Axis| {
+            lanes_of(id).checked_mul(axis.count) == Some(lanes) && lanes_of(id).is_multiple_of(axis.inner)
+        };
+        let more = |id: ValueId, axis: Axis| {
+            lanes.checked_mul(axis.count) == Some(lanes_of(id)) && lanes.is_multiple_of(axis.inner)
+        };
+        let wide = |id: ValueId| width_of(id) == width;
         match kind {
-            Kind::State | Kind::Const(_) => false,
+            Kind::State => true,
+            Kind::Const(bits) => bits.width() == width,
             Kind::Alias(of) | Kind::Unary(Unary::Not, of) => same(*of),
             Kind::Unary(_, of) => in_lanes(*of) && width == 1,
             Kind::Binary(Binary::Mul | Binary::MulSigned, a, b) => {
@@ -107,15 +108,37 @@ impl Shapes<'_> {
                         && self.is(*address, lanes, index_width(memory.depth.into()))
                 })
             }
-            Kind::Broadcast(of, n) | Kind::Tile(of, n) => times(*of, *n),
-            Kind::PerLane(parts) => {
-                let (first, n) = (parts.first(), parts.len() as u32);
-                first.is_some_and(|first| parts.iter().all(|part| lanes_of(*part) == lanes_of(*first)))
-                    && parts.iter().all(|part| times(*part, n))
+            Kind::Broadcast { of, axis } => less(*of, *axis) && wide(*of),
+            Kind::Stack { parts, inner } => {
+                let axis = Axis { count: parts.len() as u32, inner: *inner };
+                !parts.is_empty() && parts.iter().all(|part| less(*part, axis) && wide(*part))
             }
-            Kind::Shifted { of, edge, group, .. } => same(*of) && times(*edge, *group),
-            Kind::Lane { of, index, group } => by_group(*of, *group) && index < group,
-            Kind::Reduce { of, group, .. } => by_group(*of, *group),
+            Kind::Map { of, axis, count, index, edge } => {
+                let to = Axis { count: *count, ..*axis };
+                let is_whole = |axis: Axis, lanes: u32| axis.lanes() > 0 && lanes.is_multiple_of(axis.lanes());
+                is_whole(*axis, lanes_of(*of))
+                    && is_whole(to, lanes)
+                    && lanes_of(*of) / axis.lanes() == lanes / to.lanes()
+                    && wide(*of)
+                    && index.div > 0
+                    && match edge {
+                        Some(edge) => less(*edge, to) && wide(*edge),
+                        None => (0..*count).all(|lane| index.within(lane, axis.count).is_some()),
+                    }
+            }
+            Kind::Interleave { parts, axis } => {
+                parts.first().is_some_and(|first| lanes_of(*first).is_multiple_of(axis.lanes()))
+                    && parts
+                        .iter()
+                        .all(|part| wide(*part) && lanes_of(*part).checked_mul(parts.len() as u32) == Some(lanes))
+            }
+            Kind::Lane { of, axis, index } => more(*of, *axis) && wide(*of) && *index < axis.count,
+            Kind::Pick { of, axis, index } => more(*of, *axis) && wide(*of) && in_lanes(*index),
+            Kind::Reduce { of, axis, .. } => more(*of, *axis) && wide(*of),
+            Kind::Pack { of, axis } => more(*of, *axis) && width_of(*of).checked_mul(axis.count) == Some(width),
+            Kind::Unpack { of, axis } => less(*of, *axis) && width.checked_mul(axis.count) == Some(width_of(*of)),
+            // No program has what only code does.
+            Kind::Gather { .. } | Kind::Slide { .. } | Kind::Word { .. } | Kind::Rotate(..) => false,
         }
     }
 }
@@ -179,9 +202,15 @@ mod tests {
         compile(&elaborate(&Top).unwrap(), &Passes::none())
     }
 
-    fn operation(program: &mut Program, is_it: fn(&Kind) -> bool) -> &mut Kind {
-        let mut kinds = program.operations.iter_mut().map(|operation| &mut operation.kind);
-        kinds.find(|kind| is_it(kind)).expect("the circuit has one")
+    /// Edits the first operation that is taken.
+    fn operation(program: &mut Program, edit: impl Fn(&mut Kind) -> bool) {
+        let mut edited = program.circuit.cells().filter_map(|(id, cell)| {
+            let mut kind = cell.kind.clone();
+            edit(&mut kind).then_some((id, kind))
+        });
+        let (id, kind) = edited.next().expect("the circuit has one");
+        drop(edited);
+        program.circuit.set_kind(id, kind);
     }
 
     /// Edits the program, which is then refused.
@@ -202,28 +231,40 @@ mod tests {
         let shapes = "the operands of an operation do not have the shapes that it takes: ";
         let long = |program: &Program| program.memories[0].writes[0].data;
         let far = refused(|program| {
-            let lane = operation(program, |kind| matches!(kind, Kind::Lane { .. }));
-            if let Kind::Lane { index, .. } = lane {
+            operation(program, |kind| {
+                let Kind::Lane { index, .. } = kind else { return false };
                 *index = 1_000_000;
-            }
+                true
+            });
         });
         assert!(far.starts_with(shapes) && far.contains("1000000"), "{far}");
         let address = refused(|program| {
             let wide = long(program);
-            if let Kind::Read { address, .. } = operation(program, |kind| matches!(kind, Kind::Read { .. })) {
+            operation(program, |kind| {
+                let Kind::Read { address, .. } = kind else { return false };
                 *address = wide;
-            }
+                true
+            });
         });
         assert!(address.starts_with(shapes), "{address}");
         let memory = refused(|program| {
-            if let Kind::Read { memory, .. } = operation(program, |kind| matches!(kind, Kind::Read { .. })) {
+            operation(program, |kind| {
+                let Kind::Read { memory, .. } = kind else { return false };
                 *memory = 7;
-            }
+                true
+            });
         });
         assert!(memory.starts_with(shapes), "{memory}");
         let write = refused(|program| program.memories[0].writes[0].address = long(program));
         assert!(write.starts_with("the ports of a memory do not have its shape: "), "{write}");
-        let early = refused(|program| program.operations.reverse());
+        let early = refused(|program| {
+            let last = program.circuit.ids().next_back().expect("there are values");
+            operation(program, |kind| {
+                let (Kind::Unary(_, of) | Kind::Binary(_, of, _)) = kind else { return false };
+                *of = last;
+                true
+            });
+        });
         assert!(early.starts_with("a circuit uses a value before it is computed: "), "{early}");
     }
 }

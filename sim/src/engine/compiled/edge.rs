@@ -2,11 +2,10 @@
 
 use tilewright_hdl::Bits;
 
-use super::graph::Graph;
+use super::Compiled;
+use super::function::{Function, Held, Maker};
 use super::jit::Code;
 use super::prepare::Prepared;
-use super::{Compiled, simplify};
-use crate::engine::program::{Kind, ValueId};
 use crate::engine::start::State;
 
 /// A function for an edge.
@@ -36,7 +35,7 @@ impl Compiled {
         let made = self.edges.iter().position(|edge| edge.rising.iter().eq(rising) && matches(&edge.resets));
         let index = made.unwrap_or_else(|| {
             let resets = if unchecked { vec![false; self.resets.len()] } else { self.resets.clone() };
-            let code = self.make_edge(rising, &resets, &[]);
+            let code = self.make_edge(rising, &resets, &Held::default());
             let rising = rising.to_vec();
             self.edges.push(Edge { rising, resets, code, inputs_version: 0, quiet: 0, special: None });
             self.edges.len() - 1
@@ -62,7 +61,7 @@ impl Compiled {
             self.state.get(self.places[id.index()].expect("an input is state"), &mut limbs);
             (id, Bits::from_limbs(self.program.value(id).width, &limbs))
         });
-        let held: Vec<(ValueId, Bits)> = held.collect();
+        let held: Held = held.collect();
         let code = self.make_edge(rising, &resets, &held);
         self.edges[index].special = Some(code);
         code
@@ -77,20 +76,11 @@ impl Compiled {
     }
 
     /// Makes the function for an edge, which checks the assertions of clocks not in reset, with inputs that are known.
-    fn make_edge(&mut self, rising: &[usize], resets: &[bool], held: &[(ValueId, Bits)]) -> Code {
-        let check = Graph::check(&self.program, rising, resets);
-        let edge = Graph::edge(&self.program, rising);
-        let graphs = check.into_iter().chain([edge]).map(|mut graph| {
-            for (id, bits) in held {
-                graph.cells[id.index()].kind = Kind::Const(bits.clone());
-            }
-            if !held.is_empty() {
-                simplify::simplify(&mut graph);
-            }
-            graph
-        });
-        let graphs: Vec<Graph> = graphs.collect();
-        let parts: Vec<Prepared> = graphs.into_iter().map(|graph| self.prepare(graph)).collect();
+    fn make_edge(&mut self, rising: &[usize], resets: &[bool], held: &Held) -> Code {
+        let check = Maker::new(&self.program, held).check(rising, resets);
+        let edge = Maker::new(&self.program, held).edge(rising);
+        let functions: Vec<Function> = check.into_iter().chain([edge]).collect();
+        let parts: Vec<Prepared> = functions.iter().map(|function| self.prepare(function)).collect();
         self.compile(&parts)
     }
 

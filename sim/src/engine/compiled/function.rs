@@ -1,327 +1,264 @@
-//! From a planned graph to a function of machine code.
+//! What one function of generated code computes: the values of a program that its sinks need.
 
-use cranelift_codegen::ir::condcodes::IntCC;
-use cranelift_codegen::ir::{InstBuilder, MemFlagsData, Value, types};
+use rustc_hash::FxHashMap;
+use tilewright_hdl::Bits;
+use tilewright_hdl::ir::{Binary, ReadUnderWrite, Reduction, Relation, Unary};
 
-use super::builder::FunctionBuilder;
-use super::graph::{Graph, Sink};
-use super::layout::{Layout, Place, Strips, Words};
-use super::plan::{Plan, is_table};
-use super::scalar::Scalars;
-use super::sequence::Step;
-use crate::engine::program::{Kind, ValueId};
+use crate::engine::program::{Axis, Cell, Circuit, Kind, Program, ValueId};
+use crate::engine::rewrite::{Rewriter, rebuild};
 
-/// A memory as code sees it.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct MemoryAt {
-    /// Its bank, by index, and its first byte there.
-    pub bank: usize,
-    pub first: usize,
-    pub address: usize,
-    pub words: Words,
-    pub depth: u32,
-    pub width: u32,
-    /// What zeros stand for, up to 64 bits: words are stored as their exclusive or with it, so that a memory that is full
-    /// of one word at the start need not be written.
-    pub blank: u64,
-    /// Every address that can be expressed is within the depth.
-    pub is_full: bool,
+/// What a function does with what it computes.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) enum Sink {
+    /// A register, or the data of a synchronous read, takes a value.
+    Register {
+        /// What holds it.
+        state: ValueId,
+        /// What it takes.
+        next: ValueId,
+        /// 1 bit: whether it does.
+        enable: Option<ValueId>,
+    },
+    /// A word goes into a memory.
+    Write {
+        /// The memory, by index.
+        memory: u32,
+        /// 1 bit: whether it does.
+        enable: ValueId,
+        /// The address.
+        address: ValueId,
+        /// The word.
+        data: ValueId,
+    },
+    /// A value is left where a testbench finds it.
+    Show(ValueId),
+    /// The function goes on only if this is 1.
+    Hold(ValueId),
 }
 
-impl MemoryAt {
-    /// Where a word is in the bank.
-    pub fn at(&self, lane: u32, address: u32) -> usize {
-        self.first + self.words.at(lane, address)
+impl Sink {
+    /// How many lanes what it takes has.
+    pub fn lanes(&self, circuit: &Circuit) -> u32 {
+        let (Sink::Register { state: id, .. } | Sink::Write { enable: id, .. } | Sink::Show(id) | Sink::Hold(id)) =
+            *self;
+        circuit[id].lanes
     }
 
-    /// How a word stands in the memory, or the word that stands so.
-    pub fn standing(&self, limbs: &[u64]) -> Vec<u64> {
-        let mut limbs = limbs.to_vec();
-        limbs[0] ^= self.blank;
-        limbs
-    }
-
-    /// Bits of the integers that a word consists of.
-    pub fn element(&self) -> u32 {
-        (self.words.word as u32 * 8).min(64)
-    }
-}
-
-/// Where everything is.
-pub(super) struct Addresses {
-    /// Per cell: where it is stored, if it is.
-    pub places: Vec<Option<Place>>,
-    /// Per register that changes late: where it waits.
-    pub waiting: Vec<(ValueId, Place)>,
-    /// Arrays of constant lanes: what has to be there before the function runs.
-    pub tables: Vec<ValueId>,
-}
-
-impl Addresses {
-    /// Gives places to what a function stores; `state` has those of the program's state.
-    pub fn new(graph: &Graph, plan: &Plan, state: &[Option<Place>], layout: &mut Layout) -> Addresses {
-        let mut places = state.to_vec();
-        places.resize(graph.cells.len(), None);
-        let mut tables = Vec::new();
-        for id in graph.needed() {
-            let cell = graph.cell(id);
-            if is_table(graph, id) {
-                tables.push(id);
+    /// Calls `visit` with every value that the sink takes.
+    pub fn for_each_operand(&self, mut visit: impl FnMut(ValueId)) {
+        match *self {
+            Sink::Register { next, enable, .. } => {
+                visit(next);
+                enable.into_iter().for_each(visit);
             }
-            if is_table(graph, id) || plan.stored.contains(&id) {
-                places[id.index()] = Some(layout.place(cell.lanes, cell.width));
+            Sink::Write { enable, address, data, .. } => [enable, address, data].into_iter().for_each(visit),
+            Sink::Show(value) | Sink::Hold(value) => visit(value),
+        }
+    }
+
+    /// Calls `visit` with every value that the sink takes, which it may replace.
+    pub fn rewrite(&mut self, mut visit: impl FnMut(&mut ValueId)) {
+        match self {
+            Sink::Register { next, enable, .. } => {
+                visit(next);
+                enable.iter_mut().for_each(visit);
             }
+            Sink::Write { enable, address, data, .. } => [enable, address, data].into_iter().for_each(visit),
+            Sink::Show(value) | Sink::Hold(value) => visit(value),
         }
-        for (&new, &of) in &plan.moved {
-            places[new.index()] = places[of.index()];
-        }
-        let waiting = plan.late.iter().map(|&id| {
-            let cell = graph.cell(id);
-            (id, layout.place(cell.lanes, cell.width))
-        });
-        let waiting = waiting.collect();
-        Addresses { places, waiting, tables }
-    }
-
-    /// Whether it is stored.
-    pub(super) fn has(&self, id: ValueId) -> bool {
-        self.places.get(id.index()).is_some_and(Option::is_some)
-    }
-
-    pub(super) fn of(&self, id: ValueId) -> Place {
-        self.places[id.index()].expect("what is read from memory has a place")
     }
 }
 
-/// Emits a function.
-pub(super) struct Emitter<'a, 'b, 'c> {
-    pub(super) graph: &'a Graph,
-    pub(super) plan: &'a Plan,
-    pub(super) addresses: &'a Addresses,
-    pub(super) memories: &'a [MemoryAt],
-    pub(super) strips: &'a Strips,
-    pub(super) builder: &'c mut FunctionBuilder<'b>,
-    pub(super) state: Value,
-    /// Values of one lane.
-    pub(super) scalars: Scalars,
-    /// The next id that no cell has.
-    fresh: u32,
+/// What is known of a program's state while a function runs.
+pub(super) type Held = FxHashMap<ValueId, Bits>;
+
+/// A circuit and its sinks. State has the ids that it has in the program.
+#[derive(Debug, Clone)]
+pub(super) struct Function {
+    pub rewriter: Rewriter,
+    pub sinks: Vec<Sink>,
 }
 
-impl<'a, 'b, 'c> Emitter<'a, 'b, 'c> {
-    pub fn new(
-        graph: &'a Graph,
-        plan: &'a Plan,
-        addresses: &'a Addresses,
-        memories: &'a [MemoryAt],
-        strips: &'a Strips,
-        builder: &'c mut FunctionBuilder<'b>,
-        state: Value,
-    ) -> Self {
-        let fresh = graph.cells.len() as u32;
-        Emitter { graph, plan, addresses, memories, strips, builder, state, scalars: Scalars::default(), fresh }
+impl Function {
+    /// The circuit.
+    pub fn circuit(&self) -> &Circuit {
+        self.rewriter.circuit()
     }
 
-    /// Emits these steps.
-    pub fn steps(&mut self, steps: &[Step]) {
-        let plan = self.plan;
-        for &step in steps {
-            match step {
-                Step::Single(id) => {
-                    self.single(id);
-                    if plan.stored.contains(&id) {
-                        let place = self.addresses.of(id);
-                        self.store_single(id, place, self.state, place.offset);
-                    }
-                }
-                Step::Pack(id) => self.pack(id),
-                Step::Kernel(stage, lanes) => self.kernel(lanes, &plan.stages[stage].kernels[&lanes]),
-                Step::Sink(index) => self.sink(index),
-            }
-        }
+    /// The cell of that id.
+    pub fn cell(&self, id: ValueId) -> &Cell {
+        &self.rewriter.circuit()[id]
     }
 
-    /// Ends a function: late arrays change. Gives what must hold, if something must.
-    pub fn end(&mut self) -> Option<Value> {
-        for (state, waiting) in &self.addresses.waiting {
-            let place = self.addresses.of(*state);
-            self.copy(*waiting, place);
-        }
-        let held = self.graph.sinks.iter().find_map(|sink| match sink {
-            Sink::Hold(value) => Some(*value),
-            _ => None,
-        });
-        held.map(|value| {
-            self.want(value);
-            self.scalars.flag(self.builder, value)
-        })
+    /// A constant in all lanes.
+    pub fn constant(&mut self, bits: Bits, lanes: u32) -> ValueId {
+        let width = bits.width();
+        self.rewriter.add(Kind::Const(bits), lanes, width)
     }
 
-    /// An id for a value that is no cell.
-    pub(super) fn id(&mut self) -> ValueId {
-        self.fresh += 1;
-        ValueId(self.fresh - 1)
+    /// The values that the sinks need, each after its operands.
+    pub fn needed(&self) -> Vec<ValueId> {
+        let mut roots = Vec::new();
+        self.sinks.iter().for_each(|sink| sink.for_each_operand(|operand| roots.push(operand)));
+        self.circuit().needed(roots)
     }
 
-    /// Makes a value of one lane available to what follows.
-    pub(super) fn want(&mut self, id: ValueId) {
-        if self.scalars.get(id).is_some() {
-            return;
-        }
-        match &self.graph.cell(id).kind {
-            Kind::Const(bits) => self.scalars.constant(self.builder, id, bits),
-            _ => {
-                let place = self.addresses.of(id);
-                self.scalars.load(self.builder, id, place.width, place.integer(), self.state, offset(place.offset));
-            }
-        }
-    }
-
-    fn single(&mut self, id: ValueId) {
-        let cell = self.graph.cell(id);
-        match &cell.kind {
-            Kind::Read { memory, address } => {
-                self.want(*address);
-                self.read(id, *memory, *address);
-            }
-            Kind::Lane { of, index, .. } => {
-                if let Kind::Const(bits) = &self.graph.cell(*of).kind {
-                    return self.scalars.constant(self.builder, id, bits);
-                }
-                let place = self.addresses.of(*of);
-                let at = offset(place.lane(*index));
-                self.scalars.load(self.builder, id, place.width, place.integer(), self.state, at);
-            }
-            Kind::Case { subject, .. } if self.graph.lookups.contains_key(&id) => {
-                self.want(*subject);
-                let number = self.scalars.clean(self.builder, *subject)[0];
-                self.load_lane(id, self.graph.lookups[&id], number);
-            }
-            kind => match self.graph.rotations.get(&id) {
-                Some(&(of, left)) => {
-                    self.want(of);
-                    self.scalars.rotate(self.builder, id, of, left);
-                }
-                None => {
-                    kind.for_each_operand(|operand| self.want(operand));
-                    self.scalars.evaluate(self.builder, id, kind, cell.width);
-                }
-            },
-        }
-    }
-
-    /// Stores single values, or the lanes of shorter arrays, side by side.
-    fn pack(&mut self, id: ValueId) {
-        let Kind::PerLane(parts) = &self.graph.cell(id).kind else { unreachable!("only these are packed") };
-        let place = self.addresses.of(id);
-        let outer = self.graph.cell(parts[0]).lanes;
-        for (i, &part) in parts.iter().enumerate() {
-            for lane in 0..outer {
-                let at = offset(place.lane(lane * parts.len() as u32 + i as u32));
-                let value = match outer {
-                    1 => {
-                        self.want(part);
-                        part
-                    }
-                    _ => self.element(part, lane),
-                };
-                self.scalars.store(self.builder, value, place.integer(), self.state, at);
-            }
-        }
-    }
-
-    /// One lane, known now, of an array, as a value of one lane.
-    fn element(&mut self, of: ValueId, lane: u32) -> ValueId {
-        let id = self.id();
-        match &self.graph.cell(of).kind {
-            Kind::Const(bits) => self.scalars.constant(self.builder, id, bits),
-            Kind::Broadcast(plain, _) if self.graph.cell(*plain).lanes == 1 => {
-                self.want(*plain);
-                return *plain;
-            }
-            Kind::Tile(row, _) => return self.element(*row, lane % self.graph.cell(*row).lanes),
-            _ => {
-                let place = self.addresses.of(of);
-                let at = offset(place.lane(lane));
-                self.scalars.load(self.builder, id, place.width, place.integer(), self.state, at);
-            }
-        }
-        id
-    }
-
-    /// What a sink of single values says.
-    fn sink(&mut self, index: usize) {
-        let graph = self.graph;
-        let sink = &graph.sinks[index];
-        sink.for_each_operand(|operand| self.want(operand));
-        match *sink {
-            Sink::Register { state, next, enable } => {
-                let value = match enable {
-                    None => next,
-                    Some(select) => {
-                        self.want(state);
-                        let value = self.id();
-                        let kind = Kind::Mux { select, on_true: next, on_false: state };
-                        self.scalars.evaluate(self.builder, value, &kind, graph.cell(state).width);
-                        value
-                    }
-                };
-                let place = self.addresses.of(state);
-                self.store_single(value, place, self.state, place.offset);
-            }
-            Sink::Write { memory, enable, address, data } => self.write(memory, enable, address, data),
-            // It is stored where it is computed.
-            Sink::Show(_) | Sink::Hold(_) => {}
-        }
-    }
-
-    /// Loads a lane, by its number, of an array in memory.
-    pub(super) fn load_lane(&mut self, id: ValueId, of: ValueId, lane: Value) {
-        if let Kind::Const(bits) = &self.graph.cell(of).kind {
-            return self.scalars.constant(self.builder, id, bits);
-        }
-        let place = self.addresses.of(of);
-        let at = self.address(lane, place.bytes());
-        self.scalars.load(self.builder, id, place.width, place.integer(), at, offset(place.offset));
-    }
-
-    /// Stores a single value.
-    pub(super) fn store_single(&mut self, id: ValueId, place: Place, at: Value, bytes: usize) {
-        self.scalars.store(self.builder, id, place.integer(), at, offset(bytes));
-    }
-
-    /// Copies an array, by vectors.
-    fn copy(&mut self, from: Place, to: Place) {
-        let vectors = (from.lanes as usize * from.bytes()).div_ceil(16);
-        let flags = MemFlagsData::trusted();
-        let (count, step) = (vectors as i64 * 16, 16);
-        self.count(count, step, |emitter, at| {
-            let at = emitter.builder.ins().iadd(emitter.state, at);
-            let vector = emitter.builder.ins().load(types::I8X16, flags, at, offset(from.offset));
-            emitter.builder.ins().store(flags, vector, at, offset(to.offset));
-        });
-    }
-
-    /// A loop: `body` gets 0, `step`, `2 * step` and so on below `limit`.
-    pub(super) fn count(&mut self, limit: i64, step: i64, body: impl FnOnce(&mut Self, Value)) {
-        let block = self.builder.create_block();
-        let done = self.builder.create_block();
-        self.builder.append_block_param(block, types::I64);
-        let start = self.builder.ins().iconst(types::I64, 0);
-        self.builder.ins().jump(block, &[start.into()]);
-        self.builder.switch_to_block(block);
-        let at = self.builder.block_params(block)[0];
-        body(self, at);
-        let step = self.builder.ins().iconst(types::I64, step);
-        let next = self.builder.ins().iadd(at, step);
-        let limit = self.builder.ins().iconst(types::I64, limit);
-        let more = self.builder.ins().icmp(IntCC::UnsignedLessThan, next, limit);
-        self.builder.ins().brif(more, block, &[next.into()], done, &[]);
-        self.builder.switch_to_block(done);
+    /// The function with every operation made anew by `make`, but for those that nothing needs.
+    pub fn rebuild(&self, rewriter: Rewriter, make: impl FnMut(&mut Rewriter, Cell) -> ValueId) -> Function {
+        let mut rewriter = rewriter;
+        let mut became = state(self.circuit(), &mut rewriter);
+        let mut sinks = self.sinks.clone();
+        rebuild(self.circuit(), self.needed(), &mut became, &mut rewriter, make);
+        sinks.iter_mut().for_each(|sink| sink.rewrite(|operand| *operand = became[operand]));
+        Function { rewriter, sinks }
     }
 }
 
-/// An offset as instructions take it.
-pub(super) fn offset(bytes: usize) -> i32 {
-    i32::try_from(bytes).expect("the state of a circuit is smaller than 2 GB; memories are apart from it")
+/// Gives a new circuit the state of another one, which comes first there.
+fn state(circuit: &Circuit, rewriter: &mut Rewriter) -> FxHashMap<ValueId, ValueId> {
+    let state = circuit.cells().take_while(|(_, cell)| cell.kind == Kind::State);
+    state.map(|(id, cell)| (id, rewriter.state(cell.lanes, cell.width))).collect()
+}
+
+/// Makes functions of a program.
+pub(super) struct Maker<'a> {
+    program: &'a Program,
+    /// What values of the program are in the function.
+    became: FxHashMap<ValueId, ValueId>,
+    function: Function,
+}
+
+impl<'a> Maker<'a> {
+    /// A function that does nothing yet, made for where some state is known.
+    pub fn new(program: &'a Program, held: &Held) -> Maker<'a> {
+        let mut rewriter = Rewriter::new(&program.passes);
+        let mut became = state(&program.circuit, &mut rewriter);
+        for (&id, bits) in held {
+            let Cell { lanes, width, .. } = program.circuit[id];
+            became.insert(id, rewriter.add(Kind::Const(bits.clone()), lanes, width));
+        }
+        Maker { program, became, function: Function { rewriter, sinks: Vec::new() } }
+    }
+
+    /// A value of the program.
+    pub fn take(&mut self, id: ValueId) -> ValueId {
+        let (circuit, rewriter) = (&self.program.circuit, &mut self.function.rewriter);
+        rebuild(circuit, [id], &mut self.became, rewriter, Rewriter::number);
+        self.became[&id]
+    }
+
+    fn add(&mut self, kind: Kind, lanes: u32, width: u32) -> ValueId {
+        self.function.rewriter.add(kind, lanes, width)
+    }
+
+    /// The function, without what never happens in it.
+    pub fn finish(self) -> Function {
+        let Function { rewriter, sinks } = self.function;
+        let sinks = sinks.into_iter().filter_map(|sink| happening(rewriter.circuit(), sink)).collect();
+        Function { rewriter, sinks }
+    }
+
+    /// Leaves values where a testbench finds them; gives what they are in the function.
+    pub fn show(&mut self, values: &[ValueId]) -> Vec<ValueId> {
+        let shown: Vec<ValueId> = values.iter().map(|&id| self.take(id)).collect();
+        self.function.sinks.extend(shown.iter().map(|&id| Sink::Show(id)));
+        shown
+    }
+
+    /// An edge of these clocks, but for resets.
+    pub fn edge(mut self, rising: &[usize]) -> Function {
+        let program = self.program;
+        for &clock in rising {
+            for &index in &program.clocks[clock].registers {
+                let register = &program.registers[index as usize];
+                let (next, enable) = (self.take(register.next), register.enable.map(|enable| self.take(enable)));
+                self.function.sinks.push(Sink::Register { state: register.value, next, enable });
+            }
+            for &(memory, port) in &program.clocks[clock].reads {
+                let sink = self.synchronous_read(memory, port, rising);
+                self.function.sinks.push(sink);
+            }
+        }
+        for &clock in rising {
+            for &(memory, port) in &program.clocks[clock].writes {
+                let write = &program.memories[memory as usize].writes[port as usize];
+                let [enable, address, data] = [write.enable, write.address, write.data].map(|id| self.take(id));
+                self.function.sinks.push(Sink::Write { memory, enable, address, data });
+            }
+        }
+        self.finish()
+    }
+
+    /// What must hold at an edge of these clocks, but for those in reset; `None` if there is nothing.
+    pub fn check(mut self, rising: &[usize], resets: &[bool]) -> Option<Function> {
+        let clocks = rising.iter().filter(|&&clock| !resets[clock]);
+        let asserts = clocks.flat_map(|&clock| &self.program.clocks[clock].asserts);
+        let mut all = None;
+        for &assert in asserts {
+            let of = self.take(self.program.asserts[assert as usize].condition);
+            let axis = Axis::last(self.function.cell(of).lanes);
+            let condition = self.add(Kind::Reduce { by: Reduction::And, of, axis }, 1, 1);
+            all = Some(match all {
+                None => condition,
+                Some(before) => self.add(Kind::Binary(Binary::And, before, condition), 1, 1),
+            });
+        }
+        self.function.sinks.push(Sink::Hold(all?));
+        Some(self.finish())
+    }
+
+    /// A synchronous read is a register that takes the word; where its word is written at the same edge and the
+    /// policy is `Any`, the word inverted.
+    fn synchronous_read(&mut self, memory: u32, port: u32, rising: &[usize]) -> Sink {
+        let declared = &self.program.memories[memory as usize];
+        let read = &declared.reads[port as usize];
+        let (lanes, width) = (declared.lanes, declared.width);
+        let (address, enable) = (self.take(read.address), read.enable.map(|enable| self.take(enable)));
+        let mut next = self.add(Kind::Read { memory, address }, lanes, width);
+        if declared.policy == ReadUnderWrite::Any {
+            let hits = declared.writes.iter().filter(|write| rising.contains(&(write.clock as usize)));
+            let hits: Vec<ValueId> = hits
+                .map(|write| {
+                    let [written, enable] = [write.address, write.enable].map(|id| self.take(id));
+                    let same = self.add(Kind::Compare(Relation::Eq, false, written, address), lanes, 1);
+                    self.add(Kind::Binary(Binary::And, same, enable), lanes, 1)
+                })
+                .collect();
+            if let Some(hit) =
+                hits.into_iter().reduce(|all, hit| self.add(Kind::Binary(Binary::Or, all, hit), lanes, 1))
+            {
+                let inside = self.within(address, declared.depth, lanes);
+                let select = self.add(Kind::Binary(Binary::And, hit, inside), lanes, 1);
+                let inverted = self.add(Kind::Unary(Unary::Not, next), lanes, width);
+                next = self.add(Kind::Mux { select, on_true: inverted, on_false: next }, lanes, width);
+            }
+        }
+        Sink::Register { state: read.value, next, enable }
+    }
+
+    /// 1 bit: whether an address is within the depth.
+    fn within(&mut self, address: ValueId, depth: u32, lanes: u32) -> ValueId {
+        let width = self.function.cell(address).width;
+        if width < 32 && depth >> width > 0 {
+            return self.add(Kind::Const(Bits::from_limbs(1, &[1])), lanes, 1);
+        }
+        let mut limbs = vec![0; tilewright_hdl::limbs_for(width)];
+        limbs[0] = u64::from(depth);
+        let depth = self.add(Kind::Const(Bits::from_limbs(width, &limbs)), lanes, width);
+        self.add(Kind::Compare(Relation::Lt, false, address, depth), lanes, 1)
+    }
+}
+
+/// A sink, unless nothing ever happens there.
+pub(super) fn happening(circuit: &Circuit, sink: Sink) -> Option<Sink> {
+    match sink {
+        Sink::Write { enable, .. } if circuit.known(enable) == Some(false) => None,
+        Sink::Register { state, next, .. } if next == state => None,
+        Sink::Register { state, next, enable: Some(enable) } => match circuit.known(enable) {
+            Some(true) => Some(Sink::Register { state, next, enable: None }),
+            Some(false) => None,
+            None => Some(sink),
+        },
+        _ => Some(sink),
+    }
 }

@@ -8,13 +8,13 @@ use std::collections::{BTreeMap, BTreeSet};
 use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::{BlockArg, BlockCall, InstBuilder, JumpTableData, Value, types};
 
-use super::function::Emitter;
-use super::graph::Sink;
+use super::emitter::Emitter;
+use super::function::Sink;
 use super::lanes::Vector;
 use super::plan::Kernel;
 use super::scalar::Scalar;
 use super::strip::Strip;
-use crate::engine::program::{Kind, ValueId};
+use crate::engine::program::{Axis, Kind, ValueId};
 
 /// The order within a strip: cells, and after each the sinks that may run then.
 struct Order {
@@ -105,9 +105,9 @@ impl Emitter<'_, '_, '_> {
             let cell = self.graph.cell(id);
             // Operands may have other lanes than the kernel: what it collects from, and the reductions of others.
             let (of_lanes, group) = match cell.kind {
-                Kind::Broadcast(of, n) if self.graph.cell(of).lanes > 1 => (cell.lanes, n),
-                Kind::Tile(of, _) => (cell.lanes, self.graph.cell(of).lanes),
-                Kind::Reduce { of, group, .. } if cell.lanes > 1 => (self.graph.cell(of).lanes, group),
+                Kind::Broadcast { axis, .. } if axis.inner > 1 => (cell.lanes, axis.inner),
+                Kind::Broadcast { of, axis } if self.graph.cell(of).lanes > 1 => (cell.lanes, axis.count),
+                Kind::Reduce { of, axis, .. } if cell.lanes > 1 => (self.graph.cell(of).lanes, axis.count),
                 _ => return,
             };
             if of_lanes != lanes {
@@ -139,7 +139,7 @@ impl Emitter<'_, '_, '_> {
     fn splat_uniforms(&mut self, strip: &mut Strip, kernel: &Kernel) {
         for id in self.taken(kernel) {
             let cell = self.graph.cell(id);
-            if let Kind::Broadcast(of, _) = cell.kind
+            if let Kind::Broadcast { of, .. } = cell.kind
                 && self.graph.cell(of).lanes == 1
             {
                 self.want(of);
@@ -154,7 +154,7 @@ impl Emitter<'_, '_, '_> {
     /// Finds the words of memories that have one address in all lanes.
     fn begin_memories(&mut self, strip: &mut Strip, kernel: &Kernel) {
         for &id in &kernel.cells {
-            if let Kind::Read { memory, address } = self.graph.cell(id).kind {
+            if let Kind::Word { memory, address } = self.graph.cell(id).kind {
                 self.begin_words(strip, memory, address);
             }
         }
@@ -172,8 +172,8 @@ impl Emitter<'_, '_, '_> {
             let cell = self.graph.cell(id);
             // What another loop has stored may be made from what has changed since.
             let is_current = computed.contains(&id) || !self.addresses.has(id);
-            if let Kind::Broadcast(of, n) = cell.kind
-                && n == strip.row
+            if let Kind::Broadcast { of, axis: Axis { count, inner: 1 } } = cell.kind
+                && count == strip.row
                 && cell.lanes == strip.total
                 && cell.width <= 64
                 && is_current
@@ -190,7 +190,7 @@ impl Emitter<'_, '_, '_> {
     /// Whether a reduction's result is carried around the loop over a row.
     fn is_carried(&self, strip: &Strip, id: ValueId) -> bool {
         let cell = self.graph.cell(id);
-        matches!(cell.kind, Kind::Reduce { group, .. } if group == strip.row && cell.width <= 64)
+        matches!(cell.kind, Kind::Reduce { axis, .. } if axis.count == strip.row && cell.width <= 64)
     }
 
     /// Runs the strips of a row; gives what is reduced over them, clean.

@@ -64,7 +64,7 @@ impl Strips {
     /// Strips for the values of a program.
     pub fn of(program: &Program) -> Strips {
         let mut elements: BTreeMap<u32, [u32; 4]> = BTreeMap::new();
-        for value in program.values.iter().filter(|value| value.lanes > 1) {
+        for (_, value) in program.circuit.cells().filter(|(_, cell)| cell.lanes > 1) {
             let counts = elements.entry(value.lanes).or_default();
             if value.width > 1 {
                 counts[element(value.width).min(64).ilog2() as usize - 3] += 1;

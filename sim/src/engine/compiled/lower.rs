@@ -1,164 +1,116 @@
-//! Makes of operations across lanes what a loop over strips can do.
+//! Makes of operations across lanes what a loop over strips can do, and of operations what the machine has.
+//!
+//! What remains across lanes is: [`Kind::Broadcast`] of each lane or of a whole row, [`Kind::Stack`] and [`Kind::Lane`] of a
+//! last axis, [`Kind::Reduce`] likewise, [`Kind::Slide`] and [`Kind::Gather`].
 
-use std::collections::HashMap;
+mod choices;
+mod lanes;
+mod map;
+mod reduce;
 
 use tilewright_hdl::Bits;
-use tilewright_hdl::ir::{Binary, Reduction};
+use tilewright_hdl::ir::Binary;
 
-use super::function::MemoryAt;
-use super::graph::{Cell, Graph, Sink};
+use super::emitter::MemoryAt;
+use super::function::{Function, Sink};
 use super::layout::Strips;
 use crate::engine::Passes;
-use crate::engine::program::{Kind, ValueId};
+use crate::engine::program::{Cell, Kind, ValueId};
+use crate::engine::rewrite::Rewriter;
 
-/// Constants that a pass has added, so that it adds each once.
-#[derive(Default)]
-struct Tables(HashMap<(u32, Vec<bool>), ValueId>);
-
-impl Tables {
-    /// A 1-bit value of so many lanes: `pattern` over and over.
-    fn flags(&mut self, graph: &mut Graph, lanes: u32, pattern: &[bool]) -> ValueId {
-        if let Some(&id) = self.0.get(&(lanes, pattern.to_vec())) {
-            return id;
-        }
-        let outer = lanes / pattern.len() as u32;
-        let [zero, one] = [0, 1].map(|bit| graph.add(Kind::Const(Bits::from_limbs(1, &[bit])), outer, 1));
-        let parts = pattern.iter().map(|&bit| if bit { one } else { zero }).collect();
-        let id = graph.add(Kind::PerLane(parts), lanes, 1);
-        self.0.insert((lanes, pattern.to_vec()), id);
-        id
-    }
-
-    /// 1 in the lanes that exist, which those of the last strip may not.
-    fn existing(&mut self, graph: &mut Graph, lanes: u32) -> ValueId {
-        self.flags(graph, lanes, &vec![true; lanes as usize])
-    }
+/// What lowering depends on.
+struct Target<'a> {
+    strips: &'a Strips,
+    memories: &'a [MemoryAt],
+    passes: &'a Passes,
 }
 
-/// The widest number that constants are looked up by.
-const LOOKED_UP_BY: u32 = 8;
-/// From how many arms on a choice between constants is looked up.
-const ARMS: usize = 4;
-
-/// Rewrites a graph:
+/// Lowers a function. Besides:
 ///
-/// - choices between constants are looked up in a table, and rotations are found;
 /// - words of memories are converted from and to how they stand there;
-/// - neighbours are loaded from anywhere, and replaced at the edges of their groups: the `edge` of the [`Kind::Shifted`]
-///   that remains is not looked at;
 /// - lanes that pad the last strip take no part in reductions and write nothing.
-pub(super) fn lower(graph: &mut Graph, strips: &Strips, memories: &[MemoryAt], passes: &Passes) {
-    let mut tables = Tables::default();
-    for index in 0..graph.cells.len() {
-        let id = ValueId(index as u32);
-        match graph.cell(id).kind.clone() {
-            Kind::Shifted { of, by, edge, group } => neighbour(graph, &mut tables, id, of, by, edge, group),
-            Kind::Reduce { by, of, group } => reduction(graph, &mut tables, strips, id, by, of, group),
-            Kind::Read { memory, address } if memories[memory as usize].blank != 0 => {
-                let Cell { lanes, width, .. } = *graph.cell(id);
-                let word = graph.add(Kind::Read { memory, address }, lanes, width);
-                graph.cells[index].kind = graph.standing(&memories[memory as usize], word);
-            }
-            Kind::Case { subject, arms, default } if passes.lookups && graph.cell(id).lanes == 1 => {
-                lookup(graph, id, subject, &arms, default);
-            }
-            Kind::Concat(parts) if passes.lookups && graph.cell(id).lanes == 1 => {
-                if let Some(rotation) = rotation(graph, &parts) {
-                    graph.rotations.insert(id, rotation);
-                }
-            }
-            _ => {}
+pub(super) fn lower(function: &Function, strips: &Strips, memories: &[MemoryAt], passes: &Passes) -> Function {
+    let target = Target { strips, memories, passes };
+    let mut lowered = function.rebuild(Rewriter::new(passes), |rewriter, cell| target.lower(rewriter, cell));
+    let Function { rewriter, sinks } = &mut lowered;
+    for sink in sinks {
+        target.write(rewriter, sink);
+        if let Sink::Show(value) = sink
+            && rewriter.circuit().constant(*value).is_some()
+        {
+            *value = rewriter.copy(*value);
         }
     }
-    for index in 0..graph.sinks.len() {
-        if let Sink::Write { memory, mut enable, address, mut data } = graph.sinks[index] {
-            let lanes = graph.cell(enable).lanes;
-            let at = &memories[memory as usize];
-            if at.blank != 0 {
-                let kind = graph.standing(at, data);
-                data = graph.add(kind, lanes, at.width);
+    lowered
+}
+
+impl Target<'_> {
+    fn lower(&self, rewriter: &mut Rewriter, cell: Cell) -> ValueId {
+        let Cell { lanes, width, .. } = cell;
+        let made = match &cell.kind {
+            Kind::Read { memory, address } => {
+                let word = Kind::Word { memory: *memory, address: *address };
+                let word = rewriter.add(word, lanes, width);
+                Some(standing(rewriter, &self.memories[*memory as usize], word))
             }
-            if lanes > 1 && !lanes.is_multiple_of(strips.strip(lanes)) {
-                let existing = tables.existing(graph, lanes);
-                enable = graph.add(Kind::Binary(Binary::And, enable, existing), lanes, 1);
+            Kind::Case { subject, arms, default } if self.passes.lookups => {
+                choices::lookup(rewriter, &cell, *subject, arms, *default)
             }
-            graph.sinks[index] = Sink::Write { memory, enable, address, data };
+            Kind::Concat(parts) if self.passes.lookups && lanes == 1 => {
+                choices::rotation(rewriter.circuit(), parts).map(|rotation| rewriter.add(rotation, lanes, width))
+            }
+            Kind::Broadcast { of, axis } => Some(lanes::broadcast(rewriter, *of, *axis, lanes, width)),
+            Kind::Stack { parts, inner } => Some(lanes::stack(rewriter, parts, *inner, lanes, width)),
+            Kind::Interleave { parts, axis } => Some(lanes::interleave(rewriter, parts, *axis, lanes, width)),
+            Kind::Lane { of, axis, index } => Some(lanes::lane(rewriter, *of, *axis, *index, lanes, width)),
+            Kind::Pick { of, axis, index } => Some(lanes::pick(rewriter, *of, *axis, *index, lanes, width)),
+            Kind::Pack { of, axis } => Some(lanes::pack(rewriter, *of, *axis, lanes, width)),
+            Kind::Unpack { of, axis } => Some(lanes::unpack(rewriter, *of, *axis, lanes, width)),
+            Kind::Map { of, axis, count, index, edge } => {
+                let map = map::Map { of: *of, axis: *axis, count: *count, index: *index, edge: *edge };
+                Some(map::map(rewriter, &map, lanes, width))
+            }
+            Kind::Reduce { by, of, axis } => Some(reduce::reduce(rewriter, self.strips, *by, *of, *axis, lanes, width)),
+            _ => None,
+        };
+        made.unwrap_or_else(|| rewriter.number(cell))
+    }
+
+    /// What a memory is written, and where lanes exist.
+    fn write(&self, rewriter: &mut Rewriter, sink: &mut Sink) {
+        let Sink::Write { memory, enable, data, .. } = sink else { return };
+        let lanes = rewriter.circuit()[*enable].lanes;
+        *data = standing(rewriter, &self.memories[*memory as usize], *data);
+        if lanes > 1 && !lanes.is_multiple_of(self.strips.strip(lanes)) {
+            let existing = flags(rewriter, lanes, lanes, |_| true);
+            *enable = rewriter.add(Kind::Binary(Binary::And, *enable, existing), lanes, 1);
         }
     }
 }
 
-impl Graph {
-    /// As [`MemoryAt::standing`].
-    fn standing(&mut self, at: &MemoryAt, word: ValueId) -> Kind {
-        let lanes = self.cell(word).lanes;
-        let blank = self.add(Kind::Const(Bits::new(at.width, at.blank)), lanes, at.width);
-        Kind::Binary(Binary::Xor, word, blank)
+/// How a word stands in a memory, or the word that stands so: see [`MemoryAt::standing`].
+fn standing(rewriter: &mut Rewriter, at: &MemoryAt, word: ValueId) -> ValueId {
+    if at.blank == 0 {
+        return word;
     }
+    let lanes = rewriter.circuit()[word].lanes;
+    let blank = constant(rewriter, Bits::new(at.width, at.blank), lanes);
+    rewriter.add(Kind::Binary(Binary::Xor, word, blank), lanes, at.width)
 }
 
-fn neighbour(graph: &mut Graph, tables: &mut Tables, id: ValueId, of: ValueId, by: i32, edge: ValueId, group: u32) {
-    let (lanes, width) = (graph.cell(id).lanes, graph.cell(id).width);
-    let has_neighbour = |lane: u32| lane.checked_add_signed(-by).is_some_and(|from| from < group);
-    let pattern: Vec<bool> = (0..group).map(has_neighbour).collect();
-    let end = match graph.cell(edge).kind.clone() {
-        Kind::Const(bits) => graph.add(Kind::Const(bits), lanes, width),
-        Kind::Broadcast(plain, n) => graph.add(Kind::Broadcast(plain, n * group), lanes, width),
-        _ => graph.add(Kind::Broadcast(edge, group), lanes, width),
-    };
-    if !pattern.contains(&true) {
-        graph.cells[id.index()].kind = Kind::Alias(end);
-        return;
-    }
-    let select = tables.flags(graph, lanes, &pattern);
-    let anywhere = graph.add(Kind::Shifted { of, by, edge: of, group }, lanes, width);
-    graph.cells[id.index()].kind = Kind::Mux { select, on_true: anywhere, on_false: end };
+/// A constant in all lanes.
+fn constant(rewriter: &mut Rewriter, bits: Bits, lanes: u32) -> ValueId {
+    let width = bits.width();
+    rewriter.add(Kind::Const(bits), lanes, width)
 }
 
-fn reduction(
-    graph: &mut Graph,
-    tables: &mut Tables,
-    strips: &Strips,
-    id: ValueId,
-    by: Reduction,
-    of: ValueId,
-    group: u32,
-) {
-    let (lanes, width) = (graph.cell(of).lanes, graph.cell(of).width);
-    if group < lanes || lanes % strips.strip(lanes) == 0 {
-        return;
-    }
-    let neutral = if by == Reduction::And { Bits::ones(width) } else { Bits::zero(width) };
-    let select = tables.existing(graph, lanes);
-    let neutral = graph.add(Kind::Const(neutral), lanes, width);
-    let of = graph.add(Kind::Mux { select, on_true: of, on_false: neutral }, lanes, width);
-    graph.cells[id.index()].kind = Kind::Reduce { by, of, group };
+/// An array of constants: `row` of them over and over.
+fn table(rewriter: &mut Rewriter, lanes: u32, row: u32, width: u32, of: impl Fn(u32) -> u64) -> ValueId {
+    let parts = (0..row).map(|lane| constant(rewriter, Bits::new(width, of(lane)), lanes / row)).collect();
+    rewriter.add(Kind::Stack { parts, inner: 1 }, lanes, width)
 }
 
-/// Puts constants to choose from into a table.
-fn lookup(graph: &mut Graph, id: ValueId, subject: ValueId, arms: &[(Bits, ValueId)], default: ValueId) {
-    let is_constant = |value: ValueId| matches!(graph.cell(value).kind, Kind::Const(_));
-    let (width, by) = (graph.cell(id).width, graph.cell(subject).width);
-    let all = is_constant(default) && arms.iter().all(|(_, value)| is_constant(*value));
-    if !all || arms.len() < ARMS || by > LOOKED_UP_BY || width > 64 {
-        return;
-    }
-    let mut parts = vec![default; 1 << by];
-    arms.iter().for_each(|(key, value)| parts[key.limbs()[0] as usize] = *value);
-    let table = graph.add(Kind::PerLane(parts), 1 << by, width);
-    graph.lookups.insert(id, table);
-}
-
-/// What a concatenation of the two parts of a value rotates, and by how much to the left, if the machine has integers
-/// of its width.
-fn rotation(graph: &Graph, parts: &[ValueId]) -> Option<(ValueId, u32)> {
-    let &[upper, lower] = parts else { return None };
-    match (&graph.cell(upper).kind, &graph.cell(lower).kind) {
-        (&Kind::Slice(of, 0), &Kind::Slice(other, low)) => {
-            let width = graph.cell(of).width;
-            let widths = (graph.cell(upper).width, graph.cell(lower).width);
-            let is_whole = of == other && widths == (low, width - low);
-            (is_whole && matches!(width, 8 | 16 | 32 | 64)).then_some((of, width - low))
-        }
-        _ => None,
-    }
+/// A flag for each lane.
+fn flags(rewriter: &mut Rewriter, lanes: u32, row: u32, of: impl Fn(u32) -> bool) -> ValueId {
+    table(rewriter, lanes, row, 1, |lane| u64::from(of(lane)))
 }

@@ -3,8 +3,8 @@
 use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::{InstBuilder, MemFlagsData, Type, Value, types};
 
-use super::function::{Emitter, MemoryAt, offset};
-use super::graph::Sink;
+use super::emitter::{Emitter, MemoryAt, offset};
+use super::function::Sink;
 use super::lanes::Span;
 use super::scalar::{LONGEST, Scalar};
 use super::strip::Strip;
@@ -69,7 +69,7 @@ impl Emitter<'_, '_, '_> {
             return;
         }
         let common = match self.graph.cell(address).kind {
-            Kind::Broadcast(of, _) if self.graph.cell(of).lanes == 1 => of,
+            Kind::Broadcast { of, .. } if self.graph.cell(of).lanes == 1 => of,
             _ => address,
         };
         self.want(common);

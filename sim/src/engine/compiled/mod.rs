@@ -9,8 +9,8 @@ mod branch;
 mod builder;
 mod demands;
 mod edge;
+mod emitter;
 mod function;
-mod graph;
 mod jit;
 mod kernel;
 mod lanes;
@@ -22,7 +22,6 @@ mod plan;
 mod prepare;
 mod scalar;
 mod sequence;
-mod simplify;
 mod start;
 mod store;
 mod strip;
@@ -33,12 +32,12 @@ use std::sync::Arc;
 
 use tilewright_hdl::limbs_for;
 
-use crate::engine::program::{Program, Triggers, ValueId};
+use crate::engine::program::{Kind, Program, Triggers, ValueId};
 use crate::engine::{Difference, Done, Engine, Failed};
 use bank::Bank;
 use edge::Edge;
-use function::MemoryAt;
-use graph::{Graph, Sink};
+use emitter::MemoryAt;
+use function::{Held, Maker};
 pub(crate) use jit::unsupported;
 use jit::{Code, Jit};
 use layout::{Layout, Place, Strips};
@@ -102,9 +101,9 @@ impl Compiled {
         let jit = Jit::new()?;
         demands::check(&program);
         let mut layout = Layout::new(Strips::of(&program));
-        let mut places = vec![None; program.values.len()];
-        for (id, value) in program.values.iter().enumerate().filter(|(_, value)| value.offset < program.state_end) {
-            places[id] = Some(layout.place(value.lanes, value.width));
+        let mut places = vec![None; program.circuit.len()];
+        for (id, cell) in program.circuit.cells().filter(|(_, cell)| cell.kind == Kind::State) {
+            places[id.index()] = Some(layout.place(cell.lanes, cell.width));
         }
         let unchecked = layout.place(1, 1);
         let (memories, banks) = bank::banks(&program, &layout.strips);
@@ -124,11 +123,11 @@ impl Compiled {
             checked: true,
             checks: Vec::new(),
             views: Vec::new(),
-            shown: vec![None; program.values.len()],
+            shown: vec![None; program.circuit.len()],
             inputs,
             special: SPECIAL,
             inputs_version: 0,
-            mirror: vec![0; program.storage],
+            mirror: vec![0; program.schedule.storage],
             program: program.clone(),
         };
         crate::engine::start::start(&program, seeds, &mut engine);
@@ -141,8 +140,8 @@ impl Compiled {
         let code = match made {
             Some((_, _, code)) => *code,
             None => {
-                let check = Graph::check(&self.program, rising, &self.resets);
-                let check = check.map(|graph| self.prepare(graph));
+                let check = Maker::new(&self.program, &Held::default()).check(rising, &self.resets);
+                let check = check.map(|function| self.prepare(&function));
                 let code = check.map(|check| self.compile(std::slice::from_ref(&check)));
                 self.checks.push((rising.to_vec(), self.resets.clone(), code));
                 code
@@ -180,8 +179,7 @@ impl Compiled {
 
     /// Enters a constant in what is read; most never are.
     fn mirror_constant(&mut self, id: ValueId) {
-        let index = self.program.constants.binary_search_by_key(&id, |(id, _)| *id).expect("it is not state");
-        let bits = self.program.constants[index].1.limbs();
+        let bits = self.program.circuit.constant(id).expect("what is neither state nor computed is constant").limbs();
         let lanes = self.mirror[self.program.value(id).range()].chunks_exact_mut(bits.len());
         lanes.for_each(|lane| lane.copy_from_slice(bits));
     }
@@ -295,17 +293,16 @@ impl Engine for Compiled {
         // Values that change together are computed together.
         let triggers = |id: ValueId| {
             let segment = self.program.value(id).segment.expect("it is computed");
-            self.program.segments[segment as usize].triggers
+            self.program.schedule.segments[segment as usize].triggers
         };
         let mut groups: BTreeMap<Triggers, Vec<ValueId>> = BTreeMap::new();
         shown.into_iter().for_each(|id| groups.entry(triggers(id)).or_default().push(id));
         for (triggers, shown) in groups {
-            let mut graph = Graph::new(&self.program);
-            graph.sinks = shown.iter().map(|&value| Sink::Show(value)).collect();
-            let prepared = self.prepare(graph);
+            let mut maker = Maker::new(&self.program, &Held::default());
+            maker.show(&shown);
+            let prepared = self.prepare(&maker.finish());
             let code = self.compile(std::slice::from_ref(&prepared));
-            for id in shown {
-                let place = prepared.addresses.places[id.index()].expect("what is shown has a place");
+            for (&id, place) in shown.iter().zip(prepared.shown()) {
                 self.shown[id.index()] = Some((self.views.len(), place));
             }
             self.views.push(View { code, triggers, stale: true });

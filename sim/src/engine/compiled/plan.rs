@@ -7,7 +7,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::graph::{Graph, Sink};
+use super::function::{Function, Sink};
 use crate::engine::program::{Kind, ValueId};
 
 /// The order of a function.
@@ -38,7 +38,7 @@ pub(super) struct Stage {
 pub(super) struct Kernel {
     /// What it computes, each after its operands.
     pub cells: Vec<ValueId>,
-    /// What it does at the end of a strip, by index in [`Graph::sinks`].
+    /// What it does at the end of a strip, by index in [`Function::sinks`].
     pub sinks: Vec<usize>,
     /// What runs instead.
     pub switch: Option<Box<Switch>>,
@@ -90,9 +90,9 @@ impl Role {
 impl Plan {
     /// Plans a function; `postpone` brings the work on an array together in one loop. Memories that are `far` are read
     /// in loops that do little else, so that many words are under way at a time.
-    pub fn new(graph: &Graph, far: &[bool], postpone: bool) -> Plan {
+    pub fn new(graph: &Function, far: &[bool], postpone: bool) -> Plan {
         let needed = graph.needed();
-        let positions = vec![Position { stage: 0, place: 0 }; graph.cells.len()];
+        let positions = vec![Position { stage: 0, place: 0 }; graph.circuit().len()];
         let looked_at = looked_at(graph, &needed);
         let ports = ports(graph, far.len());
         let mut planner = Planner { graph, far, ports, positions, looked_at, kernels: BTreeMap::new() };
@@ -131,17 +131,19 @@ impl Plan {
 }
 
 /// Whether a cell is an array whose lanes are constants.
-pub(super) fn is_table(graph: &Graph, id: ValueId) -> bool {
+pub(super) fn is_table(graph: &Function, id: ValueId) -> bool {
     match &graph.cell(id).kind {
-        Kind::PerLane(parts) => parts.iter().all(|part| matches!(graph.cell(*part).kind, Kind::Const(_))),
+        Kind::Stack { parts, .. } => parts.iter().all(|part| graph.circuit().constant(*part).is_some()),
         _ => false,
     }
 }
 
 /// Arrays that somebody looks at otherwise than lane by lane.
-fn looked_at(graph: &Graph, needed: &[ValueId]) -> BTreeSet<ValueId> {
+fn looked_at(graph: &Function, needed: &[ValueId]) -> BTreeSet<ValueId> {
     let of = needed.iter().filter_map(|&id| match graph.cell(id).kind {
-        Kind::Shifted { of, .. } | Kind::Lane { of, .. } | Kind::Broadcast(of, _) | Kind::Tile(of, _) => Some(of),
+        Kind::Slide { of, .. } | Kind::Gather { of, .. } | Kind::Lane { of, .. } | Kind::Broadcast { of, .. } => {
+            Some(of)
+        }
         _ => None,
     });
     let shown = graph.sinks.iter().filter_map(|sink| match sink {
@@ -155,15 +157,15 @@ fn looked_at(graph: &Graph, needed: &[ValueId]) -> BTreeSet<ValueId> {
 #[derive(Debug, Clone, Default)]
 struct Ports {
     reads: Vec<ValueId>,
-    /// By index in [`Graph::sinks`].
+    /// By index in [`Function::sinks`].
     writes: Vec<usize>,
 }
 
 /// The ports of so many memories.
-fn ports(graph: &Graph, memories: usize) -> Vec<Ports> {
+fn ports(graph: &Function, memories: usize) -> Vec<Ports> {
     let mut ports = vec![Ports::default(); memories];
-    for (id, cell) in (0..).map(ValueId).zip(&graph.cells) {
-        if let Kind::Read { memory, .. } = cell.kind {
+    for (id, cell) in graph.circuit().cells() {
+        if let Kind::Word { memory, .. } = cell.kind {
             ports[memory as usize].reads.push(id);
         }
     }
@@ -176,7 +178,7 @@ fn ports(graph: &Graph, memories: usize) -> Vec<Ports> {
 }
 
 struct Planner<'a> {
-    graph: &'a Graph,
+    graph: &'a Function,
     /// Per memory.
     far: &'a [bool],
     ports: Vec<Ports>,
@@ -193,9 +195,12 @@ impl Planner<'_> {
             Kind::Const(_) => Role::Constant,
             Kind::State => Role::Resident,
             _ if is_table(self.graph, id) => Role::Resident,
-            Kind::PerLane(_) => Role::Packed,
-            Kind::Broadcast(of, _) if self.graph.cell(*of).lanes == 1 && !self.looked_at.contains(&id) => Role::Uniform,
-            Kind::Tile(..) if !self.looked_at.contains(&id) => Role::Uniform,
+            Kind::Stack { .. } => Role::Packed,
+            Kind::Broadcast { of, axis }
+                if (axis.inner > 1 || self.graph.cell(*of).lanes == 1) && !self.looked_at.contains(&id) =>
+            {
+                Role::Uniform
+            }
             Kind::Reduce { of, .. } => Role::Kernel(self.graph.cell(*of).lanes),
             Kind::Lane { .. } if cell.lanes > 1 => Role::Kernel(cell.lanes),
             _ if cell.lanes == 1 => Role::Single,
@@ -205,17 +210,19 @@ impl Planner<'_> {
 
     /// Whether a kernel's cell takes its operand lane by lane.
     fn by_lane(&self, id: ValueId, operand: ValueId) -> bool {
-        let kind = &self.graph.cell(id).kind;
-        (kind.is_elementwise() || matches!(kind, Kind::Read { .. } | Kind::Reduce { .. } | Kind::Alias(_)))
-            && matches!(self.role(operand), Role::Kernel(_) | Role::Packed)
-            && !self.is_apart(operand)
+        let takes_lane = match self.graph.cell(id).kind {
+            Kind::Gather { of, .. } => operand != of,
+            Kind::Word { .. } | Kind::Reduce { .. } | Kind::Alias(_) => true,
+            ref kind => kind.is_elementwise(),
+        };
+        takes_lane && matches!(self.role(operand), Role::Kernel(_) | Role::Packed) && !self.is_apart(operand)
     }
 
     /// Whether nobody takes a value of lanes in the loop that computes it.
     fn is_apart(&self, id: ValueId) -> bool {
         match self.graph.cell(id).kind {
             Kind::Reduce { .. } => true,
-            Kind::Read { memory, .. } => self.graph.cell(id).lanes > 1 && self.far[memory as usize],
+            Kind::Word { memory, .. } => self.graph.cell(id).lanes > 1 && self.far[memory as usize],
             _ => false,
         }
     }
@@ -223,7 +230,7 @@ impl Planner<'_> {
     /// The first stage in which all operands are there.
     fn stage(&self, id: ValueId) -> usize {
         let mut stage = 0;
-        self.graph.for_each_operand(id, |operand| {
+        self.graph.cell(id).kind.for_each_operand(|operand| {
             stage = stage.max(self.available(operand, self.by_lane(id, operand)));
         });
         stage
@@ -252,7 +259,7 @@ impl Planner<'_> {
             *last = position.stage.max(*last);
         }
         let end = self.kernels.values().copied().max().unwrap_or(0) + 1;
-        let mut limits = vec![end; self.graph.cells.len()];
+        let mut limits = vec![end; self.graph.circuit().len()];
         for (position, sink) in sinks {
             let mut sums = false;
             sink.for_each_operand(|operand| sums |= matches!(self.graph.cell(operand).kind, Kind::Reduce { .. }));
@@ -275,7 +282,7 @@ impl Planner<'_> {
                 lanes => latest.min(self.kernels[&lanes]).max(stage),
             };
             self.positions[id.index()].stage = stage;
-            self.graph.for_each_operand(id, |operand| {
+            self.graph.cell(id).kind.for_each_operand(|operand| {
                 let is_stored = matches!(self.role(operand), Role::Kernel(_) | Role::Packed);
                 let after = usize::from(is_stored && !self.by_lane(id, operand));
                 let limit = &mut limits[operand.index()];
@@ -297,7 +304,7 @@ impl Planner<'_> {
 
     /// Where a sink takes its operands: the end for single values.
     fn sink_position(&self, sink: &Sink) -> Position {
-        let lanes = sink.lanes(self.graph);
+        let lanes = sink.lanes(self.graph.circuit());
         if lanes == 1 {
             return Position { stage: usize::MAX, place: 0 };
         }
@@ -346,7 +353,7 @@ impl Planner<'_> {
         };
         for &id in needed {
             let reader = self.positions[id.index()];
-            self.graph.for_each_operand(id, |operand| need(operand, reader, self.by_lane(id, operand)));
+            self.graph.cell(id).kind.for_each_operand(|operand| need(operand, reader, self.by_lane(id, operand)));
         }
         for sink in &self.graph.sinks {
             let reader = self.sink_position(sink);
@@ -380,13 +387,13 @@ impl Planner<'_> {
         };
         for &id in needed {
             let kind = &self.graph.cell(id).kind;
-            let by_lane = kind.is_elementwise() || matches!(kind, Kind::Read { .. } | Kind::Reduce { .. });
+            let by_lane = kind.is_elementwise() || matches!(kind, Kind::Word { .. } | Kind::Reduce { .. });
             let reader = match self.role(id) {
                 // A row is read where it is used, any time later.
                 Role::Uniform => Position { stage: usize::MAX, place: 0 },
                 _ => self.positions[id.index()],
             };
-            self.graph.for_each_operand(id, |operand| read(operand, reader, by_lane));
+            self.graph.cell(id).kind.for_each_operand(|operand| read(operand, reader, by_lane));
         }
         for sink in &self.graph.sinks {
             let reader = self.sink_position(sink);

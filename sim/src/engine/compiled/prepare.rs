@@ -3,8 +3,8 @@
 use cranelift_codegen::ir::{InstBuilder, MemFlagsData, Value, types};
 
 use super::builder::FunctionBuilder;
-use super::function::{self, Addresses, Emitter, MemoryAt};
-use super::graph::{Graph, Sink};
+use super::emitter::{self, Addresses, Emitter, MemoryAt};
+use super::function::{Function, Sink};
 use super::jit::Code;
 use super::layout::{Place, Strips};
 use super::plan::Plan;
@@ -14,7 +14,7 @@ use crate::engine::program::{Kind, ValueId};
 
 /// A graph, and where its values are.
 pub(super) struct Prepared {
-    graph: Graph,
+    graph: Function,
     plan: Plan,
     /// The steps of each function that it takes.
     pieces: Vec<Vec<Step>>,
@@ -22,6 +22,14 @@ pub(super) struct Prepared {
 }
 
 impl Prepared {
+    /// Where it leaves what it shows, in order.
+    pub fn shown(&self) -> impl Iterator<Item = Place> {
+        self.graph.sinks.iter().filter_map(|sink| match sink {
+            Sink::Show(value) => Some(self.addresses.of(*value)),
+            _ => None,
+        })
+    }
+
     fn emitter<'a, 'b, 'c>(
         &'a self,
         memories: &'a [MemoryAt],
@@ -35,8 +43,8 @@ impl Prepared {
 
 impl Compiled {
     /// Gives places to what a graph computes.
-    pub(super) fn prepare(&mut self, mut graph: Graph) -> Prepared {
-        lower::lower(&mut graph, &self.layout.strips, &self.memories, &self.program.passes);
+    pub(super) fn prepare(&mut self, function: &Function) -> Prepared {
+        let mut graph = lower::lower(function, &self.layout.strips, &self.memories, &self.program.passes);
         let near = self.program.passes.near;
         let far: Vec<bool> = self.memories.iter().map(|at| !at.words.together() && at.words.size > near).collect();
         let mut plan = Plan::new(&graph, &far, self.program.passes.postpone);
@@ -101,7 +109,7 @@ impl Compiled {
                     }
                 };
                 if let Some(held) = held {
-                    let at = function::offset(unchecked.offset);
+                    let at = emitter::offset(unchecked.offset);
                     let unchecked = builder.ins().load(types::I8, MemFlagsData::trusted(), state, at);
                     let held = builder.ins().bor(held, unchecked);
                     let next = builder.create_block();
@@ -120,8 +128,8 @@ impl Compiled {
     }
 
     /// Writes an array of constants into the memory.
-    fn fill(&mut self, graph: &Graph, table: ValueId, place: Place) {
-        let Kind::PerLane(parts) = &graph.cell(table).kind else { unreachable!("a table is made of parts") };
+    fn fill(&mut self, graph: &Function, table: ValueId, place: Place) {
+        let Kind::Stack { parts, .. } = &graph.cell(table).kind else { unreachable!("a table is made of parts") };
         let limbs: Vec<u64> = (0..place.lanes as usize)
             .flat_map(|lane| match &graph.cell(parts[lane % parts.len()]).kind {
                 Kind::Const(bits) => bits.limbs().to_vec(),

@@ -5,7 +5,7 @@
 
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
-use super::graph::{Graph, Sink};
+use super::function::{Function, Sink};
 use super::plan::{Kernel, Plan};
 use crate::engine::program::{Kind, ValueId};
 
@@ -24,7 +24,7 @@ pub(super) enum Step {
 
 /// The steps, by function: one, unless it would be longer than `longest` operations, above which Cranelift's time grows
 /// faster than the function. What one function leaves to another is stored.
-pub(super) fn sequence(graph: &mut Graph, plan: &mut Plan, longest: usize) -> Vec<Vec<Step>> {
+pub(super) fn sequence(graph: &mut Function, plan: &mut Plan, longest: usize) -> Vec<Vec<Step>> {
     name_states(graph, plan);
     let steps = interleaved(graph, plan);
     let weight = |step: &Step| match *step {
@@ -57,18 +57,17 @@ fn kernel_weight(kernel: &Kernel) -> usize {
 }
 
 /// Gives a sink that takes a state as it is a cell that does, so that only cells look at states.
-fn name_states(graph: &mut Graph, plan: &mut Plan) {
+fn name_states(graph: &mut Function, plan: &mut Plan) {
     let mut names: HashMap<ValueId, ValueId> = HashMap::new();
     for index in 0..graph.sinks.len() {
         let mut sink = graph.sinks[index].clone();
-        if sink.lanes(graph) > 1 || matches!(sink, Sink::Show(_) | Sink::Hold(_)) {
+        if sink.lanes(graph.circuit()) > 1 || matches!(sink, Sink::Show(_) | Sink::Hold(_)) {
             continue;
         }
         sink.rewrite(|operand| {
-            let cell = graph.cell(*operand).clone();
-            if cell.kind == Kind::State {
+            if graph.cell(*operand).kind == Kind::State {
                 *operand = *names.entry(*operand).or_insert_with(|| {
-                    let name = graph.add(Kind::Alias(*operand), cell.lanes, cell.width);
+                    let name = graph.rewriter.copy(*operand);
                     plan.single_first(name);
                     name
                 });
@@ -79,12 +78,12 @@ fn name_states(graph: &mut Graph, plan: &mut Plan) {
 }
 
 /// What a step looks at.
-fn for_each_read(graph: &Graph, plan: &Plan, step: Step, mut visit: impl FnMut(ValueId)) {
+fn for_each_read(graph: &Function, plan: &Plan, step: Step, mut visit: impl FnMut(ValueId)) {
     match step {
-        Step::Single(id) => graph.for_each_operand(id, visit),
-        Step::Pack(id) => graph.for_each_operand(id, |part| {
+        Step::Single(id) => graph.cell(id).kind.for_each_operand(visit),
+        Step::Pack(id) => graph.cell(id).kind.for_each_operand(|part| {
             visit(part);
-            if let Kind::Broadcast(of, _) = graph.cell(part).kind {
+            if let Kind::Broadcast { of, .. } = graph.cell(part).kind {
                 visit(of);
             }
         }),
@@ -94,10 +93,10 @@ fn for_each_read(graph: &Graph, plan: &Plan, step: Step, mut visit: impl FnMut(V
     }
 }
 
-fn kernel_reads(graph: &Graph, kernel: &Kernel, visit: &mut dyn FnMut(ValueId)) {
+fn kernel_reads(graph: &Function, kernel: &Kernel, visit: &mut dyn FnMut(ValueId)) {
     let mut look = |id: ValueId| {
         visit(id);
-        if let Kind::Broadcast(of, _) | Kind::Tile(of, _) = graph.cell(id).kind {
+        if let Kind::Broadcast { of, .. } = graph.cell(id).kind {
             visit(of);
         }
     };
@@ -113,7 +112,7 @@ fn kernel_reads(graph: &Graph, kernel: &Kernel, visit: &mut dyn FnMut(ValueId)) 
 }
 
 /// All steps, sinks as early as they may be.
-fn interleaved(graph: &Graph, plan: &Plan) -> Vec<Step> {
+fn interleaved(graph: &Function, plan: &Plan) -> Vec<Step> {
     let mut steps: Vec<Step> = Vec::new();
     for (number, stage) in plan.stages.iter().enumerate() {
         steps.extend(stage.single.iter().map(|&id| Step::Single(id)));
@@ -134,13 +133,13 @@ fn interleaved(graph: &Graph, plan: &Plan) -> Vec<Step> {
         };
         for &id in computed {
             last.insert(id, position);
-            if let Kind::Read { memory, .. } = graph.cell(id).kind {
+            if let Kind::Word { memory, .. } = graph.cell(id).kind {
                 words.insert(memory, position);
             }
         }
     }
     let mut after: BTreeMap<Option<usize>, Vec<usize>> = BTreeMap::new();
-    for (index, sink) in graph.sinks.iter().enumerate().filter(|(_, sink)| sink.lanes(graph) == 1) {
+    for (index, sink) in graph.sinks.iter().enumerate().filter(|(_, sink)| sink.lanes(graph.circuit()) == 1) {
         let mut position = None;
         sink.for_each_operand(|operand| position = position.max(last.get(&operand).copied()));
         match *sink {
@@ -162,7 +161,7 @@ fn interleaved(graph: &Graph, plan: &Plan) -> Vec<Step> {
 }
 
 /// Stores the single values that one function computes and another looks at.
-fn store_between(graph: &Graph, plan: &mut Plan, pieces: &[Vec<Step>]) {
+fn store_between(graph: &Function, plan: &mut Plan, pieces: &[Vec<Step>]) {
     let mut made: HashMap<ValueId, usize> = HashMap::new();
     let mut stored = BTreeSet::new();
     for (number, piece) in pieces.iter().enumerate() {

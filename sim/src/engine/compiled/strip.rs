@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use cranelift_codegen::ir::{InstBuilder, Value, types};
 use tilewright_hdl::ir::Reduction;
 
-use super::function::{Emitter, offset};
+use super::emitter::{Emitter, offset};
 use super::lanes::{Lanes, Span};
 use super::layout::{GUARD, Place};
 use super::scalar::{Scalar, Scalars};
@@ -136,7 +136,7 @@ impl Emitter<'_, '_, '_> {
         match &cell.kind {
             Kind::Const(bits) => strip.lanes.constant(id, bits),
             // What it is made from may have changed since another loop stored it.
-            Kind::Tile(..) | Kind::Broadcast(..) if !self.addresses.has(id) => self.lane_cell(strip, id),
+            Kind::Broadcast { .. } if !self.addresses.has(id) => self.lane_cell(strip, id),
             _ => {
                 let side = self.side(strip, self.addresses.of(id));
                 strip.lanes.load(self.builder, id, cell.width, side);
@@ -158,11 +158,11 @@ impl Emitter<'_, '_, '_> {
             }
             match &cell.kind {
                 Kind::Const(bits) => strip.singles[lane as usize].constant(self.builder, id, bits),
-                Kind::Broadcast(of, _) if self.graph.cell(*of).lanes == 1 => {
+                Kind::Broadcast { of, .. } if self.graph.cell(*of).lanes == 1 => {
                     let uniform = self.scalars.get(*of).expect("it was made available before the loop").clone();
                     strip.singles[lane as usize].define(id, uniform);
                 }
-                Kind::Broadcast(..) | Kind::Tile(..) if !self.addresses.has(id) => {
+                Kind::Broadcast { .. } if !self.addresses.has(id) => {
                     self.lane_cell(strip, id);
                     return self.singles(strip, id);
                 }
@@ -238,24 +238,25 @@ impl Emitter<'_, '_, '_> {
     pub(super) fn lane_cell(&mut self, strip: &mut Strip, id: ValueId) {
         let cell = self.graph.cell(id);
         match &cell.kind {
-            Kind::Read { memory, address } => self.read_lanes(strip, id, *memory, *address),
+            Kind::Word { memory, address } => self.read_lanes(strip, id, *memory, *address),
+            Kind::Broadcast { of, axis } if axis.inner > 1 => self.tile(strip, id, *of),
             // Made available before the loop.
-            Kind::Broadcast(..) if strip.lanes.has(id) => {}
-            Kind::Broadcast(of, _) if self.graph.cell(*of).lanes == 1 => self.singles(strip, id),
-            Kind::Broadcast(of, n) => {
-                let (n, total) = (*n, strip.total);
+            Kind::Broadcast { .. } if strip.lanes.has(id) => {}
+            Kind::Broadcast { of, .. } if self.graph.cell(*of).lanes == 1 => self.singles(strip, id),
+            Kind::Broadcast { of, axis } => {
+                let (n, total) = (axis.count, strip.total);
                 self.collect(strip, id, *of, |emitter, lane| emitter.divided(lane, total, n).0);
             }
-            Kind::Tile(of, _) => self.tile(strip, id, *of),
-            Kind::Lane { of, index, group } => {
-                let (index, group) = (i64::from(*index), *group as usize);
+            Kind::Gather { of, at } => self.gather(strip, id, *of, *at),
+            Kind::Lane { of, axis, index } => {
+                let (index, group) = (i64::from(*index), axis.count as usize);
                 self.collect(strip, id, *of, |emitter, lane| {
                     let start = emitter.scaled(lane, group);
                     emitter.builder.ins().iadd_imm_s(start, index)
                 });
             }
-            Kind::Shifted { of, by, .. } => self.neighbour(strip, id, *of, *by),
-            Kind::Reduce { by, of, group } => return self.accumulate(strip, id, *by, *of, *group),
+            Kind::Slide { of, by } => self.neighbour(strip, id, *of, *by),
+            Kind::Reduce { by, of, axis } => return self.accumulate(strip, id, *by, *of, axis.count),
             kind => self.elementwise(strip, id, kind, cell.width),
         }
         if self.plan.stored.contains(&id) {
@@ -264,7 +265,13 @@ impl Emitter<'_, '_, '_> {
     }
 
     /// Loads from any lane, by its number: for each lane of the strip one of `of`.
-    fn collect(&mut self, strip: &mut Strip, id: ValueId, of: ValueId, from: impl Fn(&mut Self, Value) -> Value) {
+    fn collect(
+        &mut self,
+        strip: &mut Strip,
+        id: ValueId,
+        of: ValueId,
+        mut from: impl FnMut(&mut Self, Value) -> Value,
+    ) {
         let width = self.graph.cell(id).width;
         for lane in 0..strip.size {
             let at = self.existing(strip, lane);
@@ -277,6 +284,13 @@ impl Emitter<'_, '_, '_> {
         if width <= 64 {
             self.vector(strip, id);
         }
+    }
+
+    /// Loads, for each lane of the strip, the lane of `of` whose number it has in `at`.
+    fn gather(&mut self, strip: &mut Strip, id: ValueId, of: ValueId, at: ValueId) {
+        let numbers: Vec<Value> = (0..strip.size).map(|lane| self.limbs(strip, at, lane)[0]).collect();
+        let mut numbers = numbers.into_iter();
+        self.collect(strip, id, of, |_, _| numbers.next().expect("a number for each lane"));
     }
 
     /// The number of a lane of the strip, or of the last lane that exists.

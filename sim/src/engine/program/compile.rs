@@ -1,11 +1,12 @@
-//! From a design to a program: flatten, unroll arrays that have to be, simplify, schedule.
+//! From a design to a program: flatten, unroll arrays that have to be, rewrite, schedule.
 
 use std::collections::BTreeSet;
 
 use tilewright_hdl::ir::{Design, Instance};
 
-use super::netlist::{ArrayKey, Netlist};
-use super::{Passes, Program, ValueId, flatten, order, schedule, simplify};
+use super::flatten::{self, ArrayKey, Flat};
+use super::{Passes, Program, ValueId, cycles, schedule};
+use crate::engine::rewrite;
 
 /// Compiles a design.
 ///
@@ -26,18 +27,16 @@ pub fn compile_lanes(design: &Design, lanes: u32, passes: &Passes) -> Program {
     assert!((1..=most).contains(&lanes), "a program of this design has from 1 to {most} lanes, not {lanes}");
     let mut unrolled = BTreeSet::new();
     loop {
-        let mut netlist = flatten::flatten(design, lanes, &unrolled, passes);
-        match order::order(&netlist) {
-            Ok(order) => {
-                simplify::simplify(&mut netlist, &order, passes);
-                return schedule::schedule(netlist, passes);
-            }
-            Err(cycle) => {
-                let arrays = arrays_on(&netlist, &cycle);
-                assert!(!arrays.is_empty(), "a design has no combinational cycle but through the lanes of arrays");
-                unrolled.extend(arrays);
-            }
+        let mut flat = flatten::flatten(design, lanes, &unrolled, passes);
+        let cycles = cycles::cycles(&flat.program.circuit);
+        if cycles.is_empty() {
+            rewrite::simplify(&mut flat.program);
+            schedule::schedule(&mut flat.program);
+            return flat.program;
         }
+        let arrays = arrays_on(&flat, &cycles);
+        assert!(!arrays.is_empty(), "a design has no combinational cycle but through the lanes of arrays");
+        unrolled.extend(arrays);
     }
 }
 
@@ -58,8 +57,8 @@ pub fn most_lanes(design: &Design) -> u32 {
     most.max(1) as u32
 }
 
-/// The arrays that a cycle leads through.
-fn arrays_on(netlist: &Netlist, cycle: &[ValueId]) -> Vec<ArrayKey> {
-    let on_cycle = |value: &ValueId| cycle.binary_search(value).is_ok();
-    netlist.array_outputs.iter().filter(|(value, _)| on_cycle(value)).map(|(_, key)| key.clone()).collect()
+/// The arrays that cycles lead through.
+fn arrays_on(flat: &Flat, cycles: &[ValueId]) -> Vec<ArrayKey> {
+    let on_cycle = |value: &ValueId| cycles.binary_search(value).is_ok();
+    flat.array_outputs.iter().filter(|(value, _)| on_cycle(value)).map(|(_, key)| key.clone()).collect()
 }

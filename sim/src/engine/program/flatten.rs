@@ -6,24 +6,38 @@ use tilewright_hdl::ir::{Design, MemoryId, Module, ModuleId, Node, NodeId, Op};
 
 use super::hierarchy::{ClockPort, Replication, Role, Scope, ScopeId, Signal};
 use super::instances::{Children, key_of};
-use super::netlist::{ArrayKey, Cell, Netlist};
-use super::{Assert, Clock, Kind, Memory, Passes, Port, ReadPort, Register, Triggers, ValueId, WritePort};
+use super::{
+    Affine, Assert, Axis, Cell, Clock, Kind, Memory, Passes, Port, Program, ReadPort, Register, Triggers, ValueId,
+    WritePort,
+};
+
+/// A design made flat.
+pub(super) struct Flat {
+    /// Its cells in no particular order; nothing is scheduled.
+    pub program: Program,
+    /// The outputs of arrays that are kept whole, with the array that each is of.
+    pub array_outputs: Vec<(ValueId, ArrayKey)>,
+}
+
+/// An instance array, the same one whatever lane it is looked at from: the instances' names from the top down.
+pub(super) type ArrayKey = Vec<String>;
 
 /// The design as cells, so many times side by side; the arrays of `unrolled` become single instances.
-pub(super) fn flatten(design: &Design, lanes: u32, unrolled: &BTreeSet<ArrayKey>, passes: &Passes) -> Netlist {
-    let mut flatten = Flatten { design, unrolled, passes, netlist: Netlist::default(), open: VecDeque::new() };
+pub(super) fn flatten(design: &Design, lanes: u32, unrolled: &BTreeSet<ArrayKey>, passes: &Passes) -> Flat {
+    let program = Program { passes: passes.clone(), ..Program::default() };
+    let flat = Flat { program, array_outputs: Vec::new() };
+    let mut flatten = Flatten { design, unrolled, flat, open: VecDeque::new() };
     flatten.top(lanes);
     while let Some(body) = flatten.open.pop_front() {
         flatten.body(body);
     }
-    flatten.netlist
+    flatten.flat
 }
 
 pub(super) struct Flatten<'a> {
     pub(super) design: &'a Design,
     pub(super) unrolled: &'a BTreeSet<ArrayKey>,
-    pub(super) passes: &'a Passes,
-    pub(super) netlist: Netlist,
+    pub(super) flat: Flat,
     /// Instances whose cells have ids but are not filled in yet.
     open: VecDeque<Body>,
 }
@@ -61,14 +75,14 @@ impl Flatten<'_> {
     fn top(&mut self, lanes: u32) {
         let module = self.design.top();
         let id = ModuleId(self.design.modules().len() as u32 - 1);
-        self.netlist.clocks = module.clocks.iter().map(program_clock).collect();
+        self.flat.program.clocks = module.clocks.iter().map(program_clock).collect();
         let clocks = (0..module.clocks.len() as u32).collect();
         let scope = self.scope(None, module.name.clone(), id, Replication::Single, lanes);
         let base = self.enter(id, Vec::new(), vec![scope], lanes, Vec::new(), clocks);
         let value = |node: NodeId| ValueId(base + node.0);
         for input in &module.inputs {
             let clock = input.clock.map_or(0, |clock| clock.0 as usize);
-            self.netlist.inputs.push(Port {
+            self.flat.program.inputs.push(Port {
                 name: input.name.clone(),
                 path: input.path.clone(),
                 value: value(input.node),
@@ -76,7 +90,7 @@ impl Flatten<'_> {
             });
         }
         for output in &module.outputs {
-            self.netlist.outputs.push(Port {
+            self.flat.program.outputs.push(Port {
                 name: output.name.clone(),
                 path: output.path.clone(),
                 value: value(output.node),
@@ -94,7 +108,7 @@ impl Flatten<'_> {
         replication: Replication,
         lanes: u32,
     ) -> ScopeId {
-        let scopes = &mut self.netlist.hierarchy.scopes;
+        let scopes = &mut self.flat.program.hierarchy.scopes;
         let id = ScopeId(scopes.len() as u32);
         if let Some(parent) = parent {
             scopes[parent.0 as usize].children.push(id);
@@ -124,9 +138,9 @@ impl Flatten<'_> {
         clocks: Vec<u32>,
     ) -> u32 {
         let definition = self.design.module(module);
-        let base = self.netlist.cells.len() as u32;
+        let base = self.flat.program.circuit.len() as u32;
         for node in &definition.nodes {
-            self.cell(lanes * node.lanes.unwrap_or(1), node.width);
+            self.cell(lanes * node.lanes.unwrap_or(1), node);
         }
         let splits = definition
             .instances
@@ -136,7 +150,7 @@ impl Flatten<'_> {
         if splits {
             for (index, node) in definition.nodes.iter().enumerate() {
                 split[index] = node.lanes.map(|n| {
-                    let ids: Vec<u32> = (0..n).map(|_| self.cell(lanes, node.width)).collect();
+                    let ids: Vec<u32> = (0..n).map(|_| self.cell(lanes, node)).collect();
                     ids[0]
                 });
             }
@@ -145,9 +159,9 @@ impl Flatten<'_> {
         base
     }
 
-    pub(super) fn cell(&mut self, lanes: u32, width: u32) -> u32 {
-        self.netlist.cells.push(Cell { kind: Kind::State, lanes, width });
-        self.netlist.cells.len() as u32 - 1
+    /// A cell for a node, whose kind is filled in later.
+    fn cell(&mut self, lanes: u32, node: &Node) -> u32 {
+        self.flat.program.circuit.push(Cell::new(Kind::State, lanes, node.width), Some(node.loc)).0
     }
 
     /// Fills in the cells of an instance and adds its state and names.
@@ -158,7 +172,8 @@ impl Flatten<'_> {
         let memories = self.state(body, module);
         for (index, node) in module.nodes.iter().enumerate() {
             let id = NodeId(index as u32);
-            self.netlist.cells[body.whole(id).index()].kind = self.kind(body, module, node, &memories);
+            let kind = self.kind(body, module, node, &memories);
+            self.flat.program.circuit.set_kind(body.whole(id), kind);
             if body.split[index].is_some() {
                 self.split(body, id, node);
             }
@@ -170,7 +185,7 @@ impl Flatten<'_> {
     fn state(&mut self, body: &Body, module: &Module) -> Vec<u32> {
         let clock = |id: tilewright_hdl::ir::ClockId| body.clocks[id.0 as usize];
         for register in &module.registers {
-            self.netlist.registers.push(Register {
+            self.flat.program.registers.push(Register {
                 value: body.whole(register.node),
                 clock: clock(register.clock),
                 reset: register.reset.clone(),
@@ -179,7 +194,7 @@ impl Flatten<'_> {
             });
         }
         for assert in &module.asserts {
-            self.netlist.asserts.push(Assert {
+            self.flat.program.asserts.push(Assert {
                 clock: clock(assert.clock),
                 condition: body.whole(assert.condition),
                 message: assert.message.clone(),
@@ -187,7 +202,7 @@ impl Flatten<'_> {
                 scopes: body.scopes.clone(),
             });
         }
-        let first = self.netlist.memories.len() as u32;
+        let first = self.flat.program.memories.len() as u32;
         for memory in &module.memories {
             let reads = memory.reads.iter().filter_map(|read| {
                 Some(ReadPort {
@@ -203,7 +218,7 @@ impl Flatten<'_> {
                 address: body.whole(write.address),
                 data: body.whole(write.data),
             });
-            self.netlist.memories.push(Memory {
+            self.flat.program.memories.push(Memory {
                 lanes: body.lanes,
                 depth: memory.depth,
                 width: memory.width,
@@ -251,20 +266,25 @@ impl Flatten<'_> {
                 let from = |base: &u32| ValueId(base + driver.0);
                 match (child.lanes, &body.children[instance.0 as usize]) {
                     (_, &Children::Sibling { base, lane, of }) => {
-                        Kind::Lane { of: from(&base), index: lane, group: of }
+                        Kind::Lane { of: from(&base), axis: Axis::last(of), index: lane }
                     }
                     (Some(_), Children::Bases(lanes)) if self.unrolled.contains(&key_of(&body.key, child)) => {
-                        Kind::PerLane(lanes.iter().map(from).collect())
+                        Kind::Stack { parts: lanes.iter().map(from).collect(), inner: 1 }
                     }
                     (_, Children::Bases(bases)) => Kind::Alias(from(&bases[0])),
                 }
             }
-            Op::Broadcast(of) => Kind::Broadcast(at(of), node.lanes.expect("a broadcast has lanes")),
-            Op::PerLane(parts) => Kind::PerLane(parts.iter().map(at).collect()),
-            Op::Shifted { of, by, edge } => Kind::Shifted { of: at(of), by: *by, edge: at(edge), group: group(of) },
+            Op::Broadcast(of) => {
+                Kind::Broadcast { of: at(of), axis: Axis::last(node.lanes.expect("a broadcast has lanes")) }
+            }
+            Op::PerLane(parts) => Kind::Stack { parts: parts.iter().map(at).collect(), inner: 1 },
+            Op::Shifted { of, by, edge } => {
+                let (of, axis, edge) = (at(of), Axis::last(group(of)), Some(at(edge)));
+                Kind::Map { of, axis, count: axis.count, index: Affine::by(*by), edge }
+            }
             Op::Lane(of, index) if body.split[of.0 as usize].is_some() => Kind::Alias(body.lane(*of, *index)),
-            Op::Lane(of, index) => Kind::Lane { of: at(of), index: *index, group: group(of) },
-            Op::Reduce(by, of) => Kind::Reduce { by: *by, of: at(of), group: group(of) },
+            Op::Lane(of, index) => Kind::Lane { of: at(of), axis: Axis::last(group(of)), index: *index },
+            Op::Reduce(by, of) => Kind::Reduce { by: *by, of: at(of), axis: Axis::last(group(of)) },
         }
     }
 
@@ -279,12 +299,12 @@ impl Flatten<'_> {
                     Some(from) => Kind::Alias(body.lane(*of, from)),
                     None => Kind::Alias(body.whole(*edge)),
                 },
-                _ => match &self.netlist.cell(body.whole(id)).kind {
-                    Kind::PerLane(parts) => Kind::Alias(parts[lane as usize]),
-                    _ => Kind::Lane { of: body.whole(id), index: lane, group: n },
+                _ => match &self.flat.program.circuit[body.whole(id)].kind {
+                    Kind::Stack { parts, .. } => Kind::Alias(parts[lane as usize]),
+                    _ => Kind::Lane { of: body.whole(id), axis: Axis::last(n), index: lane },
                 },
             };
-            self.netlist.cells[body.lane(id, lane).index()].kind = kind;
+            self.flat.program.circuit.set_kind(body.lane(id, lane), kind);
         }
     }
 
@@ -296,7 +316,7 @@ impl Flatten<'_> {
     }
 
     fn name_in(&mut self, id: ScopeId, body: &Body, module: &Module, memories: &[u32]) {
-        let scope = &mut self.netlist.hierarchy.scopes[id.0 as usize];
+        let scope = &mut self.flat.program.hierarchy.scopes[id.0 as usize];
         scope.clocks = (module.clocks.iter().zip(&body.clocks))
             .map(|(ports, &clock)| ClockPort { port: ports.port.clone(), reset: ports.reset.clone(), clock })
             .collect();

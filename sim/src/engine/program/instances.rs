@@ -4,10 +4,9 @@ use std::collections::HashMap;
 
 use tilewright_hdl::ir::{ClockId, Design, Instance, Module, ModuleId};
 
-use super::flatten::{Body, Flatten};
+use super::flatten::{ArrayKey, Body, Flatten};
 use super::hierarchy::{Replication, ScopeId};
-use super::netlist::ArrayKey;
-use super::{Kind, ValueId};
+use super::{Cell, Kind, ValueId};
 
 /// What an instance has become.
 #[derive(Debug, Clone)]
@@ -26,7 +25,7 @@ const NODES_A_PORT: usize = 3;
 impl Flatten<'_> {
     /// Enters all instances; siblings together.
     pub(super) fn instances(&mut self, body: &Body, module: &Module) -> Vec<Children> {
-        let groups = if self.passes.siblings { siblings(self.design, module) } else { HashMap::new() };
+        let groups = if self.flat.program.passes.siblings { siblings(self.design, module) } else { HashMap::new() };
         let mut children: Vec<Option<Children>> = vec![None; module.instances.len()];
         for index in 0..module.instances.len() {
             if children[index].is_some() {
@@ -48,13 +47,13 @@ impl Flatten<'_> {
         // In the order of declaration, which siblings have left.
         let numbers: HashMap<&str, usize> =
             module.instances.iter().enumerate().map(|(number, instance)| (instance.name.as_str(), number)).collect();
-        let mut scopes = std::mem::take(&mut self.netlist.hierarchy.scopes);
+        let mut scopes = std::mem::take(&mut self.flat.program.hierarchy.scopes);
         for parent in &body.scopes {
             let mut children = std::mem::take(&mut scopes[parent.0 as usize].children);
             children.sort_by_key(|child| numbers.get(scopes[child.0 as usize].name.as_str()));
             scopes[parent.0 as usize].children = children;
         }
-        self.netlist.hierarchy.scopes = scopes;
+        self.flat.program.hierarchy.scopes = scopes;
         children.into_iter().map(|child| child.expect("each is entered")).collect()
     }
 
@@ -65,10 +64,9 @@ impl Flatten<'_> {
         let lanes = body.lanes * of;
         let inputs = (0..instances[0].inputs.len()).map(|port| {
             let parts: Vec<ValueId> = instances.iter().map(|instance| body.whole(instance.inputs[port])).collect();
-            let width = self.netlist.cell(parts[0]).width;
-            let cell = self.cell(lanes, width);
-            self.netlist.cells[cell as usize].kind = Kind::PerLane(parts);
-            ValueId(cell)
+            let circuit = &mut self.flat.program.circuit;
+            let (width, loc) = (circuit[parts[0]].width, circuit.loc(parts[0]));
+            circuit.push(Cell::new(Kind::Stack { parts, inner: 1 }, lanes, width), loc)
         });
         let inputs = inputs.collect();
         let mut scopes = Vec::new();
@@ -80,7 +78,7 @@ impl Flatten<'_> {
         }
         for instance in &instances {
             for &node in &instance.outputs {
-                self.netlist.array_outputs.push((body.whole(node), key.clone()));
+                self.flat.array_outputs.push((body.whole(node), key.clone()));
             }
         }
         let clocks = instances[0].clocks.iter().map(|clock| body.clocks[clock.0 as usize]).collect();
@@ -107,7 +105,7 @@ impl Flatten<'_> {
             Some(n) => {
                 let base = enter(Replication::Whole(n), body.lanes * n, whole());
                 for &node in &instance.outputs {
-                    self.netlist.array_outputs.push((body.whole(node), key.clone()));
+                    self.flat.array_outputs.push((body.whole(node), key.clone()));
                 }
                 vec![base]
             }

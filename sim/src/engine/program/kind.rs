@@ -63,41 +63,164 @@ pub enum Kind {
         /// The address.
         address: ValueId,
     },
-    /// From `L` lanes to `L * n`: each lane `n` times over.
-    Broadcast(ValueId, u32),
-    /// From `n` lanes to `n * m`: all lanes, `m` times over.
-    Tile(ValueId, u32),
-    /// From `L` lanes to `L * n`: lane `outer * n + i` is lane `outer` of operand `i`.
-    PerLane(Vec<ValueId>),
-    /// Within each group of `n` lanes: lane `i` is lane `i - by` of the operand, or its group's lane of `edge`.
-    Shifted {
-        /// `L * n` lanes.
+    /// An axis more: the operand so many times over.
+    Broadcast {
+        /// The operand.
         of: ValueId,
-        /// How many lanes towards the higher index.
-        by: i32,
-        /// `L` lanes.
-        edge: ValueId,
-        /// The lanes of a group, `n`.
-        group: u32,
+        /// The axis that the result has more.
+        axis: Axis,
     },
-    /// From `L * n` lanes to `L`: lane `index` of each group of `n`.
+    /// An axis more: the parts one after the other.
+    Stack {
+        /// What each lane along the axis is; of one shape.
+        parts: Vec<ValueId>,
+        /// The lanes behind the axis.
+        inner: u32,
+    },
+    /// Lane `i` along an axis is lane `index(i)` of the operand.
+    Map {
+        /// The operand.
+        of: ValueId,
+        /// The axis, as the operand has it.
+        axis: Axis,
+        /// The lanes that the result has along it.
+        count: u32,
+        /// Which lane it is.
+        index: Affine,
+        /// Without the axis: what stands where the operand has no such lane; there if there is such a place.
+        edge: Option<ValueId>,
+    },
+    /// Lane `i` along an axis is lane `i / k` of part `i % k`.
+    Interleave {
+        /// The parts, `k` of one shape.
+        parts: Vec<ValueId>,
+        /// The axis, as each part has it.
+        axis: Axis,
+    },
+    /// An axis less: one lane along it.
     Lane {
-        /// `L * n` lanes.
+        /// The operand.
         of: ValueId,
-        /// The lane within the group.
+        /// The axis, as the operand has it.
+        axis: Axis,
+        /// Which lane.
         index: u32,
-        /// The lanes of a group, `n`.
-        group: u32,
     },
-    /// From `L * n` lanes to `L`: each group of `n` combined.
+    /// An axis less: the lane that a number says, or 0 if there is none.
+    Pick {
+        /// The operand.
+        of: ValueId,
+        /// The axis, as the operand has it.
+        axis: Axis,
+        /// Which lane, of the result's shape.
+        index: ValueId,
+    },
+    /// An axis less: all lanes along it combined.
     Reduce {
         /// How.
         by: Reduction,
-        /// `L * n` lanes.
+        /// The operand.
         of: ValueId,
-        /// The lanes of a group, `n`.
-        group: u32,
+        /// The axis, as the operand has it.
+        axis: Axis,
     },
+    /// An axis less: all lanes along it side by side, lane 0 lowest.
+    Pack {
+        /// The operand.
+        of: ValueId,
+        /// The axis, as the operand has it.
+        axis: Axis,
+    },
+    /// An axis more: parts of the operand, the lowest in lane 0.
+    Unpack {
+        /// The operand.
+        of: ValueId,
+        /// The axis that the result has more.
+        axis: Axis,
+    },
+    /// Code only: the operand's lane of the number that a lane of `at` has, which is one of them.
+    Gather {
+        /// The operand.
+        of: ValueId,
+        /// Which lane, of the result's shape.
+        at: ValueId,
+    },
+    /// Code only: lane `i` is lane `i - by` of the operand, anything where there is none.
+    Slide {
+        /// The operand.
+        of: ValueId,
+        /// How many lanes towards the higher index.
+        by: i32,
+    },
+    /// Code only: the word of a memory as it stands there, which may be inverted in some bits.
+    Word {
+        /// The memory, by index.
+        memory: u32,
+        /// The address.
+        address: ValueId,
+    },
+    /// Code only: the operand rotated to the left.
+    Rotate(ValueId, u32),
+}
+
+/// Which lane of an operand a lane along an axis is: `(mul * i + add) / div`, rounded down.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Affine {
+    /// How far apart the lanes of two neighbours are, before the division.
+    pub mul: i32,
+    /// The place of lane 0, before the division.
+    pub add: i32,
+    /// How many neighbours share a lane, at least 1.
+    pub div: u32,
+}
+
+impl Affine {
+    /// As many lanes towards the higher index.
+    pub fn by(lanes: i32) -> Affine {
+        Affine { mul: 1, add: -lanes, div: 1 }
+    }
+
+    /// The lane for a lane.
+    pub fn at(self, lane: u32) -> i64 {
+        (i64::from(self.mul) * i64::from(lane) + i64::from(self.add)).div_euclid(i64::from(self.div))
+    }
+
+    /// The lane for a lane, if it is one of so many.
+    pub fn within(self, lane: u32, count: u32) -> Option<u32> {
+        u32::try_from(self.at(lane)).ok().filter(|&from| from < count)
+    }
+}
+
+/// An axis of a value: its lanes are `outer` groups of `count` lanes, which are `inner` lanes each.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Axis {
+    /// The lanes along it.
+    pub count: u32,
+    /// The lanes behind it: how far two neighbours along it are apart.
+    pub inner: u32,
+}
+
+impl Axis {
+    /// The last axis.
+    pub fn last(count: u32) -> Axis {
+        Axis { count, inner: 1 }
+    }
+
+    /// The lanes of the axis and of those behind it.
+    pub fn lanes(self) -> u32 {
+        self.count * self.inner
+    }
+
+    /// The lane of a value with the axis that is number `index` along it, for a lane of one without.
+    pub fn at(self, lane: u32, index: u32) -> u32 {
+        (lane / self.inner * self.count + index) * self.inner + lane % self.inner
+    }
+
+    /// For a lane of a value with the axis: the number along it, and the lane of one without.
+    pub fn split(self, lane: u32) -> (u32, u32) {
+        let (outer, within) = (lane / self.lanes(), lane % self.lanes());
+        (within / self.inner, outer * self.inner + within % self.inner)
+    }
 }
 
 /// Calls `$visit` with a reference to every operand, shared or not as `$iter` says.
@@ -110,15 +233,20 @@ macro_rules! each_operand {
             | Kind::Slice(a, _)
             | Kind::Repeat(a, _)
             | Kind::Extend(a, _)
+            | Kind::Rotate(a, _)
             | Kind::Read { address: a, .. }
-            | Kind::Broadcast(a, _)
-            | Kind::Tile(a, _)
+            | Kind::Word { address: a, .. }
+            | Kind::Broadcast { of: a, .. }
+            | Kind::Slide { of: a, .. }
             | Kind::Lane { of: a, .. }
-            | Kind::Reduce { of: a, .. } => $visit(a),
+            | Kind::Reduce { of: a, .. }
+            | Kind::Pack { of: a, .. }
+            | Kind::Unpack { of: a, .. } => $visit(a),
             Kind::Binary(_, a, b)
             | Kind::Compare(_, _, a, b)
             | Kind::Shift(_, a, b)
-            | Kind::Shifted { of: a, edge: b, .. } => {
+            | Kind::Pick { of: a, index: b, .. }
+            | Kind::Gather { of: a, at: b } => {
                 $visit(a);
                 $visit(b);
             }
@@ -139,7 +267,13 @@ macro_rules! each_operand {
                 arms.$iter().for_each(|(_, value)| $visit(value));
                 $visit(default);
             }
-            Kind::Concat(parts) | Kind::PerLane(parts) => parts.$iter().for_each($visit),
+            Kind::Map { of, edge, .. } => {
+                $visit(of);
+                edge.$iter().for_each($visit);
+            }
+            Kind::Concat(parts) | Kind::Stack { parts, .. } | Kind::Interleave { parts, .. } => {
+                parts.$iter().for_each($visit);
+            }
         }
     };
 }
@@ -158,18 +292,35 @@ impl Kind {
 
     /// Whether each lane of the result depends on the same lane of the operands alone.
     pub fn is_elementwise(&self) -> bool {
-        !matches!(
-            self,
+        match self {
+            Kind::Unary(..)
+            | Kind::Binary(..)
+            | Kind::Compare(..)
+            | Kind::Shift(..)
+            | Kind::Mux { .. }
+            | Kind::Select { .. }
+            | Kind::Case { .. }
+            | Kind::Slice(..)
+            | Kind::Concat(_)
+            | Kind::Repeat(..)
+            | Kind::Extend(..)
+            | Kind::Rotate(..) => true,
             Kind::State
-                | Kind::Const(_)
-                | Kind::Alias(_)
-                | Kind::Read { .. }
-                | Kind::Broadcast(..)
-                | Kind::Tile(..)
-                | Kind::PerLane(_)
-                | Kind::Shifted { .. }
-                | Kind::Lane { .. }
-                | Kind::Reduce { .. }
-        )
+            | Kind::Const(_)
+            | Kind::Alias(_)
+            | Kind::Read { .. }
+            | Kind::Word { .. }
+            | Kind::Broadcast { .. }
+            | Kind::Stack { .. }
+            | Kind::Map { .. }
+            | Kind::Interleave { .. }
+            | Kind::Lane { .. }
+            | Kind::Pick { .. }
+            | Kind::Reduce { .. }
+            | Kind::Pack { .. }
+            | Kind::Unpack { .. }
+            | Kind::Gather { .. }
+            | Kind::Slide { .. } => false,
+        }
     }
 }

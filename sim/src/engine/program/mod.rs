@@ -9,36 +9,24 @@
 //! Operations are grouped into [`Segment`]s by what can change them and by who needs them, so that an edge of one
 //! clock evaluates nothing that depends on another clock alone.
 
+mod circuit;
 mod compile;
+mod cycles;
 mod flatten;
 pub mod hierarchy;
 mod instances;
 mod kind;
-mod lift;
-mod netlist;
-mod order;
-pub(crate) mod rules;
+mod roots;
 mod schedule;
-mod simplify;
 
 use crate::engine::Passes;
 use tilewright_hdl::ir::{Contents, ReadUnderWrite};
 use tilewright_hdl::{Bits, Loc, limbs_for};
 
+pub use circuit::{Cell, Circuit, ValueId};
 pub use compile::{compile, compile_lanes, most_lanes};
 pub use hierarchy::Hierarchy;
-pub use kind::Kind;
-
-/// A value's place in [`Program::values`].
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct ValueId(pub u32);
-
-impl ValueId {
-    /// The id as an index.
-    pub fn index(self) -> usize {
-        self.0 as usize
-    }
-}
+pub use kind::{Affine, Axis, Kind};
 
 /// What can make a segment's results stale: a bit for each clock's state and for each clock's inputs.
 ///
@@ -116,22 +104,15 @@ impl Readers {
     }
 }
 
-/// A circuit ready to run.
-#[derive(Debug, Clone)]
+/// A flat circuit with all that it reads from and changes.
+///
+/// What [`compile`] gives is in order: first state, then constants, then results, each after its operands.
+#[derive(Debug, Clone, Default)]
 pub struct Program {
-    /// Every value in order of storage: what inputs and state hold, then constants, then results in order of
-    /// evaluation.
-    pub values: Vec<Value>,
-    /// How many 64-bit limbs all values take.
-    pub storage: usize,
-    /// The limb at which the state ends and constants and results begin.
-    pub state_end: usize,
-    /// The values that never change.
-    pub constants: Vec<(ValueId, Bits)>,
-    /// The operations, each after those that it depends on.
-    pub operations: Vec<Operation>,
-    /// The operations' grouping, in order of evaluation.
-    pub segments: Vec<Segment>,
+    /// The values.
+    pub circuit: Circuit,
+    /// What is computed when, and where values are stored.
+    pub schedule: Schedule,
     /// The clocks of the top module.
     pub clocks: Vec<Clock>,
     /// Input ports of the top module.
@@ -148,6 +129,19 @@ pub struct Program {
     pub hierarchy: Hierarchy,
     /// How it was made, and how code is to be.
     pub passes: Passes,
+}
+
+/// When values are computed, and where an engine that keeps all of them in limbs does so.
+#[derive(Debug, Clone, Default)]
+pub struct Schedule {
+    /// Per value: its first limb, and the segment that computes it, if one does.
+    pub slots: Vec<(usize, Option<u32>)>,
+    /// How many 64-bit limbs all values take.
+    pub storage: usize,
+    /// The limb at which the state ends and constants and results begin.
+    pub state_end: usize,
+    /// The grouping of what is computed, in order of evaluation.
+    pub segments: Vec<Segment>,
 }
 
 /// A value: its shape and its place in the storage.
@@ -175,20 +169,11 @@ impl Value {
     }
 }
 
-/// One step of evaluation.
-#[derive(Debug, Clone)]
-pub struct Operation {
-    /// What it computes.
-    pub result: ValueId,
-    /// How.
-    pub kind: Kind,
-}
-
 /// A run of operations that become stale by the same triggers and have the same readers.
 #[derive(Debug, Clone)]
 pub struct Segment {
-    /// Its place in [`Program::operations`].
-    pub operations: std::ops::Range<usize>,
+    /// The values that it computes, by id.
+    pub values: std::ops::Range<u32>,
     /// What makes it stale.
     pub triggers: Triggers,
     /// Who needs it.
@@ -314,8 +299,15 @@ impl Program {
         self.hierarchy.scopes[0].lanes
     }
 
-    /// The value of that id.
-    pub fn value(&self, id: ValueId) -> &Value {
-        &self.values[id.index()]
+    /// The shape and the place of a value.
+    pub fn value(&self, id: ValueId) -> Value {
+        let Cell { lanes, width, .. } = self.circuit[id];
+        let (offset, segment) = self.schedule.slots[id.index()];
+        Value { lanes, width, offset, segment }
+    }
+
+    /// Whether a value is set from outside the circuit: an input, a register, the data of a synchronous read.
+    pub fn is_state(&self, id: ValueId) -> bool {
+        self.circuit[id].kind == Kind::State
     }
 }

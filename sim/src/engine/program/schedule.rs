@@ -1,5 +1,4 @@
-//! From a netlist to a program: which values are kept, in what order they are stored and computed, and in which
-//! segments.
+//! The order of a program: which values are kept, in what order they are stored and computed, and in which segments.
 //!
 //! An operation that another one depends on has no more triggers and no fewer readers. Therefore segments, which are
 //! the sets of operations of equal triggers and readers, do not depend on each other in a circle, and sorting by
@@ -9,20 +8,17 @@ use std::cmp::Reverse;
 
 use tilewright_hdl::limbs_for;
 
-use super::netlist::Netlist;
-use super::order::order;
-use super::{Kind, Memory, Operation, Program, Readers, Segment, Triggers, Value, ValueId};
-use crate::engine::Passes;
+use super::{Cell, Circuit, Kind, Memory, Program, Readers, Schedule, Segment, Triggers, ValueId};
 
-/// Schedules a netlist without cycles.
-pub(super) fn schedule(mut netlist: Netlist, passes: &Passes) -> Program {
-    let order = order(&netlist).expect("cycles were found before");
-    assign_to_clocks(&mut netlist);
-    let triggers = triggers(&netlist, &order);
-    let readers = readers(&netlist, &order);
-    watch(&mut netlist, &triggers);
-    let kept = kept(&mut netlist, &order);
-    let place = |id: ValueId| match netlist.cell(id).kind {
+/// Brings the values of a program, each after its operands, into the order in which they are stored and computed; those
+/// that nobody refers to are left out.
+pub(super) fn schedule(program: &mut Program) {
+    assign_to_clocks(program);
+    let triggers = triggers(program);
+    let readers = readers(program);
+    watch(program, &triggers);
+    let kept = kept(program);
+    let place = |id: ValueId| match program.circuit[id].kind {
         Kind::State => (0, 0, Reverse(0), Triggers::NONE, Readers::NONE),
         Kind::Const(_) => (1, 0, Reverse(0), Triggers::NONE, Readers::NONE),
         _ => {
@@ -30,29 +26,33 @@ pub(super) fn schedule(mut netlist: Netlist, passes: &Passes) -> Program {
             (2, triggers.count(), Reverse(readers.count()), triggers, readers)
         }
     };
-    let mut sorted: Vec<ValueId> = order.into_iter().filter(|id| kept[id.index()]).collect();
+    let mut sorted: Vec<ValueId> = program.circuit.ids().filter(|id| kept[id.index()]).collect();
     sorted.sort_by_key(|&id| place(id));
-    let mut number = vec![ValueId(u32::MAX); netlist.cells.len()];
+    let mut number = vec![ValueId(u32::MAX); program.circuit.len()];
     sorted.iter().enumerate().for_each(|(new, old)| number[old.index()] = ValueId(new as u32));
-    let shape = |id: &ValueId| (triggers[id.index()], readers[id.index()]);
-    let mut layout = Layout::default();
-    for old in &sorted {
-        layout.add(&mut netlist, *old, shape(old), &number);
+    let mut circuit = Circuit::default();
+    let mut schedule = Schedule::default();
+    for old in sorted {
+        let mut cell = program.circuit[old].clone();
+        cell.kind.rewrite(|operand| *operand = number[operand.index()]);
+        schedule.add(&cell, circuit.len() as u32, (triggers[old.index()], readers[old.index()]));
+        circuit.push(cell, program.circuit.loc(old));
     }
-    netlist.rewrite_roots(|value| *value = number[value.index()]);
-    layout.finish(netlist, passes)
+    program.rewrite_roots(|value| *value = number[value.index()]);
+    program.circuit = circuit;
+    program.schedule = schedule;
 }
 
 /// Enters into each clock what happens at its edges.
-fn assign_to_clocks(netlist: &mut Netlist) {
-    let clocks = &mut netlist.clocks;
-    for (index, register) in netlist.registers.iter().enumerate() {
+fn assign_to_clocks(program: &mut Program) {
+    let clocks = &mut program.clocks;
+    for (index, register) in program.registers.iter().enumerate() {
         clocks[register.clock as usize].registers.push(index as u32);
     }
-    for (index, assert) in netlist.asserts.iter().enumerate() {
+    for (index, assert) in program.asserts.iter().enumerate() {
         clocks[assert.clock as usize].asserts.push(index as u32);
     }
-    for (index, memory) in netlist.memories.iter().enumerate() {
+    for (index, memory) in program.memories.iter().enumerate() {
         for (port, read) in memory.reads.iter().enumerate() {
             clocks[read.clock as usize].reads.push((index as u32, port as u32));
         }
@@ -63,21 +63,21 @@ fn assign_to_clocks(netlist: &mut Netlist) {
 }
 
 /// What can change each cell.
-fn triggers(netlist: &Netlist, order: &[ValueId]) -> Vec<Triggers> {
-    let mut all = vec![Triggers::NONE; netlist.cells.len()];
-    netlist.inputs.iter().for_each(|port| all[port.value.index()] = port.triggers);
-    for register in &netlist.registers {
+fn triggers(program: &Program) -> Vec<Triggers> {
+    let mut all = vec![Triggers::NONE; program.circuit.len()];
+    program.inputs.iter().for_each(|port| all[port.value.index()] = port.triggers);
+    for register in &program.registers {
         all[register.value.index()] = Triggers::state(register.clock as usize);
     }
-    for read in netlist.memories.iter().flat_map(|memory| &memory.reads) {
+    for read in program.memories.iter().flat_map(|memory| &memory.reads) {
         all[read.value.index()] = Triggers::state(read.clock as usize);
     }
-    for &id in order {
-        let kind = &netlist.cell(id).kind;
+    for id in program.circuit.ids() {
+        let kind = &program.circuit[id].kind;
         let mut mine = all[id.index()];
         kind.for_each_operand(|operand| mine = mine.with(all[operand.index()]));
         if let Kind::Read { memory, .. } = kind {
-            mine = mine.with(written(netlist, *memory));
+            mine = mine.with(written(program, *memory));
         }
         all[id.index()] = mine;
     }
@@ -85,142 +85,100 @@ fn triggers(netlist: &Netlist, order: &[ValueId]) -> Vec<Triggers> {
 }
 
 /// The triggers of a memory's words.
-fn written(netlist: &Netlist, memory: u32) -> Triggers {
-    let writes = &netlist.memories[memory as usize].writes;
+fn written(program: &Program, memory: u32) -> Triggers {
+    let writes = &program.memories[memory as usize].writes;
     writes.iter().fold(Triggers::NONE, |all, write| all.with(Triggers::state(write.clock as usize)))
 }
 
 /// Who needs each cell, directly or not.
-fn readers(netlist: &Netlist, order: &[ValueId]) -> Vec<Readers> {
-    let mut all = vec![Readers::NONE; netlist.cells.len()];
+fn readers(program: &Program) -> Vec<Readers> {
+    let mut all = vec![Readers::NONE; program.circuit.len()];
     let mut add = |id: ValueId, readers| all[id.index()] = all[id.index()].with(readers);
-    netlist.outputs.iter().for_each(|port| add(port.value, Readers::OUTPUT));
-    for (clock, values) in sampled(netlist) {
+    program.outputs.iter().for_each(|port| add(port.value, Readers::OUTPUT));
+    for (clock, values) in sampled(program) {
         values.into_iter().for_each(|value| add(value, Readers::edge(clock)));
     }
-    for &id in order.iter().rev() {
+    for id in program.circuit.ids().rev() {
         let mine = all[id.index()];
-        netlist.cell(id).kind.for_each_operand(|operand| all[operand.index()] = all[operand.index()].with(mine));
+        program.circuit[id].kind.for_each_operand(|operand| all[operand.index()] = all[operand.index()].with(mine));
     }
     all
 }
 
 /// What the edges of each clock sample: registers, read ports, write ports, asserts.
-fn sampled(netlist: &Netlist) -> Vec<(usize, Vec<ValueId>)> {
-    let registers = netlist.registers.iter().map(|register| {
+fn sampled(program: &Program) -> Vec<(usize, Vec<ValueId>)> {
+    let registers = program.registers.iter().map(|register| {
         (register.clock as usize, [Some(register.next), register.enable].into_iter().flatten().collect())
     });
-    let reads = netlist
+    let reads = program
         .memories
         .iter()
         .flat_map(|memory| &memory.reads)
         .map(|read| (read.clock as usize, [Some(read.address), read.enable].into_iter().flatten().collect()));
-    let writes = netlist
+    let writes = program
         .memories
         .iter()
         .flat_map(|memory| &memory.writes)
         .map(|write| (write.clock as usize, vec![write.enable, write.address, write.data]));
-    let asserts = netlist.asserts.iter().map(|assert| (assert.clock as usize, vec![assert.condition]));
+    let asserts = program.asserts.iter().map(|assert| (assert.clock as usize, vec![assert.condition]));
     registers.chain(reads).chain(writes).chain(asserts).collect()
 }
 
 /// Enters into each clock what can make its edge do something else.
-fn watch(netlist: &mut Netlist, triggers: &[Triggers]) {
-    for (clock, values) in sampled(netlist) {
+fn watch(program: &mut Program, triggers: &[Triggers]) {
+    for (clock, values) in sampled(program) {
         let seen = values.iter().fold(Triggers::state(clock), |all, value| all.with(triggers[value.index()]));
-        netlist.clocks[clock].triggers = netlist.clocks[clock].triggers.with(seen);
+        program.clocks[clock].triggers = program.clocks[clock].triggers.with(seen);
     }
-    for memory in 0..netlist.memories.len() {
-        let written = written(netlist, memory as u32);
+    for memory in 0..program.memories.len() {
+        let written = written(program, memory as u32);
         // Who writes the same again and again has to do so after somebody else has.
-        let Memory { reads, writes, .. } = &netlist.memories[memory];
+        let Memory { reads, writes, .. } = &program.memories[memory];
         for clock in reads.iter().map(|read| read.clock).chain(writes.iter().map(|write| write.clock)) {
-            let clock = &mut netlist.clocks[clock as usize];
+            let clock = &mut program.clocks[clock as usize];
             clock.triggers = clock.triggers.with(written);
         }
     }
 }
 
 /// The cells that something outside the expressions refers to, directly or not.
-fn kept(netlist: &mut Netlist, order: &[ValueId]) -> Vec<bool> {
-    let mut kept = vec![false; netlist.cells.len()];
-    netlist.rewrite_roots(|value| kept[value.index()] = true);
-    for &id in order.iter().rev() {
+fn kept(program: &mut Program) -> Vec<bool> {
+    let mut kept = vec![false; program.circuit.len()];
+    program.rewrite_roots(|value| kept[value.index()] = true);
+    for id in program.circuit.ids().rev() {
         if kept[id.index()] {
-            netlist.cell(id).kind.for_each_operand(|operand| kept[operand.index()] = true);
+            program.circuit[id].kind.for_each_operand(|operand| kept[operand.index()] = true);
         }
     }
     kept
 }
 
-/// The values and operations of the program as they are laid out.
-#[derive(Default)]
-struct Layout {
-    values: Vec<Value>,
-    storage: usize,
-    state_end: usize,
-    constants: Vec<(ValueId, tilewright_hdl::Bits)>,
-    operations: Vec<Operation>,
-    segments: Vec<Segment>,
-}
-
-impl Layout {
-    fn add(&mut self, netlist: &mut Netlist, old: ValueId, shape: (Triggers, Readers), number: &[ValueId]) {
-        let result = ValueId(self.values.len() as u32);
-        let cell = &mut netlist.cells[old.index()];
-        let mut kind = std::mem::replace(&mut cell.kind, Kind::State);
-        let (lanes, width) = (cell.lanes, cell.width);
-        let segment = match kind {
-            Kind::State => None,
-            Kind::Const(bits) => {
-                self.constants.push((result, bits));
-                None
-            }
-            _ => {
-                kind.rewrite(|operand| *operand = number[operand.index()]);
-                self.operations.push(Operation { result, kind });
-                Some(self.segment(shape))
-            }
+impl Schedule {
+    /// Places the next value.
+    fn add(&mut self, cell: &Cell, id: u32, needs: (Triggers, Readers)) {
+        let segment = match cell.kind {
+            Kind::State | Kind::Const(_) => None,
+            _ => Some(self.segment(id, needs)),
         };
-        self.values.push(Value { lanes, width, offset: self.storage, segment });
-        self.storage += lanes as usize * limbs_for(width);
-        if self.constants.is_empty() && self.operations.is_empty() {
+        self.slots.push((self.storage, segment));
+        self.storage += cell.lanes as usize * limbs_for(cell.width);
+        if cell.kind == Kind::State {
             self.state_end = self.storage;
         }
     }
 
-    /// The segment of the operation just added.
-    fn segment(&mut self, (triggers, readers): (Triggers, Readers)) -> u32 {
-        let end = self.operations.len();
+    /// The segment of the value to be added.
+    fn segment(&mut self, id: u32, (triggers, readers): (Triggers, Readers)) -> u32 {
         match self.segments.last_mut() {
-            Some(last) if (last.triggers, last.readers) == (triggers, readers) => last.operations.end = end,
+            Some(last) if (last.triggers, last.readers) == (triggers, readers) => last.values.end = id + 1,
             _ => {
                 let needed = |(_, before): &(usize, &Segment)| {
                     before.triggers.within(triggers) && readers.with(before.readers) == before.readers
                 };
                 let needs = self.segments.iter().enumerate().filter(needed).map(|(i, _)| i as u32).collect();
-                self.segments.push(Segment { operations: end - 1..end, triggers, readers, needs });
+                self.segments.push(Segment { values: id..id + 1, triggers, readers, needs });
             }
         }
         self.segments.len() as u32 - 1
-    }
-
-    fn finish(self, netlist: Netlist, passes: &Passes) -> Program {
-        Program {
-            values: self.values,
-            storage: self.storage,
-            state_end: self.state_end,
-            constants: self.constants,
-            operations: self.operations,
-            segments: self.segments,
-            clocks: netlist.clocks,
-            inputs: netlist.inputs,
-            outputs: netlist.outputs,
-            registers: netlist.registers,
-            memories: netlist.memories,
-            asserts: netlist.asserts,
-            hierarchy: netlist.hierarchy,
-            passes: passes.clone(),
-        }
     }
 }

@@ -1,271 +1,94 @@
 //! An instant at which clocks rise: everything samples, then everything changes.
 
 use tilewright_hdl::ir::ReadUnderWrite;
+use tilewright_hdl::top_mask;
 
 use super::Engine;
-use super::memory::{address, word};
-use crate::engine::Failed;
-use crate::engine::program::{Program, Readers, Triggers, ValueId};
+use crate::engine::Word;
+use crate::engine::program::{Program, ReadPort, ValueId};
 
-/// What is worked out once about edges, and the room they need.
-#[derive(Debug, Clone)]
-pub(super) struct Plan {
-    /// Per register: where its new value waits until all have sampled; `None` if no other one can see it change.
-    staged: Vec<Option<usize>>,
-    /// Per clock and read port of it: where its data waits.
-    reads: Vec<Vec<usize>>,
-    /// Per clock: whether what its edge does depends on which other clocks rise.
-    entangled: Vec<bool>,
-    /// Per clock: its reset is high.
-    resets: Vec<bool>,
-    /// What waits.
-    waiting: Vec<u64>,
-}
-
-impl Plan {
-    pub fn new(program: &Program) -> Plan {
-        let mut size = 0;
-        let mut room = |id: ValueId| {
-            let start = size;
-            size += program.value(id).range().len();
-            start
-        };
-        let is_state = |id: ValueId| program.value(id).offset < program.state_end;
-        let samples_state = |next, enable: Option<ValueId>| is_state(next) || enable.is_some_and(is_state);
-        let staged = program.registers.iter();
-        let staged = staged.map(|it| samples_state(it.next, it.enable).then(|| room(it.value))).collect();
-        let data = |&(memory, port): &(u32, u32)| program.memories[memory as usize].reads[port as usize].value;
-        let reads =
-            program.clocks.iter().map(|clock| clock.reads.iter().map(|read| room(data(read))).collect()).collect();
-        let entangled = (0..program.clocks.len()).map(|clock| is_entangled(program, clock as u32)).collect();
-        let resets = vec![false; program.clocks.len()];
-        Plan { staged, reads, entangled, resets, waiting: vec![0; size] }
-    }
-}
-
-/// Whether the clock reads a memory that another clock writes, with a read whose result shows a write at that instant.
-fn is_entangled(program: &Program, clock: u32) -> bool {
-    program.memories.iter().any(|memory| {
-        memory.policy == ReadUnderWrite::Any
-            && memory.reads.iter().any(|read| read.clock == clock)
-            && memory.writes.iter().any(|write| write.clock != clock)
-    })
+/// What one lane of something takes at an edge.
+struct Taken<T> {
+    at: T,
+    lane: u32,
+    limbs: Vec<u64>,
 }
 
 impl Engine {
-    /// Sets a clock's reset.
-    pub fn set_reset(&mut self, clock: usize, high: bool) {
-        self.plan.resets[clock] = high;
-        self.idle[clock] = false;
-    }
-
-    /// The assertions that fail at an edge of these clocks.
-    pub fn check(&mut self, rising: &[usize]) -> Vec<Failed> {
-        self.mark();
+    /// The edge of these clocks.
+    pub(super) fn edge(&mut self, rising: &[usize]) {
+        self.settle();
         let program = self.program.clone();
-        let mut failed = Vec::new();
+        let mut values = Vec::new();
+        let mut words = Vec::new();
         for &clock in rising {
-            if self.idle[clock] || self.plan.resets[clock] || program.clocks[clock].asserts.is_empty() {
-                continue;
-            }
-            self.settle_for(Readers::edge(clock));
-            for &assert in &program.clocks[clock].asserts {
-                let condition = &self.limbs[program.value(program.asserts[assert as usize].condition).range()];
-                let lanes = (0u32..).zip(condition).filter(|(_, holds)| **holds == 0);
-                failed.extend(lanes.map(|(lane, _)| Failed { assert, lane }));
-            }
+            self.sample_registers(&program, clock, &mut values);
+            self.sample_reads(&program, clock, rising, &mut values);
+            self.sample_writes(&program, clock, &mut words);
         }
-        failed
+        for Taken { at, lane, limbs } in values {
+            let limbs_a_lane = limbs.len();
+            self.values[at.index()][lane as usize * limbs_a_lane..][..limbs_a_lane].copy_from_slice(&limbs);
+        }
+        for Taken { at: Word { memory, lane, address }, limbs, .. } in words {
+            let place = self.place(memory, lane, address);
+            self.memories[memory as usize][place].copy_from_slice(&limbs);
+            self.written.push(Word { memory, lane, address });
+        }
+        self.is_stale = true;
     }
 
-    /// The edge of these clocks: all of them sample, then their registers, read data and memories change. Says what did.
-    pub fn edge(&mut self, rising: &[usize]) -> Triggers {
-        self.mark();
-        if rising.iter().all(|&clock| self.idle[clock]) {
-            return Triggers::NONE;
-        }
-        let program = self.program.clone();
-        for &clock in rising {
-            if !self.idle[clock] {
-                self.settle_for(Readers::edge(clock));
+    fn sample_registers(&self, program: &Program, clock: usize, taken: &mut Vec<Taken<ValueId>>) {
+        for &index in &program.clocks[clock].registers {
+            let register = &program.registers[index as usize];
+            for lane in 0..program.circuit[register.value].lanes {
+                let limbs = match &register.reset {
+                    Some(reset) if self.resets[clock] => reset.limbs(),
+                    _ if self.holds(register.enable, lane) => self.number(register.next, lane).limbs,
+                    _ => continue,
+                };
+                taken.push(Taken { at: register.value, lane, limbs: limbs.to_vec() });
             }
         }
-        let active = rising.iter().copied().filter(|&clock| !self.idle[clock]).collect::<Vec<_>>();
-        for &clock in &active {
-            self.stage_reads(&program, clock, rising);
-            self.stage_registers(&program, clock);
-        }
-        let mut changed = vec![false; active.len()];
-        for (&clock, changed) in active.iter().zip(&mut changed) {
-            for &(memory, port) in &program.clocks[clock].writes {
-                *changed |= self.write_memory(memory, port);
-            }
-        }
-        for (&clock, changed) in active.iter().zip(&mut changed) {
-            *changed |= self.commit(&program, clock);
-            self.idle[clock] = !*changed && !self.plan.entangled[clock];
-            if *changed {
-                self.pending = self.pending.with(Triggers::state(clock));
-            }
-        }
-        self.pending
     }
 
-    /// Reads every enabled synchronous port of a clock into its waiting room.
-    fn stage_reads(&mut self, program: &Program, clock: usize, rising: &[usize]) {
-        for (&(index, port), &room) in program.clocks[clock].reads.iter().zip(&self.plan.reads[clock]) {
-            let memory = &program.memories[index as usize];
-            let read = &memory.reads[port as usize];
-            let (data, at) = (program.value(read.value), program.value(read.address));
-            let out = &mut self.plan.waiting[room..room + data.range().len()];
-            out.copy_from_slice(&self.limbs[data.range()]);
-            for (lane, out) in (0u32..).zip(out.chunks_exact_mut(data.limbs())) {
-                let enabled = |id: ValueId| self.limbs[program.value(id).offset + lane as usize] != 0;
-                if !read.enable.is_none_or(enabled) {
-                    continue;
+    fn sample_reads(&self, program: &Program, clock: usize, rising: &[usize], taken: &mut Vec<Taken<ValueId>>) {
+        for &(memory, port) in &program.clocks[clock].reads {
+            let read = &program.memories[memory as usize].reads[port as usize];
+            for lane in (0..program.memories[memory as usize].lanes).filter(|&lane| self.holds(read.enable, lane)) {
+                let mut limbs = self.read_word(memory, lane, read.address);
+                if self.is_written(program, memory, lane, read, rising) {
+                    limbs.iter_mut().for_each(|limb| *limb = !*limb);
+                    *limbs.last_mut().expect("a word has a limb") &= top_mask(program.circuit[read.value].width);
                 }
-                let Some(found) = address(memory, at, &self.limbs, lane) else {
-                    out.fill(0);
-                    continue;
-                };
-                out.copy_from_slice(&self.memories[index as usize][word(memory, lane, found)]);
-                let written = || {
-                    memory.writes.iter().any(|write| {
-                        rising.contains(&(write.clock as usize))
-                            && enabled(write.enable)
-                            && address(memory, program.value(write.address), &self.limbs, lane) == Some(found)
-                    })
-                };
-                if memory.policy == ReadUnderWrite::Any && written() {
-                    out.iter_mut().for_each(|limb| *limb = !*limb);
-                    *out.last_mut().expect("a value has a limb") &= tilewright_hdl::top_mask(data.width);
+                taken.push(Taken { at: read.value, lane, limbs });
+            }
+        }
+    }
+
+    /// Whether the word that is read is written at this instant, where that gives another one.
+    fn is_written(&self, program: &Program, memory: u32, lane: u32, read: &ReadPort, rising: &[usize]) -> bool {
+        let declared = &program.memories[memory as usize];
+        let address = self.address(memory, lane, read.address);
+        let mut writes = declared.writes.iter().filter(|write| rising.contains(&(write.clock as usize)));
+        declared.policy == ReadUnderWrite::Any
+            && address.is_some()
+            && writes.any(|write| {
+                self.holds(Some(write.enable), lane) && self.address(memory, lane, write.address) == address
+            })
+    }
+
+    fn sample_writes(&self, program: &Program, clock: usize, taken: &mut Vec<Taken<Word>>) {
+        for &(memory, port) in &program.clocks[clock].writes {
+            let write = &program.memories[memory as usize].writes[port as usize];
+            for lane in
+                (0..program.memories[memory as usize].lanes).filter(|&lane| self.holds(Some(write.enable), lane))
+            {
+                if let Some(address) = self.address(memory, lane, write.address) {
+                    let at = Word { memory, lane, address };
+                    taken.push(Taken { at, lane, limbs: self.number(write.data, lane).limbs.to_vec() });
                 }
             }
         }
-    }
-
-    /// Computes the next values of registers that sample other state.
-    fn stage_registers(&mut self, program: &Program, clock: usize) {
-        for &index in &program.clocks[clock].registers {
-            let Some(room) = self.plan.staged[index as usize] else { continue };
-            let register = &program.registers[index as usize];
-            let value = program.value(register.value);
-            let out = &mut self.plan.waiting[room..room + value.range().len()];
-            out.copy_from_slice(&self.limbs[value.range()]);
-            let enable = register.enable.map(|id| &self.limbs[program.value(id).range()]);
-            take(out, &self.limbs[program.value(register.next).range()], enable, value.limbs());
-        }
-    }
-
-    /// Gives registers and read data of a clock their new values; whether anything changed.
-    fn commit(&mut self, program: &Program, clock: usize) -> bool {
-        let mut changed = false;
-        let (state, results) = self.limbs.split_at_mut(program.state_end);
-        for &index in &program.clocks[clock].registers {
-            let register = &program.registers[index as usize];
-            let value = program.value(register.value);
-            let out = &mut state[value.range()];
-            let at = |id: ValueId| {
-                let range = program.value(id).range();
-                &results[range.start - program.state_end..range.end - program.state_end]
-            };
-            changed |= match (&register.reset, self.plan.staged[index as usize]) {
-                (Some(reset), _) if self.plan.resets[clock] => fill(out, reset.limbs()),
-                (_, Some(room)) => replace(out, &self.plan.waiting[room..room + value.range().len()]),
-                (_, None) => take(out, at(register.next), register.enable.map(at), value.limbs()),
-            };
-        }
-        for (&(memory, port), &room) in program.clocks[clock].reads.iter().zip(&self.plan.reads[clock]) {
-            let data = program.value(program.memories[memory as usize].reads[port as usize].value);
-            changed |= replace(&mut state[data.range()], &self.plan.waiting[room..room + data.range().len()]);
-        }
-        changed
-    }
-}
-
-/// Replaces the lanes of `out` by those of `next` where they are enabled; whether any changed.
-fn take(out: &mut [u64], next: &[u64], enable: Option<&[u64]>, limbs: usize) -> bool {
-    match enable {
-        None => replace(out, next),
-        Some(enable) if limbs == 1 => {
-            let mut difference = 0;
-            for ((out, next), enable) in out.iter_mut().zip(next).zip(enable) {
-                let flip = (*out ^ *next) & enable.wrapping_neg();
-                *out ^= flip;
-                difference |= flip;
-            }
-            difference != 0
-        }
-        Some(enable) => {
-            let lanes = out.chunks_exact_mut(limbs).zip(next.chunks_exact(limbs)).zip(enable);
-            lanes
-                .filter(|(_, enable)| **enable != 0)
-                .fold(false, |changed, ((out, next), _)| replace(out, next) | changed)
-        }
-    }
-}
-
-/// Replaces `out` by `next`; whether it changed.
-fn replace(out: &mut [u64], next: &[u64]) -> bool {
-    let changed = out != next;
-    out.copy_from_slice(next);
-    changed
-}
-
-/// Replaces every lane of `out` by `value`; whether any changed.
-fn fill(out: &mut [u64], value: &[u64]) -> bool {
-    out.chunks_exact_mut(value.len()).fold(false, |changed, lane| replace(lane, value) | changed)
-}
-
-#[cfg(test)]
-mod tests {
-    use std::sync::Arc;
-
-    use tilewright_hdl::{Block, Module, Width, bits, bundle, elaborate};
-
-    use super::*;
-    use crate::engine::program::compile;
-
-    bundle! {
-        pub struct In<T> { pub x: T }
-        pub struct Out<T> { pub y: T }
-    }
-
-    /// A running exclusive or.
-    #[derive(Debug, Clone, PartialEq, Eq, Hash)]
-    struct Toggle;
-
-    impl Block for Toggle {
-        type In = In;
-        type Out = Out;
-
-        fn inputs(&self) -> In<Width> {
-            In { x: bits(8) }
-        }
-
-        fn build(&self, m: Module, i: In) -> Out {
-            let y = m.reg("y", 8).reset(0);
-            y.next(y ^ i.x);
-            Out { y: y.value() }
-        }
-    }
-
-    #[test]
-    fn a_clock_rests_until_something_changes() {
-        let program = Arc::new(compile(&elaborate(&Toggle).unwrap(), &crate::Passes::default()));
-        let mut engine = Engine::new(program.clone(), &[0]);
-        let (x, y) = (&program.inputs[0], program.outputs[0].value);
-        engine.edge(&[0]);
-        assert!(engine.idle[0], "nothing changed");
-        engine.write(x.value, &[5], x.triggers);
-        engine.edge(&[0]);
-        assert_eq!((engine.idle[0], engine.read(y)[0]), (false, 5));
-        engine.edge(&[0]);
-        assert_eq!((engine.idle[0], engine.read(y)[0]), (false, 0), "the register feeds itself");
-        engine.write(x.value, &[0], x.triggers);
-        engine.edge(&[0]);
-        assert!(engine.idle[0]);
-        engine.set_reset(0, true);
-        assert!(!engine.idle[0]);
     }
 }

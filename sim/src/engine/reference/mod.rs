@@ -1,18 +1,16 @@
-//! The reference engine: a plain interpreter of a [`Program`], the meaning that every other engine is held to.
-//!
-//! All values stand in one array of limbs in the program's order, so that operands always lie before results.
+//! The reference engine: what a program does, said as plainly as possible. It computes every value whenever anything has
+//! changed, lane by lane, as [`semantics`] says; at an edge everything samples, then everything changes. All other engines
+//! are held to it.
 
 mod edge;
-mod memory;
-mod narrow;
-mod wide;
 
 use std::ops::Range;
 use std::sync::Arc;
 
 use tilewright_hdl::limbs_for;
 
-use crate::engine::program::{Kind, Memory, Program, Readers, Triggers, ValueId};
+use crate::engine::program::{Kind, Memory, Program, Triggers, ValueId};
+use crate::engine::semantics::{self, Number};
 use crate::engine::start::{self, State};
 use crate::engine::{self, Difference, Done, Failed, Word};
 
@@ -20,204 +18,156 @@ use crate::engine::{self, Difference, Done, Failed, Word};
 #[derive(Debug, Clone)]
 pub(crate) struct Engine {
     program: Arc<Program>,
-    /// Every value; [`Program::values`] says where.
-    limbs: Vec<u64>,
+    /// Every value, lane by lane.
+    values: Vec<Vec<u64>>,
     /// The words of every memory: lane by lane, address by address.
     memories: Vec<Vec<u64>>,
-    /// What has changed since segments were last marked stale.
-    pending: Triggers,
-    /// Per segment: its results must be computed again before they are read.
-    stale: Vec<bool>,
-    /// Per segment: whether all its values have up to 64 bits.
-    narrow: Vec<bool>,
-    /// Per clock: its last edge changed nothing, and nothing that it depends on has changed since.
-    idle: Vec<bool>,
-    plan: edge::Plan,
-    /// The words that edges have written, if somebody wants to know.
-    written: Option<Vec<Word>>,
+    /// Per clock: its reset is high.
+    resets: Vec<bool>,
+    /// Something has changed since all was computed.
+    is_stale: bool,
+    /// The words that edges have written.
+    written: Vec<Word>,
 }
 
 impl Engine {
     /// The circuit as it is after a reset; what a reset does not set starts from the seed of its run, all zeros if that
     /// is 0.
     pub fn new(program: Arc<Program>, seeds: &[u64]) -> Engine {
-        let mut limbs = vec![0; program.storage];
-        for (value, bits) in &program.constants {
-            let value = program.value(*value);
-            limbs[value.range()].chunks_exact_mut(value.limbs()).for_each(|lane| lane.copy_from_slice(bits.limbs()));
-        }
+        let zeros = |lanes: u32, width: u32| vec![0; lanes as usize * limbs_for(width)];
         let mut engine = Engine {
-            limbs,
-            memories: program.memories.iter().map(zeros).collect(),
-            pending: Triggers::NONE,
-            stale: vec![true; program.segments.len()],
-            narrow: program
-                .operations
-                .iter()
-                .map(|operation| is_narrow(&program, &operation.kind, operation.result))
-                .collect(),
-            idle: vec![false; program.clocks.len()],
-            plan: edge::Plan::new(&program),
-            written: None,
-            program,
+            values: program.circuit.cells().map(|(_, cell)| zeros(cell.lanes, cell.width)).collect(),
+            memories: program.memories.iter().map(|it| zeros(it.lanes * it.depth, it.width)).collect(),
+            resets: vec![false; program.clocks.len()],
+            is_stale: true,
+            written: Vec::new(),
+            program: program.clone(),
         };
-        start::start(&engine.program.clone(), seeds, &mut engine);
+        start::start(&program, seeds, &mut engine);
         engine
-    }
-
-    /// The same, noting which words edges write.
-    pub fn noting(self) -> Engine {
-        Engine { written: Some(Vec::new()), ..self }
     }
 
     /// The words that edges have written since this was last asked, more than once perhaps.
     pub fn take_written(&mut self) -> Vec<Word> {
-        self.written.as_mut().map(std::mem::take).unwrap_or_default()
+        std::mem::take(&mut self.written)
     }
 
-    /// The limbs of a value in all lanes, computed if they have to be.
-    pub fn read(&mut self, id: ValueId) -> &[u64] {
-        let value = *self.program.value(id);
-        if let Some(segment) = value.segment {
-            self.mark();
-            if self.stale[segment as usize] {
-                self.settle(segment);
-            }
-        }
-        &self.limbs[value.range()]
-    }
-
-    /// Sets an input, all lanes of it.
-    pub fn write(&mut self, id: ValueId, limbs: &[u64], triggers: Triggers) {
-        let range = self.program.value(id).range();
-        if self.limbs[range.clone()] != *limbs {
-            self.limbs[range].copy_from_slice(limbs);
-            self.pending = self.pending.with(triggers);
-        }
-    }
-
-    /// A word of a memory.
-    pub fn word(&self, memory: u32, lane: u32, address: u32) -> &[u64] {
-        &self.memories[memory as usize][memory::word(&self.program.memories[memory as usize], lane, address)]
-    }
-
-    /// Replaces a word of a memory.
-    pub fn set_word(&mut self, memory: u32, lane: u32, address: u32, limbs: &[u64]) {
-        let range = memory::word(&self.program.memories[memory as usize], lane, address);
-        self.memories[memory as usize][range].copy_from_slice(limbs);
-        let clocks = 0..self.program.clocks.len();
-        self.pending = clocks.fold(self.pending, |all, clock| all.with(Triggers::state(clock)));
-        self.stale.fill(true);
-    }
-
-    /// Marks what pending changes make stale.
-    fn mark(&mut self) {
-        if self.pending == Triggers::NONE {
-            return;
-        }
-        for (stale, segment) in self.stale.iter_mut().zip(&self.program.segments) {
-            *stale |= segment.triggers.meet(self.pending);
-        }
-        for (idle, clock) in self.idle.iter_mut().zip(&self.program.clocks) {
-            *idle &= !clock.triggers.meet(self.pending);
-        }
-        self.pending = Triggers::NONE;
-    }
-
-    /// Computes a stale segment and the stale ones that it needs.
-    fn settle(&mut self, segment: u32) {
-        let program = self.program.clone();
-        for &needed in program.segments[segment as usize].needs.iter().chain([&segment]) {
-            self.refresh(needed as usize);
-        }
-    }
-
-    /// Computes every stale segment of these readers.
-    fn settle_for(&mut self, readers: Readers) {
-        let program = self.program.clone();
-        for (index, segment) in program.segments.iter().enumerate() {
-            if segment.readers.meet(readers) {
-                self.refresh(index);
-            }
-        }
-    }
-
-    fn refresh(&mut self, segment: usize) {
-        if !std::mem::take(&mut self.stale[segment]) {
+    /// Computes every value.
+    fn settle(&mut self) {
+        if !std::mem::take(&mut self.is_stale) {
             return;
         }
         let program = self.program.clone();
-        for index in program.segments[segment].operations.clone() {
-            let operation = &program.operations[index];
-            match (&operation.kind, self.narrow[index]) {
-                (Kind::Read { memory, address }, _) => self.read_memory(operation.result, *memory, *address),
-                (kind, true) => narrow::evaluate(&program, kind, operation.result, &mut self.limbs),
-                (kind, false) => wide::evaluate(&program, kind, operation.result, &mut self.limbs),
+        for (id, cell) in program.circuit.cells().filter(|(_, cell)| cell.kind != Kind::State) {
+            let mut value = std::mem::take(&mut self.values[id.index()]);
+            for (lane, out) in (0..).zip(value.chunks_exact_mut(limbs_for(cell.width))) {
+                match cell.kind {
+                    Kind::Read { memory, address } => out.copy_from_slice(&self.read_word(memory, lane, address)),
+                    _ => semantics::lane(cell, lane, out, |id, lane| self.number(id, lane)),
+                }
             }
+            self.values[id.index()] = value;
         }
+    }
+
+    /// A lane of a value.
+    fn number(&self, id: ValueId, lane: u32) -> Number<'_> {
+        let width = self.program.circuit[id].width;
+        let limbs = &self.values[id.index()][lane as usize * limbs_for(width)..][..limbs_for(width)];
+        Number { limbs, width }
+    }
+
+    /// Whether a lane of a flag is 1; one that is not there is.
+    fn holds(&self, flag: Option<ValueId>, lane: u32) -> bool {
+        flag.is_none_or(|flag| self.number(flag, lane).limbs[0] != 0)
+    }
+
+    /// The word that a lane of an address leads to, if it is within the depth.
+    fn address(&self, memory: u32, lane: u32, address: ValueId) -> Option<u32> {
+        let (low, high) = self.number(address, lane).limbs.split_first().expect("a value has a limb");
+        let is_within =
+            high.iter().all(|&limb| limb == 0) && *low < u64::from(self.program.memories[memory as usize].depth);
+        is_within.then_some(*low as u32)
+    }
+
+    /// The word at a lane of an address; zero beyond the depth.
+    fn read_word(&self, memory: u32, lane: u32, address: ValueId) -> Vec<u64> {
+        match self.address(memory, lane, address) {
+            Some(address) => self.memories[memory as usize][self.place(memory, lane, address)].to_vec(),
+            None => vec![0; limbs_for(self.program.memories[memory as usize].width)],
+        }
+    }
+
+    /// Where a word stands among the limbs of its memory.
+    fn place(&self, memory: u32, lane: u32, address: u32) -> Range<usize> {
+        let Memory { depth, width, .. } = self.program.memories[memory as usize];
+        let first = (lane as usize * depth as usize + address as usize) * limbs_for(width);
+        first..first + limbs_for(width)
     }
 }
 
 impl State for Engine {
     fn set(&mut self, id: ValueId, lanes: Range<u32>, limbs: &[u64]) {
-        let value = self.program.value(id);
         let range = lanes.start as usize * limbs.len()..lanes.end as usize * limbs.len();
-        self.limbs[value.range()][range].chunks_exact_mut(limbs.len()).for_each(|lane| lane.copy_from_slice(limbs));
+        self.values[id.index()][range].chunks_exact_mut(limbs.len()).for_each(|lane| lane.copy_from_slice(limbs));
+        self.is_stale = true;
     }
 
     fn set_words(&mut self, memory: u32, lanes: Range<u32>, addresses: Range<u32>, limbs: &[u64]) {
-        let declared = &self.program.memories[memory as usize];
-        let words = &mut self.memories[memory as usize];
         for lane in lanes {
-            let first = memory::word(declared, lane, addresses.start).start;
-            let words = &mut words[first..first + addresses.len() * limbs.len()];
-            words.chunks_exact_mut(limbs.len()).for_each(|word| word.copy_from_slice(limbs));
+            for address in addresses.clone() {
+                engine::Engine::set_word(self, memory, lane, address, limbs);
+            }
         }
     }
-}
-
-/// A memory full of zeros, of which the system gives only the pages that are written.
-fn zeros(memory: &Memory) -> Vec<u64> {
-    vec![0; memory.lanes as usize * memory.depth as usize * limbs_for(memory.width)]
-}
-
-/// Whether the result and every operand of an operation have up to 64 bits.
-fn is_narrow(program: &Program, kind: &Kind, result: ValueId) -> bool {
-    let mut narrow = program.value(result).width <= 64;
-    kind.for_each_operand(|operand| narrow &= program.value(operand).width <= 64);
-    narrow
 }
 
 impl engine::Engine for Engine {
     fn read(&mut self, id: ValueId) -> &[u64] {
-        self.read(id)
+        self.settle();
+        &self.values[id.index()]
     }
 
-    fn write(&mut self, id: ValueId, limbs: &[u64], triggers: Triggers) {
-        self.write(id, limbs, triggers);
+    fn write(&mut self, id: ValueId, limbs: &[u64], _: Triggers) {
+        self.values[id.index()].copy_from_slice(limbs);
+        self.is_stale = true;
     }
 
     fn word(&self, memory: u32, lane: u32, address: u32) -> Vec<u64> {
-        self.word(memory, lane, address).to_vec()
+        self.memories[memory as usize][self.place(memory, lane, address)].to_vec()
     }
 
     fn set_word(&mut self, memory: u32, lane: u32, address: u32, limbs: &[u64]) {
-        self.set_word(memory, lane, address, limbs);
+        let place = self.place(memory, lane, address);
+        self.memories[memory as usize][place].copy_from_slice(limbs);
+        self.is_stale = true;
     }
 
     fn set_reset(&mut self, clock: usize, high: bool) {
-        self.set_reset(clock, high);
+        self.resets[clock] = high;
     }
 
     fn check(&mut self, rising: &[usize]) -> Vec<Failed> {
-        self.check(rising)
+        self.settle();
+        let mut failed = Vec::new();
+        for &clock in rising.iter().filter(|&&clock| !self.resets[clock]) {
+            for &assert in &self.program.clocks[clock].asserts {
+                let condition = self.program.asserts[assert as usize].condition;
+                let lanes = 0..self.program.circuit[condition].lanes;
+                failed.extend(
+                    lanes.filter(|&lane| !self.holds(Some(condition), lane)).map(|lane| Failed { assert, lane }),
+                );
+            }
+        }
+        failed
     }
 
     fn edges(&mut self, rising: &[usize], count: u64) -> Result<Done, Box<Difference>> {
-        let mut done = Done { edges: 0, changed: Triggers::NONE };
-        while done.edges < count && (self.program.asserts.is_empty() || self.check(rising).is_empty()) {
-            done = Done { edges: done.edges + 1, changed: done.changed.with(self.edge(rising)) };
+        let mut edges = 0;
+        while edges < count && self.check(rising).is_empty() {
+            self.edge(rising);
+            edges += 1;
         }
-        Ok(done)
+        Ok(Done { edges, changed: rising.iter().fold(Triggers::NONE, |all, &clock| all.with(Triggers::state(clock))) })
     }
 }

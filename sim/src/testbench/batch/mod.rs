@@ -262,7 +262,7 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
     #[track_caller]
     pub fn get_each(&mut self, port: Port) -> Vec<Bits> {
         let id = self.all.declared(port).value;
-        let value = *self.all.program.value(id);
+        let value = self.all.program.value(id);
         let limbs = self.ready().engine.read(id);
         limbs.chunks_exact(value.limbs()).map(|run| Bits::from_limbs(value.width, run)).collect()
     }

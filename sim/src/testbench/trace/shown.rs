@@ -7,7 +7,7 @@ use std::collections::HashMap;
 use std::ops::Range;
 
 use crate::engine::Engine;
-use crate::engine::program::{Program, Triggers, ValueId};
+use crate::engine::program::{Program, Schedule, Triggers, ValueId};
 
 /// The values as they were last taken, and marks on the variables that have changed since those were last visited.
 pub(super) struct Shown {
@@ -177,8 +177,9 @@ fn mark(bits: &mut [u64], index: usize) {
 
 /// What can change each value of a program.
 fn triggers(program: &Program) -> Vec<Triggers> {
-    let of_result = |segment: u32| program.segments[segment as usize].triggers;
-    let mut all: Vec<Triggers> = program.values.iter().map(|it| it.segment.map_or(Triggers::NONE, of_result)).collect();
+    let Schedule { slots, segments, .. } = &program.schedule;
+    let of_result = |segment: u32| segments[segment as usize].triggers;
+    let mut all: Vec<Triggers> = slots.iter().map(|(_, by)| by.map_or(Triggers::NONE, of_result)).collect();
     program.inputs.iter().for_each(|port| all[port.value.index()] = port.triggers);
     for register in &program.registers {
         all[register.value.index()] = Triggers::state(register.clock as usize);

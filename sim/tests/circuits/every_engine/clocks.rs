@@ -103,7 +103,8 @@ fn an_edge_evaluates_nothing_that_depends_on_another_clock_alone() {
     let clocks = &sim.program().clocks;
     for (index, clock) in clocks.iter().enumerate() {
         let other = 1 - index;
-        let own: Vec<_> = sim.program().segments.iter().filter(|it| it.readers.meet(Readers::edge(index))).collect();
+        let own: Vec<_> =
+            sim.program().schedule.segments.iter().filter(|it| it.readers.meet(Readers::edge(index))).collect();
         assert!(!own.is_empty());
         assert!(own.iter().all(|segment| !segment.triggers.meet(Triggers::state(other))), "{}", clock.name);
         assert!(clock.triggers.meet(Triggers::state(other)), "it samples the other count");

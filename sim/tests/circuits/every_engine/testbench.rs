@@ -335,7 +335,7 @@ fn equal_seeds_start_alike_and_others_do_not() {
 
 #[test]
 fn a_run_in_one_piece_is_as_many_steps() {
-    for kind in [EngineKind::Reference, EngineKind::Compiled, EngineKind::Both] {
+    for kind in [EngineKind::Reference, EngineKind::Interpreter, EngineKind::Compiled, EngineKind::Both] {
         let mut pieces = Simulation::of(&Counter { width: 8, limit: 200 }).unwrap().on(kind);
         let mut whole = Simulation::of(&Counter { width: 8, limit: 200 }).unwrap().on(kind);
         for sim in [&mut pieces, &mut whole] {
@@ -350,12 +350,12 @@ fn a_run_in_one_piece_is_as_many_steps() {
 }
 
 #[test]
-fn without_generated_code_the_reference_engine_runs_and_says_why() {
+fn without_generated_code_the_interpreter_runs_and_says_why() {
     let sim = Simulation::of(&COUNTER).unwrap();
     assert_eq!((sim.engine(), sim.fallback()), (EngineKind::Compiled, None));
     for chosen in [EngineKind::Compiled, EngineKind::Both] {
         let mut sim = Simulation::of(&COUNTER).unwrap().on(chosen).without_code("it is a typewriter").seeded(3);
-        assert_eq!((sim.engine(), sim.fallback()), (EngineKind::Reference, Some("it is a typewriter")));
+        assert_eq!((sim.engine(), sim.fallback()), (EngineKind::Interpreter, Some("it is a typewriter")));
         sim.set(sim.i.enable, 1);
         sim.run(2);
         assert_eq!(sim.get(sim.o.count), 2);

@@ -9,14 +9,13 @@ use tilewright_hdl::limbs_for;
 
 use super::{LONGEST, Scalar, Scalars};
 use crate::engine::compiled::builder::{FunctionBuilder, POINTER};
-use crate::engine::program::{Kind, ValueId};
-use crate::engine::semantics::{Number, evaluate};
+use crate::engine::program::{Cell, Kind, ValueId};
+use crate::engine::semantics::{self, Number};
 
 /// What a call computes, in scratch memory.
 #[derive(Debug)]
 pub(in crate::engine::compiled) struct Call {
-    kind: Kind,
-    width: u32,
+    cell: Cell,
     /// Each operand, its width, and its first limb.
     operands: Vec<(ValueId, u32, usize)>,
     /// The first limb of the result.
@@ -29,12 +28,9 @@ unsafe extern "C" fn run(call: *const Call, scratch: *mut u64) {
     // scratch memory has all limbs that the call names. The result is apart from the operands.
     let (call, out) = unsafe {
         let call = &*call;
-        (call, std::slice::from_raw_parts_mut(scratch.add(call.out), limbs_for(call.width)))
+        (call, std::slice::from_raw_parts_mut(scratch.add(call.out), limbs_for(call.cell.width)))
     };
-    if let Kind::Const(bits) = &call.kind {
-        return out.copy_from_slice(bits.limbs());
-    }
-    evaluate(&call.kind, call.width, out, |id| {
+    semantics::lane(&call.cell, 0, out, |id, _| {
         let (_, width, at) = call.operands.iter().find(|(of, ..)| *of == id).expect("an operand");
         // SAFETY: as above.
         Number { limbs: unsafe { std::slice::from_raw_parts(scratch.add(*at), limbs_for(*width)) }, width: *width }
@@ -123,7 +119,7 @@ impl Scalars {
                 operands.push((id, self.width(id), first));
             }
         });
-        let call = Arc::new(Call { kind: kind.clone(), width, operands, out });
+        let call = Arc::new(Call { cell: Cell::new(kind.clone(), 1, width), operands, out });
         let arguments = [b.ins().iconst(POINTER, Arc::as_ptr(&call) as i64), b.scratch()];
         b.calls.push(call);
         b.call(run as *const () as usize, &arguments, false);

@@ -8,8 +8,8 @@ use super::super::Lanes;
 use super::super::emit::low_mask;
 use super::super::memory::Span;
 use crate::engine::compiled::jit::Jit;
-use crate::engine::program::{Kind, ValueId};
-use crate::engine::semantics::{Number, evaluate};
+use crate::engine::program::{Cell, Kind, ValueId};
+use crate::engine::semantics::{self, Number};
 
 pub struct Random(pub u64);
 
@@ -216,11 +216,8 @@ impl Chain {
     }
 
     pub fn expected(&self, kind: &Kind, width: u32, lane: usize) -> u64 {
-        if let Kind::Alias(of) = kind {
-            return self.nodes[of.index()].lanes[lane];
-        }
         let mut out = [0];
-        evaluate(kind, width, &mut out, |id| {
+        semantics::lane(&Cell::new(kind.clone(), self.strip, width), 0, &mut out, |id, _| {
             let node = &self.nodes[id.index()];
             Number { limbs: std::slice::from_ref(&node.lanes[lane]), width: node.width }
         });

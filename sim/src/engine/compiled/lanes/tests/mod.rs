@@ -1,4 +1,4 @@
-//! Chains of random operations against [`crate::engine::semantics::evaluate`].
+//! Chains of random operations against [`crate::engine::semantics::lane`].
 
 use std::ops::Range;
 

@@ -1,26 +1,24 @@
-//! Orders of evaluation, found without recursion so that a chain of any depth will do.
+//! Combinational cycles, found without recursion so that a chain of any depth will do.
 
-use super::ValueId;
-use super::netlist::Netlist;
+use super::{Circuit, ValueId};
 
-/// The cells in an order in which each comes after its operands, or the cells of combinational cycles (and those on
-/// paths between cycles) if there is no such order.
-pub(super) fn order(netlist: &Netlist) -> Result<Vec<ValueId>, Vec<ValueId>> {
-    let graph = Graph::new(netlist);
-    let count = netlist.cells.len();
+/// The cells of combinational cycles, and those on paths between cycles.
+pub(super) fn cycles(circuit: &Circuit) -> Vec<ValueId> {
+    let graph = Graph::new(circuit);
+    let count = circuit.len();
     let forward = graph.peel(&graph.operands, &graph.users, vec![true; count]);
     if forward.len() == count {
-        return Ok(forward.into_iter().map(ValueId).collect());
+        return Vec::new();
     }
     let mut left = vec![true; count];
     forward.into_iter().for_each(|cell| left[cell as usize] = false);
     for cell in graph.peel(&graph.users, &graph.operands, left.clone()) {
         left[cell as usize] = false;
     }
-    Err((0..count as u32).filter(|&cell| left[cell as usize]).map(ValueId).collect())
+    circuit.ids().filter(|id| left[id.index()]).collect()
 }
 
-/// Both directions of the netlist's edges.
+/// Both directions of the circuit's edges.
 struct Graph {
     operands: Edges,
     users: Edges,
@@ -55,9 +53,9 @@ impl Edges {
 }
 
 impl Graph {
-    fn new(netlist: &Netlist) -> Graph {
+    fn new(circuit: &Circuit) -> Graph {
         let mut operands = Edges { starts: vec![0], ends: Vec::new() };
-        for cell in &netlist.cells {
+        for (_, cell) in circuit.cells() {
             cell.kind.for_each_operand(|operand| operands.ends.push(operand.0));
             operands.starts.push(operands.ends.len() as u32);
         }

@@ -1,11 +1,10 @@
-//! Memory ports of the reference engine.
+//! Memory ports of the interpreter.
 
 use std::ops::Range;
 
 use tilewright_hdl::limbs_for;
 
 use super::Engine;
-use crate::engine::Word;
 use crate::engine::program::{Memory, Value, ValueId};
 
 /// Where a word stands among the limbs of its memory.
@@ -16,7 +15,7 @@ pub(super) fn word(memory: &Memory, lane: u32, address: u32) -> Range<usize> {
 }
 
 /// The address that a lane of `value` holds, or `None` beyond the depth.
-pub(super) fn address(memory: &Memory, value: &Value, limbs: &[u64], lane: u32) -> Option<u32> {
+pub(super) fn address(memory: &Memory, value: Value, limbs: &[u64], lane: u32) -> Option<u32> {
     let start = value.offset + lane as usize * value.limbs();
     let (low, high) = limbs[start..start + value.limbs()].split_first().expect("a value has a limb");
     (high.iter().all(|&limb| limb == 0) && *low < u64::from(memory.depth)).then_some(*low as u32)
@@ -43,16 +42,13 @@ impl Engine {
         let declared = &self.program.memories[memory as usize];
         let words = &mut self.memories[memory as usize];
         let port = &declared.writes[port as usize];
-        let [enable, at, data] = [port.enable, port.address, port.data].map(|id| *self.program.value(id));
+        let [enable, at, data] = [port.enable, port.address, port.data].map(|id| self.program.value(id));
         let mut changed = false;
         for lane in 0..declared.lanes {
             if self.limbs[enable.offset + lane as usize] == 0 {
                 continue;
             }
-            let Some(address) = address(declared, &at, &self.limbs, lane) else { continue };
-            if let Some(written) = &mut self.written {
-                written.push(Word { memory, lane, address });
-            }
+            let Some(address) = address(declared, at, &self.limbs, lane) else { continue };
             let start = data.offset + lane as usize * data.limbs();
             let new = &self.limbs[start..start + data.limbs()];
             let old = &mut words[word(declared, lane, address)];

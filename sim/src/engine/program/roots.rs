@@ -1,41 +1,11 @@
-//! The flat circuit before it is scheduled: cells in no particular order, and what holds state beside them.
+//! The values that something outside the expressions refers to.
 
-use super::{Assert, Clock, Hierarchy, Kind, Memory, Port, Register, ValueId};
+use super::{Program, ValueId};
 
-/// The flat circuit. Ids of values are indices into `cells`.
-#[derive(Debug, Clone, Default)]
-pub(super) struct Netlist {
-    pub cells: Vec<Cell>,
-    pub clocks: Vec<Clock>,
-    pub inputs: Vec<Port>,
-    pub outputs: Vec<Port>,
-    pub registers: Vec<Register>,
-    pub memories: Vec<Memory>,
-    pub asserts: Vec<Assert>,
-    pub hierarchy: Hierarchy,
-    /// The outputs of arrays that are kept whole, with the array that each is of.
-    pub array_outputs: Vec<(ValueId, ArrayKey)>,
-}
-
-/// An instance array, the same one whatever lane it is looked at from: the instances' names from the top down.
-pub(super) type ArrayKey = Vec<String>;
-
-/// A value and how it comes about.
-#[derive(Debug, Clone)]
-pub(super) struct Cell {
-    pub kind: Kind,
-    pub lanes: u32,
-    pub width: u32,
-}
-
-impl Netlist {
-    pub fn cell(&self, id: ValueId) -> &Cell {
-        &self.cells[id.index()]
-    }
-
+impl Program {
     /// Calls `visit` with every reference from outside the cells, which it may replace: ports, registers, memories,
     /// asserts and names.
-    pub fn rewrite_roots(&mut self, mut visit: impl FnMut(&mut ValueId)) {
+    pub(crate) fn rewrite_roots(&mut self, mut visit: impl FnMut(&mut ValueId)) {
         self.rewrite_sinks(&mut visit);
         self.inputs.iter_mut().for_each(|port| visit(&mut port.value));
         self.registers.iter_mut().for_each(|register| visit(&mut register.value));

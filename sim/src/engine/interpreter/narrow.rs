@@ -3,10 +3,12 @@
 use tilewright_hdl::ir::{Binary, Reduction, Relation, Shift, Unary};
 use tilewright_hdl::{Bits, top_mask};
 
-use crate::engine::program::{Kind, Program, ValueId};
+use crate::engine::program::{Axis, Cell, Kind, Program, ValueId};
+use crate::engine::semantics::{self, Number};
 
 /// Computes `result` in all lanes.
-pub(super) fn evaluate(program: &Program, kind: &Kind, result: ValueId, storage: &mut [u64]) {
+pub(super) fn evaluate(program: &Program, cell: &Cell, result: ValueId, storage: &mut [u64]) {
+    let kind = &cell.kind;
     let value = program.value(result);
     let (before, rest) = storage.split_at_mut(value.offset);
     let out = &mut rest[..value.lanes as usize];
@@ -15,7 +17,6 @@ pub(super) fn evaluate(program: &Program, kind: &Kind, result: ValueId, storage:
     let width = |id: &ValueId| program.value(*id).width;
     let mask = top_mask(value.width);
     match kind {
-        Kind::State | Kind::Const(_) | Kind::Read { .. } => unreachable!("not computed from values: {kind:?}"),
         Kind::Alias(of) => out.copy_from_slice(at(of)),
         Kind::Unary(op, a) => unary(*op, out, at(a), top_mask(width(a))),
         Kind::Binary(Binary::MulSigned, a, b) => {
@@ -61,24 +62,37 @@ pub(super) fn evaluate(program: &Program, kind: &Kind, result: ValueId, storage:
             let from = width(of);
             map(out, at(of), |a| signed(a, from) as u64 & mask);
         }
-        Kind::Broadcast(of, n) => {
-            out.chunks_exact_mut(*n as usize).zip(at(of)).for_each(|(group, of)| group.fill(*of));
+        Kind::Broadcast { of, axis: Axis { count, inner: 1 } } => {
+            out.chunks_exact_mut(*count as usize).zip(at(of)).for_each(|(group, of)| group.fill(*of));
         }
-        Kind::Tile(of, _) => {
+        Kind::Broadcast { of, axis } if axis.lanes() == value.lanes => {
             let of = at(of);
             out.chunks_exact_mut(of.len()).for_each(|group| group.copy_from_slice(of));
         }
-        Kind::PerLane(parts) => {
+        Kind::Stack { parts, inner: 1 } => {
             for (i, part) in parts.iter().enumerate() {
                 out.iter_mut().skip(i).step_by(parts.len()).zip(at(part)).for_each(|(out, part)| *out = *part);
             }
         }
-        Kind::Shifted { of, by, edge, group } => shifted(out, at(of), at(edge), *by, *group as usize),
-        Kind::Lane { of, index, group } => {
-            let from = at(of).iter().skip(*index as usize).step_by(*group as usize);
+        Kind::Lane { of, axis: Axis { count, inner: 1 }, index } => {
+            let from = at(of).iter().skip(*index as usize).step_by(*count as usize);
             out.iter_mut().zip(from).for_each(|(out, of)| *out = *of);
         }
-        Kind::Reduce { by, of, group } => reduce(*by, out, at(of), *group as usize, mask),
+        Kind::Reduce {
+            by: by @ (Reduction::And | Reduction::Or | Reduction::Xor | Reduction::Add),
+            of,
+            axis: Axis { count, inner: 1 },
+        } => {
+            reduce(*by, out, at(of), *count as usize, mask);
+        }
+        _ => {
+            for (lane, out) in (0..).zip(out) {
+                semantics::lane(cell, lane, std::slice::from_mut(out), |id, lane| {
+                    let value = program.value(id);
+                    Number { limbs: std::slice::from_ref(&before[value.offset + lane as usize]), width: value.width }
+                });
+            }
+        }
     }
 }
 
@@ -158,20 +172,6 @@ fn case<'a>(
         let key = key.limbs()[0];
         for ((out, subject), value) in out.iter_mut().zip(subject).zip(at(value)) {
             *out = choose(u64::from(*subject == key), *value, *out);
-        }
-    }
-}
-
-fn shifted(out: &mut [u64], of: &[u64], edge: &[u64], by: i32, group: usize) {
-    let distance = (by.unsigned_abs() as usize).min(group);
-    let kept = group - distance;
-    for ((out, of), edge) in out.chunks_exact_mut(group).zip(of.chunks_exact(group)).zip(edge) {
-        if by >= 0 {
-            out[..distance].fill(*edge);
-            out[distance..].copy_from_slice(&of[..kept]);
-        } else {
-            out[..kept].copy_from_slice(&of[distance..]);
-            out[kept..].fill(*edge);
         }
     }
 }

@@ -1,19 +1,13 @@
-//! What one lane of an elementwise operation gives, for any widths: the general path, and the definition.
+//! What one lane of an elementwise operation gives, for any widths.
 
 use std::cmp::Ordering;
 
 use tilewright_hdl::ir::{Binary, Relation, Shift, Unary};
 use tilewright_hdl::top_mask;
 
+use super::Number;
 use crate::engine::program::{Kind, ValueId};
 use crate::limbs;
-
-/// An operand in one lane; the bits above the width are zero.
-#[derive(Clone, Copy)]
-pub(crate) struct Number<'a> {
-    pub limbs: &'a [u64],
-    pub width: u32,
-}
 
 impl Number<'_> {
     fn is_one(&self) -> bool {
@@ -25,7 +19,7 @@ impl Number<'_> {
     }
 
     /// The value, or `limit` if it is that or more.
-    fn at_most(&self, limit: u32) -> u32 {
+    pub(super) fn at_most(&self, limit: u32) -> u32 {
         match self.limbs[1..].iter().all(|&limb| limb == 0) {
             true => self.limbs[0].min(u64::from(limit)) as u32,
             false => limit,
@@ -34,7 +28,7 @@ impl Number<'_> {
 }
 
 /// Computes one lane of `kind`, which is elementwise, into `out`, a value of `width` bits.
-pub(crate) fn evaluate<'a>(kind: &Kind, width: u32, out: &mut [u64], operand: impl Fn(ValueId) -> Number<'a>) {
+pub(super) fn evaluate<'a>(kind: &Kind, width: u32, out: &mut [u64], operand: impl Fn(ValueId) -> Number<'a>) {
     let at = |id: &ValueId| operand(*id);
     out.fill(0);
     match kind {
@@ -67,6 +61,11 @@ pub(crate) fn evaluate<'a>(kind: &Kind, width: u32, out: &mut [u64], operand: im
             (0..*times).for_each(|i| limbs::copy(out, i * of.width, of.limbs, 0, of.width));
         }
         Kind::Extend(of, signed) => extend(out, at(of), *signed, width),
+        Kind::Rotate(of, left) => {
+            let (of, left) = (at(of), left % width);
+            limbs::copy(out, left, of.limbs, 0, width - left);
+            limbs::copy(out, 0, of.limbs, width - left, left);
+        }
         _ => unreachable!("not an elementwise operation: {kind:?}"),
     }
     *out.last_mut().expect("a value has a limb") &= top_mask(width);
@@ -113,7 +112,7 @@ fn order(signed: bool, a: Number, b: Number) -> Ordering {
 }
 
 /// Whether operands in this order are in that relation.
-pub(crate) fn holds(relation: Relation, order: Ordering) -> bool {
+fn holds(relation: Relation, order: Ordering) -> bool {
     match relation {
         Relation::Eq => order.is_eq(),
         Relation::Ne => order.is_ne(),

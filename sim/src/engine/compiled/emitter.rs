@@ -1,0 +1,325 @@
+//! From a planned graph to a function of machine code.
+
+use cranelift_codegen::ir::condcodes::IntCC;
+use cranelift_codegen::ir::{InstBuilder, MemFlagsData, Value, types};
+
+use super::builder::FunctionBuilder;
+use super::function::{Function, Sink};
+use super::layout::{Layout, Place, Strips, Words};
+use super::plan::{Plan, is_table};
+use super::scalar::Scalars;
+use super::sequence::Step;
+use crate::engine::program::{Kind, ValueId};
+
+/// A memory as code sees it.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct MemoryAt {
+    /// Its bank, by index, and its first byte there.
+    pub bank: usize,
+    pub first: usize,
+    pub address: usize,
+    pub words: Words,
+    pub depth: u32,
+    pub width: u32,
+    /// What zeros stand for, up to 64 bits: words are stored as their exclusive or with it, so that a memory that is full
+    /// of one word at the start need not be written.
+    pub blank: u64,
+    /// Every address that can be expressed is within the depth.
+    pub is_full: bool,
+}
+
+impl MemoryAt {
+    /// Where a word is in the bank.
+    pub fn at(&self, lane: u32, address: u32) -> usize {
+        self.first + self.words.at(lane, address)
+    }
+
+    /// How a word stands in the memory, or the word that stands so.
+    pub fn standing(&self, limbs: &[u64]) -> Vec<u64> {
+        let mut limbs = limbs.to_vec();
+        limbs[0] ^= self.blank;
+        limbs
+    }
+
+    /// Bits of the integers that a word consists of.
+    pub fn element(&self) -> u32 {
+        (self.words.word as u32 * 8).min(64)
+    }
+}
+
+/// Where everything is.
+pub(super) struct Addresses {
+    /// Per cell: where it is stored, if it is.
+    pub places: Vec<Option<Place>>,
+    /// Per register that changes late: where it waits.
+    pub waiting: Vec<(ValueId, Place)>,
+    /// Arrays of constant lanes: what has to be there before the function runs.
+    pub tables: Vec<ValueId>,
+}
+
+impl Addresses {
+    /// Gives places to what a function stores; `state` has those of the program's state.
+    pub fn new(graph: &Function, plan: &Plan, state: &[Option<Place>], layout: &mut Layout) -> Addresses {
+        let mut places = state.to_vec();
+        places.resize(graph.circuit().len(), None);
+        let mut tables = Vec::new();
+        for id in graph.needed() {
+            let cell = graph.cell(id);
+            if is_table(graph, id) {
+                tables.push(id);
+            }
+            if is_table(graph, id) || plan.stored.contains(&id) {
+                places[id.index()] = Some(layout.place(cell.lanes, cell.width));
+            }
+        }
+        for (&new, &of) in &plan.moved {
+            places[new.index()] = places[of.index()];
+        }
+        let waiting = plan.late.iter().map(|&id| {
+            let cell = graph.cell(id);
+            (id, layout.place(cell.lanes, cell.width))
+        });
+        let waiting = waiting.collect();
+        Addresses { places, waiting, tables }
+    }
+
+    /// Whether it is stored.
+    pub(super) fn has(&self, id: ValueId) -> bool {
+        self.places.get(id.index()).is_some_and(Option::is_some)
+    }
+
+    pub(super) fn of(&self, id: ValueId) -> Place {
+        self.places[id.index()].expect("what is read from memory has a place")
+    }
+}
+
+/// Emits a function.
+pub(super) struct Emitter<'a, 'b, 'c> {
+    pub(super) graph: &'a Function,
+    pub(super) plan: &'a Plan,
+    pub(super) addresses: &'a Addresses,
+    pub(super) memories: &'a [MemoryAt],
+    pub(super) strips: &'a Strips,
+    pub(super) builder: &'c mut FunctionBuilder<'b>,
+    pub(super) state: Value,
+    /// Values of one lane.
+    pub(super) scalars: Scalars,
+    /// The next id that no cell has.
+    fresh: u32,
+}
+
+impl<'a, 'b, 'c> Emitter<'a, 'b, 'c> {
+    pub fn new(
+        graph: &'a Function,
+        plan: &'a Plan,
+        addresses: &'a Addresses,
+        memories: &'a [MemoryAt],
+        strips: &'a Strips,
+        builder: &'c mut FunctionBuilder<'b>,
+        state: Value,
+    ) -> Self {
+        let fresh = graph.circuit().len() as u32;
+        Emitter { graph, plan, addresses, memories, strips, builder, state, scalars: Scalars::default(), fresh }
+    }
+
+    /// Emits these steps.
+    pub fn steps(&mut self, steps: &[Step]) {
+        let plan = self.plan;
+        for &step in steps {
+            match step {
+                Step::Single(id) => {
+                    self.single(id);
+                    if plan.stored.contains(&id) {
+                        let place = self.addresses.of(id);
+                        self.store_single(id, place, self.state, place.offset);
+                    }
+                }
+                Step::Pack(id) => self.pack(id),
+                Step::Kernel(stage, lanes) => self.kernel(lanes, &plan.stages[stage].kernels[&lanes]),
+                Step::Sink(index) => self.sink(index),
+            }
+        }
+    }
+
+    /// Ends a function: late arrays change. Gives what must hold, if something must.
+    pub fn end(&mut self) -> Option<Value> {
+        for (state, waiting) in &self.addresses.waiting {
+            let place = self.addresses.of(*state);
+            self.copy(*waiting, place);
+        }
+        let held = self.graph.sinks.iter().find_map(|sink| match sink {
+            Sink::Hold(value) => Some(*value),
+            _ => None,
+        });
+        held.map(|value| {
+            self.want(value);
+            self.scalars.flag(self.builder, value)
+        })
+    }
+
+    /// An id for a value that is no cell.
+    pub(super) fn id(&mut self) -> ValueId {
+        self.fresh += 1;
+        ValueId(self.fresh - 1)
+    }
+
+    /// Makes a value of one lane available to what follows.
+    pub(super) fn want(&mut self, id: ValueId) {
+        if self.scalars.get(id).is_some() {
+            return;
+        }
+        match &self.graph.cell(id).kind {
+            Kind::Const(bits) => self.scalars.constant(self.builder, id, bits),
+            _ => {
+                let place = self.addresses.of(id);
+                self.scalars.load(self.builder, id, place.width, place.integer(), self.state, offset(place.offset));
+            }
+        }
+    }
+
+    fn single(&mut self, id: ValueId) {
+        let cell = self.graph.cell(id);
+        match &cell.kind {
+            Kind::Word { memory, address } => {
+                self.want(*address);
+                self.read(id, *memory, *address);
+            }
+            Kind::Lane { of, index, .. } => {
+                if let Kind::Const(bits) = &self.graph.cell(*of).kind {
+                    return self.scalars.constant(self.builder, id, bits);
+                }
+                let place = self.addresses.of(*of);
+                let at = offset(place.lane(*index));
+                self.scalars.load(self.builder, id, place.width, place.integer(), self.state, at);
+            }
+            Kind::Gather { of, at } => {
+                self.want(*at);
+                let number = self.scalars.clean(self.builder, *at)[0];
+                self.load_lane(id, *of, number);
+            }
+            Kind::Rotate(of, left) => {
+                self.want(*of);
+                self.scalars.rotate(self.builder, id, *of, *left);
+            }
+            kind => {
+                kind.for_each_operand(|operand| self.want(operand));
+                self.scalars.evaluate(self.builder, id, kind, cell.width);
+            }
+        }
+    }
+
+    /// Stores single values, or the lanes of shorter arrays, side by side.
+    fn pack(&mut self, id: ValueId) {
+        let Kind::Stack { parts, .. } = &self.graph.cell(id).kind else { unreachable!("only these are packed") };
+        let place = self.addresses.of(id);
+        let outer = self.graph.cell(parts[0]).lanes;
+        for (i, &part) in parts.iter().enumerate() {
+            for lane in 0..outer {
+                let at = offset(place.lane(lane * parts.len() as u32 + i as u32));
+                let value = match outer {
+                    1 => {
+                        self.want(part);
+                        part
+                    }
+                    _ => self.element(part, lane),
+                };
+                self.scalars.store(self.builder, value, place.integer(), self.state, at);
+            }
+        }
+    }
+
+    /// One lane, known now, of an array, as a value of one lane.
+    fn element(&mut self, of: ValueId, lane: u32) -> ValueId {
+        let id = self.id();
+        match &self.graph.cell(of).kind {
+            Kind::Const(bits) => self.scalars.constant(self.builder, id, bits),
+            Kind::Broadcast { of: plain, .. } if self.graph.cell(*plain).lanes == 1 => {
+                self.want(*plain);
+                return *plain;
+            }
+            Kind::Broadcast { of: row, axis } if axis.inner > 1 => return self.element(*row, lane % axis.inner),
+            _ => {
+                let place = self.addresses.of(of);
+                let at = offset(place.lane(lane));
+                self.scalars.load(self.builder, id, place.width, place.integer(), self.state, at);
+            }
+        }
+        id
+    }
+
+    /// What a sink of single values says.
+    fn sink(&mut self, index: usize) {
+        let graph = self.graph;
+        let sink = &graph.sinks[index];
+        sink.for_each_operand(|operand| self.want(operand));
+        match *sink {
+            Sink::Register { state, next, enable } => {
+                let value = match enable {
+                    None => next,
+                    Some(select) => {
+                        self.want(state);
+                        let value = self.id();
+                        let kind = Kind::Mux { select, on_true: next, on_false: state };
+                        self.scalars.evaluate(self.builder, value, &kind, graph.cell(state).width);
+                        value
+                    }
+                };
+                let place = self.addresses.of(state);
+                self.store_single(value, place, self.state, place.offset);
+            }
+            Sink::Write { memory, enable, address, data } => self.write(memory, enable, address, data),
+            // It is stored where it is computed.
+            Sink::Show(_) | Sink::Hold(_) => {}
+        }
+    }
+
+    /// Loads a lane, by its number, of an array in memory.
+    pub(super) fn load_lane(&mut self, id: ValueId, of: ValueId, lane: Value) {
+        if let Kind::Const(bits) = &self.graph.cell(of).kind {
+            return self.scalars.constant(self.builder, id, bits);
+        }
+        let place = self.addresses.of(of);
+        let at = self.address(lane, place.bytes());
+        self.scalars.load(self.builder, id, place.width, place.integer(), at, offset(place.offset));
+    }
+
+    /// Stores a single value.
+    pub(super) fn store_single(&mut self, id: ValueId, place: Place, at: Value, bytes: usize) {
+        self.scalars.store(self.builder, id, place.integer(), at, offset(bytes));
+    }
+
+    /// Copies an array, by vectors.
+    fn copy(&mut self, from: Place, to: Place) {
+        let vectors = (from.lanes as usize * from.bytes()).div_ceil(16);
+        let flags = MemFlagsData::trusted();
+        let (count, step) = (vectors as i64 * 16, 16);
+        self.count(count, step, |emitter, at| {
+            let at = emitter.builder.ins().iadd(emitter.state, at);
+            let vector = emitter.builder.ins().load(types::I8X16, flags, at, offset(from.offset));
+            emitter.builder.ins().store(flags, vector, at, offset(to.offset));
+        });
+    }
+
+    /// A loop: `body` gets 0, `step`, `2 * step` and so on below `limit`.
+    pub(super) fn count(&mut self, limit: i64, step: i64, body: impl FnOnce(&mut Self, Value)) {
+        let block = self.builder.create_block();
+        let done = self.builder.create_block();
+        self.builder.append_block_param(block, types::I64);
+        let start = self.builder.ins().iconst(types::I64, 0);
+        self.builder.ins().jump(block, &[start.into()]);
+        self.builder.switch_to_block(block);
+        let at = self.builder.block_params(block)[0];
+        body(self, at);
+        let step = self.builder.ins().iconst(types::I64, step);
+        let next = self.builder.ins().iadd(at, step);
+        let limit = self.builder.ins().iconst(types::I64, limit);
+        let more = self.builder.ins().icmp(IntCC::UnsignedLessThan, next, limit);
+        self.builder.ins().brif(more, block, &[next.into()], done, &[]);
+        self.builder.switch_to_block(done);
+    }
+}
+
+/// An offset as instructions take it.
+pub(super) fn offset(bytes: usize) -> i32 {
+    i32::try_from(bytes).expect("the state of a circuit is smaller than 2 GB; memories are apart from it")
+}

@@ -1,0 +1,144 @@
+//! Axes that code does not know: which lane each lane is, in a table.
+
+use tilewright_hdl::Bits;
+use tilewright_hdl::ir::{Binary, Relation};
+
+use super::{constant, flags, table};
+use crate::engine::program::{Axis, Kind, ValueId};
+use crate::engine::rewrite::Rewriter;
+
+/// Bits of a lane's number.
+const NUMBER: u32 = 32;
+
+/// Each lane of a value is the lane of `of` that `from` says.
+pub(super) fn gather(
+    rewriter: &mut Rewriter,
+    of: ValueId,
+    lanes: u32,
+    width: u32,
+    from: impl Fn(u32) -> u32,
+) -> ValueId {
+    let at = table(rewriter, lanes, lanes, NUMBER, |lane| u64::from(from(lane)));
+    rewriter.add(Kind::Gather { of, at }, lanes, width)
+}
+
+/// A lane over and over, or a row, or what lies between two axes.
+pub(super) fn broadcast(rewriter: &mut Rewriter, of: ValueId, axis: Axis, lanes: u32, width: u32) -> ValueId {
+    match axis.inner == 1 || axis.lanes() == lanes {
+        true => rewriter.add(Kind::Broadcast { of, axis }, lanes, width),
+        false => gather(rewriter, of, lanes, width, |lane| axis.split(lane).1),
+    }
+}
+
+/// Lanes put together along an axis that is not the last.
+pub(super) fn stack(rewriter: &mut Rewriter, parts: &[ValueId], inner: u32, lanes: u32, width: u32) -> ValueId {
+    if inner == 1 {
+        return rewriter.add(Kind::Stack { parts: parts.to_vec(), inner }, lanes, width);
+    }
+    let axis = Axis { count: parts.len() as u32, inner };
+    let spread = |rewriter: &mut Rewriter, part| broadcast(rewriter, part, axis, lanes, width);
+    choose(rewriter, parts, lanes, width, spread, |lane| axis.split(lane).0)
+}
+
+/// Lanes of parts in turn.
+pub(super) fn interleave(rewriter: &mut Rewriter, parts: &[ValueId], axis: Axis, lanes: u32, width: u32) -> ValueId {
+    let k = parts.len() as u32;
+    let to = Axis { count: axis.count * k, ..axis };
+    let spread = |rewriter: &mut Rewriter, part| {
+        gather(rewriter, part, lanes, width, |lane| {
+            let (number, rest) = to.split(lane);
+            axis.at(rest, number / k)
+        })
+    };
+    choose(rewriter, parts, lanes, width, spread, |lane| to.split(lane).0 % k)
+}
+
+/// Each lane of a value is that of the part whose number it is, spread over all lanes.
+fn choose(
+    rewriter: &mut Rewriter,
+    parts: &[ValueId],
+    lanes: u32,
+    width: u32,
+    spread: impl Fn(&mut Rewriter, ValueId) -> ValueId,
+    number: impl Fn(u32) -> u32,
+) -> ValueId {
+    let (first, rest) = parts.split_first().expect("something is put together");
+    let mut all = spread(rewriter, *first);
+    for (index, part) in (1..).zip(rest) {
+        let on_true = spread(rewriter, *part);
+        let select = flags(rewriter, lanes, lanes, |lane| number(lane) == index);
+        all = rewriter.add(Kind::Mux { select, on_true, on_false: all }, lanes, width);
+    }
+    all
+}
+
+/// One lane along an axis.
+pub(super) fn lane(rewriter: &mut Rewriter, of: ValueId, axis: Axis, index: u32, lanes: u32, width: u32) -> ValueId {
+    match axis.inner {
+        1 => rewriter.add(Kind::Lane { of, axis, index }, lanes, width),
+        _ => gather(rewriter, of, lanes, width, |lane| axis.at(lane, index)),
+    }
+}
+
+/// The lane along an axis that a number says, if there is one.
+pub(super) fn pick(
+    rewriter: &mut Rewriter,
+    of: ValueId,
+    axis: Axis,
+    index: ValueId,
+    lanes: u32,
+    width: u32,
+) -> ValueId {
+    let bits = rewriter.circuit()[index].width;
+    let limit = u64::from(axis.count);
+    if limit == 1 {
+        let zero = [constant(rewriter, Bits::zero(bits), lanes), constant(rewriter, Bits::zero(width), lanes)];
+        let select = rewriter.add(Kind::Compare(Relation::Eq, false, index, zero[0]), lanes, 1);
+        return rewriter.add(Kind::Mux { select, on_true: of, on_false: zero[1] }, lanes, width);
+    }
+    let is_full = bits < NUMBER && limit >> bits > 0;
+    let zero = constant(rewriter, Bits::zero(bits), lanes);
+    let inside = match is_full {
+        true => constant(rewriter, Bits::new(1, 1), lanes),
+        false => {
+            let limit = constant(rewriter, wide(bits, limit), lanes);
+            rewriter.add(Kind::Compare(Relation::Lt, false, index, limit), lanes, 1)
+        }
+    };
+    let number = rewriter.add(Kind::Mux { select: inside, on_true: index, on_false: zero }, lanes, bits);
+    let number = match bits {
+        _ if bits < NUMBER => rewriter.add(Kind::Extend(number, false), lanes, NUMBER),
+        NUMBER => number,
+        _ => rewriter.add(Kind::Slice(number, 0), lanes, NUMBER),
+    };
+    let apart = constant(rewriter, Bits::new(NUMBER, axis.inner.into()), lanes);
+    let product = rewriter.add(Kind::Binary(Binary::Mul, number, apart), lanes, 2 * NUMBER);
+    let along = rewriter.add(Kind::Slice(product, 0), lanes, NUMBER);
+    let first = table(rewriter, lanes, lanes, NUMBER, |lane| u64::from(axis.at(lane, 0)));
+    let at = rewriter.add(Kind::Binary(Binary::Add, along, first), lanes, NUMBER);
+    let picked = rewriter.add(Kind::Gather { of, at }, lanes, width);
+    let nothing = constant(rewriter, Bits::zero(width), lanes);
+    rewriter.add(Kind::Mux { select: inside, on_true: picked, on_false: nothing }, lanes, width)
+}
+
+/// A small number of many bits.
+fn wide(width: u32, number: u64) -> Bits {
+    let mut limbs = vec![0; tilewright_hdl::limbs_for(width)];
+    limbs[0] = number;
+    Bits::from_limbs(width, &limbs)
+}
+
+/// Lanes side by side in one value.
+pub(super) fn pack(rewriter: &mut Rewriter, of: ValueId, axis: Axis, lanes: u32, width: u32) -> ValueId {
+    let part = width / axis.count;
+    let one = |index| lane(rewriter, of, axis, index, lanes, part);
+    let parts: Vec<ValueId> = (0..axis.count).rev().map(one).collect();
+    rewriter.add(Kind::Concat(parts), lanes, width)
+}
+
+/// Parts of a value in lanes.
+pub(super) fn unpack(rewriter: &mut Rewriter, of: ValueId, axis: Axis, lanes: u32, width: u32) -> ValueId {
+    let mut part = |index: u32| rewriter.add(Kind::Slice(of, index * width), lanes / axis.count, width);
+    let parts: Vec<ValueId> = (0..axis.count).map(&mut part).collect();
+    stack(rewriter, &parts, axis.inner, lanes, width)
+}

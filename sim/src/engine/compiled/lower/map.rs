@@ -1,0 +1,45 @@
+//! Neighbours are loaded from anywhere, and replaced at the edges of their groups; other maps look up which lane it is.
+
+use super::{flags, lanes};
+use crate::engine::program::{Affine, Axis, Cell, Kind, ValueId};
+use crate::engine::rewrite::Rewriter;
+
+/// A [`Kind::Map`].
+pub(super) struct Map {
+    pub of: ValueId,
+    pub axis: Axis,
+    pub count: u32,
+    pub index: Affine,
+    pub edge: Option<ValueId>,
+}
+
+/// Lowers a map.
+pub(super) fn map(rewriter: &mut Rewriter, map: &Map, lanes: u32, width: u32) -> ValueId {
+    let Map { of, axis, count, index, edge } = *map;
+    let to = Axis { count, ..axis };
+    let inside = |lane: u32| index.within(to.split(lane).0, axis.count);
+    let anywhere = match (index, count == axis.count) {
+        (Affine { mul: 1, add, div: 1 }, true) => {
+            rewriter.add(Kind::Slide { of, by: -add * axis.inner as i32 }, lanes, width)
+        }
+        _ => lanes::gather(rewriter, of, lanes, width, |lane| {
+            let (number, rest) = to.split(lane);
+            axis.at(rest, index.within(number, axis.count).unwrap_or(0))
+        }),
+    };
+    let Some(edge) = edge else { return anywhere };
+    let select = flags(rewriter, lanes, to.lanes(), |lane| inside(lane).is_some());
+    let on_false = end(rewriter, edge, to, lanes, width);
+    rewriter.add(Kind::Mux { select, on_true: anywhere, on_false }, lanes, width)
+}
+
+/// The edge in all lanes.
+fn end(rewriter: &mut Rewriter, edge: ValueId, axis: Axis, lanes: u32, width: u32) -> ValueId {
+    match rewriter.circuit()[edge].clone() {
+        Cell { kind: Kind::Const(bits), .. } => rewriter.add(Kind::Const(bits), lanes, width),
+        Cell { kind: Kind::Broadcast { of, axis: Axis { count, inner: 1 } }, .. } if axis.inner == 1 => {
+            rewriter.add(Kind::Broadcast { of, axis: Axis::last(count * axis.count) }, lanes, width)
+        }
+        _ => lanes::broadcast(rewriter, edge, axis, lanes, width),
+    }
+}

@@ -1,0 +1,154 @@
+//! The one way in which circuits are rewritten: value numbering under rules.
+//!
+//! A [`Rewriter`] builds a circuit. Whoever adds an operation gets the number of the value that it computes: that of an
+//! earlier cell if one computes the same, after all [`rules`] have had their say. So a circuit that is handed through,
+//! operation by operation, comes out smaller and computes the same.
+
+mod rebuild;
+mod rules;
+
+use rustc_hash::FxHashMap;
+use tilewright_hdl::{Bits, Loc};
+
+use crate::engine::Passes;
+use crate::engine::program::{Cell, Circuit, Kind, Program, ValueId};
+
+pub(crate) use rebuild::rebuild;
+
+/// What a rule makes of an operation.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) enum Rewrite {
+    /// It is a value that there is already.
+    Same(ValueId),
+    /// It is computed in another way, at which all rules look again.
+    As(Kind),
+}
+
+/// Builds a circuit in which no two cells compute the same.
+#[derive(Debug, Clone)]
+pub(crate) struct Rewriter {
+    circuit: Circuit,
+    /// The cells, by what they compute.
+    known: FxHashMap<Cell, ValueId>,
+    passes: Passes,
+    /// Where the description has what is added.
+    loc: Option<Loc>,
+}
+
+impl Rewriter {
+    /// An empty circuit, to which those rules apply that the passes name.
+    pub fn new(passes: &Passes) -> Rewriter {
+        Rewriter { circuit: Circuit::default(), known: FxHashMap::default(), passes: passes.clone(), loc: None }
+    }
+
+    /// What has been built.
+    pub fn circuit(&self) -> &Circuit {
+        &self.circuit
+    }
+
+    /// The circuit, complete.
+    pub fn finish(self) -> Circuit {
+        self.circuit
+    }
+
+    /// Says where the description has what is added from here on.
+    pub fn at(&mut self, loc: Option<Loc>) -> &mut Self {
+        self.loc = loc;
+        self
+    }
+
+    /// Adds a value that is set from outside the circuit.
+    pub fn state(&mut self, lanes: u32, width: u32) -> ValueId {
+        self.circuit.push(Cell::new(Kind::State, lanes, width), self.loc)
+    }
+
+    /// The value of an operation on values of this circuit, which is not state.
+    pub fn number(&mut self, cell: Cell) -> ValueId {
+        self.number_or_find(cell).0
+    }
+
+    /// As [`Rewriter::number`]; says too whether the operation has still to be computed, or is one of its operands.
+    pub fn number_or_find(&mut self, cell: Cell) -> (ValueId, bool) {
+        match self.reduce(cell) {
+            Ok(same) => (same, false),
+            Err(cell) => (self.share(cell), true),
+        }
+    }
+
+    /// What an operation gives, if that is known.
+    pub fn known(&mut self, cell: Cell) -> Option<Bits> {
+        match self.reduce(cell) {
+            Ok(same) => self.circuit.constant(same).cloned(),
+            Err(Cell { kind: Kind::Const(bits), .. }) => Some(bits),
+            Err(_) => None,
+        }
+    }
+
+    /// The value that an operation is, or the simplest operation that computes it.
+    fn reduce(&mut self, mut cell: Cell) -> Result<ValueId, Cell> {
+        loop {
+            match rules::apply(self, &cell) {
+                Some(Rewrite::Same(id)) => return Ok(id),
+                Some(Rewrite::As(kind)) => cell.kind = kind,
+                None => return Err(cell),
+            }
+        }
+    }
+
+    /// As [`Rewriter::number`], from the parts of a cell.
+    pub fn add(&mut self, kind: Kind, lanes: u32, width: u32) -> ValueId {
+        self.number(Cell::new(kind, lanes, width))
+    }
+
+    /// Adds a cell as it is.
+    pub fn push(&mut self, cell: Cell) -> ValueId {
+        self.circuit.push(cell, self.loc)
+    }
+
+    /// Adds a cell that is another one, for who needs it twice.
+    pub fn copy(&mut self, id: ValueId) -> ValueId {
+        let Cell { lanes, width, .. } = self.circuit[id];
+        self.push(Cell::new(Kind::Alias(id), lanes, width))
+    }
+
+    /// From here on the circuit is added variants of what it has: by rules that need no new operations, and without the
+    /// use of any cell that was there before, which may be computed elsewhere.
+    pub fn vary(&mut self) {
+        self.passes = Passes { fold: true, share: true, uniform: false, lift: false, ..self.passes };
+        self.known.clear();
+    }
+
+    /// Forgets all cells but so many.
+    pub fn truncate(&mut self, cells: usize) {
+        self.circuit.truncate(cells);
+        self.known.clear();
+    }
+
+    /// The earlier cell that computes the same, or a new one.
+    fn share(&mut self, cell: Cell) -> ValueId {
+        if !self.passes.share {
+            return self.push(cell);
+        }
+        match self.known.get(&cell) {
+            Some(id) => *id,
+            None => {
+                let id = self.circuit.push(cell.clone(), self.loc);
+                self.known.insert(cell, id);
+                id
+            }
+        }
+    }
+}
+
+/// Rewrites the circuit of a program.
+pub(crate) fn simplify(program: &mut Program) {
+    let mut rewriter = Rewriter::new(&program.passes);
+    let states = program.circuit.cells().filter(|(_, cell)| cell.kind == Kind::State);
+    let state = |(id, cell): (ValueId, &Cell)| (id, rewriter.at(program.circuit.loc(id)).state(cell.lanes, cell.width));
+    let mut became: FxHashMap<ValueId, ValueId> = states.map(state).collect();
+    let mut roots = Vec::new();
+    program.rewrite_roots(|value| roots.push(*value));
+    rebuild(&program.circuit, roots, &mut became, &mut rewriter, Rewriter::number);
+    program.circuit = rewriter.finish();
+    program.rewrite_roots(|value| *value = became[value]);
+}

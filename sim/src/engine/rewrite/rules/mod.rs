@@ -1,0 +1,38 @@
+//! The rules, each a few lines: an operation on numbered values, and what it is instead.
+//!
+//! A rule looks at a cell that is not in the circuit yet, and at those that are. It may add cells, which are numbered like
+//! all others. Whatever it gives is nearer to the end: fewer or simpler operations, or the same on fewer lanes.
+
+mod choices;
+mod constants;
+mod lift;
+mod logic;
+mod names;
+mod repeat;
+mod taken;
+
+use super::{Rewrite, Rewriter};
+use crate::engine::program::Cell;
+
+type Rule = fn(&mut Rewriter, &Cell) -> Option<Rewrite>;
+
+/// Rules that hold always: engines do not know what they remove.
+const ALWAYS: [Rule; 1] = [names::name];
+/// Rules that compute constants, and leave out operations that do nothing.
+const FOLD: [Rule; 6] = [constants::fold, choices::select, choices::case, choices::mux, logic::identity, taken::lane];
+
+/// What the first rule that has something to say makes of an operation.
+pub(super) fn apply(rewriter: &mut Rewriter, cell: &Cell) -> Option<Rewrite> {
+    let first = |rewriter: &mut Rewriter, rules: &[Rule]| rules.iter().find_map(|rule| rule(rewriter, cell));
+    let mut found = first(rewriter, &ALWAYS);
+    if found.is_none() && rewriter.passes.fold {
+        found = first(rewriter, &FOLD);
+    }
+    if found.is_none() && rewriter.passes.lift {
+        found = lift::stack(rewriter, cell);
+    }
+    if found.is_none() && rewriter.passes.uniform {
+        found = first(rewriter, &[repeat::of_repeated, repeat::tile, repeat::hoist]);
+    }
+    found
+}

@@ -1,0 +1,42 @@
+//! Names for one value, and axes of one lane, which engines do not know.
+
+use super::super::{Rewrite, Rewriter};
+use crate::engine::program::{Affine, Axis, Cell, Kind};
+
+/// `Alias(x)` is `x`; so is any operation along an axis of one lane.
+pub(super) fn name(_: &mut Rewriter, cell: &Cell) -> Option<Rewrite> {
+    let of = match &cell.kind {
+        Kind::Alias(of) => *of,
+        Kind::Stack { parts, .. } | Kind::Interleave { parts, .. } if parts.len() == 1 => parts[0],
+        Kind::Broadcast { of, axis: Axis { count: 1, .. } }
+        | Kind::Lane { of, axis: Axis { count: 1, .. }, .. }
+        | Kind::Reduce { of, axis: Axis { count: 1, .. }, .. }
+        | Kind::Pack { of, axis: Axis { count: 1, .. } }
+        | Kind::Unpack { of, axis: Axis { count: 1, .. } } => *of,
+        Kind::Map { of, axis, count, index, edge } => return map(*of, *axis, *count, *index, *edge),
+        _ => return None,
+    };
+    Some(Rewrite::Same(of))
+}
+
+/// A map of all lanes onto themselves is its operand; one that looks past the end everywhere is its edge.
+fn map(
+    of: crate::engine::program::ValueId,
+    axis: Axis,
+    count: u32,
+    index: Affine,
+    edge: Option<crate::engine::program::ValueId>,
+) -> Option<Rewrite> {
+    if index == Affine::by(0) && count == axis.count {
+        return Some(Rewrite::Same(of));
+    }
+    // It rises or falls, so the ends tell.
+    let sees_none =
+        |lanes: std::ops::Range<u32>| lanes.into_iter().all(|lane| index.within(lane, axis.count).is_none());
+    match edge {
+        Some(edge) if sees_none(0..count) => {
+            Some(Rewrite::As(Kind::Broadcast { of: edge, axis: Axis { count, ..axis } }))
+        }
+        _ => None,
+    }
+}

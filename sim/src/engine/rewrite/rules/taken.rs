@@ -1,0 +1,28 @@
+//! One lane of lanes that were put together from others.
+
+use super::super::{Rewrite, Rewriter};
+use crate::engine::program::{Cell, Kind};
+
+/// A lane of a stack is its part, a lane of a broadcast what is broadcast, a lane of a map a lane of what it maps.
+pub(super) fn lane(rewriter: &mut Rewriter, cell: &Cell) -> Option<Rewrite> {
+    let Kind::Lane { of, axis, index } = cell.kind else { return None };
+    match &rewriter.circuit()[of].kind {
+        Kind::Broadcast { of, axis: put } if *put == axis => Some(Rewrite::Same(*of)),
+        Kind::Stack { parts, inner } if *inner == axis.inner && parts.len() == axis.count as usize => {
+            Some(Rewrite::Same(parts[index as usize]))
+        }
+        Kind::Map { of, axis: from, count, index: map, edge } if from.inner == axis.inner && *count == axis.count => {
+            match (map.within(index, from.count), edge) {
+                (Some(index), _) => Some(Rewrite::As(Kind::Lane { of: *of, axis: *from, index })),
+                (None, edge) => edge.map(Rewrite::Same),
+            }
+        }
+        Kind::Interleave { parts, axis: each }
+            if each.inner == axis.inner && each.count * parts.len() as u32 == axis.count =>
+        {
+            let (of, k) = (parts[index as usize % parts.len()], parts.len() as u32);
+            Some(Rewrite::As(Kind::Lane { of, axis: *each, index: index / k }))
+        }
+        _ => None,
+    }
+}

@@ -1,0 +1,79 @@
+//! What one lane of an operation across lanes gives.
+
+use tilewright_hdl::ir::Reduction;
+use tilewright_hdl::top_mask;
+
+use super::Number;
+use crate::engine::program::{Axis, Cell, Kind, ValueId};
+use crate::limbs;
+
+/// Computes one lane of a cell that is not elementwise into `out`.
+pub(super) fn evaluate<'a>(cell: &Cell, lane: u32, out: &mut [u64], at: impl Fn(ValueId, u32) -> Number<'a>) {
+    let width = cell.width;
+    match &cell.kind {
+        Kind::Const(bits) => out.copy_from_slice(bits.limbs()),
+        Kind::Alias(of) => out.copy_from_slice(at(*of, lane).limbs),
+        Kind::Broadcast { of, axis } => out.copy_from_slice(at(*of, axis.split(lane).1).limbs),
+        Kind::Stack { parts, inner } => {
+            let (outer, within) = (lane / (parts.len() as u32 * inner), lane % (parts.len() as u32 * inner));
+            out.copy_from_slice(at(parts[(within / inner) as usize], outer * inner + within % inner).limbs);
+        }
+        Kind::Map { of, axis, count, index, edge } => {
+            let (number, rest) = Axis { count: *count, ..*axis }.split(lane);
+            match (index.within(number, axis.count), edge) {
+                (Some(from), _) => out.copy_from_slice(at(*of, axis.at(rest, from)).limbs),
+                (None, Some(edge)) => out.copy_from_slice(at(*edge, rest).limbs),
+                (None, None) => unreachable!("a lane outside has an edge: {cell:?}"),
+            }
+        }
+        Kind::Interleave { parts, axis } => {
+            let k = parts.len() as u32;
+            let (number, rest) = Axis { count: axis.count * k, ..*axis }.split(lane);
+            out.copy_from_slice(at(parts[(number % k) as usize], axis.at(rest, number / k)).limbs);
+        }
+        Kind::Lane { of, axis, index } => out.copy_from_slice(at(*of, axis.at(lane, *index)).limbs),
+        Kind::Pick { of, axis, index } => match at(*index, lane).at_most(axis.count) {
+            number if number < axis.count => out.copy_from_slice(at(*of, axis.at(lane, number)).limbs),
+            _ => out.fill(0),
+        },
+        Kind::Reduce { by, of, axis } => {
+            out.copy_from_slice(at(*of, axis.at(lane, 0)).limbs);
+            (1..axis.count).for_each(|number| combine(*by, width, out, at(*of, axis.at(lane, number)).limbs));
+        }
+        Kind::Pack { of, axis } => {
+            out.fill(0);
+            for number in 0..axis.count {
+                let part = at(*of, axis.at(lane, number));
+                limbs::copy(out, number * part.width, part.limbs, 0, part.width);
+            }
+        }
+        Kind::Unpack { of, axis } => {
+            let (number, rest) = axis.split(lane);
+            out.fill(0);
+            limbs::copy(out, 0, at(*of, rest).limbs, number * width, width);
+        }
+        Kind::Gather { of, at: from } => out.copy_from_slice(at(*of, at(*from, lane).limbs[0] as u32).limbs),
+        Kind::Slide { of, by } => {
+            let from = lane.checked_add_signed(-by).filter(|&from| from < cell.lanes).unwrap_or(lane);
+            out.copy_from_slice(at(*of, from).limbs);
+        }
+        _ => unreachable!("not computed from values: {cell:?}"),
+    }
+}
+
+/// Combines `out` with another lane.
+fn combine(by: Reduction, width: u32, out: &mut [u64], lane: &[u64]) {
+    let bitwise = |combine: fn(u64, u64) -> u64, out: &mut [u64]| {
+        out.iter_mut().zip(lane).for_each(|(out, lane)| *out = combine(*out, *lane));
+    };
+    match by {
+        Reduction::And => bitwise(|a, b| a & b, out),
+        Reduction::Or => bitwise(|a, b| a | b, out),
+        Reduction::Xor => bitwise(|a, b| a ^ b, out),
+        Reduction::Add => {
+            let sum = out.to_vec();
+            limbs::add(out, &sum, lane, false);
+            *out.last_mut().expect("a value has a limb") &= top_mask(width);
+        }
+    }
+}
