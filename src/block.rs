@@ -68,10 +68,8 @@ fn memory_bytes(design: &Design) -> u64 {
     let mut sizes: Vec<u64> = Vec::with_capacity(design.modules().len());
     for module in design.modules() {
         let own = module.memories.iter().map(|it| 8 * u64::from(it.depth) * limbs_for(it.width) as u64);
-        let inner = module
-            .instances
-            .iter()
-            .map(|it| u64::from(it.lanes.unwrap_or(1)).saturating_mul(sizes[it.module.0 as usize]));
+        let inner =
+            module.instances.iter().map(|it| u64::from(it.shape.lanes()).saturating_mul(sizes[it.module.0 as usize]));
         sizes.push(own.chain(inner).fold(0, u64::saturating_add));
     }
     sizes.last().copied().unwrap_or(0)

@@ -5,7 +5,7 @@ use crate::clock::Period;
 use crate::draft::Draft;
 use crate::elaboration;
 use crate::finish;
-use crate::ir::{About, Design, Input, ModuleId, Op};
+use crate::ir::{About, Design, Input, ModuleId, Op, Shape};
 use crate::limits::{DEEPEST, sound_width};
 use crate::loc::Loc;
 use crate::module::{Module, port_name};
@@ -140,7 +140,7 @@ fn declare_input(path: &str, width: Width) -> Signal {
         width.clock.into_iter().for_each(|clock| e.meet_clock(clock, width.loc));
         let draft = e.draft();
         let index = draft.inputs.len() as u32;
-        let node = draft.add(Op::Input(index), bits, None, width.loc);
+        let node = draft.add(Op::Input(index), bits, Shape::Plain, width.loc);
         draft.node_mut(node).name = Some(name.clone());
         draft.inputs.push(Input { name, path: path.to_owned(), node, clock: None });
         draft.input_clocks.push(width.clock);

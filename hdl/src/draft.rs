@@ -85,8 +85,8 @@ impl Draft {
         }
     }
 
-    pub fn add(&mut self, op: Op, width: u32, lanes: Option<u32>, loc: Loc) -> NodeId {
-        self.nodes.push(Node { op, width, lanes, name: None, loc });
+    pub fn add(&mut self, op: Op, width: u32, shape: Shape, loc: Loc) -> NodeId {
+        self.nodes.push(Node { op, width, shape, name: None, loc });
         NodeId(self.nodes.len() as u32 - 1)
     }
 

@@ -5,13 +5,13 @@ use crate::block::{Block, elaborate_module};
 use crate::bundle::{Bundle, Fields};
 use crate::clock::Clock;
 use crate::elaboration::{self, Elaboration};
-use crate::ir::{self, ClockId, Instance, InstanceId, ModuleId, NodeId, Op};
+use crate::ir::{self, ClockId, Instance, InstanceId, ModuleId, NodeId, Op, Shape};
 use crate::lanes::{Array, Lanes};
 use crate::loc::Loc;
 use crate::module::Module;
 use crate::problem::Problem;
-use crate::shape::{Uneven, uneven};
 use crate::signal::{Signal, bits_text};
+use crate::uneven::{Uneven, uneven};
 
 impl Module {
     /// An instance of `block`. Its own clock is this handle's; its named clocks are this module's of the same names.
@@ -20,7 +20,7 @@ impl Module {
         let loc = Loc::caller();
         let child = elaborate_module(block, loc);
         let drivers = inputs.leaves().into_iter().map(|(path, signal)| (path, signal.id_at(loc))).collect();
-        let instance = self.declare(name, child.id, None, loc);
+        let instance = self.declare(name, child.id, Shape::Plain, loc);
         self.feed(instance.id, child.id, drivers, loc);
         let mut outputs = instance.outputs.into_iter();
         let next = &mut |_: &str, _: &Signal| {
@@ -50,7 +50,7 @@ impl Module {
             elaboration::with(|e| e.report(problem.help("an array has at least 1 lane")));
         }
         let lanes = lanes.max(1);
-        let instance = self.declare(name, child.id, Some(lanes), loc);
+        let instance = self.declare(name, child.id, Shape::Row(lanes), loc);
         let mut outputs = instance.outputs.iter();
         let out = child.outputs::<B>().of(&mut |_, _| {
             let node = *outputs.next().expect("as many outputs as the bundle has leaves");
@@ -66,7 +66,7 @@ impl Module {
     }
 
     /// Declares an instance whose inputs come later, with its output nodes.
-    fn declare(self, name: &str, child: ModuleId, lanes: Option<u32>, loc: Loc) -> Declared {
+    fn declare(self, name: &str, child: ModuleId, shape: Shape, loc: Loc) -> Declared {
         elaboration::with(|e| {
             let module = &e.done[child.0 as usize];
             let child_clocks = module.clocks.clone();
@@ -75,12 +75,12 @@ impl Module {
             let draft = e.draft();
             let id = InstanceId(draft.instances.len() as u32);
             let output = |(port, (_, width)): (usize, &(String, u32))| {
-                draft.add(Op::Output(id, port as u32), *width, lanes, loc)
+                draft.add(Op::Output(id, port as u32), *width, shape, loc)
             };
             let outputs: Vec<_> = ports.iter().enumerate().map(output).collect();
             let name = name.to_owned();
             let instance =
-                Instance { name, module: child, lanes, inputs: Vec::new(), outputs: outputs.clone(), clocks, loc };
+                Instance { name, module: child, shape, inputs: Vec::new(), outputs: outputs.clone(), clocks, loc };
             draft.instances.push(instance);
             draft.instance_outputs.push(ports.into_iter().map(|(name, _)| name).collect());
             Declared { id, outputs }
@@ -155,9 +155,8 @@ fn fit(e: &mut Elaboration, id: InstanceId, port: &Port, driver: NodeId, loc: Lo
         let (needs, has) = (bits_text(port.width), bits_text(node.width));
         let message = format!("input `{}` of `{name}` has {needs}, but `{text}` has {has}", port.name);
         (message, "spell the change of width where the instance is fed")
-    } else if let (Some(needs), Some(has)) = (instance.lanes, node.lanes)
-        && needs != has
-    {
+    } else if instance.shape != node.shape {
+        let (needs, has) = (instance.shape.lanes(), node.shape.lanes());
         let message = format!("input `{}` of `{name}` has {needs} lanes, but `{text}` has {has}", port.name);
         (message, "an array is fed one value for each of its lanes: list them with `each`, as in `a.each(x.to_vec())`")
     } else {
@@ -173,9 +172,9 @@ fn fit(e: &mut Elaboration, id: InstanceId, port: &Port, driver: NodeId, loc: Lo
 /// A zero for a port, in every lane of an array.
 fn zero(e: &mut Elaboration, id: InstanceId, port: &Port, loc: Loc) -> NodeId {
     let draft = e.draft();
-    let lanes = draft.instances[id.0 as usize].lanes;
-    let zero = draft.add(Op::Const(Bits::zero(port.width)), port.width, None, loc);
-    if lanes.is_some() { draft.add(Op::Broadcast(zero), port.width, lanes, loc) } else { zero }
+    let shape = draft.instances[id.0 as usize].shape;
+    let zero = draft.add(Op::Const(Bits::zero(port.width)), port.width, Shape::Plain, loc);
+    if shape.is_plain() { zero } else { draft.add(Op::Broadcast(zero), port.width, shape, loc) }
 }
 
 /// An instance whose inputs are not known yet.

@@ -2,12 +2,12 @@
 
 use crate::bundle::Fields;
 use crate::elaboration;
-use crate::ir::{NodeId, Op, Reduction};
+use crate::ir::{NodeId, Op, Reduction, Shape};
 use crate::loc::Loc;
 use crate::operand::Operand;
 use crate::problem::Problem;
-use crate::shape::{Uneven, uneven};
 use crate::signal::Signal;
+use crate::uneven::{Uneven, uneven};
 
 /// One value for each lane of an instance array: its outputs, and what may feed its inputs.
 #[derive(Debug, Clone, Copy)]
@@ -105,7 +105,7 @@ impl Lanes {
     fn make(op: Op, width: u32, count: u32, loc: Loc) -> Lanes {
         elaboration::with(|e| {
             let (stamp, draft) = (e.stamp, e.draft());
-            let node = draft.add(op, width, Some(count), loc);
+            let node = draft.add(op, width, Shape::Row(count), loc);
             Lanes { stamp, module: draft.serial, node, width, count }
         })
     }

@@ -80,10 +80,10 @@ pub mod recording;
 mod register;
 pub mod scenario;
 mod select;
-mod shape;
 mod signal;
 mod signed;
 mod summary;
+mod uneven;
 mod width;
 mod wire;
 
@@ -104,9 +104,9 @@ pub use recording::Recording;
 pub use register::{Reg, StateReg, States, Transition, goto, hold, when};
 pub use scenario::{Scenario, Script};
 pub use select::{case, concat, lit, mux, mux_bundle, select};
-#[doc(hidden)]
-pub use shape::{Uneven, uneven};
 pub use signal::Signal;
 pub use signed::{Signed, SignedOperand};
+#[doc(hidden)]
+pub use uneven::{Uneven, uneven};
 pub use width::{Width, bit, bits, index_width, on};
 pub use wire::Wire;

@@ -3,7 +3,7 @@
 use crate::bits::Bits;
 use crate::clock::Clock;
 use crate::elaboration;
-use crate::ir::{Contents, MemoryId, Op, ReadPort, WritePort};
+use crate::ir::{Contents, MemoryId, Op, ReadPort, Shape, WritePort};
 use crate::loc::Loc;
 use crate::operand::{Operand, Value};
 use crate::problem::Problem;
@@ -161,7 +161,7 @@ impl Mem {
             let draft = e.draft();
             let clock = synchronous.then(|| draft.use_clock(self.clock));
             let port = draft.memories[self.index as usize].memory.reads.len() as u32;
-            let node = draft.add(Op::Read(MemoryId(self.index), port), self.width, None, loc);
+            let node = draft.add(Op::Read(MemoryId(self.index), port), self.width, Shape::Plain, loc);
             draft.memories[self.index as usize].memory.reads.push(ReadPort { clock, address, enable, node });
             Signal::at(e, node)
         })

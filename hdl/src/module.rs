@@ -4,7 +4,7 @@ use crate::bundle::Fields;
 use crate::clock::Clock;
 use crate::draft::{DraftMemory, DraftRegister, DraftWire, Synchronizer, UNDRIVEN};
 use crate::elaboration;
-use crate::ir::{self, Assert, Contents, Memory, Op, ReadUnderWrite, RegisterId};
+use crate::ir::{self, Assert, Contents, Memory, Op, ReadUnderWrite, RegisterId, Shape};
 use crate::limits::{WIDEST, sound_width};
 use crate::loc::Loc;
 use crate::memory::Mem;
@@ -45,7 +45,7 @@ impl Module {
             let draft = e.draft();
             let clock = draft.use_clock(self.clock);
             let index = draft.registers.len();
-            let node = draft.add(Op::Register(RegisterId(index as u32)), width, None, loc);
+            let node = draft.add(Op::Register(RegisterId(index as u32)), width, Shape::Plain, loc);
             draft.node_mut(node).name = Some(name.to_owned());
             let (reset, enable, next) = (None, None, None);
             draft.registers.push(DraftRegister { node, clock, reset, enable, next, states, is_synchronizer: false });
@@ -98,7 +98,7 @@ impl Module {
         elaboration::with(|e| {
             let width = sound_width(e, &[], &format!("wire `{name}`"), width.into(), loc);
             let draft = e.draft();
-            let node = draft.add(Op::Wire(UNDRIVEN), width, None, loc);
+            let node = draft.add(Op::Wire(UNDRIVEN), width, Shape::Plain, loc);
             draft.node_mut(node).name = Some(name.to_owned());
             let index = draft.wires.len();
             draft.wires.push(DraftWire { node, driver: None });

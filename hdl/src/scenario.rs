@@ -6,7 +6,7 @@ use crate::bundle::{Bundle, Fields};
 use crate::clock::Period;
 use crate::loc::Loc;
 use crate::module::port_name;
-use crate::shape::{Uneven, uneven};
+use crate::uneven::{Uneven, uneven};
 use crate::width::Width;
 
 /// What the inputs do over time. A reset comes first, at one edge of every clock; inputs not mentioned are zero.

@@ -3,13 +3,13 @@
 use crate::bits::Bits;
 use crate::bundle::Fields;
 use crate::elaboration;
-use crate::ir::Op;
+use crate::ir::{Op, Shape};
 use crate::limits::sound_width;
 use crate::loc::Loc;
 use crate::operand::{Literal, Operand, Value};
 use crate::problem::Problem;
-use crate::shape::{Uneven, uneven};
 use crate::signal::{Signal, bits_text};
+use crate::uneven::{Uneven, uneven};
 
 /// A constant of `width` bits.
 #[track_caller]
@@ -77,7 +77,7 @@ pub(crate) fn condition(signal: Signal, of: &str) -> crate::ir::NodeId {
             let message = format!("the condition of `{of}` is 1 bit, but `{text}` has {}", bits_text(signal.width));
             let help = "compare it, as in `.ne(0)`, or take one `.bit(i)`";
             e.report_instead_of(&[id], Problem::new(loc, message).note(format!("`{text}` is made"), place).help(help));
-            e.draft().add(Op::Const(Bits::zero(1)), 1, None, loc)
+            e.draft().add(Op::Const(Bits::zero(1)), 1, Shape::Plain, loc)
         })
     } else {
         id

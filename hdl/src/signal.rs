@@ -2,7 +2,7 @@
 
 use crate::bits::Bits;
 use crate::elaboration::{self, Elaboration};
-use crate::ir::{Binary, NodeId, Op, Relation, Shift, Unary};
+use crate::ir::{Binary, NodeId, Op, Relation, Shape, Shift, Unary};
 use crate::limits::{WIDEST, sound_width};
 use crate::loc::Loc;
 use crate::operand::{Operand, ShiftAmount, Value, operators};
@@ -42,7 +42,7 @@ impl Signal {
     }
 
     pub(crate) fn make_in(e: &mut Elaboration, op: Op, width: u32, loc: Loc) -> Signal {
-        let node = e.draft().add(op, width, None, loc);
+        let node = e.draft().add(op, width, Shape::Plain, loc);
         Signal::at(e, node)
     }
 
@@ -78,7 +78,7 @@ impl Signal {
                 None => Problem::new(loc, format!("a signal of a module already finished is used inside of `{block}`")),
             };
             e.report(problem.help("give the block an input for it"));
-            e.draft().add(Op::Const(Bits::zero(self.width)), self.width, None, loc)
+            e.draft().add(Op::Const(Bits::zero(self.width)), self.width, Shape::Plain, loc)
         })
     }
 
@@ -95,7 +95,7 @@ impl Signal {
             let node = e.draft().node_mut(id);
             // A port or a register keeps its own name: the net is an alias.
             let has_own = node.name.is_some() || matches!(node.op, Op::Input(_) | Op::Const(_));
-            let id = if has_own { e.draft().add(Op::Wire(id), self.width, None, loc) } else { id };
+            let id = if has_own { e.draft().add(Op::Wire(id), self.width, Shape::Plain, loc) } else { id };
             let node = e.draft().node_mut(id);
             node.name = Some(name.to_owned());
             node.loc = loc;

@@ -72,7 +72,7 @@ fn an_array_of_sixteen_thousand_lanes_is_one_instance() {
     }))
     .unwrap();
     let top = design.top();
-    assert_eq!((top.instances.len(), top.instances[0].lanes), (1, Some(16_384)));
+    assert_eq!((top.instances.len(), top.instances[0].shape), (1, ir::Shape::Row(16_384)));
     assert!(top.nodes.len() < 10);
 }
 

@@ -45,7 +45,14 @@ fn the_help_says_what_an_engine_costs_and_which_is_usual() {
     for command in ["render", "wave"] {
         let help = folder.stdout(&format!("{command} --help"));
         let option = help.split("--engine <ENGINE>").nth(1).unwrap_or_else(|| panic!("no --engine in {help}"));
-        for part in ["reference: ", "interpreter: ", "compiled: ", "both: ", "thousands of times as long", "[default: compiled]"] {
+        for part in [
+            "reference: ",
+            "interpreter: ",
+            "compiled: ",
+            "both: ",
+            "thousands of times as long",
+            "[default: compiled]",
+        ] {
             assert!(option.contains(part), "{command}: {part}: {help}");
         }
         assert!(

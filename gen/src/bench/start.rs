@@ -34,12 +34,12 @@ impl<'a> Start<'a> {
         let state = &self.states[id.0 as usize];
         let mut out: Vec<String> = state.own.iter().flat_map(|state| start(path, state, names)).collect();
         for (instance, lane) in self.design.module(id).instances.iter().zip(&state.lanes) {
-            let (Some(lanes), Some(lane)) = (instance.lanes, lane) else {
+            let (false, Some(lane)) = (instance.shape.is_plain(), lane) else {
                 let path = format!("{path}.{}", instance.name);
                 out.extend(self.scope(instance.module, &path, depth, names));
                 continue;
             };
-            let index = &self.genvars[depth];
+            let (index, lanes) = (&self.genvars[depth], instance.shape.lanes());
             let path = format!("{path}.{}[{index}].{lane}", instance.name);
             let inner = self.scope(instance.module, &path, depth + 1, names);
             if !inner.is_empty() {
@@ -112,7 +112,7 @@ fn array_depth(design: &Design) -> usize {
 }
 
 fn deepest(module: &Module, depths: &[usize]) -> usize {
-    let below = |i: &tilewright_hdl::ir::Instance| depths[i.module.0 as usize] + usize::from(i.lanes.is_some());
+    let below = |i: &tilewright_hdl::ir::Instance| depths[i.module.0 as usize] + usize::from(!i.shape.is_plain());
     module.instances.iter().map(below).max().unwrap_or(0)
 }
 

@@ -56,5 +56,5 @@ fn can_take_name(module: &Module, id: NodeId) -> bool {
         Op::Lane(..) | Op::Const(_) | Op::Input(_) | Op::Register(_) => true,
         _ => false,
     };
-    node.name.is_none() && node.lanes.is_none() && !declared
+    node.name.is_none() && node.shape.is_plain() && !declared
 }

@@ -93,7 +93,7 @@ impl Printer<'_> {
 
     /// Notes that the lanes that have one `by` lanes ahead are read by it.
     fn read_lanes_behind(&mut self, id: NodeId, by: i32) {
-        let lanes = self.module.node(id).lanes.expect("an array's output has lanes");
+        let lanes = self.module.node(id).shape.lanes();
         for lane in 0..lanes {
             let reader = i64::from(lane) + i64::from(by);
             if (0..i64::from(lanes)).contains(&reader) {
@@ -109,7 +109,7 @@ impl Printer<'_> {
         let (i, range) = (self.arrays.genvar.clone(), range(node.width));
         match &node.op {
             Op::Shifted { of, by, edge } => {
-                let lanes = node.lanes.expect("a shifted value has lanes");
+                let lanes = node.shape.lanes();
                 let at_edge = match *by {
                     by if by > 0 => format!("{i} < {by}"),
                     by => format!("{i} >= {}", i64::from(lanes) + i64::from(by)),

@@ -8,7 +8,7 @@ impl Printer<'_> {
     /// The nets that take the outputs of plain instances.
     pub fn output_nets(&self) -> Vec<String> {
         let module = self.module;
-        let outputs = module.instances.iter().filter(|instance| instance.lanes.is_none()).flat_map(|i| &i.outputs);
+        let outputs = module.instances.iter().filter(|instance| instance.shape.is_plain()).flat_map(|i| &i.outputs);
         let declare = |id| {
             let declaration = format!("wire {}{};", range(module.width(id)), self.name(id));
             with_place(declaration, module.node(id).loc)
@@ -21,9 +21,9 @@ impl Printer<'_> {
         let module = self.module;
         let mut out = Vec::new();
         for (index, instance) in module.instances.iter().enumerate() {
-            match instance.lanes {
-                Some(lanes) => out.extend(self.array(InstanceId(index as u32), instance, lanes)),
-                None => out.extend(self.plain_instance(instance)),
+            match instance.shape.is_plain() {
+                false => out.extend(self.array(InstanceId(index as u32), instance, instance.shape.lanes())),
+                true => out.extend(self.plain_instance(instance)),
             }
             out.push(String::new());
         }

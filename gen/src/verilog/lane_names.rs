@@ -28,7 +28,7 @@ pub struct LaneNames {
 
 impl ArrayNames {
     pub fn new(design: &Design, module: &Module, taken: &mut Names) -> ArrayNames {
-        let arrays = || module.instances.iter().enumerate().filter(|(_, instance)| instance.lanes.is_some());
+        let arrays = || module.instances.iter().enumerate().filter(|(_, instance)| !instance.shape.is_plain());
         let free = ["i", "j", "k", "n"].into_iter().find(|name| !taken.contains(name)).unwrap_or("lane_index");
         let genvar = if arrays().next().is_some() { taken.fresh(free) } else { String::new() };
         let arrays = arrays().map(|(index, instance)| {

@@ -186,7 +186,7 @@ impl Printer<'_> {
 
     fn is_declared(&self, id: NodeId) -> bool {
         let node = self.module.node(id);
-        if node.lanes.is_some() {
+        if !node.shape.is_plain() {
             return false;
         }
         match node.op {
@@ -202,7 +202,7 @@ impl Printer<'_> {
     /// Indents the body, and says at the end of each array what of its lanes nothing reads.
     fn fill_in_unread(&mut self, lines: Vec<String>) -> String {
         let module = self.module;
-        let arrays = (0..module.instances.len()).filter(|&index| module.instances[index].lanes.is_some());
+        let arrays = (0..module.instances.len()).filter(|&index| !module.instances[index].shape.is_plain());
         let mut arrays = arrays.map(|index| InstanceId(index as u32));
         let mut out = String::new();
         for line in lines {

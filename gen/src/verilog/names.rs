@@ -74,7 +74,7 @@ impl Namer<'_> {
                 }
             }
         }
-        for instance in self.module.instances.iter().filter(|instance| instance.lanes.is_none()) {
+        for instance in self.module.instances.iter().filter(|instance| instance.shape.is_plain()) {
             for (port, &node) in self.design.module(instance.module).outputs.iter().zip(&instance.outputs) {
                 self.give(node, &format!("{}_{}", instance.name, port.name));
             }

@@ -103,7 +103,7 @@ impl Planner<'_> {
         for_each_root(module, |id| self.uses[id.0 as usize] += 1);
         for &id in order.iter().rev() {
             let node = module.node(id);
-            let named = node.name.is_some() && node.lanes.is_none();
+            let named = node.name.is_some() && node.shape.is_plain();
             if self.uses[id.0 as usize] == 0 && !named {
                 continue;
             }
@@ -115,7 +115,7 @@ impl Planner<'_> {
     fn first_form(&self, id: NodeId) -> Form {
         let node = self.module.node(id);
         match &node.op {
-            _ if node.lanes.is_some() => Form::Lanes,
+            _ if !node.shape.is_plain() => Form::Lanes,
             Op::Input(_) | Op::Register(_) | Op::Output(..) => Form::Declared,
             Op::Read(memory, port) => {
                 let read = &self.module.memories[memory.0 as usize].reads[*port as usize];
@@ -261,7 +261,7 @@ impl Planner<'_> {
         for &id in order {
             let node = module.node(id);
             let printed = matches!(self.form(id), Form::Inline | Form::Net);
-            if !printed || node.lanes.is_some() {
+            if !printed || !node.shape.is_plain() {
                 continue;
             }
             let mut operands = Vec::new();

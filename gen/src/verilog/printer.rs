@@ -66,7 +66,7 @@ impl<'a> Printer<'a> {
 
     /// Notes that a whole lane is read.
     pub fn read_lane(&mut self, of: NodeId, lane: u32) {
-        let lanes = self.module.node(of).lanes.expect("an array's output has lanes");
+        let lanes = self.module.node(of).shape.lanes();
         self.usage.lanes.entry(of).or_insert_with(|| vec![false; lanes as usize])[lane as usize] = true;
     }
 

@@ -10,7 +10,7 @@ impl Printer<'_> {
     pub fn reduction(&mut self, id: NodeId, reduction: Reduction, of: NodeId) -> Vec<String> {
         let node = self.module.node(id);
         let (array, port) = self.array_output(of);
-        let lanes = self.module.node(of).lanes.expect("a reduced value has lanes");
+        let lanes = self.module.node(of).shape.lanes();
         for lane in 0..lanes {
             self.read_lane(of, lane);
         }

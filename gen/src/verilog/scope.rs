@@ -32,7 +32,7 @@ impl Names {
         let instances = module.instances.iter().map(|instance| &instance.name);
         let all = design.modules().iter().flat_map(|parent| &parent.instances);
         let own = all.filter(|instance| design.module(instance.module).name == module.name);
-        let own = own.map(|instance| if instance.lanes.is_some() { LANE } else { &instance.name });
+        let own = own.map(|instance| if instance.shape.is_plain() { &instance.name } else { LANE });
         let mut names = Names::default();
         clocks.chain(ports).chain(nodes).chain(memories).chain(instances).for_each(|name| names.take(name));
         own.for_each(|name| names.take(name));

@@ -2,7 +2,7 @@
 
 use crate::bits::Bits;
 use crate::draft::{Draft, UNDRIVEN};
-use crate::ir::{NodeId, Op};
+use crate::ir::{NodeId, Op, Shape};
 use crate::problem::Problem;
 
 pub(crate) fn check(draft: &mut Draft, problems: &mut Vec<Problem>) {
@@ -29,7 +29,7 @@ fn connect_wires(draft: &mut Draft) {
         let (width, loc) = (draft.node(node).width, draft.node(node).loc);
         let driver = match draft.wires[i].driver {
             Some((driver, _)) => driver,
-            None => draft.add(Op::Const(Bits::zero(width)), width, None, loc),
+            None => draft.add(Op::Const(Bits::zero(width)), width, Shape::Plain, loc),
         };
         debug_assert_eq!(draft.node(node).op, Op::Wire(UNDRIVEN));
         draft.node_mut(node).op = Op::Wire(driver);

@@ -13,7 +13,7 @@ pub(crate) fn check(circuit: &impl Circuit, summaries: &[Summary], problems: &mu
     let before = problems.len();
     let components = cyclic_components(&edges);
     for component in &components {
-        let has_lanes = component.iter().any(|node| circuit.node(NodeId(*node)).lanes.is_some());
+        let has_lanes = component.iter().any(|node| !circuit.node(NodeId(*node)).shape.is_plain());
         if has_lanes {
             problems.extend(lane_loop(circuit, summaries, component));
         } else {
@@ -54,7 +54,7 @@ fn lane_loop(circuit: &impl Circuit, summaries: &[Summary], component: &[u32]) -
     let mut vertices = Vec::new();
     let mut place = BTreeMap::new();
     for &node in component {
-        for lane in 0..circuit.node(NodeId(node)).lanes.unwrap_or(1) {
+        for lane in 0..circuit.node(NodeId(node)).shape.lanes() {
             place.insert((node, lane), vertices.len() as u32);
             vertices.push((node, lane));
         }
@@ -71,7 +71,7 @@ fn lane_loop(circuit: &impl Circuit, summaries: &[Summary], component: &[u32]) -
     hops[1..].reverse();
     let hop = |vertex: u32| {
         let (node, lane) = vertices[vertex as usize];
-        (NodeId(node), circuit.node(NodeId(node)).lanes.map(|_| lane))
+        (NodeId(node), (!circuit.node(NodeId(node)).shape.is_plain()).then_some(lane))
     };
     Some(report(circuit, hops.into_iter().map(hop).collect()))
 }
@@ -87,13 +87,13 @@ fn lane_operands(
     let node = circuit.node(id);
     match &node.op {
         Op::Shifted { of, by, edge } => match lane.checked_add_signed(-by) {
-            Some(from) if from < node.lanes.unwrap_or(1) => visit(*of, from),
+            Some(from) if from < node.shape.lanes() => visit(*of, from),
             _ => visit(*edge, 0),
         },
         Op::Broadcast(a) => visit(*a, 0),
         Op::PerLane(each) => visit(each[lane as usize], 0),
         Op::Lane(of, index) => visit(*of, *index),
-        Op::Reduce(_, of) => (0..circuit.node(*of).lanes.unwrap_or(1)).for_each(|lane| visit(*of, lane)),
+        Op::Reduce(_, of) => (0..circuit.node(*of).shape.lanes()).for_each(|lane| visit(*of, lane)),
         _ => summary::operands(circuit, summaries, id, &mut |operand| visit(operand, lane)),
     }
 }

@@ -59,16 +59,16 @@ pub(crate) fn check(
 /// Inside of a module, its own nets and memories hide an instance of the same name: linters refuse that, but not an
 /// instance in one of the same name. Each lane of an array is an instance called `lane`.
 fn check_hiding(instance: &Instance, child: &Module, problems: &mut Vec<Problem>) {
-    let name = if instance.lanes.is_some() { "lane" } else { &instance.name };
+    let name = if instance.shape.is_plain() { &instance.name } else { "lane" };
     let nets = child.nodes.iter().filter_map(|node| Some((node.name.as_deref()?, node.loc)));
     let memories = child.memories.iter().map(|memory| (memory.name.as_str(), memory.loc));
     let Some((_, inside)) = nets.chain(memories).find(|(inner, _)| *inner == name) else { return };
-    let (message, help) = match instance.lanes {
-        None => {
+    let (message, help) = match instance.shape.is_plain() {
+        true => {
             let message = format!("instance `{name}` has the name of something inside of it");
             (message, format!("call the instance `u_{name}`"))
         }
-        Some(_) => {
+        false => {
             let message =
                 format!("the lanes of `{}` hold something called `lane`, as each lane is called", instance.name);
             (message, "call it something else".to_owned())

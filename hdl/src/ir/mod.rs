@@ -11,6 +11,7 @@
 //! an array; [`Op::Lane`] and [`Op::Reduce`] lead back to plain nodes.
 
 mod op;
+mod shape;
 mod validate;
 
 use crate::bits::Bits;
@@ -19,6 +20,7 @@ use crate::loc::Loc;
 use crate::problem::Problems;
 
 pub use op::{Binary, Op, Reduction, Relation, Shift, Unary};
+pub use shape::Shape;
 
 /// A whole circuit, which keeps every rule of this module: its readers need not ask.
 #[derive(Debug, Clone)]
@@ -135,8 +137,8 @@ pub struct Node {
     pub op: Op,
     /// Its width in bits, 1 to 1,048,576.
     pub width: u32,
-    /// `Some(n)` for a value with one element per lane of an array, `None` for a plain one.
-    pub lanes: Option<u32>,
+    /// Its lanes, each of that width; plain without.
+    pub shape: Shape,
     /// The name that the description gave it; unique in the module, legal in Verilog and VCD. Inputs and registers
     /// always have one.
     pub name: Option<String>,
@@ -249,8 +251,8 @@ pub struct Instance {
     pub name: String,
     /// What it is an instance of.
     pub module: ModuleId,
-    /// `Some(n)` for an array of `n` lanes, at least 1.
-    pub lanes: Option<u32>,
+    /// The array's lanes, at least 1; plain for a single instance.
+    pub shape: Shape,
     /// What drives the inputs, in the order of the child's ports; with lanes if and only if this is an array.
     pub inputs: Vec<NodeId>,
     /// The [`Op::Output`] nodes, in the order of the child's ports.

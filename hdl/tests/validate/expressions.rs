@@ -122,7 +122,7 @@ fn wiring() {
 #[test]
 fn lanes() {
     refused("`top.add` has lanes, as only broadcasts, lists and shifts of lanes and outputs of arrays have", |it| {
-        it.node("add").lanes = Some(4);
+        it.node("add").shape = Shape::Row(4);
     });
     refused("`top.lane_two` is lane 1000000 of 4", |it| {
         it.op("lane_two", |op| {
@@ -142,15 +142,15 @@ fn lanes() {
     let is_broadcast: fn(&Op) -> bool = |op| matches!(op, Op::Broadcast(_));
     refused("`top.lanes` needs at least 1 lane", |it| {
         named(it, is_broadcast);
-        it.node("lanes").lanes = None;
+        it.node("lanes").shape = Shape::Plain;
     });
     refused("`top.lanes` needs at least 1 lane", |it| {
         named(it, is_list);
-        it.node("lanes").lanes = Some(0);
+        it.node("lanes").shape = Shape::Row(0);
     });
     refused("`top.lanes` lists 2 signals for 5 lanes", |it| {
         named(it, is_list);
-        it.node("lanes").lanes = Some(5);
+        it.node("lanes").shape = Shape::Row(5);
     });
     refused("a lane of `top.lanes`, `top.c`, has 1 bit, not 8 bits", |it| {
         named(it, is_list);

@@ -105,8 +105,8 @@ fn instances() {
     refused("`top.u_one` has 3 outputs, but its module `stage` has 2", |it| one(it, |i| i.outputs.push(NodeId(0))));
     refused("`top.u_one` has 0 clocks, but its module `stage` has 1", |it| one(it, |i| i.clocks.clear()));
     refused("input `a` of `top.u_one`, `top.c`, has 1 bit, not 8 bits", |it| one(it, |i| i.inputs[0] = NodeId(2)));
-    refused("input `a` of `top.u_one`, `top.chosen`, has no lanes, not 3", |it| one(it, |i| i.lanes = Some(3)));
-    refused("`top.u_one` is an array without lanes", |it| one(it, |i| i.lanes = Some(0)));
+    refused("input `a` of `top.u_one`, `top.chosen`, has no lanes, not 3", |it| one(it, |i| i.shape = Shape::Row(3)));
+    refused("`top.u_one` is an array without lanes", |it| one(it, |i| i.shape = Shape::Row(0)));
     refused("the clock of `top.u_one` is clock 9 of 2", |it| one(it, |i| i.clocks[0] = ClockId(9)));
     refused("clock `clk` of `top.u_one` has a reset, but `fast_clk`, which drives it, has none", |it| {
         one(it, |i| i.clocks[0] = ClockId(1));

@@ -77,7 +77,7 @@ fn names() {
 fn an_array_that_is_made_of_its_own_lanes() {
     refused("a combinational loop in `top`: `add` -> `lane_two` -> `add`", |it| {
         let (add, a) = (it.id("add"), it.first(|op| matches!(op, Op::Input(0))).clone());
-        it.node("add").lanes = Some(2);
+        it.node("add").shape = Shape::Row(2);
         let lane = it.id("lane_two");
         it.op("lane_two", |op| *op = Op::Lane(add, 0));
         let input = NodeId(it.top().nodes.iter().position(|node| node.op == a.op).unwrap() as u32);
@@ -116,8 +116,13 @@ fn sizes() {
             module.registers.clear();
             module.clocks[0].period = Some(Period::ns(10));
             module.nodes.truncate(2);
-            let list =
-                |of: NodeId, width, loc| Node { op: Op::Broadcast(of), width, lanes: Some(lanes), name: None, loc };
+            let list = |of: NodeId, width, loc| Node {
+                op: Op::Broadcast(of),
+                width,
+                shape: Shape::Row(lanes),
+                name: None,
+                loc,
+            };
             for port in 0..2 {
                 let node = &module.nodes[port];
                 let driver = list(NodeId(port as u32), node.width, node.loc);
@@ -128,14 +133,15 @@ fn sizes() {
                 module.nodes.push(output);
             }
             for port in 0..2u32 {
-                let output = Node { op: Op::Lane(NodeId(4 + port), 0), lanes: None, ..list(NodeId(0), 8, module.loc) };
+                let output =
+                    Node { op: Op::Lane(NodeId(4 + port), 0), shape: Shape::Plain, ..list(NodeId(0), 8, module.loc) };
                 module.nodes.push(output);
                 module.outputs[port as usize].node = NodeId(6 + port);
             }
             let array = Instance {
                 name: "u_inner".to_owned(),
                 module: ModuleId(level as u32),
-                lanes: Some(lanes),
+                shape: Shape::Row(lanes),
                 inputs: vec![NodeId(2), NodeId(3)],
                 outputs: vec![NodeId(4), NodeId(5)],
                 clocks: vec![ClockId(0)],

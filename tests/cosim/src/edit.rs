@@ -2,7 +2,8 @@
 
 use crate::stimulus::Numbers;
 use tilewright_hdl::ir::{
-    Binary, ClockId, InstanceId, MemoryId, Module, ModuleId, NodeId, Op, Reduction, RegisterId, Relation, Shift, Unary,
+    Binary, ClockId, InstanceId, MemoryId, Module, ModuleId, NodeId, Op, Reduction, RegisterId, Relation, Shape, Shift,
+    Unary,
 };
 
 /// Edits one thing of a circuit.
@@ -41,7 +42,7 @@ fn near(was: u32, limit: u32, numbers: &mut Numbers) -> u32 {
 
 /// A node in place of another: most often one of its shape, which may keep all rules.
 fn node(module: &Module, was: NodeId, numbers: &mut Numbers) -> NodeId {
-    let shape = |id: usize| module.nodes.get(id).map(|node| (node.width, node.lanes));
+    let shape = |id: usize| module.nodes.get(id).map(|node| (node.width, node.shape));
     let alike: Vec<usize> = (0..module.nodes.len()).filter(|&id| shape(id) == shape(was.0 as usize)).collect();
     if alike.is_empty() || below(numbers, 5) == 0 {
         return NodeId(near(was.0, module.nodes.len() as u32, numbers));
@@ -149,13 +150,13 @@ fn number(module: &mut Module, numbers: &mut Numbers) {
 
 /// A node gets another width, or other lanes.
 fn shape(module: &mut Module, numbers: &mut Numbers) {
-    let other = pick(&mut module.nodes, numbers).map(|node| (node.width, node.lanes));
-    let (Some(node), Some((width, lanes))) = (pick(&mut module.nodes, numbers), other) else { return };
+    let other = pick(&mut module.nodes, numbers).map(|node| (node.width, node.shape));
+    let (Some(node), Some((width, shape))) = (pick(&mut module.nodes, numbers), other) else { return };
     match below(numbers, 4) {
         0 => node.width = near(node.width, width, numbers),
-        1 => node.lanes = lanes,
-        2 => node.lanes = Some(near(node.lanes.unwrap_or(1), 20, numbers)),
-        _ => (node.width, node.lanes) = (width, lanes),
+        1 => node.shape = shape,
+        2 => node.shape = Shape::Row(near(node.shape.lanes(), 20, numbers)),
+        _ => (node.width, node.shape) = (width, shape),
     }
 }
 
@@ -206,7 +207,7 @@ fn instance(module: &mut Module, modules: u32, numbers: &mut Numbers) {
             match (which, instance.clocks.get_mut(port)) {
                 (3, Some(clock)) => *clock = ClockId(near(clock.0, clocks, numbers)),
                 (3, None) => instance.module = ModuleId(near(instance.module.0, modules, numbers)),
-                _ => instance.lanes = Some(near(instance.lanes.unwrap_or(1), 20, numbers)),
+                _ => instance.shape = Shape::Row(near(instance.shape.lanes(), 20, numbers)),
             }
         }
     }

@@ -11,7 +11,7 @@ impl Fold {
             Op::PerLane(parts) => Same(parts[lane as usize]),
             Op::Wire(inner) => self.lane(inner, lane),
             Op::Shifted { of: inner, by, edge } => {
-                let lanes = self.module.node(of).lanes.expect("a shifted value has lanes");
+                let lanes = self.module.node(of).shape.lanes();
                 match source_lane(lane, by, lanes) {
                     Some(from) => self.lane(inner, from),
                     None => Same(edge),
@@ -32,7 +32,7 @@ impl Fold {
     /// Only outputs of arrays are reduced by the array's own tree; anything else is written out lane by lane.
     pub(super) fn reduce(&mut self, id: NodeId, reduction: Reduction, of: NodeId) -> Outcome {
         let node = self.module.node(of);
-        let lanes = node.lanes.expect("a reduced value has lanes");
+        let lanes = node.shape.lanes();
         if lanes > 1 && matches!(node.op, Op::Output(..)) {
             return Is(Op::Reduce(reduction, of));
         }

@@ -8,7 +8,7 @@ mod shift;
 
 use super::order::{map_operands, operands_first};
 use tilewright_hdl::Bits;
-use tilewright_hdl::ir::{Module, Node, NodeId, Op};
+use tilewright_hdl::ir::{Module, Node, NodeId, Op, Shape};
 
 /// The same circuit, simplified. Nodes keep their ids; new ones are appended.
 pub fn fold(module: &Module) -> Module {
@@ -104,7 +104,7 @@ impl Fold {
     fn add(&mut self, of: NodeId, width: u32, op: Op) -> NodeId {
         let id = NodeId(self.module.nodes.len() as u32);
         let loc = self.module.node(of).loc;
-        self.module.nodes.push(Node { op, width, lanes: None, name: None, loc });
+        self.module.nodes.push(Node { op, width, shape: Shape::Plain, name: None, loc });
         self.same.push(id);
         self.visit(id);
         self.same[id.0 as usize]
@@ -138,13 +138,13 @@ impl Fold {
                 None => Is(Op::Extend { of, signed }),
             },
             Op::Shifted { by: 0, of, .. } => Same(of),
-            Op::Shifted { by, edge, .. } if Some(by.unsigned_abs()) >= self.module.node(id).lanes => {
+            Op::Shifted { by, edge, .. } if by.unsigned_abs() >= self.module.node(id).shape.lanes() => {
                 Is(Op::Broadcast(edge))
             }
             Op::Shifted { of, by, edge } => match self.module.node(of).op.clone() {
                 Op::Broadcast(plain) if plain == edge => Same(of),
                 Op::PerLane(_) | Op::Broadcast(_) => {
-                    let lanes = self.module.node(id).lanes.expect("a shifted value has lanes");
+                    let lanes = self.module.node(id).shape.lanes();
                     Is(Op::PerLane((0..lanes).map(|lane| self.shifted_lane(of, lane, by, edge, lanes)).collect()))
                 }
                 _ => Is(Op::Shifted { of, by, edge }),

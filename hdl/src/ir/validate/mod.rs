@@ -10,7 +10,7 @@ mod objects;
 mod ports;
 mod size;
 
-use super::{ClockId, Module, NodeId};
+use super::{ClockId, Module, NodeId, Shape};
 use crate::circuit::Circuit;
 use crate::loc::Loc;
 use crate::problem::Problem;
@@ -57,20 +57,20 @@ struct Rules<'a> {
 
 /// What a node that something refers to must be.
 #[derive(Clone, Copy)]
-struct Shape {
+struct Needs {
     /// In bits; any, if `None`.
     width: Option<u32>,
-    lanes: Option<u32>,
+    shape: Shape,
 }
 
-impl Shape {
+impl Needs {
     /// A plain value of that width.
-    fn plain(width: u32) -> Shape {
-        Shape { width: Some(width), lanes: None }
+    fn plain(width: u32) -> Needs {
+        Needs { width: Some(width), shape: Shape::Plain }
     }
 
     /// A plain value of any width.
-    const PLAIN: Shape = Shape { width: None, lanes: None };
+    const PLAIN: Needs = Needs { width: None, shape: Shape::Plain };
 }
 
 impl<'a> Rules<'a> {
@@ -95,24 +95,25 @@ impl<'a> Rules<'a> {
         Named { module: self.module, id }
     }
 
-    /// `role` of `owner` is node `id`, which must exist and have this shape.
-    fn refers(&mut self, loc: Loc, role: &str, owner: &dyn fmt::Display, id: NodeId, shape: Shape) {
+    /// `role` of `owner` is node `id`, which must exist and be so.
+    fn refers(&mut self, loc: Loc, role: &str, owner: &dyn fmt::Display, id: NodeId, needs: Needs) {
         let Some(node) = self.module.nodes.get(id.0 as usize) else {
             let count = self.module.nodes.len();
             return self.report(loc, format!("{role} of {owner} is node {} of {count}", id.0));
         };
         let text = self.node(id);
-        if let Some(width) = shape.width.filter(|width| *width != node.width) {
+        if let Some(width) = needs.width.filter(|width| *width != node.width) {
             let (has, needs) = (bits_text(node.width), bits_text(width));
             self.report(loc, format!("{role} of {owner}, {text}, has {has}, not {needs}"));
         }
-        if node.lanes != shape.lanes {
-            let text = format!("{role} of {owner}, {text}, has {}", lanes_text(node.lanes));
+        if node.shape != needs.shape {
+            let text = format!("{role} of {owner}, {text}, has {}", node.shape);
             self.report(
                 loc,
-                match shape.lanes {
-                    Some(needs) => format!("{text}, not {needs}"),
-                    None => format!("{text}, but must be plain"),
+                match needs.shape {
+                    Shape::Plain => format!("{text}, but must be plain"),
+                    Shape::Row(count) => format!("{text}, not {count}"),
+                    needs => format!("{text}, not {needs}"),
                 },
             );
         }
@@ -135,13 +136,5 @@ struct Named<'a> {
 impl fmt::Display for Named<'_> {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         write!(f, "`{}.{}`", self.module.name, self.module.describe(self.id))
-    }
-}
-
-fn lanes_text(lanes: Option<u32>) -> String {
-    match lanes {
-        None => "no lanes".to_owned(),
-        Some(1) => "1 lane".to_owned(),
-        Some(n) => format!("{n} lanes"),
     }
 }

@@ -1,6 +1,6 @@
 //! The rules of what holds state, and of assertions.
 
-use super::{Rules, Shape};
+use super::{Needs, Rules};
 use crate::ir::{Contents, Memory, MemoryId, NodeId, Op, RegisterId};
 use crate::limits::WIDEST;
 use crate::loc::Loc;
@@ -29,9 +29,9 @@ impl Rules<'_> {
             let has_name = self.module.node(register.node).name.is_some();
             self.rule(has_name, loc, || format!("{owner} is a register without a name"));
             self.clock(loc, &owner, register.clock);
-            self.refers(loc, "the next value", &owner, register.next, Shape::plain(width));
+            self.refers(loc, "the next value", &owner, register.next, Needs::plain(width));
             if let Some(enable) = register.enable {
-                self.refers(loc, "the enable", &owner, enable, Shape::plain(1));
+                self.refers(loc, "the enable", &owner, enable, Needs::plain(1));
             }
             if let Some(reset) = &register.reset {
                 self.rule(reset.width() == width, loc, || {
@@ -60,7 +60,7 @@ impl Rules<'_> {
                 format!("memory {owner} has words of {}, not 1 to {WIDEST}", bits_text(memory.width))
             });
             self.contents(memory, &owner);
-            let address = Shape::plain(index_width(memory.depth.into()));
+            let address = Needs::plain(index_width(memory.depth.into()));
             for (port, read) in (0..).zip(&memory.reads) {
                 let owner = format!("read port {port} of {owner}");
                 let node = self.is_node(loc, &owner, read.node, &Op::Read(index, port));
@@ -70,16 +70,16 @@ impl Rules<'_> {
                 self.refers(loc, "the address", &owner, read.address, address);
                 read.clock.into_iter().for_each(|clock| self.clock(loc, &owner, clock));
                 if let Some(enable) = read.enable {
-                    self.refers(loc, "the enable", &owner, enable, Shape::plain(1));
+                    self.refers(loc, "the enable", &owner, enable, Needs::plain(1));
                     self.rule(read.clock.is_some(), loc, || format!("{owner} is asynchronous but has an enable"));
                 }
             }
             for (port, write) in memory.writes.iter().enumerate() {
                 let owner = format!("write port {port} of {owner}");
                 self.clock(loc, &owner, write.clock);
-                self.refers(loc, "the enable", &owner, write.enable, Shape::plain(1));
+                self.refers(loc, "the enable", &owner, write.enable, Needs::plain(1));
                 self.refers(loc, "the address", &owner, write.address, address);
-                self.refers(loc, "the data", &owner, write.data, Shape::plain(memory.width));
+                self.refers(loc, "the data", &owner, write.data, Needs::plain(memory.width));
             }
         }
     }
@@ -104,7 +104,7 @@ impl Rules<'_> {
         for assert in &self.module.asserts {
             let owner = format!("an assertion in `{}`", self.module.name);
             self.clock(assert.loc, &owner, assert.clock);
-            self.refers(assert.loc, "the condition", &owner, assert.condition, Shape::plain(1));
+            self.refers(assert.loc, "the condition", &owner, assert.condition, Needs::plain(1));
         }
     }
 }

@@ -1,6 +1,6 @@
 //! The rules of clocks, ports and instances.
 
-use super::{Rules, Shape, problem};
+use super::{Needs, Rules, problem};
 use crate::ir::{Instance, InstanceId, Module, Op};
 use crate::problem::Problem;
 
@@ -29,21 +29,21 @@ impl Rules<'_> {
         for (index, input) in (0..).zip(&self.module.inputs) {
             let owner = self.of(&input.name);
             if self.is_node(loc, &owner, input.node, &Op::Input(index)).is_some() {
-                self.refers(loc, "the node", &owner, input.node, Shape::PLAIN);
+                self.refers(loc, "the node", &owner, input.node, Needs::PLAIN);
                 let name = self.module.node(input.node).name.as_ref();
                 self.rule(name == Some(&input.name), loc, || format!("the node of input {owner} has another name"));
             }
             input.clock.into_iter().for_each(|clock| self.clock(loc, &owner, clock));
         }
         for output in &self.module.outputs {
-            self.refers(loc, "the driver", &self.of(&output.name), output.node, Shape::PLAIN);
+            self.refers(loc, "the driver", &self.of(&output.name), output.node, Needs::PLAIN);
         }
     }
 
     pub(super) fn instances(&mut self) {
         for (id, instance) in (0..).map(InstanceId).zip(&self.module.instances) {
             let owner = self.of(&instance.name);
-            self.rule(instance.lanes != Some(0), instance.loc, || format!("{owner} is an array without lanes"));
+            self.rule(instance.shape.lanes() > 0, instance.loc, || format!("{owner} is an array without lanes"));
             let count = self.done.len();
             match self.done.get(instance.module.0 as usize) {
                 Some(child) => self.instance(id, instance, child, &owner),
@@ -67,15 +67,15 @@ impl Rules<'_> {
         as_many("clocks", instance.clocks.len(), child.clocks.len());
         for (port, driver) in child.inputs.iter().zip(&instance.inputs) {
             let width = child.nodes.get(port.node.0 as usize).map(|node| node.width);
-            let shape = Shape { width, lanes: instance.lanes };
-            self.refers(loc, &format!("input `{}`", port.name), owner, *driver, shape);
+            let needs = Needs { width, shape: instance.shape };
+            self.refers(loc, &format!("input `{}`", port.name), owner, *driver, needs);
         }
         for ((index, port), node) in (0..).zip(&child.outputs).zip(&instance.outputs) {
             let name = format!("output `{}` of {owner}", port.name);
             if self.is_node(loc, &name, *node, &Op::Output(id, index)).is_some() {
                 let width = child.nodes.get(port.node.0 as usize).map(|node| node.width);
-                let shape = Shape { width, lanes: instance.lanes };
-                self.refers(loc, &format!("output `{}`", port.name), owner, *node, shape);
+                let needs = Needs { width, shape: instance.shape };
+                self.refers(loc, &format!("output `{}`", port.name), owner, *node, needs);
             }
         }
         for (clock, driver) in child.clocks.iter().zip(&instance.clocks) {

@@ -38,14 +38,14 @@ pub(super) fn check(modules: &[Module], problems: &mut Vec<Problem>) {
 fn size(module: &Module, below: &[Size]) -> Size {
     let mut size = Size { depth: 1, lanes: 1, limbs: 1, memory: 0 };
     for node in &module.nodes {
-        let lanes = u64::from(node.lanes.unwrap_or(1));
+        let lanes = u64::from(node.shape.lanes());
         size.lanes = size.lanes.max(lanes);
         size.limbs = size.limbs.max(lanes * limbs_for(node.width) as u64);
     }
     let words = |memory: &Memory| u64::from(memory.depth).saturating_mul(limbs_for(memory.width) as u64);
     size.memory = module.memories.iter().map(words).max().unwrap_or(0);
-    for Instance { module, lanes, .. } in &module.instances {
-        let (child, lanes) = (below[module.0 as usize], u64::from(lanes.unwrap_or(1)));
+    for Instance { module, shape, .. } in &module.instances {
+        let (child, lanes) = (below[module.0 as usize], u64::from(shape.lanes()));
         size.depth = size.depth.max(child.depth + 1);
         size.lanes = size.lanes.max(child.lanes.saturating_mul(lanes));
         size.limbs = size.limbs.max(child.limbs.saturating_mul(lanes));

@@ -48,8 +48,8 @@ const MOST_LANES: u64 = 1 << 20;
 pub fn most_lanes(design: &Design) -> u32 {
     let mut widest: Vec<u64> = Vec::new();
     for module in design.modules() {
-        let nodes = module.nodes.iter().map(|node| u64::from(node.lanes.unwrap_or(1)));
-        let inside = |instance: &Instance| u64::from(instance.lanes.unwrap_or(1)) * widest[instance.module.0 as usize];
+        let nodes = module.nodes.iter().map(|node| u64::from(node.shape.lanes()));
+        let inside = |instance: &Instance| u64::from(instance.shape.lanes()) * widest[instance.module.0 as usize];
         let lanes = nodes.chain(module.instances.iter().map(inside)).max();
         widest.push(lanes.unwrap_or(1).max(1));
     }

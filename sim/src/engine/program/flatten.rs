@@ -140,17 +140,17 @@ impl Flatten<'_> {
         let definition = self.design.module(module);
         let base = self.flat.program.circuit.len() as u32;
         for node in &definition.nodes {
-            self.cell(lanes * node.lanes.unwrap_or(1), node);
+            self.cell(lanes * node.shape.lanes(), node);
         }
         let splits = definition
             .instances
             .iter()
-            .any(|instance| instance.lanes.is_some() && self.unrolled.contains(&key_of(&key, instance)));
+            .any(|instance| !instance.shape.is_plain() && self.unrolled.contains(&key_of(&key, instance)));
         let mut split = vec![None; definition.nodes.len()];
         if splits {
             for (index, node) in definition.nodes.iter().enumerate() {
-                split[index] = node.lanes.map(|n| {
-                    let ids: Vec<u32> = (0..n).map(|_| self.cell(lanes, node)).collect();
+                split[index] = (!node.shape.is_plain()).then(|| {
+                    let ids: Vec<u32> = (0..node.shape.lanes()).map(|_| self.cell(lanes, node)).collect();
                     ids[0]
                 });
             }
@@ -234,7 +234,7 @@ impl Flatten<'_> {
     /// How a node's cell is computed, all lanes together.
     fn kind(&self, body: &Body, module: &Module, node: &Node, memories: &[u32]) -> Kind {
         let at = |id: &NodeId| body.whole(*id);
-        let group = |of: &NodeId| module.node(*of).lanes.expect("a lane operator has an operand with lanes");
+        let group = |of: &NodeId| module.node(*of).shape.lanes();
         match &node.op {
             Op::Input(index) => body.inputs.get(*index as usize).map_or(Kind::State, |&from| Kind::Alias(from)),
             Op::Const(bits) => Kind::Const(bits.clone()),
@@ -264,19 +264,17 @@ impl Flatten<'_> {
                 let child = &module.instances[instance.0 as usize];
                 let driver = self.design.module(child.module).outputs[*port as usize].node;
                 let from = |base: &u32| ValueId(base + driver.0);
-                match (child.lanes, &body.children[instance.0 as usize]) {
+                match (child.shape.is_plain(), &body.children[instance.0 as usize]) {
                     (_, &Children::Sibling { base, lane, of }) => {
                         Kind::Lane { of: from(&base), axis: Axis::last(of), index: lane }
                     }
-                    (Some(_), Children::Bases(lanes)) if self.unrolled.contains(&key_of(&body.key, child)) => {
+                    (false, Children::Bases(lanes)) if self.unrolled.contains(&key_of(&body.key, child)) => {
                         Kind::Stack { parts: lanes.iter().map(from).collect(), inner: 1 }
                     }
                     (_, Children::Bases(bases)) => Kind::Alias(from(&bases[0])),
                 }
             }
-            Op::Broadcast(of) => {
-                Kind::Broadcast { of: at(of), axis: Axis::last(node.lanes.expect("a broadcast has lanes")) }
-            }
+            Op::Broadcast(of) => Kind::Broadcast { of: at(of), axis: Axis::last(node.shape.lanes()) },
             Op::PerLane(parts) => Kind::Stack { parts: parts.iter().map(at).collect(), inner: 1 },
             Op::Shifted { of, by, edge } => {
                 let (of, axis, edge) = (at(of), Axis::last(group(of)), Some(at(edge)));
@@ -290,7 +288,7 @@ impl Flatten<'_> {
 
     /// Fills in the cells of a node's single lanes, which depend on no more than they have to.
     fn split(&mut self, body: &Body, id: NodeId, node: &Node) {
-        let n = node.lanes.expect("only nodes with lanes are split");
+        let n = node.shape.lanes();
         for lane in 0..n {
             let kind = match &node.op {
                 Op::Broadcast(of) => Kind::Alias(body.whole(*of)),
@@ -355,8 +353,9 @@ fn signals(module: &Module, value: impl Fn(NodeId) -> ValueId) -> Vec<Signal> {
     let mut taken = BTreeSet::new();
     let mut add = |name: String, role, node: NodeId| {
         if taken.insert(name.clone()) {
-            let shape = module.node(node);
-            all.push(Signal { name, role, value: value(node), width: shape.width, group: shape.lanes, states: None });
+            let &Node { width, shape, .. } = module.node(node);
+            let group = (!shape.is_plain()).then(|| shape.lanes());
+            all.push(Signal { name, role, value: value(node), width, group, states: None });
         }
     };
     module.inputs.iter().for_each(|port| add(port.name.clone(), Role::Input, port.node));

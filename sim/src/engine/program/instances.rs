@@ -34,7 +34,7 @@ impl Flatten<'_> {
             let instance = &module.instances[index];
             let key = key_of(&body.key, instance);
             match groups.get(&kind(instance)) {
-                Some(siblings) if instance.lanes.is_none() && !self.unrolled.contains(&key) => {
+                Some(siblings) if instance.shape.is_plain() && !self.unrolled.contains(&key) => {
                     let base = self.siblings(body, module, siblings, key);
                     let of = siblings.len() as u32;
                     for (&sibling, lane) in siblings.iter().zip(0..) {
@@ -99,10 +99,10 @@ impl Flatten<'_> {
         };
         let whole = || instance.inputs.iter().map(|&node| body.whole(node)).collect();
         let lane = |i| instance.inputs.iter().map(|&node| body.lane(node, i)).collect();
-        match instance.lanes {
-            None => vec![enter(Replication::Single, body.lanes, whole())],
-            Some(n) if unrolled => (0..n).map(|i| enter(Replication::Element(i), body.lanes, lane(i))).collect(),
-            Some(n) => {
+        match (instance.shape.is_plain(), instance.shape.lanes()) {
+            (true, _) => vec![enter(Replication::Single, body.lanes, whole())],
+            (false, n) if unrolled => (0..n).map(|i| enter(Replication::Element(i), body.lanes, lane(i))).collect(),
+            (false, n) => {
                 let base = enter(Replication::Whole(n), body.lanes * n, whole());
                 for &node in &instance.outputs {
                     self.flat.array_outputs.push((body.whole(node), key.clone()));
@@ -121,7 +121,7 @@ fn kind(instance: &Instance) -> (ModuleId, &[ClockId]) {
 /// The instances of a module that are of one kind, where they are not better on their own.
 fn siblings<'a>(design: &Design, module: &'a Module) -> HashMap<(ModuleId, &'a [ClockId]), Vec<usize>> {
     let mut groups: HashMap<_, Vec<usize>> = HashMap::new();
-    for (index, instance) in module.instances.iter().enumerate().filter(|(_, instance)| instance.lanes.is_none()) {
+    for (index, instance) in module.instances.iter().enumerate().filter(|(_, instance)| instance.shape.is_plain()) {
         groups.entry(kind(instance)).or_default().push(index);
     }
     groups.retain(|_, siblings| {

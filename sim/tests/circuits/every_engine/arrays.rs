@@ -2,7 +2,7 @@
 
 use crate::engine::{engine, of};
 use proptest::prelude::*;
-use tilewright_hdl::ir::{Design, Instance, InstanceId, Module as IrModule, Node, NodeId, Op, Reduction};
+use tilewright_hdl::ir::{Design, Instance, InstanceId, Module as IrModule, Node, NodeId, Op, Reduction, Shape};
 use tilewright_hdl::{Bits, Block, Module, ReadUnderWrite, Width, bits, bundle, elaborate, mux};
 use tilewright_sim::Simulation;
 
@@ -87,8 +87,8 @@ fn single_instances(module: &IrModule) -> IrModule {
     let mut lanes = vec![0; count];
     for (index, node) in module.nodes.iter().enumerate() {
         lanes[index] = out.nodes.len() as u32;
-        for _ in 0..node.lanes.unwrap_or(0) {
-            out.nodes.push(Node { lanes: None, name: None, ..node.clone() });
+        for _ in (0..node.shape.lanes()).filter(|_| !node.shape.is_plain()) {
+            out.nodes.push(Node { shape: Shape::Plain, name: None, ..node.clone() });
         }
     }
     let lane = |node: NodeId, i: u32| NodeId(lanes[node.0 as usize] + i);
@@ -96,12 +96,12 @@ fn single_instances(module: &IrModule) -> IrModule {
     let mut first = Vec::new();
     for instance in &module.instances {
         first.push(instances.len() as u32);
-        let count = instance.lanes.unwrap_or(1);
+        let count = instance.shape.lanes();
         for i in 0..count {
-            let each = |node: &NodeId| if instance.lanes.is_some() { lane(*node, i) } else { *node };
+            let each = |node: &NodeId| if !instance.shape.is_plain() { lane(*node, i) } else { *node };
             instances.push(Instance {
-                name: if instance.lanes.is_some() { format!("{}_{i}", instance.name) } else { instance.name.clone() },
-                lanes: None,
+                name: if !instance.shape.is_plain() { format!("{}_{i}", instance.name) } else { instance.name.clone() },
+                shape: Shape::Plain,
                 inputs: instance.inputs.iter().map(each).collect(),
                 outputs: instance.outputs.iter().map(each).collect(),
                 ..instance.clone()
@@ -110,7 +110,7 @@ fn single_instances(module: &IrModule) -> IrModule {
     }
     out.instances = instances;
     for (index, node) in module.nodes.iter().enumerate() {
-        let n = node.lanes.unwrap_or(0);
+        let n = if node.shape.is_plain() { 0 } else { node.shape.lanes() };
         for i in 0..n {
             out.nodes[lanes[index] as usize + i as usize].op = match &node.op {
                 Op::Output(instance, port) => Op::Output(InstanceId(first[instance.0 as usize] + i), *port),
@@ -129,7 +129,7 @@ fn single_instances(module: &IrModule) -> IrModule {
             Op::Output(instance, port) if n == 0 => {
                 Node { op: Op::Output(InstanceId(first[instance.0 as usize]), *port), ..node.clone() }
             }
-            _ if n > 0 => Node { op: Op::Const(Bits::zero(node.width)), lanes: None, ..node.clone() },
+            _ if n > 0 => Node { op: Op::Const(Bits::zero(node.width)), shape: Shape::Plain, ..node.clone() },
             _ => continue,
         };
     }
@@ -153,7 +153,7 @@ fn reduced(
         Reduction::Add => Binary::Add,
     };
     let mut all = lane(of, 0);
-    for i in 1..module.node(of).lanes.expect("it has lanes") {
+    for i in 1..module.node(of).shape.lanes() {
         out.nodes.push(Node { op: Op::Binary(op, all, lane(of, i)), name: None, ..node.clone() });
         all = NodeId(out.nodes.len() as u32 - 1);
     }

@@ -1,0 +1,155 @@
+//! The shape of a value: plain, a row of lanes, or a grid of them.
+
+use std::fmt;
+
+/// How many elements a value has, and how they are laid out. Each element, called a lane, has the node's width.
+///
+/// Axis 0 of a row counts its lanes. Axis 0 of a grid counts its rows, axis 1 its columns. Lanes are in row-major order
+/// wherever they stand in one line: lane `(row, column)` of a grid is lane `row * columns + column`.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Shape {
+    /// A single value, without lanes.
+    #[default]
+    Plain,
+    /// So many lanes.
+    Row(u32),
+    /// So many rows, each of so many columns.
+    Grid(u32, u32),
+}
+
+impl Shape {
+    /// The number of lanes in all; 1 for a plain value. A product beyond [`u32::MAX`] stops there.
+    pub fn lanes(self) -> u32 {
+        match self {
+            Shape::Plain => 1,
+            Shape::Row(count) => count,
+            Shape::Grid(rows, columns) => rows.saturating_mul(columns),
+        }
+    }
+
+    /// Whether this is a single value, without lanes.
+    pub fn is_plain(self) -> bool {
+        self == Shape::Plain
+    }
+
+    /// The number of axes: 0, 1 or 2.
+    pub fn axes(self) -> u32 {
+        match self {
+            Shape::Plain => 0,
+            Shape::Row(_) => 1,
+            Shape::Grid(..) => 2,
+        }
+    }
+
+    /// The number of lanes along an axis; 1 along an axis that there is not.
+    pub fn extent(self, axis: u32) -> u32 {
+        match (self, axis) {
+            (Shape::Row(count), 0) => count,
+            (Shape::Grid(rows, _), 0) => rows,
+            (Shape::Grid(_, columns), 1) => columns,
+            _ => 1,
+        }
+    }
+
+    /// The shape that is left where an axis is dropped; itself if there is no such axis.
+    pub fn without(self, axis: u32) -> Shape {
+        match (self, axis) {
+            (Shape::Row(_), 0) => Shape::Plain,
+            (Shape::Grid(_, columns), 0) => Shape::Row(columns),
+            (Shape::Grid(rows, _), 1) => Shape::Row(rows),
+            _ => self,
+        }
+    }
+
+    /// The shape with an axis of `count` lanes put in as that axis, the reverse of [`without`](Shape::without); `None`
+    /// if that would be a third axis, or leave a gap.
+    pub fn with(self, axis: u32, count: u32) -> Option<Shape> {
+        match (self, axis) {
+            (Shape::Plain, 0) => Some(Shape::Row(count)),
+            (Shape::Row(columns), 0) => Some(Shape::Grid(count, columns)),
+            (Shape::Row(rows), 1) => Some(Shape::Grid(rows, count)),
+            _ => None,
+        }
+    }
+
+    /// The product of the extents behind an axis: how far neighbours along that axis are apart in row-major order.
+    pub fn inner(self, axis: u32) -> u32 {
+        match (self, axis) {
+            (Shape::Grid(_, columns), 0) => columns,
+            _ => 1,
+        }
+    }
+
+    /// The product of the extents before an axis.
+    pub fn outer(self, axis: u32) -> u32 {
+        match (self, axis) {
+            (Shape::Grid(rows, _), 1) => rows,
+            _ => 1,
+        }
+    }
+
+    /// This shape followed by another: what a port of shape `other` is, seen from outside an array of this shape. `None`
+    /// above two axes.
+    pub fn beside(self, other: Shape) -> Option<Shape> {
+        match (self, other) {
+            (shape, Shape::Plain) | (Shape::Plain, shape) => Some(shape),
+            (Shape::Row(rows), Shape::Row(columns)) => Some(Shape::Grid(rows, columns)),
+            _ => None,
+        }
+    }
+}
+
+/// As messages say it: `no lanes`, `1 lane`, `5 lanes`, `3 x 4 lanes`.
+impl fmt::Display for Shape {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Shape::Plain => f.write_str("no lanes"),
+            Shape::Row(1) => f.write_str("1 lane"),
+            Shape::Row(count) => write!(f, "{count} lanes"),
+            Shape::Grid(rows, columns) => write!(f, "{rows} x {columns} lanes"),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Shape::{self, Grid, Plain, Row};
+
+    #[test]
+    fn axes_are_put_in_and_dropped() {
+        for (shape, axis, with) in [(Plain, 0, Row(3)), (Row(5), 0, Grid(3, 5)), (Row(5), 1, Grid(5, 3))] {
+            assert_eq!(shape.with(axis, 3), Some(with));
+            assert_eq!(with.without(axis), shape);
+            assert_eq!(with.extent(axis), 3);
+            assert_eq!(with.axes(), shape.axes() + 1);
+            assert_eq!(with.outer(axis) * with.extent(axis) * with.inner(axis), with.lanes());
+        }
+        for (shape, axis) in [(Plain, 1), (Row(5), 2), (Grid(1, 1), 0)] {
+            assert_eq!(shape.with(axis, 3), None);
+        }
+        assert_eq!((Row(5).without(1), Row(5).extent(1)), (Row(5), 1));
+    }
+
+    #[test]
+    fn neighbours_are_row_major() {
+        assert_eq!((Grid(3, 5).inner(0), Grid(3, 5).inner(1)), (5, 1));
+        assert_eq!((Grid(3, 5).outer(0), Grid(3, 5).outer(1)), (1, 3));
+        assert_eq!((Row(5).inner(0), Row(5).outer(0), Row(5).lanes()), (1, 1, 5));
+        assert_eq!(Grid(1 << 20, 1 << 20).lanes(), u32::MAX);
+    }
+
+    #[test]
+    fn shapes_stand_beside_each_other_up_to_two_axes() {
+        assert_eq!(Plain.beside(Grid(2, 3)), Some(Grid(2, 3)));
+        assert_eq!(Grid(2, 3).beside(Plain), Some(Grid(2, 3)));
+        assert_eq!(Row(2).beside(Row(3)), Some(Grid(2, 3)));
+        assert_eq!(Grid(2, 3).beside(Row(1)), None);
+        assert_eq!(Row(1).beside(Grid(2, 3)), None);
+    }
+
+    #[test]
+    fn messages_say_it() {
+        let text = |shape: Shape| shape.to_string();
+        assert_eq!([Plain, Row(1), Row(5), Grid(3, 4)].map(text), ["no lanes", "1 lane", "5 lanes", "3 x 4 lanes"]);
+    }
+}
