@@ -172,11 +172,18 @@ impl Draft {
                 format!("{}.{}", self.instances[index].name, self.instance_outputs[index][*port as usize])
             }
             Op::QuasiStatic(a, _) | Op::Wire(a) => say(a),
-            Op::Broadcast(a) => format!("all({})", say(a)),
-            Op::PerLane(_) => "each(..)".to_owned(),
-            Op::Shifted { of, by, .. } => format!("{}.shifted({by}, ..)", inner(of)),
-            Op::Lane(a, i) => format!("{}.lane({i})", inner(a)),
-            Op::Reduce(_, a) => format!("{}.reduce(..)", inner(a)),
+            Op::Broadcast { of, .. } => format!("all({})", say(of)),
+            Op::Stack { .. } => "each(..)".to_owned(),
+            Op::Map { of, index: Affine { mul: 1, add, div: 1 }, .. } => {
+                format!("{}.shifted({}, ..)", inner(of), -i64::from(*add))
+            }
+            Op::Map { of, .. } => format!("{}.map(..)", inner(of)),
+            Op::Interleave { .. } => "interleave(..)".to_owned(),
+            Op::Lane { of, index, .. } => format!("{}.lane({index})", inner(of)),
+            Op::Pick { of, index, .. } => format!("{}.pick({})", inner(of), say(index)),
+            Op::Reduce { of, .. } => format!("{}.reduce(..)", inner(of)),
+            Op::Pack { of, .. } => format!("{}.pack()", inner(of)),
+            Op::Unpack { of, .. } => format!("{}.unpack()", inner(of)),
             Op::Register(_) => "a register".to_owned(),
         }
     }

@@ -174,7 +174,7 @@ fn zero(e: &mut Elaboration, id: InstanceId, port: &Port, loc: Loc) -> NodeId {
     let draft = e.draft();
     let shape = draft.instances[id.0 as usize].shape;
     let zero = draft.add(Op::Const(Bits::zero(port.width)), port.width, Shape::Plain, loc);
-    if shape.is_plain() { zero } else { draft.add(Op::Broadcast(zero), port.width, shape, loc) }
+    if shape.is_plain() { zero } else { draft.add(Op::Broadcast { of: zero, axis: 0 }, port.width, shape, loc) }
 }
 
 /// An instance whose inputs are not known yet.

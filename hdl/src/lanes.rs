@@ -2,7 +2,7 @@
 
 use crate::bundle::Fields;
 use crate::elaboration;
-use crate::ir::{NodeId, Op, Reduction, Shape};
+use crate::ir::{Affine, NodeId, Op, Reduction, Shape};
 use crate::loc::Loc;
 use crate::operand::Operand;
 use crate::problem::Problem;
@@ -39,7 +39,10 @@ impl<O> Array<O> {
     pub fn all<B: Fields<Signal>>(&self, value: &B) -> B::With<Lanes> {
         let lanes = self.lanes;
         let loc = Loc::caller();
-        value.map_fields("", &mut |_, signal| Lanes::make(Op::Broadcast(signal.id_at(loc)), signal.width, lanes, loc))
+        value.map_fields("", &mut |_, signal| {
+            let op = Op::Broadcast { of: signal.id_at(loc), axis: 0 };
+            Lanes::make(op, signal.width, lanes, loc)
+        })
     }
 
     /// A signal, or bundle of signals, for each lane; all of one shape and width.
@@ -81,7 +84,7 @@ impl<O> Array<O> {
             elaboration::with(|e| e.report_instead_of(&nodes, problem));
             return self.constants(width, |_| 0);
         }
-        Lanes::make(Op::PerLane(nodes), width, self.lanes, loc)
+        Lanes::make(Op::Stack { parts: nodes, axis: 0 }, width, self.lanes, loc)
     }
 
     /// A constant for each lane, of `width` bits.
@@ -91,7 +94,7 @@ impl<O> Array<O> {
         let signals = crate::select::constants(width, (0..self.lanes).map(of));
         let width = signals[0].width;
         let nodes = signals.iter().map(|signal| signal.id_at(loc)).collect();
-        Lanes::make(Op::PerLane(nodes), width, self.lanes, loc)
+        Lanes::make(Op::Stack { parts: nodes, axis: 0 }, width, self.lanes, loc)
     }
 
     /// Each lane's own number, of `width` bits.
@@ -160,7 +163,13 @@ impl Lanes {
         let by = by.clamp(-most, most);
         let shape = self.lane(0);
         let edge = edge.operand().with_width_of(shape, "shifted").id();
-        Lanes::make(Op::Shifted { of: self.id(), by, edge }, self.width, self.count, loc)
+        // Where no lane is beyond the edge, nothing takes it.
+        if by == 0 {
+            elaboration::draft(|draft| draft.ignored.insert(edge));
+        }
+        let edge = (by != 0).then_some(edge);
+        let op = Op::Map { of: self.id(), axis: 0, index: Affine::shift(-by), edge };
+        Lanes::make(op, self.width, self.count, loc)
     }
 
     /// The element of one lane.
@@ -172,7 +181,7 @@ impl Lanes {
             elaboration::with(|e| e.report(problem.help("lanes count from 0")));
             return crate::lit(self.width, 0);
         }
-        Signal::make(Op::Lane(self.id(), index), self.width)
+        Signal::make(Op::Lane { of: self.id(), axis: 0, index }, self.width)
     }
 
     /// The element of the last lane.
@@ -193,7 +202,7 @@ impl Lanes {
 
     #[track_caller]
     fn reduce(self, reduction: Reduction) -> Signal {
-        Signal::make(Op::Reduce(reduction, self.id()), self.width)
+        Signal::make(Op::Reduce { by: reduction, of: self.id(), axis: 0 }, self.width)
     }
 
     /// Bitwise and of all lanes.

@@ -14,6 +14,9 @@ pub(crate) const DEEPEST: usize = 100;
 /// The most lanes that arrays in arrays come to.
 pub(crate) const MOST_LANES: u64 = 1 << 24;
 
+/// The most lanes that are looked at one by one for a combinational loop: some gibibytes, some seconds.
+pub(crate) const MOST_LOOPED_LANES: u64 = 1 << 26;
+
 /// The most 64-bit limbs of a value in all its lanes: half a gibibyte.
 pub(crate) const MOST_LIMBS: u64 = 1 << 26;
 

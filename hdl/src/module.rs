@@ -126,6 +126,7 @@ impl Module {
             let index = draft.memories.len() as u32;
             draft.memories.push(DraftMemory {
                 memory: Memory {
+                    shape: Shape::Plain,
                     name: name.to_owned(),
                     depth,
                     width,

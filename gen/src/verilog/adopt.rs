@@ -53,7 +53,7 @@ fn can_take_name(module: &Module, id: NodeId) -> bool {
     let node = module.node(id);
     let declared = match node.op {
         Op::Read(memory, port) => module.memories[memory.0 as usize].reads[port as usize].clock.is_some(),
-        Op::Lane(..) | Op::Const(_) | Op::Input(_) | Op::Register(_) => true,
+        Op::Lane { .. } | Op::Const(_) | Op::Input(_) | Op::Register(_) => true,
         _ => false,
     };
     node.name.is_none() && node.shape.is_plain() && !declared

@@ -58,11 +58,11 @@ impl Printer<'_> {
     /// What feeds an input of a lane.
     fn lane_input(&mut self, array: InstanceId, id: NodeId) -> String {
         match &self.module.node(id).op {
-            Op::Broadcast(plain) => self.value(*plain),
-            Op::PerLane(parts) if self.pattern(parts).is_some() => {
+            Op::Broadcast { of, .. } => self.value(*of),
+            Op::Stack { parts, .. } if self.pattern(parts).is_some() => {
                 formula_value(&self.lane_names(array).local[&id], self.module.width(id))
             }
-            Op::PerLane(_) if self.lane_names(array).tables.contains_key(&id) => {
+            Op::Stack { .. } if self.lane_names(array).tables.contains_key(&id) => {
                 let (table, i) = (&self.lane_names(array).tables[&id], &self.arrays.genvar);
                 match self.module.width(id) {
                     1 => format!("{table}[{i}]"),
@@ -108,9 +108,10 @@ impl Printer<'_> {
         let node = module.node(id);
         let (i, range) = (self.arrays.genvar.clone(), range(node.width));
         match &node.op {
-            Op::Shifted { of, by, edge } => {
+            Op::Map { of, index, edge: Some(edge), .. } => {
+                let by = -index.add;
                 let lanes = node.shape.lanes();
-                let at_edge = match *by {
+                let at_edge = match by {
                     by if by > 0 => format!("{i} < {by}"),
                     by => format!("{i} >= {}", i64::from(lanes) + i64::from(by)),
                 };
@@ -121,11 +122,11 @@ impl Printer<'_> {
                     format!("if ({at_edge}) begin : {at_edge_label}"),
                     format!("    assign {name} = {};", self.value(*edge)),
                     format!("end else begin : {link_label}"),
-                    format!("    assign {name} = {};", self.lane_value(array, *of, *by)),
+                    format!("    assign {name} = {};", self.lane_value(array, *of, by)),
                     "end".to_string(),
                 ]
             }
-            Op::PerLane(parts) => match self.pattern(parts) {
+            Op::Stack { parts, .. } => match self.pattern(parts) {
                 Some(pattern) => vec![format!("localparam [31:0] {name} = {};", pattern.text(&i))],
                 None => self.lane_cases(array, parts, name, &range),
             },
@@ -162,7 +163,7 @@ impl Printer<'_> {
     /// The words of a table, for constants that follow no rule.
     fn table(&self, id: NodeId) -> Option<Vec<Bits>> {
         let node = self.module.node(id);
-        let Op::PerLane(parts) = &node.op else { return None };
+        let Op::Stack { parts, .. } = &node.op else { return None };
         let words = self.constants(parts).filter(|words| words.len() as u64 * u64::from(node.width) <= WIDEST_TABLE)?;
         Pattern::of(&words).is_none().then_some(words)
     }

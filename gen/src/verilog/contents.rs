@@ -29,6 +29,7 @@ fn data_text(memory: &Memory) -> Option<String> {
     match &memory.contents {
         _ if memory.depth <= MOST_INLINE_WORDS => None,
         Contents::Unknown => None,
+        Contents::Each(_) => unreachable!("the language does not make these yet"),
         Contents::Fill(word) => Some(line(word).repeat(depth)),
         Contents::Words(words) => {
             let rest = line(&Bits::zero(memory.width)).repeat(depth - words.len());
@@ -46,6 +47,7 @@ impl Printer<'_> {
             let name = &memory.name;
             let mut body = match &memory.contents {
                 Contents::Unknown => continue,
+                Contents::Each(_) => unreachable!("the language does not make these yet"),
                 _ if memory.depth > MOST_INLINE_WORDS => {
                     out.push(format!("initial $readmemh(\"{}\", {name});", data_file(module, memory)));
                     out.push(String::new());

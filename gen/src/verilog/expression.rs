@@ -60,14 +60,17 @@ impl Printer<'_> {
             }
             Op::Extend { of, signed: true } => self.extend_signed(*of, node.width),
             Op::Wire(a) | Op::QuasiStatic(a, _) => self.value_as(*a, style),
-            Op::Lane(of, lane) => {
+            Op::Lane { of, index: lane, .. } => {
                 self.read_lane(*of, *lane);
                 self.lane_name(*of, *lane)
             }
             Op::Read(memory, port) => self.asynchronous_read(*memory, *port),
-            Op::Reduce(..) | Op::Select { .. } | Op::Case { .. } => unreachable!("printed as a net of its own"),
+            Op::Reduce { .. } | Op::Select { .. } | Op::Case { .. } => unreachable!("printed as a net of its own"),
             Op::Input(_) | Op::Register(_) | Op::Output(..) => self.value(id),
-            Op::Broadcast(_) | Op::PerLane(_) | Op::Shifted { .. } => unreachable!("printed in its array"),
+            Op::Broadcast { .. } | Op::Stack { .. } | Op::Map { .. } => unreachable!("printed in its array"),
+            Op::Interleave { .. } | Op::Pick { .. } | Op::Pack { .. } | Op::Unpack { .. } => {
+                unreachable!("the language does not make these yet")
+            }
         }
     }
 
@@ -160,7 +163,9 @@ impl Printer<'_> {
     /// The name that a slice is taken of.
     fn sliced(&mut self, of: NodeId, low: u32, width: u32) -> String {
         match self.module.node(of).op {
-            Op::Lane(array, lane) if self.plan.form(of) == Form::Inline => self.lane_name(array, lane),
+            Op::Lane { of: array, index: lane, .. } if self.plan.form(of) == Form::Inline => {
+                self.lane_name(array, lane)
+            }
             _ => {
                 self.usage.mark(of, low, width);
                 self.name(of).to_string()

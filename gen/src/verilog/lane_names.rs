@@ -62,8 +62,8 @@ impl LaneNames {
         let mut next = Some(input);
         while let Some(id) = next.filter(|id| !self.local.contains_key(id)) {
             let (made_here, operand) = match module.node(id).op {
-                Op::Shifted { of, .. } => (true, Some(of)),
-                Op::PerLane(_) => (true, None),
+                Op::Map { of, .. } => (true, Some(of)),
+                Op::Stack { .. } => (true, None),
                 _ => (false, None),
             };
             if made_here {

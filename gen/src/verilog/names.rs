@@ -100,7 +100,7 @@ impl Namer<'_> {
 
     /// A combination of all lanes is called after the array, as in `u_cell_hit_any`.
     fn reduction_name(&self, id: NodeId) -> Option<String> {
-        let Op::Reduce(reduction, of) = self.module.node(id).op else { return None };
+        let Op::Reduce { by: reduction, of, .. } = self.module.node(id).op else { return None };
         let Op::Output(instance, port) = self.module.node(of).op else { return None };
         let instance = &self.module.instances[instance.0 as usize];
         let port = &self.design.module(instance.module).outputs[port as usize].name;
@@ -137,6 +137,8 @@ fn combined(reduction: Reduction) -> &'static str {
         Reduction::Or => "any",
         Reduction::Xor => "xor",
         Reduction::Add => "sum",
+        Reduction::Min => "min",
+        Reduction::Max => "max",
     }
 }
 
@@ -164,8 +166,10 @@ fn suffix(op: &Op) -> &'static str {
         Op::Slice { .. } => "part",
         Op::Concat(_) | Op::Repeat(..) => "joined",
         Op::Extend { .. } => "extended",
-        Op::Lane(..) | Op::PerLane(_) | Op::Broadcast(_) | Op::Shifted { .. } => "lane",
-        Op::Reduce(reduction, _) => combined(*reduction),
+        Op::Lane { .. } | Op::Stack { .. } | Op::Broadcast { .. } | Op::Map { .. } | Op::Interleave { .. } => "lane",
+        Op::Pick { .. } => "picked",
+        Op::Pack { .. } | Op::Unpack { .. } => "lanes",
+        Op::Reduce { by, .. } => combined(*by),
         Op::Input(_) | Op::Const(_) | Op::Register(_) | Op::Read(..) => "value",
         Op::Output(..) | Op::Wire(_) | Op::QuasiStatic(..) => "value",
     }

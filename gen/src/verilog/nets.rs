@@ -38,7 +38,7 @@ impl Printer<'_> {
             out.before.extend(text);
         }
         for &id in &late {
-            if let Op::Reduce(reduction, of) = module.node(id).op {
+            if let Op::Reduce { by: reduction, of, .. } = module.node(id).op {
                 let text = self.reduction(id, reduction, of);
                 out.after.extend(text);
             } else {
@@ -58,7 +58,7 @@ impl Printer<'_> {
         let mut stack = vec![id];
         while let Some(next) = stack.pop() {
             match &self.module.node(next).op {
-                Op::Lane(..) | Op::Reduce(..) => return true,
+                Op::Lane { .. } | Op::Reduce { .. } => return true,
                 _ if next == id || matches!(self.plan.form(next), Form::Inline | Form::Branches) => {
                     for_each_read(self.module, next, |operand| stack.push(operand));
                 }

@@ -121,7 +121,7 @@ impl Planner<'_> {
                 let read = &self.module.memories[memory.0 as usize].reads[*port as usize];
                 if read.clock.is_none() { Form::Net } else { Form::Declared }
             }
-            Op::Reduce(..) | Op::Wire(_) => Form::Net,
+            Op::Reduce { .. } | Op::Wire(_) => Form::Net,
             _ if node.name.is_some() => Form::Net,
             Op::Binary(Binary::MulSigned, ..) | Op::Shift(Shift::RightSigned, ..) => Form::Net,
             _ => Form::Inline,
@@ -150,7 +150,7 @@ impl Planner<'_> {
             let reads = memory.reads.iter().map(|read| read.address);
             for address in reads.chain(memory.writes.iter().map(|write| write.address)) {
                 let op = &self.module.node(address).op;
-                let plain = matches!(op, Op::Slice { .. } | Op::Concat(_) | Op::Const(_) | Op::Lane(..));
+                let plain = matches!(op, Op::Slice { .. } | Op::Concat(_) | Op::Const(_) | Op::Lane { .. });
                 if self.form(address) == Form::Inline && !plain {
                     self.set(address, Form::Net);
                 }
@@ -164,10 +164,10 @@ impl Planner<'_> {
         let op = |of: NodeId| &module.node(of).op;
         let of = match *op(id) {
             Op::Slice { of, .. } | Op::Wire(of) | Op::QuasiStatic(of, _) => {
-                Some(of).filter(|&of| !matches!(op(of), Op::Lane(..) | Op::Const(_)))
+                Some(of).filter(|&of| !matches!(op(of), Op::Lane { .. } | Op::Const(_)))
             }
             Op::Extend { of, signed: true } if module.width(of) > 1 => {
-                Some(of).filter(|&of| !matches!(op(of), Op::Slice { .. } | Op::Lane(..)))
+                Some(of).filter(|&of| !matches!(op(of), Op::Slice { .. } | Op::Lane { .. }))
             }
             _ => None,
         };
@@ -178,7 +178,7 @@ impl Planner<'_> {
     fn is_trivial(&self, id: NodeId) -> bool {
         let declared = |id: NodeId| matches!(self.form(id), Form::Declared | Form::Net | Form::Block);
         match &self.module.node(id).op {
-            Op::Const(_) | Op::Slice { .. } | Op::Lane(..) => true,
+            Op::Const(_) | Op::Slice { .. } | Op::Lane { .. } => true,
             Op::Unary(Unary::Not, a) | Op::Extend { of: a, signed: false } => declared(*a),
             _ => false,
         }
@@ -287,7 +287,7 @@ impl Planner<'_> {
     }
 
     fn can_split(&self, id: NodeId) -> bool {
-        !matches!(self.module.node(id).op, Op::Const(_) | Op::Slice { .. } | Op::Lane(..))
+        !matches!(self.module.node(id).op, Op::Const(_) | Op::Slice { .. } | Op::Lane { .. })
     }
 }
 

@@ -19,6 +19,7 @@ impl Printer<'_> {
             Reduction::Or => "|",
             Reduction::Xor => "^",
             Reduction::Add => "+",
+            Reduction::Min | Reduction::Max => unreachable!("the language does not make these yet"),
         };
         let i = self.arrays.genvar.clone();
         let leaf = format!("{}[{i}].{}", self.module.instances[array.0 as usize].name, self.lane_port(array, port));

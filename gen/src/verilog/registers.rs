@@ -65,7 +65,7 @@ impl Printer<'_> {
     }
 
     fn reset_value(&mut self, register: &Register) -> Option<Statement> {
-        let value = register.reset.as_ref()?;
+        let value = register.reset.as_ref()?.lane(0);
         let value = match self.states.of(register.node) {
             Some(states) => self.states.name(states, value),
             None => literal(value, Style::Count),

@@ -35,7 +35,7 @@ impl Printer<'_> {
 
     fn register_state(&self, register: &Register) -> State {
         let width = self.module.width(register.node);
-        let start = register.reset.clone().unwrap_or_else(|| Bits::zero(width));
+        let start = register.reset.as_ref().map_or_else(|| Bits::zero(width), |reset| reset.lane(0).clone());
         State::Register { name: self.name(register.node).to_string(), start }
     }
 

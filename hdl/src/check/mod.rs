@@ -2,6 +2,7 @@
 
 pub(crate) mod domains;
 pub(crate) mod drives;
+mod lane_loops;
 pub(crate) mod loops;
 pub(crate) mod naming;
 pub(crate) mod synchronizers;

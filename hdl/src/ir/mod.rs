@@ -6,10 +6,11 @@
 //! widths agree, every id leads somewhere, every wire is driven once, no combinational loop, every name unique and
 //! legal in Verilog. Modules that were edited become a design again by [`Design::new`], which checks all of that.
 //!
-//! An instance array is one [`Instance`] with a lane count. Its outputs are nodes with lanes; so are the nodes that
-//! feed its inputs. Lane nodes are only: [`Op::Broadcast`], [`Op::PerLane`], [`Op::Shifted`] and [`Op::Output`] of
-//! an array; [`Op::Lane`] and [`Op::Reduce`] lead back to plain nodes.
+//! Every value has a [`Shape`]: plain, a row or a grid of lanes. Most operations are elementwise, so that one node stands
+//! for as many gates as it has lanes; the lane operations of [`Op`] lead from one shape to another. Registers, memories,
+//! instances and assertions have lanes as their nodes have. Nothing is broadcast but by [`Op::Broadcast`].
 
+mod affine;
 mod op;
 mod shape;
 mod validate;
@@ -19,6 +20,7 @@ use crate::clock::Period;
 use crate::loc::Loc;
 use crate::problem::Problems;
 
+pub use affine::Affine;
 pub use op::{Binary, Op, Reduction, Relation, Shift, Unary};
 pub use shape::Shape;
 
@@ -135,7 +137,7 @@ pub struct Output {
 pub struct Node {
     /// How it is computed.
     pub op: Op,
-    /// Its width in bits, 1 to 1,048,576.
+    /// Its width in bits, in one lane: 1 to 1,048,576.
     pub width: u32,
     /// Its lanes, each of that width; plain without.
     pub shape: Shape,
@@ -146,17 +148,36 @@ pub struct Node {
     pub loc: Loc,
 }
 
-/// A register. At an edge of its clock: `reset` if that clock's reset is high and there is a reset value; else `next`
+/// What the lanes of a register hold after a reset.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub enum Init {
+    /// The same in every lane; of a plain register always so.
+    Same(Bits),
+    /// A value for each lane, in row-major order.
+    Each(Vec<Bits>),
+}
+
+impl Init {
+    /// The value of one lane, counted in row-major order.
+    pub fn lane(&self, lane: u32) -> &Bits {
+        match self {
+            Init::Same(value) => value,
+            Init::Each(values) => &values[lane as usize],
+        }
+    }
+}
+
+/// A register, in each of its lanes. At an edge of its clock: `reset` if that clock's reset is high and there is a reset value; else `next`
 /// if `enable` is absent or high; else unchanged.
 #[derive(Debug, Clone)]
 pub struct Register {
-    /// The [`Op::Register`] node, which has the name, the width and the place.
+    /// The [`Op::Register`] node, which has the name, the width, the shape and the place.
     pub node: NodeId,
     /// Its clock.
     pub clock: ClockId,
     /// The value after a reset; `None` for a register that a reset does not touch.
-    pub reset: Option<Bits>,
-    /// 1 bit: whether it takes `next`; `None` means always.
+    pub reset: Option<Init>,
+    /// 1 bit, of the register's shape: whether it takes `next`; `None` means always.
     pub enable: Option<NodeId>,
     /// The value it takes.
     pub next: NodeId,
@@ -190,22 +211,30 @@ pub enum ReadUnderWrite {
 pub enum Contents {
     /// Nothing that may be relied on.
     Unknown,
-    /// The same word everywhere.
+    /// The same word everywhere, in every lane.
     Fill(Bits),
-    /// These words from address 0; the rest is zero.
+    /// These words from address 0, in every lane; the rest is zero.
     Words(Vec<Bits>),
+    /// For each lane, in row-major order, these words from address 0; the rest is zero. Not of a plain memory.
+    Each(Vec<Vec<Bits>>),
 }
 
 /// A memory. At an edge every port on that clock samples at once; a later write port of the same clock wins over an
 /// earlier one. A read beyond the depth gives zero, a write beyond it does nothing.
+///
+/// With a shape, every lane has words of its own. The address of a port is plain, the same for all lanes, or of the
+/// memory's shape; so is an enable. Each port has it its own way. Where all addresses are plain, this is one memory of
+/// wide words with a write mask for the lanes; else it is one memory a lane.
 #[derive(Debug, Clone)]
 pub struct Memory {
     /// Its name, unique in the module.
     pub name: String,
     /// The number of words.
     pub depth: u32,
-    /// The width of a word in bits.
+    /// The width of a word in bits, in one lane.
     pub width: u32,
+    /// Its lanes.
+    pub shape: Shape,
     /// What a synchronous read gives when its word is written at the same edge.
     pub policy: ReadUnderWrite,
     /// What it holds at the start.
@@ -223,11 +252,12 @@ pub struct Memory {
 pub struct ReadPort {
     /// `Some` for a synchronous port: the data is a register that takes the word at the edge. `None`: asynchronous.
     pub clock: Option<ClockId>,
-    /// The address, of [`index_width`](crate::index_width)`(depth)` bits.
+    /// The address, of [`index_width`](crate::index_width)`(depth)` bits; plain or of the memory's shape.
     pub address: NodeId,
-    /// 1 bit: a synchronous port keeps its data where this is low; `None` means always reading.
+    /// 1 bit, plain or of the memory's shape: a synchronous port keeps its data where this is low; `None` means always
+    /// reading.
     pub enable: Option<NodeId>,
-    /// The [`Op::Read`] node.
+    /// The [`Op::Read`] node, of the memory's shape.
     pub node: NodeId,
 }
 
@@ -236,11 +266,11 @@ pub struct ReadPort {
 pub struct WritePort {
     /// Its clock.
     pub clock: ClockId,
-    /// 1 bit: whether it writes.
+    /// 1 bit, plain or of the memory's shape: whether it writes.
     pub enable: NodeId,
-    /// The address, as wide as those of the read ports.
+    /// The address, as wide as those of the read ports; plain or of the memory's shape.
     pub address: NodeId,
-    /// The word.
+    /// The word, of the memory's shape.
     pub data: NodeId,
 }
 
@@ -253,7 +283,7 @@ pub struct Instance {
     pub module: ModuleId,
     /// The array's lanes, at least 1; plain for a single instance.
     pub shape: Shape,
-    /// What drives the inputs, in the order of the child's ports; with lanes if and only if this is an array.
+    /// What drives the inputs, in the order of the child's ports; of the array's shape beside that of the port.
     pub inputs: Vec<NodeId>,
     /// The [`Op::Output`] nodes, in the order of the child's ports.
     pub outputs: Vec<NodeId>,
@@ -263,12 +293,12 @@ pub struct Instance {
     pub loc: Loc,
 }
 
-/// A condition that must hold at every edge of its clock while that clock's reset is low.
+/// A condition that must hold, in every lane, at every edge of its clock while that clock's reset is low.
 #[derive(Debug, Clone)]
 pub struct Assert {
     /// Its clock.
     pub clock: ClockId,
-    /// 1 bit.
+    /// 1 bit, of any shape.
     pub condition: NodeId,
     /// What is wrong if it does not hold.
     pub message: String,
@@ -315,9 +345,14 @@ impl Module {
         &self.nodes[id.0 as usize]
     }
 
-    /// The width of a node in bits.
+    /// The width of a node in bits, in one lane.
     pub fn width(&self, id: NodeId) -> u32 {
         self.node(id).width
+    }
+
+    /// The shape of a node.
+    pub fn shape(&self, id: NodeId) -> Shape {
+        self.node(id).shape
     }
 
     /// The name of a register: its node's.

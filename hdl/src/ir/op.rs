@@ -1,6 +1,6 @@
 //! How a node is computed.
 
-use super::{InstanceId, MemoryId, NodeId, RegisterId};
+use super::{Affine, InstanceId, MemoryId, NodeId, RegisterId};
 use crate::bits::Bits;
 
 /// Operators of one operand.
@@ -63,7 +63,7 @@ pub enum Shift {
     RightSigned,
 }
 
-/// Combinations of all lanes into one plain value.
+/// Combinations of all lanes along an axis into one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Reduction {
     /// Bitwise and of all lanes.
@@ -74,26 +74,35 @@ pub enum Reduction {
     Xor,
     /// Sum of all lanes, modulo 2 to the width.
     Add,
+    /// The smallest lane, as an unsigned number.
+    Min,
+    /// The largest lane, as an unsigned number.
+    Max,
 }
 
 impl Reduction {
-    /// The operator that combines two lanes.
-    pub fn operator(self) -> Binary {
+    /// The operator that combines two lanes; `None` for [`Min`](Reduction::Min) and [`Max`](Reduction::Max), which
+    /// compare and choose.
+    pub fn operator(self) -> Option<Binary> {
         match self {
-            Reduction::And => Binary::And,
-            Reduction::Or => Binary::Or,
-            Reduction::Xor => Binary::Xor,
-            Reduction::Add => Binary::Add,
+            Reduction::And => Some(Binary::And),
+            Reduction::Or => Some(Binary::Or),
+            Reduction::Xor => Some(Binary::Xor),
+            Reduction::Add => Some(Binary::Add),
+            Reduction::Min | Reduction::Max => None,
         }
     }
 }
 
 /// How a node is computed.
+///
+/// Operations up to [`Output`](Op::Output) are elementwise: their operands have the node's shape, and each lane is
+/// computed from the same lane of them. The others lead from one shape to another, along one axis.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Op {
     /// The input port of that index in [`Module::inputs`](crate::ir::Module::inputs).
     Input(u32),
-    /// A constant of the node's width.
+    /// A constant of the node's width, the same in every lane.
     Const(Bits),
     /// An operator of one operand.
     Unary(Unary, NodeId),
@@ -161,25 +170,82 @@ pub enum Op {
     Wire(NodeId),
     /// The operand, which the description declares stable whenever another clock samples it, with the reason.
     QuasiStatic(NodeId, String),
-    /// The output port of an instance; with lanes if the instance is an array.
+    /// The output port of an instance; of the instance's shape beside that of the port.
     Output(InstanceId, u32),
-    /// Lanes: the plain operand in every lane.
-    Broadcast(NodeId),
-    /// Lanes: plain operands, one for each lane.
-    PerLane(Vec<NodeId>),
-    /// Lanes: lane `i` is lane `i - by` of the operand, or the plain `edge` where there is no such lane.
-    Shifted {
-        /// The operand, with as many lanes.
+    /// The operand, which lacks that axis, in every lane along it.
+    Broadcast {
+        /// The operand, of the node's shape without the axis.
         of: NodeId,
-        /// How many lanes towards the higher index; negative towards the lower.
-        by: i32,
-        /// Plain: what enters at the end.
-        edge: NodeId,
+        /// An axis of the node.
+        axis: u32,
     },
-    /// Plain: one lane of the operand.
-    Lane(NodeId, u32),
-    /// Plain: all lanes of the operand combined.
-    Reduce(Reduction, NodeId),
+    /// Lane `i` along the axis is part `i`.
+    Stack {
+        /// As many as the node has lanes along the axis, of its shape without the axis.
+        parts: Vec<NodeId>,
+        /// An axis of the node.
+        axis: u32,
+    },
+    /// Lane `i` along the axis is lane `index(i)` of the operand, or `edge` where there is no such lane.
+    Map {
+        /// The operand; it may have another number of lanes along the axis than the node.
+        of: NodeId,
+        /// An axis of both.
+        axis: u32,
+        /// Which lane it takes.
+        index: Affine,
+        /// What lanes take that come from beyond the ends, of the node's shape without the axis; given if and only if
+        /// there are such lanes.
+        edge: Option<NodeId>,
+    },
+    /// Lane `i` along the axis is lane `i / k` of part `i % k`, of `k` parts.
+    Interleave {
+        /// All of one shape; the node has as many lanes along the axis as all of them have together.
+        parts: Vec<NodeId>,
+        /// An axis of the node and of the parts.
+        axis: u32,
+    },
+    /// One lane of the operand along the axis, which is dropped.
+    Lane {
+        /// The operand.
+        of: NodeId,
+        /// An axis of the operand.
+        axis: u32,
+        /// Which lane, below the operand's number along the axis.
+        index: u32,
+    },
+    /// The lane of the operand along the axis that a signal says; the axis is dropped. Zero beyond the last lane.
+    Pick {
+        /// The operand.
+        of: NodeId,
+        /// An axis of the operand.
+        axis: u32,
+        /// Which lane, unsigned, of any width and of the node's shape.
+        index: NodeId,
+    },
+    /// All lanes of the operand along the axis combined; the axis is dropped.
+    Reduce {
+        /// How two are combined.
+        by: Reduction,
+        /// The operand.
+        of: NodeId,
+        /// An axis of the operand.
+        axis: u32,
+    },
+    /// The lanes of the operand along the axis side by side, lane 0 in the lowest bits; the axis is dropped.
+    Pack {
+        /// The operand.
+        of: NodeId,
+        /// An axis of the operand.
+        axis: u32,
+    },
+    /// The reverse of [`Pack`](Op::Pack): lane `i` along the axis is bits `i * width .. (i + 1) * width` of the operand.
+    Unpack {
+        /// The operand, of the node's shape without the axis.
+        of: NodeId,
+        /// An axis of the node.
+        axis: u32,
+    },
 }
 
 impl Op {
@@ -196,10 +262,13 @@ impl Op {
                 | Op::Concat(_)
                 | Op::Repeat(..)
                 | Op::Extend { .. }
-                | Op::Broadcast(_)
-                | Op::PerLane(_)
-                | Op::Shifted { .. }
-                | Op::Lane(..)
+                | Op::Broadcast { .. }
+                | Op::Stack { .. }
+                | Op::Map { .. }
+                | Op::Interleave { .. }
+                | Op::Lane { .. }
+                | Op::Pack { .. }
+                | Op::Unpack { .. }
         )
     }
 
@@ -214,16 +283,21 @@ impl Op {
             | Op::Extend { of: a, .. }
             | Op::Wire(a)
             | Op::QuasiStatic(a, _)
-            | Op::Broadcast(a)
-            | Op::Lane(a, _)
-            | Op::Reduce(_, a) => visit(*a),
-            Op::Binary(_, a, b) | Op::Compare { operands: [a, b], .. } | Op::Shift(_, a, b) => {
+            | Op::Broadcast { of: a, .. }
+            | Op::Lane { of: a, .. }
+            | Op::Reduce { of: a, .. }
+            | Op::Pack { of: a, .. }
+            | Op::Unpack { of: a, .. } => visit(*a),
+            Op::Binary(_, a, b)
+            | Op::Compare { operands: [a, b], .. }
+            | Op::Shift(_, a, b)
+            | Op::Pick { of: a, index: b, .. } => {
                 visit(*a);
                 visit(*b);
             }
-            Op::Shifted { of, edge, .. } => {
+            Op::Map { of, edge, .. } => {
                 visit(*of);
-                visit(*edge);
+                edge.iter().for_each(|n| visit(*n));
             }
             Op::Mux { select, on_true, on_false } => [select, on_true, on_false].into_iter().for_each(|n| visit(*n)),
             Op::Select { arms, default } => {
@@ -235,7 +309,9 @@ impl Op {
                 arms.iter().for_each(|(_, v)| visit(*v));
                 visit(*default);
             }
-            Op::Concat(parts) | Op::PerLane(parts) => parts.iter().for_each(|n| visit(*n)),
+            Op::Concat(parts) | Op::Stack { parts, .. } | Op::Interleave { parts, .. } => {
+                parts.iter().for_each(|n| visit(*n))
+            }
         }
     }
 }

@@ -88,6 +88,23 @@ impl Shape {
         }
     }
 
+    /// Where lane `lane` stands along an axis.
+    pub fn along(self, axis: u32, lane: u32) -> u32 {
+        lane / self.inner(axis) % self.extent(axis)
+    }
+
+    /// Where lane `lane` stands in the shape [`without`](Shape::without) an axis.
+    pub fn across(self, axis: u32, lane: u32) -> u32 {
+        let inner = self.inner(axis);
+        lane / inner / self.extent(axis) * inner + lane % inner
+    }
+
+    /// The lane that stands at `along` of an axis and at `across` of the shape without it.
+    pub fn lane(self, axis: u32, along: u32, across: u32) -> u32 {
+        let inner = self.inner(axis);
+        (across / inner * self.extent(axis) + along) * inner + across % inner
+    }
+
     /// This shape followed by another: what a port of shape `other` is, seen from outside an array of this shape. `None`
     /// above two axes.
     pub fn beside(self, other: Shape) -> Option<Shape> {
@@ -136,6 +153,20 @@ mod tests {
         assert_eq!((Grid(3, 5).outer(0), Grid(3, 5).outer(1)), (1, 3));
         assert_eq!((Row(5).inner(0), Row(5).outer(0), Row(5).lanes()), (1, 1, 5));
         assert_eq!(Grid(1 << 20, 1 << 20).lanes(), u32::MAX);
+    }
+
+    #[test]
+    fn a_lane_stands_along_an_axis_and_across_it() {
+        // Lane 11 of a grid of 3 x 5 is in row 2, column 1.
+        assert_eq!((Grid(3, 5).along(0, 11), Grid(3, 5).across(0, 11)), (2, 1));
+        assert_eq!((Grid(3, 5).along(1, 11), Grid(3, 5).across(1, 11)), (1, 2));
+        for (shape, axis) in [(Row(7), 0), (Grid(3, 5), 0), (Grid(3, 5), 1)] {
+            for lane in 0..shape.lanes() {
+                let (along, across) = (shape.along(axis, lane), shape.across(axis, lane));
+                assert!(along < shape.extent(axis) && across < shape.without(axis).lanes());
+                assert_eq!(shape.lane(axis, along, across), lane);
+            }
+        }
     }
 
     #[test]

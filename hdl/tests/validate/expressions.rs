@@ -121,26 +121,26 @@ fn wiring() {
 
 #[test]
 fn lanes() {
-    refused("`top.add` has lanes, as only broadcasts, lists and shifts of lanes and outputs of arrays have", |it| {
+    refused("an operand of `top.add`, `top.a`, has no lanes, not 4 lanes", |it| {
         it.node("add").shape = Shape::Row(4);
     });
     refused("`top.lane_two` is lane 1000000 of 4", |it| {
         it.op("lane_two", |op| {
-            let Op::Lane(_, index) = op else { panic!("{op:?}") };
+            let Op::Lane { index, .. } = op else { panic!("{op:?}") };
             *index = 1_000_000;
         });
     });
-    refused("`top.lane_two` needs lanes, but `top.a` has none", |it| {
-        it.op("lane_two", |op| *op = Op::Lane(NodeId(0), 0));
+    refused("`top.lane_two` goes along axis 0 of `top.a`, which has no lanes", |it| {
+        it.op("lane_two", |op| *op = Op::Lane { of: NodeId(0), axis: 0, index: 0 });
     });
-    refused("`top.total` needs lanes, but `top.a` has none", |it| {
-        it.op("total", |op| *op = Op::Reduce(Reduction::Add, NodeId(0)));
+    refused("`top.total` goes along axis 0 of `top.a`, which has no lanes", |it| {
+        it.op("total", |op| *op = Op::Reduce { by: Reduction::Add, of: NodeId(0), axis: 0 });
     });
     let named = |it: &mut Edit, is: fn(&Op) -> bool| it.first(is).name = Some("lanes".to_owned());
-    let is_list: fn(&Op) -> bool = |op| matches!(op, Op::PerLane(_));
-    let is_shifted: fn(&Op) -> bool = |op| matches!(op, Op::Shifted { .. });
-    let is_broadcast: fn(&Op) -> bool = |op| matches!(op, Op::Broadcast(_));
-    refused("`top.lanes` needs at least 1 lane", |it| {
+    let is_list: fn(&Op) -> bool = |op| matches!(op, Op::Stack { .. });
+    let is_shifted: fn(&Op) -> bool = |op| matches!(op, Op::Map { .. });
+    let is_broadcast: fn(&Op) -> bool = |op| matches!(op, Op::Broadcast { .. });
+    refused("`top.lanes` is laid out along axis 0, but has no lanes", |it| {
         named(it, is_broadcast);
         it.node("lanes").shape = Shape::Plain;
     });
@@ -154,24 +154,17 @@ fn lanes() {
     });
     refused("a lane of `top.lanes`, `top.c`, has 1 bit, not 8 bits", |it| {
         named(it, is_list);
-        it.op("lanes", |op| *op = Op::PerLane(vec![NodeId(0), NodeId(2)]));
+        it.op("lanes", |op| *op = Op::Stack { parts: vec![NodeId(0), NodeId(2)], axis: 0 });
     });
-    refused("the operand of `top.lanes`, `top.a`, has no lanes, not 4", |it| {
+    refused("the operand of `top.lanes`, `top.a`, has no lanes, not 4 lanes", |it| {
         named(it, is_shifted);
-        it.op("lanes", |op| *op = Op::Shifted { of: NodeId(0), by: 1, edge: NodeId(0) });
-    });
-    refused("`top.lanes` shifts 4 lanes by -2147483648, more than there are", |it| {
-        named(it, is_shifted);
-        it.op("lanes", |op| {
-            let Op::Shifted { by, .. } = op else { panic!("{op:?}") };
-            *by = i32::MIN;
-        });
+        it.op("lanes", |op| *op = Op::Map { of: NodeId(0), axis: 0, index: Affine::shift(1), edge: Some(NodeId(0)) });
     });
     refused("the edge of `top.lanes`, `top.c`, has 1 bit, not 8 bits", |it| {
         named(it, is_shifted);
         it.op("lanes", |op| {
-            let Op::Shifted { edge, .. } = op else { panic!("{op:?}") };
-            *edge = NodeId(2);
+            let Op::Map { edge, .. } = op else { panic!("{op:?}") };
+            *edge = Some(NodeId(2));
         });
     });
     refused("the operand of `top.add`, `top.lanes`, has 4 lanes, but must be plain", |it| {

@@ -2,5 +2,9 @@
 
 mod common;
 mod expressions;
+mod lanes;
 mod objects;
 mod whole;
+
+#[path = "../shapes/build.rs"]
+mod build;

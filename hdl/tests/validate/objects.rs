@@ -13,7 +13,9 @@ fn registers() {
     refused("the enable of `top.phase`, `top.a`, has 8 bits, not 1 bit", |it| {
         phase(it, |r| r.enable = Some(NodeId(0)))
     });
-    refused("the reset value of `top.phase` has 3 bits, not 2", |it| phase(it, |r| r.reset = Some(Bits::new(3, 0))));
+    refused("the reset value of `top.phase` has 3 bits, not 2", |it| {
+        phase(it, |r| r.reset = Some(Init::Same(Bits::new(3, 0))))
+    });
     refused("`top.phase` has a reset value, but its clock has no reset port", |it| phase(it, |r| r.clock = ClockId(1)));
     refused("`top.phase` has 5 states, which do not fit into 2 bits", |it| {
         phase(it, |r| r.states.as_mut().unwrap().names = ["A", "B", "C", "D", "E"].map(String::from).into());
@@ -67,7 +69,7 @@ fn memories() {
     refused("the enable of read port 0 of `top.words`, `top.a`, has 8 bits, not 1 bit", |it| {
         memory(it, |m| m.reads[0].enable = Some(NodeId(0)));
     });
-    refused("the data of read port 1 of `top.words` is not as wide as a word, which has 8 bits", |it| {
+    refused("the data of read port 1 of `top.words`, `top.found_now`, has 9 bits, not 8 bits", |it| {
         it.node("found_now").width = 9;
     });
     refused("read port 2 of `top.words` has node 2, which is something else", |it| {
@@ -105,7 +107,9 @@ fn instances() {
     refused("`top.u_one` has 3 outputs, but its module `stage` has 2", |it| one(it, |i| i.outputs.push(NodeId(0))));
     refused("`top.u_one` has 0 clocks, but its module `stage` has 1", |it| one(it, |i| i.clocks.clear()));
     refused("input `a` of `top.u_one`, `top.c`, has 1 bit, not 8 bits", |it| one(it, |i| i.inputs[0] = NodeId(2)));
-    refused("input `a` of `top.u_one`, `top.chosen`, has no lanes, not 3", |it| one(it, |i| i.shape = Shape::Row(3)));
+    refused("input `a` of `top.u_one`, `top.chosen`, has no lanes, not 3 lanes", |it| {
+        one(it, |i| i.shape = Shape::Row(3))
+    });
     refused("`top.u_one` is an array without lanes", |it| one(it, |i| i.shape = Shape::Row(0)));
     refused("the clock of `top.u_one` is clock 9 of 2", |it| one(it, |i| i.clocks[0] = ClockId(9)));
     refused("clock `clk` of `top.u_one` has a reset, but `fast_clk`, which drives it, has none", |it| {

@@ -38,7 +38,7 @@ fn a_problem_names_place_and_remedy() {
 #[test]
 fn every_problem_of_every_module_is_reported() {
     let found = problems(|it| {
-        it.stage().registers[0].reset = Some(Bits::new(7, 0));
+        it.stage().registers[0].reset = Some(Init::Same(Bits::new(7, 0)));
         it.node("part").width = 4;
     });
     assert_eq!(
@@ -71,20 +71,21 @@ fn names() {
     refused("`module` cannot be the name of a module", |it| it.stage().name = "module".to_owned());
 }
 
-/// Lane 0 is the first input, and lane 1 is lane 0: no lane depends on itself, but nothing in between says in which
-/// order the array comes about.
+/// Lane 0 is the first input, and lane 1 is lane 0: no lane depends on itself.
 #[test]
-fn an_array_that_is_made_of_its_own_lanes() {
-    refused("a combinational loop in `top`: `add` -> `lane_two` -> `add`", |it| {
+fn a_row_that_is_made_of_its_own_lanes() {
+    let chain = |it: &mut Edit, index: u32| {
         let (add, a) = (it.id("add"), it.first(|op| matches!(op, Op::Input(0))).clone());
         it.node("add").shape = Shape::Row(2);
         let lane = it.id("lane_two");
-        it.op("lane_two", |op| *op = Op::Lane(add, 0));
+        it.op("lane_two", |op| *op = Op::Lane { of: add, axis: 0, index });
         let input = NodeId(it.top().nodes.iter().position(|node| node.op == a.op).unwrap() as u32);
-        it.op("add", |op| *op = Op::PerLane(vec![input, lane]));
+        it.op("add", |op| *op = Op::Stack { parts: vec![input, lane], axis: 0 });
         it.top().outputs[0].node = input;
         it.top().memories[0].writes[0].data = input;
-    });
+    };
+    assert_eq!(problems(|it| chain(it, 0)), Vec::<String>::new());
+    refused("a combinational loop in `top`: `add[1]` -> `lane_two` -> `add[1]`", |it| chain(it, 1));
 }
 
 #[test]
@@ -117,7 +118,7 @@ fn sizes() {
             module.clocks[0].period = Some(Period::ns(10));
             module.nodes.truncate(2);
             let list = |of: NodeId, width, loc| Node {
-                op: Op::Broadcast(of),
+                op: Op::Broadcast { of, axis: 0 },
                 width,
                 shape: Shape::Row(lanes),
                 name: None,
@@ -133,8 +134,11 @@ fn sizes() {
                 module.nodes.push(output);
             }
             for port in 0..2u32 {
-                let output =
-                    Node { op: Op::Lane(NodeId(4 + port), 0), shape: Shape::Plain, ..list(NodeId(0), 8, module.loc) };
+                let output = Node {
+                    op: Op::Lane { of: NodeId(4 + port), axis: 0, index: 0 },
+                    shape: Shape::Plain,
+                    ..list(NodeId(0), 8, module.loc)
+                };
                 module.nodes.push(output);
                 module.outputs[port as usize].node = NodeId(6 + port);
             }
@@ -152,9 +156,7 @@ fn sizes() {
         }
     };
     assert_eq!(problems(|it| arrays(it, 5, 16)), Vec::<String>::new());
-    refused("`level_1` has too many lanes in nested arrays: 17179869184, more than 16777216", |it| {
-        arrays(it, 2, 1 << 17)
-    });
+    refused("`level_1` has too many lanes: 17179869184, more than 16777216", |it| arrays(it, 2, 1 << 17));
     refused("`level_99` has instances nested too deep: 101, more than 100", |it| arrays(it, 101, 1));
     refused("`level_4` has a value of too many 64-bit words in all lanes: 134217728, more than 67108864", |it| {
         let constant = Node { op: Op::Const(Bits::zero(8192)), width: 8192, name: None, ..it.stage().nodes[0].clone() };
@@ -165,6 +167,7 @@ fn sizes() {
         let memory = Memory {
             depth: 8192,
             contents: Contents::Unknown,
+            shape: Shape::Plain,
             reads: vec![],
             writes: vec![],
             ..it.top().memories[0].clone()

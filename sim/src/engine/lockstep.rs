@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use tilewright_hdl::{Bits, limbs_for};
 
-use crate::engine::program::{Memory, Program, Triggers, ValueId};
+use crate::engine::program::{Memory, Program, Triggers, ValueId, hierarchy};
 use crate::engine::reference;
 use crate::engine::{Difference, Done, Engine, Failed, Word};
 
@@ -81,7 +81,7 @@ impl Lockstep {
         let bits = |limbs: &[u64]| Bits::from_limbs(self.program.memories[memory as usize].width, limbs);
         let mut scopes = self.program.hierarchy.scopes.iter();
         let name = scopes.find_map(|scope| {
-            let (name, _) = scope.memories.iter().find(|(_, index)| *index == memory)?;
+            let (name, ..) = scope.memories.iter().find(|(_, index, _)| *index == memory)?;
             Some(format!("{}.{name}[{address}] of lane {lane}", scope.name))
         });
         let name = name.unwrap_or_else(|| format!("memory {memory}, word {address} of lane {lane}"));
@@ -97,7 +97,7 @@ impl Lockstep {
     fn assertion(&self, failed: Failed, on_reference: bool) -> Box<Difference> {
         let assert = &self.program.asserts[failed.assert as usize];
         let hierarchy = &self.program.hierarchy;
-        let path = hierarchy.path(hierarchy.instance(&assert.scopes, failed.lane));
+        let path = hierarchy.path(hierarchy.instance(&assert.scopes, failed.lane / assert.group));
         let path = if path.is_empty() { &hierarchy.scopes[0].name } else { &path };
         let bit = |holds: bool| Bits::new(1, u64::from(holds));
         self.difference(format!("{path}: {}", assert.message), &[], bit(!on_reference), bit(on_reference))
@@ -111,12 +111,12 @@ impl Lockstep {
             let signals = hierarchy.scope(place.scope).signals.iter().filter(move |signal| signal.value == id);
             signals.map(move |signal| (place, signal))
         });
-        let mut matching = names.filter(|(place, signal)| place.lane == lane / signal.group.unwrap_or(1));
+        let mut matching = names.filter(|(place, signal)| place.lane == lane / signal.shape.lanes());
         matching.next().map_or_else(
             || format!("value {}", id.0),
             |(place, signal)| {
                 let path = hierarchy.path_in(place, &signal.name);
-                let index = signal.group.map(|group| format!("[{}]", lane % group)).unwrap_or_default();
+                let index = hierarchy::index(signal.shape, lane % signal.shape.lanes());
                 let run = hierarchy.run(place);
                 let run = if self.program.lanes() > 1 { format!(" of run {run}") } else { String::new() };
                 format!("{path}{index}{run}")

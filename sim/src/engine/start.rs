@@ -2,11 +2,11 @@
 
 use std::ops::Range;
 
-use tilewright_hdl::ir::Contents;
-use tilewright_hdl::{limbs_for, top_mask};
+use tilewright_hdl::ir::{Contents, Init};
+use tilewright_hdl::{Bits, limbs_for, top_mask};
 
-use crate::engine::program::hierarchy::{Place, Role};
-use crate::engine::program::{Memory, Program, ValueId};
+use crate::engine::program::hierarchy::Role;
+use crate::engine::program::{Memory, Program, Register, ValueId};
 
 /// State that is zero at first, and told what is not.
 pub(crate) trait State {
@@ -27,25 +27,46 @@ pub(crate) fn start(program: &Program, seeds: &[u64], state: &mut impl State) {
         scatter(program, run, seed, state);
     }
     for register in &program.registers {
-        if let Some(reset) = &register.reset
-            && (seeds.iter().any(|&seed| seed != 0) || !reset.is_zero())
-        {
-            state.set(register.value, 0..program.value(register.value).lanes, reset.limbs());
+        let is_zero = matches!(&register.reset, Some(Init::Same(value)) if value.is_zero());
+        if !is_zero || seeds.iter().any(|&seed| seed != 0) {
+            reset(program, register, state);
         }
     }
 }
 
-/// The contents of a memory, the same in all lanes.
+/// Gives a register what it holds after a reset.
+pub(crate) fn reset(program: &Program, register: &Register, state: &mut impl State) {
+    let lanes = program.circuit[register.value].lanes;
+    match &register.reset {
+        None => {}
+        Some(Init::Same(value)) => state.set(register.value, 0..lanes, value.limbs()),
+        Some(Init::Each(values)) => {
+            (0..lanes)
+                .zip(values.iter().cycle())
+                .for_each(|(lane, it)| state.set(register.value, lane..lane + 1, it.limbs()));
+        }
+    }
+}
+
+/// The contents of a memory.
 fn fill_memory(index: u32, memory: &Memory, state: &mut impl State) {
     match &memory.contents {
         Contents::Unknown => {}
         Contents::Fill(word) if word.is_zero() => {}
         Contents::Fill(word) => state.set_words(index, 0..memory.lanes, 0..memory.depth, word.limbs()),
-        Contents::Words(words) => {
-            for (address, word) in (0..memory.depth).zip(words).filter(|(_, word)| !word.is_zero()) {
-                state.set_words(index, 0..memory.lanes, address..address + 1, word.limbs());
-            }
+        Contents::Words(words) => fill_words(index, 0..memory.lanes, words, state),
+        Contents::Each(lanes) => {
+            (0..memory.lanes)
+                .zip(lanes.iter().cycle())
+                .for_each(|(lane, words)| fill_words(index, lane..lane + 1, words, state));
         }
+    }
+}
+
+/// Words from address 0 in some lanes of a memory.
+fn fill_words(index: u32, lanes: Range<u32>, words: &[Bits], state: &mut impl State) {
+    for (address, word) in (0..).zip(words).filter(|(_, word)| !word.is_zero()) {
+        state.set_words(index, lanes.clone(), address..address + 1, word.limbs());
     }
 }
 
@@ -57,23 +78,32 @@ fn scatter(program: &Program, run: u32, seed: u64, state: &mut impl State) {
         let path = |name: &str| hash(seed, &program.hierarchy.path_in(place, name));
         for signal in &scope.signals {
             if matches!(signal.role, Role::Register | Role::ReadData) {
-                let width = program.value(signal.value).width;
-                state.set(signal.value, place.lane..place.lane + 1, &number(path(&signal.name), width));
+                let (width, group) = (program.circuit[signal.value].width, signal.shape.lanes());
+                for index in 0..group {
+                    let lane = place.lane * group + index;
+                    let key = path(&signal.name).wrapping_add(mix(u64::from(index)) * u64::from(index > 0));
+                    state.set(signal.value, lane..lane + 1, &number(key, width));
+                }
             }
         }
-        for (name, index) in &scope.memories {
-            scatter_memory(*index, &program.memories[*index as usize], place, path(name), state);
+        for (name, index, shape) in &scope.memories {
+            let memory = &program.memories[*index as usize];
+            let group = shape.lanes();
+            for lane in 0..group {
+                let key = path(name).wrapping_add(mix(u64::from(lane)) * u64::from(lane > 0));
+                scatter_memory(*index, memory, place.lane * group + lane, key, state);
+            }
         }
     }
 }
 
-fn scatter_memory(index: u32, memory: &Memory, place: Place, key: u64, state: &mut impl State) {
+fn scatter_memory(index: u32, memory: &Memory, lane: u32, key: u64, state: &mut impl State) {
     if memory.contents != Contents::Unknown {
         return;
     }
     for address in 0..memory.depth {
         let word = number(mix(key ^ mix(u64::from(address))), memory.width);
-        state.set_words(index, place.lane..place.lane + 1, address..address + 1, &word);
+        state.set_words(index, lane..lane + 1, address..address + 1, &word);
     }
 }
 

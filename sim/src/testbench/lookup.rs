@@ -1,7 +1,9 @@
 //! From a hierarchical name, such as `u_cell[3].sum`, to what it names.
 
+use tilewright_hdl::ir::Shape;
+
 use crate::engine::program::Hierarchy;
-use crate::engine::program::hierarchy::{Place, Signal};
+use crate::engine::program::hierarchy::{self, Place, Signal};
 use crate::testbench::error::UnknownName;
 
 /// A signal in one lane of its value.
@@ -11,21 +13,16 @@ pub(crate) struct Found<'a> {
     pub lane: u32,
 }
 
-/// Finds a signal of a run. `NAME[i]` is lane `i` of a signal that has lanes in its own module. The scope `lane`, which stands
+/// Finds a signal of a run. `NAME[i]` and `NAME[i][j]` are lanes of a signal that has lanes in its own module. The scope `lane`, which stands
 /// between an array's element and its signals in Verilog, may be left out.
 pub(crate) fn signal<'a>(hierarchy: &'a Hierarchy, path: &str, run: u32) -> Result<Found<'a>, UnknownName> {
     let (place, name) = enter(hierarchy, path, run, "signal")?;
     let signals = &hierarchy.scope(place.scope).signals;
-    let plain = signals.iter().find(|signal| signal.group.is_none() && signal.name == name);
-    if let Some(signal) = plain {
-        return Ok(Found { signal, lane: place.lane });
-    }
-    let lane = split_index(&name).and_then(|(name, index)| {
-        let signal = signals.iter().find(|signal| signal.name == name)?;
-        let group = signal.group.filter(|&group| index < group)?;
-        Some(Found { signal, lane: place.lane * group + index })
+    let found = signals.iter().find_map(|signal| {
+        let lane = lane(&signal.name, signal.shape, &name)?;
+        Some(Found { signal, lane: place.lane * signal.shape.lanes() + lane })
     });
-    lane.ok_or_else(|| {
+    found.ok_or_else(|| {
         let mut names: Vec<String> = signals.iter().map(display_name).collect();
         names.extend(hierarchy.children(place).into_iter().map(|(name, _)| format!("{name}.")));
         unknown(hierarchy, place, "signal", &name, &names)
@@ -36,18 +33,24 @@ pub(crate) fn signal<'a>(hierarchy: &'a Hierarchy, path: &str, run: u32) -> Resu
 pub(crate) fn memory(hierarchy: &Hierarchy, path: &str, run: u32) -> Result<(u32, u32), UnknownName> {
     let (place, name) = enter(hierarchy, path, run, "memory")?;
     let memories = &hierarchy.scope(place.scope).memories;
-    let found = memories.iter().find(|(candidate, _)| *candidate == name);
-    found.map(|(_, index)| (*index, place.lane)).ok_or_else(|| {
-        let names: Vec<String> = memories.iter().map(|(name, _)| name.clone()).collect();
+    let found = memories.iter().find_map(|(candidate, index, shape)| {
+        let lane = lane(candidate, *shape, &name)?;
+        Some((*index, place.lane * shape.lanes() + lane))
+    });
+    found.ok_or_else(|| {
+        let names: Vec<String> =
+            memories.iter().map(|(name, _, shape)| format!("{name}{}", hierarchy::index(*shape, 0))).collect();
         unknown(hierarchy, place, "memory", &name, &names)
     })
 }
 
 fn display_name(signal: &Signal) -> String {
-    match signal.group {
-        Some(_) => format!("{}[0]", signal.name),
-        None => signal.name.clone(),
-    }
+    format!("{}{}", signal.name, hierarchy::index(signal.shape, 0))
+}
+
+/// The lane of something that a name with an index for each axis means, if it means that.
+fn lane(of: &str, shape: Shape, name: &str) -> Option<u32> {
+    hierarchy::at_index(shape, name.strip_prefix(of)?)
 }
 
 /// Follows a path to the instance that its last name is in.
@@ -72,12 +75,6 @@ fn enter(hierarchy: &Hierarchy, path: &str, run: u32, what: &'static str) -> Res
         in_array = name.ends_with(']');
     }
     Ok((place, last.to_string()))
-}
-
-/// `NAME[3]` as `NAME` and 3.
-fn split_index(name: &str) -> Option<(&str, u32)> {
-    let (name, index) = name.strip_suffix(']')?.split_once('[')?;
-    Some((name, index.parse().ok()?))
 }
 
 fn unknown(hierarchy: &Hierarchy, place: Place, what: &'static str, name: &str, names: &[String]) -> UnknownName {

@@ -213,7 +213,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     fn violation(&self, failed: Failed, time: u64) -> Violation {
         let assert = &self.program.asserts[failed.assert as usize];
         let hierarchy = &self.program.hierarchy;
-        let place = hierarchy.instance(&assert.scopes, failed.lane);
+        let place = hierarchy.instance(&assert.scopes, failed.lane / assert.group);
         let path = hierarchy.path(place);
         Violation {
             message: assert.message.clone(),

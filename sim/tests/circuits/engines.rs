@@ -7,6 +7,7 @@ use proptest::prelude::*;
 use tilewright_hdl::{
     Bits, Block, Clock, Module, Period, ReadUnderWrite, Width, bit, bits, bundle, goto, mux, net, states, when,
 };
+use tilewright_sim::program::hierarchy;
 use tilewright_sim::{EngineKind, Simulation, Vcd};
 
 const FAST: Clock = Clock::new("fast", Period::ps(2_000));
@@ -131,13 +132,11 @@ fn names(sim: &Simulation<RowIn, RowOut>) -> (Vec<String>, Vec<String>) {
     let (mut signals, mut memories) = (Vec::new(), Vec::new());
     for place in hierarchy.places(0) {
         let scope = hierarchy.scope(place.scope);
-        memories.extend(scope.memories.iter().map(|(name, _)| hierarchy.path_in(place, name)));
+        memories.extend(scope.memories.iter().map(|(name, ..)| hierarchy.path_in(place, name)));
         for signal in &scope.signals {
             let name = hierarchy.path_in(place, &signal.name);
-            match signal.group {
-                None => signals.push(name),
-                Some(group) => signals.extend((0..group).map(|i| format!("{name}[{i}]"))),
-            }
+            let lanes = 0..signal.shape.lanes();
+            signals.extend(lanes.map(|lane| format!("{name}{}", hierarchy::index(signal.shape, lane))));
         }
     }
     (signals, memories)

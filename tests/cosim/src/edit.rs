@@ -2,8 +2,8 @@
 
 use crate::stimulus::Numbers;
 use tilewright_hdl::ir::{
-    Binary, ClockId, InstanceId, MemoryId, Module, ModuleId, NodeId, Op, Reduction, RegisterId, Relation, Shape, Shift,
-    Unary,
+    Binary, ClockId, Init, InstanceId, MemoryId, Module, ModuleId, NodeId, Op, Reduction, RegisterId, Relation, Shape,
+    Shift, Unary,
 };
 
 /// Edits one thing of a circuit.
@@ -66,17 +66,22 @@ fn operands(op: &mut Op) -> Vec<&mut NodeId> {
         | Op::Extend { of: a, .. }
         | Op::Wire(a)
         | Op::QuasiStatic(a, _)
-        | Op::Broadcast(a)
-        | Op::Lane(a, _)
-        | Op::Reduce(_, a) => vec![a],
-        Op::Binary(_, a, b) | Op::Compare { operands: [a, b], .. } | Op::Shift(_, a, b) => vec![a, b],
-        Op::Shifted { of, edge, .. } => vec![of, edge],
+        | Op::Broadcast { of: a, .. }
+        | Op::Lane { of: a, .. }
+        | Op::Reduce { of: a, .. }
+        | Op::Pack { of: a, .. }
+        | Op::Unpack { of: a, .. } => vec![a],
+        Op::Binary(_, a, b)
+        | Op::Compare { operands: [a, b], .. }
+        | Op::Shift(_, a, b)
+        | Op::Pick { of: a, index: b, .. } => vec![a, b],
+        Op::Map { of, edge, .. } => [of].into_iter().chain(edge).collect(),
         Op::Mux { select, on_true, on_false } => vec![select, on_true, on_false],
         Op::Select { arms, default } => arms.iter_mut().flat_map(|(c, v)| [c, v]).chain([default]).collect(),
         Op::Case { subject, arms, default } => {
             [subject].into_iter().chain(arms.iter_mut().map(|(_, value)| value)).chain([default]).collect()
         }
-        Op::Concat(parts) | Op::PerLane(parts) => parts.iter_mut().collect(),
+        Op::Concat(parts) | Op::Stack { parts, .. } | Op::Interleave { parts, .. } => parts.iter_mut().collect(),
     }
 }
 
@@ -107,7 +112,7 @@ fn operator(module: &mut Module, numbers: &mut Numbers) {
             *signed = (which / 6).is_multiple_of(2);
         }
         Op::Shift(op, ..) => *op = [Shift::Left, Shift::Right, Shift::RightSigned][any(3)],
-        Op::Reduce(op, _) => *op = [Reduction::And, Reduction::Or, Reduction::Xor, Reduction::Add][any(4)],
+        Op::Reduce { by: op, .. } => *op = [Reduction::And, Reduction::Or, Reduction::Xor, Reduction::Add][any(4)],
         Op::Extend { signed, .. } => *signed = !*signed,
         Op::Const(bits) => *bits = numbers.bits(bits.width() + u32::from(which.is_multiple_of(8))),
         _ => {}
@@ -123,8 +128,8 @@ fn number(module: &mut Module, numbers: &mut Numbers) {
     match &mut node.op {
         Op::Slice { low, .. } => *low = near(*low, width, numbers),
         Op::Repeat(_, times) => *times = near(*times, 8, numbers),
-        Op::Lane(_, lane) => *lane = near(*lane, 20, numbers),
-        Op::Shifted { by, .. } => *by = near(*by as u32, 20, numbers) as i32,
+        Op::Lane { index, .. } => *index = near(*index, 20, numbers),
+        Op::Map { index, .. } => index.add = near(index.add as u32, 20, numbers) as i32,
         Op::Input(port) => *port = near(*port, inputs, numbers),
         Op::Register(id) => *id = RegisterId(near(id.0, registers as u32, numbers)),
         Op::Read(id, port) => match below(numbers, 2) {
@@ -140,10 +145,12 @@ fn number(module: &mut Module, numbers: &mut Numbers) {
                 *key = numbers.bits(key.width());
             }
         }
-        Op::Concat(parts) | Op::PerLane(parts) => match (below(numbers, 2), parts.last().copied()) {
-            (0, Some(last)) => parts.push(last),
-            _ => drop(parts.pop()),
-        },
+        Op::Concat(parts) | Op::Stack { parts, .. } | Op::Interleave { parts, .. } => {
+            match (below(numbers, 2), parts.last().copied()) {
+                (0, Some(last)) => parts.push(last),
+                _ => drop(parts.pop()),
+            }
+        }
         _ => {}
     }
 }
@@ -170,7 +177,7 @@ fn register(module: &mut Module, numbers: &mut Numbers) {
         which => {
             let Some(register) = module.registers.get_mut(id) else { return };
             match (which, &register.reset) {
-                (3, Some(reset)) => register.reset = Some(numbers.bits(reset.width())),
+                (3, Some(reset)) => register.reset = Some(Init::Same(numbers.bits(reset.lane(0).width()))),
                 _ => register.clock = ClockId(near(register.clock.0, clocks, numbers)),
             }
         }

@@ -7,17 +7,18 @@ use tilewright_hdl::ir::{NodeId, Op, Reduction};
 impl Fold {
     pub(super) fn lane(&self, of: NodeId, lane: u32) -> Outcome {
         match self.module.node(of).op.clone() {
-            Op::Broadcast(plain) => Same(plain),
-            Op::PerLane(parts) => Same(parts[lane as usize]),
+            Op::Broadcast { of: plain, .. } => Same(plain),
+            Op::Stack { parts, .. } => Same(parts[lane as usize]),
             Op::Wire(inner) => self.lane(inner, lane),
-            Op::Shifted { of: inner, by, edge } => {
+            Op::Map { of: inner, index, edge: Some(edge), .. } => {
+                let by = -index.add;
                 let lanes = self.module.node(of).shape.lanes();
                 match source_lane(lane, by, lanes) {
                     Some(from) => self.lane(inner, from),
                     None => Same(edge),
                 }
             }
-            _ => Is(Op::Lane(of, lane)),
+            _ => Is(Op::Lane { of, axis: 0, index: lane }),
         }
     }
 
@@ -34,10 +35,11 @@ impl Fold {
         let node = self.module.node(of);
         let lanes = node.shape.lanes();
         if lanes > 1 && matches!(node.op, Op::Output(..)) {
-            return Is(Op::Reduce(reduction, of));
+            return Is(Op::Reduce { by: reduction, of, axis: 0 });
         }
-        let (width, binary) = (node.width, reduction.operator());
-        let mut level: Vec<NodeId> = (0..lanes).map(|lane| self.add(id, width, Op::Lane(of, lane))).collect();
+        let (width, binary) = (node.width, reduction.operator().expect("the language makes no other yet"));
+        let mut level: Vec<NodeId> =
+            (0..lanes).map(|lane| self.add(id, width, Op::Lane { of, axis: 0, index: lane })).collect();
         while level.len() > 1 {
             let pairs: Vec<Vec<NodeId>> = level.chunks(2).map(<[NodeId]>::to_vec).collect();
             level = pairs

@@ -137,21 +137,27 @@ impl Fold {
                 Some(value) => Is(Op::Const(value.resize(width))),
                 None => Is(Op::Extend { of, signed }),
             },
-            Op::Shifted { by: 0, of, .. } => Same(of),
-            Op::Shifted { by, edge, .. } if by.unsigned_abs() >= self.module.node(id).shape.lanes() => {
-                Is(Op::Broadcast(edge))
+            Op::Map { of, edge: None, .. } => Same(of),
+            Op::Map { index, edge: Some(edge), .. }
+                if index.add.unsigned_abs() >= self.module.node(id).shape.lanes() =>
+            {
+                Is(Op::Broadcast { of: edge, axis: 0 })
             }
-            Op::Shifted { of, by, edge } => match self.module.node(of).op.clone() {
-                Op::Broadcast(plain) if plain == edge => Same(of),
-                Op::PerLane(_) | Op::Broadcast(_) => {
+            Op::Map { of, index, edge: Some(edge), axis } => match self.module.node(of).op.clone() {
+                Op::Broadcast { of: plain, .. } if plain == edge => Same(of),
+                Op::Stack { .. } | Op::Broadcast { .. } => {
+                    let by = -index.add;
                     let lanes = self.module.node(id).shape.lanes();
-                    Is(Op::PerLane((0..lanes).map(|lane| self.shifted_lane(of, lane, by, edge, lanes)).collect()))
+                    let lane = |lane| self.shifted_lane(of, lane, by, edge, lanes);
+                    Is(Op::Stack { parts: (0..lanes).map(lane).collect(), axis })
                 }
-                _ => Is(Op::Shifted { of, by, edge }),
+                _ => Is(Op::Map { of, index, edge: Some(edge), axis }),
             },
-            Op::PerLane(parts) if parts.iter().all(|&part| part == parts[0]) => Is(Op::Broadcast(parts[0])),
-            Op::Lane(of, lane) => self.lane(of, lane),
-            Op::Reduce(reduction, of) => self.reduce(id, reduction, of),
+            Op::Stack { parts, axis } if parts.iter().all(|&part| part == parts[0]) => {
+                Is(Op::Broadcast { of: parts[0], axis })
+            }
+            Op::Lane { of, index, .. } => self.lane(of, index),
+            Op::Reduce { by, of, .. } => self.reduce(id, by, of),
             other => Is(other),
         }
     }

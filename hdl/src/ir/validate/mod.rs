@@ -3,6 +3,7 @@
 //! A description is checked while it is elaborated, with better messages; this is the last gate, and the only one for
 //! a circuit that was edited.
 
+mod lanes;
 mod loops;
 mod names;
 mod nodes;
@@ -35,9 +36,11 @@ pub(super) fn validate(modules: &[Module]) -> Vec<Problem> {
     }
     names::modules(modules, &mut problems);
     ports::top(modules, &mut problems);
-    // These follow ids wherever they lead.
+    // These follow ids wherever they lead, and the last one from lane to lane.
     if problems.is_empty() {
         size::check(modules, &mut problems);
+    }
+    if problems.is_empty() {
         loops::check(modules, &mut problems);
     }
     problems
@@ -64,13 +67,15 @@ struct Needs {
 }
 
 impl Needs {
-    /// A plain value of that width.
-    fn plain(width: u32) -> Needs {
-        Needs { width: Some(width), shape: Shape::Plain }
+    /// A value of that width and shape.
+    fn of(width: u32, shape: Shape) -> Needs {
+        Needs { width: Some(width), shape }
     }
 
-    /// A plain value of any width.
-    const PLAIN: Needs = Needs { width: None, shape: Shape::Plain };
+    /// A value of any width, of that shape.
+    fn shape(shape: Shape) -> Needs {
+        Needs { width: None, shape }
+    }
 }
 
 impl<'a> Rules<'a> {
@@ -108,15 +113,19 @@ impl<'a> Rules<'a> {
         }
         if node.shape != needs.shape {
             let text = format!("{role} of {owner}, {text}, has {}", node.shape);
-            self.report(
-                loc,
-                match needs.shape {
-                    Shape::Plain => format!("{text}, but must be plain"),
-                    Shape::Row(count) => format!("{text}, not {count}"),
-                    needs => format!("{text}, not {needs}"),
-                },
-            );
+            let needs = match needs.shape {
+                Shape::Plain => "but must be plain".to_owned(),
+                needs => format!("not {needs}"),
+            };
+            self.report(loc, format!("{text}, {needs}"));
         }
+    }
+
+    /// As [`Rules::refers`], for something that is of this shape or plain.
+    fn refers_or_plain(&mut self, loc: Loc, role: &str, owner: &dyn fmt::Display, id: NodeId, needs: Needs) {
+        let is_plain = self.module.nodes.get(id.0 as usize).is_some_and(|node| node.shape.is_plain());
+        let shape = if is_plain { Shape::Plain } else { needs.shape };
+        self.refers(loc, role, owner, id, Needs { shape, ..needs });
     }
 
     /// `owner` runs on a clock of this module.

@@ -1,7 +1,7 @@
-//! The rules of expressions: what each operator needs of its operands.
+//! The rules of elementwise operations: what each needs of its operands, lane by lane.
 
 use super::{Named, Needs, Rules};
-use crate::ir::{Binary, InstanceId, Node, NodeId, Op, RegisterId, Shape, Unary};
+use crate::ir::{Binary, InstanceId, Node, NodeId, Op, RegisterId, Unary};
 use crate::limits::WIDEST;
 use crate::signal::bits_text;
 use std::collections::HashSet;
@@ -13,11 +13,7 @@ impl Rules<'_> {
             self.rule((1..=WIDEST).contains(&node.width), node.loc, || {
                 format!("{owner} has {}, not 1 to {WIDEST}", bits_text(node.width))
             });
-            let can_have_lanes =
-                matches!(node.op, Op::Broadcast(_) | Op::PerLane(_) | Op::Shifted { .. } | Op::Output(..));
-            self.rule(can_have_lanes || node.shape.is_plain(), node.loc, || {
-                format!("{owner} has lanes, as only broadcasts, lists and shifts of lanes and outputs of arrays have")
-            });
+            self.rule(node.shape.lanes() > 0, node.loc, || format!("{owner} needs at least 1 lane"));
             self.op(id, node, owner);
         }
     }
@@ -25,7 +21,7 @@ impl Rules<'_> {
     fn op(&mut self, id: NodeId, node: &Node, owner: Named) {
         let (width, loc, module) = (node.width, node.loc, self.module);
         let width_of = |id: NodeId| module.nodes.get(id.0 as usize).map_or(0, |node| u64::from(node.width));
-        let same = Needs::plain(width);
+        let (same, alike, bit) = (Needs::of(width, node.shape), Needs::shape(node.shape), Needs::of(1, node.shape));
         match &node.op {
             Op::Input(port) => {
                 let there = module.inputs.get(*port as usize).map(|input| input.node);
@@ -49,35 +45,35 @@ impl Rules<'_> {
             Op::Unary(Unary::Not, a) => self.refers(loc, "the operand", &owner, *a, same),
             Op::Unary(_, a) => {
                 self.has_width(node, owner, 1, "its operator gives");
-                self.refers(loc, "the operand", &owner, *a, Needs::PLAIN);
+                self.refers(loc, "the operand", &owner, *a, alike);
             }
             Op::Binary(Binary::Mul | Binary::MulSigned, a, b) => {
-                [a, b].into_iter().for_each(|id| self.refers(loc, "an operand", &owner, *id, Needs::PLAIN));
+                [a, b].into_iter().for_each(|id| self.refers(loc, "an operand", &owner, *id, alike));
                 self.has_width(node, owner, width_of(*a) + width_of(*b), "its product has");
             }
             Op::Binary(_, a, b) => [a, b].into_iter().for_each(|id| self.refers(loc, "an operand", &owner, *id, same)),
             Op::Compare { operands: [a, b], .. } => {
                 self.has_width(node, owner, 1, "its comparison gives");
-                self.refers(loc, "the left operand", &owner, *a, Needs::PLAIN);
-                self.refers(loc, "the right operand", &owner, *b, Needs::plain(width_of(*a) as u32));
+                self.refers(loc, "the left operand", &owner, *a, alike);
+                self.refers(loc, "the right operand", &owner, *b, Needs::of(width_of(*a) as u32, node.shape));
             }
             Op::Shift(_, a, amount) => {
                 self.refers(loc, "the operand", &owner, *a, same);
-                self.refers(loc, "the amount", &owner, *amount, Needs::PLAIN);
+                self.refers(loc, "the amount", &owner, *amount, alike);
             }
             Op::Mux { select, on_true, on_false } => {
-                self.refers(loc, "the select", &owner, *select, Needs::plain(1));
+                self.refers(loc, "the select", &owner, *select, bit);
                 [on_true, on_false].into_iter().for_each(|id| self.refers(loc, "a value", &owner, *id, same));
             }
             Op::Select { arms, default } => {
                 for (condition, value) in arms {
-                    self.refers(loc, "a condition", &owner, *condition, Needs::plain(1));
+                    self.refers(loc, "a condition", &owner, *condition, bit);
                     self.refers(loc, "a value", &owner, *value, same);
                 }
                 self.refers(loc, "the default", &owner, *default, same);
             }
             Op::Case { subject, arms, default } => {
-                self.refers(loc, "the subject", &owner, *subject, Needs::PLAIN);
+                self.refers(loc, "the subject", &owner, *subject, alike);
                 let mut keys = HashSet::with_capacity(arms.len());
                 for (key, value) in arms {
                     let needed = width_of(*subject);
@@ -90,70 +86,33 @@ impl Rules<'_> {
                 self.refers(loc, "the default", &owner, *default, same);
             }
             Op::Slice { of, low } => {
-                self.refers(loc, "the operand", &owner, *of, Needs::PLAIN);
+                self.refers(loc, "the operand", &owner, *of, alike);
                 let (high, has) = (u64::from(*low) + u64::from(width), width_of(*of));
                 self.rule(high <= has, loc, || format!("{owner} is the slice {low}..{high} of {has} bits"));
             }
             Op::Concat(parts) => {
-                parts.iter().for_each(|id| self.refers(loc, "a part", &owner, *id, Needs::PLAIN));
+                parts.iter().for_each(|id| self.refers(loc, "a part", &owner, *id, alike));
                 self.has_width(node, owner, parts.iter().map(|id| width_of(*id)).sum(), "its parts have");
             }
             Op::Repeat(of, times) => {
-                self.refers(loc, "the operand", &owner, *of, Needs::PLAIN);
+                self.refers(loc, "the operand", &owner, *of, alike);
                 self.has_width(node, owner, width_of(*of) * u64::from(*times), "its repetition has");
             }
             Op::Extend { of, .. } => {
-                self.refers(loc, "the operand", &owner, *of, Needs::PLAIN);
+                self.refers(loc, "the operand", &owner, *of, alike);
                 let has = width_of(*of);
                 self.rule(has < width.into(), loc, || format!("{owner} extends {has} bits to {width}"));
             }
             Op::Wire(of) | Op::QuasiStatic(of, _) => self.refers(loc, "the driver", &owner, *of, same),
-            Op::Broadcast(of) => {
-                self.has_lanes(node, owner);
-                self.refers(loc, "the operand", &owner, *of, same);
-            }
-            Op::PerLane(parts) => {
-                let (has, needs) = (parts.len(), lanes(node.shape));
-                self.has_lanes(node, owner);
-                self.rule(has == needs as usize, loc, || format!("{owner} lists {has} signals for {needs} lanes"));
-                parts.iter().for_each(|id| self.refers(loc, "a lane", &owner, *id, same));
-            }
-            Op::Shifted { of, by, edge } => {
-                self.has_lanes(node, owner);
-                self.refers(loc, "the operand", &owner, *of, Needs { shape: node.shape, ..same });
-                self.refers(loc, "the edge", &owner, *edge, same);
-                let lanes = lanes(node.shape);
-                let far = by.unsigned_abs() > lanes;
-                self.rule(!far, loc, || format!("{owner} shifts {lanes} lanes by {by}, more than there are"));
-            }
-            Op::Lane(of, index) => {
-                let lanes = self.takes_lanes(node, owner, *of);
-                self.rule(*index < lanes, loc, || format!("{owner} is lane {index} of {lanes}"));
-            }
-            Op::Reduce(_, of) => {
-                self.takes_lanes(node, owner, *of);
-            }
+            _ => self.lane_op(node, owner),
         }
     }
 
     /// The width of what a node does is its own.
-    fn has_width(&mut self, node: &Node, owner: Named, width: u64, what: &str) {
+    pub(super) fn has_width(&mut self, node: &Node, owner: Named, width: u64, what: &str) {
         self.rule(width == node.width.into(), node.loc, || {
             format!("{owner} has {}, but {what} {width}", bits_text(node.width))
         });
-    }
-
-    fn has_lanes(&mut self, node: &Node, owner: Named) {
-        self.rule(lanes(node.shape) > 0, node.loc, || format!("{owner} needs at least 1 lane"));
-    }
-
-    /// The operand has lanes of the node's width; how many.
-    fn takes_lanes(&mut self, node: &Node, owner: Named, of: NodeId) -> u32 {
-        let shape = self.module.nodes.get(of.0 as usize).map_or(Shape::Plain, |operand| operand.shape);
-        self.refers(node.loc, "the operand", &owner, of, Needs { width: Some(node.width), shape });
-        let text = self.node(of);
-        self.rule(!shape.is_plain(), node.loc, || format!("{owner} needs lanes, but {text} has none"));
-        lanes(shape)
     }
 
     /// What a node says it is says the same of the node.
@@ -167,9 +126,4 @@ impl Rules<'_> {
             Some(_) => {}
         }
     }
-}
-
-/// How many lanes there are; none of a plain value.
-fn lanes(shape: Shape) -> u32 {
-    if shape.is_plain() { 0 } else { shape.lanes() }
 }

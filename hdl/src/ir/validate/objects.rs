@@ -1,7 +1,8 @@
 //! The rules of what holds state, and of assertions.
 
 use super::{Needs, Rules};
-use crate::ir::{Contents, Memory, MemoryId, NodeId, Op, RegisterId};
+use crate::bits::Bits;
+use crate::ir::{Contents, Init, Memory, MemoryId, Node, NodeId, Op, RegisterId, Shape};
 use crate::limits::WIDEST;
 use crate::loc::Loc;
 use crate::names::is_legal;
@@ -9,11 +10,11 @@ use crate::signal::bits_text;
 use crate::width::index_width;
 use std::fmt;
 
-impl Rules<'_> {
-    /// `owner` is node `id`, whose operator is to be `op`; the node's width and place.
-    pub(super) fn is_node(&mut self, loc: Loc, owner: &dyn fmt::Display, id: NodeId, op: &Op) -> Option<(u32, Loc)> {
+impl<'a> Rules<'a> {
+    /// `owner` is node `id`, whose operator is to be `op`; the node.
+    pub(super) fn is_node(&mut self, loc: Loc, owner: &dyn fmt::Display, id: NodeId, op: &Op) -> Option<&'a Node> {
         match self.module.nodes.get(id.0 as usize) {
-            Some(node) if node.op == *op => return Some((node.width, node.loc)),
+            Some(node) if node.op == *op => return Some(node),
             Some(_) => self.report(loc, format!("{owner} has node {}, which is something else", id.0)),
             None => self.report(loc, format!("{owner} has node {} of {}", id.0, self.module.nodes.len())),
         }
@@ -24,19 +25,18 @@ impl Rules<'_> {
         for (index, register) in (0..).zip(&self.module.registers) {
             let owner = self.of(&format!("register {index}"));
             let op = Op::Register(RegisterId(index));
-            let Some((width, loc)) = self.is_node(self.module.loc, &owner, register.node, &op) else { continue };
+            let Some(node) = self.is_node(self.module.loc, &owner, register.node, &op) else { continue };
+            let &Node { width, shape, loc, .. } = node;
             let owner = self.node(register.node);
             let has_name = self.module.node(register.node).name.is_some();
             self.rule(has_name, loc, || format!("{owner} is a register without a name"));
             self.clock(loc, &owner, register.clock);
-            self.refers(loc, "the next value", &owner, register.next, Needs::plain(width));
+            self.refers(loc, "the next value", &owner, register.next, Needs::of(width, shape));
             if let Some(enable) = register.enable {
-                self.refers(loc, "the enable", &owner, enable, Needs::plain(1));
+                self.refers(loc, "the enable", &owner, enable, Needs::of(1, shape));
             }
             if let Some(reset) = &register.reset {
-                self.rule(reset.width() == width, loc, || {
-                    format!("the reset value of {owner} has {}, not {width}", bits_text(reset.width()))
-                });
+                self.init(reset, node, &owner);
                 let clock = self.module.clocks.get(register.clock.0 as usize);
                 self.rule(clock.is_none_or(|clock| clock.reset.is_some()), loc, || {
                     format!("{owner} has a reset value, but its clock has no reset port")
@@ -60,41 +60,66 @@ impl Rules<'_> {
                 format!("memory {owner} has words of {}, not 1 to {WIDEST}", bits_text(memory.width))
             });
             self.contents(memory, &owner);
-            let address = Needs::plain(index_width(memory.depth.into()));
+            self.rule(memory.shape.lanes() > 0, loc, || format!("memory {owner} needs at least 1 lane"));
+            let address = Needs::of(index_width(memory.depth.into()), memory.shape);
+            let (bit, word) = (Needs::of(1, memory.shape), Needs::of(memory.width, memory.shape));
             for (port, read) in (0..).zip(&memory.reads) {
                 let owner = format!("read port {port} of {owner}");
-                let node = self.is_node(loc, &owner, read.node, &Op::Read(index, port));
-                self.rule(node.is_none_or(|(width, _)| width == memory.width), loc, || {
-                    format!("the data of {owner} is not as wide as a word, which has {}", bits_text(memory.width))
-                });
-                self.refers(loc, "the address", &owner, read.address, address);
+                if self.is_node(loc, &owner, read.node, &Op::Read(index, port)).is_some() {
+                    self.refers(loc, "the data", &owner, read.node, word);
+                }
+                self.refers_or_plain(loc, "the address", &owner, read.address, address);
                 read.clock.into_iter().for_each(|clock| self.clock(loc, &owner, clock));
                 if let Some(enable) = read.enable {
-                    self.refers(loc, "the enable", &owner, enable, Needs::plain(1));
+                    self.refers_or_plain(loc, "the enable", &owner, enable, bit);
                     self.rule(read.clock.is_some(), loc, || format!("{owner} is asynchronous but has an enable"));
                 }
             }
             for (port, write) in memory.writes.iter().enumerate() {
                 let owner = format!("write port {port} of {owner}");
                 self.clock(loc, &owner, write.clock);
-                self.refers(loc, "the enable", &owner, write.enable, Needs::plain(1));
-                self.refers(loc, "the address", &owner, write.address, address);
-                self.refers(loc, "the data", &owner, write.data, Needs::plain(memory.width));
+                self.refers_or_plain(loc, "the enable", &owner, write.enable, bit);
+                self.refers_or_plain(loc, "the address", &owner, write.address, address);
+                self.refers(loc, "the data", &owner, write.data, word);
             }
         }
     }
 
-    fn contents(&mut self, memory: &Memory, owner: &str) {
-        let words = match &memory.contents {
-            Contents::Unknown => &[],
-            Contents::Fill(word) => std::slice::from_ref(word),
-            Contents::Words(words) => words.as_slice(),
+    /// The values that a register has after a reset.
+    fn init(&mut self, reset: &Init, node: &Node, owner: &dyn fmt::Display) {
+        let values = match reset {
+            Init::Same(value) => std::slice::from_ref(value),
+            Init::Each(values) => values.as_slice(),
         };
-        let (loc, count) = (memory.loc, words.len());
+        if let Some(wrong) = values.iter().find(|value| value.width() != node.width) {
+            let has = bits_text(wrong.width());
+            self.report(node.loc, format!("the reset value of {owner} has {has}, not {}", node.width));
+        }
+        if let Init::Each(values) = reset {
+            let fits = !node.shape.is_plain() && values.len() == node.shape.lanes() as usize;
+            let count = values.len();
+            self.rule(fits, node.loc, || format!("{owner} has {}, but {count} reset values", node.shape));
+        }
+    }
+
+    fn contents(&mut self, memory: &Memory, owner: &str) {
+        let loc = memory.loc;
+        let lanes: Vec<&[Bits]> = match &memory.contents {
+            Contents::Unknown => Vec::new(),
+            Contents::Fill(word) => vec![std::slice::from_ref(word)],
+            Contents::Words(words) => vec![words],
+            Contents::Each(lanes) => {
+                let fits = !memory.shape.is_plain() && lanes.len() == memory.shape.lanes() as usize;
+                let count = lanes.len();
+                self.rule(fits, loc, || format!("memory {owner} has {}, but contents of {count}", memory.shape));
+                lanes.iter().map(Vec::as_slice).collect()
+            }
+        };
+        let count = lanes.iter().map(|words| words.len()).max().unwrap_or(0);
         self.rule(count <= memory.depth as usize, loc, || {
             format!("memory {owner} has {} words, but contents of {count}", memory.depth)
         });
-        let wrong = words.iter().find(|word| word.width() != memory.width);
+        let wrong = lanes.into_iter().flatten().find(|word| word.width() != memory.width);
         self.rule(wrong.is_none(), loc, || {
             format!("the contents of memory {owner} are not as wide as a word, which has {}", bits_text(memory.width))
         });
@@ -104,7 +129,8 @@ impl Rules<'_> {
         for assert in &self.module.asserts {
             let owner = format!("an assertion in `{}`", self.module.name);
             self.clock(assert.loc, &owner, assert.clock);
-            self.refers(assert.loc, "the condition", &owner, assert.condition, Needs::plain(1));
+            let shape = self.module.nodes.get(assert.condition.0 as usize).map_or(Shape::Plain, |node| node.shape);
+            self.refers(assert.loc, "the condition", &owner, assert.condition, Needs::of(1, shape));
         }
     }
 }

@@ -1,7 +1,7 @@
 //! The rules of clocks, ports and instances.
 
 use super::{Needs, Rules, problem};
-use crate::ir::{Instance, InstanceId, Module, Op};
+use crate::ir::{Instance, InstanceId, Module, NodeId, Op, Shape};
 use crate::problem::Problem;
 
 /// At the top every clock has a period, as there is nothing above that drives it.
@@ -28,15 +28,16 @@ impl Rules<'_> {
         }
         for (index, input) in (0..).zip(&self.module.inputs) {
             let owner = self.of(&input.name);
-            if self.is_node(loc, &owner, input.node, &Op::Input(index)).is_some() {
-                self.refers(loc, "the node", &owner, input.node, Needs::PLAIN);
-                let name = self.module.node(input.node).name.as_ref();
-                self.rule(name == Some(&input.name), loc, || format!("the node of input {owner} has another name"));
+            if let Some(node) = self.is_node(loc, &owner, input.node, &Op::Input(index)) {
+                self.rule(node.name.as_ref() == Some(&input.name), loc, || {
+                    format!("the node of input {owner} has another name")
+                });
             }
             input.clock.into_iter().for_each(|clock| self.clock(loc, &owner, clock));
         }
         for output in &self.module.outputs {
-            self.refers(loc, "the driver", &self.of(&output.name), output.node, Needs::PLAIN);
+            let shape = self.module.nodes.get(output.node.0 as usize).map_or(Shape::Plain, |node| node.shape);
+            self.refers(loc, "the driver", &self.of(&output.name), output.node, Needs::shape(shape));
         }
     }
 
@@ -55,6 +56,18 @@ impl Rules<'_> {
         }
     }
 
+    /// What a port of a child, which is `node` there, is of an instance; if that can be.
+    fn port(&mut self, instance: &Instance, child: &Module, name: &str, node: NodeId, owner: &str) -> Option<Needs> {
+        // What a child lacks is a problem of the child.
+        let node = child.nodes.get(node.0 as usize)?;
+        let shape = instance.shape.beside(node.shape);
+        self.rule(shape.is_some(), instance.loc, || {
+            let (array, port) = (instance.shape, node.shape);
+            format!("{owner} is an array of {array}, and its port `{name}` has {port}: more than two axes in all")
+        });
+        shape.map(|shape| Needs::of(node.width, shape))
+    }
+
     fn instance(&mut self, id: InstanceId, instance: &Instance, child: &Module, owner: &String) {
         let loc = instance.loc;
         let mut as_many = |what: &str, has: usize, needs: usize| {
@@ -66,15 +79,15 @@ impl Rules<'_> {
         as_many("outputs", instance.outputs.len(), child.outputs.len());
         as_many("clocks", instance.clocks.len(), child.clocks.len());
         for (port, driver) in child.inputs.iter().zip(&instance.inputs) {
-            let width = child.nodes.get(port.node.0 as usize).map(|node| node.width);
-            let needs = Needs { width, shape: instance.shape };
-            self.refers(loc, &format!("input `{}`", port.name), owner, *driver, needs);
+            if let Some(needs) = self.port(instance, child, &port.name, port.node, owner) {
+                self.refers(loc, &format!("input `{}`", port.name), owner, *driver, needs);
+            }
         }
         for ((index, port), node) in (0..).zip(&child.outputs).zip(&instance.outputs) {
             let name = format!("output `{}` of {owner}", port.name);
-            if self.is_node(loc, &name, *node, &Op::Output(id, index)).is_some() {
-                let width = child.nodes.get(port.node.0 as usize).map(|node| node.width);
-                let needs = Needs { width, shape: instance.shape };
+            if self.is_node(loc, &name, *node, &Op::Output(id, index)).is_some()
+                && let Some(needs) = self.port(instance, child, &port.name, port.node, owner)
+            {
                 self.refers(loc, &format!("output `{}`", port.name), owner, *node, needs);
             }
         }

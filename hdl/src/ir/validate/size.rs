@@ -10,7 +10,7 @@ use crate::problem::Problem;
 #[derive(Clone, Copy)]
 struct Size {
     depth: usize,
-    /// Lanes of the widest array in arrays.
+    /// Lanes of the value with most of them, in arrays in arrays.
     lanes: u64,
     /// 64-bit limbs of the largest value, in all lanes.
     limbs: u64,
@@ -28,7 +28,7 @@ pub(super) fn check(modules: &[Module], problems: &mut Vec<Problem>) {
             }
         };
         limit("instances nested too deep", size.depth as u64, DEEPEST as u64);
-        limit("too many lanes in nested arrays", size.lanes, MOST_LANES);
+        limit("too many lanes", size.lanes, MOST_LANES);
         limit("a value of too many 64-bit words in all lanes", size.limbs, MOST_LIMBS);
         limit("a memory of too many 64-bit words in all lanes", size.memory, MOST_MEMORY_LIMBS);
         sizes.push(size);
@@ -42,7 +42,10 @@ fn size(module: &Module, below: &[Size]) -> Size {
         size.lanes = size.lanes.max(lanes);
         size.limbs = size.limbs.max(lanes * limbs_for(node.width) as u64);
     }
-    let words = |memory: &Memory| u64::from(memory.depth).saturating_mul(limbs_for(memory.width) as u64);
+    let words = |memory: &Memory| {
+        let a_lane = u64::from(memory.depth).saturating_mul(limbs_for(memory.width) as u64);
+        a_lane.saturating_mul(memory.shape.lanes().into())
+    };
     size.memory = module.memories.iter().map(words).max().unwrap_or(0);
     for Instance { module, shape, .. } in &module.instances {
         let (child, lanes) = (below[module.0 as usize], u64::from(shape.lanes()));

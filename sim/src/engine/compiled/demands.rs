@@ -2,8 +2,8 @@
 //! addresses that are no wider than a memory needs. A [`tilewright_hdl::ir::Design`] is validated, and
 //! [`crate::engine::program::compile`] makes no other programs of it; this is a second look, at what is run.
 
-use tilewright_hdl::index_width;
 use tilewright_hdl::ir::{Binary, Unary};
+use tilewright_hdl::{index_width, limbs_for};
 
 use crate::engine::program::{Axis, Cell, Kind, Program, ValueId};
 
@@ -27,7 +27,7 @@ pub(super) fn check(program: &Program) {
         let Cell { lanes, width, .. } = program.circuit[register.value];
         let fits = Shapes(program).is(register.next, lanes, width)
             && register.enable.is_none_or(|enable| is_flag(enable, lanes))
-            && register.reset.as_ref().is_none_or(|reset| reset.width() == width);
+            && register.reset(0).is_none_or(|reset| reset.len() == limbs_for(width));
         assert!(fits, "what a register takes does not have its shape: {register:?}");
     }
     for memory in &program.memories {
@@ -123,7 +123,7 @@ impl Shapes<'_> {
                     && index.div > 0
                     && match edge {
                         Some(edge) => less(*edge, to) && wide(*edge),
-                        None => (0..*count).all(|lane| index.within(lane, axis.count).is_some()),
+                        None => (0..*count).all(|lane| index.source(lane, axis.count).is_some()),
                     }
             }
             Kind::Interleave { parts, axis } => {

@@ -6,7 +6,7 @@ use super::Compiled;
 use super::function::{Function, Held, Maker};
 use super::jit::Code;
 use super::prepare::Prepared;
-use crate::engine::start::State;
+use crate::engine::start;
 
 /// A function for an edge.
 pub(super) struct Edge {
@@ -93,9 +93,7 @@ impl Compiled {
             }
             for &index in &program.clocks[clock].registers {
                 let register = &program.registers[index as usize];
-                if let Some(reset) = &register.reset {
-                    self.set(register.value, 0..program.value(register.value).lanes, reset.limbs());
-                }
+                start::reset(&program, register, self);
             }
         }
     }

@@ -28,6 +28,7 @@ use emit::{low_mask, signed_constant, ty, vector_constant};
 pub(super) use form::Vector;
 use form::{Form, Need, Step, next};
 pub(super) use memory::Span;
+pub(super) use reduce::operator;
 
 /// All that is known of a value.
 #[derive(Debug, Clone, Default)]

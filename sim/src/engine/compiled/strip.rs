@@ -6,7 +6,7 @@ use cranelift_codegen::ir::{InstBuilder, Value, types};
 use tilewright_hdl::ir::Reduction;
 
 use super::emitter::{Emitter, offset};
-use super::lanes::{Lanes, Span};
+use super::lanes::{Lanes, Span, operator};
 use super::layout::{GUARD, Place};
 use super::scalar::{Scalar, Scalars};
 use crate::engine::program::{Kind, ValueId};
@@ -369,7 +369,7 @@ impl Emitter<'_, '_, '_> {
             let single = &mut strip.singles[lane as usize];
             let b = &mut *self.builder;
             single.load(b, before, width, place.integer(), at, offset(place.offset));
-            single.evaluate(b, both, &Kind::Binary(by.operator(), before, of), width);
+            single.evaluate(b, both, &Kind::Binary(operator(by), before, of), width);
             single.define_flag(first, is_first);
             single.evaluate(b, all, &Kind::Mux { select: first, on_true: of, on_false: both }, width);
             single.store(b, all, place.integer(), at, offset(place.offset));

@@ -5,7 +5,7 @@ use tilewright_hdl::ir::ReadUnderWrite;
 use super::Engine;
 use super::memory::{address, word};
 use crate::engine::Failed;
-use crate::engine::program::{Program, Readers, Triggers, ValueId};
+use crate::engine::program::{Program, Readers, Register, Triggers, ValueId};
 
 /// What is worked out once about edges, and the room they need.
 #[derive(Debug, Clone)]
@@ -170,7 +170,7 @@ impl Engine {
                 &results[range.start - program.schedule.state_end..range.end - program.schedule.state_end]
             };
             changed |= match (&register.reset, self.plan.staged[index as usize]) {
-                (Some(reset), _) if self.plan.resets[clock] => fill(out, reset.limbs()),
+                (Some(_), _) if self.plan.resets[clock] => fill(out, register),
                 (_, Some(room)) => replace(out, &self.plan.waiting[room..room + value.range().len()]),
                 (_, None) => take(out, at(register.next), register.enable.map(at), value.limbs()),
             };
@@ -212,9 +212,11 @@ fn replace(out: &mut [u64], next: &[u64]) -> bool {
     changed
 }
 
-/// Replaces every lane of `out` by `value`; whether any changed.
-fn fill(out: &mut [u64], value: &[u64]) -> bool {
-    out.chunks_exact_mut(value.len()).fold(false, |changed, lane| replace(lane, value) | changed)
+/// Resets every lane of a register; whether any changed.
+fn fill(out: &mut [u64], register: &Register) -> bool {
+    let limbs = register.reset(0).expect("it has a reset").len();
+    let lanes = (0..).zip(out.chunks_exact_mut(limbs));
+    lanes.fold(false, |changed, (lane, out)| replace(out, register.reset(lane).expect("it has a reset")) | changed)
 }
 
 #[cfg(test)]

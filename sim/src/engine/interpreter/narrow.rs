@@ -78,11 +78,7 @@ pub(super) fn evaluate(program: &Program, cell: &Cell, result: ValueId, storage:
             let from = at(of).iter().skip(*index as usize).step_by(*count as usize);
             out.iter_mut().zip(from).for_each(|(out, of)| *out = *of);
         }
-        Kind::Reduce {
-            by: by @ (Reduction::And | Reduction::Or | Reduction::Xor | Reduction::Add),
-            of,
-            axis: Axis { count, inner: 1 },
-        } => {
+        Kind::Reduce { by, of, axis: Axis { count, inner: 1 } } => {
             reduce(*by, out, at(of), *count as usize, mask);
         }
         _ => {
@@ -187,5 +183,7 @@ fn reduce(by: Reduction, out: &mut [u64], of: &[u64], group: usize, mask: u64) {
         Reduction::Or => fold(|a, b| a | b),
         Reduction::Xor => fold(|a, b| a ^ b),
         Reduction::Add => fold(u64::wrapping_add),
+        Reduction::Min => fold(u64::min),
+        Reduction::Max => fold(u64::max),
     }
 }

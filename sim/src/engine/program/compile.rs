@@ -2,16 +2,16 @@
 
 use std::collections::BTreeSet;
 
-use tilewright_hdl::ir::{Design, Instance};
+use tilewright_hdl::ir::{Design, Instance, Node, NodeId, Op};
 
-use super::flatten::{self, ArrayKey, Flat};
+use super::flatten::{self, Flat, Unrolled};
 use super::{Passes, Program, ValueId, cycles, schedule};
 use crate::engine::rewrite;
 
 /// Compiles a design.
 ///
-/// An instance array whose lanes depend on each other within a clock cycle would be a cycle if all its lanes were
-/// evaluated at once; such an array, and no other, is run as single instances.
+/// Lanes that depend on each other within a clock cycle would be a cycle if all of them were evaluated at once; an instance
+/// array of which that is so, and no other, is run as single instances, and of other nodes each lane is computed alone.
 pub fn compile(design: &Design, passes: &Passes) -> Program {
     compile_lanes(design, 1, passes)
 }
@@ -25,7 +25,7 @@ pub fn compile(design: &Design, passes: &Passes) -> Program {
 pub fn compile_lanes(design: &Design, lanes: u32, passes: &Passes) -> Program {
     let most = most_lanes(design);
     assert!((1..=most).contains(&lanes), "a program of this design has from 1 to {most} lanes, not {lanes}");
-    let mut unrolled = BTreeSet::new();
+    let mut unrolled = Unrolled::default();
     loop {
         let mut flat = flatten::flatten(design, lanes, &unrolled, passes);
         let cycles = cycles::cycles(&flat.program.circuit);
@@ -34,9 +34,9 @@ pub fn compile_lanes(design: &Design, lanes: u32, passes: &Passes) -> Program {
             schedule::schedule(&mut flat.program);
             return flat.program;
         }
-        let arrays = arrays_on(&flat, &cycles);
-        assert!(!arrays.is_empty(), "a design has no combinational cycle but through the lanes of arrays");
-        unrolled.extend(arrays);
+        let before = unrolled.clone();
+        unroll(design, &flat, &cycles, &mut unrolled);
+        assert!(unrolled != before, "a design has no combinational cycle but through lanes");
     }
 }
 
@@ -57,8 +57,19 @@ pub fn most_lanes(design: &Design) -> u32 {
     most.max(1) as u32
 }
 
-/// The arrays that cycles lead through.
-fn arrays_on(flat: &Flat, cycles: &[ValueId]) -> Vec<ArrayKey> {
+/// Unrolls the arrays and the nodes with lanes that cycles lead through.
+fn unroll(design: &Design, flat: &Flat, cycles: &[ValueId], unrolled: &mut Unrolled) {
     let on_cycle = |value: &ValueId| cycles.binary_search(value).is_ok();
-    flat.array_outputs.iter().filter(|(value, _)| on_cycle(value)).map(|(_, key)| key.clone()).collect()
+    let arrays = flat.array_outputs.iter().filter(|(value, _)| on_cycle(value));
+    unrolled.arrays.extend(arrays.map(|(_, key)| key.clone()));
+    for (base, module, key) in &flat.instances {
+        let nodes = (0..).map(NodeId).zip(&design.module(*module).nodes);
+        let is_output = |node: &Node| matches!(node.op, Op::Output(..));
+        let split =
+            nodes.filter(|(id, node)| !node.shape.is_plain() && !is_output(node) && on_cycle(&ValueId(base + id.0)));
+        let split: BTreeSet<NodeId> = split.map(|(id, _)| id).collect();
+        if !split.is_empty() {
+            unrolled.nodes.entry(key.clone()).or_default().extend(split);
+        }
+    }
 }

@@ -1,32 +1,42 @@
 //! From modules and instances to one flat netlist. Instance arrays stay whole, except those asked to be unrolled.
 
-use std::collections::{BTreeSet, VecDeque};
+use std::collections::{BTreeMap, BTreeSet, HashMap, VecDeque};
 
-use tilewright_hdl::ir::{Design, MemoryId, Module, ModuleId, Node, NodeId, Op};
+use tilewright_hdl::ir::{Design, Instance, InstanceId, MemoryId, Module, ModuleId, Node, NodeId, Op};
 
-use super::hierarchy::{ClockPort, Replication, Role, Scope, ScopeId, Signal};
+use super::hierarchy::{Replication, Scope, ScopeId};
 use super::instances::{Children, key_of};
-use super::{
-    Affine, Assert, Axis, Cell, Clock, Kind, Memory, Passes, Port, Program, ReadPort, Register, Triggers, ValueId,
-    WritePort,
-};
+use super::{Axis, Cell, Clock, Kind, Passes, Port, Program, Triggers, ValueId};
 
 /// A design made flat.
 pub(super) struct Flat {
     /// Its cells in no particular order; nothing is scheduled.
     pub program: Program,
     /// The outputs of arrays that are kept whole, with the array that each is of.
-    pub array_outputs: Vec<(ValueId, ArrayKey)>,
+    pub array_outputs: Vec<(ValueId, Key)>,
+    /// The instances, with the cell of the first node of each.
+    pub instances: Vec<(u32, ModuleId, Key)>,
 }
 
-/// An instance array, the same one whatever lane it is looked at from: the instances' names from the top down.
-pub(super) type ArrayKey = Vec<String>;
+/// An instance or an instance array, the same one whatever lane it is looked at from: the instances' names from the top
+/// down.
+pub(super) type Key = Vec<String>;
 
-/// The design as cells, so many times side by side; the arrays of `unrolled` become single instances.
-pub(super) fn flatten(design: &Design, lanes: u32, unrolled: &BTreeSet<ArrayKey>, passes: &Passes) -> Flat {
+/// What is not evaluated in all lanes at once, as its lanes depend on each other.
+#[derive(Default, PartialEq, Eq, Clone)]
+pub(super) struct Unrolled {
+    /// Arrays that become single instances.
+    pub arrays: BTreeSet<Key>,
+    /// Nodes of which each lane is computed alone, by the instance that they are in.
+    pub nodes: BTreeMap<Key, BTreeSet<NodeId>>,
+}
+
+/// The design as cells, so many times side by side.
+pub(super) fn flatten(design: &Design, lanes: u32, unrolled: &Unrolled, passes: &Passes) -> Flat {
     let program = Program { passes: passes.clone(), ..Program::default() };
-    let flat = Flat { program, array_outputs: Vec::new() };
-    let mut flatten = Flatten { design, unrolled, flat, open: VecDeque::new() };
+    let flat = Flat { program, array_outputs: Vec::new(), instances: Vec::new() };
+    let mut flatten =
+        Flatten { design, unrolled, flat, top_inputs: Vec::new(), addresses: HashMap::new(), open: VecDeque::new() };
     flatten.top(lanes);
     while let Some(body) = flatten.open.pop_front() {
         flatten.body(body);
@@ -36,8 +46,12 @@ pub(super) fn flatten(design: &Design, lanes: u32, unrolled: &BTreeSet<ArrayKey>
 
 pub(super) struct Flatten<'a> {
     pub(super) design: &'a Design,
-    pub(super) unrolled: &'a BTreeSet<ArrayKey>,
+    pub(super) unrolled: &'a Unrolled,
     pub(super) flat: Flat,
+    /// What a testbench sets for the inputs of the top that have lanes, in order.
+    top_inputs: Vec<ValueId>,
+    /// The address of each asynchronous read port, by memory of the program and port, in all lanes.
+    pub(super) addresses: HashMap<(u32, u32), ValueId>,
     /// Instances whose cells have ids but are not filled in yet.
     open: VecDeque<Body>,
 }
@@ -45,14 +59,14 @@ pub(super) struct Flatten<'a> {
 /// The inside of an instance.
 pub(super) struct Body {
     pub(super) module: ModuleId,
-    pub(super) key: ArrayKey,
+    pub(super) key: Key,
     /// Its scope; several if it stands for instances that were written one by one.
     pub(super) scopes: Vec<ScopeId>,
     pub(super) lanes: u32,
     /// The cell of the module's first node; the others follow.
     base: u32,
-    /// The first of a node's cells for single lanes, for nodes with lanes in a module with an unrolled array.
-    split: Vec<Option<u32>>,
+    /// The first of a node's cells for single lanes, for nodes with lanes where something is unrolled.
+    pub(super) split: Vec<Option<u32>>,
     /// What drives the inputs; empty for the top, whose inputs are state.
     inputs: Vec<ValueId>,
     /// The program's clock for each clock of the module.
@@ -63,11 +77,6 @@ pub(super) struct Body {
 impl Body {
     pub(super) fn whole(&self, node: NodeId) -> ValueId {
         ValueId(self.base + node.0)
-    }
-
-    /// One lane of a node with lanes, where arrays are unrolled.
-    pub(super) fn lane(&self, node: NodeId, lane: u32) -> ValueId {
-        ValueId(self.split[node.0 as usize].expect("lanes are split where an array is unrolled") + lane)
     }
 }
 
@@ -82,21 +91,45 @@ impl Flatten<'_> {
         let value = |node: NodeId| ValueId(base + node.0);
         for input in &module.inputs {
             let clock = input.clock.map_or(0, |clock| clock.0 as usize);
+            let value = self.packed_input(module.node(input.node), value(input.node), lanes);
             self.flat.program.inputs.push(Port {
                 name: input.name.clone(),
                 path: input.path.clone(),
-                value: value(input.node),
+                value,
                 triggers: Triggers::inputs(clock),
             });
         }
         for output in &module.outputs {
+            let value = self.packed_output(module.node(output.node), value(output.node), lanes);
             self.flat.program.outputs.push(Port {
                 name: output.name.clone(),
                 path: output.path.clone(),
-                value: value(output.node),
+                value,
                 triggers: Triggers::NONE,
             });
         }
+    }
+
+    /// What a testbench sets for an input of the top: all lanes side by side, the first in the lowest bits.
+    fn packed_input(&mut self, node: &Node, input: ValueId, lanes: u32) -> ValueId {
+        if node.shape.is_plain() {
+            return input;
+        }
+        let circuit = &mut self.flat.program.circuit;
+        let axis = Axis::last(node.shape.lanes());
+        let port = circuit.push(Cell::new(Kind::State, lanes, node.width * axis.count), Some(node.loc));
+        self.top_inputs.push(port);
+        port
+    }
+
+    /// What a testbench gets of an output of the top.
+    fn packed_output(&mut self, node: &Node, of: ValueId, lanes: u32) -> ValueId {
+        if node.shape.is_plain() {
+            return of;
+        }
+        let axis = Axis::last(node.shape.lanes());
+        let packed = Cell::new(Kind::Pack { of, axis }, lanes, node.width * axis.count);
+        self.flat.program.circuit.push(packed, Some(node.loc))
     }
 
     /// Adds a scope to the hierarchy.
@@ -131,7 +164,7 @@ impl Flatten<'_> {
     pub(super) fn enter(
         &mut self,
         module: ModuleId,
-        key: ArrayKey,
+        key: Key,
         scopes: Vec<ScopeId>,
         lanes: u32,
         inputs: Vec<ValueId>,
@@ -142,10 +175,9 @@ impl Flatten<'_> {
         for node in &definition.nodes {
             self.cell(lanes * node.shape.lanes(), node);
         }
-        let splits = definition
-            .instances
-            .iter()
-            .any(|instance| !instance.shape.is_plain() && self.unrolled.contains(&key_of(&key, instance)));
+        let is_unrolled = |instance: &Instance| self.unrolled.arrays.contains(&key_of(&key, instance));
+        let splits = self.unrolled.nodes.contains_key(&key) || definition.instances.iter().any(is_unrolled);
+        self.flat.instances.push((base, module, key.clone()));
         let mut split = vec![None; definition.nodes.len()];
         if splits {
             for (index, node) in definition.nodes.iter().enumerate() {
@@ -170,157 +202,118 @@ impl Flatten<'_> {
         let children = self.instances(&body, module);
         let body = &Body { children, ..body };
         let memories = self.state(body, module);
-        for (index, node) in module.nodes.iter().enumerate() {
+        for index in 0..module.nodes.len() {
             let id = NodeId(index as u32);
-            let kind = self.kind(body, module, node, &memories);
+            let kind = self.kind(body, module, id, &memories);
             self.flat.program.circuit.set_kind(body.whole(id), kind);
             if body.split[index].is_some() {
-                self.split(body, id, node);
+                self.split(body, module, id);
             }
         }
         self.name(body, module, &memories);
     }
 
-    /// Adds registers, memories and asserts; returns the program's memory for each memory of the module.
-    fn state(&mut self, body: &Body, module: &Module) -> Vec<u32> {
-        let clock = |id: tilewright_hdl::ir::ClockId| body.clocks[id.0 as usize];
-        for register in &module.registers {
-            self.flat.program.registers.push(Register {
-                value: body.whole(register.node),
-                clock: clock(register.clock),
-                reset: register.reset.clone(),
-                enable: register.enable.map(|node| body.whole(node)),
-                next: body.whole(register.next),
-            });
-        }
-        for assert in &module.asserts {
-            self.flat.program.asserts.push(Assert {
-                clock: clock(assert.clock),
-                condition: body.whole(assert.condition),
-                message: assert.message.clone(),
-                loc: assert.loc,
-                scopes: body.scopes.clone(),
-            });
-        }
-        let first = self.flat.program.memories.len() as u32;
-        for memory in &module.memories {
-            let reads = memory.reads.iter().filter_map(|read| {
-                Some(ReadPort {
-                    clock: clock(read.clock?),
-                    address: body.whole(read.address),
-                    enable: read.enable.map(|node| body.whole(node)),
-                    value: body.whole(read.node),
-                })
-            });
-            let writes = memory.writes.iter().map(|write| WritePort {
-                clock: clock(write.clock),
-                enable: body.whole(write.enable),
-                address: body.whole(write.address),
-                data: body.whole(write.data),
-            });
-            self.flat.program.memories.push(Memory {
-                lanes: body.lanes,
-                depth: memory.depth,
-                width: memory.width,
-                policy: memory.policy,
-                contents: memory.contents.clone(),
-                reads: reads.collect(),
-                writes: writes.collect(),
-            });
-        }
-        (first..first + module.memories.len() as u32).collect()
-    }
-
     /// How a node's cell is computed, all lanes together.
-    fn kind(&self, body: &Body, module: &Module, node: &Node, memories: &[u32]) -> Kind {
+    fn kind(&self, body: &Body, module: &Module, id: NodeId, memories: &[u32]) -> Kind {
+        let node = module.node(id);
         let at = |id: &NodeId| body.whole(*id);
-        let group = |of: &NodeId| module.node(*of).shape.lanes();
+        let (own, theirs) =
+            (|axis: u32| Axis::of(node.shape, axis), |of: NodeId, axis| Axis::of(module.node(of).shape, axis));
         match &node.op {
-            Op::Input(index) => body.inputs.get(*index as usize).map_or(Kind::State, |&from| Kind::Alias(from)),
-            Op::Const(bits) => Kind::Const(bits.clone()),
-            Op::Unary(op, a) => Kind::Unary(*op, at(a)),
-            Op::Binary(op, a, b) => Kind::Binary(*op, at(a), at(b)),
-            Op::Compare { relation, signed, operands: [a, b] } => Kind::Compare(*relation, *signed, at(a), at(b)),
-            Op::Shift(op, a, by) => Kind::Shift(*op, at(a), at(by)),
-            Op::Mux { select, on_true, on_false } => {
-                Kind::Mux { select: at(select), on_true: at(on_true), on_false: at(on_false) }
+            _ if self.is_split(body, id) => {
+                let first = body.split[id.0 as usize].expect("its lanes have cells");
+                Kind::Stack { parts: (0..node.shape.lanes()).map(|lane| ValueId(first + lane)).collect(), inner: 1 }
             }
-            Op::Select { arms, default } => {
-                Kind::Select { arms: arms.iter().map(|(c, v)| (at(c), at(v))).collect(), default: at(default) }
-            }
-            Op::Case { subject, arms, default } => Kind::Case {
-                subject: at(subject),
-                arms: arms.iter().map(|(key, v)| (key.clone(), at(v))).collect(),
-                default: at(default),
-            },
-            Op::Slice { of, low } => Kind::Slice(at(of), *low),
-            Op::Concat(parts) => Kind::Concat(parts.iter().map(at).collect()),
-            Op::Repeat(of, times) => Kind::Repeat(at(of), *times),
-            Op::Extend { of, signed } => Kind::Extend(at(of), *signed),
-            Op::Register(_) => Kind::State,
-            Op::Read(memory, port) => read_kind(body, module, *memory, *port, memories),
-            Op::Wire(of) | Op::QuasiStatic(of, _) => Kind::Alias(at(of)),
-            Op::Output(instance, port) => {
-                let child = &module.instances[instance.0 as usize];
-                let driver = self.design.module(child.module).outputs[*port as usize].node;
-                let from = |base: &u32| ValueId(base + driver.0);
-                match (child.shape.is_plain(), &body.children[instance.0 as usize]) {
-                    (_, &Children::Sibling { base, lane, of }) => {
-                        Kind::Lane { of: from(&base), axis: Axis::last(of), index: lane }
-                    }
-                    (false, Children::Bases(lanes)) if self.unrolled.contains(&key_of(&body.key, child)) => {
-                        Kind::Stack { parts: lanes.iter().map(from).collect(), inner: 1 }
-                    }
-                    (_, Children::Bases(bases)) => Kind::Alias(from(&bases[0])),
+            Op::Input(index) => match (body.inputs.get(*index as usize), node.shape.is_plain()) {
+                (Some(&from), _) => Kind::Alias(from),
+                (None, true) => Kind::State,
+                (None, false) => {
+                    let ports = module.inputs[..*index as usize].iter();
+                    let before = ports.filter(|port| !module.node(port.node).shape.is_plain()).count();
+                    Kind::Unpack { of: self.top_inputs[before], axis: Axis::last(node.shape.lanes()) }
                 }
+            },
+            Op::Register(_) => Kind::State,
+            Op::Read(memory, port) => self.read_kind(module, *memory, *port, memories),
+            Op::Output(instance, port) => self.output_kind(body, module, *instance, *port),
+            Op::Broadcast { of, axis } => Kind::Broadcast { of: at(of), axis: own(*axis) },
+            Op::Stack { parts, axis } => Kind::Stack { parts: parts.iter().map(at).collect(), inner: own(*axis).inner },
+            Op::Map { of, axis, index, edge } => Kind::Map {
+                of: at(of),
+                axis: theirs(*of, *axis),
+                count: own(*axis).count,
+                index: *index,
+                edge: edge.as_ref().map(at),
+            },
+            Op::Interleave { parts, axis } => {
+                Kind::Interleave { parts: parts.iter().map(at).collect(), axis: theirs(parts[0], *axis) }
             }
-            Op::Broadcast(of) => Kind::Broadcast { of: at(of), axis: Axis::last(node.shape.lanes()) },
-            Op::PerLane(parts) => Kind::Stack { parts: parts.iter().map(at).collect(), inner: 1 },
-            Op::Shifted { of, by, edge } => {
-                let (of, axis, edge) = (at(of), Axis::last(group(of)), Some(at(edge)));
-                Kind::Map { of, axis, count: axis.count, index: Affine::by(*by), edge }
+            Op::Lane { of, index, .. } if node.shape.is_plain() && body.split[of.0 as usize].is_some() => {
+                Kind::Alias(body.at(*of, *index))
             }
-            Op::Lane(of, index) if body.split[of.0 as usize].is_some() => Kind::Alias(body.lane(*of, *index)),
-            Op::Lane(of, index) => Kind::Lane { of: at(of), axis: Axis::last(group(of)), index: *index },
-            Op::Reduce(by, of) => Kind::Reduce { by: *by, of: at(of), axis: Axis::last(group(of)) },
+            Op::Lane { of, axis, index } => Kind::Lane { of: at(of), axis: theirs(*of, *axis), index: *index },
+            Op::Pick { of, axis, index } => Kind::Pick { of: at(of), axis: theirs(*of, *axis), index: at(index) },
+            Op::Reduce { by, of, axis } => Kind::Reduce { by: *by, of: at(of), axis: theirs(*of, *axis) },
+            Op::Pack { of, axis } => Kind::Pack { of: at(of), axis: theirs(*of, *axis) },
+            Op::Unpack { of, axis } => Kind::Unpack { of: at(of), axis: own(*axis) },
+            _ => elementwise(node, at),
         }
     }
 
-    /// Fills in the cells of a node's single lanes, which depend on no more than they have to.
-    fn split(&mut self, body: &Body, id: NodeId, node: &Node) {
-        let n = node.shape.lanes();
-        for lane in 0..n {
-            let kind = match &node.op {
-                Op::Broadcast(of) => Kind::Alias(body.whole(*of)),
-                Op::PerLane(parts) => Kind::Alias(body.whole(parts[lane as usize])),
-                Op::Shifted { of, by, edge } => match lane.checked_add_signed(-by).filter(|&from| from < n) {
-                    Some(from) => Kind::Alias(body.lane(*of, from)),
-                    None => Kind::Alias(body.whole(*edge)),
-                },
-                _ => match &self.flat.program.circuit[body.whole(id)].kind {
-                    Kind::Stack { parts, .. } => Kind::Alias(parts[lane as usize]),
-                    _ => Kind::Lane { of: body.whole(id), axis: Axis::last(n), index: lane },
-                },
-            };
-            self.flat.program.circuit.set_kind(body.lane(id, lane), kind);
+    /// The output of an instance.
+    fn output_kind(&self, body: &Body, module: &Module, instance: InstanceId, port: u32) -> Kind {
+        let child = &module.instances[instance.0 as usize];
+        let definition = self.design.module(child.module);
+        let driver = definition.outputs[port as usize].node;
+        let inner = definition.node(driver).shape.lanes();
+        let from = |base: &u32| ValueId(base + driver.0);
+        match (child.shape.is_plain(), &body.children[instance.0 as usize]) {
+            (_, &Children::Sibling { base, lane, of }) => {
+                Kind::Lane { of: from(&base), axis: Axis { count: of, inner }, index: lane }
+            }
+            (false, Children::Bases(lanes)) if self.unrolled.arrays.contains(&key_of(&body.key, child)) => {
+                Kind::Stack { parts: lanes.iter().map(from).collect(), inner }
+            }
+            (_, Children::Bases(bases)) => Kind::Alias(from(&bases[0])),
         }
     }
 
-    /// Enters the names of an instance's ports, registers, read data, nets and memories.
-    fn name(&mut self, body: &Body, module: &Module, memories: &[u32]) {
-        for id in &body.scopes {
-            self.name_in(*id, body, module, memories);
+    /// The data of a memory's read port.
+    fn read_kind(&self, module: &Module, memory: MemoryId, port: u32, memories: &[u32]) -> Kind {
+        let read = &module.memories[memory.0 as usize].reads[port as usize];
+        let memory = memories[memory.0 as usize];
+        match read.clock {
+            Some(_) => Kind::State,
+            None => Kind::Read { memory, address: self.addresses[&(memory, port)] },
         }
     }
+}
 
-    fn name_in(&mut self, id: ScopeId, body: &Body, module: &Module, memories: &[u32]) {
-        let scope = &mut self.flat.program.hierarchy.scopes[id.0 as usize];
-        scope.clocks = (module.clocks.iter().zip(&body.clocks))
-            .map(|(ports, &clock)| ClockPort { port: ports.port.clone(), reset: ports.reset.clone(), clock })
-            .collect();
-        scope.memories =
-            module.memories.iter().map(|memory| memory.name.clone()).zip(memories.iter().copied()).collect();
-        scope.signals = signals(module, |node| body.whole(node));
+/// An operation whose lanes are each computed from the same lane of the operands.
+pub(super) fn elementwise(node: &Node, at: impl Fn(&NodeId) -> ValueId) -> Kind {
+    match &node.op {
+        Op::Const(bits) => Kind::Const(bits.clone()),
+        Op::Unary(op, a) => Kind::Unary(*op, at(a)),
+        Op::Binary(op, a, b) => Kind::Binary(*op, at(a), at(b)),
+        Op::Compare { relation, signed, operands: [a, b] } => Kind::Compare(*relation, *signed, at(a), at(b)),
+        Op::Shift(op, a, by) => Kind::Shift(*op, at(a), at(by)),
+        Op::Mux { select, on_true, on_false } => {
+            Kind::Mux { select: at(select), on_true: at(on_true), on_false: at(on_false) }
+        }
+        Op::Select { arms, default } => {
+            Kind::Select { arms: arms.iter().map(|(c, v)| (at(c), at(v))).collect(), default: at(default) }
+        }
+        Op::Case { subject, arms, default } => Kind::Case {
+            subject: at(subject),
+            arms: arms.iter().map(|(key, v)| (key.clone(), at(v))).collect(),
+            default: at(default),
+        },
+        Op::Slice { of, low } => Kind::Slice(at(of), *low),
+        Op::Concat(parts) => Kind::Concat(parts.iter().map(at).collect()),
+        Op::Repeat(of, times) => Kind::Repeat(at(of), *times),
+        Op::Extend { of, signed } => Kind::Extend(at(of), *signed),
+        Op::Wire(of) | Op::QuasiStatic(of, _) => Kind::Alias(at(of)),
+        op => unreachable!("not elementwise: {op:?}"),
     }
 }
 
@@ -336,53 +329,4 @@ fn program_clock(clock: &tilewright_hdl::ir::Clock) -> Clock {
         writes: Vec::new(),
         asserts: Vec::new(),
     }
-}
-
-fn read_kind(body: &Body, module: &Module, memory: MemoryId, port: u32, memories: &[u32]) -> Kind {
-    let read = &module.memories[memory.0 as usize].reads[port as usize];
-    match read.clock {
-        Some(_) => Kind::State,
-        None => Kind::Read { memory: memories[memory.0 as usize], address: body.whole(read.address) },
-    }
-}
-
-/// What of a module has a name in waves: ports first, then the data of synchronous reads (called `MEMORY_read`, or
-/// `MEMORY_read0` and so on if there are several, where the description has no name for it), then the rest.
-fn signals(module: &Module, value: impl Fn(NodeId) -> ValueId) -> Vec<Signal> {
-    let mut all: Vec<Signal> = Vec::new();
-    let mut taken = BTreeSet::new();
-    let mut add = |name: String, role, node: NodeId| {
-        if taken.insert(name.clone()) {
-            let &Node { width, shape, .. } = module.node(node);
-            let group = (!shape.is_plain()).then(|| shape.lanes());
-            all.push(Signal { name, role, value: value(node), width, group, states: None });
-        }
-    };
-    module.inputs.iter().for_each(|port| add(port.name.clone(), Role::Input, port.node));
-    let is_register = |node: &Node| matches!(node.op, Op::Register(_));
-    for port in &module.outputs {
-        let node = module.node(port.node);
-        let named_alike = is_register(node) && node.name.as_ref() == Some(&port.name);
-        add(port.name.clone(), if named_alike { Role::Register } else { Role::Output }, port.node);
-    }
-    for memory in &module.memories {
-        let synchronous: Vec<_> = memory.reads.iter().filter(|read| read.clock.is_some()).collect();
-        for (index, read) in synchronous.iter().enumerate() {
-            let number = if synchronous.len() > 1 { index.to_string() } else { String::new() };
-            let named = module.node(read.node).name.clone();
-            add(named.unwrap_or_else(|| format!("{}_read{number}", memory.name)), Role::ReadData, read.node);
-        }
-    }
-    for (index, node) in module.nodes.iter().enumerate() {
-        if let Some(name) = &node.name {
-            let role = if is_register(node) { Role::Register } else { Role::Net };
-            add(name.clone(), role, NodeId(index as u32));
-        }
-    }
-    for register in &module.registers {
-        let name = module.register_name(register);
-        let named = all.iter_mut().filter(|signal| signal.value == value(register.node) || signal.name == name);
-        named.for_each(|signal| signal.states = register.states.clone());
-    }
-    all
 }

@@ -1,6 +1,6 @@
 //! The names of a program: the tree of instances as the Verilog has it, and the value behind each name.
 
-use tilewright_hdl::ir::States;
+use tilewright_hdl::ir::{Shape, States};
 
 use super::ValueId;
 
@@ -32,8 +32,8 @@ pub struct Scope {
     pub clocks: Vec<ClockPort>,
     /// Its signals in order of declaration: ports, then the rest.
     pub signals: Vec<Signal>,
-    /// Its memories: name and index in [`Program::memories`](super::Program::memories).
-    pub memories: Vec<(String, u32)>,
+    /// Its memories: name, index in [`Program::memories`](super::Program::memories), and shape in this scope.
+    pub memories: Vec<(String, u32, Shape)>,
     /// The scopes in it.
     pub children: Vec<ScopeId>,
 }
@@ -43,10 +43,10 @@ pub struct Scope {
 pub enum Replication {
     /// A single instance.
     Single,
-    /// All of an array of so many instances, side by side in lanes.
-    Whole(u32),
-    /// One element of an array that does not run in lanes.
-    Element(u32),
+    /// All of an array of instances of that shape, side by side in lanes.
+    Whole(Shape),
+    /// One element, by number, of an array of that shape that does not run in lanes.
+    Element(Shape, u32),
     /// One of several instances of a module, written one by one, that run side by side in lanes.
     Sibling {
         /// Which lane it is.
@@ -60,8 +60,9 @@ impl Replication {
     /// How many lanes each of its parent's has.
     fn lanes(self) -> u32 {
         match self {
-            Replication::Whole(n) | Replication::Sibling { of: n, .. } => n,
-            Replication::Single | Replication::Element(_) => 1,
+            Replication::Whole(shape) => shape.lanes(),
+            Replication::Sibling { of, .. } => of,
+            Replication::Single | Replication::Element(..) => 1,
         }
     }
 }
@@ -84,14 +85,34 @@ pub struct Signal {
     pub name: String,
     /// What it is.
     pub role: Role,
-    /// Its value, with the lanes of its scope, times `group` if it has one.
+    /// Its value, with the lanes of its scope, times those of its shape.
     pub value: ValueId,
     /// The width of one lane in bits.
     pub width: u32,
-    /// The lane count of the array that it feeds or comes from, for a value with lanes in its own scope.
-    pub group: Option<u32>,
+    /// Its shape in its own scope.
+    pub shape: Shape,
     /// The states' names, if it is the register of a state machine.
     pub states: Option<States>,
+}
+
+/// The lane of a shape as names have it: nothing, `[3]` or `[1][2]`.
+pub fn index(shape: Shape, lane: u32) -> String {
+    let axes = (0..shape.axes()).map(|axis| format!("[{}]", shape.along(axis, lane)));
+    axes.collect()
+}
+
+/// The lane that such a text means, if there is one.
+pub fn at_index(shape: Shape, text: &str) -> Option<u32> {
+    let lane = match shape {
+        Shape::Plain => 0,
+        Shape::Row(_) => text.strip_prefix('[')?.strip_suffix(']')?.parse().ok()?,
+        Shape::Grid(_, columns) => {
+            let (row, column) = text.strip_prefix('[')?.strip_suffix(']')?.split_once("][")?;
+            row.parse::<u32>().ok()?.checked_mul(columns)?.checked_add(column.parse().ok()?)?
+        }
+    };
+    // Numbers may be written in more than one way, and columns may be too many.
+    (lane < shape.lanes() && index(shape, lane) == text).then_some(lane)
 }
 
 /// What a named value is.
@@ -138,14 +159,18 @@ impl Hierarchy {
     pub fn children(&self, of: Place) -> Vec<(String, Place)> {
         let element = |scope: ScopeId| {
             let child = self.scope(scope);
-            let count = if let Replication::Whole(n) = child.replication { n } else { 1 };
+            let count = if let Replication::Whole(shape) = child.replication { shape.lanes() } else { 1 };
             (0..count).map(move |i| match child.replication {
                 Replication::Single => (child.name.clone(), Place { scope, lane: of.lane }),
                 Replication::Sibling { index, of: n } => {
                     (child.name.clone(), Place { scope, lane: of.lane * n + index })
                 }
-                Replication::Element(i) => (format!("{}[{i}]", child.name), Place { scope, lane: of.lane }),
-                Replication::Whole(n) => (format!("{}[{i}]", child.name), Place { scope, lane: of.lane * n + i }),
+                Replication::Element(shape, i) => {
+                    (format!("{}{}", child.name, index(shape, i)), Place { scope, lane: of.lane })
+                }
+                Replication::Whole(shape) => {
+                    (format!("{}{}", child.name, index(shape, i)), Place { scope, lane: of.lane * count + i })
+                }
             })
         };
         self.scope(of.scope).children.iter().flat_map(|&child| element(child)).collect()
@@ -180,8 +205,8 @@ impl Hierarchy {
             let here = self.scope(scope);
             names.push(match here.replication {
                 Replication::Single | Replication::Sibling { .. } => here.name.clone(),
-                Replication::Element(i) => format!("{}[{i}]", here.name),
-                Replication::Whole(n) => format!("{}[{}]", here.name, lane % n),
+                Replication::Element(shape, i) => format!("{}{}", here.name, index(shape, i)),
+                Replication::Whole(shape) => format!("{}{}", here.name, index(shape, lane % shape.lanes())),
             });
             lane /= here.replication.lanes();
             scope = parent;

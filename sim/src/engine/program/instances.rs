@@ -2,9 +2,9 @@
 
 use std::collections::HashMap;
 
-use tilewright_hdl::ir::{ClockId, Design, Instance, Module, ModuleId};
+use tilewright_hdl::ir::{ClockId, Design, Instance, Module, ModuleId, Shape};
 
-use super::flatten::{ArrayKey, Body, Flatten};
+use super::flatten::{Body, Flatten, Key};
 use super::hierarchy::{Replication, ScopeId};
 use super::{Cell, Kind, ValueId};
 
@@ -34,14 +34,14 @@ impl Flatten<'_> {
             let instance = &module.instances[index];
             let key = key_of(&body.key, instance);
             match groups.get(&kind(instance)) {
-                Some(siblings) if instance.shape.is_plain() && !self.unrolled.contains(&key) => {
+                Some(siblings) if instance.shape.is_plain() && !self.unrolled.arrays.contains(&key) => {
                     let base = self.siblings(body, module, siblings, key);
                     let of = siblings.len() as u32;
                     for (&sibling, lane) in siblings.iter().zip(0..) {
                         children[sibling] = Some(Children::Sibling { base, lane, of });
                     }
                 }
-                _ => children[index] = Some(Children::Bases(self.instance(body, instance))),
+                _ => children[index] = Some(Children::Bases(self.instance(body, module, instance))),
             }
         }
         // In the order of declaration, which siblings have left.
@@ -58,15 +58,16 @@ impl Flatten<'_> {
     }
 
     /// Enters instances of one module as an array; returns its base.
-    fn siblings(&mut self, body: &Body, module: &Module, siblings: &[usize], key: ArrayKey) -> u32 {
+    fn siblings(&mut self, body: &Body, module: &Module, siblings: &[usize], key: Key) -> u32 {
         let instances: Vec<&Instance> = siblings.iter().map(|&index| &module.instances[index]).collect();
         let of = siblings.len() as u32;
         let lanes = body.lanes * of;
         let inputs = (0..instances[0].inputs.len()).map(|port| {
             let parts: Vec<ValueId> = instances.iter().map(|instance| body.whole(instance.inputs[port])).collect();
+            let inner = module.node(instances[0].inputs[port]).shape.lanes();
             let circuit = &mut self.flat.program.circuit;
             let (width, loc) = (circuit[parts[0]].width, circuit.loc(parts[0]));
-            circuit.push(Cell::new(Kind::Stack { parts, inner: 1 }, lanes, width), loc)
+            circuit.push(Cell::new(Kind::Stack { parts, inner }, lanes * inner, width), loc)
         });
         let inputs = inputs.collect();
         let mut scopes = Vec::new();
@@ -86,10 +87,13 @@ impl Flatten<'_> {
     }
 
     /// Enters an instance, as many times as it is unrolled to; returns the bases.
-    fn instance(&mut self, body: &Body, instance: &Instance) -> Vec<u32> {
-        let key = key_of(&body.key, instance);
+    fn instance(&mut self, body: &Body, module: &Module, instance: &Instance) -> Vec<u32> {
+        let (key, shape) = (key_of(&body.key, instance), instance.shape);
+        let elements = match self.unrolled.arrays.contains(&key) {
+            true => self.element_inputs(body, module, instance),
+            false => Vec::new(),
+        };
         let clocks: Vec<u32> = instance.clocks.iter().map(|clock| body.clocks[clock.0 as usize]).collect();
-        let unrolled = self.unrolled.contains(&key);
         let mut enter = |replication, lanes, inputs| {
             let scope = |parent: &ScopeId| {
                 self.scope(Some(*parent), instance.name.clone(), instance.module, replication, lanes)
@@ -98,18 +102,37 @@ impl Flatten<'_> {
             self.enter(instance.module, key.clone(), scopes, lanes, inputs, clocks.clone())
         };
         let whole = || instance.inputs.iter().map(|&node| body.whole(node)).collect();
-        let lane = |i| instance.inputs.iter().map(|&node| body.lane(node, i)).collect();
-        match (instance.shape.is_plain(), instance.shape.lanes()) {
-            (true, _) => vec![enter(Replication::Single, body.lanes, whole())],
-            (false, n) if unrolled => (0..n).map(|i| enter(Replication::Element(i), body.lanes, lane(i))).collect(),
-            (false, n) => {
-                let base = enter(Replication::Whole(n), body.lanes * n, whole());
+        match shape {
+            Shape::Plain => vec![enter(Replication::Single, body.lanes, whole())],
+            _ if !elements.is_empty() => {
+                let element = |(index, inputs)| enter(Replication::Element(shape, index), body.lanes, inputs);
+                (0..).zip(elements).map(element).collect()
+            }
+            _ => {
+                let base = enter(Replication::Whole(shape), body.lanes * shape.lanes(), whole());
                 for &node in &instance.outputs {
                     self.flat.array_outputs.push((body.whole(node), key.clone()));
                 }
                 vec![base]
             }
         }
+    }
+}
+
+impl Flatten<'_> {
+    /// What feeds each element of an array that is unrolled.
+    fn element_inputs(&mut self, body: &Body, module: &Module, instance: &Instance) -> Vec<Vec<ValueId>> {
+        let count = instance.shape.lanes();
+        let mut elements = Vec::new();
+        for element in 0..count {
+            let inputs = instance.inputs.iter();
+            let inputs = inputs.map(|&id| {
+                let lanes = module.node(id).shape.lanes() / count;
+                self.element_input(body, module, id, element, lanes)
+            });
+            elements.push(inputs.collect());
+        }
+        elements
     }
 }
 
@@ -139,6 +162,6 @@ fn nodes(design: &Design, id: ModuleId) -> usize {
 }
 
 /// The name of an array.
-pub(super) fn key_of(parent: &ArrayKey, instance: &Instance) -> ArrayKey {
+pub(super) fn key_of(parent: &Key, instance: &Instance) -> Key {
     parent.iter().cloned().chain([instance.name.clone()]).collect()
 }

@@ -1,7 +1,7 @@
 //! How a value is computed from others: the operators of the circuit, made flat.
 
 use tilewright_hdl::Bits;
-use tilewright_hdl::ir::{Binary, Reduction, Relation, Shift, Unary};
+use tilewright_hdl::ir::{Affine, Binary, Reduction, Relation, Shape, Shift, Unary};
 
 use super::ValueId;
 
@@ -163,34 +163,6 @@ pub enum Kind {
     Rotate(ValueId, u32),
 }
 
-/// Which lane of an operand a lane along an axis is: `(mul * i + add) / div`, rounded down.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub struct Affine {
-    /// How far apart the lanes of two neighbours are, before the division.
-    pub mul: i32,
-    /// The place of lane 0, before the division.
-    pub add: i32,
-    /// How many neighbours share a lane, at least 1.
-    pub div: u32,
-}
-
-impl Affine {
-    /// As many lanes towards the higher index.
-    pub fn by(lanes: i32) -> Affine {
-        Affine { mul: 1, add: -lanes, div: 1 }
-    }
-
-    /// The lane for a lane.
-    pub fn at(self, lane: u32) -> i64 {
-        (i64::from(self.mul) * i64::from(lane) + i64::from(self.add)).div_euclid(i64::from(self.div))
-    }
-
-    /// The lane for a lane, if it is one of so many.
-    pub fn within(self, lane: u32, count: u32) -> Option<u32> {
-        u32::try_from(self.at(lane)).ok().filter(|&from| from < count)
-    }
-}
-
 /// An axis of a value: its lanes are `outer` groups of `count` lanes, which are `inner` lanes each.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Axis {
@@ -204,6 +176,11 @@ impl Axis {
     /// The last axis.
     pub fn last(count: u32) -> Axis {
         Axis { count, inner: 1 }
+    }
+
+    /// An axis of a shape.
+    pub fn of(shape: Shape, axis: u32) -> Axis {
+        Axis { count: shape.extent(axis), inner: shape.inner(axis) }
     }
 
     /// The lanes of the axis and of those behind it.

@@ -16,17 +16,20 @@ mod flatten;
 pub mod hierarchy;
 mod instances;
 mod kind;
+mod named;
+mod objects;
 mod roots;
 mod schedule;
+mod split;
 
 use crate::engine::Passes;
-use tilewright_hdl::ir::{Contents, ReadUnderWrite};
-use tilewright_hdl::{Bits, Loc, limbs_for};
+use tilewright_hdl::ir::{Contents, Init, ReadUnderWrite};
+use tilewright_hdl::{Loc, limbs_for};
 
 pub use circuit::{Cell, Circuit, ValueId};
 pub use compile::{compile, compile_lanes, most_lanes};
 pub use hierarchy::Hierarchy;
-pub use kind::{Affine, Axis, Kind};
+pub use kind::{Axis, Kind};
 
 /// What can make a segment's results stale: a bit for each clock's state and for each clock's inputs.
 ///
@@ -225,8 +228,8 @@ pub struct Register {
     pub value: ValueId,
     /// Its clock, by index in [`Program::clocks`].
     pub clock: u32,
-    /// The value of every lane after a reset.
-    pub reset: Option<Bits>,
+    /// What it holds after a reset: values for so many lanes, over and over.
+    pub reset: Option<Init>,
     /// 1 bit a lane: whether it takes `next`; `None` means always.
     pub enable: Option<ValueId>,
     /// What it takes.
@@ -244,7 +247,7 @@ pub struct Memory {
     pub width: u32,
     /// What a synchronous read gives when its word is written at the same edge.
     pub policy: ReadUnderWrite,
-    /// What every lane holds at the start.
+    /// What it holds at the start: words for so many lanes, over and over.
     pub contents: Contents,
     /// Synchronous read ports.
     pub reads: Vec<ReadPort>,
@@ -289,8 +292,21 @@ pub struct Assert {
     pub message: String,
     /// Where the description states it.
     pub loc: Loc,
+    /// How many of the lanes of the condition each instance has.
+    pub group: u32,
     /// The scope that it stands in; several for instances that run in lanes but were written one by one.
     pub scopes: Vec<hierarchy::ScopeId>,
+}
+
+impl Register {
+    /// The value of a lane after a reset, if a reset touches it.
+    pub fn reset(&self, lane: u32) -> Option<&[u64]> {
+        let value = match self.reset.as_ref()? {
+            Init::Same(value) => value,
+            Init::Each(values) => &values[lane as usize % values.len()],
+        };
+        Some(value.limbs())
+    }
 }
 
 impl Program {

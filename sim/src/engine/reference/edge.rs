@@ -42,8 +42,8 @@ impl Engine {
         for &index in &program.clocks[clock].registers {
             let register = &program.registers[index as usize];
             for lane in 0..program.circuit[register.value].lanes {
-                let limbs = match &register.reset {
-                    Some(reset) if self.resets[clock] => reset.limbs(),
+                let limbs = match register.reset(lane) {
+                    Some(reset) if self.resets[clock] => reset,
                     _ if self.holds(register.enable, lane) => self.number(register.next, lane).limbs,
                     _ => continue,
                 };

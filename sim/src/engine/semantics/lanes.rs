@@ -20,7 +20,7 @@ pub(super) fn evaluate<'a>(cell: &Cell, lane: u32, out: &mut [u64], at: impl Fn(
         }
         Kind::Map { of, axis, count, index, edge } => {
             let (number, rest) = Axis { count: *count, ..*axis }.split(lane);
-            match (index.within(number, axis.count), edge) {
+            match (index.source(number, axis.count), edge) {
                 (Some(from), _) => out.copy_from_slice(at(*of, axis.at(rest, from)).limbs),
                 (None, Some(edge)) => out.copy_from_slice(at(*edge, rest).limbs),
                 (None, None) => unreachable!("a lane outside has an edge: {cell:?}"),
@@ -70,6 +70,9 @@ fn combine(by: Reduction, width: u32, out: &mut [u64], lane: &[u64]) {
         Reduction::And => bitwise(|a, b| a & b, out),
         Reduction::Or => bitwise(|a, b| a | b, out),
         Reduction::Xor => bitwise(|a, b| a ^ b, out),
+        Reduction::Min if limbs::compare(lane, out).is_lt() => out.copy_from_slice(lane),
+        Reduction::Max if limbs::compare(lane, out).is_gt() => out.copy_from_slice(lane),
+        Reduction::Min | Reduction::Max => {}
         Reduction::Add => {
             let sum = out.to_vec();
             limbs::add(out, &sum, lane, false);

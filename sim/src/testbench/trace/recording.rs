@@ -7,7 +7,7 @@ use tilewright_hdl::recording::{Initial, Step};
 use tilewright_hdl::{Bits, Recording};
 
 use super::{Observer, View};
-use crate::engine::program::{Port, Program, ValueId};
+use crate::engine::program::{Port, Program, ValueId, hierarchy};
 use crate::engine::{Engine, Word};
 use crate::testbench::error::Error;
 
@@ -32,8 +32,11 @@ impl Poked {
     fn initial(&self, view: &View, run: u32) -> Vec<Initial> {
         let (program, mut all) = (view.program, Vec::<(Word, Initial)>::new());
         for place in program.hierarchy.places(run) {
-            for (name, memory) in &program.hierarchy.scope(place.scope).memories {
-                let first = Word { memory: *memory, lane: place.lane, address: 0 };
+            let memories = &program.hierarchy.scope(place.scope).memories;
+            let lanes = memories.iter().flat_map(|it| (0..it.2.lanes()).map(move |lane| (it, lane)));
+            for ((name, memory, shape), lane) in lanes {
+                let name = &format!("{name}{}", hierarchy::index(*shape, lane));
+                let first = Word { memory: *memory, lane: place.lane * shape.lanes() + lane, address: 0 };
                 let words = self.words();
                 for word in words.range(first..=Word { address: u32::MAX, ..first }) {
                     let limbs = view.engine.word(word.memory, word.lane, word.address);

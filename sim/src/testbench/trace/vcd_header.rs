@@ -9,7 +9,7 @@ use vcd::{IdCode, ReferenceIndex, ScopeType, TimescaleUnit, VarType, Writer};
 use super::changes::Id;
 use super::glob;
 use crate::engine::program::hierarchy::{Place, Replication, Role, Signal};
-use crate::engine::program::{Program, ValueId};
+use crate::engine::program::{Program, ValueId, hierarchy};
 use crate::testbench::error::UnknownName;
 
 /// The header and what the changes after it refer to.
@@ -99,7 +99,7 @@ fn unmatched(program: &Program, pattern: &str) -> UnknownName {
     let (mut names, mut instances) = (Vec::new(), Vec::new());
     for place in hierarchy.places(0) {
         let scope = hierarchy.scope(place.scope);
-        let signals = scope.signals.iter().filter(|signal| signal.group.is_none()).map(|signal| &signal.name);
+        let signals = scope.signals.iter().map(|signal| &signal.name);
         let clocks = scope.clocks.iter().flat_map(|ports| [Some(&ports.port), ports.reset.as_ref()]).flatten();
         let names_here = signals.chain(clocks).map(String::as_str).chain(["**"]);
         names.extend(names_here.map(|name| hierarchy.path_in(place, name)));
@@ -157,9 +157,10 @@ impl Build<'_> {
                 self.header.clocks[clock].reset_id = Some(self.wire(id, reset)?);
             }
         }
-        for signal in scope.signals.iter().filter(|signal| signal.group.is_none()) {
-            if self.shows(path, &signal.name) {
-                self.signal(signal, place.lane)?;
+        for signal in &scope.signals {
+            let lanes = signal.shape.lanes();
+            for lane in if self.shows(path, &signal.name) { 0..lanes } else { 0..0 } {
+                self.signal(signal, lane, place.lane * lanes + lane)?;
             }
         }
         for (name, child) in program.hierarchy.children(place) {
@@ -209,7 +210,9 @@ impl Build<'_> {
         Ok(id)
     }
 
-    fn signal(&mut self, signal: &Signal, lane: u32) -> io::Result<()> {
+    /// A lane of a signal, which is `lane` of its value.
+    fn signal(&mut self, signal: &Signal, own: u32, lane: u32) -> io::Result<()> {
+        let name = format!("{}{}", signal.name, hierarchy::index(signal.shape, own));
         let known = self.ids.get(&(signal.value, lane)).copied();
         let id = known.unwrap_or_else(|| fresh(&mut self.next));
         let kind = match signal.role {
@@ -217,7 +220,7 @@ impl Build<'_> {
             Role::Input | Role::Output | Role::Net => VarType::Wire,
         };
         let index = (signal.width > 1).then(|| ReferenceIndex::Range(signal.width as i32 - 1, 0));
-        self.writer.var_def(kind, signal.width, id, &signal.name, index)?;
+        self.writer.var_def(kind, signal.width, id, &name, index)?;
         if known.is_none() {
             self.ids.insert((signal.value, lane), id);
             let kind = if signal.width == 1 { VariableKind::Bit } else { VariableKind::Bits };
@@ -226,7 +229,7 @@ impl Build<'_> {
         let Some(states) = &signal.states else { return Ok(()) };
         let known = self.strings.get(&(signal.value, lane)).copied();
         let id = known.unwrap_or_else(|| fresh(&mut self.next));
-        self.writer.var_def(VarType::String, 1, id, &format!("{}_state", signal.name), None)?;
+        self.writer.var_def(VarType::String, 1, id, &format!("{name}_state"), None)?;
         if known.is_none() {
             self.strings.insert((signal.value, lane), id);
             self.variable(id, VariableKind::State(states.clone()), signal.value, lane);

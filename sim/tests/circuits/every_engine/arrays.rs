@@ -114,18 +114,18 @@ fn single_instances(module: &IrModule) -> IrModule {
         for i in 0..n {
             out.nodes[lanes[index] as usize + i as usize].op = match &node.op {
                 Op::Output(instance, port) => Op::Output(InstanceId(first[instance.0 as usize] + i), *port),
-                Op::Broadcast(of) => Op::Wire(*of),
-                Op::PerLane(parts) => Op::Wire(parts[i as usize]),
-                Op::Shifted { of, by, edge } => match i.checked_add_signed(-by).filter(|&from| from < n) {
+                Op::Broadcast { of, .. } => Op::Wire(*of),
+                Op::Stack { parts, .. } => Op::Wire(parts[i as usize]),
+                Op::Map { of, index, edge, .. } => match index.source(i, n) {
                     Some(from) => Op::Wire(lane(*of, from)),
-                    None => Op::Wire(*edge),
+                    None => Op::Wire(edge.unwrap()),
                 },
                 other => panic!("{other:?} has no lanes"),
             };
         }
         out.nodes[index] = match &node.op {
-            Op::Lane(of, i) => Node { op: Op::Wire(lane(*of, *i)), ..node.clone() },
-            Op::Reduce(by, of) => reduced(&mut out, module, *by, *of, lane, node),
+            Op::Lane { of, index: i, .. } => Node { op: Op::Wire(lane(*of, *i)), ..node.clone() },
+            Op::Reduce { by, of, .. } => reduced(&mut out, module, *by, *of, lane, node),
             Op::Output(instance, port) if n == 0 => {
                 Node { op: Op::Output(InstanceId(first[instance.0 as usize]), *port), ..node.clone() }
             }
@@ -145,13 +145,7 @@ fn reduced(
     lane: impl Fn(NodeId, u32) -> NodeId,
     node: &Node,
 ) -> Node {
-    use tilewright_hdl::ir::Binary;
-    let op = match by {
-        Reduction::And => Binary::And,
-        Reduction::Or => Binary::Or,
-        Reduction::Xor => Binary::Xor,
-        Reduction::Add => Binary::Add,
-    };
+    let op = by.operator().expect("no smallest or largest");
     let mut all = lane(of, 0);
     for i in 1..module.node(of).shape.lanes() {
         out.nodes.push(Node { op: Op::Binary(op, all, lane(of, i)), name: None, ..node.clone() });

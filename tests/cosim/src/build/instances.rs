@@ -156,6 +156,7 @@ fn gather(lanes: Lanes, gather: Gather) -> Signal {
         Gather::Reduce(Reduction::Or) => lanes.or_all(),
         Gather::Reduce(Reduction::Xor) => lanes.xor_all(),
         Gather::Reduce(Reduction::Add) => lanes.sum(),
+        Gather::Reduce(Reduction::Min | Reduction::Max) => unreachable!("the language does not make these yet"),
         Gather::Lane(index) => lanes.lane(index % lanes.count()),
         Gather::Concat => narrow(concat(&lanes.to_vec())),
     }

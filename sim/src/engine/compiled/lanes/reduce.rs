@@ -8,10 +8,15 @@ use super::Lanes;
 use super::emit::{self, cast, low_mask, ty};
 use super::form::Vector;
 
+/// The operator that combines two lanes.
+pub(in crate::engine::compiled) fn operator(by: Reduction) -> Binary {
+    by.operator().expect("what has no operator is lowered to comparisons")
+}
+
 impl Lanes {
     /// Lane by lane, both as [`Lanes::carried`] gives them; so is the result.
     pub fn combine(&mut self, b: &mut FunctionBuilder, by: Reduction, x: &Vector, y: &Vector) -> Vector {
-        let both = self.combined(b, by.operator(), x, y);
+        let both = self.combined(b, operator(by), x, y);
         self.shape(x.width, both.parts)
     }
 
@@ -24,7 +29,7 @@ impl Lanes {
 
     /// All lanes of a vector as [`Lanes::carried`] gives it, combined into a clean I64.
     pub fn reduce(&mut self, b: &mut FunctionBuilder, by: Reduction, vector: &Vector) -> Value {
-        let (width, element, op) = (vector.width, vector.element, by.operator());
+        let (width, element, op) = (vector.width, vector.element, operator(by));
         let op = if width == 1 && op == Binary::Add { Binary::Xor } else { op };
         let combine = |b: &mut FunctionBuilder, x: Value, y: Value| match op {
             Binary::And => b.ins().band(x, y),

@@ -1,7 +1,9 @@
 //! Neighbours are loaded from anywhere, and replaced at the edges of their groups; other maps look up which lane it is.
 
 use super::{flags, lanes};
-use crate::engine::program::{Affine, Axis, Cell, Kind, ValueId};
+use tilewright_hdl::ir::Affine;
+
+use crate::engine::program::{Axis, Cell, Kind, ValueId};
 use crate::engine::rewrite::Rewriter;
 
 /// A [`Kind::Map`].
@@ -17,14 +19,14 @@ pub(super) struct Map {
 pub(super) fn map(rewriter: &mut Rewriter, map: &Map, lanes: u32, width: u32) -> ValueId {
     let Map { of, axis, count, index, edge } = *map;
     let to = Axis { count, ..axis };
-    let inside = |lane: u32| index.within(to.split(lane).0, axis.count);
+    let inside = |lane: u32| index.source(to.split(lane).0, axis.count);
     let anywhere = match (index, count == axis.count) {
         (Affine { mul: 1, add, div: 1 }, true) => {
             rewriter.add(Kind::Slide { of, by: -add * axis.inner as i32 }, lanes, width)
         }
         _ => lanes::gather(rewriter, of, lanes, width, |lane| {
             let (number, rest) = to.split(lane);
-            axis.at(rest, index.within(number, axis.count).unwrap_or(0))
+            axis.at(rest, index.source(number, axis.count).unwrap_or(0))
         }),
     };
     let Some(edge) = edge else { return anywhere };

@@ -1,7 +1,7 @@
 //! Reductions, along the last axis, of lanes that exist.
 
 use tilewright_hdl::Bits;
-use tilewright_hdl::ir::Reduction;
+use tilewright_hdl::ir::{Reduction, Relation};
 
 use super::super::layout::Strips;
 use super::{constant, flags, lanes};
@@ -18,6 +18,9 @@ pub(super) fn reduce(
     lanes: u32,
     width: u32,
 ) -> ValueId {
+    if matches!(by, Reduction::Min | Reduction::Max) {
+        return least(rewriter, by, of, axis, lanes, width);
+    }
     let all = rewriter.circuit()[of].lanes;
     let mut of = match axis.inner {
         1 => of,
@@ -27,11 +30,32 @@ pub(super) fn reduce(
     if axis.count == all && !all.is_multiple_of(strips.strip(all)) {
         let neutral = match by {
             Reduction::And => Bits::ones(width),
-            Reduction::Or | Reduction::Xor | Reduction::Add => Bits::zero(width),
+            _ => Bits::zero(width),
         };
         let select = flags(rewriter, all, all, |_| true);
         let neutral = constant(rewriter, neutral, all);
         of = rewriter.add(Kind::Mux { select, on_true: of, on_false: neutral }, all, width);
     }
     rewriter.add(Kind::Reduce { by, of, axis: Axis::last(axis.count) }, lanes, width)
+}
+
+/// The smallest or the largest lane along an axis, of two at a time.
+fn least(rewriter: &mut Rewriter, by: Reduction, of: ValueId, axis: Axis, lanes: u32, width: u32) -> ValueId {
+    let relation = if by == Reduction::Min { Relation::Lt } else { Relation::Gt };
+    let (mut of, mut count) = (of, axis.count);
+    while count > 1 {
+        let (half, before) = (count.div_ceil(2), Axis { count, ..axis });
+        let after = Axis { count: half, ..axis };
+        let mut side = |second: u32| {
+            lanes::gather(rewriter, of, lanes * half, width, |lane| {
+                let (number, rest) = after.split(lane);
+                before.at(rest, (2 * number + second).min(count - 1))
+            })
+        };
+        let [on_true, on_false] = [side(0), side(1)];
+        let select = rewriter.add(Kind::Compare(relation, false, on_true, on_false), lanes * half, 1);
+        of = rewriter.add(Kind::Mux { select, on_true, on_false }, lanes * half, width);
+        count = half;
+    }
+    of
 }

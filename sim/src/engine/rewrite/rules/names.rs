@@ -1,7 +1,9 @@
 //! Names for one value, and axes of one lane, which engines do not know.
 
 use super::super::{Rewrite, Rewriter};
-use crate::engine::program::{Affine, Axis, Cell, Kind};
+use tilewright_hdl::ir::Affine;
+
+use crate::engine::program::{Axis, Cell, Kind};
 
 /// `Alias(x)` is `x`; so is any operation along an axis of one lane.
 pub(super) fn name(_: &mut Rewriter, cell: &Cell) -> Option<Rewrite> {
@@ -27,12 +29,12 @@ fn map(
     index: Affine,
     edge: Option<crate::engine::program::ValueId>,
 ) -> Option<Rewrite> {
-    if index == Affine::by(0) && count == axis.count {
+    if index == Affine::shift(0) && count == axis.count {
         return Some(Rewrite::Same(of));
     }
     // It rises or falls, so the ends tell.
     let sees_none =
-        |lanes: std::ops::Range<u32>| lanes.into_iter().all(|lane| index.within(lane, axis.count).is_none());
+        |lanes: std::ops::Range<u32>| lanes.into_iter().all(|lane| index.source(lane, axis.count).is_none());
     match edge {
         Some(edge) if sees_none(0..count) => {
             Some(Rewrite::As(Kind::Broadcast { of: edge, axis: Axis { count, ..axis } }))

@@ -12,7 +12,7 @@ pub(super) fn lane(rewriter: &mut Rewriter, cell: &Cell) -> Option<Rewrite> {
             Some(Rewrite::Same(parts[index as usize]))
         }
         Kind::Map { of, axis: from, count, index: map, edge } if from.inner == axis.inner && *count == axis.count => {
-            match (map.within(index, from.count), edge) {
+            match (map.source(index, from.count), edge) {
                 (Some(index), _) => Some(Rewrite::As(Kind::Lane { of: *of, axis: *from, index })),
                 (None, edge) => edge.map(Rewrite::Same),
             }

@@ -146,6 +146,7 @@ fn lanes_are_gathered_extracted_and_combined() {
                     Reduction::Or => x | y,
                     Reduction::Xor => x ^ y,
                     Reduction::Add => x.wrapping_add(y),
+                    Reduction::Min | Reduction::Max => unreachable!("they are lowered"),
                 });
                 assert_eq!(memory[4 * n], combined.unwrap() & low_mask(width), "{what}");
                 if width == 1 {

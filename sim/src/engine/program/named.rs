@@ -1,0 +1,68 @@
+//! The names of an instance: its ports, registers, read data, nets and memories.
+
+use std::collections::BTreeSet;
+
+use tilewright_hdl::ir::{Module, Node, NodeId, Op};
+
+use super::ValueId;
+use super::flatten::{Body, Flatten};
+use super::hierarchy::{ClockPort, Role, ScopeId, Signal};
+
+impl Flatten<'_> {
+    /// Enters the names of an instance's ports, registers, read data, nets and memories.
+    pub(super) fn name(&mut self, body: &Body, module: &Module, memories: &[u32]) {
+        for id in &body.scopes {
+            self.name_in(*id, body, module, memories);
+        }
+    }
+
+    fn name_in(&mut self, id: ScopeId, body: &Body, module: &Module, memories: &[u32]) {
+        let scope = &mut self.flat.program.hierarchy.scopes[id.0 as usize];
+        scope.clocks = (module.clocks.iter().zip(&body.clocks))
+            .map(|(ports, &clock)| ClockPort { port: ports.port.clone(), reset: ports.reset.clone(), clock })
+            .collect();
+        let named = module.memories.iter().zip(memories);
+        scope.memories = named.map(|(memory, &index)| (memory.name.clone(), index, memory.shape)).collect();
+        scope.signals = signals(module, |node| body.whole(node));
+    }
+}
+
+/// What of a module has a name in waves: ports first, then the data of synchronous reads (called `MEMORY_read`, or
+/// `MEMORY_read0` and so on if there are several, where the description has no name for it), then the rest.
+fn signals(module: &Module, value: impl Fn(NodeId) -> ValueId) -> Vec<Signal> {
+    let mut all: Vec<Signal> = Vec::new();
+    let mut taken = BTreeSet::new();
+    let mut add = |name: String, role, node: NodeId| {
+        if taken.insert(name.clone()) {
+            let &Node { width, shape, .. } = module.node(node);
+            all.push(Signal { name, role, value: value(node), width, shape, states: None });
+        }
+    };
+    module.inputs.iter().for_each(|port| add(port.name.clone(), Role::Input, port.node));
+    let is_register = |node: &Node| matches!(node.op, Op::Register(_));
+    for port in &module.outputs {
+        let node = module.node(port.node);
+        let named_alike = is_register(node) && node.name.as_ref() == Some(&port.name);
+        add(port.name.clone(), if named_alike { Role::Register } else { Role::Output }, port.node);
+    }
+    for memory in &module.memories {
+        let synchronous: Vec<_> = memory.reads.iter().filter(|read| read.clock.is_some()).collect();
+        for (index, read) in synchronous.iter().enumerate() {
+            let number = if synchronous.len() > 1 { index.to_string() } else { String::new() };
+            let named = module.node(read.node).name.clone();
+            add(named.unwrap_or_else(|| format!("{}_read{number}", memory.name)), Role::ReadData, read.node);
+        }
+    }
+    for (index, node) in module.nodes.iter().enumerate() {
+        if let Some(name) = &node.name {
+            let role = if is_register(node) { Role::Register } else { Role::Net };
+            add(name.clone(), role, NodeId(index as u32));
+        }
+    }
+    for register in &module.registers {
+        let name = module.register_name(register);
+        let named = all.iter_mut().filter(|signal| signal.value == value(register.node) || signal.name == name);
+        named.for_each(|signal| signal.states = register.states.clone());
+    }
+    all
+}

@@ -1,0 +1,78 @@
+//! What an instance reads from and changes: registers, memories, assertions.
+
+use tilewright_hdl::ir::{self, ClockId, Module, NodeId, Shape};
+
+use super::flatten::{Body, Flatten};
+use super::{Assert, Axis, Cell, Kind, Memory, ReadPort, Register, ValueId, WritePort};
+
+impl Flatten<'_> {
+    /// Adds registers, memories and asserts; returns the program's memory for each memory of the module.
+    pub(super) fn state(&mut self, body: &Body, module: &Module) -> Vec<u32> {
+        let clock = |id: ClockId| body.clocks[id.0 as usize];
+        for register in &module.registers {
+            self.flat.program.registers.push(Register {
+                value: body.whole(register.node),
+                clock: clock(register.clock),
+                reset: register.reset.clone(),
+                enable: register.enable.map(|node| body.whole(node)),
+                next: body.whole(register.next),
+            });
+        }
+        for assert in &module.asserts {
+            self.flat.program.asserts.push(Assert {
+                clock: clock(assert.clock),
+                condition: body.whole(assert.condition),
+                message: assert.message.clone(),
+                loc: assert.loc,
+                group: module.node(assert.condition).shape.lanes(),
+                scopes: body.scopes.clone(),
+            });
+        }
+        module.memories.iter().map(|memory| self.memory(body, module, memory)).collect()
+    }
+
+    /// Adds a memory.
+    fn memory(&mut self, body: &Body, module: &Module, memory: &ir::Memory) -> u32 {
+        let index = self.flat.program.memories.len() as u32;
+        let clock = |id: ClockId| body.clocks[id.0 as usize];
+        let (mut reads, mut writes) = (Vec::new(), Vec::new());
+        for (port, read) in (0..).zip(&memory.reads) {
+            let address = self.in_lanes(body, module, read.address, memory.shape);
+            match read.clock {
+                None => {
+                    self.addresses.insert((index, port), address);
+                }
+                Some(id) => {
+                    let enable = read.enable.map(|enable| self.in_lanes(body, module, enable, memory.shape));
+                    reads.push(ReadPort { clock: clock(id), address, enable, value: body.whole(read.node) });
+                }
+            }
+        }
+        for write in &memory.writes {
+            let [enable, address] =
+                [write.enable, write.address].map(|node| self.in_lanes(body, module, node, memory.shape));
+            writes.push(WritePort { clock: clock(write.clock), enable, address, data: body.whole(write.data) });
+        }
+        self.flat.program.memories.push(Memory {
+            lanes: body.lanes * memory.shape.lanes(),
+            depth: memory.depth,
+            width: memory.width,
+            policy: memory.policy,
+            contents: memory.contents.clone(),
+            reads,
+            writes,
+        });
+        index
+    }
+
+    /// A node in all lanes of a shape, though it be plain.
+    fn in_lanes(&mut self, body: &Body, module: &Module, id: NodeId, shape: Shape) -> ValueId {
+        let (node, of) = (module.node(id), body.whole(id));
+        if node.shape == shape {
+            return of;
+        }
+        let axis = Axis::last(shape.lanes());
+        let cell = Cell::new(Kind::Broadcast { of, axis }, body.lanes * axis.count, node.width);
+        self.flat.program.circuit.push(cell, Some(node.loc))
+    }
+}
