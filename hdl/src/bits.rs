@@ -42,8 +42,12 @@ pub const fn top_mask(width: u32) -> u64 {
 
 impl Bits {
     /// The low `width` bits of `value`.
+    #[inline]
     pub fn new(width: u32, value: u64) -> Bits {
-        Bits::from_limbs(width, &[value])
+        match width {
+            1..=64 => Bits { width, limbs: Limbs::One(value & top_mask(width)) },
+            _ => Bits::from_limbs(width, &[value]),
+        }
     }
 
     /// The low `width` bits of `value`.

@@ -20,6 +20,15 @@ impl Leaf for u64 {}
 impl Leaf for usize {}
 impl Leaf for u128 {}
 
+/// What [`Fields::visit`] comes across.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Visited<'a, T> {
+    /// A leaf.
+    Leaf(&'a T),
+    /// A `Vec` of so many elements, which follow.
+    List(usize),
+}
+
 /// A record whose leaves are `T`: a leaf itself, an array or a list of records, or a struct made by
 /// [`bundle!`](crate::bundle!).
 pub trait Fields<T: Leaf>: Sized {
@@ -31,7 +40,20 @@ pub trait Fields<T: Leaf>: Sized {
 
     /// The record with `f` of each leaf.
     fn map<U: Leaf>(&self, mut f: impl FnMut(&T) -> U) -> Self::With<U> {
+        self.map_leaves(&mut f)
+    }
+
+    /// As [`Fields::map_fields`], without the time that paths take.
+    fn map_leaves<U: Leaf>(&self, f: &mut dyn FnMut(&T) -> U) -> Self::With<U> {
         self.map_fields("", &mut |_, leaf| f(leaf))
+    }
+
+    /// Shows `f` each leaf in order of declaration, and how long each `Vec` is before what is in it.
+    fn visit(&self, f: &mut dyn FnMut(Visited<T>)) {
+        self.map_leaves(&mut |leaf| {
+            f(Visited::Leaf(leaf));
+            leaf.clone()
+        });
     }
 
     /// Each leaf with its path, in order of declaration.
@@ -51,6 +73,14 @@ impl<T: Leaf> Fields<T> for T {
     fn map_fields<U: Leaf>(&self, path: &str, f: &mut dyn FnMut(&str, &T) -> U) -> U {
         f(path, self)
     }
+
+    fn map_leaves<U: Leaf>(&self, f: &mut dyn FnMut(&T) -> U) -> U {
+        f(self)
+    }
+
+    fn visit(&self, f: &mut dyn FnMut(Visited<T>)) {
+        f(Visited::Leaf(self));
+    }
 }
 
 /// Elements are named by their index.
@@ -59,6 +89,15 @@ impl<T: Leaf, B: Fields<T>> Fields<T> for Vec<B> {
 
     fn map_fields<U: Leaf>(&self, path: &str, f: &mut dyn FnMut(&str, &T) -> U) -> Self::With<U> {
         self.iter().enumerate().map(|(i, element)| element.map_fields(&join(path, &i.to_string()), f)).collect()
+    }
+
+    fn map_leaves<U: Leaf>(&self, f: &mut dyn FnMut(&T) -> U) -> Self::With<U> {
+        self.iter().map(|element| element.map_leaves(f)).collect()
+    }
+
+    fn visit(&self, f: &mut dyn FnMut(Visited<T>)) {
+        f(Visited::List(self.len()));
+        self.iter().for_each(|element| element.visit(f));
     }
 }
 
@@ -69,6 +108,14 @@ impl<T: Leaf, B: Fields<T>, const N: usize> Fields<T> for [B; N] {
     fn map_fields<U: Leaf>(&self, path: &str, f: &mut dyn FnMut(&str, &T) -> U) -> Self::With<U> {
         std::array::from_fn(|i| self[i].map_fields(&join(path, &i.to_string()), f))
     }
+
+    fn map_leaves<U: Leaf>(&self, f: &mut dyn FnMut(&T) -> U) -> Self::With<U> {
+        std::array::from_fn(|i| self[i].map_leaves(f))
+    }
+
+    fn visit(&self, f: &mut dyn FnMut(Visited<T>)) {
+        self.iter().for_each(|element| element.visit(f));
+    }
 }
 
 /// No fields: the inputs of a block that has none.
@@ -76,6 +123,8 @@ impl<T: Leaf> Fields<T> for () {
     type With<U: Leaf> = ();
 
     fn map_fields<U: Leaf>(&self, _: &str, _: &mut dyn FnMut(&str, &T) -> U) {}
+
+    fn visit(&self, _: &mut dyn FnMut(Visited<T>)) {}
 }
 
 /// A record of signals, with the family of records that it belongs to. [`bundle!`](crate::bundle!) implements it.
@@ -91,6 +140,9 @@ pub trait Bundle: Fields<Signal> + 'static {
 
     /// The record of `f` of each leaf and its path.
     fn convert<T: Leaf, U: Leaf>(of: &Self::Of<T>, f: &mut dyn FnMut(&str, &T) -> U) -> Self::Of<U>;
+
+    /// As [`Bundle::convert`], without the time that paths take.
+    fn convert_leaves<T: Leaf, U: Leaf>(of: &Self::Of<T>, f: &mut dyn FnMut(&T) -> U) -> Self::Of<U>;
 }
 
 impl Bundle for () {
@@ -101,6 +153,8 @@ impl Bundle for () {
     fn signals<T: Leaf>(_: &(), _: &mut dyn FnMut(&str, &T) -> Signal) {}
 
     fn convert<T: Leaf, U: Leaf>(_: &(), _: &mut dyn FnMut(&str, &T) -> U) {}
+
+    fn convert_leaves<T: Leaf, U: Leaf>(_: &(), _: &mut dyn FnMut(&T) -> U) {}
 }
 
 #[doc(hidden)]
@@ -165,6 +219,14 @@ macro_rules! bundle {
                     f,
                 )),* }
             }
+
+            fn map_leaves<U: $crate::Leaf>(&self, f: &mut dyn FnMut(&$leaf) -> U) -> $name<U> {
+                $name { $($field: <$ty as $crate::Fields<$leaf>>::map_leaves(&self.$field, f)),* }
+            }
+
+            fn visit(&self, f: &mut dyn FnMut($crate::Visited<$leaf>)) {
+                $(<$ty as $crate::Fields<$leaf>>::visit(&self.$field, f);)*
+            }
         }
 
         impl $crate::Bundle for $name {
@@ -186,6 +248,13 @@ macro_rules! bundle {
                 f: &mut dyn FnMut(&str, &T) -> U,
             ) -> $name<U> {
                 $crate::Fields::map_fields(of, "", f)
+            }
+
+            fn convert_leaves<T: $crate::Leaf, U: $crate::Leaf>(
+                of: &$name<T>,
+                f: &mut dyn FnMut(&T) -> U,
+            ) -> $name<U> {
+                $crate::Fields::map_leaves(of, f)
             }
         }
     )*};

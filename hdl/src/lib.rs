@@ -91,7 +91,7 @@ pub use bits::{Bits, limbs_for, top_mask};
 pub use block::{Block, DEFAULT_PERIOD, Typed, elaborate, elaborate_at, elaborate_typed};
 #[doc(hidden)]
 pub use bundle::join;
-pub use bundle::{Bundle, Fields, Leaf};
+pub use bundle::{Bundle, Fields, Leaf, Visited};
 pub use clock::{Clock, Period};
 pub use ir::{About, Design, ReadUnderWrite};
 pub use lanes::{Array, Lanes};
