@@ -77,10 +77,21 @@ impl Started {
         self.refused.as_deref().filter(|_| needs_code)
     }
 
+    /// The engine, if it was needed before.
+    #[inline]
+    pub fn running(&mut self) -> Option<&mut dyn Engine> {
+        self.made.get_mut().map(|engine| &mut **engine as &mut dyn Engine)
+    }
+
     /// Puts another engine in its place.
     #[cfg(test)]
     pub fn replace(&mut self, engine: Box<dyn Engine>) {
         self.made = OnceCell::from(engine);
+    }
+
+    #[cold]
+    fn begin(&mut self) {
+        self.made = OnceCell::from(self.make());
     }
 
     fn make(&self) -> Box<dyn Engine> {
@@ -104,8 +115,11 @@ impl Deref for Started {
 }
 
 impl DerefMut for Started {
+    #[inline]
     fn deref_mut(&mut self) -> &mut Self::Target {
-        self.made.get_or_init(|| self.make());
-        &mut **self.made.get_mut().expect("it has just been made")
+        if self.made.get().is_none() {
+            self.begin();
+        }
+        &mut **self.made.get_mut().expect("it is made by now")
     }
 }

@@ -292,7 +292,7 @@ mod tests {
             if traced {
                 sim.trace(crate::Vcd::to(&file)).unwrap();
             }
-            sim.engine.replace(Box::new(apart(5, 6)));
+            sim.circuit.engine.replace(Box::new(apart(5, 6)));
             let Err(Error::Differs(difference)) = sim.try_run(9) else { panic!("the engines agree") };
             assert_eq!(difference.signal, "x");
             assert!(matches!(sim.finish(), Err(Error::Differs(_))));

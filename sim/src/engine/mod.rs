@@ -90,8 +90,24 @@ pub(crate) trait Engine: Send {
     /// A value in all lanes, computed if it has to be.
     fn read(&mut self, id: ValueId) -> &[u64];
 
+    /// One lane of a value of up to 64 bits, computed if it has to be.
+    fn number(&mut self, id: ValueId, lane: u32) -> u64 {
+        self.read(id)[lane as usize]
+    }
+
+    /// The same lane of several values of up to 64 bits.
+    fn numbers(&mut self, ids: &[ValueId], lane: u32, into: &mut Vec<u64>) {
+        into.clear();
+        ids.iter().for_each(|&id| into.push(self.number(id, lane)));
+    }
+
     /// Sets an input, all lanes of it.
     fn write(&mut self, id: ValueId, limbs: &[u64], triggers: Triggers);
+
+    /// Sets an input of one lane and up to 64 bits.
+    fn write_number(&mut self, id: ValueId, number: u64, triggers: Triggers) {
+        self.write(id, &[number], triggers);
+    }
 
     /// A word of a memory.
     fn word(&self, memory: u32, lane: u32, address: u32) -> Vec<u64>;
@@ -112,6 +128,11 @@ pub(crate) trait Engine: Send {
     ///
     /// Two engines side by side differ.
     fn edges(&mut self, rising: &[usize], count: u64) -> Result<Done, Box<Difference>>;
+
+    /// An edge of the only clock, if there is nothing to look at before it; whether it was done.
+    fn quick_edge(&mut self) -> bool {
+        false
+    }
 
     /// That two engines side by side have agreed so far, also on what follows from the inputs of this moment.
     ///
@@ -135,6 +156,9 @@ pub(crate) trait Engine: Send {
 /// One lane of a value, settled.
 pub(crate) fn lane(program: &Program, engine: &mut dyn Engine, id: ValueId, lane: u32) -> Bits {
     let value = program.value(id);
+    if value.width <= 64 {
+        return Bits::new(value.width, engine.number(id, lane));
+    }
     let start = lane as usize * value.limbs();
     Bits::from_limbs(value.width, &engine.read(id)[start..start + value.limbs()])
 }

@@ -28,6 +28,8 @@ pub struct Passes {
     pub near: usize,
     /// After how many edges without a change of the inputs that are up to 8 bits wide code is made for them.
     pub held_after: u64,
+    /// After how many edges with a look at an output before each there is a function for what is left to do at an edge.
+    pub looks_after: u64,
     /// From how many operations on a function is cut into several.
     pub longest: usize,
     /// What code works on lies between pages that nobody may touch, so that code that reaches out of it ends the program;
@@ -50,6 +52,7 @@ impl Default for Passes {
             blanks: true,
             near: 1 << 20,
             held_after: 50_000,
+            looks_after: 300,
             longest: 500,
             guarded: cfg!(debug_assertions),
         }
@@ -72,6 +75,7 @@ impl Passes {
             blanks: false,
             near: usize::MAX,
             held_after: u64::MAX,
+            looks_after: u64::MAX,
             longest: usize::MAX,
             guarded: cfg!(debug_assertions),
         }

@@ -5,6 +5,7 @@ use tilewright_hdl::Bundle;
 use crate::testbench::error::Error;
 use crate::testbench::lookup::{self, Found};
 use crate::testbench::port::Port;
+use crate::testbench::running::Running;
 use crate::testbench::simulation::Simulation;
 use crate::testbench::trace::{Draw, Dump, Recorder, Source, Vcd, Wave, Window, header};
 
@@ -36,10 +37,42 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     ///
     /// The file cannot be created, a pattern matches nothing, or there is no such clock.
     pub fn trace(&mut self, vcd: Vcd) -> Result<(), Error> {
-        self.trace_run(0, vcd)
+        self.circuit.trace(0, vcd)
     }
 
-    pub(crate) fn trace_run(&mut self, run: u32, vcd: Vcd) -> Result<(), Error> {
+    /// The header of the file that [`Simulation::trace`] would write: from `$version` to `$enddefinitions`.
+    ///
+    /// # Errors
+    ///
+    /// A pattern matches nothing.
+    pub fn trace_header(&self, vcd: &Vcd) -> Result<Vec<u8>, Error> {
+        Ok(header(&self.circuit.program, 0, &vcd.patterns)?.text)
+    }
+
+    /// Records inputs and outputs at every instant from here on, and what memories were poked with before the first step.
+    ///
+    /// # Panics
+    ///
+    /// After the first step, or with a seed: a replay could not start from the same state.
+    #[track_caller]
+    pub fn recording(&mut self) -> Recorder {
+        self.circuit.recording(0)
+    }
+
+    /// Draws a wave of these ports and signals, by [`Port`] or by name, from here on.
+    ///
+    /// # Panics
+    ///
+    /// There is no such name.
+    #[track_caller]
+    pub fn record(&mut self, what: impl IntoIterator<Item = impl Into<Probe>>) -> Wave {
+        self.circuit.record(0, what)
+    }
+}
+
+impl Running {
+    /// Writes a waveform file of one run.
+    pub fn trace(&mut self, run: u32, vcd: Vcd) -> Result<(), Error> {
         let header = header(&self.program, run, &vcd.patterns)?;
         let window = match &vcd.window {
             None => 0..u64::MAX,
@@ -50,52 +83,25 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
             }
         };
         self.engine.watch(&header.variables.iter().map(|variable| variable.value).collect::<Vec<_>>());
-        self.observers.push(Box::new(Dump::new(vcd, &self.program, header, window)?));
+        self.observe_by(Box::new(Dump::new(vcd, &self.program, header, window)?));
         Ok(())
     }
 
-    /// The header of the file that [`Simulation::trace`] would write: from `$version` to `$enddefinitions`.
-    ///
-    /// # Errors
-    ///
-    /// A pattern matches nothing.
-    pub fn trace_header(&self, vcd: &Vcd) -> Result<Vec<u8>, Error> {
-        Ok(header(&self.program, 0, &vcd.patterns)?.text)
-    }
-
-    /// Records inputs and outputs at every instant from here on, and what memories were poked with before the first step.
-    ///
-    /// # Panics
-    ///
-    /// After the first step, or with a seed: a replay could not start from the same state.
+    /// Records one run.
     #[track_caller]
-    pub fn recording(&mut self) -> Recorder {
-        self.recording_of(0)
-    }
-
-    #[track_caller]
-    pub(crate) fn recording_of(&mut self, run: u32) -> Recorder {
+    pub fn recording(&mut self, run: u32) -> Recorder {
         let seed = self.engine.seeds[run as usize];
         assert!(self.timeline.time == 0, "a recording starts before the first step");
         assert!(seed == 0, "a recording starts from zeros, not from seed {seed}");
         let recorder = Recorder::of(run, self.poked.clone());
         self.recorded.push(run);
-        self.observers.push(Box::new(recorder.clone()));
+        self.observe_by(Box::new(recorder.clone()));
         recorder
     }
 
-    /// Draws a wave of these ports and signals, by [`Port`] or by name, from here on.
-    ///
-    /// # Panics
-    ///
-    /// There is no such name.
+    /// Draws a wave of one run.
     #[track_caller]
-    pub fn record(&mut self, what: impl IntoIterator<Item = impl Into<Probe>>) -> Wave {
-        self.record_run(0, what)
-    }
-
-    #[track_caller]
-    pub(crate) fn record_run(&mut self, run: u32, what: impl IntoIterator<Item = impl Into<Probe>>) -> Wave {
+    pub fn record(&mut self, run: u32, what: impl IntoIterator<Item = impl Into<Probe>>) -> Wave {
         let mut sources = Vec::new();
         for probe in what {
             sources.push(self.source(run, probe.into()));
@@ -103,7 +109,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         self.engine.watch(&sources.iter().map(|source| source.value).collect::<Vec<_>>());
         let clocks = self.program.clocks.iter().map(|clock| (clock.port.clone(), clock.period)).collect();
         let wave = Wave::new(clocks, sources);
-        self.observers.push(Box::new(Draw(wave.clone())));
+        self.observe_by(Box::new(Draw(wave.clone())));
         wave
     }
 

@@ -3,11 +3,14 @@
 mod attach;
 mod batch;
 mod error;
+mod instants;
 mod lookup;
 mod peek;
 mod play;
 mod port;
 mod run;
+mod running;
+mod shape;
 mod simulation;
 mod timeline;
 mod trace;

@@ -2,11 +2,12 @@
 
 use tilewright_hdl::{Bits, Bundle};
 
-use crate::engine::program::{Triggers, ValueId};
-use crate::engine::{Word, lane};
+use crate::engine::Word;
+use crate::engine::program::Triggers;
 use crate::testbench::error::UnknownName;
 use crate::testbench::lookup::{self, Found};
 use crate::testbench::port::IntoValue;
+use crate::testbench::running::Running;
 use crate::testbench::simulation::Simulation;
 
 impl<I: Bundle, O: Bundle> Simulation<I, O> {
@@ -17,13 +18,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     ///
     /// There is no such name; the error has the nearest one.
     pub fn peek(&mut self, path: &str) -> Result<Bits, UnknownName> {
-        self.peek_run(path, 0)
-    }
-
-    pub(crate) fn peek_run(&mut self, path: &str, run: u32) -> Result<Bits, UnknownName> {
-        let Found { signal, lane } = lookup::signal(&self.program.hierarchy, path, run)?;
-        let value = signal.value;
-        Ok(self.lane(value, lane))
+        self.circuit.peek(path, 0)
     }
 
     /// A word of a memory.
@@ -37,13 +32,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     /// The address is beyond its depth.
     #[track_caller]
     pub fn peek_memory(&self, path: &str, address: u32) -> Result<Bits, UnknownName> {
-        self.peek_word(path, 0, address)
-    }
-
-    #[track_caller]
-    pub(crate) fn peek_word(&self, path: &str, run: u32, address: u32) -> Result<Bits, UnknownName> {
-        let (memory, lane) = self.memory(path, run, address)?;
-        Ok(Bits::from_limbs(self.program.memories[memory as usize].width, &self.engine.word(memory, lane, address)))
+        self.circuit.peek_word(path, 0, address)
     }
 
     /// Replaces a word of a memory at once.
@@ -58,17 +47,28 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     /// it, what is poked is part of what the recording starts from.
     #[track_caller]
     pub fn poke_memory(&mut self, path: &str, address: u32, value: impl IntoValue) -> Result<(), UnknownName> {
-        self.poke_word(path, 0, address, value)
+        self.circuit.poke_word(path, 0, address, value)
+    }
+}
+
+impl Running {
+    /// The value of a name in one run.
+    pub fn peek(&mut self, path: &str, run: u32) -> Result<Bits, UnknownName> {
+        let Found { signal, lane } = lookup::signal(&self.program.hierarchy, path, run)?;
+        let value = signal.value;
+        Ok(self.lane(value, lane))
     }
 
+    /// A word of a memory in one run.
     #[track_caller]
-    pub(crate) fn poke_word(
-        &mut self,
-        path: &str,
-        run: u32,
-        address: u32,
-        value: impl IntoValue,
-    ) -> Result<(), UnknownName> {
+    pub fn peek_word(&self, path: &str, run: u32, address: u32) -> Result<Bits, UnknownName> {
+        let (memory, lane) = self.memory(path, run, address)?;
+        Ok(Bits::from_limbs(self.program.memories[memory as usize].width, &self.engine.word(memory, lane, address)))
+    }
+
+    /// Replaces a word of a memory in one run.
+    #[track_caller]
+    pub fn poke_word(&mut self, path: &str, run: u32, address: u32, value: impl IntoValue) -> Result<(), UnknownName> {
         let (memory, lane) = self.memory(path, run, address)?;
         let is_start = self.timeline.time == 0;
         assert!(
@@ -94,9 +94,5 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         let depth = self.program.memories[memory as usize].depth;
         assert!(address < depth, "address {address} of memory `{path}`, which has {depth} words");
         Ok((memory, lane))
-    }
-
-    pub(crate) fn lane(&mut self, id: ValueId, index: u32) -> Bits {
-        lane(&self.program, &mut *self.engine, id, index)
     }
 }

@@ -35,7 +35,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         for (until, event) in changes.chain([(scenario.end_ps, None)]) {
             while now < until {
                 now = until.min(now.saturating_add(slice));
-                self.try_run_until(start + now)?;
+                self.try_run_to(start + now)?;
                 if watch(self, now as f64 / scenario.end_ps as f64).is_break() {
                     return Ok(ControlFlow::Break(()));
                 }

@@ -21,6 +21,12 @@ pub trait IntoValue {
     ///
     /// It needs more bits, or it is [`Bits`] of another width.
     fn into_value(self, width: u32) -> Result<Bits, String>;
+
+    /// The value as a number that needs no more than 64 bits and is not negative, if it is one and has no width of its own.
+    #[doc(hidden)]
+    fn to_limb(&self) -> Option<u64> {
+        None
+    }
 }
 
 macro_rules! unsigned {
@@ -31,6 +37,11 @@ macro_rules! unsigned {
                     true => Ok(Bits::from_u128(width, self as u128)),
                     false => Err(format!("cannot hold {self}")),
                 }
+            }
+
+            #[inline]
+            fn to_limb(&self) -> Option<u64> {
+                u64::try_from(*self).ok()
             }
         }
     )*};
@@ -43,6 +54,11 @@ impl IntoValue for u64 {
             true => Ok(Bits::new(width, self)),
             false => Err(format!("cannot hold {self}")),
         }
+    }
+
+    #[inline]
+    fn to_limb(&self) -> Option<u64> {
+        Some(*self)
     }
 }
 
@@ -59,6 +75,11 @@ macro_rules! signed {
                     false => Err(format!("cannot hold {self}")),
                 }
             }
+
+            #[inline]
+            fn to_limb(&self) -> Option<u64> {
+                u64::try_from(*self).ok()
+            }
         }
     )*};
 }
@@ -67,6 +88,11 @@ signed!(i8 i16 i32 i64 isize i128);
 impl IntoValue for bool {
     fn into_value(self, width: u32) -> Result<Bits, String> {
         Ok(Bits::new(width, u64::from(self)))
+    }
+
+    #[inline]
+    fn to_limb(&self) -> Option<u64> {
+        Some(u64::from(*self))
     }
 }
 

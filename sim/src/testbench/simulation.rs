@@ -1,18 +1,15 @@
 //! A running circuit and its testbench interface.
 
 use std::fmt;
-use std::sync::Arc;
 
-use tilewright_hdl::{Bits, Block, Bundle, DEFAULT_PERIOD, Design, Fields, Leaf, Period, elaborate_typed, uneven};
+use tilewright_hdl::{Bits, Block, Bundle, DEFAULT_PERIOD, Design, Leaf, Period, elaborate_typed};
 
-use crate::engine::Passes;
-use crate::engine::lane;
-use crate::engine::program::{self, Program, Triggers};
-use crate::engine::{EngineKind, Started};
+use crate::engine::program::Program;
+use crate::engine::{EngineKind, Passes};
 use crate::testbench::error::{Error, UnknownName};
 use crate::testbench::port::{IntoValue, Port};
-use crate::testbench::timeline::Timeline;
-use crate::testbench::trace::{Observer, Poked};
+use crate::testbench::running::Running;
+use crate::testbench::shape::Shape;
 
 /// A running circuit.
 ///
@@ -23,19 +20,8 @@ pub struct Simulation<I: Bundle = (), O: Bundle = ()> {
     pub i: I::Of<Port>,
     /// The output ports.
     pub o: O::Of<Port>,
-    pub(crate) program: Arc<Program>,
-    pub(crate) engine: Started,
-    pub(crate) timeline: Timeline,
-    pub(crate) resets: Vec<bool>,
-    pub(crate) observers: Vec<Box<dyn Observer + Send>>,
-    /// The words that were replaced before the first step, of which recordings tell.
-    pub(crate) poked: Poked,
-    /// The runs that are recorded: from the first step on, a recording has to explain everything.
-    pub(crate) recorded: Vec<u32>,
-    /// What may have changed since the observers last saw it.
-    pub(crate) changed: Triggers,
-    /// The clocks of the coming instant; kept to save an allocation.
-    pub(crate) rising: Vec<usize>,
+    pub(crate) circuit: Running,
+    pub(crate) inputs: Shape,
 }
 
 impl Simulation {
@@ -88,21 +74,8 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         o: O::Of<Port>,
         passes: &Passes,
     ) -> Result<Simulation<I, O>, Error> {
-        let program = Arc::new(program::compile_lanes(design, runs, passes));
-        let engine = Started::new(program.clone(), EngineKind::default(), vec![0; runs as usize]);
-        Ok(Simulation {
-            i,
-            o,
-            engine,
-            timeline: Timeline::new(&program),
-            resets: vec![false; program.clocks.len()],
-            observers: Vec::new(),
-            poked: Poked::default(),
-            recorded: Vec::new(),
-            changed: Triggers::NONE,
-            rising: Vec::new(),
-            program,
-        })
+        let inputs = Shape::of::<I>(&i);
+        Ok(Simulation { i, o, circuit: Running::new(design, runs, passes), inputs })
     }
 
     /// The same circuit at time 0, with registers that a reset does not set and memories of unknown contents filled
@@ -113,15 +86,8 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     /// After the first step, or with a trace attached.
     #[track_caller]
     pub fn seeded(mut self, seed: u64) -> Self {
-        self.seed(vec![seed]);
+        self.circuit.seed(vec![seed]);
         self
-    }
-
-    #[track_caller]
-    pub(crate) fn seed(&mut self, seeds: Vec<u64>) {
-        assert!(self.timeline.time == 0, "a seed can only be given before the first step");
-        assert!(self.observers.is_empty(), "give the seed before attaching a trace");
-        self.restart(self.engine.again(self.engine.chosen(), seeds));
     }
 
     /// The same circuit at time 0 on this engine; inputs become zero. Where no code can be generated for this machine, it
@@ -132,38 +98,30 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     /// After the first step, or with a trace attached.
     #[track_caller]
     pub fn on(mut self, kind: EngineKind) -> Self {
-        assert!(self.timeline.time == 0, "an engine can only be chosen before the first step");
-        assert!(self.observers.is_empty(), "choose the engine before attaching a trace");
-        self.restart(self.engine.again(kind, self.engine.seeds.clone()));
+        self.circuit.put_on(kind);
         self
     }
 
     /// As on a machine that no code can be generated for, for that reason.
     #[doc(hidden)]
     pub fn without_code(mut self, reason: &str) -> Self {
-        self.restart(self.engine.refuse(reason));
+        self.circuit.restart(self.circuit.engine.refuse(reason));
         self
-    }
-
-    fn restart(&mut self, engine: Started) {
-        self.engine = engine;
-        self.resets.fill(false);
-        self.poked.clear();
     }
 
     /// The engine that runs: the one chosen, or the interpreter where no code can be generated for this machine.
     pub fn engine(&self) -> EngineKind {
-        self.engine.kind()
+        self.circuit.engine.kind()
     }
 
     /// Why the interpreter runs although another one was chosen; nothing if the chosen one runs.
     pub fn fallback(&self) -> Option<&str> {
-        self.engine.fallback()
+        self.circuit.engine.fallback()
     }
 
     /// The compiled circuit.
     pub fn program(&self) -> &Program {
-        &self.program
+        &self.circuit.program
     }
 
     /// The port of that Verilog name or bundle path.
@@ -172,21 +130,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     ///
     /// There is none.
     pub fn port(&self, name: &str) -> Result<Port, UnknownName> {
-        let ports = || self.program.inputs.iter().chain(&self.program.outputs);
-        let found = ports().position(|port| port.name == name || port.path == name);
-        found
-            .map(|index| Port { index: index as u32 })
-            .ok_or_else(|| UnknownName::new("port", name, &ports().map(|port| port.name.clone()).collect::<Vec<_>>()))
-    }
-
-    /// The declaration of a port.
-    #[track_caller]
-    pub(crate) fn declared(&self, port: Port) -> &program::Port {
-        let index = port.index as usize;
-        let inputs = self.program.inputs.len();
-        let found =
-            if index < inputs { Some(&self.program.inputs[index]) } else { self.program.outputs.get(index - inputs) };
-        found.expect("the port is of another simulation")
+        self.circuit.port(name)
     }
 
     /// Sets an input from now on. Several inputs may be set in any order; nothing happens before the next step.
@@ -195,39 +139,16 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     ///
     /// The value does not fit, or the port is an output.
     #[track_caller]
+    #[inline]
     pub fn set(&mut self, port: Port, value: impl IntoValue) {
-        let bits = self.fitting(port, value);
-        self.write(port, bits.limbs());
-    }
-
-    /// Sets an input in all runs.
-    pub(crate) fn write(&mut self, port: Port, limbs: &[u64]) {
-        let input = &self.program.inputs[port.index as usize];
-        self.engine.write(input.value, limbs, input.triggers);
-        self.changed = self.changed.with(input.triggers);
-    }
-
-    /// The value as an input takes it.
-    #[track_caller]
-    pub(crate) fn fitting(&self, port: Port, value: impl IntoValue) -> Bits {
-        let Some(input) = self.program.inputs.get(port.index as usize) else {
-            panic!("`{}` is an output and cannot be set", self.declared(port).name)
-        };
-        let width = self.program.value(input.value).width;
-        match value.into_value(width) {
-            Ok(bits) => bits,
-            Err(problem) => {
-                let bits = if width == 1 { "1 bit".to_string() } else { format!("{width} bits") };
-                panic!("input `{}` has {bits} and {problem}", input.name)
-            }
-        }
+        self.circuit.set(port, value);
     }
 
     /// The value of a port, settled: an output as it follows from the state and the inputs of this moment.
     #[track_caller]
+    #[inline]
     pub fn get(&mut self, port: Port) -> Bits {
-        let value = self.declared(port).value;
-        self.lane(value, 0)
+        self.circuit.get(port, 0)
     }
 
     /// As [`Simulation::get`], for a port of up to 64 bits.
@@ -236,11 +157,11 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     ///
     /// The port is wider.
     #[track_caller]
+    #[inline]
     pub fn get_u64(&mut self, port: Port) -> u64 {
-        let value = self.declared(port).value;
-        match self.engine.read(value) {
-            [limb] => *limb,
-            _ => panic!("`{}` is wider than 64 bits: use `get`", self.declared(port).name),
+        match self.circuit.number(port, 0) {
+            Some(number) => number,
+            None => panic!("`{}` is wider than 64 bits: use `get`", self.circuit.declared(port).name),
         }
     }
 
@@ -251,7 +172,6 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     /// A value does not fit, or a list is not as long as the block's.
     #[track_caller]
     pub fn drive(&mut self, values: I::Of<u64>) {
-        let values = I::convert(&values, &mut |_, value: &u64| u128::from(*value));
         self.drive_each(&values);
     }
 
@@ -267,9 +187,8 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
 
     #[track_caller]
     fn drive_each<V: IntoValue + Leaf>(&mut self, values: &I::Of<V>) {
-        for (port, value) in paired::<I, V>(&self.i, values) {
-            self.set(port, value);
-        }
+        let circuit = &mut self.circuit;
+        self.inputs.pair::<I, V>(&self.i, values, |port, value| circuit.set(port, value.clone()));
     }
 
     /// Every output, settled.
@@ -278,11 +197,8 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     }
 
     pub(crate) fn read_run(&mut self, run: u32) -> O::Of<Bits> {
-        let (program, engine) = (&self.program, &mut self.engine);
-        O::convert(&self.o, &mut |_, port: &Port| {
-            let value = program.outputs[port.index as usize - program.inputs.len()].value;
-            lane(program, &mut **engine, value, run)
-        })
+        let circuit = &mut self.circuit;
+        O::convert_leaves(&self.o, &mut |port: &Port| circuit.get(*port, run))
     }
 
     /// Every output as a number, settled; easy to compare with an expected bundle.
@@ -292,8 +208,21 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     /// An output is wider than 64 bits and does not fit.
     #[track_caller]
     pub fn read_u64(&mut self) -> O::Of<u64> {
-        O::convert(&self.read(), &mut |path, bits: &Bits| {
-            bits.to_u64().unwrap_or_else(|| panic!("output `{path}` does not fit 64 bits: use `read`"))
+        self.read_run_u64(0)
+    }
+
+    #[track_caller]
+    pub(crate) fn read_run_u64(&mut self, run: u32) -> O::Of<u64> {
+        let circuit = &mut self.circuit;
+        let inputs = circuit.program.inputs.len();
+        if let Some(numbers) = circuit.look(run) {
+            return O::convert_leaves(&self.o, &mut |port: &Port| numbers[port.index as usize - inputs]);
+        }
+        O::convert_leaves(&self.o, &mut |port: &Port| {
+            circuit
+                .get(*port, run)
+                .to_u64()
+                .unwrap_or_else(|| panic!("output `{}` does not fit 64 bits: use `read`", circuit.declared(*port).path))
         })
     }
 
@@ -312,16 +241,6 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         }
         outputs
     }
-}
-
-/// Each input port with its value.
-#[track_caller]
-pub(crate) fn paired<I: Bundle, V: Leaf>(ports: &I::Of<Port>, values: &I::Of<V>) -> Vec<(Port, V)> {
-    let (ports, values) = (ports.leaves(), values.leaves());
-    if let Some(uneven) = uneven(&values, &ports) {
-        panic!("input{uneven} is a list of {}, but is set to a list of {}", uneven.needs, uneven.has)
-    }
-    ports.into_iter().zip(values).map(|((_, port), (_, value))| (port, value)).collect()
 }
 
 /// A block's design and ports.
@@ -344,7 +263,10 @@ pub(crate) fn typed<B: Block>(block: &B, period: Period) -> Result<Typed<B>, Err
 
 impl<I: Bundle, O: Bundle> fmt::Debug for Simulation<I, O> {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let top = &self.program.hierarchy.scopes[0].name;
-        f.debug_struct("Simulation").field("top", top).field("time", &self.timeline.time).finish_non_exhaustive()
+        let top = &self.circuit.program.hierarchy.scopes[0].name;
+        f.debug_struct("Simulation")
+            .field("top", top)
+            .field("time", &self.circuit.timeline.time)
+            .finish_non_exhaustive()
     }
 }

@@ -10,46 +10,58 @@ use crate::engine::program::Program;
 pub(crate) struct Timeline {
     /// Now: the time of the last instant, in picoseconds.
     pub time: u64,
-    periods: Vec<u64>,
-    next: Vec<u64>,
-    cycles: Vec<u64>,
+    clocks: Vec<Ticks>,
+}
+
+/// The state of a clock.
+#[derive(Debug, Clone, Copy)]
+struct Ticks {
+    period: u64,
+    /// When it rises next.
+    next: u64,
+    /// How often it has risen.
+    cycles: u64,
+}
+
+impl Ticks {
+    fn advance(&mut self, edges: u64) {
+        self.next += edges * self.period;
+        self.cycles += edges;
+    }
 }
 
 impl Timeline {
     pub fn new(program: &Program) -> Timeline {
-        let periods: Vec<u64> = program.clocks.iter().map(|clock| clock.period).collect();
-        Timeline { time: 0, next: periods.clone(), cycles: vec![0; periods.len()], periods }
+        let ticks = |period| Ticks { period, next: period, cycles: 0 };
+        Timeline { time: 0, clocks: program.clocks.iter().map(|clock| ticks(clock.period)).collect() }
     }
 
     /// The time of the next instant; `None` without clocks.
     pub fn next_time(&self) -> Option<u64> {
-        self.next.iter().copied().min()
+        self.clocks.iter().map(|ticks| ticks.next).min()
     }
 
     /// The clocks that rise at `time`, into `rising`.
     pub fn rising_at(&self, time: u64, rising: &mut Vec<usize>) {
         rising.clear();
-        rising.extend((0..self.next.len()).filter(|&clock| self.next[clock] == time));
+        rising.extend((0..self.clocks.len()).filter(|&clock| self.clocks[clock].next == time));
     }
 
     /// How many edges a clock has had.
     pub fn cycles(&self, clock: usize) -> u64 {
-        self.cycles[clock]
+        self.clocks[clock].cycles
     }
 
     /// So many edges of the only clock are done.
     pub fn repeat(&mut self, edges: u64) {
-        self.time += edges * self.periods[0];
-        self.next[0] += edges * self.periods[0];
-        self.cycles[0] += edges;
+        let ticks = &mut self.clocks[0];
+        ticks.advance(edges);
+        self.time += edges * ticks.period;
     }
 
     /// The edges of `rising` are done.
     pub fn advance(&mut self, time: u64, rising: &[usize]) {
         self.time = time;
-        for &clock in rising {
-            self.next[clock] += self.periods[clock];
-            self.cycles[clock] += 1;
-        }
+        rising.iter().for_each(|&clock| self.clocks[clock].advance(1));
     }
 }

@@ -174,7 +174,7 @@ fn transcript(row: Row, kind: EngineKind, seed: u64, observed: bool, acts: &[Act
             }
             Act::Step => sim.try_step(),
             Act::Run(n) => sim.try_run(*n),
-            Act::RunUntil(later) => sim.try_run_until(sim.time() + later),
+            Act::RunUntil(later) => sim.try_run_to(sim.time() + later),
             Act::Ticks(fast, ticks) => {
                 // An assertion panics here: with these inputs none fails.
                 let enable = sim.peek("enable").unwrap();

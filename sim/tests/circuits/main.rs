@@ -5,6 +5,7 @@ mod batch;
 mod engine;
 mod engines;
 mod every_engine;
+mod looking;
 mod nested;
 mod store;
 mod watching;

@@ -70,7 +70,7 @@ impl fmt::Display for Tally {
 ///
 /// The engines differ, or the simulator does not take the design.
 fn run(design: &Design, stimulus: &Stimulus) -> u64 {
-    let usual = Passes { held_after: 3, ..Passes::default() };
+    let usual = Passes { held_after: 3, looks_after: 2, ..Passes::default() };
     let passes = if stimulus.seed.is_multiple_of(2) { usual } else { passes(stimulus.seed / 2) };
     let passes = Passes { guarded: true, ..passes };
     let sim = Simulation::with_passes(design, &passes).unwrap_or_else(|error| panic!("{error}"));

@@ -71,7 +71,7 @@ pub struct Run {
 
 /// All passes but one, or none at all; code for held inputs and functions that are cut early, no memory near.
 pub(crate) fn passes(seed: u64) -> Passes {
-    let mut passes = Passes { held_after: 3, longest: 20, near: 0, ..Passes::default() };
+    let mut passes = Passes { held_after: 3, looks_after: 2, longest: 20, near: 0, ..Passes::default() };
     match seed % 11 {
         0 => passes = Passes::none(),
         1 => passes.siblings = false,

@@ -3,10 +3,11 @@
 use tilewright_hdl::Bits;
 
 use super::Compiled;
-use super::function::{Function, Held, Maker};
+use super::function::{Held, Maker};
 use super::jit::Code;
 use super::prepare::Prepared;
-use crate::engine::start;
+use crate::engine::program::Triggers;
+use crate::engine::{Done, start};
 
 /// A function for an edge.
 pub(super) struct Edge {
@@ -15,6 +16,8 @@ pub(super) struct Edge {
     /// The resets that are high where that decides which assertions it checks.
     resets: Vec<bool>,
     code: Code,
+    /// What changes at it.
+    pub changes: Triggers,
     /// Since when inputs are as they are, and for how many edges.
     inputs_version: u64,
     quiet: u64,
@@ -22,12 +25,100 @@ pub(super) struct Edge {
     special: Option<Code>,
 }
 
+impl Edge {
+    /// The clocks that rise, and the resets that are high.
+    pub fn clocks(&self) -> (Vec<usize>, Vec<bool>) {
+        (self.rising.clone(), self.resets.clone())
+    }
+}
+
+/// What is to be called for edges of one clock as long as nothing changes but state.
+pub(super) struct Ready {
+    clock: usize,
+    /// There is no other.
+    pub is_only: bool,
+    /// By index.
+    pub edge: usize,
+    pub code: Code,
+    pub changes: Triggers,
+    /// For how many edges.
+    pub count: u64,
+}
+
 impl Compiled {
-    /// The function for so many edges of these clocks; with inputs folded in if they have long been as they are.
+    /// So many edges of these clocks, if it is known what to call for them.
+    #[inline]
+    pub(super) fn ready_edges(&mut self, rising: &[usize], count: u64) -> Option<Done> {
+        let (Some(ready), &[clock]) = (&mut self.ready, rising) else { return None };
+        if clock != ready.clock || count > ready.count || self.held_changed {
+            return None;
+        }
+        ready.count -= count;
+        let (mut code, changed, edge) = (ready.code, ready.changes, ready.edge);
+        if self.pending == Triggers::NONE && count == 1 {
+            code = self.code_after_look(edge, code);
+        }
+        let edges = count - self.call(code, count);
+        self.pending = self.pending.with(changed);
+        Some(Done { edges, changed })
+    }
+
+    /// So many edges of these clocks, after a look at what to call for them.
+    pub(super) fn other_edges(&mut self, rising: &[usize], count: u64) -> Done {
+        if count == 0 {
+            return Done { edges: 0, changed: Triggers::NONE };
+        }
+        self.unready();
+        let index = self.edge(rising);
+        let code = self.edge_code(index, count);
+        let changed = self.edges[index].changes;
+        let mut left = count;
+        if self.any_reset {
+            while left > 0 && self.call(code, 1) == 0 {
+                self.reset(rising);
+                left -= 1;
+            }
+        } else {
+            self.make_ready(index, code);
+            left = self.call(code, count);
+        }
+        self.pending = self.pending.with(changed);
+        Done { edges: count - left, changed }
+    }
+
+    fn make_ready(&mut self, index: usize, code: Code) {
+        let edge = &mut self.edges[index];
+        let &[clock] = edge.rising.as_slice() else { return };
+        let mut count = u64::MAX;
+        if edge.special.is_none() && self.special > 0 && !self.inputs.is_empty() {
+            count = self.program.passes.held_after.saturating_sub(edge.quiet);
+            edge.quiet += count;
+        }
+        self.ready =
+            Some(Ready { clock, is_only: self.resets.len() == 1, edge: index, code, changes: edge.changes, count });
+    }
+
+    /// It has to be found out again what to call.
+    #[cold]
+    pub(super) fn unready(&mut self) {
+        if let Some(Ready { edge, count, .. }) = self.ready.take() {
+            // Those that have not been.
+            let quiet = &mut self.edges[edge].quiet;
+            *quiet = quiet.saturating_sub(count);
+        }
+    }
+
+    /// An edge of these clocks, by index.
     ///
-    /// Registers are reset after it has run, so one function serves whether resets are high or not, except for the
+    /// Registers are reset after its function has run, so one serves whether resets are high or not, except for the
     /// assertions that it checks: a circuit that begins with a reset has one function made, not two.
-    pub(super) fn edge_code(&mut self, rising: &[usize], count: u64) -> Code {
+    pub(super) fn edge(&mut self, rising: &[usize]) -> usize {
+        if let Some((latest, checked)) = self.latest
+            && self.edges[latest].rising.iter().eq(rising)
+        {
+            self.check_asserts(checked);
+            return latest;
+        }
         let mut asserting = rising.iter().filter(|&&clock| !self.program.clocks[clock].asserts.is_empty());
         let unchecked = asserting.all(|&clock| self.resets[clock]);
         self.check_asserts(!unchecked);
@@ -36,10 +127,18 @@ impl Compiled {
         let index = made.unwrap_or_else(|| {
             let resets = if unchecked { vec![false; self.resets.len()] } else { self.resets.clone() };
             let code = self.make_edge(rising, &resets, &Held::default());
+            let changes = rising.iter().fold(Triggers::NONE, |all, &clock| all.with(Triggers::state(clock)));
             let rising = rising.to_vec();
-            self.edges.push(Edge { rising, resets, code, inputs_version: 0, quiet: 0, special: None });
+            self.edges.push(Edge { rising, resets, code, changes, inputs_version: 0, quiet: 0, special: None });
             self.edges.len() - 1
         });
+        self.latest = Some((index, !unchecked));
+        index
+    }
+
+    /// The function for so many of an edge; with inputs folded in if they have long been as they are.
+    pub(super) fn edge_code(&mut self, index: usize, count: u64) -> Code {
+        self.inputs_version += u64::from(std::mem::take(&mut self.held_changed));
         let edge = &mut self.edges[index];
         if edge.inputs_version != self.inputs_version {
             edge.inputs_version = self.inputs_version;
@@ -54,15 +153,20 @@ impl Compiled {
         if edge.quiet < self.program.passes.held_after || self.special == 0 || self.inputs.is_empty() {
             return code;
         }
+        self.make_special(index)
+    }
+
+    /// The function for an edge with inputs as they are now.
+    #[cold]
+    fn make_special(&mut self, index: usize) -> Code {
         self.special -= 1;
-        let resets = self.edges[index].resets.clone();
+        let (rising, resets) = (self.edges[index].rising.clone(), self.edges[index].resets.clone());
         let held = self.inputs.iter().map(|&id| {
-            let mut limbs = [0];
-            self.state.get(self.places[id.index()].expect("an input is state"), &mut limbs);
-            (id, Bits::from_limbs(self.program.value(id).width, &limbs))
+            let place = self.places[id.index()].expect("an input is state");
+            (id, Bits::new(place.width, self.state.number(place, 0)))
         });
         let held: Held = held.collect();
-        let code = self.make_edge(rising, &resets, &held);
+        let code = self.make_edge(&rising, &resets, &held);
         self.edges[index].special = Some(code);
         code
     }
@@ -71,16 +175,16 @@ impl Compiled {
     pub(super) fn check_asserts(&mut self, checked: bool) {
         if self.checked != checked {
             self.checked = checked;
+            self.unready();
             self.state.put(self.unchecked, &[u64::from(!checked)]);
         }
     }
 
     /// Makes the function for an edge, which checks the assertions of clocks not in reset, with inputs that are known.
     fn make_edge(&mut self, rising: &[usize], resets: &[bool], held: &Held) -> Code {
-        let check = Maker::new(&self.program, held).check(rising, resets);
-        let edge = Maker::new(&self.program, held).edge(rising);
-        let functions: Vec<Function> = check.into_iter().chain([edge]).collect();
-        let parts: Vec<Prepared> = functions.iter().map(|function| self.prepare(function)).collect();
+        let check = Maker::new(&self.program, held, &[]).check(rising, resets);
+        let edge = Maker::new(&self.program, held, &[]).edge(rising);
+        let parts: Vec<Prepared> = check.iter().chain([&edge]).map(|function| self.prepare(function, &[])).collect();
         self.compile(&parts)
     }
 

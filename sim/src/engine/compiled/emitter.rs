@@ -58,9 +58,9 @@ pub(super) struct Addresses {
 }
 
 impl Addresses {
-    /// Gives places to what a function stores; `state` has those of the program's state.
-    pub fn new(graph: &Function, plan: &Plan, state: &[Option<Place>], layout: &mut Layout) -> Addresses {
-        let mut places = state.to_vec();
+    /// Gives places to what a function stores; `state` has those of its state.
+    pub fn new(graph: &Function, plan: &Plan, state: impl Iterator<Item = Place>, layout: &mut Layout) -> Addresses {
+        let mut places: Vec<Option<Place>> = state.map(Some).collect();
         places.resize(graph.circuit().len(), None);
         let mut tables = Vec::new();
         for id in graph.needed() {

@@ -129,10 +129,15 @@ pub(super) struct Maker<'a> {
 }
 
 impl<'a> Maker<'a> {
-    /// A function that does nothing yet, made for where some state is known.
-    pub fn new(program: &'a Program, held: &Held) -> Maker<'a> {
+    /// A function that does nothing yet, made for where some state is known, and some values have been computed before,
+    /// which are state too; it comes behind the program's.
+    pub fn new(program: &'a Program, held: &Held, given: &[ValueId]) -> Maker<'a> {
         let mut rewriter = Rewriter::new(&program.passes);
         let mut became = state(&program.circuit, &mut rewriter);
+        for &id in given {
+            let Cell { lanes, width, .. } = program.circuit[id];
+            became.insert(id, rewriter.state(lanes, width));
+        }
         for (&id, bits) in held {
             let Cell { lanes, width, .. } = program.circuit[id];
             became.insert(id, rewriter.add(Kind::Const(bits.clone()), lanes, width));

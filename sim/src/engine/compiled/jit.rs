@@ -38,11 +38,23 @@ impl Code {
     /// The [`Jit`] that made it lives, `state` is laid out as the code was told, and `scratch` has as many limbs as the
     /// [`Jit`] says; nobody else uses them.
     #[allow(unsafe_code, reason = "generated code is a foreign function")]
+    #[inline]
     pub unsafe fn call(self, state: *mut u8, argument: u64, scratch: *mut u64) -> u64 {
-        if self.stack <= STACK {
-            // SAFETY: the caller's promise.
-            return unsafe { (self.entry)(state, argument, scratch) };
+        // SAFETY: the caller's promise.
+        match self.stack <= STACK {
+            true => unsafe { (self.entry)(state, argument, scratch) },
+            false => unsafe { self.call_apart(state, argument, scratch) },
         }
+    }
+
+    /// Runs it on a stack of its own.
+    ///
+    /// # Safety
+    ///
+    /// As [`Code::call`].
+    #[allow(unsafe_code, reason = "generated code is a foreign function")]
+    #[cold]
+    unsafe fn call_apart(self, state: *mut u8, argument: u64, scratch: *mut u64) -> u64 {
         let (state, scratch) = (AtomicPtr::new(state), AtomicPtr::new(scratch));
         let run = || {
             // SAFETY: the caller's promise; it waits until this is done.

@@ -15,6 +15,7 @@ mod jit;
 mod kernel;
 mod lanes;
 mod layout;
+mod look;
 mod lower;
 mod memory;
 mod pages;
@@ -26,8 +27,8 @@ mod start;
 mod store;
 mod strip;
 mod target;
+mod view;
 
-use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use tilewright_hdl::limbs_for;
@@ -35,14 +36,16 @@ use tilewright_hdl::limbs_for;
 use crate::engine::program::{Kind, Program, Triggers, ValueId};
 use crate::engine::{Difference, Done, Engine, Failed};
 use bank::Bank;
-use edge::Edge;
+use edge::{Edge, Ready};
 use emitter::MemoryAt;
 use function::{Held, Maker};
 pub(crate) use jit::unsupported;
 use jit::{Code, Jit};
 use layout::{Layout, Place, Strips};
+use look::Looks;
 use store::Store;
 pub use target::Unsupported;
+use view::{Slot, View};
 
 /// The state of a running circuit and the code that runs it.
 pub(crate) struct Compiled {
@@ -55,22 +58,37 @@ pub(crate) struct Compiled {
     layout: Layout,
     /// Per value of the program: where it is, if it is state.
     places: Vec<Option<Place>>,
+    /// The same for a testbench that sets and reads single numbers.
+    slots: Vec<Slot>,
     memories: Vec<MemoryAt>,
     banks: Vec<Bank>,
     /// Per clock: its reset is high.
     resets: Vec<bool>,
+    /// Whether any is.
+    any_reset: bool,
     edges: Vec<Edge>,
+    /// The one that was last asked for, and whether it checks assertions, while resets are as they were then.
+    latest: Option<(usize, bool)>,
+    /// The next edges, if they are of one clock.
+    ready: Option<Ready>,
     /// The inputs that a function may be made for, and how many functions still may.
     inputs: Vec<ValueId>,
     special: u32,
-    /// Counts changes of inputs.
+    /// Counts changes of these inputs, as far as edges have been done since.
     inputs_version: u64,
+    /// One was changed since the last edge.
+    held_changed: bool,
     /// 1 while edges are not to check assertions.
     unchecked: Place,
     checked: bool,
     /// What looks whether assertions hold, if there are any.
     checks: Vec<(Vec<usize>, Vec<bool>, Option<Code>)>,
     views: Vec<View>,
+    looks: Looks,
+    /// What has changed since views were last marked stale.
+    pending: Triggers,
+    /// Some view is.
+    some_stale: bool,
     /// Per value of the program: what computes it, by index in `views`, and where it leaves it.
     shown: Vec<Option<(usize, Place)>>,
     /// Every value as limbs, brought up to date when it is read.
@@ -81,15 +99,6 @@ pub(crate) struct Compiled {
 const HELD: u32 = 8;
 /// How often at most.
 const SPECIAL: u32 = 16;
-
-/// A function that leaves values where they can be read.
-#[derive(Clone, Copy)]
-struct View {
-    code: Code,
-    /// What changes what it shows, and whether it has since it was last run.
-    triggers: Triggers,
-    stale: bool,
-}
 
 impl Compiled {
     /// The circuit at its start.
@@ -114,19 +123,27 @@ impl Compiled {
             state: Store::new(layout.size, program.passes.guarded),
             scratch: Store::new(0, program.passes.guarded),
             layout,
+            slots: places.iter().map(|it| it.as_ref().map_or(Slot::NONE, |place| Slot::of(place, false))).collect(),
             places,
             memories,
             banks,
             resets: vec![false; program.clocks.len()],
+            any_reset: false,
             edges: Vec::new(),
+            latest: None,
+            ready: None,
             unchecked,
             checked: true,
             checks: Vec::new(),
             views: Vec::new(),
+            looks: Looks::default(),
+            pending: Triggers::NONE,
+            some_stale: false,
             shown: vec![None; program.circuit.len()],
             inputs,
             special: SPECIAL,
             inputs_version: 0,
+            held_changed: false,
             mirror: vec![0; program.schedule.storage],
             program: program.clone(),
         };
@@ -140,8 +157,8 @@ impl Compiled {
         let code = match made {
             Some((_, _, code)) => *code,
             None => {
-                let check = Maker::new(&self.program, &Held::default()).check(rising, &self.resets);
-                let check = check.map(|function| self.prepare(&function));
+                let check = Maker::new(&self.program, &Held::default(), &[]).check(rising, &self.resets);
+                let check = check.map(|function| self.prepare(&function, &[]));
                 let code = check.map(|check| self.compile(std::slice::from_ref(&check)));
                 self.checks.push((rising.to_vec(), self.resets.clone(), code));
                 code
@@ -151,32 +168,6 @@ impl Compiled {
         code.is_none_or(|code| self.call(code, 1) == 0)
     }
 
-    /// Where a value is, brought up to date if it is computed; `None` for constants.
-    fn place(&mut self, id: ValueId) -> Option<Place> {
-        match self.places[id.index()] {
-            None if self.program.value(id).segment.is_some() => Some(self.view(id)),
-            place => place,
-        }
-    }
-
-    /// Brings a value that is computed up to date; gives where it is. All output ports share a function.
-    fn view(&mut self, id: ValueId) -> Place {
-        let (view, place) = match self.shown[id.index()] {
-            Some(shown) => shown,
-            None => {
-                let outputs: Vec<ValueId> = self.program.outputs.iter().map(|port| port.value).collect();
-                self.watch(if outputs.contains(&id) { &outputs } else { std::slice::from_ref(&id) });
-                self.shown[id.index()].expect("it is shown now")
-            }
-        };
-        let View { code, stale, .. } = self.views[view];
-        if stale {
-            self.views[view].stale = false;
-            self.call(code, 1);
-        }
-        place
-    }
-
     /// Enters a constant in what is read; most never are.
     fn mirror_constant(&mut self, id: ValueId) {
         let bits = self.program.circuit.constant(id).expect("what is neither state nor computed is constant").limbs();
@@ -184,14 +175,8 @@ impl Compiled {
         lanes.for_each(|lane| lane.copy_from_slice(bits));
     }
 
-    /// Marks what shows something of this.
-    fn changed(&mut self, triggers: Triggers) {
-        for view in &mut self.views {
-            view.stale |= view.triggers.meet(triggers);
-        }
-    }
-
     /// Runs a function so many times; gives how many are left because something did not hold.
+    #[inline]
     fn call(&mut self, code: Code, count: u64) -> u64 {
         let (state, scratch) = (self.state.address(), self.scratch.address().cast());
         // SAFETY: the code was made by this engine's `jit` for the layout of `state` and for these memories, which
@@ -220,11 +205,31 @@ impl Engine for Compiled {
         &self.mirror[range]
     }
 
+    fn number(&mut self, id: ValueId, lane: u32) -> u64 {
+        let slot = self.slots[id.index()];
+        match slot.limb() {
+            Some(at) if !slot.is_computed() || self.is_settled() => self.state.limb(at),
+            _ => self.computed(id, lane),
+        }
+    }
+
     fn write(&mut self, id: ValueId, limbs: &[u64], triggers: Triggers) {
         let place = self.places[id.index()].expect("an input is state");
         self.state.put(place, limbs);
-        self.changed(triggers);
-        self.inputs_version += u64::from(self.program.value(id).width <= HELD);
+        let is_held = place.width <= HELD;
+        self.input_changed(triggers, is_held);
+    }
+
+    fn write_number(&mut self, id: ValueId, number: u64, triggers: Triggers) {
+        let slot = self.slots[id.index()];
+        match slot.limb() {
+            Some(at) => {
+                if self.state.replace_limb(at, number) {
+                    self.input_changed(triggers, slot.is_narrow());
+                }
+            }
+            None => self.write(id, &[number], triggers),
+        }
     }
 
     fn word(&self, memory: u32, lane: u32, address: u32) -> Vec<u64> {
@@ -237,11 +242,14 @@ impl Engine for Compiled {
     fn set_word(&mut self, memory: u32, lane: u32, address: u32, limbs: &[u64]) {
         let at = self.memories[memory as usize];
         self.banks[at.bank].put_word(at.at(lane, address), at.words.word, at.width, &at.standing(limbs));
-        self.changed(Triggers::ALL);
+        self.pending = Triggers::ALL;
     }
 
     fn set_reset(&mut self, clock: usize, high: bool) {
         self.resets[clock] = high;
+        self.any_reset = self.resets.contains(&true);
+        self.latest = None;
+        self.unready();
     }
 
     fn check(&mut self, rising: &[usize]) -> Vec<Failed> {
@@ -264,48 +272,20 @@ impl Engine for Compiled {
     }
 
     fn edges(&mut self, rising: &[usize], count: u64) -> Result<Done, Box<Difference>> {
-        let mut left = 0;
-        if count > 0 {
-            let code = self.edge_code(rising, count);
-            if rising.iter().any(|&clock| self.resets[clock]) {
-                left = count;
-                while left > 0 && self.call(code, 1) == 0 {
-                    self.reset(rising);
-                    left -= 1;
-                }
-            } else {
-                left = self.call(code, count);
-            }
+        match self.ready_edges(rising, count) {
+            Some(done) => Ok(done),
+            None => Ok(self.other_edges(rising, count)),
         }
-        let changed = rising.iter().fold(Triggers::NONE, |all, &clock| all.with(Triggers::state(clock)));
-        self.changed(changed);
-        Ok(Done { edges: count - left, changed })
+    }
+
+    fn quick_edge(&mut self) -> bool {
+        match &self.ready {
+            Some(ready) if ready.is_only => self.ready_edges(&[0], 1).is_some_and(|done| done.edges == 1),
+            _ => false,
+        }
     }
 
     fn watch(&mut self, values: &[ValueId]) {
-        let computed = |id: &&ValueId| self.program.value(**id).segment.is_some();
-        let mut shown: Vec<ValueId> = values.iter().filter(computed).copied().collect();
-        shown.sort();
-        shown.dedup();
-        if shown.is_empty() {
-            return;
-        }
-        // Values that change together are computed together.
-        let triggers = |id: ValueId| {
-            let segment = self.program.value(id).segment.expect("it is computed");
-            self.program.schedule.segments[segment as usize].triggers
-        };
-        let mut groups: BTreeMap<Triggers, Vec<ValueId>> = BTreeMap::new();
-        shown.into_iter().for_each(|id| groups.entry(triggers(id)).or_default().push(id));
-        for (triggers, shown) in groups {
-            let mut maker = Maker::new(&self.program, &Held::default());
-            maker.show(&shown);
-            let prepared = self.prepare(&maker.finish());
-            let code = self.compile(std::slice::from_ref(&prepared));
-            for (&id, place) in shown.iter().zip(prepared.shown()) {
-                self.shown[id.index()] = Some((self.views.len(), place));
-            }
-            self.views.push(View { code, triggers, stale: true });
-        }
+        self.show(values);
     }
 }

@@ -50,6 +50,8 @@ impl CodePages {
 /// Numbers, zeros at first, that end where a page begins that nobody may touch; another such page is before them.
 pub(super) struct Guarded {
     pages: Pages,
+    /// Bytes before the first.
+    skipped: usize,
     count: usize,
 }
 
@@ -68,19 +70,20 @@ impl Guarded {
             #[allow(unsafe_code, reason = "takes away the right to touch pages")]
             unsafe { region::protect(guard, page, Protection::NONE) }.expect("pages of one's own can be protected");
         }
-        Guarded { pages: Pages(pages), count }
+        Guarded { skipped: pages.len() - page - count * 8, pages: Pages(pages), count }
     }
 
     /// The first number.
+    #[inline]
     fn start(&self) -> *const u64 {
-        let end = self.pages.0.as_ptr_range::<u8>().end.wrapping_sub(region::page::size());
-        end.cast::<u64>().wrapping_sub(self.count)
+        self.pages.0.as_ptr::<u8>().wrapping_add(self.skipped).cast()
     }
 }
 
 impl Deref for Guarded {
     type Target = [std::cell::Cell<u64>];
 
+    #[inline]
     fn deref(&self) -> &Self::Target {
         // SAFETY: so many numbers stand before the last page and behind the first, in memory that lives as long and began as
         // zeros; they are looked at as cells alone.

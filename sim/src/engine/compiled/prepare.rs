@@ -42,8 +42,8 @@ impl Prepared {
 }
 
 impl Compiled {
-    /// Gives places to what a graph computes.
-    pub(super) fn prepare(&mut self, function: &Function) -> Prepared {
+    /// Gives places to what a function computes; `given` has those of the state that it has besides the program's.
+    pub(super) fn prepare(&mut self, function: &Function, given: &[Place]) -> Prepared {
         let mut graph = lower::lower(function, &self.layout.strips, &self.memories, &self.program.passes);
         let near = self.program.passes.near;
         let far: Vec<bool> = self.memories.iter().map(|at| !at.words.together() && at.words.size > near).collect();
@@ -52,7 +52,8 @@ impl Compiled {
             branch::branch(&mut graph, &mut plan, &self.layout.strips);
         }
         let pieces = sequence::sequence(&mut graph, &mut plan, self.program.passes.longest);
-        let addresses = Addresses::new(&graph, &plan, &self.places, &mut self.layout);
+        let state = self.places.iter().map_while(|place| *place).chain(given.iter().copied());
+        let addresses = Addresses::new(&graph, &plan, state, &mut self.layout);
         self.state.grow(self.layout.size);
         for &table in &addresses.tables {
             self.fill(&graph, table, addresses.places[table.index()].expect("a table has a place"));

@@ -45,8 +45,9 @@ impl Store {
     }
 
     /// Where it is, until it grows.
+    #[inline]
     pub fn address(&self) -> *mut u8 {
-        self.words[self.skipped..].as_ptr().cast_mut().cast()
+        self.words.as_ptr().wrapping_add(self.skipped).cast_mut().cast()
     }
 
     /// An integer of so many bytes, up to 8.
@@ -60,6 +61,25 @@ impl Store {
         let word = &self.words[self.skipped + at / 8];
         let (shift, ones) = (at % 8 * 8, if bytes == 8 { u64::MAX } else { (1 << (bytes * 8)) - 1 });
         word.set(word.get() & !(ones << shift) | (value & ones) << shift);
+    }
+
+    /// A limb.
+    #[inline]
+    pub fn limb(&self, at: usize) -> u64 {
+        self.words[self.skipped + at].get()
+    }
+
+    /// Replaces a limb; whether it was another one.
+    #[inline]
+    pub fn replace_limb(&mut self, at: usize, limb: u64) -> bool {
+        self.words[self.skipped + at].replace(limb) != limb
+    }
+
+    /// One lane of a value of up to 64 bits.
+    pub fn number(&self, place: Place, lane: u32) -> u64 {
+        let mut limb = [0];
+        self.get_word(place.lane(lane), place.bytes(), place.width, &mut limb);
+        limb[0]
     }
 
     /// The limbs of one lane of a value, or of a word, of so many bytes.
@@ -136,6 +156,7 @@ enum Words {
 impl Deref for Words {
     type Target = [Cell<u64>];
 
+    #[inline]
     fn deref(&self) -> &[Cell<u64>] {
         match self {
             Words::Plain(words) => words,

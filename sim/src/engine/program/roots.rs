@@ -1,6 +1,6 @@
 //! The values that something outside the expressions refers to.
 
-use super::{Program, ValueId};
+use super::{Clock, Program, ValueId};
 
 impl Program {
     /// Calls `visit` with every reference from outside the cells, which it may replace: ports, registers, memories,
@@ -32,5 +32,24 @@ impl Program {
             }
         }
         self.asserts.iter_mut().for_each(|assert| visit(&mut assert.condition));
+    }
+
+    /// What an edge of a clock samples: for registers, read ports and write ports, and assertions if they are asked for.
+    pub(crate) fn sampled(&self, clock: usize, with_asserts: bool) -> Vec<ValueId> {
+        let Clock { registers, reads, writes, asserts, .. } = &self.clocks[clock];
+        let mut all = Vec::new();
+        for register in registers.iter().map(|&index| &self.registers[index as usize]) {
+            all.extend([Some(register.next), register.enable].into_iter().flatten());
+        }
+        for read in reads.iter().map(|&(memory, port)| &self.memories[memory as usize].reads[port as usize]) {
+            all.extend([Some(read.address), read.enable].into_iter().flatten());
+        }
+        for write in writes.iter().map(|&(memory, port)| &self.memories[memory as usize].writes[port as usize]) {
+            all.extend([write.enable, write.address, write.data]);
+        }
+        if with_asserts {
+            all.extend(asserts.iter().map(|&index| self.asserts[index as usize].condition));
+        }
+        all
     }
 }

@@ -95,8 +95,8 @@ fn readers(program: &Program) -> Vec<Readers> {
     let mut all = vec![Readers::NONE; program.circuit.len()];
     let mut add = |id: ValueId, readers| all[id.index()] = all[id.index()].with(readers);
     program.outputs.iter().for_each(|port| add(port.value, Readers::OUTPUT));
-    for (clock, values) in sampled(program) {
-        values.into_iter().for_each(|value| add(value, Readers::edge(clock)));
+    for clock in 0..program.clocks.len() {
+        program.sampled(clock, true).into_iter().for_each(|value| add(value, Readers::edge(clock)));
     }
     for id in program.circuit.ids().rev() {
         let mine = all[id.index()];
@@ -105,28 +105,10 @@ fn readers(program: &Program) -> Vec<Readers> {
     all
 }
 
-/// What the edges of each clock sample: registers, read ports, write ports, asserts.
-fn sampled(program: &Program) -> Vec<(usize, Vec<ValueId>)> {
-    let registers = program.registers.iter().map(|register| {
-        (register.clock as usize, [Some(register.next), register.enable].into_iter().flatten().collect())
-    });
-    let reads = program
-        .memories
-        .iter()
-        .flat_map(|memory| &memory.reads)
-        .map(|read| (read.clock as usize, [Some(read.address), read.enable].into_iter().flatten().collect()));
-    let writes = program
-        .memories
-        .iter()
-        .flat_map(|memory| &memory.writes)
-        .map(|write| (write.clock as usize, vec![write.enable, write.address, write.data]));
-    let asserts = program.asserts.iter().map(|assert| (assert.clock as usize, vec![assert.condition]));
-    registers.chain(reads).chain(writes).chain(asserts).collect()
-}
-
 /// Enters into each clock what can make its edge do something else.
 fn watch(program: &mut Program, triggers: &[Triggers]) {
-    for (clock, values) in sampled(program) {
+    for clock in 0..program.clocks.len() {
+        let values = program.sampled(clock, true);
         let seen = values.iter().fold(Triggers::state(clock), |all, value| all.with(triggers[value.index()]));
         program.clocks[clock].triggers = program.clocks[clock].triggers.with(seen);
     }

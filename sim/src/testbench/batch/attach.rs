@@ -21,7 +21,7 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
     #[track_caller]
     pub fn trace(&mut self, run: u32, vcd: Vcd) -> Result<(), Error> {
         self.check(run);
-        self.all.trace_run(run, vcd)
+        self.all.circuit.trace(run, vcd)
     }
 
     /// Records inputs and outputs of one run at every instant from here on.
@@ -32,7 +32,7 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
     #[track_caller]
     pub fn recording(&mut self, run: u32) -> Recorder {
         self.check(run);
-        self.all.recording_of(run)
+        self.all.circuit.recording(run)
     }
 
     /// Draws a wave of these ports and signals of one run from here on.
@@ -43,6 +43,6 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
     #[track_caller]
     pub fn record(&mut self, run: u32, what: impl IntoIterator<Item = impl Into<Probe>>) -> Wave {
         self.check(run);
-        self.all.record_run(run, what)
+        self.all.circuit.record(run, what)
     }
 }

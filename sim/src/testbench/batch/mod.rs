@@ -12,7 +12,7 @@ use crate::engine::Passes;
 use crate::engine::program::{self, Program};
 use crate::testbench::error::{Error, UnknownName};
 use crate::testbench::port::{IntoValue, Port};
-use crate::testbench::simulation::{Simulation, Typed, paired, typed};
+use crate::testbench::simulation::{Simulation, Typed, typed};
 
 /// So many runs of one circuit at a time, each with inputs and a start of its own, as many
 /// [`Simulation`](crate::Simulation)s would be, but that they are steps of one program: the compiled engine has the
@@ -76,6 +76,14 @@ struct Input {
     waits: bool,
 }
 
+impl Input {
+    fn set(&mut self, run: u32, bits: &Bits) {
+        let start = run as usize * self.size;
+        self.limbs[start..start + self.size].copy_from_slice(bits.limbs());
+        self.waits = true;
+    }
+}
+
 impl Batch {
     /// Elaborates and compiles a block for so many runs; its default clock has a period of 10 ns.
     ///
@@ -115,8 +123,8 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
             return Err(Error::Runs { runs, most });
         }
         let all = Simulation::new(design, runs, same::<I>(&i), same::<O>(&o), &Passes::default())?;
-        let inputs = all.program.inputs.iter().map(|port| {
-            let value = all.program.value(port.value);
+        let inputs = all.circuit.program.inputs.iter().map(|port| {
+            let value = all.circuit.program.value(port.value);
             Input { limbs: vec![0; value.range().len()], size: value.limbs(), waits: false }
         });
         Ok(Batch { i, o, inputs: inputs.collect(), all })
@@ -130,7 +138,7 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
     /// After the first step, or with a trace attached.
     #[track_caller]
     pub fn seeded(mut self, seed: impl FnMut(u32) -> u64) -> Self {
-        self.all.seed((0..self.runs()).map(seed).collect());
+        self.all.circuit.seed((0..self.runs()).map(seed).collect());
         self.cleared()
     }
 
@@ -156,7 +164,7 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
 
     /// How many runs there are.
     pub fn runs(&self) -> u32 {
-        self.all.program.lanes()
+        self.all.circuit.program.lanes()
     }
 
     /// The engine that runs; see [`Simulation::engine`](crate::Simulation::engine).
@@ -186,11 +194,8 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
     #[track_caller]
     pub fn set(&mut self, port: Port, run: u32, value: impl IntoValue) {
         self.check(run);
-        let bits = self.all.fitting(port, value);
-        let input = &mut self.inputs[port.index as usize];
-        let start = run as usize * input.size;
-        input.limbs[start..start + input.size].copy_from_slice(bits.limbs());
-        input.waits = true;
+        let bits = self.all.circuit.fitting(port, value);
+        self.inputs[port.index as usize].set(run, &bits);
     }
 
     /// Sets an input of every run, to what `value` says for it.
@@ -212,7 +217,7 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
     /// As [`Batch::set`].
     #[track_caller]
     pub fn set_all(&mut self, port: Port, value: impl IntoValue) {
-        let bits = self.all.fitting(port, value);
+        let bits = self.all.circuit.fitting(port, value);
         let input = &mut self.inputs[port.index as usize];
         input.limbs.chunks_exact_mut(input.size).for_each(|run| run.copy_from_slice(bits.limbs()));
         input.waits = true;
@@ -225,7 +230,6 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
     /// As [`Batch::set`].
     #[track_caller]
     pub fn drive(&mut self, run: u32, values: I::Of<u64>) {
-        let values = I::convert(&values, &mut |_, value: &u64| u128::from(*value));
         self.drive_run(run, &values);
     }
 
@@ -241,9 +245,11 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
 
     #[track_caller]
     fn drive_run<V: IntoValue + Leaf>(&mut self, run: u32, values: &I::Of<V>) {
-        for (port, value) in paired::<I, V>(&self.i, values) {
-            self.set(port, run, value);
-        }
+        self.check(run);
+        let (all, inputs) = (&self.all, &mut self.inputs);
+        all.inputs.pair::<I, V>(&self.i, values, |port, value| {
+            inputs[port.index as usize].set(run, &all.circuit.fitting(port, value.clone()));
+        });
     }
 
     /// The value of a port in one run, settled.
@@ -254,16 +260,15 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
     #[track_caller]
     pub fn get(&mut self, port: Port, run: u32) -> Bits {
         self.check(run);
-        let value = self.all.declared(port).value;
-        self.ready().lane(value, run)
+        self.ready().circuit.get(port, run)
     }
 
     /// The value of a port in every run, settled.
     #[track_caller]
     pub fn get_each(&mut self, port: Port) -> Vec<Bits> {
-        let id = self.all.declared(port).value;
-        let value = self.all.program.value(id);
-        let limbs = self.ready().engine.read(id);
+        let id = self.all.circuit.declared(port).value;
+        let value = self.all.circuit.program.value(id);
+        let limbs = self.ready().circuit.engine.read(id);
         limbs.chunks_exact(value.limbs()).map(|run| Bits::from_limbs(value.width, run)).collect()
     }
 
@@ -290,7 +295,7 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
     #[track_caller]
     pub fn peek(&mut self, path: &str, run: u32) -> Result<Bits, UnknownName> {
         self.check(run);
-        self.ready().peek_run(path, run)
+        self.ready().circuit.peek(path, run)
     }
 
     /// A word of a memory in one run.
@@ -305,7 +310,7 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
     #[track_caller]
     pub fn peek_memory(&self, path: &str, run: u32, address: u32) -> Result<Bits, UnknownName> {
         self.check(run);
-        self.all.peek_word(path, run, address)
+        self.all.circuit.peek_word(path, run, address)
     }
 
     /// Replaces a word of a memory in one run at once.
@@ -326,14 +331,14 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
         value: impl IntoValue,
     ) -> Result<(), UnknownName> {
         self.check(run);
-        self.all.poke_word(path, run, address, value)
+        self.all.circuit.poke_word(path, run, address, value)
     }
 
     /// All runs, with their inputs as they were set.
     fn ready(&mut self) -> &mut Simulation<I, O> {
         for (index, input) in (0..).zip(&mut self.inputs) {
             if std::mem::take(&mut input.waits) {
-                self.all.write(Port { index }, &input.limbs);
+                self.all.circuit.write(Port { index }, &input.limbs);
             }
         }
         &mut self.all
@@ -352,7 +357,7 @@ fn same<T: Bundle>(ports: &T::Of<Port>) -> T::Of<Port> {
 
 impl<I: Bundle, O: Bundle> fmt::Debug for Batch<I, O> {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let top = &self.all.program.hierarchy.scopes[0].name;
+        let top = &self.all.circuit.program.hierarchy.scopes[0].name;
         let mut text = f.debug_struct("Batch");
         text.field("top", top).field("runs", &self.runs()).field("time", &self.all.time()).finish_non_exhaustive()
     }

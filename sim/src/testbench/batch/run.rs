@@ -32,8 +32,8 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
     ///
     /// As [`Batch::step`].
     #[track_caller]
-    pub fn run_until(&mut self, time: u64) {
-        self.ready().run_until(time);
+    pub fn run_to(&mut self, time: u64) {
+        self.ready().run_to(time);
     }
 
     /// Takes all runs to where a clock, by its name, has risen `n` more times; other clocks rise as they may.
@@ -75,13 +75,13 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
         self.ready().try_run(n)
     }
 
-    /// As [`Batch::run_until`].
+    /// As [`Batch::run_to`].
     ///
     /// # Errors
     ///
     /// As [`Batch::try_step`].
-    pub fn try_run_until(&mut self, time: u64) -> Result<(), Error> {
-        self.ready().try_run_until(time)
+    pub fn try_run_to(&mut self, time: u64) -> Result<(), Error> {
+        self.ready().try_run_to(time)
     }
 
     /// As [`Batch::reset`]; after an error the resets stay high.

@@ -43,7 +43,7 @@ fn clocks_that_rise_together_sample_together() {
     assert_eq!(seen, [(2_000, 1, 0, 0, 0), (3_000, 1, 1, 1, 0), (4_000, 2, 1, 1, 1), (6_000, 3, 2, 2, 1)]);
     sim.step_clock("slow", 2);
     assert_eq!((sim.time(), sim.cycles("fast"), sim.cycles("slow_clk")), (12_000, Ok(6), Ok(4)));
-    sim.run_until(14_999);
+    sim.run_to(14_999);
     assert_eq!(sim.time(), 14_000);
 }
 

@@ -1,0 +1,100 @@
+//! A testbench that looks every clock: what it looked at has been computed from the same state that the edge after it
+//! starts from, so that edge can do with the rest.
+
+use std::collections::BTreeSet;
+
+use super::Compiled;
+use super::function::{Function, Held, Maker};
+use super::jit::Code;
+use super::layout::Place;
+use super::prepare::Prepared;
+use crate::engine::program::{Circuit, Kind, ValueId};
+
+/// What is known of looks between edges.
+#[derive(Default)]
+pub(super) struct Looks {
+    /// How many edges had one before them; it is not counted further once there is a function, or can be none.
+    count: u64,
+    rest: Option<Rest>,
+}
+
+/// A function for what is left to do at an edge after a view has run.
+#[derive(Clone, Copy)]
+struct Rest {
+    /// The view, and the edge, by index.
+    view: usize,
+    edge: usize,
+    code: Code,
+}
+
+impl Compiled {
+    /// The function for one edge, where nothing has changed since somebody looked at something; `code` is the one that
+    /// serves in any case.
+    pub(super) fn code_after_look(&mut self, edge: usize, code: Code) -> Code {
+        match self.looks.rest {
+            Some(rest) if rest.edge == edge && !self.views[rest.view].stale => rest.code,
+            Some(_) => code,
+            None => {
+                self.count_look(edge);
+                code
+            }
+        }
+    }
+
+    fn count_look(&mut self, edge: usize) {
+        self.looks.count = self.looks.count.saturating_add(1);
+        if self.looks.count == self.program.passes.looks_after {
+            let fresh = (0..self.views.len()).filter(|&view| !self.views[view].stale);
+            let most = fresh.max_by_key(|&view| self.views[view].shown.len());
+            self.looks.rest = most.and_then(|view| self.make_rest(view, edge));
+        }
+    }
+
+    /// Has a view also leave what an edge needs of the same, and makes the function for the rest of that edge.
+    fn make_rest(&mut self, view: usize, edge: usize) -> Option<Rest> {
+        let shown = self.views[view].shown.clone();
+        let (rising, resets) = self.edges[edge].clocks();
+        let program = self.program.clone();
+        let sampled: Vec<ValueId> = rising.iter().flat_map(|&clock| program.sampled(clock, !resets[clock])).collect();
+        let left = border(&program.circuit, &shown, &sampled);
+        if left.is_empty() {
+            return None;
+        }
+        let mut all = shown.clone();
+        all.extend(left.iter().filter(|id| !shown.contains(id)));
+        let prepared = self.prepare_view(&all);
+        let code = self.compile(std::slice::from_ref(&prepared));
+        self.replace_view(view, code, &shown, &prepared);
+
+        // To the edge, what the view leaves is state.
+        let place =
+            |id: &ValueId| all.iter().zip(prepared.shown()).find(|(shown, _)| *shown == id).map(|(_, place)| place);
+        let places: Vec<Place> = left.iter().map(|id| place(id).expect("the view leaves it")).collect();
+        let maker = || Maker::new(&program, &Held::default(), &left);
+        let functions: Vec<Function> =
+            maker().check(&rising, &resets).into_iter().chain([maker().edge(&rising)]).collect();
+        let parts: Vec<Prepared> = functions.iter().map(|function| self.prepare(function, &places)).collect();
+        Some(Rest { view, edge, code: self.compile(&parts) })
+    }
+}
+
+/// What these values need first of what a view of `shown` computes, as far as it is a value of one lane and more than a
+/// part of another.
+fn border(circuit: &Circuit, shown: &[ValueId], values: &[ValueId]) -> Vec<ValueId> {
+    let computed: BTreeSet<ValueId> = circuit.needed(shown.iter().copied()).into_iter().collect();
+    let (mut seen, mut left) = (BTreeSet::new(), BTreeSet::new());
+    let mut open = values.to_vec();
+    while let Some(id) = open.pop() {
+        if !seen.insert(id) {
+            continue;
+        }
+        let cell = &circuit[id];
+        let is_part = matches!(cell.kind, Kind::Const(_) | Kind::State | Kind::Slice(..) | Kind::Extend(..));
+        if cell.lanes == 1 && !is_part && computed.contains(&id) {
+            left.insert(id);
+        } else {
+            cell.kind.for_each_operand(|operand| open.push(operand));
+        }
+    }
+    left.into_iter().collect()
+}

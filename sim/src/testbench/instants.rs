@@ -1,0 +1,175 @@
+//! Letting time pass for a running circuit.
+
+use crate::engine::Failed;
+use crate::engine::program::Triggers;
+use crate::testbench::error::{Error, UnknownName, Violation};
+use crate::testbench::run::done;
+use crate::testbench::running::Running;
+use crate::testbench::trace::View;
+
+impl Running {
+    fn set_reset(&mut self, clock: usize, high: bool) {
+        self.resets[clock] = high;
+        self.engine.set_reset(clock, high);
+    }
+
+    /// As [`Running::try_step`].
+    ///
+    /// # Panics
+    ///
+    /// There is an error.
+    #[track_caller]
+    pub fn step(&mut self) {
+        if !self.quick_step() {
+            done(self.try_step());
+        }
+    }
+
+    /// Goes to the next instant, if that is quickly done.
+    #[inline]
+    fn quick_step(&mut self) -> bool {
+        let is_done = self.observers.is_empty() && self.engine.running().is_some_and(|engine| engine.quick_edge());
+        if is_done {
+            self.timeline.repeat(1);
+        }
+        is_done
+    }
+
+    /// Goes to the next instant and through the edges there.
+    #[inline]
+    pub fn try_step(&mut self) -> Result<(), Error> {
+        if self.quick_step() {
+            return Ok(());
+        }
+        if self.is_plain() {
+            return self.repeat(1);
+        }
+        let until = self.timeline.next_time().ok_or(Error::NoClock)?;
+        self.timeline.rising_at(until, &mut self.rising);
+        if !self.observers.is_empty() {
+            let failed = self.engine.check(&self.rising);
+            self.engine.agree()?;
+            self.observe(until)?;
+            if !failed.is_empty() {
+                self.observers.iter_mut().for_each(|observer| observer.failed());
+                return Err(self.violated(failed, until));
+            }
+        }
+        let done = self.engine.edges(&self.rising, 1)?;
+        if done.edges == 0 {
+            let failed = self.engine.check(&self.rising);
+            return Err(self.violated(failed, until));
+        }
+        self.may_have_changed(done.changed);
+        self.timeline.advance(until, &self.rising);
+        Ok(())
+    }
+
+    /// An edge of every clock with every reset high.
+    pub fn try_reset(&mut self) -> Result<(), Error> {
+        (0..self.resets.len()).for_each(|clock| self.set_reset(clock, true));
+        let before: Vec<u64> = (0..self.resets.len()).map(|clock| self.timeline.cycles(clock)).collect();
+        while (0..before.len()).any(|clock| self.timeline.cycles(clock) == before[clock]) {
+            self.try_step()?;
+        }
+        (0..self.resets.len()).for_each(|clock| self.set_reset(clock, false));
+        Ok(())
+    }
+
+    /// So many instants.
+    pub fn try_run(&mut self, n: u64) -> Result<(), Error> {
+        match self.is_plain() {
+            true => self.repeat(n),
+            false => (0..n).try_for_each(|_| self.try_step()),
+        }
+    }
+
+    /// Whether instants follow each other alike, as there is one clock and nobody watches.
+    fn is_plain(&self) -> bool {
+        self.program.clocks.len() == 1 && self.observers.is_empty()
+    }
+
+    /// So many edges of the only clock.
+    fn repeat(&mut self, n: u64) -> Result<(), Error> {
+        let done = self.engine.edges(&[0], n)?;
+        self.timeline.repeat(done.edges);
+        if done.edges == n { Ok(()) } else { Err(self.stopped()) }
+    }
+
+    /// Why the only clock does not rise.
+    #[cold]
+    fn stopped(&mut self) -> Error {
+        let failed = self.engine.check(&[0]);
+        self.violated(failed, self.timeline.time + self.program.clocks[0].period)
+    }
+
+    /// Every instant up to and including that time.
+    pub fn try_run_to(&mut self, time: u64) -> Result<(), Error> {
+        while self.timeline.next_time().ok_or(Error::NoClock)? <= time {
+            self.try_step()?;
+        }
+        Ok(())
+    }
+
+    /// Ends what watches.
+    pub fn finish(&mut self) -> Result<(), Error> {
+        let until = self.timeline.next_time().unwrap_or(1);
+        self.rising.clear();
+        let mut observers = std::mem::take(&mut self.observers);
+        let ends: Vec<_> = observers.iter_mut().map(|observer| observer.finish(&mut self.view(until))).collect();
+        ends.into_iter().collect::<Result<(), Error>>()?;
+        Ok(self.engine.agree()?)
+    }
+
+    /// A clock by its name or its port's.
+    pub fn clock(&self, name: &str) -> Result<usize, UnknownName> {
+        let clocks = &self.program.clocks;
+        clocks.iter().position(|clock| clock.name == name || clock.port == name).ok_or_else(|| {
+            UnknownName::new("clock", name, &clocks.iter().map(|clock| clock.name.clone()).collect::<Vec<_>>())
+        })
+    }
+
+    /// Shows the circuit before an edge to every trace.
+    fn observe(&mut self, until: u64) -> Result<(), Error> {
+        let mut observers = std::mem::take(&mut self.observers);
+        let result = observers.iter_mut().try_for_each(|observer| observer.sample(&mut self.view(until)));
+        self.observers = observers;
+        self.observers.retain(|observer| !observer.is_over());
+        if result.is_ok() {
+            self.changed = Triggers::NONE;
+        }
+        result
+    }
+
+    fn view(&mut self, until: u64) -> View<'_> {
+        View {
+            program: &self.program,
+            engine: &mut *self.engine,
+            since: self.timeline.time,
+            until,
+            rising: &self.rising,
+            resets: &self.resets,
+            changed: self.changed,
+        }
+    }
+
+    fn violated(&self, failed: Vec<Failed>, time: u64) -> Error {
+        Error::Violated(failed.into_iter().map(|it| self.violation(it, time)).collect())
+    }
+
+    fn violation(&self, failed: Failed, time: u64) -> Violation {
+        let assert = &self.program.asserts[failed.assert as usize];
+        let hierarchy = &self.program.hierarchy;
+        let place = hierarchy.instance(&assert.scopes, failed.lane / assert.group);
+        let path = hierarchy.path(place);
+        Violation {
+            message: assert.message.clone(),
+            run: (self.program.lanes() > 1).then(|| hierarchy.run(place)),
+            instance: if path.is_empty() { hierarchy.scopes[0].name.clone() } else { path },
+            clock: self.program.clocks[assert.clock as usize].name.clone(),
+            cycle: self.timeline.cycles(assert.clock as usize),
+            time,
+            loc: assert.loc,
+        }
+    }
+}

@@ -1,0 +1,211 @@
+//! A running circuit, whatever the bundles of its ports: what simulations and batches are around.
+
+use std::sync::Arc;
+
+use tilewright_hdl::{Bits, Design};
+
+use crate::engine::program::{self, Program, Triggers, ValueId};
+use crate::engine::{EngineKind, Passes, Started, lane};
+use crate::testbench::error::UnknownName;
+use crate::testbench::port::{IntoValue, Port};
+use crate::testbench::timeline::Timeline;
+use crate::testbench::trace::{Observer, Poked};
+
+/// A running circuit and who watches it.
+pub(crate) struct Running {
+    pub program: Arc<Program>,
+    pub engine: Started,
+    pub timeline: Timeline,
+    pub resets: Vec<bool>,
+    pub observers: Vec<Box<dyn Observer + Send>>,
+    /// The words that were replaced before the first step, of which recordings tell.
+    pub poked: Poked,
+    /// The runs that are recorded: from the first step on, a recording has to explain everything.
+    pub recorded: Vec<u32>,
+    /// What may have changed since the observers last saw it, if there are any.
+    pub changed: Triggers,
+    /// The clocks of the coming instant; kept to save an allocation.
+    pub rising: Vec<usize>,
+    /// By number.
+    ports: Vec<Wired>,
+    /// The values of the outputs, if none is wider than 64 bits.
+    outputs: Option<Vec<ValueId>>,
+    /// What they were at the last look; kept to save an allocation.
+    looked: Vec<u64>,
+}
+
+/// What is asked of a port in every cycle.
+#[derive(Clone, Copy)]
+struct Wired {
+    value: ValueId,
+    width: u32,
+    triggers: Triggers,
+}
+
+impl Running {
+    /// So many runs of a design.
+    pub fn new(design: &Design, runs: u32, passes: &Passes) -> Running {
+        let program = Arc::new(program::compile_lanes(design, runs, passes));
+        let engine = Started::new(program.clone(), EngineKind::default(), vec![0; runs as usize]);
+        let ports = program.inputs.iter().chain(&program.outputs).map(|port| {
+            let width = program.value(port.value).width;
+            Wired { value: port.value, width, triggers: port.triggers }
+        });
+        let is_narrow = |port: &program::Port| program.value(port.value).width <= 64;
+        let outputs = program.outputs.iter().map(|port| is_narrow(port).then_some(port.value)).collect();
+        Running {
+            engine,
+            timeline: Timeline::new(&program),
+            resets: vec![false; program.clocks.len()],
+            observers: Vec::new(),
+            poked: Poked::default(),
+            recorded: Vec::new(),
+            changed: Triggers::NONE,
+            rising: Vec::new(),
+            ports: ports.collect(),
+            outputs,
+            looked: Vec::new(),
+            program,
+        }
+    }
+
+    #[track_caller]
+    pub fn seed(&mut self, seeds: Vec<u64>) {
+        assert!(self.timeline.time == 0, "a seed can only be given before the first step");
+        assert!(self.observers.is_empty(), "give the seed before attaching a trace");
+        self.restart(self.engine.again(self.engine.chosen(), seeds));
+    }
+
+    #[track_caller]
+    pub fn put_on(&mut self, kind: EngineKind) {
+        assert!(self.timeline.time == 0, "an engine can only be chosen before the first step");
+        assert!(self.observers.is_empty(), "choose the engine before attaching a trace");
+        self.restart(self.engine.again(kind, self.engine.seeds.clone()));
+    }
+
+    pub fn restart(&mut self, engine: Started) {
+        self.engine = engine;
+        self.resets.fill(false);
+        self.poked.clear();
+    }
+
+    pub fn port(&self, name: &str) -> Result<Port, UnknownName> {
+        let ports = || self.program.inputs.iter().chain(&self.program.outputs);
+        let found = ports().position(|port| port.name == name || port.path == name);
+        found
+            .map(|index| Port { index: index as u32 })
+            .ok_or_else(|| UnknownName::new("port", name, &ports().map(|port| port.name.clone()).collect::<Vec<_>>()))
+    }
+
+    /// The declaration of a port.
+    #[track_caller]
+    pub fn declared(&self, port: Port) -> &program::Port {
+        let index = port.index as usize;
+        let inputs = self.program.inputs.len();
+        let found =
+            if index < inputs { Some(&self.program.inputs[index]) } else { self.program.outputs.get(index - inputs) };
+        found.expect("the port is of another simulation")
+    }
+
+    #[track_caller]
+    fn wired(&self, port: Port) -> Wired {
+        *self.ports.get(port.index as usize).expect("the port is of another simulation")
+    }
+
+    /// Sets an input in the only run.
+    #[track_caller]
+    #[inline]
+    pub fn set(&mut self, port: Port, value: impl IntoValue) {
+        match value.to_limb() {
+            Some(limb) if self.set_limb(port, limb) => {}
+            _ => self.set_bits(port, value),
+        }
+    }
+
+    #[track_caller]
+    #[cold]
+    fn set_bits(&mut self, port: Port, value: impl IntoValue) {
+        let bits = self.fitting(port, value);
+        self.write(port, bits.limbs());
+    }
+
+    /// Sets an input of up to 64 bits in the only run, if it is one and the number fits.
+    #[inline]
+    fn set_limb(&mut self, port: Port, limb: u64) -> bool {
+        let Some(&Wired { value, width, triggers }) = self.ports.get(port.index as usize) else { return false };
+        if width > 64 || limb > u64::MAX >> (64 - width) || triggers == Triggers::NONE {
+            return false;
+        }
+        self.may_have_changed(triggers);
+        match self.engine.running() {
+            Some(engine) => engine.write_number(value, limb, triggers),
+            None => self.engine.write_number(value, limb, triggers),
+        }
+        true
+    }
+
+    /// Sets an input in all runs.
+    pub fn write(&mut self, port: Port, limbs: &[u64]) {
+        let input = &self.program.inputs[port.index as usize];
+        self.engine.write(input.value, limbs, input.triggers);
+        self.may_have_changed(input.triggers);
+    }
+
+    /// Tells those who watch, if anybody does.
+    #[inline]
+    pub fn may_have_changed(&mut self, triggers: Triggers) {
+        if !self.observers.is_empty() {
+            self.changed = self.changed.with(triggers);
+        }
+    }
+
+    /// Has somebody watch.
+    pub fn observe_by(&mut self, observer: Box<dyn Observer + Send>) {
+        self.changed = Triggers::ALL;
+        self.observers.push(observer);
+    }
+
+    /// The value as an input takes it.
+    #[track_caller]
+    pub fn fitting(&self, port: Port, value: impl IntoValue) -> Bits {
+        let Some(input) = self.program.inputs.get(port.index as usize) else {
+            panic!("`{}` is an output and cannot be set", self.declared(port).name)
+        };
+        let width = self.program.value(input.value).width;
+        match value.into_value(width) {
+            Ok(bits) => bits,
+            Err(problem) => {
+                let bits = if width == 1 { "1 bit".to_string() } else { format!("{width} bits") };
+                panic!("input `{}` has {bits} and {problem}", input.name)
+            }
+        }
+    }
+
+    /// A port in one run.
+    #[track_caller]
+    pub fn get(&mut self, port: Port, run: u32) -> Bits {
+        let Wired { value, width, .. } = self.wired(port);
+        match width {
+            0..=64 => Bits::new(width, self.engine.number(value, run)),
+            _ => self.lane(value, run),
+        }
+    }
+
+    /// A port in one run; nothing if it is wider than 64 bits.
+    #[track_caller]
+    pub fn number(&mut self, port: Port, run: u32) -> Option<u64> {
+        let Wired { value, width, .. } = self.wired(port);
+        (width <= 64).then(|| self.engine.number(value, run))
+    }
+
+    /// The outputs in one run, by number after the inputs; nothing if one is wider than 64 bits.
+    pub fn look(&mut self, run: u32) -> Option<&[u64]> {
+        self.engine.numbers(self.outputs.as_ref()?, run, &mut self.looked);
+        Some(&self.looked)
+    }
+
+    /// A lane of a value.
+    pub fn lane(&mut self, id: ValueId, index: u32) -> Bits {
+        lane(&self.program, &mut *self.engine, id, index)
+    }
+}

@@ -1,0 +1,63 @@
+//! How the ports of a bundle follow each other, so that values can be handed to them without a look at their names.
+
+use tilewright_hdl::{Bundle, Fields, Leaf, Visited, uneven};
+
+use crate::testbench::port::Port;
+
+/// What comes next in a bundle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Slot {
+    Port(Port),
+    /// So many elements.
+    List(usize),
+}
+
+/// The ports of a bundle, in order.
+#[derive(Debug)]
+pub(crate) struct Shape(Vec<Slot>);
+
+impl Shape {
+    /// That of the inputs.
+    pub fn of<I: Bundle>(ports: &I::Of<Port>) -> Shape {
+        let mut slots = Vec::new();
+        ports.visit(&mut |part| {
+            slots.push(match part {
+                Visited::Leaf(port) => Slot::Port(*port),
+                Visited::List(length) => Slot::List(length),
+            });
+        });
+        Shape(slots)
+    }
+
+    /// Calls `set` with each port and its value.
+    ///
+    /// # Panics
+    ///
+    /// A list is not as long as that of the ports, which are given for the message.
+    #[track_caller]
+    pub fn pair<I: Bundle, V: Leaf>(&self, ports: &I::Of<Port>, values: &I::Of<V>, mut set: impl FnMut(Port, &V)) {
+        let mut slots = self.0.iter();
+        let mut same = true;
+        values.visit(&mut |part| {
+            same &= match (slots.next(), part) {
+                (Some(Slot::List(length)), Visited::List(given)) => *length == given,
+                (Some(Slot::Port(_)), Visited::Leaf(_)) => true,
+                _ => false,
+            };
+        });
+        if !same || slots.next().is_some() {
+            match uneven(&values.leaves(), &ports.leaves()) {
+                Some(uneven) => {
+                    panic!("input{uneven} is a list of {}, but is set to a list of {}", uneven.needs, uneven.has)
+                }
+                None => panic!("the values have not the shape of the inputs: give each input a value"),
+            }
+        }
+        let mut slots = self.0.iter();
+        values.visit(&mut |part| {
+            if let (Some(Slot::Port(port)), Visited::Leaf(value)) = (slots.next(), part) {
+                set(*port, value);
+            }
+        });
+    }
+}

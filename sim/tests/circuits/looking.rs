@@ -1,0 +1,84 @@
+//! A testbench that looks every clock sees what it would see on the reference engine, also once there is code for that.
+
+use tilewright_hdl::{Bits, Block, Module, ReadUnderWrite, Width, bit, bits, bundle, elaborate, mux, net};
+use tilewright_sim::{EngineKind, Passes, Simulation};
+
+bundle! {
+    pub struct In<T> { pub add: T, pub wide: T, pub store: T }
+    pub struct Out<T> { pub sum: T, pub next: T, pub word: T, pub widened: T }
+}
+
+/// Outputs that follow from a register, a memory and the inputs; the edge needs the same.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+struct Mixed;
+
+impl Block for Mixed {
+    type In = In;
+    type Out = Out;
+
+    fn inputs(&self) -> In<Width> {
+        In { add: bits(8), wide: bits(70), store: bit() }
+    }
+
+    fn build(&self, m: Module, i: In) -> Out {
+        let sum = m.reg("sum", 8).reset(3);
+        let words = m.memory("words", 16, 8, ReadUnderWrite::Old).fill(Bits::zero(8));
+        net!(found = words.read_async(sum.slice(0..4)));
+        net!(coming = sum + i.add + found);
+        net!(wider = i.wide + coming.zext(70));
+        let total = m.reg("total", 70).reset(0);
+        total.next(total + wider);
+        words.write(i.store, sum.slice(4..8), coming);
+        sum.next(coming);
+        m.assert(coming.ne(99), "nobody gets to 99");
+        Out { sum: sum.value(), next: coming, word: mux(i.store, found, 0), widened: wider }
+    }
+}
+
+/// What a testbench that looks now and then sees.
+fn seen(kind: EngineKind, looks_after: u64) -> Vec<String> {
+    let passes = Passes { looks_after, held_after: 40, ..Passes::default() };
+    let mut sim = Simulation::with_passes(&elaborate(&Mixed).unwrap(), &passes).unwrap().on(kind);
+    let [add, wide, store, sum, next, word, widened] =
+        ["add", "wide", "store", "sum", "next", "word", "widened"].map(|name| sim.port(name).unwrap());
+    let mut seen = Vec::new();
+    for cycle in 0..400_u64 {
+        // Inputs change before a look, after it, or not at all.
+        if cycle % 7 == 0 {
+            sim.set(add, cycle & 0x1f);
+            sim.set(wide, Bits::from_limbs(70, &[cycle * 0x1234_5678_9abc, cycle & 0x3f]));
+        }
+        if cycle % 3 != 0 {
+            let values = [next, word, sum, widened].map(|port| sim.get(port));
+            seen.push(format!("{values:?}"));
+        }
+        if cycle % 2 == 0 {
+            // Another function than that of the outputs.
+            seen.push(sim.peek("found").unwrap().to_string());
+        }
+        if cycle % 11 == 0 {
+            sim.set(store, cycle % 2);
+        }
+        if cycle % 50 == 49 {
+            sim.poke_memory("words", 3, cycle & 0xff).unwrap();
+        }
+        match cycle % 90 {
+            89 => sim.try_reset().unwrap(),
+            88 => sim.try_run(4).unwrap_or_else(|error| seen.push(error.to_string())),
+            _ => sim.try_step().unwrap_or_else(|error| seen.push(error.to_string())),
+        }
+        seen.push(format!("{:?} {}", sim.get(sum), sim.peek("total").unwrap()));
+    }
+    seen
+}
+
+#[test]
+fn looks_change_nothing() {
+    let expected = seen(EngineKind::Reference, u64::MAX);
+    assert!(expected.iter().any(|line| line.contains("nobody gets to 99")), "an assertion is to fail too");
+    for looks_after in [1, 2, 30, u64::MAX] {
+        for kind in [EngineKind::Compiled, EngineKind::Both] {
+            assert_eq!(seen(kind, looks_after), expected, "{kind:?}, after {looks_after} looks");
+        }
+    }
+}
