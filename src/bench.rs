@@ -22,6 +22,7 @@ The designs, with a size for N:
   pimN   a chain of N merging units, each with a local frame buffer
   qtN    N units that walk down quadtrees
   flatN  the same, each unit a module of its own, so that nothing is replicated
+  coreN  N processors of RV32I, each with a program that sorts words
   simdN  N x N processors under one instruction
   vc1xN  a VC-1 with N processors that draw at random, frame after frame; vc1xN@WxH has another screen than 640x480
 

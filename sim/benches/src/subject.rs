@@ -6,7 +6,7 @@ use std::str::FromStr;
 use tilewright_hdl::{Design, Problems, elaborate};
 use tilewright_rtl::parameter::Screen;
 
-use crate::designs::{Pim, Qt, Simd, Vc1Frames};
+use crate::designs::{Core, Pim, Qt, Simd, Vc1Frames};
 
 /// A kind of design; a size makes it a [`Subject`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -17,6 +17,8 @@ pub enum Family {
     Qt,
     /// [`Qt`] with units that are modules of their own; its size is the number of units.
     Flat,
+    /// [`Core`]; its size is the number of processors.
+    Core,
     /// [`Simd`]; its size is the number of processors in a row.
     Simd,
     /// [`Vc1Frames`]; its size is the number of processors.
@@ -25,7 +27,7 @@ pub enum Family {
 
 impl Family {
     /// Every family.
-    pub const ALL: [Family; 5] = [Family::Pim, Family::Qt, Family::Flat, Family::Simd, Family::Vc1];
+    pub const ALL: [Family; 6] = [Family::Pim, Family::Qt, Family::Flat, Family::Core, Family::Simd, Family::Vc1];
 
     /// Its name, which stands before the size.
     pub fn name(self) -> &'static str {
@@ -33,6 +35,7 @@ impl Family {
             Family::Pim => "pim",
             Family::Qt => "qt",
             Family::Flat => "flat",
+            Family::Core => "core",
             Family::Simd => "simd",
             Family::Vc1 => "vc1x",
         }
@@ -42,7 +45,7 @@ impl Family {
     pub fn sizes(self) -> RangeInclusive<u32> {
         match self {
             Family::Pim | Family::Qt => 1..=4096,
-            Family::Flat | Family::Simd | Family::Vc1 => 1..=256,
+            Family::Flat | Family::Core | Family::Simd | Family::Vc1 => 1..=256,
         }
     }
 
@@ -71,10 +74,11 @@ pub struct Subject {
 const STIMULI: RangeInclusive<u32> = 1..=64;
 
 /// What is measured if nothing is asked for: small enough that a build with Verilator takes seconds.
-pub const USUAL: [Subject; 5] = [
+pub const USUAL: [Subject; 6] = [
     Family::Pim.of_size(16),
     Family::Qt.of_size(1),
     Family::Qt.of_size(16),
+    Family::Core.of_size(1),
     Family::Simd.of_size(16),
     Subject { screen: Screen { width: 160, height: 120 }, ..Family::Vc1.of_size(16) },
 ];
@@ -129,6 +133,7 @@ impl Subject {
         match self.family {
             Family::Pim => elaborate(&Pim::new(size)),
             Family::Qt | Family::Flat => elaborate(&Qt { units: size, apart: self.family == Family::Flat }),
+            Family::Core => elaborate(&Core { processors: size }),
             Family::Simd => elaborate(&Simd { edge: size }),
             Family::Vc1 => elaborate(&self.vc1()),
         }
@@ -153,7 +158,7 @@ impl Subject {
                 written("simd", include_str!("../verilog/simd.v"), "EDGE"),
                 written("simd_arr", include_str!("../verilog/simd_arr.v"), "EDGE"),
             ],
-            Family::Vc1 => Vec::new(),
+            Family::Core | Family::Vc1 => Vec::new(),
         }
     }
 
@@ -235,7 +240,7 @@ mod tests {
             assert_eq!(name.parse::<Subject>().unwrap().to_string(), name);
         }
         let wrong = [
-            ("pin16", "pimN, qtN, flatN, simdN, vc1xN"),
+            ("pin16", "pimN, qtN, flatN, coreN, simdN, vc1xN"),
             ("", "pimN"),
             ("qt", "from 1"),
             ("simd257", "to 256"),

@@ -2,6 +2,7 @@
 
 use std::ops::ControlFlow;
 use std::time::Duration;
+use tilewright_benches::designs::{Processor, ProcessorIn, ProcessorOut};
 use tilewright_benches::{Effort, Subject, measure, reset};
 use tilewright_sim::Simulation;
 
@@ -30,6 +31,24 @@ fn pim() {
 fn qt() {
     check("qt1", 300_000);
     check("qt16", 300_000);
+}
+
+#[test]
+fn the_processor_sorts() {
+    let mut sim = Simulation::of(&Processor).unwrap();
+    sim.drive(ProcessorIn { rst: 1, word: 12345 });
+    sim.step();
+    sim.set(sim.i.rst, 0);
+    let words = |sim: &Simulation<ProcessorIn, ProcessorOut>| {
+        let byte = |lane, at| sim.peek_memory(&format!("byte{lane}"), at).unwrap().to_u64().unwrap() as u32;
+        (0..32).map(|at| (0..4).map(|lane| byte(lane, at) << (8 * lane)).sum::<u32>() as i32).collect::<Vec<_>>()
+    };
+    let is_sorted = |words: &[i32]| words.windows(2).all(|pair| pair[0] < pair[1]);
+    let sorted = (0..5000).any(|_| {
+        sim.step();
+        is_sorted(&words(&sim))
+    });
+    assert!(sorted, "{:?}", words(&sim));
 }
 
 #[test]

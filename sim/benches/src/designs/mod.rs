@@ -1,10 +1,14 @@
 //! The designs. Each has an output `csum`, a checksum of all that it does.
 
+mod cores;
+mod dots;
 mod pim;
 mod qt;
 mod simd;
 mod vc1;
 
+pub use cores::{Core, Processor, ProcessorIn, ProcessorOut};
+pub use dots::{Dots, DotsIn, DotsOut};
 pub use pim::Pim;
 pub use qt::Qt;
 pub use simd::Simd;

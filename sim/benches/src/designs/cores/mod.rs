@@ -1,0 +1,45 @@
+//! Processors of the RISC-V kind, each with a program and memories of its own.
+//!
+//! What it asks of a simulator: one long chain from a register through a table, two reads and a choice of many results, with
+//! nothing that is alike beside it.
+
+mod processor;
+mod program;
+
+use tilewright_hdl::ir::About;
+use tilewright_hdl::{Block, Module, Width, bit, mux};
+
+use super::{BenchIn, BenchOut};
+use crate::word::{rotated, seed};
+pub use processor::{Processor, ProcessorIn, ProcessorOut};
+
+/// The processors, and a checksum of all that they write.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub struct Core {
+    /// How many, at least 1.
+    pub processors: u32,
+}
+
+impl Block for Core {
+    type In = BenchIn;
+    type Out = BenchOut;
+
+    fn inputs(&self) -> BenchIn<Width> {
+        BenchIn { rst: bit() }
+    }
+
+    fn build(&self, m: Module, i: BenchIn) -> BenchOut {
+        let processors = m.array("u_processor", self.processors, &Processor, |processors| ProcessorIn {
+            rst: processors.all(&i.rst),
+            word: processors.constants(32, seed),
+        });
+        let folded = processors.sum.to_vec().into_iter().reduce(|folded, sum| rotated(folded, 1) ^ sum);
+        let csum = m.reg("csum", 32);
+        csum.next(mux(i.rst, 0, rotated(*csum, 3) + folded.expect("an array has a lane")));
+        BenchOut { csum: csum.value() }
+    }
+
+    fn about(&self) -> About {
+        About { summary: format!("{} processors that sort and mix words.", self.processors), ..About::default() }
+    }
+}

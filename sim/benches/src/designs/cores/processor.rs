@@ -1,0 +1,161 @@
+//! A processor of RV32I without fences, system calls and control registers: an instruction every clock.
+
+use tilewright_hdl::{
+    Bits, Block, Module, ReadUnderWrite, Signal, Width, bit, bits, bundle, case, cat, lit, mux, net, select,
+};
+
+use super::program::program;
+use crate::word::rotated;
+
+/// Words of the data memory.
+const WORDS: u32 = 1024;
+
+bundle! {
+    /// The inputs of [`Processor`].
+    pub struct ProcessorIn<T> {
+        /// It starts at address 0 when this goes low.
+        pub rst: T,
+        /// What it reads at addresses from 2^31 on.
+        pub word: T,
+    }
+
+    /// The outputs of [`Processor`]: what it does in this clock, and a sum over all clocks before.
+    pub struct ProcessorOut<T> {
+        /// The address of the instruction.
+        pub pc: T,
+        /// The instruction.
+        pub instruction: T,
+        /// What a register takes.
+        pub result: T,
+        /// Of a load or store.
+        pub address: T,
+        /// Which bytes are stored.
+        pub stores: T,
+        /// What is stored.
+        pub data: T,
+        /// Of all results and addresses.
+        pub sum: T,
+    }
+}
+
+/// One of the processors.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub struct Processor;
+
+impl Block for Processor {
+    type In = ProcessorIn;
+    type Out = ProcessorOut;
+
+    fn inputs(&self) -> ProcessorIn<Width> {
+        ProcessorIn { rst: bit(), word: bits(32) }
+    }
+
+    fn build(&self, m: Module, i: ProcessorIn) -> ProcessorOut {
+        let words = program();
+        let pc = m.reg("pc", 32);
+        let code = m.memory("code", words.len().next_power_of_two() as u32, 32, ReadUnderWrite::Old);
+        let code = code.words(words.into_iter().map(|word| Bits::new(32, word.into())));
+        net!(instruction = code.read_async(pc.slice(2..2 + code.address_width())));
+        let Decoded { opcode, function, alternative, immediate, to, from } = decode(instruction);
+        let is = |code: u64| opcode.eq(code);
+
+        let registers = m.memory("registers", 32, 32, ReadUnderWrite::Old).fill(Bits::zero(32));
+        let [left, right] = from.map(|from| registers.read_async(from));
+        let (left, right) = (left.named("left"), right.named("right"));
+
+        // Arithmetic: of two registers, or of one and a constant.
+        net!(operand = mux(is(0b01100), right, immediate));
+        net!(places = operand.trunc(5));
+        net!(subtracts = is(0b01100) & alternative);
+        let results: [(u64, Signal); 8] = [
+            (0, mux(subtracts, left - operand, left + operand)),
+            (1, left << places),
+            (2, left.signed().lt(operand.signed()).zext(32)),
+            (3, left.lt(operand).zext(32)),
+            (4, left ^ operand),
+            (5, mux(alternative, (left.signed() >> places).bits(), left >> places)),
+            (6, left | operand),
+            (7, left & operand),
+        ];
+        net!(computed = case(function, results, lit(32, 0)));
+
+        // Memory: bytes side by side.
+        net!(address = left + immediate);
+        net!(place = address.slice(2..12));
+        let size = function.trunc(2);
+        let lowest = address.trunc(2);
+        net!(bytes = case(size, [(0, lit(4, 1) << lowest), (1, lit(4, 3) << lowest)], lit(4, 15)));
+        net!(stores = mux(is(0b01000) & !i.rst, bytes, 0));
+        net!(data = right << cat![lowest, lit(3, 0)]);
+        let lanes = [0, 1, 2, 3].map(|byte: u32| {
+            let lane = m.memory(&format!("byte{byte}"), WORDS, 8, ReadUnderWrite::Old).fill(Bits::zero(8));
+            lane.write(stores.bit(byte), place, data.slice(8 * byte..8 * byte + 8));
+            lane.read_async(place)
+        });
+        net!(fetched = mux(address.msb(), i.word, cat![lanes[3], lanes[2], lanes[1], lanes[0]]));
+        net!(moved = fetched >> cat![lowest, lit(3, 0)]);
+        let narrow = |width: u32| mux(function.bit(2), moved.trunc(width).zext(32), moved.trunc(width).sext(32));
+        net!(loaded = case(size, [(0, narrow(8)), (1, narrow(16))], fetched));
+
+        // Where it goes on.
+        net!(following = *pc + 4);
+        let (less, less_unsigned) = (left.signed().lt(right.signed()), left.lt(right));
+        let holds = case(function.slice(1..3), [(0, left.eq(right)), (2, less)], less_unsigned);
+        net!(branches = is(0b11000) & (holds ^ function.bit(0)));
+        net!(target = *pc + immediate);
+        let next = select([(is(0b11001), address), (is(0b11011) | branches, target)], following);
+        pc.next(mux(i.rst, 0, next));
+
+        let results =
+            [(0b00000, loaded), (0b00101, target), (0b01101, immediate), (0b11001, following), (0b11011, following)];
+        net!(result = case(opcode, results, computed));
+        net!(writes = !is(0b11000) & !is(0b01000) & to.ne(0) & !i.rst);
+        registers.write(writes, to, result);
+
+        let sum = m.reg("sum", 32);
+        sum.next(mux(i.rst, 0, rotated(*sum, 1) + (result ^ address)));
+        ProcessorOut { pc: pc.value(), instruction, result, address, stores, data, sum: sum.value() }
+    }
+
+    fn name(&self) -> String {
+        "core_processor".to_owned()
+    }
+}
+
+/// The parts of an instruction.
+struct Decoded {
+    /// The kind of instruction, without the two bits that are always set.
+    opcode: Signal,
+    /// What it does among those of its kind.
+    function: Signal,
+    /// Whether it subtracts, or shifts with the sign.
+    alternative: Signal,
+    /// The constant in it, as it is for this kind.
+    immediate: Signal,
+    /// The register that takes the result.
+    to: Signal,
+    /// The registers that it reads.
+    from: [Signal; 2],
+}
+
+fn decode(word: Signal) -> Decoded {
+    let opcode = word.slice(2..7).named("opcode");
+    let function = word.slice(12..15).named("function");
+    let upper = cat![word.slice(12..32), lit(12, 0)];
+    let short = word.slice(20..32).sext(32);
+    let store = cat![word.slice(25..32), word.slice(7..12)].sext(32);
+    let branch = cat![word.bit(31), word.bit(7), word.slice(25..31), word.slice(8..12), lit(1, 0)].sext(32);
+    let jump = cat![word.bit(31), word.slice(12..20), word.bit(20), word.slice(21..31), lit(1, 0)].sext(32);
+    let forms = [(0b00101, upper), (0b01101, upper), (0b01000, store), (0b11000, branch), (0b11011, jump)];
+    let immediate = case(opcode, forms, short).named("immediate");
+    // An addition of a constant has part of it where other operations say what they do.
+    let alternative = (word.bit(30) & (opcode.eq(0b01100) | function.eq(5))).named("alternative");
+    Decoded {
+        opcode,
+        function,
+        alternative,
+        immediate,
+        to: word.slice(7..12),
+        from: [(15, 20), (20, 25)].map(|(low, high)| word.slice(low..high)),
+    }
+}
