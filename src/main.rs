@@ -4,6 +4,7 @@ mod bench;
 mod block;
 mod completions;
 mod engine;
+mod explain;
 mod golden;
 mod list;
 mod machine;
@@ -60,6 +61,7 @@ enum Command {
     Wave(wave::Wave),
     Verilog(verilog::Verilog),
     Bench(bench::Bench),
+    Explain(explain::Explain),
     List(list::List),
     Completions(completions::Completions),
 }
@@ -72,6 +74,7 @@ impl Command {
             Command::Wave(it) => it.run(),
             Command::Verilog(it) => it.run(),
             Command::Bench(it) => it.run(),
+            Command::Explain(it) => it.run(),
             Command::List(it) => it.run(),
             Command::Completions(it) => it.run(),
         }

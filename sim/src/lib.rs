@@ -130,5 +130,5 @@ mod limbs;
 mod testbench;
 
 pub use engine::program;
-pub use engine::{Difference, EngineKind, Passes, Unsupported};
+pub use engine::{Difference, EngineKind, Explained, Pass, Passes, Unsupported, explain};
 pub use testbench::{Batch, Error, IntoValue, Port, Probe, Recorder, Simulation, UnknownName, Vcd, Violation, Wave};

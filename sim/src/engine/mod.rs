@@ -2,6 +2,7 @@
 
 mod choice;
 mod compiled;
+mod explain;
 mod interpreter;
 mod lockstep;
 mod passes;
@@ -18,6 +19,7 @@ use tilewright_hdl::Bits;
 pub use choice::EngineKind;
 pub(crate) use choice::Started;
 pub use compiled::Unsupported;
+pub use explain::{Explained, Pass, explain};
 pub use passes::Passes;
 use program::{Program, Triggers, ValueId};
 

@@ -183,7 +183,7 @@ impl Compiled {
     /// Makes the function for an edge, which checks the assertions of clocks not in reset, with inputs that are known.
     fn make_edge(&mut self, rising: &[usize], resets: &[bool], held: &Held) -> Code {
         let check = Maker::new(&self.program, held, &[]).check(rising, resets);
-        let edge = Maker::new(&self.program, held, &[]).edge(rising);
+        let (edge, _) = Maker::new(&self.program, held, &[]).edge(rising);
         let parts: Vec<Prepared> = check.iter().chain([&edge]).map(|function| self.prepare(function, &[])).collect();
         self.compile(&parts)
     }

@@ -69,6 +69,9 @@ impl Sink {
     }
 }
 
+/// What the values of a circuit are in another one that is made of it.
+pub(super) type Became = FxHashMap<ValueId, ValueId>;
+
 /// What is known of a program's state while a function runs.
 pub(super) type Held = FxHashMap<ValueId, Bits>;
 
@@ -104,18 +107,18 @@ impl Function {
     }
 
     /// The function with every operation made anew by `make`, but for those that nothing needs.
-    pub fn rebuild(&self, rewriter: Rewriter, make: impl FnMut(&mut Rewriter, Cell) -> ValueId) -> Function {
+    pub fn rebuild(&self, rewriter: Rewriter, make: impl FnMut(&mut Rewriter, Cell) -> ValueId) -> (Function, Became) {
         let mut rewriter = rewriter;
         let mut became = state(self.circuit(), &mut rewriter);
         let mut sinks = self.sinks.clone();
         rebuild(self.circuit(), self.needed(), &mut became, &mut rewriter, make);
         sinks.iter_mut().for_each(|sink| sink.rewrite(|operand| *operand = became[operand]));
-        Function { rewriter, sinks }
+        (Function { rewriter, sinks }, became)
     }
 }
 
 /// Gives a new circuit the state of another one, which comes first there.
-fn state(circuit: &Circuit, rewriter: &mut Rewriter) -> FxHashMap<ValueId, ValueId> {
+fn state(circuit: &Circuit, rewriter: &mut Rewriter) -> Became {
     let state = circuit.cells().take_while(|(_, cell)| cell.kind == Kind::State);
     state.map(|(id, cell)| (id, rewriter.state(cell.lanes, cell.width))).collect()
 }
@@ -124,7 +127,7 @@ fn state(circuit: &Circuit, rewriter: &mut Rewriter) -> FxHashMap<ValueId, Value
 pub(super) struct Maker<'a> {
     program: &'a Program,
     /// What values of the program are in the function.
-    became: FxHashMap<ValueId, ValueId>,
+    became: Became,
     function: Function,
 }
 
@@ -156,11 +159,11 @@ impl<'a> Maker<'a> {
         self.function.rewriter.add(kind, lanes, width)
     }
 
-    /// The function, without what never happens in it.
-    pub fn finish(self) -> Function {
+    /// The function, without what never happens in it; and what values of the program are in it.
+    pub fn finish(self) -> (Function, Became) {
         let Function { rewriter, sinks } = self.function;
         let sinks = sinks.into_iter().filter_map(|sink| happening(rewriter.circuit(), sink)).collect();
-        Function { rewriter, sinks }
+        (Function { rewriter, sinks }, self.became)
     }
 
     /// Leaves values where a testbench finds them; gives what they are in the function.
@@ -171,7 +174,7 @@ impl<'a> Maker<'a> {
     }
 
     /// An edge of these clocks, but for resets.
-    pub fn edge(mut self, rising: &[usize]) -> Function {
+    pub fn edge(mut self, rising: &[usize]) -> (Function, Became) {
         let program = self.program;
         for &clock in rising {
             for &index in &program.clocks[clock].registers {
@@ -209,7 +212,7 @@ impl<'a> Maker<'a> {
             });
         }
         self.function.sinks.push(Sink::Hold(all?));
-        Some(self.finish())
+        Some(self.finish().0)
     }
 
     /// A synchronous read is a register that takes the word; where its word is written at the same edge and the

@@ -72,7 +72,7 @@ impl Compiled {
         let places: Vec<Place> = left.iter().map(|id| place(id).expect("the view leaves it")).collect();
         let maker = || Maker::new(&program, &Held::default(), &left);
         let functions: Vec<Function> =
-            maker().check(&rising, &resets).into_iter().chain([maker().edge(&rising)]).collect();
+            maker().check(&rising, &resets).into_iter().chain([maker().edge(&rising).0]).collect();
         let parts: Vec<Prepared> = functions.iter().map(|function| self.prepare(function, &places)).collect();
         Some(Rest { view, edge, code: self.compile(&parts) })
     }

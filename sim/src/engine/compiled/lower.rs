@@ -12,7 +12,7 @@ use tilewright_hdl::Bits;
 use tilewright_hdl::ir::Binary;
 
 use super::emitter::MemoryAt;
-use super::function::{Function, Sink};
+use super::function::{Became, Function, Sink};
 use super::layout::Strips;
 use crate::engine::Passes;
 use crate::engine::program::{Cell, Kind, ValueId};
@@ -29,10 +29,15 @@ struct Target<'a> {
 ///
 /// - words of memories are converted from and to how they stand there;
 /// - lanes that pad the last strip take no part in reductions and write nothing.
-pub(super) fn lower(function: &Function, strips: &Strips, memories: &[MemoryAt], passes: &Passes) -> Function {
+pub(super) fn lower(
+    function: &Function,
+    strips: &Strips,
+    memories: &[MemoryAt],
+    passes: &Passes,
+) -> (Function, Became) {
     let target = Target { strips, memories, passes };
     let mut lowered = function.rebuild(Rewriter::new(passes), |rewriter, cell| target.lower(rewriter, cell));
-    let Function { rewriter, sinks } = &mut lowered;
+    let Function { rewriter, sinks } = &mut lowered.0;
     for sink in sinks {
         target.write(rewriter, sink);
         if let Sink::Show(value) = sink

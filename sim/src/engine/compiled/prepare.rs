@@ -2,14 +2,15 @@
 
 use cranelift_codegen::ir::{InstBuilder, MemFlagsData, Value, types};
 
+use super::Compiled;
 use super::builder::FunctionBuilder;
 use super::emitter::{self, Addresses, Emitter, MemoryAt};
 use super::function::{Function, Sink};
 use super::jit::Code;
 use super::layout::{Place, Strips};
+use super::passes::{self, Planned};
 use super::plan::Plan;
-use super::sequence::{self, Step};
-use super::{Compiled, branch, lower};
+use super::sequence::Step;
 use crate::engine::program::{Kind, ValueId};
 
 /// A graph, and where its values are.
@@ -44,14 +45,8 @@ impl Prepared {
 impl Compiled {
     /// Gives places to what a function computes; `given` has those of the state that it has besides the program's.
     pub(super) fn prepare(&mut self, function: &Function, given: &[Place]) -> Prepared {
-        let mut graph = lower::lower(function, &self.layout.strips, &self.memories, &self.program.passes);
-        let near = self.program.passes.near;
-        let far: Vec<bool> = self.memories.iter().map(|at| !at.words.together() && at.words.size > near).collect();
-        let mut plan = Plan::new(&graph, &far, self.program.passes.postpone);
-        if self.program.passes.branch {
-            branch::branch(&mut graph, &mut plan, &self.layout.strips);
-        }
-        let pieces = sequence::sequence(&mut graph, &mut plan, self.program.passes.longest);
+        let Planned { function: graph, plan, pieces } =
+            passes::plan(function, &self.layout.strips, &self.memories, &self.program.passes, &mut |_| {});
         let state = self.places.iter().map_while(|place| *place).chain(given.iter().copied());
         let addresses = Addresses::new(&graph, &plan, state, &mut self.layout);
         self.state.grow(self.layout.size);

@@ -170,7 +170,7 @@ impl Compiled {
     pub(super) fn prepare_view(&mut self, shown: &[ValueId]) -> Prepared {
         let mut maker = Maker::new(&self.program, &Held::default(), &[]);
         maker.show(shown);
-        self.prepare(&maker.finish(), &[])
+        self.prepare(&maker.finish().0, &[])
     }
 
     /// Has another function show these values, which are the first that it shows; it is to run before the next look.

@@ -40,6 +40,13 @@ pub fn compile_lanes(design: &Design, lanes: u32, passes: &Passes) -> Program {
     }
 }
 
+/// A design made flat, and nothing more: values are in no particular order.
+pub(crate) fn flat(design: &Design, passes: &Passes) -> Program {
+    let mut program = flatten::flatten(design, 1, &Unrolled::default(), passes).program;
+    schedule::assign_to_clocks(&mut program);
+    program
+}
+
 /// The most lanes that a value has.
 const MOST_LANES: u64 = 1 << 20;
 

@@ -27,6 +27,7 @@ use tilewright_hdl::ir::{Contents, Init, ReadUnderWrite};
 use tilewright_hdl::{Loc, limbs_for};
 
 pub use circuit::{Cell, Circuit, ValueId};
+pub(crate) use compile::flat;
 pub use compile::{compile, compile_lanes, most_lanes};
 pub use hierarchy::Hierarchy;
 pub use kind::{Axis, Kind};

@@ -44,7 +44,7 @@ pub(super) fn schedule(program: &mut Program) {
 }
 
 /// Enters into each clock what happens at its edges.
-fn assign_to_clocks(program: &mut Program) {
+pub(super) fn assign_to_clocks(program: &mut Program) {
     let clocks = &mut program.clocks;
     for (index, register) in program.registers.iter().enumerate() {
         clocks[register.clock as usize].registers.push(index as u32);

@@ -9,7 +9,10 @@ mod lift;
 mod logic;
 mod names;
 mod repeat;
+mod same;
 mod taken;
+#[cfg(test)]
+mod tests;
 
 use super::{Rewrite, Rewriter};
 use crate::engine::program::Cell;
@@ -19,7 +22,8 @@ type Rule = fn(&mut Rewriter, &Cell) -> Option<Rewrite>;
 /// Rules that hold always: engines do not know what they remove.
 const ALWAYS: [Rule; 1] = [names::name];
 /// Rules that compute constants, and leave out operations that do nothing.
-const FOLD: [Rule; 6] = [constants::fold, choices::select, choices::case, choices::mux, logic::identity, taken::lane];
+const FOLD: [Rule; 7] =
+    [constants::fold, choices::select, choices::case, choices::mux, logic::identity, same::operands, taken::lane];
 
 /// What the first rule that has something to say makes of an operation.
 pub(super) fn apply(rewriter: &mut Rewriter, cell: &Cell) -> Option<Rewrite> {

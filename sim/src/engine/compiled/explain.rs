@@ -1,0 +1,155 @@
+//! What the passes make of the functions for edges, in words.
+
+use std::fmt::Write;
+
+use tilewright_hdl::Bits;
+
+use super::function::{Function, Held, Maker, Sink};
+use super::layout::Strips;
+use super::passes::{self, Seen};
+use super::plan::{Kernel, Plan};
+use super::sequence::Step;
+use super::{HELD, bank};
+use crate::engine::explain::{Names, Pass, Text};
+use crate::engine::program::{Program, ValueId};
+
+/// What each pass leaves of an edge of each clock.
+pub(in crate::engine) fn explain(program: &Program) -> Vec<(Pass, String)> {
+    let passes = [Pass::Edge, Pass::Hold, Pass::Lower, Pass::Plan, Pass::Branch, Pass::Sequence];
+    let mut all: Vec<(Pass, String)> = passes.map(|pass| (pass, String::new())).to_vec();
+    for (clock, declared) in program.clocks.iter().enumerate() {
+        for (pass, text) in edge(program, clock) {
+            let (_, all) = all.iter_mut().find(|(other, _)| *other == pass).expect("each pass is there");
+            let _ = write!(all, "an edge of {}:\n{text}", declared.name);
+        }
+    }
+    all
+}
+
+fn edge(program: &Program, clock: usize) -> Vec<(Pass, String)> {
+    let names = Names::of(program);
+    let (function, became) = Maker::new(program, &Held::default(), &[]).edge(&[clock]);
+    let names = names.renamed(&became);
+    let mut all = vec![(Pass::Edge, text(program, &function, &names))];
+    let small = program.inputs.iter().map(|port| (port.value, &program.circuit[port.value]));
+    let small = small.filter(|(_, cell)| cell.lanes == 1 && cell.width <= HELD);
+    let held: Held = small.map(|(id, cell)| (id, Bits::zero(cell.width))).collect();
+    let (special, became) = Maker::new(program, &held, &[]).edge(&[clock]);
+    all.push((Pass::Hold, text(program, &special, &Names::of(program).renamed(&became))));
+
+    let strips = Strips::of(program);
+    let (memories, _banks) = bank::banks(program, &strips);
+    let mut lowered = names.clone();
+    passes::plan(&function, &strips, &memories, &program.passes, &mut |seen| match seen {
+        Seen::Lowered(function, became) => {
+            lowered = names.renamed(became);
+            all.push((Pass::Lower, text(program, function, &lowered)));
+        }
+        Seen::Planned(function, plan) => all.push((Pass::Plan, planned(program, function, plan, &lowered))),
+        Seen::Branched(function, plan) => all.push((Pass::Branch, planned(program, function, plan, &lowered))),
+        Seen::Sequenced(function, plan, pieces) => {
+            all.push((Pass::Sequence, sequenced(program, function, plan, pieces, &lowered)));
+        }
+    });
+    all
+}
+
+/// A function: its values, and what it does with them.
+fn text(program: &Program, function: &Function, names: &Names) -> String {
+    let mut text = Text::with(program, function.circuit(), names.clone());
+    let mut out = text.values(function.needed().into_iter());
+    (0..function.sinks.len()).for_each(|sink| out.push_str(&line(&text, function, sink)));
+    out
+}
+
+/// What a sink does.
+fn line(text: &Text, function: &Function, sink: usize) -> String {
+    match function.sinks[sink] {
+        Sink::Register { state, next, enable } => text.change(&text.name(state), &text.name(next), enable),
+        Sink::Write { memory, enable, address, data } => {
+            text.change(&format!("{}[{}]", text.memory(memory), text.name(address)), &text.name(data), Some(enable))
+        }
+        Sink::Show(value) => format!("  show {}\n", text.name(value)),
+        Sink::Hold(value) => format!("  go on if {}\n", text.name(value)),
+    }
+}
+
+/// The stages of a function.
+fn planned(program: &Program, function: &Function, plan: &Plan, names: &Names) -> String {
+    let mut text = Text::with(program, function.circuit(), names.clone());
+    let _ = text.values(function.needed().into_iter());
+    let mut out = String::new();
+    for (number, stage) in plan.stages.iter().enumerate() {
+        let _ = writeln!(out, "stage {number}");
+        for (what, ids) in [("one lane", &stage.single), ("side by side", &stage.packed)] {
+            if !ids.is_empty() {
+                let _ = writeln!(out, "  {what}: {}", list(&text, ids));
+            }
+        }
+        for (lanes, kernel) in &stage.kernels {
+            let _ = write!(out, "  loop over {lanes} lanes: ");
+            kernel_text(&mut out, &mut text, function, kernel, 2);
+        }
+    }
+    if !plan.stored.is_empty() {
+        let _ = writeln!(out, "left in memory: {}", list(&text, plan.stored.iter()));
+    }
+    if !plan.late.is_empty() {
+        let _ = writeln!(out, "changed at the end: {}", list(&text, plan.late.iter()));
+    }
+    out
+}
+
+fn list<'a>(text: &Text, ids: impl IntoIterator<Item = &'a ValueId>) -> String {
+    ids.into_iter().map(|id| text.name(*id)).collect::<Vec<_>>().join(" ")
+}
+
+/// What a loop computes and changes; its variants, if it has some.
+fn kernel_text(out: &mut String, text: &mut Text, function: &Function, kernel: &Kernel, depth: usize) {
+    let indent = "  ".repeat(depth);
+    if let Some(switch) = &kernel.switch {
+        let _ = writeln!(out, "by {}", text.name(switch.subject));
+        for (index, variant) in switch.kernels.iter().enumerate() {
+            let numbers = (0..).zip(&switch.table).filter(|(_, kernel)| **kernel == index);
+            let numbers: Vec<String> = numbers.map(|(number, _): (usize, _)| number.to_string()).collect();
+            let _ = write!(out, "{indent}{}: ", numbers.join(", "));
+            kernel_text(out, text, function, variant, depth + 1);
+        }
+        return;
+    }
+    let values = text.values(kernel.cells.iter().copied());
+    let sinks = kernel.sinks.iter().map(|&sink| line(text, function, sink));
+    let lines: Vec<String> = values.lines().map(str::to_owned).chain(sinks).collect();
+    let _ = writeln!(out, "{}", if lines.is_empty() { "nothing" } else { "" });
+    for line in lines {
+        let _ = writeln!(out, "{indent}{}", line.trim());
+    }
+}
+
+/// The steps of each piece.
+fn sequenced(program: &Program, function: &Function, plan: &Plan, pieces: &[Vec<Step>], names: &Names) -> String {
+    let mut text = Text::with(program, function.circuit(), names.clone());
+    let _ = text.values(function.needed().into_iter());
+    let mut out = String::new();
+    for (number, steps) in pieces.iter().enumerate() {
+        let _ = writeln!(out, "piece {number}");
+        for &step in steps {
+            match step {
+                Step::Single(id) | Step::Pack(id) => {
+                    let _ = writeln!(out, "  {}", text.values([id].into_iter()).trim());
+                }
+                Step::Kernel(stage, lanes) => {
+                    let kernel = &plan.stages[stage].kernels[&lanes];
+                    let values = kernel.cells.len();
+                    let _ = writeln!(
+                        out,
+                        "  a loop over {lanes} lanes for {values} values, {} changes",
+                        kernel.sinks.len()
+                    );
+                }
+                Step::Sink(sink) => out.push_str(&line(&text, function, sink)),
+            }
+        }
+    }
+    out
+}

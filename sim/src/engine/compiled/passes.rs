@@ -1,0 +1,48 @@
+//! What is done with a function before code is made of it.
+
+use super::emitter::MemoryAt;
+use super::function::{Became, Function};
+use super::layout::Strips;
+use super::plan::Plan;
+use super::sequence::{self, Step};
+use super::{branch, lower};
+use crate::engine::Passes;
+
+/// A function, in order.
+pub(super) struct Planned {
+    pub function: Function,
+    pub plan: Plan,
+    /// The steps of each piece that it is cut into.
+    pub pieces: Vec<Vec<Step>>,
+}
+
+/// What a pass has left, for who wants to see it.
+pub(super) enum Seen<'a> {
+    /// The operations of the machine, and what the values of the function before are there.
+    Lowered(&'a Function, &'a Became),
+    Planned(&'a Function, &'a Plan),
+    Branched(&'a Function, &'a Plan),
+    Sequenced(&'a Function, &'a Plan, &'a [Vec<Step>]),
+}
+
+/// Plans a function.
+pub(super) fn plan(
+    function: &Function,
+    strips: &Strips,
+    memories: &[MemoryAt],
+    passes: &Passes,
+    look: &mut dyn FnMut(Seen),
+) -> Planned {
+    let (mut function, became) = lower::lower(function, strips, memories, passes);
+    look(Seen::Lowered(&function, &became));
+    let far: Vec<bool> = memories.iter().map(|at| !at.words.together() && at.words.size > passes.near).collect();
+    let mut plan = Plan::new(&function, &far, passes.postpone);
+    look(Seen::Planned(&function, &plan));
+    if passes.branch {
+        branch::branch(&mut function, &mut plan, strips);
+    }
+    look(Seen::Branched(&function, &plan));
+    let pieces = sequence::sequence(&mut function, &mut plan, passes.longest);
+    look(Seen::Sequenced(&function, &plan, &pieces));
+    Planned { function, plan, pieces }
+}

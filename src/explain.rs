@@ -1,0 +1,63 @@
+//! `tilewright explain`: what each pass of the simulator makes of a block.
+
+use crate::block::BlockArguments;
+use crate::shell::{Exit, Failure, terminal};
+use clap::Args;
+use clap::builder::PossibleValuesParser;
+use serde::Serialize;
+use tilewright_sim::{Pass, Passes, explain};
+
+/// Shows what each pass of the simulator makes of a block
+#[derive(Args)]
+#[command(after_help = "\
+Examples:
+  tilewright explain scan-counter --pass fold
+  tilewright explain merging-unit --set stages=2
+  tilewright explain patch-table --pass sequence --json
+
+A line has a value's name or number, its lanes and its width in bits, how it is computed, and where the block's source says so.
+Each pass is shown with those before it.")]
+pub struct Explain {
+    #[command(flatten)]
+    block: BlockArguments,
+    /// Only what this pass leaves, as often as needed; all of them otherwise
+    #[arg(long = "pass", value_name = "NAME", value_parser = PossibleValuesParser::new(Pass::ALL.map(Pass::name)))]
+    passes: Vec<String>,
+    /// Print the report as JSON
+    #[arg(long)]
+    json: bool,
+}
+
+#[derive(Serialize)]
+struct Report {
+    format: u32,
+    passes: Vec<Shown>,
+}
+
+#[derive(Serialize)]
+struct Shown {
+    pass: &'static str,
+    about: &'static str,
+    text: String,
+}
+
+impl Explain {
+    /// Prints what the passes leave.
+    pub fn run(self) -> Result<Exit, Failure> {
+        let (entry, values) = self.block.find()?;
+        let design = entry.design(&values)?;
+        let wanted = |pass: Pass| self.passes.is_empty() || self.passes.iter().any(|name| name == pass.name());
+        let explained = explain(&design, &Passes::default()).into_iter().filter(|it| wanted(it.pass));
+        let shown =
+            |it: tilewright_sim::Explained| Shown { pass: it.pass.name(), about: it.pass.about(), text: it.text };
+        let passes: Vec<Shown> = explained.map(shown).collect();
+        match self.json {
+            true => terminal::print_json(&Report { format: 1, passes })?,
+            false => {
+                let sections = passes.iter().map(|it| format!("# {}: {}\n\n{}", it.pass, it.about, it.text));
+                terminal::print(&sections.collect::<Vec<_>>().join("\n"))?;
+            }
+        }
+        Ok(Exit::Done)
+    }
+}
