@@ -131,4 +131,6 @@ mod testbench;
 
 pub use engine::program;
 pub use engine::{Difference, EngineKind, Explained, Pass, Passes, Unsupported, explain};
-pub use testbench::{Batch, Error, IntoValue, Port, Probe, Recorder, Simulation, UnknownName, Vcd, Violation, Wave};
+pub use testbench::{
+    Batch, Condition, Error, IntoValue, Port, Probe, Recorder, Simulation, UnknownName, Vcd, Violation, Wave,
+};

@@ -83,6 +83,16 @@ fn traced(_: &mut Core) -> f64 {
 fn main() {
     let measures: Measures<Core> = vec![
         ("run(n), a cycle", |sim| timed(sim, 1, |sim, _| sim.run(CYCLES)) / CYCLES as f64),
+        ("run_until a register is a number", |sim| {
+            timed(sim, 1, |sim, _| {
+                black_box(sim.run_until(sim.o.pc.is(1), CYCLES));
+            }) / CYCLES as f64
+        }),
+        ("run_until a result is a number", |sim| {
+            timed(sim, 1, |sim, _| {
+                black_box(sim.run_until(sim.o.address.is(0xffff_ffff), CYCLES));
+            }) / CYCLES as f64
+        }),
         ("step", |sim| timed(sim, CYCLES, |sim, _| sim.step())),
         ("step, get of a register", |sim| {
             timed(sim, CYCLES, |sim, _| {

@@ -11,6 +11,7 @@ mod reference;
 mod rewrite;
 mod semantics;
 mod start;
+pub(crate) mod until;
 
 use std::fmt;
 
@@ -22,6 +23,7 @@ pub use compiled::Unsupported;
 pub use explain::{Explained, Pass, explain};
 pub use passes::Passes;
 use program::{Program, Triggers, ValueId};
+use until::Until;
 
 /// An assertion that does not hold.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -131,6 +133,15 @@ pub(crate) trait Engine: Send {
     /// Two engines side by side differ.
     fn edges(&mut self, rising: &[usize], count: u64) -> Result<Done, Box<Difference>>;
 
+    /// As [`Engine::edges`], but that none follows on one after which the condition holds; whether it does at the end.
+    ///
+    /// # Errors
+    ///
+    /// Two engines side by side differ.
+    fn edges_until(&mut self, rising: &[usize], count: u64, until: &Until) -> Result<(Done, bool), Box<Difference>> {
+        one_by_one(self, rising, count, until)
+    }
+
     /// An edge of the only clock, if there is nothing to look at before it; whether it was done.
     fn quick_edge(&mut self) -> bool {
         false
@@ -153,6 +164,27 @@ pub(crate) trait Engine: Send {
 
     /// Prepares for these values being read together.
     fn watch(&mut self, _values: &[ValueId]) {}
+}
+
+/// Edges until a condition holds, with a look at it after each.
+fn one_by_one<E: Engine + ?Sized>(
+    engine: &mut E,
+    rising: &[usize],
+    count: u64,
+    until: &Until,
+) -> Result<(Done, bool), Box<Difference>> {
+    let mut all = Done { edges: 0, changed: Triggers::NONE };
+    while all.edges < count {
+        let done = engine.edges(rising, 1)?;
+        if done.edges == 0 {
+            break;
+        }
+        all = Done { edges: all.edges + 1, changed: all.changed.with(done.changed) };
+        if until.holds(engine.read(until.value)) {
+            return Ok((all, true));
+        }
+    }
+    Ok((all, false))
 }
 
 /// One lane of a value, settled.

@@ -85,7 +85,7 @@ impl Running {
     }
 
     /// Whether instants follow each other alike, as there is one clock and nobody watches.
-    fn is_plain(&self) -> bool {
+    pub fn is_plain(&self) -> bool {
         self.program.clocks.len() == 1 && self.observers.is_empty()
     }
 
@@ -98,7 +98,7 @@ impl Running {
 
     /// Why the only clock does not rise.
     #[cold]
-    fn stopped(&mut self) -> Error {
+    pub fn stopped(&mut self) -> Error {
         let failed = self.engine.check(&[0]);
         self.violated(failed, self.timeline.time + self.program.clocks[0].period)
     }

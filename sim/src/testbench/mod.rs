@@ -2,6 +2,7 @@
 
 mod attach;
 mod batch;
+mod condition;
 mod error;
 mod instants;
 mod lookup;
@@ -17,6 +18,7 @@ mod trace;
 
 pub use attach::Probe;
 pub use batch::Batch;
+pub use condition::Condition;
 pub use error::{Error, UnknownName, Violation};
 pub use port::{IntoValue, Port};
 pub use simulation::Simulation;

@@ -175,8 +175,7 @@ impl Running {
         match value.into_value(width) {
             Ok(bits) => bits,
             Err(problem) => {
-                let bits = if width == 1 { "1 bit".to_string() } else { format!("{width} bits") };
-                panic!("input `{}` has {bits} and {problem}", input.name)
+                panic!("input `{}` has {} and {problem}", input.name, bits(width))
             }
         }
     }
@@ -208,4 +207,9 @@ impl Running {
     pub fn lane(&mut self, id: ValueId, index: u32) -> Bits {
         lane(&self.program, &mut *self.engine, id, index)
     }
+}
+
+/// A width in words.
+pub(crate) fn bits(width: u32) -> String {
+    if width == 1 { "1 bit".to_string() } else { format!("{width} bits") }
 }

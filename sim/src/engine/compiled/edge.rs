@@ -3,10 +3,10 @@
 use tilewright_hdl::Bits;
 
 use super::Compiled;
-use super::function::{Held, Maker};
+use super::function::{Function, Held, Maker};
 use super::jit::Code;
 use super::prepare::Prepared;
-use crate::engine::program::Triggers;
+use crate::engine::program::{Triggers, ValueId};
 use crate::engine::{Done, start};
 
 /// A function for an edge.
@@ -29,6 +29,11 @@ impl Edge {
     /// The clocks that rise, and the resets that are high.
     pub fn clocks(&self) -> (Vec<usize>, Vec<bool>) {
         (self.rising.clone(), self.resets.clone())
+    }
+
+    /// So many were done with inputs as they are.
+    pub fn pass(&mut self, edges: u64) {
+        self.quiet = self.quiet.saturating_add(edges);
     }
 }
 
@@ -160,15 +165,26 @@ impl Compiled {
     #[cold]
     fn make_special(&mut self, index: usize) -> Code {
         self.special -= 1;
-        let (rising, resets) = (self.edges[index].rising.clone(), self.edges[index].resets.clone());
+        let (rising, resets) = self.edges[index].clocks();
+        let held = self.held_inputs();
+        let code = self.make_edge(&rising, &resets, &held);
+        self.edges[index].special = Some(code);
+        code
+    }
+
+    /// Whether an edge has a function for the inputs as they are.
+    pub(super) fn is_special(&self, index: usize) -> bool {
+        let edge = &self.edges[index];
+        edge.special.is_some() && edge.inputs_version == self.inputs_version && !self.held_changed
+    }
+
+    /// The inputs that functions may be made for, as they are.
+    pub(super) fn held_inputs(&self) -> Held {
         let held = self.inputs.iter().map(|&id| {
             let place = self.places[id.index()].expect("an input is state");
             (id, Bits::new(place.width, self.state.number(place, 0)))
         });
-        let held: Held = held.collect();
-        let code = self.make_edge(&rising, &resets, &held);
-        self.edges[index].special = Some(code);
-        code
+        held.collect()
     }
 
     /// Whether functions are to check assertions.
@@ -182,10 +198,21 @@ impl Compiled {
 
     /// Makes the function for an edge, which checks the assertions of clocks not in reset, with inputs that are known.
     fn make_edge(&mut self, rising: &[usize], resets: &[bool], held: &Held) -> Code {
-        let check = Maker::new(&self.program, held, &[]).check(rising, resets);
-        let (edge, _) = Maker::new(&self.program, held, &[]).edge(rising);
-        let parts: Vec<Prepared> = check.iter().chain([&edge]).map(|function| self.prepare(function, &[])).collect();
+        let functions = self.edge_functions(rising, resets, held, &[]);
+        let parts: Vec<Prepared> = functions.iter().map(|function| self.prepare(function, &[])).collect();
         self.compile(&parts)
+    }
+
+    /// What such a function does, one after the other; the values in `given` are computed before.
+    pub(super) fn edge_functions(
+        &self,
+        rising: &[usize],
+        resets: &[bool],
+        held: &Held,
+        given: &[ValueId],
+    ) -> Vec<Function> {
+        let maker = || Maker::new(&self.program).give(given).hold(held);
+        maker().check(rising, resets).into_iter().chain([maker().edge(rising).0]).collect()
     }
 
     /// The registers of those clocks whose resets are high take their reset values.

@@ -28,13 +28,13 @@ pub(in crate::engine) fn explain(program: &Program) -> Vec<(Pass, String)> {
 
 fn edge(program: &Program, clock: usize) -> Vec<(Pass, String)> {
     let names = Names::of(program);
-    let (function, became) = Maker::new(program, &Held::default(), &[]).edge(&[clock]);
+    let (function, became) = Maker::new(program).edge(&[clock]);
     let names = names.renamed(&became);
     let mut all = vec![(Pass::Edge, text(program, &function, &names))];
     let small = program.inputs.iter().map(|port| (port.value, &program.circuit[port.value]));
     let small = small.filter(|(_, cell)| cell.lanes == 1 && cell.width <= HELD);
     let held: Held = small.map(|(id, cell)| (id, Bits::zero(cell.width))).collect();
-    let (special, became) = Maker::new(program, &held, &[]).edge(&[clock]);
+    let (special, became) = Maker::new(program).hold(&held).edge(&[clock]);
     all.push((Pass::Hold, text(program, &special, &Names::of(program).renamed(&became))));
 
     let strips = Strips::of(program);

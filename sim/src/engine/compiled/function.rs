@@ -132,20 +132,39 @@ pub(super) struct Maker<'a> {
 }
 
 impl<'a> Maker<'a> {
-    /// A function that does nothing yet, made for where some state is known, and some values have been computed before,
-    /// which are state too; it comes behind the program's.
-    pub fn new(program: &'a Program, held: &Held, given: &[ValueId]) -> Maker<'a> {
+    /// A function that does nothing yet. State that it has besides the program's comes first, before anything is taken.
+    pub fn new(program: &'a Program) -> Maker<'a> {
         let mut rewriter = Rewriter::new(&program.passes);
-        let mut became = state(&program.circuit, &mut rewriter);
-        for &id in given {
-            let Cell { lanes, width, .. } = program.circuit[id];
-            became.insert(id, rewriter.state(lanes, width));
-        }
-        for (&id, bits) in held {
-            let Cell { lanes, width, .. } = program.circuit[id];
-            became.insert(id, rewriter.add(Kind::Const(bits.clone()), lanes, width));
-        }
+        let became = state(&program.circuit, &mut rewriter);
         Maker { program, became, function: Function { rewriter, sinks: Vec::new() } }
+    }
+
+    /// These values have been computed before, and are state.
+    pub fn give(mut self, values: &[ValueId]) -> Self {
+        for &id in values {
+            let Cell { lanes, width, .. } = self.program.circuit[id];
+            self.became.insert(id, self.function.rewriter.state(lanes, width));
+        }
+        self
+    }
+
+    /// State of the function's own, of one lane.
+    pub fn state(&mut self, width: u32) -> ValueId {
+        self.function.rewriter.state(1, width)
+    }
+
+    /// These values are known.
+    pub fn hold(mut self, held: &Held) -> Self {
+        for (&id, bits) in held {
+            let constant = self.function.constant(bits.clone(), self.program.circuit[id].lanes);
+            self.became.insert(id, constant);
+        }
+        self
+    }
+
+    /// The function goes on only if this is 1.
+    pub fn go_on_if(&mut self, flag: ValueId) {
+        self.function.sinks.push(Sink::Hold(flag));
     }
 
     /// A value of the program.
@@ -155,7 +174,8 @@ impl<'a> Maker<'a> {
         self.became[&id]
     }
 
-    fn add(&mut self, kind: Kind, lanes: u32, width: u32) -> ValueId {
+    /// A value of the function's own.
+    pub fn add(&mut self, kind: Kind, lanes: u32, width: u32) -> ValueId {
         self.function.rewriter.add(kind, lanes, width)
     }
 

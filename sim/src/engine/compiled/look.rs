@@ -4,7 +4,7 @@
 use std::collections::BTreeSet;
 
 use super::Compiled;
-use super::function::{Function, Held, Maker};
+use super::function::Held;
 use super::jit::Code;
 use super::layout::Place;
 use super::prepare::Prepared;
@@ -54,9 +54,7 @@ impl Compiled {
     fn make_rest(&mut self, view: usize, edge: usize) -> Option<Rest> {
         let shown = self.views[view].shown.clone();
         let (rising, resets) = self.edges[edge].clocks();
-        let program = self.program.clone();
-        let sampled: Vec<ValueId> = rising.iter().flat_map(|&clock| program.sampled(clock, !resets[clock])).collect();
-        let left = border(&program.circuit, &shown, &sampled);
+        let left = self.left_to(&shown, &rising, &resets);
         if left.is_empty() {
             return None;
         }
@@ -65,16 +63,30 @@ impl Compiled {
         let prepared = self.prepare_view(&all);
         let code = self.compile(std::slice::from_ref(&prepared));
         self.replace_view(view, code, &shown, &prepared);
-
-        // To the edge, what the view leaves is state.
         let place =
-            |id: &ValueId| all.iter().zip(prepared.shown()).find(|(shown, _)| *shown == id).map(|(_, place)| place);
+            |id: &ValueId| all.iter().zip(prepared.shown()).find(|(other, _)| *other == id).map(|(_, place)| place);
         let places: Vec<Place> = left.iter().map(|id| place(id).expect("the view leaves it")).collect();
-        let maker = || Maker::new(&program, &Held::default(), &left);
-        let functions: Vec<Function> =
-            maker().check(&rising, &resets).into_iter().chain([maker().edge(&rising).0]).collect();
-        let parts: Vec<Prepared> = functions.iter().map(|function| self.prepare(function, &places)).collect();
+        let parts = self.prepare_rest((&rising, &resets), &Held::default(), &left, &places);
         Some(Rest { view, edge, code: self.compile(&parts) })
+    }
+
+    /// What an edge needs first of what is computed for `shown` before it.
+    pub(super) fn left_to(&self, shown: &[ValueId], rising: &[usize], resets: &[bool]) -> Vec<ValueId> {
+        let program = &self.program;
+        let sampled: Vec<ValueId> = rising.iter().flat_map(|&clock| program.sampled(clock, !resets[clock])).collect();
+        border(&program.circuit, shown, &sampled)
+    }
+
+    /// Prepares the functions for an edge to which values that were computed before it are state, at these places.
+    pub(super) fn prepare_rest(
+        &mut self,
+        (rising, resets): (&[usize], &[bool]),
+        held: &Held,
+        given: &[ValueId],
+        places: &[Place],
+    ) -> Vec<Prepared> {
+        let functions = self.edge_functions(rising, resets, held, given);
+        functions.iter().map(|function| self.prepare(function, places)).collect()
     }
 }
 

@@ -29,6 +29,7 @@ mod start;
 mod store;
 mod strip;
 mod target;
+mod until;
 mod view;
 
 use std::sync::Arc;
@@ -36,18 +37,20 @@ use std::sync::Arc;
 use tilewright_hdl::limbs_for;
 
 use crate::engine::program::{Kind, Program, Triggers, ValueId};
-use crate::engine::{Difference, Done, Engine, Failed};
+use crate::engine::until::Until;
+use crate::engine::{Difference, Done, Engine, Failed, one_by_one};
 use bank::Bank;
 use edge::{Edge, Ready};
 use emitter::MemoryAt;
 pub(super) use explain::explain;
-use function::{Held, Maker};
+use function::Maker;
 pub(crate) use jit::unsupported;
 use jit::{Code, Jit};
 use layout::{Layout, Place, Strips};
 use look::Looks;
 use store::Store;
 pub use target::Unsupported;
+use until::Stopping;
 use view::{Slot, View};
 
 /// The state of a running circuit and the code that runs it.
@@ -88,6 +91,7 @@ pub(crate) struct Compiled {
     checks: Vec<(Vec<usize>, Vec<bool>, Option<Code>)>,
     views: Vec<View>,
     looks: Looks,
+    stopping: Vec<Stopping>,
     /// What has changed since views were last marked stale.
     pending: Triggers,
     /// Some view is.
@@ -140,6 +144,7 @@ impl Compiled {
             checks: Vec::new(),
             views: Vec::new(),
             looks: Looks::default(),
+            stopping: Vec::new(),
             pending: Triggers::NONE,
             some_stale: false,
             shown: vec![None; program.circuit.len()],
@@ -160,7 +165,7 @@ impl Compiled {
         let code = match made {
             Some((_, _, code)) => *code,
             None => {
-                let check = Maker::new(&self.program, &Held::default(), &[]).check(rising, &self.resets);
+                let check = Maker::new(&self.program).check(rising, &self.resets);
                 let check = check.map(|function| self.prepare(&function, &[]));
                 let code = check.map(|check| self.compile(std::slice::from_ref(&check)));
                 self.checks.push((rising.to_vec(), self.resets.clone(), code));
@@ -286,6 +291,20 @@ impl Engine for Compiled {
             Some(ready) if ready.is_only => self.ready_edges(&[0], 1).is_some_and(|done| done.edges == 1),
             _ => false,
         }
+    }
+
+    fn edges_until(&mut self, rising: &[usize], count: u64, until: &Until) -> Result<(Done, bool), Box<Difference>> {
+        // Registers are reset after a function has run, so it cannot know what follows from that.
+        if self.any_reset || count < 2 {
+            return one_by_one(self, rising, count, until);
+        }
+        // The condition is looked at after an edge, so before each other one.
+        let (first, holds) = one_by_one(self, rising, 1, until)?;
+        if holds || first.edges == 0 {
+            return Ok((first, holds));
+        }
+        let edges = 1 + self.until_edges(rising, count - 1, until);
+        Ok((Done { edges, ..first }, until.holds(self.read(until.value))))
     }
 
     fn watch(&mut self, values: &[ValueId]) {

@@ -20,6 +20,8 @@ pub(super) struct Prepared {
     /// The steps of each function that it takes.
     pieces: Vec<Vec<Step>>,
     pub addresses: Addresses,
+    /// What must hold is asked for also while edges are not to check assertions.
+    pub is_always_asked: bool,
 }
 
 impl Prepared {
@@ -53,7 +55,7 @@ impl Compiled {
         for &table in &addresses.tables {
             self.fill(&graph, table, addresses.places[table.index()].expect("a table has a place"));
         }
-        Prepared { graph, plan, pieces, addresses }
+        Prepared { graph, plan, pieces, addresses, is_always_asked: false }
     }
 
     /// Makes a function that does what these graphs say, one after the other, so many times; it ends where something
@@ -104,10 +106,12 @@ impl Compiled {
                         holds.then(|| builder.ins().ireduce(types::I8, last))
                     }
                 };
-                if let Some(held) = held {
-                    let at = emitter::offset(unchecked.offset);
-                    let unchecked = builder.ins().load(types::I8, MemFlagsData::trusted(), state, at);
-                    let held = builder.ins().bor(held, unchecked);
+                if let Some(mut held) = held {
+                    if !part.is_always_asked {
+                        let at = emitter::offset(unchecked.offset);
+                        let unchecked = builder.ins().load(types::I8, MemFlagsData::trusted(), state, at);
+                        held = builder.ins().bor(held, unchecked);
+                    }
                     let next = builder.create_block();
                     builder.ins().brif(held, next, &[], done, &[left.into()]);
                     builder.switch_to_block(next);

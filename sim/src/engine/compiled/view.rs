@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::function::{Held, Maker};
+use super::function::Maker;
 use super::jit::Code;
 use super::layout::Place;
 use super::prepare::Prepared;
@@ -168,7 +168,7 @@ impl Compiled {
 
     /// What shows these values.
     pub(super) fn prepare_view(&mut self, shown: &[ValueId]) -> Prepared {
-        let mut maker = Maker::new(&self.program, &Held::default(), &[]);
+        let mut maker = Maker::new(&self.program);
         maker.show(shown);
         self.prepare(&maker.finish().0, &[])
     }

@@ -4,5 +4,6 @@ mod arithmetic;
 mod arrays;
 mod clocks;
 mod testbench;
+mod until;
 mod vcd;
 mod vcd_values;

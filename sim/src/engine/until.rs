@@ -1,0 +1,50 @@
+//! What ends a run.
+
+use tilewright_hdl::Bits;
+use tilewright_hdl::ir::Relation;
+
+use crate::engine::program::ValueId;
+use crate::limbs;
+
+/// How a value is to compare with a number, both unsigned.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Order {
+    Is,
+    IsNot,
+    Below,
+    AtLeast,
+}
+
+impl Order {
+    /// What the value is to the number while this does not hold.
+    pub fn otherwise(self) -> Relation {
+        match self {
+            Order::Is => Relation::Ne,
+            Order::IsNot => Relation::Eq,
+            Order::Below => Relation::Ge,
+            Order::AtLeast => Relation::Lt,
+        }
+    }
+}
+
+/// A condition on a value of one lane.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct Until {
+    pub value: ValueId,
+    pub order: Order,
+    /// As wide as the value.
+    pub number: Bits,
+}
+
+impl Until {
+    /// Whether it holds for this value.
+    pub fn holds(&self, value: &[u64]) -> bool {
+        let order = limbs::compare(value, self.number.limbs());
+        match self.order {
+            Order::Is => order.is_eq(),
+            Order::IsNot => order.is_ne(),
+            Order::Below => order.is_lt(),
+            Order::AtLeast => order.is_ge(),
+        }
+    }
+}

@@ -1,0 +1,158 @@
+//! What a run is to go on until.
+
+use tilewright_hdl::Bundle;
+
+use crate::engine::until::{Order, Until};
+use crate::testbench::error::Error;
+use crate::testbench::port::{IntoValue, Port};
+use crate::testbench::run::done;
+use crate::testbench::running::{Running, bits};
+use crate::testbench::simulation::Simulation;
+
+/// What a port is to be: made of a [`Port`] by [`Port::is`] and its like, or of one of 1 bit by itself, which is to be 1.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Condition {
+    port: Port,
+    /// Nothing for a port that is to be 1.
+    compared: Option<(Order, u64)>,
+}
+
+/// Conditions for [`Simulation::run_until`]; numbers are unsigned.
+impl Port {
+    /// The port is this number.
+    pub fn is(self, number: u64) -> Condition {
+        self.compared(Order::Is, number)
+    }
+
+    /// The port is another number.
+    pub fn is_not(self, number: u64) -> Condition {
+        self.compared(Order::IsNot, number)
+    }
+
+    /// The port is less than this number.
+    pub fn is_below(self, number: u64) -> Condition {
+        self.compared(Order::Below, number)
+    }
+
+    /// The port is this number or a larger one.
+    pub fn is_at_least(self, number: u64) -> Condition {
+        self.compared(Order::AtLeast, number)
+    }
+
+    fn compared(self, order: Order, number: u64) -> Condition {
+        Condition { port: self, compared: Some((order, number)) }
+    }
+}
+
+impl From<Port> for Condition {
+    fn from(port: Port) -> Condition {
+        Condition { port, compared: None }
+    }
+}
+
+impl<I: Bundle, O: Bundle> Simulation<I, O> {
+    /// Goes from instant to instant until a condition holds, but not through more than `limit` of them; gives how many it
+    /// were, or `None` if the condition does not hold after `limit`.
+    ///
+    /// The condition is looked at after each instant, settled with the inputs of this moment; so there is always one, also
+    /// if the condition holds before. With one clock and nobody watching, this is as fast as [`Simulation::run`].
+    ///
+    /// ```
+    /// # use tilewright_hdl::{Block, Module, Width, bit, bundle};
+    /// # bundle! {
+    /// #     /// What is counted.
+    /// #     pub struct CounterIn<T> { pub enable: T }
+    /// #     /// How many there were.
+    /// #     pub struct CounterOut<T> { pub count: T, pub full: T }
+    /// # }
+    /// # #[derive(Debug, Clone, PartialEq, Eq, Hash)]
+    /// # struct Counter;
+    /// # impl Block for Counter {
+    /// #     type In = CounterIn;
+    /// #     type Out = CounterOut;
+    /// #     fn inputs(&self) -> CounterIn<Width> { CounterIn { enable: bit() } }
+    /// #     fn build(&self, m: Module, i: CounterIn) -> CounterOut {
+    /// #         let count = m.reg("count", 8).reset(0);
+    /// #         count.enable(i.enable).next(count + 1);
+    /// #         CounterOut { count: count.value(), full: count.all_ones() }
+    /// #     }
+    /// # }
+    /// # let mut sim = tilewright_sim::Simulation::of(&Counter)?;
+    /// sim.set(sim.i.enable, 1);
+    /// assert_eq!(sim.run_until(sim.o.count.is_at_least(100), 1000), Some(100));
+    /// assert_eq!(sim.run_until(sim.o.full, 1000), Some(155));
+    /// assert_eq!(sim.run_until(sim.o.full, 100), None);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    ///
+    /// # Panics
+    ///
+    /// The number of the condition does not fit into its port, or a port of several bits is not compared with one; or as
+    /// [`Simulation::step`].
+    #[track_caller]
+    pub fn run_until(&mut self, condition: impl Into<Condition>, limit: u64) -> Option<u64> {
+        let until = self.circuit.until(condition.into());
+        match self.circuit.try_run_until(&until, limit) {
+            Ok(instants) => instants,
+            Err(error) => {
+                done(Err(error));
+                None
+            }
+        }
+    }
+
+    /// As [`Simulation::run_until`].
+    ///
+    /// # Errors
+    ///
+    /// As [`Simulation::try_step`].
+    ///
+    /// # Panics
+    ///
+    /// The condition is not one of its port, as in [`Simulation::run_until`].
+    #[track_caller]
+    pub fn try_run_until(&mut self, condition: impl Into<Condition>, limit: u64) -> Result<Option<u64>, Error> {
+        let until = self.circuit.until(condition.into());
+        self.circuit.try_run_until(&until, limit)
+    }
+}
+
+impl Running {
+    /// The condition on the port's value.
+    #[track_caller]
+    fn until(&self, condition: Condition) -> Until {
+        let Condition { port, compared } = condition;
+        let declared = self.declared(port);
+        let (name, value) = (&declared.name, declared.value);
+        let width = self.program.value(value).width;
+        assert!(
+            compared.is_some() || width == 1,
+            "`{name}` has {width} bits: say what it is to be, as in `sim.o.{name}.is(5)`"
+        );
+        let (order, number) = compared.unwrap_or((Order::Is, 1));
+        match number.into_value(width) {
+            Ok(number) => Until { value, order, number },
+            Err(problem) => panic!("the condition compares `{name}`, which has {} and {problem}", bits(width)),
+        }
+    }
+
+    /// Goes on until the condition holds; gives after how many instants.
+    fn try_run_until(&mut self, until: &Until, limit: u64) -> Result<Option<u64>, Error> {
+        if self.is_plain() {
+            let (done, holds) = self.engine.edges_until(&[0], limit, until)?;
+            self.timeline.repeat(done.edges);
+            return match holds {
+                true => Ok(Some(done.edges)),
+                false if done.edges == limit => Ok(None),
+                false => Err(self.stopped()),
+            };
+        }
+        for instants in 1..=limit {
+            self.try_step()?;
+            if until.holds(self.engine.read(until.value)) {
+                return Ok(Some(instants));
+            }
+        }
+        Ok(None)
+    }
+}
