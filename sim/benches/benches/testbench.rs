@@ -154,6 +154,17 @@ fn main() {
                 black_box(sim.get_u64(sim.o.sum));
             })
         }),
+        ("set_list of 16 inputs, twice", |sim| {
+            timed(sim, CYCLES, |sim, number| {
+                sim.set_list(|i| &i.left, [number & 0xff; PAIRS as usize]);
+                sim.set_list(|i| &i.right, [number & 0xff; PAIRS as usize]);
+            })
+        }),
+        ("get_list of 16 outputs", |sim| {
+            timed(sim, CYCLES, |sim, _| {
+                black_box(sim.get_list(|o| &o.products));
+            })
+        }),
         ("drive of 32 inputs", |sim| {
             timed(sim, CYCLES, |sim, number| {
                 let side = || vec![number & 0xff; PAIRS as usize];

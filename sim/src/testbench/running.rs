@@ -190,11 +190,12 @@ impl Running {
         }
     }
 
-    /// A port in one run; nothing if it is wider than 64 bits.
+    /// A port of up to 64 bits in one run.
     #[track_caller]
-    pub fn number(&mut self, port: Port, run: u32) -> Option<u64> {
+    pub fn narrow(&mut self, port: Port, run: u32) -> u64 {
         let Wired { value, width, .. } = self.wired(port);
-        (width <= 64).then(|| self.engine.number(value, run))
+        assert!(width <= 64, "`{}` is wider than 64 bits: use `get`", self.declared(port).name);
+        self.engine.number(value, run)
     }
 
     /// The outputs in one run, by number after the inputs; nothing if one is wider than 64 bits.

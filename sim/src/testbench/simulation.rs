@@ -144,6 +144,57 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         self.circuit.set(port, value);
     }
 
+    /// Sets a list of inputs, one of the fields of the bundle, each to the value at its place.
+    ///
+    /// ```
+    /// # use tilewright_hdl::{Block, Module, Width, bits, bundle};
+    /// # bundle! {
+    /// #     /// What is multiplied.
+    /// #     pub struct DotIn<T> { pub left: Vec<T>, pub right: Vec<T> }
+    /// #     /// The products.
+    /// #     pub struct DotOut<T> { pub products: Vec<T> }
+    /// # }
+    /// # #[derive(Debug, Clone, PartialEq, Eq, Hash)]
+    /// # struct Dot;
+    /// # impl Block for Dot {
+    /// #     type In = DotIn;
+    /// #     type Out = DotOut;
+    /// #     fn inputs(&self) -> DotIn<Width> { DotIn { left: vec![bits(8); 3], right: vec![bits(8); 3] } }
+    /// #     fn build(&self, _: Module, i: DotIn) -> DotOut {
+    /// #         DotOut { products: i.left.iter().zip(&i.right).map(|(left, right)| left.times(*right)).collect() }
+    /// #     }
+    /// # }
+    /// # let mut sim = tilewright_sim::Simulation::of(&Dot)?;
+    /// sim.set_list(|i| &i.left, [1, 2, 3]);
+    /// sim.set_list(|i| &i.right, [10, 10, 5]);
+    /// assert_eq!(sim.get_list(|o| &o.products), [10, 20, 15]);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    ///
+    /// # Panics
+    ///
+    /// There are more or fewer values than inputs; or as [`Simulation::set`].
+    #[track_caller]
+    pub fn set_list<V: IntoValue>(
+        &mut self,
+        list: impl FnOnce(&I::Of<Port>) -> &[Port],
+        values: impl IntoIterator<Item = V>,
+    ) {
+        let circuit = &mut self.circuit;
+        in_step(list(&self.i), values, |port, value| circuit.set(port, value));
+    }
+
+    /// The values of a list of outputs, one of the fields of the bundle, settled, as numbers.
+    ///
+    /// # Panics
+    ///
+    /// One of them is wider than 64 bits.
+    #[track_caller]
+    pub fn get_list(&mut self, list: impl FnOnce(&O::Of<Port>) -> &[Port]) -> Vec<u64> {
+        let circuit = &mut self.circuit;
+        list(&self.o).iter().map(|port| circuit.narrow(*port, 0)).collect()
+    }
+
     /// The value of a port, settled: an output as it follows from the state and the inputs of this moment.
     #[track_caller]
     #[inline]
@@ -159,10 +210,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     #[track_caller]
     #[inline]
     pub fn get_u64(&mut self, port: Port) -> u64 {
-        match self.circuit.number(port, 0) {
-            Some(number) => number,
-            None => panic!("`{}` is wider than 64 bits: use `get`", self.circuit.declared(port).name),
-        }
+        self.circuit.narrow(port, 0)
     }
 
     /// Sets every input; [`Simulation::drive_bits`] takes values wider than 64 bits.
@@ -241,6 +289,19 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         }
         outputs
     }
+}
+
+/// Calls `set` with each port of a list and its value.
+#[track_caller]
+pub(crate) fn in_step<V>(ports: &[Port], values: impl IntoIterator<Item = V>, mut set: impl FnMut(Port, V)) {
+    let (mut values, mut count) = (values.into_iter(), 0);
+    for (port, value) in ports.iter().zip(&mut values) {
+        set(*port, value);
+        count += 1;
+    }
+    // What is left is only counted.
+    let (has, needs) = (count + usize::from(count == ports.len()) * values.count(), ports.len());
+    assert!(has == needs, "a list of {needs} inputs is set to a list of {has}: give each input one value");
 }
 
 /// A block's design and ports.

@@ -12,7 +12,7 @@ use crate::engine::Passes;
 use crate::engine::program::{self, Program};
 use crate::testbench::error::{Error, UnknownName};
 use crate::testbench::port::{IntoValue, Port};
-use crate::testbench::simulation::{Simulation, Typed, typed};
+use crate::testbench::simulation::{Simulation, Typed, in_step, typed};
 
 /// So many runs of one circuit at a time, each with inputs and a start of its own, as many
 /// [`Simulation`](crate::Simulation)s would be, but that they are steps of one program: the compiled engine has the
@@ -223,6 +223,37 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
         input.waits = true;
     }
 
+    /// Sets a list of inputs of one run; see [`Simulation::set_list`](crate::Simulation::set_list).
+    ///
+    /// # Panics
+    ///
+    /// There are more or fewer values than inputs; or as [`Batch::set`].
+    #[track_caller]
+    pub fn set_list<V: IntoValue>(
+        &mut self,
+        run: u32,
+        list: impl FnOnce(&I::Of<Port>) -> &[Port],
+        values: impl IntoIterator<Item = V>,
+    ) {
+        self.check(run);
+        let (all, inputs) = (&self.all, &mut self.inputs);
+        in_step(list(&self.i), values, |port, value| {
+            inputs[port.index as usize].set(run, &all.circuit.fitting(port, value));
+        });
+    }
+
+    /// The values of a list of outputs in one run; see [`Simulation::get_list`](crate::Simulation::get_list).
+    ///
+    /// # Panics
+    ///
+    /// One of them is wider than 64 bits, or there is no such run.
+    #[track_caller]
+    pub fn get_list(&mut self, run: u32, list: impl FnOnce(&O::Of<Port>) -> &[Port]) -> Vec<u64> {
+        self.check(run);
+        let all = self.ready();
+        list(&all.o).iter().map(|port| all.circuit.narrow(*port, run)).collect()
+    }
+
     /// Sets every input of one run; [`Batch::drive_bits`] takes values wider than 64 bits.
     ///
     /// # Panics
@@ -281,6 +312,17 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
     pub fn read(&mut self, run: u32) -> O::Of<Bits> {
         self.check(run);
         self.ready().read_run(run)
+    }
+
+    /// Every output of one run as a number, settled; see [`Simulation::read_u64`](crate::Simulation::read_u64).
+    ///
+    /// # Panics
+    ///
+    /// An output is wider than 64 bits and does not fit, or there is no such run.
+    #[track_caller]
+    pub fn read_u64(&mut self, run: u32) -> O::Of<u64> {
+        self.check(run);
+        self.ready().read_run_u64(run)
     }
 
     /// The value of anything with a name in one run, settled; see [`Simulation::peek`](crate::Simulation::peek).

@@ -3,6 +3,7 @@
 mod arithmetic;
 mod arrays;
 mod clocks;
+mod lists;
 mod testbench;
 mod until;
 mod vcd;
