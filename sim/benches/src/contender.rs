@@ -1,12 +1,18 @@
 //! What takes part in a measurement: something that runs a design for so many cycles.
 
 use crate::error::Error;
+use crate::report::Made;
 use std::time::Duration;
 
 /// A simulator with a design in it.
 pub trait Contender {
     /// Its name, for a table.
     fn name(&self) -> &str;
+
+    /// What made it of what, if it is a model that Verilator made.
+    fn made(&self) -> Option<&Made> {
+        None
+    }
 
     /// How long it took to make it, if that is not part of a run.
     fn build_time(&self) -> Option<Duration>;

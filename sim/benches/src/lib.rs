@@ -2,7 +2,7 @@
 //!
 //! A [`Subject`] is a design of some size, such as `pim16`. It is there twice: as a description (in [`designs`]), and in Verilog as
 //! one would write it by hand (in the folder `verilog`). [`measure`] runs it in every engine of the simulator and, if it is
-//! given a [`Compiler`](tilewright_gen::tools::Compiler), in models that Verilator makes of what we print of the description
+//! given [`Compiler`](tilewright_gen::tools::Compiler)s, in models that their Verilators make of what we print of the description
 //! and of what is written by hand. All of them do the same cycles, alternately, and all have to end with the same checksum.
 //!
 //! `cargo bench -p tilewright-benches` prints the figures of the simulator alone, `tilewright bench --against verilator` all.
@@ -20,7 +20,7 @@ mod word;
 pub use engine::reset;
 pub use error::Error;
 pub use measure::{Effort, Watch, measure};
-pub use report::{FORMAT, Figures, Measurement, Report, Versions};
+pub use report::{FORMAT, Figures, Made, Measurement, Report, Versions};
 pub use subject::{Family, HandWritten, Subject, USUAL};
 
 /// For so many cycles of each clock the resets are high at the start.

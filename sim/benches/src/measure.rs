@@ -22,29 +22,24 @@ pub struct Effort {
 /// Told what goes on and how much of it is done, from 0 to 1; says whether to go on.
 pub type Watch<'a> = &'a mut dyn FnMut(&'static str, f64) -> ControlFlow<()>;
 
-/// Measures a subject on all engines, or with a compiler on the fastest one and in Verilator.
+/// Measures a subject on all engines, or with compilers on the fastest one and in their Verilators.
 ///
 /// # Errors
 ///
 /// A contender fails, the checksums differ, or the watcher wants to stop.
-pub fn measure(
-    subject: Subject,
-    compiler: Option<&Compiler>,
-    effort: Effort,
-    watch: Watch,
-) -> Result<Measurement, Error> {
+pub fn measure(subject: Subject, compilers: &[Compiler], effort: Effort, watch: Watch) -> Result<Measurement, Error> {
     let mut show = |what, done| match watch(what, done) {
         ControlFlow::Continue(()) => Ok(()),
         ControlFlow::Break(()) => Err(Error::Interrupted { design: subject.to_string() }),
     };
     let mut contenders: Vec<Box<dyn Contender>> = Vec::new();
     // The interpreter would keep the runs of the others short.
-    let engines = engines().take(if compiler.is_some() { 1 } else { usize::MAX });
+    let engines = engines().take(if compilers.is_empty() { usize::MAX } else { 1 });
     if subject.stimuli() > 1 {
         contenders.push(Box::new(AtOnce::new(subject)));
     }
     contenders.extend(engines.map(|engine| Box::new(OnEngine { engine, subject }) as _));
-    if let Some(compiler) = compiler {
+    for compiler in compilers {
         show("building", 0.0)?;
         contenders.extend(models(compiler, subject)?.into_iter().map(|model| Box::new(model) as _));
     }
@@ -69,6 +64,7 @@ pub fn measure(
         let theirs = median(runs, |run| run.others);
         Figures {
             simulator: contender.name().to_owned(),
+            made: contender.made().cloned(),
             ns_per_cycle: per_cycle(theirs),
             least_ns_per_cycle: per_cycle(others().min().unwrap_or_default()),
             most_ns_per_cycle: per_cycle(others().max().unwrap_or_default()),

@@ -4,7 +4,7 @@ use serde::Serialize;
 use std::fmt;
 
 /// A number for each time that the form of a report changes.
-pub const FORMAT: u32 = 1;
+pub const FORMAT: u32 = 2;
 
 /// All that was measured.
 #[derive(Debug, Clone, Serialize)]
@@ -22,10 +22,19 @@ pub struct Report {
 /// What the models were made with.
 #[derive(Debug, Clone, Serialize)]
 pub struct Versions {
-    /// Such as `5.048`.
-    pub verilator: String,
+    /// Such as `5.048`, the newest first.
+    pub verilators: Vec<String>,
     /// Such as `19.1.7`.
     pub clang: String,
+}
+
+/// A model that Verilator made.
+#[derive(Debug, Clone, Serialize)]
+pub struct Made {
+    /// The version of Verilator.
+    pub verilator: String,
+    /// Of which Verilog: `our Verilog`, or the name of a file that was written by hand.
+    pub verilog: String,
 }
 
 /// A design in all simulators.
@@ -48,6 +57,8 @@ pub struct Measurement {
 pub struct Figures {
     /// Its name, and what it runs.
     pub simulator: String,
+    /// What made it, if it is a model that Verilator made.
+    pub made: Option<Made>,
     /// The median; of several stimuli at once, for a cycle of one of them.
     pub ns_per_cycle: f64,
     /// Of the fastest run.
@@ -92,12 +103,25 @@ impl fmt::Display for Report {
                 write!(f, "; a frame takes {frame} cycles, which is {time} in the first simulator")?;
             }
             writeln!(f)?;
+            for (Made { verilator, verilog }, ratio) in faster(simulators) {
+                writeln!(f, "  {verilog} is fastest in Verilator {verilator}: {ratio:.2} times")?;
+            }
         }
-        if let Some(Versions { verilator, clang }) = &self.verilator {
-            writeln!(f, "Verilator {verilator}, clang {clang}")?;
+        if let Some(Versions { verilators, clang }) = &self.verilator {
+            writeln!(f, "Verilator {}, clang {clang}", verilators.join(" and "))?;
         }
         Ok(())
     }
+}
+
+/// Of each Verilog that several Verilators have made models of, the fastest one and its ratio.
+fn faster(simulators: &[Figures]) -> Vec<(&Made, f64)> {
+    let models: Vec<(&Made, f64)> = simulators.iter().filter_map(|it| Some((it.made.as_ref()?, it.ratio))).collect();
+    let is_fastest = |(made, ratio): &&(&Made, f64)| {
+        let mut same = models.iter().filter(|(other, _)| other.verilog == made.verilog);
+        same.clone().count() > 1 && same.all(|(_, other)| ratio <= other)
+    };
+    models.iter().filter(is_fastest).copied().collect()
 }
 
 /// A time for people.
@@ -109,5 +133,47 @@ impl fmt::Display for Seconds {
             seconds if seconds >= 1.0 => write!(f, "{seconds:.1} s"),
             seconds => write!(f, "{:.2} ms", seconds * 1e3),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn figures(verilator: &str, verilog: &str, ratio: f64) -> Figures {
+        let made = Made { verilator: verilator.to_owned(), verilog: verilog.to_owned() };
+        Figures {
+            simulator: format!("Verilator {verilator}, {verilog}"),
+            made: Some(made),
+            ns_per_cycle: 10.0 * ratio,
+            least_ns_per_cycle: 10.0 * ratio,
+            most_ns_per_cycle: 10.0 * ratio,
+            build_seconds: Some(1.0),
+            first_cycle_seconds: 1.0,
+            ratio,
+        }
+    }
+
+    #[test]
+    fn the_faster_verilator_is_named_for_each_verilog() {
+        let both = |version, ours, by_hand| [figures(version, "our Verilog", ours), figures(version, "pim.v", by_hand)];
+        let mut simulators = vec![Figures { made: None, simulator: "ours".to_owned(), ..figures("", "", 1.0) }];
+        simulators.extend(both("5.048", 2.0, 0.5));
+        let design = Measurement {
+            design: "pim16".to_owned(),
+            cycles: 100,
+            frame_cycles: None,
+            checksum: "00000001".to_owned(),
+            simulators,
+        };
+        let mut report = Report { format: FORMAT, verilator: None, rounds: 1, designs: vec![design] };
+        assert!(!report.to_string().contains("fastest"), "there is nothing to choose from:\n{report}");
+        report.designs[0].simulators.extend(both("5.006", 1.25, 0.75));
+        let text = report.to_string();
+        let expected = "checksum 00000001
+  pim.v is fastest in Verilator 5.048: 0.50 times
+  our Verilog is fastest in Verilator 5.006: 1.25 times
+";
+        assert!(text.ends_with(expected), "{text}");
     }
 }

@@ -84,7 +84,7 @@ pub const USUAL: [Subject; 6] = [
 ];
 
 /// Checksums that several simulators agree on: the subject, cycles, checksum.
-const KNOWN: [(&str, u64, u32); 24] = [
+const KNOWN: [(&str, u64, u32); 25] = [
     ("pim16", 1000, 0xcce1_f33c),
     ("pim16", 20_000, 0x0b77_df9a),
     ("pim16", 300_000, 0xd0c8_a649),
@@ -97,6 +97,7 @@ const KNOWN: [(&str, u64, u32); 24] = [
     ("qt16", 20_000, 0x0b04_acda),
     ("qt16", 300_000, 0x4c4a_2054),
     ("qt64", 300_000, 0x220b_1d0c),
+    ("core1", 500_000, 0x17a0_3692),
     ("simd16", 1000, 0x9b9d_071b),
     ("simd16", 10_000, 0xb893_d9d4),
     ("simd16", 20_000, 0x6936_1066),

@@ -3,6 +3,7 @@
 use crate::RESET_CYCLES;
 use crate::contender::{Contender, Run};
 use crate::error::Error;
+use crate::report::Made;
 use crate::subject::{HandWritten, Subject};
 use std::fmt::Write;
 use std::time::Duration;
@@ -14,10 +15,11 @@ use tilewright_hdl::Design;
 #[derive(Debug)]
 pub struct Verilated {
     name: String,
+    made: Made,
     model: Model,
 }
 
-/// The models of a subject: of what we print of it, and of what was written by hand.
+/// The models of a subject that a Verilator makes: of what we print of it, and of what was written by hand.
 ///
 /// # Errors
 ///
@@ -28,7 +30,9 @@ pub fn models(compiler: &Compiler, subject: Subject) -> Result<Vec<Verilated>, E
     let build = |name: String, files: &[VerilogFile], top: &str, parameters: &[(&str, u32)]| {
         let driver = [("main.cpp", include_str!("../verilator/main.cpp")), ("ports.h", &ports)];
         let model = compiler.compile(&Source { verilog: files, top, parameters, driver: &driver })?;
-        Ok::<_, Error>(Verilated { name: format!("Verilator, {name}"), model })
+        let made = Made { verilator: compiler.verilator_version(), verilog: name };
+        let name = format!("Verilator {}, {}", made.verilator, made.verilog);
+        Ok::<_, Error>(Verilated { name, made, model })
     };
     let mut models = vec![build("our Verilog".to_owned(), &verilog(&design), &design.top().name, &[])?];
     for HandWritten { module, text, parameter } in subject.hand_written() {
@@ -57,6 +61,10 @@ fn ports(design: &Design) -> String {
 impl Contender for Verilated {
     fn name(&self) -> &str {
         &self.name
+    }
+
+    fn made(&self) -> Option<&Made> {
+        Some(&self.made)
     }
 
     fn build_time(&self) -> Option<Duration> {

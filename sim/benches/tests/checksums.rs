@@ -34,6 +34,11 @@ fn qt() {
 }
 
 #[test]
+fn core() {
+    check("core1", 500_000);
+}
+
+#[test]
 fn the_processor_sorts() {
     let mut sim = Simulation::of(&Processor).unwrap();
     sim.drive(ProcessorIn { rst: 1, word: 12345 });
@@ -66,7 +71,7 @@ fn vc1() {
 fn every_stimulus_of_several_at_once() {
     for name in ["qt1*16", "qt3*5", "pim2*4", "simd3*3"] {
         let effort = Effort { rounds: 1, time: Duration::from_millis(1) };
-        let measured = measure(name.parse().unwrap(), None, effort, &mut |_, _| ControlFlow::Continue(())).unwrap();
+        let measured = measure(name.parse().unwrap(), &[], effort, &mut |_, _| ControlFlow::Continue(())).unwrap();
         let names: Vec<&str> = measured.simulators.iter().map(|it| it.simulator.as_str()).collect();
         assert!(names[0].ends_with(" at once") && names[1] == "compiled engine", "{names:?}");
     }
