@@ -105,6 +105,17 @@ pub(crate) trait Engine: Send {
         ids.iter().for_each(|&id| into.push(self.number(id, lane)));
     }
 
+    /// Brings numbers that were seen up to date, each the only lane of a value of up to 64 bits; calls `changed` with the
+    /// index of each that was another one.
+    fn renew(&mut self, ids: &[ValueId], seen: &mut [u64], changed: &mut dyn FnMut(usize)) {
+        for (index, (&id, seen)) in ids.iter().zip(seen).enumerate() {
+            let number = self.number(id, 0);
+            if std::mem::replace(seen, number) != number {
+                changed(index);
+            }
+        }
+    }
+
     /// Sets an input, all lanes of it.
     fn write(&mut self, id: ValueId, limbs: &[u64], triggers: Triggers);
 

@@ -14,11 +14,22 @@ pub(super) struct Shown {
     limbs: Vec<u64>,
     /// Those with the same triggers stand together.
     values: Vec<Traced>,
-    /// What changes which of `values`.
-    groups: Vec<(Triggers, Range<usize>)>,
+    groups: Vec<Group>,
     /// Whether the values were ever taken.
     known: bool,
     variables: Variables,
+}
+
+/// Values that change together.
+struct Group {
+    triggers: Triggers,
+    /// Those of one lane and up to 64 bits, which stand first; their limbs follow each other, as do their lanes.
+    numbers: Vec<ValueId>,
+    /// The others, by index.
+    others: Range<usize>,
+    /// Where the limbs and the lanes of the numbers begin.
+    first_limb: usize,
+    first_lane: usize,
 }
 
 /// A value that a variable shows.
@@ -34,13 +45,16 @@ struct Traced {
     seen: Vec<u64>,
 }
 
+/// The number of no variable.
+const NOBODY: u32 = u32::MAX;
+
 /// The variables of the file, by number.
 #[derive(Default)]
 struct Variables {
     /// Where each variable's lane stands among the limbs taken.
     limbs: Vec<Range<usize>>,
-    /// By lane of all values: the variables that show it.
-    of_lane: Vec<Vec<u32>>,
+    /// By lane of all values: the variables that show it, of which there are two if it has names for its numbers.
+    of_lane: Vec<[u32; 2]>,
     /// A bit for each.
     changed: Vec<u64>,
 }
@@ -50,7 +64,8 @@ impl Shown {
     pub fn new(program: &Program, variables: &[(ValueId, u32)]) -> Shown {
         let triggers = triggers(program);
         let mut values: Vec<ValueId> = variables.iter().map(|variable| variable.0).collect();
-        values.sort_unstable_by_key(|&value| (triggers[value.index()], value));
+        let is_number = |value: ValueId| program.value(value).lanes == 1 && program.value(value).width <= 64;
+        values.sort_unstable_by_key(|&value| (triggers[value.index()], !is_number(value), value));
         values.dedup();
         let mut shown = Shown {
             limbs: Vec::new(),
@@ -74,8 +89,15 @@ impl Shown {
         }
         shown.limbs = vec![0; limbs];
         for group in values.chunk_by(|a, b| triggers[a.index()] == triggers[b.index()]) {
-            let start = shown.groups.last().map_or(0, |last| last.1.end);
-            shown.groups.push((triggers[group[0].index()], start..start + group.len()));
+            let start = shown.groups.last().map_or(0, |last| last.others.end);
+            let numbers: Vec<ValueId> = group.iter().copied().take_while(|&value| is_number(value)).collect();
+            shown.groups.push(Group {
+                triggers: triggers[group[0].index()],
+                others: start + numbers.len()..start + group.len(),
+                numbers,
+                first_limb: shown.values[start].limbs.start,
+                first_lane: shown.values[start].first_lane,
+            });
         }
         let places: HashMap<ValueId, usize> = values.iter().enumerate().map(|(place, &value)| (value, place)).collect();
         let place = |&(value, lane): &(ValueId, u32)| (&shown.values[places[&value]], lane as usize);
@@ -85,14 +107,13 @@ impl Shown {
 
     /// Takes the values that these triggers change; the first time, all.
     pub fn take(&mut self, engine: &mut dyn Engine, changed: Triggers) {
-        for (triggers, group) in &self.groups {
-            if triggers.meet(changed) || !self.known {
-                for traced in &mut self.values[group.clone()] {
-                    if engine.is_as_seen(traced.value, &mut traced.seen) {
-                        continue;
-                    }
-                    let new = engine.read(traced.value);
-                    traced.replace(&mut self.limbs, new, &mut self.variables);
+        let Shown { limbs, values, groups, variables, known } = self;
+        for group in groups.iter().filter(|group| group.triggers.meet(changed) || !*known) {
+            let numbers = &mut limbs[group.first_limb..][..group.numbers.len()];
+            engine.renew(&group.numbers, numbers, &mut |index| variables.mark_lane(group.first_lane + index));
+            for traced in &mut values[group.others.clone()] {
+                if !engine.is_as_seen(traced.value, &mut traced.seen) {
+                    traced.replace(limbs, engine.read(traced.value), variables);
                 }
             }
         }
@@ -151,11 +172,13 @@ impl Traced {
 impl Variables {
     /// By variable, the value and its lane; the values have so many `lanes` together.
     fn new<'a>(lanes: usize, variables: impl Iterator<Item = (&'a Traced, usize)>) -> Variables {
-        let mut all = Variables { of_lane: vec![Vec::new(); lanes], ..Variables::default() };
+        let mut all = Variables { of_lane: vec![[NOBODY; 2]; lanes], ..Variables::default() };
         for (number, (traced, lane)) in (0u32..).zip(variables) {
             let start = traced.limbs.start + lane * traced.per_lane;
             all.limbs.push(start..start + traced.per_lane);
-            all.of_lane[traced.first_lane + lane].push(number);
+            let of_lane = &mut all.of_lane[traced.first_lane + lane];
+            let free = of_lane.iter().position(|it| *it == NOBODY).expect("a lane has up to two variables");
+            of_lane[free] = number;
         }
         all.changed = vec![0; all.limbs.len().div_ceil(64)];
         all
@@ -166,7 +189,11 @@ impl Variables {
     }
 
     fn mark_lane(&mut self, lane: usize) {
-        self.of_lane[lane].iter().for_each(|&variable| mark(&mut self.changed, variable as usize));
+        for variable in self.of_lane[lane] {
+            if variable != NOBODY {
+                mark(&mut self.changed, variable as usize);
+            }
+        }
     }
 }
 
