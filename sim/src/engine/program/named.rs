@@ -1,8 +1,8 @@
 //! The names of an instance: its ports, registers, read data, nets and memories.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, HashMap};
 
-use tilewright_hdl::ir::{Module, Node, NodeId, Op};
+use tilewright_hdl::ir::{Module, Node, NodeId, Op, States};
 
 use super::ValueId;
 use super::flatten::{Body, Flatten};
@@ -59,10 +59,10 @@ fn signals(module: &Module, value: impl Fn(NodeId) -> ValueId) -> Vec<Signal> {
             add(name.clone(), role, NodeId(index as u32));
         }
     }
-    for register in &module.registers {
-        let name = module.register_name(register);
-        let named = all.iter_mut().filter(|signal| signal.value == value(register.node) || signal.name == name);
-        named.for_each(|signal| signal.states = register.states.clone());
+    let states = module.registers.iter().filter_map(|register| Some((value(register.node), register.states.as_ref()?)));
+    let states: HashMap<ValueId, &States> = states.collect();
+    for signal in &mut all {
+        signal.states = states.get(&signal.value).map(|states| (*states).clone());
     }
     all
 }

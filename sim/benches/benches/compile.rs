@@ -1,0 +1,106 @@
+//! How long it takes from a description to the first cycle, by size: `cargo bench -p tilewright-benches --bench compile`. Twice
+//! the size is to take twice the time.
+
+use std::time::Instant;
+
+use tilewright_hdl::{Block, Module, Signal, Width, bits, bundle};
+use tilewright_sim::Simulation;
+
+bundle! {
+    struct In<T> { x: T }
+    struct Out<T> { y: T }
+}
+
+/// So many operations on values of that width, each on the two before it, with a register after every eighth.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+struct Flat {
+    operations: u32,
+    width: u32,
+}
+
+impl Block for Flat {
+    type In = In;
+    type Out = Out;
+
+    fn inputs(&self) -> In<Width> {
+        In { x: bits(self.width) }
+    }
+
+    fn build(&self, m: Module, i: In) -> Out {
+        let (mut before, mut last) = (i.x, !i.x);
+        for number in 0..self.operations {
+            let next = operation(number, before, last);
+            let next = if number % 8 == 7 { m.pipe(&format!("r{number}"), next) } else { next };
+            (before, last) = (last, next);
+        }
+        Out { y: last }
+    }
+}
+
+fn operation(number: u32, a: Signal, b: Signal) -> Signal {
+    match number % 5 {
+        0 => a + b,
+        1 => a ^ b,
+        2 => (a & b) - u64::from(number % 2),
+        3 => a - b,
+        _ => a | !b,
+    }
+}
+
+/// An array of such blocks.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+struct Lanes {
+    lanes: u32,
+    flat: Flat,
+}
+
+impl Block for Lanes {
+    type In = In;
+    type Out = Out;
+
+    fn inputs(&self) -> In<Width> {
+        In { x: bits(self.flat.width) }
+    }
+
+    fn build(&self, m: Module, i: In) -> Out {
+        Out { y: m.array("u_lane", self.lanes, &self.flat, |a| In { x: a.out.y.previous(i.x) }).y.xor_all() }
+    }
+}
+
+/// Milliseconds to describe a block, and from there to the first cycle; the least of three times.
+fn measure<B: Block>(block: &B) -> [f64; 2] {
+    let once = || {
+        let start = Instant::now();
+        let mut sim = Simulation::of(block).expect("the description has no mistake");
+        let described = start.elapsed().as_secs_f64() * 1e3;
+        sim.step();
+        [described, start.elapsed().as_secs_f64() * 1e3 - described]
+    };
+    (0..3).map(|_| once()).reduce(|a, b| [a[0].min(b[0]), a[1].min(b[1])]).expect("three times")
+}
+
+fn print<B: Block>(what: &str, size: u32, block: &B) {
+    let [described, compiled] = measure(block);
+    let each = (described + compiled) * 1e3 / f64::from(size);
+    println!("{what:40} {size:7}   described {described:8.1} ms   first cycle {compiled:8.1} ms   {each:6.2} us each");
+}
+
+fn main() {
+    for operations in [12_500, 25_000, 50_000, 100_000] {
+        print("operations of 16 bits, flat", operations, &Flat { operations, width: 16 });
+    }
+    for operations in [640, 1280, 2560, 5120] {
+        print(
+            "operations in one loop over 64 lanes",
+            operations,
+            &Lanes { lanes: 64, flat: Flat { operations, width: 16 } },
+        );
+    }
+    for lanes in [16, 32, 64, 128] {
+        print(
+            "lanes of 16 operations of 4096 bits",
+            lanes,
+            &Lanes { lanes, flat: Flat { operations: 16, width: 4096 } },
+        );
+    }
+}
