@@ -59,9 +59,12 @@ impl Compiled {
             return None;
         }
         ready.count -= count;
-        let (mut code, changed, edge) = (ready.code, ready.changes, ready.edge);
-        if self.pending == Triggers::NONE && count == 1 {
-            code = self.code_after_look(edge, code);
+        let (code, changed, edge) = (ready.code, ready.changes, ready.edge);
+        if self.pending == Triggers::NONE
+            && count == 1
+            && let Some(is_done) = self.edge_after_look(edge, changed)
+        {
+            return Some(Done { edges: u64::from(is_done), changed });
         }
         let edges = count - self.call(code, count);
         self.pending = self.pending.with(changed);

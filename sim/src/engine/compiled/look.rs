@@ -1,5 +1,5 @@
 //! A testbench that looks every clock: what it looked at has been computed from the same state that the edge after it
-//! starts from, so that edge can do with the rest.
+//! starts from, so that edge can do with the rest; and as it is likely to look again, that follows in the same function.
 
 use std::collections::BTreeSet;
 
@@ -8,7 +8,7 @@ use super::function::Held;
 use super::jit::Code;
 use super::layout::Place;
 use super::prepare::Prepared;
-use crate::engine::program::{Circuit, Kind, ValueId};
+use crate::engine::program::{Circuit, Kind, Triggers, ValueId};
 
 /// What is known of looks between edges.
 #[derive(Default)]
@@ -18,27 +18,36 @@ pub(super) struct Looks {
     rest: Option<Rest>,
 }
 
-/// A function for what is left to do at an edge after a view has run.
+/// Functions for what is left to do at an edge after a view has run.
 #[derive(Clone, Copy)]
 struct Rest {
     /// The view, and the edge, by index.
     view: usize,
     edge: usize,
     code: Code,
+    /// The same, and then the view.
+    followed: Code,
 }
 
 impl Compiled {
-    /// The function for one edge, where nothing has changed since somebody looked at something; `code` is the one that
-    /// serves in any case.
-    pub(super) fn code_after_look(&mut self, edge: usize, code: Code) -> Code {
-        match self.looks.rest {
-            Some(rest) if rest.edge == edge && !self.views[rest.view].stale => rest.code,
-            Some(_) => code,
-            None => {
-                self.count_look(edge);
-                code
-            }
+    /// One edge, where nothing has changed since somebody looked at something; whether it was done, if there is a
+    /// function for it.
+    pub(super) fn edge_after_look(&mut self, edge: usize, changes: Triggers) -> Option<bool> {
+        let Some(rest) = self.looks.rest else {
+            self.count_look(edge);
+            return None;
+        };
+        if rest.edge != edge || self.views[rest.view].stale {
+            return None;
         }
+        let is_followed = std::mem::take(&mut self.looked);
+        let is_done = self.call(if is_followed { rest.followed } else { rest.code }, 1) == 0;
+        if is_done && is_followed {
+            self.mark_others(rest.view, changes);
+        } else if is_done {
+            self.pending = changes;
+        }
+        Some(is_done)
     }
 
     fn count_look(&mut self, edge: usize) {
@@ -66,8 +75,10 @@ impl Compiled {
         let place =
             |id: &ValueId| all.iter().zip(prepared.shown()).find(|(other, _)| *other == id).map(|(_, place)| place);
         let places: Vec<Place> = left.iter().map(|id| place(id).expect("the view leaves it")).collect();
-        let parts = self.prepare_rest((&rising, &resets), &Held::default(), &left, &places);
-        Some(Rest { view, edge, code: self.compile(&parts) })
+        let mut parts = self.prepare_rest((&rising, &resets), &Held::default(), &left, &places);
+        let code = self.compile(&parts);
+        parts.push(prepared);
+        Some(Rest { view, edge, code, followed: self.compile(&parts) })
     }
 
     /// What an edge needs first of what is computed for `shown` before it.

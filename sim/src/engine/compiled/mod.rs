@@ -91,6 +91,8 @@ pub(crate) struct Compiled {
     checks: Vec<(Vec<usize>, Vec<bool>, Option<Code>)>,
     views: Vec<View>,
     looks: Looks,
+    /// Somebody has looked at something that is computed since the last edge.
+    looked: bool,
     stopping: Vec<Stopping>,
     /// What has changed since views were last marked stale.
     pending: Triggers,
@@ -144,6 +146,7 @@ impl Compiled {
             checks: Vec::new(),
             views: Vec::new(),
             looks: Looks::default(),
+            looked: false,
             stopping: Vec::new(),
             pending: Triggers::NONE,
             some_stale: false,
@@ -216,7 +219,11 @@ impl Engine for Compiled {
     fn number(&mut self, id: ValueId, lane: u32) -> u64 {
         let slot = self.slots[id.index()];
         match slot.limb() {
-            Some(at) if !slot.is_computed() || self.is_settled() => self.state.limb(at),
+            Some(at) if !slot.is_computed() => self.state.limb(at),
+            Some(at) if self.is_settled() => {
+                self.looked = true;
+                self.state.limb(at)
+            }
             _ => self.computed(id, lane),
         }
     }

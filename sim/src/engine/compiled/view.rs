@@ -91,6 +91,7 @@ impl Compiled {
     /// Brings what a function shows up to date.
     #[inline]
     fn refresh(&mut self, view: usize) {
+        self.looked = true;
         self.mark();
         let shows = &mut self.views[view];
         if std::mem::take(&mut shows.stale) {
@@ -139,6 +140,14 @@ impl Compiled {
                 view.stale |= view.triggers.meet(pending);
                 self.some_stale |= view.stale;
             }
+        }
+    }
+
+    /// As [`Compiled::mark`], where nothing is pending but these changes, which one view shows already.
+    pub(super) fn mark_others(&mut self, but: usize, changes: Triggers) {
+        for (index, view) in self.views.iter_mut().enumerate() {
+            view.stale |= index != but && view.triggers.meet(changes);
+            self.some_stale |= view.stale;
         }
     }
 
