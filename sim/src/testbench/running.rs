@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use tilewright_hdl::{Bits, Design};
+use tilewright_hdl::{Bits, Design, top_mask};
 
 use crate::engine::program::{self, Program, Triggers, ValueId};
 use crate::engine::{EngineKind, Passes, Started, lane};
@@ -40,6 +40,8 @@ struct Wired {
     value: ValueId,
     width: u32,
     triggers: Triggers,
+    /// It can be set to a smaller number at once: 0 for an output, and for an input of more than 64 bits.
+    end: u64,
 }
 
 impl Running {
@@ -49,7 +51,10 @@ impl Running {
         let engine = Started::new(program.clone(), EngineKind::default(), vec![0; runs as usize]);
         let ports = program.inputs.iter().chain(&program.outputs).map(|port| {
             let width = program.value(port.value).width;
-            Wired { value: port.value, width, triggers: port.triggers }
+            let is_set = width <= 64 && port.triggers != Triggers::NONE;
+            // Of 64 bits, the largest number takes the long way.
+            let end = if is_set { top_mask(width).saturating_add(1) } else { 0 };
+            Wired { value: port.value, width, triggers: port.triggers, end }
         });
         let is_narrow = |port: &program::Port| program.value(port.value).width <= 64;
         let outputs = program.outputs.iter().map(|port| is_narrow(port).then_some(port.value)).collect();
@@ -132,8 +137,8 @@ impl Running {
     /// Sets an input of up to 64 bits in the only run, if it is one and the number fits.
     #[inline]
     fn set_limb(&mut self, port: Port, limb: u64) -> bool {
-        let Some(&Wired { value, width, triggers }) = self.ports.get(port.index as usize) else { return false };
-        if width > 64 || limb > u64::MAX >> (64 - width) || triggers == Triggers::NONE {
+        let Some(&Wired { value, triggers, end, .. }) = self.ports.get(port.index as usize) else { return false };
+        if limb >= end {
             return false;
         }
         self.may_have_changed(triggers);
