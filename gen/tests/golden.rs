@@ -3,13 +3,14 @@
 //! `UPDATE_GOLDEN=1 cargo test -p tilewright-gen` writes the files anew.
 
 mod blocks;
+#[path = "golden/compare.rs"]
+mod compare;
 mod shapes;
 
 use blocks::{Clocks, Counter, LineBuffer, Pump, Row};
+use compare::compare;
 use shapes::{Grid, Shapes, Words};
-use std::fmt::Write;
-use std::path::PathBuf;
-use tilewright_gen::{VerilogFile, testbench, tools, verilog};
+use tilewright_gen::{testbench, tools, verilog};
 use tilewright_hdl::recording::{Initial, Step};
 use tilewright_hdl::{Bits, Block, Recording, elaborate};
 
@@ -18,30 +19,6 @@ fn check<B: Block>(block: &B) {
     assert_eq!(files, verilog(&elaborate(block).expect("the block is sound")), "the same design prints differently");
     files.iter().filter(|file| file.name.ends_with(".v")).for_each(compare);
     tools::lint(&files).unwrap();
-}
-
-fn compare(file: &VerilogFile) {
-    let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/golden").join(&file.name);
-    if std::env::var_os("UPDATE_GOLDEN").is_some() {
-        std::fs::write(&path, &file.text).expect("the golden file can be written");
-        return;
-    }
-    let golden = std::fs::read_to_string(&path).unwrap_or_default();
-    assert!(golden == file.text, "{}", difference(&file.name, &golden, &file.text));
-}
-
-/// The first differing lines.
-fn difference(name: &str, golden: &str, printed: &str) -> String {
-    let mut text = format!("{name} is not printed as in gen/tests/golden; set UPDATE_GOLDEN=1 to accept the change\n");
-    let (mut old, mut new) = (golden.lines(), printed.lines());
-    let lines = std::iter::from_fn(|| match (old.next(), new.next()) {
-        (None, None) => None,
-        pair => Some(pair),
-    });
-    for (number, (old, new)) in lines.enumerate().filter(|(_, (old, new))| old != new).take(8) {
-        let _ = writeln!(text, "line {}\n  - {}\n  + {}", number + 1, old.unwrap_or(""), new.unwrap_or(""));
-    }
-    text
 }
 
 #[test]

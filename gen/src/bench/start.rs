@@ -1,10 +1,10 @@
 //! What everything that holds state starts from, set through hierarchical paths: Verilog has unknowns, the recorded
 //! simulation has not.
 
-use crate::verilog::{ModuleState, Names, Scope, State, state};
+use crate::verilog::{ModuleState, Names, Scope, ScopeState, State, state};
 use tilewright_hdl::Bits;
 use tilewright_hdl::Recording;
-use tilewright_hdl::ir::{Design, Module, ModuleId};
+use tilewright_hdl::ir::{Design, Module, ModuleId, Shape};
 
 /// The start of everything in a design, in the terms of the testbench around it.
 pub struct Start<'a> {
@@ -33,23 +33,47 @@ impl<'a> Start<'a> {
     fn scope(&self, id: ModuleId, path: &str, depth: usize, names: &mut Names) -> Vec<String> {
         let state = &self.states[id.0 as usize];
         let mut out: Vec<String> = state.own.iter().flat_map(|state| start(path, state, names)).collect();
-        for (instance, lane) in self.design.module(id).instances.iter().zip(&state.lanes) {
-            let (false, Some(lane)) = (instance.shape.is_plain(), lane) else {
-                let path = format!("{path}.{}", instance.name);
-                out.extend(self.scope(instance.module, &path, depth, names));
-                continue;
-            };
-            let (index, lanes) = (&self.genvars[depth], instance.shape.lanes());
-            let path = format!("{path}.{}[{index}].{lane}", instance.name);
-            let inner = self.scope(instance.module, &path, depth + 1, names);
-            if !inner.is_empty() {
-                let label = names.fresh(&format!("start_{}", label(&path)));
-                out.push(format!("for ({index} = 0; {index} < {lanes}; {index} = {index} + 1) begin : {label}"));
-                out.extend(inner.into_iter().map(|line| format!("    {line}")));
-                out.push("end".to_string());
-            }
+        for instance in self.design.module(id).instances.iter().filter(|instance| instance.shape.is_plain()) {
+            let path = format!("{path}.{}", instance.name);
+            out.extend(self.scope(instance.module, &path, depth, names));
+        }
+        for scope in &state.scopes {
+            out.extend(self.lanes(id, scope, path, depth, names));
         }
         out
+    }
+
+    /// The loops over the scopes of lanes.
+    fn lanes(&self, id: ModuleId, scope: &ScopeState, path: &str, depth: usize, names: &mut Names) -> Vec<String> {
+        let axes = scope.shape.axes() as usize;
+        let indices: Vec<&str> = self.genvars[depth..depth + axes].iter().map(String::as_str).collect();
+        let lane = format!("{path}.{}", scope.path(&indices));
+        let mut inner: Vec<String> = Vec::new();
+        for state in &scope.own {
+            match state {
+                State::Register { name, start } if start.len() > 1 => {
+                    inner.extend(start_each(&lane, name, start, scope, &indices, names))
+                }
+                state => inner.extend(start(&lane, state, names)),
+            }
+        }
+        for (instance, name) in &scope.instances {
+            let child = self.design.module(id).instances[instance.0 as usize].module;
+            inner.extend(self.scope(child, &format!("{lane}.{name}"), depth + axes, names));
+        }
+        if inner.is_empty() {
+            return inner;
+        }
+        let named = scope.instances.first().filter(|_| scope.own.is_empty()).map(|(_, name)| format!(".{name}"));
+        let label = names.fresh(&format!("start_{}", label(&format!("{lane}{}", named.unwrap_or_default()))));
+        for (axis, index) in (0..axes as u32).zip(&indices).rev() {
+            let lanes = scope.shape.extent(axis);
+            let label = if axis == 0 { label.clone() } else { names.fresh(&format!("{label}_col")) };
+            let head = format!("for ({index} = 0; {index} < {lanes}; {index} = {index} + 1) begin : {label}");
+            let body = inner.into_iter().map(|line| format!("    {line}"));
+            inner = [head].into_iter().chain(body).chain(["end".to_string()]).collect();
+        }
+        inner
     }
 
     /// The assignments that the recording asks for.
@@ -57,7 +81,9 @@ impl<'a> Start<'a> {
         let mut out = Vec::new();
         for initial in &recording.initial {
             let (module, path, name) = self.find(&initial.path);
-            let states = &self.states[module.0 as usize].own;
+            let (name, states) = self.named(module, name);
+            let path = path + &states.0;
+            let states = states.1;
             let value = || {
                 assert!(
                     initial.words.len() == 1,
@@ -85,18 +111,35 @@ impl<'a> Start<'a> {
         out
     }
 
+    /// The last name of a path without its lane, what holds state beside it, and the scope that this is in.
+    fn named<'p>(&self, module: ModuleId, name: &'p str) -> (&'p str, (String, &[State])) {
+        let state = &self.states[module.0 as usize];
+        let Some((base, _)) = name.split_once('[') else { return (name, (String::new(), &state.own)) };
+        let holds = |state: &State| match state {
+            State::Register { name, .. } | State::GatedRead { name, .. } | State::Memory { name, .. } => name == base,
+        };
+        match state.scopes.iter().find(|scope| scope.own.iter().any(holds)) {
+            Some(scope) => (base, (format!(".{}", scope.path(&indices(name))), &scope.own)),
+            None => (name, (String::new(), &state.own)),
+        }
+    }
+
     /// The module, the Verilog path of its instance, and the last name of a path such as `u_row.u_cell[3].q`.
     fn find<'p>(&self, path: &'p str) -> (ModuleId, String, &'p str) {
         let (scopes, name) = path.rsplit_once('.').unwrap_or(("", path));
         let (mut module, mut verilog) = (ModuleId(self.design.modules().len() as u32 - 1), self.dut.to_string());
         for scope in scopes.split('.').filter(|scope| !scope.is_empty()) {
             let instance_name = scope.split('[').next().unwrap_or(scope);
-            let instances = self.design.module(module).instances.iter().zip(&self.states[module.0 as usize].lanes);
-            let found = { instances }.find(|(instance, _)| instance.name == instance_name);
-            let (instance, lane) = found.unwrap_or_else(|| no_state(path));
-            let lane = lane.as_ref().map(|lane| format!(".{lane}")).unwrap_or_default();
-            verilog = format!("{verilog}.{scope}{lane}");
-            module = instance.module;
+            let mut instances = self.design.module(module).instances.iter();
+            let found = instances.position(|instance| instance.name == instance_name);
+            let index = found.unwrap_or_else(|| no_state(path));
+            let mut scopes = self.states[module.0 as usize].scopes.iter();
+            let lane = scopes.find_map(|state| {
+                let (_, name) = state.instances.iter().find(|(id, _)| id.0 as usize == index)?;
+                Some(format!("{}.{name}", state.path(&indices(scope))))
+            });
+            verilog = format!("{verilog}.{}", lane.unwrap_or_else(|| scope.to_string()));
+            module = self.design.module(module).instances[index].module;
         }
         (module, verilog, name)
     }
@@ -112,8 +155,39 @@ fn array_depth(design: &Design) -> usize {
 }
 
 fn deepest(module: &Module, depths: &[usize]) -> usize {
-    let below = |i: &tilewright_hdl::ir::Instance| depths[i.module.0 as usize] + usize::from(!i.shape.is_plain());
-    module.instances.iter().map(below).max().unwrap_or(0)
+    let below = |i: &tilewright_hdl::ir::Instance| depths[i.module.0 as usize] + i.shape.axes() as usize;
+    let own = module.registers.iter().map(|register| module.shape(register.node));
+    let own = own.chain(module.memories.iter().map(|memory| memory.shape)).map(|shape| shape.axes() as usize);
+    module.instances.iter().map(below).chain(own).max().unwrap_or(0)
+}
+
+/// The indices of `cell[1][2]`.
+fn indices(name: &str) -> Vec<&str> {
+    let Some((_, lane)) = name.split_once('[') else { return Vec::new() };
+    lane.trim_end_matches(']').split("][").collect()
+}
+
+/// A register whose lanes start at different values.
+fn start_each(
+    lane: &str,
+    name: &str,
+    start: &[Bits],
+    scope: &ScopeState,
+    indices: &[&str],
+    names: &mut Names,
+) -> Vec<String> {
+    let number = match (indices, scope.shape) {
+        ([row, column], Shape::Grid(_, columns)) => format!("{row} * {columns} + {column}"),
+        _ => indices[0].to_string(),
+    };
+    let mut out = vec![format!("case ({number})")];
+    for (at, value) in start.iter().enumerate() {
+        let number = if at + 1 < start.len() { at.to_string() } else { "default".to_string() };
+        let block = names.fresh(&format!("start_{}_{at}", label(&format!("{lane}.{name}"))));
+        out.push(format!("    {number}: begin : {block} initial {lane}.{name} = {value}; end"));
+    }
+    out.push("endcase".to_string());
+    out
 }
 
 /// A path as a label: `dut.u_row.u_cell[lane0].lane` is `u_row_u_cell`.
@@ -125,7 +199,7 @@ fn label(path: &str) -> String {
 
 fn start(path: &str, state: &State, names: &mut Names) -> Vec<String> {
     match state {
-        State::Register { name, start } => vec![format!("initial {path}.{name} = {start};")],
+        State::Register { name, start } => vec![format!("initial {path}.{name} = {};", start[0])],
         State::GatedRead { word, inside, width, .. } => {
             vec![format!("initial {path}.{word} = {};", Bits::zero(*width)), format!("initial {path}.{inside} = 1'b0;")]
         }

@@ -1,7 +1,7 @@
 //! The text of a replay testbench.
 
 use super::start::Start;
-use crate::verilog::{Names, connect, range};
+use crate::verilog::{Names, connect, packed_width, range};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use tilewright_hdl::Bits;
@@ -56,8 +56,8 @@ impl<'a> Bench<'a> {
     /// The bench, and the names in use in it.
     fn new(top: &'a Module, recording: &'a Recording) -> (Bench<'a>, Names) {
         let resets = top.clocks.iter().filter_map(|clock| Some((clock.reset.as_deref()?, 1)));
-        let inputs = top.inputs.iter().map(|input| (input.name.as_str(), top.width(input.node)));
-        let outputs = top.outputs.iter().map(|output| (output.name.as_str(), top.width(output.node)));
+        let inputs = top.inputs.iter().map(|input| (input.name.as_str(), packed_width(top, input.node)));
+        let outputs = top.outputs.iter().map(|output| (output.name.as_str(), packed_width(top, output.node)));
         let mut bench = Bench {
             recording,
             clocks: top.clocks.iter().map(|clock| clock.port.as_str()).collect(),

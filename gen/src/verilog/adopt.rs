@@ -54,7 +54,9 @@ fn can_take_name(module: &Module, id: NodeId) -> bool {
     let declared = match node.op {
         Op::Read(memory, port) => module.memories[memory.0 as usize].reads[port as usize].clock.is_some(),
         Op::Lane { .. } | Op::Const(_) | Op::Input(_) | Op::Register(_) => true,
+        // The output of an array is called after the port.
+        Op::Output(..) => !node.shape.is_plain(),
         _ => false,
     };
-    node.name.is_none() && node.shape.is_plain() && !declared
+    node.name.is_none() && !declared
 }

@@ -6,27 +6,32 @@ use super::printer::Printer;
 use tilewright_hdl::ir::{Assert, ClockId};
 
 impl Printer<'_> {
-    /// The assertions for a formal tool, and for a simulation. What they read counts as unread: a tool for synthesis
+    /// These assertions for a formal tool, and for a simulation. What they read counts as unread: a tool for synthesis
     /// finds nothing that reads it.
-    pub fn assertions(&mut self) -> Vec<String> {
+    pub fn assertions(&mut self, asserts: &[usize]) -> Vec<String> {
         let module = self.module;
-        if module.asserts.is_empty() {
+        if asserts.is_empty() {
             return Vec::new();
         }
         let read = self.usage.clone();
         let clocks = || (0..module.clocks.len() as u32).map(ClockId);
         let mut out = vec!["`ifdef FORMAL".to_string()];
-        clocks().for_each(|clock| out.extend(self.at_edge(clock, Self::proof)));
+        clocks().for_each(|clock| out.extend(self.at_edge(clock, asserts, Self::proof)));
         out.extend(["`else".to_string(), "`ifndef SYNTHESIS".to_string()]);
-        clocks().for_each(|clock| out.extend(self.at_edge(clock, Self::check)));
+        clocks().for_each(|clock| out.extend(self.at_edge(clock, asserts, Self::check)));
         out.extend(["`endif".to_string(), "`endif".to_string()]);
         self.usage = read;
         out
     }
 
     /// The assertions of a clock, each printed by `print`.
-    fn at_edge(&mut self, clock: ClockId, print: fn(&mut Self, &Assert) -> Vec<String>) -> Vec<String> {
-        let asserts = self.module.asserts.iter().filter(|assert| assert.clock == clock);
+    fn at_edge(
+        &mut self,
+        clock: ClockId,
+        asserts: &[usize],
+        print: fn(&mut Self, &Assert) -> Vec<String>,
+    ) -> Vec<String> {
+        let asserts = asserts.iter().map(|&assert| &self.module.asserts[assert]).filter(|assert| assert.clock == clock);
         let body: Vec<String> = asserts.flat_map(|assert| print(self, assert)).collect();
         if body.is_empty() {
             return body;

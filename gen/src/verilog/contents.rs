@@ -5,31 +5,47 @@ use super::printer::Printer;
 use super::scope::Scope;
 use crate::VerilogFile;
 use tilewright_hdl::Bits;
-use tilewright_hdl::ir::{Contents, Memory, Module};
+use tilewright_hdl::ir::{Contents, Memory, MemoryId, Module};
 
 /// A memory of more words than this is loaded from a file: Yosys takes time that grows with the square of the words
 /// that an `initial` block gives, a second at 1024 and minutes at 16,384.
 const MOST_INLINE_WORDS: u32 = 256;
 
-/// The name of the file that a memory is loaded from; no name has a dot, so that no two memories have one file.
-fn data_file(module: &Module, memory: &Memory) -> String {
-    format!("{}.{}.hex", module.name, memory.name)
+/// The name of the file that a memory, or a lane of one, is loaded from; no name has a dot, so that no two memories have
+/// one file.
+fn data_file(module: &Module, memory: &Memory, lane: Option<usize>) -> String {
+    let lane = lane.map(|lane| format!(".{lane}")).unwrap_or_default();
+    format!("{}.{}{lane}.hex", module.name, memory.name)
 }
 
 /// The files that the memories of a module are loaded from.
 pub fn data_files(module: &Module) -> Vec<VerilogFile> {
-    let file = |memory| Some(VerilogFile { name: data_file(module, memory), text: data_text(memory)? });
-    module.memories.iter().filter_map(file).collect()
+    let mut files = Vec::new();
+    for memory in module.memories.iter().filter(|memory| memory.depth > MOST_INLINE_WORDS) {
+        for (lane, contents) in lanes(&memory.contents) {
+            let text = data_text(memory, &contents);
+            files.extend(text.map(|text| VerilogFile { name: data_file(module, memory, lane), text }));
+        }
+    }
+    files
+}
+
+/// The contents, those of each lane where they differ.
+fn lanes(contents: &Contents) -> Vec<(Option<usize>, Contents)> {
+    match contents {
+        Contents::Each(lanes) => {
+            lanes.iter().enumerate().map(|(lane, words)| (Some(lane), Contents::Words(words.clone()))).collect()
+        }
+        contents => vec![(None, contents.clone())],
+    }
 }
 
 /// A line for each word.
-fn data_text(memory: &Memory) -> Option<String> {
+fn data_text(memory: &Memory, contents: &Contents) -> Option<String> {
     let line = |word: &Bits| format!("{word:x}\n");
     let depth = memory.depth as usize;
-    match &memory.contents {
-        _ if memory.depth <= MOST_INLINE_WORDS => None,
-        Contents::Unknown => None,
-        Contents::Each(_) => unreachable!("the language does not make these yet"),
+    match contents {
+        Contents::Unknown | Contents::Each(_) => None,
         Contents::Fill(word) => Some(line(word).repeat(depth)),
         Contents::Words(words) => {
             let rest = line(&Bits::zero(memory.width)).repeat(depth - words.len());
@@ -39,34 +55,59 @@ fn data_text(memory: &Memory) -> Option<String> {
 }
 
 impl Printer<'_> {
-    /// What the memories hold at the start.
+    /// What the memories without lanes hold at the start.
     pub fn memory_contents(&mut self) -> Vec<String> {
         let module = self.module;
         let mut out = Vec::new();
-        for memory in &module.memories {
-            let name = &memory.name;
-            let mut body = match &memory.contents {
-                Contents::Unknown => continue,
-                Contents::Each(_) => unreachable!("the language does not make these yet"),
-                _ if memory.depth > MOST_INLINE_WORDS => {
-                    out.push(format!("initial $readmemh(\"{}\", {name});", data_file(module, memory)));
-                    out.push(String::new());
-                    continue;
-                }
-                Contents::Fill(word) => self.fill(memory, 0, word),
-                Contents::Words(words) => {
-                    let word = |(address, word)| format!("    {name}[{address}] = {};", literal(word, Style::Pattern));
-                    let rest = (words.len() < memory.depth as usize)
-                        .then(|| self.fill(memory, words.len(), &Bits::zero(memory.width)));
-                    rest.into_iter().flatten().chain(words.iter().enumerate().map(word)).collect()
-                }
-            };
-            let label = self.taken.fresh(&format!("{name}_contents"));
-            out.push(format!("initial begin : {label}"));
-            out.append(&mut body);
-            out.extend(["end".to_string(), String::new()]);
+        for memory in module.memories.iter().filter(|memory| memory.shape.is_plain()) {
+            let initial = self.initial(memory, &memory.contents, None);
+            if !initial.is_empty() {
+                out.extend(initial);
+                out.push(String::new());
+            }
         }
         out
+    }
+
+    /// What a memory holds at the start in the lane at hand.
+    pub fn lane_contents(&mut self, id: MemoryId) -> Vec<String> {
+        let module = self.module;
+        let memory = &module.memories[id.0 as usize];
+        if !matches!(memory.contents, Contents::Each(_)) {
+            return self.initial(memory, &memory.contents, None);
+        }
+        let mut out = vec![format!("case ({})", self.lane_number(memory.shape))];
+        for (lane, contents) in lanes(&memory.contents) {
+            let number = lane.expect("contents a lane");
+            let is_last = number + 1 == memory.shape.lanes() as usize;
+            let label = if is_last { "default".to_string() } else { number.to_string() };
+            let block = self.label(&format!("{}_{number}", memory.name));
+            out.push(format!("    {label}: begin : {block}"));
+            out.extend(self.initial(memory, &contents, lane).into_iter().map(|line| format!("        {line}")));
+            out.push("    end".to_string());
+        }
+        out.push("endcase".to_string());
+        out
+    }
+
+    /// The block that loads a memory, or one lane of it.
+    fn initial(&mut self, memory: &Memory, contents: &Contents, lane: Option<usize>) -> Vec<String> {
+        let name = &memory.name;
+        let body = match contents {
+            Contents::Unknown | Contents::Each(_) => return Vec::new(),
+            _ if memory.depth > MOST_INLINE_WORDS => {
+                return vec![format!("initial $readmemh(\"{}\", {name});", data_file(self.module, memory, lane))];
+            }
+            Contents::Fill(word) => self.fill(memory, 0, word),
+            Contents::Words(words) => {
+                let word = |(address, word)| format!("    {name}[{address}] = {};", literal(word, Style::Pattern));
+                let rest = (words.len() < memory.depth as usize)
+                    .then(|| self.fill(memory, words.len(), &Bits::zero(memory.width)));
+                rest.into_iter().flatten().chain(words.iter().enumerate().map(word)).collect()
+            }
+        };
+        let label = self.label(&format!("{name}_contents"));
+        [format!("initial begin : {label}")].into_iter().chain(body).chain(["end".to_string()]).collect()
     }
 
     /// Gives every word from an address on the same value.

@@ -16,10 +16,7 @@ impl Printer<'_> {
 
     fn value_as(&mut self, id: NodeId, style: Style) -> String {
         match self.plan.form(id) {
-            Form::Declared | Form::Net | Form::Block => {
-                self.usage.mark(id, 0, self.module.width(id));
-                self.name(id).to_string()
-            }
+            Form::Declared | Form::Net | Form::Block | Form::Constants => self.part(id, 0, self.module.width(id)),
             _ => self.expression(id, style),
         }
     }
@@ -59,17 +56,16 @@ impl Printer<'_> {
                 format!("{{{zeros}'d0, {}}}", self.value_as(*of, Style::Pattern))
             }
             Op::Extend { of, signed: true } => self.extend_signed(*of, node.width),
-            Op::Wire(a) | Op::QuasiStatic(a, _) => self.value_as(*a, style),
-            Op::Lane { of, index: lane, .. } => {
-                self.read_lane(*of, *lane);
-                self.lane_name(*of, *lane)
+            Op::Wire(_) | Op::QuasiStatic(..) | Op::Broadcast { .. } | Op::Lane { .. } | Op::Map { edge: None, .. } => {
+                let (of, at) = self.operand_place(id).expect("it names a place");
+                self.at(at, |printer| printer.value_as(of, style))
             }
+            Op::Unpack { .. } => self.vector_part(id, 0, node.width),
             Op::Read(memory, port) => self.asynchronous_read(*memory, *port),
             Op::Reduce { .. } | Op::Select { .. } | Op::Case { .. } => unreachable!("printed as a net of its own"),
             Op::Input(_) | Op::Register(_) | Op::Output(..) => self.value(id),
-            Op::Broadcast { .. } | Op::Stack { .. } | Op::Map { .. } => unreachable!("printed in its array"),
-            Op::Interleave { .. } | Op::Pick { .. } | Op::Pack { .. } | Op::Unpack { .. } => {
-                unreachable!("the language does not make these yet")
+            Op::Stack { .. } | Op::Map { .. } | Op::Interleave { .. } | Op::Pick { .. } | Op::Pack { .. } => {
+                unreachable!("printed as a net of its own")
             }
         }
     }
@@ -77,12 +73,18 @@ impl Printer<'_> {
     /// The expression of an operand, in parentheses if it is an operator.
     pub fn operand(&mut self, id: NodeId, style: Style) -> String {
         let mut inner = id;
-        while let (Form::Inline, Op::Wire(to) | Op::QuasiStatic(to, _)) =
-            (self.plan.form(inner), &self.module.node(inner).op)
+        while let (
+            Form::Inline,
+            Op::Wire(to)
+            | Op::QuasiStatic(to, _)
+            | Op::Broadcast { of: to, .. }
+            | Op::Lane { of: to, .. }
+            | Op::Map { of: to, edge: None, .. },
+        ) = (self.plan.form(inner), &self.module.node(inner).op)
         {
             inner = *to;
         }
-        let text = self.value_as(inner, style);
+        let text = self.value_as(id, style);
         let operator = match &self.module.node(inner).op {
             Op::Unary(unary, _) => *unary != Unary::Not,
             Op::Binary(..) | Op::Compare { .. } | Op::Shift(..) | Op::Mux { .. } => true,
@@ -156,33 +158,17 @@ impl Printer<'_> {
     }
 
     fn slice(&mut self, of: NodeId, low: u32, width: u32) -> String {
-        let name = self.sliced(of, low, width);
-        if width == 1 { format!("{name}[{low}]") } else { format!("{name}[{}:{low}]", low + width - 1) }
-    }
-
-    /// The name that a slice is taken of.
-    fn sliced(&mut self, of: NodeId, low: u32, width: u32) -> String {
-        match self.module.node(of).op {
-            Op::Lane { of: array, index: lane, .. } if self.plan.form(of) == Form::Inline => {
-                self.lane_name(array, lane)
-            }
-            _ => {
-                self.usage.mark(of, low, width);
-                self.name(of).to_string()
-            }
-        }
+        // `x[0]` of one bit is `x`.
+        if width == self.module.width(of) { self.value(of) } else { self.part(of, low, width) }
     }
 
     fn extend_signed(&mut self, of: NodeId, width: u32) -> String {
-        let (inner, missing) = (self.module.width(of), width - self.module.width(of));
+        let (id, inner, missing) = (of, self.module.width(of), width - self.module.width(of));
         let value = self.value(of);
         let sign = match self.module.node(of).op {
             _ if inner == 1 => return format!("{{{width}{{{value}}}}}"),
-            Op::Slice { of, low } => {
-                let base = self.sliced(of, low, inner);
-                format!("{base}[{}]", low + inner - 1)
-            }
-            _ => format!("{value}[{}]", inner - 1),
+            Op::Slice { of, low } if self.plan.form(id) == Form::Inline => self.part(of, low + inner - 1, 1),
+            _ => self.part(id, inner - 1, 1),
         };
         match missing {
             1 => format!("{{{sign}, {value}}}"),

@@ -2,7 +2,7 @@
 
 use super::layout::{connect, range, with_place};
 use super::printer::Printer;
-use tilewright_hdl::ir::{Instance, InstanceId, Module};
+use tilewright_hdl::ir::{Instance, Module};
 
 impl Printer<'_> {
     /// The nets that take the outputs of plain instances.
@@ -16,15 +16,11 @@ impl Printer<'_> {
         outputs.copied().filter(|&id| !self.is_port(id)).map(declare).collect()
     }
 
-    /// The instances and instance arrays.
+    /// The instances that are no arrays.
     pub fn instances(&mut self) -> Vec<String> {
-        let module = self.module;
         let mut out = Vec::new();
-        for (index, instance) in module.instances.iter().enumerate() {
-            match instance.shape.is_plain() {
-                false => out.extend(self.array(InstanceId(index as u32), instance, instance.shape.lanes())),
-                true => out.extend(self.plain_instance(instance)),
-            }
+        for instance in self.module.instances.iter().filter(|instance| instance.shape.is_plain()) {
+            out.extend(self.plain_instance(instance));
             out.push(String::new());
         }
         out

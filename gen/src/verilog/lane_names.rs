@@ -1,75 +1,139 @@
-//! What the text of instance arrays calls things.
+//! What the text of groups of lanes calls things.
 
+use super::groups::{Group, Groups};
+use super::plan::{Form, Plan};
 use super::scope::{LANE, Names, Scope};
 use std::collections::BTreeMap;
-use tilewright_hdl::ir::{Design, InstanceId, Module, NodeId, Op};
+use tilewright_hdl::ir::{Design, Module, NodeId, Op, Shape};
 
-/// The names that the arrays of a module need.
-pub struct ArrayNames {
-    /// The loop variable of every array; empty if there is none.
-    pub genvar: String,
-    /// The names within each array.
-    pub arrays: BTreeMap<InstanceId, LaneNames>,
+/// The names that the groups of a module need, and the loop variables of all that is generated.
+pub struct GroupNames {
+    /// The loop variables, from the outermost on.
+    pub genvars: [String; 2],
+    /// How many of them the text uses.
+    pub used: usize,
+    /// The label of the inner loop of a grid.
+    pub column: String,
+    /// For each group.
+    pub groups: Vec<ScopeNames>,
 }
 
-/// The names in a lane of an array.
-pub struct LaneNames {
-    /// The instance.
-    pub instance: String,
-    /// The nets of its outputs.
-    pub outputs: Vec<String>,
-    /// The nets of the values that are made in the lane.
-    pub local: BTreeMap<NodeId, String>,
+/// The names in the scopes of a group.
+pub struct ScopeNames {
+    /// The label of the loop, of a grid's outer loop.
+    pub label: String,
+    /// The label of the block of what is read ahead of the group, if there is any.
+    pub ahead: Option<String>,
+    /// What its instances are called, by their index.
+    pub instances: BTreeMap<usize, String>,
     /// The tables of constants; declared outside of the lanes, or every lane has a copy.
     pub tables: BTreeMap<NodeId, String>,
-    /// All of its names.
+    /// All of the names within.
     pub scope: Scope,
 }
 
-impl ArrayNames {
-    pub fn new(design: &Design, module: &Module, taken: &mut Names) -> ArrayNames {
-        let arrays = || module.instances.iter().enumerate().filter(|(_, instance)| !instance.shape.is_plain());
-        let free = ["i", "j", "k", "n"].into_iter().find(|name| !taken.contains(name)).unwrap_or("lane_index");
-        let genvar = if arrays().next().is_some() { taken.fresh(free) } else { String::new() };
-        let arrays = arrays().map(|(index, instance)| {
-            let child = design.module(instance.module);
-            let mut names = LaneNames::new(child, taken);
-            for (port, &input) in child.inputs.iter().zip(&instance.inputs) {
-                names.name_local(module, input, &port.name, taken);
+/// The values that are made for a port of an instance, with the port's name: they are called as it is.
+pub fn port_values(design: &Design, module: &Module, plan: &Plan) -> BTreeMap<NodeId, String> {
+    let mut values = BTreeMap::new();
+    for instance in module.instances.iter().filter(|instance| !instance.shape.is_plain()) {
+        for (port, &input) in design.module(instance.module).inputs.iter().zip(&instance.inputs) {
+            let mut next = Some(input);
+            while let Some(id) = next.filter(|id| !values.contains_key(id)) {
+                let node = module.node(id);
+                let is_made = matches!(plan.form(id), Form::Net | Form::Constants) && node.name.is_none();
+                next = match node.op {
+                    Op::Map { of, .. } if is_made => Some(of),
+                    Op::Stack { .. } if is_made => None,
+                    _ => break,
+                };
+                values.insert(id, port.name.clone());
             }
-            (InstanceId(index as u32), names)
-        });
-        ArrayNames { genvar, arrays: arrays.collect() }
+        }
+    }
+    values
+}
+
+impl GroupNames {
+    /// Names the groups, and in `names` the outputs of their instances and what is made for a port.
+    pub fn new(
+        design: &Design,
+        module: &Module,
+        groups: &Groups,
+        ports: &BTreeMap<NodeId, String>,
+        names: &mut [Option<String>],
+        taken: &mut Names,
+    ) -> GroupNames {
+        let free = |taken: &mut Names| {
+            let free = ["i", "j", "k", "n"].into_iter().find(|name| !taken.contains(name)).unwrap_or("lane_index");
+            taken.fresh(free)
+        };
+        let has_grid = groups.groups.iter().any(|group| matches!(group.shape, Shape::Grid(..)));
+        let has_lanes = module.nodes.iter().any(|node| !node.shape.is_plain());
+        let genvars = if has_lanes { [free(taken), free(taken)] } else { Default::default() };
+        let column = if has_grid { taken.fresh("col") } else { String::new() };
+        let scopes = groups.groups.iter().map(|group| ScopeNames::new(design, module, group, groups, names, taken));
+        let mut scopes: Vec<ScopeNames> = scopes.collect();
+        for (&id, port) in ports {
+            let scope = groups.home(id).map(|home| &mut scopes[home].scope);
+            names[id.0 as usize] = scope.map(|scope| taken.fresh_in(scope, LANE, port));
+        }
+        GroupNames { genvars, used: 0, column, groups: scopes }
     }
 }
 
-impl LaneNames {
-    fn new(child: &Module, taken: &mut Names) -> LaneNames {
+impl ScopeNames {
+    fn new(
+        design: &Design,
+        module: &Module,
+        group: &Group,
+        groups: &Groups,
+        names: &mut [Option<String>],
+        taken: &mut Names,
+    ) -> ScopeNames {
         let mut scope = Scope::default();
-        // What is in the instance must not hide it: linters do not want that.
-        let ports = child.outputs.iter().map(|port| &port.name);
-        let inside: Vec<&String> = ports.chain(child.nodes.iter().filter_map(|node| node.name.as_ref())).collect();
-        let hides = |name: &String| inside.iter().any(|inner| inner.eq_ignore_ascii_case(name));
-        let prefixed = (0..).map(|number| format!("{}{LANE}", "u_".repeat(number)));
-        let instance = { prefixed }.find(|name| !hides(name) && !taken.contains(name)).expect("some name is free");
-        let instance = taken.fresh_in(&mut scope, LANE, &instance);
-        let outputs = child.outputs.iter().map(|port| taken.fresh_in(&mut scope, LANE, &port.name)).collect();
-        LaneNames { instance, outputs, local: BTreeMap::new(), tables: BTreeMap::new(), scope }
-    }
-
-    /// Names what is made in the lane to feed an input.
-    fn name_local(&mut self, module: &Module, input: NodeId, port: &str, taken: &mut Names) {
-        let mut next = Some(input);
-        while let Some(id) = next.filter(|id| !self.local.contains_key(id)) {
-            let (made_here, operand) = match module.node(id).op {
-                Op::Map { of, .. } => (true, Some(of)),
-                Op::Stack { .. } => (true, None),
-                _ => (false, None),
-            };
-            if made_here {
-                self.local.insert(id, taken.fresh_in(&mut self.scope, LANE, port));
+        let is_array = group.instances.len() == 1;
+        let mut instances = BTreeMap::new();
+        for &index in &group.instances {
+            let instance = &module.instances[index];
+            let child = design.module(instance.module);
+            // What is in the instance must not hide it: linters do not want that.
+            let ports = child.outputs.iter().map(|port| &port.name);
+            let inside: Vec<&String> = ports.chain(child.nodes.iter().filter_map(|node| node.name.as_ref())).collect();
+            let hides = |name: &String| inside.iter().any(|inner| inner.eq_ignore_ascii_case(name));
+            let wanted = if is_array { LANE } else { &instance.name };
+            let prefixed = (0..).map(|number| format!("{}{wanted}", "u_".repeat(number)));
+            let free = |name: &String| !hides(name) && (!is_array || !taken.contains(name));
+            let name = { prefixed }.find(free).expect("some name is free");
+            let name = if is_array { taken.fresh_in(&mut scope, LANE, &name) } else { name };
+            instances.insert(index, name);
+            for (port, output) in child.outputs.iter().zip(&instance.outputs) {
+                names[output.0 as usize] = Some(taken.fresh_in(&mut scope, LANE, &port.name));
             }
-            next = operand;
         }
+        let label = match group.instances[..] {
+            [index] => module.instances[index].name.clone(),
+            _ => taken.fresh(&group_label(module, group, groups, names)),
+        };
+        let ahead = (!group.ahead.is_empty()).then(|| taken.fresh(&format!("{label}_ahead")));
+        ScopeNames { label, ahead, instances, tables: BTreeMap::new(), scope }
+    }
+}
+
+/// `row` or `cells`; with the name of something in it if there are several such groups.
+fn group_label(module: &Module, group: &Group, groups: &Groups, names: &[Option<String>]) -> String {
+    let kind = |shape: Shape| match shape {
+        Shape::Grid(..) => "cells",
+        _ => "row",
+    };
+    let own = kind(group.shape);
+    let alike = groups.groups.iter().filter(|other| other.instances.len() != 1 && kind(other.shape) == own).count();
+    let registers = group.registers.iter().map(|&register| module.registers[register].node);
+    let words = group.memories.iter().map(|&memory| module.memories[memory].name.clone());
+    // What the description names comes first: it stays as it is when something else is edited.
+    let described = registers.chain(group.nets.iter().copied()).filter_map(|id| module.node(id).name.clone());
+    let nets = group.nets.iter().filter_map(|id| names[id.0 as usize].clone());
+    match described.chain(words).chain(nets).next() {
+        Some(name) if alike > 1 => format!("{name}_{own}"),
+        _ => own.to_string(),
     }
 }

@@ -3,73 +3,156 @@
 //! A read beyond the depth gives zero. Where an address can go that far, the raw word and a flag are registered, and
 //! the data is gated behind them: the array itself keeps the shape that block RAM needs.
 
-use super::layout::{range, with_place};
+use super::layout::{generate, range, with_place};
 use super::literal::{Style, literal};
 use super::printer::Printer;
 use super::statement::Statement;
 use tilewright_hdl::Bits;
-use tilewright_hdl::ir::{ClockId, MemoryId, NodeId, Op, ReadUnderWrite};
+use tilewright_hdl::ir::{ClockId, Memory, MemoryId, NodeId, Op, ReadUnderWrite};
 
 impl Printer<'_> {
-    /// The arrays and the registers that their synchronous ports read into.
+    /// The arrays without lanes and the registers that their synchronous ports read into.
     pub fn memory_declarations(&mut self) -> Vec<String> {
+        let plain = self.plain_memories();
+        plain.into_iter().flat_map(|id| self.memory_declaration(id)).collect()
+    }
+
+    fn plain_memories(&self) -> Vec<MemoryId> {
+        let memories = (0..).map(MemoryId).zip(&self.module.memories);
+        memories.filter(|(_, memory)| memory.shape.is_plain()).map(|(id, _)| id).collect()
+    }
+
+    /// An array and the registers that its synchronous ports read into.
+    pub fn memory_declaration(&mut self, id: MemoryId) -> Vec<String> {
         let module = self.module;
         let mut out = Vec::new();
-        for (index, memory) in module.memories.iter().enumerate() {
-            if memory.policy == ReadUnderWrite::Any {
-                out.push("(* no_rw_check *)".to_string());
-            }
-            let many_clocks = memory.writes.windows(2).any(|pair| pair[0].clock != pair[1].clock);
-            if many_clocks {
-                out.push("/* verilator lint_off MULTIDRIVEN */ // written by two clocks".to_string());
-            }
-            let range = range(memory.width);
-            let declaration = format!("reg {range}{} [0:{}];", memory.name, memory.depth - 1);
-            out.push(with_place(declaration, memory.loc));
-            if many_clocks {
-                out.push("/* verilator lint_on MULTIDRIVEN */".to_string());
-            }
-            for names in self.reads[index].iter().flatten() {
-                match &names.raw {
-                    None => out.push(format!("reg {range}{};", names.data)),
-                    Some(raw) => {
-                        let zero = literal(&Bits::zero(memory.width), Style::Count);
-                        out.push(format!("reg {range}{};", raw.word));
-                        out.push(format!("reg {};", raw.inside));
-                        out.push(format!("wire {range}{} = {} ? {} : {zero};", names.data, raw.inside, raw.word));
-                    }
+        let (index, memory) = (id.0 as usize, &module.memories[id.0 as usize]);
+        if memory.policy == ReadUnderWrite::Any {
+            out.push("(* no_rw_check *)".to_string());
+        }
+        let many_clocks = memory.writes.windows(2).any(|pair| pair[0].clock != pair[1].clock);
+        if many_clocks {
+            out.push("/* verilator lint_off MULTIDRIVEN */ // written by two clocks".to_string());
+        }
+        let range = range(memory.width);
+        let declaration = format!("reg {range}{} [0:{}];", memory.name, memory.depth - 1);
+        out.push(with_place(declaration, memory.loc));
+        if many_clocks {
+            out.push("/* verilator lint_on MULTIDRIVEN */".to_string());
+        }
+        for names in self.reads[index].iter().flatten() {
+            match &names.raw {
+                None => out.push(format!("reg {range}{};", names.data)),
+                Some(raw) => {
+                    let zero = literal(&Bits::zero(memory.width), Style::Count);
+                    out.push(format!("reg {range}{};", raw.word));
+                    out.push(format!("reg {};", raw.inside));
+                    out.push(format!("wire {range}{} = {} ? {} : {zero};", names.data, raw.inside, raw.word));
                 }
             }
         }
         out
     }
 
-    /// The always blocks: one for each memory and clock.
+    /// The always blocks of the memories without lanes.
     pub fn memory_ports(&mut self) -> Vec<String> {
-        let module = self.module;
+        let plain = self.plain_memories();
+        plain.into_iter().flat_map(|id| self.memory_blocks(id)).collect()
+    }
+
+    /// The always blocks of a memory, one for each clock.
+    pub fn memory_blocks(&mut self, id: MemoryId) -> Vec<String> {
         let mut out = Vec::new();
-        for (index, memory) in module.memories.iter().enumerate() {
-            let reads = memory.reads.iter().filter_map(|read| read.clock);
-            let mut clocks: Vec<ClockId> = memory.writes.iter().map(|write| write.clock).chain(reads).collect();
-            clocks.sort();
-            clocks.dedup();
-            for clock in clocks {
-                let body = self.memory_block(MemoryId(index as u32), clock);
+        let memory = &self.module.memories[id.0 as usize];
+        let reads = memory.reads.iter().filter_map(|read| read.clock);
+        let mut clocks: Vec<ClockId> = memory.writes.iter().map(|write| write.clock).chain(reads).collect();
+        clocks.sort();
+        clocks.dedup();
+        for clock in clocks {
+            let body = self.memory_block(id, clock);
+            if !body.is_empty() {
                 out.extend(self.always_at(clock, &body));
             }
+            out.extend(self.masked_block(id, clock));
         }
         out
+    }
+
+    /// How many lanes of a word an enable is a mask of; 1 if it is for the whole word.
+    fn mask_lanes(&self, enable: Option<NodeId>) -> u32 {
+        enable.map_or(1, |enable| self.module.width(enable))
+    }
+
+    /// Whether writes on a clock have masks: then each lane of the words has an always block with all of them, in which the
+    /// last one wins.
+    fn has_masks(&self, memory: &Memory, clock: ClockId) -> bool {
+        let writes = memory.writes.iter().filter(|write| write.clock == clock);
+        writes.into_iter().any(|write| self.mask_lanes(Some(write.enable)) > 1)
+    }
+
+    /// The always blocks of the lanes of wide words, for the ports of a clock whose enables are masks.
+    fn masked_block(&mut self, id: MemoryId, clock: ClockId) -> Vec<String> {
+        let module = self.module;
+        let memory = &module.memories[id.0 as usize];
+        let reads: Vec<usize> = (0..memory.reads.len())
+            .filter(|&port| memory.reads[port].clock == Some(clock) && self.mask_lanes(memory.reads[port].enable) > 1)
+            .collect();
+        let writes: Vec<_> = memory.writes.iter().filter(|write| write.clock == clock).collect();
+        let writes = if self.has_masks(memory, clock) { writes } else { Vec::new() };
+        let enables =
+            writes.iter().map(|write| Some(write.enable)).chain(reads.iter().map(|&read| memory.reads[read].enable));
+        let lanes = enables.map(|enable| self.mask_lanes(enable)).max().unwrap_or(1);
+        if lanes == 1 {
+            return Vec::new();
+        }
+        let i = self.loop_variable(0);
+        let lane = match memory.width / lanes {
+            1 => format!("[{i}]"),
+            width => format!("[{i} * {width} +: {width}]"),
+        };
+        let mut body = Vec::new();
+        for write in writes {
+            let (address, data) = (self.value(write.address), self.value(write.data));
+            let assign = Statement::Assign(format!("{}[{address}]{lane} <= {data}{lane};", memory.name));
+            body.extend(self.when_lane(write.enable, &i, assign));
+        }
+        for port in reads {
+            let read = &memory.reads[port];
+            let names = self.reads[id.0 as usize][port].clone().expect("a synchronous port has a register");
+            let word = self.word(memory, read.address);
+            let assign = Statement::Assign(format!("{}{lane} <= {word}{lane};", names.data));
+            body.extend(self.when_lane(read.enable.expect("a mask"), &i, assign));
+        }
+        let label = self.label(&format!("{}_lane", memory.name));
+        let head = format!("{} begin : {label}", self.for_lanes(0, lanes));
+        let mut always = self.always_at(clock, &body);
+        always.pop();
+        let mut out = generate(head, always);
+        out.push(String::new());
+        out
+    }
+
+    /// The statement, where the enable holds or the lane's bit of it.
+    fn when_lane(&mut self, enable: NodeId, i: &str, assign: Statement) -> Vec<Statement> {
+        match self.module.width(enable) {
+            1 => self.when(Some(enable), vec![assign]),
+            _ => vec![Statement::If(vec![(format!("{}[{i}]", self.value(enable)), vec![assign])], Vec::new())],
+        }
     }
 
     fn memory_block(&mut self, id: MemoryId, clock: ClockId) -> Vec<Statement> {
         let module = self.module;
         let memory = &module.memories[id.0 as usize];
         let mut body = Vec::new();
-        for write in memory.writes.iter().filter(|write| write.clock == clock) {
+        let is_masked = self.has_masks(memory, clock);
+        for write in memory.writes.iter().filter(|write| write.clock == clock && !is_masked) {
             let assign = format!("{}[{}] <= {};", memory.name, self.value(write.address), self.value(write.data));
             body.extend(self.when(Some(write.enable), vec![Statement::Assign(assign)]));
         }
         for (port, read) in memory.reads.iter().enumerate().filter(|(_, read)| read.clock == Some(clock)) {
+            if self.mask_lanes(read.enable) > 1 {
+                continue;
+            }
             let names = self.reads[id.0 as usize][port].clone().expect("a synchronous port has a register");
             let assign = |name: &str, value: String| Statement::Assign(format!("{name} <= {value};"));
             let assigns = match (names.raw, self.is_never(read.enable)) {

@@ -1,15 +1,17 @@
 //! The printer: a fold, a plan, names, and then the text of each part of a module.
 
 mod adopt;
-mod array;
 mod asserts;
 mod branches;
 mod constant;
 mod contents;
 mod expression;
 mod fold;
+mod group;
+mod groups;
 mod instance;
 mod lane_names;
+mod lane_values;
 mod layout;
 mod literal;
 mod memory;
@@ -17,7 +19,9 @@ mod module;
 mod names;
 mod nets;
 mod order;
+mod part;
 mod pattern;
+mod pick;
 mod plan;
 mod printer;
 mod reads;
@@ -30,10 +34,12 @@ mod states;
 mod usage;
 
 use crate::VerilogFile;
+use fold::Folded;
+pub use fold::lower::packed_width;
 pub use layout::{connect, range};
 use printer::Printer;
 pub use scope::{Names, Scope};
-pub use state::{ModuleState, State};
+pub use state::{ModuleState, ScopeState, State};
 use tilewright_hdl::ir::{Design, Module};
 
 /// The design as Verilog, one file a module, each followed by the data files of its memories; the top is the last
@@ -44,21 +50,21 @@ use tilewright_hdl::ir::{Design, Module};
 pub fn verilog(design: &Design) -> Vec<VerilogFile> {
     let mut files = Vec::new();
     for module in design.modules() {
-        let folded = simplified(module);
+        let folded = simplified(design, module);
         let text = module::print(&mut Printer::new(design, &folded));
         files.push(VerilogFile { name: format!("{}.v", module.name), text });
-        files.extend(contents::data_files(&folded));
+        files.extend(contents::data_files(&folded.module));
     }
     files
 }
 
 /// What holds state in a module, by the names that its text has.
 pub fn state(design: &Design, module: &Module) -> ModuleState {
-    Printer::new(design, &simplified(module)).state()
+    Printer::new(design, &simplified(design, module)).state()
 }
 
-fn simplified(module: &Module) -> Module {
-    let mut folded = fold::fold(module);
-    adopt::adopt_names(&mut folded);
+fn simplified(design: &Design, module: &Module) -> Folded {
+    let mut folded = fold::fold(design, module);
+    adopt::adopt_names(&mut folded.module);
     folded
 }

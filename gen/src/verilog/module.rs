@@ -1,16 +1,17 @@
 //! A whole module, in this order: header, ports, state names, registers and memories, nets, instances, always blocks,
 //! outputs, assertions, and what nothing reads.
 
-use super::array::UNREAD;
+use super::group::UNREAD;
 use super::layout::{range, with_place, wrapped};
 use super::plan::Form;
 use super::printer::Printer;
-use tilewright_hdl::ir::{InstanceId, Module, NodeId, Op};
+use tilewright_hdl::ir::{Module, NodeId, Op};
 
 /// The text of a folded module.
 pub fn print(printer: &mut Printer) -> String {
     let mut body = Body::default();
     let nets = printer.nets();
+    let groups = printer.groups();
     let instances = printer.instances();
     let memories = printer.memory_declarations();
     let contents = printer.memory_contents();
@@ -23,15 +24,16 @@ pub fn print(printer: &mut Printer) -> String {
     body.section(contents);
     body.section(printer.output_nets());
     body.section(nets.before);
-    if !printer.arrays.genvar.is_empty() {
-        body.section(vec![format!("genvar {};", printer.arrays.genvar)]);
-    }
+    let genvars = printer.lanes.genvars.iter().take(printer.lanes.used);
+    body.section(genvars.map(|genvar| format!("genvar {genvar};")).collect());
+    body.section(groups);
     body.section(instances);
     body.section(nets.after);
     body.section(memory_ports);
     body.section(registers);
     body.section(outputs);
-    body.section(printer.assertions());
+    let asserts = printer.plain_asserts();
+    body.section(printer.assertions(&asserts));
     body.section(printer.unused());
     let body = printer.fill_in_unread(body.lines);
     let module = printer.module;
@@ -113,7 +115,7 @@ impl Printer<'_> {
     }
 
     /// Whether the name of a node is assigned in an always block.
-    fn is_variable(&self, id: NodeId) -> bool {
+    pub fn is_variable(&self, id: NodeId) -> bool {
         match self.module.node(id).op {
             Op::Register(_) => true,
             Op::Read(memory, port) => {
@@ -125,20 +127,21 @@ impl Printer<'_> {
     }
 
     /// Whether a node is a register that synthesizers are to keep as it is, close to the other one of its synchronizer.
-    fn is_synchronizer(&self, id: NodeId) -> bool {
+    pub fn is_synchronizer(&self, id: NodeId) -> bool {
         let Op::Register(register) = self.module.node(id).op else { return false };
         self.module.registers[register.0 as usize].is_synchronizer
     }
 
     fn register_declarations(&self) -> Vec<String> {
         let module = self.module;
-        let inner = module.registers.iter().filter(|register| !self.is_port(register.node));
+        let inner = module.registers.iter().map(|register| register.node);
+        let inner = inner.filter(|&id| !self.is_port(id) && module.shape(id).is_plain());
         let declare = |id: NodeId| {
             let mark = if self.is_synchronizer(id) { "(* ASYNC_REG = \"TRUE\" *) " } else { "" };
             let declaration = format!("{mark}reg {}{};", range(module.width(id)), self.name(id));
             with_place(declaration, module.node(id).loc)
         };
-        inner.map(|register| declare(register.node)).collect()
+        inner.map(declare).collect()
     }
 
     fn output_assigns(&mut self) -> Vec<String> {
@@ -165,16 +168,10 @@ impl Printer<'_> {
             if !self.is_declared(id) || self.is_port(id) {
                 continue;
             }
-            let (name, width) = (self.name(id), module.width(id));
-            for (low, count) in self.usage.unread(id, width) {
-                items.push(match count {
-                    _ if count == width => name.to_string(),
-                    1 => format!("{name}[{low}]"),
-                    _ => format!("{name}[{}:{low}]", low + count - 1),
-                });
-            }
+            items.extend(self.unread_parts(id, self.name(id)));
         }
-        let unread = module.memories.iter().filter(|memory| !self.usage.memories.contains(&memory.name));
+        let plain = module.memories.iter().filter(|memory| memory.shape.is_plain());
+        let unread = plain.filter(|memory| !self.usage.memories.contains(&memory.name));
         items.extend(unread.map(|memory| format!("{}[0]", memory.name)));
         if items.is_empty() {
             return Vec::new();
@@ -182,6 +179,24 @@ impl Printer<'_> {
         items.insert(0, "1'b0".to_string());
         let name = self.taken.fresh("_unused_ok");
         vec![format!("wire {name} = &{{{}}};", wrapped(&items, 8).replace('\n', "\n    "))]
+    }
+
+    /// The parts of a net, called `name`, that nothing reads.
+    pub fn unread_parts(&self, id: NodeId, name: &str) -> Vec<String> {
+        let width = self.module.width(id);
+        let text = |(low, count)| match count {
+            _ if count == width => name.to_string(),
+            1 => format!("{name}[{low}]"),
+            _ => format!("{name}[{}:{low}]", low + count - 1),
+        };
+        self.usage.unread(id, width).into_iter().map(text).collect()
+    }
+
+    /// The assertions without lanes.
+    fn plain_asserts(&self) -> Vec<usize> {
+        let asserts = self.module.asserts.iter().enumerate();
+        let plain = asserts.filter(|(_, assert)| self.module.shape(assert.condition).is_plain());
+        plain.map(|(index, _)| index).collect()
     }
 
     fn is_declared(&self, id: NodeId) -> bool {
@@ -199,18 +214,16 @@ impl Printer<'_> {
         }
     }
 
-    /// Indents the body, and says at the end of each array what of its lanes nothing reads.
+    /// Indents the body, and says at the end of each group what of its lanes nothing reads.
     fn fill_in_unread(&mut self, lines: Vec<String>) -> String {
-        let module = self.module;
-        let arrays = (0..module.instances.len()).filter(|&index| !module.instances[index].shape.is_plain());
-        let mut arrays = arrays.map(|index| InstanceId(index as u32));
         let mut out = String::new();
         for line in lines {
-            let line = match line.trim_start() == UNREAD {
-                false => Some(line),
-                true => {
-                    let array = arrays.next().expect("as many marks as arrays");
-                    self.tie_lanes(array).map(|tie| line.replace(UNREAD, &tie))
+            let group = line.trim_start().strip_prefix(UNREAD).and_then(|group| group.trim().parse().ok());
+            let line = match group {
+                None => Some(line),
+                Some(group) => {
+                    let indent = line.len() - line.trim_start().len();
+                    self.tie_lanes(group).map(|tie| format!("{:indent$}{tie}", ""))
                 }
             };
             match line {

@@ -5,6 +5,7 @@ use super::order::for_each_read;
 use super::plan::{Form, Plan};
 use super::reads::ReadNames;
 use super::scope::Names;
+use std::collections::BTreeMap;
 use tilewright_hdl::ir::{Binary, Design, Module, NodeId, Op, Reduction, Relation, Unary};
 
 /// The name of every node that is referred to by one.
@@ -13,10 +14,18 @@ pub fn name_nodes(
     module: &Module,
     plan: &Plan,
     reads: &[Vec<Option<ReadNames>>],
+    resets: &[Option<NodeId>],
+    ports: &BTreeMap<NodeId, String>,
     taken: &mut Names,
 ) -> Vec<Option<String>> {
-    let mut namer =
-        Namer { design, module, plan, taken, names: module.nodes.iter().map(|node| node.name.clone()).collect() };
+    let mut namer = Namer {
+        design,
+        module,
+        plan,
+        ports,
+        taken,
+        names: module.nodes.iter().map(|node| node.name.clone()).collect(),
+    };
     namer.name_declared(reads);
     for id in (0..module.nodes.len() as u32).map(NodeId) {
         if let Some(name) = &module.node(id).name {
@@ -37,6 +46,10 @@ pub fn name_nodes(
             namer.name_below(input, &base, &base);
         }
     }
+    for (register, reset) in module.registers.iter().zip(resets) {
+        let name = module.register_name(register);
+        reset.iter().for_each(|&id| namer.name_below(id, name, &format!("{name}_reset")));
+    }
     for assert in &module.asserts {
         namer.name_below(assert.condition, "asserted", "asserted");
     }
@@ -47,13 +60,15 @@ struct Namer<'a> {
     design: &'a Design,
     module: &'a Module,
     plan: &'a Plan,
+    /// What is named after a port that it is made for.
+    ports: &'a BTreeMap<NodeId, String>,
     taken: &'a mut Names,
     names: Vec<Option<String>>,
 }
 
 impl Namer<'_> {
     fn give(&mut self, id: NodeId, wanted: &str) {
-        if self.names[id.0 as usize].is_none() {
+        if self.names[id.0 as usize].is_none() && !self.ports.contains_key(&id) {
             self.names[id.0 as usize] = Some(self.taken.fresh(wanted));
         }
     }
@@ -113,7 +128,8 @@ impl Namer<'_> {
         let module = self.module;
         while let Some(id) = stack.pop() {
             let form = self.plan.form(id);
-            let fresh = matches!(form, Form::Net | Form::Block) && self.names[id.0 as usize].is_none();
+            let is_named = self.names[id.0 as usize].is_some() || self.ports.contains_key(&id);
+            let fresh = matches!(form, Form::Net | Form::Block | Form::Constants) && !is_named;
             if fresh && id == root {
                 self.give(id, itself);
             } else if fresh {
@@ -121,7 +137,7 @@ impl Namer<'_> {
                     self.reduction_name(id).unwrap_or_else(|| format!("{base}_{}", suffix(&module.node(id).op)));
                 self.give(id, &wanted);
             }
-            if id == root || fresh || matches!(form, Form::Inline | Form::Branches | Form::Lanes) {
+            if id == root || fresh || matches!(form, Form::Inline | Form::Branches) || self.ports.contains_key(&id) {
                 let first = stack.len();
                 for_each_read(module, id, |operand| stack.push(operand));
                 stack[first..].reverse();
@@ -166,7 +182,10 @@ fn suffix(op: &Op) -> &'static str {
         Op::Slice { .. } => "part",
         Op::Concat(_) | Op::Repeat(..) => "joined",
         Op::Extend { .. } => "extended",
-        Op::Lane { .. } | Op::Stack { .. } | Op::Broadcast { .. } | Op::Map { .. } | Op::Interleave { .. } => "lane",
+        Op::Lane { .. } | Op::Broadcast { .. } => "lane",
+        Op::Map { .. } => "linked",
+        Op::Stack { .. } => "listed",
+        Op::Interleave { .. } => "woven",
         Op::Pick { .. } => "picked",
         Op::Pack { .. } | Op::Unpack { .. } => "lanes",
         Op::Reduce { by, .. } => combined(*by),

@@ -1,6 +1,6 @@
 //! The nets of a module, each after those it reads.
 //!
-//! A net that reads an array's lanes is declared before the instances and assigned after them.
+//! A net that reads lanes is declared before the groups of lanes and assigned after them.
 
 use super::branches::Target;
 use super::layout::{range, with_place};
@@ -14,7 +14,7 @@ use tilewright_hdl::ir::{NodeId, Op};
 /// The text of the nets.
 #[derive(Default)]
 pub struct Nets {
-    /// What comes before the instances.
+    /// What comes before the groups of lanes.
     pub before: Vec<String>,
     /// What comes after them.
     pub after: Vec<String>,
@@ -38,27 +38,32 @@ impl Printer<'_> {
             out.before.extend(text);
         }
         for &id in &late {
-            if let Op::Reduce { by: reduction, of, .. } = module.node(id).op {
-                let text = self.reduction(id, reduction, of);
-                out.after.extend(text);
-            } else {
-                let text = self.net(id, false);
-                out.after.extend(text);
-            }
+            let name = self.name(id).to_string();
+            let text = match module.node(id).op {
+                Op::Reduce { by, of, axis } => self.reduction(id, &name, by, of, axis),
+                Op::Pick { of, axis, index } => self.pick(id, &name, of, axis, index),
+                Op::Pack { of, axis } => self.pack(&name, module.width(id), of, axis, id),
+                _ => self.net(id, false),
+            };
+            out.after.extend(text);
         }
         out
     }
 
     fn net_order(&self) -> Vec<NodeId> {
-        operands_first(self.module).into_iter().filter(|&id| self.plan.is_net(id)).collect()
+        operands_first(self.module)
+            .into_iter()
+            .filter(|&id| self.plan.is_net(id) && self.module.shape(id).is_plain())
+            .collect()
     }
 
-    /// Whether the text of a net mentions lanes of an array.
+    /// Whether the text of a net mentions lanes.
     fn reads_lanes(&self, id: NodeId) -> bool {
         let mut stack = vec![id];
         while let Some(next) = stack.pop() {
             match &self.module.node(next).op {
-                Op::Lane { .. } | Op::Reduce { .. } => return true,
+                _ if !self.module.shape(next).is_plain() => return true,
+                Op::Lane { .. } => return true,
                 _ if next == id || matches!(self.plan.form(next), Form::Inline | Form::Branches) => {
                     for_each_read(self.module, next, |operand| stack.push(operand));
                 }
@@ -89,7 +94,7 @@ impl Printer<'_> {
         out
     }
 
-    fn state_or_expression(&mut self, id: NodeId) -> String {
+    pub fn state_or_expression(&mut self, id: NodeId) -> String {
         if let Op::Wire(to) = self.module.node(id).op
             && let Some(state) = self.state_text(to, self.states.of(id))
         {

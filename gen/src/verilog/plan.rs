@@ -1,6 +1,8 @@
 //! Decides how each node of a module appears in the text: inline where it is used, as a net of its own, as branches
 //! of an always block, or not at all.
 
+use super::fold::Folded;
+use super::lane_values::lane_constants;
 use super::order::operands_first;
 use super::reads::can_exceed;
 use tilewright_hdl::ir::{Binary, Module, Node, NodeId, Op, Shift, Unary};
@@ -27,20 +29,21 @@ pub enum Form {
     Net,
     /// As a net that an `always @*` block computes.
     Block,
-    /// With lanes: in the text of an instance array.
-    Lanes,
+    /// As constants of the lanes: a formula or a table, read in the lane.
+    Constants,
 }
 
 /// The decision for each node, by id.
 pub struct Plan(Vec<Form>);
 
 impl Plan {
-    /// Decides for a folded module.
-    pub fn new(module: &Module) -> Plan {
+    /// Decides for a folded module, and what its registers are reset to.
+    pub fn new(folded: &Folded) -> Plan {
+        let Folded { module, resets } = folded;
         let order = operands_first(module);
         let mut planner =
             Planner { module, form: vec![Form::Dead; module.nodes.len()], uses: vec![0; module.nodes.len()] };
-        planner.find_live(&order);
+        planner.find_live(&order, resets);
         planner.find_nets(&order);
         planner.find_branches(&order);
         planner.split_long(&order);
@@ -98,30 +101,49 @@ impl Planner<'_> {
     }
 
     /// Counts uses from what is printed; whatever has a name is printed.
-    fn find_live(&mut self, order: &[NodeId]) {
+    fn find_live(&mut self, order: &[NodeId], resets: &[Option<NodeId>]) {
         let module = self.module;
         for_each_root(module, |id| self.uses[id.0 as usize] += 1);
-        for &id in order.iter().rev() {
-            let node = module.node(id);
-            let named = node.name.is_some() && node.shape.is_plain();
-            if self.uses[id.0 as usize] == 0 && !named {
+        resets.iter().flatten().for_each(|id| self.uses[id.0 as usize] += 1);
+        let mut live: Vec<NodeId> = order.iter().copied().rev().filter(|&id| self.is_root(id)).collect();
+        live.reverse();
+        // Where lanes chain, what uses a node may come before it in any order.
+        while let Some(id) = live.pop() {
+            if self.form(id) != Form::Dead {
                 continue;
             }
             self.set(id, self.first_form(id));
-            node.op.for_each_operand(|operand| self.uses[operand.0 as usize] += 1);
+            // A formula or a table does not name what it is made of.
+            if self.form(id) == Form::Constants {
+                continue;
+            }
+            module.node(id).op.for_each_operand(|operand| {
+                self.uses[operand.0 as usize] += 1;
+                live.push(operand);
+            });
         }
+    }
+
+    fn is_root(&self, id: NodeId) -> bool {
+        self.uses[id.0 as usize] > 0 || self.module.node(id).name.is_some()
     }
 
     fn first_form(&self, id: NodeId) -> Form {
         let node = self.module.node(id);
         match &node.op {
-            _ if !node.shape.is_plain() => Form::Lanes,
             Op::Input(_) | Op::Register(_) | Op::Output(..) => Form::Declared,
             Op::Read(memory, port) => {
                 let read = &self.module.memories[memory.0 as usize].reads[*port as usize];
                 if read.clock.is_none() { Form::Net } else { Form::Declared }
             }
-            Op::Reduce { .. } | Op::Wire(_) => Form::Net,
+            Op::Reduce { .. } | Op::Pick { .. } | Op::Pack { .. } | Op::Wire(_) => Form::Net,
+            Op::Interleave { .. } | Op::Map { edge: Some(_), .. } => Form::Net,
+            Op::Stack { .. } | Op::Broadcast { .. }
+                if node.name.is_none() && lane_constants(self.module, id).is_some() =>
+            {
+                Form::Constants
+            }
+            Op::Stack { .. } => Form::Net,
             _ if node.name.is_some() => Form::Net,
             Op::Binary(Binary::MulSigned, ..) | Op::Shift(Shift::RightSigned, ..) => Form::Net,
             _ => Form::Inline,
@@ -140,8 +162,30 @@ impl Planner<'_> {
             if let Some(of) = self.must_be_net(id) {
                 self.set(of, Form::Net);
             }
+            for of in lane_operands(&self.module.node(id).op) {
+                self.name_lane_operand(id, of);
+            }
+            self.join_packs(id);
         }
         self.find_address_nets();
+        self.find_mask_nets();
+    }
+
+    /// Of wide words, lanes are written one by one: mask and data have names.
+    fn find_mask_nets(&mut self) {
+        let module = self.module;
+        for memory in &module.memories {
+            let masked = |enable: NodeId| module.width(enable) > 1;
+            let is_masked = memory.writes.iter().any(|write| masked(write.enable));
+            let writes = memory.writes.iter().filter(|_| is_masked);
+            let writes = writes.flat_map(|write| [Some(write.data), Some(write.enable).filter(|&id| masked(id))]);
+            let reads = memory.reads.iter().map(|read| read.enable.filter(|&id| masked(id)));
+            for id in writes.chain(reads).flatten() {
+                if self.form(id) == Form::Inline {
+                    self.set(id, Form::Net);
+                }
+            }
+        }
     }
 
     /// An address that is computed becomes a net: Icarus does not cut an expression in an index to its width.
@@ -150,11 +194,43 @@ impl Planner<'_> {
             let reads = memory.reads.iter().map(|read| read.address);
             for address in reads.chain(memory.writes.iter().map(|write| write.address)) {
                 let op = &self.module.node(address).op;
-                let plain = matches!(op, Op::Slice { .. } | Op::Concat(_) | Op::Const(_) | Op::Lane { .. });
+                let plain = is_place(op) || matches!(op, Op::Slice { .. } | Op::Concat(_));
                 if self.form(address) == Form::Inline && !plain {
                     self.set(address, Form::Net);
                 }
             }
+        }
+    }
+
+    /// Rows side by side of columns side by side need no name for the columns.
+    fn join_packs(&mut self, id: NodeId) {
+        if let Op::Pack { of, .. } = self.module.node(id).op
+            && let Node { op: Op::Pack { .. }, name: None, .. } = self.module.node(of)
+            && self.uses[of.0 as usize] == 1
+        {
+            self.set(of, Form::Inline);
+        }
+    }
+
+    /// What is read in another lane, or more than once, has a name; but a plain expression may stand in the one lane that
+    /// it is broadcast to.
+    fn name_lane_operand(&mut self, id: NodeId, of: NodeId) {
+        let mut end = of;
+        while let Op::Broadcast { of: inner, .. }
+        | Op::Lane { of: inner, .. }
+        | Op::Unpack { of: inner, .. }
+        | Op::Map { of: inner, edge: None, .. } = self.module.node(end).op
+            && self.form(end) == Form::Inline
+        {
+            end = inner;
+        }
+        let is_broadcast = matches!(self.module.node(id).op, Op::Broadcast { .. });
+        let may_stand = is_broadcast && self.module.shape(end).is_plain() && self.uses[id.0 as usize] <= 1;
+        if self.form(end) == Form::Constants && !is_broadcast {
+            self.set(end, Form::Net);
+        }
+        if self.form(end) == Form::Inline && !is_place(&self.module.node(end).op) && !may_stand {
+            self.set(end, Form::Net);
         }
     }
 
@@ -163,22 +239,21 @@ impl Planner<'_> {
         let module = self.module;
         let op = |of: NodeId| &module.node(of).op;
         let of = match *op(id) {
-            Op::Slice { of, .. } | Op::Wire(of) | Op::QuasiStatic(of, _) => {
-                Some(of).filter(|&of| !matches!(op(of), Op::Lane { .. } | Op::Const(_)))
-            }
+            Op::Slice { of, .. } | Op::Wire(of) | Op::QuasiStatic(of, _) => Some(of).filter(|&of| !is_place(op(of))),
             Op::Extend { of, signed: true } if module.width(of) > 1 => {
-                Some(of).filter(|&of| !matches!(op(of), Op::Slice { .. } | Op::Lane { .. }))
+                Some(of).filter(|&of| !is_place(op(of)) && !matches!(op(of), Op::Slice { .. }))
             }
             _ => None,
         };
-        of.filter(|&of| self.form(of) == Form::Inline)
+        of.filter(|&of| matches!(self.form(of), Form::Inline | Form::Constants))
     }
 
     /// Whether a node reads no worse than the name that would stand for it.
     fn is_trivial(&self, id: NodeId) -> bool {
         let declared = |id: NodeId| matches!(self.form(id), Form::Declared | Form::Net | Form::Block);
         match &self.module.node(id).op {
-            Op::Const(_) | Op::Slice { .. } | Op::Lane { .. } => true,
+            Op::Slice { .. } => true,
+            op if is_place(op) => true,
             Op::Unary(Unary::Not, a) | Op::Extend { of: a, signed: false } => declared(*a),
             _ => false,
         }
@@ -261,7 +336,7 @@ impl Planner<'_> {
         for &id in order {
             let node = module.node(id);
             let printed = matches!(self.form(id), Form::Inline | Form::Net);
-            if !printed || !node.shape.is_plain() {
+            if !printed {
                 continue;
             }
             let mut operands = Vec::new();
@@ -287,7 +362,25 @@ impl Planner<'_> {
     }
 
     fn can_split(&self, id: NodeId) -> bool {
-        !matches!(self.module.node(id).op, Op::Const(_) | Op::Slice { .. } | Op::Lane { .. })
+        let op = &self.module.node(id).op;
+        !is_place(op) && !matches!(op, Op::Slice { .. })
+    }
+}
+
+/// Whether an operator without a name only says where its operand's lane is, or what it is: it costs nothing wherever it
+/// stands.
+pub fn is_place(op: &Op) -> bool {
+    matches!(op, Op::Const(_) | Op::Broadcast { .. } | Op::Lane { .. } | Op::Unpack { .. } | Op::Map { edge: None, .. })
+}
+
+/// The operands that a lane operation reads in another lane than its own, or more than once.
+fn lane_operands(op: &Op) -> Vec<NodeId> {
+    match op {
+        Op::Broadcast { of, .. } | Op::Lane { of, .. } | Op::Unpack { of, .. } => vec![*of],
+        Op::Map { of, .. } | Op::Reduce { of, .. } | Op::Pack { of, .. } => vec![*of],
+        Op::Pick { of, index, .. } => vec![*of, *index],
+        Op::Interleave { parts, .. } => parts.clone(),
+        _ => Vec::new(),
     }
 }
 

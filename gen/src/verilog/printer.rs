@@ -1,13 +1,16 @@
 //! A folded module while it is being printed: what is known of it before, and what its text has read so far.
 
-use super::lane_names::{ArrayNames, LaneNames};
+use super::fold::Folded;
+use super::groups::Groups;
+use super::lane_names::{GroupNames, port_values};
 use super::names::name_nodes;
+use super::part::Index;
 use super::plan::Plan;
 use super::reads::{ReadNames, name_reads};
 use super::scope::Names;
 use super::states::StateNames;
 use super::usage::Usage;
-use tilewright_hdl::ir::{ClockId, Design, InstanceId, Module, NodeId, Op};
+use tilewright_hdl::ir::{ClockId, Design, Module, NodeId};
 
 /// A folded module while it is being printed.
 pub struct Printer<'a> {
@@ -20,20 +23,32 @@ pub struct Printer<'a> {
     /// The names of synchronous read ports, by memory and port.
     pub reads: Vec<Vec<Option<ReadNames>>>,
     pub states: StateNames,
-    pub arrays: ArrayNames,
+    pub groups: Groups,
+    /// The names of the groups.
+    pub lanes: GroupNames,
+    /// For each register what it is reset to, if that differs between its lanes.
+    pub resets: &'a [Option<NodeId>],
+    /// The group whose scope is being printed.
+    pub here: Option<usize>,
+    /// The lane that the text at hand is about, by axis.
+    pub at: Vec<Index>,
     pub usage: Usage,
 }
 
 impl<'a> Printer<'a> {
-    pub fn new(design: &'a Design, module: &'a Module) -> Printer<'a> {
-        let plan = Plan::new(module);
+    pub fn new(design: &'a Design, folded: &'a Folded) -> Printer<'a> {
+        let Folded { module, resets } = folded;
+        let plan = Plan::new(folded);
+        let groups = Groups::new(module, &plan, resets);
+        let ports = port_values(design, module, &plan);
         let mut taken = Names::of(design, module);
         let reads = name_reads(module, &mut taken);
-        let names = name_nodes(design, module, &plan, &reads, &mut taken);
+        let mut names = name_nodes(design, module, &plan, &reads, resets, &ports, &mut taken);
         let states = StateNames::new(module, &mut taken);
-        let arrays = ArrayNames::new(design, module, &mut taken);
+        let lanes = GroupNames::new(design, module, &groups, &ports, &mut names, &mut taken);
         let usage = Usage::new(module.nodes.len());
-        Printer { design, module, plan, taken, names, reads, states, arrays, usage }
+        let (here, at) = (None, Vec::new());
+        Printer { design, module, plan, taken, names, reads, states, groups, lanes, resets, here, at, usage }
     }
 
     /// The name of a node that has one.
@@ -45,37 +60,6 @@ impl<'a> Printer<'a> {
     pub fn is_port(&self, id: NodeId) -> bool {
         let name = self.names[id.0 as usize].as_ref();
         self.module.outputs.iter().any(|output| output.node == id && Some(&output.name) == name)
-    }
-
-    /// The names in a lane of an array.
-    pub fn lane_names(&self, array: InstanceId) -> &LaneNames {
-        &self.arrays.arrays[&array]
-    }
-
-    /// The net of an output inside of a lane's scope.
-    pub fn lane_port(&self, array: InstanceId, port: u32) -> &str {
-        &self.lane_names(array).outputs[port as usize]
-    }
-
-    /// The name of one lane of an array's output, seen from outside the array.
-    pub fn lane_name(&self, of: NodeId, lane: u32) -> String {
-        let (instance, port) = self.array_output(of);
-        let instance_name = &self.module.instances[instance.0 as usize].name;
-        format!("{instance_name}[{lane}].{}", self.lane_port(instance, port))
-    }
-
-    /// Notes that a whole lane is read.
-    pub fn read_lane(&mut self, of: NodeId, lane: u32) {
-        let lanes = self.module.node(of).shape.lanes();
-        self.usage.lanes.entry(of).or_insert_with(|| vec![false; lanes as usize])[lane as usize] = true;
-    }
-
-    /// The array and the port that a lane node comes from.
-    pub fn array_output(&self, of: NodeId) -> (InstanceId, u32) {
-        match self.module.node(of).op {
-            Op::Output(instance, port) => (instance, port),
-            _ => unreachable!("folding leaves only outputs to pick lanes of"),
-        }
     }
 
     /// The name of a clock's port, which is read from here on.

@@ -16,17 +16,25 @@ struct Group {
 }
 
 impl Printer<'_> {
-    /// The always blocks, first those without reset.
+    /// The always blocks of the registers without lanes.
     pub fn registers(&mut self) -> Vec<String> {
+        let registers = self.module.registers.iter().enumerate();
+        let plain = registers.filter(|(_, register)| self.module.shape(register.node).is_plain());
+        let plain: Vec<usize> = plain.map(|(index, _)| index).collect();
+        self.register_blocks(&plain)
+    }
+
+    /// The always blocks of these registers, first those without reset.
+    pub fn register_blocks(&mut self, registers: &[usize]) -> Vec<String> {
         let module = self.module;
         let group = |register: &Register| Group {
             clock: register.clock,
             has_reset: register.reset.is_some(),
             enable: register.enable,
         };
-        let mut groups: Vec<(Group, Vec<&Register>)> = Vec::new();
-        for register in &module.registers {
-            let key = group(register);
+        let mut groups: Vec<(Group, Vec<usize>)> = Vec::new();
+        for &register in registers {
+            let key = group(&module.registers[register]);
             match groups.iter_mut().find(|(known, _)| *known == key) {
                 Some((_, members)) => members.push(register),
                 None => groups.push((key, vec![register])),
@@ -36,10 +44,10 @@ impl Printer<'_> {
         groups.into_iter().flat_map(|(group, members)| self.register_block(group, &members)).collect()
     }
 
-    fn register_block(&mut self, group: Group, members: &[&Register]) -> Vec<String> {
+    fn register_block(&mut self, group: Group, members: &[usize]) -> Vec<String> {
         let enable = group.enable.map(|enable| self.value(enable));
-        let body: Vec<Statement> = members.iter().flat_map(|register| self.next_value(register)).collect();
-        let resets: Vec<Statement> = members.iter().filter_map(|register| self.reset_value(register)).collect();
+        let body: Vec<Statement> = members.iter().flat_map(|&register| self.next_value(register)).collect();
+        let resets: Vec<Statement> = members.iter().filter_map(|&register| self.reset_value(register)).collect();
         let body = match (group.has_reset, enable) {
             (false, None) => body,
             (false, Some(enable)) => vec![Statement::If(vec![(enable, body)], Vec::new())],
@@ -51,9 +59,10 @@ impl Printer<'_> {
         self.always_at(group.clock, &body)
     }
 
-    fn next_value(&mut self, register: &Register) -> Vec<Statement> {
+    fn next_value(&mut self, register: usize) -> Vec<Statement> {
+        let register = &self.module.registers[register];
         let target = Target {
-            name: self.name(register.node).to_string(),
+            name: self.target(register.node),
             assign: "<=",
             hold: Some(register.node),
             states: self.states.of(register.node),
@@ -64,13 +73,15 @@ impl Printer<'_> {
         }
     }
 
-    fn reset_value(&mut self, register: &Register) -> Option<Statement> {
+    fn reset_value(&mut self, index: usize) -> Option<Statement> {
+        let register = &self.module.registers[index];
         let value = register.reset.as_ref()?.lane(0);
-        let value = match self.states.of(register.node) {
-            Some(states) => self.states.name(states, value),
-            None => literal(value, Style::Count),
+        let value = match (self.resets[index], self.states.of(register.node)) {
+            (Some(lanes), _) => self.value(lanes),
+            (None, Some(states)) => self.states.name(states, value),
+            (None, None) => literal(value, Style::Count),
         };
-        Some(Statement::Assign(format!("{} <= {value};", self.name(register.node))))
+        Some(Statement::Assign(format!("{} <= {value};", self.target(register.node))))
     }
 
     /// The statements at the rising edge of a clock.

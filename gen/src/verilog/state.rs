@@ -2,20 +2,43 @@
 
 use super::printer::Printer;
 use tilewright_hdl::Bits;
-use tilewright_hdl::ir::{Contents, InstanceId, Memory, Register};
+use tilewright_hdl::ir::{Contents, Init, InstanceId, Memory, Register, Shape};
 
 /// What a testbench knows of a module.
 pub struct ModuleState {
-    /// What holds state in the module itself, not in its instances.
+    /// What holds state in the module itself, neither in its instances nor in lanes.
     pub own: Vec<State>,
-    /// For each instance that is an array, what the instance in each lane is called.
-    pub lanes: Vec<Option<String>>,
+    /// What is in lanes.
+    pub scopes: Vec<ScopeState>,
+}
+
+/// What holds state in the scopes of a `generate for`.
+pub struct ScopeState {
+    pub shape: Shape,
+    /// The label of the loop, of a grid's outer loop.
+    label: String,
+    /// The label of a grid's inner loop.
+    column: String,
+    /// What is in a lane itself.
+    pub own: Vec<State>,
+    /// The instances in a lane, and what they are called there.
+    pub instances: Vec<(InstanceId, String)>,
+}
+
+impl ScopeState {
+    /// The scope of a lane, each of whose indices is given as text.
+    pub fn path(&self, lane: &[&str]) -> String {
+        match lane {
+            [row, column] => format!("{}[{row}].{}[{column}]", self.label, self.column),
+            _ => format!("{}[{}]", self.label, lane.join("][")),
+        }
+    }
 }
 
 /// Something that holds state.
 pub enum State {
-    /// A register that starts at `start` if nobody says otherwise.
-    Register { name: String, start: Bits },
+    /// A register that starts at this value if nobody says otherwise; with lanes that differ, at these, in row-major order.
+    Register { name: String, start: Vec<Bits> },
     /// The data of a synchronous read whose word is gated: the word's register and the flag that lets it through.
     GatedRead { name: String, word: String, inside: String, width: u32 },
     /// A memory; one of unknown contents starts with zeros.
@@ -23,26 +46,53 @@ pub enum State {
 }
 
 impl Printer<'_> {
-    /// Registers, read data and memories, and where those of the lanes are.
+    /// Registers, read data and memories, also of the lanes.
     pub fn state(&self) -> ModuleState {
         let module = self.module;
-        let registers = module.registers.iter().map(|register| self.register_state(register));
-        let memories = module.memories.iter().enumerate().flat_map(|(index, memory)| self.memory_state(index, memory));
-        let instances = (0..module.instances.len() as u32).map(InstanceId);
-        let lanes = instances.map(|id| Some(self.arrays.arrays.get(&id)?.instance.clone()));
-        ModuleState { own: registers.chain(memories).collect(), lanes: lanes.collect() }
+        let is_plain = |id| module.shape(id).is_plain();
+        let registers = module.registers.iter().filter(|register| is_plain(register.node));
+        let registers = registers.map(|register| self.register_state(register));
+        let memories = module.memories.iter().enumerate().filter(|(_, memory)| memory.shape.is_plain());
+        let memories = memories.flat_map(|(index, memory)| self.memory_state(index, memory));
+        let scopes = (0..self.groups.groups.len()).flat_map(|group| self.scope_states(group));
+        ModuleState { own: registers.chain(memories).collect(), scopes: scopes.collect() }
+    }
+
+    /// The scopes of a group, and those of what is read ahead of it.
+    fn scope_states(&self, group: usize) -> Vec<ScopeState> {
+        let (module, own, names) = (self.module, &self.groups.groups[group], &self.lanes.groups[group]);
+        let (ahead, later): (Vec<usize>, Vec<usize>) =
+            own.registers.iter().partition(|&&index| own.ahead.contains(&module.registers[index].node));
+        let states =
+            |registers: Vec<usize>| registers.into_iter().map(|index| self.register_state(&module.registers[index]));
+        let scope = |label: &String, own: Vec<State>| ScopeState {
+            shape: self.groups.groups[group].shape,
+            label: label.clone(),
+            column: self.lanes.column.clone(),
+            own,
+            instances: Vec::new(),
+        };
+        let memories = own.memories.iter().flat_map(|&index| self.memory_state(index, &module.memories[index]));
+        let mut body = scope(&names.label, states(later).chain(memories).collect());
+        body.instances = names.instances.iter().map(|(&id, name)| (InstanceId(id as u32), name.clone())).collect();
+        let ahead = names.ahead.as_ref().map(|label| scope(label, states(ahead).collect()));
+        ahead.into_iter().chain([body]).collect()
     }
 
     fn register_state(&self, register: &Register) -> State {
         let width = self.module.width(register.node);
-        let start = register.reset.as_ref().map_or_else(|| Bits::zero(width), |reset| reset.lane(0).clone());
+        let start = match &register.reset {
+            Some(Init::Each(values)) => values.clone(),
+            Some(Init::Same(value)) => vec![value.clone()],
+            None => vec![Bits::zero(width)],
+        };
         State::Register { name: self.name(register.node).to_string(), start }
     }
 
     fn memory_state(&self, index: usize, memory: &Memory) -> Vec<State> {
         let width = memory.width;
         let reads = self.reads[index].iter().flatten().map(|names| match names.raw.clone() {
-            None => State::Register { name: names.data.clone(), start: Bits::zero(width) },
+            None => State::Register { name: names.data.clone(), start: vec![Bits::zero(width)] },
             Some(raw) => State::GatedRead { name: names.data.clone(), word: raw.word, inside: raw.inside, width },
         });
         let mut all: Vec<State> = reads.collect();

@@ -8,8 +8,8 @@ use tilewright_hdl::ir::NodeId;
 pub struct Usage {
     /// The bits, by node.
     bits: Vec<Vec<u64>>,
-    /// Which lanes of an array's output something reads whole.
-    pub lanes: BTreeMap<NodeId, Vec<bool>>,
+    /// Which lanes of a value something reads whole, where not all are read alike.
+    lanes: BTreeMap<NodeId, Vec<bool>>,
     /// Clock and reset ports.
     pub clocks: BTreeSet<String>,
     /// Memories of which something reads a word.
@@ -32,8 +32,17 @@ impl Usage {
         }
     }
 
+    /// These of a node's so many lanes are read whole.
+    pub fn mark_lanes(&mut self, id: NodeId, count: u32, lanes: &[u32]) {
+        let read = self.lanes.entry(id).or_insert_with(|| vec![false; count as usize]);
+        lanes.iter().for_each(|&lane| read[lane as usize] = true);
+    }
+
     /// The ranges that nothing reads, as lowest bit and width, highest first.
     pub fn unread(&self, id: NodeId, width: u32) -> Vec<(u32, u32)> {
+        if self.lanes.get(&id).is_some_and(|lanes| lanes.iter().all(|&read| read)) {
+            return Vec::new();
+        }
         let limbs = &self.bits[id.0 as usize];
         let read = |bit: u32| limbs.get(bit as usize / 64).is_some_and(|limb| limb >> (bit % 64) & 1 == 1);
         let mut ranges: Vec<(u32, u32)> = Vec::new();

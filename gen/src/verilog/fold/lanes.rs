@@ -1,60 +1,177 @@
-//! Lanes: what is picked or combined of them becomes plain, unless it is an output of an array.
+//! Lanes: what needs none is plain, what is the same in every lane is said once, and what is taken of a list is an entry.
 
 use super::Fold;
 use super::Outcome::{self, Op as Is, Same};
-use tilewright_hdl::ir::{NodeId, Op, Reduction};
+use super::lower::WIDEST_VECTOR;
+use tilewright_hdl::Bits;
+use tilewright_hdl::ir::{Affine, NodeId, Op, Reduction, Relation};
+
+/// A list of more lanes than this is combined by a generated tree rather than by an expression.
+const LONGEST_LIST: usize = 64;
 
 impl Fold {
-    pub(super) fn lane(&self, of: NodeId, lane: u32) -> Outcome {
-        match self.module.node(of).op.clone() {
-            Op::Broadcast { of: plain, .. } => Same(plain),
-            Op::Stack { parts, .. } => Same(parts[lane as usize]),
-            Op::Wire(inner) => self.lane(inner, lane),
-            Op::Map { of: inner, index, edge: Some(edge), .. } => {
-                let by = -index.add;
-                let lanes = self.module.node(of).shape.lanes();
-                match source_lane(lane, by, lanes) {
-                    Some(from) => self.lane(inner, from),
-                    None => Same(edge),
-                }
+    pub(super) fn lane_op(&mut self, id: NodeId, op: Op) -> Outcome {
+        match op {
+            Op::Broadcast { of, axis } => match self.constant(of) {
+                Some(value) => Is(Op::Const(value)),
+                None => Is(Op::Broadcast { of, axis }),
+            },
+            Op::Stack { parts, axis } if parts.iter().all(|&part| part == parts[0]) => {
+                self.lane_op(id, Op::Broadcast { of: parts[0], axis })
             }
-            _ => Is(Op::Lane { of, axis: 0, index: lane }),
+            Op::Map { of, axis, index, edge } => self.map(id, of, axis, index, edge),
+            Op::Interleave { parts, .. } if parts.len() == 1 => Same(parts[0]),
+            Op::Lane { of, axis, index } => self.lane(of, axis, index),
+            Op::Pick { of, axis, index } => self.pick(id, of, axis, index),
+            Op::Reduce { by, of, axis } => self.reduce(id, by, of, axis),
+            Op::Pack { of, axis } => self.pack(id, of, axis),
+            Op::Unpack { of, axis } => self.unpack(id, of, axis),
+            other => Is(other),
         }
     }
 
-    /// A lane of a shifted value whose lanes are plain nodes.
-    pub(super) fn shifted_lane(&self, of: NodeId, lane: u32, by: i32, edge: NodeId, lanes: u32) -> NodeId {
-        match source_lane(lane, by, lanes).map(|from| self.lane(of, from)) {
-            Some(Same(plain)) => plain,
-            _ => edge,
+    fn extent(&self, id: NodeId, axis: u32) -> u32 {
+        self.module.shape(id).extent(axis)
+    }
+
+    fn map(&mut self, id: NodeId, of: NodeId, axis: u32, index: Affine, edge: Option<NodeId>) -> Outcome {
+        let (lanes, extent) = (self.extent(id, axis), self.extent(of, axis));
+        let sources: Vec<Option<u32>> = (0..lanes).map(|lane| index.source(lane, extent)).collect();
+        if lanes == extent && (0..lanes).zip(&sources).all(|(lane, source)| *source == Some(lane)) {
+            return Same(of);
+        }
+        let beyond = edge.filter(|_| sources.iter().all(Option::is_none));
+        if let Some(edge) = beyond {
+            return self.lane_op(id, Op::Broadcast { of: edge, axis });
+        }
+        let from = |lanes: &dyn Fn(u32) -> NodeId| {
+            let part = |source: &Option<u32>| source.map_or_else(|| edge.expect("an edge for lanes beyond"), lanes);
+            sources.iter().map(part).collect::<Vec<_>>()
+        };
+        let parts = match &self.module.node(of).op {
+            Op::Const(value) if edge.is_none_or(|edge| self.constant(edge).as_ref() == Some(value)) => {
+                return Is(Op::Const(value.clone()));
+            }
+            Op::Broadcast { of: plain, axis: same } if *same == axis => from(&|_| *plain),
+            Op::Stack { parts, axis: same } if *same == axis => from(&|lane| parts[lane as usize]),
+            _ if self.is_small(lanes, index) => return Is(Op::Map { of, axis, index, edge }),
+            // The formula would need more than the 32 bits that Verilog computes with.
+            _ => {
+                let width = self.width(of);
+                let lane = |fold: &mut Self, index: u32| fold.add(id, width, Op::Lane { of, axis, index });
+                let edge = || edge.expect("an edge for lanes beyond");
+                sources.iter().map(|source| source.map_or_else(edge, |index| lane(self, index))).collect()
+            }
+        };
+        self.lane_op(id, Op::Stack { parts, axis })
+    }
+
+    /// Whether no step of the rule leaves 32 bits.
+    fn is_small(&self, lanes: u32, index: Affine) -> bool {
+        let before = Affine { div: 1, ..index };
+        let product = Affine { add: 0, ..before };
+        let ends = [before, product].map(|rule| rule.at(lanes - 1));
+        ends.into_iter().all(|end| end.unsigned_abs() < 1 << 31) && index.div < 1 << 31
+    }
+
+    fn lane(&self, mut of: NodeId, axis: u32, mut index: u32) -> Outcome {
+        loop {
+            of = match &self.module.node(of).op {
+                Op::Broadcast { of: inner, axis: same } if *same == axis => return Same(*inner),
+                Op::Stack { parts, axis: same } if *same == axis => return Same(parts[index as usize]),
+                Op::Const(value) => return Is(Op::Const(value.clone())),
+                Op::Wire(inner) => *inner,
+                Op::Map { of: inner, axis: same, index: rule, edge } if *same == axis => {
+                    match (rule.source(index, self.extent(*inner, axis)), edge) {
+                        (Some(from), _) => index = from,
+                        (None, edge) => return Same(edge.expect("an edge for lanes beyond")),
+                    }
+                    *inner
+                }
+                _ => return Is(Op::Lane { of, axis, index }),
+            }
         }
     }
 
-    /// Only outputs of arrays are reduced by the array's own tree; anything else is written out lane by lane.
-    pub(super) fn reduce(&mut self, id: NodeId, reduction: Reduction, of: NodeId) -> Outcome {
-        let node = self.module.node(of);
-        let lanes = node.shape.lanes();
-        if lanes > 1 && matches!(node.op, Op::Output(..)) {
-            return Is(Op::Reduce { by: reduction, of, axis: 0 });
+    fn pick(&self, id: NodeId, of: NodeId, axis: u32, index: NodeId) -> Outcome {
+        let Some(value) = self.constant(index) else { return Is(Op::Pick { of, axis, index }) };
+        match value.to_u64().and_then(|value| u32::try_from(value).ok()).filter(|lane| *lane < self.extent(of, axis)) {
+            Some(lane) => self.lane(of, axis, lane),
+            None => Is(Op::Const(Bits::zero(self.width(id)))),
         }
-        let (width, binary) = (node.width, reduction.operator().expect("the language makes no other yet"));
-        let mut level: Vec<NodeId> =
-            (0..lanes).map(|lane| self.add(id, width, Op::Lane { of, axis: 0, index: lane })).collect();
+    }
+
+    /// A list of single values is combined by an expression, anything else by a generated tree.
+    fn reduce(&mut self, id: NodeId, by: Reduction, of: NodeId, axis: u32) -> Outcome {
+        if self.extent(of, axis) == 1 {
+            return self.lane(of, axis, 0);
+        }
+        let mut level: Vec<NodeId> = match &self.module.node(of).op {
+            Op::Const(value) if !matches!(by, Reduction::Xor | Reduction::Add) => {
+                return Is(Op::Const(value.clone()));
+            }
+            Op::Broadcast { of: inner, axis: same } if *same == axis => vec![*inner; self.extent(of, axis) as usize],
+            Op::Stack { parts, axis: same } if *same == axis => parts.clone(),
+            _ => return Is(Op::Reduce { by, of, axis }),
+        };
+        if level.len() > LONGEST_LIST {
+            return Is(Op::Reduce { by, of, axis });
+        }
         while level.len() > 1 {
             let pairs: Vec<Vec<NodeId>> = level.chunks(2).map(<[NodeId]>::to_vec).collect();
             level = pairs
                 .into_iter()
                 .map(|pair| match pair[..] {
-                    [a, b] => self.add(id, width, Op::Binary(binary, a, b)),
+                    [a, b] => self.combined(id, by, a, b),
                     _ => pair[0],
                 })
                 .collect();
         }
         Same(level[0])
     }
-}
 
-/// The lane that reaches `lane` when all move by `by`.
-fn source_lane(lane: u32, by: i32, lanes: u32) -> Option<u32> {
-    u32::try_from(i64::from(lane) - i64::from(by)).ok().filter(|&from| from < lanes)
+    /// Two values combined, in the place of `id`.
+    fn combined(&mut self, id: NodeId, by: Reduction, a: NodeId, b: NodeId) -> NodeId {
+        let width = self.width(a);
+        match by.operator() {
+            Some(operator) => self.add(id, width, Op::Binary(operator, a, b)),
+            None => {
+                let relation = if by == Reduction::Min { Relation::Lt } else { Relation::Gt };
+                let first = self.add(id, 1, Op::Compare { relation, signed: false, operands: [a, b] });
+                self.add(id, width, Op::Mux { select: first, on_true: a, on_false: b })
+            }
+        }
+    }
+
+    fn pack(&mut self, id: NodeId, of: NodeId, axis: u32) -> Outcome {
+        let count = self.extent(of, axis);
+        match self.module.node(of).op.clone() {
+            _ if count == 1 => self.lane(of, axis, 0),
+            Op::Unpack { of: inner, axis: same } if same == axis => Same(inner),
+            Op::Const(value) if u64::from(self.width(id)) <= WIDEST_VECTOR => {
+                Is(Op::Const((1..count).fold(value.clone(), |all, _| all.concat(&value))))
+            }
+            Op::Broadcast { of: inner, axis: same } if same == axis => Is(Op::Repeat(inner, count)),
+            Op::Stack { parts, axis: same } if same == axis => self.concat(parts.into_iter().rev().collect()),
+            _ => Is(Op::Pack { of, axis }),
+        }
+    }
+
+    fn unpack(&mut self, id: NodeId, of: NodeId, axis: u32) -> Outcome {
+        let (count, width) = (self.extent(id, axis), self.width(id));
+        match &self.module.node(of).op {
+            _ if count == 1 => return Is(Op::Broadcast { of, axis }),
+            Op::Pack { of: inner, axis: same }
+                if *same == axis && self.module.shape(*inner) == self.module.shape(id) =>
+            {
+                return Same(*inner);
+            }
+            _ => {}
+        }
+        let Some(value) = self.constant(of) else { return Is(Op::Unpack { of, axis }) };
+        let parts = (0..count)
+            .map(|lane| self.add(of, width, Op::Const(value.slice(lane * width..(lane + 1) * width))))
+            .collect();
+        self.lane_op(id, Op::Stack { parts, axis })
+    }
 }

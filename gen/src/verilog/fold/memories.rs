@@ -5,6 +5,20 @@ use tilewright_hdl::Bits;
 use tilewright_hdl::ir::{Contents, Node, NodeId, Op};
 
 impl Fold {
+    /// The bit that every lane of a mask is, if it is one; else the mask.
+    fn one_for_all(&mut self, mask: NodeId) -> NodeId {
+        let node = self.module.node(mask);
+        match &node.op {
+            Op::Repeat(bit, _) if self.module.width(*bit) == 1 => *bit,
+            Op::Const(value) if value.not().is_zero() && value.width() > 1 => {
+                let bit = Node { op: Op::Const(Bits::ones(1)), width: 1, ..node.clone() };
+                self.module.nodes.push(bit);
+                NodeId(self.module.nodes.len() as u32 - 1)
+            }
+            _ => mask,
+        }
+    }
+
     /// Drops writes that never happen. A memory that is never written is zero, rather than undriven. A constant write
     /// address gets a net, for Yosys takes a memory with a literal one apart into registers.
     pub(super) fn settle_memories(&mut self) {
@@ -16,6 +30,9 @@ impl Fold {
                 let never = self.constant(write.enable).is_some_and(|enable| enable.is_zero());
                 !never && address.is_none_or(|address| address.to_u64().is_some_and(|address| address < depth))
             });
+            // A mask that is one bit in every lane is no mask.
+            memory.reads.iter_mut().for_each(|read| read.enable = read.enable.map(|id| self.one_for_all(id)));
+            memory.writes.iter_mut().for_each(|write| write.enable = self.one_for_all(write.enable));
             for write in &mut memory.writes {
                 let address = self.module.node(write.address);
                 if matches!(address.op, Op::Const(_)) && address.name.is_none() {

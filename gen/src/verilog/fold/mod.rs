@@ -2,23 +2,35 @@
 //! slices; nodes that only pass a value on disappear unless they have a name.
 
 mod lanes;
+pub mod lower;
 mod memories;
 mod operators;
 mod shift;
 
 use super::order::{map_operands, operands_first};
 use tilewright_hdl::Bits;
-use tilewright_hdl::ir::{Module, Node, NodeId, Op, Shape};
+use tilewright_hdl::ir::{Design, Module, Node, NodeId, Op};
+
+/// A circuit that is ready to be printed.
+pub struct Folded {
+    /// Simplified; ports have no lanes.
+    pub module: Module,
+    /// For each register what it is reset to, if that differs between its lanes.
+    pub resets: Vec<Option<NodeId>>,
+}
 
 /// The same circuit, simplified. Nodes keep their ids; new ones are appended.
-pub fn fold(module: &Module) -> Module {
-    let mut fold = Fold { module: module.clone(), same: (0..module.nodes.len() as u32).map(NodeId).collect() };
-    for id in operands_first(module) {
+pub fn fold(design: &Design, module: &Module) -> Folded {
+    let (module, mut resets) = lower::lower(design, module);
+    let order = operands_first(&module);
+    let mut fold = Fold { same: (0..module.nodes.len() as u32).map(NodeId).collect(), module };
+    for id in order {
         fold.visit(id);
     }
     fold.rewire();
     fold.settle_memories();
-    fold.module
+    resets.iter_mut().flatten().for_each(|id| *id = fold.stands_for(*id));
+    Folded { module: fold.module, resets }
 }
 
 struct Fold {
@@ -51,11 +63,17 @@ impl Fold {
 
     /// Lets registers, memories, instances, outputs and asserts refer to the nodes that are left.
     fn rewire(&mut self) {
-        let same = &self.same;
+        let same: Vec<NodeId> = (0..self.same.len() as u32).map(|id| self.stands_for(NodeId(id))).collect();
         let to = |id: &mut NodeId| *id = same[id.0 as usize];
         let module = &mut self.module;
+        // Where lanes chain, a node is visited before what it is computed from.
+        for node in &mut module.nodes {
+            node.op = map_operands(&node.op, |operand| same[operand.0 as usize]);
+        }
+        // A mask is neither as long as some lanes are.
         let constant = |nodes: &[Node], id: NodeId| match &nodes[id.0 as usize].op {
-            Op::Const(bits) => Some(!bits.is_zero()),
+            Op::Const(bits) if bits.not().is_zero() => Some(true),
+            Op::Const(bits) if bits.is_zero() => Some(false),
             _ => None,
         };
         for register in &mut module.registers {
@@ -85,7 +103,15 @@ impl Fold {
         module.asserts.retain(|assert| constant(&module.nodes, assert.condition) != Some(true));
     }
 
-    /// The value of a node that is constant, also behind a name.
+    /// The node that stands for this one.
+    fn stands_for(&self, mut id: NodeId) -> NodeId {
+        while self.same[id.0 as usize] != id {
+            id = self.same[id.0 as usize];
+        }
+        id
+    }
+
+    /// The value of a node that is constant, the same in every lane, also behind a name.
     fn constant(&self, mut id: NodeId) -> Option<Bits> {
         loop {
             match &self.module.node(id).op {
@@ -103,8 +129,13 @@ impl Fold {
     /// A new unnamed node, in the place of `of`.
     fn add(&mut self, of: NodeId, width: u32, op: Op) -> NodeId {
         let id = NodeId(self.module.nodes.len() as u32);
-        let loc = self.module.node(of).loc;
-        self.module.nodes.push(Node { op, width, shape: Shape::Plain, name: None, loc });
+        let &Node { shape, loc, .. } = self.module.node(of);
+        // What leads to another shape says so itself.
+        let shape = match op {
+            Op::Lane { of, axis, .. } => self.module.shape(of).without(axis),
+            _ => shape,
+        };
+        self.module.nodes.push(Node { op, width, shape, name: None, loc });
         self.same.push(id);
         self.visit(id);
         self.same[id.0 as usize]
@@ -137,28 +168,7 @@ impl Fold {
                 Some(value) => Is(Op::Const(value.resize(width))),
                 None => Is(Op::Extend { of, signed }),
             },
-            Op::Map { of, edge: None, .. } => Same(of),
-            Op::Map { index, edge: Some(edge), .. }
-                if index.add.unsigned_abs() >= self.module.node(id).shape.lanes() =>
-            {
-                Is(Op::Broadcast { of: edge, axis: 0 })
-            }
-            Op::Map { of, index, edge: Some(edge), axis } => match self.module.node(of).op.clone() {
-                Op::Broadcast { of: plain, .. } if plain == edge => Same(of),
-                Op::Stack { .. } | Op::Broadcast { .. } => {
-                    let by = -index.add;
-                    let lanes = self.module.node(id).shape.lanes();
-                    let lane = |lane| self.shifted_lane(of, lane, by, edge, lanes);
-                    Is(Op::Stack { parts: (0..lanes).map(lane).collect(), axis })
-                }
-                _ => Is(Op::Map { of, index, edge: Some(edge), axis }),
-            },
-            Op::Stack { parts, axis } if parts.iter().all(|&part| part == parts[0]) => {
-                Is(Op::Broadcast { of: parts[0], axis })
-            }
-            Op::Lane { of, index, .. } => self.lane(of, index),
-            Op::Reduce { by, of, .. } => self.reduce(id, by, of),
-            other => Is(other),
+            other => self.lane_op(id, other),
         }
     }
 }

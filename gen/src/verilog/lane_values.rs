@@ -1,0 +1,63 @@
+//! Constants that differ from lane to lane: a formula of the lane's number where they follow one, else a table.
+
+use super::fold::lower::WIDEST_VECTOR;
+use super::pattern::Pattern;
+use tilewright_hdl::Bits;
+use tilewright_hdl::ir::{Module, NodeId, Op, Shape};
+
+/// How the constants of the lanes are written.
+pub enum LaneConstants {
+    /// By a formula of the index along that axis.
+    Along(u32, Pattern),
+    /// By a formula of the lane's number, in row-major order.
+    Lane(Pattern),
+    /// As a table, in row-major order.
+    Table(Vec<Bits>),
+}
+
+/// The constants of a list, and of lists in it; `None` if there is anything else in it, or too much for a table.
+pub fn lane_constants(module: &Module, id: NodeId) -> Option<LaneConstants> {
+    let shape = module.shape(id);
+    let values = values(module, id)?;
+    if let Some(pattern) = along(shape, &values) {
+        return Some(pattern);
+    }
+    let bits = values.len() as u64 * u64::from(module.width(id));
+    match Pattern::of(&values) {
+        Some(pattern) => Some(LaneConstants::Lane(pattern)),
+        None => (bits <= WIDEST_VECTOR).then_some(LaneConstants::Table(values)),
+    }
+}
+
+/// A formula of the row or of the column alone.
+fn along(shape: Shape, values: &[Bits]) -> Option<LaneConstants> {
+    let Shape::Grid(rows, columns) = shape else {
+        return Pattern::of(values).map(|pattern| LaneConstants::Along(0, pattern));
+    };
+    let (rows, columns) = (rows as usize, columns as usize);
+    let by_row: Vec<Bits> = values.iter().step_by(columns).cloned().collect();
+    if (0..values.len()).all(|lane| values[lane] == by_row[lane / columns]) {
+        return Pattern::of(&by_row).map(|pattern| LaneConstants::Along(0, pattern));
+    }
+    let by_column = &values[..columns];
+    let is_by_column = rows > 0 && (0..values.len()).all(|lane| values[lane] == by_column[lane % columns]);
+    is_by_column.then(|| Pattern::of(by_column).map(|pattern| LaneConstants::Along(1, pattern)))?
+}
+
+/// The value of every lane.
+fn values(module: &Module, id: NodeId) -> Option<Vec<Bits>> {
+    let shape = module.shape(id);
+    match &module.node(id).op {
+        Op::Const(value) => Some(vec![value.clone(); shape.lanes() as usize]),
+        Op::Broadcast { of, axis } => {
+            let inner = values(module, *of)?;
+            Some((0..shape.lanes()).map(|lane| inner[shape.across(*axis, lane) as usize].clone()).collect())
+        }
+        Op::Stack { parts, axis } => {
+            let parts = parts.iter().map(|part| values(module, *part)).collect::<Option<Vec<_>>>()?;
+            let lane = |lane| parts[shape.along(*axis, lane) as usize][shape.across(*axis, lane) as usize].clone();
+            Some((0..shape.lanes()).map(lane).collect())
+        }
+        _ => None,
+    }
+}

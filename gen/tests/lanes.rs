@@ -1,0 +1,87 @@
+//! Modules with lanes: what they print, which every linter finds nothing to say of.
+//!
+//! `UPDATE_GOLDEN=1 cargo test -p tilewright-gen` writes the files anew.
+
+#[path = "../../hdl/tests/shapes/build.rs"]
+mod build;
+#[path = "golden/compare.rs"]
+mod compare;
+#[path = "lanes/mod.rs"]
+mod modules;
+
+use compare::compare;
+use tilewright_gen::{VerilogFile, tools, verilog};
+use tilewright_hdl::Design;
+use tilewright_hdl::ir::Module;
+
+fn print(modules: Vec<Module>) -> Vec<VerilogFile> {
+    verilog(&Design::new(modules).unwrap_or_else(|problems| panic!("{problems}")))
+}
+
+/// The module and those in it print as the golden files, free of complaints.
+fn golden(modules: Vec<Module>) {
+    let files = print(modules.clone());
+    assert_eq!(files, print(modules), "the same design prints differently");
+    files.iter().for_each(compare);
+    tools::lint(&files).unwrap();
+}
+
+/// The text of the last module, free of complaints.
+fn clean(modules: Vec<Module>) -> String {
+    let mut files = print(modules);
+    tools::lint(&files).unwrap();
+    files.pop().expect("there is a module").text
+}
+
+#[test]
+fn a_row_of_registers_with_gates() {
+    golden(vec![modules::counters()]);
+}
+
+#[test]
+fn a_grid() {
+    golden(vec![modules::systolic(4)]);
+}
+
+#[test]
+fn a_tree_in_a_row() {
+    golden(vec![modules::tree()]);
+}
+
+#[test]
+fn lanes_that_signals_say() {
+    golden(vec![modules::picks()]);
+}
+
+#[test]
+fn memories_of_lanes() {
+    golden(vec![modules::memories()]);
+}
+
+#[test]
+fn ports_with_lanes() {
+    golden(modules::packed_ports());
+}
+
+#[test]
+fn groups_that_read_each_other() {
+    golden(vec![modules::rings()]);
+}
+
+#[test]
+fn constants_of_a_grid() {
+    golden(vec![modules::constants()]);
+}
+
+#[test]
+fn more_lanes_than_a_vector_holds() {
+    let text = clean(vec![modules::far_pick()]);
+    assert!(text.contains("begin : picked_by_bit10"), "{text}");
+}
+
+#[test]
+fn a_systolic_array_is_as_long_however_large() {
+    let lines = [2, 8, 64].map(|side| print(vec![modules::systolic(side)])[0].text.lines().count());
+    assert_eq!(lines, [lines[0]; 3]);
+    assert!(lines[2] < 70, "{lines:?}");
+}
