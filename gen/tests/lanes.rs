@@ -1,4 +1,4 @@
-//! Modules with lanes: what they print, which every linter finds nothing to say of.
+//! Modules with lanes: what they print, which every linter finds nothing to say of, and which does what they say.
 //!
 //! `UPDATE_GOLDEN=1 cargo test -p tilewright-gen` writes the files anew.
 
@@ -6,11 +6,13 @@
 mod build;
 #[path = "golden/compare.rs"]
 mod compare;
+#[path = "lanes/evaluate.rs"]
+mod evaluate;
 #[path = "lanes/mod.rs"]
 mod modules;
 
 use compare::compare;
-use tilewright_gen::{VerilogFile, tools, verilog};
+use tilewright_gen::{VerilogFile, testbench, tools, verilog};
 use tilewright_hdl::Design;
 use tilewright_hdl::ir::Module;
 
@@ -21,15 +23,24 @@ fn print(modules: Vec<Module>) -> Vec<VerilogFile> {
 /// The module and those in it print as the golden files, free of complaints.
 fn golden(modules: Vec<Module>) {
     let files = print(modules.clone());
-    assert_eq!(files, print(modules), "the same design prints differently");
+    assert_eq!(files, print(modules.clone()), "the same design prints differently");
     files.iter().for_each(compare);
     tools::lint(&files).unwrap();
+    behaves(modules);
+}
+
+/// The text does in Icarus what the module says, on random inputs.
+fn behaves(modules: Vec<Module>) {
+    let recording = evaluate::recording(&modules, 60);
+    let design = Design::new(modules).unwrap_or_else(|problems| panic!("{problems}"));
+    let _ = tools::replay_in_icarus(&verilog(&design), &testbench(&design, &recording)).unwrap();
 }
 
 /// The text of the last module, free of complaints.
 fn clean(modules: Vec<Module>) -> String {
-    let mut files = print(modules);
+    let mut files = print(modules.clone());
     tools::lint(&files).unwrap();
+    behaves(modules);
     files.pop().expect("there is a module").text
 }
 

@@ -11,7 +11,7 @@ mod start;
 mod text;
 
 use crate::VerilogFile;
-use crate::verilog::Names;
+use crate::verilog::{Names, packed_width};
 use tilewright_hdl::ir::Design;
 use tilewright_hdl::{Bits, Recording};
 
@@ -42,8 +42,8 @@ fn check(design: &Design, recording: &Recording) {
         let clocks = step.rising.iter().chain(&step.resets);
         let known = clocks.copied().all(|clock| clock < top.clocks.len());
         assert!(known, "step {cycle} of the recording names a clock that `{}` does not have", top.name);
-        let inputs: Vec<u32> = top.inputs.iter().map(|port| top.width(port.node)).collect();
-        let outputs: Vec<u32> = top.outputs.iter().map(|port| top.width(port.node)).collect();
+        let inputs: Vec<u32> = top.inputs.iter().map(|port| packed_width(top, port.node)).collect();
+        let outputs: Vec<u32> = top.outputs.iter().map(|port| packed_width(top, port.node)).collect();
         for (ports, values) in [(inputs, &step.inputs), (outputs, &step.outputs)] {
             let widths: Vec<u32> = values.iter().map(Bits::width).collect();
             assert_eq!(ports, widths, "the values of step {cycle} of the recording have other widths than the ports");

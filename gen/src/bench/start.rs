@@ -45,6 +45,9 @@ impl<'a> Start<'a> {
 
     /// The loops over the scopes of lanes.
     fn lanes(&self, id: ModuleId, scope: &ScopeState, path: &str, depth: usize, names: &mut Names) -> Vec<String> {
+        if scope.own.is_empty() && scope.instances.is_empty() {
+            return Vec::new();
+        }
         let axes = scope.shape.axes() as usize;
         let indices: Vec<&str> = self.genvars[depth..depth + axes].iter().map(String::as_str).collect();
         let lane = format!("{path}.{}", scope.path(&indices));

@@ -29,9 +29,9 @@ pub fn counters() -> Module {
     b.output("most", most);
     b.output("counts", count);
     let idle = b.not(done);
-    let low = b.node(Op::Slice { of: count, low: 0 }, 1, row);
-    let holds = b.or(idle, low);
-    b.assert(holds, "a count that is done is odd");
+    let reached = b.node(Op::Compare { relation: Relation::Ge, signed: false, operands: [count, limits] }, 1, row);
+    let holds = b.or(idle, reached);
+    b.assert(holds, "done at the limit");
     b.module.clone()
 }
 
