@@ -8,6 +8,8 @@ mod build;
 mod compare;
 #[path = "lanes/evaluate.rs"]
 mod evaluate;
+#[path = "../../hdl/tests/shapes/machines.rs"]
+mod machines;
 #[path = "lanes/mod.rs"]
 mod modules;
 
@@ -51,7 +53,7 @@ fn a_row_of_registers_with_gates() {
 
 #[test]
 fn a_grid() {
-    golden(vec![modules::systolic(4)]);
+    golden(vec![machines::systolic(4)]);
 }
 
 #[test]
@@ -91,8 +93,16 @@ fn more_lanes_than_a_vector_holds() {
 }
 
 #[test]
+fn processors_and_their_trees() {
+    let text = clean(vec![machines::processors(8)]);
+    assert!(text.contains("reg words [0:207];") || text.contains("reg [63:0] words [0:207];"), "{text}");
+    let lines = print(vec![machines::processors(128)])[0].text.lines().count();
+    assert!(lines < 500, "{lines} lines");
+}
+
+#[test]
 fn a_systolic_array_is_as_long_however_large() {
-    let lines = [2, 8, 64].map(|side| print(vec![modules::systolic(side)])[0].text.lines().count());
+    let lines = [2, 8, 64].map(|side| print(vec![machines::systolic(side)])[0].text.lines().count());
     assert_eq!(lines, [lines[0]; 3]);
     assert!(lines[2] < 70, "{lines:?}");
 }

@@ -1,7 +1,7 @@
 // constants
 //
 // Parameters  constants
-// Described   gen/tests/lanes/mod.rs:193
+// Described   gen/tests/lanes/mod.rs:173
 `default_nettype none
 
 module constants (

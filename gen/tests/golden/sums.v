@@ -1,7 +1,7 @@
 // sums
 //
 // Parameters  sums
-// Described   gen/tests/lanes/mod.rs:133
+// Described   gen/tests/lanes/mod.rs:113
 `default_nettype none
 
 module sums (
@@ -23,7 +23,7 @@ module sums (
             end
         end
     endgenerate
-    assign sum = sum_tree[4].value;                              // gen/tests/lanes/mod.rs:135
+    assign sum = sum_tree[4].value;                              // gen/tests/lanes/mod.rs:115
     generate
         for (i = 0; i < 5; i = i + 1) begin : smallest_tree
             wire [7:0] value;
@@ -36,7 +36,7 @@ module sums (
             end
         end
     endgenerate
-    assign smallest = smallest_tree[4].value;                    // gen/tests/lanes/mod.rs:137
+    assign smallest = smallest_tree[4].value;                    // gen/tests/lanes/mod.rs:117
     generate
         for (i = 0; i < 3; i = i + 1) begin : reverse_of
             assign reverse[i * 8 +: 8] = x[(2 - i) * 8 +: 8];

@@ -1,7 +1,7 @@
 // systolic
 //
 // Parameters  systolic
-// Described   gen/tests/lanes/mod.rs:40
+// Described   gen/tests/../../hdl/tests/shapes/machines.rs:136
 `default_nettype none
 
 module systolic (

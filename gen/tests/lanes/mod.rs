@@ -35,26 +35,6 @@ pub fn counters() -> Module {
     b.module.clone()
 }
 
-/// The product of two matrices, a step a clock.
-pub fn systolic(side: u32) -> Module {
-    let b = &mut Build::new("systolic");
-    let grid = Shape::Grid(side, side);
-    let (left, above) = (b.input("left", 8, Shape::Row(side)), b.input("above", 8, Shape::Row(side)));
-    let clear = b.input("clear", 1, Shape::Plain);
-    let (x, y) = (b.register("x", 8, grid, zero(8)), b.register("y", 8, grid, zero(8)));
-    let (from_left, from_above) = (b.previous(x, 1, left), b.previous(y, 0, above));
-    b.next(x, None, from_left);
-    b.next(y, None, from_above);
-    let sum = b.register("sum", 16, grid, zero(16));
-    let product = b.binary(Binary::Mul, x, y);
-    let added = b.add(sum, product);
-    let (clear, nothing) = (b.everywhere(clear, grid), b.constant(16, 0, grid));
-    let next = b.mux(clear, nothing, added);
-    b.next(sum, None, next);
-    b.output("product", sum);
-    b.module.clone()
-}
-
 /// A tree in one row: what enters at the root is at the leaves after three clocks, with the path that led there.
 pub fn tree() -> Module {
     let b = &mut Build::new("tree");

@@ -3,3 +3,4 @@
 mod build;
 mod large;
 mod loops;
+mod machines;
