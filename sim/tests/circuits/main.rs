@@ -2,11 +2,14 @@
 #![allow(missing_docs)]
 
 mod batch;
+#[path = "../../../hdl/tests/shapes/build.rs"]
+mod build;
 mod engine;
 mod engines;
 mod every_engine;
 mod looking;
 mod nested;
+mod shapes;
 mod store;
 mod watching;
 mod wide;

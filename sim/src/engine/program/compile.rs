@@ -71,9 +71,10 @@ fn unroll(design: &Design, flat: &Flat, cycles: &[ValueId], unrolled: &mut Unrol
     unrolled.arrays.extend(arrays.map(|(_, key)| key.clone()));
     for (base, module, key) in &flat.instances {
         let nodes = (0..).map(NodeId).zip(&design.module(*module).nodes);
-        let is_output = |node: &Node| matches!(node.op, Op::Output(..));
+        // A port is one value outside: an array that has it is unrolled, or what drives it.
+        let is_port = |node: &Node| matches!(node.op, Op::Input(_) | Op::Output(..));
         let split =
-            nodes.filter(|(id, node)| !node.shape.is_plain() && !is_output(node) && on_cycle(&ValueId(base + id.0)));
+            nodes.filter(|(id, node)| !node.shape.is_plain() && !is_port(node) && on_cycle(&ValueId(base + id.0)));
         let split: BTreeSet<NodeId> = split.map(|(id, _)| id).collect();
         if !split.is_empty() {
             unrolled.nodes.entry(key.clone()).or_default().extend(split);

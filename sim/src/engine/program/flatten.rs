@@ -207,7 +207,7 @@ impl Flatten<'_> {
             let kind = self.kind(body, module, id, &memories);
             self.flat.program.circuit.set_kind(body.whole(id), kind);
             if body.split[index].is_some() {
-                self.split(body, module, id);
+                self.split(body, module, id, &memories);
             }
         }
         self.name(body, module, &memories);

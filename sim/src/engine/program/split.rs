@@ -1,6 +1,6 @@
 //! Single lanes of nodes, for lanes that depend on each other within a clock: evaluated all at once they would be a cycle.
 
-use tilewright_hdl::ir::{Module, Node, NodeId, Op};
+use tilewright_hdl::ir::{MemoryId, Module, Node, NodeId, Op};
 
 use super::flatten::{self, Body, Flatten};
 use super::{Axis, Cell, Kind, ValueId};
@@ -22,9 +22,14 @@ impl Flatten<'_> {
     }
 
     /// Fills in the cells of a node's single lanes, each of which depends on no more than it has to.
-    pub(super) fn split(&mut self, body: &Body, module: &Module, id: NodeId) {
+    pub(super) fn split(&mut self, body: &Body, module: &Module, id: NodeId, memories: &[u32]) {
         for lane in 0..module.node(id).shape.lanes() {
-            let kind = self.lane_kind(body, module, id, lane);
+            let kind = match module.node(id).op {
+                Op::Read(memory, port) if self.is_split(body, id) => {
+                    self.lane_of_read(body, module, (memory, port), memories, lane)
+                }
+                _ => self.lane_kind(body, module, id, lane),
+            };
             self.flat.program.circuit.set_kind(body.at(id, lane), kind);
         }
     }
@@ -67,6 +72,27 @@ impl Flatten<'_> {
             _ if !self.is_split(body, id) => self.lane_of_whole(body, node, id, lane),
             _ => flatten::elementwise(node, |operand| body.at(*operand, lane)),
         }
+    }
+
+    /// One lane of an asynchronous read whose address comes from other lanes of it: all lanes read where this one does.
+    fn lane_of_read(
+        &mut self,
+        body: &Body,
+        module: &Module,
+        (memory, port): (MemoryId, u32),
+        memories: &[u32],
+        lane: u32,
+    ) -> Kind {
+        let read = &module.memories[memory.0 as usize].reads[port as usize];
+        let (data, address) = (module.node(read.node), module.node(read.address));
+        let axis = Axis::last(data.shape.lanes());
+        let lanes = body.lanes * axis.count;
+        let circuit = &mut self.flat.program.circuit;
+        let everywhere = Kind::Broadcast { of: body.at(read.address, lane), axis };
+        let everywhere = circuit.push(Cell::new(everywhere, lanes, address.width), Some(address.loc));
+        let word = Kind::Read { memory: memories[memory.0 as usize], address: everywhere };
+        let of = circuit.push(Cell::new(word, lanes, data.width), Some(data.loc));
+        Kind::Lane { of, axis, index: lane }
     }
 
     /// One lane of what is not computed lane by lane here.

@@ -18,6 +18,10 @@ pub(super) fn gather(
     width: u32,
     from: impl Fn(u32) -> u32,
 ) -> ValueId {
+    // A single value is looked up nowhere: it need not be in memory.
+    if rewriter.circuit()[of].lanes == 1 {
+        return rewriter.add(Kind::Broadcast { of, axis: Axis::last(lanes) }, lanes, width);
+    }
     let at = table(rewriter, lanes, lanes, NUMBER, |lane| u64::from(from(lane)));
     rewriter.add(Kind::Gather { of, at }, lanes, width)
 }

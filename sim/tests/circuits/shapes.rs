@@ -1,0 +1,102 @@
+//! Circuits whose values have shapes, built node by node; each was once computed wrongly, or not at all.
+
+use tilewright_hdl::ir::*;
+use tilewright_hdl::{Bits, Design};
+use tilewright_sim::{EngineKind, Passes, Simulation};
+
+use crate::build::Build;
+
+/// All passes, none, and all but one, with code for held inputs and functions that are cut early.
+fn every_passes() -> Vec<Passes> {
+    let without: [fn(&mut Passes); 9] = [
+        |passes| passes.siblings = false,
+        |passes| passes.fold = false,
+        |passes| passes.share = false,
+        |passes| passes.uniform = false,
+        |passes| passes.lift = false,
+        |passes| passes.postpone = false,
+        |passes| passes.branch = false,
+        |passes| passes.lookups = false,
+        |passes| passes.side_by_side = false,
+    ];
+    let without = without.map(|switch| {
+        let mut passes = Passes { held_after: 3, longest: 20, near: 0, ..Passes::default() };
+        switch(&mut passes);
+        passes
+    });
+    [Passes::default(), Passes::none()].into_iter().chain(without).collect()
+}
+
+/// The top of these modules under changing inputs, machine code beside the reference engine, whatever passes there are.
+fn run(modules: Vec<Module>) {
+    let design = Design::new(modules).unwrap();
+    for passes in every_passes() {
+        let mut sim = Simulation::with_passes(&design, &passes).unwrap().on(EngineKind::Both);
+        for step in 0..20u64 {
+            for (number, input) in (1..).zip(&design.top().inputs) {
+                let node = design.top().node(input.node);
+                let width = node.width * node.shape.lanes();
+                let limbs: Vec<u64> = (1..=width.div_ceil(64).into())
+                    .map(|limb: u64| (step * 8 + number).wrapping_mul(limb).wrapping_mul(0x9e37_79b9_7f4a_7c15))
+                    .collect();
+                let port = sim.port(&input.name).unwrap();
+                sim.set(port, Bits::from_limbs(width, &limbs));
+            }
+            sim.try_step().unwrap_or_else(|error| panic!("{error} with {passes:?}"));
+        }
+    }
+}
+
+#[test]
+fn instances_written_one_by_one_with_rows_as_ports_feed_each_other() {
+    let child = &mut Build::new("child");
+    let grid = child.input("grid", 1, Shape::Grid(1, 4));
+    let zero = child.constant(5, 0, Shape::Row(1));
+    let picked = child.pick(grid, 1, zero);
+    let both = child.node(Op::Repeat(picked, 9), 9, Shape::Row(1));
+    let inverse = child.not(both);
+    let y = child.mux(picked, both, inverse);
+    child.output("y", y);
+
+    let b = &mut Build::new("top");
+    let mut row = b.input("x", 9, Shape::Row(1));
+    for number in 0..4 {
+        let bit = b.node(Op::Slice { of: row, low: number }, 1, Shape::Row(1));
+        let grid = b.broadcast(bit, 1, 4);
+        row = b.instance(&format!("u{number}"), 0, &child.module, Shape::Plain, &[grid])[0];
+    }
+    b.output("y", row);
+    let state = b.delayed("state", row);
+    b.output("state_out", state);
+    child.module.clocks[0].period = None;
+    run(vec![child.module.clone(), b.module.clone()]);
+}
+
+#[test]
+fn a_chain_from_lane_to_lane_leads_through_a_memory() {
+    let b = &mut Build::new("top");
+    let row = Shape::Row(5);
+    let (start, data, writes) = (b.input("start", 3, Shape::Plain), b.input("data", 3, row), b.input("writes", 1, row));
+    let memory = b.memory("words", 8, 3, row);
+    let word = b.read(memory, false, NodeId(0), None);
+    let address = b.previous(word, 0, start);
+    b.module.memories[0].reads[0].address = address;
+    b.write(memory, writes, data, word);
+    b.module.memories[0].contents = Contents::Words((0..8).map(|word| Bits::new(3, word * 5 % 8)).collect());
+    b.output("word", word);
+    run(vec![b.module.clone()]);
+}
+
+#[test]
+fn lanes_are_taken_from_a_row_of_one() {
+    let b = &mut Build::new("top");
+    let (x, edge) = (b.input("x", 16, Shape::Row(1)), b.input("ends", 16, Shape::Plain));
+    let inverse = b.not(x);
+    let all = b.map(inverse, 0, 5, Affine { mul: 1, add: 0, div: 5 }, None);
+    b.output("all", all);
+    let some = b.map(inverse, 0, 5, Affine { mul: 1, add: -4, div: 2 }, Some(edge));
+    b.output("some", some);
+    let state = b.delayed("state", some);
+    b.output("state_out", state);
+    run(vec![b.module.clone()]);
+}
