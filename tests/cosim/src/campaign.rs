@@ -2,11 +2,9 @@
 //! differs.
 
 use crate::batch::{self, Printed, Refused, Tool};
-use crate::spec::Spec;
+use crate::drawn::{Drawn, Kind};
 use crate::stimulus::Run;
-use crate::{build, many, stimulus, strategy};
-use proptest::strategy::{Strategy, ValueTree};
-use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
+use crate::{many, reduce, stimulus};
 use std::collections::BTreeMap;
 use std::fmt;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -14,8 +12,7 @@ use std::path::PathBuf;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 use tilewright_gen::{VerilogFile, testbench, tools, verilog};
-use tilewright_hdl::Recording;
-use tilewright_hdl::{Design, elaborate};
+use tilewright_hdl::{Design, Recording};
 
 /// A campaign to run.
 #[derive(Debug, Clone)]
@@ -26,6 +23,8 @@ pub struct Campaign {
     pub designs: u64,
     /// The number of the first.
     pub first: u64,
+    /// Which designs.
+    pub kind: Kind,
     /// The other simulator.
     pub tool: Tool,
     /// How many designs go into one run of it.
@@ -67,7 +66,9 @@ pub struct Failure {
     /// What happened to the smallest design that was found to fail.
     pub what: String,
     /// That design.
-    pub spec: Spec,
+    pub spec: Drawn,
+    /// A smaller circuit that fails alike, with what happens to it, as text; empty for what is described in the language.
+    pub circuit: String,
     /// Where its Verilog and testbench were written.
     pub folder: PathBuf,
 }
@@ -95,6 +96,7 @@ impl Campaign {
             seed,
             designs,
             first: 0,
+            kind: Kind::Mixed,
             tool: Tool::Icarus,
             batch: 125,
             jobs: 2,
@@ -136,8 +138,8 @@ impl Campaign {
     }
 
     /// The random design of that number.
-    pub fn design(&self, number: u64) -> Spec {
-        self.draw(number).current()
+    pub fn design(&self, number: u64) -> Drawn {
+        self.kind.draw(self.seed, number).current()
     }
 
     fn batch(&self, first: u64, count: u64) -> Summary {
@@ -149,8 +151,8 @@ impl Campaign {
                 Ok((replay, design)) => {
                     summary.cycles += replay.steps.len() as u64;
                     summary.outputs += replay.steps.iter().map(|step| step.outputs.len() as u64).sum::<u64>();
-                    numbers.push(number);
-                    printed.push(design);
+                    numbers.extend(design.as_ref().map(|_| number));
+                    printed.extend(design);
                 }
                 Err(what) => summary.failures.push(self.fails(number, what, Against::Simulator)),
             }
@@ -198,38 +200,36 @@ impl Campaign {
         wrong.into_iter().map(|(place, problems)| (place, problems.to_string())).collect()
     }
 
-    /// A random design, with the way to smaller ones.
-    fn draw(&self, number: u64) -> impl ValueTree<Value = Spec> + use<> {
-        let mut seed = [0; 32];
-        seed[..8].copy_from_slice(&self.seed.to_le_bytes());
-        seed[8..16].copy_from_slice(&number.to_le_bytes());
-        let config = Config { failure_persistence: None, ..Config::default() };
-        let mut runner = TestRunner::new_with_rng(config, TestRng::from_seed(RngAlgorithm::ChaCha, &seed));
-        strategy::designs().new_tree(&mut runner).expect("the strategy rejects nothing")
+    /// Makes, runs and prints a design; what goes wrong on the way is a failure as well.
+    fn simulate(&self, spec: &Drawn, number: u64) -> Result<(Recording, Option<Printed>), String> {
+        let make = || spec.design(number).map_err(|problems| problems.to_string());
+        let design = quietly(make)?;
+        quietly(|| self.simulate_design(&design, spec, number))
     }
 
-    /// Elaborates, runs and prints a design; what goes wrong on the way is a failure as well.
-    fn simulate(&self, spec: &Spec, number: u64) -> Result<(Recording, Printed), String> {
-        let run = || {
-            let design =
-                elaborate(&build::top(spec, &format!("d{number}"))).map_err(|problems| problems.to_string())?;
-            let Run { recording, fails } = stimulus::run(&design, &spec.stimulus).map_err(|error| error.to_string())?;
-            many::check(&design, &spec.stimulus, number)?;
-            let printed = Printed { files: (self.printer)(&design), bench: testbench(&design, &recording), fails };
-            Ok((recording, printed))
-        };
-        catch_unwind(AssertUnwindSafe(run)).unwrap_or_else(|panic| {
-            let text = panic.downcast_ref::<String>().map(String::as_str);
-            let text = text.or_else(|| panic.downcast_ref::<&str>().copied()).unwrap_or("no message");
-            Err(format!("a panic: {text}"))
-        })
+    fn simulate_design(
+        &self,
+        design: &Design,
+        spec: &Drawn,
+        number: u64,
+    ) -> Result<(Recording, Option<Printed>), String> {
+        let Run { recording, fails } = stimulus::run(design, spec.stimulus()).map_err(|error| error.to_string())?;
+        many::check(design, spec.stimulus(), number)?;
+        let print = || Printed { files: (self.printer)(design), bench: testbench(design, &recording), fails };
+        let printed = spec.is_printed().then(print);
+        Ok((recording, printed))
     }
 
     /// What is wrong with one design, if anything.
-    fn failure(&self, spec: &Spec, number: u64, against: Against) -> Option<String> {
-        match (self.simulate(spec, number), against) {
-            (Ok((_, printed)), Against::Linters) => self.lint(&[printed], true).remove(&0),
-            (Ok((_, printed)), Against::Simulator) => match self.compare(&[printed]).remove(0) {
+    fn failure(&self, spec: &Drawn, number: u64, against: Against) -> Option<String> {
+        self.verdict(self.simulate(spec, number), against)
+    }
+
+    fn verdict(&self, simulated: Result<(Recording, Option<Printed>), String>, against: Against) -> Option<String> {
+        match (simulated, against) {
+            (Ok((_, None)), _) => None,
+            (Ok((_, Some(printed))), Against::Linters) => self.lint(&[printed], true).remove(&0),
+            (Ok((_, Some(printed))), Against::Simulator) => match self.compare(&[printed]).remove(0) {
                 Verdict::Differs(what) => Some(what),
                 Verdict::Agrees | Verdict::Unusable => None,
             },
@@ -238,15 +238,34 @@ impl Campaign {
     }
 
     fn fails(&self, number: u64, what: String, against: Against) -> Failure {
-        Failure { seed: self.seed, number, against, what, spec: self.design(number), folder: PathBuf::new() }
+        Failure {
+            seed: self.seed,
+            number,
+            against,
+            what,
+            spec: self.design(number),
+            circuit: String::new(),
+            folder: PathBuf::new(),
+        }
+    }
+
+    /// Makes the design smaller, and of a circuit with shapes what it is made of.
+    fn shrink(&self, failure: &mut Failure) {
+        self.shrink_spec(failure);
+        let Drawn::Shaped(_) = failure.spec else { return };
+        let (spec, number, against) = (failure.spec.clone(), failure.number, failure.against);
+        let Ok(design) = spec.design(number) else { return };
+        let fails = |design: &Design| self.verdict(quietly(|| self.simulate_design(design, &spec, number)), against);
+        let (modules, what) = reduce::reduce(design.into_modules(), failure.what.clone(), fails);
+        failure.circuit = format!("{what}\n{}", reduce::text(&modules));
     }
 
     /// Makes the design smaller for as long as it fails, by proptest's steps.
-    fn shrink(&self, failure: &mut Failure) {
+    fn shrink_spec(&self, failure: &mut Failure) {
         // A single run takes 20 ms in Icarus, and some seconds in Verilator and in all linters.
         let is_quick = self.tool == Tool::Icarus && failure.against == Against::Simulator;
         let most_runs = if is_quick { 400 } else { 20 };
-        let mut tree = self.draw(failure.number);
+        let mut tree = self.kind.draw(self.seed, failure.number);
         let mut runs = 0;
         while runs < most_runs && tree.simplify() {
             loop {
@@ -264,19 +283,29 @@ impl Campaign {
     }
 
     /// Writes the files of a failing design.
-    fn keep(&self, spec: &Spec, number: u64) -> PathBuf {
+    fn keep(&self, spec: &Drawn, number: u64) -> PathBuf {
         let folder = std::env::temp_dir().join(format!("tilewright-cosim-seed{}-design{number}", self.seed));
         std::fs::create_dir_all(&folder).expect("a temporary folder can be made");
         // Without a testbench where our simulator itself fails.
         let files = match self.simulate(spec, number) {
-            Ok((_, Printed { files, bench, .. })) => files.into_iter().chain([bench]).collect(),
-            Err(_) => elaborate(&build::top(spec, &format!("d{number}"))).map_or(Vec::new(), |design| verilog(&design)),
+            Ok((_, Some(Printed { files, bench, .. }))) => files.into_iter().chain([bench]).collect(),
+            Err(_) if spec.is_printed() => spec.design(number).map_or(Vec::new(), |design| verilog(&design)),
+            _ => Vec::new(),
         };
         for file in files {
             std::fs::write(folder.join(&file.name), &file.text).expect("a temporary file can be written");
         }
         folder
     }
+}
+
+/// What it gives; a panic is a mistake with a message.
+fn quietly<T>(work: impl FnOnce() -> Result<T, String>) -> Result<T, String> {
+    catch_unwind(AssertUnwindSafe(work)).unwrap_or_else(|panic| {
+        let text = panic.downcast_ref::<String>().map(String::as_str);
+        let text = text.or_else(|| panic.downcast_ref::<&str>().copied()).unwrap_or("no message");
+        Err(format!("a panic: {text}"))
+    })
 }
 
 impl Summary {
@@ -305,8 +334,11 @@ impl fmt::Display for Summary {
 
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let Failure { seed, number, what, spec, folder, .. } = self;
+        let Failure { seed, number, what, spec, circuit, folder, .. } = self;
         writeln!(f, "design {number} of seed {seed} fails:\n{}\n{spec:#?}", what.trim_end())?;
+        if !circuit.is_empty() {
+            writeln!(f, "so does this: {circuit}")?;
+        }
         writeln!(f, "its Verilog is in {}", folder.display())?;
         write!(f, "again: cargo run --release -p tilewright-cosim -- --seed {seed} --first {number} --designs 1")
     }

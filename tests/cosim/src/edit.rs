@@ -57,7 +57,8 @@ fn replace(module: &mut Module, numbers: &mut Numbers, of: impl Fn(&mut Module) 
     *of(module).expect("it was there") = new;
 }
 
-fn operands(op: &mut Op) -> Vec<&mut NodeId> {
+/// The nodes that an operation names.
+pub(crate) fn operands(op: &mut Op) -> Vec<&mut NodeId> {
     match op {
         Op::Input(_) | Op::Const(_) | Op::Register(_) | Op::Read(..) | Op::Output(..) => Vec::new(),
         Op::Unary(_, a)

@@ -4,18 +4,18 @@
 //! Designs run in processes of their own, some at a time, so that one that breaks its process is known and the others
 //! go on.
 
+use crate::Campaign;
 use crate::batch::execute;
+use crate::drawn::Drawn;
 use crate::edit::edit;
-use crate::spec::{Spec, Stimulus};
+use crate::spec::Stimulus;
 use crate::stimulus::{Numbers, passes, record};
-use crate::{Campaign, build};
 use std::fmt;
 use std::process::Command;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 use tempfile::TempDir;
-use tilewright_hdl::elaborate;
 use tilewright_hdl::ir::Design;
 use tilewright_sim::{EngineKind, Passes, Simulation};
 
@@ -83,17 +83,17 @@ fn run(design: &Design, stimulus: &Stimulus) -> u64 {
 /// # Panics
 ///
 /// The engines differ, or something panics.
-fn run_with_edits(spec: &Spec, number: u64) -> Tally {
-    let top = build::top(spec, &format!("d{number}"));
-    let design = elaborate(&top).unwrap_or_else(|problems| panic!("{problems}"));
-    let mut tally = Tally { designs: 1, instants: run(&design, &spec.stimulus), ..Tally::default() };
-    let mut numbers = Numbers(spec.stimulus.seed ^ number);
+fn run_with_edits(spec: &Drawn, number: u64) -> Tally {
+    let design = spec.design(number).unwrap_or_else(|problems| panic!("{problems}"));
+    let stimulus = spec.stimulus();
+    let mut tally = Tally { designs: 1, instants: run(&design, stimulus), ..Tally::default() };
+    let mut numbers = Numbers(stimulus.seed ^ number);
     for _ in 0..EDITED {
         let mut modules = design.modules().to_vec();
         (0..=numbers.draw() % PLACES).for_each(|_| edit(&mut modules, &mut numbers));
         match Design::new(modules) {
             Ok(edited) => {
-                tally.instants += run(&edited, &spec.stimulus);
+                tally.instants += run(&edited, stimulus);
                 tally.edited += 1;
             }
             Err(problems) => {

@@ -2,6 +2,9 @@
 //!
 //! - [`operators`] and [`matrix`]: every operator at every width against big integers, Icarus and Verilator;
 //! - [`campaign`]: thousands of random designs, shrunk where they differ;
+//! - [`drawn`]: a random design of one of two kinds;
+//! - [`shaped`]: random circuits whose values have shapes, built node by node;
+//! - [`reduce`]: a circuit that fails made smaller, node by node;
 //! - [`fuzz`]: random designs and random edits of them, on both engines;
 //! - [`many`]: several stimuli of a random design at once;
 //! - [`check`]: one design through all tools, for the blocks of the catalogue.
@@ -10,11 +13,14 @@ pub mod batch;
 pub mod build;
 pub mod campaign;
 pub mod check;
+pub mod drawn;
 mod edit;
 pub mod fuzz;
 pub mod many;
 pub mod matrix;
 pub mod operators;
+pub mod reduce;
+pub mod shaped;
 pub mod spec;
 pub mod stimulus;
 pub mod strategy;

@@ -5,12 +5,15 @@ use std::io::IsTerminal;
 use std::process::ExitCode;
 use std::time::Duration;
 use tilewright_cosim::batch::Tool;
+use tilewright_cosim::drawn::Kind;
 use tilewright_cosim::{Campaign, Summary, fuzz};
 
 const USAGE: &str = "usage: tilewright-cosim [--designs N] [--verilator N] [--seed N] [--first N] [--jobs N]
+       tilewright-cosim --shaped N [--seed N] [--first N] [--jobs N]
        tilewright-cosim --fuzz SECONDS [--seed N] [--first N] [--jobs N]
 
 Runs N random designs through our simulator and Icarus Verilog, and N through Verilator (none by default).
+With --shaped, runs N random circuits whose values have shapes instead.
 With --fuzz, runs random designs and random edits of them on both of our engines for so long instead; --fuzz-designs N
 runs so many in this process. The same seed makes the same designs; --first says the number of the first one.";
 
@@ -24,6 +27,7 @@ fn main() -> ExitCode {
         match (option.as_str(), number) {
             ("--designs", Some(number)) => campaign.designs = number,
             ("--verilator", Some(number)) => verilator = number,
+            ("--shaped", Some(number)) => (campaign.designs, campaign.kind) = (number, Kind::Shaped),
             ("--fuzz", Some(number)) => fuzz = Some(Duration::from_secs(number)),
             ("--fuzz-designs", Some(number)) => fuzz_designs = Some(number),
             ("--seed", Some(number)) => campaign.seed = number,
@@ -46,7 +50,8 @@ fn main() -> ExitCode {
         println!("{tally}, failures: {}", failures.len());
         return ExitCode::from(u8::from(!failures.is_empty()));
     }
-    let in_verilator = Campaign { first: campaign.first, ..Campaign::verilator(campaign.seed, verilator) };
+    let in_verilator =
+        Campaign { first: campaign.first, kind: campaign.kind, ..Campaign::verilator(campaign.seed, verilator) };
     let mut failed = false;
     for campaign in [campaign, in_verilator] {
         if campaign.designs > 0 && campaign.tool.is_here() {

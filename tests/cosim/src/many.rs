@@ -2,6 +2,7 @@
 
 use crate::spec::Stimulus;
 use crate::stimulus::Numbers;
+use tilewright_hdl::ir::Node;
 use tilewright_hdl::{Bits, Design};
 use tilewright_sim::{Batch, EngineKind, Error, Port, Simulation};
 
@@ -28,24 +29,24 @@ fn resets(stimulus: &Stimulus) -> impl Iterator<Item = bool> {
 }
 
 /// The inputs of one run.
-struct Inputs {
+struct Inputs<'a> {
     numbers: Numbers,
-    widths: Vec<u32>,
+    ports: Vec<&'a Node>,
 }
 
-impl Inputs {
-    fn new(design: &Design, stimulus: &Stimulus, run: u32) -> Inputs {
+impl<'a> Inputs<'a> {
+    fn new(design: &'a Design, stimulus: &Stimulus, run: u32) -> Inputs<'a> {
         let top = design.top();
-        let widths = top.inputs.iter().map(|input| top.width(input.node)).collect();
-        Inputs { numbers: Numbers(stimulus.seed.wrapping_add(u64::from(run) << 32)), widths }
+        let ports = top.inputs.iter().map(|input| top.node(input.node)).collect();
+        Inputs { numbers: Numbers(stimulus.seed.wrapping_add(u64::from(run) << 32)), ports }
     }
 
     /// What the next step sets: the input's index and its value.
     fn next(&mut self) -> Vec<(usize, Bits)> {
-        let Inputs { numbers, widths } = self;
-        let set = widths.iter().enumerate().filter_map(|(index, &width)| {
+        let Inputs { numbers, ports } = self;
+        let set = ports.iter().enumerate().filter_map(|(index, node)| {
             let stays = numbers.draw().is_multiple_of(4);
-            (!stays).then(|| (index, numbers.bits(width)))
+            (!stays).then(|| (index, numbers.lanes(node)))
         });
         set.collect()
     }

@@ -1,6 +1,7 @@
 //! Runs a design in our simulator under random inputs, and keeps what went in and came out.
 
 use crate::spec::{Pattern, Stimulus};
+use tilewright_hdl::ir::Node;
 use tilewright_hdl::recording::Step;
 use tilewright_hdl::{Bits, Design, Recording};
 use tilewright_sim::{EngineKind, Passes, Simulation};
@@ -37,6 +38,16 @@ impl Numbers {
             6 => Bits::new(width, self.draw() % 8),
             _ => random(self),
         }
+    }
+
+    /// A value of a port, lane beside lane: each lane one of its own, most often.
+    pub fn lanes(&mut self, node: &Node) -> Bits {
+        let lanes = node.shape.lanes();
+        if node.shape.is_plain() || self.draw().is_multiple_of(4) {
+            return self.bits(node.width * lanes);
+        }
+        let first = self.bits(node.width);
+        (1..lanes).fold(first, |all, _| self.bits(node.width).concat(&all))
     }
 }
 
@@ -91,14 +102,13 @@ pub(crate) fn passes(seed: u64) -> Passes {
 pub(crate) fn record(design: &Design, stimulus: &Stimulus, mut sim: Simulation) -> Result<Run, tilewright_sim::Error> {
     let mut numbers = Numbers(stimulus.seed);
     let top = design.top();
-    let ports: Vec<_> = top.inputs.iter().map(|input| (input.name.as_str(), top.width(input.node))).collect();
-    let inputs = ports.iter().map(|(name, width)| Ok((sim.port(name)?, *width)));
+    let inputs = top.inputs.iter().map(|input| Ok((sim.port(&input.name)?, top.node(input.node))));
     let inputs = inputs.collect::<Result<Vec<_>, tilewright_sim::Error>>()?;
     let outputs = top.outputs.iter().map(|output| sim.port(&output.name));
     let outputs = outputs.collect::<Result<Vec<_>, _>>()?;
     if top.clocks.is_empty() {
         let step = |number: u8| {
-            let values: Vec<Bits> = inputs.iter().map(|(_, width)| numbers.bits(*width)).collect();
+            let values: Vec<Bits> = inputs.iter().map(|(_, node)| numbers.lanes(node)).collect();
             inputs.iter().zip(&values).for_each(|((port, _), value)| sim.set(*port, value.clone()));
             Step {
                 time_ps: IDLE_STEP * (u64::from(number) + 1),
@@ -114,10 +124,10 @@ pub(crate) fn record(design: &Design, stimulus: &Stimulus, mut sim: Simulation) 
     let recording = sim.recording();
     let mut fails = false;
     for _ in 0..stimulus.steps {
-        for (port, width) in &inputs {
+        for (port, node) in &inputs {
             // Inputs that stay let state machines and enables show their other side.
             if !numbers.draw().is_multiple_of(4) {
-                sim.set(*port, numbers.bits(*width));
+                sim.set(*port, numbers.lanes(node));
             }
         }
         let done = if numbers.draw().is_multiple_of(12) { sim.try_reset() } else { sim.try_step() };

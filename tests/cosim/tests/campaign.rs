@@ -2,10 +2,10 @@
 
 use std::collections::BTreeSet;
 use tilewright_cosim::batch::Tool;
-use tilewright_cosim::{Campaign, Failure, build};
+use tilewright_cosim::{Campaign, Failure};
 use tilewright_gen::{VerilogFile, tools, verilog};
+use tilewright_hdl::Design;
 use tilewright_hdl::ir::Op;
-use tilewright_hdl::{Design, elaborate};
 
 const SEED: u64 = 1;
 
@@ -52,7 +52,7 @@ fn a_wrong_operator_is_found_and_shrunk() {
     let campaign =
         Campaign { printer: wrong_printer, batch: 20, lints: false, shrinks: 1, ..Campaign::icarus(SEED, 160) };
     let summary = campaign.run(|_| {});
-    let steps = |failure: &Failure| failure.spec.parts.iter().map(|part| part.steps.len()).sum::<usize>();
+    let steps = |failure: &Failure| failure.spec.steps();
     let smallest = summary.failures.first().map(steps).expect("a wrong operator goes unnoticed");
     assert!(smallest <= 3, "the smallest failing design still has {smallest} steps");
     let text = summary.failures[0].to_string();
@@ -72,8 +72,9 @@ fn hiding_printer(design: &Design) -> Vec<VerilogFile> {
 #[test]
 fn a_label_that_hides_a_name_is_found() {
     let campaign = Campaign::icarus(SEED, 0);
-    let printed = (0..500).map(|number| {
-        let design = elaborate(&build::top(&campaign.design(number), &format!("d{number}"))).unwrap();
+    let designs = (0..500).map(|number| (number, campaign.design(number))).filter(|(_, spec)| spec.is_printed());
+    let printed = designs.map(|(number, spec)| {
+        let design = spec.design(number).unwrap();
         (verilog(&design), hiding_printer(&design))
     });
     let printed: Vec<_> = printed.collect();
@@ -102,7 +103,7 @@ fn every_node_that_the_language_makes_is_generated() {
     let campaign = Campaign::icarus(SEED, 0);
     let mut seen = BTreeSet::new();
     for number in 0..400 {
-        let design = elaborate(&build::top(&campaign.design(number), "d")).unwrap();
+        let design = campaign.design(number).design(number).unwrap();
         for module in design.modules() {
             seen.extend(module.nodes.iter().map(|node| kind(&node.op)));
         }

@@ -2,7 +2,7 @@
 
 mod expression;
 mod instances;
-mod names;
+pub(crate) mod names;
 mod objects;
 
 use crate::spec::*;

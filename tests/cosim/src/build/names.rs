@@ -146,15 +146,8 @@ pub struct Namer {
 impl Namer {
     /// The namer of a part, when its inputs have their names.
     pub fn of(block: &PartBlock) -> (Namer, Vec<String>) {
-        let seed = block.spec.names;
-        let mut words = Numbers(seed);
-        let all: Vec<&str> = VERILOG_WORDS.iter().chain(WORDS).copied().collect();
-        let mut words: Vec<String> = (0..6).map(|_| all[words.draw() as usize % all.len()].to_owned()).collect();
-        words.push(format!("{block:?}"));
-        let taken = ["clk", "rst", "second_clk", "second_rst", "beat"].map(str::to_owned).into();
-        let numbers = (seed != 0).then(|| Numbers(seed.wrapping_add(block.index as u64 + 1)));
         let is_inner = block.index + 1 < block.spec.parts.len();
-        let mut namer = Namer { numbers, words, taken, is_inner };
+        let mut namer = Namer::new(block.spec.names, &format!("{block:?}"), block.index, is_inner);
         let Part { inputs, .. } = block.part();
         let list = namer.list();
         let input = |number| match &list {
@@ -163,6 +156,28 @@ impl Namer {
         };
         let inputs = (0..inputs.len()).map(input).collect();
         (namer, inputs)
+    }
+
+    /// The namer of the part of that number, a module of that name, for the seed of a design; 0 draws no names.
+    pub fn new(seed: u64, module: &str, index: usize, is_inner: bool) -> Namer {
+        let mut words = Numbers(seed);
+        let all: Vec<&str> = VERILOG_WORDS.iter().chain(WORDS).copied().collect();
+        let mut words: Vec<String> = (0..6).map(|_| all[words.draw() as usize % all.len()].to_owned()).collect();
+        words.push(module.to_owned());
+        let taken = ["clk", "rst", "second_clk", "second_rst", "beat"].map(str::to_owned).into();
+        let numbers = (seed != 0).then(|| Numbers(seed.wrapping_add(index as u64 + 1)));
+        Namer { numbers, words, taken, is_inner }
+    }
+
+    /// As [`Namer::draw`], as it stands in the circuit: the language puts `_` behind a reserved word.
+    pub fn legal(&mut self, plain: &str, kind: Kind) -> String {
+        self.legal_with(plain, kind, &[])
+    }
+
+    /// As [`Namer::draw_with`], as it stands in the circuit.
+    pub fn legal_with(&mut self, plain: &str, kind: Kind, ends: &[String]) -> String {
+        let name = self.draw_with(plain, kind, ends);
+        if is_reserved(&name, kind) { format!("{name}_") } else { name }
     }
 
     /// A name that nothing in the part has; `plain` if names are not drawn.

@@ -1,0 +1,82 @@
+//! A random design: one that is described in the language, or a circuit with shapes.
+
+use crate::spec::{Spec, Stimulus};
+use crate::{build, shaped, strategy};
+use proptest::strategy::{Strategy, ValueTree};
+use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
+use tilewright_hdl::{Design, Problems, elaborate};
+
+/// A random design, as plain data that shrinks.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub enum Drawn {
+    /// Described in the language.
+    Described(Spec),
+    /// A circuit whose values have shapes.
+    Shaped(shaped::Spec),
+}
+
+/// Which designs are drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// Each fifth is a circuit with shapes.
+    Mixed,
+    /// All are circuits with shapes.
+    Shaped,
+}
+
+impl Kind {
+    /// Whether the design of that number is a circuit with shapes.
+    fn is_shaped(self, number: u64) -> bool {
+        self == Kind::Shaped || number % 5 == 4
+    }
+
+    /// The random design of that number, with the way to smaller ones.
+    pub fn draw(self, seed: u64, number: u64) -> Box<dyn ValueTree<Value = Drawn>> {
+        let mut bytes = [0; 32];
+        bytes[..8].copy_from_slice(&seed.to_le_bytes());
+        bytes[8..16].copy_from_slice(&number.to_le_bytes());
+        let config = Config { failure_persistence: None, ..Config::default() };
+        let mut runner = TestRunner::new_with_rng(config, TestRng::from_seed(RngAlgorithm::ChaCha, &bytes));
+        let designs = match self.is_shaped(number) {
+            true => shaped::strategy::designs().prop_map(Drawn::Shaped).boxed(),
+            false => strategy::designs().prop_map(Drawn::Described).boxed(),
+        };
+        designs.new_tree(&mut runner).expect("the strategy rejects nothing")
+    }
+}
+
+impl Drawn {
+    /// The design, as the one of that number.
+    ///
+    /// # Errors
+    ///
+    /// The rules that it breaks, which is a mistake of this crate or of the language.
+    pub fn design(&self, number: u64) -> Result<Design, Problems> {
+        let name = format!("d{number}");
+        match self {
+            Drawn::Described(spec) => elaborate(&build::top(spec, &name)),
+            Drawn::Shaped(spec) => shaped::design(spec, &name),
+        }
+    }
+
+    /// What is done to it.
+    pub fn stimulus(&self) -> &Stimulus {
+        match self {
+            Drawn::Described(spec) => &spec.stimulus,
+            Drawn::Shaped(spec) => &spec.stimulus,
+        }
+    }
+
+    /// How many steps it is made of.
+    pub fn steps(&self) -> usize {
+        match self {
+            Drawn::Described(spec) => spec.parts.iter().map(|part| part.steps.len()).sum(),
+            Drawn::Shaped(spec) => spec.parts.iter().map(|part| part.steps.len()).sum(),
+        }
+    }
+
+    /// Whether it is printed, for other simulators and linters.
+    pub fn is_printed(&self) -> bool {
+        matches!(self, Drawn::Described(_))
+    }
+}
