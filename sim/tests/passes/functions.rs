@@ -227,8 +227,8 @@ fn plan() {
             %10         : 64 x 8 = %9 ^ %6
             %11         : 64 x 8 = case u_cell.op { 1: %4, 2: %10, 3: %8, else u_cell.q }
             u_cell.q <- %11
-        left in memory: %0
-        changed at the end: u_cell.q
+        live out: %0
+        hazards, changed at the end: u_cell.q
     ",
     );
 }
@@ -269,8 +269,8 @@ fn branch() {
               %7          : 64 x 8 = %6 + 3
               %8          : 64 x 8 = %7 & %5
               u_cell.q <- %8
-        left in memory: %0
-        changed at the end: u_cell.q
+        live out: %0
+        hazards, changed at the end: u_cell.q
     ",
     );
 }
@@ -338,7 +338,7 @@ fn postpone() {
           loop over 64 lanes:
             %3 : 64 x 8 = %2 + u_cell.all
             u_cell.q <- %3
-        left in memory: all %2
+        live out: all %2
     ",
     );
     is(
@@ -355,7 +355,7 @@ fn postpone() {
             %2 : 64 x 8 = %1 ^ u_cell.q
             %3 : 64 x 8 = %2 + u_cell.all
             u_cell.q <- %3
-        left in memory: all
+        live out: all
     ",
     );
 }

@@ -21,19 +21,19 @@ const WORTH: usize = 24;
 const MOST: usize = 1500;
 
 /// Gives kernels branches where it pays.
-pub(super) fn branch(graph: &mut Function, plan: &mut Plan, strips: &Strips) {
-    let order = graph.needed();
+pub(super) fn branch(function: &mut Function, plan: &mut Plan, strips: &Strips) {
+    let order = function.needed();
     let mut stages = std::mem::take(&mut plan.stages);
     for (&lanes, kernel) in stages.iter_mut().flat_map(|stage| &mut stage.kernels) {
         let times = lanes.div_ceil(strips.strip(lanes)) as usize;
-        split(graph, plan, &order, kernel, times, MOST, 2);
+        split(function, plan, &order, kernel, times, MOST, 2);
     }
     plan.stages = stages;
 }
 
 /// Splits a kernel by the value that most of its choices depend on, and the parts again; gives the cells in the end.
 fn split(
-    graph: &mut Function,
+    function: &mut Function,
     plan: &mut Plan,
     order: &[ValueId],
     kernel: &mut Kernel,
@@ -42,20 +42,20 @@ fn split(
     depth: usize,
 ) -> usize {
     let whole = kernel.cells.len() + kernel.sinks.len();
-    let Some(subject) = (depth > 0).then(|| dominant(graph, kernel)).flatten() else { return whole };
-    let width = graph.cell(subject).width;
-    let (cells, sinks) = (graph.circuit().len(), graph.sinks.len());
-    let cone = cone(graph.circuit(), order, subject);
-    graph.rewriter.vary();
+    let Some(subject) = (depth > 0).then(|| dominant(function, kernel)).flatten() else { return whole };
+    let width = function.cell(subject).width;
+    let (cells, sinks) = (function.circuit().len(), function.sinks.len());
+    let cone = cone(function.circuit(), order, subject);
+    function.rewriter.vary();
     let mut kernels: Vec<Kernel> = Vec::new();
     let mut moved = Vec::new();
     let mut table = Vec::new();
     let mut remaining = 0;
     for number in 0..1u64 << width {
-        let mut known = Known::new(graph, &cone, subject, number);
+        let mut known = Known::new(function, &cone, subject, number);
         let variant = known.kernel(plan, kernel, &mut moved);
         remaining += variant.cells.len() + variant.sinks.len();
-        let index = kernels.iter().position(|other| same(graph, other, &variant));
+        let index = kernels.iter().position(|other| same(function, other, &variant));
         table.push(index.unwrap_or(kernels.len()));
         if index.is_none() {
             kernels.push(variant);
@@ -65,50 +65,52 @@ fn split(
     let total: usize = kernels.iter().map(|kernel| kernel.cells.len() + kernel.sinks.len()).sum();
     let saved = (whole as f64 - average) * times as f64;
     if average > whole as f64 * REMAINING || saved < WORTH as f64 || total > most {
-        graph.rewriter.truncate(cells);
-        graph.sinks.truncate(sinks);
+        function.rewriter.truncate(cells);
+        function.sinks.truncate(sinks);
         return whole;
     }
     for (new, of) in moved {
-        plan.stored.insert(new);
-        plan.moved.insert(new, of);
+        plan.live_out.insert(new);
+        plan.homes.insert(new, of);
     }
     let mut left = most - total;
     for variant in &mut kernels {
         let before = variant.cells.len() + variant.sinks.len();
-        left = left.saturating_sub(split(graph, plan, order, variant, times, left, depth - 1).saturating_sub(before));
+        left =
+            left.saturating_sub(split(function, plan, order, variant, times, left, depth - 1).saturating_sub(before));
     }
     kernel.switch = Some(Box::new(Switch { subject, kernels, table }));
     most - left
 }
 
 /// Whether two kernels do the same.
-fn same(graph: &Function, a: &Kernel, b: &Kernel) -> bool {
-    let sinks = |kernel: &Kernel| -> Vec<Sink> { kernel.sinks.iter().map(|&sink| graph.sinks[sink].clone()).collect() };
+fn same(function: &Function, a: &Kernel, b: &Kernel) -> bool {
+    let sinks =
+        |kernel: &Kernel| -> Vec<Sink> { kernel.sinks.iter().map(|&sink| function.sinks[sink].clone()).collect() };
     a.cells == b.cells && sinks(a) == sinks(b)
 }
 
 /// The single value that most choices of a kernel depend on.
-fn dominant(graph: &Function, kernel: &Kernel) -> Option<ValueId> {
+fn dominant(function: &Function, kernel: &Kernel) -> Option<ValueId> {
     let mut scores: BTreeMap<ValueId, usize> = BTreeMap::new();
     let mut score = |id: ValueId, weight: usize| {
-        if let Kind::Broadcast { of, .. } = graph.cell(id).kind
-            && let Some(root) = root(graph, of)
+        if let Kind::Broadcast { of, .. } = function.cell(id).kind
+            && let Some(root) = root(function, of)
         {
             *scores.entry(root).or_default() += weight;
         }
     };
     for &id in &kernel.cells {
-        match &graph.cell(id).kind {
+        match &function.cell(id).kind {
             Kind::Case { subject, arms, .. } => score(*subject, arms.len()),
             Kind::Mux { select, .. } => score(*select, 1),
             Kind::Select { arms, .. } => arms.iter().for_each(|(condition, _)| score(*condition, 1)),
-            Kind::Binary(_, a, b) if graph.cell(id).width == 1 => [a, b].into_iter().for_each(|&id| score(id, 1)),
+            Kind::Binary(_, a, b) if function.cell(id).width == 1 => [a, b].into_iter().for_each(|&id| score(id, 1)),
             _ => {}
         }
     }
     for &sink in &kernel.sinks {
-        match graph.sinks[sink] {
+        match function.sinks[sink] {
             Sink::Write { enable, .. } | Sink::Register { enable: Some(enable), .. } => score(enable, 1),
             _ => {}
         }
@@ -117,24 +119,24 @@ fn dominant(graph: &Function, kernel: &Kernel) -> Option<ValueId> {
 }
 
 /// The one value that a single value is computed from, if it is small enough; else the value itself, if that is.
-fn root(graph: &Function, id: ValueId) -> Option<ValueId> {
-    if graph.cell(id).lanes > 1 {
+fn root(function: &Function, id: ValueId) -> Option<ValueId> {
+    if function.cell(id).lanes > 1 {
         return None;
     }
-    let small = |id: ValueId| graph.cell(id).width <= WIDEST;
+    let small = |id: ValueId| function.cell(id).width <= WIDEST;
     let (mut open, mut leaves, mut seen) = (vec![id], Vec::new(), FxHashSet::default());
     while let Some(id) = open.pop() {
         if !seen.insert(id) {
             continue;
         }
-        match &graph.cell(id).kind {
+        match &function.cell(id).kind {
             Kind::Const(_) => {}
             kind if kind.is_elementwise() && seen.len() < 32 => kind.for_each_operand(|operand| open.push(operand)),
             _ => leaves.push(id),
         }
     }
     match leaves.as_slice() {
-        &[leaf] if small(leaf) && graph.cell(leaf).lanes == 1 => Some(leaf),
+        &[leaf] if small(leaf) && function.cell(leaf).lanes == 1 => Some(leaf),
         _ => small(id).then_some(id),
     }
 }
@@ -154,7 +156,7 @@ fn cone(circuit: &Circuit, order: &[ValueId], subject: ValueId) -> Vec<ValueId> 
 
 /// What is known when the subject is a certain number.
 struct Known<'a> {
-    graph: &'a mut Function,
+    function: &'a mut Function,
     /// Single values that are known then, as constants.
     singles: FxHashMap<ValueId, ValueId>,
     /// What cells of the kernel have become.
@@ -163,18 +165,18 @@ struct Known<'a> {
 
 impl<'a> Known<'a> {
     /// `cone` has the single values that depend on the subject, each after its operands.
-    fn new(graph: &'a mut Function, cone: &[ValueId], subject: ValueId, number: u64) -> Known<'a> {
-        let bits = Bits::from_limbs(graph.cell(subject).width, &[number]);
-        let constant = graph.constant(bits, 1);
+    fn new(function: &'a mut Function, cone: &[ValueId], subject: ValueId, number: u64) -> Known<'a> {
+        let bits = Bits::from_limbs(function.cell(subject).width, &[number]);
+        let constant = function.constant(bits, 1);
         let mut singles = FxHashMap::from_iter([(subject, constant)]);
         for &id in cone {
-            let mut cell = graph.cell(id).clone();
+            let mut cell = function.cell(id).clone();
             cell.kind.rewrite(|operand| *operand = singles.get(operand).copied().unwrap_or(*operand));
-            if let Some(bits) = graph.rewriter.known(cell) {
-                singles.insert(id, graph.constant(bits, 1));
+            if let Some(bits) = function.rewriter.known(cell) {
+                singles.insert(id, function.constant(bits, 1));
             }
         }
-        Known { graph, singles, became: FxHashMap::default() }
+        Known { function, singles, became: FxHashMap::default() }
     }
 
     /// What an operand of the kernel has become.
@@ -182,13 +184,13 @@ impl<'a> Known<'a> {
         if let Some(&became) = self.became.get(&id) {
             return became;
         }
-        let &Cell { ref kind, lanes, .. } = self.graph.cell(id);
+        let &Cell { ref kind, lanes, .. } = self.function.cell(id);
         let known = match kind {
             Kind::Broadcast { of, .. } => self.singles.get(of),
             _ => None,
         };
-        let bits = known.map(|constant| self.graph.circuit().constant(*constant).expect("it is known").clone());
-        let became = bits.map_or(id, |bits| self.graph.constant(bits, lanes));
+        let bits = known.map(|constant| self.function.circuit().constant(*constant).expect("it is known").clone());
+        let became = bits.map_or(id, |bits| self.function.constant(bits, lanes));
         self.became.insert(id, became);
         became
     }
@@ -198,11 +200,11 @@ impl<'a> Known<'a> {
         let mut cells = Vec::new();
         let (mut wanted, mut seen) = (FxHashSet::default(), FxHashSet::default());
         for &id in &kernel.cells {
-            let was = self.graph.cell(id).clone();
+            let was = self.function.cell(id).clone();
             let mut cell = was.clone();
             cell.kind.rewrite(|operand| *operand = self.operand(*operand));
             let is_sum = matches!(cell.kind, Kind::Reduce { .. });
-            let rewriter = &mut self.graph.rewriter;
+            let rewriter = &mut self.function.rewriter;
             let (became, is_computed) = match () {
                 () if cell == was => (id, true),
                 () if is_sum => (rewriter.push(cell), true),
@@ -212,9 +214,9 @@ impl<'a> Known<'a> {
             if is_computed && seen.insert(became) {
                 cells.push(became);
             }
-            if is_sum || plan.stored.contains(&id) {
+            if is_sum || plan.live_out.contains(&id) {
                 // Others read it from memory, where it has to be brought whatever has become of it.
-                let stored = if became == id || is_sum { became } else { self.graph.rewriter.copy(became) };
+                let stored = if became == id || is_sum { became } else { self.function.rewriter.copy(became) };
                 if stored != id {
                     moved.push((stored, plan.home(id)));
                 }
@@ -226,35 +228,35 @@ impl<'a> Known<'a> {
         }
         let sinks: Vec<usize> = kernel.sinks.iter().filter_map(|&sink| self.sink(plan, sink)).collect();
         sinks.iter().for_each(|&sink| {
-            self.graph.sinks[sink].for_each_operand(|operand| {
+            self.function.sinks[sink].for_each_operand(|operand| {
                 wanted.insert(operand);
             })
         });
         for &id in cells.iter().rev() {
             if wanted.contains(&id) {
-                self.graph.cell(id).kind.for_each_operand(|operand| {
+                self.function.cell(id).kind.for_each_operand(|operand| {
                     wanted.insert(operand);
                 });
             }
         }
-        let is_live = |id: &ValueId| wanted.contains(id) && self.graph.circuit().constant(*id).is_none();
+        let is_live = |id: &ValueId| wanted.contains(id) && self.function.circuit().constant(*id).is_none();
         cells.retain(is_live);
         Kernel { cells, sinks, switch: None }
     }
 
     /// A sink as it is then; none if nothing happens.
     fn sink(&mut self, plan: &Plan, index: usize) -> Option<usize> {
-        let mut sink = self.graph.sinks[index].clone();
+        let mut sink = self.function.sinks[index].clone();
         sink.rewrite(|operand| *operand = self.operand(*operand));
-        let is_late = matches!(sink, Sink::Register { state, .. } if plan.late.contains(&state));
+        let is_late = matches!(sink, Sink::Register { state, .. } if plan.hazards.contains(&state));
         // What is late waits elsewhere: it has to be brought there.
         if !is_late {
-            sink = happening(self.graph.circuit(), sink)?;
+            sink = happening(self.function.circuit(), sink)?;
         }
-        if sink == self.graph.sinks[index] {
+        if sink == self.function.sinks[index] {
             return Some(index);
         }
-        self.graph.sinks.push(sink);
-        Some(self.graph.sinks.len() - 1)
+        self.function.sinks.push(sink);
+        Some(self.function.sinks.len() - 1)
     }
 }

@@ -1,4 +1,4 @@
-//! From a planned graph to a function of machine code.
+//! From a planned function to a function of machine code.
 
 use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::{InstBuilder, MemFlagsData, Value, types};
@@ -59,24 +59,24 @@ pub(super) struct Addresses {
 
 impl Addresses {
     /// Gives places to what a function stores; `state` has those of its state.
-    pub fn new(graph: &Function, plan: &Plan, state: impl Iterator<Item = Place>, layout: &mut Layout) -> Addresses {
+    pub fn new(function: &Function, plan: &Plan, state: impl Iterator<Item = Place>, layout: &mut Layout) -> Addresses {
         let mut places: Vec<Option<Place>> = state.map(Some).collect();
-        places.resize(graph.circuit().len(), None);
+        places.resize(function.circuit().len(), None);
         let mut tables = Vec::new();
-        for id in graph.needed() {
-            let cell = graph.cell(id);
-            if is_table(graph, id) {
+        for id in function.needed() {
+            let cell = function.cell(id);
+            if is_table(function, id) {
                 tables.push(id);
             }
-            if is_table(graph, id) || plan.stored.contains(&id) {
+            if is_table(function, id) || plan.live_out.contains(&id) {
                 places[id.index()] = Some(layout.place(cell.lanes, cell.width));
             }
         }
-        for (&new, &of) in &plan.moved {
+        for (&new, &of) in &plan.homes {
             places[new.index()] = places[of.index()];
         }
-        let waiting = plan.late.iter().map(|&id| {
-            let cell = graph.cell(id);
+        let waiting = plan.hazards.iter().map(|&id| {
+            let cell = function.cell(id);
             (id, layout.place(cell.lanes, cell.width))
         });
         let waiting = waiting.collect();
@@ -95,7 +95,7 @@ impl Addresses {
 
 /// Emits a function.
 pub(super) struct Emitter<'a, 'b, 'c> {
-    pub(super) graph: &'a Function,
+    pub(super) function: &'a Function,
     pub(super) plan: &'a Plan,
     pub(super) addresses: &'a Addresses,
     pub(super) memories: &'a [MemoryAt],
@@ -110,7 +110,7 @@ pub(super) struct Emitter<'a, 'b, 'c> {
 
 impl<'a, 'b, 'c> Emitter<'a, 'b, 'c> {
     pub fn new(
-        graph: &'a Function,
+        function: &'a Function,
         plan: &'a Plan,
         addresses: &'a Addresses,
         memories: &'a [MemoryAt],
@@ -118,8 +118,8 @@ impl<'a, 'b, 'c> Emitter<'a, 'b, 'c> {
         builder: &'c mut FunctionBuilder<'b>,
         state: Value,
     ) -> Self {
-        let fresh = graph.circuit().len() as u32;
-        Emitter { graph, plan, addresses, memories, strips, builder, state, scalars: Scalars::default(), fresh }
+        let fresh = function.circuit().len() as u32;
+        Emitter { function, plan, addresses, memories, strips, builder, state, scalars: Scalars::default(), fresh }
     }
 
     /// Emits these steps.
@@ -129,7 +129,7 @@ impl<'a, 'b, 'c> Emitter<'a, 'b, 'c> {
             match step {
                 Step::Single(id) => {
                     self.single(id);
-                    if plan.stored.contains(&id) {
+                    if plan.live_out.contains(&id) {
                         let place = self.addresses.of(id);
                         self.store_single(id, place, self.state, place.offset);
                     }
@@ -147,7 +147,7 @@ impl<'a, 'b, 'c> Emitter<'a, 'b, 'c> {
             let place = self.addresses.of(*state);
             self.copy(*waiting, place);
         }
-        let held = self.graph.sinks.iter().find_map(|sink| match sink {
+        let held = self.function.sinks.iter().find_map(|sink| match sink {
             Sink::Hold(value) => Some(*value),
             _ => None,
         });
@@ -168,7 +168,7 @@ impl<'a, 'b, 'c> Emitter<'a, 'b, 'c> {
         if self.scalars.get(id).is_some() {
             return;
         }
-        match &self.graph.cell(id).kind {
+        match &self.function.cell(id).kind {
             Kind::Const(bits) => self.scalars.constant(self.builder, id, bits),
             _ => {
                 let place = self.addresses.of(id);
@@ -178,14 +178,14 @@ impl<'a, 'b, 'c> Emitter<'a, 'b, 'c> {
     }
 
     fn single(&mut self, id: ValueId) {
-        let cell = self.graph.cell(id);
+        let cell = self.function.cell(id);
         match &cell.kind {
             Kind::Word { memory, address } => {
                 self.want(*address);
                 self.read(id, *memory, *address);
             }
             Kind::Lane { of, index, .. } => {
-                if let Kind::Const(bits) = &self.graph.cell(*of).kind {
+                if let Kind::Const(bits) = &self.function.cell(*of).kind {
                     return self.scalars.constant(self.builder, id, bits);
                 }
                 let place = self.addresses.of(*of);
@@ -210,9 +210,9 @@ impl<'a, 'b, 'c> Emitter<'a, 'b, 'c> {
 
     /// Stores single values, or the lanes of shorter arrays, side by side.
     fn pack(&mut self, id: ValueId) {
-        let Kind::Stack { parts, .. } = &self.graph.cell(id).kind else { unreachable!("only these are packed") };
+        let Kind::Stack { parts, .. } = &self.function.cell(id).kind else { unreachable!("only these are packed") };
         let place = self.addresses.of(id);
-        let outer = self.graph.cell(parts[0]).lanes;
+        let outer = self.function.cell(parts[0]).lanes;
         for (i, &part) in parts.iter().enumerate() {
             for lane in 0..outer {
                 let at = offset(place.lane(lane * parts.len() as u32 + i as u32));
@@ -231,9 +231,9 @@ impl<'a, 'b, 'c> Emitter<'a, 'b, 'c> {
     /// One lane, known now, of an array, as a value of one lane.
     fn element(&mut self, of: ValueId, lane: u32) -> ValueId {
         let id = self.id();
-        match &self.graph.cell(of).kind {
+        match &self.function.cell(of).kind {
             Kind::Const(bits) => self.scalars.constant(self.builder, id, bits),
-            Kind::Broadcast { of: plain, .. } if self.graph.cell(*plain).lanes == 1 => {
+            Kind::Broadcast { of: plain, .. } if self.function.cell(*plain).lanes == 1 => {
                 self.want(*plain);
                 return *plain;
             }
@@ -249,8 +249,8 @@ impl<'a, 'b, 'c> Emitter<'a, 'b, 'c> {
 
     /// What a sink of single values says.
     fn sink(&mut self, index: usize) {
-        let graph = self.graph;
-        let sink = &graph.sinks[index];
+        let function = self.function;
+        let sink = &function.sinks[index];
         sink.for_each_operand(|operand| self.want(operand));
         match *sink {
             Sink::Register { state, next, enable } => {
@@ -260,7 +260,7 @@ impl<'a, 'b, 'c> Emitter<'a, 'b, 'c> {
                         self.want(state);
                         let value = self.id();
                         let kind = Kind::Mux { select, on_true: next, on_false: state };
-                        self.scalars.evaluate(self.builder, value, &kind, graph.cell(state).width);
+                        self.scalars.evaluate(self.builder, value, &kind, function.cell(state).width);
                         value
                     }
                 };
@@ -275,7 +275,7 @@ impl<'a, 'b, 'c> Emitter<'a, 'b, 'c> {
 
     /// Loads a lane, by its number, of an array in memory.
     pub(super) fn load_lane(&mut self, id: ValueId, of: ValueId, lane: Value) {
-        if let Kind::Const(bits) = &self.graph.cell(of).kind {
+        if let Kind::Const(bits) = &self.function.cell(of).kind {
             return self.scalars.constant(self.builder, id, bits);
         }
         let place = self.addresses.of(of);

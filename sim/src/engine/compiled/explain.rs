@@ -91,11 +91,11 @@ fn planned(program: &Program, function: &Function, plan: &Plan, names: &Names) -
             kernel_text(&mut out, &mut text, function, kernel, 2);
         }
     }
-    if !plan.stored.is_empty() {
-        let _ = writeln!(out, "left in memory: {}", list(&text, plan.stored.iter()));
+    if !plan.live_out.is_empty() {
+        let _ = writeln!(out, "live out: {}", list(&text, plan.live_out.iter()));
     }
-    if !plan.late.is_empty() {
-        let _ = writeln!(out, "changed at the end: {}", list(&text, plan.late.iter()));
+    if !plan.hazards.is_empty() {
+        let _ = writeln!(out, "hazards, changed at the end: {}", list(&text, plan.hazards.iter()));
     }
     out
 }

@@ -92,7 +92,7 @@ impl Emitter<'_, '_, '_> {
 
     /// Stores what has been reduced.
     fn sum(&mut self, id: ValueId, sum: Value, at: Value) {
-        self.scalars.define(id, Scalar::clean(self.graph.cell(id).width, sum));
+        self.scalars.define(id, Scalar::clean(self.function.cell(id).width, sum));
         let place = self.addresses.of(id);
         self.store_single(id, place, at, place.offset);
     }
@@ -102,12 +102,12 @@ impl Emitter<'_, '_, '_> {
         let strip = self.strips.strip(lanes);
         let mut uses: BTreeMap<u32, usize> = BTreeMap::new();
         let mut count = |id: ValueId| {
-            let cell = self.graph.cell(id);
+            let cell = self.function.cell(id);
             // Operands may have other lanes than the kernel: what it collects from, and the reductions of others.
             let (of_lanes, group) = match cell.kind {
                 Kind::Broadcast { axis, .. } if axis.inner > 1 => (cell.lanes, axis.inner),
-                Kind::Broadcast { of, axis } if self.graph.cell(of).lanes > 1 => (cell.lanes, axis.count),
-                Kind::Reduce { of, axis, .. } if cell.lanes > 1 => (self.graph.cell(of).lanes, axis.count),
+                Kind::Broadcast { of, axis } if self.function.cell(of).lanes > 1 => (cell.lanes, axis.count),
+                Kind::Reduce { of, axis, .. } if cell.lanes > 1 => (self.function.cell(of).lanes, axis.count),
                 _ => return,
             };
             if of_lanes != lanes {
@@ -129,18 +129,18 @@ impl Emitter<'_, '_, '_> {
         };
         for &id in &kernel.cells {
             visit(id);
-            self.graph.cell(id).kind.for_each_operand(&mut visit);
+            self.function.cell(id).kind.for_each_operand(&mut visit);
         }
-        kernel.sinks.iter().for_each(|&sink| self.graph.sinks[sink].for_each_operand(&mut visit));
+        kernel.sinks.iter().for_each(|&sink| self.function.sinks[sink].for_each_operand(&mut visit));
         taken
     }
 
     /// Makes the single values that a kernel takes in all lanes available.
     fn splat_uniforms(&mut self, strip: &mut Strip, kernel: &Kernel) {
         for id in self.taken(kernel) {
-            let cell = self.graph.cell(id);
+            let cell = self.function.cell(id);
             if let Kind::Broadcast { of, .. } = cell.kind
-                && self.graph.cell(of).lanes == 1
+                && self.function.cell(of).lanes == 1
             {
                 self.want(of);
                 if cell.width <= 64 {
@@ -154,12 +154,12 @@ impl Emitter<'_, '_, '_> {
     /// Finds the words of memories that have one address in all lanes.
     fn begin_memories(&mut self, strip: &mut Strip, kernel: &Kernel) {
         for &id in &kernel.cells {
-            if let Kind::Word { memory, address } = self.graph.cell(id).kind {
+            if let Kind::Word { memory, address } = self.function.cell(id).kind {
                 self.begin_words(strip, memory, address);
             }
         }
         for &sink in &kernel.sinks {
-            if let Sink::Write { memory, address, .. } = self.graph.sinks[sink] {
+            if let Sink::Write { memory, address, .. } = self.function.sinks[sink] {
                 self.begin_words(strip, memory, address);
             }
         }
@@ -169,7 +169,7 @@ impl Emitter<'_, '_, '_> {
     fn splat_row(&mut self, strip: &mut Strip, kernel: &Kernel, row: Value) {
         let computed: BTreeSet<ValueId> = kernel.cells.iter().copied().collect();
         for id in self.taken(kernel) {
-            let cell = self.graph.cell(id);
+            let cell = self.function.cell(id);
             // What another loop has stored may be made from what has changed since.
             let is_current = computed.contains(&id) || !self.addresses.has(id);
             if let Kind::Broadcast { of, axis: Axis { count, inner: 1 } } = cell.kind
@@ -177,7 +177,7 @@ impl Emitter<'_, '_, '_> {
                 && cell.lanes == strip.total
                 && cell.width <= 64
                 && is_current
-                && self.graph.cell(of).lanes > 1
+                && self.function.cell(of).lanes > 1
             {
                 let loaded = self.id();
                 self.load_lane(loaded, of, row);
@@ -188,16 +188,16 @@ impl Emitter<'_, '_, '_> {
     }
 
     /// Whether a reduction's result is carried around the loop over a row.
-    fn is_carried(&self, strip: &Strip, id: ValueId) -> bool {
-        let cell = self.graph.cell(id);
+    fn is_loop_carried(&self, strip: &Strip, id: ValueId) -> bool {
+        let cell = self.function.cell(id);
         matches!(cell.kind, Kind::Reduce { axis, .. } if axis.count == strip.row && cell.width <= 64)
     }
 
     /// Runs the strips of a row; gives what is reduced over them, clean.
     fn row(&mut self, strip: &mut Strip, kernel: &Kernel, row: Option<Value>) -> Vec<(ValueId, Value)> {
         let order = self.order(kernel);
-        let sums: Vec<ValueId> = kernel.cells.iter().copied().filter(|&id| self.is_carried(strip, id)).collect();
-        let sum = |emitter: &Self, id: ValueId| match emitter.graph.cell(id).kind {
+        let sums: Vec<ValueId> = kernel.cells.iter().copied().filter(|&id| self.is_loop_carried(strip, id)).collect();
+        let sum = |emitter: &Self, id: ValueId| match emitter.function.cell(id).kind {
             Kind::Reduce { by, of, .. } => (by, of),
             _ => unreachable!("a sum is a reduction"),
         };
@@ -222,7 +222,7 @@ impl Emitter<'_, '_, '_> {
         let mut start: Vec<BlockArg> = vec![zero.into()];
         let mut carried: Vec<Vector> = Vec::new();
         for &id in &sums {
-            let neutral = strip.lanes.neutral(self.builder, sum(self, id).0, self.graph.cell(id).width);
+            let neutral = strip.lanes.neutral(self.builder, sum(self, id).0, self.function.cell(id).width);
             let mut parts = Vec::new();
             for part in neutral.parts {
                 start.push(part.into());
@@ -259,9 +259,9 @@ impl Emitter<'_, '_, '_> {
         let mut open: BTreeSet<usize> = kernel.sinks.iter().copied().collect();
         order.first.iter().for_each(|&sink| self.register(strip, sink, &mut open));
         for (index, &id) in kernel.cells.iter().enumerate() {
-            match self.graph.cell(id).kind {
+            match self.function.cell(id).kind {
                 // Taken at the end, but before registers change.
-                Kind::Reduce { of, .. } if self.is_carried(strip, id) => self.vector(strip, of),
+                Kind::Reduce { of, .. } if self.is_loop_carried(strip, id) => self.vector(strip, of),
                 _ => self.lane_cell(strip, id),
             }
             for &sink in order.after.get(&index).into_iter().flatten() {
@@ -269,7 +269,7 @@ impl Emitter<'_, '_, '_> {
             }
         }
         for &index in &kernel.sinks {
-            if matches!(self.graph.sinks[index], Sink::Write { .. }) {
+            if matches!(self.function.sinks[index], Sink::Write { .. }) {
                 self.write_lanes(strip, index);
             }
         }
@@ -281,13 +281,13 @@ impl Emitter<'_, '_, '_> {
         let mut last = BTreeMap::new();
         for (index, &id) in kernel.cells.iter().enumerate() {
             last.insert(id, index);
-            self.graph.cell(id).kind.for_each_operand(|operand| {
+            self.function.cell(id).kind.for_each_operand(|operand| {
                 last.insert(operand, index);
             });
         }
         let mut order = Order { first: Vec::new(), after: BTreeMap::new() };
         for &index in &kernel.sinks {
-            let sink = &self.graph.sinks[index];
+            let sink = &self.function.sinks[index];
             let &Sink::Register { state, .. } = sink else { continue };
             let mut position = last.get(&state).copied();
             sink.for_each_operand(|operand| position = position.max(last.get(&operand).copied()));
@@ -302,15 +302,15 @@ impl Emitter<'_, '_, '_> {
     /// A register takes its next value; what other sinks have yet to see of it is loaded before.
     fn register(&mut self, strip: &mut Strip, index: usize, open: &mut BTreeSet<usize>) {
         open.remove(&index);
-        let &Sink::Register { state, next, enable } = &self.graph.sinks[index] else { unreachable!("a register") };
+        let &Sink::Register { state, next, enable } = &self.function.sinks[index] else { unreachable!("a register") };
         let mut seen = false;
         for &other in open.iter() {
-            self.graph.sinks[other].for_each_operand(|operand| seen |= operand == state);
+            self.function.sinks[other].for_each_operand(|operand| seen |= operand == state);
         }
         if seen {
             self.available(strip, state);
         }
-        let cell = self.graph.cell(state);
+        let cell = self.function.cell(state);
         let value = match enable {
             None => next,
             Some(select) => {

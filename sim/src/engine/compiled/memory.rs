@@ -68,8 +68,8 @@ impl Emitter<'_, '_, '_> {
         if !at.words.together() || strip.words.contains_key(&(memory, address)) {
             return;
         }
-        let common = match self.graph.cell(address).kind {
-            Kind::Broadcast { of, .. } if self.graph.cell(of).lanes == 1 => of,
+        let common = match self.function.cell(address).kind {
+            Kind::Broadcast { of, .. } if self.function.cell(of).lanes == 1 => of,
             _ => address,
         };
         self.want(common);
@@ -139,7 +139,9 @@ impl Emitter<'_, '_, '_> {
 
     /// Writes a word for each lane that is enabled.
     pub(super) fn write_lanes(&mut self, strip: &mut Strip, sink: usize) {
-        let &Sink::Write { memory, enable, address, data } = &self.graph.sinks[sink] else { unreachable!("a write") };
+        let &Sink::Write { memory, enable, address, data } = &self.function.sinks[sink] else {
+            unreachable!("a write")
+        };
         let at = self.memories[memory as usize];
         for id in [enable, address, data] {
             self.available(strip, id);

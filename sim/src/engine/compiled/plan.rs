@@ -14,12 +14,13 @@ use crate::engine::program::{Kind, ValueId};
 #[derive(Debug, Clone, Default)]
 pub(super) struct Plan {
     pub stages: Vec<Stage>,
-    /// What is stored when it has been computed, apart from state: for other kernels, neighbours and testbenches.
-    pub stored: BTreeSet<ValueId>,
+    /// What is live out of where it is computed, and so stored: for other kernels, neighbours and testbenches. State is not
+    /// among it.
+    pub live_out: BTreeSet<ValueId>,
     /// Registers with lanes that somebody reads after their kernel has run: they change at the end.
-    pub late: BTreeSet<ValueId>,
+    pub hazards: BTreeSet<ValueId>,
     /// Cells of a branch, and those at whose place they are stored.
-    pub moved: BTreeMap<ValueId, ValueId>,
+    pub homes: BTreeMap<ValueId, ValueId>,
 }
 
 /// A part of a function.
@@ -72,7 +73,7 @@ enum Role {
     Single,
     Packed,
     /// The same single value, or row, in all lanes: no work of its own.
-    Uniform,
+    Rematerialised,
     /// In the kernel of so many lanes.
     Kernel(u32),
 }
@@ -90,12 +91,12 @@ impl Role {
 impl Plan {
     /// Plans a function; `postpone` brings the work on an array together in one loop. Memories that are `far` are read
     /// in loops that do little else, so that many words are under way at a time.
-    pub fn new(graph: &Function, far: &[bool], postpone: bool) -> Plan {
-        let needed = graph.needed();
-        let positions = vec![Position { stage: 0, place: 0 }; graph.circuit().len()];
-        let looked_at = looked_at(graph, &needed);
-        let ports = ports(graph, far.len());
-        let mut planner = Planner { graph, far, ports, positions, looked_at, kernels: BTreeMap::new() };
+    pub fn new(function: &Function, far: &[bool], postpone: bool) -> Plan {
+        let needed = function.needed();
+        let positions = vec![Position { stage: 0, place: 0 }; function.circuit().len()];
+        let looked_at = looked_at(function, &needed);
+        let ports = ports(function, far.len());
+        let mut planner = Planner { function, far, ports, positions, looked_at, kernels: BTreeMap::new() };
         let mut plan = Plan::default();
         for &id in &needed {
             planner.positions[id.index()] = Position { stage: planner.stage(id), place: planner.role(id).place() };
@@ -119,7 +120,7 @@ impl Plan {
 
     /// The cell at whose place this one is stored.
     pub fn home(&self, id: ValueId) -> ValueId {
-        self.moved.get(&id).copied().unwrap_or(id)
+        self.homes.get(&id).copied().unwrap_or(id)
     }
 
     fn at(&mut self, stage: usize) -> &mut Stage {
@@ -131,22 +132,22 @@ impl Plan {
 }
 
 /// Whether a cell is an array whose lanes are constants.
-pub(super) fn is_table(graph: &Function, id: ValueId) -> bool {
-    match &graph.cell(id).kind {
-        Kind::Stack { parts, .. } => parts.iter().all(|part| graph.circuit().constant(*part).is_some()),
+pub(super) fn is_table(function: &Function, id: ValueId) -> bool {
+    match &function.cell(id).kind {
+        Kind::Stack { parts, .. } => parts.iter().all(|part| function.circuit().constant(*part).is_some()),
         _ => false,
     }
 }
 
 /// Arrays that somebody looks at otherwise than lane by lane.
-fn looked_at(graph: &Function, needed: &[ValueId]) -> BTreeSet<ValueId> {
-    let of = needed.iter().filter_map(|&id| match graph.cell(id).kind {
+fn looked_at(function: &Function, needed: &[ValueId]) -> BTreeSet<ValueId> {
+    let of = needed.iter().filter_map(|&id| match function.cell(id).kind {
         Kind::Slide { of, .. } | Kind::Gather { of, .. } | Kind::Lane { of, .. } | Kind::Broadcast { of, .. } => {
             Some(of)
         }
         _ => None,
     });
-    let shown = graph.sinks.iter().filter_map(|sink| match sink {
+    let shown = function.sinks.iter().filter_map(|sink| match sink {
         Sink::Show(value) => Some(*value),
         _ => None,
     });
@@ -162,14 +163,14 @@ struct Ports {
 }
 
 /// The ports of so many memories.
-fn ports(graph: &Function, memories: usize) -> Vec<Ports> {
+fn ports(function: &Function, memories: usize) -> Vec<Ports> {
     let mut ports = vec![Ports::default(); memories];
-    for (id, cell) in graph.circuit().cells() {
+    for (id, cell) in function.circuit().cells() {
         if let Kind::Word { memory, .. } = cell.kind {
             ports[memory as usize].reads.push(id);
         }
     }
-    for (index, sink) in graph.sinks.iter().enumerate() {
+    for (index, sink) in function.sinks.iter().enumerate() {
         if let Sink::Write { memory, .. } = *sink {
             ports[memory as usize].writes.push(index);
         }
@@ -178,7 +179,7 @@ fn ports(graph: &Function, memories: usize) -> Vec<Ports> {
 }
 
 struct Planner<'a> {
-    graph: &'a Function,
+    function: &'a Function,
     /// Per memory.
     far: &'a [bool],
     ports: Vec<Ports>,
@@ -190,18 +191,18 @@ struct Planner<'a> {
 
 impl Planner<'_> {
     fn role(&self, id: ValueId) -> Role {
-        let cell = self.graph.cell(id);
+        let cell = self.function.cell(id);
         match &cell.kind {
             Kind::Const(_) => Role::Constant,
             Kind::State => Role::Resident,
-            _ if is_table(self.graph, id) => Role::Resident,
+            _ if is_table(self.function, id) => Role::Resident,
             Kind::Stack { .. } => Role::Packed,
             Kind::Broadcast { of, axis }
-                if (axis.inner > 1 || self.graph.cell(*of).lanes == 1) && !self.looked_at.contains(&id) =>
+                if (axis.inner > 1 || self.function.cell(*of).lanes == 1) && !self.looked_at.contains(&id) =>
             {
-                Role::Uniform
+                Role::Rematerialised
             }
-            Kind::Reduce { of, .. } => Role::Kernel(self.graph.cell(*of).lanes),
+            Kind::Reduce { of, .. } => Role::Kernel(self.function.cell(*of).lanes),
             Kind::Lane { .. } if cell.lanes > 1 => Role::Kernel(cell.lanes),
             _ if cell.lanes == 1 => Role::Single,
             _ => Role::Kernel(cell.lanes),
@@ -210,7 +211,7 @@ impl Planner<'_> {
 
     /// Whether a kernel's cell takes its operand lane by lane.
     fn by_lane(&self, id: ValueId, operand: ValueId) -> bool {
-        let takes_lane = match self.graph.cell(id).kind {
+        let takes_lane = match self.function.cell(id).kind {
             Kind::Gather { of, .. } => operand != of,
             Kind::Word { .. } | Kind::Reduce { .. } | Kind::Alias(_) => true,
             ref kind => kind.is_elementwise(),
@@ -220,9 +221,9 @@ impl Planner<'_> {
 
     /// Whether nobody takes a value of lanes in the loop that computes it.
     fn is_apart(&self, id: ValueId) -> bool {
-        match self.graph.cell(id).kind {
+        match self.function.cell(id).kind {
             Kind::Reduce { .. } => true,
-            Kind::Word { memory, .. } => self.graph.cell(id).lanes > 1 && self.far[memory as usize],
+            Kind::Word { memory, .. } => self.function.cell(id).lanes > 1 && self.far[memory as usize],
             _ => false,
         }
     }
@@ -230,7 +231,7 @@ impl Planner<'_> {
     /// The first stage in which all operands are there.
     fn stage(&self, id: ValueId) -> usize {
         let mut stage = 0;
-        self.graph.cell(id).kind.for_each_operand(|operand| {
+        self.function.cell(id).kind.for_each_operand(|operand| {
             stage = stage.max(self.available(operand, self.by_lane(id, operand)));
         });
         stage
@@ -241,7 +242,7 @@ impl Planner<'_> {
         let at = self.positions[id.index()].stage;
         match self.role(id) {
             Role::Constant | Role::Resident => 0,
-            Role::Single | Role::Uniform => at,
+            Role::Single | Role::Rematerialised => at,
             Role::Packed if by_lane => at,
             Role::Kernel(_) if by_lane => at,
             Role::Packed | Role::Kernel(_) => at + 1,
@@ -252,17 +253,17 @@ impl Planner<'_> {
     /// several would do with the values between them in memory.
     fn postpone(&mut self, needed: &[ValueId]) {
         let sinks: Vec<(Position, &Sink)> =
-            self.graph.sinks.iter().map(|sink| (self.sink_position(sink), sink)).collect();
+            self.function.sinks.iter().map(|sink| (self.sink_position(sink), sink)).collect();
         let kernels = needed.iter().map(|id| self.positions[id.index()]).filter(|position| position.place > 1);
         for position in kernels.chain(sinks.iter().map(|sink| sink.0).filter(|position| position.place > 1)) {
             let last = self.kernels.entry(position.place).or_default();
             *last = position.stage.max(*last);
         }
         let end = self.kernels.values().copied().max().unwrap_or(0) + 1;
-        let mut limits = vec![end; self.graph.circuit().len()];
+        let mut limits = vec![end; self.function.circuit().len()];
         for (position, sink) in sinks {
             let mut sums = false;
-            sink.for_each_operand(|operand| sums |= matches!(self.graph.cell(operand).kind, Kind::Reduce { .. }));
+            sink.for_each_operand(|operand| sums |= matches!(self.function.cell(operand).kind, Kind::Reduce { .. }));
             let before = match position.place {
                 0 => end,
                 _ if sums => end,
@@ -282,7 +283,7 @@ impl Planner<'_> {
                 lanes => latest.min(self.kernels[&lanes]).max(stage),
             };
             self.positions[id.index()].stage = stage;
-            self.graph.cell(id).kind.for_each_operand(|operand| {
+            self.function.cell(id).kind.for_each_operand(|operand| {
                 let is_stored = matches!(self.role(operand), Role::Kernel(_) | Role::Packed);
                 let after = usize::from(is_stored && !self.by_lane(id, operand));
                 let limit = &mut limits[operand.index()];
@@ -295,7 +296,7 @@ impl Planner<'_> {
     fn place(&self, plan: &mut Plan, id: ValueId) {
         let stage = self.positions[id.index()].stage;
         match self.role(id) {
-            Role::Constant | Role::Resident | Role::Uniform => {}
+            Role::Constant | Role::Resident | Role::Rematerialised => {}
             Role::Single => plan.at(stage).single.push(id),
             Role::Packed => plan.at(stage).packed.push(id),
             Role::Kernel(lanes) => plan.at(stage).kernels.entry(lanes).or_default().cells.push(id),
@@ -304,7 +305,7 @@ impl Planner<'_> {
 
     /// Where a sink takes its operands: the end for single values.
     fn sink_position(&self, sink: &Sink) -> Position {
-        let lanes = sink.lanes(self.graph.circuit());
+        let lanes = sink.lanes(self.function.circuit());
         if lanes == 1 {
             return Position { stage: usize::MAX, place: 0 };
         }
@@ -327,11 +328,11 @@ impl Planner<'_> {
     fn written(&self, memory: u32) -> usize {
         let Ports { reads, writes } = &self.ports[memory as usize];
         let reads = reads.iter().map(|id| self.positions[id.index()].stage);
-        reads.chain(writes.iter().map(|&sink| self.taken(&self.graph.sinks[sink]))).max().unwrap_or(0)
+        reads.chain(writes.iter().map(|&sink| self.taken(&self.function.sinks[sink]))).max().unwrap_or(0)
     }
 
     fn sinks(&mut self, plan: &mut Plan) {
-        for (index, sink) in self.graph.sinks.iter().enumerate() {
+        for (index, sink) in self.function.sinks.iter().enumerate() {
             let position = self.sink_position(sink);
             if position.place > 0 && !matches!(sink, Sink::Show(_)) {
                 plan.at(position.stage).kernels.entry(position.place).or_default().sinks.push(index);
@@ -348,24 +349,24 @@ impl Planner<'_> {
                 _ => false,
             };
             if stored {
-                plan.stored.insert(operand);
+                plan.live_out.insert(operand);
             }
         };
         for &id in needed {
             let reader = self.positions[id.index()];
-            self.graph.cell(id).kind.for_each_operand(|operand| need(operand, reader, self.by_lane(id, operand)));
+            self.function.cell(id).kind.for_each_operand(|operand| need(operand, reader, self.by_lane(id, operand)));
         }
-        for sink in &self.graph.sinks {
+        for sink in &self.function.sinks {
             let reader = self.sink_position(sink);
             sink.for_each_operand(|operand| {
                 need(operand, reader, !self.is_apart(operand));
             });
         }
-        for sink in &self.graph.sinks {
+        for sink in &self.function.sinks {
             if let Sink::Show(value) = sink
                 && !matches!(self.role(*value), Role::Constant | Role::Resident)
             {
-                plan.stored.insert(*value);
+                plan.live_out.insert(*value);
             }
         }
     }
@@ -373,29 +374,29 @@ impl Planner<'_> {
     /// Finds the registers that cannot change where their kernel runs.
     fn hazards(&self, plan: &mut Plan, needed: &[ValueId]) {
         let mut written: BTreeMap<ValueId, Position> = BTreeMap::new();
-        for sink in &self.graph.sinks {
+        for sink in &self.function.sinks {
             if let Sink::Register { state, .. } = sink
-                && self.graph.cell(*state).lanes > 1
+                && self.function.cell(*state).lanes > 1
             {
                 written.insert(*state, self.sink_position(sink));
             }
         }
         let mut read = |operand: ValueId, reader: Position, by_lane: bool| {
             if written.get(&operand).is_some_and(|&writer| reader > writer || (reader == writer && !by_lane)) {
-                plan.late.insert(operand);
+                plan.hazards.insert(operand);
             }
         };
         for &id in needed {
-            let kind = &self.graph.cell(id).kind;
+            let kind = &self.function.cell(id).kind;
             let by_lane = kind.is_elementwise() || matches!(kind, Kind::Word { .. } | Kind::Reduce { .. });
             let reader = match self.role(id) {
                 // A row is read where it is used, any time later.
-                Role::Uniform => Position { stage: usize::MAX, place: 0 },
+                Role::Rematerialised => Position { stage: usize::MAX, place: 0 },
                 _ => self.positions[id.index()],
             };
-            self.graph.cell(id).kind.for_each_operand(|operand| read(operand, reader, by_lane));
+            self.function.cell(id).kind.for_each_operand(|operand| read(operand, reader, by_lane));
         }
-        for sink in &self.graph.sinks {
+        for sink in &self.function.sinks {
             let reader = self.sink_position(sink);
             sink.for_each_operand(|operand| read(operand, reader, true));
         }

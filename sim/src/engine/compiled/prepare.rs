@@ -1,4 +1,4 @@
-//! From a graph to a function that can be called.
+//! From functions to code that can be called.
 
 use cranelift_codegen::ir::{InstBuilder, MemFlagsData, Value, types};
 
@@ -13,9 +13,9 @@ use super::plan::Plan;
 use super::sequence::Step;
 use crate::engine::program::{Kind, ValueId};
 
-/// A graph, and where its values are.
+/// A function in order, and where its values are.
 pub(super) struct Prepared {
-    graph: Function,
+    function: Function,
     plan: Plan,
     /// The steps of each function that it takes.
     pieces: Vec<Vec<Step>>,
@@ -27,7 +27,7 @@ pub(super) struct Prepared {
 impl Prepared {
     /// Where it leaves what it shows, in order.
     pub fn shown(&self) -> impl Iterator<Item = Place> {
-        self.graph.sinks.iter().filter_map(|sink| match sink {
+        self.function.sinks.iter().filter_map(|sink| match sink {
             Sink::Show(value) => Some(self.addresses.of(*value)),
             _ => None,
         })
@@ -40,25 +40,25 @@ impl Prepared {
         builder: &'c mut FunctionBuilder<'b>,
         state: Value,
     ) -> Emitter<'a, 'b, 'c> {
-        Emitter::new(&self.graph, &self.plan, &self.addresses, memories, strips, builder, state)
+        Emitter::new(&self.function, &self.plan, &self.addresses, memories, strips, builder, state)
     }
 }
 
 impl Compiled {
     /// Gives places to what a function computes; `given` has those of the state that it has besides the program's.
     pub(super) fn prepare(&mut self, function: &Function, given: &[Place]) -> Prepared {
-        let Planned { function: graph, plan, pieces } =
+        let Planned { function, plan, pieces } =
             passes::plan(function, &self.layout.strips, &self.memories, &self.program.passes, &mut |_| {});
         let state = self.places.iter().map_while(|place| *place).chain(given.iter().copied());
-        let addresses = Addresses::new(&graph, &plan, state, &mut self.layout);
+        let addresses = Addresses::new(&function, &plan, state, &mut self.layout);
         self.state.grow(self.layout.size);
         for &table in &addresses.tables {
-            self.fill(&graph, table, addresses.places[table.index()].expect("a table has a place"));
+            self.fill(&function, table, addresses.places[table.index()].expect("a table has a place"));
         }
-        Prepared { graph, plan, pieces, addresses, is_always_asked: false }
+        Prepared { function, plan, pieces, addresses, is_always_asked: false }
     }
 
-    /// Makes a function that does what these graphs say, one after the other, so many times; it ends where something
+    /// Makes a function that does what these functions say, one after the other, so many times; it ends where something
     /// does not hold, and says how many times are left.
     pub(super) fn compile(&mut self, parts: &[Prepared]) -> Code {
         let memories = self.memories.as_slice();
@@ -102,7 +102,7 @@ impl Compiled {
                     pieces => {
                         let results = pieces.iter().map(|code| code.emit_call(builder, state, left));
                         let last = results.last().expect("there are pieces");
-                        let holds = part.graph.sinks.iter().any(|sink| matches!(sink, Sink::Hold(_)));
+                        let holds = part.function.sinks.iter().any(|sink| matches!(sink, Sink::Hold(_)));
                         holds.then(|| builder.ins().ireduce(types::I8, last))
                     }
                 };
@@ -128,10 +128,10 @@ impl Compiled {
     }
 
     /// Writes an array of constants into the memory.
-    fn fill(&mut self, graph: &Function, table: ValueId, place: Place) {
-        let Kind::Stack { parts, .. } = &graph.cell(table).kind else { unreachable!("a table is made of parts") };
+    fn fill(&mut self, function: &Function, table: ValueId, place: Place) {
+        let Kind::Stack { parts, .. } = &function.cell(table).kind else { unreachable!("a table is made of parts") };
         let limbs: Vec<u64> = (0..place.lanes as usize)
-            .flat_map(|lane| match &graph.cell(parts[lane % parts.len()]).kind {
+            .flat_map(|lane| match &function.cell(parts[lane % parts.len()]).kind {
                 Kind::Const(bits) => bits.limbs().to_vec(),
                 _ => unreachable!("a table is made of constants"),
             })

@@ -24,9 +24,9 @@ pub(super) enum Step {
 
 /// The steps, by function: one, unless it would be longer than `longest` operations, above which Cranelift's time grows
 /// faster than the function. What one function leaves to another is stored.
-pub(super) fn sequence(graph: &mut Function, plan: &mut Plan, longest: usize) -> Vec<Vec<Step>> {
-    name_states(graph, plan);
-    let steps = interleaved(graph, plan);
+pub(super) fn sequence(function: &mut Function, plan: &mut Plan, longest: usize) -> Vec<Vec<Step>> {
+    name_states(function, plan);
+    let steps = interleaved(function, plan);
     let weight = |step: &Step| match *step {
         Step::Kernel(stage, lanes) => kernel_weight(&plan.stages[stage].kernels[&lanes]),
         _ => 1,
@@ -45,7 +45,7 @@ pub(super) fn sequence(graph: &mut Function, plan: &mut Plan, longest: usize) ->
         size += weight;
         pieces.last_mut().expect("there is one").push(step);
     }
-    store_between(graph, plan, &pieces);
+    store_between(function, plan, &pieces);
     pieces
 }
 
@@ -57,62 +57,62 @@ fn kernel_weight(kernel: &Kernel) -> usize {
 }
 
 /// Gives a sink that takes a state as it is a cell that does, so that only cells look at states.
-fn name_states(graph: &mut Function, plan: &mut Plan) {
+fn name_states(function: &mut Function, plan: &mut Plan) {
     let mut names: HashMap<ValueId, ValueId> = HashMap::new();
-    for index in 0..graph.sinks.len() {
-        let mut sink = graph.sinks[index].clone();
-        if sink.lanes(graph.circuit()) > 1 || matches!(sink, Sink::Show(_) | Sink::Hold(_)) {
+    for index in 0..function.sinks.len() {
+        let mut sink = function.sinks[index].clone();
+        if sink.lanes(function.circuit()) > 1 || matches!(sink, Sink::Show(_) | Sink::Hold(_)) {
             continue;
         }
         sink.rewrite(|operand| {
-            if graph.cell(*operand).kind == Kind::State {
+            if function.cell(*operand).kind == Kind::State {
                 *operand = *names.entry(*operand).or_insert_with(|| {
-                    let name = graph.rewriter.copy(*operand);
+                    let name = function.rewriter.copy(*operand);
                     plan.single_first(name);
                     name
                 });
             }
         });
-        graph.sinks[index] = sink;
+        function.sinks[index] = sink;
     }
 }
 
 /// What a step looks at.
-fn for_each_read(graph: &Function, plan: &Plan, step: Step, mut visit: impl FnMut(ValueId)) {
+fn for_each_read(function: &Function, plan: &Plan, step: Step, mut visit: impl FnMut(ValueId)) {
     match step {
-        Step::Single(id) => graph.cell(id).kind.for_each_operand(visit),
-        Step::Pack(id) => graph.cell(id).kind.for_each_operand(|part| {
+        Step::Single(id) => function.cell(id).kind.for_each_operand(visit),
+        Step::Pack(id) => function.cell(id).kind.for_each_operand(|part| {
             visit(part);
-            if let Kind::Broadcast { of, .. } = graph.cell(part).kind {
+            if let Kind::Broadcast { of, .. } = function.cell(part).kind {
                 visit(of);
             }
         }),
-        Step::Kernel(stage, lanes) => kernel_reads(graph, &plan.stages[stage].kernels[&lanes], &mut visit),
+        Step::Kernel(stage, lanes) => kernel_reads(function, &plan.stages[stage].kernels[&lanes], &mut visit),
         // What stays as it is where it is not enabled is its own.
-        Step::Sink(index) => graph.sinks[index].for_each_operand(&mut visit),
+        Step::Sink(index) => function.sinks[index].for_each_operand(&mut visit),
     }
 }
 
-fn kernel_reads(graph: &Function, kernel: &Kernel, visit: &mut dyn FnMut(ValueId)) {
+fn kernel_reads(function: &Function, kernel: &Kernel, visit: &mut dyn FnMut(ValueId)) {
     let mut look = |id: ValueId| {
         visit(id);
-        if let Kind::Broadcast { of, .. } = graph.cell(id).kind {
+        if let Kind::Broadcast { of, .. } = function.cell(id).kind {
             visit(of);
         }
     };
     for &id in &kernel.cells {
         look(id);
-        graph.cell(id).kind.for_each_operand(&mut look);
+        function.cell(id).kind.for_each_operand(&mut look);
     }
-    kernel.sinks.iter().for_each(|&sink| graph.sinks[sink].for_each_operand(&mut look));
+    kernel.sinks.iter().for_each(|&sink| function.sinks[sink].for_each_operand(&mut look));
     if let Some(switch) = &kernel.switch {
         visit(switch.subject);
-        switch.kernels.iter().for_each(|kernel| kernel_reads(graph, kernel, visit));
+        switch.kernels.iter().for_each(|kernel| kernel_reads(function, kernel, visit));
     }
 }
 
 /// All steps, sinks as early as they may be.
-fn interleaved(graph: &Function, plan: &Plan) -> Vec<Step> {
+fn interleaved(function: &Function, plan: &Plan) -> Vec<Step> {
     let mut steps: Vec<Step> = Vec::new();
     for (number, stage) in plan.stages.iter().enumerate() {
         steps.extend(stage.single.iter().map(|&id| Step::Single(id)));
@@ -123,7 +123,7 @@ fn interleaved(graph: &Function, plan: &Plan) -> Vec<Step> {
     let mut last: HashMap<ValueId, usize> = HashMap::new();
     let mut words: HashMap<u32, usize> = HashMap::new();
     for (position, &step) in steps.iter().enumerate() {
-        for_each_read(graph, plan, step, |id| {
+        for_each_read(function, plan, step, |id| {
             last.insert(id, position);
         });
         let computed: &[ValueId] = match step {
@@ -133,13 +133,13 @@ fn interleaved(graph: &Function, plan: &Plan) -> Vec<Step> {
         };
         for &id in computed {
             last.insert(id, position);
-            if let Kind::Word { memory, .. } = graph.cell(id).kind {
+            if let Kind::Word { memory, .. } = function.cell(id).kind {
                 words.insert(memory, position);
             }
         }
     }
     let mut after: BTreeMap<Option<usize>, Vec<usize>> = BTreeMap::new();
-    for (index, sink) in graph.sinks.iter().enumerate().filter(|(_, sink)| sink.lanes(graph.circuit()) == 1) {
+    for (index, sink) in function.sinks.iter().enumerate().filter(|(_, sink)| sink.lanes(function.circuit()) == 1) {
         let mut position = None;
         sink.for_each_operand(|operand| position = position.max(last.get(&operand).copied()));
         match *sink {
@@ -161,12 +161,12 @@ fn interleaved(graph: &Function, plan: &Plan) -> Vec<Step> {
 }
 
 /// Stores the single values that one function computes and another looks at.
-fn store_between(graph: &Function, plan: &mut Plan, pieces: &[Vec<Step>]) {
+fn store_between(function: &Function, plan: &mut Plan, pieces: &[Vec<Step>]) {
     let mut made: HashMap<ValueId, usize> = HashMap::new();
     let mut stored = BTreeSet::new();
     for (number, piece) in pieces.iter().enumerate() {
         for &step in piece {
-            for_each_read(graph, plan, step, |id| {
+            for_each_read(function, plan, step, |id| {
                 if made.get(&id).is_some_and(|&maker| maker != number) {
                     stored.insert(id);
                 }
@@ -176,12 +176,12 @@ fn store_between(graph: &Function, plan: &mut Plan, pieces: &[Vec<Step>]) {
             }
         }
     }
-    for sink in &graph.sinks {
+    for sink in &function.sinks {
         if let Sink::Hold(value) = sink
             && made.get(value).is_some_and(|&maker| maker + 1 != pieces.len())
         {
             stored.insert(*value);
         }
     }
-    plan.stored.extend(stored);
+    plan.live_out.extend(stored);
 }

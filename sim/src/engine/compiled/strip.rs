@@ -126,7 +126,7 @@ impl Emitter<'_, '_, '_> {
         if strip.lanes.has(id) {
             return;
         }
-        let cell = self.graph.cell(id);
+        let cell = self.function.cell(id);
         if strip.singles[0].get(id).is_some() {
             let singles = strip.singles.iter_mut();
             let lanes: Vec<Value> = singles.map(|single| single.clean(self.builder, id)[0]).collect();
@@ -149,7 +149,7 @@ impl Emitter<'_, '_, '_> {
         if strip.singles[0].get(id).is_some() {
             return;
         }
-        let cell = self.graph.cell(id);
+        let cell = self.function.cell(id);
         for lane in 0..strip.size {
             if strip.lanes.has(id) {
                 let clean = strip.lanes.extract(self.builder, id, lane);
@@ -158,7 +158,7 @@ impl Emitter<'_, '_, '_> {
             }
             match &cell.kind {
                 Kind::Const(bits) => strip.singles[lane as usize].constant(self.builder, id, bits),
-                Kind::Broadcast { of, .. } if self.graph.cell(*of).lanes == 1 => {
+                Kind::Broadcast { of, .. } if self.function.cell(*of).lanes == 1 => {
                     let uniform = self.scalars.get(*of).expect("it was made available before the loop").clone();
                     strip.singles[lane as usize].define(id, uniform);
                 }
@@ -179,12 +179,12 @@ impl Emitter<'_, '_, '_> {
 
     /// Makes an operand available in the form that suits its width.
     pub(super) fn available(&mut self, strip: &mut Strip, id: ValueId) {
-        if self.graph.cell(id).width <= 64 { self.vector(strip, id) } else { self.singles(strip, id) }
+        if self.function.cell(id).width <= 64 { self.vector(strip, id) } else { self.singles(strip, id) }
     }
 
     /// An operand's clean limbs in one lane; it has up to [`LONGEST`](super::scalar::LONGEST) bits.
     pub(super) fn limbs(&mut self, strip: &mut Strip, id: ValueId, lane: u32) -> Vec<Value> {
-        if self.graph.cell(id).width <= 64 {
+        if self.function.cell(id).width <= 64 {
             self.vector(strip, id);
             return vec![strip.lanes.extract(self.builder, id, lane)];
         }
@@ -217,7 +217,7 @@ impl Emitter<'_, '_, '_> {
     /// Computes an elementwise operation.
     pub(super) fn elementwise(&mut self, strip: &mut Strip, id: ValueId, kind: &Kind, width: u32) {
         let mut is_narrow = width <= 64;
-        kind.for_each_operand(|operand| is_narrow &= self.graph.cell(operand).width <= 64);
+        kind.for_each_operand(|operand| is_narrow &= self.function.cell(operand).width <= 64);
         if is_narrow {
             kind.for_each_operand(|operand| self.vector(strip, operand));
             strip.lanes.evaluate(self.builder, id, kind, width);
@@ -236,13 +236,13 @@ impl Emitter<'_, '_, '_> {
 
     /// Computes a cell of a kernel.
     pub(super) fn lane_cell(&mut self, strip: &mut Strip, id: ValueId) {
-        let cell = self.graph.cell(id);
+        let cell = self.function.cell(id);
         match &cell.kind {
             Kind::Word { memory, address } => self.read_lanes(strip, id, *memory, *address),
             Kind::Broadcast { of, axis } if axis.inner > 1 => self.tile(strip, id, *of),
             // Made available before the loop.
             Kind::Broadcast { .. } if strip.lanes.has(id) => {}
-            Kind::Broadcast { of, .. } if self.graph.cell(*of).lanes == 1 => self.singles(strip, id),
+            Kind::Broadcast { of, .. } if self.function.cell(*of).lanes == 1 => self.singles(strip, id),
             Kind::Broadcast { of, axis } => {
                 let (n, total) = (axis.count, strip.total);
                 self.collect(strip, id, *of, |emitter, lane| emitter.divided(lane, total, n).0);
@@ -259,7 +259,7 @@ impl Emitter<'_, '_, '_> {
             Kind::Reduce { by, of, axis } => return self.accumulate(strip, id, *by, *of, axis.count),
             kind => self.elementwise(strip, id, kind, cell.width),
         }
-        if self.plan.stored.contains(&id) {
+        if self.plan.live_out.contains(&id) {
             self.store_lanes(strip, id, self.addresses.of(id));
         }
     }
@@ -272,7 +272,7 @@ impl Emitter<'_, '_, '_> {
         of: ValueId,
         mut from: impl FnMut(&mut Self, Value) -> Value,
     ) {
-        let width = self.graph.cell(id).width;
+        let width = self.function.cell(id).width;
         for lane in 0..strip.size {
             let at = self.existing(strip, lane);
             let from = from(self, at);
@@ -305,15 +305,15 @@ impl Emitter<'_, '_, '_> {
 
     /// A row that is the same for all rows.
     fn tile(&mut self, strip: &mut Strip, id: ValueId, of: ValueId) {
-        let n = self.graph.cell(of).lanes;
-        let is_constant = matches!(self.graph.cell(of).kind, Kind::Const(_));
-        if !is_constant && n == strip.row && self.graph.cell(id).width <= 64 {
+        let n = self.function.cell(of).lanes;
+        let is_constant = matches!(self.function.cell(of).kind, Kind::Const(_));
+        if !is_constant && n == strip.row && self.function.cell(id).width <= 64 {
             let place = self.addresses.of(of);
             let address = self.address(strip.within.expect("it has begun"), place.bytes());
             // Its own strips are of other sizes.
             let aligned = (strip.size * place.element).is_multiple_of(128);
             let side = Span { storage: place.element, address, offset: offset(place.offset), aligned };
-            strip.lanes.load(self.builder, id, self.graph.cell(id).width, side);
+            strip.lanes.load(self.builder, id, self.function.cell(id).width, side);
             return;
         }
         let total = strip.total;
@@ -322,14 +322,14 @@ impl Emitter<'_, '_, '_> {
 
     /// For each lane the one `by` lanes before it; anything, where that is beyond the edge of its group.
     fn neighbour(&mut self, strip: &mut Strip, id: ValueId, of: ValueId, by: i32) {
-        let width = self.graph.cell(id).width;
-        if let Kind::Const(bits) = &self.graph.cell(of).kind
+        let width = self.function.cell(id).width;
+        if let Kind::Const(bits) = &self.function.cell(of).kind
             && width <= 64
         {
             return strip.lanes.constant(id, bits);
         }
         let reach = by.unsigned_abs() as usize * 8;
-        if width <= 64 && reach <= GUARD / 2 && !matches!(self.graph.cell(of).kind, Kind::Const(_)) {
+        if width <= 64 && reach <= GUARD / 2 && !matches!(self.function.cell(of).kind, Kind::Const(_)) {
             let place = self.addresses.of(of);
             let address = self.strip_address(strip, place.bytes());
             let offset = offset(place.offset) - by * place.bytes() as i32;
@@ -349,7 +349,7 @@ impl Emitter<'_, '_, '_> {
     /// Combines a strip's lanes, one by one, into the groups' results in memory.
     fn accumulate(&mut self, strip: &mut Strip, id: ValueId, by: Reduction, of: ValueId, group: u32) {
         self.singles(strip, of);
-        let (place, width) = (self.addresses.of(id), self.graph.cell(id).width);
+        let (place, width) = (self.addresses.of(id), self.function.cell(id).width);
         for lane in 0..strip.size {
             let at = self.builder.ins().iadd_imm_s(strip.first.expect("it has begun"), i64::from(lane));
             // With one group, lanes that do not exist add nothing to it.
