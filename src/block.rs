@@ -50,6 +50,17 @@ const MOST_BYTES: u64 = 2 << 30;
 /// # Errors
 /// Its memories are too large, or it cannot be simulated.
 pub fn simulation(design: &Design, engine: EngineKind) -> Result<Simulation, Failure> {
+    check_memories(design)?;
+    let sim = Simulation::from_design(design)?.on(engine);
+    tell_fallback(&sim);
+    Ok(sim)
+}
+
+/// Whether a design's memories are not too large for this computer.
+///
+/// # Errors
+/// They are.
+pub fn check_memories(design: &Design) -> Result<(), Failure> {
     let bytes = memory_bytes(design);
     if bytes > MOST_BYTES {
         let [needed, most] = [bytes.div_ceil(1 << 20), MOST_BYTES >> 20];
@@ -58,9 +69,7 @@ pub fn simulation(design: &Design, engine: EngineKind) -> Result<Simulation, Fai
         );
         return Err(Failure::new(Exit::BadInput, sentence));
     }
-    let sim = Simulation::from_design(design)?.on(engine);
-    tell_fallback(&sim);
-    Ok(sim)
+    Ok(())
 }
 
 /// The bytes of all memories of all instances; words are kept in limbs of 64 bits.

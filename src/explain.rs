@@ -1,6 +1,6 @@
 //! `tilewright explain`: what each pass of the simulator makes of a block.
 
-use crate::block::BlockArguments;
+use crate::block::{BlockArguments, check_memories};
 use crate::shell::{Exit, Failure, terminal};
 use clap::Args;
 use clap::builder::PossibleValuesParser;
@@ -12,8 +12,8 @@ use tilewright_sim::{Pass, Passes, explain};
 #[command(after_help = "\
 Examples:
   tilewright explain scan-counter --pass fold
-  tilewright explain merging-unit --set stages=2
-  tilewright explain patch-table --pass sequence --json
+  tilewright explain image-merger --set units=8 --pass lift
+  tilewright explain patch-table --pass lower --pass plan --json
 
 A line has a value's name or number, its lanes and its width in bits, how it is computed, and where the block's source says so.
 Each pass is shown with those before it.")]
@@ -46,6 +46,7 @@ impl Explain {
     pub fn run(self) -> Result<Exit, Failure> {
         let (entry, values) = self.block.find()?;
         let design = entry.design(&values)?;
+        check_memories(&design)?;
         let wanted = |pass: Pass| self.passes.is_empty() || self.passes.iter().any(|name| name == pass.name());
         let explained = explain(&design, &Passes::default()).into_iter().filter(|it| wanted(it.pass));
         let shown =

@@ -5,6 +5,7 @@ mod bench;
 mod determinism;
 mod documentation;
 mod engine;
+mod explain;
 mod harness;
 mod interruption;
 mod limits;

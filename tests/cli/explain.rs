@@ -1,0 +1,38 @@
+//! `explain`.
+
+use crate::harness::Folder;
+
+#[test]
+fn a_pass_is_shown_with_the_users_names_and_source_lines() {
+    let text = Folder::new().stdout("explain scan-counter --pass fold");
+    assert!(
+        text.starts_with("# fold: Constants are computed, and operations that do nothing are left out.\n\n"),
+        "{text}"
+    );
+    let line = text.lines().find(|line| line.starts_with("line_end ")).unwrap();
+    assert!(line.contains(": 1 = scan_enable & %") && line.contains("   rtl/src/lfb/scan_counter.rs:"), "{line}");
+    assert!(text.contains("\nat clk:\n  pixel_x <- %"), "{text}");
+    assert_eq!(text.matches("# ").count(), 1, "only that pass is shown: {text}");
+}
+
+#[test]
+fn every_pass_of_every_block_is_explained_the_same_each_time() {
+    let folder = Folder::new();
+    for block in folder.json("list --json")["blocks"].as_array().unwrap() {
+        let arguments = format!("explain {} --json", block["name"].as_str().unwrap());
+        let report = folder.json(&arguments);
+        let passes = report["passes"].as_array().unwrap();
+        assert_eq!(passes.len(), 12, "{arguments}");
+        for pass in passes {
+            assert!(!pass["text"].as_str().unwrap().is_empty(), "{arguments}: {pass}");
+        }
+        assert_eq!(report, folder.json(&arguments));
+    }
+}
+
+#[test]
+fn a_pass_that_there_is_not_is_refused_with_those_that_there_are() {
+    let run = Folder::new().run("explain scan-counter --pass optimise");
+    assert_eq!(run.code, Some(2));
+    assert!(run.stderr.contains("optimise") && run.stderr.contains("flatten, siblings, share, fold"), "{}", run.stderr);
+}
