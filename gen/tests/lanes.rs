@@ -86,6 +86,19 @@ fn constants_of_a_grid() {
     golden(vec![modules::constants()]);
 }
 
+/// What no linter sees through in one lane, it may in another.
+#[test]
+fn comparisons_with_constants_of_the_lanes() {
+    let text = clean(vec![modules::comparisons()]);
+    assert!(text.contains("$signed({2'd0, x[i * 2 +: 2]}) >= $signed("), "{text}");
+}
+
+/// Lanes that are never written, enabled or chosen are driven all the same, as every linter wants.
+#[test]
+fn constants_of_the_lanes_that_decide() {
+    clean(vec![modules::decided()]);
+}
+
 #[test]
 fn more_lanes_than_a_vector_holds() {
     let text = clean(vec![modules::far_pick()]);
@@ -96,6 +109,7 @@ fn more_lanes_than_a_vector_holds() {
 fn processors_and_their_trees() {
     let text = clean(vec![machines::processors(8)]);
     assert!(text.contains("reg words [0:207];") || text.contains("reg [63:0] words [0:207];"), "{text}");
+    assert_eq!(text.matches("case (operation)").count(), 1, "a named choice is written once: {text}");
     let lines = print(vec![machines::processors(128)])[0].text.lines().count();
     assert!(lines < 500, "{lines} lines");
 }

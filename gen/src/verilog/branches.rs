@@ -30,7 +30,7 @@ impl Printer<'_> {
     }
 
     /// A value inside of a choice: a further choice only if it is part of this block.
-    fn branch(&mut self, id: NodeId, target: &Target) -> Vec<Statement> {
+    pub fn branch(&mut self, id: NodeId, target: &Target) -> Vec<Statement> {
         match self.plan.form(id) {
             Form::Block => self.leaf(id, target),
             _ => self.statements(id, target),

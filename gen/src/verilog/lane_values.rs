@@ -44,10 +44,11 @@ fn along(shape: Shape, values: &[Bits]) -> Option<LaneConstants> {
     is_by_column.then(|| Pattern::of(by_column).map(|pattern| LaneConstants::Along(1, pattern)))?
 }
 
-/// The value of every lane.
-fn values(module: &Module, id: NodeId) -> Option<Vec<Bits>> {
+/// The value of every lane, also behind a name.
+pub fn values(module: &Module, id: NodeId) -> Option<Vec<Bits>> {
     let shape = module.shape(id);
     match &module.node(id).op {
+        Op::Wire(of) | Op::QuasiStatic(of, _) => values(module, *of),
         Op::Const(value) => Some(vec![value.clone(); shape.lanes() as usize]),
         Op::Broadcast { of, axis } => {
             let inner = values(module, *of)?;

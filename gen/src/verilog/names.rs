@@ -50,6 +50,9 @@ pub fn name_nodes(
         let name = module.register_name(register);
         reset.iter().for_each(|&id| namer.name_below(id, name, &format!("{name}_reset")));
     }
+    for output in &module.outputs {
+        namer.name_below(output.node, &output.name, &format!("{}_value", output.name));
+    }
     for assert in &module.asserts {
         namer.name_below(assert.condition, "asserted", "asserted");
     }

@@ -159,7 +159,8 @@ impl Printer<'_> {
         loop {
             let step = self.module.width(of);
             match self.module.node(of).op {
-                Op::Unpack { of: inner, axis } if self.plan.form(of) == Form::Inline => {
+                // The vector's own name is no place to look at, even where these lanes have one.
+                Op::Unpack { of: inner, axis } if of == id || self.plan.form(of) == Form::Inline => {
                     let extent = self.module.shape(of).extent(axis);
                     steps.push((at.remove(axis as usize), step, extent));
                     of = inner;

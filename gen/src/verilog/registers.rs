@@ -67,7 +67,7 @@ impl Printer<'_> {
             hold: Some(register.node),
             states: self.states.of(register.node),
         };
-        match self.statements(register.next, &target) {
+        match self.branch(register.next, &target) {
             body if body.is_empty() => vec![target.keep()],
             body => body,
         }

@@ -220,3 +220,48 @@ pub fn far_pick() -> Module {
     b.output("picked", picked);
     b.module.clone()
 }
+
+/// A list of constants.
+fn list(b: &mut Build, width: u32, values: &[u64]) -> NodeId {
+    let parts: Vec<NodeId> = values.iter().map(|&value| b.constant(width, value, Shape::Plain)).collect();
+    b.stack(&parts, 0)
+}
+
+/// Comparisons that are decided in some lanes.
+pub fn comparisons() -> Module {
+    let b = &mut Build::new("comparisons");
+    let (x, which) = (b.input("x", 2, Shape::Row(4)), b.input("which", 8, Shape::Row(3)));
+    let (low, other) = (list(b, 2, &[0, 1, 2, 3]), list(b, 2, &[3, 0, 0, 3]));
+    let reached = b.node(Op::Compare { relation: Relation::Ge, signed: false, operands: [x, low] }, 1, Shape::Row(4));
+    let known = b.node(Op::Compare { relation: Relation::Ge, signed: false, operands: [other, low] }, 1, Shape::Row(4));
+    let both = b.xor(reached, known);
+    b.output("both", both);
+    let places = list(b, 2, &[3, 1, 2, 0]);
+    let grid = b.broadcast(which, 1, 4);
+    let picked = b.pick(grid, 0, places);
+    b.output("picked", picked);
+    b.module.clone()
+}
+
+/// Constants that enable, choose and address.
+pub fn decided() -> Module {
+    let b = &mut Build::new("decided");
+    let row = Shape::Row(4);
+    let x = b.input("x", 3, row);
+    let (on, place) = (list(b, 1, &[0, 1, 1, 0]), list(b, 2, &[0, 1, 3, 2]));
+    let enabled = b.register("enabled", 3, row, None);
+    b.next(enabled, Some(on), x);
+    let chosen = b.register("chosen", 3, row, None);
+    let next = b.mux(on, x, chosen);
+    b.next(chosen, None, next);
+    let kind = list(b, 2, &[2, 0, 1, 2]);
+    let (three, four) = (b.constant(3, 3, row), list(b, 3, &[4, 5, 6, 7]));
+    let constant = b.case(kind, &[three, four], three);
+    let words = b.memory("words", 4, 3, row);
+    b.write(words, on, place, x);
+    let word = b.read(words, true, place, Some(on));
+    for (name, node) in [("enabled_out", enabled), ("chosen_out", chosen), ("constant", constant), ("word", word)] {
+        b.output(name, node);
+    }
+    b.module.clone()
+}

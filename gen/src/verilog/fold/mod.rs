@@ -1,6 +1,7 @@
 //! Makes a module printable: constants are folded, so that no linter meets `a >= 8'd0`; shifts by a constant become
 //! slices; nodes that only pass a value on disappear unless they have a name.
 
+mod constants;
 mod lanes;
 pub mod lower;
 mod memories;
@@ -9,7 +10,7 @@ mod shift;
 
 use super::order::{map_operands, operands_first};
 use tilewright_hdl::Bits;
-use tilewright_hdl::ir::{Design, Module, Node, NodeId, Op};
+use tilewright_hdl::ir::{Design, Module, Node, NodeId, Op, Shape};
 
 /// A circuit that is ready to be printed.
 pub struct Folded {
@@ -128,13 +129,18 @@ impl Fold {
 
     /// A new unnamed node, in the place of `of`.
     fn add(&mut self, of: NodeId, width: u32, op: Op) -> NodeId {
-        let id = NodeId(self.module.nodes.len() as u32);
-        let &Node { shape, loc, .. } = self.module.node(of);
         // What leads to another shape says so itself.
         let shape = match op {
             Op::Lane { of, axis, .. } => self.module.shape(of).without(axis),
-            _ => shape,
+            _ => self.module.shape(of),
         };
+        self.add_shaped(of, width, shape, op)
+    }
+
+    /// As [`Fold::add`], of another shape.
+    fn add_shaped(&mut self, of: NodeId, width: u32, shape: Shape, op: Op) -> NodeId {
+        let id = NodeId(self.module.nodes.len() as u32);
+        let loc = self.module.node(of).loc;
         self.module.nodes.push(Node { op, width, shape, name: None, loc });
         self.same.push(id);
         self.visit(id);
@@ -143,6 +149,9 @@ impl Fold {
 
     fn simplify(&mut self, id: NodeId, op: Op) -> Outcome {
         let width = self.width(id);
+        if let Some(outcome) = self.lane_constant(id, &op) {
+            return outcome;
+        }
         match op {
             Op::Unary(unary, a) => self.unary(unary, a),
             Op::Binary(binary, a, b) => self.binary(binary, a, b),

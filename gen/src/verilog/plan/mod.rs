@@ -1,10 +1,14 @@
 //! Decides how each node of a module appears in the text: inline where it is used, as a net of its own, as branches
 //! of an always block, or not at all.
 
+mod needs;
+
 use super::fold::Folded;
 use super::lane_values::lane_constants;
-use super::order::operands_first;
+use super::order::{for_each_read, operands_first};
 use super::reads::can_exceed;
+pub use needs::is_place;
+use needs::{lane_operands, lists};
 use tilewright_hdl::ir::{Binary, Module, Node, NodeId, Op, Shift, Unary};
 
 /// An expression longer than this, in columns, is split.
@@ -114,7 +118,8 @@ impl Planner<'_> {
             }
             self.set(id, self.first_form(id));
             // A formula or a table does not name what it is made of.
-            if self.form(id) == Form::Constants {
+            let is_list = matches!(module.node(id).op, Op::Stack { .. } | Op::Broadcast { .. });
+            if is_list && lane_constants(module, id).is_some() {
                 continue;
             }
             module.node(id).op.for_each_operand(|operand| {
@@ -165,87 +170,15 @@ impl Planner<'_> {
             for of in lane_operands(&self.module.node(id).op) {
                 self.name_lane_operand(id, of);
             }
+            for of in lists(&self.module.node(id).op) {
+                if self.form(of) == Form::Constants {
+                    self.set(of, Form::Net);
+                }
+            }
             self.join_packs(id);
         }
         self.find_address_nets();
         self.find_mask_nets();
-    }
-
-    /// Of wide words, lanes are written one by one: mask and data have names.
-    fn find_mask_nets(&mut self) {
-        let module = self.module;
-        for memory in &module.memories {
-            let masked = |enable: NodeId| module.width(enable) > 1;
-            let is_masked = memory.writes.iter().any(|write| masked(write.enable));
-            let writes = memory.writes.iter().filter(|_| is_masked);
-            let writes = writes.flat_map(|write| [Some(write.data), Some(write.enable).filter(|&id| masked(id))]);
-            let reads = memory.reads.iter().map(|read| read.enable.filter(|&id| masked(id)));
-            for id in writes.chain(reads).flatten() {
-                if self.form(id) == Form::Inline {
-                    self.set(id, Form::Net);
-                }
-            }
-        }
-    }
-
-    /// An address that is computed becomes a net: Icarus does not cut an expression in an index to its width.
-    fn find_address_nets(&mut self) {
-        for memory in &self.module.memories {
-            let reads = memory.reads.iter().map(|read| read.address);
-            for address in reads.chain(memory.writes.iter().map(|write| write.address)) {
-                let op = &self.module.node(address).op;
-                let plain = is_place(op) || matches!(op, Op::Slice { .. } | Op::Concat(_));
-                if self.form(address) == Form::Inline && !plain {
-                    self.set(address, Form::Net);
-                }
-            }
-        }
-    }
-
-    /// Rows side by side of columns side by side need no name for the columns.
-    fn join_packs(&mut self, id: NodeId) {
-        if let Op::Pack { of, .. } = self.module.node(id).op
-            && let Node { op: Op::Pack { .. }, name: None, .. } = self.module.node(of)
-            && self.uses[of.0 as usize] == 1
-        {
-            self.set(of, Form::Inline);
-        }
-    }
-
-    /// What is read in another lane, or more than once, has a name; but a plain expression may stand in the one lane that
-    /// it is broadcast to.
-    fn name_lane_operand(&mut self, id: NodeId, of: NodeId) {
-        let mut end = of;
-        while let Op::Broadcast { of: inner, .. }
-        | Op::Lane { of: inner, .. }
-        | Op::Unpack { of: inner, .. }
-        | Op::Map { of: inner, edge: None, .. } = self.module.node(end).op
-            && self.form(end) == Form::Inline
-        {
-            end = inner;
-        }
-        let is_broadcast = matches!(self.module.node(id).op, Op::Broadcast { .. });
-        let may_stand = is_broadcast && self.module.shape(end).is_plain() && self.uses[id.0 as usize] <= 1;
-        if self.form(end) == Form::Constants && !is_broadcast {
-            self.set(end, Form::Net);
-        }
-        if self.form(end) == Form::Inline && !is_place(&self.module.node(end).op) && !may_stand {
-            self.set(end, Form::Net);
-        }
-    }
-
-    /// The operand that a node needs a name for: Verilog takes bits of names alone.
-    fn must_be_net(&self, id: NodeId) -> Option<NodeId> {
-        let module = self.module;
-        let op = |of: NodeId| &module.node(of).op;
-        let of = match *op(id) {
-            Op::Slice { of, .. } | Op::Wire(of) | Op::QuasiStatic(of, _) => Some(of).filter(|&of| !is_place(op(of))),
-            Op::Extend { of, signed: true } if module.width(of) > 1 => {
-                Some(of).filter(|&of| !is_place(op(of)) && !matches!(op(of), Op::Slice { .. }))
-            }
-            _ => None,
-        };
-        of.filter(|&of| matches!(self.form(of), Form::Inline | Form::Constants))
     }
 
     /// Whether a node reads no worse than the name that would stand for it.
@@ -274,6 +207,10 @@ impl Planner<'_> {
             if wants_block {
                 self.set(id, Form::Block);
                 self.branch_operands(id, DEEPEST);
+                // A block that reads nothing but constants never runs; a net has a first value.
+                let mut reads = Vec::new();
+                for_each_read(self.module, id, |read| reads.push(read));
+                self.keep_constants(reads);
             }
         }
     }
@@ -303,6 +240,12 @@ impl Planner<'_> {
     fn branch_operands(&mut self, mut id: NodeId, depth: u32) {
         let module = self.module;
         loop {
+            // What is never chosen would have no driver.
+            match &module.node(id).op {
+                Op::Mux { select, .. } | Op::Case { subject: select, .. } => self.keep_constants(vec![*select]),
+                Op::Select { arms, .. } => arms.iter().for_each(|(condition, _)| self.keep_constants(vec![*condition])),
+                _ => {}
+            }
             id = match &module.node(id).op {
                 Op::Mux { on_true, on_false, .. } => {
                     self.branch(*on_true, depth - 1);
@@ -364,23 +307,6 @@ impl Planner<'_> {
     fn can_split(&self, id: NodeId) -> bool {
         let op = &self.module.node(id).op;
         !is_place(op) && !matches!(op, Op::Slice { .. })
-    }
-}
-
-/// Whether an operator without a name only says where its operand's lane is, or what it is: it costs nothing wherever it
-/// stands.
-pub fn is_place(op: &Op) -> bool {
-    matches!(op, Op::Const(_) | Op::Broadcast { .. } | Op::Lane { .. } | Op::Unpack { .. } | Op::Map { edge: None, .. })
-}
-
-/// The operands that a lane operation reads in another lane than its own, or more than once.
-fn lane_operands(op: &Op) -> Vec<NodeId> {
-    match op {
-        Op::Broadcast { of, .. } | Op::Lane { of, .. } | Op::Unpack { of, .. } => vec![*of],
-        Op::Map { of, .. } | Op::Reduce { of, .. } | Op::Pack { of, .. } => vec![*of],
-        Op::Pick { of, index, .. } => vec![*of, *index],
-        Op::Interleave { parts, .. } => parts.clone(),
-        _ => Vec::new(),
     }
 }
 
