@@ -155,19 +155,19 @@ fn pair() -> Module {
     b.module.clone()
 }
 
-/// Instances of [`pair`], whose second output of `y` comes back as the first of `x`: of the next instance, or its own.
-fn pairs(by: i32) -> Vec<String> {
+/// Instances of [`pair`], one of whose outputs comes back as the other input: of the next instance, or its own.
+fn pairs(by: i32, from: u32) -> Vec<String> {
     let (b, child) = (&mut Build::new("top"), pair());
     let first = b.input("first", 1, Shape::Plain);
     let placeholder = NodeId(0);
     let y = b.instance("u_pair", 0, &child, Shape::Row(3), &[placeholder])[0];
     b.named("y", y);
-    let upper = b.lane(y, 1, 1);
+    let other = b.lane(y, 1, from);
     let edge = (by != 0).then_some(first);
-    let passed = b.map(upper, 0, 3, Affine::shift(by), edge);
+    let passed = b.map(other, 0, 3, Affine::shift(by), edge);
     b.named("passed", passed);
     let firsts = b.broadcast(first, 0, 3);
-    let x = b.stack(&[passed, firsts], 1);
+    let x = if from == 1 { b.stack(&[passed, firsts], 1) } else { b.stack(&[firsts, passed], 1) };
     b.named("x", x);
     b.module.instances[0].inputs[0] = x;
     b.output("all", y);
@@ -177,10 +177,15 @@ fn pairs(by: i32) -> Vec<String> {
 /// Lane 1 of `y` is made of lane 1 of `x` alone, but what is known of an instance is whole ports.
 #[test]
 fn a_port_with_lanes_is_one_port() {
-    assert_eq!(pairs(-1), NONE);
+    assert_eq!(pairs(-1, 1), NONE);
+    assert_eq!(pairs(-1, 0), NONE);
     assert_eq!(
-        pairs(0),
+        pairs(0, 1),
         ["a combinational loop in `top`: `y[0][1]` -> `node 2[0]` -> `passed[0]` -> `x[0][0]` -> `y[0][1]`"]
+    );
+    assert_eq!(
+        pairs(0, 0),
+        ["a combinational loop in `top`: `y[0][0]` -> `node 2[0]` -> `passed[0]` -> `x[0][1]` -> `y[0][0]`"]
     );
 }
 
