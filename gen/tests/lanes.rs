@@ -77,6 +77,11 @@ fn ports_with_lanes() {
 }
 
 #[test]
+fn arrays_that_feed_each_other() {
+    golden(modules::arrays());
+}
+
+#[test]
 fn groups_that_read_each_other() {
     golden(vec![modules::rings()]);
 }

@@ -107,7 +107,8 @@ impl ScopeNames {
             let name = if is_array { taken.fresh_in(&mut scope, LANE, &name) } else { name };
             instances.insert(index, name);
             for (port, output) in child.outputs.iter().zip(&instance.outputs) {
-                names[output.0 as usize] = Some(taken.fresh_in(&mut scope, LANE, &port.name));
+                let wanted = if is_array { port.name.clone() } else { format!("{}_{}", instance.name, port.name) };
+                names[output.0 as usize] = Some(taken.fresh_in(&mut scope, LANE, &wanted));
             }
         }
         let label = match group.instances[..] {

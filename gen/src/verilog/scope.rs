@@ -2,7 +2,7 @@
 //! that none is given twice in what can be seen from one place.
 
 use std::collections::{BTreeMap, BTreeSet};
-use tilewright_hdl::ir::{Design, Module};
+use tilewright_hdl::ir::{Design, Module, Shape};
 
 /// What the instance in each lane of an array is called where nothing else has that name.
 pub const LANE: &str = "lane";
@@ -32,7 +32,9 @@ impl Names {
         let instances = module.instances.iter().map(|instance| &instance.name);
         let all = design.modules().iter().flat_map(|parent| &parent.instances);
         let own = all.filter(|instance| design.module(instance.module).name == module.name);
-        let own = own.map(|instance| if instance.shape.is_plain() { &instance.name } else { LANE });
+        // An array is called either in its lanes.
+        let lane = |shape: Shape| if shape.is_plain() { None } else { Some(LANE) };
+        let own = own.flat_map(|instance| [Some(instance.name.as_str()), lane(instance.shape)]).flatten();
         let mut names = Names::default();
         clocks.chain(ports).chain(nodes).chain(memories).chain(instances).for_each(|name| names.take(name));
         own.for_each(|name| names.take(name));

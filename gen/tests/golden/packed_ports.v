@@ -46,7 +46,7 @@ module packed_ports (
                 assign u_row_x[j * 8 +: 8] = cells[i].col[j].state;
             end
 
-            sums lane (
+            sums3 lane (
                 .x        (u_row_x),
                 .sum      (sum),
                 .reverse  (reverse),
@@ -71,7 +71,7 @@ module packed_ports (
         end
     endgenerate
 
-    sums u_single (                                              // gen/tests/lanes/mod.rs:134
+    sums3 u_single (                                             // gen/tests/lanes/mod.rs:134
         .x        (u_single_x),
         .sum      (single),
         .reverse  (turned),

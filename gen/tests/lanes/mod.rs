@@ -110,7 +110,7 @@ pub fn memories() -> Module {
 
 /// A block with ports that have lanes: the sum of a row, and the row in reverse.
 pub fn sums(inputs: u32) -> Module {
-    let b = &mut Build::new("sums");
+    let b = &mut Build::new(&format!("sums{inputs}"));
     let x = b.input("x", 8, Shape::Row(inputs));
     let sum = b.reduce(Reduction::Add, x, 0);
     let reverse = b.map(x, 0, inputs, Affine { mul: -1, add: inputs as i32 - 1, div: 1 }, None);
@@ -263,5 +263,43 @@ pub fn decided() -> Module {
     for (name, node) in [("enabled_out", enabled), ("chosen_out", chosen), ("constant", constant), ("word", word)] {
         b.output(name, node);
     }
+    b.module.clone()
+}
+
+/// Two rows of instances that feed each other through registers, and a grid of them.
+pub fn arrays() -> Vec<Module> {
+    let child = sums(2);
+    let b = &mut Build::new("arrays");
+    let row = Shape::Row(4);
+    let x = b.input("x", 8, row);
+    let (first, second) = (b.register("first", 8, row, zero(8)), b.register("second", 8, row, zero(8)));
+    let pair = |b: &mut Build, a, c| b.stack(&[a, c], 1);
+    let fed = pair(b, second, x);
+    let one = b.instance("u_one", 0, &child, row, &[fed]);
+    b.next(first, None, one[0]);
+    let fed = pair(b, first, x);
+    let two = b.instance("u_two", 0, &child, row, &[fed]);
+    let before = b.lane(two[1], 1, 1);
+    b.next(second, None, before);
+    b.output("first_out", first);
+    b.output("reversed", one[1]);
+    b.output("smallest", two[2]);
+    // A child without lanes in a grid.
+    let cell = adder();
+    let (wide, tall) = (b.broadcast(x, 0, 3), b.input("tall", 8, Shape::Row(3)));
+    let above = b.instance("u_cell", 1, &cell, Shape::Grid(3, 4), &[wide, wide])[0];
+    let left = b.previous(above, 1, tall);
+    b.module.instances.last_mut().unwrap().inputs[0] = left;
+    b.output("added", above);
+    vec![child, cell, b.module.clone()]
+}
+
+fn adder() -> Module {
+    let b = &mut Build::new("adder");
+    let (x, y) = (b.input("x", 8, Shape::Plain), b.input("y", 8, Shape::Plain));
+    let sum = b.add(x, y);
+    b.output("sum", sum);
+    b.module.clocks.clear();
+    b.module.inputs.iter_mut().for_each(|input| input.clock = None);
     b.module.clone()
 }

@@ -302,6 +302,17 @@ fn ports_and_instances() {
 }
 
 #[test]
+fn ports_are_vectors() {
+    refused("port `top.wide` has 2097152 bits in its 512 x 512 lanes, more than 1048576", |b, _| {
+        b.input("wide", 8, Shape::Grid(512, 512));
+    });
+    refused("port `top.wide` has 2097152 bits in its 262144 lanes, more than 1048576", |b, _| {
+        let wide = b.constant(8, 0, Shape::Row(1 << 18));
+        b.output("wide", wide);
+    });
+}
+
+#[test]
 fn assertions() {
     refused("the condition of an assertion in `top`, `top.row`, has 8 bits, not 1 bit", |b, [_, row, ..]| {
         b.assert(row, "a bit");

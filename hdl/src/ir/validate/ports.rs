@@ -1,7 +1,9 @@
 //! The rules of clocks, ports and instances.
 
 use super::{Needs, Rules, problem};
-use crate::ir::{Instance, InstanceId, Module, NodeId, Op, Shape};
+use crate::ir::{Instance, InstanceId, Module, Node, NodeId, Op, Shape};
+use crate::limits::WIDEST;
+use crate::loc::Loc;
 use crate::problem::Problem;
 
 /// At the top every clock has a period, as there is nothing above that drives it.
@@ -29,6 +31,7 @@ impl Rules<'_> {
         for (index, input) in (0..).zip(&self.module.inputs) {
             let owner = self.of(&input.name);
             if let Some(node) = self.is_node(loc, &owner, input.node, &Op::Input(index)) {
+                self.packed_width(loc, &owner, node);
                 self.rule(node.name.as_ref() == Some(&input.name), loc, || {
                     format!("the node of input {owner} has another name")
                 });
@@ -37,7 +40,13 @@ impl Rules<'_> {
         }
         for output in &self.module.outputs {
             let shape = self.module.nodes.get(output.node.0 as usize).map_or(Shape::Plain, |node| node.shape);
-            self.refers(loc, "the driver", &self.of(&output.name), output.node, Needs::shape(shape));
+            let owner = self.of(&output.name);
+            self.refers(loc, "the driver", &owner, output.node, Needs::shape(shape));
+            self.module
+                .nodes
+                .get(output.node.0 as usize)
+                .into_iter()
+                .for_each(|node| self.packed_width(loc, &owner, node));
         }
     }
 
@@ -54,6 +63,14 @@ impl Rules<'_> {
                 ),
             }
         }
+    }
+
+    /// The lanes of a port side by side are no wider than a plain value may be: so it is printed.
+    fn packed_width(&mut self, loc: Loc, owner: &str, node: &Node) {
+        let width = u64::from(node.width) * u64::from(node.shape.lanes());
+        self.rule(node.shape.is_plain() || width <= WIDEST.into(), loc, || {
+            format!("port {owner} has {width} bits in its {}, more than {WIDEST}", node.shape)
+        });
     }
 
     /// What a port of a child, which is `node` there, is of an instance; if that can be.

@@ -1,10 +1,10 @@
-// sums
+// sums3
 //
-// Parameters  sums
+// Parameters  sums3
 // Described   gen/tests/lanes/mod.rs:113
 `default_nettype none
 
-module sums (
+module sums3 (
     input  wire [23:0] x,
     output wire [7:0]  sum,
     output wire [23:0] reverse,

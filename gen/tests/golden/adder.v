@@ -1,0 +1,15 @@
+// adder
+//
+// Parameters  adder
+// Described   gen/tests/lanes/mod.rs:298
+`default_nettype none
+
+module adder (
+    input  wire [7:0] x,
+    input  wire [7:0] y,
+    output wire [7:0] sum
+);
+
+    assign sum = x + y;                                          // gen/tests/lanes/mod.rs:300
+endmodule
+`default_nettype wire
