@@ -252,7 +252,11 @@ impl Campaign {
     /// Makes the design smaller, and of a circuit with shapes what it is made of.
     fn shrink(&self, failure: &mut Failure) {
         self.shrink_spec(failure);
-        let Drawn::Shaped(_) = failure.spec else { return };
+        let is_shaped = matches!(failure.spec, Drawn::Shaped(_));
+        // Linters take seconds a run.
+        if !is_shaped || failure.against == Against::Linters {
+            return;
+        }
         let (spec, number, against) = (failure.spec.clone(), failure.number, failure.against);
         let Ok(design) = spec.design(number) else { return };
         let fails = |design: &Design| self.verdict(quietly(|| self.simulate_design(design, &spec, number)), against);
@@ -289,7 +293,10 @@ impl Campaign {
         // Without a testbench where our simulator itself fails.
         let files = match self.simulate(spec, number) {
             Ok((_, Some(Printed { files, bench, .. }))) => files.into_iter().chain([bench]).collect(),
-            Err(_) if spec.is_printed() => spec.design(number).map_or(Vec::new(), |design| verilog(&design)),
+            Err(_) if spec.is_printed() => {
+                let print = |design: Design| quietly(|| Ok(verilog(&design))).unwrap_or_default();
+                spec.design(number).map_or(Vec::new(), print)
+            }
             _ => Vec::new(),
         };
         for file in files {

@@ -77,6 +77,9 @@ impl Drawn {
 
     /// Whether it is printed, for other simulators and linters.
     pub fn is_printed(&self) -> bool {
-        matches!(self, Drawn::Described(_))
+        match self {
+            Drawn::Described(_) => true,
+            Drawn::Shaped(spec) => spec.odd == shaped::spec::Odd::default(),
+        }
     }
 }

@@ -8,14 +8,16 @@ use tilewright_cosim::batch::Tool;
 use tilewright_cosim::drawn::Kind;
 use tilewright_cosim::{Campaign, Summary, fuzz};
 
-const USAGE: &str = "usage: tilewright-cosim [--designs N] [--verilator N] [--seed N] [--first N] [--jobs N]
-       tilewright-cosim --shaped N [--seed N] [--first N] [--jobs N]
+const USAGE: &str =
+    "usage: tilewright-cosim [--designs N] [--verilator N] [--seed N] [--first N] [--jobs N] [--shrinks N] [--lints 0]
+       tilewright-cosim --shaped N [--seed N] [--first N] [--jobs N] [--shrinks N] [--lints 0]
        tilewright-cosim --fuzz SECONDS [--seed N] [--first N] [--jobs N]
 
 Runs N random designs through our simulator and Icarus Verilog, and N through Verilator (none by default).
 With --shaped, runs N random circuits whose values have shapes instead.
 With --fuzz, runs random designs and random edits of them on both of our engines for so long instead; --fuzz-designs N
-runs so many in this process. The same seed makes the same designs; --first says the number of the first one.";
+runs so many in this process. The same seed makes the same designs; --first says the number of the first one. With
+--shrinks, so many of the designs that fail are made smaller, 5 by default; with --lints 0, nothing is linted.";
 
 fn main() -> ExitCode {
     let mut campaign = Campaign::icarus(1, 5000);
@@ -31,6 +33,8 @@ fn main() -> ExitCode {
             ("--fuzz", Some(number)) => fuzz = Some(Duration::from_secs(number)),
             ("--fuzz-designs", Some(number)) => fuzz_designs = Some(number),
             ("--seed", Some(number)) => campaign.seed = number,
+            ("--lints", Some(number)) => campaign.lints = number > 0,
+            ("--shrinks", Some(number)) => campaign.shrinks = number as usize,
             ("--first", Some(number)) => campaign.first = number,
             ("--jobs", Some(number)) if number > 0 => campaign.jobs = number as usize,
             _ => {

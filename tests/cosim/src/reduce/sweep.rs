@@ -71,6 +71,11 @@ pub fn sweep(modules: &mut Vec<Module>) {
         }
         keep(&mut modules[at], &kept);
     }
+    drop_unused(modules);
+}
+
+/// Leaves out modules but the last of which there is no instance.
+pub fn drop_unused(modules: &mut Vec<Module>) {
     for at in (0..modules.len().saturating_sub(1)).rev() {
         let is = |module: &Module| module.instances.iter().any(|instance| instance.module.0 as usize == at);
         if !modules.iter().any(is) {

@@ -12,6 +12,7 @@ mod operators;
 
 use super::spec::*;
 use crate::build::names::{Kind, Namer};
+use crate::reduce::sweep::drop_unused;
 use crate::stimulus::Numbers;
 use circuit::Build;
 use tilewright_hdl::Period;
@@ -26,6 +27,7 @@ pub fn modules(spec: &Spec, name: &str) -> Vec<Module> {
         let module = Builder::new(spec, part, index, &modules, &name).module();
         modules.push(module);
     }
+    drop_unused(&mut modules);
     modules
 }
 
@@ -72,7 +74,9 @@ impl<'a> Builder<'a> {
             shapes.extend((0..shape.axes()).map(|axis| shape.without(axis)));
         }
         shapes.dedup();
-        let namer = Namer::new(spec.names, name, index, !is_top);
+        let mut namer = Namer::new(spec.names, name, index, !is_top);
+        // What is in a module is not called as it is.
+        namer.remember(name);
         let naming = (spec.names != 0).then_some(Numbers(spec.names ^ index as u64));
         let (values, late) = (Vec::new(), Vec::new());
         Builder { spec, part, done, is_top, build, values, shapes, namer, naming, late }
