@@ -2,6 +2,7 @@
 
 mod front;
 mod functions;
+mod late;
 
 use tilewright_hdl::{Block, elaborate};
 use tilewright_sim::{Pass, Passes, explain};

@@ -6,7 +6,7 @@ use cranelift_codegen::ir::{InstBuilder, MemFlagsData, Value, types};
 use super::builder::FunctionBuilder;
 use super::function::{Function, Sink};
 use super::layout::{Layout, Place, Strips, Words};
-use super::plan::{Plan, is_table};
+use super::plan::Plan;
 use super::scalar::Scalars;
 use super::sequence::Step;
 use crate::engine::program::{Kind, ValueId};
@@ -65,10 +65,10 @@ impl Addresses {
         let mut tables = Vec::new();
         for id in function.needed() {
             let cell = function.cell(id);
-            if is_table(function, id) {
+            if function.is_table(id) {
                 tables.push(id);
             }
-            if is_table(function, id) || plan.live_out.contains(&id) {
+            if function.is_table(id) || plan.live_out.contains(&id) {
                 places[id.index()] = Some(layout.place(cell.lanes, cell.width));
             }
         }

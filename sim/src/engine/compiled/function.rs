@@ -93,6 +93,14 @@ impl Function {
         &self.rewriter.circuit()[id]
     }
 
+    /// Whether a cell is an array whose lanes are constants.
+    pub fn is_table(&self, id: ValueId) -> bool {
+        match &self.cell(id).kind {
+            Kind::Stack { parts, .. } => parts.iter().all(|part| self.circuit().constant(*part).is_some()),
+            _ => false,
+        }
+    }
+
     /// A constant in all lanes.
     pub fn constant(&mut self, bits: Bits, lanes: u32) -> ValueId {
         let width = bits.width();

@@ -131,14 +131,6 @@ impl Plan {
     }
 }
 
-/// Whether a cell is an array whose lanes are constants.
-pub(super) fn is_table(function: &Function, id: ValueId) -> bool {
-    match &function.cell(id).kind {
-        Kind::Stack { parts, .. } => parts.iter().all(|part| function.circuit().constant(*part).is_some()),
-        _ => false,
-    }
-}
-
 /// Arrays that somebody looks at otherwise than lane by lane.
 fn looked_at(function: &Function, needed: &[ValueId]) -> BTreeSet<ValueId> {
     let of = needed.iter().filter_map(|&id| match function.cell(id).kind {
@@ -195,7 +187,7 @@ impl Planner<'_> {
         match &cell.kind {
             Kind::Const(_) => Role::Constant,
             Kind::State => Role::Resident,
-            _ if is_table(self.function, id) => Role::Resident,
+            _ if self.function.is_table(id) => Role::Resident,
             Kind::Stack { .. } => Role::Packed,
             Kind::Broadcast { of, axis }
                 if (axis.inner > 1 || self.function.cell(*of).lanes == 1) && !self.looked_at.contains(&id) =>

@@ -1,0 +1,134 @@
+//! What is put off, and what is left out at the start.
+
+use tilewright_hdl::{Bits, Block, Module, ReadUnderWrite, Width, bits, bundle};
+use tilewright_sim::{Pass, Passes};
+
+use crate::{after, after_with, is};
+
+bundle! {
+    pub struct MixIn<T> { pub all: T }
+    pub struct MixOut<T> { pub q: T }
+}
+
+/// Takes what all cells have together.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+struct Mix;
+
+impl Block for Mix {
+    type In = MixIn;
+    type Out = MixOut;
+
+    fn inputs(&self) -> MixIn<Width> {
+        MixIn { all: bits(8) }
+    }
+
+    fn build(&self, m: Module, i: MixIn) -> MixOut {
+        let q = m.reg("q", 8).reset(0);
+        q.next(((q << 3) ^ q) + i.all);
+        MixOut { q: q.value() }
+    }
+}
+
+bundle! {
+    pub struct MixerOut<T> { pub all: T }
+}
+
+/// A row whose cells see their sum.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+struct Mixer;
+
+impl Block for Mixer {
+    type In = ();
+    type Out = MixerOut;
+
+    fn inputs(&self) {}
+
+    fn build(&self, m: Module, (): ()) -> MixerOut {
+        let mut all = None;
+        m.array("u_cell", 64, &Mix, |a| {
+            let sum = a.out.q.xor_all();
+            all = Some(sum);
+            MixIn { all: a.all(&sum) }
+        });
+        MixerOut { all: all.expect("the array is made") }
+    }
+}
+
+#[test]
+fn postpone() {
+    is(
+        &after_with(&Mixer, Pass::Plan, &Passes { postpone: false, ..Passes::default() }),
+        r"
+        an edge of clk:
+        stage 0
+          loop over 64 lanes:
+            all : 8      = xor of 64 lanes of u_cell.q
+            %0  : 64 x 5 = u_cell.q[4:0]
+            %1  : 64 x 8 = {%0, 0}
+            %2  : 64 x 8 = %1 ^ u_cell.q
+        stage 1
+          loop over 64 lanes:
+            %3 : 64 x 8 = %2 + u_cell.all
+            u_cell.q <- %3
+        live out: all %2
+    ",
+    );
+    is(
+        &after(&Mixer, Pass::Plan),
+        r"
+        an edge of clk:
+        stage 0
+          loop over 64 lanes:
+            all : 8 = xor of 64 lanes of u_cell.q
+        stage 1
+          loop over 64 lanes:
+            %0 : 64 x 5 = u_cell.q[4:0]
+            %1 : 64 x 8 = {%0, 0}
+            %2 : 64 x 8 = %1 ^ u_cell.q
+            %3 : 64 x 8 = %2 + u_cell.all
+            u_cell.q <- %3
+        live out: all
+    ",
+    );
+}
+
+bundle! {
+    pub struct FilledIn<T> { pub address: T, pub word: T }
+    pub struct FilledOut<T> { pub data: T }
+}
+
+/// A memory full of ones.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+struct Filled;
+
+impl Block for Filled {
+    type In = FilledIn;
+    type Out = FilledOut;
+
+    fn inputs(&self) -> FilledIn<Width> {
+        FilledIn { address: bits(4), word: bits(8) }
+    }
+
+    fn build(&self, m: Module, i: FilledIn) -> FilledOut {
+        let words = m.memory("words", 16, 8, ReadUnderWrite::Old).fill(Bits::ones(8));
+        words.write(tilewright_hdl::lit(1, 1), i.address, i.word);
+        FilledOut { data: words.read(i.address) }
+    }
+}
+
+#[test]
+fn lower_memories_that_are_full_of_a_word() {
+    is(
+        &after(&Filled, Pass::Lower),
+        r"
+        an edge of clk:
+        address : 4 = input
+        %0      : 8 = words[address] as it stands
+        %1      : 8 = %0 ^ 8'hff
+        word    : 8 = input
+        %2      : 8 = word ^ 8'hff
+          data <- %1
+          words[address] <- %2 if 1
+    ",
+    );
+}
