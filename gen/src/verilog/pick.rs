@@ -15,7 +15,11 @@ impl Printer<'_> {
     /// The lane of `of` that `index` says, zero beyond the last; `target` is the net that takes it.
     pub fn pick(&mut self, id: NodeId, target: &str, of: NodeId, axis: u32, index: NodeId) -> Vec<String> {
         let (lanes, width) = (self.module.shape(of).extent(axis), self.module.width(of));
-        let (mut out, lane) = if u64::from(lanes) * u64::from(width) > WIDEST_VECTOR {
+        let (mut out, lane) = if lanes == 1 {
+            // A vector of one bit is none.
+            let only = self.at_with(axis, Index::one(0));
+            (Vec::new(), self.at(only, |printer| printer.value(of)))
+        } else if u64::from(lanes) * u64::from(width) > WIDEST_VECTOR {
             self.choose(id, of, axis, index)
         } else {
             let (out, vector) = self.vector_of(id, of, axis);

@@ -9,6 +9,19 @@ impl Planner<'_> {
     /// What is read in another lane, or more than once, has a name; but a plain expression may stand in the one lane that
     /// it is broadcast to.
     pub(super) fn name_lane_operand(&mut self, id: NodeId, of: NodeId) {
+        let end = self.end_of_places(of);
+        let is_broadcast = matches!(self.module.node(id).op, Op::Broadcast { .. });
+        let may_stand = is_broadcast && self.module.shape(end).is_plain() && self.uses[id.0 as usize] <= 1;
+        if self.form(end) == Form::Constants && !is_broadcast {
+            self.set(end, Form::Net);
+        }
+        if self.form(end) == Form::Inline && !is_place(&self.module.node(end).op) && !may_stand {
+            self.set(end, Form::Net);
+        }
+    }
+
+    /// What an operand is where operators end that only say where it is.
+    fn end_of_places(&self, of: NodeId) -> NodeId {
         let mut end = of;
         while let Op::Broadcast { of: inner, .. }
         | Op::Lane { of: inner, .. }
@@ -18,14 +31,7 @@ impl Planner<'_> {
         {
             end = inner;
         }
-        let is_broadcast = matches!(self.module.node(id).op, Op::Broadcast { .. });
-        let may_stand = is_broadcast && self.module.shape(end).is_plain() && self.uses[id.0 as usize] <= 1;
-        if self.form(end) == Form::Constants && !is_broadcast {
-            self.set(end, Form::Net);
-        }
-        if self.form(end) == Form::Inline && !is_place(&self.module.node(end).op) && !may_stand {
-            self.set(end, Form::Net);
-        }
+        end
     }
 
     /// Rows side by side of columns side by side need no name for the columns.
@@ -94,15 +100,14 @@ impl Planner<'_> {
         let module = self.module;
         let op = |of: NodeId| &module.node(of).op;
         let of = match *op(id) {
-            Op::Slice { of, .. } | Op::Wire(of) | Op::QuasiStatic(of, _) => {
-                Some(of).filter(|&of| !is_place(op(of)) || self.form(of) == Form::Constants)
-            }
+            Op::Slice { of, .. } | Op::Wire(of) | Op::QuasiStatic(of, _) => Some(of),
             Op::Extend { of, signed: true } if module.width(of) > 1 => {
-                let is_named = is_place(op(of)) && self.form(of) != Form::Constants;
-                Some(of).filter(|&of| !is_named && !matches!(op(of), Op::Slice { .. }))
+                Some(of).filter(|&of| !matches!(op(of), Op::Slice { .. }))
             }
             _ => None,
         };
+        let of = of.map(|of| self.end_of_places(of));
+        let of = of.filter(|&of| !is_place(op(of)) || self.form(of) == Form::Constants);
         of.filter(|&of| matches!(self.form(of), Form::Inline | Form::Constants))
     }
 }

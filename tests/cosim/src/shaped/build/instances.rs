@@ -20,7 +20,9 @@ impl Builder<'_> {
         let room = MOST_LANES_IN_ALL / (all_lanes(self.done, index) * shape.lanes()).max(1);
         let mut before: Vec<NodeId> = Vec::new();
         for copy in 0..u32::from(copies).clamp(1, room.max(1)) {
-            let name = self.name(&format!("u{number}_{copy}"), Kind::Inner);
+            // A name that nothing inside of the instance has: the part's number is above those of the parts below it.
+            let name = format!("u{}_{number}_{copy}", self.done.len());
+            self.namer.remember(&name);
             let outputs = self.build.instance(&name, index as u32, child, shape, &[]);
             let place = self.build.module.instances.len() - 1;
             let clocks = child.clocks.iter().map(|child| if child.name.is_some() { ClockId(1) } else { clock });
