@@ -22,12 +22,14 @@ pub enum Kind {
     Mixed,
     /// All are circuits with shapes.
     Shaped,
+    /// All are circuits with shapes that no other simulator is asked about.
+    Odd,
 }
 
 impl Kind {
     /// Whether the design of that number is a circuit with shapes.
     fn is_shaped(self, number: u64) -> bool {
-        self == Kind::Shaped || number % 5 == 4
+        self != Kind::Mixed || number % 5 == 4
     }
 
     /// The random design of that number, with the way to smaller ones.
@@ -38,6 +40,7 @@ impl Kind {
         let config = Config { failure_persistence: None, ..Config::default() };
         let mut runner = TestRunner::new_with_rng(config, TestRng::from_seed(RngAlgorithm::ChaCha, &bytes));
         let designs = match self.is_shaped(number) {
+            true if self == Kind::Odd => shaped::strategy::odd_designs().prop_map(Drawn::Shaped).boxed(),
             true => shaped::strategy::designs().prop_map(Drawn::Shaped).boxed(),
             false => strategy::designs().prop_map(Drawn::Described).boxed(),
         };

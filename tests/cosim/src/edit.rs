@@ -113,7 +113,10 @@ fn operator(module: &mut Module, numbers: &mut Numbers) {
             *signed = (which / 6).is_multiple_of(2);
         }
         Op::Shift(op, ..) => *op = [Shift::Left, Shift::Right, Shift::RightSigned][any(3)],
-        Op::Reduce { by: op, .. } => *op = [Reduction::And, Reduction::Or, Reduction::Xor, Reduction::Add][any(4)],
+        Op::Reduce { by: op, .. } => {
+            use Reduction::{Add, And, Max, Min, Or, Xor};
+            *op = [And, Or, Xor, Add, Min, Max][any(6)];
+        }
         Op::Extend { signed, .. } => *signed = !*signed,
         Op::Const(bits) => *bits = numbers.bits(bits.width() + u32::from(which.is_multiple_of(8))),
         _ => {}
@@ -130,7 +133,17 @@ fn number(module: &mut Module, numbers: &mut Numbers) {
         Op::Slice { low, .. } => *low = near(*low, width, numbers),
         Op::Repeat(_, times) => *times = near(*times, 8, numbers),
         Op::Lane { index, .. } => *index = near(*index, 20, numbers),
-        Op::Map { index, .. } => index.add = near(index.add as u32, 20, numbers) as i32,
+        Op::Map { index, axis, .. } => match below(numbers, 5) {
+            0 => index.mul = near(index.mul as u32, 4, numbers) as i32,
+            1 => index.div = near(index.div, 4, numbers),
+            2 => *axis = near(*axis, 1, numbers),
+            _ => index.add = near(index.add as u32, 20, numbers) as i32,
+        },
+        Op::Broadcast { axis, .. }
+        | Op::Pick { axis, .. }
+        | Op::Reduce { axis, .. }
+        | Op::Pack { axis, .. }
+        | Op::Unpack { axis, .. } => *axis = near(*axis, 1, numbers),
         Op::Input(port) => *port = near(*port, inputs, numbers),
         Op::Register(id) => *id = RegisterId(near(id.0, registers as u32, numbers)),
         Op::Read(id, port) => match below(numbers, 2) {
@@ -163,8 +176,18 @@ fn shape(module: &mut Module, numbers: &mut Numbers) {
     match below(numbers, 4) {
         0 => node.width = near(node.width, width, numbers),
         1 => node.shape = shape,
-        2 => node.shape = Shape::Row(near(node.shape.lanes(), 20, numbers)),
+        2 => node.shape = other_shape(node.shape, numbers),
         _ => (node.width, node.shape) = (width, shape),
+    }
+}
+
+/// Another number of lanes along an axis, or the axes the other way round.
+fn other_shape(shape: Shape, numbers: &mut Numbers) -> Shape {
+    match (shape, below(numbers, 3)) {
+        (Shape::Grid(rows, columns), 0) => Shape::Grid(columns, rows),
+        (Shape::Grid(rows, columns), 1) => Shape::Grid(near(rows, 8, numbers), columns),
+        (Shape::Grid(rows, columns), _) => Shape::Grid(rows, near(columns, 8, numbers)),
+        _ => Shape::Row(near(shape.lanes(), 20, numbers)),
     }
 }
 
@@ -178,10 +201,20 @@ fn register(module: &mut Module, numbers: &mut Numbers) {
         which => {
             let Some(register) = module.registers.get_mut(id) else { return };
             match (which, &register.reset) {
-                (3, Some(reset)) => register.reset = Some(Init::Same(numbers.bits(reset.lane(0).width()))),
+                (3, Some(reset)) => register.reset = Some(init(reset, numbers)),
                 _ => register.clock = ClockId(near(register.clock.0, clocks, numbers)),
             }
         }
+    }
+}
+
+/// Other values after a reset: one, or one a lane.
+fn init(was: &Init, numbers: &mut Numbers) -> Init {
+    match was {
+        Init::Each(values) if below(numbers, 2) == 0 => {
+            Init::Each(values.iter().map(|value| numbers.bits(value.width())).collect())
+        }
+        was => Init::Same(numbers.bits(was.lane(0).width())),
     }
 }
 
@@ -215,7 +248,7 @@ fn instance(module: &mut Module, modules: u32, numbers: &mut Numbers) {
             match (which, instance.clocks.get_mut(port)) {
                 (3, Some(clock)) => *clock = ClockId(near(clock.0, clocks, numbers)),
                 (3, None) => instance.module = ModuleId(near(instance.module.0, modules, numbers)),
-                _ => instance.shape = Shape::Row(near(instance.shape.lanes(), 20, numbers)),
+                _ => instance.shape = other_shape(instance.shape, numbers),
             }
         }
     }
