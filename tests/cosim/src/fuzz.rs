@@ -6,7 +6,7 @@
 
 use crate::Campaign;
 use crate::batch::execute;
-use crate::drawn::Drawn;
+use crate::drawn::{Drawn, Kind};
 use crate::edit::edit;
 use crate::spec::Stimulus;
 use crate::stimulus::{Numbers, passes, record};
@@ -110,8 +110,8 @@ fn run_with_edits(spec: &Drawn, number: u64) -> Tally {
 /// # Panics
 ///
 /// The engines differ, or something panics.
-pub fn run_here(seed: u64, first: u64, designs: u64) -> Tally {
-    let campaign = Campaign::icarus(seed, designs);
+pub fn run_here(kind: Kind, seed: u64, first: u64, designs: u64) -> Tally {
+    let campaign = Campaign { kind, ..Campaign::icarus(seed, designs) };
     (first..first + designs).fold(Tally::default(), |tally, number| {
         println!("design {number}");
         let one = run_with_edits(&campaign.design(number), number).numbers();
@@ -122,12 +122,12 @@ pub fn run_here(seed: u64, first: u64, designs: u64) -> Tally {
 }
 
 /// Runs designs of a seed, from a number on, for so long, so many processes at a time; gives what went wrong.
-pub fn run_for(seed: u64, first: u64, time: Duration, jobs: usize) -> (Tally, Vec<String>) {
+pub fn run_for(kind: Kind, seed: u64, first: u64, time: Duration, jobs: usize) -> (Tally, Vec<String>) {
     let (start, next) = (Instant::now(), AtomicU64::new(first));
     let all: Mutex<(Tally, Vec<String>)> = Mutex::default();
     let work = || {
         while start.elapsed() < time {
-            let result = in_a_process(seed, next.fetch_add(TOGETHER, Ordering::Relaxed));
+            let result = in_a_process(kind, seed, next.fetch_add(TOGETHER, Ordering::Relaxed));
             let mut all = all.lock().expect("no panic while collecting");
             match result {
                 Ok(tally) => {
@@ -144,10 +144,11 @@ pub fn run_for(seed: u64, first: u64, time: Duration, jobs: usize) -> (Tally, Ve
 }
 
 /// Runs some designs in a process of their own.
-fn in_a_process(seed: u64, first: u64) -> Result<Tally, String> {
+fn in_a_process(kind: Kind, seed: u64, first: u64) -> Result<Tally, String> {
     let folder = TempDir::with_prefix("tilewright-fuzz-").expect("a temporary folder can be made");
     let program = std::env::current_exe().expect("this program has a path");
-    let arguments = [("--fuzz-designs", TOGETHER), ("--seed", seed), ("--first", first)];
+    let shaped = u64::from(kind == Kind::Shaped);
+    let arguments = [("--shaped", shaped), ("--fuzz-designs", TOGETHER), ("--seed", seed), ("--first", first)];
     let arguments = arguments.map(|(name, number)| [name.to_owned(), number.to_string()]);
     let (succeeded, printed) = execute(&folder, Command::new(program).args(arguments.as_flattened()), PATIENCE);
     if let Some(tally) = succeeded.then(|| Tally::read(&printed)).flatten() {
@@ -157,7 +158,7 @@ fn in_a_process(seed: u64, first: u64) -> Result<Tally, String> {
     let rest = printed.split_once(&format!("design {number}\n")).map_or("", |(_, rest)| rest.trim_end());
     Err(format!(
         "design {number} of seed {seed} fails, breaks its process, or takes minutes:\n{rest}\n\
-        again: cargo run --release -p tilewright-cosim -- --fuzz-designs 1 --seed {seed} --first {number}"
+        again: cargo run --release -p tilewright-cosim -- --shaped {shaped} --fuzz-designs 1 --seed {seed} --first {number}"
     ))
 }
 
@@ -174,7 +175,7 @@ mod tests {
 
     #[test]
     fn edited_designs_run_alike_or_are_refused() {
-        let tally = run_here(3, 0, 12);
+        let tally = run_here(Kind::Mixed, 3, 0, 12);
         assert_eq!((tally.designs, tally.edited + tally.refused), (12, 12 * EDITED));
         assert!(tally.edited > EDITED && tally.refused > EDITED, "{tally}");
         assert!(tally.instants > 4 * (tally.designs + tally.edited), "{tally}");

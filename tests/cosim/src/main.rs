@@ -14,10 +14,11 @@ const USAGE: &str =
        tilewright-cosim --fuzz SECONDS [--seed N] [--first N] [--jobs N]
 
 Runs N random designs through our simulator and Icarus Verilog, and N through Verilator (none by default).
-With --shaped, runs N random circuits whose values have shapes instead.
+With --shaped, runs N random circuits whose values have shapes instead, which a fifth of the others are, too.
 With --fuzz, runs random designs and random edits of them on both of our engines for so long instead; --fuzz-designs N
-runs so many in this process. The same seed makes the same designs; --first says the number of the first one. With
---shrinks, so many of the designs that fail are made smaller, 5 by default; with --lints 0, nothing is linted.";
+runs so many in this process. With --shaped 1 beside it, all of them are circuits with shapes.
+The same seed makes the same designs; --first says the number of the first one. With --shrinks, so many of the designs
+that fail are made smaller, 5 by default; with --lints 0, nothing is linted.";
 
 fn main() -> ExitCode {
     let mut campaign = Campaign::icarus(1, 5000);
@@ -29,6 +30,7 @@ fn main() -> ExitCode {
         match (option.as_str(), number) {
             ("--designs", Some(number)) => campaign.designs = number,
             ("--verilator", Some(number)) => verilator = number,
+            ("--shaped", Some(0)) => {}
             ("--shaped", Some(number)) => (campaign.designs, campaign.kind) = (number, Kind::Shaped),
             ("--fuzz", Some(number)) => fuzz = Some(Duration::from_secs(number)),
             ("--fuzz-designs", Some(number)) => fuzz_designs = Some(number),
@@ -43,13 +45,13 @@ fn main() -> ExitCode {
             }
         }
     }
-    let Campaign { seed, first, jobs, .. } = campaign;
+    let Campaign { kind, seed, first, jobs, .. } = campaign;
     if let Some(designs) = fuzz_designs {
-        println!("{}", fuzz::run_here(seed, first, designs));
+        println!("{}", fuzz::run_here(kind, seed, first, designs));
         return ExitCode::SUCCESS;
     }
     if let Some(time) = fuzz {
-        let (tally, failures) = fuzz::run_for(seed, first, time, jobs);
+        let (tally, failures) = fuzz::run_for(kind, seed, first, time, jobs);
         failures.iter().for_each(|failure| println!("{failure}\n"));
         println!("{tally}, failures: {}", failures.len());
         return ExitCode::from(u8::from(!failures.is_empty()));
