@@ -1,6 +1,7 @@
 //! Expressions as text. Both sides of an operator have equal widths and every change of width is spelled, so that no
 //! context of Verilog's own widens or truncates anything; an operand that is itself an operator has parentheses.
 
+use super::lane_values::values;
 use super::literal::{Style, literal};
 use super::plan::Form;
 use super::printer::Printer;
@@ -179,7 +180,18 @@ impl Printer<'_> {
     /// `address < depth`.
     pub fn inside(&mut self, memory: &Memory, address: NodeId) -> String {
         let depth = literal(&Bits::new(self.module.width(address), u64::from(memory.depth)), Style::Count);
-        format!("{} < {depth}", self.operand(address, Style::Count))
+        self.below(address, &depth)
+    }
+
+    /// `index < count`, for a literal of the index's width.
+    pub fn below(&mut self, index: NodeId, count: &str) -> String {
+        let is_constant = !self.module.shape(index).is_plain() && values(self.module, index).is_some();
+        let index = self.operand(index, Style::Count);
+        match is_constant {
+            // Linters complain of a lane where the comparison is decided; with more bits it looks like any other.
+            true => format!("$signed({{2'd0, {index}}}) < $signed({{2'd0, {count}}})"),
+            false => format!("{index} < {count}"),
+        }
     }
 
     /// The word at an address, which is zero at a constant address beyond the depth.

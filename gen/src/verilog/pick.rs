@@ -1,7 +1,6 @@
 //! A lane that a signal says: the lanes are copied into a vector, as no scope can be chosen at run time.
 
 use super::fold::lower::WIDEST_VECTOR;
-use super::lane_values::values;
 use super::layout::range;
 use super::literal::{Style, literal};
 use super::part::Index;
@@ -34,13 +33,7 @@ impl Printer<'_> {
             lane
         } else {
             let (count, zero) = (Bits::new(index_bits, lanes.into()), Bits::zero(width));
-            let is_constant = values(self.module, index).is_some();
-            let (index, count) = (self.value(index), literal(&count, Style::Count));
-            let inside = match is_constant {
-                // Linters complain of a lane where the comparison is decided; with more bits it looks like any other.
-                true => format!("$signed({{2'd0, {index}}}) < $signed({{2'd0, {count}}})"),
-                false => format!("{index} < {count}"),
-            };
+            let inside = self.below(index, &literal(&count, Style::Count));
             format!("({inside}) ? {lane} : {}", literal(&zero, Style::Count))
         };
         out.push(self.placed(format!("assign {target} = {value};"), id));

@@ -1,7 +1,7 @@
 // adder
 //
 // Parameters  adder
-// Described   gen/tests/lanes/mod.rs:298
+// Described   gen/tests/lanes/mod.rs:304
 `default_nettype none
 
 module adder (
@@ -10,6 +10,6 @@ module adder (
     output wire [7:0] sum
 );
 
-    assign sum = x + y;                                          // gen/tests/lanes/mod.rs:300
+    assign sum = x + y;                                          // gen/tests/lanes/mod.rs:306
 endmodule
 `default_nettype wire

@@ -257,10 +257,16 @@ pub fn decided() -> Module {
     let kind = list(b, 2, &[2, 0, 1, 2]);
     let (three, four) = (b.constant(3, 3, row), list(b, 3, &[4, 5, 6, 7]));
     let constant = b.case(kind, &[three, four], three);
+    let few = b.memory("few", 3, 3, row);
+    let seen = b.read(few, false, place, None);
+    let nowhere = b.input("nowhere", 1, row);
+    b.write(few, nowhere, place, x);
     let words = b.memory("words", 4, 3, row);
     b.write(words, on, place, x);
     let word = b.read(words, true, place, Some(on));
-    for (name, node) in [("enabled_out", enabled), ("chosen_out", chosen), ("constant", constant), ("word", word)] {
+    for (name, node) in
+        [("enabled_out", enabled), ("chosen_out", chosen), ("constant", constant), ("word", word), ("seen", seen)]
+    {
         b.output(name, node);
     }
     b.module.clone()
