@@ -104,6 +104,20 @@ fn constants_of_the_lanes_that_decide() {
     clean(vec![modules::decided()]);
 }
 
+/// A depth that needs a guard, and one that does not.
+#[test]
+fn data_that_is_read_before_its_memory() {
+    for depth in [8, 5] {
+        let text = clean(vec![modules::read_ahead(depth)]);
+        assert!(text.contains("_ahead[i].data = data;"), "{text}");
+    }
+}
+
+#[test]
+fn bits_of_lanes() {
+    clean(vec![modules::bits_of_lanes()]);
+}
+
 #[test]
 fn more_lanes_than_a_vector_holds() {
     let text = clean(vec![modules::far_pick()]);

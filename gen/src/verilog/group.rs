@@ -12,6 +12,7 @@ use super::plan::Form;
 use super::printer::Printer;
 use super::scope::LANE;
 use super::statement::lines;
+use std::collections::BTreeSet;
 use tilewright_hdl::ir::{Affine, InstanceId, MemoryId, NodeId, Op, Shape};
 use tilewright_hdl::{Bits, Loc};
 
@@ -37,7 +38,12 @@ impl Printer<'_> {
     fn ahead(&mut self, group: usize) -> Vec<String> {
         let nodes: Vec<NodeId> = self.groups.groups[group].ahead.iter().copied().collect();
         let Some(label) = self.lanes.groups[group].ahead.clone() else { return Vec::new() };
-        let body = nodes.into_iter().map(|id| self.declaration(id)).collect();
+        let declaration = |id| match self.module.node(id).op {
+            // The register is beside its memory.
+            Op::Read(..) => format!("wire {}{};", range(self.module.width(id)), self.name(id)),
+            _ => self.declaration(id),
+        };
+        let body = nodes.into_iter().map(declaration).collect();
         self.scopes(group, &label, None, body)
     }
 
@@ -115,6 +121,7 @@ impl Printer<'_> {
         for &memory in &memories {
             let id = MemoryId(memory as u32);
             out.extend(self.memory_declaration(id));
+            out.extend(self.data_ahead(id, &ahead));
             out.extend(self.lane_contents(id));
         }
         for id in nets {
@@ -140,6 +147,15 @@ impl Printer<'_> {
         out.extend(self.assertions(&asserts));
         out.push(format!("{UNREAD} {group}"));
         out
+    }
+
+    /// What a memory has read stands beside it, and in a net where it is read ahead of its group.
+    fn data_ahead(&self, id: MemoryId, ahead: &BTreeSet<NodeId>) -> Vec<String> {
+        let memory = &self.module.memories[id.0 as usize];
+        let reads = memory.reads.iter().zip(&self.reads[id.0 as usize]);
+        let reads = reads.filter_map(|(read, names)| Some((read.node, names.as_ref()?)));
+        let reads = reads.filter(|(node, _)| ahead.contains(node));
+        reads.map(|(node, names)| format!("assign {} = {};", self.place_name(node), names.data)).collect()
     }
 
     /// The declaration of a net or register, without what it is.

@@ -309,3 +309,40 @@ fn adder() -> Module {
     b.module.inputs.iter_mut().for_each(|input| input.clock = None);
     b.module.clone()
 }
+
+/// A row of memories of so many words, whose data a grid reads that the row reads.
+pub fn read_ahead(depth: u32) -> Module {
+    let b = &mut Build::new("read_ahead");
+    let row = Shape::Row(3);
+    let (address, writes) = (b.input("address", 3, row), b.input("writes", 1, row));
+    let id = b.memory("words", depth, 4, row);
+    let data = b.read(id, true, address, None);
+    b.named("data", data);
+    let rows = b.broadcast(data, 0, 2);
+    let numbers = [1, 2].map(|number| b.constant(4, number, row));
+    let numbers = b.stack(&numbers, 0);
+    let sums = b.add(rows, numbers);
+    b.named("sums", sums);
+    let all = b.reduce(Reduction::Xor, sums, 0);
+    let mixed = b.xor(all, data);
+    b.named("mixed", mixed);
+    b.write(id, writes, address, mixed);
+    b.output("out", mixed);
+    b.module.clone()
+}
+
+/// Bits of what is computed and broadcast, and the lane of a row of one that a signal says.
+pub fn bits_of_lanes() -> Module {
+    let b = &mut Build::new("bits_of_lanes");
+    let (x, y) = (b.input("x", 4, Shape::Plain), b.input("y", 1, Shape::Row(1)));
+    let sum = b.add(x, x);
+    let lanes = b.broadcast(sum, 0, 3);
+    let low = b.node(Op::Slice { of: lanes, low: 1 }, 2, Shape::Row(3));
+    let signed = b.node(Op::Extend { of: lanes, signed: true }, 8, Shape::Row(3));
+    let number = b.node(Op::Slice { of: x, low: 0 }, 1, Shape::Plain);
+    let picked = b.pick(y, 0, number);
+    b.output("low", low);
+    b.output("extended", signed);
+    b.output("picked", picked);
+    b.module.clone()
+}
