@@ -30,88 +30,160 @@ impl Id {
 }
 
 /// Value changes in memory, in order of time.
+///
+/// Most of a traced run goes into these lines, a few bytes each. So they are put together of copies of fixed size, of
+/// which the next one overwrites what is not in use; only a line that is at its end is looked at for room.
 #[derive(Debug, Default)]
 pub(super) struct Changes {
+    /// The text, and room behind it.
     bytes: Vec<u8>,
+    /// Where the text ends.
+    end: usize,
     /// The last time that was written.
     time: Option<u64>,
 }
 
+/// The numbers below 100, of two digits each.
+const PAIRS: [[u8; 2]; 100] = {
+    let mut pairs = [[0; 2]; 100];
+    let mut number = 0;
+    while number < 100 {
+        pairs[number] = [b'0' + number as u8 / 10, b'0' + number as u8 % 10];
+        number += 1;
+    }
+    pairs
+};
+
+/// The room for the line of a number of up to 64 bits and what its copies leave behind it.
+const LINE: usize = 80;
+
 impl Changes {
     /// The text since the last [`Changes::clear`].
     pub fn bytes(&self) -> &[u8] {
-        &self.bytes
+        &self.bytes[..self.end]
     }
 
     /// Forgets the text, but not the time.
     pub fn clear(&mut self) {
-        self.bytes.clear();
+        self.end = 0;
+    }
+
+    /// Room at the end.
+    #[inline]
+    fn room(&mut self) -> &mut [u8; LINE] {
+        if self.bytes.len() < self.end + LINE {
+            self.grow();
+        }
+        self.bytes[self.end..].first_chunk_mut().expect("it has just grown")
+    }
+
+    #[cold]
+    fn grow(&mut self) {
+        self.bytes.resize((2 * self.bytes.len()).max(self.end + LINE), 0);
+    }
+
+    /// Text of any length.
+    fn text(&mut self, text: &[u8]) {
+        for part in text.chunks(LINE) {
+            self.room()[..part.len()].copy_from_slice(part);
+            self.end += part.len();
+        }
     }
 
     /// What follows happens at this time.
+    #[inline]
     pub fn at(&mut self, time: u64) {
-        if self.time.replace(time) == Some(time) {
-            return;
+        if self.time != Some(time) {
+            self.time = Some(time);
+            self.time_line(time);
         }
+    }
+
+    #[inline(never)]
+    fn time_line(&mut self, time: u64) {
         let mut line = *b"#00000000000000000000\n";
         let mut first = line.len() - 1;
         let mut rest = time;
-        loop {
-            first -= 1;
-            line[first] = b'0' + (rest % 10) as u8;
-            rest /= 10;
-            if rest == 0 {
-                break;
-            }
+        // Two digits at a time take half as many divisions, each of which waits for the one before.
+        while rest >= 100 {
+            first -= 2;
+            line[first..first + 2].copy_from_slice(&PAIRS[(rest % 100) as usize]);
+            rest /= 100;
         }
+        first -= 2;
+        line[first..first + 2].copy_from_slice(&PAIRS[rest as usize]);
+        first += usize::from(rest < 10);
         line[first - 1] = b'#';
-        self.bytes.extend_from_slice(&line[first - 1..]);
+        self.text(&line[first - 1..]);
     }
 
     /// A command such as `$dumpvars`.
     pub fn command(&mut self, command: &str) {
-        self.bytes.extend_from_slice(command.as_bytes());
-        self.bytes.push(b'\n');
+        self.text(command.as_bytes());
+        self.text(b"\n");
     }
 
     /// A variable of 1 bit.
+    #[inline]
     pub fn bit(&mut self, id: Id, high: bool) {
-        self.end(b'0' + u8::from(high), id);
+        self.end += put_end(self.room(), 0, b'0' + u8::from(high), id);
     }
 
     /// A variable of several bits, from its limbs, the lowest first; leading zeros are left out.
+    #[inline]
     pub fn bits(&mut self, id: Id, limbs: &[u64]) {
+        let &[limb] = limbs else { return self.wide(id, limbs) };
+        let line = self.room();
+        line[0] = b'b';
+        let digits = put_digits(line, 1, limb, u64::BITS - (limb | 1).leading_zeros());
+        self.end += put_end(line, 1 + digits, b' ', id);
+    }
+
+    /// As [`Changes::bits`], of any number of limbs.
+    fn wide(&mut self, id: Id, limbs: &[u64]) {
         let top = limbs.iter().rposition(|&limb| limb != 0).unwrap_or(0);
-        self.bytes.push(b'b');
-        self.digits(limbs[top], u64::BITS - (limbs[top] | 1).leading_zeros());
-        limbs[..top].iter().rev().for_each(|&limb| self.digits(limb, u64::BITS));
-        self.end(b' ', id);
+        self.text(b"b");
+        for (index, &limb) in limbs[..=top].iter().enumerate().rev() {
+            let leading = if index == top { (limb | 1).leading_zeros() } else { 0 };
+            self.end += put_digits(self.room(), 0, limb, u64::BITS - leading);
+        }
+        self.end += put_end(self.room(), 0, b' ', id);
     }
 
     /// A string variable.
     pub fn string(&mut self, id: Id, text: &str) {
-        self.bytes.push(b's');
-        self.bytes.extend_from_slice(text.as_bytes());
-        self.end(b' ', id);
+        self.text(b"s");
+        self.text(text.as_bytes());
+        self.end += put_end(self.room(), 0, b' ', id);
     }
+}
 
-    /// The lowest `count` digits of a number, at least one, the highest first.
-    fn digits(&mut self, number: u64, count: u32) {
-        let end = self.bytes.len() + count as usize;
-        let mut rest = number << (u64::BITS - count);
-        for _ in 0..count.div_ceil(8) {
-            self.bytes.extend_from_slice(&digits((rest >> 56) as u8));
-            rest <<= 8;
-        }
-        self.bytes.truncate(end);
+/// Puts the lowest `count` digits of a number there, at least one, the highest first; gives how many those are.
+#[inline]
+fn put_digits(line: &mut [u8; LINE], at: usize, number: u64, count: u32) -> usize {
+    let rest = number << (u64::BITS - count);
+    let bytes = rest.to_be_bytes();
+    // Half of them, or all: how many are in use is hard to foresee, and more branches would take longer than the digits.
+    let (high, low) = bytes.split_at(4);
+    put_bytes(line, at, high);
+    if count > 32 {
+        put_bytes(line, at + 32, low);
     }
+    count as usize
+}
 
-    /// A character and the identifier: a copy of fixed size, of which the part in use is kept, is the fastest.
-    fn end(&mut self, before: u8, id: Id) {
-        let end = self.bytes.len() + 1 + id.length;
-        self.bytes.extend_from_slice(&(id.word << 8 | u64::from(before)).to_le_bytes());
-        self.bytes.truncate(end);
-    }
+/// Puts the digits of four bytes there.
+#[inline]
+fn put_bytes(line: &mut [u8; LINE], at: usize, bytes: &[u8]) {
+    let places = line[at..at + 32].chunks_exact_mut(8);
+    places.zip(bytes).for_each(|(place, &byte)| place.copy_from_slice(&digits(byte)));
+}
+
+/// Puts a character and the identifier there; gives where the line ends.
+#[inline]
+fn put_end(line: &mut [u8; LINE], at: usize, before: u8, id: Id) -> usize {
+    line[at..at + 8].copy_from_slice(&(id.word << 8 | u64::from(before)).to_le_bytes());
+    at + 1 + id.length
 }
 
 /// The eight binary digits of a byte, the highest first.
@@ -200,6 +272,15 @@ mod tests {
             }
             let read: Vec<Command> = Parser::new(text.bytes()).map(|command| command.unwrap()).collect();
             prop_assert_eq!(read, commands);
+        }
+    }
+
+    #[test]
+    fn a_time_is_its_decimal_number() {
+        for time in [0, 9, 10, 99, 100, 101, 999, 1000, 10_009, 1_000_000, u64::MAX] {
+            let mut text = Changes::default();
+            text.at(time);
+            assert_eq!(String::from_utf8_lossy(text.bytes()), format!("#{time}\n"));
         }
     }
 

@@ -3,7 +3,7 @@
 use std::collections::VecDeque;
 use std::ops::Range;
 
-use super::changes::Changes;
+use super::changes::{Changes, Id};
 use super::shown::Shown;
 use super::step_file::StepFile;
 use super::vcd::Vcd;
@@ -14,7 +14,7 @@ use crate::testbench::error::Error;
 
 /// How much is collected before it goes to the file, always in whole time steps: unless a run is killed in the midst of
 /// a write, its file ends with one.
-const CHUNK: usize = 1 << 16;
+const CHUNK: usize = 1 << 17;
 
 /// Writes a waveform file.
 pub(crate) struct Dump {
@@ -29,6 +29,8 @@ pub(crate) struct Dump {
     resets: Vec<bool>,
     /// Up to when the text goes.
     time: u64,
+    /// The clocks that fall in a step, and when; kept to save an allocation.
+    falls: Vec<(u64, Option<Id>)>,
     /// What is still to go to the file.
     text: Changes,
     flight: Option<Flight>,
@@ -63,6 +65,7 @@ impl Dump {
             begun: false,
             resets: Vec::new(),
             time: 0,
+            falls: Vec::new(),
             text: Changes::default(),
             flight: vcd.last.map(|capacity| Flight { capacity, steps: VecDeque::new() }),
         };
@@ -130,12 +133,16 @@ impl Dump {
 
     /// Writes the clocks that are high at `since` and fall before `until`.
     fn falls(&mut self, since: u64, until: u64) {
-        let Dump { text, header, time, .. } = self;
-        let falls = || header.clocks.iter().filter_map(|clock| Some((clock.fall(since)?, clock.id)));
-        while let Some(next) = falls().map(|fall| fall.0).filter(|&fall| *time < fall && fall < until).min() {
-            text.at(next);
-            falls().filter(|fall| fall.0 == next).filter_map(|fall| fall.1).for_each(|id| text.bit(id, false));
-            *time = next;
+        let Dump { text, header, time, falls, .. } = self;
+        let falling = header.clocks.iter().filter_map(|clock| Some((clock.fall(since)?, clock.id)));
+        falls.clear();
+        falls.extend(falling.filter(|&(fall, _)| *time < fall && fall < until));
+        // Those at the same time remain in the order of the clocks.
+        falls.sort_by_key(|fall| fall.0);
+        for &(fall, id) in &*falls {
+            text.at(fall);
+            id.into_iter().for_each(|id| text.bit(id, false));
+            *time = fall;
         }
     }
 

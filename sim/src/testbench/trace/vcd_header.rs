@@ -52,7 +52,8 @@ impl Clock {
 
     /// When it falls, if it is high at this time.
     pub fn fall(&self, time: u64) -> Option<u64> {
-        self.is_high(time).then(|| time - time % self.period + self.period / 2)
+        let since = time % self.period;
+        (time >= self.period && since < self.period / 2).then(|| time - since + self.period / 2)
     }
 }
 
