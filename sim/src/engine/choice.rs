@@ -7,7 +7,7 @@ use std::sync::Arc;
 use crate::engine::Engine;
 use crate::engine::compiled::{self, Compiled};
 use crate::engine::lockstep::Lockstep;
-use crate::engine::program::Program;
+use crate::engine::program::{Program, Triggers, ValueId};
 use crate::engine::{interpreter, reference};
 
 /// Which engine executes a circuit. All give the same results.
@@ -41,7 +41,24 @@ pub(crate) struct Started {
     refused: Option<String>,
     /// Of each run.
     pub seeds: Vec<u64>,
-    made: OnceCell<Box<dyn Engine>>,
+    made: OnceCell<Made>,
+}
+
+/// An engine. The compiled one is told from the others: what a testbench asks of it in every cycle is done in less time
+/// than it takes to find out at run time which engine it is.
+enum Made {
+    Compiled(Box<Compiled>),
+    Other(Box<dyn Engine>),
+}
+
+impl Made {
+    #[inline]
+    fn engine(&mut self) -> &mut (dyn Engine + 'static) {
+        match self {
+            Made::Compiled(engine) => &mut **engine,
+            Made::Other(engine) => &mut **engine,
+        }
+    }
 }
 
 impl Started {
@@ -77,16 +94,39 @@ impl Started {
         self.refused.as_deref().filter(|_| needs_code)
     }
 
-    /// The engine, if it was needed before.
+    /// An edge of the only clock, if that is quickly done; whether it was.
     #[inline]
-    pub fn running(&mut self) -> Option<&mut dyn Engine> {
-        self.made.get_mut().map(|engine| &mut **engine as &mut dyn Engine)
+    pub fn quick_edge(&mut self) -> bool {
+        match self.made.get_mut() {
+            Some(Made::Compiled(engine)) => engine.quick_edge(),
+            Some(Made::Other(engine)) => engine.quick_edge(),
+            None => false,
+        }
+    }
+
+    /// Sets an input of one lane and up to 64 bits, if that is quickly done; whether it was.
+    #[inline]
+    pub fn quick_set(&mut self, id: ValueId, number: u64, triggers: Triggers) -> bool {
+        match self.made.get_mut() {
+            Some(Made::Compiled(engine)) => engine.quick_set(id, number, triggers),
+            _ => false,
+        }
+    }
+
+    /// One lane of a value of up to 64 bits.
+    #[inline]
+    pub fn get_number(&mut self, id: ValueId, lane: u32) -> u64 {
+        match self.made.get_mut() {
+            Some(Made::Compiled(engine)) => engine.get_number(id, lane),
+            Some(Made::Other(engine)) => engine.number(id, lane),
+            None => self.number(id, lane),
+        }
     }
 
     /// Puts another engine in its place.
     #[cfg(test)]
     pub fn replace(&mut self, engine: Box<dyn Engine>) {
-        self.made = OnceCell::from(engine);
+        self.made = OnceCell::from(Made::Other(engine));
     }
 
     #[cold]
@@ -94,14 +134,16 @@ impl Started {
         self.made = OnceCell::from(self.make());
     }
 
-    fn make(&self) -> Box<dyn Engine> {
+    fn make(&self) -> Made {
         let reference = || reference::Engine::new(self.program.clone(), &self.seeds);
         let compiled = || Box::new(Compiled::new(self.program.clone(), &self.seeds).expect("it was asked before"));
         match self.kind() {
-            EngineKind::Reference => Box::new(reference()),
-            EngineKind::Interpreter => Box::new(interpreter::Engine::new(self.program.clone(), &self.seeds)),
-            EngineKind::Compiled => compiled(),
-            EngineKind::Both => Box::new(Lockstep::new(self.program.clone(), reference(), compiled())),
+            EngineKind::Reference => Made::Other(Box::new(reference())),
+            EngineKind::Interpreter => {
+                Made::Other(Box::new(interpreter::Engine::new(self.program.clone(), &self.seeds)))
+            }
+            EngineKind::Compiled => Made::Compiled(compiled()),
+            EngineKind::Both => Made::Other(Box::new(Lockstep::new(self.program.clone(), reference(), compiled()))),
         }
     }
 }
@@ -110,7 +152,10 @@ impl Deref for Started {
     type Target = dyn Engine;
 
     fn deref(&self) -> &Self::Target {
-        &**self.made.get_or_init(|| self.make())
+        match self.made.get_or_init(|| self.make()) {
+            Made::Compiled(engine) => &**engine,
+            Made::Other(engine) => &**engine,
+        }
     }
 }
 
@@ -120,6 +165,6 @@ impl DerefMut for Started {
         if self.made.get().is_none() {
             self.begin();
         }
-        &mut **self.made.get_mut().expect("it is made by now")
+        self.made.get_mut().expect("it is made by now").engine()
     }
 }

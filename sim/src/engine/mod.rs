@@ -105,15 +105,10 @@ pub(crate) trait Engine: Send {
         ids.iter().for_each(|&id| into.push(self.number(id, lane)));
     }
 
-    /// Brings numbers that were seen up to date, each the only lane of a value of up to 64 bits; calls `changed` with the
-    /// index of each that was another one.
-    fn renew(&mut self, ids: &[ValueId], seen: &mut [u64], changed: &mut dyn FnMut(usize)) {
-        for (index, (&id, seen)) in ids.iter().zip(seen).enumerate() {
-            let number = self.number(id, 0);
-            if std::mem::replace(seen, number) != number {
-                changed(index);
-            }
-        }
+    /// Brings numbers that were seen up to date, each the only lane of a value of up to 64 bits; leaves the indices of those
+    /// that were others in `changed`. In `note`, which is empty the first time, an engine notes what it likes about them.
+    fn renew(&mut self, ids: &[ValueId], seen: &mut [u64], _note: &mut Vec<u32>, changed: &mut Vec<u32>) {
+        renew_each(self, ids, seen, changed);
     }
 
     /// Sets an input, all lanes of it.
@@ -175,6 +170,17 @@ pub(crate) trait Engine: Send {
 
     /// Prepares for these values being read together.
     fn watch(&mut self, _values: &[ValueId]) {}
+}
+
+/// As [`Engine::renew`], one number after another.
+fn renew_each<E: Engine + ?Sized>(engine: &mut E, ids: &[ValueId], seen: &mut [u64], changed: &mut Vec<u32>) {
+    changed.clear();
+    for ((&id, seen), index) in ids.iter().zip(seen).zip(0..) {
+        let number = engine.number(id, 0);
+        if std::mem::replace(seen, number) != number {
+            changed.push(index);
+        }
+    }
 }
 
 /// Edges until a condition holds, with a look at it after each.

@@ -134,18 +134,20 @@ impl Running {
         self.write(port, bits.limbs());
     }
 
-    /// Sets an input of up to 64 bits in the only run, if it is one and the number fits.
-    #[inline]
+    /// Sets an input of up to 64 bits in the only run, if it is one and the number fits. It is one function for all types of
+    /// numbers, compiled with the engine.
     fn set_limb(&mut self, port: Port, limb: u64) -> bool {
         let Some(&Wired { value, triggers, end, .. }) = self.ports.get(port.index as usize) else { return false };
         if limb >= end {
             return false;
         }
         self.may_have_changed(triggers);
-        match self.engine.running() {
-            Some(engine) => engine.write_number(value, limb, triggers),
-            None => self.engine.write_number(value, limb, triggers),
-        }
+        self.engine.quick_set(value, limb, triggers) || self.write_limb(value, limb, triggers)
+    }
+
+    #[cold]
+    fn write_limb(&mut self, input: ValueId, limb: u64, triggers: Triggers) -> bool {
+        self.engine.write_number(input, limb, triggers);
         true
     }
 
@@ -190,7 +192,7 @@ impl Running {
     pub fn get(&mut self, port: Port, run: u32) -> Bits {
         let Wired { value, width, .. } = self.wired(port);
         match width {
-            0..=64 => Bits::new(width, self.engine.number(value, run)),
+            0..=64 => Bits::new(width, self.engine.get_number(value, run)),
             _ => self.lane(value, run),
         }
     }
@@ -200,7 +202,7 @@ impl Running {
     pub fn narrow(&mut self, port: Port, run: u32) -> u64 {
         let Wired { value, width, .. } = self.wired(port);
         assert!(width <= 64, "`{}` is wider than 64 bits: use `get`", self.declared(port).name);
-        self.engine.number(value, run)
+        self.engine.get_number(value, run)
     }
 
     /// The outputs in one run, by number after the inputs; nothing if one is wider than 64 bits.

@@ -38,7 +38,7 @@ use tilewright_hdl::limbs_for;
 
 use crate::engine::program::{Kind, Program, Triggers, ValueId};
 use crate::engine::until::Until;
-use crate::engine::{Difference, Done, Engine, Failed, one_by_one};
+use crate::engine::{Difference, Done, Engine, Failed, one_by_one, renew_each};
 use bank::Bank;
 use edge::{Edge, Ready};
 use emitter::MemoryAt;
@@ -98,6 +98,8 @@ pub(crate) struct Compiled {
     pending: Triggers,
     /// Some view is.
     some_stale: bool,
+    /// Counts how often what they show, or where they leave it, was another.
+    version: u32,
     /// Per value of the program: what computes it, by index in `views`, and where it leaves it.
     shown: Vec<Option<(usize, Place)>>,
     /// Every value as limbs, brought up to date when it is read.
@@ -150,6 +152,7 @@ impl Compiled {
             stopping: Vec::new(),
             pending: Triggers::NONE,
             some_stale: false,
+            version: 0,
             shown: vec![None; program.circuit.len()],
             inputs,
             special: SPECIAL,
@@ -217,15 +220,15 @@ impl Engine for Compiled {
     }
 
     fn number(&mut self, id: ValueId, lane: u32) -> u64 {
-        let slot = self.slots[id.index()];
-        match slot.limb() {
-            Some(at) if !slot.is_computed() => self.state.limb(at),
-            Some(at) if self.is_settled() => {
-                self.looked = true;
-                self.state.limb(at)
-            }
-            _ => self.computed(id, lane),
+        self.get_number(id, lane)
+    }
+
+    fn renew(&mut self, ids: &[ValueId], seen: &mut [u64], note: &mut Vec<u32>, changed: &mut Vec<u32>) {
+        if note.first() == Some(&self.version) {
+            return self.renew_noted(note, seen, changed);
         }
+        renew_each(self, ids, seen, changed);
+        self.note(ids, note);
     }
 
     fn write(&mut self, id: ValueId, limbs: &[u64], triggers: Triggers) {
@@ -236,14 +239,8 @@ impl Engine for Compiled {
     }
 
     fn write_number(&mut self, id: ValueId, number: u64, triggers: Triggers) {
-        let slot = self.slots[id.index()];
-        match slot.limb() {
-            Some(at) => {
-                if self.state.replace_limb(at, number) {
-                    self.input_changed(triggers, slot.is_narrow());
-                }
-            }
-            None => self.write(id, &[number], triggers),
+        if !self.quick_set(id, number, triggers) {
+            self.write(id, &[number], triggers);
         }
     }
 

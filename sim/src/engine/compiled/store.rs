@@ -63,16 +63,23 @@ impl Store {
         word.set(word.get() & !(ones << shift) | (value & ones) << shift);
     }
 
+    /// All limbs.
+    #[inline]
+    pub fn limbs(&self) -> &[Cell<u64>] {
+        &self.words[self.skipped..]
+    }
+
     /// A limb.
     #[inline]
     pub fn limb(&self, at: usize) -> u64 {
         self.words[self.skipped + at].get()
     }
 
-    /// Replaces a limb; whether it was another one.
+    /// Replaces a limb, if there is one, and no guard, which would take time to see around; whether it was another one.
     #[inline]
-    pub fn replace_limb(&mut self, at: usize, limb: u64) -> bool {
-        self.words[self.skipped + at].replace(limb) != limb
+    pub fn replace_limb(&mut self, at: usize, limb: u64) -> Option<bool> {
+        let Words::Plain(words) = &self.words else { return None };
+        Some(words.get(self.skipped + at)?.replace(limb) != limb)
     }
 
     /// One lane of a value of up to 64 bits.

@@ -1,5 +1,6 @@
 //! What a testbench sets and looks at: functions that leave values where they can be read, and quick ways to single numbers.
 
+use std::cell::Cell;
 use std::collections::BTreeMap;
 
 use super::function::Maker;
@@ -42,7 +43,13 @@ impl Slot {
 
     #[inline]
     pub fn limb(self) -> Option<usize> {
-        (self.0 != Slot::NONE.0).then_some(self.0 as usize / 4)
+        (self.0 != Slot::NONE.0).then_some(self.at())
+    }
+
+    /// As [`Slot::limb`], where there is one.
+    #[inline]
+    fn at(self) -> usize {
+        self.0 as usize / 4
     }
 
     #[inline]
@@ -105,6 +112,69 @@ impl Compiled {
     #[inline]
     pub(super) fn is_settled(&self) -> bool {
         self.pending == Triggers::NONE && !self.some_stale
+    }
+
+    /// As [`Engine::number`].
+    #[inline]
+    pub(in crate::engine) fn get_number(&mut self, id: ValueId, lane: u32) -> u64 {
+        let slot = self.slots[id.index()];
+        match slot.limb() {
+            Some(at) if !slot.is_computed() => self.state.limb(at),
+            Some(at) if self.is_settled() => {
+                self.looked = true;
+                self.state.limb(at)
+            }
+            _ => self.computed(id, lane),
+        }
+    }
+
+    /// Sets an input of one lane and up to 64 bits; `false`, and nothing is done, for another one. There is no call in it, nor
+    /// anything that can fail, so that it takes no room on the stack.
+    #[inline]
+    pub(in crate::engine) fn quick_set(&mut self, id: ValueId, number: u64, triggers: Triggers) -> bool {
+        let Some(&slot) = self.slots.get(id.index()) else { return false };
+        let Some(is_other) = slot.limb().and_then(|at| self.state.replace_limb(at, number)) else { return false };
+        if is_other {
+            self.input_changed(triggers, slot.is_narrow());
+        }
+        true
+    }
+
+    /// Notes where numbers stand, and what is to be brought up to date before: see [`Engine::renew`].
+    #[cold]
+    pub(super) fn note(&mut self, ids: &[ValueId], note: &mut Vec<u32>) {
+        let mut views = Vec::new();
+        for &id in ids {
+            // Whatever has no place yet gets one, but for constants.
+            self.number(id, 0);
+            let slot = self.slots[id.index()];
+            if slot.limb().is_some() && slot.is_computed() {
+                views.push(self.view_of(id) as u32);
+            }
+        }
+        views.sort_unstable();
+        views.dedup();
+        note.clear();
+        note.extend([self.version, views.len() as u32]);
+        note.extend(views);
+        note.extend(ids.iter().map(|id| self.slots[id.index()].at() as u32));
+    }
+
+    /// As [`Engine::renew`].
+    pub(super) fn renew_noted(&mut self, note: &[u32], seen: &mut [u64], changed: &mut Vec<u32>) {
+        let (views, places) = note[2..].split_at(note[1] as usize);
+        views.iter().for_each(|&view| self.refresh(view as usize));
+        changed.resize(seen.len(), 0);
+        let (limbs, mut count) = (self.state.limbs(), 0);
+        for ((&at, seen), index) in places.iter().zip(seen).zip(0..) {
+            // A constant stands nowhere, and remains what it is.
+            let number = limbs.get(at as usize).map_or(*seen, Cell::get);
+            // Whether a number has changed is hard to foresee, and so no branch.
+            changed[count] = index;
+            count += usize::from(*seen != number);
+            *seen = number;
+        }
+        changed.truncate(count);
     }
 
     /// One lane of a value of up to 64 bits, where that takes more than a look.
@@ -188,6 +258,7 @@ impl Compiled {
             self.shown[id.index()] = Some((view, place));
             self.slots[id.index()] = Slot::of(&place, true);
         }
+        self.version += 1;
         (self.views[view].code, self.views[view].stale, self.some_stale) = (code, true, true);
     }
 }

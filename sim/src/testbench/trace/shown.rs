@@ -17,6 +17,8 @@ pub(super) struct Shown {
     groups: Vec<Group>,
     /// Whether the values were ever taken.
     known: bool,
+    /// The numbers of a group that are others than before; kept to save an allocation.
+    renewed: Vec<u32>,
     variables: Variables,
 }
 
@@ -25,6 +27,8 @@ struct Group {
     triggers: Triggers,
     /// Those of one lane and up to 64 bits, which stand first; their limbs follow each other, as do their lanes.
     numbers: Vec<ValueId>,
+    /// What the engine notes about them.
+    note: Vec<u32>,
     /// The others, by index.
     others: Range<usize>,
     /// Where the limbs and the lanes of the numbers begin.
@@ -45,18 +49,16 @@ struct Traced {
     seen: Vec<u64>,
 }
 
-/// The number of no variable.
-const NOBODY: u32 = u32::MAX;
-
 /// The variables of the file, by number.
 #[derive(Default)]
 struct Variables {
     /// Where each variable's lane stands among the limbs taken.
     limbs: Vec<Range<usize>>,
-    /// By lane of all values: the variables that show it, of which there are two if it has names for its numbers.
+    /// By lane of all values: the variables that show it, of which there are two if it has names for its numbers. Where there
+    /// are fewer, one that is not among them stands instead, the next after the last: to mark it takes less than not to.
     of_lane: Vec<[u32; 2]>,
-    /// A bit for each.
-    changed: Vec<u64>,
+    /// For each, and for that one, whether it has changed: bytes, which are written without being read, in whole words.
+    changed: Vec<u8>,
 }
 
 impl Shown {
@@ -72,6 +74,7 @@ impl Shown {
             values: Vec::with_capacity(values.len()),
             groups: Vec::new(),
             known: false,
+            renewed: Vec::new(),
             variables: Variables::default(),
         };
         let (mut limbs, mut lanes) = (0, 0);
@@ -95,6 +98,7 @@ impl Shown {
                 triggers: triggers[group[0].index()],
                 others: start + numbers.len()..start + group.len(),
                 numbers,
+                note: Vec::new(),
                 first_limb: shown.values[start].limbs.start,
                 first_lane: shown.values[start].first_lane,
             });
@@ -107,10 +111,11 @@ impl Shown {
 
     /// Takes the values that these triggers change; the first time, all.
     pub fn take(&mut self, engine: &mut dyn Engine, changed: Triggers) {
-        let Shown { limbs, values, groups, variables, known } = self;
-        for group in groups.iter().filter(|group| group.triggers.meet(changed) || !*known) {
+        let Shown { limbs, values, groups, variables, renewed, known } = self;
+        for group in groups.iter_mut().filter(|group| group.triggers.meet(changed) || !*known) {
             let numbers = &mut limbs[group.first_limb..][..group.numbers.len()];
-            engine.renew(&group.numbers, numbers, &mut |index| variables.mark_lane(group.first_lane + index));
+            engine.renew(&group.numbers, numbers, &mut group.note, renewed);
+            renewed.iter().for_each(|&index| variables.mark_lane(group.first_lane + index as usize));
             for traced in &mut values[group.others.clone()] {
                 if !engine.is_as_seen(traced.value, &mut traced.seen) {
                     traced.replace(limbs, engine.read(traced.value), variables);
@@ -141,10 +146,11 @@ impl Shown {
     /// Visits the variables that have changed since the last visit, by number, with their limbs.
     pub fn visit_changed(&mut self, mut visit: impl FnMut(usize, &[u64])) {
         let Variables { limbs, changed, .. } = &mut self.variables;
-        for (index, word) in changed.iter_mut().enumerate() {
-            let mut rest = std::mem::take(word);
+        changed[limbs.len()] = 0;
+        for (index, bytes) in changed.as_chunks_mut().0.iter_mut().enumerate() {
+            let mut rest = u64::from_le_bytes(std::mem::take(bytes));
             while rest != 0 {
-                let variable = 64 * index + rest.trailing_zeros() as usize;
+                let variable = 8 * index + rest.trailing_zeros() as usize / 8;
                 visit(variable, &self.limbs[limbs[variable].clone()]);
                 rest &= rest - 1;
             }
@@ -171,35 +177,30 @@ impl Traced {
 
 impl Variables {
     /// By variable, the value and its lane; the values have so many `lanes` together.
-    fn new<'a>(lanes: usize, variables: impl Iterator<Item = (&'a Traced, usize)>) -> Variables {
-        let mut all = Variables { of_lane: vec![[NOBODY; 2]; lanes], ..Variables::default() };
+    fn new<'a>(lanes: usize, variables: impl ExactSizeIterator<Item = (&'a Traced, usize)>) -> Variables {
+        let nobody = variables.len() as u32;
+        let mut all = Variables { of_lane: vec![[nobody; 2]; lanes], ..Variables::default() };
         for (number, (traced, lane)) in (0u32..).zip(variables) {
             let start = traced.limbs.start + lane * traced.per_lane;
             all.limbs.push(start..start + traced.per_lane);
             let of_lane = &mut all.of_lane[traced.first_lane + lane];
-            let free = of_lane.iter().position(|it| *it == NOBODY).expect("a lane has up to two variables");
+            let free = of_lane.iter().position(|it| *it == nobody).expect("a lane has up to two variables");
             of_lane[free] = number;
         }
-        all.changed = vec![0; all.limbs.len().div_ceil(64)];
+        all.changed = vec![0; (all.limbs.len() + 1).next_multiple_of(8)];
         all
     }
 
     fn mark_all(&mut self) {
-        (0..self.limbs.len()).for_each(|variable| mark(&mut self.changed, variable));
+        self.changed.fill(1);
+        self.changed[self.limbs.len()..].fill(0);
     }
 
     fn mark_lane(&mut self, lane: usize) {
-        for variable in self.of_lane[lane] {
-            if variable != NOBODY {
-                mark(&mut self.changed, variable as usize);
-            }
-        }
+        let [one, other] = self.of_lane[lane];
+        self.changed[one as usize] = 1;
+        self.changed[other as usize] = 1;
     }
-}
-
-/// Sets a bit.
-fn mark(bits: &mut [u64], index: usize) {
-    bits[index / 64] |= 1 << (index % 64);
 }
 
 /// What can change each value of a program.
