@@ -5,7 +5,7 @@ use std::ops::{Deref, DerefMut};
 use std::sync::Arc;
 
 use crate::engine::Engine;
-use crate::engine::compiled::{self, Compiled};
+use crate::engine::compiled::{self, Compiled, Slot};
 use crate::engine::lockstep::Lockstep;
 use crate::engine::program::{Program, Triggers, ValueId};
 use crate::engine::{interpreter, reference};
@@ -104,12 +104,20 @@ impl Started {
         }
     }
 
-    /// Sets an input of one lane and up to 64 bits, if that is quickly done; whether it was.
+    /// Sets an input that stands in that slot, if that is quickly done; whether it was.
     #[inline]
-    pub fn quick_set(&mut self, id: ValueId, number: u64, triggers: Triggers) -> bool {
+    pub fn quick_set(&mut self, slot: Slot, number: u64, triggers: Triggers) -> bool {
         match self.made.get_mut() {
-            Some(Made::Compiled(engine)) => engine.quick_set(id, number, triggers),
+            Some(Made::Compiled(engine)) => engine.quick_set(slot, number, triggers),
             _ => false,
+        }
+    }
+
+    /// Where an input stands for [`Started::quick_set`], as long as this engine runs.
+    pub fn slot(&mut self, id: ValueId) -> Slot {
+        match self.made.get_mut() {
+            Some(Made::Compiled(engine)) => engine.slot(id),
+            _ => Slot::NONE,
         }
     }
 

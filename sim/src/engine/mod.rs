@@ -19,6 +19,7 @@ use tilewright_hdl::Bits;
 
 pub use choice::EngineKind;
 pub(crate) use choice::Started;
+pub(crate) use compiled::Slot;
 pub use compiled::Unsupported;
 pub use explain::{Explained, Pass, explain};
 pub use passes::Passes;

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use tilewright_hdl::{Bits, Design, top_mask};
 
 use crate::engine::program::{self, Program, Triggers, ValueId};
-use crate::engine::{EngineKind, Passes, Started, lane};
+use crate::engine::{EngineKind, Passes, Slot, Started, lane};
 use crate::testbench::error::UnknownName;
 use crate::testbench::port::{IntoValue, Port};
 use crate::testbench::timeline::Timeline;
@@ -42,6 +42,8 @@ struct Wired {
     triggers: Triggers,
     /// It can be set to a smaller number at once: 0 for an output, and for an input of more than 64 bits.
     end: u64,
+    /// Where the engine has it, once it was set.
+    slot: Slot,
 }
 
 impl Running {
@@ -54,7 +56,7 @@ impl Running {
             let is_set = width <= 64 && port.triggers != Triggers::NONE;
             // Of 64 bits, the largest number takes the long way.
             let end = if is_set { top_mask(width).saturating_add(1) } else { 0 };
-            Wired { value: port.value, width, triggers: port.triggers, end }
+            Wired { value: port.value, width, triggers: port.triggers, end, slot: Slot::NONE }
         });
         let is_narrow = |port: &program::Port| program.value(port.value).width <= 64;
         let outputs = program.outputs.iter().map(|port| is_narrow(port).then_some(port.value)).collect();
@@ -90,6 +92,8 @@ impl Running {
 
     pub fn restart(&mut self, engine: Started) {
         self.engine = engine;
+        // They were of the engine before.
+        self.ports.iter_mut().for_each(|port| port.slot = Slot::NONE);
         self.resets.fill(false);
         self.poked.clear();
     }
@@ -137,17 +141,19 @@ impl Running {
     /// Sets an input of up to 64 bits in the only run, if it is one and the number fits. It is one function for all types of
     /// numbers, compiled with the engine.
     fn set_limb(&mut self, port: Port, limb: u64) -> bool {
-        let Some(&Wired { value, triggers, end, .. }) = self.ports.get(port.index as usize) else { return false };
+        let Some(&Wired { triggers, end, slot, .. }) = self.ports.get(port.index as usize) else { return false };
         if limb >= end {
             return false;
         }
         self.may_have_changed(triggers);
-        self.engine.quick_set(value, limb, triggers) || self.write_limb(value, limb, triggers)
+        self.engine.quick_set(slot, limb, triggers) || self.write_limb(port, limb)
     }
 
     #[cold]
-    fn write_limb(&mut self, input: ValueId, limb: u64, triggers: Triggers) -> bool {
-        self.engine.write_number(input, limb, triggers);
+    fn write_limb(&mut self, port: Port, limb: u64) -> bool {
+        let Wired { value, triggers, slot, .. } = &mut self.ports[port.index as usize];
+        self.engine.write_number(*value, limb, *triggers);
+        *slot = self.engine.slot(*value);
         true
     }
 

@@ -51,7 +51,8 @@ use look::Looks;
 use store::Store;
 pub use target::Unsupported;
 use until::Stopping;
-use view::{Slot, View};
+pub(crate) use view::Slot;
+use view::View;
 
 /// The state of a running circuit and the code that runs it.
 pub(crate) struct Compiled {
@@ -239,7 +240,7 @@ impl Engine for Compiled {
     }
 
     fn write_number(&mut self, id: ValueId, number: u64, triggers: Triggers) {
-        if !self.quick_set(id, number, triggers) {
+        if !self.quick_set(self.slot(id), number, triggers) {
             self.write(id, &[number], triggers);
         }
     }

@@ -23,17 +23,17 @@ pub(super) struct View {
 
 /// Where a value is that has one lane and up to 64 bits, and so stands as its limb.
 #[derive(Clone, Copy)]
-pub(super) struct Slot(u32);
+pub(crate) struct Slot(u32);
 
 impl Slot {
-    /// Another kind of value, or one that has no place yet.
+    /// Another kind of value, or one that has no place yet. No store is so large that it has a limb there.
     pub const NONE: Slot = Slot(u32::MAX);
     /// Functions are made for such an input.
     const NARROW: u32 = 1;
     const COMPUTED: u32 = 2;
 
     /// That of a place, which is computed or state.
-    pub fn of(place: &Place, computed: bool) -> Slot {
+    pub(super) fn of(place: &Place, computed: bool) -> Slot {
         if place.lanes > 1 || place.width > 64 {
             return Slot::NONE;
         }
@@ -128,16 +128,20 @@ impl Compiled {
         }
     }
 
-    /// Sets an input of one lane and up to 64 bits; `false`, and nothing is done, for another one. There is no call in it, nor
-    /// anything that can fail, so that it takes no room on the stack.
+    /// Sets an input that stands in a slot of this engine; `false`, and nothing is done, if it is none. There is no call in it,
+    /// nor anything that can fail, so that it takes no room on the stack.
     #[inline]
-    pub(in crate::engine) fn quick_set(&mut self, id: ValueId, number: u64, triggers: Triggers) -> bool {
-        let Some(&slot) = self.slots.get(id.index()) else { return false };
-        let Some(is_other) = slot.limb().and_then(|at| self.state.replace_limb(at, number)) else { return false };
+    pub(in crate::engine) fn quick_set(&mut self, slot: Slot, number: u64, triggers: Triggers) -> bool {
+        let Some(is_other) = self.state.replace_limb(slot.at(), number) else { return false };
         if is_other {
             self.input_changed(triggers, slot.is_narrow());
         }
         true
+    }
+
+    /// Where a value stands.
+    pub(in crate::engine) fn slot(&self, id: ValueId) -> Slot {
+        self.slots[id.index()]
     }
 
     /// Notes where numbers stand, and what is to be brought up to date before: see [`Engine::renew`].
