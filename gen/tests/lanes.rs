@@ -114,6 +114,11 @@ fn data_that_is_read_before_its_memory() {
 }
 
 #[test]
+fn a_net_that_is_itself_in_other_lanes() {
+    clean(vec![modules::passed_on()]);
+}
+
+#[test]
 fn bits_of_lanes() {
     clean(vec![modules::bits_of_lanes()]);
 }

@@ -5,7 +5,7 @@ use super::order::for_each_read;
 use super::plan::{Form, Plan};
 use super::reads::ReadNames;
 use super::scope::Names;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use tilewright_hdl::ir::{Binary, Design, Module, NodeId, Op, Reduction, Relation, Unary};
 
 /// The name of every node that is referred to by one.
@@ -128,8 +128,13 @@ impl Namer<'_> {
     /// Names the nets that `root` is computed from and that nobody has named yet; `root` itself is called `itself`.
     fn name_below(&mut self, root: NodeId, base: &str, itself: &str) {
         let mut stack = vec![root];
+        let mut seen = BTreeSet::new();
         let module = self.module;
         while let Some(id) = stack.pop() {
+            // Where lanes chain, a net leads back to itself.
+            if !seen.insert(id) {
+                continue;
+            }
             let form = self.plan.form(id);
             let is_named = self.names[id.0 as usize].is_some() || self.ports.contains_key(&id);
             let fresh = matches!(form, Form::Net | Form::Block | Form::Constants) && !is_named;

@@ -346,3 +346,15 @@ pub fn bits_of_lanes() -> Module {
     b.output("picked", picked);
     b.module.clone()
 }
+
+/// Each lane is the one before, with nothing in between.
+pub fn passed_on() -> Module {
+    let b = &mut Build::new("passed_on");
+    let first = b.input("first", 4, Shape::Plain);
+    let lanes = b.node(Op::Wire(NodeId(2)), 4, Shape::Row(5));
+    b.named("lanes", lanes);
+    let before = b.previous(lanes, 0, first);
+    assert_eq!(before, NodeId(2));
+    b.output("out", lanes);
+    b.module.clone()
+}
