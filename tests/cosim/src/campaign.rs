@@ -197,7 +197,9 @@ impl Campaign {
         let files: Vec<&[VerilogFile]> = printed.iter().map(|design| design.files.as_slice()).collect();
         let linted = if in_all { tools::lint_all(&files) } else { tools::lint_quickly(&files) };
         let wrong = linted.err().unwrap_or_default();
-        wrong.into_iter().map(|(place, problems)| (place, problems.to_string())).collect()
+        let texts = wrong.into_iter().map(|(place, problems)| (place, problems.to_string()));
+        // Verilator 5.006 breaks on some memories in nested loops, which says nothing about the Verilog.
+        texts.filter(|(_, text)| !text.contains("%Error: Internal Error: ")).collect()
     }
 
     /// Makes, runs and prints a design; what goes wrong on the way is a failure as well.
