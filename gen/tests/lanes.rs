@@ -119,6 +119,11 @@ fn a_net_that_is_itself_in_other_lanes() {
 }
 
 #[test]
+fn shifts_by_constants_of_the_lanes() {
+    tools::lint(&print(vec![modules::shifted_out()])).unwrap();
+}
+
+#[test]
 fn bits_of_lanes() {
     clean(vec![modules::bits_of_lanes()]);
 }

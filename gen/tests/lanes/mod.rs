@@ -358,3 +358,17 @@ pub fn passed_on() -> Module {
     b.output("out", lanes);
     b.module.clone()
 }
+
+/// Shifts by constants of the lanes, of which some leave nothing.
+pub fn shifted_out() -> Module {
+    let b = &mut Build::new("shifted_out");
+    let row = Shape::Row(3);
+    let x = b.input("x", 12, row);
+    let amounts = [1, 0xfff, 12].map(|amount| b.constant(12, amount, Shape::Plain));
+    let amounts = b.stack(&amounts, 0);
+    for (name, shift) in [("left", Shift::Left), ("right", Shift::Right), ("arithmetic", Shift::RightSigned)] {
+        let shifted = b.node(Op::Shift(shift, x, amounts), 12, row);
+        b.output(name, shifted);
+    }
+    b.module.clone()
+}
