@@ -25,7 +25,10 @@ const CASES: &[(&str, &[&str])] = &[
     ("render teapot --size 64x48 --pages 1", &["1 pages", "from 2 to 192"]),
     ("render teapot --size 64x48 --pages 3", &["ran out of its 3 image memory pages", "pass --pages"]),
     ("render teapot --machine vc2", &["'vc2'", "'vc1'"]),
-    ("render teapot --engine fast", &["invalid value 'fast' for '--engine <ENGINE>'", "reference, interpreter, compiled, both"]),
+    (
+        "render teapot --engine fast",
+        &["invalid value 'fast' for '--engine <ENGINE>'", "reference, interpreter, compiled, both"],
+    ),
     ("wave merging-unit --ascii --engine compile", &["'compile'", "a similar value exists: 'compiled'"]),
     ("render teapot --from 1us", &["name it with --vcd FILE"]),
     ("render teapot --vcd run.vcd --from 2us --to 1500ns", &["no time is left between --from and --to"]),
