@@ -120,25 +120,25 @@
 //! ```text
 //! $ cargo bench -p tilewright-benches --bench testbench
 //! a processor of RV32I                                ns    ratio
-//!   run(n), a cycle                                 18.8     1.00
-//!   run_until a register is a number                18.9     1.01
-//!   run_until a result is a number                  19.1     1.02
-//!   step                                            27.6     1.47
-//!   step, get of a register                         32.2     1.71
-//!   step, get_u64 of a register                     31.1     1.66
-//!   step, get of a result                           38.7     2.06
-//!   step, get_u64 of a result                       37.6     2.00
-//!   step, read_u64 of 7 ports                       78.4     4.18
-//!   set, step, get_u64 of a result                  56.7     3.02
-//!   run(n) with a waveform of everything           709.8    37.83
+//!   run(n), a cycle                                 18.6     1.00
+//!   run_until a register is a number                18.9     1.02
+//!   run_until a result is a number                  18.9     1.02
+//!   step                                            27.4     1.48
+//!   step, get of a register                         31.6     1.70
+//!   step, get_u64 of a register                     31.4     1.69
+//!   step, get of a result                           39.1     2.10
+//!   step, get_u64 of a result                       37.7     2.03
+//!   step, read_u64 of 7 ports                       75.6     4.07
+//!   set, step, get_u64 of a result                  56.4     3.04
+//!   run(n) with a waveform of everything           471.2    25.35
 //! 16 products and their sum                           ns    ratio
 //!   run(n), a cycle                                  2.4     1.00
-//!   32 sets                                        122.3    50.70
-//!   32 sets, step, get_u64                         163.5    67.76
-//!   set_list of 16 inputs, twice                   126.7    52.52
-//!   get_list of 16 outputs                          76.8    31.83
-//!   drive of 32 inputs                             286.1   118.57
-//!   read_u64 of 17 outputs                          99.5    41.21
+//!   32 sets                                         85.0    35.22
+//!   32 sets, step, get_u64                         128.3    53.18
+//!   set_list of 16 inputs, twice                   118.5    49.12
+//!   get_list of 16 outputs                          75.8    31.41
+//!   drive of 32 inputs                             289.7   120.10
+//!   read_u64 of 17 outputs                          98.7    40.89
 //! ```
 //!
 //! # What a waveform costs
@@ -149,10 +149,10 @@
 //!
 //! ```text
 //! $ cargo bench -p tilewright-machines --bench vcd
-//! without a waveform    0.73 s
-//! with a waveform       5.81 s, 7.91 times as long
+//! without a waveform    0.74 s
+//! with a waveform       5.69 s, 7.70 times as long
 //! the file               791 MB, 46.6 million changes at 6.4 million times
-//! in the time added      156 MB/s, 9.2 million changes/s
+//! in the time added      160 MB/s, 9.4 million changes/s
 //! ```
 
 mod engine;
