@@ -1,7 +1,7 @@
 //! What a random design with shapes is made of, as plain data that shrinks.
 //!
 //! Every value of these types is a valid design: a [`Pick`] is taken modulo what there is to choose from, and operands are
-//! brought to the width and the shape that meet them. [`build`](super::build) turns it into modules,
+//! brought to the width and the shape that meet them. `build` turns it into modules,
 //! [`strategy`](super::strategy) makes it.
 
 pub use crate::spec::{Pattern, Pick, Stimulus};
