@@ -167,13 +167,13 @@ impl<'a> Known<'a> {
     /// `cone` has the single values that depend on the subject, each after its operands.
     fn new(function: &'a mut Function, cone: &[ValueId], subject: ValueId, number: u64) -> Known<'a> {
         let bits = Bits::from_limbs(function.cell(subject).width, &[number]);
-        let constant = function.constant(bits, 1);
+        let constant = function.rewriter.constant(bits, 1);
         let mut singles = FxHashMap::from_iter([(subject, constant)]);
         for &id in cone {
             let mut cell = function.cell(id).clone();
             cell.kind.rewrite(|operand| *operand = singles.get(operand).copied().unwrap_or(*operand));
             if let Some(bits) = function.rewriter.known(cell) {
-                singles.insert(id, function.constant(bits, 1));
+                singles.insert(id, function.rewriter.constant(bits, 1));
             }
         }
         Known { function, singles, became: FxHashMap::default() }
@@ -190,7 +190,7 @@ impl<'a> Known<'a> {
             _ => None,
         };
         let bits = known.map(|constant| self.function.circuit().constant(*constant).expect("it is known").clone());
-        let became = bits.map_or(id, |bits| self.function.constant(bits, lanes));
+        let became = bits.map_or(id, |bits| self.function.rewriter.constant(bits, lanes));
         self.became.insert(id, became);
         became
     }

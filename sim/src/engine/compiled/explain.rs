@@ -9,7 +9,7 @@ use super::layout::Strips;
 use super::passes::{self, Seen};
 use super::plan::{Kernel, Plan};
 use super::sequence::Step;
-use super::{HELD, bank};
+use super::{bank, held_inputs};
 use crate::engine::explain::{Names, Pass, Text};
 use crate::engine::program::{Program, ValueId};
 
@@ -31,9 +31,7 @@ fn edge(program: &Program, clock: usize) -> Vec<(Pass, String)> {
     let (function, became) = Maker::new(program).edge(&[clock]);
     let names = names.renamed(&became);
     let mut all = vec![(Pass::Edge, text(program, &function, &names))];
-    let small = program.inputs.iter().map(|port| (port.value, &program.circuit[port.value]));
-    let small = small.filter(|(_, cell)| cell.lanes == 1 && cell.width <= HELD);
-    let held: Held = small.map(|(id, cell)| (id, Bits::zero(cell.width))).collect();
+    let held: Held = held_inputs(program).map(|id| (id, Bits::zero(program.circuit[id].width))).collect();
     let (special, became) = Maker::new(program).hold(&held).edge(&[clock]);
     all.push((Pass::Hold, text(program, &special, &Names::of(program).renamed(&became))));
 

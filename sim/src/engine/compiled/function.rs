@@ -73,7 +73,7 @@ impl Sink {
 pub(super) type Became = FxHashMap<ValueId, ValueId>;
 
 /// What is known of a program's state while a function runs.
-pub(super) type Held = FxHashMap<ValueId, Bits>;
+pub(super) type Held = Vec<(ValueId, Bits)>;
 
 /// A circuit and its sinks. State has the ids that it has in the program.
 #[derive(Debug, Clone)]
@@ -99,12 +99,6 @@ impl Function {
             Kind::Stack { parts, .. } => parts.iter().all(|part| self.circuit().constant(*part).is_some()),
             _ => false,
         }
-    }
-
-    /// A constant in all lanes.
-    pub fn constant(&mut self, bits: Bits, lanes: u32) -> ValueId {
-        let width = bits.width();
-        self.rewriter.add(Kind::Const(bits), lanes, width)
     }
 
     /// The values that the sinks need, each after its operands.
@@ -163,8 +157,8 @@ impl<'a> Maker<'a> {
 
     /// These values are known.
     pub fn hold(mut self, held: &Held) -> Self {
-        for (&id, bits) in held {
-            let constant = self.function.constant(bits.clone(), self.program.circuit[id].lanes);
+        for &(id, ref bits) in held {
+            let constant = self.function.rewriter.constant(bits.clone(), self.program.circuit[id].lanes);
             self.became.insert(id, constant);
         }
         self
@@ -194,11 +188,12 @@ impl<'a> Maker<'a> {
         (Function { rewriter, sinks }, self.became)
     }
 
-    /// Leaves values where a testbench finds them; gives what they are in the function.
-    pub fn show(&mut self, values: &[ValueId]) -> Vec<ValueId> {
-        let shown: Vec<ValueId> = values.iter().map(|&id| self.take(id)).collect();
-        self.function.sinks.extend(shown.iter().map(|&id| Sink::Show(id)));
-        shown
+    /// Leaves values where a testbench finds them.
+    pub fn show(&mut self, values: &[ValueId]) {
+        for &id in values {
+            let shown = self.take(id);
+            self.function.sinks.push(Sink::Show(shown));
+        }
     }
 
     /// An edge of these clocks, but for resets.
@@ -263,25 +258,13 @@ impl<'a> Maker<'a> {
             if let Some(hit) =
                 hits.into_iter().reduce(|all, hit| self.add(Kind::Binary(Binary::Or, all, hit), lanes, 1))
             {
-                let inside = self.within(address, declared.depth, lanes);
+                let inside = self.function.rewriter.below(address, declared.depth);
                 let select = self.add(Kind::Binary(Binary::And, hit, inside), lanes, 1);
                 let inverted = self.add(Kind::Unary(Unary::Not, next), lanes, width);
                 next = self.add(Kind::Mux { select, on_true: inverted, on_false: next }, lanes, width);
             }
         }
         Sink::Register { state: read.value, next, enable }
-    }
-
-    /// 1 bit: whether an address is within the depth.
-    fn within(&mut self, address: ValueId, depth: u32, lanes: u32) -> ValueId {
-        let width = self.function.cell(address).width;
-        if width < 32 && depth >> width > 0 {
-            return self.add(Kind::Const(Bits::from_limbs(1, &[1])), lanes, 1);
-        }
-        let mut limbs = vec![0; tilewright_hdl::limbs_for(width)];
-        limbs[0] = u64::from(depth);
-        let depth = self.add(Kind::Const(Bits::from_limbs(width, &limbs)), lanes, width);
-        self.add(Kind::Compare(Relation::Lt, false, address, depth), lanes, 1)
     }
 }
 

@@ -1,7 +1,7 @@
 //! A testbench that looks every clock: what it looked at has been computed from the same state that the edge after it
 //! starts from, so that edge can do with the rest; and as it is likely to look again, that follows in the same function.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::Compiled;
 use super::function::Held;
@@ -72,9 +72,8 @@ impl Compiled {
         let prepared = self.prepare_view(&all);
         let code = self.compile(std::slice::from_ref(&prepared));
         self.replace_view(view, code, &shown, &prepared);
-        let place =
-            |id: &ValueId| all.iter().zip(prepared.shown()).find(|(other, _)| *other == id).map(|(_, place)| place);
-        let places: Vec<Place> = left.iter().map(|id| place(id).expect("the view leaves it")).collect();
+        let at: BTreeMap<ValueId, Place> = all.into_iter().zip(prepared.shown()).collect();
+        let places: Vec<Place> = left.iter().map(|id| at[id]).collect();
         let mut parts = self.prepare_rest((&rising, &resets), &Held::default(), &left, &places);
         let code = self.compile(&parts);
         parts.push(prepared);

@@ -99,19 +99,13 @@ fn standing(rewriter: &mut Rewriter, at: &MemoryAt, word: ValueId) -> ValueId {
         return word;
     }
     let lanes = rewriter.circuit()[word].lanes;
-    let blank = constant(rewriter, Bits::new(at.width, at.blank), lanes);
+    let blank = rewriter.constant(Bits::new(at.width, at.blank), lanes);
     rewriter.add(Kind::Binary(Binary::Xor, word, blank), lanes, at.width)
-}
-
-/// A constant in all lanes.
-fn constant(rewriter: &mut Rewriter, bits: Bits, lanes: u32) -> ValueId {
-    let width = bits.width();
-    rewriter.add(Kind::Const(bits), lanes, width)
 }
 
 /// An array of constants: `row` of them over and over.
 fn table(rewriter: &mut Rewriter, lanes: u32, row: u32, width: u32, of: impl Fn(u32) -> u64) -> ValueId {
-    let parts = (0..row).map(|lane| constant(rewriter, Bits::new(width, of(lane)), lanes / row)).collect();
+    let parts = (0..row).map(|lane| rewriter.constant(Bits::new(width, of(lane)), lanes / row)).collect();
     rewriter.add(Kind::Stack { parts, inner: 1 }, lanes, width)
 }
 

@@ -109,6 +109,12 @@ pub(crate) struct Compiled {
 
 /// The widest input that a function is made for.
 const HELD: u32 = 8;
+
+/// The inputs that functions may be made for.
+fn held_inputs(program: &Program) -> impl Iterator<Item = ValueId> {
+    let is_held = |id: &ValueId| program.circuit[*id].lanes == 1 && program.circuit[*id].width <= HELD;
+    program.inputs.iter().map(|port| port.value).filter(is_held)
+}
 /// How often at most.
 const SPECIAL: u32 = 16;
 
@@ -128,8 +134,7 @@ impl Compiled {
         }
         let unchecked = layout.place(1, 1);
         let (memories, banks) = bank::banks(&program, &layout.strips);
-        let inputs = program.inputs.iter().map(|port| port.value);
-        let inputs = inputs.filter(|&id| program.value(id).lanes == 1 && program.value(id).width <= HELD).collect();
+        let inputs = held_inputs(&program).collect();
         let mut engine = Compiled {
             jit,
             state: Store::new(layout.size, program.passes.guarded),

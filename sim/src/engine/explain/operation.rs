@@ -117,13 +117,8 @@ fn unary(op: Unary) -> &'static str {
 
 fn binary(op: Binary) -> &'static str {
     match op {
-        Binary::And => "&",
-        Binary::Or => "|",
-        Binary::Xor => "^",
-        Binary::Add => "+",
-        Binary::Sub => "-",
-        Binary::Mul => "*",
         Binary::MulSigned => "* signed",
+        op => op.symbol(),
     }
 }
 

@@ -35,8 +35,14 @@ pub(super) struct Unrolled {
 pub(super) fn flatten(design: &Design, lanes: u32, unrolled: &Unrolled, passes: &Passes) -> Flat {
     let program = Program { passes: passes.clone(), ..Program::default() };
     let flat = Flat { program, array_outputs: Vec::new(), instances: Vec::new() };
-    let mut flatten =
-        Flatten { design, unrolled, flat, top_inputs: Vec::new(), addresses: HashMap::new(), open: VecDeque::new() };
+    let mut flatten = Flatten {
+        design,
+        unrolled,
+        flat,
+        top_inputs: HashMap::new(),
+        addresses: HashMap::new(),
+        open: VecDeque::new(),
+    };
     flatten.top(lanes);
     while let Some(body) = flatten.open.pop_front() {
         flatten.body(body);
@@ -48,8 +54,8 @@ pub(super) struct Flatten<'a> {
     pub(super) design: &'a Design,
     pub(super) unrolled: &'a Unrolled,
     pub(super) flat: Flat,
-    /// What a testbench sets for the inputs of the top that have lanes, in order.
-    top_inputs: Vec<ValueId>,
+    /// What a testbench sets for the inputs of the top that have lanes.
+    top_inputs: HashMap<NodeId, ValueId>,
     /// The address of each asynchronous read port, by memory of the program and port, in all lanes.
     pub(super) addresses: HashMap<(u32, u32), ValueId>,
     /// Instances whose cells have ids but are not filled in yet.
@@ -91,7 +97,7 @@ impl Flatten<'_> {
         let value = |node: NodeId| ValueId(base + node.0);
         for input in &module.inputs {
             let clock = input.clock.map_or(0, |clock| clock.0 as usize);
-            let value = self.packed_input(module.node(input.node), value(input.node), lanes);
+            let value = self.packed_input(module, input.node, value(input.node), lanes);
             self.flat.program.inputs.push(Port {
                 name: input.name.clone(),
                 path: input.path.clone(),
@@ -111,14 +117,15 @@ impl Flatten<'_> {
     }
 
     /// What a testbench sets for an input of the top: all lanes side by side, the first in the lowest bits.
-    fn packed_input(&mut self, node: &Node, input: ValueId, lanes: u32) -> ValueId {
+    fn packed_input(&mut self, module: &Module, id: NodeId, input: ValueId, lanes: u32) -> ValueId {
+        let node = module.node(id);
         if node.shape.is_plain() {
             return input;
         }
         let circuit = &mut self.flat.program.circuit;
         let axis = Axis::last(node.shape.lanes());
         let port = circuit.push(Cell::new(Kind::State, lanes, node.width * axis.count), Some(node.loc));
-        self.top_inputs.push(port);
+        self.top_inputs.insert(id, port);
         port
     }
 
@@ -227,11 +234,7 @@ impl Flatten<'_> {
             Op::Input(index) => match (body.inputs.get(*index as usize), node.shape.is_plain()) {
                 (Some(&from), _) => Kind::Alias(from),
                 (None, true) => Kind::State,
-                (None, false) => {
-                    let ports = module.inputs[..*index as usize].iter();
-                    let before = ports.filter(|port| !module.node(port.node).shape.is_plain()).count();
-                    Kind::Unpack { of: self.top_inputs[before], axis: Axis::last(node.shape.lanes()) }
-                }
+                (None, false) => Kind::Unpack { of: self.top_inputs[&id], axis: Axis::last(node.shape.lanes()) },
             },
             Op::Register(_) => Kind::State,
             Op::Read(memory, port) => self.read_kind(module, *memory, *port, memories),

@@ -89,10 +89,8 @@ impl Flatten<'_> {
     /// Enters an instance, as many times as it is unrolled to; returns the bases.
     fn instance(&mut self, body: &Body, module: &Module, instance: &Instance) -> Vec<u32> {
         let (key, shape) = (key_of(&body.key, instance), instance.shape);
-        let elements = match self.unrolled.arrays.contains(&key) {
-            true => self.element_inputs(body, module, instance),
-            false => Vec::new(),
-        };
+        let is_unrolled = !shape.is_plain() && self.unrolled.arrays.contains(&key);
+        let elements = is_unrolled.then(|| self.element_inputs(body, module, instance));
         let clocks: Vec<u32> = instance.clocks.iter().map(|clock| body.clocks[clock.0 as usize]).collect();
         let mut enter = |replication, lanes, inputs| {
             let scope = |parent: &ScopeId| {
@@ -102,13 +100,13 @@ impl Flatten<'_> {
             self.enter(instance.module, key.clone(), scopes, lanes, inputs, clocks.clone())
         };
         let whole = || instance.inputs.iter().map(|&node| body.whole(node)).collect();
-        match shape {
-            Shape::Plain => vec![enter(Replication::Single, body.lanes, whole())],
-            _ if !elements.is_empty() => {
+        match (shape, elements) {
+            (Shape::Plain, _) => vec![enter(Replication::Single, body.lanes, whole())],
+            (_, Some(elements)) => {
                 let element = |(index, inputs)| enter(Replication::Element(shape, index), body.lanes, inputs);
                 (0..).zip(elements).map(element).collect()
             }
-            _ => {
+            (_, None) => {
                 let base = enter(Replication::Whole(shape), body.lanes * shape.lanes(), whole());
                 for &node in &instance.outputs {
                     self.flat.array_outputs.push((body.whole(node), key.clone()));

@@ -24,18 +24,13 @@ impl Flatten<'_> {
     /// Fills in the cells of a node's single lanes, each of which depends on no more than it has to.
     pub(super) fn split(&mut self, body: &Body, module: &Module, id: NodeId, memories: &[u32]) {
         for lane in 0..module.node(id).shape.lanes() {
-            let kind = match module.node(id).op {
-                Op::Read(memory, port) if self.is_split(body, id) => {
-                    self.lane_of_read(body, module, (memory, port), memories, lane)
-                }
-                _ => self.lane_kind(body, module, id, lane),
-            };
+            let kind = self.lane_kind(body, module, id, memories, lane);
             self.flat.program.circuit.set_kind(body.at(id, lane), kind);
         }
     }
 
     /// How one lane of a node is computed.
-    fn lane_kind(&mut self, body: &Body, module: &Module, id: NodeId, lane: u32) -> Kind {
+    fn lane_kind(&mut self, body: &Body, module: &Module, id: NodeId, memories: &[u32], lane: u32) -> Kind {
         let node = module.node(id);
         let shape = node.shape;
         let (along, across) = (|axis| shape.along(axis, lane), |axis| shape.across(axis, lane));
@@ -68,6 +63,9 @@ impl Flatten<'_> {
                 Kind::Pack { of, axis }
             }
             Op::Unpack { of, axis } => Kind::Slice(body.at(*of, across(*axis)), along(*axis) * node.width),
+            Op::Read(memory, port) if self.is_split(body, id) => {
+                self.lane_of_read(body, module, (*memory, *port), memories, lane)
+            }
             Op::Input(_) | Op::Register(_) | Op::Read(..) | Op::Output(..) => self.lane_of_whole(body, node, id, lane),
             _ if !self.is_split(body, id) => self.lane_of_whole(body, node, id, lane),
             _ => flatten::elementwise(node, |operand| body.at(*operand, lane)),

@@ -8,6 +8,7 @@ mod rebuild;
 mod rules;
 
 use rustc_hash::FxHashMap;
+use tilewright_hdl::ir::Relation;
 use tilewright_hdl::{Bits, Loc};
 
 use crate::engine::Passes;
@@ -122,6 +123,22 @@ impl Rewriter {
     pub fn truncate(&mut self, cells: usize) {
         self.circuit.truncate(cells);
         self.known.clear();
+    }
+
+    /// A constant in all lanes.
+    pub fn constant(&mut self, bits: Bits, lanes: u32) -> ValueId {
+        let width = bits.width();
+        self.add(Kind::Const(bits), lanes, width)
+    }
+
+    /// 1 bit: whether a value is less than a number, both unsigned.
+    pub fn below(&mut self, value: ValueId, limit: u32) -> ValueId {
+        let Cell { lanes, width, .. } = self.circuit[value];
+        if width < u32::BITS && limit >> width > 0 {
+            return self.constant(Bits::new(1, 1), lanes);
+        }
+        let limit = self.constant(Bits::new(width, limit.into()), lanes);
+        self.add(Kind::Compare(Relation::Lt, false, value, limit), lanes, 1)
     }
 
     /// The earlier cell that computes the same, or a new one.

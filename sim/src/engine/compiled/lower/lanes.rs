@@ -1,9 +1,9 @@
 //! Axes that code does not know: which lane each lane is, in a table.
 
 use tilewright_hdl::Bits;
-use tilewright_hdl::ir::{Binary, Relation};
+use tilewright_hdl::ir::Binary;
 
-use super::{constant, flags, table};
+use super::{flags, table};
 use crate::engine::program::{Axis, Kind, ValueId};
 use crate::engine::rewrite::Rewriter;
 
@@ -94,42 +94,24 @@ pub(super) fn pick(
     width: u32,
 ) -> ValueId {
     let bits = rewriter.circuit()[index].width;
-    let limit = u64::from(axis.count);
-    if limit == 1 {
-        let zero = [constant(rewriter, Bits::zero(bits), lanes), constant(rewriter, Bits::zero(width), lanes)];
-        let select = rewriter.add(Kind::Compare(Relation::Eq, false, index, zero[0]), lanes, 1);
-        return rewriter.add(Kind::Mux { select, on_true: of, on_false: zero[1] }, lanes, width);
+    let [zero, nothing] = [bits, width].map(|width| rewriter.constant(Bits::zero(width), lanes));
+    let inside = rewriter.below(index, axis.count);
+    if axis.count == 1 {
+        return rewriter.add(Kind::Mux { select: inside, on_true: of, on_false: nothing }, lanes, width);
     }
-    let is_full = bits < NUMBER && limit >> bits > 0;
-    let zero = constant(rewriter, Bits::zero(bits), lanes);
-    let inside = match is_full {
-        true => constant(rewriter, Bits::new(1, 1), lanes),
-        false => {
-            let limit = constant(rewriter, wide(bits, limit), lanes);
-            rewriter.add(Kind::Compare(Relation::Lt, false, index, limit), lanes, 1)
-        }
-    };
     let number = rewriter.add(Kind::Mux { select: inside, on_true: index, on_false: zero }, lanes, bits);
     let number = match bits {
         _ if bits < NUMBER => rewriter.add(Kind::Extend(number, false), lanes, NUMBER),
         NUMBER => number,
         _ => rewriter.add(Kind::Slice(number, 0), lanes, NUMBER),
     };
-    let apart = constant(rewriter, Bits::new(NUMBER, axis.inner.into()), lanes);
+    let apart = rewriter.constant(Bits::new(NUMBER, axis.inner.into()), lanes);
     let product = rewriter.add(Kind::Binary(Binary::Mul, number, apart), lanes, 2 * NUMBER);
     let along = rewriter.add(Kind::Slice(product, 0), lanes, NUMBER);
     let first = table(rewriter, lanes, lanes, NUMBER, |lane| u64::from(axis.at(lane, 0)));
     let at = rewriter.add(Kind::Binary(Binary::Add, along, first), lanes, NUMBER);
     let picked = rewriter.add(Kind::Gather { of, at }, lanes, width);
-    let nothing = constant(rewriter, Bits::zero(width), lanes);
     rewriter.add(Kind::Mux { select: inside, on_true: picked, on_false: nothing }, lanes, width)
-}
-
-/// A small number of many bits.
-fn wide(width: u32, number: u64) -> Bits {
-    let mut limbs = vec![0; tilewright_hdl::limbs_for(width)];
-    limbs[0] = number;
-    Bits::from_limbs(width, &limbs)
 }
 
 /// Lanes side by side in one value.

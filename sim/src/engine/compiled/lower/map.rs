@@ -1,9 +1,9 @@
 //! Neighbours are loaded from anywhere, and replaced at the edges of their groups; other maps look up which lane it is.
 
-use super::{flags, lanes};
 use tilewright_hdl::ir::Affine;
 
-use crate::engine::program::{Axis, Cell, Kind, ValueId};
+use super::{flags, lanes};
+use crate::engine::program::{Axis, Kind, ValueId};
 use crate::engine::rewrite::Rewriter;
 
 /// A [`Kind::Map`].
@@ -31,17 +31,6 @@ pub(super) fn map(rewriter: &mut Rewriter, map: &Map, lanes: u32, width: u32) ->
     };
     let Some(edge) = edge else { return anywhere };
     let select = flags(rewriter, lanes, to.lanes(), |lane| inside(lane).is_some());
-    let on_false = end(rewriter, edge, to, lanes, width);
+    let on_false = lanes::broadcast(rewriter, edge, to, lanes, width);
     rewriter.add(Kind::Mux { select, on_true: anywhere, on_false }, lanes, width)
-}
-
-/// The edge in all lanes.
-fn end(rewriter: &mut Rewriter, edge: ValueId, axis: Axis, lanes: u32, width: u32) -> ValueId {
-    match rewriter.circuit()[edge].clone() {
-        Cell { kind: Kind::Const(bits), .. } => rewriter.add(Kind::Const(bits), lanes, width),
-        Cell { kind: Kind::Broadcast { of, axis: Axis { count, inner: 1 } }, .. } if axis.inner == 1 => {
-            rewriter.add(Kind::Broadcast { of, axis: Axis::last(count * axis.count) }, lanes, width)
-        }
-        _ => lanes::broadcast(rewriter, edge, axis, lanes, width),
-    }
 }

@@ -4,7 +4,7 @@ use tilewright_hdl::Bits;
 use tilewright_hdl::ir::{Reduction, Relation};
 
 use super::super::layout::Strips;
-use super::{constant, flags, lanes};
+use super::{flags, lanes};
 use crate::engine::program::{Axis, Kind, ValueId};
 use crate::engine::rewrite::Rewriter;
 
@@ -33,7 +33,7 @@ pub(super) fn reduce(
             _ => Bits::zero(width),
         };
         let select = flags(rewriter, all, all, |_| true);
-        let neutral = constant(rewriter, neutral, all);
+        let neutral = rewriter.constant(neutral, all);
         of = rewriter.add(Kind::Mux { select, on_true: of, on_false: neutral }, all, width);
     }
     rewriter.add(Kind::Reduce { by, of, axis: Axis::last(axis.count) }, lanes, width)

@@ -3,7 +3,7 @@
 use super::super::{Rewrite, Rewriter};
 use tilewright_hdl::ir::Affine;
 
-use crate::engine::program::{Axis, Cell, Kind};
+use crate::engine::program::{Axis, Cell, Kind, ValueId};
 
 /// `Alias(x)` is `x`; so is any operation along an axis of one lane.
 pub(super) fn name(_: &mut Rewriter, cell: &Cell) -> Option<Rewrite> {
@@ -22,17 +22,10 @@ pub(super) fn name(_: &mut Rewriter, cell: &Cell) -> Option<Rewrite> {
 }
 
 /// A map of all lanes onto themselves is its operand; one that looks past the end everywhere is its edge.
-fn map(
-    of: crate::engine::program::ValueId,
-    axis: Axis,
-    count: u32,
-    index: Affine,
-    edge: Option<crate::engine::program::ValueId>,
-) -> Option<Rewrite> {
+fn map(of: ValueId, axis: Axis, count: u32, index: Affine, edge: Option<ValueId>) -> Option<Rewrite> {
     if index == Affine::shift(0) && count == axis.count {
         return Some(Rewrite::Same(of));
     }
-    // It rises or falls, so the ends tell.
     let sees_none =
         |lanes: std::ops::Range<u32>| lanes.into_iter().all(|lane| index.source(lane, axis.count).is_none());
     match edge {
