@@ -34,10 +34,14 @@ impl Engine {
     /// The circuit as it is after a reset; what a reset does not set starts from the seed of its run, all zeros if that
     /// is 0.
     pub fn new(program: Arc<Program>, seeds: &[u64]) -> Engine {
-        let zeros = |lanes: u32, width: u32| vec![0; lanes as usize * limbs_for(width)];
+        let zeros = |count: usize, width: u32| vec![0; count * limbs_for(width)];
         let mut engine = Engine {
-            values: program.circuit.cells().map(|(_, cell)| zeros(cell.lanes, cell.width)).collect(),
-            memories: program.memories.iter().map(|it| zeros(it.lanes * it.depth, it.width)).collect(),
+            values: program.circuit.cells().map(|(_, cell)| zeros(cell.lanes as usize, cell.width)).collect(),
+            memories: program
+                .memories
+                .iter()
+                .map(|it| zeros(it.lanes as usize * it.depth as usize, it.width))
+                .collect(),
             resets: vec![false; program.clocks.len()],
             is_stale: true,
             written: Vec::new(),
