@@ -9,9 +9,10 @@ mod lookup;
 mod peek;
 mod play;
 mod port;
+mod port_order;
 mod run;
 mod running;
-mod shape;
+
 mod simulation;
 mod timeline;
 mod trace;

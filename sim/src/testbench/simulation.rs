@@ -8,8 +8,8 @@ use crate::engine::program::Program;
 use crate::engine::{EngineKind, Passes};
 use crate::testbench::error::{Error, UnknownName};
 use crate::testbench::port::{IntoValue, Port};
+use crate::testbench::port_order::PortOrder;
 use crate::testbench::running::Running;
-use crate::testbench::shape::Shape;
 
 /// A running circuit.
 ///
@@ -21,7 +21,7 @@ pub struct Simulation<I: Bundle = (), O: Bundle = ()> {
     /// The output ports.
     pub o: O::Of<Port>,
     pub(crate) circuit: Running,
-    pub(crate) inputs: Shape,
+    pub(crate) inputs: PortOrder,
 }
 
 impl Simulation {
@@ -74,7 +74,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         o: O::Of<Port>,
         passes: &Passes,
     ) -> Result<Simulation<I, O>, Error> {
-        let inputs = Shape::of::<I>(&i);
+        let inputs = PortOrder::of::<I>(&i);
         Ok(Simulation { i, o, circuit: Running::new(design, runs, passes), inputs })
     }
 

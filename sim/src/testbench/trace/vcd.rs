@@ -1,7 +1,7 @@
 //! Waveform files in the Value Change Dump format of IEEE 1364-2001, section 18.
 //!
 //! Scopes and names are those of the Verilog: the top module, its instances, and for an array the scopes `u_cell[3]`
-//! with the instance `lane` in each. A state machine's register has a `string` twin, `NAME_state`. Times are the
+//! with the instance `lane` in each. Lanes of a module's own are `NAME[3]`, or `NAME[1][2]` in a grid. A state machine's register has a `string` twin, `NAME_state`. Times are the
 //! clocks' own, in picoseconds; what a testbench sets after an edge shows from that edge on.
 
 use std::fs::File;

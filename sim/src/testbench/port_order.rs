@@ -6,7 +6,7 @@ use crate::testbench::port::Port;
 
 /// What comes next in a bundle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Slot {
+enum Next {
     Port(Port),
     /// So many elements.
     List(usize),
@@ -14,19 +14,19 @@ enum Slot {
 
 /// The ports of a bundle, in order.
 #[derive(Debug)]
-pub(crate) struct Shape(Vec<Slot>);
+pub(crate) struct PortOrder(Vec<Next>);
 
-impl Shape {
+impl PortOrder {
     /// That of the inputs.
-    pub fn of<I: Bundle>(ports: &I::Of<Port>) -> Shape {
-        let mut slots = Vec::new();
+    pub fn of<I: Bundle>(ports: &I::Of<Port>) -> PortOrder {
+        let mut parts = Vec::new();
         ports.visit(&mut |part| {
-            slots.push(match part {
-                Visited::Leaf(port) => Slot::Port(*port),
-                Visited::List(length) => Slot::List(length),
+            parts.push(match part {
+                Visited::Leaf(port) => Next::Port(*port),
+                Visited::List(length) => Next::List(length),
             });
         });
-        Shape(slots)
+        PortOrder(parts)
     }
 
     /// Calls `set` with each port and its value.
@@ -36,16 +36,16 @@ impl Shape {
     /// A list is not as long as that of the ports, which are given for the message.
     #[track_caller]
     pub fn pair<I: Bundle, V: Leaf>(&self, ports: &I::Of<Port>, values: &I::Of<V>, mut set: impl FnMut(Port, &V)) {
-        let mut slots = self.0.iter();
+        let mut parts = self.0.iter();
         let mut same = true;
         values.visit(&mut |part| {
-            same &= match (slots.next(), part) {
-                (Some(Slot::List(length)), Visited::List(given)) => *length == given,
-                (Some(Slot::Port(_)), Visited::Leaf(_)) => true,
+            same &= match (parts.next(), part) {
+                (Some(Next::List(length)), Visited::List(given)) => *length == given,
+                (Some(Next::Port(_)), Visited::Leaf(_)) => true,
                 _ => false,
             };
         });
-        if !same || slots.next().is_some() {
+        if !same || parts.next().is_some() {
             match uneven(&values.leaves(), &ports.leaves()) {
                 Some(uneven) => {
                     panic!("input{uneven} is a list of {}, but is set to a list of {}", uneven.needs, uneven.has)
@@ -53,9 +53,9 @@ impl Shape {
                 None => panic!("the values have not the shape of the inputs: give each input a value"),
             }
         }
-        let mut slots = self.0.iter();
+        let mut parts = self.0.iter();
         values.visit(&mut |part| {
-            if let (Some(Slot::Port(port)), Visited::Leaf(value)) = (slots.next(), part) {
+            if let (Some(Next::Port(port)), Visited::Leaf(value)) = (parts.next(), part) {
                 set(*port, value);
             }
         });
