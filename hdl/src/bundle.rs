@@ -44,12 +44,12 @@ pub trait Fields<T: Leaf>: Sized {
     }
 
     /// As [`Fields::map_fields`], without the time that paths take.
-    fn map_leaves<U: Leaf>(&self, f: &mut dyn FnMut(&T) -> U) -> Self::With<U> {
+    fn map_leaves<U: Leaf>(&self, f: &mut impl FnMut(&T) -> U) -> Self::With<U> {
         self.map_fields("", &mut |_, leaf| f(leaf))
     }
 
     /// Shows `f` each leaf in order of declaration, and how long each `Vec` is before what is in it.
-    fn visit(&self, f: &mut dyn FnMut(Visited<T>)) {
+    fn visit(&self, f: &mut impl FnMut(Visited<T>)) {
         self.map_leaves(&mut |leaf| {
             f(Visited::Leaf(leaf));
             leaf.clone()
@@ -74,11 +74,11 @@ impl<T: Leaf> Fields<T> for T {
         f(path, self)
     }
 
-    fn map_leaves<U: Leaf>(&self, f: &mut dyn FnMut(&T) -> U) -> U {
+    fn map_leaves<U: Leaf>(&self, f: &mut impl FnMut(&T) -> U) -> U {
         f(self)
     }
 
-    fn visit(&self, f: &mut dyn FnMut(Visited<T>)) {
+    fn visit(&self, f: &mut impl FnMut(Visited<T>)) {
         f(Visited::Leaf(self));
     }
 }
@@ -91,11 +91,11 @@ impl<T: Leaf, B: Fields<T>> Fields<T> for Vec<B> {
         self.iter().enumerate().map(|(i, element)| element.map_fields(&join(path, &i.to_string()), f)).collect()
     }
 
-    fn map_leaves<U: Leaf>(&self, f: &mut dyn FnMut(&T) -> U) -> Self::With<U> {
+    fn map_leaves<U: Leaf>(&self, f: &mut impl FnMut(&T) -> U) -> Self::With<U> {
         self.iter().map(|element| element.map_leaves(f)).collect()
     }
 
-    fn visit(&self, f: &mut dyn FnMut(Visited<T>)) {
+    fn visit(&self, f: &mut impl FnMut(Visited<T>)) {
         f(Visited::List(self.len()));
         self.iter().for_each(|element| element.visit(f));
     }
@@ -109,11 +109,11 @@ impl<T: Leaf, B: Fields<T>, const N: usize> Fields<T> for [B; N] {
         std::array::from_fn(|i| self[i].map_fields(&join(path, &i.to_string()), f))
     }
 
-    fn map_leaves<U: Leaf>(&self, f: &mut dyn FnMut(&T) -> U) -> Self::With<U> {
+    fn map_leaves<U: Leaf>(&self, f: &mut impl FnMut(&T) -> U) -> Self::With<U> {
         std::array::from_fn(|i| self[i].map_leaves(f))
     }
 
-    fn visit(&self, f: &mut dyn FnMut(Visited<T>)) {
+    fn visit(&self, f: &mut impl FnMut(Visited<T>)) {
         self.iter().for_each(|element| element.visit(f));
     }
 }
@@ -124,7 +124,7 @@ impl<T: Leaf> Fields<T> for () {
 
     fn map_fields<U: Leaf>(&self, _: &str, _: &mut dyn FnMut(&str, &T) -> U) {}
 
-    fn visit(&self, _: &mut dyn FnMut(Visited<T>)) {}
+    fn visit(&self, _: &mut impl FnMut(Visited<T>)) {}
 }
 
 /// A record of signals, with the family of records that it belongs to. [`bundle!`](crate::bundle!) implements it.
@@ -142,7 +142,7 @@ pub trait Bundle: Fields<Signal> + 'static {
     fn convert<T: Leaf, U: Leaf>(of: &Self::Of<T>, f: &mut dyn FnMut(&str, &T) -> U) -> Self::Of<U>;
 
     /// As [`Bundle::convert`], without the time that paths take.
-    fn convert_leaves<T: Leaf, U: Leaf>(of: &Self::Of<T>, f: &mut dyn FnMut(&T) -> U) -> Self::Of<U>;
+    fn convert_leaves<T: Leaf, U: Leaf>(of: &Self::Of<T>, f: &mut impl FnMut(&T) -> U) -> Self::Of<U>;
 }
 
 impl Bundle for () {
@@ -154,7 +154,7 @@ impl Bundle for () {
 
     fn convert<T: Leaf, U: Leaf>(_: &(), _: &mut dyn FnMut(&str, &T) -> U) {}
 
-    fn convert_leaves<T: Leaf, U: Leaf>(_: &(), _: &mut dyn FnMut(&T) -> U) {}
+    fn convert_leaves<T: Leaf, U: Leaf>(_: &(), _: &mut impl FnMut(&T) -> U) {}
 }
 
 #[doc(hidden)]
@@ -220,11 +220,11 @@ macro_rules! bundle {
                 )),* }
             }
 
-            fn map_leaves<U: $crate::Leaf>(&self, f: &mut dyn FnMut(&$leaf) -> U) -> $name<U> {
+            fn map_leaves<U: $crate::Leaf>(&self, f: &mut impl FnMut(&$leaf) -> U) -> $name<U> {
                 $name { $($field: <$ty as $crate::Fields<$leaf>>::map_leaves(&self.$field, f)),* }
             }
 
-            fn visit(&self, f: &mut dyn FnMut($crate::Visited<$leaf>)) {
+            fn visit(&self, f: &mut impl FnMut($crate::Visited<$leaf>)) {
                 $(<$ty as $crate::Fields<$leaf>>::visit(&self.$field, f);)*
             }
         }
@@ -252,7 +252,7 @@ macro_rules! bundle {
 
             fn convert_leaves<T: $crate::Leaf, U: $crate::Leaf>(
                 of: &$name<T>,
-                f: &mut dyn FnMut(&T) -> U,
+                f: &mut impl FnMut(&T) -> U,
             ) -> $name<U> {
                 $crate::Fields::map_leaves(of, f)
             }

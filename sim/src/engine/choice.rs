@@ -99,8 +99,7 @@ impl Started {
     pub fn quick_edge(&mut self) -> bool {
         match self.made.get_mut() {
             Some(Made::Compiled(engine)) => engine.quick_edge(),
-            Some(Made::Other(engine)) => engine.quick_edge(),
-            None => false,
+            _ => false,
         }
     }
 
@@ -121,13 +120,12 @@ impl Started {
         }
     }
 
-    /// One lane of a value of up to 64 bits.
+    /// A number of one lane, if it stands somewhere as it is now.
     #[inline]
-    pub fn get_number(&mut self, id: ValueId, lane: u32) -> u64 {
+    pub fn quick_get(&mut self, id: ValueId) -> Option<u64> {
         match self.made.get_mut() {
-            Some(Made::Compiled(engine)) => engine.get_number(id, lane),
-            Some(Made::Other(engine)) => engine.number(id, lane),
-            None => self.number(id, lane),
+            Some(Made::Compiled(engine)) => engine.quick_get(id),
+            _ => None,
         }
     }
 

@@ -100,12 +100,6 @@ pub(crate) trait Engine: Send {
         self.read(id)[lane as usize]
     }
 
-    /// The same lane of several values of up to 64 bits.
-    fn numbers(&mut self, ids: &[ValueId], lane: u32, into: &mut Vec<u64>) {
-        into.clear();
-        ids.iter().for_each(|&id| into.push(self.number(id, lane)));
-    }
-
     /// Brings numbers that were seen up to date, each the only lane of a value of up to 64 bits; leaves the indices of those
     /// that were others in `changed`. In `note`, which is empty the first time, an engine notes what it likes about them.
     fn renew(&mut self, ids: &[ValueId], seen: &mut [u64], _note: &mut Vec<u32>, changed: &mut Vec<u32>) {
@@ -147,11 +141,6 @@ pub(crate) trait Engine: Send {
     /// Two engines side by side differ.
     fn edges_until(&mut self, rising: &[usize], count: u64, until: &Until) -> Result<(Done, bool), Box<Difference>> {
         one_by_one(self, rising, count, until)
-    }
-
-    /// An edge of the only clock, if there is nothing to look at before it; whether it was done.
-    fn quick_edge(&mut self) -> bool {
-        false
     }
 
     /// That two engines side by side have agreed so far, also on what follows from the inputs of this moment.

@@ -19,10 +19,17 @@ impl Running {
     ///
     /// There is an error.
     #[track_caller]
+    #[inline]
     pub fn step(&mut self) {
         if !self.quick_step() {
-            done(self.try_step());
+            self.slow_step();
         }
+    }
+
+    #[track_caller]
+    #[cold]
+    fn slow_step(&mut self) {
+        done(self.try_step());
     }
 
     /// Goes to the next instant, if that is quickly done.

@@ -28,10 +28,6 @@ pub(crate) struct Running {
     pub rising: Vec<usize>,
     /// By number.
     ports: Vec<Wired>,
-    /// The values of the outputs, if none is wider than 64 bits.
-    outputs: Option<Vec<ValueId>>,
-    /// What they were at the last look; kept to save an allocation.
-    looked: Vec<u64>,
 }
 
 /// What is asked of a port in every cycle.
@@ -58,8 +54,6 @@ impl Running {
             let end = if is_set { top_mask(width).saturating_add(1) } else { 0 };
             Wired { value: port.value, width, triggers: port.triggers, end, slot: Slot::NONE }
         });
-        let is_narrow = |port: &program::Port| program.value(port.value).width <= 64;
-        let outputs = program.outputs.iter().map(|port| is_narrow(port).then_some(port.value)).collect();
         Running {
             engine,
             timeline: Timeline::new(&program),
@@ -70,8 +64,6 @@ impl Running {
             changed: Triggers::NONE,
             rising: Vec::new(),
             ports: ports.collect(),
-            outputs,
-            looked: Vec::new(),
             program,
         }
     }
@@ -117,8 +109,9 @@ impl Running {
     }
 
     #[track_caller]
-    fn wired(&self, port: Port) -> Wired {
-        *self.ports.get(port.index as usize).expect("the port is of another simulation")
+    #[inline]
+    fn wired(&self, port: Port) -> &Wired {
+        self.ports.get(port.index as usize).expect("the port is of another simulation")
     }
 
     /// Sets an input in the only run.
@@ -195,26 +188,45 @@ impl Running {
 
     /// A port in one run.
     #[track_caller]
+    #[inline]
     pub fn get(&mut self, port: Port, run: u32) -> Bits {
-        let Wired { value, width, .. } = self.wired(port);
-        match width {
-            0..=64 => Bits::new(width, self.engine.get_number(value, run)),
-            _ => self.lane(value, run),
+        let &Wired { value, width, .. } = self.wired(port);
+        match self.engine.quick_get(value) {
+            Some(number) => Bits::new(width, number),
+            None => self.lane(value, run),
         }
     }
 
     /// A port of up to 64 bits in one run.
     #[track_caller]
+    #[inline]
     pub fn narrow(&mut self, port: Port, run: u32) -> u64 {
-        let Wired { value, width, .. } = self.wired(port);
-        assert!(width <= 64, "`{}` is wider than 64 bits: use `get`", self.declared(port).name);
-        self.engine.get_number(value, run)
+        let &Wired { value, width, .. } = self.wired(port);
+        match self.engine.quick_get(value) {
+            Some(number) => number,
+            None => {
+                assert!(width <= 64, "`{}` is wider than 64 bits: use `get`", self.declared(port).name);
+                self.engine.number(value, run)
+            }
+        }
     }
 
-    /// The outputs in one run, by number after the inputs; nothing if one is wider than 64 bits.
-    pub fn look(&mut self, run: u32) -> Option<&[u64]> {
-        self.engine.numbers(self.outputs.as_ref()?, run, &mut self.looked);
-        Some(&self.looked)
+    /// The number that a port is in one run, however wide it is.
+    #[track_caller]
+    #[inline]
+    pub fn number(&mut self, port: Port, run: u32) -> u64 {
+        let value = self.wired(port).value;
+        match self.engine.quick_get(value) {
+            Some(number) => number,
+            None => self.number_of(port, run),
+        }
+    }
+
+    #[track_caller]
+    #[cold]
+    fn number_of(&mut self, port: Port, run: u32) -> u64 {
+        let number = self.lane(self.wired(port).value, run).to_u64();
+        number.unwrap_or_else(|| panic!("output `{}` does not fit 64 bits: use `read`", self.declared(port).path))
     }
 
     /// A lane of a value.

@@ -262,16 +262,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     #[track_caller]
     pub(crate) fn read_run_u64(&mut self, run: u32) -> O::Of<u64> {
         let circuit = &mut self.circuit;
-        let inputs = circuit.program.inputs.len();
-        if let Some(numbers) = circuit.look(run) {
-            return O::convert_leaves(&self.o, &mut |port: &Port| numbers[port.index as usize - inputs]);
-        }
-        O::convert_leaves(&self.o, &mut |port: &Port| {
-            circuit
-                .get(*port, run)
-                .to_u64()
-                .unwrap_or_else(|| panic!("output `{}` does not fit 64 bits: use `read`", circuit.declared(*port).path))
-        })
+        O::convert_leaves(&self.o, &mut |port: &Port| circuit.number(*port, run))
     }
 
     /// Drives one bundle of inputs after another, an instant each, and gives the outputs settled before each edge.

@@ -24,6 +24,7 @@ struct Ticks {
 }
 
 impl Ticks {
+    #[inline]
     fn advance(&mut self, edges: u64) {
         self.next += edges * self.period;
         self.cycles += edges;
@@ -53,6 +54,7 @@ impl Timeline {
     }
 
     /// So many edges of the only clock are done.
+    #[inline]
     pub fn repeat(&mut self, edges: u64) {
         let ticks = &mut self.clocks[0];
         ticks.advance(edges);

@@ -5,6 +5,7 @@ use tilewright_hdl::Bits;
 use super::Compiled;
 use super::function::{Function, Held, Maker};
 use super::jit::Code;
+use super::look::Rest;
 use super::prepare::Prepared;
 use crate::engine::program::{Triggers, ValueId};
 use crate::engine::{Done, start};
@@ -44,10 +45,12 @@ pub(super) struct Ready {
     pub is_only: bool,
     /// By index.
     pub edge: usize,
-    pub code: Code,
+    code: Code,
     pub changes: Triggers,
     /// For how many edges.
-    pub count: u64,
+    count: u64,
+    /// What is to be called for an edge after a look.
+    pub after_look: Option<Rest>,
 }
 
 impl Compiled {
@@ -59,16 +62,30 @@ impl Compiled {
             return None;
         }
         ready.count -= count;
-        let (code, changed, edge) = (ready.code, ready.changes, ready.edge);
-        if self.pending == Triggers::NONE
-            && count == 1
-            && let Some(is_done) = self.edge_after_look(edge, changed)
-        {
-            return Some(Done { edges: u64::from(is_done), changed });
-        }
+        let (code, changed) = (ready.code, ready.changes);
+        self.looked = false;
         let edges = count - self.call(code, count);
         self.pending = self.pending.with(changed);
         Some(Done { edges, changed })
+    }
+
+    /// An edge of the only clock, if it is known what to call for it; whether it was done. A testbench does this and little
+    /// else in every cycle, so it is short, and part of its code.
+    #[inline]
+    pub(in crate::engine) fn quick_edge(&mut self) -> bool {
+        if self.looked
+            && let Some(is_done) = self.edge_after_look()
+        {
+            return is_done;
+        }
+        let Some(ready) = &mut self.ready else { return false };
+        if ready.count == 0 || !ready.is_only || self.held_changed {
+            return false;
+        }
+        ready.count -= 1;
+        let (code, changes) = (ready.code, ready.changes);
+        self.pending = self.pending.with(changes);
+        self.call(code, 1) == 0
     }
 
     /// So many edges of these clocks, after a look at what to call for them.
@@ -77,6 +94,7 @@ impl Compiled {
             return Done { edges: 0, changed: Triggers::NONE };
         }
         self.unready();
+        self.looked = false;
         let index = self.edge(rising);
         let code = self.edge_code(index, count);
         let changed = self.edges[index].changes;
@@ -102,8 +120,9 @@ impl Compiled {
             count = self.program.passes.held_after.saturating_sub(edge.quiet);
             edge.quiet += count;
         }
-        self.ready =
-            Some(Ready { clock, is_only: self.resets.len() == 1, edge: index, code, changes: edge.changes, count });
+        let (is_only, changes) = (self.resets.len() == 1, edge.changes);
+        let after_look = self.looks.after(index);
+        self.ready = Some(Ready { clock, is_only, edge: index, code, changes, count, after_look });
     }
 
     /// It has to be found out again what to call.

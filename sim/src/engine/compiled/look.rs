@@ -8,6 +8,7 @@ use super::function::Held;
 use super::jit::Code;
 use super::layout::Place;
 use super::prepare::Prepared;
+use super::view::View;
 use crate::engine::program::{Circuit, Kind, Triggers, ValueId};
 
 /// What is known of looks between edges.
@@ -15,53 +16,94 @@ use crate::engine::program::{Circuit, Kind, Triggers, ValueId};
 pub(super) struct Looks {
     /// How many edges had one before them; it is not counted further once there is a function, or can be none.
     count: u64,
+    /// How many had one at what that function does not show.
+    others: u64,
     rest: Option<Rest>,
 }
 
-/// Functions for what is left to do at an edge after a view has run.
+/// A function for what is left to do at an edge after a view has run, and for that view after it.
 #[derive(Clone, Copy)]
-struct Rest {
+pub(super) struct Rest {
     /// The view, and the edge, by index.
-    view: usize,
+    pub view: usize,
     edge: usize,
-    code: Code,
-    /// The same, and then the view.
-    followed: Code,
+    pub code: Code,
+}
+
+impl Looks {
+    /// The function for an edge after a look, if there is one.
+    pub fn after(&self, edge: usize) -> Option<Rest> {
+        self.rest.filter(|rest| rest.edge == edge)
+    }
 }
 
 impl Compiled {
-    /// One edge, where nothing has changed since somebody looked at something; whether it was done, if there is a
-    /// function for it.
-    pub(super) fn edge_after_look(&mut self, edge: usize, changes: Triggers) -> Option<bool> {
-        let Some(rest) = self.looks.rest else {
+    /// An edge of the only clock where nothing has changed since somebody looked at something that is computed; whether it was
+    /// done, if there is a function for it.
+    #[inline(never)]
+    pub(super) fn edge_after_look(&mut self) -> Option<bool> {
+        self.looked = false;
+        let ready = self.ready.as_ref()?;
+        if self.pending != Triggers::NONE || !ready.is_only {
+            return None;
+        }
+        let (edge, changes) = (ready.edge, ready.changes);
+        let Some(rest) = ready.after_look else {
             self.count_look(edge);
             return None;
         };
-        if rest.edge != edge || self.views[rest.view].stale {
+        if self.views[rest.view].stale {
             return None;
         }
-        let is_followed = std::mem::take(&mut self.looked);
-        let is_done = self.call(if is_followed { rest.followed } else { rest.code }, 1) == 0;
-        if is_done && is_followed {
-            self.mark_others(rest.view, changes);
-        } else if is_done {
-            self.pending = changes;
+        let is_done = self.call(rest.code, 1) == 0;
+        if is_done && self.views.len() > 1 {
+            self.mark_others(rest, changes);
         }
         Some(is_done)
     }
 
+    /// Counts an edge after a look; makes the function for such edges when there have been some.
     fn count_look(&mut self, edge: usize) {
         self.looks.count = self.looks.count.saturating_add(1);
         if self.looks.count == self.program.passes.looks_after {
-            let fresh = (0..self.views.len()).filter(|&view| !self.views[view].stale);
-            let most = fresh.max_by_key(|&view| self.views[view].shown.len());
-            self.looks.rest = most.and_then(|view| self.make_rest(view, edge));
+            self.remake_rest(edge);
         }
     }
 
-    /// Has a view also leave what an edge needs of the same, and makes the function for the rest of that edge.
-    fn make_rest(&mut self, view: usize, edge: usize) -> Option<Rest> {
-        let shown = self.views[view].shown.clone();
+    #[cold]
+    fn remake_rest(&mut self, edge: usize) {
+        self.looks.others = 0;
+        self.looks.rest = self.make_rest(edge);
+        self.unready();
+    }
+
+    /// Marks what changes at an edge after which only one view has run.
+    fn mark_others(&mut self, rest: Rest, changes: Triggers) {
+        let changes_other = |(index, view): &(usize, &View)| *index != rest.view && view.triggers.meet(changes);
+        if self.views.iter().enumerate().filter(changes_other).any(|(_, view)| !view.stale) {
+            self.mark_fresh(rest, changes);
+        }
+    }
+
+    /// Marks them where some are not yet; counts the edge, which was one after a look at more than its function shows, and
+    /// makes another function when there have been some.
+    #[cold]
+    fn mark_fresh(&mut self, rest: Rest, changes: Triggers) {
+        self.looks.others += 1;
+        if self.looks.others >= self.program.passes.looks_after {
+            self.remake_rest(rest.edge);
+        }
+        for (index, view) in self.views.iter_mut().enumerate() {
+            view.stale |= index != rest.view && view.triggers.meet(changes);
+        }
+    }
+
+    /// Has a view of all that was looked at also leave what an edge needs of the same, and makes the function for the rest
+    /// of that edge.
+    fn make_rest(&mut self, edge: usize) -> Option<Rest> {
+        let fresh: Vec<&View> = self.views.iter().filter(|view| !view.stale).collect();
+        let triggers = fresh.iter().fold(Triggers::NONE, |all, view| all.with(view.triggers));
+        let shown: Vec<ValueId> = fresh.iter().flat_map(|view| &view.shown).copied().collect();
         let (rising, resets) = self.edges[edge].clocks();
         let left = self.left_to(&shown, &rising, &resets);
         if left.is_empty() {
@@ -71,13 +113,12 @@ impl Compiled {
         all.extend(left.iter().filter(|id| !shown.contains(id)));
         let prepared = self.prepare_view(&all);
         let code = self.compile(std::slice::from_ref(&prepared));
-        self.replace_view(view, code, &shown, &prepared);
+        let view = self.add_view(code, triggers, &shown, &prepared);
         let at: BTreeMap<ValueId, Place> = all.into_iter().zip(prepared.shown()).collect();
         let places: Vec<Place> = left.iter().map(|id| at[id]).collect();
         let mut parts = self.prepare_rest((&rising, &resets), &Held::default(), &left, &places);
-        let code = self.compile(&parts);
         parts.push(prepared);
-        Some(Rest { view, edge, code, followed: self.compile(&parts) })
+        Some(Rest { view, edge, code: self.compile(&parts) })
     }
 
     /// What an edge needs first of what is computed for `shown` before it.

@@ -31,6 +31,7 @@ mod strip;
 mod target;
 mod until;
 mod view;
+mod words;
 
 use std::sync::Arc;
 
@@ -97,8 +98,6 @@ pub(crate) struct Compiled {
     stopping: Vec<Stopping>,
     /// What has changed since views were last marked stale.
     pending: Triggers,
-    /// Some view is.
-    some_stale: bool,
     /// Counts how often what they show, or where they leave it, was another.
     version: u32,
     /// Per value of the program: what computes it, by index in `views`, and where it leaves it.
@@ -140,7 +139,7 @@ impl Compiled {
             state: Store::new(layout.size, program.passes.guarded),
             scratch: Store::new(0, program.passes.guarded),
             layout,
-            slots: places.iter().map(|it| it.as_ref().map_or(Slot::NONE, |place| Slot::of(place, false))).collect(),
+            slots: places.iter().map(|it| it.as_ref().map_or(Slot::NONE, Slot::of_state)).collect(),
             places,
             memories,
             banks,
@@ -157,7 +156,6 @@ impl Compiled {
             looked: false,
             stopping: Vec::new(),
             pending: Triggers::NONE,
-            some_stale: false,
             version: 0,
             shown: vec![None; program.circuit.len()],
             inputs,
@@ -226,7 +224,7 @@ impl Engine for Compiled {
     }
 
     fn number(&mut self, id: ValueId, lane: u32) -> u64 {
-        self.get_number(id, lane)
+        self.number_of(id, lane)
     }
 
     fn renew(&mut self, ids: &[ValueId], seen: &mut [u64], note: &mut Vec<u32>, changed: &mut Vec<u32>) {
@@ -290,16 +288,13 @@ impl Engine for Compiled {
     }
 
     fn edges(&mut self, rising: &[usize], count: u64) -> Result<Done, Box<Difference>> {
+        if count == 1 && self.quick_edge() {
+            let changed = self.ready.as_ref().map_or(Triggers::ALL, |ready| ready.changes);
+            return Ok(Done { edges: 1, changed });
+        }
         match self.ready_edges(rising, count) {
             Some(done) => Ok(done),
             None => Ok(self.other_edges(rising, count)),
-        }
-    }
-
-    fn quick_edge(&mut self) -> bool {
-        match &self.ready {
-            Some(ready) if ready.is_only => self.ready_edges(&[0], 1).is_some_and(|done| done.edges == 1),
-            _ => false,
         }
     }
 

@@ -1,7 +1,6 @@
 //! Pages of memory from the system: code that can be run, and blocks with pages around them that nobody may touch.
 
 use std::alloc::{Layout, handle_alloc_error};
-use std::ops::Deref;
 
 use region::{Allocation, Protection};
 
@@ -52,7 +51,6 @@ pub(super) struct Guarded {
     pages: Pages,
     /// Bytes before the first.
     skipped: usize,
-    count: usize,
 }
 
 impl Guarded {
@@ -70,48 +68,18 @@ impl Guarded {
             #[allow(unsafe_code, reason = "takes away the right to touch pages")]
             unsafe { region::protect(guard, page, Protection::NONE) }.expect("pages of one's own can be protected");
         }
-        Guarded { skipped: pages.len() - page - count * 8, pages: Pages(pages), count }
+        Guarded { skipped: pages.len() - page - count * 8, pages: Pages(pages) }
     }
 
     /// The first number.
-    #[inline]
-    fn start(&self) -> *const u64 {
+    pub fn start(&self) -> *const u64 {
         self.pages.0.as_ptr::<u8>().wrapping_add(self.skipped).cast()
-    }
-}
-
-impl Deref for Guarded {
-    type Target = [std::cell::Cell<u64>];
-
-    #[inline]
-    fn deref(&self) -> &Self::Target {
-        // SAFETY: so many numbers stand before the last page and behind the first, in memory that lives as long and began as
-        // zeros; they are looked at as cells alone.
-        #[allow(unsafe_code, reason = "pages are raw memory")]
-        unsafe {
-            std::slice::from_raw_parts(self.start().cast(), self.count)
-        }
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn nobody_may_touch_what_is_around_guarded_numbers() {
-        for count in [1, 512, 700] {
-            let numbers = Guarded::new(count);
-            numbers[0].set(1);
-            numbers[count - 1].set(2);
-            let protection = |at: *const u64| region::query(at).unwrap().protection();
-            let (first, end) = (numbers.as_ptr().cast::<u64>(), numbers.as_ptr_range().end.cast::<u64>());
-            let page_before = first.wrapping_byte_sub(region::page::size());
-            assert_eq!(protection(first), Protection::READ_WRITE, "{count}");
-            assert_eq!(protection(end), Protection::NONE, "{count}");
-            assert_eq!(protection(page_before), Protection::NONE, "{count}");
-        }
-    }
 
     #[test]
     fn code_is_never_there_to_be_written() {

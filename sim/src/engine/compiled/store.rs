@@ -1,45 +1,30 @@
 //! A block of memory for generated code, seen from Rust as values.
 
 use std::cell::Cell;
-use std::ops::Deref;
 
 use super::layout::Place;
-use super::pages::Guarded;
-
-/// Bytes of a line of the cache, to which blocks are aligned.
-const LINE: usize = 64;
+use super::words::{LINE, Words};
 
 /// Zeros at first.
 pub(super) struct Store {
     words: Words,
-    /// How many words come before the first line.
-    skipped: usize,
     size: usize,
+    guarded: bool,
 }
 
 impl Store {
     /// A block of so many bytes; if `guarded`, between pages that nobody may touch.
     pub fn new(size: usize, guarded: bool) -> Store {
-        if guarded {
-            let words = Guarded::new(size.next_multiple_of(LINE) / 8);
-            return Store { words: Words::Guarded(words), skipped: 0, size };
-        }
-        let words = Words::Plain(zeros(size.div_ceil(8) + 2 * LINE / 8));
-        let skipped = words.as_ptr().align_offset(LINE);
-        Store { words, skipped, size }
+        let count = size.next_multiple_of(LINE) / 8;
+        Store { words: if guarded { Words::guarded(count) } else { Words::plain(count) }, size, guarded }
     }
 
     /// Makes it at least so large; it may move.
     pub fn grow(&mut self, size: usize) {
         if size > self.size {
-            let larger = match self.words {
-                Words::Plain(_) => Store::new(size.max(2 * self.size), false),
-                // Exactly, so that its end remains where the guard begins.
-                Words::Guarded(_) => Store::new(size, true),
-            };
-            let used = self.size.div_ceil(8);
-            let words = larger.words[larger.skipped..].iter().zip(&self.words[self.skipped..][..used]);
-            words.for_each(|(new, old)| new.set(old.get()));
+            // With guards exactly so large, so that its end remains where they begin.
+            let larger = Store::new(if self.guarded { size } else { size.max(2 * self.size) }, self.guarded);
+            larger.words.iter().zip(&*self.words).for_each(|(new, old)| new.set(old.get()));
             *self = larger;
         }
     }
@@ -47,18 +32,18 @@ impl Store {
     /// Where it is, until it grows.
     #[inline]
     pub fn address(&self) -> *mut u8 {
-        self.words.as_ptr().wrapping_add(self.skipped).cast_mut().cast()
+        self.words.as_ptr().cast_mut().cast()
     }
 
     /// An integer of so many bytes, up to 8.
     fn integer(&self, at: usize, bytes: usize) -> u64 {
-        let word = self.words[self.skipped + at / 8].get();
+        let word = self.words[at / 8].get();
         let shifted = word >> (at % 8 * 8);
         if bytes == 8 { shifted } else { shifted & ((1 << (bytes * 8)) - 1) }
     }
 
     fn set_integer(&mut self, at: usize, bytes: usize, value: u64) {
-        let word = &self.words[self.skipped + at / 8];
+        let word = &self.words[at / 8];
         let (shift, ones) = (at % 8 * 8, if bytes == 8 { u64::MAX } else { (1 << (bytes * 8)) - 1 });
         word.set(word.get() & !(ones << shift) | (value & ones) << shift);
     }
@@ -66,20 +51,13 @@ impl Store {
     /// All limbs.
     #[inline]
     pub fn limbs(&self) -> &[Cell<u64>] {
-        &self.words[self.skipped..]
+        &self.words
     }
 
-    /// A limb.
-    #[inline]
-    pub fn limb(&self, at: usize) -> u64 {
-        self.words[self.skipped + at].get()
-    }
-
-    /// Replaces a limb, if there is one, and no guard, which would take time to see around; whether it was another one.
+    /// Replaces a limb, if there is one; whether it was another one.
     #[inline]
     pub fn replace_limb(&mut self, at: usize, limb: u64) -> Option<bool> {
-        let Words::Plain(words) = &self.words else { return None };
-        Some(words.get(self.skipped + at)?.replace(limb) != limb)
+        Some(self.words.get(at)?.replace(limb) != limb)
     }
 
     /// One lane of a value of up to 64 bits.
@@ -119,7 +97,7 @@ impl Store {
         // A limb has whole words; as many as there are in it are written to find out how it looks.
         let each = 8 / bytes;
         (0..each).for_each(|i| self.put_word(at + i * bytes, bytes, width, limbs));
-        let (first, whole) = (self.skipped + at / 8, count / each);
+        let (first, whole) = (at / 8, count / each);
         let limb = self.words[first].get();
         self.words[first..first + whole].iter().for_each(|word| word.set(limb));
         (whole * each..count).for_each(|i| self.put_word(at + i * bytes, bytes, width, limbs));
@@ -128,7 +106,7 @@ impl Store {
     /// Whether the words that a value stands in are these; they are replaced by them if not.
     pub fn is_same(&self, place: Place, seen: &mut Vec<u64>) -> bool {
         let words = (place.lanes as usize * place.bytes()).div_ceil(8);
-        let now = &self.words[self.skipped + place.offset / 8..][..words];
+        let now = &self.words[place.offset / 8..][..words];
         if seen.len() == words && now.iter().zip(seen.iter()).fold(0, |all, (now, seen)| all | now.get() ^ seen) == 0 {
             return true;
         }
@@ -154,35 +132,6 @@ impl Store {
     }
 }
 
-/// The words of a block: cells, as code changes them through their address.
-enum Words {
-    Plain(Box<[Cell<u64>]>),
-    Guarded(Guarded),
-}
-
-impl Deref for Words {
-    type Target = [Cell<u64>];
-
-    #[inline]
-    fn deref(&self) -> &[Cell<u64>] {
-        match self {
-            Words::Plain(words) => words,
-            Words::Guarded(words) => words,
-        }
-    }
-}
-
-/// So many zeros. They come from the system as pages that take no memory, and no time, before they are written;
-/// `vec![Cell::new(0); n]` would write them all.
-fn zeros(count: usize) -> Box<[Cell<u64>]> {
-    let zeros = Box::into_raw(vec![0u64; count].into_boxed_slice());
-    // SAFETY: the pointer is of a box that nobody else has, and `Cell<u64>` has the layout of `u64`.
-    #[allow(unsafe_code, reason = "there is no safe way to a large box of zeroed cells")]
-    unsafe {
-        Box::from_raw(zeros as *mut [Cell<u64>])
-    }
-}
-
 /// Whether a value of 1 bit stands as all ones or all zeros: as all do that have lanes, or are words.
 pub(super) fn is_mask(bytes: usize, width: u32) -> bool {
     width == 1 && bytes < 8
@@ -204,7 +153,7 @@ mod tests {
                 let limbs = &[0x1234_5678_9abc_def1, 0x3][..if bytes == 16 { 2 } else { 1 }];
                 (0..count).for_each(|i| one_by_one.put_word(at + i * bytes, bytes, width, limbs));
                 together.repeat_word(at, bytes, width, limbs, count);
-                assert_eq!(one_by_one.words[one_by_one.skipped..][..256], together.words[together.skipped..][..256]);
+                assert_eq!(one_by_one.words[..256], together.words[..256]);
             }
         }
     }

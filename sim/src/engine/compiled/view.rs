@@ -23,43 +23,37 @@ pub(super) struct View {
 
 /// Where a value is that has one lane and up to 64 bits, and so stands as its limb.
 #[derive(Clone, Copy)]
-pub(crate) struct Slot(u32);
+pub(crate) struct Slot {
+    /// Which limb.
+    at: u32,
+    source: Source,
+}
+
+/// What leaves a value in its slot.
+#[derive(Clone, Copy)]
+enum Source {
+    /// It is an input, or an edge changes it.
+    State,
+    /// It is an input that functions are made for.
+    Held,
+    /// A view, by index.
+    View(u32),
+}
 
 impl Slot {
     /// Another kind of value, or one that has no place yet. No store is so large that it has a limb there.
-    pub const NONE: Slot = Slot(u32::MAX);
-    /// Functions are made for such an input.
-    const NARROW: u32 = 1;
-    const COMPUTED: u32 = 2;
+    pub const NONE: Slot = Slot { at: u32::MAX, source: Source::State };
 
-    /// That of a place, which is computed or state.
-    pub(super) fn of(place: &Place, computed: bool) -> Slot {
+    /// That of state.
+    pub(super) fn of_state(place: &Place) -> Slot {
+        Slot::of(place, if place.width <= HELD { Source::Held } else { Source::State })
+    }
+
+    fn of(place: &Place, source: Source) -> Slot {
         if place.lanes > 1 || place.width > 64 {
             return Slot::NONE;
         }
-        let narrow = if place.width <= HELD { Slot::NARROW } else { 0 };
-        Slot((place.offset / 8) as u32 * 4 + narrow + if computed { Slot::COMPUTED } else { 0 })
-    }
-
-    #[inline]
-    pub fn limb(self) -> Option<usize> {
-        (self.0 != Slot::NONE.0).then_some(self.at())
-    }
-
-    /// As [`Slot::limb`], where there is one.
-    #[inline]
-    fn at(self) -> usize {
-        self.0 as usize / 4
-    }
-
-    #[inline]
-    pub fn is_narrow(self) -> bool {
-        self.0 & Slot::NARROW != 0
-    }
-
-    #[inline]
-    pub fn is_computed(self) -> bool {
-        self.0 & Slot::COMPUTED != 0
+        Slot { at: (place.offset / 8) as u32, source }
     }
 }
 
@@ -104,37 +98,35 @@ impl Compiled {
         if std::mem::take(&mut shows.stale) {
             let code = shows.code;
             self.call(code, 1);
-            self.some_stale = self.views.len() > 1 && self.views.iter().any(|view| view.stale);
         }
     }
 
-    /// Whether all that is shown is up to date.
+    /// Whether what a function shows is up to date.
     #[inline]
-    pub(super) fn is_settled(&self) -> bool {
-        self.pending == Triggers::NONE && !self.some_stale
+    pub(super) fn is_fresh(&self, view: usize) -> bool {
+        self.pending == Triggers::NONE && !self.views[view].stale
     }
 
-    /// As [`Engine::number`].
+    /// A number of one lane, if it stands somewhere as it is now.
     #[inline]
-    pub(in crate::engine) fn get_number(&mut self, id: ValueId, lane: u32) -> u64 {
+    pub(in crate::engine) fn quick_get(&mut self, id: ValueId) -> Option<u64> {
         let slot = self.slots[id.index()];
-        match slot.limb() {
-            Some(at) if !slot.is_computed() => self.state.limb(at),
-            Some(at) if self.is_settled() => {
-                self.looked = true;
-                self.state.limb(at)
+        if let Source::View(view) = slot.source {
+            if !self.is_fresh(view as usize) {
+                return None;
             }
-            _ => self.computed(id, lane),
+            self.looked = true;
         }
+        self.state.limbs().get(slot.at as usize).map(Cell::get)
     }
 
     /// Sets an input that stands in a slot of this engine; `false`, and nothing is done, if it is none. There is no call in it,
     /// nor anything that can fail, so that it takes no room on the stack.
     #[inline]
     pub(in crate::engine) fn quick_set(&mut self, slot: Slot, number: u64, triggers: Triggers) -> bool {
-        let Some(is_other) = self.state.replace_limb(slot.at(), number) else { return false };
+        let Some(is_other) = self.state.replace_limb(slot.at as usize, number) else { return false };
         if is_other {
-            self.input_changed(triggers, slot.is_narrow());
+            self.input_changed(triggers, matches!(slot.source, Source::Held));
         }
         true
     }
@@ -151,9 +143,8 @@ impl Compiled {
         for &id in ids {
             // Whatever has no place yet gets one, but for constants.
             self.number(id, 0);
-            let slot = self.slots[id.index()];
-            if slot.limb().is_some() && slot.is_computed() {
-                views.push(self.view_of(id) as u32);
+            if let Source::View(view) = self.slots[id.index()].source {
+                views.push(view);
             }
         }
         views.sort_unstable();
@@ -161,7 +152,7 @@ impl Compiled {
         note.clear();
         note.extend([self.version, views.len() as u32]);
         note.extend(views);
-        note.extend(ids.iter().map(|id| self.slots[id.index()].at() as u32));
+        note.extend(ids.iter().map(|id| self.slots[id.index()].at));
     }
 
     /// As [`Engine::renew`].
@@ -181,12 +172,10 @@ impl Compiled {
         changed.truncate(count);
     }
 
-    /// One lane of a value of up to 64 bits, where that takes more than a look.
-    pub(super) fn computed(&mut self, id: ValueId, lane: u32) -> u64 {
-        if let Some(at) = self.slots[id.index()].limb() {
-            let view = self.view_of(id);
-            self.refresh(view);
-            return self.state.limb(at);
+    /// As [`Engine::number`](crate::engine::Engine::number).
+    pub(super) fn number_of(&mut self, id: ValueId, lane: u32) -> u64 {
+        if let Some(number) = self.quick_get(id) {
+            return number;
         }
         match self.place(id) {
             Some(place) => self.state.number(place, lane),
@@ -196,11 +185,11 @@ impl Compiled {
 
     /// Many inputs may change between two edges, so this waits for nothing that was stored a moment ago.
     #[inline]
-    pub(super) fn input_changed(&mut self, triggers: Triggers, is_narrow: bool) {
+    pub(super) fn input_changed(&mut self, triggers: Triggers, is_held: bool) {
         if !triggers.within(self.pending) {
             self.pending = self.pending.with(triggers);
         }
-        if is_narrow {
+        if is_held {
             self.held_changed = true;
         }
     }
@@ -212,16 +201,7 @@ impl Compiled {
         if pending != Triggers::NONE {
             for view in &mut self.views {
                 view.stale |= view.triggers.meet(pending);
-                self.some_stale |= view.stale;
             }
-        }
-    }
-
-    /// As [`Compiled::mark`], where nothing is pending but these changes, which one view shows already.
-    pub(super) fn mark_others(&mut self, but: usize, changes: Triggers) {
-        for (index, view) in self.views.iter_mut().enumerate() {
-            view.stale |= index != but && view.triggers.meet(changes);
-            self.some_stale |= view.stale;
         }
     }
 
@@ -242,10 +222,7 @@ impl Compiled {
             shown.dedup();
             let prepared = self.prepare_view(&shown);
             let code = self.compile(std::slice::from_ref(&prepared));
-            let view = self.views.len();
-            self.views.push(View { code, triggers, stale: true, shown: shown.clone() });
-            self.some_stale = true;
-            self.replace_view(view, code, &shown, &prepared);
+            self.add_view(code, triggers, &shown, &prepared);
         }
     }
 
@@ -256,13 +233,16 @@ impl Compiled {
         self.prepare(&maker.finish().0, &[])
     }
 
-    /// Has another function show these values, which are the first that it shows; it is to run before the next look.
-    pub(super) fn replace_view(&mut self, view: usize, code: Code, shown: &[ValueId], prepared: &Prepared) {
+    /// Has a function show these values, which are the first that it shows, and no other any more; gives its index.
+    pub(super) fn add_view(&mut self, code: Code, triggers: Triggers, shown: &[ValueId], prepared: &Prepared) -> usize {
+        let view = self.views.len();
         for (id, place) in shown.iter().zip(prepared.shown()) {
             self.shown[id.index()] = Some((view, place));
-            self.slots[id.index()] = Slot::of(&place, true);
+            self.slots[id.index()] = Slot::of(&place, Source::View(view as u32));
         }
+        self.views.iter_mut().for_each(|view| view.shown.retain(|id| !shown.contains(id)));
+        self.views.push(View { code, triggers, stale: true, shown: shown.to_vec() });
         self.version += 1;
-        (self.views[view].code, self.views[view].stale, self.some_stale) = (code, true, true);
+        view
     }
 }

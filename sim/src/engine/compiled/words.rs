@@ -1,0 +1,91 @@
+//! Numbers at an address that code knows.
+
+use std::cell::Cell;
+use std::ops::Deref;
+use std::ptr::NonNull;
+
+use super::pages::Guarded;
+
+/// Bytes of a line of the cache, to which they are aligned.
+pub(super) const LINE: usize = 64;
+
+/// Zeros at first; cells, as code changes them through their address.
+pub(super) struct Words {
+    first: NonNull<Cell<u64>>,
+    count: usize,
+    _owner: Owner,
+}
+
+/// Whose memory it is.
+#[expect(dead_code, reason = "it is kept, and looked at through the address")]
+enum Owner {
+    Heap(Vec<u64>),
+    Pages(Guarded),
+}
+
+// SAFETY: the memory is its own, and cells may be sent.
+#[allow(unsafe_code, reason = "an address is not sent to other threads by itself")]
+unsafe impl Send for Words {}
+
+impl Words {
+    /// So many, from the heap. They come from the system as pages that take no memory, and no time, before they are
+    /// written.
+    pub fn plain(count: usize) -> Words {
+        let mut zeros = vec![0u64; count + LINE / 8];
+        let first = zeros.as_mut_ptr();
+        let first = first.wrapping_add(first.align_offset(LINE));
+        Words { first: NonNull::new(first.cast()).expect("a vector is somewhere"), count, _owner: Owner::Heap(zeros) }
+    }
+
+    /// So many, between pages that nobody may touch.
+    pub fn guarded(count: usize) -> Words {
+        let pages = Guarded::new(count);
+        let first = pages.start().cast_mut();
+        Words { first: NonNull::new(first.cast()).expect("pages are somewhere"), count, _owner: Owner::Pages(pages) }
+    }
+}
+
+impl Deref for Words {
+    type Target = [Cell<u64>];
+
+    #[inline]
+    fn deref(&self) -> &[Cell<u64>] {
+        // SAFETY: so many numbers stand there, and began as zeros, in memory that lives as long and that nobody looks at but
+        // as cells.
+        #[allow(unsafe_code, reason = "the address is known to code")]
+        unsafe {
+            std::slice::from_raw_parts(self.first.as_ptr(), self.count)
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use region::Protection;
+
+    use super::*;
+
+    #[test]
+    fn nobody_may_touch_what_is_around_guarded_numbers() {
+        for count in [1, 512, 700] {
+            let numbers = Words::guarded(count);
+            numbers[0].set(1);
+            numbers[count - 1].set(2);
+            let protection = |at: *const u64| region::query(at).unwrap().protection();
+            let (first, end) = (numbers.as_ptr().cast::<u64>(), numbers.as_ptr_range().end.cast::<u64>());
+            let page_before = first.wrapping_byte_sub(region::page::size());
+            assert_eq!(protection(first), Protection::READ_WRITE, "{count}");
+            assert_eq!(protection(end), Protection::NONE, "{count}");
+            assert_eq!(protection(page_before), Protection::NONE, "{count}");
+        }
+    }
+
+    #[test]
+    fn the_first_is_at_the_start_of_a_line() {
+        for count in [0, 8, 1 << 20] {
+            let words = Words::plain(count);
+            assert!((words.as_ptr() as usize).is_multiple_of(LINE), "{count}");
+            assert!(words.iter().all(|word| word.get() == 0), "{count}");
+        }
+    }
+}
