@@ -182,8 +182,9 @@ impl Compiled {
                 code
             }
         };
+        let Some(code) = code else { return true };
         self.check_asserts(true);
-        code.is_none_or(|code| self.call(code, 1) == 0)
+        self.call(code, 1) == 0
     }
 
     /// Enters a constant in what is read; most never are.
