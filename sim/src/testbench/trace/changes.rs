@@ -54,6 +54,18 @@ const PAIRS: [[u8; 2]; 100] = {
     pairs
 };
 
+/// The eight binary digits of each byte, the highest first.
+const DIGITS: [[u8; 8]; 256] = {
+    let mut all = [[b'0'; 8]; 256];
+    let mut place = 0;
+    while place < 256 * 8 {
+        let (byte, digit) = (place / 8, place % 8);
+        all[byte][digit] += ((byte >> (7 - digit)) & 1) as u8;
+        place += 1;
+    }
+    all
+};
+
 /// The room for the line of a number of up to 64 bits and what its copies leave behind it.
 const LINE: usize = 80;
 
@@ -176,7 +188,7 @@ fn put_digits(line: &mut [u8; LINE], at: usize, number: u64, count: u32) -> usiz
 #[inline]
 fn put_bytes(line: &mut [u8; LINE], at: usize, bytes: &[u8]) {
     let places = line[at..at + 32].chunks_exact_mut(8);
-    places.zip(bytes).for_each(|(place, &byte)| place.copy_from_slice(&digits(byte)));
+    places.zip(bytes).for_each(|(place, &byte)| place.copy_from_slice(&DIGITS[usize::from(byte)]));
 }
 
 /// Puts a character and the identifier there; gives where the line ends.
@@ -184,16 +196,6 @@ fn put_bytes(line: &mut [u8; LINE], at: usize, bytes: &[u8]) {
 fn put_end(line: &mut [u8; LINE], at: usize, before: u8, id: Id) -> usize {
     line[at..at + 8].copy_from_slice(&(id.word << 8 | u64::from(before)).to_le_bytes());
     at + 1 + id.length
-}
-
-/// The eight binary digits of a byte, the highest first.
-fn digits(byte: u8) -> [u8; 8] {
-    /// A one in every byte.
-    const ONES: u64 = 0x0101_0101_0101_0101;
-    // Character i keeps bit 7 - i; adding 0x7f carries what is not zero into the highest bit of its byte, never further.
-    let bits = (u64::from(byte) * ONES) & 0x0102_0408_1020_4080;
-    let digits = ((bits + 0x7f * ONES) >> 7) & ONES;
-    (digits | (u64::from(b'0') * ONES)).to_le_bytes()
 }
 
 #[cfg(test)]
