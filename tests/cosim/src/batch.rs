@@ -95,7 +95,7 @@ pub fn run(tool: Tool, designs: &[Printed]) -> Result<Vec<Option<String>>, Refus
     writeln!(text, "module all_benches;\n{instances}endmodule").expect("a string takes text");
     std::fs::write(folder.path().join("all_benches.v"), text).expect("a file can be written");
     let output = match tool {
-        Tool::Icarus => icarus(&folder)?,
+        Tool::Icarus => icarus(&folder, designs.len())?,
         Tool::Verilator => verilator(&folder)?,
     };
     Ok(verdicts(&output, designs))
@@ -136,18 +136,21 @@ fn verdicts(output: &str, designs: &[Printed]) -> Vec<Option<String>> {
     designs.iter().enumerate().map(verdict).collect()
 }
 
-fn icarus(folder: &TempDir) -> Result<String, Refused> {
+fn icarus(folder: &TempDir, designs: usize) -> Result<String, Refused> {
     let compile = ["-g2005", "-s", "all_benches", "-o", "all_benches.vvp", "all_benches.v"];
     let (succeeded, output) = execute(folder, Command::new("iverilog").args(compile), Duration::MAX);
     if !succeeded {
         return Err(Refused::Verilog(output));
     }
-    let (succeeded, output) = execute(folder, Command::new("vvp").args(["-n", "all_benches.vvp"]), PATIENCE);
+    let patience = PATIENCE + EACH * designs as u32;
+    let (succeeded, output) = execute(folder, Command::new("vvp").args(["-n", "all_benches.vvp"]), patience);
     if succeeded { Ok(output) } else { Err(Refused::Itself(output)) }
 }
 
-/// A batch of a hundred designs takes about a second.
-const PATIENCE: Duration = Duration::from_secs(60);
+/// How long a batch may take, and how much longer for each of its designs: a hundred take about a second. Chains of lanes whose
+/// values pass each other may make Icarus wait for ever: it computes them anew for each change on the way.
+const PATIENCE: Duration = Duration::from_secs(5);
+const EACH: Duration = Duration::from_millis(250);
 
 /// Whether a program succeeds within a time; it is ended if it takes longer.
 fn ends(child: &mut Child, patience: Duration) -> bool {

@@ -335,7 +335,7 @@ impl fmt::Display for Summary {
         let Summary { designs, cycles, outputs, unusable, failures } = self;
         write!(f, "designs: {designs}, cycles: {cycles}, outputs compared: {outputs}, mismatches: {}", failures.len())?;
         if *unusable > 0 {
-            write!(f, " ({unusable} designs not compared: the other simulator broke on them, or took a minute)")?;
+            write!(f, " ({unusable} designs not compared: the other simulator broke on them, or did not end)")?;
         }
         Ok(())
     }
