@@ -44,7 +44,7 @@
 //! | signed arithmetic | [`Signal::signed`], a type of its own |
 //! | a named net | `net!(at_end = ..)`, or [`Signal::named`] |
 //! | a net read before it is driven | [`Module::wire`] |
-//! | a register | [`Module::reg`], then [`reset`](Reg::reset), [`enable`](Reg::enable), [`next`](Reg::next); [`Module::pipe`] for a pipeline stage |
+//! | a register | [`Module::reg`], then [`reset`](Reg::reset), [`enable`](Reg::enable), [`next`](Reg::next) or [`when`](Reg::when); [`Module::pipe`] for a pipeline stage |
 //! | a state machine | [`states!`], [`Module::fsm`], [`StateReg::next`] |
 //! | a memory | [`Module::memory`], [`Mem::read`], [`Mem::read_async`], [`Mem::write`] |
 //! | an instance, an array of them | [`Module::instance`], [`Module::array`] with [`Lanes`] |
@@ -101,7 +101,7 @@ pub use module::Module;
 pub use operand::{Operand, ShiftAmount};
 pub use problem::{Problem, Problems};
 pub use recording::Recording;
-pub use register::{Reg, StateReg, States, Transition, goto, hold, when};
+pub use register::{Reg, StateReg, States, Transition, Updates, goto, hold, when};
 pub use scenario::{Scenario, Script};
 pub use select::{case, concat, lit, mux, mux_bundle, select};
 pub use signal::Signal;

@@ -2,17 +2,18 @@
 
 use crate::bits::Bits;
 use crate::elaboration;
-use crate::ir::Op;
+use crate::ir::{NodeId, Op, Shape};
 use crate::loc::Loc;
 use crate::operand::{Operand, Value, operators, reads_as_signal};
 use crate::problem::Problem;
 use crate::select::{condition, select};
 use crate::signal::{Signal, bits_text};
-use crate::wire::{is_here, report_second_driver};
+use crate::wire::{CHOOSE, is_here, report_second_driver};
 use std::marker::PhantomData;
 use std::ops::Deref;
 
-/// A register. It reads as its present value; [`next`](Reg::next) must be called exactly once.
+/// A register. It reads as its present value; [`next`](Reg::next) must be called exactly once, or a chain of [`when`](Reg::when)
+/// stands in its place.
 ///
 /// At an edge of its clock it takes the [`reset`](Reg::reset) value if its clock's reset is high and it has one; else
 /// the next value if it is enabled; else it keeps what it holds.
@@ -73,7 +74,7 @@ impl Reg {
         let enable = condition(enable.into(), "enable");
         if is_here(self.signal, enable, loc) {
             let before = elaboration::draft(|draft| draft.registers[self.index].enable.replace((enable, loc)));
-            report_second_driver(before, self.signal.node, "enabled", loc);
+            report_second_driver(before, self.signal.node, "enabled", CHOOSE, loc);
         }
         self
     }
@@ -84,9 +85,91 @@ impl Reg {
         let loc = Loc::caller();
         let next = value.operand().with_width_of(self.signal, "next").id();
         if is_here(self.signal, next, loc) {
-            let before = elaboration::draft(|draft| draft.registers[self.index].next.replace((next, loc)));
-            report_second_driver(before, self.signal.node, "given a next value", loc);
+            self.give(next, loc);
         }
+    }
+
+    /// Takes `value` where `condition`, 1 bit, is high; else what a further [`when`](Updates::when) of the same chain says;
+    /// else it keeps what it holds. The first condition that holds wins, as in `if`, `else if`, which is what Verilog has.
+    ///
+    /// ```
+    /// # use tilewright_hdl::{Block, Module, Width, bit, bundle, elaborate};
+    /// # bundle! {
+    /// #     /// When it counts.
+    /// #     pub struct CountIn<T> { pub restart: T, pub take: T }
+    /// #     /// What it has counted.
+    /// #     pub struct CountOut<T> { pub used: T }
+    /// # }
+    /// # #[derive(Debug, Clone, PartialEq, Eq, Hash)]
+    /// # struct Count;
+    /// # impl Block for Count {
+    /// #     type In = CountIn;
+    /// #     type Out = CountOut;
+    /// #     fn inputs(&self) -> CountIn<Width> { CountIn { restart: bit(), take: bit() } }
+    /// #     fn build(&self, m: Module, i: CountIn) -> CountOut {
+    /// let used = m.reg("used", 8).reset(0);
+    /// used.when(i.restart, 0).when(i.take, used + 1);
+    /// #         CountOut { used: used.value() }
+    /// #     }
+    /// # }
+    /// # elaborate(&Count).unwrap();
+    /// ```
+    #[track_caller]
+    pub fn when(self, condition: impl Into<Signal>, value: impl Operand) -> Updates {
+        let loc = Loc::caller();
+        let arm = self.arm(condition.into(), value);
+        let chain = is_here(self.signal, arm.1, loc).then(|| {
+            let keeps = Op::Select { arms: vec![arm], default: self.signal.node };
+            let chain = elaboration::draft(|draft| draft.add(keeps, self.width, Shape::Plain, loc));
+            self.give(chain, loc);
+            chain
+        });
+        Updates { register: self, chain }
+    }
+
+    /// A condition, and what the register takes where it holds.
+    #[track_caller]
+    fn arm(self, when: Signal, value: impl Operand) -> (NodeId, NodeId) {
+        (condition(when, "when"), value.operand().with_width_of(self.signal, "when").id())
+    }
+
+    fn give(self, next: NodeId, loc: Loc) {
+        let before = elaboration::draft(|draft| draft.registers[self.index].next.replace((next, loc)));
+        let help = "say all that it takes in one chain: `.when(condition, value).when(..)`, or with `mux` or `select`";
+        report_second_driver(before, self.signal.node, "given a next value", help, loc);
+    }
+}
+
+/// What a register takes, and when: made by [`Reg::when`]. It says all, so a register has one such chain.
+#[derive(Debug, Clone, Copy)]
+pub struct Updates {
+    register: Reg,
+    /// The choice; none if the register is another module's, which is a problem already.
+    chain: Option<NodeId>,
+}
+
+impl Updates {
+    /// Takes `value` where `condition`, 1 bit, is high and no condition before it is.
+    #[track_caller]
+    pub fn when(self, condition: impl Into<Signal>, value: impl Operand) -> Updates {
+        let arm = self.register.arm(condition.into(), value);
+        self.change(Loc::caller(), arm.1, |arms, _| arms.push(arm));
+        self
+    }
+
+    /// Takes `value` where no condition holds, instead of keeping what it holds.
+    #[track_caller]
+    pub fn otherwise(self, value: impl Operand) {
+        let value = value.operand().with_width_of(self.register.signal, "otherwise").id();
+        self.change(Loc::caller(), value, |_, default| *default = value);
+    }
+
+    fn change(self, loc: Loc, value: NodeId, change: impl FnOnce(&mut Vec<(NodeId, NodeId)>, &mut NodeId)) {
+        let Some(chain) = self.chain.filter(|_| is_here(self.register.signal, value, loc)) else { return };
+        elaboration::draft(|draft| match &mut draft.node_mut(chain).op {
+            Op::Select { arms, default } => change(arms, default),
+            op => unreachable!("a chain is a choice, not {op:?}"),
+        });
     }
 }
 

@@ -40,7 +40,7 @@ impl Wire {
         let driver = value.operand().with_width_of(self.signal, "drive").id();
         if is_here(self.signal, driver, loc) {
             let slot = elaboration::draft(|draft| draft.wires[self.index].driver.replace((driver, loc)));
-            report_second_driver(slot, self.signal.node, "driven", loc);
+            report_second_driver(slot, self.signal.node, "driven", CHOOSE, loc);
         }
     }
 }
@@ -58,8 +58,11 @@ pub(crate) fn is_here(signal: Signal, driver: NodeId, loc: Loc) -> bool {
     })
 }
 
+/// What to do with two drivers.
+pub(crate) const CHOOSE: &str = "choose between the two with `mux` or `select`";
+
 /// A problem if `before` holds an earlier driver of `node`.
-pub(crate) fn report_second_driver(before: Option<(NodeId, Loc)>, node: NodeId, verb: &str, loc: Loc) {
+pub(crate) fn report_second_driver(before: Option<(NodeId, Loc)>, node: NodeId, verb: &str, help: &str, loc: Loc) {
     let Some((lost, first)) = before else { return };
     elaboration::with(|e| {
         let draft = e.draft();
@@ -67,7 +70,7 @@ pub(crate) fn report_second_driver(before: Option<(NodeId, Loc)>, node: NodeId, 
         let problem = Problem::new(loc, format!("`{name}` is {verb} twice"))
             .note("the first time is", first)
             .note(format!("`{name}` is declared"), place)
-            .help("choose between the two with `mux` or `select`");
+            .help(help);
         e.report_instead_of(&[lost], problem);
     });
 }

@@ -15,6 +15,20 @@ struct Group {
     enable: Option<NodeId>,
 }
 
+/// What happens first, else what follows; if that is one choice, as its first arm.
+fn after(first: (String, Vec<Statement>), mut body: Vec<Statement>) -> Statement {
+    match body.pop() {
+        Some(Statement::If(mut arms, last)) if body.is_empty() => {
+            arms.insert(0, first);
+            Statement::If(arms, last)
+        }
+        last => {
+            body.extend(last);
+            Statement::If(vec![first], body)
+        }
+    }
+}
+
 impl Printer<'_> {
     /// The always blocks of the registers without lanes.
     pub fn registers(&mut self) -> Vec<String> {
@@ -51,7 +65,7 @@ impl Printer<'_> {
         let body = match (group.has_reset, enable) {
             (false, None) => body,
             (false, Some(enable)) => vec![Statement::If(vec![(enable, body)], Vec::new())],
-            (true, None) => vec![Statement::If(vec![(self.reset_port(group.clock), resets)], body)],
+            (true, None) => vec![after((self.reset_port(group.clock), resets), body)],
             (true, Some(enable)) => {
                 vec![Statement::If(vec![(self.reset_port(group.clock), resets), (enable, body)], Vec::new())]
             }

@@ -219,3 +219,60 @@ impl Block for Clocks {
         ClocksOut { count: count.value(), seen: seen.value() }
     }
 }
+
+bundle! {
+    pub struct UpdatesIn<T> { pub clear: T, pub load: T, pub step: T, pub value: T }
+    pub struct UpdatesOut<T> { pub count: T, pub loads: T, pub last: T, pub moved: T }
+}
+
+/// Registers that say what they take when: alone and together, with and without reset, and one with an enable and a last word.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub struct Updates;
+
+impl Block for Updates {
+    type In = UpdatesIn;
+    type Out = UpdatesOut;
+
+    fn inputs(&self) -> UpdatesIn<Width> {
+        UpdatesIn { clear: bit(), load: bit(), step: bit(), value: bits(8) }
+    }
+
+    fn build(&self, m: Module, i: UpdatesIn) -> UpdatesOut {
+        let [count, loads] = ["count", "loads"].map(|name| m.reg(name, 8).reset(0));
+        count.when(i.clear, 0).when(i.load, i.value).when(i.step, count + 1);
+        loads.when(i.clear, 0).when(i.load, loads + 1);
+        let last = m.reg("last", 8);
+        last.when(i.load, i.value).when(i.clear, 0xff);
+        let moved = m.reg("moved", 2).enable(!i.clear);
+        moved.when(i.load, 2).when(i.step, 1).otherwise(0);
+        UpdatesOut { count: count.value(), loads: loads.value(), last: last.value(), moved: moved.value() }
+    }
+
+    fn name(&self) -> String {
+        "priorities".to_owned()
+    }
+}
+
+bundle! {
+    pub struct LatestIn<T> { pub forget: T, pub load: T, pub value: T }
+    pub struct LatestOut<T> { pub latest: T }
+}
+
+/// A single register by priority, after a reset.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub struct Latest;
+
+impl Block for Latest {
+    type In = LatestIn;
+    type Out = LatestOut;
+
+    fn inputs(&self) -> LatestIn<Width> {
+        LatestIn { forget: bit(), load: bit(), value: bits(8) }
+    }
+
+    fn build(&self, m: Module, i: LatestIn) -> LatestOut {
+        let latest = m.reg("latest", 8).reset(0);
+        latest.when(i.forget, 0).when(i.load, i.value);
+        LatestOut { latest: latest.value() }
+    }
+}

@@ -14,7 +14,11 @@ pub(crate) fn check(draft: &mut Draft, problems: &mut Vec<Problem>) {
         );
     };
     for register in draft.registers.iter().filter(|register| register.next.is_none()) {
-        report(register.node, "register", "say what it takes at the next edge with `.next(value)`");
+        report(
+            register.node,
+            "register",
+            "say what it takes at the next edge with `.next(value)`, or when with `.when(condition, value)`",
+        );
     }
     for wire in draft.wires.iter().filter(|wire| wire.driver.is_none()) {
         report(wire.node, "wire", "say what drives it with `.drive(value)`");

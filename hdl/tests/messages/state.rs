@@ -12,7 +12,7 @@ fn registers_and_wires_that_nothing_drives() {
         },
         "register `lonely` of `Case` is never driven
          --> [let _lonely = m.reg(\"lonely\", 3).reset(0);]
-         help: say what it takes at the next edge with `.next(value)`
+         help: say what it takes at the next edge with `.next(value)`, or when with `.when(condition, value)`
 
          wire `open` of `Case` is never driven
          --> [*m.wire(\"open\", 2)]
@@ -35,7 +35,20 @@ fn registers_and_wires_that_are_driven_twice() {
          --> [r.next(0);]
          the first time is at [r.next(i.a);]
          `r` is declared at [let r = m.reg(\"r\", 8);]
-         help: choose between the two with `mux` or `select`",
+         help: say all that it takes in one chain: `.when(condition, value).when(..)`, or with `mux` or `select`",
+    );
+    expect(
+        |m, i| {
+            let r = m.reg("r", 8);
+            r.when(i.c, i.a).when(!i.c, 0);
+            r.when(i.b.bit(0), 7);
+            r.value()
+        },
+        "`r` is given a next value twice
+         --> [r.when(i.b.bit(0), 7);]
+         the first time is at [r.when(i.c, i.a).when(!i.c, 0);]
+         `r` is declared at [let r = m.reg(\"r\", 8);]
+         help: say all that it takes in one chain: `.when(condition, value).when(..)`, or with `mux` or `select`",
     );
     let enabled = |m: Module, i: In| {
         let r = m.reg("r", 8).enable(i.c).enable(!i.c);
@@ -50,6 +63,27 @@ fn registers_and_wires_that_are_driven_twice() {
         w.value()
     };
     assert!(problems(&Case(driven)).starts_with("`w` is driven twice"));
+}
+
+#[test]
+fn what_a_chain_takes_fits_its_register() {
+    expect(
+        |m, i| {
+            let r = m.reg("r", 8);
+            r.when(i.c, 0).when(i.a, r + 1).when(!i.c, 256);
+            r.value()
+        },
+        "the condition of `when` is 1 bit, but `a` has 8 bits
+         --> [.when(i.a, r + 1)]
+         `a` is made at [In { a: bits(8), b: bits(7), c: bit() }]
+         help: compare it, as in `.ne(0)`, or take one `.bit(i)`
+
+         `256` does not fit in 8 bits, unsigned
+         --> [.when(!i.c, 256);]
+         help: an integer takes the width of the signal it meets
+
+         2 problems in this description",
+    );
 }
 
 #[test]

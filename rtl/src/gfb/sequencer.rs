@@ -109,25 +109,25 @@ impl Block for Sequencer {
             Round::Overhead => when(scan_ends, Round::Drain).or_when(part_ends, Round::Line),
             Round::Drain => when(ends, Round::Idle),
         });
-        x.enable(round.is(Round::Line)).next(mux(line_ends, 0, x + 1));
-        y.enable(overhead_ends).next(mux(scan_ends, 0, y + 1));
+        x.when(line_ends, 0).when(round.is(Round::Line), x + 1);
+        y.when(scan_ends, 0).when(overhead_ends, y + 1);
         let lengths = [(begins, SCAN_LATENCY - 1), (line_ends, self.overhead - 1), (scan_ends, drain - 1)];
         clocks_left.next(select(lengths, mux(part_ends, 0, clocks_left - 1)));
 
         // The pixels that enter the chain, and those that have gone through all of it.
         net!(enable = round.is(Round::Prime) | round.is(Round::Line) | round.is(Round::Drain));
         let feed = m.reg("feed", pixel).reset(0);
-        feed.enable(begins | enable).next(mux(begins, 0, feed + 1));
+        feed.when(begins, 0).when(enable, feed + 1);
         let way = SCAN_LATENCY + drain;
         let until_stored = m.reg("until_stored", index_width(u64::from(way) + 1)).reset(0);
         net!(stores = enable & until_stored.eq(0));
-        until_stored.enable(begins | (enable & !stores)).next(mux(begins, way, until_stored - 1));
+        until_stored.when(begins, way).when(enable & !stores, until_stored - 1);
         let store = m.reg("store", pixel).reset(0);
-        store.enable(begins | stores).next(mux(begins, 0, store + 1));
+        store.when(begins, 0).when(stores, store + 1);
 
         let clocks = m.reg("clocks", index_width(self.merge_clocks() + 1)).reset(0);
         net!(counts = round.is(Round::Line) | round.is(Round::Overhead) | round.is(Round::Drain));
-        clocks.enable(begins | counts).next(mux(begins, 0, clocks + 1));
+        clocks.when(begins, 0).when(counts, clocks + 1);
 
         SequencerOut {
             scan: ScanControl { restart: begins, enable },

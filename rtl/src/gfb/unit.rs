@@ -142,7 +142,7 @@ impl Block for GfbUnit {
         net!(read_word = banks.read(cat![read_address, !filled]));
 
         let first_round = m.reg("first_round", 1).reset(1);
-        first_round.enable(swap | round.ends).next(swap);
+        first_round.when(swap, 1).when(round.ends, 0);
         net!(old = banks.read_when(round.scan.enable, cat![round.feed, filled]));
         let left = m.pipe_when(round.scan.enable, "left", mux(first_round, background, old));
 

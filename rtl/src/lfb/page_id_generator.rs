@@ -12,7 +12,7 @@
 //! Its value is the ID of the next free page; a first access to a patch takes it. It restarts when the buffers are swapped.
 
 use tilewright_hdl::ir::About;
-use tilewright_hdl::{Block, Module, Width, bit, bundle, index_width, mux, net};
+use tilewright_hdl::{Block, Module, Width, bit, bundle, index_width, net};
 
 bundle! {
     /// The inputs of [`PageIdGenerator`].
@@ -54,7 +54,7 @@ impl Block for PageIdGenerator {
         let used = m.reg("used", index_width(pages + 1)).reset(0);
         net!(exhausted = used.eq(pages));
         m.assert(!(i.take & exhausted), "a page is taken only while one is free");
-        used.enable(i.restart | i.take).next(mux(i.restart, 0, used + 1));
+        used.when(i.restart, 0).when(i.take, used + 1);
         PageIdGeneratorOut { page: used.trunc(index_width(pages)), used: used.value(), exhausted }
     }
 

@@ -141,7 +141,7 @@ impl Block for PatchTable {
         net!(clear_ready = table_free & (can_accept | stage.is(Stage1::Overflow)));
         net!(accept = i.look_up.valid & can_accept);
         net!(clear = i.clear.valid & clear_ready);
-        clearing.enable(clear | clearing.ne(0)).next(mux(clear, CLEAR_CLOCKS - 1, clearing - 1));
+        clearing.when(clear, CLEAR_CLOCKS - 1).when(clearing.ne(0), clearing - 1);
 
         let patch = m.reg("patch", i.look_up.patch.width());
         patch.enable(accept).next(i.look_up.patch);

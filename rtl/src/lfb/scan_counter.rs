@@ -17,7 +17,7 @@
 //! merging, at whatever time in it the buffers are swapped.
 
 use tilewright_hdl::ir::About;
-use tilewright_hdl::{Block, Module, Width, bit, bits, bundle, index_width, mux, net, states, when};
+use tilewright_hdl::{Block, Module, Width, bit, bits, bundle, index_width, net, states, when};
 
 use crate::parameter::Screen;
 use crate::scan::{Position, ScanControl};
@@ -91,8 +91,8 @@ impl Block for ScanCounter {
         net!(last_line = y.eq(self.screen.height - 1));
         net!(frame_end = line_end & last_line);
 
-        x.enable(restart | enable).next(mux(restart, i.preset.x, mux(line_end, 0, x + 1)));
-        y.enable(restart | line_end).next(mux(restart, i.preset.y, mux(last_line, 0, y + 1)));
+        x.when(restart, i.preset.x).when(line_end, 0).when(enable, x + 1);
+        y.when(restart, i.preset.y).when(frame_end, 0).when(line_end, y + 1);
         net!(at_start = i.preset.x.eq(0) & i.preset.y.eq(0));
         pass.next(|state| {
             let passed = match state {

@@ -6,5 +6,6 @@ mod clocks;
 mod lists;
 mod testbench;
 mod until;
+mod updates;
 mod vcd;
 mod vcd_values;
