@@ -153,8 +153,14 @@ pub enum Make {
     Name(Pick),
     /// A net read before it is driven.
     Wire(Pick),
-    /// A register.
-    Register { width: u32, reset: Option<Pattern>, enable: Option<Pick>, next: Pick },
+    /// A register: what it takes where a condition holds, the first of which wins, and what it takes else.
+    Register {
+        width: u32,
+        reset: Option<Pattern>,
+        enable: Option<Pick>,
+        updates: Vec<(Pick, Pick)>,
+        next: Option<Pick>,
+    },
     /// What a small number, an opcode, says is done.
     Alu { subject: Pick, bits: u32, arms: Vec<Arm>, default: Pick },
     /// A comparison with a constant.

@@ -168,8 +168,18 @@ fn wiring() -> impl Strategy<Value = Make> {
 }
 
 fn object() -> impl Strategy<Value = Make> {
-    let register = (width(), of(pattern()), of(control()), pick())
-        .prop_map(|(width, reset, enable, next)| Make::Register { width, reset, enable, next });
+    let register = prop_oneof![
+        2 => (width(), of(pattern()), of(control()), pick()).prop_map(|(width, reset, enable, next)| Make::Register {
+            width,
+            reset,
+            enable,
+            updates: Vec::new(),
+            next: Some(next)
+        }),
+        1 => (width(), of(pattern()), of(control()), vec((control(), pick()), 1..4), of(pick())).prop_map(
+            |(width, reset, enable, updates, next)| Make::Register { width, reset, enable, updates, next }
+        ),
+    ];
     prop_oneof![
         8 => register,
         2 => chain(),

@@ -154,6 +154,7 @@ struct Value {
 /// A connection made when all values are known.
 enum Late {
     Next(Reg, Pick),
+    Updates { register: Reg, updates: Vec<(Pick, Pick)>, otherwise: Option<Pick> },
     Write { memory: Mem, enable: Signal, address: Signal, data: Pick },
 }
 
@@ -241,10 +242,25 @@ impl<'a> Builder<'a> {
         Ports(named.collect())
     }
 
+    /// What a register takes by priority.
+    fn updates(&mut self, d: usize, register: Reg, updates: &[(Pick, Pick)], otherwise: Option<Pick>) {
+        let Some((first, rest)) = updates.split_first() else { return register.next(register.value()) };
+        let width = register.width();
+        let arm = |&(condition, value)| (self.pick_late(d, condition, 1), self.pick_late(d, value, width));
+        let (condition, value) = arm(first);
+        let mut chain = register.when(condition, value);
+        for (condition, value) in rest.iter().map(arm) {
+            chain = chain.when(condition, value);
+        }
+        if let Some(otherwise) = otherwise {
+            chain.otherwise(self.pick_late(d, otherwise, width));
+        }
+    }
+
     fn step(&mut self, number: usize, step: &Step) {
         let d = self.block.domain(step.clock);
         match &step.make {
-            Make::Register { width, reset, enable, next } => {
+            Make::Register { width, reset, enable, updates, next } => {
                 let name = self.inner_name(&format!("r{number}"));
                 let mut register = self.on(d).reg(&name, *width);
                 if let Some(reset) = reset {
@@ -254,7 +270,11 @@ impl<'a> Builder<'a> {
                     register = register.enable(self.pick_fit(d, *enable, 1));
                 }
                 self.push(d, register.value());
-                self.late.push((d, Late::Next(register, *next)));
+                let late = match (&updates[..], *next) {
+                    ([], Some(next)) => Late::Next(register, next),
+                    (_, otherwise) => Late::Updates { register, updates: updates.clone(), otherwise },
+                };
+                self.late.push((d, late));
             }
             Make::Machine(machine) => self.machine(d, number, machine),
             Make::Memory(memory) => self.memory(d, number, memory),
@@ -293,6 +313,7 @@ impl<'a> Builder<'a> {
         for (d, late) in std::mem::take(&mut self.late) {
             match late {
                 Late::Next(register, next) => register.next(self.pick_late(d, next, register.width())),
+                Late::Updates { register, updates, otherwise } => self.updates(d, register, &updates, otherwise),
                 Late::Write { memory, enable, address, data } => {
                     memory.write(enable, address, self.pick_late(d, data, memory.width()));
                 }
