@@ -37,7 +37,7 @@
 //!
 //! | to say | write |
 //! |---|---|
-//! | a port | a field of a [`bundle!`], as wide as [`bit`]`()` or [`bits`]`(n)` in [`Block::inputs`] |
+//! | a port | a field of a [`bundle!`], as wide as [`bit`]`()`, [`bits`]`(n)`, [`below`]`(n)` or [`up_to`]`(n)` in [`Block::inputs`] |
 //! | an expression | `+ - & \| ^ ! << >>` and methods of [`Signal`]; integers take the width of what they meet |
 //! | a change of width | [`zext`](Signal::zext) [`sext`](Signal::sext) [`trunc`](Signal::trunc) [`slice`](Signal::slice) [`bit`](Signal::bit) [`cat!`] [`repeat`](Signal::repeat) |
 //! | a choice | [`mux`], [`select`] (first that holds), [`case`] (by value), [`mux_bundle`] |
@@ -108,5 +108,5 @@ pub use signal::Signal;
 pub use signed::{Signed, SignedOperand};
 #[doc(hidden)]
 pub use uneven::{Uneven, uneven};
-pub use width::{Width, bit, bits, index_width, on};
+pub use width::{Count, IntoWidth, Width, below, bit, bits, index_width, on, up_to};
 pub use wire::Wire;

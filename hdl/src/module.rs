@@ -12,7 +12,7 @@ use crate::problem::Problem;
 use crate::register::{Reg, StateReg, States};
 use crate::select::condition;
 use crate::signal::Signal;
-use crate::width::index_width;
+use crate::width::{IntoWidth, index_width};
 use crate::wire::Wire;
 use std::marker::PhantomData;
 
@@ -32,11 +32,12 @@ impl Module {
         Module { clock: Some(clock) }
     }
 
-    /// A register of `width` bits.
+    /// A register of that width: a number of bits, or as in `m.reg("used", up_to(pages))`. If the width names a clock, it runs
+    /// on that one.
     #[track_caller]
-    pub fn reg(self, name: &str, width: u32) -> Reg {
-        let loc = Loc::caller();
-        self.register(name, width, None, loc)
+    pub fn reg(self, name: &str, width: impl IntoWidth) -> Reg {
+        let (width, loc) = (width.into_width(), Loc::caller());
+        Module { clock: width.clock.or(self.clock) }.register(name, width.bits, None, loc)
     }
 
     fn register(self, name: &str, width: u32, states: Option<ir::States>, loc: Loc) -> Reg {
@@ -91,10 +92,10 @@ impl Module {
         value.map(|_| registers.next().expect("a register for each field"))
     }
 
-    /// A net of `width` bits that is read before it is driven.
+    /// A net of that width that is read before it is driven.
     #[track_caller]
-    pub fn wire(self, name: &str, width: u32) -> Wire {
-        let loc = Loc::caller();
+    pub fn wire(self, name: &str, width: impl IntoWidth) -> Wire {
+        let (width, loc) = (width.into_width().bits, Loc::caller());
         elaboration::with(|e| {
             let width = sound_width(e, &[], &format!("wire `{name}`"), width.into(), loc);
             let draft = e.draft();
@@ -106,11 +107,11 @@ impl Module {
         })
     }
 
-    /// A memory of `depth` words of `width` bits. What a synchronous read gives when its word is written at the same
+    /// A memory of `depth` words of that width. What a synchronous read gives when its word is written at the same
     /// edge is always written down. An address has [`index_width`]`(depth)` bits.
     #[track_caller]
-    pub fn memory(self, name: &str, depth: u32, width: u32, policy: ReadUnderWrite) -> Mem {
-        let loc = Loc::caller();
+    pub fn memory(self, name: &str, depth: u32, width: impl IntoWidth, policy: ReadUnderWrite) -> Mem {
+        let (width, loc) = (width.into_width().bits, Loc::caller());
         elaboration::with(|e| {
             if depth == 0 || width == 0 {
                 let problem =

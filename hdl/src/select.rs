@@ -10,11 +10,12 @@ use crate::operand::{Literal, Operand, Value};
 use crate::problem::Problem;
 use crate::signal::{Signal, bits_text};
 use crate::uneven::{Uneven, uneven};
+use crate::width::IntoWidth;
 
-/// A constant of `width` bits.
+/// A constant of that width: a number of bits, or what [`below`](crate::below) and [`up_to`](crate::up_to) give.
 #[track_caller]
-pub fn lit(width: u32, value: u64) -> Signal {
-    constants(width, [value])[0]
+pub fn lit(width: impl IntoWidth, value: u64) -> Signal {
+    constants(width.into_width().bits, [value])[0]
 }
 
 /// Constants of `width` bits; what is wrong with the width is one problem for all of them.

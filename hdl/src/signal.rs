@@ -8,6 +8,7 @@ use crate::loc::Loc;
 use crate::operand::{Operand, ShiftAmount, Value, operators};
 use crate::problem::Problem;
 use crate::signed::Signed;
+use crate::width::IntoWidth;
 use std::ops::Range;
 
 /// An unsigned value in the circuit, 1 to 1,048,576 bits wide; the width is known while the circuit is built.
@@ -237,9 +238,10 @@ impl Signal {
         Signal::make(Op::Slice { of: self.id(), low: range.start }, range.end - range.start)
     }
 
-    /// The lowest `width` bits.
+    /// The lowest `width` bits: a number of them, or as in `used.trunc(below(pages))`.
     #[track_caller]
-    pub fn trunc(self, width: u32) -> Signal {
+    pub fn trunc(self, width: impl IntoWidth) -> Signal {
+        let width = width.into_width().bits;
         if width == 0 || width > self.width {
             return self.bad_width(
                 format!("`.trunc({width})` cannot cut"),
@@ -252,14 +254,14 @@ impl Signal {
 
     /// Widened with zeros to `width` bits.
     #[track_caller]
-    pub fn zext(self, width: u32) -> Signal {
-        self.extend(width, false)
+    pub fn zext(self, width: impl IntoWidth) -> Signal {
+        self.extend(width.into_width().bits, false)
     }
 
     /// Widened with copies of the most significant bit to `width` bits.
     #[track_caller]
-    pub fn sext(self, width: u32) -> Signal {
-        self.extend(width, true)
+    pub fn sext(self, width: impl IntoWidth) -> Signal {
+        self.extend(width.into_width().bits, true)
     }
 
     #[track_caller]

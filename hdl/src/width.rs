@@ -38,6 +38,70 @@ pub fn bit() -> Width {
     bits(1)
 }
 
+/// As wide as an index into `count` things: it holds every number below `count`. At least 1 bit.
+///
+/// # Panics
+///
+/// The number is negative.
+#[track_caller]
+pub fn below(count: impl Count) -> Width {
+    bits(index_width(count.count()))
+}
+
+/// Wide enough for every number from 0 to `most`, with that one: 3 bits for `up_to(4)`, where `below(4)` has 2.
+///
+/// # Panics
+///
+/// The number is negative.
+#[track_caller]
+pub fn up_to(most: impl Count) -> Width {
+    bits(index_width(most.count().saturating_add(1)))
+}
+
+/// A number of things: an integer of any type.
+pub trait Count {
+    #[doc(hidden)]
+    fn count(self) -> u64;
+}
+
+/// How wide something is: a number of bits, or what [`bits`], [`below`] and [`up_to`] give.
+pub trait IntoWidth {
+    #[doc(hidden)]
+    fn into_width(self) -> Width;
+}
+
+impl IntoWidth for Width {
+    fn into_width(self) -> Width {
+        self
+    }
+}
+
+macro_rules! counts {
+    ($($ty:ty)*) => {$(
+        impl Count for $ty {
+            #[track_caller]
+            fn count(self) -> u64 {
+                let Ok(count) = u64::try_from(self as i128) else { panic!("a number of {self}: it is 0 or more") };
+                count
+            }
+        }
+    )*};
+}
+counts!(u8 u16 u32 u64 usize i32 i64);
+
+macro_rules! widths {
+    ($($ty:ty)*) => {$(
+        /// So many bits. What no width can be is a problem of what is declared with it.
+        impl IntoWidth for $ty {
+            #[track_caller]
+            fn into_width(self) -> Width {
+                bits(u32::try_from(self as i128).unwrap_or(if self < 1 { 0 } else { u32::MAX }))
+            }
+        }
+    )*};
+}
+widths!(u32 u64 usize i32);
+
 /// Ports of which all are synchronous to `clock`: [`Width::on`] for a whole bundle.
 pub fn on<B: Fields<Width>>(clock: Clock, widths: B) -> B::With<Width> {
     widths.map(|width| width.on(clock))
@@ -48,5 +112,26 @@ pub const fn index_width(count: u64) -> u32 {
     match count {
         0..=2 => 1,
         _ => 64 - (count - 1).leading_zeros(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_width_holds_the_numbers_that_it_is_named_after() {
+        let widths = [(1, 1), (2, 1), (3, 2), (4, 2), (5, 3), (256, 8), (257, 9)];
+        for (count, width) in widths {
+            assert_eq!(below(count).bits(), width, "below {count}");
+            assert_eq!(up_to(count - 1).bits(), width, "up to {}", count - 1);
+        }
+        assert_eq!((below(0).bits(), up_to(u64::MAX).bits(), up_to(255u8).bits()), (1, 64, 8));
+    }
+
+    #[test]
+    #[should_panic(expected = "a number of -1: it is 0 or more")]
+    fn nothing_is_counted_by_a_negative_number() {
+        let _ = below(-1);
     }
 }

@@ -120,25 +120,25 @@
 //! ```text
 //! $ cargo bench -p tilewright-benches --bench testbench
 //! a processor of RV32I                                ns    ratio
-//!   run(n), a cycle                                 18.6     1.00
-//!   run_until a register is a number                18.9     1.02
-//!   run_until a result is a number                  18.9     1.02
-//!   step                                            27.4     1.48
-//!   step, get of a register                         31.6     1.70
-//!   step, get_u64 of a register                     31.4     1.69
-//!   step, get of a result                           39.1     2.10
-//!   step, get_u64 of a result                       37.7     2.03
-//!   step, read_u64 of 7 ports                       75.6     4.07
-//!   set, step, get_u64 of a result                  56.4     3.04
-//!   run(n) with a waveform of everything           471.2    25.35
+//!   run(n), a cycle                                 18.9     1.00
+//!   run_until a register is a number                18.9     1.00
+//!   run_until a result is a number                  18.9     1.00
+//!   step                                            23.6     1.25
+//!   step, get of a register                         26.0     1.38
+//!   step, get_u64 of a register                     25.3     1.34
+//!   step, get of a result                           33.6     1.78
+//!   step, get_u64 of a result                       33.2     1.76
+//!   step, read_u64 of 7 ports                       50.5     2.68
+//!   set, step, get_u64 of a result                  57.0     3.02
+//!   run(n) with a waveform of everything           423.5    22.43
 //! 16 products and their sum                           ns    ratio
-//!   run(n), a cycle                                  2.4     1.00
-//!   32 sets                                         85.0    35.22
-//!   32 sets, step, get_u64                         128.3    53.18
-//!   set_list of 16 inputs, twice                   118.5    49.12
-//!   get_list of 16 outputs                          75.8    31.41
-//!   drive of 32 inputs                             289.7   120.10
-//!   read_u64 of 17 outputs                          98.7    40.89
+//!   run(n), a cycle                                  2.8     1.00
+//!   32 sets                                         74.8    26.82
+//!   32 sets, step, get_u64                         115.8    41.51
+//!   set_list of 16 inputs, twice                    93.9    33.66
+//!   get_list of 16 outputs                          44.1    15.80
+//!   drive of 32 inputs                             275.7    98.82
+//!   read_u64 of 17 outputs                          63.5    22.77
 //! ```
 //!
 //! # What a waveform costs

@@ -74,12 +74,12 @@ fn what_a_chain_takes_fits_its_register() {
             r.value()
         },
         "the condition of `when` is 1 bit, but `a` has 8 bits
-         --> [.when(i.a, r + 1)]
+         --> [r.when(i.c, 0).when(i.a, r + 1).when(!i.c, 256);]
          `a` is made at [In { a: bits(8), b: bits(7), c: bit() }]
          help: compare it, as in `.ne(0)`, or take one `.bit(i)`
 
          `256` does not fit in 8 bits, unsigned
-         --> [.when(!i.c, 256);]
+         --> [r.when(i.c, 0).when(i.a, r + 1).when(!i.c, 256);]
          help: an integer takes the width of the signal it meets
 
          2 problems in this description",

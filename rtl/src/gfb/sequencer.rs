@@ -18,7 +18,7 @@
 //! chain holds during the overhead; in the end it runs on until the last pixel has left it.
 
 use tilewright_hdl::ir::About;
-use tilewright_hdl::{Block, Module, Width, bit, bundle, index_width, mux, net, select, states, when};
+use tilewright_hdl::{Block, Module, Width, below, bit, bundle, mux, net, select, states, up_to, when};
 
 use crate::merger::STAGES;
 use crate::parameter::Screen;
@@ -87,15 +87,15 @@ impl Block for Sequencer {
 
     fn build(&self, m: Module, i: SequencerIn) -> SequencerOut {
         let Screen { width, height } = self.screen;
-        let pixel = index_width(self.screen.pixels().into());
+        let pixel = below(self.screen.pixels());
         let drain = STAGES * self.units;
 
         // The parts of the round.
         let round = m.fsm("round", Round::Idle);
-        let x = m.reg("x", index_width(width.into())).reset(0);
-        let y = m.reg("y", index_width(height.into())).reset(0);
+        let x = m.reg("x", below(width)).reset(0);
+        let y = m.reg("y", below(height)).reset(0);
         let longest = drain.max(self.overhead).max(SCAN_LATENCY);
-        let clocks_left = m.reg("clocks_left", index_width(longest.into())).reset(0);
+        let clocks_left = m.reg("clocks_left", below(longest)).reset(0);
         net!(part_ends = clocks_left.eq(0));
         net!(begins = i.start & round.is(Round::Idle));
         net!(line_ends = round.is(Round::Line) & x.eq(width - 1));
@@ -119,13 +119,13 @@ impl Block for Sequencer {
         let feed = m.reg("feed", pixel).reset(0);
         feed.when(begins, 0).when(enable, feed + 1);
         let way = SCAN_LATENCY + drain;
-        let until_stored = m.reg("until_stored", index_width(u64::from(way) + 1)).reset(0);
+        let until_stored = m.reg("until_stored", up_to(way)).reset(0);
         net!(stores = enable & until_stored.eq(0));
         until_stored.when(begins, way).when(enable & !stores, until_stored - 1);
         let store = m.reg("store", pixel).reset(0);
         store.when(begins, 0).when(stores, store + 1);
 
-        let clocks = m.reg("clocks", index_width(self.merge_clocks() + 1)).reset(0);
+        let clocks = m.reg("clocks", up_to(self.merge_clocks())).reset(0);
         net!(counts = round.is(Round::Line) | round.is(Round::Overhead) | round.is(Round::Drain));
         clocks.when(begins, 0).when(counts, clocks + 1);
 

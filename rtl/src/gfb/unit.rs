@@ -21,7 +21,7 @@
 //! cumulative (VC1-CLR3). The chain itself chooses the nearer pixel, so what comes out of it is stored as it is.
 
 use tilewright_hdl::ir::About;
-use tilewright_hdl::{Block, Module, ReadUnderWrite, Width, bit, bits, bundle, cat, index_width, mux, net};
+use tilewright_hdl::{Block, Module, ReadUnderWrite, Width, below, bit, bits, bundle, cat, mux, net};
 
 use super::sequencer::{Sequencer, SequencerIn};
 use crate::parameter::{ParameterError, Screen};
@@ -123,7 +123,7 @@ impl Block for GfbUnit {
     type Out = GfbUnitOut;
 
     fn inputs(&self) -> GfbUnitIn<Width> {
-        let pixel = bits(index_width(self.screen.pixels().into()));
+        let pixel = below(self.screen.pixels());
         let host = Host { start: bit(), swap: bit(), read_address: pixel, background: bits(WORD) };
         GfbUnitIn { host, merged: bits(WORD) }
     }

@@ -21,7 +21,7 @@
 
 use tilewright_hdl::ir::About;
 use tilewright_hdl::{
-    Block, Module, ReadUnderWrite, Width, bit, bits, bundle, cat, goto, index_width, mux, net, on, states, when,
+    Block, Module, ReadUnderWrite, Width, below, bit, bits, bundle, cat, goto, mux, net, on, states, when,
 };
 
 use crate::clocks::{MERGE, PE};
@@ -94,8 +94,8 @@ impl Block for ImageMemory {
     type Out = ImageMemoryOut;
 
     fn inputs(&self) -> ImageMemoryIn<Width> {
-        let page = bits(index_width(self.pages.into()));
-        let offset = bits(index_width(self.page_pixels.into()));
+        let page = below(self.pages);
+        let offset = below(self.page_pixels);
         ImageMemoryIn {
             draw: on(PE, Draw { valid: bit(), page, offset, word: bits(WORD) }),
             front: bit().on(PE),

@@ -12,7 +12,7 @@
 //! Its value is the ID of the next free page; a first access to a patch takes it. It restarts when the buffers are swapped.
 
 use tilewright_hdl::ir::About;
-use tilewright_hdl::{Block, Module, Width, bit, bundle, index_width, net};
+use tilewright_hdl::{Block, Module, Width, below, bit, bundle, net, up_to};
 
 bundle! {
     /// The inputs of [`PageIdGenerator`].
@@ -50,12 +50,11 @@ impl Block for PageIdGenerator {
     }
 
     fn build(&self, m: Module, i: PageIdGeneratorIn) -> PageIdGeneratorOut {
-        let pages = u64::from(self.pages);
-        let used = m.reg("used", index_width(pages + 1)).reset(0);
-        net!(exhausted = used.eq(pages));
+        let used = m.reg("used", up_to(self.pages)).reset(0);
+        net!(exhausted = used.eq(self.pages));
         m.assert(!(i.take & exhausted), "a page is taken only while one is free");
         used.when(i.restart, 0).when(i.take, used + 1);
-        PageIdGeneratorOut { page: used.trunc(index_width(pages)), used: used.value(), exhausted }
+        PageIdGeneratorOut { page: used.trunc(below(self.pages)), used: used.value(), exhausted }
     }
 
     fn about(&self) -> About {

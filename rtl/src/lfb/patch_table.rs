@@ -23,7 +23,7 @@
 
 use tilewright_hdl::ir::About;
 use tilewright_hdl::{
-    Bits, Block, Module, ReadUnderWrite, Width, bit, bits, bundle, cat, goto, index_width, mux, net, on, states, when,
+    Bits, Block, Module, ReadUnderWrite, Width, below, bit, bundle, cat, goto, mux, net, on, states, when,
 };
 
 use super::page_id_generator::{PageIdGenerator, PageIdGeneratorIn};
@@ -117,7 +117,7 @@ impl Block for PatchTable {
     type Out = PatchTableOut;
 
     fn inputs(&self) -> PatchTableIn<Width> {
-        let patch = bits(index_width(self.patches.into()));
+        let patch = below(self.patches);
         let look_up = on(PE, LookUp { valid: bit(), patch });
         PatchTableIn {
             look_up,
@@ -132,7 +132,7 @@ impl Block for PatchTable {
 
     fn build(&self, m: Module, i: PatchTableIn) -> PatchTableOut {
         let m = m.on(PE);
-        let page_width = index_width(self.pages.into());
+        let page_width = below(self.pages).bits();
         let stage = m.fsm("stage1", Stage1::Idle);
         let clearing = m.reg("clearing", 2).reset(0);
 

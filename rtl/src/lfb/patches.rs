@@ -5,7 +5,7 @@
 //! y  [ row           | low bits ]      offset = { low bits of y, low bits of x }
 //! ```
 
-use tilewright_hdl::{Signal, bundle, cat, index_width, lit};
+use tilewright_hdl::{Signal, Width, below, bundle, cat, lit, up_to};
 
 use crate::parameter::{ParameterError, Screen};
 use crate::scan::Position;
@@ -72,21 +72,21 @@ impl Patches {
         self.edge * self.edge
     }
 
-    /// The width of a patch number in bits.
-    pub fn patch_width(&self) -> u32 {
-        index_width(self.count().into())
+    /// The width of a patch number.
+    pub fn patch_width(&self) -> Width {
+        below(self.count())
     }
 
-    /// The width of a pixel's place in its patch in bits.
-    pub fn offset_width(&self) -> u32 {
-        index_width(self.pixels().into())
+    /// The width of a pixel's place in its patch.
+    pub fn offset_width(&self) -> Width {
+        below(self.pixels())
     }
 
     /// Where the pixel lies, as hardware.
     pub fn locate(&self, pixel: Position) -> Place {
         let shift = self.edge.ilog2();
         let high = |signal: Signal| signal.slice(shift..signal.width());
-        let columns = lit(index_width(u64::from(self.columns()) + 1), self.columns().into());
+        let columns = lit(up_to(self.columns()), self.columns().into());
         let first_of_row = high(pixel.y).times(columns).trunc(self.patch_width());
         let column = high(pixel.x).zext(self.patch_width());
         Place { patch: first_of_row + column, offset: cat!(pixel.y.trunc(shift), pixel.x.trunc(shift)) }

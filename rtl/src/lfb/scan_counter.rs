@@ -17,7 +17,7 @@
 //! merging, at whatever time in it the buffers are swapped.
 
 use tilewright_hdl::ir::About;
-use tilewright_hdl::{Block, Module, Width, bit, bits, bundle, index_width, net, states, when};
+use tilewright_hdl::{Block, Module, Width, below, bit, bundle, net, states, when};
 
 use crate::parameter::Screen;
 use crate::scan::{Position, ScanControl};
@@ -67,7 +67,7 @@ impl ScanCounter {
 
     /// The widths of a position on the screen.
     pub fn position(screen: Screen) -> Position<Width> {
-        Position { x: bits(index_width(screen.width.into())), y: bits(index_width(screen.height.into())) }
+        Position { x: below(screen.width), y: below(screen.height) }
     }
 }
 

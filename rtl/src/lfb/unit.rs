@@ -132,7 +132,7 @@ impl Block for LfbUnit {
         let Position { x, y } = position;
         LfbUnitIn {
             request: on(PE, Request { valid: bit(), x, y, word: bits(WORD) }),
-            clear: on(PE, Clear { valid: bit(), patch: bits(self.patches.patch_width()) }),
+            clear: on(PE, Clear { valid: bit(), patch: self.patches.patch_width() }),
             swap: bit().on(PE),
             resume: bit().on(PE),
             scan: on(MERGE, ScanControl { restart: bit(), enable: bit() }),

@@ -1,7 +1,7 @@
 //! A virtual local frame buffer that draws patches at random, and is scanned at the same time.
 
 use tilewright_hdl::{
-    Bits, Block, Mem, Module, ReadUnderWrite, Signal, Width, bit, bits, bundle, cat, index_width, lit, mux, net,
+    Bits, Block, Mem, Module, ReadUnderWrite, Signal, Width, bit, bits, bundle, cat, index_width, lit, mux, net, up_to,
 };
 
 use super::Pixel;
@@ -79,7 +79,7 @@ impl FrameBuffer {
     /// A patch's number.
     fn patch(&self, column: Signal, row: Signal) -> Signal {
         let width = index_width(self.patches().into());
-        let before = row.times(lit(index_width(u64::from(self.columns) + 1), self.columns.into()));
+        let before = row.times(lit(up_to(self.columns), self.columns.into()));
         before.trunc(width) + column.zext(width)
     }
 

@@ -1,6 +1,6 @@
 //! Stands for the host: has frame after frame merged, and reads them for a checksum.
 
-use tilewright_hdl::{Block, Module, Width, bit, bits, bundle, goto, index_width, lit, mux, net, states, when};
+use tilewright_hdl::{Block, Module, Width, below, bit, bits, bundle, goto, lit, mux, net, states, when};
 use tilewright_rtl::gfb;
 use tilewright_rtl::parameter::Screen;
 use tilewright_rtl::vc1::SWAP_CLOCKS;
@@ -68,14 +68,14 @@ impl Block for Host {
 
     fn build(&self, m: Module, i: HostIn) -> HostOut {
         let phase = m.fsm("phase", Phase::Wait);
-        let settling = m.reg("settling", index_width(SWAP_CLOCKS)).reset(0);
+        let settling = m.reg("settling", below(SWAP_CLOCKS)).reset(0);
         net!(settled = settling.eq(SWAP_CLOCKS - 1));
         settling.enable(phase.is(Phase::Settle)).next(mux(settled, 0, settling + 1));
 
         // There is nothing to read before the first frame is shown.
         let shown = m.reg("shown", 1).reset(0);
         shown.enable(phase.is(Phase::Show)).next(true);
-        let address = m.reg("address", index_width(self.screen.pixels().into())).reset(0);
+        let address = m.reg("address", below(self.screen.pixels())).reset(0);
         let all_read = m.reg("all_read", 1).reset(0);
         net!(reads = phase.is(Phase::Merge) & !all_read);
         net!(last = address.eq(self.screen.pixels() - 1));
