@@ -3,7 +3,7 @@
 use crate::engine::of;
 use crate::store::{FAST, SLOW, Store, StoreIn, StoreOut};
 use proptest::prelude::*;
-use tilewright_hdl::{Block, Module, ReadUnderWrite, Signal, bundle, lit};
+use tilewright_hdl::{Block, Module, ReadUnderWrite, Signal, bits, bundle, lit};
 
 /// A count on each of two clocks; each is sampled by the other.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
@@ -45,6 +45,36 @@ fn clocks_that_rise_together_sample_together() {
     assert_eq!((sim.time(), sim.cycles("fast"), sim.cycles("slow_clk")), (12_000, Ok(6), Ok(4)));
     sim.run_to(14_999);
     assert_eq!(sim.time(), 14_000);
+}
+
+/// A count on the clock that its width names, and one on that of the module.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+struct ByWidth;
+
+bundle! {
+    pub struct CountsOut<T> { pub slow: T, pub fast: T }
+}
+
+impl Block for ByWidth {
+    type In = ();
+    type Out = CountsOut;
+
+    fn inputs(&self) {}
+
+    fn build(&self, m: Module, _: ()) -> CountsOut {
+        let m = m.on(FAST);
+        let (slow, fast) = (m.reg("slow_count", bits(8).on(SLOW)).reset(0), m.reg("fast_count", bits(8)).reset(0));
+        slow.next(slow + 1);
+        fast.next(fast + 1);
+        CountsOut { slow: slow.value(), fast: fast.value() }
+    }
+}
+
+#[test]
+fn a_register_runs_on_the_clock_that_its_width_names() {
+    let mut sim = of(&ByWidth);
+    sim.run_to(12_000);
+    assert_eq!(sim.read_u64(), CountsOut { slow: 4, fast: 6 });
 }
 
 #[test]
