@@ -25,9 +25,9 @@ pub(super) struct Looks {
 #[derive(Clone, Copy)]
 pub(super) struct Rest {
     /// The view, and the edge, by index.
-    pub view: usize,
+    view: usize,
     edge: usize,
-    pub code: Code,
+    code: Code,
 }
 
 impl Looks {
