@@ -39,7 +39,7 @@
 //! |---|---|
 //! | a port | a field of a [`bundle!`], as wide as [`bit`]`()`, [`bits`]`(n)`, [`below`]`(n)` or [`up_to`]`(n)` in [`Block::inputs`] |
 //! | an expression | `+ - & \| ^ ! << >>` and methods of [`Signal`]; integers take the width of what they meet |
-//! | a change of width | [`zext`](Signal::zext) [`sext`](Signal::sext) [`trunc`](Signal::trunc) [`slice`](Signal::slice) [`bit`](Signal::bit) [`cat!`] [`repeat`](Signal::repeat) |
+//! | a change of width | [`zext`](Signal::zext) [`sext`](Signal::sext) [`trunc`](Signal::trunc) [`slice`](Signal::slice) [`part`](Signal::part) [`bit`](Signal::bit) [`cat!`] [`repeat`](Signal::repeat) |
 //! | a choice | [`mux`], [`select`] (first that holds), [`case`] (by value), [`mux_bundle`] |
 //! | signed arithmetic | [`Signal::signed`], a type of its own |
 //! | a named net | `net!(at_end = ..)`, or [`Signal::named`] |
@@ -49,7 +49,7 @@
 //! | a memory | [`Module::memory`], [`Mem::read`], [`Mem::read_async`], [`Mem::write`] |
 //! | an instance, an array of them | [`Module::instance`], [`Module::array`] with [`Lanes`] |
 //! | another clock | [`Module::on`], [`Mem::on`], [`Width::on`] and [`on`]; [`Module::synchronize`], [`Module::synchronize_from`], [`Signal::quasi_static`] to cross |
-//! | what must hold | [`Module::assert`] |
+//! | what must hold | [`Module::assert`], with [`implies`](Signal::implies) |
 //!
 //! Both sides of an operator have equal widths, results wrap, and `==` does not compile: [`Signal::eq`] does. Every mistake
 //! in a description is found when it is elaborated, and all of them are reported at once ([`Problems`]), each with the lines
@@ -80,6 +80,7 @@ pub mod recording;
 mod register;
 pub mod scenario;
 mod select;
+mod shorthand;
 mod signal;
 mod signed;
 mod summary;

@@ -86,6 +86,24 @@ fn nothing_is_wider_than_a_million_bits() {
 }
 
 #[test]
+fn what_follows_is_one_bit_and_a_part_is_inside() {
+    expect(
+        |_, i| i.c.implies(i.a).zext(8) | i.a.part(6, 3).zext(8),
+        "the condition of `implies` is 1 bit, but `a` has 8 bits
+         --> [|_, i| i.c.implies(i.a).zext(8) | i.a.part(6, 3).zext(8),]
+         `a` is made at [In { a: bits(8), b: bits(7), c: bit() }]
+         help: compare it, as in `.ne(0)`, or take one `.bit(i)`
+
+         the slice 6..9 is outside of `a`, which has 8 bits
+         --> [|_, i| i.c.implies(i.a).zext(8) | i.a.part(6, 3).zext(8),]
+         `a` is made at [In { a: bits(8), b: bits(7), c: bit() }]
+         help: a slice is `low..high` with low < high <= 8
+
+         2 problems in this description",
+    );
+}
+
+#[test]
 fn literals_that_do_not_fit() {
     expect(
         |_, i| i.b + 128,

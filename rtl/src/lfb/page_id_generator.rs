@@ -52,7 +52,7 @@ impl Block for PageIdGenerator {
     fn build(&self, m: Module, i: PageIdGeneratorIn) -> PageIdGeneratorOut {
         let used = m.reg("used", up_to(self.pages)).reset(0);
         net!(exhausted = used.eq(self.pages));
-        m.assert(!(i.take & exhausted), "a page is taken only while one is free");
+        m.assert(i.take.implies(!exhausted), "a page is taken only while one is free");
         used.when(i.restart, 0).when(i.take, used + 1);
         PageIdGeneratorOut { page: used.trunc(below(self.pages)), used: used.value(), exhausted }
     }

@@ -208,8 +208,8 @@ impl Block for LfbUnit {
             },
         );
         let idle = table.idle & image.idle;
-        pe.assert(!i.swap | table.overflow | idle, "the buffers are swapped when idle or in overflow");
-        pe.assert(!i.swap | settled, "the buffers are not swapped again before the merger has followed");
+        pe.assert(i.swap.implies(table.overflow | idle), "the buffers are swapped when idle or in overflow");
+        pe.assert(i.swap.implies(settled), "the buffers are not swapped again before the merger has followed");
         LfbUnitOut {
             ready: table.ready,
             clear_ready: table.clear_ready,

@@ -60,10 +60,10 @@ impl Block for MergingUnit {
         let (mut left, mut right) = (i.left, i.right);
         let (mut decided, mut right_is_nearer) = (lit(1, 0), lit(1, 0));
         for stage in 1..=STAGES {
-            let part = |word: Signal| word.slice(WORD - stage * PART..WORD - (stage - 1) * PART);
+            let part = |word: Signal| word.part(WORD - stage * PART, PART);
             let (l, r) = (part(left), part(right));
-            right_is_nearer = right_is_nearer | (!decided & r.lt(l));
-            decided = decided | r.ne(l);
+            right_is_nearer |= !decided & r.lt(l);
+            decided |= r.ne(l);
             if stage < STAGES {
                 let pipe = |name: &str, value: Signal| m.pipe_when(i.enable, &format!("{name}{stage}"), value);
                 left = pipe("left", left);

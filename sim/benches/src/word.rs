@@ -1,18 +1,12 @@
 //! Operations on words that several designs share.
 
-use tilewright_hdl::{Signal, cat, mux};
+use tilewright_hdl::{Signal, mux};
 
 /// The next state of a 32-bit xorshift generator (Marsaglia's shifts 13, 17, 5). Every state but 0 has its turn.
 pub fn xorshift(state: Signal) -> Signal {
     let mixed = state ^ (state << 13);
     let mixed = mixed ^ (mixed >> 17);
     mixed ^ (mixed << 5)
-}
-
-/// The word with its bits moved up by `places`; those that leave at the top come back at the bottom.
-pub fn rotated(word: Signal, places: u32) -> Signal {
-    let kept = word.width() - places;
-    cat![word.slice(0..kept), word.slice(kept..word.width())]
 }
 
 /// A seed for the generator of each lane: odd multiples of the golden ratio have no pattern in their bits.

@@ -4,6 +4,7 @@ mod arithmetic;
 mod arrays;
 mod clocks;
 mod lists;
+mod shorthand;
 mod testbench;
 mod until;
 mod updates;

@@ -10,7 +10,7 @@ use tilewright_hdl::ir::About;
 use tilewright_hdl::{Block, Module, Width, bit, mux};
 
 use super::{BenchIn, BenchOut};
-use crate::word::{rotated, seed};
+use crate::word::seed;
 pub use processor::{Processor, ProcessorIn, ProcessorOut};
 
 /// The processors, and a checksum of all that they write.
@@ -33,9 +33,9 @@ impl Block for Core {
             rst: processors.all(&i.rst),
             word: processors.constants(32, seed),
         });
-        let folded = processors.sum.to_vec().into_iter().reduce(|folded, sum| rotated(folded, 1) ^ sum);
+        let folded = processors.sum.to_vec().into_iter().reduce(|folded, sum| folded.rotate_left(1) ^ sum);
         let csum = m.reg("csum", 32);
-        csum.next(mux(i.rst, 0, rotated(*csum, 3) + folded.expect("an array has a lane")));
+        csum.next(mux(i.rst, 0, csum.rotate_left(3) + folded.expect("an array has a lane")));
         BenchOut { csum: csum.value() }
     }
 

@@ -5,7 +5,6 @@ use tilewright_hdl::{
 };
 
 use super::program::program;
-use crate::word::rotated;
 
 /// Words of the data memory.
 const WORDS: u32 = 1024;
@@ -113,7 +112,7 @@ impl Block for Processor {
         registers.write(writes, to, result);
 
         let sum = m.reg("sum", 32);
-        sum.next(mux(i.rst, 0, rotated(*sum, 1) + (result ^ address)));
+        sum.next(mux(i.rst, 0, sum.rotate_left(1) + (result ^ address)));
         ProcessorOut { pc: pc.value(), instruction, result, address, stores, data, sum: sum.value() }
     }
 

@@ -15,7 +15,7 @@ mod merger;
 use tilewright_hdl::ir::About;
 use tilewright_hdl::{Block, Fields, Module, Width, bit, bits, bundle, cat, lit, mux};
 
-use crate::word::{rotated, seed};
+use crate::word::seed;
 use frame_buffer::{FrameBuffer, FrameBufferIn};
 use merger::{Merger, MergerIn};
 
@@ -77,7 +77,7 @@ impl Block for Pim {
         });
         let last = chain.merged.map(|field| field.last());
         let csum = m.reg("csum", 32);
-        let sum = (rotated(*csum, 1) + cat![last.valid, lit(7, 0), last.rgb]) ^ last.z.zext(32);
+        let sum = (csum.rotate_left(1) + cat![last.valid, lit(7, 0), last.rgb]) ^ last.z.zext(32);
         csum.next(mux(i.rst, 0, sum));
         BenchOut { csum: csum.value() }
     }

@@ -8,7 +8,7 @@ use tilewright_hdl::ir::About;
 use tilewright_hdl::{Block, Module, Signal, Width, bit, lit, mux};
 
 use super::{BenchIn, BenchOut};
-use crate::word::{rotated, seed};
+use crate::word::seed;
 use unit::{Unit, UnitIn, UnitOut};
 
 /// The units, and a checksum of what they find.
@@ -64,9 +64,9 @@ impl Block for Qt {
                 (0..self.units).map(unit).collect()
             }
         };
-        let folded = hashes.into_iter().reduce(|folded, hash| rotated(folded, 1) ^ hash);
+        let folded = hashes.into_iter().reduce(|folded, hash| folded.rotate_left(1) ^ hash);
         let csum = m.reg("csum", 32);
-        csum.next(mux(i.rst, 0, rotated(*csum, 3) + folded.expect("an array has a lane")));
+        csum.next(mux(i.rst, 0, csum.rotate_left(3) + folded.expect("an array has a lane")));
         BenchOut { csum: csum.value() }
     }
 

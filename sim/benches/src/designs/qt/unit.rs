@@ -7,7 +7,7 @@ use tilewright_hdl::{
     Bits, Block, Module, ReadUnderWrite, Reg, Signal, Width, bit, bits, bundle, cat, concat, lit, mux, net, select,
 };
 
-use crate::word::{rotated, xorshift};
+use crate::word::xorshift;
 
 /// The width of an edge's value.
 const VALUE: u32 = 20;
@@ -151,7 +151,7 @@ impl Block for Unit {
 
         let hash = m.reg("hash", 32);
         let seen = cat![found, divided, *level, *y, *x];
-        hash.enable(rst | busy).next(mux(rst, 0, rotated(*hash, 1) + seen));
+        hash.enable(rst | busy).next(mux(rst, 0, hash.rotate_left(1) + seen));
         UnitOut { hash: hash.value() }
     }
 

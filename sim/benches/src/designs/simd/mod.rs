@@ -22,7 +22,6 @@ use tilewright_hdl::ir::About;
 use tilewright_hdl::{Block, Module, Width, bit, lit, mux};
 
 use super::{BenchIn, BenchOut};
-use crate::word::rotated;
 use row::{Row, RowIn};
 use sequencer::{Sequencer, SequencerIn};
 
@@ -52,9 +51,9 @@ impl Block for Simd {
             b: rows.all(&b),
             y: rows.index(8),
         });
-        let folded = rows.sum.to_vec().into_iter().reduce(|folded, sum| rotated(folded, 1) ^ sum);
+        let folded = rows.sum.to_vec().into_iter().reduce(|folded, sum| folded.rotate_left(1) ^ sum);
         let csum = m.reg("csum", 32);
-        let sum = rotated(*csum, 1) + folded.expect("an array has a lane").zext(32);
+        let sum = csum.rotate_left(1) + folded.expect("an array has a lane").zext(32);
         csum.next(mux(i.rst, 0, sum));
         BenchOut { csum: csum.value() }
     }

@@ -6,8 +6,6 @@ use tilewright_rtl::parameter::Screen;
 use tilewright_rtl::vc1::SWAP_CLOCKS;
 use tilewright_rtl::word::WORD;
 
-use crate::word::rotated;
-
 states! {
     /// What the host does.
     enum Phase {
@@ -96,7 +94,7 @@ impl Block for Host {
         let csum = m.reg("csum", 32).reset(0);
         let pixel = i.read_word.slice(0..32) ^ i.read_word.slice(16..48);
         let more = mux(reading, pixel, i.hash);
-        csum.enable(reading | (phase.is(Phase::Swap) & i.swapped)).next(rotated(*csum, 1) + more);
+        csum.enable(reading | (phase.is(Phase::Swap) & i.swapped)).next(csum.rotate_left(1) + more);
         let request = m.reg("request", 1).reset(0);
         request.next(phase.is(Phase::Swap) & !i.swapped);
         HostOut {

@@ -5,7 +5,7 @@ use tilewright_rtl::lfb::{Clear, Patches, Request};
 use tilewright_rtl::vc1::ProcessorIn;
 use tilewright_rtl::word::WORD;
 
-use crate::word::{below, rotated, xorshift};
+use crate::word::{below, xorshift};
 
 states! {
     /// What a painter does.
@@ -109,7 +109,7 @@ impl Block for Painter {
         });
 
         let hash = m.reg("hash", 32).reset(0);
-        hash.enable(taken).next(rotated(*hash, 1) ^ *random);
+        hash.enable(taken).next(hash.rotate_left(1) ^ *random);
         let edge = |position: Reg, low: u32| cat![position, pixel.slice(low..low + 2)];
         let request = Request { valid: asks.value(), x: edge(column, 0), y: edge(row, 2), word: word.value() };
         let clear = Clear { valid: phase.is(Phase::Clear), patch: entry.value() };

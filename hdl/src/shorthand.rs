@@ -1,0 +1,59 @@
+//! What is made of other operations, by the names that people look for.
+
+use std::ops::{AddAssign, BitAndAssign, BitOrAssign, BitXorAssign, SubAssign};
+
+use crate::operand::Operand;
+use crate::select::{concat, condition};
+use crate::signal::Signal;
+use crate::width::IntoWidth;
+
+macro_rules! assignments {
+    ($($trait:ident $method:ident $op:tt)*) => {$(
+        /// For a variable that stands for one signal after another, as in a loop over stages.
+        impl<R: Operand> $trait<R> for Signal {
+            #[track_caller]
+            fn $method(&mut self, right: R) {
+                *self = *self $op right;
+            }
+        }
+    )*};
+}
+assignments!(AddAssign add_assign +  SubAssign sub_assign -  BitAndAssign bitand_assign &  BitOrAssign bitor_assign |  BitXorAssign bitxor_assign ^);
+
+impl Signal {
+    /// So many bits from bit `low` on: `word.part(36, 12)` is Verilog's `word[36 +: 12]`.
+    #[track_caller]
+    pub fn part(self, low: u32, width: impl IntoWidth) -> Signal {
+        self.slice(low..low.saturating_add(width.into_width().bits()))
+    }
+
+    /// The bits moved up by so many places; those that leave at the top come back at the bottom.
+    #[track_caller]
+    pub fn rotate_left(self, places: u32) -> Signal {
+        match places % self.width() {
+            0 => self,
+            places => {
+                let kept = self.width() - places;
+                concat(&[self.part(0, kept), self.part(kept, places)])
+            }
+        }
+    }
+
+    /// The bits moved down by so many places; those that leave at the bottom come back at the top.
+    #[track_caller]
+    pub fn rotate_right(self, places: u32) -> Signal {
+        self.rotate_left(self.width() - places % self.width())
+    }
+
+    /// 1 bit: `other` holds, or this does not; for what must hold, as in `m.assert(take.implies(!full), ..)`.
+    #[track_caller]
+    pub fn implies(self, other: impl Into<Signal>) -> Signal {
+        let other = other.into();
+        let _ = (condition(self, "implies"), condition(other, "implies"));
+        match self.width() == 1 && other.width() == 1 {
+            true => !self | other,
+            // It is reported.
+            false => crate::lit(1, 1),
+        }
+    }
+}

@@ -1,0 +1,61 @@
+//! Operations that are made of others, against Rust's own.
+
+use crate::engine::of;
+use proptest::prelude::*;
+use tilewright_hdl::{Block, Module, Width, below, bits, bundle, lit};
+
+bundle! {
+    struct In<T> { a: T, b: T }
+    struct Out<T> { left: T, right: T, whole: T, middle: T, follows: T, folded: T }
+}
+
+/// One of each.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+struct Shorthand;
+
+impl Block for Shorthand {
+    type In = In;
+    type Out = Out;
+
+    fn inputs(&self) -> In<Width> {
+        In { a: bits(8), b: bits(8) }
+    }
+
+    fn build(&self, _: Module, i: In) -> Out {
+        let mut folded = lit(8, 1);
+        folded += i.a;
+        folded ^= i.b;
+        folded -= 3;
+        folded |= i.a;
+        folded &= 0x7f;
+        Out {
+            left: i.a.rotate_left(3),
+            right: i.a.rotate_right(11),
+            whole: i.a.rotate_left(16) ^ i.b.rotate_right(0),
+            middle: i.a.part(2, below(8)),
+            follows: i.a.bit(0).implies(i.b.bit(0)),
+            folded,
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 60, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn shorthand_is_what_it_stands_for(a: u8, b: u8) {
+        let mut sim = of(&Shorthand);
+        sim.drive(In { a: a.into(), b: b.into() });
+        let folded = (((a.wrapping_add(1) ^ b).wrapping_sub(3)) | a) & 0x7f;
+        let wide = |number: u8| u64::from(number);
+        let expected = Out {
+            left: wide(a.rotate_left(3)),
+            right: wide(a.rotate_right(11)),
+            whole: wide(a ^ b),
+            middle: wide(a >> 2 & 7),
+            follows: u64::from(a & 1 == 0 || b & 1 == 1),
+            folded: wide(folded),
+        };
+        prop_assert_eq!(sim.read_u64(), expected);
+    }
+}
