@@ -48,6 +48,25 @@ fn a_counter_passes() {
     run(&Counter { width: 8, limit: 3 }, &counting()).unwrap();
 }
 
+/// Icarus reads no literal of so many digits.
+#[test]
+fn outputs_of_70000_bits_are_compared() {
+    let design = elaborate(&Counter { width: 70_000, limit: 3 }).expect("the block is sound");
+    let outputs = |count: u64, wrapped: u64| vec![Bits::new(70_000, count), Bits::new(1, wrapped)];
+    let mut recording = counting();
+    for (step, (count, wrapped)) in recording.steps.iter_mut().zip([(0, 0), (0, 0), (1, 0), (1, 0), (2, 1), (0, 0)]) {
+        step.outputs = outputs(count, wrapped);
+    }
+    let replay = |recording: &Recording| tools::replay_in_icarus(&verilog(&design), &testbench(&design, recording));
+    let _ = replay(&recording).unwrap();
+    let highest = Bits::new(1, 1).concat(&Bits::new(69_999, 1));
+    recording.steps[3].outputs[0] = highest;
+    match replay(&recording) {
+        Ok(checked) => assert_eq!(checked, tools::Checked::Skipped, "Icarus accepts a wrong expectation"),
+        Err(problems) => assert!(problems.to_string().contains("FAIL: 1 mismatches in 6 cycles"), "{problems}"),
+    }
+}
+
 #[test]
 fn a_wrong_expectation_fails_with_port_and_cycle() {
     let mut wrong = counting();

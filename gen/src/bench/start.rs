@@ -1,7 +1,7 @@
 //! What everything that holds state starts from, set through hierarchical paths: Verilog has unknowns, the recorded
 //! simulation has not.
 
-use crate::verilog::{ModuleState, Names, Scope, ScopeState, State, state};
+use crate::verilog::{ModuleState, Names, Scope, ScopeState, State, pattern, state};
 use tilewright_hdl::Bits;
 use tilewright_hdl::Recording;
 use tilewright_hdl::ir::{Design, Module, ModuleId, Shape};
@@ -98,13 +98,13 @@ impl<'a> Start<'a> {
             };
             let found = states.iter().find_map(|state| match state {
                 State::Register { name: known, .. } if known == name => {
-                    Some(vec![format!("{path}.{name} = {};", value())])
+                    Some(vec![format!("{path}.{name} = {};", pattern(value()))])
                 }
                 State::GatedRead { name: known, word, inside, .. } if known == name => {
-                    Some(vec![format!("{path}.{word} = {};", value()), format!("{path}.{inside} = 1'b1;")])
+                    Some(vec![format!("{path}.{word} = {};", pattern(value())), format!("{path}.{inside} = 1'b1;")])
                 }
                 State::Memory { name: known, .. } if known == name => {
-                    let assign = |(address, word)| format!("{path}.{name}[{address}] = {word};");
+                    let assign = |(address, word)| format!("{path}.{name}[{address}] = {};", pattern(word));
                     Some((initial.address..).zip(&initial.words).map(assign).collect())
                 }
                 _ => None,
@@ -187,7 +187,7 @@ fn start_each(
     for (at, value) in start.iter().enumerate() {
         let number = if at + 1 < start.len() { at.to_string() } else { "default".to_string() };
         let block = names.fresh(&format!("start_{}_{at}", label(&format!("{lane}.{name}"))));
-        out.push(format!("    {number}: begin : {block} initial {lane}.{name} = {value}; end"));
+        out.push(format!("    {number}: begin : {block} initial {lane}.{name} = {}; end", pattern(value)));
     }
     out.push("endcase".to_string());
     out
@@ -202,13 +202,14 @@ fn label(path: &str) -> String {
 
 fn start(path: &str, state: &State, names: &mut Names) -> Vec<String> {
     match state {
-        State::Register { name, start } => vec![format!("initial {path}.{name} = {};", start[0])],
+        State::Register { name, start } => vec![format!("initial {path}.{name} = {};", pattern(&start[0]))],
         State::GatedRead { word, inside, width, .. } => {
-            vec![format!("initial {path}.{word} = {};", Bits::zero(*width)), format!("initial {path}.{inside} = 1'b0;")]
+            let zero = pattern(&Bits::zero(*width));
+            vec![format!("initial {path}.{word} = {zero};"), format!("initial {path}.{inside} = 1'b0;")]
         }
         State::Memory { is_unknown: false, .. } => vec![],
         State::Memory { name, depth, width, .. } => {
-            let zero = Bits::zero(*width);
+            let zero = pattern(&Bits::zero(*width));
             let block = names.fresh(&format!("fill_{}", label(&format!("{path}.{name}"))));
             let address = names.fresh_in(&mut Scope::default(), "word", "address");
             vec![

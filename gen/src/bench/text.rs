@@ -1,7 +1,7 @@
 //! The text of a replay testbench.
 
 use super::start::Start;
-use crate::verilog::{Names, connect, packed_width, range};
+use crate::verilog::{Names, connect, packed_width, pattern, range};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use tilewright_hdl::Bits;
@@ -206,8 +206,10 @@ impl<'a> Bench<'a> {
                 let mask = step.rising.iter().fold(0u64, |mask, &clock| mask | 1 << clock);
                 columns.push(("rising", Bits::new(self.clocks.len() as u32, mask)));
             }
-            let assigns: Vec<String> =
-                columns.into_iter().map(|(table, value)| format!("{}[{cycle}] = {value};", self.own(table))).collect();
+            let assigns: Vec<String> = columns
+                .into_iter()
+                .map(|(table, value)| format!("{}[{cycle}] = {};", self.own(table), pattern(&value)))
+                .collect();
             out.push(format!("    {}", assigns.join(" ")));
         }
         out.extend(["end".to_string(), "endtask".to_string()]);

@@ -20,6 +20,48 @@ pub fn literal(value: &Bits, style: Style) -> String {
     match value.to_u64() {
         _ if width == 1 => format!("1'b{value:b}"),
         Some(number) if width < 4 || (style == Style::Count && number <= LARGEST_COUNT) => format!("{width}'d{number}"),
-        _ => format!("{width}'h{value:x}"),
+        _ => pattern(value),
+    }
+}
+
+/// The digits of a literal at most: Icarus reads none whose text is longer than 16,383 characters.
+const LONGEST: usize = 8192;
+
+/// A value in hexadecimal, whatever it is: one literal, or several side by side if it would be too long.
+pub fn pattern(value: &Bits) -> String {
+    let (width, digits) = (value.width() as usize, format!("{value:x}"));
+    if digits.len() <= LONGEST {
+        return format!("{width}'h{digits}");
+    }
+    // The first has what is left over by the others, which have whole digits.
+    let (first, rest) = digits.split_at((digits.len() - 1) % LONGEST + 1);
+    let rest = rest.as_bytes().chunks(LONGEST).map(|part| std::str::from_utf8(part).expect("digits are ASCII"));
+    let head = format!("{}'h{first}", width - 4 * (digits.len() - first.len()));
+    let parts: Vec<String> = [head].into_iter().chain(rest.map(|part| format!("{}'h{part}", 4 * LONGEST))).collect();
+    format!("{{{}}}", parts.join(", "))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_long_value_is_several_literals_of_its_width_together() {
+        for width in [32_768, 32_769, 32_772, 65_536, 66_177] {
+            let value = Bits::ones(width).concat(&Bits::new(4, 5));
+            let text = pattern(&value);
+            let parts: Vec<(u32, &str)> = text
+                .trim_matches(['{', '}'])
+                .split(", ")
+                .map(|part| part.split_once("'h").unwrap())
+                .map(|(width, digits)| (width.parse().unwrap(), digits))
+                .collect();
+            assert!(parts.iter().all(|(width, digits)| digits.len() == width.div_ceil(4) as usize), "{width}");
+            assert!(parts.iter().all(|(_, digits)| digits.len() <= LONGEST), "{width}");
+            assert_eq!(parts.iter().map(|part| part.0).sum::<u32>(), width + 4);
+            let digits: String = parts.iter().map(|part| part.1).collect();
+            assert_eq!(digits, format!("{value:x}"));
+        }
+        assert_eq!(pattern(&Bits::new(12, 0xabc)), "12'habc");
     }
 }

@@ -37,6 +37,7 @@ use crate::VerilogFile;
 use fold::Folded;
 pub use fold::lower::packed_width;
 pub use layout::{connect, range};
+pub use literal::pattern;
 use printer::Printer;
 pub use scope::{Names, Scope};
 pub use state::{ModuleState, ScopeState, State};
