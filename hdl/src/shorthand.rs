@@ -2,6 +2,7 @@
 
 use std::ops::{AddAssign, BitAndAssign, BitOrAssign, BitXorAssign, SubAssign};
 
+use crate::ir::{Binary, Op, Unary};
 use crate::operand::Operand;
 use crate::select::{concat, condition};
 use crate::signal::Signal;
@@ -48,12 +49,8 @@ impl Signal {
     /// 1 bit: `other` holds, or this does not; for what must hold, as in `m.assert(take.implies(!full), ..)`.
     #[track_caller]
     pub fn implies(self, other: impl Into<Signal>) -> Signal {
-        let other = other.into();
-        let _ = (condition(self, "implies"), condition(other, "implies"));
-        match self.width() == 1 && other.width() == 1 {
-            true => !self | other,
-            // It is reported.
-            false => crate::lit(1, 1),
-        }
+        let (this, other) = (condition(self, "implies"), condition(other.into(), "implies"));
+        let not = Signal::make(Op::Unary(Unary::Not, this), 1);
+        Signal::make(Op::Binary(Binary::Or, not.id(), other), 1)
     }
 }

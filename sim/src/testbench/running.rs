@@ -38,7 +38,7 @@ struct Wired {
     triggers: Triggers,
     /// It can be set to a smaller number at once: 0 for an output, and for an input of more than 64 bits.
     end: u64,
-    /// Where the engine has it, once it was set.
+    /// Where the engine has it, once it was set: to ask for it each time takes longer than the rest.
     slot: Slot,
 }
 

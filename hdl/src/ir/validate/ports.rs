@@ -39,14 +39,12 @@ impl Rules<'_> {
             input.clock.into_iter().for_each(|clock| self.clock(loc, &owner, clock));
         }
         for output in &self.module.outputs {
-            let shape = self.module.nodes.get(output.node.0 as usize).map_or(Shape::Plain, |node| node.shape);
-            let owner = self.of(&output.name);
+            let (owner, node) = (self.of(&output.name), self.module.nodes.get(output.node.0 as usize));
+            let shape = node.map_or(Shape::Plain, |node| node.shape);
             self.refers(loc, "the driver", &owner, output.node, Needs::shape(shape));
-            self.module
-                .nodes
-                .get(output.node.0 as usize)
-                .into_iter()
-                .for_each(|node| self.packed_width(loc, &owner, node));
+            if let Some(node) = node {
+                self.packed_width(loc, &owner, node);
+            }
         }
     }
 

@@ -109,13 +109,14 @@ pub(crate) struct Compiled {
 /// The widest input that a function is made for.
 const HELD: u32 = 8;
 
+/// How often at most.
+const SPECIAL: u32 = 16;
+
 /// The inputs that functions may be made for.
 fn held_inputs(program: &Program) -> impl Iterator<Item = ValueId> {
     let is_held = |id: &ValueId| program.circuit[*id].lanes == 1 && program.circuit[*id].width <= HELD;
     program.inputs.iter().map(|port| port.value).filter(is_held)
 }
-/// How often at most.
-const SPECIAL: u32 = 16;
 
 impl Compiled {
     /// The circuit at its start.
@@ -225,7 +226,13 @@ impl Engine for Compiled {
     }
 
     fn number(&mut self, id: ValueId, lane: u32) -> u64 {
-        self.number_of(id, lane)
+        if let Some(number) = self.quick_get(id) {
+            return number;
+        }
+        match self.place(id) {
+            Some(place) => self.state.number(place, lane),
+            None => self.read(id)[lane as usize],
+        }
     }
 
     fn renew(&mut self, ids: &[ValueId], seen: &mut [u64], note: &mut Vec<u32>, changed: &mut Vec<u32>) {

@@ -172,17 +172,6 @@ impl Compiled {
         changed.truncate(count);
     }
 
-    /// As [`Engine::number`](crate::engine::Engine::number).
-    pub(super) fn number_of(&mut self, id: ValueId, lane: u32) -> u64 {
-        if let Some(number) = self.quick_get(id) {
-            return number;
-        }
-        match self.place(id) {
-            Some(place) => self.state.number(place, lane),
-            None => self.read(id)[lane as usize],
-        }
-    }
-
     /// Many inputs may change between two edges, so this waits for nothing that was stored a moment ago.
     #[inline]
     pub(super) fn input_changed(&mut self, triggers: Triggers, is_held: bool) {
