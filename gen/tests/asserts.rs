@@ -50,7 +50,7 @@ impl Block for Asserted {
     }
 
     fn build(&self, m: Module, i: TopIn) -> TopOut {
-        let cells = m.array("u_cell", 3, &Cell, |row| CellIn { x: row.out.y.previous(i.x) });
+        let cells = m.array("u_cell", 3, &Cell, |row| CellIn { x: row.y.previous(i.x) });
         let count = m.reg("count", 8);
         count.next(count + 1);
         net!(fits = count.lt(100));

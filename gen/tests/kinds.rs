@@ -79,8 +79,8 @@ fn lanes_that_feed_each_other_are_no_loop() {
     clean("gathered", |m, i| {
         let adder = Small { name: "adder", build: |_, i| i.a + i.b };
         let sums = m.array("u_sum", 4, &adder, |row| {
-            let y = row.out.y;
-            Pair { a: row.each([i.a, y.lane(0), y.lane(1), y.lane(0)]), b: row.each([i.b, i.a, y.lane(0), y.lane(2)]) }
+            let y = row.y;
+            Pair { a: stack([i.a, y.lane(0), y.lane(1), y.lane(0)]), b: stack([i.b, i.a, y.lane(0), y.lane(2)]) }
         });
         sums.y.last()
     });
@@ -90,7 +90,7 @@ fn lanes_that_feed_each_other_are_no_loop() {
 fn what_all_lanes_make_is_called_after_the_array() {
     let text = clean("combined", |m, i| {
         let adder = Small { name: "adder", build: |_, i| i.a + i.b };
-        let sums = m.array("u_sum", 4, &adder, |row| Pair { a: row.all(&i.a), b: row.index(8) });
+        let sums = m.array("u_sum", 4, &adder, |_| Pair { a: i.a, b: constants(bits(8).of(4), u64::from) });
         (sums.y.sum() ^ sums.y.xor_all()) + (sums.y.or_all() ^ sums.y.and_all())
     });
     for name in ["u_sum_y_sum", "u_sum_y_xor", "u_sum_y_any", "u_sum_y_all"] {
@@ -106,8 +106,8 @@ fn names_that_arrays_use_are_free_for_others() {
         net!(u_cell_y = !i.b);
         net!(lane = i.b & y_);
         let genvar = (lane | i.a).named("i");
-        let cells = m.array("u_cell", 3, &inner, |row| Pair { a: row.out.y.previous(lane), b: row.all(&lane) });
-        let more = m.array("u_more", 3, &inner, |row| Pair { a: row.index(8), b: row.all(&u_cell_y) });
+        let cells = m.array("u_cell", 3, &inner, |row| Pair { a: row.y.previous(lane), b: lane });
+        let more = m.array("u_more", 3, &inner, |_| Pair { a: constants(bits(8).of(3), u64::from), b: u_cell_y });
         cells.y.sum() ^ genvar ^ y_ ^ more.y.or_all()
     });
 }
@@ -185,13 +185,13 @@ fn an_array_of_any_size_is_the_same_text() {
 fn constants_of_lanes_are_formulas_or_tables() {
     let text = clean("positions", |m, i| {
         let adder = Small { name: "adder", build: |_, i| i.a + i.b };
-        let grid = m.array("u_grid", 64, &adder, |row| Pair {
-            a: row.constants(8, |lane| u64::from(lane % 8)),
-            b: row.constants(8, |lane| u64::from(lane / 8)),
+        let grid = m.array("u_grid", 64, &adder, |_| Pair {
+            a: constants(bits(8).of(64), |lane| u64::from(lane % 8)),
+            b: constants(bits(8).of(64), |lane| u64::from(lane / 8)),
         });
-        let scattered = m.array("u_scattered", 64, &adder, |row| Pair {
-            a: row.constants(8, |lane| u64::from(lane * lane % 251)),
-            b: row.all(&i.b),
+        let scattered = m.array("u_scattered", 64, &adder, |_| Pair {
+            a: constants(bits(8).of(64), |lane| u64::from(lane * lane % 251)),
+            b: i.b,
         });
         grid.y.xor_all() ^ scattered.y.xor_all() ^ i.a
     });
@@ -229,7 +229,10 @@ impl Block for Wide {
 
     fn build(&self, m: Module, i: Pair) -> One {
         let cell = Cell;
-        let cells = m.array("u_cell", self.lanes, &cell, |row| Pair { a: row.out.y.previous(i.a), b: row.index(16) });
+        let cells = m.array("u_cell", self.lanes, &cell, |row| Pair {
+            a: row.y.previous(i.a),
+            b: constants(bits(16).of(self.lanes), u64::from),
+        });
         One { y: cells.y.xor_all() ^ i.b.trunc(8) }
     }
 }
@@ -251,17 +254,17 @@ impl Block for Cell {
 }
 
 /// A row of cells: `take` gives what the first input of each lane is.
-fn cells(m: Module, count: u32, i: Pair, take: impl FnOnce(&Array<One<Lanes>>) -> Lanes) -> Signal {
+fn cells(m: Module, count: u32, i: Pair, take: impl FnOnce(One) -> Signal) -> Signal {
     let cell = Small { name: "cell_", build: |_, i| i.a ^ i.b };
-    let row = m.array("u_cell", count, &cell, |row| Pair { a: take(&row), b: row.all(&i.b) });
+    let row = m.array("u_cell", count, &cell, |row| Pair { a: take(row), b: i.b });
     row.y.xor_all()
 }
 
 #[test]
 fn a_shift_has_its_edge_at_the_end_it_comes_from() {
-    let previous = clean("from_previous", |m, i| cells(m, 3, i, |row| row.out.y.previous(i.a)));
+    let previous = clean("from_previous", |m, i| cells(m, 3, i, |row| row.y.previous(i.a)));
     assert!(previous.contains("if (i < 1) begin : lane_a_edge"), "{previous}");
-    let following = clean("from_following", |m, i| cells(m, 3, i, |row| row.out.y.shifted(-2, i.a)));
+    let following = clean("from_following", |m, i| cells(m, 3, i, |row| row.y.shifted(-2, i.a)));
     assert!(following.contains("if (i >= 1) begin : lane_a_edge"), "{following}");
 }
 
@@ -273,7 +276,7 @@ fn constants_without_a_rule_are_a_table_up_to_its_widest() {
     }
     fn irregular(m: Module, count: u32, i: Pair) -> Signal {
         let words = (0..u64::from(count)).map(move |lane| lit(8, (lane * lane / 7 + lane) & 0xff));
-        cells(m, count, i, move |row| row.each(words))
+        cells(m, count, i, move |_| stack(words))
     }
     assert!(text("widest", |m, i| irregular(m, 8192, i)).contains("[65535:0]"));
     assert!(!text("too_wide", |m, i| irregular(m, 8193, i)).contains("[65543:0]"));

@@ -43,7 +43,7 @@ impl Block for Row {
     }
 
     fn build(&self, m: Module, i: RowIn) -> RowOut {
-        let cells = m.array("u_cell", 4, &Cell, |row| CellIn { x: row.each(i.x) });
+        let cells = m.array("u_cell", 4, &Cell, |_| CellIn { x: stack(i.x) });
         RowOut { y: cells.y.sum(), last: cells.done.or_all() }
     }
 }
@@ -78,8 +78,8 @@ impl Block for LanePorts {
 
     fn build(&self, m: Module, i: LaneIn) -> LaneOut {
         let parts = [i.lane, i.i, i.value, i.leaf, i.pair, i.u_cell_y_sum_tree];
-        let cells = m.array("u_cell", 6, &Cell, |row| CellIn { x: row.each(parts) });
-        let links = m.array("u_link", 3, &Cell, |row| CellIn { x: row.out.y.previous(i.lane) });
+        let cells = m.array("u_cell", 6, &Cell, |_| CellIn { x: stack(parts) });
+        let links = m.array("u_link", 3, &Cell, |row| CellIn { x: row.y.previous(i.lane) });
         LaneOut { y: links.y.last() ^ links.y.sum(), sum: cells.y.sum(), any: cells.done.or_all() }
     }
 }
@@ -109,7 +109,7 @@ impl Block for Arrays {
         let names =
             ["lane", "value", "leaf", "pair", "i", "y", "done", "x_edge", "x_link", "_unused_lane", "_unused_ok"];
         let x = names.into_iter().fold(i.x, |x, name| {
-            let cells = m.array(name, 3, &Cell, |row| CellIn { x: row.out.y.previous(x) });
+            let cells = m.array(name, 3, &Cell, |row| CellIn { x: row.y.previous(x) });
             cells.y.sum() ^ cells.done.or_all().zext(8)
         });
         ArraysOut { result: x }
@@ -154,7 +154,7 @@ impl Block for BenchNames {
     }
 
     fn build(&self, m: Module, i: BenchIn) -> BenchOut {
-        let cells = m.array("u_cell", 2, &Cell, |row| CellIn { x: row.all(&i.cycle.zext(8)) });
+        let cells = m.array("u_cell", 2, &Cell, |_| CellIn { x: i.cycle.zext(8) });
         let words = m.memory("words", 2, 8, ReadUnderWrite::Old);
         words.write(i.tb_cycle, i.dut, cells.y.sum());
         let y = words.read(i.errors);
@@ -229,8 +229,7 @@ impl Block for Sums {
     }
 
     fn build(&self, m: Module, i: SumIn) -> SumOut {
-        let all =
-            m.array("u_sum", 3, &Sum, |row| SumIn { a: row.out.sum.previous(i.a), b: row.out.lane.previous(i.b) });
+        let all = m.array("u_sum", 3, &Sum, |row| SumIn { a: row.sum.previous(i.a), b: row.lane.previous(i.b) });
         SumOut { sum: all.sum.last(), lane: all.lane.last() }
     }
 }
@@ -268,7 +267,7 @@ impl Block for Nest {
             return m.instance("u_left", &Cell, i);
         }
         let left = m.instance("u_left", &Nest(self.0 - 1), CellIn { x: i.x });
-        let row = m.array("u_row", 2, &Nest(self.0 - 1), |row| CellIn { x: row.all(&left.y) });
+        let row = m.array("u_row", 2, &Nest(self.0 - 1), |_| CellIn { x: left.y });
         CellOut { y: row.y.sum(), done: left.done | row.done.or_all() }
     }
 }

@@ -261,12 +261,12 @@ fn an_amount_of_many_bits_is_cut() {
 }
 
 /// A value that is made of lanes of an array of three cells.
-fn of_lanes(m: Module, i: Pair, take: fn(Array<One<Lanes>>, Pair) -> Signal) -> Signal {
+fn of_lanes(m: Module, i: Pair, take: fn(One, Pair) -> Signal) -> Signal {
     let cell = Small { name: "cell_", build: |_, i| i.a + i.b };
     let mut taken = None;
     let _ = m.array("u_cell", 3, &cell, |row| {
         taken = Some(take(row, i));
-        Pair { a: row.all(&i.a), b: row.all(&i.b) }
+        Pair { a: i.a, b: i.b }
     });
     taken.expect("the array is described once")
 }
@@ -274,22 +274,22 @@ fn of_lanes(m: Module, i: Pair, take: fn(Array<One<Lanes>>, Pair) -> Signal) -> 
 #[test]
 fn a_lane_of_what_is_not_an_output_is_the_value_that_was_given() {
     check(&[
-        (|m, i| of_lanes(m, i, |row, i| row.all(&i.b).lane(2)), "b"),
-        (|m, i| of_lanes(m, i, |row, i| row.each([i.a, i.b, i.a]).lane(1)), "b"),
-        (|m, i| of_lanes(m, i, |row, i| row.each([i.a, i.b, i.a]).previous(7).lane(0)), "8'd7"),
-        (|m, i| of_lanes(m, i, |row, i| row.each([i.a, i.b, i.a]).previous(7).lane(2)), "b"),
-        (|m, i| of_lanes(m, i, |row, i| row.each([i.a, i.b, i.a]).following(7).lane(0)), "b"),
-        (|m, i| of_lanes(m, i, |row, i| row.each([i.a, i.b, i.a]).following(7).lane(2)), "8'd7"),
-        (|m, i| of_lanes(m, i, |row, i| row.each([i.b, i.a, i.a]).shifted(2, 7).lane(2)), "b"),
-        (|m, i| of_lanes(m, i, |row, i| row.each([i.b, i.a, i.a]).shifted(3, 7).lane(2)), "8'd7"),
-        (|m, i| of_lanes(m, i, |row, i| row.all(&i.b).shifted(0, 7).lane(0)), "b"),
-        (|m, i| of_lanes(m, i, |row, i| row.all(&i.b).previous(7).lane(0)), "8'd7"),
-        (|m, i| of_lanes(m, i, |row, i| row.all(&i.b).previous(7).lane(1)), "b"),
-        (|m, i| of_lanes(m, i, |row, _| row.out.y.lane(1)), "u_cell[1].lane_y"),
-        (|m, i| of_lanes(m, i, |row, i| row.out.y.previous(i.b).lane(0)), "b"),
-        (|m, i| of_lanes(m, i, |row, i| row.out.y.previous(i.b).lane(1)), "u_cell[0].lane_y"),
-        (|m, i| of_lanes(m, i, |row, i| row.each([i.a, i.b, i.a]).sum()), "(a + b) + a"),
-        (|m, i| of_lanes(m, i, |row, i| row.all(&i.a).sum()), "(a + a) + a"),
-        (|m, i| of_lanes(m, i, |row, i| row.all(&i.a).and_all()), "a"),
+        (|m, i| of_lanes(m, i, |_, i| i.b.of(3).lane(2)), "b"),
+        (|m, i| of_lanes(m, i, |_, i| stack([i.a, i.b, i.a]).lane(1)), "b"),
+        (|m, i| of_lanes(m, i, |_, i| stack([i.a, i.b, i.a]).previous(7).lane(0)), "8'd7"),
+        (|m, i| of_lanes(m, i, |_, i| stack([i.a, i.b, i.a]).previous(7).lane(2)), "b"),
+        (|m, i| of_lanes(m, i, |_, i| stack([i.a, i.b, i.a]).following(7).lane(0)), "b"),
+        (|m, i| of_lanes(m, i, |_, i| stack([i.a, i.b, i.a]).following(7).lane(2)), "8'd7"),
+        (|m, i| of_lanes(m, i, |_, i| stack([i.b, i.a, i.a]).shifted(2, 7).lane(2)), "b"),
+        (|m, i| of_lanes(m, i, |_, i| stack([i.b, i.a, i.a]).shifted(3, 7).lane(2)), "8'd7"),
+        (|m, i| of_lanes(m, i, |_, i| i.b.of(3).shifted(0, 7).lane(0)), "b"),
+        (|m, i| of_lanes(m, i, |_, i| i.b.of(3).previous(7).lane(0)), "8'd7"),
+        (|m, i| of_lanes(m, i, |_, i| i.b.of(3).previous(7).lane(1)), "b"),
+        (|m, i| of_lanes(m, i, |row, _| row.y.lane(1)), "u_cell[1].lane_y"),
+        (|m, i| of_lanes(m, i, |row, i| row.y.previous(i.b).lane(0)), "b"),
+        (|m, i| of_lanes(m, i, |row, i| row.y.previous(i.b).lane(1)), "u_cell[0].lane_y"),
+        (|m, i| of_lanes(m, i, |_, i| stack([i.a, i.b, i.a]).sum()), "(a + b) + a"),
+        (|m, i| of_lanes(m, i, |_, i| i.a.of(3).sum()), "(a + a) + a"),
+        (|m, i| of_lanes(m, i, |_, i| i.a.of(3).and_all()), "a"),
     ]);
 }

@@ -5,12 +5,13 @@ use crate::clock::Period;
 use crate::draft::Draft;
 use crate::elaboration;
 use crate::finish;
-use crate::ir::{About, Design, Input, ModuleId, Op, Shape};
+use crate::ir::{About, Design, Input, ModuleId, Op};
 use crate::limits::{DEEPEST, sound_width};
 use crate::loc::Loc;
 use crate::module::{Module, port_name};
 use crate::names;
 use crate::problem::Problems;
+use crate::shaping::sound_shape;
 use crate::signal::Signal;
 use crate::width::Width;
 use std::any::Any;
@@ -137,10 +138,11 @@ fn declare_input(path: &str, width: Width) -> Signal {
     elaboration::with(|e| {
         let name = port_name("", path);
         let bits = sound_width(e, &[], &format!("input `{name}`"), width.bits.into(), width.loc);
+        let shape = sound_shape(e, &format!("input `{name}`"), width.shape, width.loc);
         width.clock.into_iter().for_each(|clock| e.meet_clock(clock, width.loc));
         let draft = e.draft();
         let index = draft.inputs.len() as u32;
-        let node = draft.add(Op::Input(index), bits, Shape::Plain, width.loc);
+        let node = draft.add(Op::Input(index), bits, shape, width.loc);
         draft.node_mut(node).name = Some(name.clone());
         draft.inputs.push(Input { name, path: path.to_owned(), node, clock: None });
         draft.input_clocks.push(width.clock);

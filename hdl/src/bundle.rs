@@ -1,6 +1,5 @@
 //! Bundles: one record type serves as widths, signals, values and names.
 
-use crate::lanes::Lanes;
 use crate::signal::Signal;
 use crate::width::Width;
 use crate::{Bits, Loc};
@@ -9,7 +8,6 @@ use crate::{Bits, Loc};
 pub trait Leaf: Clone {}
 
 impl Leaf for Signal {}
-impl Leaf for Lanes {}
 impl Leaf for Width {}
 impl Leaf for Bits {}
 impl Leaf for Loc {}

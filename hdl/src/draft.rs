@@ -155,8 +155,7 @@ impl Draft {
             Op::Unary(Unary::Parity, a) => format!("{}.parity()", inner(a)),
             Op::Binary(op, a, b) => format!("{} {} {}", inner(a), op.symbol(), inner(b)),
             Op::Compare { relation, operands: [a, b], .. } => format!("{}.{}({})", inner(a), relation.method(), say(b)),
-            Op::Shift(Shift::Left, a, b) => format!("{} << {}", inner(a), inner(b)),
-            Op::Shift(_, a, b) => format!("{} >> {}", inner(a), inner(b)),
+            Op::Shift(op, a, b) => format!("{} {} {}", inner(a), op.symbol(), inner(b)),
             Op::Mux { select, on_true, on_false } => format!("mux({})", list(&[*select, *on_true, *on_false])),
             Op::Select { .. } => "select(..)".to_owned(),
             Op::Case { subject, .. } => format!("case({}, ..)", say(subject)),
@@ -172,16 +171,16 @@ impl Draft {
                 format!("{}.{}", self.instances[index].name, self.instance_outputs[index][*port as usize])
             }
             Op::QuasiStatic(a, _) | Op::Wire(a) => say(a),
-            Op::Broadcast { of, .. } => format!("all({})", say(of)),
-            Op::Stack { .. } => "each(..)".to_owned(),
+            Op::Broadcast { of, .. } => format!("{}.of(..)", inner(of)),
+            Op::Stack { .. } => "stack(..)".to_owned(),
             Op::Map { of, index: Affine { mul: 1, add, div: 1 }, .. } => {
                 format!("{}.shifted({}, ..)", inner(of), -i64::from(*add))
             }
-            Op::Map { of, .. } => format!("{}.map(..)", inner(of)),
+            Op::Map { of, .. } => format!("{}.take(..)", inner(of)),
             Op::Interleave { .. } => "interleave(..)".to_owned(),
             Op::Lane { of, index, .. } => format!("{}.lane({index})", inner(of)),
             Op::Pick { of, index, .. } => format!("{}.pick({})", inner(of), say(index)),
-            Op::Reduce { of, .. } => format!("{}.reduce(..)", inner(of)),
+            Op::Reduce { by, of, .. } => format!("{}.{}()", inner(of), by.method()),
             Op::Pack { of, .. } => format!("{}.pack()", inner(of)),
             Op::Unpack { of, .. } => format!("{}.unpack()", inner(of)),
             Op::Register(_) => "a register".to_owned(),
@@ -199,6 +198,30 @@ impl Binary {
             Binary::Add => "+",
             Binary::Sub => "-",
             Binary::Mul | Binary::MulSigned => "*",
+        }
+    }
+}
+
+impl Shift {
+    /// The operator as Rust writes it.
+    pub fn symbol(self) -> &'static str {
+        match self {
+            Shift::Left => "<<",
+            Shift::Right | Shift::RightSigned => ">>",
+        }
+    }
+}
+
+impl Reduction {
+    /// The method's name.
+    fn method(self) -> &'static str {
+        match self {
+            Reduction::And => "and_all",
+            Reduction::Or => "or_all",
+            Reduction::Xor => "xor_all",
+            Reduction::Add => "sum",
+            Reduction::Min => "minimum",
+            Reduction::Max => "maximum",
         }
     }
 }

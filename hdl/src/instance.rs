@@ -1,15 +1,14 @@
 //! Instances and instance arrays.
 
-use crate::bits::Bits;
-use crate::block::{Block, elaborate_module};
+use crate::block::{Block, Elaborated, elaborate_module};
 use crate::bundle::{Bundle, Fields};
 use crate::clock::Clock;
 use crate::elaboration::{self, Elaboration};
 use crate::ir::{self, ClockId, Instance, InstanceId, ModuleId, NodeId, Op, Shape};
-use crate::lanes::{Array, Lanes};
 use crate::loc::Loc;
 use crate::module::Module;
 use crate::problem::Problem;
+use crate::shaping::{IntoShape, sound_shape};
 use crate::signal::{Signal, bits_text};
 use crate::uneven::{Uneven, uneven};
 
@@ -22,45 +21,31 @@ impl Module {
         let drivers = inputs.leaves().into_iter().map(|(path, signal)| (path, signal.id_at(loc))).collect();
         let instance = self.declare(name, child.id, Shape::Plain, loc);
         self.feed(instance.id, child.id, drivers, loc);
-        let mut outputs = instance.outputs.into_iter();
-        let next = &mut |_: &str, _: &Signal| {
-            let node = outputs.next().expect("as many outputs as the bundle has leaves");
-            elaboration::with(|e| Signal::at(e, node))
-        };
-        B::Out::signals(&child.outputs::<B>().of(&mut |_, signal| *signal), next)
+        instance.read::<B>(&child)
     }
 
-    /// An array of `lanes` instances of `block`, kept as an array in the simulator, in Verilog and in waves. `feed`
-    /// says what the inputs of every lane are; it may look at the array's outputs, which is how neighbours are linked.
+    /// An array of instances of `block`, kept as an array in the simulator, in Verilog and in waves: so many lanes, or a [`grid`](crate::grid).
+    /// `feed` gets the array's outputs, which have those lanes, and says what its inputs are; that is how neighbours are linked. A plain
+    /// signal feeds all lanes alike. A port with lanes of its own has them behind those of the array: a row of blocks with a port of four lanes is
+    /// fed a grid of four columns.
     #[track_caller]
     pub fn array<B: Block>(
         self,
         name: &str,
-        lanes: u32,
+        shape: impl IntoShape,
         block: &B,
-        feed: impl FnOnce(Array<<B::Out as Bundle>::Of<Lanes>>) -> <B::In as Bundle>::Of<Lanes>,
-    ) -> <B::Out as Bundle>::Of<Lanes>
+        feed: impl FnOnce(B::Out) -> B::In,
+    ) -> B::Out
     where
-        <B::Out as Bundle>::Of<Lanes>: Clone,
+        B::Out: Clone,
     {
-        let loc = Loc::caller();
+        let (loc, shape) = (Loc::caller(), shape.into_shape());
         let child = elaborate_module(block, loc);
-        if lanes == 0 {
-            let problem = Problem::new(loc, format!("the array `{name}` has no lanes"));
-            elaboration::with(|e| e.report(problem.help("an array has at least 1 lane")));
-        }
-        let lanes = lanes.max(1);
-        let instance = self.declare(name, child.id, Shape::Row(lanes), loc);
-        let mut outputs = instance.outputs.iter();
-        let out = child.outputs::<B>().of(&mut |_, _| {
-            let node = *outputs.next().expect("as many outputs as the bundle has leaves");
-            elaboration::with(|e| {
-                let (stamp, draft) = (e.stamp, e.draft());
-                Lanes { stamp, module: draft.serial, node, width: draft.node(node).width, count: lanes }
-            })
-        });
-        let fed = feed(Array { out: out.clone(), lanes });
-        let drivers = fed.leaves().into_iter().map(|(path, lanes)| (path, lanes.id_at(loc))).collect();
+        let shape = elaboration::with(|e| sound_shape(e, &format!("the array `{name}`"), shape, loc));
+        let instance = self.declare(name, child.id, shape, loc);
+        let out = instance.read::<B>(&child);
+        let fed = feed(out.clone());
+        let drivers = fed.leaves().into_iter().map(|(path, signal)| (path, signal.id_at(loc))).collect();
         self.feed(instance.id, child.id, drivers, loc);
         out
     }
@@ -70,14 +55,16 @@ impl Module {
         elaboration::with(|e| {
             let module = &e.done[child.0 as usize];
             let child_clocks = module.clocks.clone();
-            let ports: Vec<_> = module.outputs.iter().map(|o| (o.name.clone(), module.width(o.node))).collect();
+            let port = |port: &ir::Output| (port.name.clone(), Port::of(port.name.clone(), module.node(port.node)));
+            let ports: Vec<_> = module.outputs.iter().map(port).collect();
+            let shapes: Vec<_> = ports.iter().map(|(_, port)| beside(e, name, shape, port, loc)).collect();
             let clocks = child_clocks.iter().map(|clock| self.bind(e, clock)).collect();
             let draft = e.draft();
             let id = InstanceId(draft.instances.len() as u32);
-            let output = |(port, (_, width)): (usize, &(String, u32))| {
-                draft.add(Op::Output(id, port as u32), *width, shape, loc)
+            let output = |(index, ((_, port), shape)): (usize, (&(String, Port), Shape))| {
+                draft.add(Op::Output(id, index as u32), port.width, shape, loc)
             };
-            let outputs: Vec<_> = ports.iter().enumerate().map(output).collect();
+            let outputs: Vec<_> = ports.iter().zip(shapes).enumerate().map(output).collect();
             let name = name.to_owned();
             let instance =
                 Instance { name, module: child, shape, inputs: Vec::new(), outputs: outputs.clone(), clocks, loc };
@@ -136,31 +123,45 @@ fn report_uneven(
 struct Port {
     name: String,
     width: u32,
+    shape: Shape,
     declared: Loc,
 }
 
 impl Port {
     fn of(name: String, node: &ir::Node) -> Port {
-        Port { name, width: node.width, declared: node.loc }
+        Port { name, width: node.width, shape: node.shape, declared: node.loc }
     }
 }
 
-/// The driver of a port, which must have the port's width and the instance's lanes; if not, that is reported, and a
-/// zero stands in.
+/// The lanes of a port of an array, seen from outside: more than two axes are a problem.
+fn beside(e: &mut Elaboration, instance: &str, array: Shape, port: &Port, loc: Loc) -> Shape {
+    array.beside(port.shape).unwrap_or_else(|| {
+        let (name, of) = (&port.name, port.shape);
+        let message = format!("port `{name}` of `{instance}`, of {of}, would have three axes in an array of {array}");
+        let problem = Problem::new(loc, message).note(format!("`{name}` is declared"), port.declared);
+        e.report(problem.help("shapes have two axes at most: rows and columns"));
+        array
+    })
+}
+
+/// The driver of a port, which must have the port's width and the instance's lanes beside those of the port, or be plain; if not, that is
+/// reported, and a zero stands in.
 fn fit(e: &mut Elaboration, id: InstanceId, port: &Port, driver: NodeId, loc: Loc) -> NodeId {
     let draft = e.draft();
     let (instance, node) = (&draft.instances[id.0 as usize], draft.node(driver));
     let (name, text) = (&instance.name, draft.describe(driver));
+    let shape = instance.shape.beside(port.shape).unwrap_or(instance.shape);
     let (message, help) = if node.width != port.width {
         let (needs, has) = (bits_text(port.width), bits_text(node.width));
         let message = format!("input `{}` of `{name}` has {needs}, but `{text}` has {has}", port.name);
         (message, "spell the change of width where the instance is fed")
-    } else if instance.shape != node.shape {
-        let (needs, has) = (instance.shape.lanes(), node.shape.lanes());
-        let message = format!("input `{}` of `{name}` has {needs} lanes, but `{text}` has {has}", port.name);
-        (message, "an array is fed one value for each of its lanes: list them with `each`, as in `a.each(x.to_vec())`")
-    } else {
+    } else if shape == node.shape {
         return driver;
+    } else if node.shape.is_plain() {
+        return Signal::at(e, driver).spread_in(e, shape, loc).node;
+    } else {
+        let message = format!("input `{}` of `{name}` has {shape}, but `{text}` has {}", port.name, node.shape);
+        (message, "feed a plain signal, the same for all lanes, or one lane for each; `stack` makes a row of signals")
     };
     let problem = Problem::new(loc, message)
         .note(format!("`{}` is declared", port.name), port.declared)
@@ -169,16 +170,26 @@ fn fit(e: &mut Elaboration, id: InstanceId, port: &Port, driver: NodeId, loc: Lo
     zero(e, id, port, loc)
 }
 
-/// A zero for a port, in every lane of an array.
+/// A zero for a port, in every lane.
 fn zero(e: &mut Elaboration, id: InstanceId, port: &Port, loc: Loc) -> NodeId {
-    let draft = e.draft();
-    let shape = draft.instances[id.0 as usize].shape;
-    let zero = draft.add(Op::Const(Bits::zero(port.width)), port.width, Shape::Plain, loc);
-    if shape.is_plain() { zero } else { draft.add(Op::Broadcast { of: zero, axis: 0 }, port.width, shape, loc) }
+    let instance = e.draft().instances[id.0 as usize].shape;
+    Signal::zero_in(e, port.width, instance.beside(port.shape).unwrap_or(instance), loc).node
 }
 
 /// An instance whose inputs are not known yet.
 struct Declared {
     id: InstanceId,
     outputs: Vec<NodeId>,
+}
+
+impl Declared {
+    /// The outputs as the block's bundle.
+    fn read<B: Block>(&self, child: &Elaborated) -> B::Out {
+        let mut outputs = self.outputs.iter();
+        let next = &mut |_: &str, _: &Signal| {
+            let node = *outputs.next().expect("as many outputs as the bundle has leaves");
+            elaboration::with(|e| Signal::at(e, node))
+        };
+        B::Out::signals(&child.outputs::<B>().of(&mut |_, signal| *signal), next)
+    }
 }

@@ -1,231 +1,462 @@
-//! Instance arrays, and the values that have one element for each of their lanes.
+//! What leads from one shape to another: lanes taken, moved, combined, and put together.
 
 use crate::bundle::Fields;
 use crate::elaboration;
-use crate::ir::{Affine, NodeId, Op, Reduction, Shape};
+use crate::index::Index;
+use crate::ir::{Op, Reduction, Shape};
+use crate::limits::sound_width;
 use crate::loc::Loc;
 use crate::operand::Operand;
 use crate::problem::Problem;
-use crate::signal::Signal;
+use crate::shaping::{level_all, sound_shape};
+use crate::signal::{Signal, bits_text};
 use crate::uneven::{Uneven, uneven};
+use crate::width::{Count, IntoWidth};
 
-/// One value for each lane of an instance array: its outputs, and what may feed its inputs.
+/// The signals, or records of signals, as the lanes of a row; rows as the rows of a grid. All are of one shape and width.
+///
+/// # Panics
+///
+/// There are none.
+#[track_caller]
+pub fn stack<B: Fields<Signal>>(values: impl IntoIterator<Item = B>) -> B::With<Signal> {
+    let loc = Loc::caller();
+    let values: Vec<B> = values.into_iter().collect();
+    let first = values.first().unwrap_or_else(|| panic!("a stack of nothing, at {loc}: give a value for each lane"));
+    let mut by_lane: Vec<_> = values.iter().map(Fields::leaves).collect();
+    for lane in 1..by_lane.len() {
+        if let Some(uneven) = uneven(&by_lane[lane], &by_lane[0]) {
+            let nodes: Vec<_> = by_lane[lane].iter().map(|(_, signal)| signal.id_at(loc)).collect();
+            let Uneven { has, needs, .. } = uneven;
+            let message = format!("lane {lane} of a stack has a list{uneven} of {has}, but lane 0 one of {needs}");
+            let problem = Problem::new(loc, message).help("give every lane lists of the same length");
+            elaboration::with(|e| e.report_instead_of(&nodes, problem));
+            by_lane[lane] = by_lane[0].clone();
+        }
+    }
+    let mut stacked = Vec::new();
+    for leaf in 0..by_lane[0].len() {
+        stacked.push(stack_signals(by_lane.iter().map(|lane| lane[leaf].1).collect(), loc));
+    }
+    let mut stacked = stacked.into_iter();
+    first.map(|_| stacked.next().expect("a row for each leaf"))
+}
+
+fn stack_signals(mut parts: Vec<Signal>, loc: Loc) -> Signal {
+    let (width, lanes) = (parts[0].width, parts.len() as u32);
+    let nodes: Vec<_> = parts.iter().map(|part| part.id_at(loc)).collect();
+    if let Some(other) = parts.iter().position(|part| part.width != width) {
+        let (first, other) = (bits_text(width), (other, bits_text(parts[other].width)));
+        let message =
+            format!("the lanes of a stack have different widths: lane 0 has {first}, lane {} {}", other.0, other.1);
+        let problem = Problem::new(loc, message).help("spell the change of width, lane by lane");
+        return elaboration::with(|e| {
+            e.report_instead_of(&nodes, problem);
+            Signal::zero_in(e, width, Shape::Row(lanes), loc)
+        });
+    }
+    let inner = level_all(&mut parts, "stack");
+    let nodes: Vec<_> = parts.iter().map(|part| part.id_at(loc)).collect();
+    elaboration::with(|e| match inner.with(0, lanes) {
+        Some(shape) => Signal::make_in(e, Op::Stack { parts: nodes, axis: 0 }, width, shape, loc),
+        None => {
+            let message = format!("a stack of grids, of {inner} each, would have three axes");
+            e.report_instead_of(&nodes, Problem::new(loc, message).help("shapes have two at most: rows and columns"));
+            Signal::zero_in(e, width, inner, loc)
+        }
+    })
+}
+
+/// A constant for each lane, as `constants(bits(8).of(row(4)), |lane| 3 * lane as u64)`. The lanes of a grid are counted row by row.
+#[track_caller]
+pub fn constants(width: impl IntoWidth, of: impl Fn(u32) -> u64) -> Signal {
+    let (loc, width) = (Loc::caller(), width.into_width());
+    let shape = elaboration::with(|e| sound_shape(e, "a list of constants", width.shape, loc));
+    let values = crate::select::constants(width.bits, (0..shape.lanes()).map(of));
+    let bits = values[0].width;
+    let row = |values: &[Signal]| {
+        let parts = values.iter().map(|value| value.id_at(loc)).collect();
+        Signal::make_at(Op::Stack { parts, axis: 0 }, bits, Shape::Row(values.len() as u32), loc)
+    };
+    match shape {
+        Shape::Plain => values[0],
+        Shape::Row(_) => row(&values),
+        Shape::Grid(_, columns) => {
+            let parts = values.chunks(columns as usize).map(|values| row(values).node).collect();
+            Signal::make_at(Op::Stack { parts, axis: 0 }, bits, shape, loc)
+        }
+    }
+}
+
+/// Lane 0 of each row, then lane 1 of each, and so on: of two rows of four, one of eight.
+///
+/// # Panics
+///
+/// There are none.
+#[track_caller]
+pub fn interleave(rows: impl IntoIterator<Item = Signal>) -> Signal {
+    let loc = Loc::caller();
+    let mut parts: Vec<Signal> = rows.into_iter().collect();
+    assert!(!parts.is_empty(), "nothing is interleaved, at {loc}: give it at least one row");
+    let first = parts[0].along();
+    for part in &mut parts {
+        *part = crate::operand::Value::Signal(*part).like(first.of, "interleave");
+    }
+    let lanes = u64::from(first.count()) * parts.len() as u64;
+    let shape = Shape::Row(u32::try_from(lanes).unwrap_or(u32::MAX));
+    let parts = parts.iter().map(|part| part.id_at(loc)).collect();
+    Signal::make(Op::Interleave { parts, axis: 0 }, first.of.width, shape)
+}
+
+/// The lanes of a row, or the rows or the columns of a grid, one after another: made by [`Signal::rows`] and [`Signal::columns`]. Each of
+/// its lanes is what is left without that axis: of the rows of a grid, a row.
 #[derive(Debug, Clone, Copy)]
 #[must_use]
-pub struct Lanes {
-    pub(crate) stamp: u32,
-    pub(crate) module: u32,
-    pub(crate) node: NodeId,
-    pub(crate) width: u32,
-    pub(crate) count: u32,
+pub struct Along {
+    of: Signal,
+    axis: u32,
 }
 
-/// What the closure of [`Module::array`](crate::Module::array) gets: the array's outputs, and ways to feed its inputs.
-#[derive(Debug, Clone, Copy)]
-pub struct Array<O> {
-    /// The outputs of all lanes.
-    pub out: O,
-    pub(crate) lanes: u32,
-}
-
-impl<O> Array<O> {
-    /// The number of lanes.
-    pub fn count(&self) -> u32 {
-        self.lanes
-    }
-
-    /// The same signal, or bundle of signals, in every lane.
-    #[track_caller]
-    pub fn all<B: Fields<Signal>>(&self, value: &B) -> B::With<Lanes> {
-        let lanes = self.lanes;
-        let loc = Loc::caller();
-        value.map_fields("", &mut |_, signal| {
-            let op = Op::Broadcast { of: signal.id_at(loc), axis: 0 };
-            Lanes::make(op, signal.width, lanes, loc)
-        })
-    }
-
-    /// A signal, or bundle of signals, for each lane; all of one shape and width.
-    #[track_caller]
-    pub fn each<B: Fields<Signal>>(&self, values: impl IntoIterator<Item = B>) -> B::With<Lanes> {
-        let loc = Loc::caller();
-        let values: Vec<B> = values.into_iter().collect();
-        let first =
-            values.first().unwrap_or_else(|| panic!("an array is fed nothing, at {loc}: give a value for each lane"));
-        let mut by_lane: Vec<_> = values.iter().map(Fields::leaves).collect();
-        for lane in 1..by_lane.len() {
-            if let Some(uneven) = uneven(&by_lane[lane], &by_lane[0]) {
-                let nodes: Vec<_> = by_lane[lane].iter().map(|(_, signal)| signal.id_at(loc)).collect();
-                let Uneven { has, needs, .. } = uneven;
-                let message =
-                    format!("lane {lane} of an array is fed a list{uneven} of {has}, but lane 0 one of {needs}");
-                let problem = Problem::new(loc, message).help("give every lane lists of the same length");
-                elaboration::with(|e| e.report_instead_of(&nodes, problem));
-                by_lane[lane] = by_lane[0].clone();
-            }
-        }
-        let mut leaf = 0..;
-        first.map(|_| {
-            let leaf = leaf.next().expect("endless");
-            self.each_signal(by_lane.iter().map(|lane| lane[leaf].1).collect(), loc)
-        })
-    }
-
-    fn each_signal(&self, signals: Vec<Signal>, loc: Loc) -> Lanes {
-        let width = signals[0].width;
-        let nodes: Vec<_> = signals.iter().map(|signal| signal.id_at(loc)).collect();
-        let same = signals.iter().all(|signal| signal.width == width);
-        if signals.len() != self.lanes as usize || !same {
-            let message = match same {
-                true => format!("an array of {} lanes is fed {} signals", self.lanes, signals.len()),
-                false => "the signals that feed one input of an array have different widths".to_owned(),
-            };
-            let problem = Problem::new(loc, message).help("give one signal for each lane, all of one width");
-            elaboration::with(|e| e.report_instead_of(&nodes, problem));
-            return self.constants(width, |_| 0);
-        }
-        Lanes::make(Op::Stack { parts: nodes, axis: 0 }, width, self.lanes, loc)
-    }
-
-    /// A constant for each lane, of `width` bits.
-    #[track_caller]
-    pub fn constants(&self, width: u32, of: impl Fn(u32) -> u64) -> Lanes {
-        let loc = Loc::caller();
-        let signals = crate::select::constants(width, (0..self.lanes).map(of));
-        let width = signals[0].width;
-        let nodes = signals.iter().map(|signal| signal.id_at(loc)).collect();
-        Lanes::make(Op::Stack { parts: nodes, axis: 0 }, width, self.lanes, loc)
-    }
-
-    /// Each lane's own number, of `width` bits.
-    #[track_caller]
-    pub fn index(&self, width: u32) -> Lanes {
-        self.constants(width, u64::from)
-    }
-}
-
-impl Lanes {
-    fn make(op: Op, width: u32, count: u32, loc: Loc) -> Lanes {
-        elaboration::with(|e| {
-            let (stamp, draft) = (e.stamp, e.draft());
-            let node = draft.add(op, width, Shape::Row(count), loc);
-            Lanes { stamp, module: draft.serial, node, width, count }
-        })
-    }
-
-    /// The node, if it belongs to the module under construction; the handle of another module is a panic, as only
-    /// a helper that keeps handles between blocks can have one.
-    #[track_caller]
-    pub(crate) fn id(self) -> NodeId {
-        self.id_at(Loc::caller())
-    }
-
-    /// As [`Lanes::id`], used at `loc`: for closures, which are their own callers.
-    pub(crate) fn id_at(self, loc: Loc) -> NodeId {
-        elaboration::with(|e| {
-            crate::signal::check_stamp(e, self.stamp, loc);
-            assert!(
-                e.draft().serial == self.module,
-                "lanes of another module are used, at {loc}: pass them through ports"
-            );
-        });
-        self.node
-    }
-
-    /// The number of lanes.
+impl Along {
+    /// How many there are.
     pub fn count(self) -> u32 {
-        self.count
+        self.of.shape.extent(self.axis)
     }
 
-    /// The width of one element in bits.
-    pub fn width(self) -> u32 {
-        self.width
+    fn inner(self) -> Shape {
+        self.of.shape.without(self.axis)
     }
 
-    /// What the neighbour with the next lower index has; lane 0 has `edge`.
     #[track_caller]
-    pub fn previous(self, edge: impl Operand) -> Lanes {
-        self.shifted(1, edge)
+    fn dropped(self, op: Op) -> Signal {
+        Signal::make(op, self.of.width, self.inner())
     }
 
-    /// What the neighbour with the next higher index has; the last lane has `edge`.
-    #[track_caller]
-    pub fn following(self, edge: impl Operand) -> Lanes {
-        self.shifted(-1, edge)
-    }
-
-    /// Lane `i` has what lane `i - by` has; lanes that have no such neighbour have `edge`.
-    #[track_caller]
-    pub fn shifted(self, by: i32, edge: impl Operand) -> Lanes {
-        let loc = Loc::caller();
-        // All are beyond the edge from there on.
-        let most = i32::try_from(self.count).unwrap_or(i32::MAX);
-        let by = by.clamp(-most, most);
-        let shape = self.lane(0);
-        let edge = edge.operand().with_width_of(shape, "shifted").id();
-        // Where no lane is beyond the edge, nothing takes it.
-        if by == 0 {
-            elaboration::draft(|draft| draft.ignored.insert(edge));
-        }
-        let edge = (by != 0).then_some(edge);
-        let op = Op::Map { of: self.id(), axis: 0, index: Affine::shift(-by), edge };
-        Lanes::make(op, self.width, self.count, loc)
-    }
-
-    /// The element of one lane.
+    /// The one of that number, counted from 0.
     #[track_caller]
     pub fn lane(self, index: u32) -> Signal {
-        let loc = Loc::caller();
-        if index >= self.count {
-            let problem = Problem::new(loc, format!("lane {index} of an array of {} lanes", self.count));
-            elaboration::with(|e| e.report(problem.help("lanes count from 0")));
-            return crate::lit(self.width, 0);
+        let (loc, count) = (Loc::caller(), self.count());
+        if index >= count {
+            let problem =
+                Problem::new(loc, format!("lane {index} of a signal of {count} lanes")).help("lanes count from 0");
+            return elaboration::with(|e| {
+                e.report(problem);
+                Signal::zero_in(e, self.of.width, self.inner(), loc)
+            });
         }
-        Signal::make(Op::Lane { of: self.id(), axis: 0, index }, self.width)
+        self.dropped(Op::Lane { of: self.of.id(), axis: self.axis, index })
     }
 
-    /// The element of the last lane.
+    /// The last one.
     #[track_caller]
     pub fn last(self) -> Signal {
-        self.lane(self.count - 1)
+        self.lane(self.count() - 1)
     }
 
-    /// The elements of all lanes, as plain signals.
+    /// All of them, as signals of their own.
     #[track_caller]
     pub fn to_vec(self) -> Vec<Signal> {
         let mut signals = Vec::new();
-        for lane in 0..self.count {
+        for lane in 0..self.count() {
             signals.push(self.lane(lane));
         }
         signals
     }
 
+    /// What the neighbour of the next lower number has; the first has `edge`.
     #[track_caller]
-    fn reduce(self, reduction: Reduction) -> Signal {
-        Signal::make(Op::Reduce { by: reduction, of: self.id(), axis: 0 }, self.width)
+    pub fn previous(self, edge: impl Operand) -> Signal {
+        self.shifted(1, edge)
     }
 
-    /// Bitwise and of all lanes.
+    /// What the neighbour of the next higher number has; the last has `edge`.
+    #[track_caller]
+    pub fn following(self, edge: impl Operand) -> Signal {
+        self.shifted(-1, edge)
+    }
+
+    /// Number `i` has what number `i - by` has; those that have no such neighbour have `edge`.
+    #[track_caller]
+    pub fn shifted(self, by: i32, edge: impl Operand) -> Signal {
+        // All are beyond the edge from there on.
+        let most = i32::try_from(self.count()).unwrap_or(i32::MAX);
+        let by = by.clamp(-most, most);
+        self.map(self.count(), |i| i - by, Some(edge), "shifted")
+    }
+
+    /// `count` of them: number `i` is the one that `index` says, as in `take(2 * n, |i| i / 2)`. There is one for each.
+    #[track_caller]
+    pub fn take(self, count: impl Count, index: impl FnOnce(Index) -> Index) -> Signal {
+        self.map(crate::Shape::extent(row_of(count), 0), index, None::<u32>, "take")
+    }
+
+    /// As [`take`](Along::take); where `index` leads beyond the ends, `edge`.
+    #[track_caller]
+    pub fn take_or(self, count: impl Count, index: impl FnOnce(Index) -> Index, edge: impl Operand) -> Signal {
+        self.map(crate::Shape::extent(row_of(count), 0), index, Some(edge), "take_or")
+    }
+
+    /// The last first.
+    #[track_caller]
+    pub fn reversed(self) -> Signal {
+        let count = self.count();
+        self.map(count, |i| count - 1 - i, None::<u32>, "reversed")
+    }
+
+    #[track_caller]
+    fn map(self, count: u32, index: impl FnOnce(Index) -> Index, edge: Option<impl Operand>, method: &str) -> Signal {
+        let (loc, id) = (Loc::caller(), self.of.id());
+        let like = Signal { shape: self.inner(), ..self.of };
+        #[expect(clippy::manual_map, reason = "a closure would be the caller that messages name")]
+        let edge = match edge {
+            Some(edge) => Some(edge.operand().like(like, method).id()),
+            None => None,
+        };
+        let shape = like.shape.with(self.axis, count).expect("the axis is put back");
+        let shape = elaboration::with(|e| sound_shape(e, &format!("what `.{method}` gives"), shape, loc));
+        let (axis, extent) = (self.axis, self.count());
+        let problem = match index(Index::lane()).affine() {
+            None => "the number of a lane is multiplied, added to, then divided, all within 32 bits".to_owned(),
+            Some(index) => match (index.stays_inside(shape.extent(axis), extent), edge) {
+                (true, edge) => {
+                    // Where no lane is beyond the edge, nothing takes it.
+                    elaboration::draft(|draft| draft.ignored.extend(edge));
+                    return Signal::make(Op::Map { of: id, axis, index, edge: None }, self.of.width, shape);
+                }
+                (false, Some(edge)) => {
+                    return Signal::make(Op::Map { of: id, axis, index, edge: Some(edge) }, self.of.width, shape);
+                }
+                (false, None) => {
+                    let beyond = (0..shape.extent(axis)).find(|lane| index.source(*lane, extent).is_none());
+                    let lane = beyond.unwrap_or(0);
+                    format!("lane {lane} of `.{method}` is lane {} of a signal of {extent} lanes", index.at(lane))
+                }
+            },
+        };
+        elaboration::with(|e| {
+            let help = "`.take_or(n, |i| .., edge)` says what lanes beyond the ends have";
+            e.report_instead_of(&[id], Problem::new(loc, problem).help(help));
+            Signal::zero_in(e, self.of.width, shape, loc)
+        })
+    }
+
+    /// The one whose number `index` is; zero beyond the last.
+    #[track_caller]
+    pub fn pick(self, index: impl Into<Signal>) -> Signal {
+        let like = Signal { shape: self.inner(), ..self.of };
+        let index = index.into().with_lanes_of(like, "pick");
+        self.dropped(Op::Pick { of: self.of.id(), axis: self.axis, index: index.id() })
+    }
+
+    #[track_caller]
+    fn reduce(self, by: Reduction) -> Signal {
+        self.dropped(Op::Reduce { by, of: self.of.id(), axis: self.axis })
+    }
+
+    /// Bitwise and of all.
     #[track_caller]
     pub fn and_all(self) -> Signal {
         self.reduce(Reduction::And)
     }
 
-    /// Bitwise or of all lanes.
+    /// Bitwise or of all.
     #[track_caller]
     pub fn or_all(self) -> Signal {
         self.reduce(Reduction::Or)
     }
 
-    /// Bitwise exclusive or of all lanes.
+    /// Bitwise exclusive or of all.
     #[track_caller]
     pub fn xor_all(self) -> Signal {
         self.reduce(Reduction::Xor)
     }
 
-    /// The sum of all lanes, modulo 2 to the width.
+    /// The sum of all, modulo 2 to the width.
     #[track_caller]
     pub fn sum(self) -> Signal {
         self.reduce(Reduction::Add)
     }
+
+    /// The smallest, as unsigned numbers.
+    #[track_caller]
+    pub fn minimum(self) -> Signal {
+        self.reduce(Reduction::Min)
+    }
+
+    /// The largest, as unsigned numbers.
+    #[track_caller]
+    pub fn maximum(self) -> Signal {
+        self.reduce(Reduction::Max)
+    }
+
+    /// Side by side in one word, number 0 in the lowest bits.
+    #[track_caller]
+    pub fn pack(self) -> Signal {
+        let (loc, id) = (Loc::caller(), self.of.id());
+        let width = u64::from(self.of.width) * u64::from(self.count());
+        elaboration::with(|e| {
+            let sound = sound_width(e, &[id], "a word of packed lanes", width, loc);
+            let inner = self.inner();
+            if width != sound.into() {
+                return Signal::zero_in(e, sound, inner, loc);
+            }
+            Signal::make_in(e, Op::Pack { of: id, axis: self.axis }, sound, inner, loc)
+        })
+    }
+}
+
+#[track_caller]
+fn row_of(count: impl Count) -> Shape {
+    crate::shaping::row(count)
+}
+
+impl Signal {
+    /// The rows of a grid, one after another: `x.rows().previous(above)` is what is above each.
+    #[track_caller]
+    pub fn rows(self) -> Along {
+        self.axis(0, "rows")
+    }
+
+    /// The columns of a grid, one after another: `x.columns().previous(left)` is what is on the left of each.
+    #[track_caller]
+    pub fn columns(self) -> Along {
+        self.axis(1, "columns")
+    }
+
+    #[track_caller]
+    fn axis(self, axis: u32, method: &str) -> Along {
+        let of = match self.shape {
+            Shape::Grid(..) => self,
+            _ => self.without_lanes(&format!("`.{method}()` needs a grid"), Shape::Grid(1, 1)),
+        };
+        Along { of, axis }
+    }
+
+    /// The lanes of a row.
+    #[track_caller]
+    pub(crate) fn along(self) -> Along {
+        let of = match self.shape {
+            Shape::Row(_) => self,
+            _ => self.without_lanes("this needs a row of lanes", Shape::Row(1)),
+        };
+        Along { of, axis: 0 }
+    }
+
+    /// A problem with the shape of this signal, and what stands in.
+    #[track_caller]
+    fn without_lanes(self, needs: &str, shape: Shape) -> Signal {
+        let (loc, id) = (Loc::caller(), self.id());
+        elaboration::with(|e| {
+            let draft = e.draft();
+            let (text, place) = (draft.describe(id), draft.node(id).loc);
+            let problem = Problem::new(loc, format!("{needs}, but `{text}` has {}", self.shape))
+                .note(format!("`{text}` is made"), place)
+                .help(match self.shape {
+                    Shape::Grid(..) => "say along which axis: `.rows()` or `.columns()`",
+                    Shape::Row(_) => "a row has one axis, which needs no name",
+                    Shape::Plain => "lanes come from a register, a port or a wire that is declared with some, as in `bits(8).of(row(4))`, or from `stack`",
+                });
+            e.report_instead_of(&[id], problem);
+            Signal::zero_in(e, self.width, shape, loc)
+        })
+    }
+
+    /// The word cut into as many equal parts as `shape` has lanes, lane 0 in the lowest bits, a grid row by row.
+    #[track_caller]
+    pub fn unpack(self, shape: impl crate::IntoShape) -> Signal {
+        let (loc, shape) = (Loc::caller(), shape.into_shape());
+        let shape = elaboration::with(|e| sound_shape(e, "an unpacked word", shape, loc));
+        let (id, lanes) = (self.id(), shape.lanes());
+        if !self.shape.is_plain() || shape.is_plain() || !self.width.is_multiple_of(lanes) {
+            return elaboration::with(|e| {
+                let text = e.draft().describe(id);
+                let (bits, has) = (bits_text(self.width), self.shape);
+                let message = format!("`.unpack` cannot cut `{text}`, of {bits} and {has}, into {shape}");
+                e.report_instead_of(
+                    &[id],
+                    Problem::new(loc, message).help("it cuts a plain word into lanes of equal widths"),
+                );
+                Signal::zero_in(e, (self.width / lanes).max(1), shape, loc)
+            });
+        }
+        let mut signal = self;
+        if let Shape::Grid(rows, columns) = shape {
+            let row = self.width / rows;
+            signal = Signal::make(Op::Unpack { of: id, axis: 0 }, row, Shape::Row(rows));
+            return Signal::make(Op::Unpack { of: signal.id(), axis: 1 }, row / columns, shape);
+        }
+        signal = Signal::make(Op::Unpack { of: signal.id(), axis: 0 }, self.width / lanes, shape);
+        signal
+    }
+}
+
+/// What a row has by itself, as it has but one axis.
+macro_rules! of_a_row {
+    ($($(#[$doc:meta])* fn $name:ident($($argument:ident: $ty:ty),*) -> $out:ty;)*) => {
+        impl Signal {$(
+            $(#[$doc])*
+            #[track_caller]
+            pub fn $name(self, $($argument: $ty),*) -> $out {
+                self.along().$name($($argument),*)
+            }
+        )*}
+    };
+}
+
+of_a_row! {
+    /// How many lanes a row has.
+    fn count() -> u32;
+    /// The lane of a row of that number, counted from 0.
+    fn lane(index: u32) -> Signal;
+    /// The last lane of a row.
+    fn last() -> Signal;
+    /// The lanes of a row, as signals of their own.
+    fn to_vec() -> Vec<Signal>;
+    /// What the neighbour in a row with the next lower number has; lane 0 has `edge`.
+    fn previous(edge: impl Operand) -> Signal;
+    /// What the neighbour in a row with the next higher number has; the last lane has `edge`.
+    fn following(edge: impl Operand) -> Signal;
+    /// Lane `i` of a row has what lane `i - by` has; lanes that have no such neighbour have `edge`.
+    fn shifted(by: i32, edge: impl Operand) -> Signal;
+    /// `count` lanes of a row: lane `i` is the one that `index` says, as in `take(2 * n, |i| i / 2)`, the parents in a tree.
+    fn take(count: impl Count, index: impl FnOnce(Index) -> Index) -> Signal;
+    /// As [`take`](Signal::take); where `index` leads beyond the ends, `edge`.
+    fn take_or(count: impl Count, index: impl FnOnce(Index) -> Index, edge: impl Operand) -> Signal;
+    /// The last lane of a row first.
+    fn reversed() -> Signal;
+    /// The lane of a row whose number `index` is; zero beyond the last.
+    fn pick(index: impl Into<Signal>) -> Signal;
+}
+
+/// What a grid has too: of all its lanes.
+macro_rules! of_all_lanes {
+    ($($(#[$doc:meta])* $name:ident;)*) => {
+        impl Signal {$(
+            $(#[$doc])*
+            #[track_caller]
+            pub fn $name(self) -> Signal {
+                match self.shape {
+                    Shape::Grid(..) => self.columns().$name().along().$name(),
+                    _ => self.along().$name(),
+                }
+            }
+        )*}
+    };
+}
+
+of_all_lanes! {
+    /// Bitwise and of all lanes.
+    and_all;
+    /// Bitwise or of all lanes.
+    or_all;
+    /// Bitwise exclusive or of all lanes.
+    xor_all;
+    /// The sum of all lanes, modulo 2 to the width.
+    sum;
+    /// The smallest of all lanes, as unsigned numbers.
+    minimum;
+    /// The largest of all lanes, as unsigned numbers.
+    maximum;
+    /// All lanes side by side in one word, lane 0 in the lowest bits, a grid row by row.
+    pack;
 }

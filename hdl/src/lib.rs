@@ -47,7 +47,7 @@
 //! | a register | [`Module::reg`], then [`reset`](Reg::reset), [`enable`](Reg::enable), [`next`](Reg::next) or [`when`](Reg::when); [`Module::pipe`] for a pipeline stage |
 //! | a state machine | [`states!`], [`Module::fsm`], [`StateReg::next`] |
 //! | a memory | [`Module::memory`], [`Mem::read`], [`Mem::read_async`], [`Mem::write`] |
-//! | an instance, an array of them | [`Module::instance`], [`Module::array`] with [`Lanes`] |
+//! | an instance, an array of them | [`Module::instance`], [`Module::array`] |
 //! | another clock | [`Module::on`], [`Mem::on`], [`Width::on`] and [`on`]; [`Module::synchronize`], [`Module::synchronize_from`], [`Signal::quasi_static`] to cross |
 //! | what must hold | [`Module::assert`], with [`implies`](Signal::implies) |
 //!
@@ -66,6 +66,7 @@ mod draft;
 mod elaboration;
 mod finish;
 mod graph;
+mod index;
 mod instance;
 pub mod ir;
 mod lanes;
@@ -80,6 +81,7 @@ pub mod recording;
 mod register;
 pub mod scenario;
 mod select;
+mod shaping;
 mod shorthand;
 mod signal;
 mod signed;
@@ -94,8 +96,9 @@ pub use block::{Block, DEFAULT_PERIOD, Typed, elaborate, elaborate_at, elaborate
 pub use bundle::join;
 pub use bundle::{Bundle, Fields, Leaf, Visited};
 pub use clock::{Clock, Period};
-pub use ir::{About, Design, ReadUnderWrite};
-pub use lanes::{Array, Lanes};
+pub use index::Index;
+pub use ir::{About, Design, ReadUnderWrite, Shape};
+pub use lanes::{Along, constants, interleave, stack};
 pub use loc::Loc;
 pub use memory::Mem;
 pub use module::Module;
@@ -105,6 +108,7 @@ pub use recording::Recording;
 pub use register::{Reg, StateReg, States, Transition, Updates, goto, hold, when};
 pub use scenario::{Scenario, Script};
 pub use select::{case, concat, lit, mux, mux_bundle, select};
+pub use shaping::{IntoShape, grid, row};
 pub use signal::Signal;
 pub use signed::{Signed, SignedOperand};
 #[doc(hidden)]

@@ -18,6 +18,7 @@ pub struct Mem {
     pub(crate) index: u32,
     pub(crate) address_width: u32,
     pub(crate) width: u32,
+    pub(crate) shape: Shape,
     pub(crate) clock: Option<Clock>,
 }
 
@@ -89,7 +90,7 @@ impl Mem {
 
     #[track_caller]
     fn address(self, address: impl Operand) -> Signal {
-        self.sized(address, self.address_width, "an address")
+        self.laid_out(self.sized(address, self.address_width, "an address"), "an address")
     }
 
     /// The operand as a signal of `width` bits, `what` of this memory.
@@ -116,7 +117,28 @@ impl Mem {
                     false => format!("cut it with `.trunc({width})`"),
                 });
             e.report_instead_of(&[id], problem);
-            Signal::make_in(e, Op::Const(Bits::zero(width)), width, loc)
+            Signal::zero_in(e, width, signal.shape, loc)
+        })
+    }
+
+    /// The signal, which is plain or has a lane for each lane of the memory; if not, that is a problem.
+    #[track_caller]
+    fn laid_out(self, signal: Signal, what: &str) -> Signal {
+        if signal.shape.is_plain() || signal.shape == self.shape {
+            return signal;
+        }
+        let (loc, id) = (Loc::caller(), signal.id());
+        elaboration::with(|e| {
+            let draft = e.draft();
+            let memory = &draft.memories[self.index as usize].memory;
+            let (name, text) = (&memory.name, draft.describe(id));
+            let message = format!("{what} of memory `{name}`, of {}, has {}: `{text}`", self.shape, signal.shape);
+            let problem = Problem::new(loc, message)
+                .note(format!("`{name}` is declared"), memory.loc)
+                .note(format!("`{text}` is made"), draft.node(id).loc)
+                .help("it is plain, one for all lanes, or has the memory's lanes");
+            e.report_instead_of(&[id], problem);
+            Signal::zero_in(e, signal.width, self.shape, loc)
         })
     }
 
@@ -156,12 +178,16 @@ impl Mem {
     fn read_port(self, address: Signal, enable: Option<Signal>, synchronous: bool) -> Signal {
         let loc = Loc::caller();
         let address = address.id();
-        let enable = enable.map(|enable| condition(enable, "read_when"));
+        #[expect(clippy::manual_map, reason = "a closure would be the caller that messages name")]
+        let enable = match enable {
+            Some(enable) => Some(self.laid_out(condition(enable, "read_when"), "an enable").id()),
+            None => None,
+        };
         elaboration::with(|e| {
             let draft = e.draft();
             let clock = synchronous.then(|| draft.use_clock(self.clock));
             let port = draft.memories[self.index as usize].memory.reads.len() as u32;
-            let node = draft.add(Op::Read(MemoryId(self.index), port), self.width, Shape::Plain, loc);
+            let node = draft.add(Op::Read(MemoryId(self.index), port), self.width, self.shape, loc);
             draft.memories[self.index as usize].memory.reads.push(ReadPort { clock, address, enable, node });
             Signal::at(e, node)
         })
@@ -171,9 +197,13 @@ impl Mem {
     #[track_caller]
     pub fn write(self, enable: impl Into<Signal>, address: impl Operand, data: impl Operand) {
         let loc = Loc::caller();
-        let enable = condition(enable.into(), "write");
+        let enable = self.laid_out(condition(enable.into(), "write"), "an enable").id();
         let address = self.address(address).id();
-        let data = self.sized(data, self.width, "a word").id();
+        let mut data = self.laid_out(self.sized(data, self.width, "a word"), "a word");
+        if data.shape != self.shape {
+            data = data.spread(self.shape, loc);
+        }
+        let data = data.id();
         elaboration::with(|e| {
             let clock = e.draft().use_clock(self.clock);
             let draft = &mut e.draft().memories[self.index as usize];

@@ -4,15 +4,16 @@ use crate::bundle::Fields;
 use crate::clock::Clock;
 use crate::draft::{DraftMemory, DraftRegister, DraftWire, Synchronizer, UNDRIVEN};
 use crate::elaboration;
-use crate::ir::{self, Assert, Contents, Memory, Op, ReadUnderWrite, RegisterId, Shape};
+use crate::ir::{self, Assert, Contents, Memory, Op, ReadUnderWrite, RegisterId};
 use crate::limits::{WIDEST, sound_width};
 use crate::loc::Loc;
 use crate::memory::Mem;
 use crate::problem::Problem;
 use crate::register::{Reg, StateReg, States};
 use crate::select::condition;
+use crate::shaping::sound_shape;
 use crate::signal::Signal;
-use crate::width::{IntoWidth, index_width};
+use crate::width::{IntoWidth, Width, below, bits, index_width};
 use crate::wire::Wire;
 use std::marker::PhantomData;
 
@@ -37,16 +38,18 @@ impl Module {
     #[track_caller]
     pub fn reg(self, name: &str, width: impl IntoWidth) -> Reg {
         let (width, loc) = (width.into_width(), Loc::caller());
-        Module { clock: width.clock.or(self.clock) }.register(name, width.bits, None, loc)
+        Module { clock: width.clock.or(self.clock) }.register(name, width, None, loc)
     }
 
-    fn register(self, name: &str, width: u32, states: Option<ir::States>, loc: Loc) -> Reg {
+    fn register(self, name: &str, width: Width, states: Option<ir::States>, loc: Loc) -> Reg {
         elaboration::with(|e| {
-            let width = sound_width(e, &[], &format!("register `{name}`"), width.into(), loc);
+            let what = format!("register `{name}`");
+            let shape = sound_shape(e, &what, width.shape, loc);
+            let width = sound_width(e, &[], &what, width.bits.into(), loc);
             let draft = e.draft();
             let clock = draft.use_clock(self.clock);
             let index = draft.registers.len();
-            let node = draft.add(Op::Register(RegisterId(index as u32)), width, Shape::Plain, loc);
+            let node = draft.add(Op::Register(RegisterId(index as u32)), width, shape, loc);
             draft.node_mut(node).name = Some(name.to_owned());
             let (reset, enable, next) = (None, None, None);
             draft.registers.push(DraftRegister { node, clock, reset, enable, next, states, is_synchronizer: false });
@@ -59,7 +62,7 @@ impl Module {
     pub fn fsm<S: States>(self, name: &str, initial: S) -> StateReg<S> {
         let names = S::ALL.iter().map(|state| state.name().to_owned()).collect();
         let states = ir::States { name: S::NAME.to_owned(), names };
-        let register = self.register(name, index_width(S::ALL.len() as u64), Some(states), Loc::caller());
+        let register = self.register(name, below(S::ALL.len()), Some(states), Loc::caller());
         StateReg { register: register.reset(initial.code()), states: PhantomData }
     }
 
@@ -81,7 +84,7 @@ impl Module {
         // A loop, as a closure would be the caller that messages name.
         let mut registers = Vec::new();
         for (path, signal) in value.leaves() {
-            let register = self.register(&port_name(name, &path), signal.width, None, loc);
+            let register = self.register(&port_name(name, &path), bits(signal.width).of(signal.shape), None, loc);
             if let Some(enable) = enable {
                 let _ = register.enable(enable);
             }
@@ -95,11 +98,13 @@ impl Module {
     /// A net of that width that is read before it is driven.
     #[track_caller]
     pub fn wire(self, name: &str, width: impl IntoWidth) -> Wire {
-        let (width, loc) = (width.into_width().bits, Loc::caller());
+        let (width, loc) = (width.into_width(), Loc::caller());
         elaboration::with(|e| {
-            let width = sound_width(e, &[], &format!("wire `{name}`"), width.into(), loc);
+            let what = format!("wire `{name}`");
+            let shape = sound_shape(e, &what, width.shape, loc);
+            let width = sound_width(e, &[], &what, width.bits.into(), loc);
             let draft = e.draft();
-            let node = draft.add(Op::Wire(UNDRIVEN), width, Shape::Plain, loc);
+            let node = draft.add(Op::Wire(UNDRIVEN), width, shape, loc);
             draft.node_mut(node).name = Some(name.to_owned());
             let index = draft.wires.len();
             draft.wires.push(DraftWire { node, driver: None });
@@ -111,8 +116,9 @@ impl Module {
     /// edge is always written down. An address has [`index_width`]`(depth)` bits.
     #[track_caller]
     pub fn memory(self, name: &str, depth: u32, width: impl IntoWidth, policy: ReadUnderWrite) -> Mem {
-        let (width, loc) = (width.into_width().bits, Loc::caller());
+        let (Width { bits: width, shape, .. }, loc) = (width.into_width(), Loc::caller());
         elaboration::with(|e| {
+            let shape = sound_shape(e, &format!("memory `{name}`"), shape, loc);
             if depth == 0 || width == 0 {
                 let problem =
                     Problem::new(loc, format!("memory `{name}` of {depth} words of {width} bits holds nothing"));
@@ -127,7 +133,7 @@ impl Module {
             let index = draft.memories.len() as u32;
             draft.memories.push(DraftMemory {
                 memory: Memory {
-                    shape: Shape::Plain,
+                    shape,
                     name: name.to_owned(),
                     depth,
                     width,
@@ -140,7 +146,7 @@ impl Module {
                 true_dual_port: false,
             });
             let (module, address_width) = (draft.serial, index_width(depth.into()));
-            Mem { stamp, module, index, address_width, width, clock: self.clock }
+            Mem { stamp, module, index, address_width, width, shape, clock: self.clock }
         })
     }
 
@@ -158,7 +164,7 @@ impl Module {
     #[track_caller]
     pub fn synchronize_from(self, reset: bool, name: &str, signal: Signal) -> Signal {
         let loc = Loc::caller();
-        let enters = condition(signal, "synchronize");
+        let enters = condition(signal, "synchronize").id();
         let signal = elaboration::with(|e| {
             e.draft().synchronizers.push(Synchronizer { name: name.to_owned(), enters, loc });
             Signal::at(e, enters)
@@ -178,7 +184,7 @@ impl Module {
     #[track_caller]
     pub fn assert(self, holds: impl Into<Signal>, message: &str) {
         let loc = Loc::caller();
-        let condition = condition(holds.into(), "assert");
+        let condition = condition(holds.into(), "assert").id();
         elaboration::draft(|draft| {
             let clock = draft.use_clock(self.clock);
             draft.asserts.push(Assert { clock, condition, message: message.to_owned(), loc });

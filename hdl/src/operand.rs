@@ -3,7 +3,7 @@
 use crate::bits::Bits;
 use crate::draft::Draft;
 use crate::elaboration;
-use crate::ir::{NodeId, Op, Shift};
+use crate::ir::{NodeId, Shift};
 use crate::loc::Loc;
 use crate::problem::Problem;
 use crate::signal::{Signal, bits_text};
@@ -43,6 +43,12 @@ impl fmt::Display for Literal {
 }
 
 impl Value {
+    /// The operand as a signal as wide as `left` and with its lanes: what `left` is given by `operator`.
+    #[track_caller]
+    pub(crate) fn like(self, left: Signal, operator: &str) -> Signal {
+        self.with_width_of(left, operator).with_lanes_of(left, operator)
+    }
+
     /// The operand as a signal as wide as `left`, with which it meets in `operator`.
     #[track_caller]
     pub(crate) fn with_width_of(self, left: Signal, operator: &str) -> Signal {
@@ -56,7 +62,7 @@ impl Value {
         elaboration::with(|e| {
             let problem = width_mismatch(e.draft(), operator, left_id, right_id, loc);
             e.report_instead_of(&[left_id, right_id], problem);
-            Signal::make_in(e, Op::Const(Bits::zero(left.width)), left.width, loc)
+            Signal::zero_in(e, left.width, right.shape, loc)
         })
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::bits::Bits;
 use crate::elaboration;
-use crate::ir::{NodeId, Op, Shape};
+use crate::ir::{NodeId, Op};
 use crate::loc::Loc;
 use crate::operand::{Operand, Value, operators, reads_as_signal};
 use crate::problem::Problem;
@@ -71,7 +71,7 @@ impl Reg {
     #[track_caller]
     pub fn enable(self, enable: impl Into<Signal>) -> Reg {
         let loc = Loc::caller();
-        let enable = condition(enable.into(), "enable");
+        let enable = condition(enable.into(), "enable").with_lanes_of(self.signal, "enable").id();
         if is_here(self.signal, enable, loc) {
             let before = elaboration::draft(|draft| draft.registers[self.index].enable.replace((enable, loc)));
             report_second_driver(before, self.signal.node, "enabled", CHOOSE, loc);
@@ -83,7 +83,7 @@ impl Reg {
     #[track_caller]
     pub fn next(self, value: impl Operand) {
         let loc = Loc::caller();
-        let next = value.operand().with_width_of(self.signal, "next").id();
+        let next = value.operand().like(self.signal, "next").id();
         if is_here(self.signal, next, loc) {
             self.give(next, loc);
         }
@@ -120,7 +120,7 @@ impl Reg {
         let arm = self.arm(condition.into(), value);
         let chain = is_here(self.signal, arm.1, loc).then(|| {
             let keeps = Op::Select { arms: vec![arm], default: self.signal.node };
-            let chain = elaboration::draft(|draft| draft.add(keeps, self.width, Shape::Plain, loc));
+            let chain = elaboration::draft(|draft| draft.add(keeps, self.width, self.shape, loc));
             self.give(chain, loc);
             chain
         });
@@ -130,7 +130,10 @@ impl Reg {
     /// A condition, and what the register takes where it holds.
     #[track_caller]
     fn arm(self, when: Signal, value: impl Operand) -> (NodeId, NodeId) {
-        (condition(when, "when"), value.operand().with_width_of(self.signal, "when").id())
+        (
+            condition(when, "when").with_lanes_of(self.signal, "when").id(),
+            value.operand().like(self.signal, "when").id(),
+        )
     }
 
     fn give(self, next: NodeId, loc: Loc) {
@@ -160,7 +163,7 @@ impl Updates {
     /// Takes `value` where no condition holds, instead of keeping what it holds.
     #[track_caller]
     pub fn otherwise(self, value: impl Operand) {
-        let value = value.operand().with_width_of(self.register.signal, "otherwise").id();
+        let value = value.operand().like(self.register.signal, "otherwise").id();
         self.change(Loc::caller(), value, |_, default| *default = value);
     }
 

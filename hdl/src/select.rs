@@ -8,6 +8,7 @@ use crate::limits::sound_width;
 use crate::loc::Loc;
 use crate::operand::{Literal, Operand, Value};
 use crate::problem::Problem;
+use crate::shaping::{level, level_all};
 use crate::signal::{Signal, bits_text};
 use crate::uneven::{Uneven, uneven};
 use crate::width::IntoWidth;
@@ -40,12 +41,14 @@ pub fn concat(parts: &[Signal]) -> Signal {
         [one] => *one,
         _ => {
             let loc = Loc::caller();
+            let mut parts = parts.to_vec();
+            let shape = level_all(&mut parts, "cat!");
             let ids: Vec<_> = parts.iter().map(|part| part.id_at(loc)).collect();
             let width: u64 = parts.iter().map(|part| u64::from(part.width)).sum();
             elaboration::with(|e| {
                 let sound = sound_width(e, &ids, "a concatenation", width, loc);
                 let op = if width == sound.into() { Op::Concat(ids) } else { Op::Const(Bits::zero(sound)) };
-                Signal::make_in(e, op, sound, loc)
+                Signal::make_in(e, op, sound, shape, loc)
             })
         }
     }
@@ -69,7 +72,7 @@ macro_rules! net {
 
 /// A select must have one bit.
 #[track_caller]
-pub(crate) fn condition(signal: Signal, of: &str) -> crate::ir::NodeId {
+pub(crate) fn condition(signal: Signal, of: &str) -> Signal {
     let (loc, id) = (Loc::caller(), signal.id());
     if signal.width != 1 {
         elaboration::with(|e| {
@@ -78,10 +81,10 @@ pub(crate) fn condition(signal: Signal, of: &str) -> crate::ir::NodeId {
             let message = format!("the condition of `{of}` is 1 bit, but `{text}` has {}", bits_text(signal.width));
             let help = "compare it, as in `.ne(0)`, or take one `.bit(i)`";
             e.report_instead_of(&[id], Problem::new(loc, message).note(format!("`{text}` is made"), place).help(help));
-            e.draft().add(Op::Const(Bits::zero(1)), 1, Shape::Plain, loc)
+            Signal::zero_in(e, 1, signal.shape, loc)
         })
     } else {
-        id
+        signal
     }
 }
 
@@ -97,7 +100,7 @@ fn sized(mut values: Vec<Value>, of: &str) -> Vec<Signal> {
         Value::Signal(signal) => *signal,
         Value::Literal(Literal::Exact(bits)) => elaboration::with(|e| {
             let sound = sound_width(e, &[], "a constant", bits.width().into(), loc);
-            Signal::make_in(e, Op::Const(bits.resize(sound)), sound, loc)
+            Signal::make_in(e, Op::Const(bits.resize(sound)), sound, Shape::Plain, loc)
         }),
         Value::Literal(literal) => {
             elaboration::with(|e| {
@@ -121,8 +124,9 @@ fn sized(mut values: Vec<Value>, of: &str) -> Vec<Signal> {
 pub fn mux(select: impl Into<Signal>, on_true: impl Operand, on_false: impl Operand) -> Signal {
     let select = condition(select.into(), "mux");
     let values = sized(vec![on_true.operand(), on_false.operand()], "mux");
-    let (on_true, on_false) = (values[0], values[1]);
-    Signal::make(Op::Mux { select, on_true: on_true.id(), on_false: on_false.id() }, on_true.width)
+    let [select, on_true, on_false] = level([select, values[0], values[1]], "mux");
+    let op = Op::Mux { select: select.id(), on_true: on_true.id(), on_false: on_false.id() };
+    Signal::make(op, on_true.width, on_true.shape)
 }
 
 /// [`mux`] of each field of two bundles.
@@ -151,15 +155,21 @@ pub fn mux_bundle<B: Fields<Signal>>(select: impl Into<Signal>, on_true: &B, on_
 pub fn select<V: Operand>(arms: impl IntoIterator<Item = (Signal, V)>, default: impl Operand) -> Signal {
     let loc = Loc::caller();
     let (signals, values): (Vec<_>, Vec<_>) = arms.into_iter().unzip();
-    let mut conditions = Vec::with_capacity(signals.len());
+    let count = signals.len();
+    let mut conditions = Vec::with_capacity(count);
     for signal in signals {
         conditions.push(condition(signal, "select"));
     }
     let values = values.into_iter().map(V::operand).chain([default.operand()]).collect();
-    let values = sized(values, "select");
-    let (default, values) = values.split_last().expect("a select has a default");
-    let arms = conditions.into_iter().zip(values.iter().map(|value| value.id_at(loc))).collect();
-    Signal::make(Op::Select { arms, default: default.id() }, default.width)
+    let mut values = sized(values, "select");
+    let width = values[0].width;
+    values.extend(conditions);
+    let shape = level_all(&mut values, "select");
+    let mut nodes = values.into_iter().map(|value| value.id_at(loc));
+    let values: Vec<_> = nodes.by_ref().take(count).collect();
+    let default = nodes.next().expect("a select has a default");
+    let arms = nodes.zip(values).collect();
+    Signal::make(Op::Select { arms, default }, width, shape)
 }
 
 /// The value of the arm whose key equals `subject`, else `default`. Keys must differ.
@@ -181,9 +191,13 @@ pub fn case<V: Operand>(
         };
         elaboration::with(|e| e.report(Problem::new(loc, problem).help("each key is a value of the subject, once")));
     }
-    let values = sized(values.into_iter().map(V::operand).chain([default.operand()]).collect(), "case");
-    let (default, values) = values.split_last().expect("a case has a default");
+    let mut values = sized(values.into_iter().map(V::operand).chain([default.operand()]).collect(), "case");
+    let width = values[0].width;
+    values.push(subject);
+    let shape = level_all(&mut values, "case");
     let keys = keys.into_iter().map(|key| Bits::new(subject.width, key));
-    let arms = keys.zip(values.iter().map(|value| value.id_at(loc))).collect();
-    Signal::make(Op::Case { subject: subject.id(), arms, default: default.id() }, default.width)
+    let mut nodes = values.into_iter().map(|value| value.id_at(loc));
+    let arms = keys.zip(nodes.by_ref()).collect();
+    let [default, subject] = [nodes.next(), nodes.next()].map(|node| node.expect("a default and a subject"));
+    Signal::make(Op::Case { subject, arms, default }, width, shape)
 }

@@ -5,6 +5,7 @@ use std::ops::{AddAssign, BitAndAssign, BitOrAssign, BitXorAssign, SubAssign};
 use crate::ir::{Binary, Op, Unary};
 use crate::operand::Operand;
 use crate::select::{concat, condition};
+use crate::shaping::level;
 use crate::signal::Signal;
 use crate::width::IntoWidth;
 
@@ -50,7 +51,8 @@ impl Signal {
     #[track_caller]
     pub fn implies(self, other: impl Into<Signal>) -> Signal {
         let (this, other) = (condition(self, "implies"), condition(other.into(), "implies"));
-        let not = Signal::make(Op::Unary(Unary::Not, this), 1);
-        Signal::make(Op::Binary(Binary::Or, not.id(), other), 1)
+        let [this, other] = level([this, other], "implies");
+        let not = Signal::make(Op::Unary(Unary::Not, this.id()), 1, this.shape);
+        Signal::make(Op::Binary(Binary::Or, not.id(), other.id()), 1, this.shape)
     }
 }

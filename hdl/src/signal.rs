@@ -2,11 +2,12 @@
 
 use crate::bits::Bits;
 use crate::elaboration::{self, Elaboration};
-use crate::ir::{Binary, NodeId, Op, Relation, Shape, Shift, Unary};
+use crate::ir::{Binary, Node, NodeId, Op, Relation, Shape, Shift, Unary};
 use crate::limits::{WIDEST, sound_width};
 use crate::loc::Loc;
 use crate::operand::{Operand, ShiftAmount, Value, operators};
 use crate::problem::Problem;
+use crate::shaping::level;
 use crate::signed::Signed;
 use crate::width::IntoWidth;
 use std::ops::Range;
@@ -24,6 +25,7 @@ pub struct Signal {
     pub(crate) module: u32,
     pub(crate) node: NodeId,
     pub(crate) width: u32,
+    pub(crate) shape: Shape,
 }
 
 /// A handle from an elaboration that has ended is a mistake in Rust code, not in the hardware: a panic.
@@ -35,22 +37,33 @@ pub(crate) fn check_stamp(e: &Elaboration, stamp: u32, loc: Loc) {
 }
 
 impl Signal {
-    /// Adds a plain node to the module under construction.
+    /// Adds a node to the module under construction.
     #[track_caller]
-    pub(crate) fn make(op: Op, width: u32) -> Signal {
+    pub(crate) fn make(op: Op, width: u32, shape: Shape) -> Signal {
         let loc = Loc::caller();
-        elaboration::with(|e| Signal::make_in(e, op, width, loc))
+        elaboration::with(|e| Signal::make_in(e, op, width, shape, loc))
     }
 
-    pub(crate) fn make_in(e: &mut Elaboration, op: Op, width: u32, loc: Loc) -> Signal {
-        let node = e.draft().add(op, width, Shape::Plain, loc);
+    /// As [`Signal::make`], at `loc`: for closures, which are their own callers.
+    pub(crate) fn make_at(op: Op, width: u32, shape: Shape, loc: Loc) -> Signal {
+        elaboration::with(|e| Signal::make_in(e, op, width, shape, loc))
+    }
+
+    pub(crate) fn make_in(e: &mut Elaboration, op: Op, width: u32, shape: Shape, loc: Loc) -> Signal {
+        let node = e.draft().add(op, width, shape, loc);
         Signal::at(e, node)
     }
 
-    /// The handle of a plain node of the module under construction.
+    /// A zero, where a mistake leaves nothing better.
+    pub(crate) fn zero_in(e: &mut Elaboration, width: u32, shape: Shape, loc: Loc) -> Signal {
+        Signal::make_in(e, Op::Const(Bits::zero(width)), width, shape, loc)
+    }
+
+    /// The handle of a node of the module under construction.
     pub(crate) fn at(e: &mut Elaboration, node: NodeId) -> Signal {
         let (stamp, draft) = (e.stamp, e.draft());
-        Signal { stamp, module: draft.serial, node, width: draft.node(node).width }
+        let &Node { width, shape, .. } = draft.node(node);
+        Signal { stamp, module: draft.serial, node, width, shape }
     }
 
     /// The node in the module under construction; a signal of another module is a problem, and stands in as zero.
@@ -79,11 +92,11 @@ impl Signal {
                 None => Problem::new(loc, format!("a signal of a module already finished is used inside of `{block}`")),
             };
             e.report(problem.help("give the block an input for it"));
-            e.draft().add(Op::Const(Bits::zero(self.width)), self.width, Shape::Plain, loc)
+            e.draft().add(Op::Const(Bits::zero(self.width)), self.width, self.shape, loc)
         })
     }
 
-    /// The width in bits.
+    /// The width in bits, of each lane.
     pub fn width(self) -> u32 {
         self.width
     }
@@ -96,7 +109,7 @@ impl Signal {
             let node = e.draft().node_mut(id);
             // A port or a register keeps its own name: the net is an alias.
             let has_own = node.name.is_some() || matches!(node.op, Op::Input(_) | Op::Const(_));
-            let id = if has_own { e.draft().add(Op::Wire(id), self.width, Shape::Plain, loc) } else { id };
+            let id = if has_own { e.draft().add(Op::Wire(id), self.width, self.shape, loc) } else { id };
             let node = e.draft().node_mut(id);
             node.name = Some(name.to_owned());
             node.loc = loc;
@@ -107,18 +120,20 @@ impl Signal {
     #[track_caller]
     fn unary(self, op: Unary) -> Signal {
         let width = if op == Unary::Not { self.width } else { 1 };
-        Signal::make(Op::Unary(op, self.id()), width)
+        Signal::make(Op::Unary(op, self.id()), width, self.shape)
     }
 
     #[track_caller]
     pub(crate) fn binary(self, op: Binary, right: impl Operand) -> Signal {
         let right = right.operand().with_width_of(self, op.symbol());
-        Signal::make(Op::Binary(op, self.id(), right.id()), self.width)
+        let [left, right] = level([self, right], op.symbol());
+        Signal::make(Op::Binary(op, left.id(), right.id()), left.width, left.shape)
     }
 
     #[track_caller]
     pub(crate) fn compare(self, relation: Relation, signed: bool, right: Signal) -> Signal {
-        Signal::make(Op::Compare { relation, signed, operands: [self.id(), right.id()] }, 1)
+        let [left, right] = level([self, right], relation.method());
+        Signal::make(Op::Compare { relation, signed, operands: [left.id(), right.id()] }, 1, left.shape)
     }
 
     #[track_caller]
@@ -201,12 +216,14 @@ impl Signal {
 
     #[track_caller]
     pub(crate) fn product(self, op: Binary, right: Signal) -> Signal {
-        let (loc, left, right_id) = (Loc::caller(), self.id(), right.id());
+        let loc = Loc::caller();
         let width = u64::from(self.width) + u64::from(right.width);
+        let [left, right] = level([self, right], op.symbol());
+        let (shape, left, right) = (left.shape, left.id(), right.id());
         elaboration::with(|e| {
-            let sound = sound_width(e, &[left, right_id], "a product", width, loc);
-            let op = if width == sound.into() { Op::Binary(op, left, right_id) } else { Op::Const(Bits::zero(sound)) };
-            Signal::make_in(e, op, sound, loc)
+            let sound = sound_width(e, &[left, right], "a product", width, loc);
+            let op = if width == sound.into() { Op::Binary(op, left, right) } else { Op::Const(Bits::zero(sound)) };
+            Signal::make_in(e, op, sound, shape, loc)
         })
     }
 
@@ -235,7 +252,7 @@ impl Signal {
         if range == (0..self.width) {
             return self;
         }
-        Signal::make(Op::Slice { of: self.id(), low: range.start }, range.end - range.start)
+        Signal::make(Op::Slice { of: self.id(), low: range.start }, range.end - range.start, self.shape)
     }
 
     /// The lowest `width` bits: a number of them, or as in `used.trunc(below(pages))`.
@@ -282,7 +299,7 @@ impl Signal {
             let what = format!("`.{name}({width})` makes more than {WIDEST} bits of");
             return self.bad_width(what, 1, "widen less".to_owned());
         }
-        Signal::make(Op::Extend { of: self.id(), signed }, width)
+        Signal::make(Op::Extend { of: self.id(), signed }, width, self.shape)
     }
 
     #[track_caller]
@@ -293,7 +310,7 @@ impl Signal {
             let (name, place) = (draft.describe(id), draft.node(id).loc);
             let message = format!("{what} `{name}`, which has {}", bits_text(self.width));
             e.report_instead_of(&[id], Problem::new(loc, message).note(format!("`{name}` is made"), place).help(help));
-            Signal::make_in(e, Op::Const(Bits::zero(width)), width, loc)
+            Signal::zero_in(e, width, self.shape, loc)
         })
     }
 
@@ -310,12 +327,13 @@ impl Signal {
             let what = format!("`.repeat({times})` makes more than {WIDEST} bits of");
             return self.bad_width(what, 1, "repeat less often".to_owned());
         };
-        Signal::make(Op::Repeat(self.id(), times), width)
+        Signal::make(Op::Repeat(self.id(), times), width, self.shape)
     }
 
     #[track_caller]
     pub(crate) fn shift(self, shift: Shift, amount: Signal) -> Signal {
-        Signal::make(Op::Shift(shift, self.id(), amount.id()), self.width)
+        let [left, amount] = level([self, amount], shift.symbol());
+        Signal::make(Op::Shift(shift, left.id(), amount.id()), left.width, left.shape)
     }
 
     /// Shifted by a constant: wiring, not a shifter.
@@ -341,7 +359,7 @@ impl Signal {
     /// reason is printed beside it in the Verilog.
     #[track_caller]
     pub fn quasi_static(self, reason: &str) -> Signal {
-        Signal::make(Op::QuasiStatic(self.id(), reason.to_owned()), self.width)
+        Signal::make(Op::QuasiStatic(self.id(), reason.to_owned()), self.width, self.shape)
     }
 }
 

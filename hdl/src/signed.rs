@@ -1,7 +1,7 @@
 //! Signed values: a type of their own, so that mixing them with unsigned ones does not compile.
 
 use crate::elaboration;
-use crate::ir::{Binary, Op, Relation, Shift};
+use crate::ir::{Binary, Op, Relation, Shape, Shift};
 use crate::loc::Loc;
 use crate::operand::{Literal, ShiftAmount, Value};
 use crate::signal::{Signal, bits_text};
@@ -200,7 +200,7 @@ impl Literal {
                 let message = format!("`{self}` does not fit in {}, {kind}", bits_text(width));
                 e.report(crate::Problem::new(loc, message).help("an integer takes the width of the signal it meets"));
             }
-            Signal::make_in(e, Op::Const(bits), width, loc)
+            Signal::make_in(e, Op::Const(bits), width, Shape::Plain, loc)
         })
     }
 }

@@ -2,7 +2,9 @@
 
 use crate::bundle::Fields;
 use crate::clock::Clock;
+use crate::ir::Shape;
 use crate::loc::Loc;
+use crate::shaping::IntoShape;
 
 /// The width of an input port, where it was written down, and the clock it is synchronous to if that is not the
 /// block's own. In a block with several named clocks and none of its own, an input that a register or memory samples must
@@ -10,6 +12,7 @@ use crate::loc::Loc;
 #[derive(Debug, Clone, Copy)]
 pub struct Width {
     pub(crate) bits: u32,
+    pub(crate) shape: Shape,
     pub(crate) clock: Option<Clock>,
     pub(crate) loc: Loc,
 }
@@ -20,16 +23,27 @@ impl Width {
         Width { clock: Some(clock), ..self }
     }
 
-    /// The width in bits.
+    /// So much in each lane: `bits(8).of(row(4))`.
+    #[track_caller]
+    pub fn of(self, shape: impl IntoShape) -> Width {
+        Width { shape: shape.into_shape(), ..self }
+    }
+
+    /// The width in bits, of each lane.
     pub fn bits(self) -> u32 {
         self.bits
+    }
+
+    /// How many lanes it has, and how they are laid out.
+    pub fn shape(self) -> Shape {
+        self.shape
     }
 }
 
 /// A port of `width` bits.
 #[track_caller]
 pub fn bits(width: u32) -> Width {
-    Width { bits: width, clock: None, loc: Loc::caller() }
+    Width { bits: width, shape: Shape::Plain, clock: None, loc: Loc::caller() }
 }
 
 /// A port of one bit.

@@ -37,7 +37,7 @@ impl Wire {
     #[track_caller]
     pub fn drive(self, value: impl Operand) {
         let loc = Loc::caller();
-        let driver = value.operand().with_width_of(self.signal, "drive").id();
+        let driver = value.operand().like(self.signal, "drive").id();
         if is_here(self.signal, driver, loc) {
             let slot = elaboration::draft(|draft| draft.wires[self.index].driver.replace((driver, loc)));
             report_second_driver(slot, self.signal.node, "driven", CHOOSE, loc);

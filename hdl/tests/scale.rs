@@ -67,10 +67,9 @@ fn an_array_of_sixteen_thousand_lanes_is_one_instance() {
             Result { y: i.x + 1 }
         }
     }
-    let design = elaborate(&Big(|m, x| {
-        m.array("u_cell", 16_384, &Increment, |cells| Word { x: cells.out.y.previous(x) }).y.last()
-    }))
-    .unwrap();
+    let design =
+        elaborate(&Big(|m, x| m.array("u_cell", 16_384, &Increment, |cells| Word { x: cells.y.previous(x) }).y.last()))
+            .unwrap();
     let top = design.top();
     assert_eq!((top.instances.len(), top.instances[0].shape), (1, ir::Shape::Row(16_384)));
     assert!(top.nodes.len() < 10);

@@ -145,10 +145,10 @@ impl Block for Row {
 
     fn build(&self, m: Module, i: RowIn) -> RowOut {
         let cells = m.array("u_cell", self.lanes, &Cell, |row| CellIn {
-            op: row.all(&i.op),
-            x: row.index(4),
-            left: row.out.sum.previous(i.seed),
-            weight: row.constants(8, |lane| u64::from(lane * lane % 7 * 31)),
+            op: i.op,
+            x: constants(bits(4).of(self.lanes), u64::from),
+            left: row.sum.previous(i.seed),
+            weight: constants(bits(8).of(self.lanes), |lane| u64::from(lane * lane % 7 * 31)),
         });
         RowOut {
             any: cells.hit.or_all(),

@@ -152,7 +152,7 @@ fn logic_that_enters_a_synchronizer() {
     // Wiring and an inverter do no harm.
     elaborate(&Case(|m, i| {
         let wire = m.wire("w", 8);
-        let cells = m.array("u_cell", 2, &Inverter { registered: true }, |cells| Link { x: cells.all(&i.a) });
+        let cells = m.array("u_cell", 2, &Inverter { registered: true }, |_| Link { x: i.a });
         wire.drive(cat![m.pipe("r", i.b), i.c]);
         let fast = m.on(FAST);
         fast.synchronize("one", !wire.bit(2)).zext(8) ^ fast.synchronize("two", cells.out.lane(1).bit(0)).zext(8)

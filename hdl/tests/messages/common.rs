@@ -91,7 +91,6 @@ pub const FAST: Clock = Clock::new("fast", Period::ns(4));
 #[derive(Clone, Copy)]
 pub enum Kept {
     Memory(Mem),
-    Lanes(Lanes),
     Result(Signal),
     Register(Reg),
 }
@@ -111,7 +110,6 @@ impl Block for Keeper {
     fn build(&self, _: Module, _: ()) -> Out {
         let out = match KEPT.get().unwrap() {
             Kept::Memory(memory) => memory.read_async(0),
-            Kept::Lanes(lanes) => lanes.lane(0),
             Kept::Result(signal) => !signal,
             Kept::Register(register) => {
                 register.next(0);

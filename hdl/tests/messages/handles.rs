@@ -58,16 +58,6 @@ fn memories_of_another_module() {
     }));
 }
 
-#[test]
-#[should_panic(expected = "lanes of another module are used")]
-fn lanes_of_another_module() {
-    let _ = elaborate(&Case(|m, i| {
-        let block = Inverter { registered: true };
-        KEPT.set(Some(Kept::Lanes(m.array("u_cell", 2, &block, |cells| Link { x: cells.all(&i.a) }).out)));
-        m.instance("u_keeper", &Keeper, ()).out
-    }));
-}
-
 /// The register's node has the number of the stand-in for it in the module that drives it.
 #[test]
 fn registers_of_another_module() {

@@ -19,30 +19,28 @@ fn instances_fed_with_another_width() {
 fn arrays_fed_with_the_wrong_number_of_lanes() {
     expect(
         |m, i| {
-            let cells = m.array("u_cell", 3, &Inverter { registered: true }, |cells| Link { x: cells.each([i.a, i.a]) });
+            let cells = m.array("u_cell", 3, &Inverter { registered: true }, |_| Link { x: stack([i.a, i.a]) });
             cells.out.lane(3)
         },
-        "an array of 3 lanes is fed 2 signals
-         --> [let cells = m.array(\"u_cell\", 3, &Inverter { registered: true }, |cells| Link { x: cells.each([i.a, i.a]) });]
-         help: give one signal for each lane, all of one width
+        "input `x` of `u_cell` has 3 lanes, but `stack(..)` has 2 lanes
+         --> [let cells = m.array(\"u_cell\", 3, &Inverter { registered: true }, |_| Link { x: stack([i.a, i.a]) });]
+         `x` is declared at [Link { x: bits(8) }]
+         `stack(..)` is made at [let cells = m.array(\"u_cell\", 3, &Inverter { registered: true }, |_| Link { x: stack([i.a, i.a]) });]
+         help: feed a plain signal, the same for all lanes, or one lane for each; `stack` makes a row of signals
 
-         lane 3 of an array of 3 lanes
+         lane 3 of a signal of 3 lanes
          --> [cells.out.lane(3)]
          help: lanes count from 0
 
          2 problems in this description",
     );
-    let empty = |m: Module, i: In| {
-        m.array("u_cell", 0, &Inverter { registered: true }, |cells| Link { x: cells.all(&i.a) }).out.lane(0)
-    };
+    let empty =
+        |m: Module, i: In| m.array("u_cell", 0, &Inverter { registered: true }, |_| Link { x: i.a }).out.lane(0);
     assert!(problems(&Case(empty)).starts_with("the array `u_cell` has no lanes"));
 }
 
 #[test]
-#[should_panic(expected = "an array is fed nothing")]
-fn arrays_fed_with_nothing() {
-    let _ = elaborate(&Case(|m, _| {
-        let feed = |cells: Array<_>| Link { x: cells.each(Vec::<Signal>::new()) };
-        m.array::<Inverter>("u_cell", 2, &Inverter { registered: true }, feed).out.last()
-    }));
+#[should_panic(expected = "a stack of nothing")]
+fn a_stack_of_nothing() {
+    let _ = elaborate(&Case(|_, _| stack(Vec::<Signal>::new()).last()));
 }

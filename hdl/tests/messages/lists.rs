@@ -67,9 +67,9 @@ fn an_instance_fed_a_longer_list() {
 #[test]
 fn an_array_fed_a_list_of_another_length() {
     expect(
-        |m, i| m.array("u_adders", 3, &Adder, |it| it.all(&rows(&[2, 3], &i))).out.lane(0),
+        |m, i| m.array("u_adders", 3, &Adder, |_| rows(&[2, 3], &i)).out.lane(0),
         "input `rows.1.cells` of `u_adders` is a list of 2, but is fed a list of 3
-         --> [|m, i| m.array(\"u_adders\", 3, &Adder, |it| it.all(&rows(&[2, 3], &i))).out.lane(0),]
+         --> [|m, i| m.array(\"u_adders\", 3, &Adder, |_| rows(&[2, 3], &i)).out.lane(0),]
          `rows.1.cells` is declared at [let row = || Row { cells: vec![bits(8), bits(8)] };]
          help: feed as many as the block's `fn inputs` declares",
     );
@@ -78,15 +78,15 @@ fn an_array_fed_a_list_of_another_length() {
 #[test]
 fn lanes_fed_lists_of_different_lengths() {
     expect(
-        |m, i| m.array("u_adders", 2, &Adder, |it| it.each([rows(&[2, 2], &i), rows(&[2, 1], &i)])).out.lane(0),
-        "lane 1 of an array is fed a list `rows.1.cells` of 1, but lane 0 one of 2
-         --> [|m, i| m.array(\"u_adders\", 2, &Adder, |it| it.each([rows(&[2, 2], &i), rows(&[2, 1], &i)])).out.lane(0),]
+        |m, i| m.array("u_adders", 2, &Adder, |_| stack([rows(&[2, 2], &i), rows(&[2, 1], &i)])).out.lane(0),
+        "lane 1 of a stack has a list `rows.1.cells` of 1, but lane 0 one of 2
+         --> [|m, i| m.array(\"u_adders\", 2, &Adder, |_| stack([rows(&[2, 2], &i), rows(&[2, 1], &i)])).out.lane(0),]
          help: give every lane lists of the same length",
     );
     let text = problems(&Case(|m, i| {
-        m.array("u_adders", 2, &Adder, |it| it.each([rows(&[2, 2], &i), rows(&[2, 3], &i)])).out.lane(0)
+        m.array("u_adders", 2, &Adder, |_| stack([rows(&[2, 2], &i), rows(&[2, 3], &i)])).out.lane(0)
     }));
-    assert!(text.starts_with("lane 1 of an array is fed a list `rows.1.cells` of 3, but lane 0 one of 2\n"), "{text}");
+    assert!(text.starts_with("lane 1 of a stack has a list `rows.1.cells` of 3, but lane 0 one of 2\n"), "{text}");
 }
 
 #[test]
@@ -107,23 +107,23 @@ fn choices_between_lists_of_different_lengths() {
 fn lanes_of_an_array_of_another_length() {
     expect(
         |m, i| {
-            let short = m.array("u_short", 3, &Inverter { registered: true }, |it| Link { x: it.all(&i.a) });
+            let short = m.array("u_short", 3, &Inverter { registered: true }, |_| Link { x: i.a });
             let long = m.array("u_long", 4, &Inverter { registered: true }, |_| Link { x: short.out });
             long.out.last()
         },
-        "input `x` of `u_long` has 4 lanes, but `u_short.out` has 3
+        "input `x` of `u_long` has 4 lanes, but `u_short.out` has 3 lanes
          --> [let long = m.array(\"u_long\", 4, &Inverter { registered: true }, |_| Link { x: short.out });]
          `x` is declared at [Link { x: bits(8) }]
-         `u_short.out` is made at [let short = m.array(\"u_short\", 3, &Inverter { registered: true }, |it| Link { x: it.all(&i.a) });]
-         help: an array is fed one value for each of its lanes: list them with `each`, as in `a.each(x.to_vec())`",
+         `u_short.out` is made at [let short = m.array(\"u_short\", 3, &Inverter { registered: true }, |_| Link { x: i.a });]
+         help: feed a plain signal, the same for all lanes, or one lane for each; `stack` makes a row of signals",
     );
     let derived = problems(&Case(|m, i| {
-        let short = m.array("u_short", 3, &Inverter { registered: true }, |it| Link { x: it.all(&i.a) });
+        let short = m.array("u_short", 3, &Inverter { registered: true }, |_| Link { x: i.a });
         let shifted = short.out.previous(i.a);
         m.array("u_long", 2, &Inverter { registered: true }, |_| Link { x: shifted }).out.last()
     }));
     assert!(
-        derived.starts_with("input `x` of `u_long` has 2 lanes, but `u_short.out.shifted(1, ..)` has 3"),
+        derived.starts_with("input `x` of `u_long` has 2 lanes, but `u_short.out.shifted(1, ..)` has 3 lanes"),
         "{derived}"
     );
 }

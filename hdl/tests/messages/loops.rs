@@ -41,15 +41,12 @@ fn loops_through_instances_are_found_and_registers_break_them() {
 #[test]
 fn a_chain_of_lanes_is_no_loop_but_a_ring_is() {
     let chain = |m: Module, i: In| {
-        m.array("u_cell", 4, &Inverter { registered: false }, |cells| Link { x: cells.out.out.previous(i.a) })
-            .out
-            .last()
+        m.array("u_cell", 4, &Inverter { registered: false }, |cells| Link { x: cells.out.previous(i.a) }).out.last()
     };
     elaborate(&Case(chain)).expect("lane 0 starts the chain");
     let text = problems(&Case(|m, _| {
         let w = m.wire("w", 8);
-        let cells =
-            m.array("u_cell", 3, &Inverter { registered: false }, |cells| Link { x: cells.out.out.previous(*w) });
+        let cells = m.array("u_cell", 3, &Inverter { registered: false }, |cells| Link { x: cells.out.previous(*w) });
         w.drive(cells.out.last());
         *w
     }));

@@ -65,7 +65,7 @@ fn instances_that_hide_something() {
             Out { out: m.pipe("lane", i.x) }
         }
     }
-    let text = problems(&Case(|m, i| m.array("u_street", 2, &Street, |a| Link { x: a.all(&i.a) }).out.last()));
+    let text = problems(&Case(|m, i| m.array("u_street", 2, &Street, |_| Link { x: i.a }).out.last()));
     assert!(text.starts_with("the lanes of `u_street` hold something called `lane`"), "{text}");
 }
 

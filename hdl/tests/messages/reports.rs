@@ -10,7 +10,7 @@ fn messages_from_closures_name_the_users_line() {
         ("the condition of `enable`", |m, i| m.pipe_when(i.a, "p", i.a)),
         ("`300` does not fit", |m, _| {
             let block = Inverter { registered: true };
-            m.array("u_cell", 2, &block, |a| Link { x: a.constants(8, |_| 300) }).out.last()
+            m.array("u_cell", 2, &block, |_| Link { x: constants(bits(8).of(2), |_| 300) }).out.last()
         }),
         ("`2` does not fit", |m, _| m.fsm("lamp", Lamp::Off).constants(1, |_| 2)),
         ("`case` needs", |m, i| m.fsm("lamp", Lamp::Off).pick(|lamp| if lamp == Lamp::Off { i.a } else { i.b })),

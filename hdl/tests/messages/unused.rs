@@ -67,9 +67,9 @@ fn inputs_in_faulty_expressions_are_used() {
         ("input `x` of `u_inverter`", |m, i| {
             m.instance("u_inverter", &Inverter { registered: true }, Link { x: i.b }).out + cat![i.a, i.c].trunc(8)
         }),
-        ("an array of 3 lanes", |m, i| {
+        ("input `x` of `u_cell`", |m, i| {
             let inverter = Inverter { registered: true };
-            let cells = m.array("u_cell", 3, &inverter, |cells| Link { x: cells.each([i.a, i.b.zext(8)]) });
+            let cells = m.array("u_cell", 3, &inverter, |_| Link { x: stack([i.a, i.b.zext(8)]) });
             mux(i.c, cells.out.last(), 0)
         }),
         ("`a` belongs to `Strict`", |m, i| {

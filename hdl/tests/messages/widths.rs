@@ -154,7 +154,7 @@ fn things_without_bits() {
         ("a constant has no bits", |_, _| lit(0, 5)),
         ("a constant has no bits", |m, _| {
             let block = Inverter { registered: true };
-            m.array("u_cell", 3, &block, |cells| Link { x: cells.index(0) }).out.last()
+            m.array("u_cell", 3, &block, |_| Link { x: constants(bits(0).of(3), u64::from) }).out.last()
         }),
         ("a constant has no bits", |m, _| m.fsm("lamp", Lamp::Off).constants(0, |lamp| lamp.code())),
     ];

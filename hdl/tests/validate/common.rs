@@ -2,8 +2,8 @@
 
 use tilewright_hdl::ir::*;
 use tilewright_hdl::{
-    Bits, Block, Clock, Design, Fields as _, Lanes, Module as M, Period, ReadUnderWrite, Width, bit, bits, bundle,
-    case, cat, elaborate, mux, select, states,
+    Bits, Block, Clock, Design, Fields as _, Module as M, Period, ReadUnderWrite, Width, bit, bits, bundle, case, cat,
+    elaborate, mux, select, stack, states,
 };
 
 bundle! {
@@ -69,12 +69,9 @@ impl Block for Top {
         let found = words.read_async(part).named("found_now");
         m.assert(i.c | less, "c or less");
         let one = m.instance("u_one", &Stage, StageIn { a: chosen, enable: i.c });
-        let cells = m.array("u_cells", 4, &Stage, |cells| StageIn {
-            a: cells.out.at_once.previous(i.a),
-            enable: cells.all(&i.c),
-        });
-        let each: StageIn<Lanes> = StageIn { a: cells.later, enable: cells.at_once };
-        let listed = m.array("u_listed", 2, &Stage, |it| StageIn { a: it.each([i.a, i.b]), enable: it.all(&i.c) });
+        let cells = m.array("u_cells", 4, &Stage, |cells| StageIn { a: cells.at_once.previous(i.a), enable: i.c });
+        let each: StageIn = StageIn { a: cells.later, enable: cells.at_once };
+        let listed = m.array("u_listed", 2, &Stage, |_| StageIn { a: stack([i.a, i.b]), enable: i.c });
         let fast = m.on(FAST).pipe("fast_c", i.c.quasi_static("set once").named("slow"));
         let all = each.map(|lanes| *lanes).leaves();
         let lane = all[0].1.lane(2).named("lane_two") ^ listed.later.lane(1);

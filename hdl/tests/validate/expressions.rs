@@ -15,7 +15,7 @@ fn widths() {
 
 #[test]
 fn ids_lead_somewhere() {
-    refused("an operand of `top.add` is node 4000000000 of 54", |it| {
+    refused("an operand of `top.add` is node 4000000000 of 53", |it| {
         it.op("add", |op| *op = Op::Binary(Binary::Add, NodeId(0), NodeId(4_000_000_000)));
     });
     refused("`top.add` is input 3, which there is not", |it| it.op("add", |op| *op = Op::Input(3)));

@@ -120,6 +120,7 @@ impl Block for ScanCounter {
 #[cfg(test)]
 mod tests {
     use proptest::prelude::*;
+    use tilewright_hdl::constants;
     use tilewright_sim::Simulation;
 
     use super::*;
@@ -173,11 +174,11 @@ mod tests {
             let widths = ScanCounter::position(self.screen);
             let preset = |position| ScanCounter::preset(self.screen, position);
             let counters =
-                m.array("u_scan_counter", self.length, &ScanCounter { screen: self.screen }, |a| ScanCounterIn {
-                    scan: a.all(&i),
+                m.array("u_scan_counter", self.length, &ScanCounter { screen: self.screen }, |_| ScanCounterIn {
+                    scan: i,
                     preset: Position {
-                        x: a.constants(widths.x.bits(), |lane| preset(lane).x),
-                        y: a.constants(widths.y.bits(), |lane| preset(lane).y),
+                        x: constants(widths.x.of(self.length), |lane| preset(lane).x),
+                        y: constants(widths.y.of(self.length), |lane| preset(lane).y),
                     },
                 });
             let (x, y) = (counters.pixel.x.to_vec(), counters.pixel.y.to_vec());

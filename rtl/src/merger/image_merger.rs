@@ -11,7 +11,7 @@
 //! come 4 i clocks after the left one of the same pixel, which the scan counters' lead takes care of (VC1-SCAN).
 
 use tilewright_hdl::ir::About;
-use tilewright_hdl::{Block, Module, Width, bit, bits, bundle};
+use tilewright_hdl::{Block, Module, Width, bit, bits, bundle, stack};
 
 use super::unit::{MergingUnit, MergingUnitIn};
 use crate::word::WORD;
@@ -51,9 +51,9 @@ impl Block for ImageMerger {
 
     fn build(&self, m: Module, i: ImageMergerIn) -> ImageMergerOut {
         let units = m.array("u_merging_unit", self.units, &MergingUnit, |units| MergingUnitIn {
-            left: units.out.nearer.previous(i.left),
-            right: units.each(i.samples),
-            enable: units.all(&i.enable),
+            left: units.nearer.previous(i.left),
+            right: stack(i.samples),
+            enable: i.enable,
         });
         ImageMergerOut { merged: units.nearer.last() }
     }

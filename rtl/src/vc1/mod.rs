@@ -30,7 +30,7 @@
 //! A processor that swaps during a round loses nothing (VC1-SW4): what the scan has passed already is sent in the next round.
 
 use tilewright_hdl::ir::About;
-use tilewright_hdl::{Block, Fields, Module, Width, bundle, on};
+use tilewright_hdl::{Block, Fields, Module, Width, bundle, constants, on, stack};
 
 use crate::clocks::MERGE;
 use crate::gfb::{GfbUnit, GfbUnitIn, Host, View};
@@ -135,15 +135,15 @@ impl Block for Vc1 {
         let merged = merge.wire("merged", crate::word::WORD);
         let gfb = merge.instance("u_gfb", &self.gfb(), GfbUnitIn { host: i.gfb, merged: *merged });
 
-        let lfb = m.array("u_lfb", self.processors, &self.lfb, |units| {
-            let ProcessorIn { request, clear, swap, resume } = units.each(i.processors);
+        let lfb = m.array("u_lfb", self.processors, &self.lfb, |_| {
+            let ProcessorIn { request, clear, swap, resume } = stack(i.processors);
             let widths = ScanCounter::position(screen);
             let preset = |position| ScanCounter::preset(screen, position);
             let preset = Position {
-                x: units.constants(widths.x.bits(), |position| preset(position).x),
-                y: units.constants(widths.y.bits(), |position| preset(position).y),
+                x: constants(widths.x.of(self.processors), |position| preset(position).x),
+                y: constants(widths.y.of(self.processors), |position| preset(position).y),
             };
-            LfbUnitIn { request, clear, swap, resume, scan: units.all(&gfb.scan), preset }
+            LfbUnitIn { request, clear, swap, resume, scan: gfb.scan, preset }
         });
 
         let chain = ImageMerger { units: self.processors };

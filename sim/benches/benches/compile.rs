@@ -63,7 +63,7 @@ impl Block for Lanes {
     }
 
     fn build(&self, m: Module, i: In) -> Out {
-        Out { y: m.array("u_lane", self.lanes, &self.flat, |a| In { x: a.out.y.previous(i.x) }).y.xor_all() }
+        Out { y: m.array("u_lane", self.lanes, &self.flat, |a| In { x: a.y.previous(i.x) }).y.xor_all() }
     }
 }
 

@@ -9,6 +9,7 @@ mod lookup;
 mod peek;
 mod play;
 mod port;
+mod port_lanes;
 mod port_order;
 mod run;
 mod running;

@@ -195,6 +195,26 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         list(&self.o).iter().map(|port| circuit.narrow(*port, 0)).collect()
     }
 
+    /// Sets an input that has lanes, a value for each; a grid row by row.
+    ///
+    /// # Panics
+    ///
+    /// There are more or fewer values than lanes; or as [`Simulation::set`].
+    #[track_caller]
+    pub fn set_lanes<V: IntoValue>(&mut self, port: Port, values: impl IntoIterator<Item = V>) {
+        self.circuit.set_lanes(port, values);
+    }
+
+    /// The lanes of a port, settled, as numbers; a grid row by row. A plain port has one.
+    ///
+    /// # Panics
+    ///
+    /// They are wider than 64 bits.
+    #[track_caller]
+    pub fn lanes(&mut self, port: Port) -> Vec<u64> {
+        self.circuit.lanes(port)
+    }
+
     /// The value of a port, settled: an output as it follows from the state and the inputs of this moment.
     #[track_caller]
     #[inline]

@@ -5,7 +5,8 @@ use std::path::PathBuf;
 
 use crate::store::Store;
 use tilewright_hdl::{
-    Bits, Block, Design, Module, ReadUnderWrite, Width, bits, bundle, cat, elaborate, mux, states, when,
+    Bits, Block, Design, Module, ReadUnderWrite, Width, bits, bundle, cat, constants, elaborate, mux, stack, states,
+    when,
 };
 use tilewright_sim::{Batch, EngineKind, Error, Port, Simulation, Vcd};
 
@@ -59,8 +60,8 @@ impl Block for Mixed {
 
     fn build(&self, m: Module, i: MixedIn) -> MixedOut {
         let cells = m.array("u_cell", 3, &Cell, |a| CellIn {
-            left: a.out.value.previous(i.x),
-            own: a.constants(12, |lane| u64::from(lane) + 2),
+            left: a.value.previous(i.x),
+            own: constants(bits(12).of(3), |lane| u64::from(lane) + 2),
         });
         let wide = m.reg("wide", 100).reset(1);
         wide.next(wide + (i.mix ^ cat![wide.slice(0..50), wide.slice(50..100)]));
@@ -104,7 +105,7 @@ impl Block for Limit {
             m.assert(total.lt(100), "the sum is too large");
             return LimitOut { total: total.value() };
         }
-        let limits = m.array("u_limit", 2, &Limit { inside: true }, |a| LimitIn { add: a.each([i.add, i.add >> 1]) });
+        let limits = m.array("u_limit", 2, &Limit { inside: true }, |_| LimitIn { add: stack([i.add, i.add >> 1]) });
         LimitOut { total: limits.total.sum() }
     }
 }

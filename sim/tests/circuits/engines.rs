@@ -5,7 +5,8 @@ use std::fs;
 
 use proptest::prelude::*;
 use tilewright_hdl::{
-    Bits, Block, Clock, Module, Period, ReadUnderWrite, Width, bit, bits, bundle, goto, mux, net, states, when,
+    Bits, Block, Clock, Module, Period, ReadUnderWrite, Width, bit, bits, bundle, constants, goto, mux, net, states,
+    when,
 };
 use tilewright_sim::program::hierarchy;
 use tilewright_sim::{EngineKind, Simulation, Vcd};
@@ -81,11 +82,11 @@ impl Block for Row {
 
     fn build(&self, m: Module, i: RowIn) -> RowOut {
         let cells = m.array("u_cell", self.lanes, &Cell, |a| CellIn {
-            enable: a.all(&i.enable),
-            left: a.out.value.following(i.x),
-            own: a.constants(8, |lane| u64::from(5 * lane % 16)),
-            wide: a.all(&i.wide),
-            pick: a.all(&i.pick),
+            enable: i.enable,
+            left: a.value.following(i.x),
+            own: constants(bits(8).of(self.lanes), |lane| u64::from(5 * lane % 16)),
+            wide: i.wide,
+            pick: i.pick,
         });
         m.on(SLOW).assert(i.pick.ne(7), "nobody picks 7");
         RowOut {

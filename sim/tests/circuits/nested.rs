@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use tilewright_hdl::{Block, Module, Width, bits, bundle, cat};
+use tilewright_hdl::{Block, Module, Width, bits, bundle, cat, constants, stack};
 use tilewright_sim::{EngineKind, Simulation};
 
 /// Runs a block that has no inputs on both engines; what it gives has to change, or there would be little to compare.
@@ -60,7 +60,7 @@ impl Block for AdderRow {
     fn build(&self, m: Module, i: SeedIn) -> SumOut {
         let held = m.reg("held", 32).reset(1);
         let sum = m.wire("sum", 32);
-        let adders = m.array("u_adder", 16, &Adder, |a| AdderIn { row: a.all(&held.value()), sum: a.all(&*sum) });
+        let adders = m.array("u_adder", 16, &Adder, |_| AdderIn { row: held.value(), sum: *sum });
         sum.drive(adders.x.sum());
         held.next(*held + *sum + i.seed);
         SumOut { sum: *sum }
@@ -78,7 +78,9 @@ impl<B: Block<In = SeedIn, Out = SumOut>> Block for Rows<B> {
     fn inputs(&self) {}
 
     fn build(&self, m: Module, (): ()) -> SumOut {
-        let rows = m.array("u_row", self.0, &self.1, |a| SeedIn { seed: a.constants(32, |lane| 3 * lane as u64 + 1) });
+        let rows = m.array("u_row", self.0, &self.1, |_| SeedIn {
+            seed: constants(bits(32).of(self.0), |lane| 3 * lane as u64 + 1),
+        });
         SumOut { sum: rows.sum.xor_all() }
     }
 }
@@ -123,7 +125,7 @@ impl Block for Pair {
     }
 
     fn build(&self, m: Module, i: LeafIn) -> LeafOut {
-        let leaves = m.array("u_leaf", 2, &Leaf, |a| LeafIn { x: a.each([i.x, i.x >> 1]) });
+        let leaves = m.array("u_leaf", 2, &Leaf, |_| LeafIn { x: stack([i.x, i.x >> 1]) });
         LeafOut { y: leaves.y.sum() }
     }
 }
@@ -141,7 +143,7 @@ impl Block for Group {
     }
 
     fn build(&self, m: Module, i: GroupIn) -> SumOut {
-        let pairs = m.array("u_pair", 4, &Pair, |a| LeafIn { x: a.each([i.even, i.odd, i.even + 1, i.even ^ i.odd]) });
+        let pairs = m.array("u_pair", 4, &Pair, |_| LeafIn { x: stack([i.even, i.odd, i.even + 1, i.even ^ i.odd]) });
         SumOut { sum: pairs.y.sum() }
     }
 }
@@ -159,7 +161,7 @@ impl Block for Groups {
     fn build(&self, m: Module, (): ()) -> SumOut {
         let count = m.reg("count", 8).reset(0);
         count.next(*count + 3);
-        let groups = m.array("u_group", 4, &Group, |a| GroupIn { even: a.all(&count.value()), odd: a.all(&!*count) });
+        let groups = m.array("u_group", 4, &Group, |_| GroupIn { even: count.value(), odd: !*count });
         SumOut { sum: groups.sum.sum() }
     }
 }
@@ -203,7 +205,7 @@ impl Block for WideRow {
     }
 
     fn build(&self, m: Module, i: SeedIn) -> SumOut {
-        let wide = m.array("u_wide", 2, &Wide, |a| LeafIn { x: a.each([i.seed.slice(0..8), i.seed.slice(8..16)]) });
+        let wide = m.array("u_wide", 2, &Wide, |_| LeafIn { x: stack([i.seed.slice(0..8), i.seed.slice(8..16)]) });
         SumOut { sum: m.pipe("any", wide.y.or_all()) + m.pipe("total", wide.y.sum()) }
     }
 }

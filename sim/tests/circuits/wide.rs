@@ -70,11 +70,8 @@ impl Block for Row {
 
     fn build(&self, m: Module, i: RowIn) -> RowOut {
         let cell = Cell { width: self.width, operations: self.operations };
-        let out = m.array("u_cell", self.lanes, &cell, |a| CellIn {
-            x: a.all(&i.x),
-            left: a.out.value.previous(i.x),
-            pick: a.all(&i.pick),
-        });
+        let out =
+            m.array("u_cell", self.lanes, &cell, |a| CellIn { x: i.x, left: a.value.previous(i.x), pick: i.pick });
         RowOut { sum: out.value.sum(), all: out.sum.xor_all(), last: out.sum.last() }
     }
 }

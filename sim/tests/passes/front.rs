@@ -1,6 +1,6 @@
 //! From a design to a program.
 
-use tilewright_hdl::{Block, Module, Width, bit, bits, bundle};
+use tilewright_hdl::{Block, Module, Width, bit, bits, bundle, constants, stack};
 use tilewright_sim::{Pass, Passes};
 
 use crate::{after, after_with, is};
@@ -53,7 +53,7 @@ impl Block for Top {
         let x = i.op.slice(0..7).zext(8);
         m.ignore(&i.go);
         if self.array {
-            let cells = m.array("u_cell", 4, &Cell, |a| CellIn { x: a.index(8), op: a.all(&i.op) });
+            let cells = m.array("u_cell", 4, &Cell, |_| CellIn { x: constants(bits(8).of(4), u64::from), op: i.op });
             return TopOut { y: cells.sum.xor_all() };
         }
         let cells: Vec<_> =
@@ -237,10 +237,10 @@ impl Block for Lifted {
 
     fn build(&self, m: Module, i: TopIn) -> TopOut {
         m.ignore(&i.go);
-        let first = m.array("u_first", 4, &Cell, |a| CellIn { x: a.index(8), op: a.all(&i.op) });
-        let second = m.array("u_second", 4, &Cell, |a| {
+        let first = m.array("u_first", 4, &Cell, |_| CellIn { x: constants(bits(8).of(4), u64::from), op: i.op });
+        let second = m.array("u_second", 4, &Cell, |_| {
             let each = first.sum.to_vec().into_iter().map(|sum| sum + i.op);
-            CellIn { x: a.each(each), op: a.all(&i.op) }
+            CellIn { x: stack(each), op: i.op }
         });
         TopOut { y: second.sum.xor_all() }
     }

@@ -170,8 +170,7 @@ impl Block for Row {
     }
 
     fn build(&self, m: Module, i: RowIn) -> RowOut {
-        let cells =
-            m.array("u_cell", self.lanes, &Cell, |a| CellIn { op: a.all(&i.op), left: a.out.q.previous(i.seed) });
+        let cells = m.array("u_cell", self.lanes, &Cell, |a| CellIn { op: i.op, left: a.q.previous(i.seed) });
         RowOut { all: m.pipe("all", cells.q.xor_all()) }
     }
 }

@@ -46,9 +46,9 @@ impl Block for Mixer {
     fn build(&self, m: Module, (): ()) -> MixerOut {
         let mut all = None;
         m.array("u_cell", 64, &Mix, |a| {
-            let sum = a.out.q.xor_all();
+            let sum = a.q.xor_all();
             all = Some(sum);
-            MixIn { all: a.all(&sum) }
+            MixIn { all: sum }
         });
         MixerOut { all: all.expect("the array is made") }
     }

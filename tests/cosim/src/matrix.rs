@@ -57,7 +57,7 @@ impl Block for Matrix {
     }
 
     fn build(&self, m: Module, MatrixIn { a, b, by }: MatrixIn) -> MatrixOut {
-        let cells = m.array("u_cell", 3, &Cell { width: self.width }, |cells| CellIn { x: cells.each([a, b, !a]) });
+        let cells = m.array("u_cell", 3, &Cell { width: self.width }, |_| CellIn { x: stack([a, b, !a]) });
         MatrixOut {
             result: OPERATORS.iter().map(|operator| (operator.circuit)(Operands { a, b, by })).collect(),
             lanes: [cells.passed.and_all(), cells.passed.or_all(), cells.passed.xor_all(), cells.passed.sum()],

@@ -193,7 +193,7 @@ mod tests {
         }
 
         fn build(&self, m: Module, i: TopIn) -> TopOut {
-            let cells = m.array("u_cell", 3, &Cell, |a| CellIn { x: a.all(&i.x), word: a.all(&i.word) });
+            let cells = m.array("u_cell", 3, &Cell, |_| CellIn { x: i.x, word: i.word });
             TopOut { y: tilewright_hdl::mux(i.pick, cells.y.last(), i.word) }
         }
     }

@@ -98,19 +98,23 @@ impl Flatten<'_> {
         for input in &module.inputs {
             let clock = input.clock.map_or(0, |clock| clock.0 as usize);
             let value = self.packed_input(module, input.node, value(input.node), lanes);
+            let lanes = module.shape(input.node).lanes();
             self.flat.program.inputs.push(Port {
                 name: input.name.clone(),
                 path: input.path.clone(),
                 value,
+                lanes,
                 triggers: Triggers::inputs(clock),
             });
         }
         for output in &module.outputs {
             let value = self.packed_output(module.node(output.node), value(output.node), lanes);
+            let lanes = module.shape(output.node).lanes();
             self.flat.program.outputs.push(Port {
                 name: output.name.clone(),
                 path: output.path.clone(),
                 value,
+                lanes,
                 triggers: Triggers::NONE,
             });
         }

@@ -216,8 +216,10 @@ pub struct Port {
     pub name: String,
     /// Its path in the bundle.
     pub path: String,
-    /// Its value, with as many lanes as the program has.
+    /// Its value, with as many lanes as the program has: all lanes of the port side by side, the first in the lowest bits.
     pub value: ValueId,
+    /// The number of its own lanes; 1 of a plain port.
+    pub lanes: u32,
     /// What a change of this input makes stale; none for an output.
     pub triggers: Triggers,
 }

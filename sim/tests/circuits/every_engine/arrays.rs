@@ -3,7 +3,7 @@
 use crate::engine::{engine, of};
 use proptest::prelude::*;
 use tilewright_hdl::ir::{Design, Instance, InstanceId, Module as IrModule, Node, NodeId, Op, Reduction, Shape};
-use tilewright_hdl::{Bits, Block, Module, ReadUnderWrite, Width, bits, bundle, elaborate, mux};
+use tilewright_hdl::{Bits, Block, Module, ReadUnderWrite, Width, bits, bundle, constants, elaborate, mux};
 use tilewright_sim::Simulation;
 
 bundle! {
@@ -62,9 +62,9 @@ impl Block for Row {
     fn build(&self, m: Module, i: RowIn) -> RowOut {
         let cell = Cell { width: self.width, chained: self.chained };
         let out = m.array("u_cell", self.lanes, &cell, |a| CellIn {
-            left: if self.chained { a.out.at_once.previous(i.entering) } else { a.out.value.following(i.entering) },
-            common: a.all(&i.common),
-            own: a.constants(self.width, |lane| u64::from(3 * lane % 8)),
+            left: if self.chained { a.at_once.previous(i.entering) } else { a.value.following(i.entering) },
+            common: i.common,
+            own: constants(bits(self.width).of(self.lanes), |lane| u64::from(3 * lane % 8)),
         });
         RowOut {
             sum: out.value.sum(),
@@ -223,7 +223,10 @@ impl Block for Grid {
 
     fn build(&self, m: Module, i: RowIn) -> GridOut {
         let row = Row { lanes: 3, width: self.width, chained: false };
-        let rows = m.array("u_row", 2, &row, |a| RowIn { common: a.all(&i.common), entering: a.index(self.width) });
+        let rows = m.array("u_row", 2, &row, |_| RowIn {
+            common: i.common,
+            entering: constants(bits(self.width).of(2), u64::from),
+        });
         m.ignore(&i.entering);
         GridOut { total: rows.sum.sum() }
     }

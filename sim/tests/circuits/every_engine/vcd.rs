@@ -4,7 +4,7 @@ use std::fs;
 use std::path::PathBuf;
 
 use crate::engine::{engine, of};
-use tilewright_hdl::{Block, Module, Width, bit, bits, bundle, states, when};
+use tilewright_hdl::{Block, Module, Width, bit, bits, bundle, stack, states, when};
 use tilewright_sim::{Error, Vcd};
 
 bundle! {
@@ -55,7 +55,7 @@ impl Block for Lamps {
         let count = m.reg("count", 4).reset(0);
         count.next(count + 1);
         m.assert(count.lt(3), "the count goes on");
-        let lamps = m.array("u_lamp", 2, &OneLamp, |a| LampIn { toggle: a.each([i.toggle.bit(0), i.toggle.bit(1)]) });
+        let lamps = m.array("u_lamp", 2, &OneLamp, |_| LampIn { toggle: stack([i.toggle.bit(0), i.toggle.bit(1)]) });
         LampsOut { all: lamps.lit.and_all(), count: count.value() }
     }
 }

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use crate::engine::{engine, of};
 use proptest::prelude::*;
 use tilewright_hdl::{
-    Bits, Block, Clock, Module, Period, ReadUnderWrite, Width, bit, bits, bundle, hold, mux, states, when,
+    Bits, Block, Clock, Module, Period, ReadUnderWrite, Width, bit, bits, bundle, hold, mux, stack, states, when,
 };
 use tilewright_sim::{Error, Simulation, Vcd};
 use vcd::{Command, IdCode, Parser, ScopeItem};
@@ -68,9 +68,9 @@ impl Block for House {
 
     fn build(&self, m: Module, i: HouseIn) -> HouseOut {
         m.on(FAST).assert(!i.fail, "all is well");
-        let cells = m.array("u_cell", 5, &Cell, |a| CellIn {
-            push: a.each((0..5).map(|lane| i.push.bit(lane)).collect::<Vec<_>>()),
-            seed: a.all(&i.seed),
+        let cells = m.array("u_cell", 5, &Cell, |_| CellIn {
+            push: stack((0..5).map(|lane| i.push.bit(lane)).collect::<Vec<_>>()),
+            seed: i.seed,
         });
         let slow = m.on(SLOW);
         let count = slow.reg("count", 3).reset(0);

@@ -1,7 +1,7 @@
 //! Steps that are instances of earlier parts, alone and in arrays.
 
 use super::expression::binary;
-use super::{Builder, PartBlock, PartIn, PartOut, Ports, child_index, fit, narrow};
+use super::{Builder, PartBlock, PartIn, Ports, child_index, fit, narrow};
 use crate::spec::*;
 use crate::stimulus::Numbers;
 use tilewright_hdl::ir::Reduction;
@@ -45,13 +45,13 @@ impl Builder<'_> {
         let mut feeds = row.inputs.iter().copied().chain(std::iter::repeat((Feed::Broadcast, Pick(1))));
         let name = self.inner_name(&format!("u{}_{number}", self.block.index));
         let out = module.array(&name, row.lanes, child, |array| {
-            let links = [array.out.link.clone(), array.out.second_link.clone()].map(Ports::values);
+            let links = [array.link.clone(), array.second_link.clone()].map(Ports::values);
             let [own, second] = [0, 1].map(|domain| {
                 let mut links = links[domain].iter();
                 let feed = |input: &Input| {
                     let link = input.link.and_then(|link| Some((link, *links.next()?)));
                     let (feed, pick) = feeds.next().expect("endless");
-                    self.feed(&array, &row, Self::outside(d, domain), (feed, pick, input.width), link)
+                    self.feed(&row, Self::outside(d, domain), (feed, pick, input.width), link)
                 };
                 child.ports_on(domain, feed)
             });
@@ -68,26 +68,25 @@ impl Builder<'_> {
     }
 
     /// The lanes of another array, over and over, each put through the same function.
-    fn one_by_one(&self, array: &Array<PartOut<Lanes>>, of: Lanes, each: impl FnMut(Signal) -> Signal) -> Lanes {
+    fn one_by_one(&self, row: &Row, of: Signal, each: impl FnMut(Signal) -> Signal) -> Signal {
         let signals = of.to_vec().into_iter().map(each).collect::<Vec<_>>();
-        array.each(signals.into_iter().cycle().take(array.count() as usize))
+        stack(signals.into_iter().cycle().take(row.lanes as usize))
     }
 
     fn feed(
         &mut self,
-        array: &Array<PartOut<Lanes>>,
         row: &Row,
         d: usize,
         (feed, pick, width): (Feed, Pick, u32),
-        link: Option<(Link, Lanes)>,
-    ) -> Lanes {
+        link: Option<(Link, Signal)>,
+    ) -> Signal {
         match (feed, link) {
             (Feed::Back(reduction), Some((Link { registered: true, .. }, link))) => {
-                array.all(&gather(link, Gather::Reduce(reduction)))
+                gather(link, Gather::Reduce(reduction))
             }
             (Feed::Rotate(by), Some((Link { registered: true, .. }, link))) => {
                 let lane = |lane: u32| link.lane((lane + u32::from(by)) % row.lanes);
-                array.each((0..row.lanes).map(lane).collect::<Vec<_>>())
+                stack((0..row.lanes).map(lane).collect::<Vec<_>>())
             }
             (Feed::Other(other, by), _) if !self.rows[d].is_empty() => {
                 let other = self.rows[d][usize::from(other.0) % self.rows[d].len()];
@@ -95,18 +94,18 @@ impl Builder<'_> {
                     let edge = self.pick_fit(d, pick, width);
                     return if by == 0 { other } else { other.shifted(i32::from(by), edge) };
                 }
-                self.one_by_one(array, other, |signal| fit(signal, width, pick))
+                self.one_by_one(row, other, |signal| fit(signal, width, pick))
             }
             (Feed::Lifted(op, other), _) if !self.rows[d].is_empty() => {
                 let other = self.rows[d][usize::from(other.0) % self.rows[d].len()];
                 let with = self.pick_fit(d, pick, width);
-                self.one_by_one(array, other, |signal| binary(op, fit(signal, width, pick), with).trunc(width))
+                self.one_by_one(row, other, |signal| binary(op, fit(signal, width, pick), with).trunc(width))
             }
             (Feed::LiftedTable(op, other), _) if !self.rows[d].is_empty() => {
                 let other = self.rows[d][usize::from(other.0) % self.rows[d].len()];
                 let constants = (0..other.count()).map(|lane| lit(width, Numbers(lane.into()).bits(width).limbs()[0]));
                 let mut constants = constants.collect::<Vec<_>>().into_iter();
-                self.one_by_one(array, other, |signal| {
+                self.one_by_one(row, other, |signal| {
                     let constant = constants.next().expect("one for each lane");
                     binary(op, fit(signal, width, pick), constant).trunc(width)
                 })
@@ -120,17 +119,14 @@ impl Builder<'_> {
             (Feed::Each, _) => {
                 let picks = (0..row.lanes).map(|lane| Pick(pick.0.wrapping_add(7 * lane as u16)));
                 let signals: Vec<_> = picks.map(|pick| self.pick_fit(d, pick, width)).collect();
-                array.each(signals)
+                stack(signals)
             }
-            (Feed::Index, _) => array.constants(width, |lane| Bits::new(width, lane.into()).limbs()[0]),
-            (Feed::Table(seed), _) => array.constants(width, |lane| {
+            (Feed::Index, _) => constants(bits(width).of(row.lanes), |lane| Bits::new(width, lane.into()).limbs()[0]),
+            (Feed::Table(seed), _) => constants(bits(width).of(row.lanes), |lane| {
                 let number = Numbers(seed.wrapping_add(lane.into())).draw();
                 Bits::new(width, number).limbs()[0]
             }),
-            _ => {
-                let signal = self.pick_fit(d, pick, width);
-                array.all(&signal)
-            }
+            _ => self.pick_fit(d, pick, width),
         }
     }
 }
@@ -150,13 +146,14 @@ pub struct Row<'a> {
     pub outputs: &'a [Gather],
 }
 
-fn gather(lanes: Lanes, gather: Gather) -> Signal {
+fn gather(lanes: Signal, gather: Gather) -> Signal {
     match gather {
         Gather::Reduce(Reduction::And) => lanes.and_all(),
         Gather::Reduce(Reduction::Or) => lanes.or_all(),
         Gather::Reduce(Reduction::Xor) => lanes.xor_all(),
         Gather::Reduce(Reduction::Add) => lanes.sum(),
-        Gather::Reduce(Reduction::Min | Reduction::Max) => unreachable!("the language does not make these yet"),
+        Gather::Reduce(Reduction::Min) => lanes.minimum(),
+        Gather::Reduce(Reduction::Max) => lanes.maximum(),
         Gather::Lane(index) => lanes.lane(index % lanes.count()),
         Gather::Concat => narrow(concat(&lanes.to_vec())),
     }

@@ -165,7 +165,7 @@ struct Builder<'a> {
     pools: [Vec<Value>; 2],
     late: Vec<(usize, Late)>,
     /// Outputs of arrays, by clock.
-    rows: [Vec<Lanes>; 2],
+    rows: [Vec<Signal>; 2],
     namer: Namer,
 }
 

@@ -7,7 +7,7 @@ mod processor;
 mod program;
 
 use tilewright_hdl::ir::About;
-use tilewright_hdl::{Block, Module, Width, bit, mux};
+use tilewright_hdl::{Block, Module, Width, bit, bits, constants, mux};
 
 use super::{BenchIn, BenchOut};
 use crate::word::seed;
@@ -29,9 +29,9 @@ impl Block for Core {
     }
 
     fn build(&self, m: Module, i: BenchIn) -> BenchOut {
-        let processors = m.array("u_processor", self.processors, &Processor, |processors| ProcessorIn {
-            rst: processors.all(&i.rst),
-            word: processors.constants(32, seed),
+        let processors = m.array("u_processor", self.processors, &Processor, |_| ProcessorIn {
+            rst: i.rst,
+            word: constants(bits(32).of(self.processors), seed),
         });
         let folded = processors.sum.to_vec().into_iter().reduce(|folded, sum| folded.rotate_left(1) ^ sum);
         let csum = m.reg("csum", 32);

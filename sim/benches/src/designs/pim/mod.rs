@@ -13,7 +13,7 @@ mod frame_buffer;
 mod merger;
 
 use tilewright_hdl::ir::About;
-use tilewright_hdl::{Block, Fields, Module, Width, bit, bits, bundle, cat, lit, mux};
+use tilewright_hdl::{Block, Fields, Module, Width, bit, bits, bundle, cat, constants, lit, mux};
 
 use crate::word::seed;
 use frame_buffer::{FrameBuffer, FrameBufferIn};
@@ -70,10 +70,10 @@ impl Block for Pim {
         let (width, x_width) = (frame_buffer.width(), frame_buffer.x_width());
         let lead = |stage: u32| u64::from(4 * (self.stages - 1 - stage) % width);
         let chain = m.array("u_stage", self.stages, &Stage { frame_buffer }, |stages| StageIn {
-            rst: stages.all(&i.rst),
-            seed: stages.constants(32, seed),
-            start_x: stages.constants(x_width, lead),
-            left: stages.out.merged.map(|field| field.previous(0)),
+            rst: i.rst,
+            seed: constants(bits(32).of(self.stages), seed),
+            start_x: constants(bits(x_width).of(self.stages), lead),
+            left: stages.merged.map(|field| field.previous(0)),
         });
         let last = chain.merged.map(|field| field.last());
         let csum = m.reg("csum", 32);

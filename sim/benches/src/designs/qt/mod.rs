@@ -5,7 +5,7 @@
 mod unit;
 
 use tilewright_hdl::ir::About;
-use tilewright_hdl::{Block, Module, Signal, Width, bit, lit, mux};
+use tilewright_hdl::{Block, Module, Signal, Width, bit, bits, constants, lit, mux};
 
 use super::{BenchIn, BenchOut};
 use crate::word::seed;
@@ -52,9 +52,9 @@ impl Block for Qt {
     fn build(&self, m: Module, i: BenchIn) -> BenchOut {
         let hashes: Vec<Signal> = match self.apart {
             false => {
-                let units = m.array("u_unit", self.units, &Unit, |units| UnitIn {
-                    rst: units.all(&i.rst),
-                    seed: units.constants(32, seed),
+                let units = m.array("u_unit", self.units, &Unit, |_| UnitIn {
+                    rst: i.rst,
+                    seed: constants(bits(32).of(self.units), seed),
                 });
                 units.hash.to_vec()
             }

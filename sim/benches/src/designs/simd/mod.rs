@@ -19,7 +19,7 @@ mod row;
 mod sequencer;
 
 use tilewright_hdl::ir::About;
-use tilewright_hdl::{Block, Module, Width, bit, lit, mux};
+use tilewright_hdl::{Block, Module, Width, bit, bits, constants, lit, mux};
 
 use super::{BenchIn, BenchOut};
 use row::{Row, RowIn};
@@ -44,12 +44,12 @@ impl Block for Simd {
         let issued = m.instance("u_sequencer", &Sequencer, SequencerIn { rst: i.rst });
         let [a, b, c] = issued.coefficients;
         let columns: Vec<_> = (0..self.edge).map(|x| a.times(lit(8, x.into())).trunc(8) + c).collect();
-        let rows = m.array("u_row", self.edge, &Row { processors: self.edge }, |rows| RowIn {
-            rst: rows.all(&i.rst),
-            instruction: rows.all(&issued.instruction),
-            columns: rows.all(&columns),
-            b: rows.all(&b),
-            y: rows.index(8),
+        let rows = m.array("u_row", self.edge, &Row { processors: self.edge }, |_| RowIn {
+            rst: i.rst,
+            instruction: issued.instruction,
+            columns,
+            b,
+            y: constants(bits(8).of(self.edge), u64::from),
         });
         let folded = rows.sum.to_vec().into_iter().reduce(|folded, sum| folded.rotate_left(1) ^ sum);
         let csum = m.reg("csum", 32);

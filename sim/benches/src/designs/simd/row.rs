@@ -1,6 +1,6 @@
 //! A row of processors, and the exclusive or of their results.
 
-use tilewright_hdl::{Block, Module, Width, bit, bits, bundle};
+use tilewright_hdl::{Block, Module, Width, bit, bits, bundle, stack};
 
 use super::instruction::Instruction;
 use super::processor::{Processor, ProcessorIn};
@@ -42,11 +42,11 @@ impl Block for Row {
 
     fn build(&self, m: Module, i: RowIn) -> RowOut {
         let term = i.b.times(i.y).trunc(8).named("term");
-        let processors = m.array("u_processor", self.processors, &Processor, |processors| ProcessorIn {
-            rst: processors.all(&i.rst),
-            instruction: processors.all(&i.instruction),
-            column: processors.each(i.columns),
-            row: processors.all(&term),
+        let processors = m.array("u_processor", self.processors, &Processor, |_| ProcessorIn {
+            rst: i.rst,
+            instruction: i.instruction,
+            column: stack(i.columns),
+            row: term,
         });
         RowOut { sum: m.pipe("sum", processors.contribution.xor_all()) }
     }

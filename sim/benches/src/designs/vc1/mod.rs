@@ -19,7 +19,7 @@ mod host;
 mod painter;
 
 use tilewright_hdl::ir::About;
-use tilewright_hdl::{Block, Fields, Module, Signal};
+use tilewright_hdl::{Block, Fields, Module, Signal, bits, constants, stack};
 use tilewright_rtl::clocks::{MERGE, PE};
 use tilewright_rtl::lfb::Patches;
 use tilewright_rtl::parameter::{ParameterError, Screen};
@@ -80,12 +80,12 @@ impl Block for Vc1Frames {
         let swap = pe.synchronize("swap", *request);
 
         let painter = Painter { patches: self.patches, painted: self.painted };
-        let painters = pe.array("u_painter", self.processors, &painter, |painters| PainterIn {
-            seed: painters.constants(32, seed),
-            ready: painters.each(ready.iter().map(|wire| Signal::from(*wire))),
-            clear_ready: painters.each(clear_ready.iter().map(|wire| Signal::from(*wire))),
-            idle: painters.each(idle.iter().map(|wire| Signal::from(*wire))),
-            swap: painters.all(&swap),
+        let painters = pe.array("u_painter", self.processors, &painter, |_| PainterIn {
+            seed: constants(bits(32).of(self.processors), seed),
+            ready: stack(ready.iter().map(|wire| Signal::from(*wire))),
+            clear_ready: stack(clear_ready.iter().map(|wire| Signal::from(*wire))),
+            idle: stack(idle.iter().map(|wire| Signal::from(*wire))),
+            swap: swap,
         });
 
         let host = Host { screen: self.patches.screen() };

@@ -1,0 +1,201 @@
+//! Lanes of values that meet: a plain one is the same in every lane, anything else has to be spelled.
+
+use crate::bits::Bits;
+use crate::elaboration::{self, Elaboration};
+use crate::ir::{Op, Shape};
+use crate::loc::Loc;
+use crate::problem::Problem;
+use crate::signal::Signal;
+use crate::width::Count;
+
+/// So many lanes side by side.
+///
+/// # Panics
+///
+/// The number is negative.
+#[track_caller]
+pub fn row(lanes: impl Count) -> Shape {
+    Shape::Row(extent(lanes))
+}
+
+/// So many rows of so many columns.
+///
+/// # Panics
+///
+/// A number is negative.
+#[track_caller]
+pub fn grid(rows: impl Count, columns: impl Count) -> Shape {
+    Shape::Grid(extent(rows), extent(columns))
+}
+
+/// What no extent can be is a problem of what has it.
+#[track_caller]
+fn extent(count: impl Count) -> u32 {
+    u32::try_from(count.count()).unwrap_or(u32::MAX)
+}
+
+/// What says how many lanes there are: [`row`], [`grid`], or a number for a row of so many.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` does not say how many lanes there are",
+    note = "write a number of lanes, or `row(n)`, or `grid(rows, columns)`"
+)]
+pub trait IntoShape {
+    #[doc(hidden)]
+    fn into_shape(self) -> Shape;
+}
+
+impl IntoShape for Shape {
+    fn into_shape(self) -> Shape {
+        self
+    }
+}
+
+impl<N: Count> IntoShape for N {
+    #[track_caller]
+    fn into_shape(self) -> Shape {
+        row(self)
+    }
+}
+
+/// The shape of what is to have that one and is called `what`: no lanes are a problem, and one stands in.
+pub(crate) fn sound_shape(e: &mut Elaboration, what: &str, shape: Shape, loc: Loc) -> Shape {
+    let sound = match shape {
+        Shape::Plain => shape,
+        Shape::Row(lanes) => Shape::Row(lanes.max(1)),
+        Shape::Grid(rows, columns) => Shape::Grid(rows.max(1), columns.max(1)),
+    };
+    if sound != shape {
+        e.report(Problem::new(loc, format!("{what} has no lanes")).help("a row, and a side of a grid, is at least 1"));
+    }
+    sound
+}
+
+/// The signals with the lanes of the first of them that has some, for `operator`.
+#[track_caller]
+pub(crate) fn level<const N: usize>(mut signals: [Signal; N], operator: &str) -> [Signal; N] {
+    level_all(&mut signals, operator);
+    signals
+}
+
+/// As [`level`], of a list; gives the shape.
+#[track_caller]
+pub(crate) fn level_all(signals: &mut [Signal], operator: &str) -> Shape {
+    let Some(&first) = signals.iter().find(|signal| !signal.shape.is_plain()) else { return Shape::Plain };
+    for signal in signals {
+        *signal = signal.with_lanes_of(first, operator);
+    }
+    first.shape
+}
+
+impl Signal {
+    /// How many lanes it has, and how they are laid out.
+    pub fn shape(self) -> Shape {
+        self.shape
+    }
+
+    /// The signal in each lane of `shape`: what a plain one becomes by itself where it meets a row or a grid.
+    #[track_caller]
+    pub fn of(self, shape: impl crate::IntoShape) -> Signal {
+        let (loc, shape) = (Loc::caller(), shape.into_shape());
+        let shape = elaboration::with(|e| sound_shape(e, "a signal", shape, loc));
+        if self.shape == shape {
+            return self;
+        }
+        if self.shape.is_plain() {
+            return self.spread(shape, loc);
+        }
+        let id = self.id();
+        elaboration::with(|e| {
+            let (text, has) = (e.draft().describe(id), self.shape);
+            let problem =
+                Problem::new(loc, format!("`{text}` has {has}, and only a plain signal can be that of {shape}"));
+            let help = "a row becomes a grid by `.to_rows(n)`, which repeats it as n rows, or by `.to_columns(n)`";
+            e.report_instead_of(&[id], problem.help(help));
+            Signal::zero_in(e, self.width, shape, loc)
+        })
+    }
+
+    /// The row as each of `rows` rows of a grid.
+    #[track_caller]
+    pub fn to_rows(self, rows: impl Count) -> Signal {
+        self.repeated(0, extent(rows), "to_rows")
+    }
+
+    /// The row stood upright, as each of `columns` columns of a grid: lane `i` is the whole of row `i`.
+    #[track_caller]
+    pub fn to_columns(self, columns: impl Count) -> Signal {
+        self.repeated(1, extent(columns), "to_columns")
+    }
+
+    #[track_caller]
+    fn repeated(self, axis: u32, times: u32, method: &str) -> Signal {
+        let (loc, id) = (Loc::caller(), self.id());
+        elaboration::with(|e| match self.shape {
+            Shape::Row(_) => {
+                let shape = self.shape.with(axis, times).expect("a row gets a second axis");
+                let shape = sound_shape(e, "a grid", shape, loc);
+                Signal::make_in(e, Op::Broadcast { of: id, axis }, self.width, shape, loc)
+            }
+            _ => {
+                let text = e.draft().describe(id);
+                let problem = Problem::new(loc, format!("`.{method}` needs a row, but `{text}` has {}", self.shape));
+                e.report_instead_of(
+                    &[id],
+                    problem.help("a plain signal goes into a grid by `.of(grid(rows, columns))`"),
+                );
+                Signal::zero_in(e, self.width, Shape::Grid(times.max(1), times.max(1)), loc)
+            }
+        })
+    }
+
+    /// A plain signal in each lane of another shape.
+    pub(crate) fn spread(self, shape: Shape, loc: Loc) -> Signal {
+        let node = self.id_at(loc);
+        elaboration::with(|e| Signal { node, ..self }.spread_in(e, shape, loc))
+    }
+
+    pub(crate) fn spread_in(self, e: &mut Elaboration, shape: Shape, loc: Loc) -> Signal {
+        let (node, mut of) = (e.draft().node(self.node), self.node);
+        if let (Op::Const(bits), None) = (&node.op, &node.name) {
+            let same = Op::Const(bits.clone());
+            return Signal::make_in(e, same, self.width, shape, loc);
+        }
+        if let Shape::Grid(_, columns) = shape {
+            of = Signal::make_in(e, Op::Broadcast { of, axis: 0 }, self.width, Shape::Row(columns), loc).node;
+        }
+        Signal::make_in(e, Op::Broadcast { of, axis: 0 }, self.width, shape, loc)
+    }
+
+    /// The signal with the lanes of `left`, with which it meets in `operator`: a plain one is the same in all of them.
+    #[track_caller]
+    pub(crate) fn with_lanes_of(self, left: Signal, operator: &str) -> Signal {
+        let loc = Loc::caller();
+        if self.shape == left.shape {
+            return self;
+        }
+        if self.shape.is_plain() {
+            return self.spread(left.shape, loc);
+        }
+        let (left_id, right_id) = (left.id(), self.id());
+        elaboration::with(|e| {
+            let draft = e.draft();
+            let (left_text, right_text) = (draft.describe(left_id), draft.describe(right_id));
+            let message = format!(
+                "`{operator}` needs equal shapes: `{left_text}` has {}, `{right_text}` has {}",
+                left.shape, self.shape
+            );
+            let problem = Problem::new(loc, message)
+                .note(format!("`{left_text}` is made"), draft.node(left_id).loc)
+                .note(format!("`{right_text}` is made"), draft.node(right_id).loc)
+                .help(match (left.shape, self.shape) {
+                    (Shape::Plain, _) => "only plain signals are the same in every lane by themselves; take a lane, or combine them all with `.or_all()` and its like",
+                    (Shape::Grid(..), Shape::Row(_)) | (Shape::Row(_), Shape::Grid(..)) => {
+                        "a row becomes a grid by `.to_rows(n)`, which repeats it as n rows, or by `.to_columns(n)`"
+                    }
+                    _ => "both sides have as many lanes, laid out the same way",
+                });
+            e.report_instead_of(&[left_id, right_id], problem);
+            Signal::make_in(e, Op::Const(Bits::zero(self.width)), self.width, left.shape, loc)
+        })
+    }
+}
