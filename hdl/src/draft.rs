@@ -35,7 +35,7 @@ pub(crate) struct Draft {
 pub(crate) struct DraftRegister {
     pub node: NodeId,
     pub clock: ClockId,
-    pub reset: Option<(crate::Bits, Loc)>,
+    pub reset: Option<(Init, Loc)>,
     pub enable: Option<(NodeId, Loc)>,
     pub next: Option<(NodeId, Loc)>,
     pub states: Option<States>,

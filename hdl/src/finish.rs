@@ -106,7 +106,7 @@ fn module(
     let registers = draft.registers.into_iter().map(|register| Register {
         node: register.node,
         clock: clock_id(register.clock),
-        reset: register.reset.map(|(value, _)| Init::Same(value)),
+        reset: register.reset.map(|(value, _)| value),
         enable: register.enable.map(|(node, _)| node),
         next: register.next.map_or(register.node, |(node, _)| node),
         states: register.states,

@@ -98,7 +98,7 @@ pub fn interleave(rows: impl IntoIterator<Item = Signal>) -> Signal {
     let loc = Loc::caller();
     let mut parts: Vec<Signal> = rows.into_iter().collect();
     assert!(!parts.is_empty(), "nothing is interleaved, at {loc}: give it at least one row");
-    let first = parts[0].along();
+    let first = parts[0].along("interleave");
     for part in &mut parts {
         *part = crate::operand::Value::Signal(*part).like(first.of, "interleave");
     }
@@ -130,6 +130,33 @@ impl Along {
     #[track_caller]
     fn dropped(self, op: Op) -> Signal {
         Signal::make(op, self.of.width, self.inner())
+    }
+
+    /// The signal with the lanes of one of these, as which it stands in `method`; if it has others, that is a problem.
+    #[track_caller]
+    fn one(self, signal: Signal, what: &str, method: &str) -> Signal {
+        let (loc, inner) = (Loc::caller(), self.inner());
+        if signal.shape == inner {
+            return signal;
+        }
+        if signal.shape.is_plain() {
+            return signal.spread(inner, loc);
+        }
+        let (id, of) = (signal.id(), self.of.id());
+        elaboration::with(|e| {
+            let draft = e.draft();
+            let (text, of) = (draft.describe(id), draft.describe(of));
+            let one = match (self.axis, self.of.shape) {
+                (_, Shape::Row(_)) => "lane",
+                (0, _) => "row",
+                _ => "column",
+            };
+            let message =
+                format!("{what} of `.{method}`, `{text}`, has {}, but a {one} of `{of}` has {inner}", signal.shape);
+            let problem = Problem::new(loc, message).help(format!("it is plain, or as one {one} is"));
+            e.report_instead_of(&[id], problem);
+            Signal::zero_in(e, signal.width, inner, loc)
+        })
     }
 
     /// The one of that number, counted from 0.
@@ -206,17 +233,19 @@ impl Along {
     #[track_caller]
     fn map(self, count: u32, index: impl FnOnce(Index) -> Index, edge: Option<impl Operand>, method: &str) -> Signal {
         let (loc, id) = (Loc::caller(), self.of.id());
-        let like = Signal { shape: self.inner(), ..self.of };
         #[expect(clippy::manual_map, reason = "a closure would be the caller that messages name")]
         let edge = match edge {
-            Some(edge) => Some(edge.operand().like(like, method).id()),
+            Some(edge) => Some(self.one(edge.operand().with_width_of(self.of, method), "the edge", method).id()),
             None => None,
         };
-        let shape = like.shape.with(self.axis, count).expect("the axis is put back");
+        let shape = self.inner().with(self.axis, count).expect("the axis is put back");
         let shape = elaboration::with(|e| sound_shape(e, &format!("what `.{method}` gives"), shape, loc));
         let (axis, extent) = (self.axis, self.count());
-        let problem = match index(Index::lane()).affine() {
-            None => "the number of a lane is multiplied, added to, then divided, all within 32 bits".to_owned(),
+        let (problem, help) = match index(Index::lane()).affine() {
+            None => (
+                format!("the rule of `.{method}` is none that a row of wires can follow"),
+                "a lane's number is multiplied and added to before it is divided, in 32 bits, as in `(2 * i + 1) / 3`",
+            ),
             Some(index) => match (index.stays_inside(shape.extent(axis), extent), edge) {
                 (true, edge) => {
                     // Where no lane is beyond the edge, nothing takes it.
@@ -229,12 +258,14 @@ impl Along {
                 (false, None) => {
                     let beyond = (0..shape.extent(axis)).find(|lane| index.source(*lane, extent).is_none());
                     let lane = beyond.unwrap_or(0);
-                    format!("lane {lane} of `.{method}` is lane {} of a signal of {extent} lanes", index.at(lane))
+                    let from = index.at(lane);
+                    let message =
+                        format!("lane {lane} of `.{method}` would be lane {from} of a signal of {extent} lanes");
+                    (message, "`.take_or(n, |i| .., edge)` says what lanes beyond the ends have")
                 }
             },
         };
         elaboration::with(|e| {
-            let help = "`.take_or(n, |i| .., edge)` says what lanes beyond the ends have";
             e.report_instead_of(&[id], Problem::new(loc, problem).help(help));
             Signal::zero_in(e, self.of.width, shape, loc)
         })
@@ -243,8 +274,7 @@ impl Along {
     /// The one whose number `index` is; zero beyond the last.
     #[track_caller]
     pub fn pick(self, index: impl Into<Signal>) -> Signal {
-        let like = Signal { shape: self.inner(), ..self.of };
-        let index = index.into().with_lanes_of(like, "pick");
+        let index = self.one(index.into(), "the index", "pick");
         self.dropped(Op::Pick { of: self.of.id(), axis: self.axis, index: index.id() })
     }
 
@@ -334,10 +364,10 @@ impl Signal {
 
     /// The lanes of a row.
     #[track_caller]
-    pub(crate) fn along(self) -> Along {
+    pub(crate) fn along(self, method: &str) -> Along {
         let of = match self.shape {
             Shape::Row(_) => self,
-            _ => self.without_lanes("this needs a row of lanes", Shape::Row(1)),
+            _ => self.without_lanes(&format!("`.{method}` needs a row"), Shape::Row(1)),
         };
         Along { of, axis: 0 }
     }
@@ -397,7 +427,7 @@ macro_rules! of_a_row {
             $(#[$doc])*
             #[track_caller]
             pub fn $name(self, $($argument: $ty),*) -> $out {
-                self.along().$name($($argument),*)
+                self.along(stringify!($name)).$name($($argument),*)
             }
         )*}
     };
@@ -436,8 +466,8 @@ macro_rules! of_all_lanes {
             #[track_caller]
             pub fn $name(self) -> Signal {
                 match self.shape {
-                    Shape::Grid(..) => self.columns().$name().along().$name(),
-                    _ => self.along().$name(),
+                    Shape::Grid(..) => self.columns().$name().along(stringify!($name)).$name(),
+                    _ => self.along(stringify!($name)).$name(),
                 }
             }
         )*}

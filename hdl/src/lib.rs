@@ -86,6 +86,7 @@ mod shorthand;
 mod signal;
 mod signed;
 mod summary;
+mod tree;
 mod uneven;
 mod width;
 mod wire;
@@ -111,6 +112,7 @@ pub use select::{case, concat, lit, mux, mux_bundle, select};
 pub use shaping::{IntoShape, grid, row};
 pub use signal::Signal;
 pub use signed::{Signed, SignedOperand};
+pub use tree::tree;
 #[doc(hidden)]
 pub use uneven::{Uneven, uneven};
 pub use width::{Count, IntoWidth, Width, below, bit, bits, index_width, on, up_to};

@@ -2,7 +2,7 @@
 
 use crate::bits::Bits;
 use crate::elaboration;
-use crate::ir::{NodeId, Op};
+use crate::ir::{Init, NodeId, Op};
 use crate::loc::Loc;
 use crate::operand::{Operand, Value, operators, reads_as_signal};
 use crate::problem::Problem;
@@ -41,9 +41,42 @@ impl Reg {
         self.signal
     }
 
-    /// The value after a reset: an integer, a [`Bits`], a `bool`.
+    /// The value after a reset: an integer, a [`Bits`], a `bool`; of a register with lanes the same in each.
     #[track_caller]
     pub fn reset(self, value: impl Operand) -> Reg {
+        let (loc, (bits, id)) = (Loc::caller(), self.reset_value(value));
+        if is_here(self.signal, id, loc) {
+            elaboration::draft(|draft| draft.registers[self.index].reset = Some((Init::Same(bits), loc)));
+        }
+        self
+    }
+
+    /// The values after a reset, one for each lane, a grid row by row.
+    #[track_caller]
+    pub fn reset_each<V: Operand>(self, values: impl IntoIterator<Item = V>) -> Reg {
+        let (loc, lanes) = (Loc::caller(), self.shape.lanes() as usize);
+        let mut each = Vec::new();
+        for value in values {
+            each.push(self.reset_value(value).0);
+        }
+        if is_here(self.signal, self.signal.node, loc) {
+            if each.len() != lanes {
+                elaboration::with(|e| {
+                    let name = e.draft().describe(self.signal.node);
+                    let message = format!("`{name}` has {}, but {} reset values", self.shape, each.len());
+                    e.report(Problem::new(loc, message).help("`.reset(value)` gives all lanes the same"));
+                });
+                each.resize(lanes, Bits::zero(self.width));
+            }
+            let init = if self.shape.is_plain() { Init::Same(each.swap_remove(0)) } else { Init::Each(each) };
+            elaboration::draft(|draft| draft.registers[self.index].reset = Some((init, loc)));
+        }
+        self
+    }
+
+    /// A reset value, and the constant that it was.
+    #[track_caller]
+    fn reset_value(self, value: impl Operand) -> (Bits, NodeId) {
         let loc = Loc::caller();
         let constant = match value.operand() {
             Value::Literal(literal) => literal.sized(self.width, false),
@@ -61,10 +94,7 @@ impl Reg {
                 Bits::zero(self.width)
             }
         });
-        if is_here(self.signal, id, loc) {
-            elaboration::draft(|draft| draft.registers[self.index].reset = Some((bits, loc)));
-        }
-        self
+        (bits, id)
     }
 
     /// Takes its next value only where `condition`, 1 bit, is high.

@@ -12,6 +12,7 @@ mod lists;
 mod loops;
 mod names;
 mod reports;
+mod shapes;
 mod state;
 mod unused;
 mod widths;

@@ -3,6 +3,7 @@
 mod arithmetic;
 mod arrays;
 mod clocks;
+mod lane_values;
 mod lists;
 mod shorthand;
 mod testbench;

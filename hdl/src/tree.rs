@@ -1,0 +1,118 @@
+//! Trees: all lanes of a row combined two by two, in as many levels as the logarithm of their number.
+
+use crate::bundle::Fields;
+use crate::elaboration;
+use crate::ir::Shape;
+use crate::loc::Loc;
+use crate::module::Module;
+use crate::problem::Problem;
+use crate::signal::Signal;
+
+/// All lanes of a row, or of a record of rows, combined by a function that is associative, as the nearest of many is: neighbours first, lower
+/// lanes on the left. Combinational.
+///
+/// ```
+/// # use tilewright_hdl::{Block, Module, Signal, Width, bits, bundle, elaborate, mux, row, tree};
+/// # bundle! { pub struct In<T> { pub depths: T } pub struct Out<T> { pub nearest: T } }
+/// # #[derive(Debug, Clone, PartialEq, Eq, Hash)]
+/// # struct Nearest;
+/// # impl Block for Nearest {
+/// #     type In = In;
+/// #     type Out = Out;
+/// #     fn inputs(&self) -> In<Width> { In { depths: bits(8).of(row(5)) } }
+/// #     fn build(&self, m: Module, i: In) -> Out {
+/// let nearest = tree(i.depths, |a: Signal, b| mux(a.le(b), a, b));
+/// #         Out { nearest }
+/// #     }
+/// # }
+/// # elaborate(&Nearest).unwrap();
+/// ```
+#[track_caller]
+pub fn tree<B: Fields<Signal, With<Signal> = B> + Clone>(lanes: B, combine: impl Fn(B, B) -> B) -> B {
+    let mut level = rows(lanes);
+    while lanes_of(&level) > 1 {
+        level = paired(&level, &combine);
+    }
+    first(&level)
+}
+
+impl Module {
+    /// As [`tree`], with a register behind each level, named after it: `name1` behind the first. The result is as many clocks late as the number
+    /// of levels, which is that of the bits of [`below`](crate::below)`(lanes)`; none for a single lane.
+    #[track_caller]
+    pub fn tree_of_stages<B: Fields<Signal, With<Signal> = B> + Clone>(
+        self,
+        name: &str,
+        lanes: B,
+        combine: impl Fn(B, B) -> B,
+    ) -> B {
+        let (mut level, mut depth) = (rows(lanes), 0);
+        while lanes_of(&level) > 1 {
+            depth += 1;
+            level = self.pipe(&format!("{name}{depth}"), paired(&level, &combine));
+        }
+        first(&level)
+    }
+}
+
+/// The record, if all of it are rows of as many lanes; if not, that is a problem, and rows of one lane stand in.
+#[track_caller]
+fn rows<B: Fields<Signal, With<Signal> = B>>(lanes: B) -> B {
+    let loc = Loc::caller();
+    let leaves = lanes.leaves();
+    let first = leaves.first().map(|(_, signal)| signal.shape());
+    let odd =
+        leaves.iter().find(|(_, signal)| !matches!(signal.shape(), Shape::Row(_)) || Some(signal.shape()) != first);
+    let Some((_, odd)) = odd else { return lanes };
+    let nodes: Vec<_> = leaves.iter().map(|(_, signal)| signal.id_at(loc)).collect();
+    elaboration::with(|e| {
+        let text = e.draft().describe(odd.node);
+        let problem =
+            Problem::new(loc, format!("a tree needs rows, all of as many lanes, but `{text}` has {}", odd.shape()));
+        e.report_instead_of(&nodes, problem.help("a grid is combined by `.rows()` and `.columns()`, one after the other, and their `sum()`, `minimum()` and so on"));
+    });
+    lanes.map(|signal| elaboration::with(|e| Signal::zero_in(e, signal.width(), Shape::Row(1), loc)))
+}
+
+fn lanes_of<B: Fields<Signal>>(level: &B) -> u32 {
+    level.leaves().first().map_or(1, |(_, signal)| signal.shape().lanes())
+}
+
+/// Neighbours combined; where their number is odd, the last one is left as it is.
+#[track_caller]
+fn paired<B: Fields<Signal, With<Signal> = B> + Clone>(level: &B, combine: &impl Fn(B, B) -> B) -> B {
+    let lanes = lanes_of(level);
+    let combined = combine(every_second(level, lanes / 2, 0), every_second(level, lanes / 2, 1));
+    if lanes.is_multiple_of(2) {
+        return combined;
+    }
+    let mut lengthened = Vec::new();
+    for ((_, combined), (_, before)) in combined.leaves().into_iter().zip(level.leaves()) {
+        lengthened.push(combined.take_or(lanes / 2 + 1, |i| i, before.last()));
+    }
+    filled(&combined, lengthened)
+}
+
+#[track_caller]
+fn every_second<B: Fields<Signal, With<Signal> = B>>(level: &B, count: u32, from: u32) -> B {
+    let mut taken = Vec::new();
+    for (_, signal) in level.leaves() {
+        taken.push(signal.take(count, |i| 2 * i + from));
+    }
+    filled(level, taken)
+}
+
+#[track_caller]
+fn first<B: Fields<Signal, With<Signal> = B>>(level: &B) -> B {
+    let mut lanes = Vec::new();
+    for (_, signal) in level.leaves() {
+        lanes.push(signal.lane(0));
+    }
+    filled(level, lanes)
+}
+
+/// A record like this one, of these signals.
+fn filled<B: Fields<Signal, With<Signal> = B>>(like: &B, signals: Vec<Signal>) -> B {
+    let mut signals = signals.into_iter();
+    like.map(|_| signals.next().expect("a signal for each leaf"))
+}

@@ -1,0 +1,117 @@
+//! Rows and grids where they do not fit.
+
+use crate::common::*;
+use tilewright_hdl::*;
+
+fn lanes(m: Module, name: &str, shape: Shape) -> Signal {
+    let register = m.reg(name, bits(8).of(shape));
+    register.next(0);
+    register.value()
+}
+
+#[test]
+fn lanes_that_do_not_meet() {
+    expect(
+        |m, _| {
+            let (three, four) = (lanes(m, "three", row(3)), lanes(m, "four", row(4)));
+            (three + four).sum()
+        },
+        "`+` needs equal shapes: `three` has 3 lanes, `four` has 4 lanes
+         --> [(three + four).sum()]
+         `three` is made at [let register = m.reg(name, bits(8).of(shape));]
+         `four` is made at [let register = m.reg(name, bits(8).of(shape));]
+         help: both sides have as many lanes, laid out the same way",
+    );
+    expect(
+        |m, _| {
+            let (square, line) = (lanes(m, "square", grid(3, 3)), lanes(m, "line", row(3)));
+            mux(line.eq(2), square, 0).or_all()
+        },
+        "`mux` needs equal shapes: `line.eq(2)` has 3 lanes, `square` has 3 x 3 lanes
+         --> [mux(line.eq(2), square, 0).or_all()]
+         `line.eq(2)` is made at [mux(line.eq(2), square, 0).or_all()]
+         `square` is made at [let register = m.reg(name, bits(8).of(shape));]
+         help: a row becomes a grid by `.to_rows(n)`, which repeats it as n rows, or by `.to_columns(n)`",
+    );
+}
+
+#[test]
+fn what_has_no_lanes_is_given_some() {
+    expect(
+        |m, i| {
+            let line = lanes(m, "line", row(3));
+            let total = m.reg("total", 8);
+            total.next(line);
+            *total ^ i.a
+        },
+        "`next` needs equal shapes: `total` has no lanes, `line` has 3 lanes
+         --> [total.next(line);]
+         `total` is made at [let total = m.reg(\"total\", 8);]
+         `line` is made at [let register = m.reg(name, bits(8).of(shape));]
+         help: only plain signals are the same in every lane by themselves; take a lane, or combine them all with `.or_all()` and its like",
+    );
+}
+
+#[test]
+fn what_is_asked_of_another_shape() {
+    let cases: [(&str, Build); 13] = [
+        ("`.previous` needs a row, but `a` has no lanes", |_, i| i.a.previous(0)),
+        ("`.last` needs a row, but `square` has 2 x 3 lanes", |m, _| lanes(m, "square", grid(2, 3)).last()),
+        ("`.columns()` needs a grid, but `line` has 3 lanes", |m, _| lanes(m, "line", row(3)).columns().sum().sum()),
+        ("`.to_rows` needs a row, but `a` has no lanes", |_, i| i.a.to_rows(2).sum()),
+        ("`line` has 3 lanes, and only a plain signal can be that of 3 x 3 lanes", |m, _| {
+            lanes(m, "line", row(3)).of(grid(3, 3)).sum()
+        }),
+        ("lane 3 of a signal of 3 lanes", |m, _| lanes(m, "line", row(3)).lane(3)),
+        ("lane 3 of `.take` would be lane 3 of a signal of 3 lanes", |m, _| {
+            lanes(m, "line", row(3)).take(4, |i| i).sum()
+        }),
+        ("the rule of `.take` is none that a row of wires can follow", |m, _| {
+            lanes(m, "line", row(3)).take(3, |i| i / 2 * 2).sum()
+        }),
+        ("the index of `.pick`, `which`, has 2 lanes, but a lane of `line` has no lanes", |m, _| {
+            lanes(m, "line", row(3)).pick(lanes(m, "which", row(2)))
+        }),
+        ("the edge of `.shifted`, `line`, has 3 lanes, but a column of `square` has 2 lanes", |m, _| {
+            let square = lanes(m, "square", grid(2, 3));
+            square.columns().previous(lanes(m, "line", row(3))).sum()
+        }),
+        ("`.unpack` cannot cut `a`, of 8 bits and no lanes, into 3 lanes", |_, i| i.a.unpack(row(3)).sum()),
+        ("a stack of grids, of 2 x 2 lanes each, would have three axes", |_, i| stack([i.a.of(grid(2, 2))]).sum()),
+        ("a tree needs rows, all of as many lanes, but `a` has no lanes", |_, i| tree(i.a, |a: Signal, b| a + b)),
+    ];
+    for (start, build) in cases {
+        let text = problems(&Case(build));
+        assert!(text.starts_with(start), "{text}");
+    }
+}
+
+#[test]
+fn what_is_declared_without_lanes() {
+    let cases: [(&str, Build); 6] = [
+        ("register `r` has no lanes", |m, _| lanes(m, "r", row(0)).sum()),
+        ("wire `w` has no lanes", |m, _| {
+            let wire = m.wire("w", bits(8).of(grid(2, 0)));
+            wire.drive(0);
+            wire.sum()
+        }),
+        ("memory `words` has no lanes", |m, i| {
+            m.memory("words", 4, bits(8).of(row(0)), ReadUnderWrite::Old).read(i.a.trunc(2)).sum()
+        }),
+        ("a list of constants has no lanes", |_, _| constants(bits(8).of(row(0)), u64::from).sum()),
+        ("an address of memory `words`, of 2 lanes, has 3 lanes: `0`", |m, i| {
+            let words = m.memory("words", 4, bits(8).of(row(2)), ReadUnderWrite::Old);
+            words.write(i.c, lit(2, 0).of(row(3)), i.a);
+            words.read(0).sum()
+        }),
+        ("`r` has 3 lanes, but 2 reset values", |m, _| {
+            let register = m.reg("r", bits(8).of(row(3))).reset_each([1, 2]);
+            register.next(0);
+            register.sum()
+        }),
+    ];
+    for (start, build) in cases {
+        let text = problems(&Case(build));
+        assert!(text.starts_with(start), "{text}");
+    }
+}
