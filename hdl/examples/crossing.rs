@@ -4,7 +4,7 @@
 use tilewright_hdl::*;
 use tilewright_sim::{Simulation, Vcd};
 
-states! { enum Light { Green, Amber, Red } }
+codes! { enum Light { Green, Amber, Red } }
 
 bundle! {
     struct CrossingIn<T> { button: T }

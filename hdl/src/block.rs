@@ -144,6 +144,7 @@ fn declare_input(path: &str, width: Width) -> Signal {
         let index = draft.inputs.len() as u32;
         let node = draft.add(Op::Input(index), bits, shape, width.loc);
         draft.node_mut(node).name = Some(name.clone());
+        draft.node_mut(node).kind = width.kind;
         draft.inputs.push(Input { name, path: path.to_owned(), node, clock: None });
         draft.input_clocks.push(width.clock);
         Signal::at(e, node)

@@ -38,7 +38,6 @@ pub(crate) struct DraftRegister {
     pub reset: Option<(Init, Loc)>,
     pub enable: Option<(NodeId, Loc)>,
     pub next: Option<(NodeId, Loc)>,
-    pub states: Option<States>,
     pub is_synchronizer: bool,
 }
 
@@ -86,7 +85,7 @@ impl Draft {
     }
 
     pub fn add(&mut self, op: Op, width: u32, shape: Shape, loc: Loc) -> NodeId {
-        self.nodes.push(Node { op, width, shape, name: None, loc });
+        self.nodes.push(Node::new(op, width, shape, loc));
         NodeId(self.nodes.len() as u32 - 1)
     }
 

@@ -109,7 +109,6 @@ fn module(
         reset: register.reset.map(|(value, _)| value),
         enable: register.enable.map(|(node, _)| node),
         next: register.next.map_or(register.node, |(node, _)| node),
-        states: register.states,
         is_synchronizer: register.is_synchronizer,
     });
     let registers = registers.collect();

@@ -4,7 +4,7 @@ use crate::block::{Block, Elaborated, elaborate_module};
 use crate::bundle::{Bundle, Fields};
 use crate::clock::Clock;
 use crate::elaboration::{self, Elaboration};
-use crate::ir::{self, ClockId, Instance, InstanceId, ModuleId, NodeId, Op, Shape};
+use crate::ir::{self, ClockId, Instance, InstanceId, Kind, ModuleId, NodeId, Op, Shape};
 use crate::loc::Loc;
 use crate::module::Module;
 use crate::problem::Problem;
@@ -62,7 +62,9 @@ impl Module {
             let draft = e.draft();
             let id = InstanceId(draft.instances.len() as u32);
             let output = |(index, ((_, port), shape)): (usize, (&(String, Port), Shape))| {
-                draft.add(Op::Output(id, index as u32), port.width, shape, loc)
+                let node = draft.add(Op::Output(id, index as u32), port.width, shape, loc);
+                draft.node_mut(node).kind = port.kind;
+                node
             };
             let outputs: Vec<_> = ports.iter().zip(shapes).enumerate().map(output).collect();
             let name = name.to_owned();
@@ -124,12 +126,13 @@ struct Port {
     name: String,
     width: u32,
     shape: Shape,
+    kind: Kind,
     declared: Loc,
 }
 
 impl Port {
     fn of(name: String, node: &ir::Node) -> Port {
-        Port { name, width: node.width, shape: node.shape, declared: node.loc }
+        Port { name, width: node.width, shape: node.shape, kind: node.kind, declared: node.loc }
     }
 }
 

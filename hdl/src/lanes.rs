@@ -1,9 +1,10 @@
 //! What leads from one shape to another: lanes taken, moved, combined, and put together.
 
+use crate::bits::Bits;
 use crate::bundle::Fields;
 use crate::elaboration;
 use crate::index::Index;
-use crate::ir::{Op, Reduction, Shape};
+use crate::ir::{Kind, Op, Reduction, Shape};
 use crate::limits::sound_width;
 use crate::loc::Loc;
 use crate::operand::Operand;
@@ -43,7 +44,7 @@ pub fn stack<B: Fields<Signal>>(values: impl IntoIterator<Item = B>) -> B::With<
 }
 
 fn stack_signals(mut parts: Vec<Signal>, loc: Loc) -> Signal {
-    let (width, lanes) = (parts[0].width, parts.len() as u32);
+    let (width, kind, lanes) = (parts[0].width, parts[0].kind, parts.len() as u32);
     let nodes: Vec<_> = parts.iter().map(|part| part.id_at(loc)).collect();
     if let Some(other) = parts.iter().position(|part| part.width != width) {
         let (first, other) = (bits_text(width), (other, bits_text(parts[other].width)));
@@ -55,10 +56,14 @@ fn stack_signals(mut parts: Vec<Signal>, loc: Loc) -> Signal {
             Signal::zero_in(e, width, Shape::Row(lanes), loc)
         });
     }
+    let first = parts[0];
+    for part in &mut parts {
+        *part = part.of_kind_of(first, "stack");
+    }
     let inner = level_all(&mut parts, "stack");
     let nodes: Vec<_> = parts.iter().map(|part| part.id_at(loc)).collect();
     elaboration::with(|e| match inner.with(0, lanes) {
-        Some(shape) => Signal::make_in(e, Op::Stack { parts: nodes, axis: 0 }, width, shape, loc),
+        Some(shape) => Signal::make_in(e, Op::Stack { parts: nodes, axis: 0 }, width, shape, loc).kept_in(e, kind),
         None => {
             let message = format!("a stack of grids, of {inner} each, would have three axes");
             e.report_instead_of(&nodes, Problem::new(loc, message).help("shapes have two at most: rows and columns"));
@@ -105,7 +110,7 @@ pub fn interleave(rows: impl IntoIterator<Item = Signal>) -> Signal {
     let lanes = u64::from(first.count()) * parts.len() as u64;
     let shape = Shape::Row(u32::try_from(lanes).unwrap_or(u32::MAX));
     let parts = parts.iter().map(|part| part.id_at(loc)).collect();
-    Signal::make(Op::Interleave { parts, axis: 0 }, first.of.width, shape)
+    Signal::make(Op::Interleave { parts, axis: 0 }, first.of.width, shape).kept_as(first.of.kind)
 }
 
 /// The lanes of a row, or the rows or the columns of a grid, one after another: made by [`Signal::rows`] and [`Signal::columns`]. Each of
@@ -129,7 +134,7 @@ impl Along {
 
     #[track_caller]
     fn dropped(self, op: Op) -> Signal {
-        Signal::make(op, self.of.width, self.inner())
+        Signal::make(op, self.of.width, self.inner()).kept_as(self.of.kind)
     }
 
     /// The signal with the lanes of one of these, as which it stands in `method`; if it has others, that is a problem.
@@ -250,10 +255,12 @@ impl Along {
                 (true, edge) => {
                     // Where no lane is beyond the edge, nothing takes it.
                     elaboration::draft(|draft| draft.ignored.extend(edge));
-                    return Signal::make(Op::Map { of: id, axis, index, edge: None }, self.of.width, shape);
+                    return Signal::make(Op::Map { of: id, axis, index, edge: None }, self.of.width, shape)
+                        .kept_as(self.of.kind);
                 }
                 (false, Some(edge)) => {
-                    return Signal::make(Op::Map { of: id, axis, index, edge: Some(edge) }, self.of.width, shape);
+                    let op = Op::Map { of: id, axis, index, edge: Some(edge) };
+                    return Signal::make(op, self.of.width, shape).kept_as(self.of.kind);
                 }
                 (false, None) => {
                     let beyond = (0..shape.extent(axis)).find(|lane| index.source(*lane, extent).is_none());
@@ -307,16 +314,28 @@ impl Along {
         self.reduce(Reduction::Add)
     }
 
-    /// The smallest, as unsigned numbers.
+    /// The smallest; of signed ones in two's complement.
     #[track_caller]
     pub fn minimum(self) -> Signal {
-        self.reduce(Reduction::Min)
+        self.extreme(Reduction::Min)
     }
 
-    /// The largest, as unsigned numbers.
+    /// The largest; of signed ones in two's complement.
     #[track_caller]
     pub fn maximum(self) -> Signal {
-        self.reduce(Reduction::Max)
+        self.extreme(Reduction::Max)
+    }
+
+    #[track_caller]
+    fn extreme(self, by: Reduction) -> Signal {
+        if self.of.kind != Kind::Signed {
+            return self.reduce(by);
+        }
+        // With the sign bit inverted, the order is that of unsigned numbers.
+        let places = self.of.width - 1;
+        let sign = if places == 0 { Bits::ones(1) } else { Bits::ones(1).concat(&Bits::zero(places)) };
+        let of = self.of.bits() ^ sign.clone();
+        (Along { of, ..self }.reduce(by) ^ sign).kept_as(Kind::Signed)
     }
 
     /// Side by side in one word, number 0 in the lowest bits.
@@ -483,9 +502,9 @@ of_all_lanes! {
     xor_all;
     /// The sum of all lanes, modulo 2 to the width.
     sum;
-    /// The smallest of all lanes, as unsigned numbers.
+    /// The smallest of all lanes; of signed ones in two's complement.
     minimum;
-    /// The largest of all lanes, as unsigned numbers.
+    /// The largest of all lanes; of signed ones in two's complement.
     maximum;
     /// All lanes side by side in one word, lane 0 in the lowest bits, a grid row by row.
     pack;

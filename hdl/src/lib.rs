@@ -45,7 +45,7 @@
 //! | a named net | `net!(at_end = ..)`, or [`Signal::named`] |
 //! | a net read before it is driven | [`Module::wire`] |
 //! | a register | [`Module::reg`], then [`reset`](Reg::reset), [`enable`](Reg::enable), [`next`](Reg::next) or [`when`](Reg::when); [`Module::pipe`] for a pipeline stage |
-//! | a state machine | [`states!`], [`Module::fsm`], [`StateReg::next`] |
+//! | a state machine | [`codes!`], [`Module::fsm`], [`StateReg::next`] |
 //! | a memory | [`Module::memory`], [`Mem::read`], [`Mem::read_async`], [`Mem::write`] |
 //! | an instance, an array of them | [`Module::instance`], [`Module::array`] |
 //! | another clock | [`Module::on`], [`Mem::on`], [`Width::on`] and [`on`]; [`Module::synchronize`], [`Module::synchronize_from`], [`Signal::quasi_static`] to cross |
@@ -62,6 +62,7 @@ mod bundle;
 mod check;
 mod circuit;
 pub mod clock;
+mod codes;
 mod draft;
 mod elaboration;
 mod finish;
@@ -97,21 +98,23 @@ pub use block::{Block, DEFAULT_PERIOD, Typed, elaborate, elaborate_at, elaborate
 pub use bundle::join;
 pub use bundle::{Bundle, Fields, Leaf, Visited};
 pub use clock::{Clock, Period};
+pub use codes::{Codes, one_of};
 pub use index::Index;
 pub use ir::{About, Design, ReadUnderWrite, Shape};
 pub use lanes::{Along, constants, interleave, stack};
 pub use loc::Loc;
 pub use memory::Mem;
 pub use module::Module;
+#[doc(hidden)]
+pub use operand::Value;
 pub use operand::{Operand, ShiftAmount};
 pub use problem::{Problem, Problems};
 pub use recording::Recording;
-pub use register::{Reg, StateReg, States, Transition, Updates, goto, hold, when};
+pub use register::{Reg, StateReg, Transition, Updates, goto, hold, when};
 pub use scenario::{Scenario, Script};
 pub use select::{case, concat, lit, mux, mux_bundle, select};
 pub use shaping::{IntoShape, grid, row};
 pub use signal::Signal;
-pub use signed::{Signed, SignedOperand};
 pub use tree::tree;
 #[doc(hidden)]
 pub use uneven::{Uneven, uneven};

@@ -3,7 +3,7 @@
 use crate::bits::Bits;
 use crate::clock::Clock;
 use crate::elaboration;
-use crate::ir::{Contents, MemoryId, Op, ReadPort, Shape, WritePort};
+use crate::ir::{Contents, Kind, MemoryId, Op, ReadPort, Shape, WritePort};
 use crate::loc::Loc;
 use crate::operand::{Operand, Value};
 use crate::problem::Problem;
@@ -19,6 +19,7 @@ pub struct Mem {
     pub(crate) address_width: u32,
     pub(crate) width: u32,
     pub(crate) shape: Shape,
+    pub(crate) kind: Kind,
     pub(crate) clock: Option<Clock>,
 }
 
@@ -90,16 +91,16 @@ impl Mem {
 
     #[track_caller]
     fn address(self, address: impl Operand) -> Signal {
-        self.laid_out(self.sized(address, self.address_width, "an address"), "an address")
+        self.laid_out(self.sized(address, (self.address_width, Kind::Number), "an address"), "an address")
     }
 
     /// The operand as a signal of `width` bits, `what` of this memory.
     #[track_caller]
-    fn sized(self, operand: impl Operand, width: u32, what: &str) -> Signal {
+    fn sized(self, operand: impl Operand, (width, kind): (u32, Kind), what: &str) -> Signal {
         let loc = Loc::caller();
         self.check_module(loc);
         let signal = match operand.operand() {
-            Value::Literal(literal) => return literal.sized(width, false),
+            Value::Literal(literal) => return literal.sized(width, kind),
             Value::Signal(signal) if signal.width == width => return signal,
             Value::Signal(signal) => signal,
         };
@@ -189,7 +190,7 @@ impl Mem {
             let port = draft.memories[self.index as usize].memory.reads.len() as u32;
             let node = draft.add(Op::Read(MemoryId(self.index), port), self.width, self.shape, loc);
             draft.memories[self.index as usize].memory.reads.push(ReadPort { clock, address, enable, node });
-            Signal::at(e, node)
+            Signal::at(e, node).kept_in(e, self.kind)
         })
     }
 
@@ -199,7 +200,7 @@ impl Mem {
         let loc = Loc::caller();
         let enable = self.laid_out(condition(enable.into(), "write"), "an enable").id();
         let address = self.address(address).id();
-        let mut data = self.laid_out(self.sized(data, self.width, "a word"), "a word");
+        let mut data = self.laid_out(self.sized(data, (self.width, self.kind), "a word"), "a word");
         if data.shape != self.shape {
             data = data.spread(self.shape, loc);
         }

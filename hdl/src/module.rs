@@ -2,18 +2,20 @@
 
 use crate::bundle::Fields;
 use crate::clock::Clock;
+use crate::codes::{Codes, one_of};
 use crate::draft::{DraftMemory, DraftRegister, DraftWire, Synchronizer, UNDRIVEN};
 use crate::elaboration;
-use crate::ir::{self, Assert, Contents, Memory, Op, ReadUnderWrite, RegisterId};
+use crate::ir::{Assert, Contents, Memory, Op, ReadUnderWrite, RegisterId};
 use crate::limits::{WIDEST, sound_width};
 use crate::loc::Loc;
 use crate::memory::Mem;
+use crate::operand::Operand;
 use crate::problem::Problem;
-use crate::register::{Reg, StateReg, States};
+use crate::register::{Reg, StateReg};
 use crate::select::condition;
 use crate::shaping::sound_shape;
 use crate::signal::Signal;
-use crate::width::{IntoWidth, Width, below, bits, index_width};
+use crate::width::{IntoWidth, Width, bits, index_width};
 use crate::wire::Wire;
 use std::marker::PhantomData;
 
@@ -38,32 +40,32 @@ impl Module {
     #[track_caller]
     pub fn reg(self, name: &str, width: impl IntoWidth) -> Reg {
         let (width, loc) = (width.into_width(), Loc::caller());
-        Module { clock: width.clock.or(self.clock) }.register(name, width, None, loc)
+        Module { clock: width.clock.or(self.clock) }.register(name, width, loc)
     }
 
-    fn register(self, name: &str, width: Width, states: Option<ir::States>, loc: Loc) -> Reg {
+    fn register(self, name: &str, width: Width, loc: Loc) -> Reg {
         elaboration::with(|e| {
             let what = format!("register `{name}`");
             let shape = sound_shape(e, &what, width.shape, loc);
+            let kind = width.kind;
             let width = sound_width(e, &[], &what, width.bits.into(), loc);
             let draft = e.draft();
             let clock = draft.use_clock(self.clock);
             let index = draft.registers.len();
             let node = draft.add(Op::Register(RegisterId(index as u32)), width, shape, loc);
             draft.node_mut(node).name = Some(name.to_owned());
+            draft.node_mut(node).kind = kind;
             let (reset, enable, next) = (None, None, None);
-            draft.registers.push(DraftRegister { node, clock, reset, enable, next, states, is_synchronizer: false });
+            draft.registers.push(DraftRegister { node, clock, reset, enable, next, is_synchronizer: false });
             Reg { signal: Signal::at(e, node), index }
         })
     }
 
     /// A state machine over the variants of an enum, which a reset puts into `initial`.
     #[track_caller]
-    pub fn fsm<S: States>(self, name: &str, initial: S) -> StateReg<S> {
-        let names = S::ALL.iter().map(|state| state.name().to_owned()).collect();
-        let states = ir::States { name: S::NAME.to_owned(), names };
-        let register = self.register(name, below(S::ALL.len()), Some(states), Loc::caller());
-        StateReg { register: register.reset(initial.code()), states: PhantomData }
+    pub fn fsm<S: Codes + Operand>(self, name: &str, initial: S) -> StateReg<S> {
+        let register = self.register(name, one_of::<S>(), Loc::caller());
+        StateReg { register: register.reset(initial), states: PhantomData }
     }
 
     /// `value`, one clock later: a register without reset for each field, named `name` or `name_FIELD`.
@@ -84,7 +86,8 @@ impl Module {
         // A loop, as a closure would be the caller that messages name.
         let mut registers = Vec::new();
         for (path, signal) in value.leaves() {
-            let register = self.register(&port_name(name, &path), bits(signal.width).of(signal.shape), None, loc);
+            let register =
+                self.register(&port_name(name, &path), bits(signal.width).of(signal.shape).with_kind(signal.kind), loc);
             if let Some(enable) = enable {
                 let _ = register.enable(enable);
             }
@@ -102,10 +105,12 @@ impl Module {
         elaboration::with(|e| {
             let what = format!("wire `{name}`");
             let shape = sound_shape(e, &what, width.shape, loc);
+            let kind = width.kind;
             let width = sound_width(e, &[], &what, width.bits.into(), loc);
             let draft = e.draft();
             let node = draft.add(Op::Wire(UNDRIVEN), width, shape, loc);
             draft.node_mut(node).name = Some(name.to_owned());
+            draft.node_mut(node).kind = kind;
             let index = draft.wires.len();
             draft.wires.push(DraftWire { node, driver: None });
             Wire { signal: Signal::at(e, node), index }
@@ -116,7 +121,7 @@ impl Module {
     /// edge is always written down. An address has [`index_width`]`(depth)` bits.
     #[track_caller]
     pub fn memory(self, name: &str, depth: u32, width: impl IntoWidth, policy: ReadUnderWrite) -> Mem {
-        let (Width { bits: width, shape, .. }, loc) = (width.into_width(), Loc::caller());
+        let (Width { bits: width, shape, kind, .. }, loc) = (width.into_width(), Loc::caller());
         elaboration::with(|e| {
             let shape = sound_shape(e, &format!("memory `{name}`"), shape, loc);
             if depth == 0 || width == 0 {
@@ -146,7 +151,7 @@ impl Module {
                 true_dual_port: false,
             });
             let (module, address_width) = (draft.serial, index_width(depth.into()));
-            Mem { stamp, module, index, address_width, width, shape, clock: self.clock }
+            Mem { stamp, module, index, address_width, width, shape, kind, clock: self.clock }
         })
     }
 

@@ -3,7 +3,7 @@
 use crate::bits::Bits;
 use crate::draft::Draft;
 use crate::elaboration;
-use crate::ir::{NodeId, Shift};
+use crate::ir::{Names, NodeId, Shift};
 use crate::loc::Loc;
 use crate::problem::Problem;
 use crate::signal::{Signal, bits_text};
@@ -31,6 +31,8 @@ pub enum Literal {
     Integer(i128),
     /// A value that must have just the width of where it stands.
     Exact(Bits),
+    /// A code of an enum, which only meets signals of that one.
+    Code { names: Names, code: u64 },
 }
 
 impl fmt::Display for Literal {
@@ -38,6 +40,7 @@ impl fmt::Display for Literal {
         match self {
             Literal::Integer(value) => write!(f, "{value}"),
             Literal::Exact(bits) => write!(f, "{bits}"),
+            Literal::Code { names, code } => write!(f, "{}::{}", names.of, names.codes[*code as usize]),
         }
     }
 }
@@ -54,15 +57,15 @@ impl Value {
     pub(crate) fn with_width_of(self, left: Signal, operator: &str) -> Signal {
         let loc = Loc::caller();
         let right = match self {
-            Value::Literal(literal) => return literal.sized(left.width, false),
-            Value::Signal(right) if right.width == left.width => return right,
+            Value::Literal(literal) => return literal.for_signal(left, operator),
+            Value::Signal(right) if right.width == left.width => return right.of_kind_of(left, operator),
             Value::Signal(right) => right,
         };
         let (left_id, right_id) = (left.id(), right.id());
         elaboration::with(|e| {
             let problem = width_mismatch(e.draft(), operator, left_id, right_id, loc);
             e.report_instead_of(&[left_id, right_id], problem);
-            Signal::zero_in(e, left.width, right.shape, loc)
+            Signal::zero_in(e, left.width, right.shape, loc).kept_in(e, left.kind)
         })
     }
 }
@@ -95,7 +98,7 @@ macro_rules! integers {
         }
     )*};
 }
-integers!(u8 u16 u32 u64 usize i32 i64 bool);
+integers!(u8 u16 u32 u64 usize i8 i16 i32 i64 i128 bool);
 
 macro_rules! binary_operators {
     ($ty:ty: $($trait:ident $method:ident $op:ident),*) => {$(
@@ -148,7 +151,7 @@ macro_rules! operators {
             }
         }
 
-        /// The unsigned product; its width is the sum of the operands' widths.
+        /// The product, in two's complement if both are signed; its width is the sum of the operands' widths.
         impl<R: Into<$crate::Signal>> std::ops::Mul<R> for $ty {
             type Output = $crate::Signal;
             #[track_caller]
@@ -166,12 +169,22 @@ macro_rules! operators {
             }
         }
 
-        /// Towards the least significant bit, filled with zeros.
+        /// Towards the least significant bit, filled with zeros, or with the sign of what is signed.
         impl<R: $crate::operand::ShiftAmount> std::ops::Shr<R> for $ty {
             type Output = $crate::Signal;
             #[track_caller]
             fn shr(self, amount: R) -> $crate::Signal {
-                amount.shift($crate::Signal::from(self), $crate::ir::Shift::Right)
+                let signal = $crate::Signal::from(self);
+                amount.shift(signal, signal.kind.right_shift())
+            }
+        }
+
+        /// The negative of a signed value, modulo 2 to the width.
+        impl std::ops::Neg for $ty {
+            type Output = $crate::Signal;
+            #[track_caller]
+            fn neg(self) -> $crate::Signal {
+                $crate::Signal::from(self).negative()
             }
         }
     };

@@ -1,6 +1,7 @@
 //! Registers, and registers that hold the state of a state machine.
 
 use crate::bits::Bits;
+use crate::codes::Codes;
 use crate::elaboration;
 use crate::ir::{Init, NodeId, Op};
 use crate::loc::Loc;
@@ -79,7 +80,7 @@ impl Reg {
     fn reset_value(self, value: impl Operand) -> (Bits, NodeId) {
         let loc = Loc::caller();
         let constant = match value.operand() {
-            Value::Literal(literal) => literal.sized(self.width, false),
+            Value::Literal(literal) => literal.for_signal(self.signal, "reset"),
             Value::Signal(signal) => signal,
         };
         let id = constant.id();
@@ -206,57 +207,6 @@ impl Updates {
     }
 }
 
-/// An enum whose variants are the states of a machine. [`states!`](crate::states!) implements it.
-pub trait States: Copy + 'static {
-    /// The enum's name.
-    const NAME: &'static str;
-    /// Every state, in order of its code.
-    const ALL: &'static [Self];
-
-    /// The state's name, as waves and Verilog show it.
-    fn name(self) -> &'static str;
-
-    /// The state's code in the register.
-    fn code(self) -> u64;
-}
-
-/// Declares the states of a machine: a plain enum, whose codes count from 0 in order of declaration.
-///
-/// ```
-/// use tilewright_hdl::{states, States};
-///
-/// states! {
-///     /// What the pump does.
-///     pub enum Phase { Idle, Fill, Drain }
-/// }
-///
-/// assert_eq!(Phase::Drain.code(), 2);
-/// assert_eq!(Phase::Fill.name(), "Fill");
-/// ```
-#[macro_export]
-macro_rules! states {
-    ($(#[$attribute:meta])* $vis:vis enum $name:ident {
-        $($(#[$state_attribute:meta])* $state:ident),+ $(,)?
-    }) => {
-        $(#[$attribute])*
-        #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-        $vis enum $name { $($(#[$state_attribute])* $state),+ }
-
-        impl $crate::States for $name {
-            const NAME: &'static str = stringify!($name);
-            const ALL: &'static [Self] = &[$($name::$state),+];
-
-            fn name(self) -> &'static str {
-                match self { $($name::$state => stringify!($state)),+ }
-            }
-
-            fn code(self) -> u64 {
-                self as u64
-            }
-        }
-    };
-}
-
 /// A register that holds a state. Made by [`Module::fsm`](crate::Module::fsm).
 #[derive(Debug)]
 #[must_use]
@@ -288,7 +238,7 @@ impl<S> Operand for StateReg<S> {
     }
 }
 
-impl<S: States> StateReg<S> {
+impl<S: Codes + Operand> StateReg<S> {
     /// The code of the present state.
     pub fn value(self) -> Signal {
         self.register.signal
@@ -297,7 +247,7 @@ impl<S: States> StateReg<S> {
     /// 1 bit: the machine is in `state`.
     #[track_caller]
     pub fn is(self, state: S) -> Signal {
-        self.register.eq(state.code())
+        self.register.signal.is(state)
     }
 
     /// The next state, for each present one: `match` it, and say [`goto`], [`when`] or [`hold`].
@@ -319,7 +269,7 @@ impl<S: States> StateReg<S> {
 
     #[track_caller]
     fn code(self, state: S) -> Signal {
-        crate::lit(self.register.width, state.code())
+        state.operand().with_width_of(self.register.signal, "next")
     }
 
     /// The number that `of` gives for the present state, in `width` bits.
@@ -335,7 +285,7 @@ impl<S: States> StateReg<S> {
         self.choose(&values)
     }
 
-    /// The one of `values`, in the order of [`States::ALL`], that belongs to the present state.
+    /// The one of `values`, in the order of [`Codes::ALL`], that belongs to the present state.
     #[track_caller]
     fn choose(self, values: &[Signal]) -> Signal {
         let (last, arms) = values.split_last().expect("a machine has a state");

@@ -3,7 +3,7 @@
 use crate::bits::Bits;
 use crate::bundle::Fields;
 use crate::elaboration;
-use crate::ir::{Op, Shape};
+use crate::ir::{Kind, Op, Shape};
 use crate::limits::sound_width;
 use crate::loc::Loc;
 use crate::operand::{Literal, Operand, Value};
@@ -11,7 +11,7 @@ use crate::problem::Problem;
 use crate::shaping::{level, level_all};
 use crate::signal::{Signal, bits_text};
 use crate::uneven::{Uneven, uneven};
-use crate::width::IntoWidth;
+use crate::width::{IntoWidth, index_width};
 
 /// A constant of that width: a number of bits, or what [`below`](crate::below) and [`up_to`](crate::up_to) give.
 #[track_caller]
@@ -28,7 +28,7 @@ pub(crate) fn constants(width: u32, values: impl IntoIterator<Item = u64>) -> Ve
     let mut signals = Vec::new();
     for value in values {
         let value = if sound == width { value } else { 0 };
-        signals.push(Literal::Integer(value.into()).sized(sound, false));
+        signals.push(Literal::Integer(value.into()).sized(sound, Kind::Number));
     }
     signals
 }
@@ -94,7 +94,7 @@ pub(crate) fn condition(signal: Signal, of: &str) -> Signal {
 fn sized(mut values: Vec<Value>, of: &str) -> Vec<Signal> {
     let loc = Loc::caller();
     let is_signal = |value: &Value| matches!(value, Value::Signal(_));
-    let has_width = |value: &Value| matches!(value, Value::Literal(Literal::Exact(_)));
+    let has_width = |value: &Value| matches!(value, Value::Literal(Literal::Exact(_) | Literal::Code { .. }));
     let first = values.iter().position(is_signal).or_else(|| values.iter().position(has_width)).unwrap_or(0);
     let signal = match &values[first] {
         Value::Signal(signal) => *signal,
@@ -102,6 +102,9 @@ fn sized(mut values: Vec<Value>, of: &str) -> Vec<Signal> {
             let sound = sound_width(e, &[], "a constant", bits.width().into(), loc);
             Signal::make_in(e, Op::Const(bits.resize(sound)), sound, Shape::Plain, loc)
         }),
+        Value::Literal(code @ Literal::Code { names, .. }) => {
+            code.clone().sized(index_width(names.codes.len() as u64), Kind::Code(*names))
+        }
         Value::Literal(literal) => {
             elaboration::with(|e| {
                 let message = format!("`{of}` has only integers to choose from, which leaves its width open");
@@ -126,7 +129,7 @@ pub fn mux(select: impl Into<Signal>, on_true: impl Operand, on_false: impl Oper
     let values = sized(vec![on_true.operand(), on_false.operand()], "mux");
     let [select, on_true, on_false] = level([select, values[0], values[1]], "mux");
     let op = Op::Mux { select: select.id(), on_true: on_true.id(), on_false: on_false.id() };
-    Signal::make(op, on_true.width, on_true.shape)
+    Signal::make(op, on_true.width, on_true.shape).kept_as(on_true.kind)
 }
 
 /// [`mux`] of each field of two bundles.
@@ -162,14 +165,14 @@ pub fn select<V: Operand>(arms: impl IntoIterator<Item = (Signal, V)>, default: 
     }
     let values = values.into_iter().map(V::operand).chain([default.operand()]).collect();
     let mut values = sized(values, "select");
-    let width = values[0].width;
+    let &Signal { width, kind, .. } = &values[0];
     values.extend(conditions);
     let shape = level_all(&mut values, "select");
     let mut nodes = values.into_iter().map(|value| value.id_at(loc));
     let values: Vec<_> = nodes.by_ref().take(count).collect();
     let default = nodes.next().expect("a select has a default");
     let arms = nodes.zip(values).collect();
-    Signal::make(Op::Select { arms, default }, width, shape)
+    Signal::make(Op::Select { arms, default }, width, shape).kept_as(kind)
 }
 
 /// The value of the arm whose key equals `subject`, else `default`. Keys must differ.
@@ -192,12 +195,12 @@ pub fn case<V: Operand>(
         elaboration::with(|e| e.report(Problem::new(loc, problem).help("each key is a value of the subject, once")));
     }
     let mut values = sized(values.into_iter().map(V::operand).chain([default.operand()]).collect(), "case");
-    let width = values[0].width;
+    let &Signal { width, kind, .. } = &values[0];
     values.push(subject);
     let shape = level_all(&mut values, "case");
     let keys = keys.into_iter().map(|key| Bits::new(subject.width, key));
     let mut nodes = values.into_iter().map(|value| value.id_at(loc));
     let arms = keys.zip(nodes.by_ref()).collect();
     let [default, subject] = [nodes.next(), nodes.next()].map(|node| node.expect("a default and a subject"));
-    Signal::make(Op::Case { subject, arms, default }, width, shape)
+    Signal::make(Op::Case { subject, arms, default }, width, shape).kept_as(kind)
 }

@@ -1,6 +1,5 @@
 //! Lanes of values that meet: a plain one is the same in every lane, anything else has to be spelled.
 
-use crate::bits::Bits;
 use crate::elaboration::{self, Elaboration};
 use crate::ir::{Op, Shape};
 use crate::loc::Loc;
@@ -134,7 +133,7 @@ impl Signal {
             Shape::Row(_) => {
                 let shape = self.shape.with(axis, times).expect("a row gets a second axis");
                 let shape = sound_shape(e, "a grid", shape, loc);
-                Signal::make_in(e, Op::Broadcast { of: id, axis }, self.width, shape, loc)
+                Signal::make_in(e, Op::Broadcast { of: id, axis }, self.width, shape, loc).kept_in(e, self.kind)
             }
             _ => {
                 let text = e.draft().describe(id);
@@ -158,12 +157,12 @@ impl Signal {
         let (node, mut of) = (e.draft().node(self.node), self.node);
         if let (Op::Const(bits), None) = (&node.op, &node.name) {
             let same = Op::Const(bits.clone());
-            return Signal::make_in(e, same, self.width, shape, loc);
+            return Signal::make_in(e, same, self.width, shape, loc).kept_in(e, self.kind);
         }
         if let Shape::Grid(_, columns) = shape {
             of = Signal::make_in(e, Op::Broadcast { of, axis: 0 }, self.width, Shape::Row(columns), loc).node;
         }
-        Signal::make_in(e, Op::Broadcast { of, axis: 0 }, self.width, shape, loc)
+        Signal::make_in(e, Op::Broadcast { of, axis: 0 }, self.width, shape, loc).kept_in(e, self.kind)
     }
 
     /// The signal with the lanes of `left`, with which it meets in `operator`: a plain one is the same in all of them.
@@ -195,7 +194,7 @@ impl Signal {
                     _ => "both sides have as many lanes, laid out the same way",
                 });
             e.report_instead_of(&[left_id, right_id], problem);
-            Signal::make_in(e, Op::Const(Bits::zero(self.width)), self.width, left.shape, loc)
+            Signal::zero_in(e, self.width, left.shape, loc).kept_in(e, self.kind)
         })
     }
 }

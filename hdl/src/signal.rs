@@ -2,13 +2,12 @@
 
 use crate::bits::Bits;
 use crate::elaboration::{self, Elaboration};
-use crate::ir::{Binary, Node, NodeId, Op, Relation, Shape, Shift, Unary};
+use crate::ir::{Binary, Kind, Node, NodeId, Op, Relation, Shape, Shift, Unary};
 use crate::limits::{WIDEST, sound_width};
 use crate::loc::Loc;
 use crate::operand::{Operand, ShiftAmount, Value, operators};
 use crate::problem::Problem;
 use crate::shaping::level;
-use crate::signed::Signed;
 use crate::width::IntoWidth;
 use std::ops::Range;
 
@@ -26,6 +25,7 @@ pub struct Signal {
     pub(crate) node: NodeId,
     pub(crate) width: u32,
     pub(crate) shape: Shape,
+    pub(crate) kind: Kind,
 }
 
 /// A handle from an elaboration that has ended is a mistake in Rust code, not in the hardware: a panic.
@@ -54,6 +54,20 @@ impl Signal {
         Signal::at(e, node)
     }
 
+    /// This new node, whose bits stand for what those of `like` do.
+    pub(crate) fn kept_as(self, kind: Kind) -> Signal {
+        if self.kind != kind {
+            elaboration::draft(|draft| draft.node_mut(self.node).kind = kind);
+        }
+        Signal { kind, ..self }
+    }
+
+    /// As [`Signal::kept_as`], within [`elaboration::with`].
+    pub(crate) fn kept_in(self, e: &mut Elaboration, kind: Kind) -> Signal {
+        e.draft().node_mut(self.node).kind = kind;
+        Signal { kind, ..self }
+    }
+
     /// A zero, where a mistake leaves nothing better.
     pub(crate) fn zero_in(e: &mut Elaboration, width: u32, shape: Shape, loc: Loc) -> Signal {
         Signal::make_in(e, Op::Const(Bits::zero(width)), width, shape, loc)
@@ -62,8 +76,8 @@ impl Signal {
     /// The handle of a node of the module under construction.
     pub(crate) fn at(e: &mut Elaboration, node: NodeId) -> Signal {
         let (stamp, draft) = (e.stamp, e.draft());
-        let &Node { width, shape, .. } = draft.node(node);
-        Signal { stamp, module: draft.serial, node, width, shape }
+        let &Node { width, shape, kind, .. } = draft.node(node);
+        Signal { stamp, module: draft.serial, node, width, shape, kind }
     }
 
     /// The node in the module under construction; a signal of another module is a problem, and stands in as zero.
@@ -111,6 +125,7 @@ impl Signal {
             let has_own = node.name.is_some() || matches!(node.op, Op::Input(_) | Op::Const(_));
             let id = if has_own { e.draft().add(Op::Wire(id), self.width, self.shape, loc) } else { id };
             let node = e.draft().node_mut(id);
+            node.kind = self.kind;
             node.name = Some(name.to_owned());
             node.loc = loc;
             Signal::at(e, id)
@@ -120,18 +135,20 @@ impl Signal {
     #[track_caller]
     fn unary(self, op: Unary) -> Signal {
         let width = if op == Unary::Not { self.width } else { 1 };
-        Signal::make(Op::Unary(op, self.id()), width, self.shape)
+        let kind = if op == Unary::Not { self.kind } else { Kind::Number };
+        Signal::make(Op::Unary(op, self.id()), width, self.shape).kept_as(kind)
     }
 
     #[track_caller]
     pub(crate) fn binary(self, op: Binary, right: impl Operand) -> Signal {
         let right = right.operand().with_width_of(self, op.symbol());
         let [left, right] = level([self, right], op.symbol());
-        Signal::make(Op::Binary(op, left.id(), right.id()), left.width, left.shape)
+        Signal::make(Op::Binary(op, left.id(), right.id()), left.width, left.shape).kept_as(left.kind)
     }
 
     #[track_caller]
-    pub(crate) fn compare(self, relation: Relation, signed: bool, right: Signal) -> Signal {
+    pub(crate) fn compare(self, relation: Relation, right: Signal) -> Signal {
+        let signed = self.kind == Kind::Signed;
         let [left, right] = level([self, right], relation.method());
         Signal::make(Op::Compare { relation, signed, operands: [left.id(), right.id()] }, 1, left.shape)
     }
@@ -139,7 +156,7 @@ impl Signal {
     #[track_caller]
     fn relate(self, relation: Relation, right: impl Operand) -> Signal {
         let right = right.operand().with_width_of(self, relation.method());
-        self.compare(relation, false, right)
+        self.compare(relation, right)
     }
 
     /// 1 bit: equal.
@@ -154,25 +171,25 @@ impl Signal {
         self.relate(Relation::Ne, right)
     }
 
-    /// 1 bit: less than, unsigned.
+    /// 1 bit: less than, in two's complement if both are signed.
     #[track_caller]
     pub fn lt(self, right: impl Operand) -> Signal {
         self.relate(Relation::Lt, right)
     }
 
-    /// 1 bit: less than or equal, unsigned.
+    /// 1 bit: less than or equal, in two's complement if both are signed.
     #[track_caller]
     pub fn le(self, right: impl Operand) -> Signal {
         self.relate(Relation::Le, right)
     }
 
-    /// 1 bit: greater than, unsigned.
+    /// 1 bit: greater than, in two's complement if both are signed.
     #[track_caller]
     pub fn gt(self, right: impl Operand) -> Signal {
         self.relate(Relation::Gt, right)
     }
 
-    /// 1 bit: greater than or equal, unsigned.
+    /// 1 bit: greater than or equal, in two's complement if both are signed.
     #[track_caller]
     pub fn ge(self, right: impl Operand) -> Signal {
         self.relate(Relation::Ge, right)
@@ -205,18 +222,16 @@ impl Signal {
     #[track_caller]
     pub fn add_carry(self, right: impl Operand) -> Signal {
         let right = right.operand().with_width_of(self, "add_carry");
-        self.zext(self.width + 1).binary(Binary::Add, right.zext(self.width + 1))
+        let signed = self.kind == Kind::Signed;
+        self.extend(self.width + 1, signed).binary(Binary::Add, right.extend(self.width + 1, signed))
     }
 
-    /// The unsigned product; its width is the sum of the operands' widths.
+    /// The product, in two's complement if both are signed; its width is the sum of the operands' widths.
     #[track_caller]
     pub fn times(self, right: Signal) -> Signal {
-        self.product(Binary::Mul, right)
-    }
-
-    #[track_caller]
-    pub(crate) fn product(self, op: Binary, right: Signal) -> Signal {
         let loc = Loc::caller();
+        let op = if self.kind == Kind::Signed { Binary::MulSigned } else { Binary::Mul };
+        let right = right.of_kind_of(self, op.symbol());
         let width = u64::from(self.width) + u64::from(right.width);
         let [left, right] = level([self, right], op.symbol());
         let (shape, left, right) = (left.shape, left.id(), right.id());
@@ -225,6 +240,7 @@ impl Signal {
             let op = if width == sound.into() { Op::Binary(op, left, right) } else { Op::Const(Bits::zero(sound)) };
             Signal::make_in(e, op, sound, shape, loc)
         })
+        .kept_as(self.kind)
     }
 
     /// Bit `index`, counted from the least significant.
@@ -250,7 +266,7 @@ impl Signal {
             );
         }
         if range == (0..self.width) {
-            return self;
+            return self.bits();
         }
         Signal::make(Op::Slice { of: self.id(), low: range.start }, range.end - range.start, self.shape)
     }
@@ -266,7 +282,11 @@ impl Signal {
                 "`.zext(n)` and `.sext(n)` widen".to_owned(),
             );
         }
-        self.slice(0..width)
+        if width == self.width {
+            return self;
+        }
+        let kind = if self.kind == Kind::Signed { Kind::Signed } else { Kind::Number };
+        self.slice(0..width).kept_as(kind)
     }
 
     /// Widened with zeros to `width` bits.
@@ -294,12 +314,19 @@ impl Signal {
         if width == self.width {
             return self;
         }
+        if self.kind == Kind::Signed && !signed {
+            return self.bad_width(
+                format!("`.zext({width})` would lose the sign of"),
+                width,
+                "`.sext(n)` widens what is signed; `.bits()` reads it as unsigned".to_owned(),
+            );
+        }
         if width > WIDEST {
             let name = if signed { "sext" } else { "zext" };
             let what = format!("`.{name}({width})` makes more than {WIDEST} bits of");
             return self.bad_width(what, 1, "widen less".to_owned());
         }
-        Signal::make(Op::Extend { of: self.id(), signed }, width, self.shape)
+        Signal::make(Op::Extend { of: self.id(), signed }, width, self.shape).kept_as(self.kind)
     }
 
     #[track_caller]
@@ -333,7 +360,7 @@ impl Signal {
     #[track_caller]
     pub(crate) fn shift(self, shift: Shift, amount: Signal) -> Signal {
         let [left, amount] = level([self, amount], shift.symbol());
-        Signal::make(Op::Shift(shift, left.id(), amount.id()), left.width, left.shape)
+        Signal::make(Op::Shift(shift, left.id(), amount.id()), left.width, left.shape).kept_as(left.kind)
     }
 
     /// Shifted by a constant: wiring, not a shifter.
@@ -342,24 +369,19 @@ impl Signal {
         let kept = self.width.saturating_sub(amount);
         match (shift, kept) {
             (_, kept) if kept == self.width => self,
-            (Shift::Left, 0) | (Shift::Right, 0) => crate::lit(self.width, 0),
-            (Shift::RightSigned, 0) => self.msb().repeat(self.width),
-            (Shift::Left, _) => crate::concat(&[self.trunc(kept), crate::lit(amount, 0)]),
-            (Shift::Right, _) => self.slice(amount..self.width).zext(self.width),
-            (Shift::RightSigned, _) => self.slice(amount..self.width).sext(self.width),
+            (Shift::Left, 0) | (Shift::Right, 0) => crate::lit(self.width, 0).kept_as(self.kind),
+            (Shift::RightSigned, 0) => self.msb().repeat(self.width).kept_as(self.kind),
+            (Shift::Left, _) => crate::concat(&[self.trunc(kept), crate::lit(amount, 0)]).kept_as(self.kind),
+            (Shift::Right, _) => self.slice(amount..self.width).zext(self.width).kept_as(self.kind),
+            (Shift::RightSigned, _) => self.slice(amount..self.width).sext(self.width).kept_as(self.kind),
         }
-    }
-
-    /// The same bits read as two's complement.
-    pub fn signed(self) -> Signed {
-        Signed(self)
     }
 
     /// Declares that another clock may sample this signal as it is, because it is stable whenever that happens. The
     /// reason is printed beside it in the Verilog.
     #[track_caller]
     pub fn quasi_static(self, reason: &str) -> Signal {
-        Signal::make(Op::QuasiStatic(self.id(), reason.to_owned()), self.width, self.shape)
+        Signal::make(Op::QuasiStatic(self.id(), reason.to_owned()), self.width, self.shape).kept_as(self.kind)
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::bundle::Fields;
 use crate::clock::Clock;
-use crate::ir::Shape;
+use crate::ir::{Kind, Shape};
 use crate::loc::Loc;
 use crate::shaping::IntoShape;
 
@@ -13,6 +13,7 @@ use crate::shaping::IntoShape;
 pub struct Width {
     pub(crate) bits: u32,
     pub(crate) shape: Shape,
+    pub(crate) kind: Kind,
     pub(crate) clock: Option<Clock>,
     pub(crate) loc: Loc,
 }
@@ -29,6 +30,10 @@ impl Width {
         Width { shape: shape.into_shape(), ..self }
     }
 
+    pub(crate) fn with_kind(self, kind: Kind) -> Width {
+        Width { kind, ..self }
+    }
+
     /// The width in bits, of each lane.
     pub fn bits(self) -> u32 {
         self.bits
@@ -43,7 +48,7 @@ impl Width {
 /// A port of `width` bits.
 #[track_caller]
 pub fn bits(width: u32) -> Width {
-    Width { bits: width, shape: Shape::Plain, clock: None, loc: Loc::caller() }
+    Width { bits: width, shape: Shape::Plain, kind: Kind::Number, clock: None, loc: Loc::caller() }
 }
 
 /// A port of one bit.

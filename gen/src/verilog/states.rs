@@ -1,13 +1,13 @@
-//! State names: each state of a state machine is a `localparam`, and the constants that a state register takes or is
+//! The names of codes: each code of an enum is a `localparam`, and the constants that a value of that enum takes or is
 //! compared with are printed by that name.
 
 use super::literal::{Style, literal};
-use super::scope::Names;
+use super::scope;
 use std::collections::BTreeSet;
 use tilewright_hdl::Bits;
-use tilewright_hdl::ir::{Module, NodeId, Op, States};
+use tilewright_hdl::ir::{Kind, Module, Names, NodeId};
 
-/// The state enums of a module and the nodes that hold a state.
+/// The enums of a module and the nodes that hold a code.
 pub struct StateNames {
     enums: Vec<Enum>,
     /// For each node, the enum whose states it takes.
@@ -15,55 +15,28 @@ pub struct StateNames {
 }
 
 struct Enum {
-    states: States,
+    names: Names,
     width: u32,
     localparams: Vec<String>,
     used: BTreeSet<usize>,
 }
 
 impl StateNames {
-    pub fn new(module: &Module, taken: &mut Names) -> StateNames {
+    pub fn new(module: &Module, taken: &mut scope::Names) -> StateNames {
         let mut all = StateNames { enums: Vec::new(), of: vec![None; module.nodes.len()] };
-        for register in &module.registers {
-            let Some(states) = &register.states else { continue };
-            let width = module.width(register.node);
-            let known = all.enums.iter().position(|known| known.states == *states && known.width == width);
+        for (id, node) in module.nodes.iter().enumerate() {
+            let Kind::Code(names) = node.kind else { continue };
+            let width = node.width;
+            let known = all.enums.iter().position(|known| known.names == names && known.width == width);
             let index = known.unwrap_or_else(|| {
-                let name = |state: &String| taken.fresh(&screaming(&[&states.name, state]));
-                let localparams = states.names.iter().map(name).collect();
-                all.enums.push(Enum { states: states.clone(), width, localparams, used: BTreeSet::new() });
+                let name = |code: &&str| taken.fresh(&screaming(&[names.of, code]));
+                let localparams = names.codes.iter().map(name).collect();
+                all.enums.push(Enum { names, width, localparams, used: BTreeSet::new() });
                 all.enums.len() - 1
             });
-            all.of[register.node.0 as usize] = Some(index);
-            all.mark_values(module, register.next, index);
-        }
-        for (id, node) in module.nodes.iter().enumerate() {
-            if let Op::Wire(to) | Op::QuasiStatic(to, _) = node.op
-                && all.of[id].is_none()
-            {
-                all.of[id] = all.of[to.0 as usize];
-            }
+            all.of[id] = Some(index);
         }
         all
-    }
-
-    /// Marks the choices that lead to a state register; constants may be shared with other expressions.
-    fn mark_values(&mut self, module: &Module, root: NodeId, index: usize) {
-        let mut stack = vec![root];
-        while let Some(id) = stack.pop() {
-            if self.of[id.0 as usize].is_some() {
-                continue;
-            }
-            let choice = match &module.node(id).op {
-                Op::Mux { on_true, on_false, .. } => vec![*on_true, *on_false],
-                Op::Select { arms, default } => arms.iter().map(|arm| arm.1).chain([*default]).collect(),
-                Op::Case { arms, default, .. } => arms.iter().map(|arm| arm.1).chain([*default]).collect(),
-                Op::Wire(to) => vec![*to],
-                _ => continue,
-            };
-            self.of[id.0 as usize] = Some(index);
-            stack.extend(choice);
-        }
     }
 
     /// The enum whose states a node takes.

@@ -39,7 +39,7 @@ impl Block for Counter {
     }
 }
 
-states! {
+codes! {
     /// What the pump does.
     pub enum Phase { Idle, Fill, Drain }
 }

@@ -11,6 +11,7 @@
 //! instances and assertions have lanes as their nodes have. Nothing is broadcast but by [`Op::Broadcast`].
 
 mod affine;
+mod kind;
 mod op;
 mod shape;
 mod validate;
@@ -21,6 +22,7 @@ use crate::loc::Loc;
 use crate::problem::Problems;
 
 pub use affine::Affine;
+pub use kind::{Kind, Names};
 pub use op::{Binary, Op, Reduction, Relation, Shift, Unary};
 pub use shape::Shape;
 
@@ -141,6 +143,8 @@ pub struct Node {
     pub width: u32,
     /// Its lanes, each of that width; plain without.
     pub shape: Shape,
+    /// What the bits of a lane stand for.
+    pub kind: Kind,
     /// The name that the description gave it; unique in the module, legal in Verilog and VCD. Inputs and registers
     /// always have one.
     pub name: Option<String>,
@@ -181,20 +185,9 @@ pub struct Register {
     pub enable: Option<NodeId>,
     /// The value it takes.
     pub next: NodeId,
-    /// For a state machine: the state's names, by code.
-    pub states: Option<States>,
     /// Whether it is one of the two registers of a synchronizer, which a synthesizer is to keep as they are and close
     /// together: `ASYNC_REG` in Verilog.
     pub is_synchronizer: bool,
-}
-
-/// The names of a state machine's states.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct States {
-    /// The enum's name, such as `Phase`.
-    pub name: String,
-    /// The states' names; the index is the code in the register.
-    pub names: Vec<String>,
 }
 
 /// What a read gives when its word is written at the same edge.
@@ -304,6 +297,13 @@ pub struct Assert {
     pub message: String,
     /// Where it is stated.
     pub loc: Loc,
+}
+
+impl Node {
+    /// A node without a name, whose bits are a number.
+    pub fn new(op: Op, width: u32, shape: Shape, loc: Loc) -> Node {
+        Node { op, width, shape, kind: Kind::Number, name: None, loc }
+    }
 }
 
 impl Design {

@@ -62,7 +62,7 @@ impl Block for Inverter {
     }
 }
 
-states! { pub enum Lamp { Off, On } }
+codes! { pub enum Lamp { Off, On } }
 
 bundle! {
     pub struct Reserved<T> { pub table: T }

@@ -37,7 +37,7 @@ impl Build {
 
     #[track_caller]
     pub fn node(&mut self, op: Op, width: u32, shape: Shape) -> NodeId {
-        self.module.nodes.push(Node { op, width, shape, name: None, loc: Loc::caller() });
+        self.module.nodes.push(Node::new(op, width, shape, Loc::caller()));
         NodeId(self.module.nodes.len() as u32 - 1)
     }
 
@@ -81,7 +81,6 @@ impl Build {
             reset,
             enable: ALWAYS,
             next: node,
-            states: None,
             is_synchronizer: false,
         });
         self.named(name, node)

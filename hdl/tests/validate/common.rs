@@ -3,7 +3,7 @@
 use tilewright_hdl::ir::*;
 use tilewright_hdl::{
     Bits, Block, Clock, Design, Fields as _, Module as M, Period, ReadUnderWrite, Width, bit, bits, bundle, case, cat,
-    elaborate, mux, select, stack, states,
+    codes, elaborate, mux, select, stack,
 };
 
 bundle! {
@@ -34,7 +34,7 @@ impl Block for Stage {
 
 const FAST: Clock = Clock::new("fast", Period::ns(4));
 
-states! { enum Phase { Idle, Run, Done } }
+codes! { enum Phase { Idle, Run, Done } }
 
 /// Every operator and every object, most of them named.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]

@@ -17,12 +17,13 @@ fn registers() {
         phase(it, |r| r.reset = Some(Init::Same(Bits::new(3, 0))))
     });
     refused("`top.phase` has a reset value, but its clock has no reset port", |it| phase(it, |r| r.clock = ClockId(1)));
-    refused("`top.phase` has 5 states, which do not fit into 2 bits", |it| {
-        phase(it, |r| r.states.as_mut().unwrap().names = ["A", "B", "C", "D", "E"].map(String::from).into());
-    });
-    refused("`top.phase` has a state whose name is not legal", |it| {
-        phase(it, |r| r.states.as_mut().unwrap().names[0] = "a b".to_owned());
-    });
+    let named = |it: &mut Edit, codes| {
+        let node = it.top().registers[0].node.0 as usize;
+        it.top().nodes[node].kind = Kind::Code(Names { of: "Phase", codes });
+    };
+    refused("`Phase` has 5 codes, which do not fit into 2 bits", |it| named(it, &["A", "B", "C", "D", "E"]));
+    refused("`Phase` has 0 codes, which do not fit into 2 bits", |it| named(it, &[]));
+    refused("`Phase` has a code whose name is not legal", |it| named(it, &["a b"]));
     refused("`top.register 0` has node 0, which is something else", |it| {
         let (node, input) = (it.top().registers[0].node.0 as usize, NodeId(0));
         it.top().registers[0].node = input;

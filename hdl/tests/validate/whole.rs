@@ -117,13 +117,7 @@ fn sizes() {
             module.registers.clear();
             module.clocks[0].period = Some(Period::ns(10));
             module.nodes.truncate(2);
-            let list = |of: NodeId, width, loc| Node {
-                op: Op::Broadcast { of, axis: 0 },
-                width,
-                shape: Shape::Row(lanes),
-                name: None,
-                loc,
-            };
+            let list = |of: NodeId, width, loc| Node::new(Op::Broadcast { of, axis: 0 }, width, Shape::Row(lanes), loc);
             for port in 0..2 {
                 let node = &module.nodes[port];
                 let driver = list(NodeId(port as u32), node.width, node.loc);

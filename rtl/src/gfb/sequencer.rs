@@ -18,7 +18,7 @@
 //! chain holds during the overhead; in the end it runs on until the last pixel has left it.
 
 use tilewright_hdl::ir::About;
-use tilewright_hdl::{Block, Module, Width, below, bit, bundle, mux, net, select, states, up_to, when};
+use tilewright_hdl::{Block, Module, Width, below, bit, bundle, codes, mux, net, select, up_to, when};
 
 use crate::merger::STAGES;
 use crate::parameter::Screen;
@@ -53,7 +53,7 @@ bundle! {
     }
 }
 
-states! {
+codes! {
     /// The parts of a merging round.
     enum Round { Idle, Prime, Line, Overhead, Drain }
 }

@@ -21,7 +21,7 @@
 
 use tilewright_hdl::ir::About;
 use tilewright_hdl::{
-    Block, Module, ReadUnderWrite, Width, below, bit, bits, bundle, cat, goto, mux, net, on, states, when,
+    Block, Module, ReadUnderWrite, Width, below, bit, bits, bundle, cat, codes, goto, mux, net, on, when,
 };
 
 use crate::clocks::{MERGE, PE};
@@ -75,7 +75,7 @@ bundle! {
     }
 }
 
-states! {
+codes! {
     /// The clocks of an access.
     enum Stage2 { Idle, Read, Compare, Write }
 }

@@ -23,7 +23,7 @@
 
 use tilewright_hdl::ir::About;
 use tilewright_hdl::{
-    Bits, Block, Module, ReadUnderWrite, Width, below, bit, bundle, cat, goto, mux, net, on, states, when,
+    Bits, Block, Module, ReadUnderWrite, Width, below, bit, bundle, cat, codes, goto, mux, net, on, when,
 };
 
 use super::page_id_generator::{PageIdGenerator, PageIdGeneratorIn};
@@ -98,7 +98,7 @@ bundle! {
     }
 }
 
-states! {
+codes! {
     /// The clocks of a look-up.
     enum Stage1 { Idle, Read, Examine, Allocate, Found, Overflow }
 }

@@ -17,7 +17,7 @@
 //! merging, at whatever time in it the buffers are swapped.
 
 use tilewright_hdl::ir::About;
-use tilewright_hdl::{Block, Module, Width, below, bit, bundle, net, states, when};
+use tilewright_hdl::{Block, Module, Width, below, bit, bundle, codes, net, when};
 
 use crate::parameter::Screen;
 use crate::scan::{Position, ScanControl};
@@ -43,7 +43,7 @@ bundle! {
     }
 }
 
-states! {
+codes! {
     /// Where the counter is in respect of the whole frame after the restart.
     enum Pass { Before, Frame, After }
 }

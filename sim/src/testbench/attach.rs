@@ -120,7 +120,7 @@ impl Running {
             Probe::Path(path) => path,
         };
         match lookup::signal(&self.program.hierarchy, &name, run) {
-            Ok(Found { signal, lane }) => Source { value: signal.value, lane, states: signal.states.clone(), name },
+            Ok(Found { signal, lane }) => Source { value: signal.value, lane, names: signal.names, name },
             Err(unknown) => panic!("{unknown}"),
         }
     }

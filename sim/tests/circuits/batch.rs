@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use crate::store::Store;
 use tilewright_hdl::{
-    Bits, Block, Design, Module, ReadUnderWrite, Width, bits, bundle, cat, constants, elaborate, mux, stack, states,
+    Bits, Block, Design, Module, ReadUnderWrite, Width, bits, bundle, cat, codes, constants, elaborate, mux, stack,
     when,
 };
 use tilewright_sim::{Batch, EngineKind, Error, Port, Simulation, Vcd};
@@ -37,7 +37,7 @@ impl Block for Cell {
     }
 }
 
-states! {
+codes! {
     enum Turn { Left, Right }
 }
 

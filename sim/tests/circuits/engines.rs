@@ -5,7 +5,7 @@ use std::fs;
 
 use proptest::prelude::*;
 use tilewright_hdl::{
-    Bits, Block, Clock, Module, Period, ReadUnderWrite, Width, bit, bits, bundle, constants, goto, mux, net, states,
+    Bits, Block, Clock, Module, Period, ReadUnderWrite, Width, bit, bits, bundle, codes, constants, goto, mux, net,
     when,
 };
 use tilewright_sim::program::hierarchy;
@@ -19,7 +19,7 @@ bundle! {
     pub struct CellOut<T> { pub value: T, pub total: T, pub word: T, pub seen: T }
 }
 
-states! {
+codes! {
     enum Phase { Idle, Busy, Done }
 }
 

@@ -48,7 +48,7 @@ impl Block for Row {
     }
 
     fn build(&self, m: Module, i: TableIn) -> RowOut {
-        let tables = m.array("u_table", 3, &Table, |it| i);
+        let tables = m.array("u_table", 3, &Table, |_| i);
         let all = [tables.unknown, tables.known, tables.filled].into_iter().flat_map(Signal::to_vec);
         RowOut { all: concat(&all.collect::<Vec<_>>()) }
     }

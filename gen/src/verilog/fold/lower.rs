@@ -43,7 +43,7 @@ impl Lower<'_> {
             let (shape, loc) = (node.shape, node.loc);
             let axis = shape.axes() - 1;
             let width = node.width * shape.extent(axis);
-            of = self.add(Node { op: Op::Pack { of, axis }, width, shape: shape.without(axis), name: None, loc });
+            of = self.add(Node::new(Op::Pack { of, axis }, width, shape.without(axis), loc));
         }
         of
     }
@@ -51,22 +51,16 @@ impl Lower<'_> {
     /// Makes `id` of a vector that has all but its first `kept` axes side by side; returns what the vector is to be
     /// instead of the present operator.
     fn unpack(&mut self, id: NodeId, kept: u32) -> NodeId {
-        let Node { op, width, shape, name, loc } = self.module.node(id).clone();
+        let Node { op, width, shape, name, loc, .. } = self.module.node(id).clone();
         let first = match (shape, kept) {
             (Shape::Grid(rows, _), 1) => Shape::Row(rows),
             _ => Shape::Plain,
         };
-        let vector = Node { op, width: width * (shape.lanes() / first.lanes()), shape: first, name, loc };
+        let vector = Node { name, ..Node::new(op, width * (shape.lanes() / first.lanes()), first, loc) };
         let vector = self.add(vector);
         let mut of = vector;
         if let (Shape::Grid(rows, columns), Shape::Plain) = (shape, first) {
-            let rows = Node {
-                op: Op::Unpack { of, axis: 0 },
-                width: width * columns,
-                shape: Shape::Row(rows),
-                name: None,
-                loc,
-            };
+            let rows = Node::new(Op::Unpack { of, axis: 0 }, width * columns, Shape::Row(rows), loc);
             of = self.add(rows);
         }
         let node = &mut self.module.nodes[id.0 as usize];
@@ -177,7 +171,7 @@ impl Lower<'_> {
                 (Shape::Plain, Shape::Grid(_, columns)) => Shape::Row(columns),
                 _ => shape,
             };
-            of = self.add(Node { op: Op::Broadcast { of, axis: 0 }, width, shape, name: None, loc });
+            of = self.add(Node::new(Op::Broadcast { of, axis: 0 }, width, shape, loc));
         }
         of
     }
@@ -194,7 +188,7 @@ impl Lower<'_> {
             return None;
         }
         let Node { width, shape, loc, .. } = *self.module.node(register);
-        let node = |op, shape| Node { op, width, shape, name: None, loc };
+        let node = |op, shape| Node::new(op, width, shape, loc);
         let parts: Vec<NodeId> =
             values.iter().map(|value| self.add(node(Op::Const(value.clone()), Shape::Plain))).collect();
         Some(match shape {

@@ -141,7 +141,7 @@ impl Fold {
     fn add_shaped(&mut self, of: NodeId, width: u32, shape: Shape, op: Op) -> NodeId {
         let id = NodeId(self.module.nodes.len() as u32);
         let loc = self.module.node(of).loc;
-        self.module.nodes.push(Node { op, width, shape, name: None, loc });
+        self.module.nodes.push(Node::new(op, width, shape, loc));
         self.same.push(id);
         self.visit(id);
         self.same[id.0 as usize]

@@ -1,9 +1,11 @@
 //! The rules of elementwise operations: what each needs of its operands, lane by lane.
 
 use super::{Named, Needs, Rules};
-use crate::ir::{Binary, InstanceId, Node, NodeId, Op, RegisterId, Unary};
+use crate::ir::{Binary, InstanceId, Kind, Names, Node, NodeId, Op, RegisterId, Unary};
 use crate::limits::WIDEST;
+use crate::names::is_legal;
 use crate::signal::bits_text;
+use crate::width::index_width;
 use std::collections::HashSet;
 
 impl Rules<'_> {
@@ -14,8 +16,21 @@ impl Rules<'_> {
                 format!("{owner} has {}, not 1 to {WIDEST}", bits_text(node.width))
             });
             self.rule(node.shape.lanes() > 0, node.loc, || format!("{owner} needs at least 1 lane"));
+            if let Kind::Code(names) = node.kind {
+                self.codes(node, names);
+            }
             self.op(id, node, owner);
         }
+    }
+
+    /// The codes of an enum have room in the node, and names that Verilog takes.
+    fn codes(&mut self, node: &Node, names: Names) {
+        let (loc, width, count) = (node.loc, node.width, names.codes.len());
+        self.rule(count > 0 && index_width(count as u64) <= width, loc, || {
+            format!("`{}` has {count} codes, which do not fit into {}", names.of, bits_text(width))
+        });
+        let illegal = names.codes.iter().chain([&names.of]).find(|name| !is_legal(name));
+        self.rule(illegal.is_none(), loc, || format!("`{}` has a code whose name is not legal", names.of));
     }
 
     fn op(&mut self, id: NodeId, node: &Node, owner: Named) {

@@ -5,7 +5,6 @@ use crate::bits::Bits;
 use crate::ir::{Contents, Init, Memory, MemoryId, Node, NodeId, Op, RegisterId, Shape};
 use crate::limits::WIDEST;
 use crate::loc::Loc;
-use crate::names::is_legal;
 use crate::signal::bits_text;
 use crate::width::index_width;
 use std::fmt;
@@ -41,13 +40,6 @@ impl<'a> Rules<'a> {
                 self.rule(clock.is_none_or(|clock| clock.reset.is_some()), loc, || {
                     format!("{owner} has a reset value, but its clock has no reset port")
                 });
-            }
-            if let Some(states) = &register.states {
-                let fits = !states.names.is_empty() && index_width(states.names.len() as u64) <= width;
-                let count = states.names.len();
-                self.rule(fits, loc, || format!("{owner} has {count} states, which do not fit into {width} bits"));
-                let illegal = states.names.iter().chain([&states.name]).find(|name| !is_legal(name));
-                self.rule(illegal.is_none(), loc, || format!("{owner} has a state whose name is not legal"));
             }
         }
     }

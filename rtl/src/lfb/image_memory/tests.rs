@@ -2,7 +2,7 @@
 
 mod model;
 
-use tilewright_hdl::States;
+use tilewright_hdl::Codes;
 use tilewright_sim::Simulation;
 
 use super::*;

@@ -1,6 +1,6 @@
 //! The names of a program: the tree of instances as the Verilog has it, and the value behind each name.
 
-use tilewright_hdl::ir::{Shape, States};
+use tilewright_hdl::ir::{Names, Shape};
 
 use super::ValueId;
 
@@ -91,8 +91,8 @@ pub struct Signal {
     pub width: u32,
     /// Its shape in its own scope.
     pub shape: Shape,
-    /// The states' names, if it is the register of a state machine.
-    pub states: Option<States>,
+    /// The names of its codes, if it is of an enum.
+    pub names: Option<Names>,
 }
 
 /// The lane of a shape as names have it: nothing, `[3]` or `[1][2]`.

@@ -1,8 +1,8 @@
 //! The names of an instance: its ports, registers, read data, nets and memories.
 
-use std::collections::{BTreeSet, HashMap};
+use std::collections::BTreeSet;
 
-use tilewright_hdl::ir::{Module, Node, NodeId, Op, States};
+use tilewright_hdl::ir::{Module, Node, NodeId, Op};
 
 use super::ValueId;
 use super::flatten::{Body, Flatten};
@@ -34,8 +34,8 @@ fn signals(module: &Module, value: impl Fn(NodeId) -> ValueId) -> Vec<Signal> {
     let mut taken = BTreeSet::new();
     let mut add = |name: String, role, node: NodeId| {
         if taken.insert(name.clone()) {
-            let &Node { width, shape, .. } = module.node(node);
-            all.push(Signal { name, role, value: value(node), width, shape, states: None });
+            let &Node { width, shape, kind, .. } = module.node(node);
+            all.push(Signal { name, role, value: value(node), width, shape, names: kind.names() });
         }
     };
     module.inputs.iter().for_each(|port| add(port.name.clone(), Role::Input, port.node));
@@ -58,11 +58,6 @@ fn signals(module: &Module, value: impl Fn(NodeId) -> ValueId) -> Vec<Signal> {
             let role = if is_register(node) { Role::Register } else { Role::Net };
             add(name.clone(), role, NodeId(index as u32));
         }
-    }
-    let states = module.registers.iter().filter_map(|register| Some((value(register.node), register.states.as_ref()?)));
-    let states: HashMap<ValueId, &States> = states.collect();
-    for signal in &mut all {
-        signal.states = states.get(&signal.value).map(|states| (*states).clone());
     }
     all
 }

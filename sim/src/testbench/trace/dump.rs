@@ -176,7 +176,7 @@ fn change(text: &mut Changes, variable: &Variable, limbs: &[u64]) {
     match &variable.kind {
         VariableKind::Bit => text.bit(variable.id, limbs[0] != 0),
         VariableKind::Bits => text.bits(variable.id, limbs),
-        VariableKind::State(states) => match states.names.get(limbs[0] as usize) {
+        VariableKind::Code(names) => match names.codes.get(limbs[0] as usize) {
             Some(name) => text.string(variable.id, name),
             None => text.string(variable.id, &format!("code_{}", limbs[0])),
         },

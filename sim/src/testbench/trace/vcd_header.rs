@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::io;
 
-use tilewright_hdl::ir::States;
+use tilewright_hdl::ir::Names;
 use vcd::{IdCode, ReferenceIndex, ScopeType, TimescaleUnit, VarType, Writer};
 
 use super::changes::Id;
@@ -33,8 +33,8 @@ pub(crate) enum VariableKind {
     Bit,
     /// A number of more bits.
     Bits,
-    /// The name of a state.
-    State(States),
+    /// The name of a code.
+    Code(Names),
 }
 
 /// A clock and its reset; without ids if nothing shows them.
@@ -227,13 +227,13 @@ impl Build<'_> {
             let kind = if signal.width == 1 { VariableKind::Bit } else { VariableKind::Bits };
             self.variable(id, kind, signal.value, lane);
         }
-        let Some(states) = &signal.states else { return Ok(()) };
+        let Some(names) = signal.names else { return Ok(()) };
         let known = self.strings.get(&(signal.value, lane)).copied();
         let id = known.unwrap_or_else(|| fresh(&mut self.next));
         self.writer.var_def(VarType::String, 1, id, &format!("{name}_state"), None)?;
         if known.is_none() {
             self.strings.insert((signal.value, lane), id);
-            self.variable(id, VariableKind::State(states.clone()), signal.value, lane);
+            self.variable(id, VariableKind::Code(names), signal.value, lane);
         }
         Ok(())
     }

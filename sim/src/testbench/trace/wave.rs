@@ -14,7 +14,7 @@ use std::ops::Range;
 use std::sync::{Arc, Mutex, MutexGuard};
 
 use tilewright_hdl::Bits;
-use tilewright_hdl::ir::States;
+use tilewright_hdl::ir::Names;
 
 use super::{Observer, View};
 use crate::engine::program::ValueId;
@@ -54,7 +54,7 @@ pub(crate) struct Source {
     pub name: String,
     pub value: ValueId,
     pub lane: u32,
-    pub states: Option<States>,
+    pub names: Option<Names>,
 }
 
 impl Wave {
@@ -176,12 +176,12 @@ impl Data {
 
 impl Row {
     fn is_bit(&self) -> bool {
-        self.source.states.is_none() && self.values.first().is_some_and(|value| value.width() == 1)
+        self.source.names.is_none() && self.values.first().is_some_and(|value| value.width() == 1)
     }
 
     fn text(&self, value: &Bits) -> String {
-        let state = |states: &States| states.names.get(value.to_u64()? as usize).cloned();
-        self.source.states.as_ref().and_then(state).unwrap_or_else(|| {
+        let name = |names: Names| names.codes.get(value.to_u64()? as usize).map(|name| (*name).to_owned());
+        self.source.names.and_then(name).unwrap_or_else(|| {
             let digits = format!("{value:x}");
             let digits = digits.trim_start_matches('0');
             if digits.is_empty() { "0".to_string() } else { digits.to_string() }

@@ -1,7 +1,7 @@
 //! The testbench interface: setting, reading, stepping, looking inside, and every error.
 
 use crate::engine::of;
-use tilewright_hdl::{Bits, Block, Module, ReadUnderWrite, Width, bit, bits, bundle, mux, net, states, when};
+use tilewright_hdl::{Bits, Block, Module, ReadUnderWrite, Width, bit, bits, bundle, codes, mux, net, when};
 use tilewright_sim::{EngineKind, Error, Simulation};
 
 bundle! {
@@ -143,7 +143,7 @@ fn a_wide_port_is_not_cut_to_an_integer() {
     sim.get_u64(sim.o.answer);
 }
 
-states! {
+codes! {
     enum Phase { Idle, Busy }
 }
 

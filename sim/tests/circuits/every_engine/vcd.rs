@@ -4,7 +4,7 @@ use std::fs;
 use std::path::PathBuf;
 
 use crate::engine::{engine, of};
-use tilewright_hdl::{Block, Module, Width, bit, bits, bundle, stack, states, when};
+use tilewright_hdl::{Block, Module, Width, bit, bits, bundle, codes, stack, when};
 use tilewright_sim::{Error, Vcd};
 
 bundle! {
@@ -14,7 +14,7 @@ bundle! {
     pub struct LampsOut<T> { pub all: T, pub count: T }
 }
 
-states! {
+codes! {
     enum Lamp { Off, On }
 }
 

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use crate::engine::{engine, of};
 use proptest::prelude::*;
 use tilewright_hdl::{
-    Bits, Block, Clock, Module, Period, ReadUnderWrite, Width, bit, bits, bundle, hold, mux, stack, states, when,
+    Bits, Block, Clock, Module, Period, ReadUnderWrite, Width, bit, bits, bundle, codes, hold, mux, stack, when,
 };
 use tilewright_sim::{Error, Simulation, Vcd};
 use vcd::{Command, IdCode, Parser, ScopeItem};
@@ -16,7 +16,7 @@ use vcd::{Command, IdCode, Parser, ScopeItem};
 const FAST: Clock = Clock::new("fast", Period::ps(2_000));
 const SLOW: Clock = Clock::new("slow", Period::ps(7_000));
 
-states! {
+codes! {
     enum Door { Shut, Ajar, Open }
 }
 

@@ -4,7 +4,7 @@ use super::{Builder, Kind, Late};
 use crate::spec::*;
 use tilewright_hdl::*;
 
-states! {
+codes! {
     enum Phase { Idle, Load, Run, Drain }
 }
 

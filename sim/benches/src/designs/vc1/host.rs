@@ -1,12 +1,12 @@
 //! Stands for the host: has frame after frame merged, and reads them for a checksum.
 
-use tilewright_hdl::{Block, Module, Width, below, bit, bits, bundle, goto, lit, mux, net, states, when};
+use tilewright_hdl::{Block, Module, Width, below, bit, bits, bundle, codes, goto, lit, mux, net, when};
 use tilewright_rtl::gfb;
 use tilewright_rtl::parameter::Screen;
 use tilewright_rtl::vc1::SWAP_CLOCKS;
 use tilewright_rtl::word::WORD;
 
-states! {
+codes! {
     /// What the host does.
     enum Phase {
         /// Waits for the painters.

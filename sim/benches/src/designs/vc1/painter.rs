@@ -1,13 +1,13 @@
 //! Stands for a processing element and its program: draws patches at random places, a pixel now and then.
 
-use tilewright_hdl::{Block, Module, Reg, Width, bit, bits, bundle, cat, index_width, lit, mux, net, states, when};
+use tilewright_hdl::{Block, Module, Reg, Width, bit, bits, bundle, cat, codes, index_width, lit, mux, net, when};
 use tilewright_rtl::lfb::{Clear, Patches, Request};
 use tilewright_rtl::vc1::ProcessorIn;
 use tilewright_rtl::word::WORD;
 
 use crate::word::{below, xorshift};
 
-states! {
+codes! {
     /// What a painter does.
     enum Phase {
         /// Clears the patch table, entry by entry.

@@ -1,0 +1,129 @@
+//! Enums in hardware: values of a fixed list, which waves and Verilog show by name.
+
+use crate::elaboration;
+use crate::ir::{Kind, Names, Relation};
+use crate::loc::Loc;
+use crate::operand::{Literal, Operand, Value};
+use crate::problem::Problem;
+use crate::select::case;
+use crate::signal::{Signal, bits_text};
+use crate::width::{Width, below};
+
+/// An enum whose variants are values of signals. [`codes!`](crate::codes!) implements it.
+pub trait Codes: Copy + 'static {
+    /// The enum's name, and those of its codes.
+    const NAMES: Names;
+    /// Every code, in order.
+    const ALL: &'static [Self];
+
+    /// What stands in the hardware for it.
+    fn code(self) -> u64;
+
+    /// Its name, as waves and Verilog show it.
+    fn name(self) -> &'static str {
+        Self::NAMES.codes[self.code() as usize]
+    }
+}
+
+/// Declares values of signals, such as the states of a machine or the operations of an instruction: a plain enum, whose codes count from 0 in order
+/// of declaration.
+///
+/// ```
+/// use tilewright_hdl::{Codes, codes};
+///
+/// codes! {
+///     /// What the pump does.
+///     pub enum Phase { Idle, Fill, Drain }
+/// }
+///
+/// assert_eq!(Phase::Drain.code(), 2);
+/// assert_eq!(Phase::Fill.name(), "Fill");
+/// ```
+#[macro_export]
+macro_rules! codes {
+    ($($(#[$attribute:meta])* $vis:vis enum $name:ident {
+        $($(#[$code_attribute:meta])* $code:ident),+ $(,)?
+    })+) => {$(
+        $(#[$attribute])*
+        #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+        $vis enum $name { $($(#[$code_attribute])* $code),+ }
+
+        impl $crate::Codes for $name {
+            const NAMES: $crate::ir::Names =
+                $crate::ir::Names { of: stringify!($name), codes: &[$(stringify!($code)),+] };
+            const ALL: &'static [Self] = &[$($name::$code),+];
+
+            fn code(self) -> u64 {
+                self as u64
+            }
+        }
+
+        impl $crate::Operand for $name {
+            fn operand(self) -> $crate::Value {
+                $crate::Value::code(self)
+            }
+        }
+    )+};
+}
+
+impl Value {
+    /// A code, which only meets signals of its enum.
+    pub fn code<C: Codes>(code: C) -> Value {
+        Value::Literal(Literal::Code { names: C::NAMES, code: code.code() })
+    }
+}
+
+/// As wide as the codes of an enum, one of which it is: `m.reg("operation", one_of::<Operation>())`.
+#[track_caller]
+pub fn one_of<C: Codes>() -> Width {
+    Width { kind: Kind::Code(C::NAMES), ..below(C::ALL.len()) }
+}
+
+impl Signal {
+    /// 1 bit: it is that code.
+    #[track_caller]
+    pub fn is<C: Codes + Operand>(self, code: C) -> Signal {
+        let code = code.operand().with_width_of(self, "is");
+        self.compare(Relation::Eq, code)
+    }
+
+    /// For each code what `of` says, which is a `match`: `step.source.choose(|source| match source { .. })`. Where an enum has fewer codes than
+    /// its bits could hold, the others are taken for the last one.
+    #[track_caller]
+    pub fn choose<C: Codes, V: Operand>(self, of: impl Fn(C) -> V) -> Signal {
+        let subject = self.read_as(Kind::Code(C::NAMES), "choose");
+        let mut arms: Vec<_> = C::ALL.iter().map(|code| (code.code(), of(*code))).collect();
+        let (_, last) = arms.pop().expect("an enum has a code");
+        case(subject, arms, last)
+    }
+
+    /// The bits as a code of that enum.
+    #[track_caller]
+    pub fn code<C: Codes>(self) -> Signal {
+        let (loc, width, kind) = (Loc::caller(), below(C::ALL.len()).bits(), Kind::Code(C::NAMES));
+        if self.width == width {
+            return Signal { kind, ..self };
+        }
+        let id = self.id();
+        elaboration::with(|e| {
+            let (text, needs, has) = (e.draft().describe(id), bits_text(width), bits_text(self.width));
+            let problem = Problem::new(loc, format!("a `{}` has {needs}, but `{text}` has {has}", C::NAMES.of));
+            e.report_instead_of(&[id], problem.help("take the bits that hold the code, as in `.part(low, width)`"));
+            Signal { kind, ..Signal::zero_in(e, width, self.shape, loc) }
+        })
+    }
+
+    /// The signal, which is of that kind; if not, that is a problem.
+    #[track_caller]
+    fn read_as(self, kind: Kind, method: &str) -> Signal {
+        if self.kind != kind {
+            let (loc, id) = (Loc::caller(), self.id());
+            elaboration::with(|e| {
+                let text = e.draft().describe(id);
+                let problem = Problem::new(loc, format!("`{method}` is over {kind}, but `{text}` is {}", self.kind));
+                e.report_instead_of(&[id], problem.help("`.code::<Enum>()` reads bits as a code of an enum"));
+            });
+        }
+        self
+    }
+}

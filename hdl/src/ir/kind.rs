@@ -1,0 +1,52 @@
+//! What the bits of a value stand for.
+
+use super::Shift;
+use std::fmt;
+
+/// How the bits of a value are to be read, in each lane. Nothing is computed by it: operations say themselves whether they are signed.
+/// Waves and Verilog show codes by name.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
+pub enum Kind {
+    /// As a number from 0 on, or as nothing but bits.
+    #[default]
+    Number,
+    /// As a number in two's complement.
+    Signed,
+    /// As one of an enum.
+    Code(Names),
+}
+
+/// The names of an enum's codes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Names {
+    /// The enum's name, such as `Phase`.
+    pub of: &'static str,
+    /// The codes' names; the index is the code.
+    pub codes: &'static [&'static str],
+}
+
+impl Kind {
+    /// How it is shifted to the right.
+    pub(crate) fn right_shift(self) -> Shift {
+        if self == Kind::Signed { Shift::RightSigned } else { Shift::Right }
+    }
+
+    /// The enum that it is a code of, if it is one.
+    pub fn names(self) -> Option<Names> {
+        match self {
+            Kind::Code(names) => Some(names),
+            _ => None,
+        }
+    }
+}
+
+/// As messages say it: `a number`, `signed`, `` a code of `Phase` ``.
+impl fmt::Display for Kind {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Kind::Number => f.write_str("a number"),
+            Kind::Signed => f.write_str("signed"),
+            Kind::Code(names) => write!(f, "a code of `{}`", names.of),
+        }
+    }
+}
