@@ -113,6 +113,20 @@ impl Signal {
         })
     }
 
+    /// The signal, with which one may compute: with codes one does not, which is a problem.
+    #[track_caller]
+    pub(crate) fn computable(self, operator: &str) -> Signal {
+        let Kind::Code(names) = self.kind else { return self };
+        let (loc, id) = (Loc::caller(), self.id());
+        elaboration::with(|e| {
+            let text = e.draft().describe(id);
+            let problem = Problem::new(loc, format!("`{operator}` computes with `{text}`, a code of `{}`", names.of));
+            let help = "a code is compared, by `.is(..)` and `.eq(..)`, and chosen by; `.bits()` reads it as a number";
+            e.report_instead_of(&[id], problem.help(help));
+        });
+        self.bits()
+    }
+
     /// The signal, which is of that kind; if not, that is a problem.
     #[track_caller]
     fn read_as(self, kind: Kind, method: &str) -> Signal {

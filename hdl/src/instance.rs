@@ -10,6 +10,7 @@ use crate::module::Module;
 use crate::problem::Problem;
 use crate::shaping::{IntoShape, sound_shape};
 use crate::signal::{Signal, bits_text};
+use crate::signed::READ_AS;
 use crate::uneven::{Uneven, uneven};
 
 impl Module {
@@ -18,7 +19,7 @@ impl Module {
     pub fn instance<B: Block>(self, name: &str, block: &B, inputs: B::In) -> B::Out {
         let loc = Loc::caller();
         let child = elaborate_module(block, loc);
-        let drivers = inputs.leaves().into_iter().map(|(path, signal)| (path, signal.id_at(loc))).collect();
+        let drivers = inputs.leaves().into_iter().map(|(path, signal)| (path, signal.here(loc))).collect();
         let instance = self.declare(name, child.id, Shape::Plain, loc);
         self.feed(instance.id, child.id, drivers, loc);
         instance.read::<B>(&child)
@@ -45,7 +46,7 @@ impl Module {
         let instance = self.declare(name, child.id, shape, loc);
         let out = instance.read::<B>(&child);
         let fed = feed(out.clone());
-        let drivers = fed.leaves().into_iter().map(|(path, signal)| (path, signal.id_at(loc))).collect();
+        let drivers = fed.leaves().into_iter().map(|(path, signal)| (path, signal.here(loc))).collect();
         self.feed(instance.id, child.id, drivers, loc);
         out
     }
@@ -84,13 +85,15 @@ impl Module {
     }
 
     /// Says what drives the inputs of a declared instance: nodes, by their paths in its input bundle.
-    fn feed(self, id: InstanceId, child: ModuleId, drivers: Vec<(String, NodeId)>, loc: Loc) {
+    fn feed(self, id: InstanceId, child: ModuleId, drivers: Vec<(String, Signal)>, loc: Loc) {
         elaboration::with(|e| {
             let module = &e.done[child.0 as usize];
             let ports: Vec<_> =
                 module.inputs.iter().map(|i| (i.path.clone(), Port::of(i.name.clone(), module.node(i.node)))).collect();
             let inputs = match uneven(&drivers, &ports) {
-                None => ports.iter().zip(&drivers).map(|((_, port), (_, node))| fit(e, id, port, *node, loc)).collect(),
+                None => {
+                    ports.iter().zip(&drivers).map(|((_, port), (_, signal))| fit(e, id, port, *signal, loc)).collect()
+                }
                 Some(uneven) => {
                     report_uneven(e, id, &uneven, &ports, &drivers, loc);
                     ports.iter().map(|(_, port)| zero(e, id, port, loc)).collect()
@@ -107,7 +110,7 @@ fn report_uneven(
     id: InstanceId,
     uneven: &Uneven,
     ports: &[(String, Port)],
-    drivers: &[(String, NodeId)],
+    drivers: &[(String, Signal)],
     loc: Loc,
 ) {
     let instance = &e.draft().instances[id.0 as usize].name;
@@ -117,7 +120,7 @@ fn report_uneven(
     if let Some((_, port)) = ports.iter().find(|(path, _)| path.starts_with(&format!("{}.", uneven.list))) {
         problem = problem.note(format!("`{}` is declared", uneven.list), port.declared);
     }
-    let nodes: Vec<_> = drivers.iter().map(|(_, node)| *node).collect();
+    let nodes: Vec<_> = drivers.iter().map(|(_, signal)| signal.node).collect();
     e.report_instead_of(&nodes, problem.help("feed as many as the block's `fn inputs` declares"));
 }
 
@@ -149,7 +152,8 @@ fn beside(e: &mut Elaboration, instance: &str, array: Shape, port: &Port, loc: L
 
 /// The driver of a port, which must have the port's width and the instance's lanes beside those of the port, or be plain; if not, that is
 /// reported, and a zero stands in.
-fn fit(e: &mut Elaboration, id: InstanceId, port: &Port, driver: NodeId, loc: Loc) -> NodeId {
+fn fit(e: &mut Elaboration, id: InstanceId, port: &Port, signal: Signal, loc: Loc) -> NodeId {
+    let driver = signal.node;
     let draft = e.draft();
     let (instance, node) = (&draft.instances[id.0 as usize], draft.node(driver));
     let (name, text) = (&instance.name, draft.describe(driver));
@@ -158,10 +162,13 @@ fn fit(e: &mut Elaboration, id: InstanceId, port: &Port, driver: NodeId, loc: Lo
         let (needs, has) = (bits_text(port.width), bits_text(node.width));
         let message = format!("input `{}` of `{name}` has {needs}, but `{text}` has {has}", port.name);
         (message, "spell the change of width where the instance is fed")
+    } else if signal.kind != port.kind {
+        let message = format!("input `{}` of `{name}` is {}, but `{text}` is {}", port.name, port.kind, signal.kind);
+        (message, READ_AS)
     } else if shape == node.shape {
         return driver;
     } else if node.shape.is_plain() {
-        return Signal::at(e, driver).spread_in(e, shape, loc).node;
+        return signal.spread_in(e, shape, loc).node;
     } else {
         let message = format!("input `{}` of `{name}` has {shape}, but `{text}` has {}", port.name, node.shape);
         (message, "feed a plain signal, the same for all lanes, or one lane for each; `stack` makes a row of signals")

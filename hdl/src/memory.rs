@@ -101,7 +101,8 @@ impl Mem {
         self.check_module(loc);
         let signal = match operand.operand() {
             Value::Literal(literal) => return literal.sized(width, kind),
-            Value::Signal(signal) if signal.width == width => return signal,
+            Value::Signal(signal) if signal.width == width && signal.kind == kind => return signal,
+            Value::Signal(signal) if signal.width == width => return self.of_kind(signal, kind, what),
             Value::Signal(signal) => signal,
         };
         let id = signal.id();
@@ -120,6 +121,24 @@ impl Mem {
             e.report_instead_of(&[id], problem);
             Signal::zero_in(e, width, signal.shape, loc)
         })
+    }
+
+    /// A signal that is not of the kind that this memory needs: a problem.
+    #[track_caller]
+    fn of_kind(self, signal: Signal, kind: Kind, what: &str) -> Signal {
+        let (loc, id) = (Loc::caller(), signal.id());
+        elaboration::with(|e| {
+            let draft = e.draft();
+            let memory = &draft.memories[self.index as usize].memory;
+            let (name, text) = (&memory.name, draft.describe(id));
+            let problem =
+                Problem::new(loc, format!("{what} of memory `{name}` is {kind}, but `{text}` is {}", signal.kind))
+                    .note(format!("`{name}` is declared"), memory.loc)
+                    .note(format!("`{text}` is made"), draft.node(id).loc)
+                    .help(crate::signed::READ_AS);
+            e.report_instead_of(&[id], problem);
+        });
+        Signal { kind, ..signal }
     }
 
     /// The signal, which is plain or has a lane for each lane of the memory; if not, that is a problem.

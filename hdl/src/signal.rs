@@ -110,6 +110,11 @@ impl Signal {
         })
     }
 
+    /// The signal, used at `loc`; a stand-in if it is another module's.
+    pub(crate) fn here(self, loc: Loc) -> Signal {
+        Signal { node: self.id_at(loc), ..self }
+    }
+
     /// The width in bits, of each lane.
     pub fn width(self) -> u32 {
         self.width
@@ -135,14 +140,15 @@ impl Signal {
     #[track_caller]
     fn unary(self, op: Unary) -> Signal {
         let width = if op == Unary::Not { self.width } else { 1 };
-        let kind = if op == Unary::Not { self.kind } else { Kind::Number };
+        let kind = if op == Unary::Not && self.kind == Kind::Signed { Kind::Signed } else { Kind::Number };
         Signal::make(Op::Unary(op, self.id()), width, self.shape).kept_as(kind)
     }
 
     #[track_caller]
     pub(crate) fn binary(self, op: Binary, right: impl Operand) -> Signal {
-        let right = right.operand().with_width_of(self, op.symbol());
-        let [left, right] = level([self, right], op.symbol());
+        let left = self.computable(op.symbol());
+        let right = right.operand().with_width_of(left, op.symbol());
+        let [left, right] = level([left, right], op.symbol());
         Signal::make(Op::Binary(op, left.id(), right.id()), left.width, left.shape).kept_as(left.kind)
     }
 
@@ -155,8 +161,10 @@ impl Signal {
 
     #[track_caller]
     fn relate(self, relation: Relation, right: impl Operand) -> Signal {
-        let right = right.operand().with_width_of(self, relation.method());
-        self.compare(relation, right)
+        let left =
+            if matches!(relation, Relation::Eq | Relation::Ne) { self } else { self.computable(relation.method()) };
+        let right = right.operand().with_width_of(left, relation.method());
+        left.compare(relation, right)
     }
 
     /// 1 bit: equal.
@@ -231,9 +239,10 @@ impl Signal {
     pub fn times(self, right: Signal) -> Signal {
         let loc = Loc::caller();
         let op = if self.kind == Kind::Signed { Binary::MulSigned } else { Binary::Mul };
-        let right = right.of_kind_of(self, op.symbol());
+        let left = self.computable(op.symbol());
+        let right = right.of_kind_of(left, op.symbol());
         let width = u64::from(self.width) + u64::from(right.width);
-        let [left, right] = level([self, right], op.symbol());
+        let [left, right] = level([left, right], op.symbol());
         let (shape, left, right) = (left.shape, left.id(), right.id());
         elaboration::with(|e| {
             let sound = sound_width(e, &[left, right], "a product", width, loc);

@@ -8,6 +8,10 @@ use crate::problem::Problem;
 use crate::signal::{Signal, bits_text};
 use crate::{Bits, Width};
 
+/// What makes one kind of the other.
+pub(crate) const READ_AS: &str =
+    "`.signed()` reads bits in two's complement, `.code::<Enum>()` as a code, `.bits()` as a number";
+
 impl Width {
     /// Read in two's complement: `m.reg("x", bits(12).signed())`.
     pub fn signed(self) -> Width {
@@ -62,7 +66,7 @@ impl Signal {
             let problem = Problem::new(loc, message)
                 .note(format!("`{left_text}` is made"), draft.node(left_id).loc)
                 .note(format!("`{right_text}` is made"), draft.node(right_id).loc)
-                .help("`.signed()` reads bits in two's complement, `.code::<Enum>()` as a code, `.bits()` as a number");
+                .help(READ_AS);
             e.report_instead_of(&[left_id, right_id], problem);
         });
         Signal { kind: left.kind, ..self }

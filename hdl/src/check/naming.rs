@@ -123,10 +123,14 @@ impl Names<'_> {
             self.problems.push(problem.help("a name is letters, digits and `_`, and does not start with a digit"));
         }
         if let Some((other, first)) = self.taken.get(name) {
-            let problem = Problem::new(loc, format!("{kind} `{name}` has the name of another {other}"));
-            self.problems.push(
-                problem.note(format!("the other {other} `{name}` is declared"), *first).help("rename one of them"),
-            );
+            let (another, the) = match (kind == *other, other.starts_with(['a', 'e', 'i', 'o', 'u'])) {
+                (true, _) => ("another", "the other"),
+                (false, true) => ("an", "the"),
+                (false, false) => ("a", "the"),
+            };
+            let problem = Problem::new(loc, format!("{kind} `{name}` has the name of {another} {other}"));
+            let note = format!("{the} {other} `{name}` is declared");
+            self.problems.push(problem.note(note, *first).help("rename one of them"));
             return;
         }
         self.taken.insert(name.to_owned(), (kind, loc));

@@ -12,7 +12,7 @@ fn names_that_clash_or_are_illegal() {
          the other net `sum` is declared at [|_, i| (i.a.named(\"sum\") + 1).named(\"sum\"),]
          help: rename one of them",
     );
-    assert!(problems(&Case(|_, i| (!i.a).named("b"))).starts_with("net `b` has the name of another input"));
+    assert!(problems(&Case(|_, i| (!i.a).named("b"))).starts_with("net `b` has the name of an input"));
     assert!(problems(&Case(|_, i| (!i.a).named("two words"))).starts_with("`two words` cannot be the name of a net"));
 }
 

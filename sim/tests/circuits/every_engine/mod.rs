@@ -3,6 +3,7 @@
 mod arithmetic;
 mod arrays;
 mod clocks;
+mod kinds;
 mod lane_values;
 mod lists;
 mod shorthand;

@@ -1,0 +1,71 @@
+//! What is signed, what is a code of an enum, and where they do not mix.
+
+use crate::common::*;
+use tilewright_hdl::*;
+
+codes! {
+    enum Operation { Add, Subtract, And }
+    enum Source { Memory, Constant }
+}
+
+#[test]
+fn signed_and_unsigned() {
+    expect(
+        |_, i| i.a + i.a.signed(),
+        "`+` mixes `a`, a number, and `a`, signed
+         --> [|_, i| i.a + i.a.signed(),]
+         `a` is made at [In { a: bits(8), b: bits(7), c: bit() }]
+         `a` is made at [In { a: bits(8), b: bits(7), c: bit() }]
+         help: `.signed()` reads bits in two's complement, `.code::<Enum>()` as a code, `.bits()` as a number",
+    );
+    let cases: [(&str, Build); 6] = [
+        ("`next` mixes `level`, signed, and `a`, a number", |m, i| {
+            let level = m.reg("level", bits(8).signed());
+            level.next(i.a);
+            level.bits()
+        }),
+        ("a word of memory `words` is signed, but `a` is a number", |m, i| {
+            let words = m.memory("words", 4, bits(8).signed(), ReadUnderWrite::Old);
+            words.write(i.c, 0, i.a);
+            words.read(0).bits()
+        }),
+        ("`-` makes a negative number, but `a` is not signed", |_, i| -i.a),
+        ("`.zext(9)` would lose the sign of `a`, which has 8 bits", |_, i| i.a.signed().zext(9)),
+        ("`-129` does not fit in 8 bits, signed", |_, i| i.a.signed().lt(-129).zext(8)),
+        ("input `x` of `u_inverter` is a number, but `a` is signed", |m, i| {
+            m.instance("u_inverter", &Inverter { registered: false }, Link { x: i.a.signed() }).out
+        }),
+    ];
+    for (start, build) in cases {
+        let text = problems(&Case(build));
+        assert!(text.starts_with(start), "{text}");
+    }
+}
+
+#[test]
+fn codes_and_numbers() {
+    let cases: [(&str, Build); 7] = [
+        ("`eq` mixes `operation`, a code of `Operation`, and `1`", |m, _| operation(m).eq(1)),
+        ("`+` computes with `operation`, a code of `Operation`", |m, _| operation(m) + 1),
+        ("`is` mixes `operation`, a code of `Operation`, and `Source::Memory`", |m, _| operation(m).is(Source::Memory)),
+        ("`lt` computes with `operation`, a code of `Operation`", |m, _| operation(m).lt(Operation::And)),
+        ("`+` mixes `a`, a number, and `Operation::And`", |_, i| i.a + Operation::And),
+        ("a `Operation` has 2 bits, but `a` has 8 bits", |_, i| i.a.code::<Operation>().is(Operation::Add)),
+        ("`choose` is over a code of `Source`, but `operation` is a code of `Operation`", |m, _| {
+            operation(m).choose(|source| match source {
+                Source::Memory => 1,
+                Source::Constant => 0,
+            })
+        }),
+    ];
+    for (start, build) in cases {
+        let text = problems(&Case(build));
+        assert!(text.starts_with(start), "{text}");
+    }
+}
+
+fn operation(m: Module) -> Signal {
+    let operation = m.reg("operation", one_of::<Operation>()).reset(Operation::And);
+    operation.next(mux(operation.is(Operation::Add), Operation::Subtract, Operation::Add));
+    operation.value()
+}

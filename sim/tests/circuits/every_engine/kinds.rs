@@ -1,0 +1,115 @@
+//! Signed values and codes of enums, stored, sent and chosen by.
+
+use crate::engine::of;
+use proptest::prelude::*;
+use tilewright_hdl::*;
+use tilewright_sim::Vcd;
+
+codes! {
+    /// What is done.
+    enum Operation { Add, Subtract, Smaller }
+}
+
+bundle! {
+    struct In<T> { operation: T, left: T, right: T, lanes: T }
+    struct Out<T> {
+        result: T, done: T, sum: T, product: T, shifted: T, negative: T, is_less: T, least: T, most: T, remembered: T, was: T,
+    }
+}
+
+/// An arithmetic unit that computes with signed numbers what a code says.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+struct Unit;
+
+impl Block for Unit {
+    type In = In;
+    type Out = Out;
+
+    fn inputs(&self) -> In<Width> {
+        let number = bits(8).signed();
+        In { operation: one_of::<Operation>(), left: number, right: number, lanes: number.of(row(3)) }
+    }
+
+    fn build(&self, m: Module, i: In) -> Out {
+        let sum = m.reg("total", bits(8).signed()).reset(-3);
+        sum.when(i.operation.is(Operation::Add), *sum + i.left).when(i.left.is_negative(), -1);
+        let numbers = m.memory("numbers", 2, bits(8).signed(), ReadUnderWrite::Old).fill(Bits::zero(8));
+        numbers.write(i.left.lt(0), 1, i.left);
+        let operations = m.memory("operations", 2, one_of::<Operation>(), ReadUnderWrite::Old).fill(Bits::zero(2));
+        operations.write(i.left.lt(0), 1, mux(i.right.lt(0), Operation::Smaller, i.operation));
+        let was = operations.read_async(1).named("recalled");
+        Out {
+            result: i.operation.choose(|operation| match operation {
+                Operation::Add => i.left + i.right,
+                Operation::Subtract => i.left - i.right,
+                Operation::Smaller => mux(i.left.lt(i.right), i.left, i.right),
+            }),
+            done: i.operation,
+            sum: sum.value(),
+            product: i.left * i.right,
+            shifted: (i.left >> 2).sext(12) + (i.right << 1).sext(12),
+            negative: -i.left,
+            is_less: i.left.lt(i.right) & i.left.ne(-128),
+            least: i.lanes.minimum(),
+            most: i.lanes.maximum(),
+            remembered: numbers.read_async(1),
+            was,
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 60, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn numbers_have_a_sign_and_codes_a_meaning(code in 0u64..3, left: i8, right: i8, lanes: [i8; 3]) {
+        let mut sim = of(&Unit);
+        let (i, o) = (sim.i, sim.o);
+        sim.reset();
+        sim.set(i.operation, code);
+        sim.set(i.left, left);
+        sim.set(i.right, right);
+        sim.set_lanes(i.lanes, lanes);
+        let byte = |number: i8| u64::from(number as u8);
+        let result = [left.wrapping_add(right), left.wrapping_sub(right), left.min(right)][code as usize];
+        let shifted = (i16::from(left >> 2) + i16::from(right << 1)) as u64 & 0xfff;
+        let now = [
+            (o.result, byte(result)), (o.done, code), (o.sum, byte(-3)),
+            (o.product, (i16::from(left) * i16::from(right)) as u16 as u64), (o.shifted, shifted),
+            (o.negative, byte(left.wrapping_neg())), (o.is_less, u64::from(left < right && left != -128)),
+            (o.least, byte(*lanes.iter().min().unwrap())), (o.most, byte(*lanes.iter().max().unwrap())),
+        ];
+        for (number, (port, expected)) in now.into_iter().enumerate() {
+            prop_assert_eq!(sim.get_u64(port), expected, "check {}", number);
+        }
+        sim.step();
+        let sum = match (code, left < 0) {
+            (0, _) => (-3i8).wrapping_add(left),
+            (_, true) => -1,
+            _ => -3,
+        };
+        prop_assert_eq!(sim.get_u64(o.sum), byte(sum));
+        prop_assert_eq!(sim.get_u64(o.remembered), if left < 0 { byte(left) } else { 0 });
+        prop_assert_eq!(sim.get_u64(o.was), match (left < 0, right < 0) { (false, _) => 0, (_, true) => 2, _ => code });
+    }
+}
+
+#[test]
+fn waves_name_the_codes_of_ports_and_nets() {
+    let directory = tempfile::tempdir().unwrap();
+    let path = directory.path().join("unit.vcd");
+    let mut sim = of(&Unit);
+    sim.trace(Vcd::to(&path)).unwrap();
+    let wave = sim.record([sim.i.operation, sim.o.was]);
+    sim.reset();
+    sim.set(sim.i.operation, 1u64);
+    sim.set(sim.i.left, -1);
+    sim.run(2);
+    sim.finish().unwrap();
+    let text = std::fs::read_to_string(path).unwrap();
+    for declared in ["operation_state", "done_state", "was_state", "recalled_state"] {
+        assert!(text.contains(&format!(" {declared} $end")), "{declared} is missing in {text}");
+    }
+    assert!(text.contains("sSubtract "), "{text}");
+    assert!(wave.to_string().contains("Subtract"), "{wave}");
+}
