@@ -40,13 +40,14 @@
 //! | a port | a field of a [`bundle!`], as wide as [`bit`]`()`, [`bits`]`(n)`, [`below`]`(n)` or [`up_to`]`(n)` in [`Block::inputs`] |
 //! | an expression | `+ - & \| ^ ! << >>` and methods of [`Signal`]; integers take the width of what they meet |
 //! | a change of width | [`zext`](Signal::zext) [`sext`](Signal::sext) [`trunc`](Signal::trunc) [`slice`](Signal::slice) [`part`](Signal::part) [`bit`](Signal::bit) [`cat!`] [`repeat`](Signal::repeat) |
-//! | a choice | [`mux`], [`select`] (first that holds), [`case`] (by value), [`mux_bundle`] |
+//! | a choice | [`mux`], [`select`] (first that holds), [`case`] (by value); of signals, numbers or records |
 //! | signed arithmetic | [`Signal::signed`], a type of its own |
 //! | a named net | `net!(at_end = ..)`, or [`Signal::named`] |
 //! | a net read before it is driven | [`Module::wire`] |
-//! | a register | [`Module::reg`], then [`reset`](Reg::reset), [`enable`](Reg::enable), [`next`](Reg::next) or [`when`](Reg::when); [`Module::pipe`] for a pipeline stage |
+//! | a register | [`Module::reg`], then [`reset`](Reg::reset), [`enable`](Reg::enable), [`next`](Reg::next) or [`when`](Reg::when); [`Module::pipe`] for a pipeline stage, [`Module::stages`] for a pipeline |
 //! | a state machine | [`states!`], [`Module::fsm`], [`StateReg::next`] |
 //! | a memory | [`Module::memory`], [`Mem::read`], [`Mem::read_async`], [`Mem::write`] |
+//! | a record | a [`bundle!`]: what is declared with a record of widths, or given a record, is one; `.pack()` makes a word of it, `.unpack(word)` of its widths a record |
 //! | an instance, an array of them | [`Module::instance`], [`Module::array`] with [`Lanes`] |
 //! | another clock | [`Module::on`], [`Mem::on`], [`Width::on`] and [`on`]; [`Module::synchronize`], [`Module::synchronize_from`], [`Signal::quasi_static`] to cross |
 //! | what must hold | [`Module::assert`], with [`implies`](Signal::implies) |
@@ -62,6 +63,7 @@ mod bundle;
 mod check;
 mod circuit;
 pub mod clock;
+mod data;
 mod draft;
 mod elaboration;
 mod finish;
@@ -76,6 +78,7 @@ mod module;
 mod names;
 mod operand;
 mod problem;
+mod record;
 pub mod recording;
 mod register;
 pub mod scenario;
@@ -83,6 +86,7 @@ mod select;
 mod shorthand;
 mod signal;
 mod signed;
+mod stages;
 mod summary;
 mod uneven;
 mod width;
@@ -94,6 +98,9 @@ pub use block::{Block, DEFAULT_PERIOD, Typed, elaborate, elaborate_at, elaborate
 pub use bundle::join;
 pub use bundle::{Bundle, Fields, Leaf, Visited};
 pub use clock::{Clock, Period};
+#[doc(hidden)]
+pub use data::Given;
+pub use data::{Data, Fits, Layout};
 pub use ir::{About, Design, ReadUnderWrite};
 pub use lanes::{Array, Lanes};
 pub use loc::Loc;
@@ -101,12 +108,18 @@ pub use memory::Mem;
 pub use module::Module;
 pub use operand::{Operand, ShiftAmount};
 pub use problem::{Problem, Problems};
+pub use record::RecordUpdates;
+#[doc(hidden)]
+pub use record::{named, pack, unpack};
 pub use recording::Recording;
 pub use register::{Reg, StateReg, States, Transition, Updates, goto, hold, when};
 pub use scenario::{Scenario, Script};
-pub use select::{case, concat, lit, mux, mux_bundle, select};
+pub use select::{case, concat, lit, mux, select};
 pub use signal::Signal;
 pub use signed::{Signed, SignedOperand};
+pub use stages::Start;
+#[doc(hidden)]
+pub use stages::cleared;
 #[doc(hidden)]
 pub use uneven::{Uneven, uneven};
 pub use width::{Count, IntoWidth, Width, below, bit, bits, index_width, on, up_to};

@@ -2,6 +2,7 @@
 
 use crate::bundle::Fields;
 use crate::clock::Clock;
+use crate::data::Layout;
 use crate::draft::{DraftMemory, DraftRegister, DraftWire, Synchronizer, UNDRIVEN};
 use crate::elaboration;
 use crate::ir::{self, Assert, Contents, Memory, Op, ReadUnderWrite, RegisterId, Shape};
@@ -9,10 +10,11 @@ use crate::limits::{WIDEST, sound_width};
 use crate::loc::Loc;
 use crate::memory::Mem;
 use crate::problem::Problem;
+use crate::record::word_width;
 use crate::register::{Reg, StateReg, States};
 use crate::select::condition;
 use crate::signal::Signal;
-use crate::width::{IntoWidth, index_width};
+use crate::width::{bits, index_width};
 use crate::wire::Wire;
 use std::marker::PhantomData;
 
@@ -32,15 +34,21 @@ impl Module {
         Module { clock: Some(clock) }
     }
 
-    /// A register of that width: a number of bits, or as in `m.reg("used", up_to(pages))`. If the width names a clock, it runs
+    /// A register of that width: a number of bits, or as in `m.reg("used", up_to(pages))`; or of a record of widths, which is
+    /// a register for each field, named `entry_page` for the field `page` of `entry`. If a width names a clock, its register runs
     /// on that one.
     #[track_caller]
-    pub fn reg(self, name: &str, width: impl IntoWidth) -> Reg {
-        let (width, loc) = (width.into_width(), Loc::caller());
-        Module { clock: width.clock.or(self.clock) }.register(name, width.bits, None, loc)
+    pub fn reg<L: Layout>(self, name: &str, layout: L) -> Reg<L::Value> {
+        let loc = Loc::caller();
+        let index = elaboration::draft(|draft| draft.registers.len());
+        let signal = layout.layout().map_fields("", &mut |path, width| {
+            let on = Module { clock: width.clock.or(self.clock) };
+            on.register(&port_name(name, path), width.bits, None, loc).signal
+        });
+        Reg { signal, index }
     }
 
-    fn register(self, name: &str, width: u32, states: Option<ir::States>, loc: Loc) -> Reg {
+    pub(crate) fn register(self, name: &str, width: u32, states: Option<ir::States>, loc: Loc) -> Reg {
         elaboration::with(|e| {
             let width = sound_width(e, &[], &format!("register `{name}`"), width.into(), loc);
             let draft = e.draft();
@@ -92,10 +100,17 @@ impl Module {
         value.map(|_| registers.next().expect("a register for each field"))
     }
 
-    /// A net of that width that is read before it is driven.
+    /// A net of that width that is read before it is driven; of a record of widths, a net for each field.
     #[track_caller]
-    pub fn wire(self, name: &str, width: impl IntoWidth) -> Wire {
-        let (width, loc) = (width.into_width().bits, Loc::caller());
+    pub fn wire<L: Layout>(self, name: &str, layout: L) -> Wire<L::Value> {
+        let loc = Loc::caller();
+        let index = elaboration::draft(|draft| draft.wires.len());
+        let signal =
+            layout.layout().map_fields("", &mut |path, width| self.net(&port_name(name, path), width.bits, loc).signal);
+        Wire { signal, index }
+    }
+
+    fn net(self, name: &str, width: u32, loc: Loc) -> Wire {
         elaboration::with(|e| {
             let width = sound_width(e, &[], &format!("wire `{name}`"), width.into(), loc);
             let draft = e.draft();
@@ -109,9 +124,17 @@ impl Module {
 
     /// A memory of `depth` words of that width. What a synchronous read gives when its word is written at the same
     /// edge is always written down. An address has [`index_width`]`(depth)` bits.
+    ///
+    /// Of a record of widths it is one memory, in whose words the fields stand side by side, the first most significant.
     #[track_caller]
-    pub fn memory(self, name: &str, depth: u32, width: impl IntoWidth, policy: ReadUnderWrite) -> Mem {
-        let (width, loc) = (width.into_width().bits, Loc::caller());
+    pub fn memory<L: Layout>(self, name: &str, depth: u32, layout: L, policy: ReadUnderWrite) -> Mem<L::Value> {
+        let (layout, loc) = (layout.layout(), Loc::caller());
+        let width = word_width(&layout, name, loc);
+        let Mem { stamp, module, index, address_width, width, clock, .. } = self.words(name, depth, width, policy, loc);
+        Mem { stamp, module, index, address_width, width, clock, layout }
+    }
+
+    fn words(self, name: &str, depth: u32, width: u32, policy: ReadUnderWrite, loc: Loc) -> Mem {
         elaboration::with(|e| {
             if depth == 0 || width == 0 {
                 let problem =
@@ -140,7 +163,7 @@ impl Module {
                 true_dual_port: false,
             });
             let (module, address_width) = (draft.serial, index_width(depth.into()));
-            Mem { stamp, module, index, address_width, width, clock: self.clock }
+            Mem { stamp, module, index, address_width, width, clock: self.clock, layout: bits(width) }
         })
     }
 

@@ -11,6 +11,7 @@ mod instances;
 mod lists;
 mod loops;
 mod names;
+mod records;
 mod reports;
 mod state;
 mod unused;
