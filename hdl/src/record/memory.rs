@@ -16,7 +16,8 @@ use crate::signal::{Signal, bits_text};
 use crate::width::bits;
 
 /// A memory of records is one memory, in whose words the fields stand side by side, the first most significant, as in
-/// [`cat!`](crate::cat!). What is read is a record; a name for it, as in `net!(step = ..)`, names its fields in waves and in Verilog.
+/// [`cat!`](crate::cat!). What is read is a record; a name for it, as in `net!(step = ..)`, names
+/// its word and its fields, `step_address`, in waves and in Verilog.
 ///
 /// ```
 /// # use tilewright_hdl::{Block, Module, ReadUnderWrite, Width, bit, bits, bundle, elaborate, net};

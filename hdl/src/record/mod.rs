@@ -10,7 +10,7 @@ pub use register::RecordUpdates;
 use crate::bits::Bits;
 use crate::bundle::{Bundle, Fields};
 use crate::elaboration;
-use crate::ir::Op;
+use crate::ir::{NodeId, Op};
 use crate::limits::{WIDEST, sound_width};
 use crate::loc::Loc;
 use crate::module::port_name;
@@ -36,11 +36,31 @@ pub fn pack<B: Bundle>(record: &B) -> Signal {
 #[doc(hidden)]
 #[track_caller]
 pub fn named<B: Bundle>(record: &B, name: &str) -> B {
+    let fields = record.leaves();
+    let mut ids = Vec::new();
+    for (_, signal) in &fields {
+        ids.push(signal.id());
+    }
+    name_word(&ids, name);
     let mut nets = Vec::new();
-    for (path, signal) in record.leaves() {
+    for (path, signal) in fields {
         nets.push(signal.named(&port_name(name, &path)));
     }
     from_leaves(record, nets)
+}
+
+/// The word that the fields are all of, as that which a memory reads, gets the name of the record, unless it has one.
+fn name_word(fields: &[NodeId], name: &str) {
+    elaboration::draft(|draft| {
+        let slice = |id: &NodeId| if let Op::Slice { of, .. } = draft.node(*id).op { Some(of) } else { None };
+        let Some(word) = fields.first().and_then(slice) else { return };
+        let width: u32 = fields.iter().filter(|id| slice(id) == Some(word)).map(|id| draft.node(*id).width).sum();
+        let node = draft.node_mut(word);
+        let is_plain = node.name.is_none() && !matches!(node.op, Op::Input(_) | Op::Const(_));
+        if is_plain && width == node.width {
+            node.name = Some(name.to_owned());
+        }
+    });
 }
 
 /// The record of these signals, in order of declaration.

@@ -74,7 +74,7 @@ fn a_table_is_one_memory_and_what_is_read_has_names() {
     assert_eq!(design.top().memories.len(), 1);
     let text = &verilog(&design)[0].text;
     assert!(text.contains("reg [11:0] entries [0:5];"), "{text}");
-    assert!(text.contains("read_page_1 = entries_read[6:0];"), "{text}");
+    assert!(text.contains("read_page_1 = read[6:0];"), "{text}");
     elaborate(&Table { crossing: true }).unwrap();
 }
 

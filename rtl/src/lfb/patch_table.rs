@@ -170,6 +170,7 @@ impl Block for PatchTable {
         let page = m.reg("page", below(self.pages));
         page.enable(stage.is(Stage1::Examine)).next(mux(entry.resident, entry.page, free.page));
         table.on(PE).write(allocate | clear, address, Entry { resident: allocate, page: *page });
+        net!(scan_entry = table.on(MERGE).read_when(i.scan.enable, cat!(i.scan.patch, i.scan.buffer)));
         PatchTableOut {
             ready: can_accept,
             clear_ready,
@@ -178,7 +179,7 @@ impl Block for PatchTable {
             pages_used: free.used,
             found: stage.is(Stage1::Found),
             page: page.value(),
-            scan_entry: table.on(MERGE).read_when(i.scan.enable, cat!(i.scan.patch, i.scan.buffer)),
+            scan_entry,
         }
     }
 
