@@ -6,11 +6,12 @@ use crate::module::{Module, port_name};
 use crate::record::{from_leaves, one_bit};
 use crate::signal::Signal;
 
-/// What enters a pipeline, and which fields of it a reset clears in each stage. A record alone is one of which none is:
-/// see [`Module::stages`].
+/// What enters a pipeline: a record, which fields of it a reset clears in each stage, and what is put before their names. A
+/// record alone is a start of which no field is cleared: see [`Module::stages`].
 #[derive(Debug, Clone)]
 pub struct Start<B> {
     record: B,
+    name: String,
     /// For each field, in order of declaration.
     cleared: Vec<bool>,
 }
@@ -18,7 +19,14 @@ pub struct Start<B> {
 impl<B: Bundle> From<B> for Start<B> {
     fn from(record: B) -> Start<B> {
         let cleared = record.leaves().iter().map(|_| false).collect();
-        Start { record, cleared }
+        Start { record, name: String::new(), cleared }
+    }
+}
+
+impl<B> Start<B> {
+    /// Puts a name before those of the registers, where a module has two pipelines with the same fields: `depth_left1`.
+    pub fn called(self, name: &str) -> Start<B> {
+        Start { name: name.to_owned(), ..self }
     }
 }
 
@@ -81,12 +89,13 @@ impl Module {
         if let Some(enable) = &mut enable {
             *enable = one_bit(*enable, "stages");
         }
-        let Start { mut record, cleared } = start.into();
+        let Start { mut record, name, cleared } = start.into();
         for number in 1..=count {
             let next = stage(number, record);
             let mut held = Vec::with_capacity(cleared.len());
             for (field, (path, signal)) in next.leaves().into_iter().enumerate() {
-                let mut register = self.register(&format!("{}{number}", port_name("", &path)), signal.width, None, loc);
+                let name = format!("{}{number}", port_name(&name, &path));
+                let mut register = self.register(&name, signal.width, None, loc);
                 // A list may have become longer.
                 if cleared.get(field) == Some(&true) {
                     register = register.reset(0);
