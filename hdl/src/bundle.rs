@@ -129,6 +129,10 @@ impl<T: Leaf> Fields<T> for () {
 }
 
 /// A record of signals, with the family of records that it belongs to. [`bundle!`](crate::bundle!) implements it.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no record of signals",
+    note = "a record is a struct that `bundle!` makes"
+)]
 pub trait Bundle: Fields<Signal, With<Signal> = Self> + Clone + 'static {
     /// The same record with other leaves.
     type Of<T: Leaf>: Fields<T, With<Signal> = Self> + Clone;
@@ -290,7 +294,7 @@ macro_rules! bundle {
             }
         }
 
-        impl<T: $crate::Leaf + $crate::IntoWidth> $crate::Layout for $name<T> {
+        impl<$leaf: $crate::Leaf + $crate::IntoWidth> $crate::Layout for $name<$leaf> {
             type Value = $name;
 
             fn layout(self) -> $name<$crate::Width> {
@@ -298,7 +302,7 @@ macro_rules! bundle {
             }
         }
 
-        impl<T: $crate::Leaf + $crate::Operand> $crate::Fits<$name> for $name<T> {
+        impl<$leaf: $crate::Leaf + $crate::Operand> $crate::Fits<$name> for $name<$leaf> {
             fn given(self) -> $crate::Given<$name> {
                 $crate::Given::Each($crate::Fields::map(&self, |leaf| $crate::Operand::operand(leaf.clone())))
             }
@@ -320,9 +324,9 @@ macro_rules! bundle {
 
             /// What enters a pipeline, with the fields that a reset clears in each stage: as in
             /// `start.cleared(|start| start.valid)`.
-            $vis fn cleared<F: $crate::Fields<usize>>(
+            $vis fn cleared<WhichFields: $crate::Fields<usize>>(
                 self,
-                which: impl FnOnce($name<usize>) -> F,
+                which: impl FnOnce($name<usize>) -> WhichFields,
             ) -> $crate::Start<$name> {
                 $crate::cleared(self, which)
             }

@@ -38,8 +38,8 @@ impl<V: Data, const N: usize> Data for [V; N] {
 /// What something is declared by: a width, which makes it a signal, or a record of widths, which makes it a record of
 /// signals.
 #[diagnostic::on_unimplemented(
-    message = "nothing can be declared with a `{Self}`: it is no width",
-    note = "a width is a number of bits, `bit()`, `below(n)` or `up_to(n)`; a record of a `bundle!` has a width in each field"
+    message = "nothing can be declared with a `{Self}`: it is no record of widths",
+    note = "a record of widths has one in each field, as in `Entry {{ resident: bit(), page: below(n) }}`"
 )]
 pub trait Layout {
     /// What is declared.

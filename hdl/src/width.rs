@@ -65,6 +65,11 @@ pub trait Count {
 }
 
 /// How wide something is: a number of bits, or what [`bits`], [`below`] and [`up_to`] give.
+#[diagnostic::on_unimplemented(
+    message = "a `{Self}` is no width",
+    note = "a width is a number of bits, as an `i32` or `u32`, or `bit()`, `below(n)` or `up_to(n)`; a record of a `bundle!` has one in \
+            each field"
+)]
 pub trait IntoWidth {
     #[doc(hidden)]
     fn into_width(self) -> Width;
