@@ -13,6 +13,7 @@ impl Leaf for Bits {}
 impl Leaf for Loc {}
 impl Leaf for String {}
 impl Leaf for bool {}
+impl Leaf for i32 {}
 impl Leaf for u32 {}
 impl Leaf for u64 {}
 impl Leaf for usize {}
@@ -126,9 +127,13 @@ impl<T: Leaf> Fields<T> for () {
 }
 
 /// A record of signals, with the family of records that it belongs to. [`bundle!`](crate::bundle!) implements it.
-pub trait Bundle: Fields<Signal> + 'static {
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no record of signals",
+    note = "a record is a struct that `bundle!` makes"
+)]
+pub trait Bundle: Fields<Signal, With<Signal> = Self> + Clone + 'static {
     /// The same record with other leaves.
-    type Of<T: Leaf>: Fields<T>;
+    type Of<T: Leaf>: Fields<T, With<Signal> = Self> + Clone;
 
     /// The record of `f` of each signal and its path.
     fn of<U: Leaf>(&self, f: &mut dyn FnMut(&str, &Signal) -> U) -> Self::Of<U>;
@@ -189,6 +194,37 @@ pub fn join(path: &str, field: &str) -> String {
 /// let value: Pair<u64> = Pair { left: Pixel { z: 5, rgb: 0 }, right: Pixel { z: 7, rgb: 1 } };
 /// assert_eq!(value.leaves()[2], ("right.z".to_owned(), 7));
 /// # let _ = widths;
+/// ```
+///
+/// A record of signals is a value: registers, wires and memories hold it ([`Reg`](crate::Reg), [`Mem`](crate::Mem)),
+/// [`mux`](crate::mux()), [`select`](crate::select()) and [`case`](crate::case()) choose it. A word has the fields side by side, the
+/// first most significant:
+///
+/// ```
+/// # use tilewright_hdl::{bundle, bits, elaborate, net, Block, Module, Signal, Width};
+/// # bundle! {
+/// #     /// A sample of an image.
+/// #     pub struct Pixel<T> { pub z: T, pub rgb: T }
+/// #     /// What comes over a line.
+/// #     pub struct LineIn<T> { pub word: T }
+/// #     /// What goes on.
+/// #     pub struct LineOut<T> { pub darker: T }
+/// # }
+/// # #[derive(Debug, Clone, PartialEq, Eq, Hash)]
+/// # struct Darken;
+/// # impl Block for Darken {
+/// #     type In = LineIn;
+/// #     type Out = LineOut;
+/// #     fn inputs(&self) -> LineIn<Width> { LineIn { word: bits(48) } }
+/// #     fn build(&self, m: Module, i: LineIn) -> LineOut {
+/// let layout = Pixel { z: bits(24), rgb: bits(24) };
+/// net!(pixel = layout.unpack(i.word));                       // nets `pixel_z` and `pixel_rgb`
+/// let darker = Pixel { rgb: pixel.rgb >> 1, ..pixel };
+/// let word: Signal = darker.pack();
+/// # LineOut { darker: word }
+/// # }
+/// # }
+/// # elaborate(&Darken).unwrap();
 /// ```
 #[macro_export]
 macro_rules! bundle {
@@ -253,6 +289,53 @@ macro_rules! bundle {
                 f: &mut impl FnMut(&T) -> U,
             ) -> $name<U> {
                 $crate::Fields::map_leaves(of, f)
+            }
+        }
+
+        impl<$leaf: $crate::Leaf + $crate::IntoWidth> $crate::Layout for $name<$leaf> {
+            type Value = $name;
+
+            fn layout(self) -> $name<$crate::Width> {
+                $crate::Fields::map(&self, |width| $crate::IntoWidth::into_width(width.clone()))
+            }
+        }
+
+        impl<$leaf: $crate::Leaf + $crate::Operand> $crate::Fits<$name> for $name<$leaf> {
+            fn given(self) -> $crate::Given<$name> {
+                $crate::Given::Each($crate::Fields::map(&self, |leaf| $crate::Operand::operand(leaf.clone())))
+            }
+        }
+
+        #[allow(dead_code)]
+        impl $name {
+            /// The fields side by side in one signal, the first most significant, as in [`cat!`]($crate::cat!).
+            #[track_caller]
+            $vis fn pack(&self) -> $crate::Signal {
+                $crate::pack(self)
+            }
+
+            /// The same record, each field's net named `NAME_FIELD` in waves and in Verilog.
+            #[track_caller]
+            $vis fn named(&self, name: &str) -> $name {
+                $crate::named(self, name)
+            }
+
+            /// What enters a pipeline, with the fields that a reset clears in each stage: as in
+            /// `start.cleared(|start| start.valid)`.
+            $vis fn cleared<WhichFields: $crate::Fields<usize>>(
+                self,
+                which: impl FnOnce($name<usize>) -> WhichFields,
+            ) -> $crate::Start<$name> {
+                $crate::cleared(self, which)
+            }
+        }
+
+        #[allow(dead_code)]
+        impl $name<$crate::Width> {
+            /// The record whose fields stand side by side in `word`, the first most significant.
+            #[track_caller]
+            $vis fn unpack(&self, word: impl Into<$crate::Signal>) -> $name {
+                $crate::unpack(self, word.into())
             }
         }
     )*};

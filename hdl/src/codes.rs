@@ -1,5 +1,6 @@
 //! Enums in hardware: values of a fixed list, which waves and Verilog show by name.
 
+use crate::data::{Data, Fits};
 use crate::elaboration;
 use crate::ir::{Kind, Names, Relation};
 use crate::loc::Loc;
@@ -87,10 +88,10 @@ impl Signal {
         self.compare(Relation::Eq, code)
     }
 
-    /// For each code what `of` says, which is a `match`: `step.source.choose(|source| match source { .. })`. Where an enum has fewer codes than
-    /// its bits could hold, the others are taken for the last one.
+    /// For each code what `of` says, a signal, a number or a record: `step.source.choose(|source| match source { .. })`. Where an enum has fewer codes
+    /// than its bits could hold, the others are taken for the last one.
     #[track_caller]
-    pub fn choose<C: Codes, V: Operand>(self, of: impl Fn(C) -> V) -> Signal {
+    pub fn choose<C: Codes, V: Data, A: Fits<V>>(self, of: impl Fn(C) -> A) -> V {
         let subject = self.read_as(Kind::Code(C::NAMES), "choose");
         let mut arms: Vec<_> = C::ALL.iter().map(|code| (code.code(), of(*code))).collect();
         let (_, last) = arms.pop().expect("an enum has a code");

@@ -40,13 +40,16 @@
 //! | a port | a field of a [`bundle!`], as wide as [`bit`]`()`, [`bits`]`(n)`, [`below`]`(n)` or [`up_to`]`(n)` in [`Block::inputs`] |
 //! | an expression | `+ - & \| ^ ! << >>` and methods of [`Signal`]; integers take the width of what they meet |
 //! | a change of width | [`zext`](Signal::zext) [`sext`](Signal::sext) [`trunc`](Signal::trunc) [`slice`](Signal::slice) [`part`](Signal::part) [`bit`](Signal::bit) [`cat!`] [`repeat`](Signal::repeat) |
-//! | a choice | [`mux`], [`select`] (first that holds), [`case`] (by value), [`mux_bundle`] |
-//! | signed arithmetic | [`Signal::signed`], a type of its own |
+//! | a choice | [`mux`], [`select`] (first that holds), [`case`] (by value); of signals, numbers or records |
+//! | signed arithmetic | [`Signal::signed`], [`Width::signed`]: both sides of an operator are, or neither |
 //! | a named net | `net!(at_end = ..)`, or [`Signal::named`] |
 //! | a net read before it is driven | [`Module::wire`] |
-//! | a register | [`Module::reg`], then [`reset`](Reg::reset), [`enable`](Reg::enable), [`next`](Reg::next) or [`when`](Reg::when); [`Module::pipe`] for a pipeline stage |
+//! | a register | [`Module::reg`], then [`reset`](Reg::reset), [`enable`](Reg::enable), [`next`](Reg::next) or [`when`](Reg::when); [`Module::pipe`] for a pipeline stage, [`Module::stages`] for a pipeline |
 //! | a state machine | [`codes!`], [`Module::fsm`], [`StateReg::next`] |
 //! | a memory | [`Module::memory`], [`Mem::read`], [`Mem::read_async`], [`Mem::write`] |
+//! | a record | a [`bundle!`]: what is declared with a record of widths, or given a record, is one; `.pack()` makes a word of it, `.unpack(word)` of its widths a record |
+//! | an enum | [`codes!`], [`one_of`], [`Signal::is`], [`Signal::choose`] |
+//! | lanes | `bits(8).of(row(4))`, [`row`], [`grid`]; what is elementwise is written as for one; [`previous`](Signal::previous), [`take`](Signal::take), [`pick`](Signal::pick), [`sum`](Signal::sum), [`rows`](Signal::rows), [`columns`](Signal::columns), [`stack`], [`tree`] |
 //! | an instance, an array of them | [`Module::instance`], [`Module::array`] |
 //! | another clock | [`Module::on`], [`Mem::on`], [`Width::on`] and [`on`]; [`Module::synchronize`], [`Module::synchronize_from`], [`Signal::quasi_static`] to cross |
 //! | what must hold | [`Module::assert`], with [`implies`](Signal::implies) |
@@ -63,6 +66,7 @@ mod check;
 mod circuit;
 pub mod clock;
 mod codes;
+mod data;
 mod draft;
 mod elaboration;
 mod finish;
@@ -78,6 +82,7 @@ mod module;
 mod names;
 mod operand;
 mod problem;
+mod record;
 pub mod recording;
 mod register;
 pub mod scenario;
@@ -86,6 +91,7 @@ mod shaping;
 mod shorthand;
 mod signal;
 mod signed;
+mod stages;
 mod summary;
 mod tree;
 mod uneven;
@@ -99,6 +105,9 @@ pub use bundle::join;
 pub use bundle::{Bundle, Fields, Leaf, Visited};
 pub use clock::{Clock, Period};
 pub use codes::{Codes, one_of};
+#[doc(hidden)]
+pub use data::Given;
+pub use data::{Data, Fits, Layout};
 pub use index::Index;
 pub use ir::{About, Design, ReadUnderWrite, Shape};
 pub use lanes::{Along, constants, interleave, stack};
@@ -109,12 +118,18 @@ pub use module::Module;
 pub use operand::Value;
 pub use operand::{Operand, ShiftAmount};
 pub use problem::{Problem, Problems};
+pub use record::RecordUpdates;
+#[doc(hidden)]
+pub use record::{named, pack, unpack};
 pub use recording::Recording;
 pub use register::{Reg, StateReg, Transition, Updates, goto, hold, when};
 pub use scenario::{Scenario, Script};
-pub use select::{case, concat, lit, mux, mux_bundle, select};
+pub use select::{case, concat, lit, mux, select};
 pub use shaping::{IntoShape, grid, row};
 pub use signal::Signal;
+pub use stages::Start;
+#[doc(hidden)]
+pub use stages::cleared;
 pub use tree::tree;
 #[doc(hidden)]
 pub use uneven::{Uneven, uneven};

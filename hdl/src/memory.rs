@@ -2,6 +2,7 @@
 
 use crate::bits::Bits;
 use crate::clock::Clock;
+use crate::data::Data;
 use crate::elaboration;
 use crate::ir::{Contents, Kind, MemoryId, Op, ReadPort, Shape, WritePort};
 use crate::loc::Loc;
@@ -9,10 +10,11 @@ use crate::operand::{Operand, Value};
 use crate::problem::Problem;
 use crate::select::condition;
 use crate::signal::{Signal, bits_text};
+use crate::width::Width;
 
-/// A memory, seen from one clock. Made by [`Module::memory`](crate::Module::memory).
+/// A memory of signals or of records, seen from one clock. Made by [`Module::memory`](crate::Module::memory).
 #[derive(Debug, Clone, Copy)]
-pub struct Mem {
+pub struct Mem<V: Data = Signal> {
     pub(crate) stamp: u32,
     pub(crate) module: u32,
     pub(crate) index: u32,
@@ -21,6 +23,8 @@ pub struct Mem {
     pub(crate) shape: Shape,
     pub(crate) kind: Kind,
     pub(crate) clock: Option<Clock>,
+    /// The widths of a word's fields, or of the word.
+    pub(crate) layout: V::Like<Width>,
 }
 
 impl Mem {
@@ -96,7 +100,7 @@ impl Mem {
 
     /// The operand as a signal of `width` bits, `what` of this memory.
     #[track_caller]
-    fn sized(self, operand: impl Operand, (width, kind): (u32, Kind), what: &str) -> Signal {
+    pub(crate) fn sized(self, operand: impl Operand, (width, kind): (u32, Kind), what: &str) -> Signal {
         let loc = Loc::caller();
         self.check_module(loc);
         let signal = match operand.operand() {

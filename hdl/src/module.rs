@@ -3,6 +3,7 @@
 use crate::bundle::Fields;
 use crate::clock::Clock;
 use crate::codes::{Codes, one_of};
+use crate::data::Layout;
 use crate::draft::{DraftMemory, DraftRegister, DraftWire, Synchronizer, UNDRIVEN};
 use crate::elaboration;
 use crate::ir::{Assert, Contents, Memory, Op, ReadUnderWrite, RegisterId};
@@ -11,11 +12,12 @@ use crate::loc::Loc;
 use crate::memory::Mem;
 use crate::operand::Operand;
 use crate::problem::Problem;
+use crate::record::word;
 use crate::register::{Reg, StateReg};
 use crate::select::condition;
 use crate::shaping::sound_shape;
 use crate::signal::Signal;
-use crate::width::{IntoWidth, Width, bits, index_width};
+use crate::width::{Width, index_width};
 use crate::wire::Wire;
 use std::marker::PhantomData;
 
@@ -35,15 +37,21 @@ impl Module {
         Module { clock: Some(clock) }
     }
 
-    /// A register of that width: a number of bits, or as in `m.reg("used", up_to(pages))`. If the width names a clock, it runs
+    /// A register of that width: a number of bits, or as in `m.reg("used", up_to(pages))`; or of a record of widths, which is
+    /// a register for each field, named `entry_page` for the field `page` of `entry`. If a width names a clock, its register runs
     /// on that one.
     #[track_caller]
-    pub fn reg(self, name: &str, width: impl IntoWidth) -> Reg {
-        let (width, loc) = (width.into_width(), Loc::caller());
-        Module { clock: width.clock.or(self.clock) }.register(name, width, loc)
+    pub fn reg<L: Layout>(self, name: &str, layout: L) -> Reg<L::Value> {
+        let loc = Loc::caller();
+        let index = elaboration::draft(|draft| draft.registers.len());
+        let signal = layout.layout().map_fields("", &mut |path, width| {
+            let on = Module { clock: width.clock.or(self.clock) };
+            on.register(&port_name(name, path), *width, loc).signal
+        });
+        Reg { signal, index }
     }
 
-    fn register(self, name: &str, width: Width, loc: Loc) -> Reg {
+    pub(crate) fn register(self, name: &str, width: Width, loc: Loc) -> Reg {
         elaboration::with(|e| {
             let what = format!("register `{name}`");
             let shape = sound_shape(e, &what, width.shape, loc);
@@ -86,8 +94,7 @@ impl Module {
         // A loop, as a closure would be the caller that messages name.
         let mut registers = Vec::new();
         for (path, signal) in value.leaves() {
-            let register =
-                self.register(&port_name(name, &path), bits(signal.width).of(signal.shape).with_kind(signal.kind), loc);
+            let register = self.register(&port_name(name, &path), Width::like(signal), loc);
             if let Some(enable) = enable {
                 let _ = register.enable(enable);
             }
@@ -98,10 +105,17 @@ impl Module {
         value.map(|_| registers.next().expect("a register for each field"))
     }
 
-    /// A net of that width that is read before it is driven.
+    /// A net of that width that is read before it is driven; of a record of widths, a net for each field.
     #[track_caller]
-    pub fn wire(self, name: &str, width: impl IntoWidth) -> Wire {
-        let (width, loc) = (width.into_width(), Loc::caller());
+    pub fn wire<L: Layout>(self, name: &str, layout: L) -> Wire<L::Value> {
+        let loc = Loc::caller();
+        let index = elaboration::draft(|draft| draft.wires.len());
+        let signal =
+            layout.layout().map_fields("", &mut |path, width| self.net(&port_name(name, path), *width, loc).signal);
+        Wire { signal, index }
+    }
+
+    fn net(self, name: &str, width: Width, loc: Loc) -> Wire {
         elaboration::with(|e| {
             let what = format!("wire `{name}`");
             let shape = sound_shape(e, &what, width.shape, loc);
@@ -119,9 +133,19 @@ impl Module {
 
     /// A memory of `depth` words of that width. What a synchronous read gives when its word is written at the same
     /// edge is always written down. An address has [`index_width`]`(depth)` bits.
+    ///
+    /// Of a record of widths it is one memory, in whose words the fields stand side by side, the first most significant.
     #[track_caller]
-    pub fn memory(self, name: &str, depth: u32, width: impl IntoWidth, policy: ReadUnderWrite) -> Mem {
-        let (Width { bits: width, shape, kind, .. }, loc) = (width.into_width(), Loc::caller());
+    pub fn memory<L: Layout>(self, name: &str, depth: u32, layout: L, policy: ReadUnderWrite) -> Mem<L::Value> {
+        let (layout, loc) = (layout.layout(), Loc::caller());
+        let word = word(&layout, name, loc);
+        let Mem { stamp, module, index, address_width, width, shape, kind, clock, .. } =
+            self.words(name, depth, word, policy, loc);
+        Mem { stamp, module, index, address_width, width, shape, kind, clock, layout }
+    }
+
+    fn words(self, name: &str, depth: u32, word: Width, policy: ReadUnderWrite, loc: Loc) -> Mem {
+        let Width { bits: width, shape, kind, .. } = word;
         elaboration::with(|e| {
             let shape = sound_shape(e, &format!("memory `{name}`"), shape, loc);
             if depth == 0 || width == 0 {
@@ -151,7 +175,7 @@ impl Module {
                 true_dual_port: false,
             });
             let (module, address_width) = (draft.serial, index_width(depth.into()));
-            Mem { stamp, module, index, address_width, width, shape, kind, clock: self.clock }
+            Mem { stamp, module, index, address_width, width, shape, kind, clock: self.clock, layout: word }
         })
     }
 

@@ -13,22 +13,22 @@ use crate::wire::{CHOOSE, is_here, report_second_driver};
 use std::marker::PhantomData;
 use std::ops::Deref;
 
-/// A register. It reads as its present value; [`next`](Reg::next) must be called exactly once, or a chain of [`when`](Reg::when)
+/// A register of a signal, or of a record. It reads as its present value; [`next`](Reg::next) must be called exactly once, or a chain of [`when`](Reg::when)
 /// stands in its place.
 ///
 /// At an edge of its clock it takes the [`reset`](Reg::reset) value if its clock's reset is high and it has one; else
 /// the next value if it is enabled; else it keeps what it holds.
 #[derive(Debug, Clone, Copy)]
 #[must_use]
-pub struct Reg {
-    pub(crate) signal: Signal,
+pub struct Reg<V = Signal> {
+    pub(crate) signal: V,
     pub(crate) index: usize,
 }
 
-impl Deref for Reg {
-    type Target = Signal;
+impl<V> Deref for Reg<V> {
+    type Target = V;
 
-    fn deref(&self) -> &Signal {
+    fn deref(&self) -> &V {
         &self.signal
     }
 }

@@ -2,15 +2,15 @@
 
 use crate::bits::Bits;
 use crate::bundle::Fields;
+use crate::data::{Data, Fits, Given};
 use crate::elaboration;
 use crate::ir::{Kind, Op, Shape};
 use crate::limits::sound_width;
 use crate::loc::Loc;
-use crate::operand::{Literal, Operand, Value};
+use crate::operand::{Literal, Value};
 use crate::problem::Problem;
 use crate::shaping::{level, level_all};
 use crate::signal::{Signal, bits_text};
-use crate::uneven::{Uneven, uneven};
 use crate::width::{IntoWidth, index_width};
 
 /// A constant of that width: a number of bits, or what [`below`](crate::below) and [`up_to`](crate::up_to) give.
@@ -62,7 +62,38 @@ macro_rules! cat {
     };
 }
 
-/// `let NAME = EXPRESSION;` that also names the net: `net!(at_end = count.eq(limit - 1));`
+/// The arms of [`select`] or [`case`], of which some are signals and some are numbers, registers or records of numbers.
+///
+/// ```
+/// # use tilewright_hdl::{Block, Module, Width, arms, bits, bundle, case, elaborate};
+/// # bundle! {
+/// #     /// An operation.
+/// #     pub struct AluIn<T> { pub op: T, pub a: T, pub b: T }
+/// #     /// What comes of it.
+/// #     pub struct AluOut<T> { pub result: T }
+/// # }
+/// # #[derive(Debug, Clone, PartialEq, Eq, Hash)]
+/// # struct Alu;
+/// # impl Block for Alu {
+/// #     type In = AluIn;
+/// #     type Out = AluOut;
+/// #     fn inputs(&self) -> AluIn<Width> { AluIn { op: bits(2), a: bits(8), b: bits(8) } }
+/// #     fn build(&self, m: Module, i: AluIn) -> AluOut {
+/// let result = case(i.op, arms![0 => 0, 1 => i.a + i.b, 2 => i.a - i.b], i.a);
+/// #         AluOut { result }
+/// #     }
+/// # }
+/// # elaborate(&Alu).unwrap();
+/// ```
+#[macro_export]
+macro_rules! arms {
+    ($($key:expr => $value:expr),* $(,)?) => {
+        [$(($key, $crate::Fits::given($value))),*]
+    };
+}
+
+/// `let NAME = EXPRESSION;` that also names the net: `net!(at_end = count.eq(limit - 1));` Of a record, `net!(entry = ..)`
+/// names the net of each field: `entry_page`.
 #[macro_export]
 macro_rules! net {
     ($name:ident = $value:expr) => {
@@ -122,40 +153,25 @@ fn sized(mut values: Vec<Value>, of: &str) -> Vec<Signal> {
     signals
 }
 
-/// `on_true` where `select` is 1, else `on_false`.
+/// `on_true` where `select` is 1, else `on_false`: signals, numbers, or records, of which each field is chosen.
 #[track_caller]
-pub fn mux(select: impl Into<Signal>, on_true: impl Operand, on_false: impl Operand) -> Signal {
+pub fn mux<V: Data>(select: impl Into<Signal>, on_true: impl Fits<V>, on_false: impl Fits<V>) -> V {
     let select = condition(select.into(), "mux");
-    let values = sized(vec![on_true.operand(), on_false.operand()], "mux");
-    let [select, on_true, on_false] = level([select, values[0], values[1]], "mux");
-    let op = Op::Mux { select: select.id(), on_true: on_true.id(), on_false: on_false.id() };
-    Signal::make(op, on_true.width, on_true.shape).kept_as(on_true.kind)
+    let (shape, fields) = fields(vec![on_true.given(), on_false.given()], "mux");
+    let mut chosen = Vec::with_capacity(fields.len());
+    for values in fields {
+        let values = sized(values, "mux");
+        let [select, on_true, on_false] = level([select, values[0], values[1]], "mux");
+        let op = Op::Mux { select: select.id(), on_true: on_true.id(), on_false: on_false.id() };
+        chosen.push(Signal::make(op, on_true.width, on_true.shape).kept_as(on_true.kind));
+    }
+    shaped(&shape, chosen)
 }
 
-/// [`mux`] of each field of two bundles.
+/// The value of the first arm whose condition holds, else `default`: signals, numbers, or records, of which each field is
+/// chosen. Arms of which some are signals and some are numbers stand in [`arms!`](crate::arms!).
 #[track_caller]
-pub fn mux_bundle<B: Fields<Signal>>(select: impl Into<Signal>, on_true: &B, on_false: &B) -> B::With<Signal> {
-    let (loc, select) = (Loc::caller(), select.into());
-    let (leaves, mut others) = (on_true.leaves(), on_false.leaves());
-    if let Some(uneven) = uneven(&others, &leaves) {
-        let nodes: Vec<_> = leaves.iter().chain(&others).map(|(_, signal)| signal.id_at(loc)).collect();
-        let Uneven { has, needs, .. } = uneven;
-        let message = format!("`mux_bundle` chooses between lists{uneven} of {needs} and of {has}");
-        let problem = Problem::new(loc, message).help("both bundles have lists of the same lengths");
-        elaboration::with(|e| e.report_instead_of(&nodes, problem));
-        others = leaves.clone();
-    }
-    let mut chosen = Vec::new();
-    for ((_, on_true), (_, on_false)) in leaves.into_iter().zip(others) {
-        chosen.push(mux(select, on_true, on_false));
-    }
-    let mut chosen = chosen.into_iter();
-    on_true.map(|_| chosen.next().expect("a choice for each leaf"))
-}
-
-/// The value of the first arm whose condition holds, else `default`.
-#[track_caller]
-pub fn select<V: Operand>(arms: impl IntoIterator<Item = (Signal, V)>, default: impl Operand) -> Signal {
+pub fn select<V: Data, A: Fits<V>>(arms: impl IntoIterator<Item = (Signal, A)>, default: impl Fits<V>) -> V {
     let loc = Loc::caller();
     let (signals, values): (Vec<_>, Vec<_>) = arms.into_iter().unzip();
     let count = signals.len();
@@ -163,25 +179,31 @@ pub fn select<V: Operand>(arms: impl IntoIterator<Item = (Signal, V)>, default: 
     for signal in signals {
         conditions.push(condition(signal, "select"));
     }
-    let values = values.into_iter().map(V::operand).chain([default.operand()]).collect();
-    let mut values = sized(values, "select");
-    let &Signal { width, kind, .. } = &values[0];
-    values.extend(conditions);
-    let shape = level_all(&mut values, "select");
-    let mut nodes = values.into_iter().map(|value| value.id_at(loc));
-    let values: Vec<_> = nodes.by_ref().take(count).collect();
-    let default = nodes.next().expect("a select has a default");
-    let arms = nodes.zip(values).collect();
-    Signal::make(Op::Select { arms, default }, width, shape).kept_as(kind)
+    let values = values.into_iter().map(A::given).chain([default.given()]).collect();
+    let (shape, fields) = fields(values, "select");
+    let mut chosen = Vec::with_capacity(fields.len());
+    for values in fields {
+        let mut values = sized(values, "select");
+        let Signal { width, kind, .. } = values[0];
+        values.extend(&conditions);
+        let lanes = level_all(&mut values, "select");
+        let mut nodes = values.into_iter().map(|value| value.id_at(loc));
+        let values: Vec<_> = nodes.by_ref().take(conditions.len()).collect();
+        let default = nodes.next().expect("a select has a default");
+        let arms = nodes.zip(values).collect();
+        chosen.push(Signal::make(Op::Select { arms, default }, width, lanes).kept_as(kind));
+    }
+    shaped(&shape, chosen)
 }
 
-/// The value of the arm whose key equals `subject`, else `default`. Keys must differ.
+/// The value of the arm whose key equals `subject`, else `default`: signals, numbers, or records, of which each field is
+/// chosen. Keys must differ. Arms of which some are signals and some are numbers stand in [`arms!`](crate::arms!).
 #[track_caller]
-pub fn case<V: Operand>(
+pub fn case<V: Data, A: Fits<V>>(
     subject: impl Into<Signal>,
-    arms: impl IntoIterator<Item = (u64, V)>,
-    default: impl Operand,
-) -> Signal {
+    arms: impl IntoIterator<Item = (u64, A)>,
+    default: impl Fits<V>,
+) -> V {
     let (loc, subject) = (Loc::caller(), subject.into());
     let (keys, values): (Vec<_>, Vec<_>) = arms.into_iter().unzip();
     for (i, key) in keys.iter().enumerate() {
@@ -194,13 +216,43 @@ pub fn case<V: Operand>(
         };
         elaboration::with(|e| e.report(Problem::new(loc, problem).help("each key is a value of the subject, once")));
     }
-    let mut values = sized(values.into_iter().map(V::operand).chain([default.operand()]).collect(), "case");
-    let &Signal { width, kind, .. } = &values[0];
-    values.push(subject);
-    let shape = level_all(&mut values, "case");
-    let keys = keys.into_iter().map(|key| Bits::new(subject.width, key));
-    let mut nodes = values.into_iter().map(|value| value.id_at(loc));
-    let arms = keys.zip(nodes.by_ref()).collect();
-    let [default, subject] = [nodes.next(), nodes.next()].map(|node| node.expect("a default and a subject"));
-    Signal::make(Op::Case { subject, arms, default }, width, shape).kept_as(kind)
+    let keys: Vec<_> = keys.into_iter().map(|key| Bits::new(subject.width, key)).collect();
+    let values = values.into_iter().map(A::given).chain([default.given()]).collect();
+    let (shape, fields) = fields(values, "case");
+    let mut chosen = Vec::with_capacity(fields.len());
+    for values in fields {
+        let mut values = sized(values, "case");
+        let Signal { width, kind, .. } = values[0];
+        values.push(subject);
+        let lanes = level_all(&mut values, "case");
+        let mut nodes = values.into_iter().map(|value| value.id_at(loc));
+        let arms = keys.iter().cloned().zip(nodes.by_ref()).collect();
+        let [default, subject] = [nodes.next(), nodes.next()].map(|node| node.expect("a default and a subject"));
+        chosen.push(Signal::make(Op::Case { subject, arms, default }, width, lanes).kept_as(kind));
+    }
+    shaped(&shape, chosen)
+}
+
+/// For each field what it is in each arm, and one of the arms, whose fields all have.
+#[track_caller]
+fn fields<V: Data>(arms: Vec<Given<V>>, of: &str) -> (V::Like<Value>, Vec<Vec<Value>>) {
+    let loc = Loc::caller();
+    let shape = arms.iter().find_map(|arm| if let Given::Each(fields) = arm { Some(fields.clone()) } else { None });
+    let Some(shape) = shape else {
+        panic!("`{of}` has only numbers to choose a record from, at {loc}: write one of them as a record");
+    };
+    let paths = shape.leaves();
+    let mut fields = vec![Vec::with_capacity(arms.len()); paths.len()];
+    for arm in arms {
+        for (field, value) in fields.iter_mut().zip(arm.for_fields(&paths, of)) {
+            field.push(value);
+        }
+    }
+    (shape, fields)
+}
+
+/// The record of what is chosen for each field.
+fn shaped<F: Fields<Value>>(shape: &F, chosen: Vec<Signal>) -> F::With<Signal> {
+    let mut chosen = chosen.into_iter();
+    shape.map(|_| chosen.next().expect("a choice for each field"))
 }

@@ -98,11 +98,9 @@ impl Literal {
         })
     }
 
-    /// The literal in `width` bits; one that does not fit is a problem, and is cut.
-    #[track_caller]
-    pub(crate) fn sized(self, width: u32, kind: Kind) -> Signal {
-        let loc = Loc::caller();
-        let (bits, fits) = match &self {
+    /// Its bits, cut to `width`, and whether nothing is lost.
+    pub(crate) fn bits(&self, width: u32, kind: Kind) -> (Bits, bool) {
+        match self {
             Literal::Exact(bits) => (bits.resize(width), bits.width() == width),
             Literal::Code { code, .. } => (Bits::new(width, *code), true),
             Literal::Integer(value) => {
@@ -111,7 +109,14 @@ impl Literal {
                 let back = if signed { bits.to_i128() } else { bits.to_u128().and_then(|v| v.try_into().ok()) };
                 (bits, back == Some(*value))
             }
-        };
+        }
+    }
+
+    /// The literal in `width` bits; one that does not fit is a problem, and is cut.
+    #[track_caller]
+    pub(crate) fn sized(self, width: u32, kind: Kind) -> Signal {
+        let loc = Loc::caller();
+        let (bits, fits) = self.bits(width, kind);
         elaboration::with(|e| {
             if !fits {
                 let kind = if kind == Kind::Signed { "signed" } else { "unsigned" };

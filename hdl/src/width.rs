@@ -5,6 +5,7 @@ use crate::clock::Clock;
 use crate::ir::{Kind, Shape};
 use crate::loc::Loc;
 use crate::shaping::IntoShape;
+use crate::signal::Signal;
 
 /// The width of an input port, where it was written down, and the clock it is synchronous to if that is not the
 /// block's own. In a block with several named clocks and none of its own, an input that a register or memory samples must
@@ -30,8 +31,10 @@ impl Width {
         Width { shape: shape.into_shape(), ..self }
     }
 
-    pub(crate) fn with_kind(self, kind: Kind) -> Width {
-        Width { kind, ..self }
+    /// That of a signal.
+    #[track_caller]
+    pub(crate) fn like(signal: Signal) -> Width {
+        Width { shape: signal.shape, kind: signal.kind, ..bits(signal.width) }
     }
 
     /// The width in bits, of each lane.
@@ -84,6 +87,11 @@ pub trait Count {
 }
 
 /// How wide something is: a number of bits, or what [`bits`], [`below`] and [`up_to`] give.
+#[diagnostic::on_unimplemented(
+    message = "a `{Self}` is no width",
+    note = "a width is a number of bits, as an `i32` or `u32`, or `bit()`, `below(n)` or `up_to(n)`; a record of a `bundle!` has one in \
+            each field"
+)]
 pub trait IntoWidth {
     #[doc(hidden)]
     fn into_width(self) -> Width;

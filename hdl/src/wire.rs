@@ -8,18 +8,18 @@ use crate::problem::Problem;
 use crate::signal::Signal;
 use std::ops::Deref;
 
-/// A net declared before its driver. It reads as its value; [`drive`](Wire::drive) must be called exactly once.
+/// A net, or a record of nets, declared before its driver. It reads as its value; [`drive`](Wire::drive) must be called exactly once.
 #[derive(Debug, Clone, Copy)]
 #[must_use]
-pub struct Wire {
-    pub(crate) signal: Signal,
+pub struct Wire<V = Signal> {
+    pub(crate) signal: V,
     pub(crate) index: usize,
 }
 
-impl Deref for Wire {
-    type Target = Signal;
+impl<V> Deref for Wire<V> {
+    type Target = V;
 
-    fn deref(&self) -> &Signal {
+    fn deref(&self) -> &V {
         &self.signal
     }
 }

@@ -4,8 +4,8 @@ use crate::common::*;
 use tilewright_hdl::*;
 
 #[test]
-fn choices_between_bundles_name_the_users_line() {
-    let text = problems(&Case(|_, i| mux_bundle(i.c, &Out { out: i.a }, &Out { out: i.b }).out));
+fn choices_between_records_name_the_users_line() {
+    let text = problems(&Case(|_, i| mux(i.c, Out { out: i.a }, Out { out: i.b }).out));
     assert!(text.contains("`mux` needs equal widths") && !text.contains("select.rs"), "{text}");
     let text = problems(&Case(|_, i| select([(i.a, i.a)], i.a)));
     assert!(text.contains("the condition of `select` is 1 bit") && !text.contains("select.rs"), "{text}");

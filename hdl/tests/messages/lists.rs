@@ -92,15 +92,15 @@ fn lanes_fed_lists_of_different_lengths() {
 #[test]
 fn choices_between_lists_of_different_lengths() {
     expect(
-        |_, i| mux_bundle(i.c, &rows(&[1, 2], &i), &rows(&[1, 1], &i)).rows[1].cells[1],
-        "`mux_bundle` chooses between lists `rows.1.cells` of 2 and of 1
-         --> [|_, i| mux_bundle(i.c, &rows(&[1, 2], &i), &rows(&[1, 1], &i)).rows[1].cells[1],]
-         help: both bundles have lists of the same lengths",
+        |_, i| mux(i.c, rows(&[1, 2], &i), rows(&[1, 1], &i)).rows[1].cells[1],
+        "`mux` gives a list `rows.1.cells` of 1 where one of 2 is wanted
+         --> [|_, i| mux(i.c, rows(&[1, 2], &i), rows(&[1, 1], &i)).rows[1].cells[1],]
+         help: both records have lists of the same lengths",
     );
-    let text = problems(&Case(|_, i| mux_bundle(i.c, &rows(&[1], &i), &rows(&[1, 1], &i)).first));
-    assert!(text.starts_with("`mux_bundle` chooses between lists `rows` of 1 and of 2\n"), "{text}");
-    let text = problems(&Case(|_, i| mux_bundle(i.c, &vec![i.a, i.a], &vec![i.a])[1]));
-    assert!(text.starts_with("`mux_bundle` chooses between lists of 2 and of 1\n"), "{text}");
+    let text = problems(&Case(|_, i| mux(i.c, rows(&[1], &i), rows(&[1, 1], &i)).first));
+    assert!(text.starts_with("`mux` gives a list `rows` of 2 where one of 1 is wanted\n"), "{text}");
+    let text = problems(&Case(|_, i| mux(i.c, vec![i.a, i.a], vec![i.a])[1]));
+    assert!(text.starts_with("`mux` gives a list of 1 where one of 2 is wanted\n"), "{text}");
 }
 
 #[test]

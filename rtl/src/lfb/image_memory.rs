@@ -73,6 +73,9 @@ bundle! {
         /// The word sent.
         pub sent: T,
     }
+
+    /// The pixel under way.
+    struct Drawn<T> { address: T, word: T }
 }
 
 codes! {
@@ -119,11 +122,9 @@ impl Block for ImageMemory {
             Stage2::Write => when(accept, Stage2::Read).or_else(Stage2::Idle),
         });
 
-        let address = front.reg("address", memory.address_width());
-        let word = front.reg("word", WORD);
+        let drawn = Drawn { address: cat!(i.draw.page, i.draw.offset, i.front), word: i.draw.word };
+        let Drawn { address, word } = front.pipe_when(accept, "drawn", drawn);
         let nearer = front.reg("nearer", 1);
-        address.enable(accept).next(cat!(i.draw.page, i.draw.offset, i.front));
-        word.enable(accept).next(i.draw.word);
         net!(old_word = memory.on(PE).read_when(stage.is(Stage2::Read), address));
         nearer.enable(stage.is(Stage2::Compare)).next(word.lt(old_word));
         memory.on(PE).write(stage.is(Stage2::Write) & nearer, address, word);

@@ -22,9 +22,7 @@
 //! for the scan.
 
 use tilewright_hdl::ir::About;
-use tilewright_hdl::{
-    Bits, Block, Module, ReadUnderWrite, Width, below, bit, bundle, cat, codes, goto, mux, net, on, when,
-};
+use tilewright_hdl::{Block, Module, ReadUnderWrite, Width, below, bit, bundle, cat, codes, goto, mux, net, on, when};
 
 use super::page_id_generator::{PageIdGenerator, PageIdGeneratorIn};
 use crate::clocks::{MERGE, PE};
@@ -132,7 +130,6 @@ impl Block for PatchTable {
 
     fn build(&self, m: Module, i: PatchTableIn) -> PatchTableOut {
         let m = m.on(PE);
-        let page_width = below(self.pages).bits();
         let stage = m.fsm("stage1", Stage1::Idle);
         let clearing = m.reg("clearing", 2).reset(0);
 
@@ -147,13 +144,12 @@ impl Block for PatchTable {
         patch.enable(accept).next(i.look_up.patch);
 
         // The two ports are never in the same buffer.
-        let table = m.memory("entries", 2 * self.patches, 1 + page_width, ReadUnderWrite::Any);
-        let table = table.fill(Bits::zero(1 + page_width));
+        let layout = Entry { resident: bit(), page: below(self.pages) };
+        let table = m.memory("entries", 2 * self.patches, layout, ReadUnderWrite::Any).fill(0);
         net!(address = cat!(mux(clear, i.clear.patch, patch), i.front));
         net!(read = stage.is(Stage1::Read) & table_free);
         net!(entry = table.on(PE).read_when(read, address));
 
-        let resident = entry.msb();
         net!(allocate = stage.is(Stage1::Allocate));
         let free = m.instance(
             "u_page_id_generator",
@@ -164,18 +160,17 @@ impl Block for PatchTable {
             Stage1::Idle => when(accept, Stage1::Read),
             Stage1::Read => when(read, Stage1::Examine),
             Stage1::Examine => {
-                when(resident, Stage1::Found).or_when(free.exhausted, Stage1::Overflow).or_else(Stage1::Allocate)
+                when(entry.resident, Stage1::Found).or_when(free.exhausted, Stage1::Overflow).or_else(Stage1::Allocate)
             }
             Stage1::Allocate => goto(Stage1::Found),
             Stage1::Found => when(accept, Stage1::Read).or_else(Stage1::Idle),
             Stage1::Overflow => when(i.resume, Stage1::Read),
         });
 
-        let page = m.reg("page", page_width);
-        page.enable(stage.is(Stage1::Examine)).next(mux(resident, entry.trunc(page_width), free.page));
-        table.on(PE).write(allocate | clear, address, cat!(allocate, page));
-
-        net!(scanned_entry = table.on(MERGE).read_when(i.scan.enable, cat!(i.scan.patch, i.scan.buffer)));
+        let page = m.reg("page", below(self.pages));
+        page.enable(stage.is(Stage1::Examine)).next(mux(entry.resident, entry.page, free.page));
+        table.on(PE).write(allocate | clear, address, Entry { resident: allocate, page: *page });
+        net!(scan_entry = table.on(MERGE).read_when(i.scan.enable, cat!(i.scan.patch, i.scan.buffer)));
         PatchTableOut {
             ready: can_accept,
             clear_ready,
@@ -184,7 +179,7 @@ impl Block for PatchTable {
             pages_used: free.used,
             found: stage.is(Stage1::Found),
             page: page.value(),
-            scan_entry: Entry { resident: scanned_entry.msb(), page: scanned_entry.trunc(page_width) },
+            scan_entry,
         }
     }
 

@@ -92,6 +92,16 @@ bundle! {
         /// The pixel sent to the merging unit.
         pub word: T,
     }
+
+    /// What waits while the patch of the scan's pixel is looked up.
+    struct Sought<T> {
+        offset: T,
+        /// The buffer that was looked into.
+        buffer: T,
+    }
+
+    /// What waits while the patch of the processor's pixel is looked up.
+    struct Wanted<T> { offset: T, word: T }
 }
 
 /// A virtual local frame buffer.
@@ -158,11 +168,9 @@ impl Block for LfbUnit {
         let sought = self.patches.locate(counted.pixel);
         let step = scan.restart | scan.enable;
         let armed = merge.reg("sought_armed", 1).reset(0);
-        let offset = merge.reg("sought_offset", self.patches.offset_width());
-        let buffer = merge.reg("sought_buffer", 1);
         armed.enable(step).next(counted.armed & !scan.restart);
-        offset.enable(scan.enable).next(sought.offset);
-        buffer.enable(scan.enable).next(back);
+        let beside = Sought { offset: sought.offset, buffer: back };
+        let Sought { offset, buffer } = merge.pipe_when(scan.enable, "sought", beside);
 
         // The processor's request: its patch is looked up, the rest waits beside.
         let wanted = self.patches.locate(Position { x: i.request.x, y: i.request.y });
@@ -180,10 +188,8 @@ impl Block for LfbUnit {
             },
         );
         net!(accept = i.request.valid & table.ready);
-        let wanted_offset = pe.reg("wanted_offset", self.patches.offset_width());
-        let wanted_word = pe.reg("wanted_word", WORD);
-        wanted_offset.enable(accept).next(wanted.offset);
-        wanted_word.enable(accept).next(i.request.word);
+        let beside = Wanted { offset: wanted.offset, word: i.request.word };
+        let Wanted { offset: wanted_offset, word } = pe.pipe_when(accept, "wanted", beside);
 
         // A pixel sought before the buffers were swapped is not sent: its page may belong to another patch by now.
         net!(resident = armed & table.scan_entry.resident & buffer.eq(back));
@@ -191,20 +197,9 @@ impl Block for LfbUnit {
             "u_image_memory",
             &ImageMemory { pages: self.pages, page_pixels: self.patches.pixels() },
             ImageMemoryIn {
-                draw: Draw {
-                    valid: table.found,
-                    page: table.page,
-                    offset: wanted_offset.value(),
-                    word: wanted_word.value(),
-                },
+                draw: Draw { valid: table.found, page: table.page, offset: wanted_offset, word },
                 front: front.value(),
-                send: SendPixel {
-                    enable: scan.enable,
-                    resident,
-                    page: table.scan_entry.page,
-                    offset: offset.value(),
-                    buffer: back,
-                },
+                send: SendPixel { enable: scan.enable, resident, page: table.scan_entry.page, offset, buffer: back },
             },
         );
         let idle = table.idle & image.idle;

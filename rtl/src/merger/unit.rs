@@ -42,6 +42,16 @@ bundle! {
         /// The nearer pixel.
         pub nearer: T,
     }
+
+    /// What is known of two pixels in a stage.
+    struct Race<T> {
+        left: T,
+        right: T,
+        /// They differ in the bits compared so far.
+        decided: T,
+        /// If so, the right one is the smaller word.
+        right_is_nearer: T,
+    }
 }
 
 /// Sends on the nearer of two pixels.
@@ -57,21 +67,19 @@ impl Block for MergingUnit {
     }
 
     fn build(&self, m: Module, i: MergingUnitIn) -> MergingUnitOut {
-        let (mut left, mut right) = (i.left, i.right);
-        let (mut decided, mut right_is_nearer) = (lit(1, 0), lit(1, 0));
-        for stage in 1..=STAGES {
+        let compare = |stage: u32, race: Race| {
             let part = |word: Signal| word.part(WORD - stage * PART, PART);
-            let (l, r) = (part(left), part(right));
-            right_is_nearer |= !decided & r.lt(l);
-            decided |= r.ne(l);
-            if stage < STAGES {
-                let pipe = |name: &str, value: Signal| m.pipe_when(i.enable, &format!("{name}{stage}"), value);
-                left = pipe("left", left);
-                right = pipe("right", right);
-                decided = pipe("decided", decided);
-                right_is_nearer = pipe("right_is_nearer", right_is_nearer);
+            let (left, right) = (part(race.left), part(race.right));
+            Race {
+                right_is_nearer: race.right_is_nearer | (!race.decided & right.lt(left)),
+                decided: race.decided | right.ne(left),
+                ..race
             }
-        }
+        };
+        let start = Race { left: i.left, right: i.right, decided: lit(1, 0), right_is_nearer: lit(1, 0) };
+        // The last stage keeps what it chooses, not what it chooses from.
+        let race = m.stages(STAGES - 1, i.enable, start, compare);
+        let Race { left, right, right_is_nearer, .. } = compare(STAGES, race);
         MergingUnitOut { nearer: m.pipe_when(i.enable, "nearer", mux(right_is_nearer, right, left)) }
     }
 

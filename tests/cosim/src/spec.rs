@@ -171,6 +171,8 @@ pub enum Make {
     Machine(Machine),
     /// A memory.
     Memory(Memory),
+    /// A register, a memory and a pipeline of a record.
+    Records(Records),
     /// A value of the other clock, brought into this one.
     Cross { synchronize: bool, of: Pick },
     /// A condition that always holds.
@@ -294,6 +296,31 @@ pub struct Write {
     pub address: Pick,
     /// What; may be a value of a later step.
     pub data: Pick,
+}
+
+/// A register, a memory and a pipeline of a record, which has a field, an array of two records, and a list.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub struct Records {
+    /// The widths of the field, of the two of each record, and of an element of the list.
+    pub widths: [u32; 4],
+    /// The length of the list.
+    pub list: u32,
+    /// The register's value after a reset, in all fields.
+    pub reset: Option<Pattern>,
+    /// When it takes what; none is a record of zeros. A record is made of one pick, each field of another value.
+    pub updates: Vec<(Pick, Option<Pick>)>,
+    /// What the register takes where no condition holds.
+    pub otherwise: Option<Pick>,
+    /// The memory's words.
+    pub depth: u32,
+    /// What they are at the start.
+    pub contents: Vec<Pattern>,
+    /// It is read within the cycle.
+    pub asynchronous: bool,
+    /// Where it is read, when it is written, and where.
+    pub ports: [Pick; 3],
+    /// The stages of the pipeline.
+    pub stages: u32,
 }
 
 /// What feeds an input of an array.

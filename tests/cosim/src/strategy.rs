@@ -185,6 +185,7 @@ fn object() -> impl Strategy<Value = Make> {
         2 => chain(),
         1 => machine().prop_map(Make::Machine),
         3 => memory().prop_map(Make::Memory),
+        1 => records().prop_map(Make::Records),
         2 => (any::<bool>(), pick()).prop_map(|(synchronize, of)| Make::Cross { synchronize, of }),
         3 => (part_pick(), vec(pick(), 0..5)).prop_map(|(part, inputs)| Make::Instance { part, inputs }),
         4 => arrays::array(1..6),
@@ -227,6 +228,26 @@ fn memory() -> impl Strategy<Value = Memory> {
                 writes.iter_mut().for_each(|write| write.address = common);
             }
             Memory { depth, width, policy, contents, reads, writes, crossing: crossing.is_some(), twin }
+        },
+    )
+}
+
+fn records() -> impl Strategy<Value = Records> {
+    let widths = ([width(), width(), width(), width()], 0..3u32);
+    let updates = (vec((control(), of(pick())), 0..4), of(pick()));
+    let memory = (1..20u32, vec(pattern(), 0..4), any::<bool>(), picks());
+    (widths, of(pattern()), updates, memory, 0..4u32).prop_map(
+        |((widths, list), reset, (updates, otherwise), (depth, contents, asynchronous, ports), stages)| Records {
+            widths,
+            list,
+            reset,
+            updates,
+            otherwise,
+            depth,
+            contents,
+            asynchronous,
+            ports,
+            stages,
         },
     )
 }

@@ -4,6 +4,7 @@ mod expression;
 mod instances;
 pub(crate) mod names;
 mod objects;
+mod records;
 
 use crate::spec::*;
 pub use expression::compare;
@@ -156,6 +157,7 @@ enum Late {
     Next(Reg, Pick),
     Updates { register: Reg, updates: Vec<(Pick, Pick)>, otherwise: Option<Pick> },
     Write { memory: Mem, enable: Signal, address: Signal, data: Pick },
+    Records { register: Reg<records::Mixed>, records: Records },
 }
 
 struct Builder<'a> {
@@ -278,6 +280,7 @@ impl<'a> Builder<'a> {
             }
             Make::Machine(machine) => self.machine(d, number, machine),
             Make::Memory(memory) => self.memory(d, number, memory),
+            Make::Records(records) => self.records(d, number, records),
             Make::Cross { synchronize, of } => self.cross(d, number, *synchronize, *of),
             Make::Assert(pick) => {
                 let signal = self.pick(d, *pick);
@@ -314,6 +317,7 @@ impl<'a> Builder<'a> {
             match late {
                 Late::Next(register, next) => register.next(self.pick_late(d, next, register.width())),
                 Late::Updates { register, updates, otherwise } => self.updates(d, register, &updates, otherwise),
+                Late::Records { register, records } => self.update_record(d, &register, &records),
                 Late::Write { memory, enable, address, data } => {
                     memory.write(enable, address, self.pick_late(d, data, memory.width()));
                 }

@@ -1,6 +1,6 @@
 //! Of two pixels the nearer, in four stages.
 
-use tilewright_hdl::{Block, Module, Width, bundle, mux_bundle};
+use tilewright_hdl::{Block, Module, Width, bundle, mux};
 
 use super::{Pixel, pixel};
 
@@ -42,7 +42,7 @@ impl Block for Merger {
         let take_left = m.pipe("take_left", left.valid & (!right.valid | nearer));
 
         let (left, right) = (m.pipe("left3", left), m.pipe("right3", right));
-        let chosen = mux_bundle(take_left, &left, &right);
+        let chosen = mux(take_left, left, right);
         MergerOut { nearer: m.pipe("nearer", Pixel { valid: left.valid | right.valid, ..chosen }) }
     }
 

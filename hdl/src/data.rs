@@ -1,0 +1,222 @@
+//! What signals and records of signals have in common: they are declared by their widths, and are given values.
+
+use crate::bits::Bits;
+use crate::bundle::{Bundle, Fields, Leaf};
+use crate::elaboration;
+use crate::ir::{Kind, Names};
+use crate::loc::Loc;
+use crate::operand::{Literal, Operand, Value};
+use crate::problem::Problem;
+use crate::register::Reg;
+use crate::signal::{Signal, bits_text};
+use crate::uneven::{Uneven, uneven};
+use crate::width::{IntoWidth, Width};
+use crate::wire::Wire;
+
+/// A value in the circuit: a [`Signal`], a record of signals made by [`bundle!`](crate::bundle!), a list of either.
+pub trait Data: Fields<Signal, With<Signal> = Self> + Clone + 'static {
+    /// The same with other leaves: of `Entry`, `Entry<Width>` for widths.
+    type Like<T: Leaf>: Fields<T, With<Signal> = Self> + Clone;
+}
+
+impl Data for Signal {
+    type Like<T: Leaf> = T;
+}
+
+impl<B: Bundle> Data for B {
+    type Like<T: Leaf> = B::Of<T>;
+}
+
+impl<V: Data> Data for Vec<V> {
+    type Like<T: Leaf> = Vec<V::Like<T>>;
+}
+
+impl<V: Data, const N: usize> Data for [V; N] {
+    type Like<T: Leaf> = [V::Like<T>; N];
+}
+
+/// What something is declared by: a width, which makes it a signal, or a record of widths, which makes it a record of
+/// signals.
+#[diagnostic::on_unimplemented(
+    message = "nothing can be declared with a `{Self}`: it is no record of widths",
+    note = "a record of widths has one in each field, as in `Entry {{ resident: bit(), page: below(n) }}`"
+)]
+pub trait Layout {
+    /// What is declared.
+    type Value: Data;
+
+    #[doc(hidden)]
+    fn layout(self) -> <Self::Value as Data>::Like<Width>;
+}
+
+impl<W: IntoWidth> Layout for W {
+    type Value = Signal;
+
+    #[track_caller]
+    fn layout(self) -> Width {
+        self.into_width()
+    }
+}
+
+/// What can be given where a `V` is wanted. For a signal that is an [`Operand`]; for a record it is a record of
+/// signals, one of numbers, a register or wire that holds one, or `0` for all of its fields.
+#[diagnostic::on_unimplemented(
+    message = "a `{Self}` cannot be given where a `{V}` is wanted",
+    note = "a signal is given a signal or a number; a record is given a record of signals or of numbers, or 0"
+)]
+pub trait Fits<V: Data> {
+    #[doc(hidden)]
+    fn given(self) -> Given<V>;
+}
+
+#[doc(hidden)]
+#[derive(Debug, Clone)]
+pub enum Given<V: Data> {
+    /// A number for all fields.
+    All(i128),
+    /// An operand for each field.
+    Each(V::Like<Value>),
+}
+
+impl Leaf for Value {}
+
+impl Operand for Value {
+    fn operand(self) -> Value {
+        self
+    }
+}
+
+impl<O: Operand> Fits<Signal> for O {
+    fn given(self) -> Given<Signal> {
+        Given::Each(self.operand())
+    }
+}
+
+impl<B: Bundle> Fits<B> for Reg<B> {
+    fn given(self) -> Given<B> {
+        signals(&self.signal)
+    }
+}
+
+impl<B: Bundle> Fits<B> for Wire<B> {
+    fn given(self) -> Given<B> {
+        signals(&self.signal)
+    }
+}
+
+fn signals<B: Bundle>(record: &B) -> Given<B> {
+    Given::Each(record.of(&mut |_, signal| Value::Signal(*signal)))
+}
+
+/// What [`arms!`](crate::arms!) makes of an arm.
+impl<V: Data> Fits<V> for Given<V> {
+    fn given(self) -> Given<V> {
+        self
+    }
+}
+
+macro_rules! numbers {
+    ($($ty:ty)*) => {$(
+        impl<B: Bundle> Fits<B> for $ty {
+            fn given(self) -> Given<B> {
+                Given::All(self.into())
+            }
+        }
+    )*};
+}
+numbers!(i32 u32 u64);
+
+impl<V: Data, A: Fits<V>> Fits<Vec<V>> for Vec<A> {
+    fn given(self) -> Given<Vec<V>> {
+        Given::Each(self.into_iter().map(each).collect())
+    }
+}
+
+impl<V: Data, A: Fits<V>, const N: usize> Fits<[V; N]> for [A; N] {
+    fn given(self) -> Given<[V; N]> {
+        Given::Each(self.map(each))
+    }
+}
+
+/// What an element of a list is given. A number among records has no fields to go to.
+fn each<V: Data>(element: impl Fits<V>) -> V::Like<Value> {
+    match element.given() {
+        Given::Each(values) => values,
+        Given::All(number) => panic!("a list of records has the number {number} for one: write the record"),
+    }
+}
+
+impl<V: Data> Given<V> {
+    /// The operand for each field of a record that has these fields; `of` is the operation that gives them.
+    #[track_caller]
+    pub(crate) fn for_fields<T: Clone>(self, fields: &[(String, T)], of: &str) -> Vec<Value> {
+        let loc = Loc::caller();
+        let zero = || Value::Literal(Literal::Integer(0));
+        let problem = match self {
+            Given::All(0) => None,
+            Given::All(number) => {
+                let message = format!("`{of}` gives a record the number {number}, which is no record");
+                Some(
+                    Problem::new(loc, message)
+                        .help("of all numbers, 0 alone stands for a whole record: each field is 0"),
+                )
+            }
+            Given::Each(values) => {
+                let values = values.leaves();
+                let Some(uneven) = uneven(&values, fields) else {
+                    return values.into_iter().map(|(_, value)| value).collect();
+                };
+                let Uneven { has, needs, .. } = &uneven;
+                let message = format!("`{of}` gives a list{uneven} of {has} where one of {needs} is wanted");
+                report_instead_of_all(&values, loc);
+                Some(Problem::new(loc, message).help("both records have lists of the same lengths"))
+            }
+        };
+        if let Some(problem) = problem {
+            elaboration::with(|e| e.report(problem));
+        }
+        fields.iter().map(|_| zero()).collect()
+    }
+}
+
+/// The signals among the values count as used.
+fn report_instead_of_all(values: &[(String, Value)], loc: Loc) {
+    for (_, value) in values {
+        if let Value::Signal(signal) = value {
+            let id = signal.id_at(loc);
+            elaboration::draft(|draft| draft.in_problems.insert(id));
+        }
+    }
+}
+
+/// The number, which must fit in the field; where that holds codes of an enum it is one of them.
+#[track_caller]
+pub(crate) fn number_of_field(number: &Literal, name: impl FnOnce() -> String, (width, kind): (u32, Kind)) -> Bits {
+    let (bits, fits) = number.bits(width, kind);
+    let is_code = |names: Names| match number {
+        Literal::Integer(value) => usize::try_from(*value).is_ok_and(|code| code < names.codes.len()),
+        Literal::Exact(_) => true,
+        Literal::Code { names: of, .. } => *of == names,
+    };
+    let (loc, name) = match (fits, kind, number) {
+        (true, Kind::Code(names), _) if is_code(names) => return bits,
+        (true, Kind::Number | Kind::Signed, Literal::Integer(_) | Literal::Exact(_)) => return bits,
+        _ => (Loc::caller(), name()),
+    };
+    let problem = match kind {
+        Kind::Code(names) => Problem::new(loc, format!("`{number}` is no code of `{}`, as {name} is", names.of)),
+        _ => Problem::new(loc, format!("`{number}` does not fit in the {} of {name}", bits_text(width))),
+    };
+    elaboration::with(|e| e.report(problem.help("a number of a record takes the width of its field, and its sign")));
+    Bits::zero(width)
+}
+
+/// What goes into a field whose present value is `field`.
+#[track_caller]
+pub(crate) fn value_of_field(value: Value, field: Signal) -> Value {
+    let Value::Literal(number) = value else { return value };
+    let id = field.id();
+    let name = || elaboration::draft(|draft| format!("`{}`", draft.describe(id)));
+    let bits = number_of_field(&number, name, (field.width, field.kind));
+    Value::Literal(Literal::Exact(bits))
+}

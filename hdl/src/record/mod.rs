@@ -1,0 +1,132 @@
+//! Records of signals, made by [`bundle!`](crate::bundle!), as values: packed into a word, named, held by registers, wires
+//! and memories.
+
+mod memory;
+mod register;
+mod wire;
+
+pub use register::RecordUpdates;
+
+use crate::bits::Bits;
+use crate::bundle::{Bundle, Fields};
+use crate::elaboration;
+use crate::ir::{NodeId, Op};
+use crate::limits::{WIDEST, sound_width};
+use crate::loc::Loc;
+use crate::module::port_name;
+use crate::problem::Problem;
+use crate::select::concat;
+use crate::signal::{Signal, bits_text};
+use crate::width::Width;
+
+#[doc(hidden)]
+#[track_caller]
+pub fn pack<B: Bundle>(record: &B) -> Signal {
+    let fields: Vec<Signal> = record.leaves().into_iter().map(|(_, signal)| signal).collect();
+    concat(&fields)
+}
+
+#[doc(hidden)]
+#[track_caller]
+pub fn named<B: Bundle>(record: &B, name: &str) -> B {
+    let fields = record.leaves();
+    let mut ids = Vec::new();
+    for (_, signal) in &fields {
+        ids.push(signal.id());
+    }
+    name_word(&ids, name);
+    let mut nets = Vec::new();
+    for (path, signal) in fields {
+        nets.push(signal.named(&port_name(name, &path)));
+    }
+    from_leaves(record, nets)
+}
+
+/// The word that the fields are all of, as that which a memory reads, gets the name of the record, unless it has one.
+fn name_word(fields: &[NodeId], name: &str) {
+    elaboration::draft(|draft| {
+        let slice = |id: &NodeId| if let Op::Slice { of, .. } = draft.node(*id).op { Some(of) } else { None };
+        let Some(word) = fields.first().and_then(slice) else { return };
+        let width: u32 = fields.iter().filter(|id| slice(id) == Some(word)).map(|id| draft.node(*id).width).sum();
+        let node = draft.node_mut(word);
+        let is_plain = node.name.is_none() && !matches!(node.op, Op::Input(_) | Op::Const(_));
+        if is_plain && width == node.width {
+            node.name = Some(name.to_owned());
+        }
+    });
+}
+
+/// The record of these signals, in order of declaration.
+pub(crate) fn from_leaves<B: Bundle>(like: &B, signals: Vec<Signal>) -> B {
+    let mut signals = signals.into_iter();
+    like.map_fields("", &mut |_, _| signals.next().expect("a signal for each field"))
+}
+
+#[doc(hidden)]
+#[track_caller]
+pub fn unpack<F: Fields<Width>>(layout: &F, word: Signal) -> F::With<Signal> {
+    let loc = Loc::caller();
+    let widths = sound_widths(layout, "a record", loc);
+    let width: u64 = widths.iter().map(|width| u64::from(*width)).sum();
+    if width != word.width.into() {
+        let id = word.id();
+        elaboration::with(|e| {
+            let draft = e.draft();
+            let (text, place) = (draft.describe(id), draft.node(id).loc);
+            let message =
+                format!("a record of {width} bits is unpacked from `{text}`, which has {}", bits_text(word.width));
+            let problem = Problem::new(loc, message).note(format!("`{text}` is made"), place);
+            e.report_instead_of(&[id], problem.help("a word has just the bits of the record's fields, side by side"));
+        });
+    }
+    split(layout, word)
+}
+
+/// The parts of `word`; zeros if it has another width than all fields together, which is a problem already.
+#[track_caller]
+fn split<F: Fields<Width>>(layout: &F, word: Signal) -> F::With<Signal> {
+    let widths: Vec<u32> = layout.leaves().iter().map(|(_, width)| width.bits.clamp(1, WIDEST)).collect();
+    let fits = widths.iter().map(|width| u64::from(*width)).sum::<u64>() == word.width.into();
+    let mut high = word.width;
+    let mut fields = Vec::with_capacity(widths.len());
+    for width in widths {
+        if fits {
+            fields.push(word.slice(high - width..high));
+            high -= width;
+        } else {
+            fields.push(Signal::make(Op::Const(Bits::zero(width)), width, word.shape));
+        }
+    }
+    for (field, (_, Width { kind, .. })) in fields.iter_mut().zip(layout.leaves()) {
+        // A field that is the whole word is not a node of its own.
+        *field = if field.node == word.node { Signal { kind, ..*field } } else { field.kept_as(kind) };
+    }
+    let mut fields = fields.into_iter();
+    layout.map_fields("", &mut |_, _| fields.next().expect("a part for each field"))
+}
+
+/// The widths of the fields; one that no signal can have is a problem.
+fn sound_widths<F: Fields<Width>>(layout: &F, of: &str, loc: Loc) -> Vec<u32> {
+    let sound = |(path, width): (String, Width)| {
+        elaboration::with(|e| sound_width(e, &[], &format!("field `{path}` of {of}"), width.bits.into(), loc))
+    };
+    layout.leaves().into_iter().map(sound).collect()
+}
+
+/// The width and the lanes of a word that has these fields; the one field of a plain word has no path, and is checked by the memory.
+pub(crate) fn word<F: Fields<Width>>(layout: &F, memory: &str, loc: Loc) -> Width {
+    let fields = layout.leaves();
+    let Some((path, first)) = fields.first() else { return crate::width::bits(0) };
+    if path.is_empty() {
+        return *first;
+    }
+    if let Some((other, width)) = fields.iter().find(|(_, width)| width.shape != first.shape) {
+        let (has, shape) = (first.shape, width.shape);
+        let message = format!("memory `{memory}` holds records, whose field `{path}` has {has}, but `{other}` {shape}");
+        let problem =
+            Problem::new(loc, message).help("each lane of a memory has whole records: all fields have its lanes");
+        elaboration::with(|e| e.report(problem));
+    }
+    let widths = sound_widths(layout, &format!("memory `{memory}`"), loc);
+    Width { shape: first.shape, ..crate::width::bits(widths.into_iter().fold(0, u32::saturating_add)) }
+}

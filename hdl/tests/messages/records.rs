@@ -1,0 +1,159 @@
+//! Records that do not fit where they are given.
+
+use crate::common::*;
+use tilewright_hdl::*;
+
+bundle! {
+    struct Entry<T> { resident: T, page: T }
+    struct Row<T> { cells: Vec<T> }
+}
+
+fn entry() -> Entry<Width> {
+    Entry { resident: bit(), page: bits(8) }
+}
+
+#[test]
+fn registers_of_records_name_the_field() {
+    expect(
+        |m, i| {
+            let entry = m.reg("entry", entry());
+            entry.next(Entry { resident: i.c, page: i.b });
+            entry.pack().trunc(8)
+        },
+        "`next` needs equal widths: `entry_page` has 8 bits, `b` has 7 bits
+         --> [entry.next(Entry { resident: i.c, page: i.b });]
+         `entry_page` is made at [let entry = m.reg(\"entry\", entry());]
+         `b` is made at [In { a: bits(8), b: bits(7), c: bit() }]
+         help: widen the narrow side with `.zext(8)` or `.sext(8)`, or cut the wide one with `.trunc(7)`",
+    );
+    expect(
+        |m, i| {
+            let entry = m.reg("entry", entry()).reset(Entry { resident: -1, page: 256 });
+            entry.when(i.a, 0).when(i.c, 7);
+            entry.pack().trunc(8)
+        },
+        "`-1` does not fit in the 1 bit of `entry_resident`
+         --> [let entry = m.reg(\"entry\", entry()).reset(Entry { resident: -1, page: 256 });]
+         help: a number of a record takes the width of its field, and its sign
+
+         `256` does not fit in the 8 bits of `entry_page`
+         --> [let entry = m.reg(\"entry\", entry()).reset(Entry { resident: -1, page: 256 });]
+         help: a number of a record takes the width of its field, and its sign
+
+         the condition of `when` is 1 bit, but `a` has 8 bits
+         --> [entry.when(i.a, 0).when(i.c, 7);]
+         `a` is made at [In { a: bits(8), b: bits(7), c: bit() }]
+         help: compare it, as in `.ne(0)`, or take one `.bit(i)`
+
+         `when` gives a record the number 7, which is no record
+         --> [entry.when(i.a, 0).when(i.c, 7);]
+         help: of all numbers, 0 alone stands for a whole record: each field is 0
+
+         4 problems in this description",
+    );
+}
+
+#[test]
+fn records_driven_twice_or_not_at_all() {
+    let text = problems(&Case(|m, i| {
+        let wire = m.wire("found", entry());
+        wire.drive(Entry { resident: i.c, page: i.a });
+        wire.drive(0);
+        wire.page
+    }));
+    assert!(text.starts_with("`found_resident` is driven twice\n  --> [wire.drive(0);]"), "{text}");
+    let text = problems(&Case(|m, _| m.reg("entry", entry()).page));
+    assert!(text.contains("register `entry_page` of `Case` is never driven"), "{text}");
+}
+
+#[test]
+fn words_of_records_name_the_field() {
+    expect(
+        |m, i| {
+            let entries = m
+                .memory("entries", 256, entry(), ReadUnderWrite::Old)
+                .words([Entry { resident: 1, page: 255 }, Entry { resident: 2, page: 0 }]);
+            entries.write(i.c, i.a, Entry { resident: i.c, page: i.b });
+            entries.read(i.a).page
+        },
+        "`2` does not fit in the 1 bit of field `resident` of word 1 of memory `entries`
+         --> [.words([Entry { resident: 1, page: 255 }, Entry { resident: 2, page: 0 }]);]
+         help: a number of a record takes the width of its field, and its sign
+
+         field `page` of memory `entries` has 8 bits, but `b` has 7 bits
+         --> [entries.write(i.c, i.a, Entry { resident: i.c, page: i.b });]
+         `entries` is declared at [.memory(\"entries\", 256, entry(), ReadUnderWrite::Old)]
+         `b` is made at [In { a: bits(8), b: bits(7), c: bit() }]
+         help: widen it with `.zext(8)` or `.sext(8)`
+
+         2 problems in this description",
+    );
+    expect(
+        |m, i| {
+            let entries = m.memory("entries", 256, entry(), ReadUnderWrite::Old).fill(Entry { resident: i.c, page: i.a });
+            entries.read_async(i.a).page
+        },
+        "field `resident` of the contents of memory `entries` is a constant of 1 bit, but `c` is none
+         --> [let entries = m.memory(\"entries\", 256, entry(), ReadUnderWrite::Old).fill(Entry { resident: i.c, page: i.a });]
+         help: contents are numbers known while the block is built
+
+         field `page` of the contents of memory `entries` is a constant of 8 bits, but `a` is none
+         --> [let entries = m.memory(\"entries\", 256, entry(), ReadUnderWrite::Old).fill(Entry { resident: i.c, page: i.a });]
+         help: contents are numbers known while the block is built
+
+         2 problems in this description",
+    );
+}
+
+#[test]
+fn fields_of_no_width() {
+    expect(
+        |m, i| {
+            let nothing = Entry { resident: bits(0), page: bits(8) };
+            m.memory("entries", 256, nothing, ReadUnderWrite::Old).read(i.a).page
+        },
+        "field `resident` of memory `entries` has no bits
+         --> [m.memory(\"entries\", 256, nothing, ReadUnderWrite::Old).read(i.a).page]
+         help: a width is at least 1",
+    );
+    let wide = Entry { resident: 1 << 20, page: 1 << 20 };
+    thread_local!(static WIDE: std::cell::Cell<Entry<u32>> = const { std::cell::Cell::new(Entry { resident: 0, page: 0 }) });
+    WIDE.set(wide);
+    let text =
+        problems(&Case(|m, i| m.memory("entries", 256, WIDE.get(), ReadUnderWrite::Old).read(i.a).page.trunc(8)));
+    assert!(text.starts_with("memory `entries` has words of 2097152 bits, more than 1048576\n"), "{text}");
+}
+
+#[test]
+fn words_that_a_record_is_not_unpacked_from() {
+    expect(
+        |_, i| entry().unpack(i.a).page,
+        "a record of 9 bits is unpacked from `a`, which has 8 bits
+         --> [|_, i| entry().unpack(i.a).page,]
+         `a` is made at [In { a: bits(8), b: bits(7), c: bit() }]
+         help: a word has just the bits of the record's fields, side by side",
+    );
+}
+
+#[test]
+fn lists_of_another_length_than_the_registers() {
+    expect(
+        |m, i| {
+            let row = m.reg("row", Row { cells: vec![bits(8); 2] });
+            row.next(Row { cells: vec![i.a, i.a, i.a] });
+            row.cells[0]
+        },
+        "`next` gives a list `cells` of 3 where one of 2 is wanted
+         --> [row.next(Row { cells: vec![i.a, i.a, i.a] });]
+         help: both records have lists of the same lengths",
+    );
+}
+
+#[test]
+#[should_panic(expected = "`mux` has only numbers to choose a record from, at hdl/tests/messages/records.rs:")]
+fn a_record_chosen_from_numbers_alone() {
+    let _ = elaborate(&Case(|_, i| {
+        let entry: Entry = mux(i.c, 0, 0);
+        entry.page
+    }));
+}
