@@ -85,7 +85,7 @@ impl Block for Vc1Frames {
             ready: stack(ready.iter().map(|wire| Signal::from(*wire))),
             clear_ready: stack(clear_ready.iter().map(|wire| Signal::from(*wire))),
             idle: stack(idle.iter().map(|wire| Signal::from(*wire))),
-            swap: swap,
+            swap,
         });
 
         let host = Host { screen: self.patches.screen() };
