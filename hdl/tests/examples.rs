@@ -6,6 +6,8 @@ mod counter;
 mod crossing;
 #[path = "../examples/fifo.rs"]
 mod fifo;
+#[path = "../examples/program.rs"]
+mod program;
 
 #[test]
 fn the_counter_runs() {
@@ -20,4 +22,9 @@ fn the_crossing_runs() {
 #[test]
 fn the_queue_runs() {
     fifo::main().unwrap();
+}
+
+#[test]
+fn the_program_runs() {
+    program::main().unwrap();
 }
