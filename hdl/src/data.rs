@@ -59,13 +59,14 @@ impl<W: IntoWidth> Layout for W {
 }
 
 /// What can be given where a `V` is wanted. For a signal that is an [`Operand`]; for a record it is a record of
-/// signals, one of numbers, a register or wire that holds one, or `0` for all of its fields.
+/// signals, a reference to one, one of numbers, a register or wire that holds one, or `0` for all of its fields.
 #[diagnostic::on_unimplemented(
     message = "a `{Self}` cannot be given where a `{V}` is wanted",
     note = "a signal is given a signal or a number; a record is given a record of signals or of numbers, or 0"
 )]
 pub trait Fits<V: Data> {
     #[doc(hidden)]
+    #[track_caller]
     fn given(self) -> Given<V>;
 }
 
@@ -89,6 +90,12 @@ impl Operand for Value {
 impl<O: Operand> Fits<Signal> for O {
     fn given(self) -> Given<Signal> {
         Given::Each(self.operand())
+    }
+}
+
+impl<B: Bundle> Fits<B> for &B {
+    fn given(self) -> Given<B> {
+        signals(self)
     }
 }
 
@@ -127,23 +134,34 @@ macro_rules! numbers {
 numbers!(i32 u32 u64);
 
 impl<V: Data, A: Fits<V>> Fits<Vec<V>> for Vec<A> {
+    #[track_caller]
     fn given(self) -> Given<Vec<V>> {
-        Given::Each(self.into_iter().map(each).collect())
+        Given::Each(each_of(self))
     }
 }
 
 impl<V: Data, A: Fits<V>, const N: usize> Fits<[V; N]> for [A; N] {
+    #[track_caller]
     fn given(self) -> Given<[V; N]> {
-        Given::Each(self.map(each))
+        let Ok(elements) = each_of(self.into()).try_into() else { unreachable!("as many as before") };
+        Given::Each(elements)
     }
 }
 
-/// What an element of a list is given. A number among records has no fields to go to.
-fn each<V: Data>(element: impl Fits<V>) -> V::Like<Value> {
-    match element.given() {
-        Given::Each(values) => values,
-        Given::All(number) => panic!("a list of records has the number {number} for one: write the record"),
+/// What each element of a list is given. A number among records has no fields to go to.
+#[track_caller]
+fn each_of<V: Data, A: Fits<V>>(list: Vec<A>) -> Vec<V::Like<Value>> {
+    // A loop, as a closure would be the caller that the message names.
+    let mut elements = Vec::with_capacity(list.len());
+    for element in list {
+        match element.given() {
+            Given::Each(values) => elements.push(values),
+            Given::All(number) => {
+                panic!("a list of records has the number {number} in it, at {}: write the record", Loc::caller())
+            }
+        }
     }
+    elements
 }
 
 impl<V: Data> Given<V> {

@@ -179,7 +179,7 @@ pub fn select<V: Data, A: Fits<V>>(arms: impl IntoIterator<Item = (Signal, A)>, 
     for signal in signals {
         conditions.push(condition(signal, "select"));
     }
-    let values = values.into_iter().map(A::given).chain([default.given()]).collect();
+    let values = given(values, default);
     let (shape, fields) = fields(values, "select");
     let mut chosen = Vec::with_capacity(fields.len());
     for values in fields {
@@ -217,7 +217,7 @@ pub fn case<V: Data, A: Fits<V>>(
         elaboration::with(|e| e.report(Problem::new(loc, problem).help("each key is a value of the subject, once")));
     }
     let keys: Vec<_> = keys.into_iter().map(|key| Bits::new(subject.width, key)).collect();
-    let values = values.into_iter().map(A::given).chain([default.given()]).collect();
+    let values = given(values, default);
     let (shape, fields) = fields(values, "case");
     let mut chosen = Vec::with_capacity(fields.len());
     for values in fields {
@@ -231,6 +231,18 @@ pub fn case<V: Data, A: Fits<V>>(
         chosen.push(Signal::make(Op::Case { subject, arms, default }, width, lanes).kept_as(kind));
     }
     shaped(&shape, chosen)
+}
+
+/// What the arms give, and then what the default does.
+#[track_caller]
+fn given<V: Data>(arms: Vec<impl Fits<V>>, default: impl Fits<V>) -> Vec<Given<V>> {
+    // A loop, as a closure would be the caller that messages name.
+    let mut given = Vec::with_capacity(arms.len() + 1);
+    for arm in arms {
+        given.push(arm.given());
+    }
+    given.push(default.given());
+    given
 }
 
 /// For each field what it is in each arm, and one of the arms, whose fields all have.

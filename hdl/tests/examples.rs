@@ -6,6 +6,8 @@ mod counter;
 mod crossing;
 #[path = "../examples/fifo.rs"]
 mod fifo;
+#[path = "../examples/program.rs"]
+mod program;
 #[path = "../examples/systolic.rs"]
 mod systolic;
 
@@ -27,4 +29,9 @@ fn the_queue_runs() {
 #[test]
 fn the_matrices_are_multiplied() {
     systolic::main().unwrap();
+}
+
+#[test]
+fn the_program_runs() {
+    program::main().unwrap();
 }

@@ -157,3 +157,44 @@ fn a_record_chosen_from_numbers_alone() {
         entry.page
     }));
 }
+
+#[test]
+#[should_panic(expected = "a list of records has the number 0 in it, at hdl/tests/messages/records.rs:")]
+fn a_number_in_a_list_of_records() {
+    let _ = elaborate(&Case(|_, i| {
+        let entries: [Entry; 1] = select([(i.c, [Entry { resident: i.c, page: i.a }])], [0]);
+        entries[0].page
+    }));
+}
+
+#[test]
+fn pipelines_say_the_condition_once() {
+    expect(
+        |m, i| {
+            let start = Entry { resident: i.c, page: i.a };
+            let last = m.stages(3, i.a, start, |_, now| Entry { page: now.page + 1, ..now });
+            m.ignore(&last.resident);
+            last.page
+        },
+        "the condition of `stages` is 1 bit, but `a` has 8 bits
+         --> [let last = m.stages(3, i.a, start, |_, now| Entry { page: now.page + 1, ..now });]
+         `a` is made at [In { a: bits(8), b: bits(7), c: bit() }]
+         help: compare it, as in `.ne(0)`, or take one `.bit(i)`",
+    );
+}
+
+#[test]
+fn two_pipelines_of_one_record_need_names() {
+    let text = problems(&Case(|m, i| {
+        let start = Entry { resident: i.c, page: i.a };
+        let first = m.stages(1, None, start, |_, now| now);
+        m.stages(1, None, first, |_, now| now).page
+    }));
+    assert!(text.starts_with("net `resident1` has the name of another net\n  --> [m.stages(1, None, first"), "{text}");
+    let build = |m: Module, i: In| {
+        let first = m.stages(1, None, Entry { resident: i.c, page: i.a }, |_, now| now);
+        m.ignore(&first.resident);
+        m.stages(1, None, Start::from(first).called("late"), |_, now| now).page
+    };
+    elaborate(&Case(build)).unwrap();
+}

@@ -1,0 +1,77 @@
+//! A sequencer whose program is a memory of records: one record is assembler, decoder and wave.
+//! `cargo run -p tilewright-hdl --example program`
+
+use tilewright_hdl::*;
+use tilewright_sim::Simulation;
+
+codes! {
+    /// What an instruction does with the sum.
+    enum Alu { Load, Add, Double }
+}
+
+bundle! {
+    /// An instruction; it is done once and then so many times more.
+    struct Step<T> { alu: T, operand: T, more: T, ends: T }
+    struct RunIn<T> { start: T }
+    struct RunOut<T> { sum: T, busy: T }
+}
+
+/// The assembler: a function that makes a record of numbers.
+fn step(alu: Alu, operand: u64) -> Step<u64> {
+    Step { alu: alu.code(), operand, more: 0, ends: 0 }
+}
+
+/// Runs its program whenever it is started.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+struct Run;
+
+impl Block for Run {
+    type In = RunIn;
+    type Out = RunOut;
+
+    fn inputs(&self) -> RunIn<Width> {
+        RunIn { start: bit() }
+    }
+
+    fn build(&self, m: Module, i: RunIn) -> RunOut {
+        let layout = Step { alu: one_of::<Alu>(), operand: bits(8), more: bits(2), ends: bit() };
+        let program = m.memory("program", 4, layout, ReadUnderWrite::Any).words([
+            step(Alu::Load, 3),
+            step(Alu::Add, 5),
+            Step { more: 2, ..step(Alu::Double, 0) },
+            Step { ends: 1, ..step(Alu::Add, 100) },
+        ]);
+        let busy = m.reg("busy", bit()).reset(0);
+        let at = m.reg("at", program.address_width()).reset(0);
+        let done = m.reg("done", 2).reset(0);
+        let sum = m.reg("sum", 8).reset(0);
+
+        net!(step = program.read_async(at));
+        net!(last = done.eq(step.more));
+        busy.when(i.start, 1).when(last & step.ends, 0);
+        at.when(i.start, 0).when(busy & last, at + 1);
+        done.when(i.start | last, 0).when(busy, done + 1);
+        let result = step.alu.choose(|alu| match alu {
+            Alu::Load => step.operand,
+            Alu::Add => sum + step.operand,
+            Alu::Double => sum << 1,
+        });
+        sum.when(busy, result);
+        RunOut { sum: sum.value(), busy: busy.value() }
+    }
+}
+
+/// Runs it; a test does so too.
+pub fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let mut sim = Simulation::of(&Run)?;
+    sim.reset();
+    let wave = sim.record(["start", "busy", "at", "step_alu", "step_operand", "done", "sum"]);
+    for start in [1, 0, 0, 0, 0, 0, 0, 0] {
+        sim.drive(RunIn { start });
+        sim.step();
+    }
+    assert_eq!(sim.get(sim.o.sum), (3 + 5) * 8 + 100);
+    println!("The program's steps in the wave:\n{wave}");
+    print!("{}", tilewright_gen::verilog(&elaborate(&Run)?)[0].text);
+    Ok(())
+}
