@@ -123,7 +123,7 @@ pub(crate) fn elaborate_module<B: Block>(block: &B, loc: Loc) -> Elaborated {
     let widths = block.inputs();
     let inputs = B::In::signals(&widths, &mut |path, width| declare_input(path, *width));
     let out = block.build(Module { clock: None }, inputs);
-    let outputs = out.leaves().into_iter().map(|(path, signal)| (path, signal.id_at(loc))).collect();
+    let outputs = out.leaves().into_iter().map(|(path, signal)| (path, signal.here(loc))).collect();
     elaboration::with(|e| {
         finish::finish(e, outputs, block.name(), block.about(), parameters);
         let id = ModuleId(e.done.len() as u32 - 1);

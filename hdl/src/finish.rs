@@ -6,17 +6,20 @@ use crate::elaboration::Elaboration;
 use crate::ir::*;
 use crate::loc::Loc;
 use crate::module::port_name;
+use crate::signal::Signal;
 use crate::summary;
 
 /// Takes the innermost draft, checks it, and adds it to the finished modules. With problems, what is added is good
 /// enough for the parents to be checked too.
 pub(crate) fn finish(
     e: &mut Elaboration,
-    outputs: Vec<(String, NodeId)>,
+    outputs: Vec<(String, Signal)>,
     name: String,
     about: About,
     parameters: String,
 ) {
+    let kinds: Vec<Kind> = outputs.iter().map(|(_, signal)| signal.kind).collect();
+    let outputs: Vec<_> = outputs.into_iter().map(|(path, signal)| (path, signal.node)).collect();
     let mut draft = e.drafts.pop().expect("a module is being built");
     let problems = &mut e.problems;
     check::drives::check(&mut draft, problems);
@@ -36,7 +39,7 @@ pub(crate) fn finish(
     summary.synchronized = check::synchronizers::check(&draft, &e.summaries, problems);
     e.summaries.push(summary);
     e.instantiated.push(draft.loc);
-    e.done.push(module(draft, outputs, &renumber, &resets, name, about, parameters));
+    e.done.push(module(draft, outputs.into_iter().zip(kinds), &renumber, &resets, name, about, parameters));
 }
 
 /// Says which clock each input belongs to, and where each clock of the draft stands among those in use.
@@ -83,7 +86,7 @@ fn place(draft: &Draft) -> Loc {
 
 fn module(
     draft: Draft,
-    outputs: Vec<(String, NodeId)>,
+    outputs: impl Iterator<Item = ((String, NodeId), Kind)>,
     renumber: &[Option<u32>],
     resets: &[Option<String>],
     name: String,
@@ -102,7 +105,9 @@ fn module(
     let clocks = clocks.collect();
     let known = |clock: Option<ClockId>| clock.and_then(|clock| renumber[clock.0 as usize]).map(ClockId);
     let inputs = draft.inputs.into_iter().map(|input| Input { clock: known(input.clock), ..input }).collect();
-    let outputs = outputs.into_iter().map(|(path, node)| Output { name: port_name("", &path), path, node }).collect();
+    let output =
+        |((path, node), kind): ((String, NodeId), Kind)| Output { name: port_name("", &path), path, node, kind };
+    let outputs = outputs.map(output).collect();
     let registers = draft.registers.into_iter().map(|register| Register {
         node: register.node,
         clock: clock_id(register.clock),

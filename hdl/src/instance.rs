@@ -56,7 +56,9 @@ impl Module {
         elaboration::with(|e| {
             let module = &e.done[child.0 as usize];
             let child_clocks = module.clocks.clone();
-            let port = |port: &ir::Output| (port.name.clone(), Port::of(port.name.clone(), module.node(port.node)));
+            let port = |port: &ir::Output| {
+                (port.name.clone(), Port { kind: port.kind, ..Port::of(port.name.clone(), module.node(port.node)) })
+            };
             let ports: Vec<_> = module.outputs.iter().map(port).collect();
             let shapes: Vec<_> = ports.iter().map(|(_, port)| beside(e, name, shape, port, loc)).collect();
             let clocks = child_clocks.iter().map(|clock| self.bind(e, clock)).collect();

@@ -132,6 +132,8 @@ pub struct Output {
     pub path: String,
     /// What drives it.
     pub node: NodeId,
+    /// What its bits stand for, whatever those of its driver do.
+    pub kind: Kind,
 }
 
 /// An expression of a known width.

@@ -69,3 +69,28 @@ fn operation(m: Module) -> Signal {
     operation.next(mux(operation.is(Operation::Add), Operation::Subtract, Operation::Add));
     operation.value()
 }
+
+/// What comes out of an instance is what the block says that it is, whatever it made it of.
+#[test]
+fn outputs_stand_for_what_the_block_says() {
+    #[derive(Debug, Clone, PartialEq, Eq, Hash)]
+    struct Smallest;
+
+    impl Block for Smallest {
+        type In = Link;
+        type Out = Out;
+
+        fn inputs(&self) -> Link<Width> {
+            Link { x: bits(8).signed().of(row(3)) }
+        }
+
+        fn build(&self, _: Module, i: Link) -> Out {
+            Out { out: i.x.minimum().bits() }
+        }
+    }
+
+    elaborate(&Case(|m, i| m.instance("u_smallest", &Smallest, Link { x: i.a.signed().of(row(3)) }).out + i.a))
+        .unwrap();
+    let text = problems(&Case(|m, i| m.instance("u_smallest", &Smallest, Link { x: i.a.of(row(3)) }).out));
+    assert!(text.starts_with("input `x` of `u_smallest` is signed, but `a.of(..)` is a number\n"), "{text}");
+}

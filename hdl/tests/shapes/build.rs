@@ -63,7 +63,7 @@ impl Build {
     }
 
     pub fn output(&mut self, name: &str, node: NodeId) {
-        self.module.outputs.push(Output { name: name.to_owned(), path: name.to_owned(), node });
+        self.module.outputs.push(Output { name: name.to_owned(), path: name.to_owned(), node, kind: Kind::Number });
     }
 
     #[track_caller]

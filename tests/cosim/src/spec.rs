@@ -7,6 +7,9 @@
 //! A design has one or two clocks; each step belongs to one of them and sees its values alone, but for the declared
 //! crossings. A value that no other step reads is an output, so that nothing goes unobserved.
 
+mod lanes;
+
+pub use lanes::{End, LaneWork, Work};
 use tilewright_hdl::ReadUnderWrite;
 use tilewright_hdl::ir::{Reduction, Relation, Shift};
 
@@ -173,6 +176,8 @@ pub enum Make {
     Memory(Memory),
     /// A register, a memory and a pipeline of a record.
     Records(Records),
+    /// Rows and grids.
+    Lanes(LaneWork),
     /// A value of the other clock, brought into this one.
     Cross { synchronize: bool, of: Pick },
     /// A condition that always holds.

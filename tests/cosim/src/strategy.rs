@@ -2,8 +2,10 @@
 //! or arrays of arrays whose values are mostly of one size (`strategy/arrays.rs`).
 
 mod arrays;
+mod lanes;
 
 use crate::spec::*;
+use lanes::lane_work;
 use proptest::collection::vec;
 use proptest::option::{of, weighted};
 use proptest::prelude::*;
@@ -186,6 +188,7 @@ fn object() -> impl Strategy<Value = Make> {
         1 => machine().prop_map(Make::Machine),
         3 => memory().prop_map(Make::Memory),
         1 => records().prop_map(Make::Records),
+        2 => lane_work().prop_map(Make::Lanes),
         2 => (any::<bool>(), pick()).prop_map(|(synchronize, of)| Make::Cross { synchronize, of }),
         3 => (part_pick(), vec(pick(), 0..5)).prop_map(|(part, inputs)| Make::Instance { part, inputs }),
         4 => arrays::array(1..6),

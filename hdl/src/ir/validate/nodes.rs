@@ -3,6 +3,7 @@
 use super::{Named, Needs, Rules};
 use crate::ir::{Binary, InstanceId, Kind, Names, Node, NodeId, Op, RegisterId, Unary};
 use crate::limits::WIDEST;
+use crate::loc::Loc;
 use crate::names::is_legal;
 use crate::signal::bits_text;
 use crate::width::index_width;
@@ -17,15 +18,15 @@ impl Rules<'_> {
             });
             self.rule(node.shape.lanes() > 0, node.loc, || format!("{owner} needs at least 1 lane"));
             if let Kind::Code(names) = node.kind {
-                self.codes(node, names);
+                self.codes(node.loc, node.width, names);
             }
             self.op(id, node, owner);
         }
     }
 
-    /// The codes of an enum have room in the node, and names that Verilog takes.
-    fn codes(&mut self, node: &Node, names: Names) {
-        let (loc, width, count) = (node.loc, node.width, names.codes.len());
+    /// The codes of an enum have room in the bits, and names that Verilog takes.
+    pub(super) fn codes(&mut self, loc: Loc, width: u32, names: Names) {
+        let count = names.codes.len();
         self.rule(count > 0 && index_width(count as u64) <= width, loc, || {
             format!("`{}` has {count} codes, which do not fit into {}", names.of, bits_text(width))
         });

@@ -1,7 +1,7 @@
 //! The rules of clocks, ports and instances.
 
 use super::{Needs, Rules, problem};
-use crate::ir::{Instance, InstanceId, Module, Node, NodeId, Op, Shape};
+use crate::ir::{Instance, InstanceId, Kind, Module, Node, NodeId, Op, Shape};
 use crate::limits::WIDEST;
 use crate::loc::Loc;
 use crate::problem::Problem;
@@ -44,6 +44,9 @@ impl Rules<'_> {
             self.refers(loc, "the driver", &owner, output.node, Needs::shape(shape));
             if let Some(node) = node {
                 self.packed_width(loc, &owner, node);
+                if let Kind::Code(names) = output.kind {
+                    self.codes(loc, node.width, names);
+                }
             }
         }
     }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use tilewright_hdl::ir::{Module, Node, NodeId, Op};
+use tilewright_hdl::ir::{Kind, Module, Node, NodeId, Op};
 
 use super::ValueId;
 use super::flatten::{Body, Flatten};
@@ -32,31 +32,31 @@ impl Flatten<'_> {
 fn signals(module: &Module, value: impl Fn(NodeId) -> ValueId) -> Vec<Signal> {
     let mut all: Vec<Signal> = Vec::new();
     let mut taken = BTreeSet::new();
-    let mut add = |name: String, role, node: NodeId| {
+    let mut add = |name: String, role, node: NodeId, kind: Kind| {
         if taken.insert(name.clone()) {
-            let &Node { width, shape, kind, .. } = module.node(node);
+            let &Node { width, shape, .. } = module.node(node);
             all.push(Signal { name, role, value: value(node), width, shape, names: kind.names() });
         }
     };
-    module.inputs.iter().for_each(|port| add(port.name.clone(), Role::Input, port.node));
+    module.inputs.iter().for_each(|port| add(port.name.clone(), Role::Input, port.node, module.node(port.node).kind));
     let is_register = |node: &Node| matches!(node.op, Op::Register(_));
     for port in &module.outputs {
         let node = module.node(port.node);
         let named_alike = is_register(node) && node.name.as_ref() == Some(&port.name);
-        add(port.name.clone(), if named_alike { Role::Register } else { Role::Output }, port.node);
+        add(port.name.clone(), if named_alike { Role::Register } else { Role::Output }, port.node, port.kind);
     }
     for memory in &module.memories {
         let synchronous: Vec<_> = memory.reads.iter().filter(|read| read.clock.is_some()).collect();
         for (index, read) in synchronous.iter().enumerate() {
             let number = if synchronous.len() > 1 { index.to_string() } else { String::new() };
-            let named = module.node(read.node).name.clone();
-            add(named.unwrap_or_else(|| format!("{}_read{number}", memory.name)), Role::ReadData, read.node);
+            let Node { name, kind, .. } = module.node(read.node).clone();
+            add(name.unwrap_or_else(|| format!("{}_read{number}", memory.name)), Role::ReadData, read.node, kind);
         }
     }
     for (index, node) in module.nodes.iter().enumerate() {
         if let Some(name) = &node.name {
             let role = if is_register(node) { Role::Register } else { Role::Net };
-            add(name.clone(), role, NodeId(index as u32));
+            add(name.clone(), role, NodeId(index as u32), node.kind);
         }
     }
     all

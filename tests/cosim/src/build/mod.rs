@@ -2,6 +2,7 @@
 
 mod expression;
 mod instances;
+mod lanes;
 pub(crate) mod names;
 mod objects;
 mod records;
@@ -281,6 +282,10 @@ impl<'a> Builder<'a> {
             Make::Machine(machine) => self.machine(d, number, machine),
             Make::Memory(memory) => self.memory(d, number, memory),
             Make::Records(records) => self.records(d, number, records),
+            Make::Lanes(work) => {
+                let signal = self.lanes(d, number, work);
+                self.push(d, signal);
+            }
             Make::Cross { synchronize, of } => self.cross(d, number, *synchronize, *of),
             Make::Assert(pick) => {
                 let signal = self.pick(d, *pick);

@@ -34,7 +34,7 @@ impl Builder<'_> {
         });
         self.push(d, chosen);
         self.push(d, state.is(Phase::Run));
-        self.push(d, state.value());
+        self.push(d, state.value().bits());
     }
 
     /// So many registers of some width, each taking over the one before; the first one `from`, or the last one.

@@ -56,6 +56,7 @@ fn resized(mut part: Part, size: Size) -> Part {
     for step in &mut part.steps {
         match &mut step.make {
             Make::Register { width, .. } | Make::Chain { width, .. } => *width = size.fit(*width),
+            Make::Lanes(work) => work.width = size.fit(work.width),
             Make::Records(records) => records.widths.iter_mut().for_each(|width| *width = size.fit(*width)),
             _ => {}
         }
