@@ -6,7 +6,7 @@ use std::str::FromStr;
 use tilewright_hdl::{Design, Problems, elaborate};
 use tilewright_rtl::parameter::Screen;
 
-use crate::designs::{Core, Pim, Qt, Simd, Vc1Frames};
+use crate::designs::{Core, Pim, Qt, Simd, Systolic, Vc1Frames};
 
 /// A kind of design; a size makes it a [`Subject`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -21,13 +21,16 @@ pub enum Family {
     Core,
     /// [`Simd`]; its size is the number of processors in a row.
     Simd,
+    /// [`Systolic`]; its size is the side of its grid.
+    Systolic,
     /// [`Vc1Frames`]; its size is the number of processors.
     Vc1,
 }
 
 impl Family {
     /// Every family.
-    pub const ALL: [Family; 6] = [Family::Pim, Family::Qt, Family::Flat, Family::Core, Family::Simd, Family::Vc1];
+    pub const ALL: [Family; 7] =
+        [Family::Pim, Family::Qt, Family::Flat, Family::Core, Family::Simd, Family::Systolic, Family::Vc1];
 
     /// Its name, which stands before the size.
     pub fn name(self) -> &'static str {
@@ -37,6 +40,7 @@ impl Family {
             Family::Flat => "flat",
             Family::Core => "core",
             Family::Simd => "simd",
+            Family::Systolic => "systolic",
             Family::Vc1 => "vc1x",
         }
     }
@@ -45,7 +49,7 @@ impl Family {
     pub fn sizes(self) -> RangeInclusive<u32> {
         match self {
             Family::Pim | Family::Qt => 1..=4096,
-            Family::Flat | Family::Core | Family::Simd | Family::Vc1 => 1..=256,
+            Family::Flat | Family::Core | Family::Simd | Family::Systolic | Family::Vc1 => 1..=256,
         }
     }
 
@@ -136,6 +140,7 @@ impl Subject {
             Family::Qt | Family::Flat => elaborate(&Qt { units: size, apart: self.family == Family::Flat }),
             Family::Core => elaborate(&Core { processors: size }),
             Family::Simd => elaborate(&Simd { edge: size }),
+            Family::Systolic => elaborate(&Systolic { size }),
             Family::Vc1 => elaborate(&self.vc1()),
         }
     }
@@ -159,7 +164,7 @@ impl Subject {
                 written("simd", include_str!("../verilog/simd.v"), "EDGE"),
                 written("simd_arr", include_str!("../verilog/simd_arr.v"), "EDGE"),
             ],
-            Family::Core | Family::Vc1 => Vec::new(),
+            Family::Core | Family::Systolic | Family::Vc1 => Vec::new(),
         }
     }
 

@@ -5,6 +5,7 @@ mod dots;
 mod pim;
 mod qt;
 mod simd;
+mod systolic;
 mod vc1;
 
 pub use cores::{Core, Processor, ProcessorIn, ProcessorOut};
@@ -12,6 +13,7 @@ pub use dots::{Dots, DotsIn, DotsOut};
 pub use pim::Pim;
 pub use qt::Qt;
 pub use simd::Simd;
+pub use systolic::Systolic;
 pub use vc1::Vc1Frames;
 
 use tilewright_hdl::bundle;
