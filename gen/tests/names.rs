@@ -90,6 +90,53 @@ fn ports_may_be_called_as_things_of_arrays_are() {
 }
 
 bundle! {
+    struct LaneOfIn<T> { lane: T }
+    struct LaneOfOut<T> { y: T }
+}
+
+/// A row of cells that hold a memory called as a lane may be, in a module that has a port called as lanes are.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+struct Remembering;
+
+impl Block for Remembering {
+    type In = LaneOfIn;
+    type Out = LaneOfOut;
+
+    fn inputs(&self) -> LaneOfIn<Width> {
+        LaneOfIn { lane: bits(8) }
+    }
+
+    fn build(&self, m: Module, i: LaneOfIn) -> LaneOfOut {
+        let cells = m.array("u_cell", 3, &Remembered, |row| CellIn { x: row.out.y.previous(i.lane) });
+        LaneOfOut { y: cells.y.sum() }
+    }
+}
+
+/// A word, a clock later.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+struct Remembered;
+
+impl Block for Remembered {
+    type In = CellIn;
+    type Out = LaneOfOut;
+
+    fn inputs(&self) -> CellIn<Width> {
+        CellIn { x: bits(8) }
+    }
+
+    fn build(&self, m: Module, i: CellIn) -> LaneOfOut {
+        let words = m.memory("u_lane", 4, 8, ReadUnderWrite::Old);
+        words.write(i.x.bit(0), i.x.trunc(2), i.x);
+        LaneOfOut { y: words.read(i.x.slice(2..4)) }
+    }
+}
+
+#[test]
+fn a_memory_in_a_lane_does_not_hide_the_lane() {
+    assert!(clean(&Remembering).contains("remembered u_u_lane"));
+}
+
+bundle! {
     struct ArraysOut<T> { result: T }
 }
 

@@ -239,6 +239,8 @@ fn a_shift_by_a_constant_is_a_part() {
         (|_, i| i.a >> lit(8, 9), "8'd0"),
         (|_, i| (i.a.signed() >> lit(8, 8)).bits(), "{8{a[7]}}"),
         (|_, i| (i.a.bit(5).signed() >> lit(8, 1)).bits(), "a[5]"),
+        (|_, i| (i.a.bit(5).zext(8).signed() >> lit(8, 1)).bits(), "8'd0"),
+        (|_, i| i.a.bit(5).zext(8) >> lit(8, 1), "8'd0"),
         (|_, i| i.a >> cat![lit(8, 1), lit(64, 0)], "8'd0"),
         (|_, _| lit(8, 0x95) << lit(8, 3), "8'd168"),
         (|_, _| lit(8, 0x95) >> lit(8, 3), "8'd18"),

@@ -98,7 +98,9 @@ impl ScopeNames {
             let child = design.module(instance.module);
             // What is in the instance must not hide it: linters do not want that.
             let ports = child.outputs.iter().map(|port| &port.name);
-            let inside: Vec<&String> = ports.chain(child.nodes.iter().filter_map(|node| node.name.as_ref())).collect();
+            let nets = child.nodes.iter().filter_map(|node| node.name.as_ref());
+            let memories = child.memories.iter().map(|memory| &memory.name);
+            let inside: Vec<&String> = ports.chain(nets).chain(memories).collect();
             let hides = |name: &String| inside.iter().any(|inner| inner.eq_ignore_ascii_case(name));
             let wanted = if is_array { LANE } else { &instance.name };
             let prefixed = (0..).map(|number| format!("{}{wanted}", "u_".repeat(number)));

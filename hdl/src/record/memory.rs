@@ -43,7 +43,6 @@ use crate::width::{Width, bits};
 ///     Step { address: 0, counts: 0, ends: 1 },
 /// ]);
 /// net!(step = program.read(i.at));
-/// #         m.ignore(&step.address);
 /// #         step
 /// #     }
 /// # }

@@ -1,6 +1,6 @@
 //! Memories of records.
 
-use tilewright_gen::verilog;
+use tilewright_gen::{tools, verilog};
 use tilewright_hdl::*;
 use tilewright_sim::Simulation;
 
@@ -76,6 +76,39 @@ fn a_table_is_one_memory_and_what_is_read_has_names() {
     assert!(text.contains("reg [11:0] entries [0:5];"), "{text}");
     assert!(text.contains("read_page_1 = read[6:0];"), "{text}");
     elaborate(&Table { crossing: true }).unwrap();
+}
+
+bundle! {
+    struct FlagIn<T> { address: T }
+    struct FlagOut<T> { found: T }
+}
+
+/// Looks at some fields alone.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+struct Flags;
+
+impl Block for Flags {
+    type In = FlagIn;
+    type Out = FlagOut;
+
+    fn inputs(&self) -> FlagIn<Width> {
+        FlagIn { address: below(6) }
+    }
+
+    fn build(&self, m: Module, i: FlagIn) -> FlagOut {
+        let entries = m.memory("entries", 6, entry(), ReadUnderWrite::Old).fill(Entry { resident: 1, page: [7, 9] });
+        net!(named = entries.read(i.address));
+        let nameless = entries.read(i.address);
+        let held = m.reg("held", entry()).reset(0);
+        held.next(entries.read_async(i.address));
+        FlagOut { found: named.resident & nameless.page[1].bit(3) & held.page[0].bit(2) }
+    }
+}
+
+#[test]
+fn fields_that_nobody_looks_at_are_no_matter_for_linters() {
+    let files = verilog(&elaborate(&Flags).unwrap());
+    tools::lint(&files).unwrap_or_else(|problems| panic!("{problems}\n{}", files[0].text));
 }
 
 codes! { enum Alu { Load, Add, Hold } }

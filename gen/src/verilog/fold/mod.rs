@@ -171,12 +171,7 @@ impl Fold {
                 Some(value) => Is(Op::Const((1..times).fold(value.clone(), |all, _| all.concat(&value)))),
                 None => Is(Op::Repeat(a, times)),
             },
-            Op::Extend { of, signed } => match self.constant(of) {
-                _ if self.width(of) == width => Same(of),
-                Some(value) if signed => Is(Op::Const(value.sext(width))),
-                Some(value) => Is(Op::Const(value.resize(width))),
-                None => Is(Op::Extend { of, signed }),
-            },
+            Op::Extend { of, signed } => self.extend(of, signed, width),
             other => self.lane_op(id, other),
         }
     }

@@ -120,6 +120,15 @@ impl Fold {
         }
     }
 
+    pub(super) fn extend(&self, of: NodeId, signed: bool, width: u32) -> Outcome {
+        match self.constant(of) {
+            _ if self.width(of) == width => Same(of),
+            Some(value) if signed => Is(Op::Const(value.sext(width))),
+            Some(value) => Is(Op::Const(value.resize(width))),
+            None => Is(Op::Extend { of, signed }),
+        }
+    }
+
     pub(super) fn slice(&self, of: NodeId, low: u32, width: u32) -> Outcome {
         if width == self.width(of) {
             return Same(of);

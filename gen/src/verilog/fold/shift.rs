@@ -61,8 +61,8 @@ impl Fold {
                 let zeros = self.add(id, amount, Op::Const(Bits::zero(amount)));
                 Is(Op::Concat(vec![kept, zeros]))
             }
-            Shift::Right => Is(Op::Extend { of: kept, signed: false }),
-            Shift::RightSigned => Is(Op::Extend { of: kept, signed: true }),
+            Shift::Right => self.extend(kept, false, width),
+            Shift::RightSigned => self.extend(kept, true, width),
         }
     }
 }
