@@ -107,7 +107,7 @@ impl Block for Remembering {
     }
 
     fn build(&self, m: Module, i: LaneOfIn) -> LaneOfOut {
-        let cells = m.array("u_cell", 3, &Remembered, |row| CellIn { x: row.out.y.previous(i.lane) });
+        let cells = m.array("u_cell", 3, &Remembered, |row| CellIn { x: row.y.previous(i.lane) });
         LaneOfOut { y: cells.y.sum() }
     }
 }
