@@ -73,6 +73,7 @@ mod finish;
 mod graph;
 mod index;
 mod instance;
+mod integers;
 pub mod ir;
 mod lanes;
 mod limits;

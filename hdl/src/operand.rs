@@ -151,12 +151,13 @@ macro_rules! operators {
             }
         }
 
-        /// The product, in two's complement if both are signed; its width is the sum of the operands' widths.
-        impl<R: Into<$crate::Signal>> std::ops::Mul<R> for $ty {
+        /// The product, in two's complement if both are signed; its width is the sum of the operands' widths, of which an integer has as many
+        /// bits as it needs.
+        impl<R: $crate::operand::Operand> std::ops::Mul<R> for $ty {
             type Output = $crate::Signal;
             #[track_caller]
             fn mul(self, right: R) -> $crate::Signal {
-                $crate::Signal::from(self).times(right.into())
+                $crate::Signal::from(self).times_any(right)
             }
         }
 

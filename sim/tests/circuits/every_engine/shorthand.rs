@@ -6,7 +6,7 @@ use tilewright_hdl::{Block, Module, Width, below, bits, bundle, lit};
 
 bundle! {
     struct In<T> { a: T, b: T }
-    struct Out<T> { left: T, right: T, whole: T, middle: T, follows: T, folded: T }
+    struct Out<T> { from: T, scaled: T, signed_scaled: T, left: T, right: T, whole: T, middle: T, follows: T, folded: T }
 }
 
 /// One of each.
@@ -29,6 +29,9 @@ impl Block for Shorthand {
         folded |= i.a;
         folded &= 0x7f;
         Out {
+            from: (200u64 - i.a) ^ (1 + i.b) ^ (7u32 & i.a),
+            scaled: i.a * 100 + 3 * i.b.zext(13),
+            signed_scaled: (i.a.signed() * -3).bits(),
             left: i.a.rotate_left(3),
             right: i.a.rotate_right(11),
             whole: i.a.rotate_left(16) ^ i.b.rotate_right(0),
@@ -49,6 +52,9 @@ proptest! {
         let folded = (((a.wrapping_add(1) ^ b).wrapping_sub(3)) | a) & 0x7f;
         let wide = |number: u8| u64::from(number);
         let expected = Out {
+            from: wide(200u8.wrapping_sub(a) ^ b.wrapping_add(1) ^ (7 & a)),
+            scaled: (u64::from(a) * 100 + 3 * u64::from(b)) & 0x7fff,
+            signed_scaled: (i64::from(a as i8) * -3) as u64 & 0x7ff,
             left: wide(a.rotate_left(3)),
             right: wide(a.rotate_right(11)),
             whole: wide(a ^ b),
