@@ -80,6 +80,12 @@ impl Changes {
         self.end = 0;
     }
 
+    /// Gives the text, and how long it is, away for other room.
+    pub fn exchange(&mut self, take: impl FnOnce(Vec<u8>, usize) -> Vec<u8>) {
+        self.bytes = take(std::mem::take(&mut self.bytes), self.end);
+        self.clear();
+    }
+
     /// Room at the end.
     #[inline]
     fn room(&mut self) -> &mut [u8; LINE] {
@@ -91,7 +97,10 @@ impl Changes {
 
     #[cold]
     fn grow(&mut self) {
-        self.bytes.resize((2 * self.bytes.len()).max(self.end + LINE), 0);
+        // Zeros from the system take no time before they are written.
+        let mut larger = vec![0; (2 * self.bytes.len()).max(self.end + LINE)];
+        larger[..self.end].copy_from_slice(self.bytes());
+        self.bytes = larger;
     }
 
     /// Text of any length.

@@ -14,7 +14,7 @@ use crate::testbench::error::Error;
 
 /// How much is collected before it goes to the file, always in whole time steps: unless a run is killed in the midst of
 /// a write, its file ends with one.
-const CHUNK: usize = 1 << 17;
+const CHUNK: usize = 1 << 18;
 
 /// Writes a waveform file.
 pub(crate) struct Dump {
@@ -87,6 +87,14 @@ impl Dump {
         self.text.clear();
     }
 
+    /// Has what is collected written, if it is much.
+    fn flush_much(&mut self) {
+        if self.text.bytes().len() >= CHUNK {
+            let file = &mut self.file;
+            self.text.exchange(|steps, length| file.hand_over(steps, length));
+        }
+    }
+
     /// Writes a time step: the values shown, as they have been since its begin, and the clocks that fall within it.
     fn step(&mut self, since: u64, until: u64, resets: &[bool]) {
         // An instant at which an assertion fails is shown again when it is tried again: time goes on from there.
@@ -103,9 +111,7 @@ impl Dump {
         }
         self.time = at;
         self.falls(at, until);
-        if self.text.bytes().len() >= CHUNK {
-            self.flush();
-        }
+        self.flush_much();
     }
 
     /// Writes what has changed since the last step.
