@@ -58,8 +58,7 @@ impl StepFile {
         }
     }
 
-    /// Adds whole time steps after all that were handed over. If they do not fit, the file keeps those from before, so that it
-    /// still opens.
+    /// Adds whole time steps after all that were handed over. If they do not fit, the file keeps those that do, so that it still opens.
     pub fn append(&mut self, steps: &[u8]) {
         self.settle();
         if let Some(Err(source)) = self.file.as_mut().map(|file| file.append(steps)) {
@@ -111,15 +110,28 @@ impl StepFile {
 
 impl Grown {
     fn append(&mut self, steps: &[u8]) -> io::Result<()> {
-        let written = self.file.as_ref().write_all(steps);
-        match written {
-            Ok(()) => self.length += steps.len() as u64,
-            // What is no regular file, such as a pipe, keeps what it has got; the error is the one to report.
-            Err(_) if self.was_empty => drop(self.file.set_len(self.length)),
-            Err(_) => {}
+        let mut written = 0;
+        while written < steps.len() {
+            match self.file.as_ref().write(&steps[written..]) {
+                Err(error) if error.kind() == io::ErrorKind::Interrupted => {}
+                Ok(more) if more > 0 => written += more,
+                refused => {
+                    // What is no regular file, such as a pipe, keeps what it has got; the error is the one to report.
+                    if self.was_empty {
+                        let _ = self.file.set_len(self.length + whole_steps(&steps[..written]) as u64);
+                    }
+                    return refused.and(Err(io::ErrorKind::WriteZero.into()));
+                }
+            }
         }
-        written
+        self.length += written as u64;
+        Ok(())
     }
+}
+
+/// Up to where a text of steps, of which the last is not at its end, has whole ones: each begins with a line of its time.
+fn whole_steps(text: &[u8]) -> usize {
+    text.windows(2).rposition(|pair| pair == b"\n#").map_or(0, |end| end + 1)
 }
 
 impl Writer {
@@ -168,6 +180,13 @@ mod tests {
         expected.extend_from_slice(b"end\n");
         file.report().unwrap();
         assert!(std::fs::read(path).unwrap() == expected);
+    }
+
+    #[test]
+    fn whole_steps_end_where_the_last_one_begins() {
+        for (text, whole) in [("", 0), ("#1", 0), ("#1\n0#\n", 0), ("#1\n0#\n#", 6), ("#1\n0!\n#2\nb1 #\n#3\n0", 14)] {
+            assert_eq!(whole_steps(text.as_bytes()), whole, "{text}");
+        }
     }
 
     #[test]
