@@ -43,6 +43,9 @@ struct Writer {
     thread: JoinHandle<io::Result<Grown>>,
 }
 
+/// How many pieces wait to be written before somebody waits for that: the system may be slow to start the thread.
+const WAITING: usize = 2;
+
 impl StepFile {
     /// A file of that name, which is not created yet unless it is given.
     pub fn new(path: PathBuf, given: Option<Arc<File>>) -> StepFile {
@@ -137,8 +140,7 @@ fn whole_steps(text: &[u8]) -> usize {
 impl Writer {
     /// Nothing where no thread is to be had.
     fn start(mut file: Grown) -> Option<Writer> {
-        // One waits while one is written and one is filled.
-        let (full, filled) = sync_channel::<(Vec<u8>, usize)>(1);
+        let (full, filled) = sync_channel::<(Vec<u8>, usize)>(WAITING);
         let (empty, written) = channel();
         let write = move || {
             for (steps, length) in filled {
