@@ -34,22 +34,23 @@ impl Id {
 /// How many variables stand together: as many as a number has bits.
 pub(super) const BLOCK: usize = 64;
 
-/// How the lines of a variable of up to 64 bits that is no string are written.
+/// How the lines of a variable of up to 32 bits that is no string are written. Most variables are such, and each line is put
+/// together without a choice that would be hard to foresee.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Short {
     /// What follows on the digits.
     after: u64,
-    after_length: usize,
+    after_length: u32,
     /// How many characters stand before them: a scalar has none there.
-    before: usize,
+    before: u32,
 }
 
 impl Short {
     /// The lines of a scalar, or of a vector.
     pub fn new(id: Id, is_scalar: bool) -> Short {
         match is_scalar {
-            true => Short { after: id.word, after_length: id.length, before: 0 },
-            false => Short { after: id.word << 8 | u64::from(b' '), after_length: id.length + 1, before: 1 },
+            true => Short { after: id.word, after_length: id.length as u32, before: 0 },
+            false => Short { after: id.word << 8 | u64::from(b' '), after_length: id.length as u32 + 1, before: 1 },
         }
     }
 }
@@ -150,7 +151,7 @@ impl Changes {
             let place = rest.trailing_zeros() as usize % BLOCK;
             rest &= rest - 1;
             let line = self.bytes[end..].first_chunk_mut().expect("there is room for all");
-            end += put_short(line, &all[place], limbs[place]);
+            end += put_short(line, all[place], limbs[place] as u32);
         }
         self.end = end;
     }
@@ -198,12 +199,15 @@ impl Changes {
 
 /// Puts the line of a new value there; gives its length.
 #[inline]
-fn put_short(line: &mut [u8; LINE], of: &Short, limb: u64) -> usize {
-    let before = of.before & 1;
+fn put_short(line: &mut [u8; LINE], of: Short, number: u32) -> usize {
+    let before = (of.before & 1) as usize;
+    let leading = (number | 1).leading_zeros();
     line[0] = b'b';
-    let after = before + put_digits(line, before, limb, u64::BITS - (limb | 1).leading_zeros());
+    put_bytes(line, before, &(number << leading).to_be_bytes());
+    // It is less than 64 anyway, which saves a look at whether there is room.
+    let after = (before + (u32::BITS - leading) as usize) % 64;
     line[after..after + 8].copy_from_slice(&of.after.to_le_bytes());
-    after + of.after_length
+    after + of.after_length as usize
 }
 
 /// Puts the lowest `count` digits of a number there, at least one, the highest first; gives how many those are.
@@ -273,7 +277,7 @@ mod tests {
         match new {
             New::Bit(high) if together => short(text, Short::new(id, true), u64::from(*high)),
             New::Bit(high) => text.bit(id, *high),
-            New::Bits(_, limbs) if together && limbs.len() == 1 => short(text, Short::new(id, false), limbs[0]),
+            New::Bits(..=32, limbs) if together => short(text, Short::new(id, false), limbs[0]),
             New::Bits(_, limbs) => text.bits(id, limbs),
             New::State(name) => text.string(id, name),
         }

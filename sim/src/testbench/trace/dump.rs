@@ -74,7 +74,7 @@ impl Dump {
         let shown = Shown::new(program, &lanes);
         let mut dump = Dump {
             file: StepFile::new(vcd.path, vcd.file),
-            rows: rows.filter(|_| vcd.last.is_none()).map(|rows| Rows::new(rows, &shown, &header.variables)),
+            rows: rows.filter(|_| vcd.last.is_none()).map(|rows| Rows::new(rows, program, &shown, &header.variables)),
             shown,
             header,
             window,

@@ -8,6 +8,7 @@ use super::changes::{BLOCK, Changes, Short};
 use super::dump::change;
 use super::shown::Shown;
 use super::vcd_header::{Header, Variable, VariableKind};
+use crate::engine::program::Program;
 use crate::engine::{Done, LINE};
 
 /// What is known of rows, whose limbs are those of one variable after the other.
@@ -31,18 +32,18 @@ pub(super) struct Rows {
 struct Block {
     /// As lines of variables of their own.
     shorts: [Short; BLOCK],
-    /// But for those that have a bit here: their variables have several limbs, or are strings.
+    /// But for those that have a bit here: their variables have more than 32 bits, or are strings.
     others: u64,
     variables: [usize; BLOCK],
 }
 
 impl Rows {
     /// Rows that the engine knows by that index.
-    pub fn new(index: usize, shown: &Shown, variables: &[Variable]) -> Rows {
+    pub fn new(index: usize, program: &Program, shown: &Shown, variables: &[Variable]) -> Rows {
         let (mut blocks, mut starts, mut end) = (Vec::new(), vec![0], 0);
         for ((number, variable), limbs) in variables.iter().enumerate().zip(shown.limbs_of_variables()) {
             let short = Short::new(variable.id, matches!(variable.kind, VariableKind::Bit));
-            let is_other = limbs > 1 || matches!(variable.kind, VariableKind::State(_));
+            let is_other = program.value(variable.value).width > 32 || matches!(variable.kind, VariableKind::State(_));
             for limb in end..end + limbs {
                 if limb % BLOCK == 0 {
                     blocks.push(Block { shorts: [short; BLOCK], others: 0, variables: [0; BLOCK] });
