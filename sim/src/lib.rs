@@ -144,8 +144,9 @@
 //! # What a waveform costs
 //!
 //! A run without a trace pays nothing. With a [`Vcd`] of everything, only the values are looked at that the clocks and
-//! inputs that changed can have changed, and only those that did are written. On two cores of an AMD EPYC, for a frame of
-//! 640 x 480 pixels on the VC-1 with 16 processing elements (its teapot), medians of 3 rounds:
+//! inputs that changed can have changed, and only those that did are written, by a thread of its own. Of a small circuit
+//! with one clock and no arrays, all values come in rows instead, many instants in one call of its code. On two cores of an
+//! AMD EPYC, for a frame of 640 x 480 pixels on the VC-1 with 16 processing elements (its teapot), medians of 3 rounds:
 //!
 //! ```text
 //! $ cargo bench -p tilewright-machines --bench vcd

@@ -13,6 +13,7 @@ mod semantics;
 mod start;
 pub(crate) mod until;
 
+use std::cell::Cell;
 use std::fmt;
 
 use tilewright_hdl::Bits;
@@ -88,6 +89,9 @@ impl fmt::Display for Difference {
 
 impl std::error::Error for Difference {}
 
+/// How many limbs a row is a multiple of: a line of the cache.
+pub(crate) const LINE: usize = 8;
+
 /// A running circuit.
 ///
 /// Values are exchanged as 64-bit limbs, lane after lane, the lowest limb first, with zeros above the width.
@@ -160,6 +164,18 @@ pub(crate) trait Engine: Send {
 
     /// Prepares for these values being read together.
     fn watch(&mut self, _values: &[ValueId]) {}
+
+    /// Prepares for these values being taken before each of many edges, in rows; gives what [`Engine::edges_in_rows`]
+    /// knows them by, or nothing where the engine does not do so with them.
+    fn take_in_rows(&mut self, _values: &[ValueId]) -> Option<usize> {
+        None
+    }
+
+    /// Edges as in [`Engine::edges`], perhaps fewer of them, with the values as they are before each: a row for each edge
+    /// that is done, of the limbs of one value after the other and zeros up to a multiple of [`LINE`]. Nothing where the values have to be read at each edge.
+    fn edges_in_rows(&mut self, _rows: usize, _rising: &[usize], _count: u64) -> Option<(Done, &[Cell<u64>])> {
+        None
+    }
 }
 
 /// As [`Engine::renew`], one number after another.

@@ -82,8 +82,10 @@ impl Running {
                 cycles.start.saturating_mul(period)..cycles.end.saturating_mul(period)
             }
         };
-        self.engine.watch(&header.variables.iter().map(|variable| variable.value).collect::<Vec<_>>());
-        self.observe_by(Box::new(Dump::new(vcd, &self.program, header, window)?));
+        let values: Vec<_> = header.variables.iter().map(|variable| variable.value).collect();
+        self.engine.watch(&values);
+        let rows = self.engine.take_in_rows(&values);
+        self.observe_by(Box::new(Dump::new(vcd, &self.program, header, window, rows)?));
         Ok(())
     }
 

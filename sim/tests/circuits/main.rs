@@ -12,5 +12,6 @@ mod looking;
 mod nested;
 mod shapes;
 mod store;
+mod vcd_rows;
 mod watching;
 mod wide;

@@ -268,6 +268,10 @@ impl<'a, 'b, 'c> Emitter<'a, 'b, 'c> {
                 self.store_single(value, place, self.state, place.offset);
             }
             Sink::Write { memory, enable, address, data } => self.write(memory, enable, address, data),
+            Sink::Row { row, at, value } => {
+                let row = self.scalars.clean(self.builder, row)[0];
+                self.scalars.store(self.builder, value, 64, row, offset(8 * at));
+            }
             // It is stored where it is computed.
             Sink::Show(_) | Sink::Hold(_) => {}
         }

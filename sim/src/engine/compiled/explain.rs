@@ -69,6 +69,7 @@ fn line(text: &Text, function: &Function, sink: usize) -> String {
         }
         Sink::Show(value) => format!("  show {}\n", text.name(value)),
         Sink::Hold(value) => format!("  go on if {}\n", text.name(value)),
+        Sink::Row { at, value, .. } => format!("  row[{at}] {}\n", text.name(value)),
     }
 }
 

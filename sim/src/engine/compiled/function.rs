@@ -1,9 +1,10 @@
 //! What one function of generated code computes: the values of a program that its sinks need.
 
 use rustc_hash::FxHashMap;
-use tilewright_hdl::Bits;
 use tilewright_hdl::ir::{Binary, ReadUnderWrite, Reduction, Relation, Unary};
+use tilewright_hdl::{Bits, limbs_for};
 
+use crate::engine::LINE;
 use crate::engine::program::{Axis, Cell, Circuit, Kind, Program, ValueId};
 use crate::engine::rewrite::{Rewriter, rebuild};
 
@@ -34,13 +35,25 @@ pub(super) enum Sink {
     Show(ValueId),
     /// The function goes on only if this is 1.
     Hold(ValueId),
+    /// A value of one lane goes into a row, as its limbs.
+    Row {
+        /// The address of the row.
+        row: ValueId,
+        /// The limb of the row at which it begins.
+        at: usize,
+        /// The value.
+        value: ValueId,
+    },
 }
 
 impl Sink {
     /// How many lanes what it takes has.
     pub fn lanes(&self, circuit: &Circuit) -> u32 {
-        let (Sink::Register { state: id, .. } | Sink::Write { enable: id, .. } | Sink::Show(id) | Sink::Hold(id)) =
-            *self;
+        let (Sink::Register { state: id, .. }
+        | Sink::Write { enable: id, .. }
+        | Sink::Show(id)
+        | Sink::Hold(id)
+        | Sink::Row { value: id, .. }) = *self;
         circuit[id].lanes
     }
 
@@ -53,6 +66,7 @@ impl Sink {
             }
             Sink::Write { enable, address, data, .. } => [enable, address, data].into_iter().for_each(visit),
             Sink::Show(value) | Sink::Hold(value) => visit(value),
+            Sink::Row { row, value, .. } => [row, value].into_iter().for_each(visit),
         }
     }
 
@@ -65,6 +79,7 @@ impl Sink {
             }
             Sink::Write { enable, address, data, .. } => [enable, address, data].into_iter().for_each(visit),
             Sink::Show(value) | Sink::Hold(value) => visit(value),
+            Sink::Row { row, value, .. } => [row, value].into_iter().for_each(visit),
         }
     }
 }
@@ -194,6 +209,21 @@ impl<'a> Maker<'a> {
             let shown = self.take(id);
             self.function.sinks.push(Sink::Show(shown));
         }
+    }
+
+    /// Puts values of one lane into a row before anything changes, and goes to the next row.
+    /// `row` has its address.
+    pub fn rows(&mut self, row: ValueId, values: &[ValueId]) {
+        let mut limbs = 0;
+        for &id in values {
+            let value = self.take(id);
+            self.function.sinks.push(Sink::Row { row, at: limbs, value });
+            limbs += limbs_for(self.program.circuit[id].width);
+        }
+        let limbs = limbs.next_multiple_of(LINE);
+        let size = self.function.rewriter.constant(Bits::new(64, 8 * limbs as u64), 1);
+        let next = self.add(Kind::Binary(Binary::Add, row, size), 1, 64);
+        self.function.sinks.push(Sink::Register { state: row, next, enable: None });
     }
 
     /// An edge of these clocks, but for resets.

@@ -23,6 +23,7 @@ mod pages;
 mod passes;
 mod plan;
 mod prepare;
+mod rows;
 mod scalar;
 mod sequence;
 mod start;
@@ -33,6 +34,7 @@ mod until;
 mod view;
 mod words;
 
+use std::cell::Cell;
 use std::sync::Arc;
 
 use tilewright_hdl::limbs_for;
@@ -49,6 +51,7 @@ pub(crate) use jit::unsupported;
 use jit::{Code, Jit};
 use layout::{Layout, Place, Strips};
 use look::Looks;
+use rows::Rows;
 use store::Store;
 pub use target::Unsupported;
 use until::Stopping;
@@ -96,6 +99,7 @@ pub(crate) struct Compiled {
     /// Somebody has looked at something that is computed since the last edge.
     looked: bool,
     stopping: Vec<Stopping>,
+    rows: Vec<Rows>,
     /// What has changed since views were last marked stale.
     pending: Triggers,
     /// Counts how often what they show, or where they leave it, was another.
@@ -156,6 +160,7 @@ impl Compiled {
             looks: Looks::default(),
             looked: false,
             stopping: Vec::new(),
+            rows: Vec::new(),
             pending: Triggers::NONE,
             version: 0,
             shown: vec![None; program.circuit.len()],
@@ -322,5 +327,13 @@ impl Engine for Compiled {
 
     fn watch(&mut self, values: &[ValueId]) {
         self.show(values);
+    }
+
+    fn take_in_rows(&mut self, values: &[ValueId]) -> Option<usize> {
+        self.add_rows(values)
+    }
+
+    fn edges_in_rows(&mut self, rows: usize, rising: &[usize], count: u64) -> Option<(Done, &[Cell<u64>])> {
+        self.fill_rows(rows, rising, count)
     }
 }

@@ -149,7 +149,7 @@ fn interleaved(function: &Function, plan: &Plan) -> Vec<Step> {
                 // Ports write one after the other.
                 words.extend(position.map(|position| (memory, position)));
             }
-            Sink::Show(_) => {}
+            Sink::Show(_) | Sink::Row { .. } => {}
             Sink::Hold(_) => continue,
         }
         after.entry(position).or_default().push(index);

@@ -4,17 +4,22 @@ use std::collections::VecDeque;
 use std::ops::Range;
 
 use super::changes::{Changes, Id};
+use super::rows::Rows;
 use super::shown::Shown;
 use super::step_file::StepFile;
 use super::vcd::Vcd;
 use super::vcd_header::{Header, Variable, VariableKind};
 use super::{Observer, View};
-use crate::engine::program::Program;
+use crate::engine::Done;
+use crate::engine::program::{Program, Triggers};
 use crate::testbench::error::Error;
 
 /// How much is collected before it goes to the file, always in whole time steps: unless a run is killed in the midst of
 /// a write, its file ends with one.
-const CHUNK: usize = 1 << 17;
+const CHUNK: usize = 1 << 18;
+
+/// No edge.
+const NOTHING: Done = Done { edges: 0, changed: Triggers::NONE };
 
 /// Writes a waveform file.
 pub(crate) struct Dump {
@@ -23,6 +28,8 @@ pub(crate) struct Dump {
     window: Range<u64>,
     /// The values of the last step: of the file, or of the flight recorder.
     shown: Shown,
+    /// What takes many steps at once, if the engine gives them so.
+    rows: Option<Rows>,
     /// Whether the file has a step.
     begun: bool,
     /// The resets as the file shows them.
@@ -55,11 +62,20 @@ struct Step {
 
 impl Dump {
     /// Creates the file, or for a flight recorder only prepares it.
-    pub fn new(vcd: Vcd, program: &Program, header: Header, window: Range<u64>) -> Result<Dump, Error> {
+    /// The engine knows `rows` as the values of all variables.
+    pub fn new(
+        vcd: Vcd,
+        program: &Program,
+        header: Header,
+        window: Range<u64>,
+        rows: Option<usize>,
+    ) -> Result<Dump, Error> {
         let lanes: Vec<_> = header.variables.iter().map(|variable| (variable.value, variable.lane)).collect();
+        let shown = Shown::new(program, &lanes);
         let mut dump = Dump {
             file: StepFile::new(vcd.path, vcd.file),
-            shown: Shown::new(program, &lanes),
+            rows: rows.filter(|_| vcd.last.is_none()).map(|rows| Rows::new(rows, program, &shown, &header.variables)),
+            shown,
             header,
             window,
             begun: false,
@@ -87,6 +103,14 @@ impl Dump {
         self.text.clear();
     }
 
+    /// Has what is collected written, if it is much.
+    fn flush_much(&mut self) {
+        if self.text.bytes().len() >= CHUNK {
+            let file = &mut self.file;
+            self.text.exchange(|steps, length| file.hand_over(steps, length));
+        }
+    }
+
     /// Writes a time step: the values shown, as they have been since its begin, and the clocks that fall within it.
     fn step(&mut self, since: u64, until: u64, resets: &[bool]) {
         // An instant at which an assertion fails is shown again when it is tried again: time goes on from there.
@@ -103,9 +127,7 @@ impl Dump {
         }
         self.time = at;
         self.falls(at, until);
-        if self.text.bytes().len() >= CHUNK {
-            self.flush();
-        }
+        self.flush_much();
     }
 
     /// Writes what has changed since the last step.
@@ -172,7 +194,7 @@ impl Flight {
 }
 
 /// Writes a variable's new value.
-fn change(text: &mut Changes, variable: &Variable, limbs: &[u64]) {
+pub(super) fn change(text: &mut Changes, variable: &Variable, limbs: &[u64]) {
     match &variable.kind {
         VariableKind::Bit => text.bit(variable.id, limbs[0] != 0),
         VariableKind::Bits => text.bits(variable.id, limbs),
@@ -188,6 +210,9 @@ impl Observer for Dump {
         self.file.report()?;
         let (since, until) = (view.since.max(self.window.start), view.until.min(self.window.end));
         if since < until {
+            if let Some(rows) = &mut self.rows {
+                rows.leave(&mut self.shown);
+            }
             self.shown.take(view.engine, view.changed);
             match &mut self.flight {
                 None => self.step(since, until, view.resets),
@@ -195,6 +220,25 @@ impl Observer for Dump {
             }
         }
         Ok(())
+    }
+
+    fn rows(&mut self, view: &mut View, count: u64) -> Result<Done, Error> {
+        self.file.report()?;
+        let Dump { rows: Some(rows), header, shown, text, .. } = self else { return Ok(NOTHING) };
+        // What is not a step like the ones before is left to `sample`.
+        let is_alike = self.begun && self.resets == view.resets && view.since > self.time.max(self.window.start);
+        if !is_alike {
+            return Ok(NOTHING);
+        }
+        let period = view.until - view.since;
+        let count = count.min(self.window.end.saturating_sub(view.since) / period);
+        let done = rows.take(view, count, shown, header, text);
+        if done.edges > 0 {
+            let last = view.since + (done.edges - 1) * period;
+            self.time = header.clocks[0].fall(last).unwrap_or(last);
+        }
+        self.flush_much();
+        Ok(done)
     }
 
     fn failed(&mut self) {

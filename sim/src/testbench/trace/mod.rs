@@ -4,14 +4,16 @@ mod changes;
 mod dump;
 mod glob;
 mod recording;
+mod rows;
 mod shown;
 mod step_file;
+mod times;
 mod vcd;
 mod vcd_header;
 mod wave;
 
-use crate::engine::Engine;
 use crate::engine::program::{Program, Triggers};
+use crate::engine::{Done, Engine};
 use crate::testbench::error::Error;
 
 pub(crate) use dump::Dump;
@@ -44,6 +46,12 @@ pub(crate) struct View<'a> {
 pub(crate) trait Observer {
     /// The circuit as it is just before an edge. An error is one from before; the sample is then not taken.
     fn sample(&mut self, view: &mut View) -> Result<(), Error>;
+
+    /// Goes through as many edges of the only clock as it takes at once, up to `count`: none if it wants to see each of the
+    /// next ones.
+    fn rows(&mut self, _view: &mut View, _count: u64) -> Result<Done, Error> {
+        Ok(Done { edges: 0, changed: Triggers::NONE })
+    }
 
     /// Whether it wants no more samples.
     fn is_over(&self) -> bool {

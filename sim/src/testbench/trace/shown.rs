@@ -138,6 +138,23 @@ impl Shown {
         }
     }
 
+    /// Of each variable, how many limbs it shows.
+    pub fn limbs_of_variables(&self) -> impl Iterator<Item = usize> {
+        self.variables.limbs.iter().map(Range::len)
+    }
+
+    /// The limbs of one variable after the other, as they were last taken.
+    pub fn row(&self) -> impl Iterator<Item = u64> {
+        self.variables.limbs.iter().flat_map(|limbs| &self.limbs[limbs.clone()]).copied()
+    }
+
+    /// Takes what is in such a row, without a mark on what is another value.
+    pub fn take_row(&mut self, row: &[u64]) {
+        let places = self.variables.limbs.iter().cloned().flatten();
+        places.zip(row).for_each(|(place, limb)| self.limbs[place] = *limb);
+        self.values.iter_mut().for_each(|traced| traced.seen.clear());
+    }
+
     /// Marks all variables as changed.
     pub fn mark_all(&mut self) {
         self.variables.mark_all();

@@ -4,6 +4,8 @@ use std::fs::File;
 use std::io::{self, Write};
 use std::path::PathBuf;
 use std::sync::Arc;
+use std::sync::mpsc::{Receiver, SyncSender, channel, sync_channel};
+use std::thread::{self, JoinHandle};
 
 use crate::testbench::error::Error;
 
@@ -13,42 +15,88 @@ pub(super) struct StepFile {
     /// One that was open already.
     given: Option<Arc<File>>,
     /// None before [`StepFile::create`], and after an error.
-    file: Option<Arc<File>>,
-    /// Whether nothing was in it before.
-    was_empty: bool,
-    /// How many bytes were written.
-    length: u64,
+    file: Option<Grown>,
+    /// Whether something else writes it: not where there is but one processor. It takes long to find out.
+    is_apart: Option<bool>,
+    /// What writes it meanwhile.
+    writer: Option<Writer>,
     /// What is still to be reported.
     error: Option<Error>,
 }
 
+/// A file and how far it is written.
+#[derive(Clone)]
+struct Grown {
+    file: Arc<File>,
+    /// Whether nothing was in it before.
+    was_empty: bool,
+    /// How many bytes were written.
+    length: u64,
+}
+
+/// A thread that writes: the system takes about as long for a step as it takes to make its text.
+struct Writer {
+    /// What is to be written, and how much of it.
+    full: SyncSender<(Vec<u8>, usize)>,
+    /// What it came in.
+    written: Receiver<Vec<u8>>,
+    thread: JoinHandle<io::Result<Grown>>,
+}
+
+/// How many pieces wait to be written before somebody waits for that: the system may be slow to start the thread.
+const WAITING: usize = 2;
+
 impl StepFile {
     /// A file of that name, which is not created yet unless it is given.
     pub fn new(path: PathBuf, given: Option<Arc<File>>) -> StepFile {
-        StepFile { path, given, file: None, was_empty: false, length: 0, error: None }
+        StepFile { path, given, file: None, is_apart: None, writer: None, error: None }
     }
 
     /// Creates the file, or takes the one that was given.
     pub fn create(&mut self) {
         let file = self.given.take().map_or_else(|| File::create(&self.path).map(Arc::new), Ok);
-        match file.and_then(|file| Ok((file.metadata()?.len() == 0, file))) {
-            Ok((was_empty, file)) => (self.was_empty, self.file) = (was_empty, Some(file)),
+        match file.and_then(|file| Ok(Grown { was_empty: file.metadata()?.len() == 0, file, length: 0 })) {
+            Ok(file) => self.file = Some(file),
             Err(source) => self.fail(source),
         }
     }
 
-    /// Adds whole time steps. If they do not fit, the file keeps those from before, so that it still opens.
+    /// Adds whole time steps after all that were handed over. If they do not fit, the file keeps those that do, so that it still opens.
     pub fn append(&mut self, steps: &[u8]) {
-        let Some(file) = &mut self.file else { return };
-        match file.write_all(steps) {
-            Ok(()) => self.length += steps.len() as u64,
-            Err(source) => {
-                // What is no regular file, such as a pipe, keeps what it has got; the error is the one to report.
-                if self.was_empty {
-                    let _ = file.set_len(self.length);
-                }
-                self.fail(source);
-            }
+        self.settle();
+        if let Some(Err(source)) = self.file.as_mut().map(|file| file.append(steps)) {
+            self.fail(source);
+        }
+    }
+
+    /// Adds whole time steps as [`StepFile::append`] does, perhaps later, and meanwhile gives room for the next ones. What goes
+    /// wrong is reported later too. The steps are the first `length` bytes.
+    pub fn hand_over(&mut self, steps: Vec<u8>, length: usize) -> Vec<u8> {
+        let Some(file) = &self.file else { return steps };
+        let several = || thread::available_parallelism().is_ok_and(|processors| processors.get() > 1);
+        if self.writer.is_none() && *self.is_apart.get_or_insert_with(several) {
+            self.writer = Writer::start(file.clone());
+        }
+        let Some(writer) = &self.writer else {
+            self.append(&steps[..length]);
+            return steps;
+        };
+        let room = steps.len();
+        if writer.full.send((steps, length)).is_err() {
+            self.settle();
+            return Vec::new();
+        }
+        // Zeros from the system take no time before they are written.
+        writer.written.try_recv().unwrap_or_else(|_| vec![0; room])
+    }
+
+    /// Waits until all that was handed over is written.
+    fn settle(&mut self) {
+        let Some(Writer { full, thread, .. }) = self.writer.take() else { return };
+        drop(full);
+        match thread.join().unwrap_or_else(|_| Err(io::Error::other("the thread that writes it has ended"))) {
+            Ok(file) => self.file = Some(file),
+            Err(source) => self.fail(source),
         }
     }
 
@@ -60,5 +108,103 @@ impl StepFile {
     fn fail(&mut self, source: io::Error) {
         self.file = None;
         self.error = Some(Error::Trace { path: self.path.clone(), source });
+    }
+}
+
+impl Grown {
+    fn append(&mut self, steps: &[u8]) -> io::Result<()> {
+        let mut written = 0;
+        while written < steps.len() {
+            match self.file.as_ref().write(&steps[written..]) {
+                Err(error) if error.kind() == io::ErrorKind::Interrupted => {}
+                Ok(more) if more > 0 => written += more,
+                refused => {
+                    // What is no regular file, such as a pipe, keeps what it has got; the error is the one to report.
+                    if self.was_empty {
+                        let _ = self.file.set_len(self.length + whole_steps(&steps[..written]) as u64);
+                    }
+                    return refused.and(Err(io::ErrorKind::WriteZero.into()));
+                }
+            }
+        }
+        self.length += written as u64;
+        Ok(())
+    }
+}
+
+/// Up to where a text of steps, of which the last is not at its end, has whole ones: each begins with a line of its time.
+fn whole_steps(text: &[u8]) -> usize {
+    text.windows(2).rposition(|pair| pair == b"\n#").map_or(0, |end| end + 1)
+}
+
+impl Writer {
+    /// Nothing where no thread is to be had.
+    fn start(mut file: Grown) -> Option<Writer> {
+        let (full, filled) = sync_channel::<(Vec<u8>, usize)>(WAITING);
+        let (empty, written) = channel();
+        let write = move || {
+            for (steps, length) in filled {
+                file.append(&steps[..length])?;
+                // At the end, nobody takes it any more.
+                let _ = empty.send(steps);
+            }
+            Ok(file)
+        };
+        let thread = thread::Builder::new().name("waveform".to_owned()).spawn(write).ok()?;
+        Some(Writer { full, written, thread })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_handed_over_comes_before_what_is_appended() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("steps");
+        let mut file = StepFile::new(path.clone(), None);
+        file.create();
+        let mut expected = Vec::new();
+        let mut room = Vec::new();
+        for step in 0..300_u32 {
+            let text = format!("step {step}\n").repeat(step as usize);
+            room.resize(text.len().max(room.len()), 0);
+            room[..text.len()].copy_from_slice(text.as_bytes());
+            expected.extend_from_slice(text.as_bytes());
+            if step % 50 == 0 {
+                file.append(text.as_bytes());
+            } else {
+                room = file.hand_over(room, text.len());
+            }
+        }
+        file.append(b"end\n");
+        expected.extend_from_slice(b"end\n");
+        file.report().unwrap();
+        assert!(std::fs::read(path).unwrap() == expected);
+    }
+
+    #[test]
+    fn whole_steps_end_where_the_last_one_begins() {
+        for (text, whole) in [("", 0), ("#1", 0), ("#1\n0#\n", 0), ("#1\n0#\n#", 6), ("#1\n0!\n#2\nb1 #\n#3\n0", 14)] {
+            assert_eq!(whole_steps(text.as_bytes()), whole, "{text}");
+        }
+    }
+
+    #[test]
+    fn an_error_of_what_was_handed_over_is_reported_once() {
+        for is_apart in [false, true] {
+            let mut file = StepFile::new("/dev/full".into(), None);
+            file.is_apart = Some(is_apart);
+            file.create();
+            file.hand_over(b"step".to_vec(), 4);
+            // It takes nothing more.
+            file.append(b"step");
+            let error = file.report().unwrap_err().to_string();
+            assert!(error.starts_with("cannot write the trace /dev/full: No space left"), "{error}");
+            file.hand_over(b"step".to_vec(), 4);
+            file.append(b"step");
+            file.report().unwrap();
+        }
     }
 }

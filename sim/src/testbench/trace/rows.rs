@@ -1,0 +1,137 @@
+//! Many steps of a waveform at once: an engine leaves the values before each edge in rows, and what is different from one
+//! row to the next is what changes in the file.
+
+use std::cell::Cell;
+
+use super::View;
+use super::changes::{BLOCK, Changes, Short};
+use super::dump::change;
+use super::shown::Shown;
+use super::vcd_header::{Header, Variable, VariableKind};
+use crate::engine::program::Program;
+use crate::engine::{Done, LINE};
+
+/// What is known of rows, whose limbs are those of one variable after the other.
+pub(super) struct Rows {
+    /// What the engine knows them by.
+    index: usize,
+    /// Limbs of a row.
+    length: usize,
+    blocks: Vec<Block>,
+    /// By variable: its first limb; and the end of the last.
+    starts: Vec<usize>,
+    /// The last row.
+    last: Vec<[u64; BLOCK]>,
+    /// By block: a bit for each limb that is another than in the row before.
+    changed: Vec<u64>,
+    /// Whether the last step was one of a row.
+    are_ahead: bool,
+}
+
+/// How some limbs of a row are written.
+struct Block {
+    /// As lines of variables of their own.
+    shorts: [Short; BLOCK],
+    /// But for those that have a bit here: their variables have more than 32 bits, or are strings.
+    others: u64,
+    variables: [usize; BLOCK],
+}
+
+impl Rows {
+    /// Rows that the engine knows by that index.
+    pub fn new(index: usize, program: &Program, shown: &Shown, variables: &[Variable]) -> Rows {
+        let (mut blocks, mut starts, mut end) = (Vec::new(), vec![0], 0);
+        for ((number, variable), limbs) in variables.iter().enumerate().zip(shown.limbs_of_variables()) {
+            let short = Short::new(variable.id, matches!(variable.kind, VariableKind::Bit));
+            let is_other = program.value(variable.value).width > 32 || matches!(variable.kind, VariableKind::State(_));
+            for limb in end..end + limbs {
+                if limb % BLOCK == 0 {
+                    blocks.push(Block { shorts: [short; BLOCK], others: 0, variables: [0; BLOCK] });
+                }
+                let Block { shorts, others, variables } = &mut blocks[limb / BLOCK];
+                (shorts[limb % BLOCK], variables[limb % BLOCK]) = (short, number);
+                *others |= u64::from(is_other) << (limb % BLOCK);
+            }
+            end += limbs;
+            starts.push(end);
+        }
+        let (last, changed) = (vec![[0; BLOCK]; blocks.len()], vec![0; blocks.len()]);
+        Rows { index, length: end.next_multiple_of(LINE), blocks, starts, last, changed, are_ahead: false }
+    }
+
+    /// Has somebody else go on from the last row.
+    pub fn leave(&mut self, shown: &mut Shown) {
+        if std::mem::take(&mut self.are_ahead) {
+            shown.take_row(self.last.as_flattened());
+        }
+    }
+
+    /// Takes steps, up to `count`, of the only clock, and writes them; each begins with an edge.
+    pub fn take(&mut self, view: &mut View, count: u64, shown: &Shown, header: &Header, text: &mut Changes) -> Done {
+        let none = Done { edges: 0, changed: view.changed };
+        if count == 0 {
+            return none;
+        }
+        let Some((done, rows)) = view.engine.edges_in_rows(self.index, view.rising, count) else { return none };
+        if !std::mem::replace(&mut self.are_ahead, true) {
+            self.last.as_flattened_mut().iter_mut().zip(shown.row()).for_each(|(last, limb)| *last = limb);
+        }
+        let clock = &header.clocks[0];
+        let fall = clock.fall(view.until).map(|fall| fall - view.until);
+        let mut time = view.since;
+        for row in rows.chunks_exact(self.length) {
+            self.row(row, time, header, text);
+            if let Some(fall) = fall {
+                if let Some(id) = clock.id {
+                    text.at(time);
+                    text.bit(id, true);
+                }
+                text.at(time + fall);
+                clock.id.into_iter().for_each(|id| text.bit(id, false));
+            }
+            time += view.until - view.since;
+        }
+        done
+    }
+
+    /// Writes what is another value than in the row before.
+    fn row(&mut self, row: &[Cell<u64>], time: u64, header: &Header, text: &mut Changes) {
+        let Rows { blocks, starts, last, changed, .. } = self;
+        for ((row, last), changed) in row.chunks(BLOCK).zip(&mut *last).zip(&mut *changed) {
+            *changed = replace(row, last);
+        }
+        let mut written = None;
+        for ((block, limbs), &changed) in blocks.iter().zip(&*last).zip(&*changed) {
+            if changed == 0 {
+                continue;
+            }
+            text.at(time);
+            let mut rest = changed;
+            while rest & block.others != 0 {
+                let place = (rest & block.others).trailing_zeros();
+                text.shorts(rest & ((1 << place) - 1), &block.shorts, limbs);
+                rest &= (u64::MAX - 1) << place;
+                let variable = block.variables[place as usize];
+                // One of several limbs is written with the first of them that is another.
+                if written.replace(variable) != Some(variable) {
+                    let limbs = &last.as_flattened()[starts[variable]..starts[variable + 1]];
+                    change(text, &header.variables[variable], limbs);
+                }
+            }
+            text.shorts(rest, &block.shorts, limbs);
+        }
+    }
+}
+
+/// Replaces numbers, a multiple of [`LINE`]; gives a bit for each that was another.
+#[inline]
+fn replace(new: &[Cell<u64>], old: &mut [u64; BLOCK]) -> u64 {
+    let mut all = 0;
+    for ((new, old), line) in new.as_chunks::<LINE>().0.iter().zip(old.as_chunks_mut::<LINE>().0).zip(0..) {
+        // Whether one is another is hard to foresee, and so no branch.
+        let changed = (0..LINE).fold(0, |changed, place| changed | u64::from(new[place].get() != old[place]) << place);
+        *old = std::array::from_fn(|place| new[place].get());
+        all |= changed << (LINE * line);
+    }
+    all
+}
