@@ -376,14 +376,16 @@ impl Signal {
     #[track_caller]
     pub(crate) fn shift_by(self, shift: Shift, amount: u32) -> Signal {
         let kept = self.width.saturating_sub(amount);
-        match (shift, kept) {
+        let shifted = match (shift, kept) {
             (_, kept) if kept == self.width => self,
-            (Shift::Left, 0) | (Shift::Right, 0) => crate::lit(self.width, 0).kept_as(self.kind),
-            (Shift::RightSigned, 0) => self.msb().repeat(self.width).kept_as(self.kind),
-            (Shift::Left, _) => crate::concat(&[self.trunc(kept), crate::lit(amount, 0)]).kept_as(self.kind),
-            (Shift::Right, _) => self.slice(amount..self.width).zext(self.width).kept_as(self.kind),
-            (Shift::RightSigned, _) => self.slice(amount..self.width).sext(self.width).kept_as(self.kind),
-        }
+            (Shift::Left, 0) | (Shift::Right, 0) => crate::lit(self.width, 0),
+            (Shift::RightSigned, 0) => self.msb().repeat(self.width),
+            (Shift::Left, _) => crate::concat(&[self.trunc(kept), crate::lit(amount, 0)]),
+            (Shift::Right, _) => self.slice(amount..self.width).zext(self.width),
+            (Shift::RightSigned, _) => self.slice(amount..self.width).sext(self.width),
+        };
+        // Not of the node, which may be an operand itself.
+        Signal { kind: self.kind, ..shifted }
     }
 
     /// Declares that another clock may sample this signal as it is, because it is stable whenever that happens. The

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use tilewright_hdl::{Block, Module, ReadUnderWrite, Width, bit, bits, bundle, lit, states, when};
+use tilewright_hdl::{Block, Module, ReadUnderWrite, Width, bit, bits, bundle, codes, lit, when};
 use tilewright_sim::{EngineKind, Error, Passes, Simulation, Vcd};
 
 bundle! {
@@ -11,11 +11,11 @@ bundle! {
     pub struct MixOut<T> { pub wide: T, pub read: T }
 }
 
-states! {
+codes! {
     enum Phase { Idle, Load, Store }
 }
 
-/// Values of all kinds that a row has: of a bit, of several, of several limbs, names of states, words of a memory; and an
+/// Values of all kinds that a row has: of a bit, of several, of several limbs, names of codes, words of a memory; and an
 /// assertion on a count.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Mix;

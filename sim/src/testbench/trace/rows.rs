@@ -43,7 +43,7 @@ impl Rows {
         let (mut blocks, mut starts, mut end) = (Vec::new(), vec![0], 0);
         for ((number, variable), limbs) in variables.iter().enumerate().zip(shown.limbs_of_variables()) {
             let short = Short::new(variable.id, matches!(variable.kind, VariableKind::Bit));
-            let is_other = program.value(variable.value).width > 32 || matches!(variable.kind, VariableKind::State(_));
+            let is_other = program.value(variable.value).width > 32 || matches!(variable.kind, VariableKind::Code(_));
             for limb in end..end + limbs {
                 if limb % BLOCK == 0 {
                     blocks.push(Block { shorts: [short; BLOCK], others: 0, variables: [0; BLOCK] });
