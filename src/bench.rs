@@ -19,12 +19,13 @@ Examples:
   tilewright bench qt1 --against verilator --seconds 0.1
 
 The designs, with a size for N:
-  pimN   a chain of N merging units, each with a local frame buffer
-  qtN    N units that walk down quadtrees
-  flatN  the same, each unit a module of its own, so that nothing is replicated
-  coreN  N processors of RV32I, each with a program that sorts words
-  simdN  N x N processors under one instruction
-  vc1xN  a VC-1 with N processors that draw at random, frame after frame; vc1xN@WxH has another screen than 640x480
+  pimN       a chain of N merging units, each with a local frame buffer
+  qtN        N units that walk down quadtrees
+  flatN      the same, each unit a module of its own, so that nothing is replicated
+  coreN      N processors of RV32I, each with a program that sorts words
+  simdN      N x N processors under one instruction
+  systolicN  N x N cells that multiply matrices
+  vc1xN      a VC-1 with N processors that draw at random, frame after frame; vc1xN@WxH has another screen than 640x480
 
 qt1*16 is qt1 with 16 stimuli at once, as vector lanes, beside one alone; the time is for a cycle of one stimulus. A VC-1 has
 none to choose from.

@@ -6,7 +6,7 @@ use crate::ir::{Kind, Names, Relation};
 use crate::loc::Loc;
 use crate::operand::{Literal, Operand, Value};
 use crate::problem::Problem;
-use crate::select::case;
+use crate::select::by_code;
 use crate::signal::{Signal, bits_text};
 use crate::width::{Width, below};
 
@@ -89,13 +89,11 @@ impl Signal {
     }
 
     /// For each code what `of` says, a signal, a number or a record: `step.source.choose(|source| match source { .. })`. Where an enum has fewer codes
-    /// than its bits could hold, the others are taken for the last one.
+    /// than its bits could hold, the others give what most codes do, of as many the last.
     #[track_caller]
     pub fn choose<C: Codes, V: Data, A: Fits<V>>(self, of: impl Fn(C) -> A) -> V {
         let subject = self.read_as(Kind::Code(C::NAMES), "choose");
-        let mut arms: Vec<_> = C::ALL.iter().map(|code| (code.code(), of(*code))).collect();
-        let (_, last) = arms.pop().expect("an enum has a code");
-        case(subject, arms, last)
+        by_code(subject, C::ALL.iter().map(|code| of(*code).given()).collect())
     }
 
     /// The bits as a code of that enum.

@@ -4,7 +4,7 @@ use crate::bits::Bits;
 use crate::bundle::Fields;
 use crate::data::{Data, Fits, Given};
 use crate::elaboration;
-use crate::ir::{Kind, Op, Shape};
+use crate::ir::{Kind, NodeId, Op, Shape};
 use crate::limits::sound_width;
 use crate::loc::Loc;
 use crate::operand::{Literal, Value};
@@ -217,20 +217,53 @@ pub fn case<V: Data, A: Fits<V>>(
         elaboration::with(|e| e.report(Problem::new(loc, problem).help("each key is a value of the subject, once")));
     }
     let keys: Vec<_> = keys.into_iter().map(|key| Bits::new(subject.width, key)).collect();
-    let values = given(values, default);
-    let (shape, fields) = fields(values, "case");
+    by_value(subject, &keys, given(values, default), "case")
+}
+
+/// For each code of an enum, in order, one of `values`.
+#[track_caller]
+pub(crate) fn by_code<V: Data>(subject: Signal, values: Vec<Given<V>>) -> V {
+    let keys: Vec<_> = (0..values.len() as u64).map(|code| Bits::new(subject.width, code)).collect();
+    by_value(subject, &keys, values, "choose")
+}
+
+/// A value for each key, and a default behind them; without one, what most keys share is the default, and said once.
+#[track_caller]
+fn by_value<V: Data>(subject: Signal, keys: &[Bits], values: Vec<Given<V>>, of: &str) -> V {
+    let (loc, has_default) = (Loc::caller(), values.len() > keys.len());
+    let (shape, fields) = fields(values, of);
     let mut chosen = Vec::with_capacity(fields.len());
     for values in fields {
-        let mut values = sized(values, "case");
+        let mut values = sized(values, of);
         let Signal { width, kind, .. } = values[0];
         values.push(subject);
-        let lanes = level_all(&mut values, "case");
-        let mut nodes = values.into_iter().map(|value| value.id_at(loc));
-        let arms = keys.iter().cloned().zip(nodes.by_ref()).collect();
-        let [default, subject] = [nodes.next(), nodes.next()].map(|node| node.expect("a default and a subject"));
-        chosen.push(Signal::make(Op::Case { subject, arms, default }, width, lanes).kept_as(kind));
+        let lanes = level_all(&mut values, of);
+        let mut nodes: Vec<NodeId> = values.into_iter().map(|value| value.id_at(loc)).collect();
+        let subject = nodes.pop().expect("the subject is the last");
+        let op = if has_default {
+            let default = nodes.pop().expect("the default is the last but one");
+            Op::Case { subject, arms: keys.iter().cloned().zip(nodes).collect(), default }
+        } else {
+            let default = shared(&nodes);
+            let is_other = |(_, node): &(Bits, NodeId)| !same(*node, default);
+            Op::Case { subject, arms: keys.iter().cloned().zip(nodes).filter(is_other).collect(), default }
+        };
+        chosen.push(Signal::make(op, width, lanes).kept_as(kind));
     }
     shaped(&shape, chosen)
+}
+
+/// The node that stands most often among these, as itself or as the same constant; of as many, the last.
+fn shared(nodes: &[NodeId]) -> NodeId {
+    let often = |node: &&NodeId| nodes.iter().filter(|other| same(**node, **other)).count();
+    *nodes.iter().max_by_key(often).expect("an enum has a code")
+}
+
+fn same(a: NodeId, b: NodeId) -> bool {
+    elaboration::draft(|draft| match (&draft.node(a).op, &draft.node(b).op) {
+        (Op::Const(a), Op::Const(b)) => a == b,
+        _ => a == b,
+    })
 }
 
 /// What the arms give, and then what the default does.

@@ -8,6 +8,8 @@ mod crossing;
 mod fifo;
 #[path = "../examples/program.rs"]
 mod program;
+#[path = "../examples/rv32i.rs"]
+mod rv32i;
 #[path = "../examples/systolic.rs"]
 mod systolic;
 
@@ -34,4 +36,9 @@ fn the_matrices_are_multiplied() {
 #[test]
 fn the_program_runs() {
     program::main().unwrap();
+}
+
+#[test]
+fn the_processor_runs() {
+    rv32i::main().unwrap();
 }

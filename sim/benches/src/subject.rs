@@ -246,7 +246,7 @@ mod tests {
             assert_eq!(name.parse::<Subject>().unwrap().to_string(), name);
         }
         let wrong = [
-            ("pin16", "pimN, qtN, flatN, coreN, simdN, vc1xN"),
+            ("pin16", "pimN, qtN, flatN, coreN, simdN, systolicN, vc1xN"),
             ("", "pimN"),
             ("qt", "from 1"),
             ("simd257", "to 256"),

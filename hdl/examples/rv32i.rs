@@ -1,0 +1,181 @@
+//! A processor of the RV32I instruction set, one instruction a clock, without interrupts; words and halves lie at addresses that are multiples
+//! of their size. It runs a flat binary that is loaded at address 0, until it comes to a stop address:
+//! `cargo run -p tilewright-hdl --example rv32i -- program.bin 0x80`; without arguments, a program of its own.
+
+use tilewright_hdl::*;
+use tilewright_sim::Simulation;
+
+codes! {
+    /// What an instruction is, by bits 2 to 6 of it.
+    enum Opcode {
+        Load, LoadFloat, Custom0, Fence, Immediate, AddToPc, Word32, Long48,
+        Store, StoreFloat, Custom1, Atomic, Register, LoadUpper, Word64, Long64,
+        MultiplyAdd, MultiplySubtract, NegateSubtract, NegateAdd, Float, Vector, Custom2, Long48Too,
+        Branch, JumpRegister, Reserved, Jump, System, Reserved1, Custom3, Longer,
+    }
+
+    /// What the arithmetic unit does, by `funct3`.
+    enum Operation { Add, ShiftLeft, Less, LessUnsigned, Xor, ShiftRight, Or, And }
+}
+
+bundle! {
+    struct CoreOut<T> { pc: T, stopped: T }
+
+    /// The immediate operands that an instruction may have.
+    struct Immediates<T> { i: T, s: T, b: T, u: T, j: T }
+}
+
+fn immediates(instruction: Signal) -> Immediates {
+    let sign = instruction.bit(31);
+    Immediates {
+        i: instruction.part(20, 12).sext(32),
+        s: cat![instruction.part(25, 7), instruction.part(7, 5)].sext(32),
+        b: cat![sign, instruction.bit(7), instruction.part(25, 6), instruction.part(8, 4), lit(1, 0)].sext(32),
+        u: cat![instruction.part(12, 20), lit(12, 0)],
+        j: cat![sign, instruction.part(12, 8), instruction.bit(20), instruction.part(21, 10), lit(1, 0)].sext(32),
+    }
+}
+
+/// The processor with its memory.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+struct Core {
+    /// The words of memory, a power of two.
+    words: u32,
+    /// The address at which it stops.
+    stop: u32,
+}
+
+impl Block for Core {
+    type In = ();
+    type Out = CoreOut;
+
+    fn inputs(&self) {}
+
+    fn build(&self, m: Module, _: ()) -> CoreOut {
+        let pc = m.reg("pc", 32).reset(0);
+        net!(stopped = pc.eq(self.stop));
+
+        // Four bytes side by side, each of which may be written alone.
+        let memory = m.memory("memory", self.words, bits(8).of(4), ReadUnderWrite::Any);
+        let place = |address: Signal| address.part(2, memory.address_width());
+        net!(instruction = memory.read_async(place(*pc)).pack());
+        net!(opcode = instruction.part(2, 5).code::<Opcode>());
+        net!(funct3 = instruction.part(12, 3));
+        let immediate = immediates(instruction);
+
+        let registers = m.memory("x", 32, 32, ReadUnderWrite::Any).fill(Bits::zero(32));
+        net!(left = registers.read_async(instruction.part(15, 5)));
+        net!(right = registers.read_async(instruction.part(20, 5)));
+
+        let computes_with_register = opcode.is(Opcode::Register);
+        net!(operand = mux(computes_with_register, right, immediate.i));
+        let is_other = instruction.bit(30);
+        let amount = operand.trunc(5);
+        net!(
+            computed = funct3.code::<Operation>().choose(|operation| match operation {
+                Operation::Add => mux(computes_with_register & is_other, left - operand, left + operand),
+                Operation::ShiftLeft => left << amount,
+                Operation::Less => left.signed().lt(operand.signed()).zext(32),
+                Operation::LessUnsigned => left.lt(operand).zext(32),
+                Operation::Xor => left ^ operand,
+                Operation::ShiftRight => mux(is_other, (left.signed() >> amount).bits(), left >> amount),
+                Operation::Or => left | operand,
+                Operation::And => left & operand,
+            })
+        );
+
+        // Branches: equal, less, less unsigned, or the reverse.
+        let less = [(2, left.signed().lt(right.signed())), (3, left.lt(right))];
+        net!(taken = case(funct3.part(1, 2), less, left.eq(right)) ^ funct3.bit(0));
+        net!(following = pc + 4);
+        net!(
+            target = opcode.choose(|opcode| match opcode {
+                Opcode::Jump => pc + immediate.j,
+                Opcode::JumpRegister => cat![(left + immediate.i).part(1, 31), lit(1, 0)],
+                Opcode::Branch => mux(taken, pc + immediate.b, following),
+                _ => following,
+            })
+        );
+        pc.when(!stopped, target);
+
+        // Loads and stores of 1, 2 or 4 bytes.
+        net!(address = left + mux(opcode.is(Opcode::Store), immediate.s, immediate.i));
+        let offset = address.trunc(2);
+        net!(word = memory.read_async(place(address)).pack() >> cat![offset, lit(3, 0)]);
+        let is_unsigned = funct3.bit(2);
+        let extended = |bits: u32| mux(is_unsigned, word.trunc(bits).zext(32), word.trunc(bits).sext(32));
+        net!(loaded = case(funct3.part(0, 2), [(0, extended(8)), (1, extended(16))], word));
+        let size = funct3.part(0, 2);
+        let bytes = case(size, [(0, right.trunc(8).repeat(4)), (1, right.trunc(16).repeat(2))], right);
+        net!(written = case(size, arms![0 => lit(4, 1), 1 => 3], 15) << offset);
+        memory.write(opcode.is(Opcode::Store) & !stopped & written.unpack(4), place(address), bytes.unpack(4));
+
+        net!(
+            result = opcode.choose(|opcode| match opcode {
+                Opcode::Load => loaded,
+                Opcode::LoadUpper => immediate.u,
+                Opcode::AddToPc => pc + immediate.u,
+                Opcode::Jump | Opcode::JumpRegister => following,
+                _ => computed,
+            })
+        );
+        let has_none = [Opcode::Store, Opcode::Branch, Opcode::Fence, Opcode::System].map(|none| opcode.is(none));
+        let to = instruction.part(7, 5);
+        registers.write(!stopped & to.ne(0) & !stack(has_none).or_all(), to, result);
+        CoreOut { pc: pc.value(), stopped }
+    }
+}
+
+/// The sum of the squares from 1 to 10, by addition alone, and a byte stored and loaded again.
+const PROGRAM: [u32; 14] = [
+    0x00a0_0593, // li   a1, 10
+    0x0000_0513, // li   a0, 0
+    0x0005_8613, // outer: mv a2, a1
+    0x00b5_0533, // inner: add a0, a0, a1
+    0xfff6_0613, // addi a2, a2, -1
+    0xfe06_1ce3, // bnez a2, inner
+    0xfff5_8593, // addi a1, a1, -1
+    0xfe05_96e3, // bnez a1, outer
+    0x10a0_01a3, // sb   a0, 259(zero)
+    0x1030_0683, // lb   a3, 259(zero)
+    0x1030_4703, // lbu  a4, 259(zero)
+    0x0000_0013, // nop
+    0x0000_0013, // nop
+    0x0000_006f, // stop: j stop
+];
+
+/// Runs it; a test does so too.
+pub fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let arguments: Vec<String> = std::env::args().collect();
+    let (program, stop) = match &arguments[..] {
+        [_, file, stop] if !file.starts_with('-') => {
+            let bytes = std::fs::read(file)?;
+            let word = |bytes: &[u8]| bytes.iter().rev().fold(0, |word, byte| word << 8 | u32::from(*byte));
+            let stop = u32::from_str_radix(stop.trim_start_matches("0x"), 16)?;
+            (bytes.chunks(4).map(word).collect(), stop)
+        }
+        _ => (PROGRAM.to_vec(), 4 * (PROGRAM.len() as u32 - 1)),
+    };
+    let words = (program.len() as u32).next_power_of_two().max(16_384);
+    let mut sim = Simulation::of(&Core { words, stop })?;
+    for (address, word) in (0..).zip(&program) {
+        for (lane, byte) in word.to_le_bytes().into_iter().enumerate() {
+            sim.poke_memory(&format!("memory[{lane}]"), address, byte)?;
+        }
+    }
+    sim.reset();
+    let mut instructions = 0u64;
+    while sim.get_u64(sim.o.stopped) == 0 {
+        instructions += 1;
+        if instructions > 1_000_000 {
+            return Err(format!("it does not come to {stop:#x} in a million instructions").into());
+        }
+        sim.step();
+    }
+    let register = |number| sim.peek_memory("x", number).map(|value| value.to_u64().expect("32 bits"));
+    println!("{instructions} instructions; gp = {}, a0 = {}", register(3)?, register(10)?);
+    if program == PROGRAM {
+        assert_eq!([10, 13, 14].map(|number| register(number).unwrap_or(0)), [385, 0xffff_ff81, 0x81]);
+    }
+    Ok(())
+}
