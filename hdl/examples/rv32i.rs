@@ -71,8 +71,9 @@ impl Block for Core {
         net!(operand = mux(computes_with_register, right, immediate.i));
         let is_other = instruction.bit(30);
         let amount = operand.trunc(5);
+        net!(operation = funct3.code::<Operation>());
         net!(
-            computed = funct3.code::<Operation>().choose(|operation| match operation {
+            computed = operation.choose(|operation| match operation {
                 Operation::Add => mux(computes_with_register & is_other, left - operand, left + operand),
                 Operation::ShiftLeft => left << amount,
                 Operation::Less => left.signed().lt(operand.signed()).zext(32),

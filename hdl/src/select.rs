@@ -246,7 +246,12 @@ fn by_value<V: Data>(subject: Signal, keys: &[Bits], values: Vec<Given<V>>, of: 
         } else {
             let default = shared(&nodes);
             let is_other = |(_, node): &(Bits, NodeId)| !same(*node, default);
-            Op::Case { subject, arms: keys.iter().cloned().zip(nodes).filter(is_other).collect(), default }
+            let arms: Vec<_> = keys.iter().cloned().zip(nodes).filter(is_other).collect();
+            if arms.is_empty() {
+                chosen.push(elaboration::with(|e| Signal::at(e, default)));
+                continue;
+            }
+            Op::Case { subject, arms, default }
         };
         chosen.push(Signal::make(op, width, lanes).kept_as(kind));
     }

@@ -55,3 +55,49 @@ fn choices_take_records_and_numbers_in_any_place() {
         assert_eq!(sim.read_u64(), ChooseOut { mux, select, case, zero, numbers: number, list, word, back }, "by {by}");
     }
 }
+
+codes! { enum Way { Left, Right, Both } }
+
+/// Chooses by a code: all, one for most of them, and the same for all.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+struct Ways;
+
+bundle! {
+    struct WaysIn<T> { way: T, a: T, b: T }
+    struct WaysOut<T> { all: T, most: T, one: T, record: WaysIn<T> }
+}
+
+impl Block for Ways {
+    type In = WaysIn;
+    type Out = WaysOut;
+
+    fn inputs(&self) -> WaysIn<Width> {
+        WaysIn { way: one_of::<Way>(), a: bits(8), b: bits(8) }
+    }
+
+    fn build(&self, _: Module, i: WaysIn) -> WaysOut {
+        WaysOut {
+            all: i.way.choose(|way| match way {
+                Way::Left => i.a,
+                Way::Right => i.b,
+                Way::Both => i.a ^ i.b,
+            }),
+            most: i.way.choose(|way| if let Way::Right = way { i.b } else { lit(8, 5) }),
+            one: i.way.choose(|_: Way| i.a),
+            record: i.way.choose(|way| if let Way::Left = way { i } else { WaysIn { a: i.b, b: i.a, ..i } }),
+        }
+    }
+}
+
+#[test]
+fn what_many_codes_share_is_said_once() {
+    let mut sim = Simulation::of(&Ways).unwrap();
+    for (way, all, most, swapped) in [(0, 7, 5, [7, 9]), (1, 9, 9, [9, 7]), (2, 14, 5, [9, 7])] {
+        sim.drive(WaysIn { way, a: 7, b: 9 });
+        let [a, b] = swapped;
+        assert_eq!(sim.read_u64(), WaysOut { all, most, one: 7, record: WaysIn { way, a, b } });
+    }
+    let text = &tilewright_gen::verilog(&elaborate(&Ways).unwrap())[0].text;
+    assert!(text.contains("WAY_RIGHT: most = b;") && !text.contains("WAY_LEFT: most"), "{text}");
+    assert!(text.contains("assign one = a;"), "{text}");
+}
