@@ -48,6 +48,13 @@ pub struct Clock {
     pub period: Period,
 }
 
+/// Its name: a testbench takes a clock, or the name of one.
+impl AsRef<str> for Clock {
+    fn as_ref(&self) -> &str {
+        self.name
+    }
+}
+
 impl Clock {
     /// A clock of that name and period.
     pub const fn new(name: &'static str, period: Period) -> Clock {

@@ -92,7 +92,7 @@ impl Hardware {
     pub fn swap_local_buffers(&mut self) -> Result<(), Error> {
         let swaps: Vec<_> = self.sim.i.processors.iter().map(|port| port.swap).collect();
         swaps.iter().for_each(|&swap| self.sim.set(swap, true));
-        self.tick(PE.name)?;
+        self.tick(PE)?;
         swaps.iter().for_each(|&swap| self.sim.set(swap, false));
         Ok(())
     }
@@ -109,7 +109,7 @@ impl Hardware {
 
     fn pulse(&mut self, port: tilewright_sim::Port) -> Result<(), Error> {
         self.sim.set(port, true);
-        self.tick(MERGE.name)?;
+        self.tick(MERGE)?;
         self.sim.set(port, false);
         Ok(())
     }
@@ -127,12 +127,13 @@ impl Hardware {
     /// A word of the displayed bank; takes a clock of the merger.
     pub fn read_displayed(&mut self, address: u64) -> Result<u64, Error> {
         self.sim.set(self.sim.i.gfb.read_address, address);
-        self.tick(MERGE.name)?;
+        self.tick(MERGE)?;
         Ok(self.sim.get_u64(self.sim.o.gfb.read_word))
     }
 
-    /// Goes through the next edge of a clock, by its name, and through those of the other before it.
-    pub fn tick(&mut self, clock: &str) -> Result<(), Error> {
+    /// Goes through the next edge of a clock, and through those of the other before it.
+    pub fn tick(&mut self, clock: impl AsRef<str>) -> Result<(), Error> {
+        let clock = clock.as_ref();
         let end = self.cycles(clock) + 1;
         while self.cycles(clock) < end {
             self.sim.try_step()?;
@@ -141,10 +142,10 @@ impl Hardware {
     }
 
     pub fn now(&self) -> Moment {
-        Moment { pe_clocks: self.cycles(PE.name), merge_clocks: self.cycles(MERGE.name), time: self.sim.time() }
+        Moment { pe_clocks: self.cycles(PE), merge_clocks: self.cycles(MERGE), time: self.sim.time() }
     }
 
-    fn cycles(&self, clock: &str) -> u64 {
+    fn cycles(&self, clock: impl AsRef<str>) -> u64 {
         self.sim.cycles(clock).expect("the VC-1 has both clocks")
     }
 

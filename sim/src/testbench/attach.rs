@@ -122,7 +122,7 @@ impl Running {
             Probe::Path(path) => path,
         };
         match lookup::signal(&self.program.hierarchy, &name, run) {
-            Ok(Found { signal, lane }) => Source { value: signal.value, lane, names: signal.names, name },
+            Ok(Found { signal, lane }) => Source { value: signal.value, lane, kind: signal.kind, name },
             Err(unknown) => panic!("{unknown}"),
         }
     }

@@ -37,14 +37,14 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         done(self.try_run_to(time));
     }
 
-    /// Runs until a clock, by its name, has risen `n` more times; other clocks rise as they may.
+    /// Runs until a clock, or one of that name, has risen `n` more times; other clocks rise as they may.
     ///
     /// # Panics
     ///
     /// There is no such clock; or as [`Simulation::step`].
     #[track_caller]
-    pub fn step_clock(&mut self, clock: &str, n: u64) {
-        let index = match self.circuit.clock(clock) {
+    pub fn step_clock(&mut self, clock: impl AsRef<str>, n: u64) {
+        let index = match self.circuit.clock(clock.as_ref()) {
             Ok(index) => index,
             Err(unknown) => panic!("{unknown}"),
         };
@@ -115,13 +115,13 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         self.circuit.timeline.time
     }
 
-    /// How many times a clock, by its name, has risen.
+    /// How many times a clock, or one of that name, has risen.
     ///
     /// # Errors
     ///
     /// There is no such clock.
-    pub fn cycles(&self, clock: &str) -> Result<u64, UnknownName> {
-        Ok(self.circuit.timeline.cycles(self.circuit.clock(clock)?))
+    pub fn cycles(&self, clock: impl AsRef<str>) -> Result<u64, UnknownName> {
+        Ok(self.circuit.timeline.cycles(self.circuit.clock(clock.as_ref())?))
     }
 }
 

@@ -181,7 +181,11 @@ fn transcript(row: Row, kind: EngineKind, seed: u64, observed: bool, acts: &[Act
                 let enable = sim.peek("enable").unwrap();
                 sim.set(sim.i.enable, 0);
                 sim.set(sim.i.pick, 1);
-                sim.step_clock(if *fast { "fast" } else { "slow_clk" }, *ticks);
+                if *fast {
+                    sim.step_clock(FAST, *ticks);
+                } else {
+                    sim.step_clock("slow_clk", *ticks);
+                }
                 sim.set(sim.i.enable, &enable);
                 Ok(())
             }

@@ -99,6 +99,24 @@ fn a_wave_of_some_cycles() {
 }
 
 #[test]
+fn a_wave_in_decimal() {
+    let mut sim = sum();
+    let (plain, decimal) = (sim.record(["sum"]), sim.record(["sum"]).decimal());
+    sim.drive(SumIn { add: vec![60, 39], at: 0 });
+    sim.run(2);
+    plain.expect(
+        "
+        clk |____/~~\\_/
+        sum | 0  | 63 |",
+    );
+    decimal.expect(
+        "
+        clk |____/~~\\_/
+        sum | 0  | 99 |",
+    );
+}
+
+#[test]
 #[should_panic(expected = "there is no clock `clok`: did you mean `clk`?")]
 fn a_wave_of_cycles_of_no_clock() {
     let _ = sum().record(["sum"]).cycles("clok", 2..4);

@@ -1,6 +1,6 @@
 //! The names of a program: the tree of instances as the Verilog has it, and the value behind each name.
 
-use tilewright_hdl::ir::{Names, Shape};
+use tilewright_hdl::ir::{Kind, Shape};
 
 use super::ValueId;
 
@@ -91,8 +91,8 @@ pub struct Signal {
     pub width: u32,
     /// Its shape in its own scope.
     pub shape: Shape,
-    /// The names of its codes, if it is of an enum.
-    pub names: Option<Names>,
+    /// What its bits stand for.
+    pub kind: Kind,
 }
 
 /// The lane of a shape as names have it: nothing, `[3]` or `[1][2]`.

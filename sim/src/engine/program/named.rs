@@ -35,7 +35,7 @@ fn signals(module: &Module, value: impl Fn(NodeId) -> ValueId) -> Vec<Signal> {
     let mut add = |name: String, role, node: NodeId, kind: Kind| {
         if taken.insert(name.clone()) {
             let &Node { width, shape, .. } = module.node(node);
-            all.push(Signal { name, role, value: value(node), width, shape, names: kind.names() });
+            all.push(Signal { name, role, value: value(node), width, shape, kind });
         }
     };
     module.inputs.iter().for_each(|port| add(port.name.clone(), Role::Input, port.node, module.node(port.node).kind));

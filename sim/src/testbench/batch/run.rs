@@ -36,13 +36,13 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
         self.ready().run_to(time);
     }
 
-    /// Takes all runs to where a clock, by its name, has risen `n` more times; other clocks rise as they may.
+    /// Takes all runs to where a clock, or one of that name, has risen `n` more times; other clocks rise as they may.
     ///
     /// # Panics
     ///
     /// There is no such clock; or as [`Batch::step`].
     #[track_caller]
-    pub fn step_clock(&mut self, clock: &str, n: u64) {
+    pub fn step_clock(&mut self, clock: impl AsRef<str>, n: u64) {
         self.ready().step_clock(clock, n);
     }
 
@@ -107,12 +107,12 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
         self.all.time()
     }
 
-    /// How many times a clock, by its name, has risen.
+    /// How many times a clock, or one of that name, has risen.
     ///
     /// # Errors
     ///
     /// There is no such clock.
-    pub fn cycles(&self, clock: &str) -> Result<u64, UnknownName> {
+    pub fn cycles(&self, clock: impl AsRef<str>) -> Result<u64, UnknownName> {
         self.all.cycles(clock)
     }
 }

@@ -51,8 +51,8 @@ impl Vcd {
     }
 
     /// Only what happens in these cycles of a clock, the first being 0.
-    pub fn cycles(mut self, clock: &str, cycles: std::ops::Range<u64>) -> Vcd {
-        self.window = Some(Window::Cycles(clock.to_string(), cycles));
+    pub fn cycles(mut self, clock: impl AsRef<str>, cycles: std::ops::Range<u64>) -> Vcd {
+        self.window = Some(Window::Cycles(clock.as_ref().to_string(), cycles));
         self
     }
 

@@ -227,7 +227,7 @@ impl Build<'_> {
             let kind = if signal.width == 1 { VariableKind::Bit } else { VariableKind::Bits };
             self.variable(id, kind, signal.value, lane);
         }
-        let Some(names) = signal.names else { return Ok(()) };
+        let Some(names) = signal.kind.names() else { return Ok(()) };
         let known = self.strings.get(&(signal.value, lane)).copied();
         let id = known.unwrap_or_else(|| fresh(&mut self.next));
         self.writer.var_def(VarType::String, 1, id, &format!("{name}_state"), None)?;

@@ -1,7 +1,7 @@
 //! Waves in text, for tests and terminals.
 //!
 //! A column is the time from one instant to the next and shows the values in force there; its last character is the
-//! edge at its end. A bus shows its value in hexadecimal, or its state's name, where it changes.
+//! edge at its end. A bus shows its value where it changes: in hexadecimal, in decimal if it is signed or that is asked for, or the name of its code.
 //!
 //! ```text
 //! clk    |___/~\_/~\_/~\_/
@@ -14,7 +14,7 @@ use std::ops::Range;
 use std::sync::{Arc, Mutex, MutexGuard};
 
 use tilewright_hdl::Bits;
-use tilewright_hdl::ir::Names;
+use tilewright_hdl::ir::Kind;
 
 use super::{Observer, View};
 use crate::engine::program::ValueId;
@@ -46,6 +46,7 @@ struct Data {
 struct Row {
     source: Source,
     values: Vec<Bits>,
+    is_decimal: bool,
 }
 
 /// What a row shows.
@@ -54,18 +55,24 @@ pub(crate) struct Source {
     pub name: String,
     pub value: ValueId,
     pub lane: u32,
-    pub names: Option<Names>,
+    pub kind: Kind,
 }
 
 impl Wave {
     pub(crate) fn new(clocks: Vec<(String, u64)>, sources: Vec<Source>) -> Wave {
-        let rows = sources.into_iter().map(|source| Row { source, values: Vec::new() }).collect();
+        let rows = sources.into_iter().map(|source| Row { source, values: Vec::new(), is_decimal: false }).collect();
         let data = Data { clocks, rows, columns: Vec::new(), times: 0..u64::MAX, is_over: false };
         Wave { data: Arc::new(Mutex::new(data)) }
     }
 
     fn data(&self) -> MutexGuard<'_, Data> {
         self.data.lock().expect("no panic while drawing")
+    }
+
+    /// Shows numbers in decimal.
+    pub fn decimal(self) -> Wave {
+        self.data().rows.iter_mut().for_each(|row| row.is_decimal = true);
+        self
     }
 
     /// Draws only what happens in these picoseconds: the columns that have a part in them.
@@ -80,8 +87,8 @@ impl Wave {
     ///
     /// There is no such clock.
     #[track_caller]
-    pub fn cycles(self, clock: &str, cycles: Range<u64>) -> Wave {
-        let data = self.data();
+    pub fn cycles(self, clock: impl AsRef<str>, cycles: Range<u64>) -> Wave {
+        let (clock, data) = (clock.as_ref(), self.data());
         let is_it = |port: &str| port == clock || port.strip_suffix("_clk") == Some(clock);
         let period = data.clocks.iter().find(|(port, _)| is_it(port)).map(|(_, period)| *period);
         let names: Vec<String> = data.clocks.iter().map(|(port, _)| port.clone()).collect();
@@ -176,12 +183,20 @@ impl Data {
 
 impl Row {
     fn is_bit(&self) -> bool {
-        self.source.names.is_none() && self.values.first().is_some_and(|value| value.width() == 1)
+        self.source.kind == Kind::Number && self.values.first().is_some_and(|value| value.width() == 1)
     }
 
     fn text(&self, value: &Bits) -> String {
-        let name = |names: Names| names.codes.get(value.to_u64()? as usize).map(|name| (*name).to_owned());
-        self.source.names.and_then(name).unwrap_or_else(|| {
+        let number = match (self.source.kind, self.is_decimal) {
+            (Kind::Code(names), _) => value
+                .to_u64()
+                .and_then(|code| names.codes.get(usize::try_from(code).ok()?))
+                .map(|name| (*name).to_owned()),
+            (Kind::Signed, _) => value.to_i128().map(|number| number.to_string()),
+            (Kind::Number, true) => value.to_u128().map(|number| number.to_string()),
+            (Kind::Number, false) => None,
+        };
+        number.unwrap_or_else(|| {
             let digits = format!("{value:x}");
             let digits = digits.trim_start_matches('0');
             if digits.is_empty() { "0".to_string() } else { digits.to_string() }

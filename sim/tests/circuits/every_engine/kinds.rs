@@ -100,7 +100,8 @@ fn waves_name_the_codes_of_ports_and_nets() {
     let path = directory.path().join("unit.vcd");
     let mut sim = of(&Unit);
     sim.trace(Vcd::to(&path)).unwrap();
-    let wave = sim.record([sim.i.operation, sim.o.was]);
+    let wave = sim.record([sim.i.operation, sim.i.left, sim.o.done]);
+    let decimal = sim.record([sim.o.shifted]).decimal();
     sim.reset();
     sim.set(sim.i.operation, 1u64);
     sim.set(sim.i.left, -1);
@@ -111,5 +112,13 @@ fn waves_name_the_codes_of_ports_and_nets() {
         assert!(text.contains(&format!(" {declared} $end")), "{declared} is missing in {text}");
     }
     assert!(text.contains("sSubtract "), "{text}");
-    assert!(wave.to_string().contains("Subtract"), "{wave}");
+    wave.expect(
+        r"
+        clk       |_____/~~\__/~~\__/
+        operation | Add | Subtract  |
+        left      | 0   | -1        |
+        done      | Add | Subtract  |
+        ",
+    );
+    assert!(decimal.to_string().contains("-1"), "{decimal}");
 }
