@@ -47,7 +47,7 @@ pub fn named<B: Bundle>(record: &B, name: &str) -> B {
 #[track_caller]
 pub(crate) fn pack_any<V: Data>(value: &V) -> Signal {
     let fields: Vec<Signal> = value.leaves().into_iter().map(|(_, signal)| signal).collect();
-    if fields.is_empty() { lit(1, 0) } else { concat(&fields) }
+    if fields.is_empty() { lit(1, 0) } else { concat(&fields).bits() }
 }
 
 /// What [`pack_any`] made the word of, if that was like this.
