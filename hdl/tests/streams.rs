@@ -1,7 +1,7 @@
 //! Streams from block to block: through instances, lanes, other clocks, and as Verilog.
 
 use tilewright_hdl::*;
-use tilewright_sim::Simulation;
+use tilewright_sim::{Batch, Simulation};
 
 bundle! {
     struct Job<T> { page: T, last: T }
@@ -116,6 +116,45 @@ fn verilog_has_the_ports_of_both_directions() {
     if let Err(problems) = tilewright_gen::tools::lint(&files) {
         panic!("{problems}");
     }
+}
+
+fn sent(valid: u64, page: u64) -> JobsIn<u64> {
+    // The block says whether it is ready; what stands here means nothing.
+    JobsIn { jobs: Stream { valid, ready: 1, payload: Job { page, last: 0 } } }
+}
+
+fn seen(valid: u64, ready: u64, page: u64) -> JobsOut<u64> {
+    JobsOut { delayed: Stream { valid, ready, payload: Job { page, last: 0 } } }
+}
+
+#[test]
+fn testbenches_drive_streams() {
+    let mut sim = Simulation::of(&Delay).unwrap();
+    sim.reset();
+    sim.drive(sent(1, 7));
+    sim.step();
+    sim.drive(sent(1, 8));
+    assert_eq!((sim.read_u64(), sim.get_u64(sim.i.jobs.ready)), (seen(1, 0, 7), 0));
+    sim.set(sim.o.delayed.ready, 1);
+    assert_eq!((sim.read_u64(), sim.get_u64(sim.i.jobs.ready)), (seen(1, 1, 7), 1));
+
+    let mut batch = Batch::of(&Delay, 2).unwrap();
+    batch.reset();
+    (0..2).for_each(|run: u32| batch.drive(run, sent(run.into(), 4)));
+    batch.step();
+    assert_eq!([batch.read_u64(0), batch.read_u64(1)], [seen(0, 0, 0), seen(1, 0, 4)]);
+}
+
+#[test]
+fn scenarios_have_streams() {
+    let mut script = Script::new(&Delay, DEFAULT_PERIOD);
+    script.clock(&sent(1, 7));
+    script.wait(1);
+    let scenario = script.finish("a job comes");
+    assert_eq!(scenario.events.iter().map(|event| &*event.input).collect::<Vec<_>>(), ["jobs_valid", "jobs_page"]);
+    let mut sim = Simulation::of(&Delay).unwrap();
+    sim.play(&scenario).unwrap();
+    assert_eq!(sim.read_u64(), seen(1, 0, 7));
 }
 
 /// Delays side by side, each with its own streams.

@@ -33,6 +33,11 @@ pub(crate) enum Origin {
 }
 
 impl DraftStream {
+    /// Whether it is an input of the module.
+    pub fn comes_in(&self) -> bool {
+        matches!(self.origin, Origin::Input(_))
+    }
+
     /// The stream for messages, and what was done with it where it begins.
     pub fn text(&self) -> (String, &'static str) {
         match &self.origin {
@@ -91,7 +96,7 @@ pub(crate) fn take(ready: Signal, driver: Signal, loc: Loc) {
         let Some(stream) = e.draft().streams.get(&ready.node) else {
             return report_no_stream(e, ready, driver.node, loc);
         };
-        let (wire, (text, begins), began) = (stream.wire, stream.text(), stream.loc);
+        let (wire, (text, begins), began, is_port) = (stream.wire, stream.text(), stream.loc, stream.comes_in());
         let driver = match (driver.shape == ready.shape, driver.shape.is_plain()) {
             (true, _) => driver,
             (false, true) => driver.spread_in(e, ready.shape, loc),
@@ -105,7 +110,12 @@ pub(crate) fn take(ready: Signal, driver: Signal, loc: Loc) {
                 Signal::zero_in(e, 1, ready.shape, loc)
             }
         };
-        let before = e.draft().wires[wire].driver.replace((driver.node, loc));
+        let draft = e.draft();
+        if is_port {
+            // What drives the port is told by the line that takes the stream.
+            draft.node_mut(ready.node).loc = loc;
+        }
+        let before = draft.wires[wire].driver.replace((driver.node, loc));
         if let Some((lost, first)) = before {
             let mut problem = Problem::new(loc, format!("{text} is taken twice"));
             // What is returned has no line but that where it begins.
@@ -136,8 +146,13 @@ pub(crate) fn leave(path: &str, ready: Signal, loc: Loc) {
         let draft = e.draft();
         // A mistake is told where the stream begins: the return value has no line.
         let is_own = draft.serial == ready.module;
-        let loc = if is_own { draft.node(ready.node).loc } else { loc };
-        let clock = draft.streams.get(&ready.node).filter(|_| is_own).and_then(|stream| stream.clock);
+        let stream = draft.streams.get(&ready.node).filter(|_| is_own);
+        let clock = stream.and_then(|stream| stream.clock);
+        let loc = match stream {
+            Some(stream) => stream.loc,
+            None if is_own => draft.node(ready.node).loc,
+            None => loc,
+        };
         let name = port_name("", path);
         let index = draft.inputs.len() as u32;
         let node = draft.add(Op::Input(index), 1, ready.shape, loc);
