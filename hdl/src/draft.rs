@@ -3,7 +3,7 @@
 use crate::clock::Clock;
 use crate::ir::*;
 use crate::loc::Loc;
-use crate::stream::DraftStream;
+use crate::stream::{DraftStream, Sent};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// What a description has declared so far. The parts that may still be missing are `Option`s here and plain in
@@ -23,6 +23,8 @@ pub(crate) struct Draft {
     pub wires: Vec<DraftWire>,
     /// The streams that begin here, by the node of their `ready`.
     pub streams: BTreeMap<NodeId, DraftStream>,
+    /// Those that are offered here and leave.
+    pub sent: Vec<Sent>,
     pub memories: Vec<DraftMemory>,
     pub instances: Vec<Instance>,
     /// The names of each instance's output ports.
@@ -78,6 +80,7 @@ impl Draft {
             registers: Vec::new(),
             wires: Vec::new(),
             streams: BTreeMap::new(),
+            sent: Vec::new(),
             memories: Vec::new(),
             instances: Vec::new(),
             instance_outputs: Vec::new(),

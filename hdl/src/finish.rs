@@ -32,6 +32,7 @@ pub(crate) fn finish(
         true => summary::summarize(&draft, &e.summaries, &nodes, &renumber),
         false => summary::Summary::unknown(nodes.len()),
     };
+    check::streams::check(&draft, &outputs, &summary, problems);
     // What is reported here is not reported once more of every parent.
     mixed.into_iter().for_each(|output| summary.outputs[output].hide_clocks());
     summary.synchronized = check::synchronizers::check(&draft, &e.summaries, problems);

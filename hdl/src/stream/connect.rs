@@ -21,6 +21,15 @@ pub(crate) struct DraftStream {
     pub loc: Loc,
 }
 
+/// A stream that the module offers and that leaves it.
+pub(crate) struct Sent {
+    /// The path of its `valid` among the outputs.
+    pub valid: String,
+    /// The place of its `ready` among the inputs.
+    pub ready: u32,
+    pub loc: Loc,
+}
+
 /// Where a stream comes from.
 #[derive(Clone)]
 pub(crate) enum Origin {
@@ -148,6 +157,7 @@ pub(crate) fn leave(path: &str, ready: Signal, loc: Loc) {
         let is_own = draft.serial == ready.module;
         let stream = draft.streams.get(&ready.node).filter(|_| is_own);
         let clock = stream.and_then(|stream| stream.clock);
+        let is_offered = stream.is_some_and(|stream| matches!(stream.origin, Origin::Offered));
         let loc = match stream {
             Some(stream) => stream.loc,
             None if is_own => draft.node(ready.node).loc,
@@ -159,6 +169,10 @@ pub(crate) fn leave(path: &str, ready: Signal, loc: Loc) {
         draft.node_mut(node).name = Some(name.clone());
         draft.inputs.push(Input { name, path: path.to_owned(), node, clock: None });
         draft.input_clocks.push(clock);
+        if is_offered {
+            let valid = format!("{}valid", path.strip_suffix("ready").unwrap_or(path));
+            draft.sent.push(Sent { valid, ready: index, loc });
+        }
         (Signal::at(e, node), loc)
     });
     take(ready, port, loc);

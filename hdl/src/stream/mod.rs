@@ -3,7 +3,7 @@
 mod connect;
 mod offer;
 
-pub(crate) use connect::{DraftStream, Origin, backwards, leave, say_untaken, take, untaken};
+pub(crate) use connect::{DraftStream, Origin, Sent, backwards, leave, say_untaken, take, untaken};
 pub use offer::Taken;
 
 use crate::bundle::{Fields, Leaf, Visited, join};

@@ -175,6 +175,22 @@ fn conditions_and_lanes_of_streams() {
     );
 }
 
+#[test]
+fn a_sender_that_waits_for_its_receiver() {
+    expect(
+        |m, i| {
+            let jobs = i.jobs.take_when(1);
+            let answer = m.wire("answer", bit());
+            let (found, _) = m.offer(jobs.valid & answer, jobs.page);
+            answer.drive(found.ready);
+            JobsOut { found, copy: vec![] }
+        },
+        "stream `found` of `Streams` waits for its receiver: its `valid` follows from its `ready`
+         --> [let (found, _) = m.offer(jobs.valid & answer, jobs.page);]
+         help: offer what there is, and let `sent` say whether it is taken: the receiver may wait for `valid`",
+    );
+}
+
 bundle! {
     struct Passed<T> { x: Stream<T, T> }
     struct PassedOn<T> { y: Stream<T, T>, taken: T }
