@@ -13,6 +13,7 @@ use crate::names;
 use crate::problem::Problems;
 use crate::shaping::sound_shape;
 use crate::signal::Signal;
+use crate::stream::{Origin, backwards, leave, untaken};
 use crate::width::Width;
 use std::any::Any;
 use std::fmt::Debug;
@@ -67,7 +68,7 @@ pub fn elaborate_at<B: Block>(block: &B, period: Period) -> Result<Design, Probl
     elaborate_typed(block, period).map(|(design, ..)| design)
 }
 
-/// The circuit, and its ports as bundles of their indices among the design's inputs and outputs.
+/// The circuit, and its ports as bundles of their numbers: the design's inputs from 0, then its outputs.
 pub type Typed<B> = (Design, <<B as Block>::In as Bundle>::Of<usize>, <<B as Block>::Out as Bundle>::Of<usize>);
 
 /// As [`elaborate_at`], with the ports as bundles: what a typed testbench needs.
@@ -77,11 +78,7 @@ pub fn elaborate_typed<B: Block>(block: &B, period: Period) -> Result<Typed<B>, 
     let mut ports = None;
     let ended = elaboration::run(|| {
         let child = elaborate_module(block, loc);
-        let (mut input, mut output) = (0.., 0..);
-        ports = Some((
-            B::In::convert(&block.inputs(), &mut |_, _: &Width| input.next().expect("endless")),
-            child.outputs::<B>().of(&mut |_, _| output.next().expect("endless")),
-        ));
+        ports = Some(port_numbers(block, &child));
         elaboration::with(names::check_module_names);
     })?;
     let mut modules = ended.done;
@@ -89,6 +86,27 @@ pub fn elaborate_typed<B: Block>(block: &B, period: Period) -> Result<Typed<B>, 
     top.clocks.iter_mut().filter(|clock| clock.period.is_none()).for_each(|clock| clock.period = Some(period));
     let (inputs, outputs) = ports.expect("the description ran");
     Ok((Design::new(modules)?, inputs, outputs))
+}
+
+/// The ports of a block as its bundles. A module has the inputs of its input bundle first, then those of its output bundle, and
+/// its outputs the other way round.
+fn port_numbers<B: Block>(
+    block: &B,
+    child: &Elaborated,
+) -> (<B::In as Bundle>::Of<usize>, <B::Out as Bundle>::Of<usize>) {
+    let (widths, outputs) = (block.inputs(), child.outputs::<B>());
+    let (from, to) = (backwards(&widths), backwards(outputs));
+    let count = |directions: &[bool], back| directions.iter().filter(|direction| **direction == back).count();
+    let sent_back = count(&from, false);
+    let sent = sent_back + count(&to, true);
+    let number =
+        |directions: Vec<bool>, mut forward: std::ops::RangeFrom<usize>, mut back: std::ops::RangeFrom<usize>| {
+            let mut directions = directions.into_iter();
+            move || if directions.next() == Some(true) { back.next() } else { forward.next() }.expect("endless")
+        };
+    let mut input = number(from, 0.., sent + count(&to, false)..);
+    let mut output = number(to, sent.., sent_back..);
+    (B::In::convert(&widths, &mut |_, _: &Width| input()), outputs.of(&mut |_, _| output()))
 }
 
 /// A module that has been elaborated, with the output bundle that its `build` returned.
@@ -121,9 +139,24 @@ pub(crate) fn elaborate_module<B: Block>(block: &B, loc: Loc) -> Elaborated {
         e.drafts.push(Draft::new(serial, names::short(std::any::type_name::<B>()), loc));
     });
     let widths = block.inputs();
-    let inputs = B::In::signals(&widths, &mut |path, width| declare_input(path, *width));
+    let (mut directions, mut answers) = (backwards(&widths).into_iter(), Vec::new());
+    let inputs = B::In::signals(&widths, &mut |path, width| {
+        if directions.next() != Some(true) {
+            return declare_input(path, *width);
+        }
+        let ready = declare_ready(path, *width);
+        answers.push((path.to_owned(), ready));
+        ready
+    });
     let out = block.build(Module { clock: None }, inputs);
-    let outputs = out.leaves().into_iter().map(|(path, signal)| (path, signal.here(loc))).collect();
+    let mut outputs = Vec::new();
+    for ((path, signal), back) in out.leaves().into_iter().zip(backwards(&out)) {
+        match back {
+            false => outputs.push((path, signal.here(loc))),
+            true => leave(&path, signal, loc),
+        }
+    }
+    outputs.extend(answers);
     elaboration::with(|e| {
         finish::finish(e, outputs, block.name(), block.about(), parameters);
         let id = ModuleId(e.done.len() as u32 - 1);
@@ -131,6 +164,15 @@ pub(crate) fn elaborate_module<B: Block>(block: &B, loc: Loc) -> Elaborated {
         let outputs: Rc<dyn Any> = Rc::new(out);
         e.shapes.push(outputs.clone());
         Elaborated { id, outputs }
+    })
+}
+
+/// What says that this module takes from the stream that comes in.
+fn declare_ready(path: &str, width: Width) -> Signal {
+    let stream = path.strip_suffix(".ready").unwrap_or(path);
+    elaboration::with(|e| {
+        let shape = sound_shape(e, &format!("input `{}`", port_name("", path)), width.shape, width.loc);
+        untaken(e, Origin::Input(port_name("", stream)), shape, width.clock, width.loc)
     })
 }
 

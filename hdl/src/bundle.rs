@@ -24,6 +24,8 @@ impl Leaf for u128 {}
 pub enum Visited<'a, T> {
     /// A leaf.
     Leaf(&'a T),
+    /// A leaf that runs the other way than those around it: the `ready` of a [`Stream`](crate::Stream).
+    Back(&'a T),
     /// A `Vec` of so many elements, which follow.
     List(usize),
 }

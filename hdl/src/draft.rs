@@ -3,7 +3,8 @@
 use crate::clock::Clock;
 use crate::ir::*;
 use crate::loc::Loc;
-use std::collections::BTreeSet;
+use crate::stream::{DraftStream, Sent};
+use std::collections::{BTreeMap, BTreeSet};
 
 /// What a description has declared so far. The parts that may still be missing are `Option`s here and plain in
 /// [`Module`].
@@ -20,6 +21,10 @@ pub(crate) struct Draft {
     pub nodes: Vec<Node>,
     pub registers: Vec<DraftRegister>,
     pub wires: Vec<DraftWire>,
+    /// The streams that begin here, by the node of their `ready`.
+    pub streams: BTreeMap<NodeId, DraftStream>,
+    /// Those that are offered here and leave.
+    pub sent: Vec<Sent>,
     pub memories: Vec<DraftMemory>,
     pub instances: Vec<Instance>,
     /// The names of each instance's output ports.
@@ -74,6 +79,8 @@ impl Draft {
             nodes: Vec::new(),
             registers: Vec::new(),
             wires: Vec::new(),
+            streams: BTreeMap::new(),
+            sent: Vec::new(),
             memories: Vec::new(),
             instances: Vec::new(),
             instance_outputs: Vec::new(),
@@ -169,6 +176,8 @@ impl Draft {
                 let index = instance.0 as usize;
                 format!("{}.{}", self.instances[index].name, self.instance_outputs[index][*port as usize])
             }
+            // Of all wires without a driver, that of a stream has no name.
+            Op::Wire(UNDRIVEN) => "ready".to_owned(),
             Op::QuasiStatic(a, _) | Op::Wire(a) => say(a),
             Op::Broadcast { of, .. } => format!("{}.of(..)", inner(of)),
             Op::Stack { .. } => "stack(..)".to_owned(),

@@ -7,6 +7,7 @@ use crate::ir::*;
 use crate::loc::Loc;
 use crate::module::port_name;
 use crate::signal::Signal;
+use crate::stream::DraftStream;
 use crate::summary;
 
 /// Takes the innermost draft, checks it, and adds it to the finished modules. With problems, what is added is good
@@ -34,6 +35,7 @@ pub(crate) fn finish(
         true => summary::summarize(&draft, &e.summaries, &nodes, &renumber),
         false => summary::Summary::unknown(nodes.len()),
     };
+    check::streams::check(&draft, &outputs, &summary, problems);
     // What is reported here is not reported once more of every parent.
     mixed.into_iter().for_each(|output| summary.outputs[output].hide_clocks());
     summary.synchronized = check::synchronizers::check(&draft, &e.summaries, problems);
@@ -77,7 +79,10 @@ fn find_resets(draft: &Draft, done: &[Module]) -> Vec<Option<String>> {
 
 /// Where the block is described: where its `build` makes the first thing, as its ports may be another block's.
 fn place(draft: &Draft) -> Loc {
-    let made = draft.nodes.iter().find(|node| !matches!(node.op, Op::Input(_)));
+    let is_port = |(i, node): &(usize, &Node)| {
+        matches!(node.op, Op::Input(_)) || draft.streams.get(&NodeId(*i as u32)).is_some_and(DraftStream::comes_in)
+    };
+    let made = draft.nodes.iter().enumerate().find(|node| !is_port(node)).map(|(_, node)| node);
     let made = made.or(draft.nodes.first()).map_or(draft.loc, |node| node.loc);
     // A memory is no node.
     let memory = draft.memories.first().map(|draft| draft.memory.loc);

@@ -11,6 +11,7 @@ use crate::problem::Problem;
 use crate::shaping::{IntoShape, sound_shape};
 use crate::signal::{Signal, bits_text};
 use crate::signed::READ_AS;
+use crate::stream::{backwards, take};
 use crate::uneven::{Uneven, uneven};
 
 impl Module {
@@ -19,10 +20,11 @@ impl Module {
     pub fn instance<B: Block>(self, name: &str, block: &B, inputs: B::In) -> B::Out {
         let loc = Loc::caller();
         let child = elaborate_module(block, loc);
-        let drivers = inputs.leaves().into_iter().map(|(path, signal)| (path, signal.here(loc))).collect();
+        let fed = Fed::of(&inputs, loc);
         let instance = self.declare(name, child.id, Shape::Plain, loc);
-        self.feed(instance.id, child.id, drivers, loc);
-        instance.read::<B>(&child)
+        let (out, answers) = self.read::<B>(&instance, &child, loc);
+        self.feed(&instance, child.id, fed, answers, loc);
+        out
     }
 
     /// An array of instances of `block`, kept as an array in the simulator, in Verilog and in waves: so many lanes, or a [`grid`](crate::grid).
@@ -44,10 +46,9 @@ impl Module {
         let child = elaborate_module(block, loc);
         let shape = elaboration::with(|e| sound_shape(e, &format!("the array `{name}`"), shape, loc));
         let instance = self.declare(name, child.id, shape, loc);
-        let out = instance.read::<B>(&child);
-        let fed = feed(out.clone());
-        let drivers = fed.leaves().into_iter().map(|(path, signal)| (path, signal.here(loc))).collect();
-        self.feed(instance.id, child.id, drivers, loc);
+        let (out, answers) = self.read::<B>(&instance, &child, loc);
+        let fed = Fed::of(&feed(out.clone()), loc);
+        self.feed(&instance, child.id, fed, answers, loc);
         out
     }
 
@@ -86,23 +87,79 @@ impl Module {
         e.draft().use_clock(named.or(self.clock))
     }
 
-    /// Says what drives the inputs of a declared instance: nodes, by their paths in its input bundle.
-    fn feed(self, id: InstanceId, child: ModuleId, drivers: Vec<(String, Signal)>, loc: Loc) {
+    /// Says what drives the inputs of a declared instance: nodes, by their paths in its input bundle, and behind them what answers its
+    /// output streams.
+    fn feed(self, instance: &Declared, child: ModuleId, fed: Fed, answers: Vec<NodeId>, loc: Loc) {
+        let (id, Fed { drivers, streams }) = (instance.id, fed);
+        let mut even = true;
         elaboration::with(|e| {
             let module = &e.done[child.0 as usize];
-            let ports: Vec<_> =
-                module.inputs.iter().map(|i| (i.path.clone(), Port::of(i.name.clone(), module.node(i.node)))).collect();
-            let inputs = match uneven(&drivers, &ports) {
+            let own = module.inputs.len() - answers.len();
+            let ports: Vec<_> = module.inputs[..own]
+                .iter()
+                .map(|i| (i.path.clone(), Port::of(i.name.clone(), module.node(i.node))))
+                .collect();
+            let mut inputs: Vec<_> = match uneven(&drivers, &ports) {
                 None => {
                     ports.iter().zip(&drivers).map(|((_, port), (_, signal))| fit(e, id, port, *signal, loc)).collect()
                 }
                 Some(uneven) => {
+                    even = false;
                     report_uneven(e, id, &uneven, &ports, &drivers, loc);
                     ports.iter().map(|(_, port)| zero(e, id, port, loc)).collect()
                 }
             };
+            inputs.extend(answers);
             e.draft().instances[id.0 as usize].inputs = inputs;
         });
+        // The child's answers to the streams that it takes are its last outputs.
+        let first = instance.outputs.len().saturating_sub(streams.len());
+        for (i, stream) in streams.into_iter().enumerate() {
+            let ready = elaboration::with(|e| match even {
+                true => Signal::at(e, instance.outputs[first + i]),
+                false => Signal::zero_in(e, 1, stream.shape(), loc),
+            });
+            take(stream, ready, loc);
+        }
+    }
+
+    /// The outputs of an instance as the block's bundle, and the nodes that answer the streams among them.
+    fn read<B: Block>(self, instance: &Declared, child: &Elaborated, loc: Loc) -> (B::Out, Vec<NodeId>) {
+        let bundle = child.outputs::<B>();
+        let (mut outputs, mut directions) = (instance.outputs.iter(), backwards(bundle).into_iter());
+        let mut answers = Vec::new();
+        let next = &mut |path: &str, inner: &Signal| {
+            if directions.next() == Some(true) {
+                let ready = elaboration::with(|e| self.unanswered(e, instance.id, path, inner.shape(), loc));
+                answers.push(ready.node);
+                return ready;
+            }
+            let node = *outputs.next().expect("as many outputs as the bundle has leaves");
+            elaboration::with(|e| Signal::at(e, node))
+        };
+        let out = B::Out::signals(&bundle.of(&mut |_, signal| *signal), next);
+        (out, answers)
+    }
+}
+
+/// What an instance is fed with.
+struct Fed {
+    /// By their paths in its input bundle.
+    drivers: Vec<(String, Signal)>,
+    /// The `ready` of each stream that it takes.
+    streams: Vec<Signal>,
+}
+
+impl Fed {
+    fn of(inputs: &impl Fields<Signal>, loc: Loc) -> Fed {
+        let mut fed = Fed { drivers: Vec::new(), streams: Vec::new() };
+        for ((path, signal), back) in inputs.leaves().into_iter().zip(backwards(inputs)) {
+            match back {
+                true => fed.streams.push(signal),
+                false => fed.drivers.push((path, signal.here(loc))),
+            }
+        }
+        fed
     }
 }
 
@@ -192,16 +249,4 @@ fn zero(e: &mut Elaboration, id: InstanceId, port: &Port, loc: Loc) -> NodeId {
 struct Declared {
     id: InstanceId,
     outputs: Vec<NodeId>,
-}
-
-impl Declared {
-    /// The outputs as the block's bundle.
-    fn read<B: Block>(&self, child: &Elaborated) -> B::Out {
-        let mut outputs = self.outputs.iter();
-        let next = &mut |_: &str, _: &Signal| {
-            let node = *outputs.next().expect("as many outputs as the bundle has leaves");
-            elaboration::with(|e| Signal::at(e, node))
-        };
-        B::Out::signals(&child.outputs::<B>().of(&mut |_, signal| *signal), next)
-    }
 }

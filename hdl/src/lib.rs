@@ -50,6 +50,7 @@
 //! | a record | a [`bundle!`]: what is declared with a record of widths, or given a record, is one; `.pack()` makes a word of it, `.unpack(word)` of its widths a record |
 //! | an enum | [`codes!`], [`one_of`], [`Signal::is`], [`Signal::choose`] |
 //! | lanes | `bits(8).of(row(4))`, [`row`], [`grid`]; what is elementwise is written as for one; [`previous`](Signal::previous), [`take`](Signal::take), [`pick`](Signal::pick), [`sum`](Signal::sum), [`rows`](Signal::rows), [`columns`](Signal::columns), [`stack`], [`tree`] |
+//! | a stream: a payload with `valid` and `ready` | a field `Stream<Job<T>, T>` as wide as [`stream`]`(Job { .. })`; [`Stream::take_when`], [`Module::offer`] |
 //! | an instance, an array of them | [`Module::instance`], [`Module::array`] |
 //! | another clock | [`Module::on`], [`Mem::on`], [`Width::on`] and [`on`]; [`Module::synchronize`], [`Module::synchronize_from`], [`Signal::quasi_static`] to cross |
 //! | what must hold | [`Module::assert`], with [`implies`](Signal::implies) |
@@ -93,6 +94,7 @@ mod shorthand;
 mod signal;
 mod signed;
 mod stages;
+mod stream;
 mod summary;
 mod tree;
 mod uneven;
@@ -131,6 +133,7 @@ pub use signal::Signal;
 pub use stages::Start;
 #[doc(hidden)]
 pub use stages::cleared;
+pub use stream::{Stream, Taken, stream};
 pub use tree::tree;
 #[doc(hidden)]
 pub use uneven::{Uneven, uneven};

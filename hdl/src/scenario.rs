@@ -6,6 +6,7 @@ use crate::bundle::{Bundle, Fields};
 use crate::clock::Period;
 use crate::loc::Loc;
 use crate::module::port_name;
+use crate::stream::backwards;
 use crate::uneven::{Uneven, uneven};
 use crate::width::Width;
 
@@ -62,13 +63,14 @@ impl<B: Block> Script<B> {
     /// A list of inputs is not as long as the block's.
     #[track_caller]
     pub fn clock(&mut self, inputs: &<B::In as Bundle>::Of<u64>) {
-        let (widths, values) = (self.widths.leaves(), inputs.leaves());
+        let (widths, values, back) = (self.widths.leaves(), inputs.leaves(), backwards(inputs));
         if let Some(uneven) = uneven(&values, &widths) {
             let (Uneven { has, needs, .. }, loc) = (&uneven, Loc::caller());
             panic!("input{uneven} is a list of {needs}, but a list of {has} is given, at {loc}");
         }
-        for (((path, value), (_, width)), last) in values.into_iter().zip(widths).zip(&mut self.last) {
-            if value != *last {
+        for ((((path, value), (_, width)), last), back) in values.into_iter().zip(widths).zip(&mut self.last).zip(back)
+        {
+            if value != *last && !back {
                 let input = port_name("", &path);
                 self.events.push(Event { at_ps: self.at_ps, input, value: Bits::new(width.bits(), value) });
                 *last = value;

@@ -4,26 +4,26 @@ use crate::bits::Bits;
 use crate::draft::{Draft, UNDRIVEN};
 use crate::ir::{NodeId, Op, Shape};
 use crate::problem::Problem;
+use crate::stream::say_untaken;
 
 pub(crate) fn check(draft: &mut Draft, problems: &mut Vec<Problem>) {
-    let mut report = |node: NodeId, what: &str, help: &str| {
-        let name = draft.describe(node);
-        problems.push(
-            Problem::new(draft.node(node).loc, format!("{what} `{name}` of `{}` is never driven", draft.block))
-                .help(help),
-        );
-    };
     for register in draft.registers.iter().filter(|register| register.next.is_none()) {
-        report(
-            register.node,
-            "register",
-            "say what it takes at the next edge with `.next(value)`, or when with `.when(condition, value)`",
-        );
+        let help = "say what it takes at the next edge with `.next(value)`, or when with `.when(condition, value)`";
+        problems.push(undriven(draft, register.node, "register", help));
     }
     for wire in draft.wires.iter().filter(|wire| wire.driver.is_none()) {
-        report(wire.node, "wire", "say what drives it with `.drive(value)`");
+        match say_untaken(draft, wire.node) {
+            Some(problem) => problems.push(problem),
+            None => problems.push(undriven(draft, wire.node, "wire", "say what drives it with `.drive(value)`")),
+        }
     }
     connect_wires(draft);
+}
+
+fn undriven(draft: &Draft, node: NodeId, what: &str, help: &str) -> Problem {
+    let name = draft.describe(node);
+    let message = format!("{what} `{name}` of `{}` is never driven", draft.block);
+    Problem::new(draft.node(node).loc, message).help(help)
 }
 
 /// Gives every wire its driver; one that has none stands at zero.

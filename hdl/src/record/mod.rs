@@ -9,13 +9,14 @@ pub use register::RecordUpdates;
 
 use crate::bits::Bits;
 use crate::bundle::{Bundle, Fields};
+use crate::data::Data;
 use crate::elaboration;
 use crate::ir::{NodeId, Op};
 use crate::limits::{WIDEST, sound_width};
 use crate::loc::Loc;
 use crate::module::port_name;
 use crate::problem::Problem;
-use crate::select::concat;
+use crate::select::{concat, lit};
 use crate::signal::{Signal, bits_text};
 use crate::width::Width;
 
@@ -40,6 +41,24 @@ pub fn named<B: Bundle>(record: &B, name: &str) -> B {
         nets.push(signal.named(&port_name(name, &path)));
     }
     from_leaves(record, nets)
+}
+
+/// As [`pack`], of anything that a stream carries; of nothing a zero.
+#[track_caller]
+pub(crate) fn pack_any<V: Data>(value: &V) -> Signal {
+    let fields: Vec<Signal> = value.leaves().into_iter().map(|(_, signal)| signal).collect();
+    if fields.is_empty() { lit(1, 0) } else { concat(&fields).bits() }
+}
+
+/// What [`pack_any`] made the word of, if that was like this.
+#[track_caller]
+pub(crate) fn unpack_any<V: Data>(like: &V, word: Signal) -> V {
+    if like.leaves().is_empty() {
+        return like.clone();
+    }
+    let parts = unpack(&like.map(|signal| Width::like(*signal)), word).leaves();
+    let mut parts = parts.into_iter().map(|(_, signal)| signal);
+    like.map(|_| parts.next().expect("a part for each field"))
 }
 
 /// The word that the fields are all of, as that which a memory reads, gets the name of the record, unless it has one.

@@ -16,5 +16,6 @@ mod records;
 mod reports;
 mod shapes;
 mod state;
+mod streams;
 mod unused;
 mod widths;

@@ -8,6 +8,8 @@ use crate::testbench::port::Port;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Next {
     Port(Port),
+    /// An output among the inputs, as the `ready` of a stream is.
+    Back,
     /// So many elements.
     List(usize),
 }
@@ -23,6 +25,7 @@ impl PortOrder {
         ports.visit(&mut |part| {
             parts.push(match part {
                 Visited::Leaf(port) => Next::Port(*port),
+                Visited::Back(_) => Next::Back,
                 Visited::List(length) => Next::List(length),
             });
         });
@@ -41,7 +44,7 @@ impl PortOrder {
         values.visit(&mut |part| {
             same &= match (parts.next(), part) {
                 (Some(Next::List(length)), Visited::List(given)) => *length == given,
-                (Some(Next::Port(_)), Visited::Leaf(_)) => true,
+                (Some(Next::Port(_)), Visited::Leaf(_)) | (Some(Next::Back), Visited::Back(_)) => true,
                 _ => false,
             };
         });

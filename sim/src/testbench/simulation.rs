@@ -233,7 +233,8 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         self.circuit.narrow(port, 0)
     }
 
-    /// Sets every input; [`Simulation::drive_bits`] takes values wider than 64 bits.
+    /// Sets every input of the input bundle; [`Simulation::drive_bits`] takes values wider than 64 bits. The `ready` of a stream in it is an
+    /// output, and its value means nothing here.
     ///
     /// # Panics
     ///
@@ -326,10 +327,9 @@ pub(crate) struct Typed<B: Block> {
 #[track_caller]
 pub(crate) fn typed<B: Block>(block: &B, period: Period) -> Result<Typed<B>, Error> {
     let (design, inputs, outputs) = elaborate_typed(block, period)?;
-    let first_output = design.top().inputs.len();
-    let port = |index: usize| Port { index: index as u32 };
-    let i = B::In::convert(&inputs, &mut |_, index: &usize| port(*index));
-    let o = B::Out::convert(&outputs, &mut |_, index: &usize| port(first_output + *index));
+    let port = |index: &usize| Port { index: *index as u32 };
+    let i = B::In::convert(&inputs, &mut |_, index: &usize| port(index));
+    let o = B::Out::convert(&outputs, &mut |_, index: &usize| port(index));
     Ok(Typed { design, i, o })
 }
 

@@ -1,0 +1,104 @@
+//! Several streams to one.
+
+use crate::encode::first;
+use crate::ports::StreamOut;
+use tilewright_hdl::ir::About;
+use tilewright_hdl::{Block, Module, Signal, Stream, Width, bits, bundle, concat, mux, net, select, stream};
+
+bundle! {
+    /// The inputs of an [`Arbiter`].
+    pub struct ArbiterIn<T> {
+        /// What wants to go out.
+        pub into: Vec<Stream<T, T>>,
+    }
+}
+
+/// Which of the streams that have a word goes first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Turns {
+    /// The next after the one that went last: each gets its turn within as many words as there are streams.
+    RoundRobin,
+    /// The first of them; others may wait for ever.
+    Priority,
+}
+
+/// Sends the words of several streams, one after another.
+///
+/// ```text
+/// into.0 ===>|\
+/// into.1 ===>| |===> out      [locked] to the one whose word is shown, until it is taken
+/// into.2 ===>|/
+/// ```
+///
+/// Latency 0, a word a clock. A word that is shown stays, though one of a higher priority comes. No `valid` waits for `ready`.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub struct Arbiter {
+    senders: u32,
+    width: u32,
+    turns: Turns,
+}
+
+impl Arbiter {
+    /// An arbiter of so many senders of so many bits.
+    ///
+    /// # Panics
+    ///
+    /// It would have no senders.
+    #[track_caller]
+    pub fn new(senders: u32, width: u32, turns: Turns) -> Arbiter {
+        assert!(senders > 0, "an arbiter of 0 senders sends nothing");
+        Arbiter { senders, width, turns }
+    }
+}
+
+impl Block for Arbiter {
+    type In = ArbiterIn;
+    type Out = StreamOut;
+
+    fn inputs(&self) -> ArbiterIn<Width> {
+        ArbiterIn { into: (0..self.senders).map(|_| stream(bits(self.width))).collect() }
+    }
+
+    fn build(&self, m: Module, i: ArbiterIn) -> StreamOut {
+        // Bit 0 is sender 0; one bit of each of the others is high at most.
+        let valid: Vec<Signal> = i.into.iter().rev().map(|stream| stream.valid).collect();
+        net!(requests = concat(&valid));
+        let locked = m.reg("locked", self.senders).reset(0);
+        let last = matches!(self.turns, Turns::RoundRobin).then(|| m.reg("last", self.senders).reset(0));
+        let next = match last {
+            None => first(requests),
+            Some(last) => {
+                net!(after = requests & !(last | (last - 1)));
+                mux(after.any_one(), first(after), first(requests))
+            }
+        };
+        net!(chosen = mux(locked.any_one(), locked, next));
+
+        let arms = i.into.iter().zip(0..).map(|(stream, sender)| (chosen.bit(sender), stream.payload));
+        let (out, sent) = m.offer(requests.any_one(), select(arms.skip(1).collect::<Vec<_>>(), i.into[0].payload));
+        locked.next(mux(sent, 0, chosen));
+        if let Some(last) = last {
+            last.when(sent, chosen);
+        }
+        for (stream, sender) in i.into.iter().zip(0..) {
+            stream.take_when(chosen.bit(sender) & out.ready);
+        }
+        StreamOut { out }
+    }
+
+    fn about(&self) -> About {
+        About {
+            summary: match self.turns {
+                Turns::RoundRobin => "Sends the words of several streams, each in its turn.".into(),
+                Turns::Priority => "Sends the words of several streams, the first that has one first.".into(),
+            },
+            latency: "0 clocks".into(),
+            source: String::new(),
+        }
+    }
+
+    fn name(&self) -> String {
+        let kind = if self.turns == Turns::RoundRobin { "round_robin_arbiter" } else { "priority_arbiter" };
+        format!("{kind}_senders{}_width{}", self.senders, self.width)
+    }
+}

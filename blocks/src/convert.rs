@@ -1,0 +1,121 @@
+//! Streams of another width.
+
+use crate::ports::{StreamIn, StreamOut};
+use tilewright_hdl::ir::About;
+use tilewright_hdl::{Block, Module, Width, below, bit, bits, case, concat, mux, stream};
+
+/// Sends each word in parts, the least significant first.
+///
+/// ```text
+/// into ===[ 3 | 2 | 1 | 0 ]===>|\
+///                       [part]-|/===> out
+/// ```
+///
+/// Latency 0, a part a clock. No `valid` waits for `ready`; `ready` of `into` is that of `out` at the last part.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub struct Narrow {
+    parts: u32,
+    width: u32,
+}
+
+impl Narrow {
+    /// To words of so many bits, of which so many parts are a word that comes in.
+    ///
+    /// # Panics
+    ///
+    /// A word would have no parts.
+    #[track_caller]
+    pub fn new(parts: u32, width: u32) -> Narrow {
+        assert!(parts > 0 && width > 0, "a word of {parts} parts of {width} bits is nothing");
+        Narrow { parts, width }
+    }
+}
+
+impl Block for Narrow {
+    type In = StreamIn;
+    type Out = StreamOut;
+
+    fn inputs(&self) -> StreamIn<Width> {
+        StreamIn { into: stream(bits(self.parts * self.width)) }
+    }
+
+    fn build(&self, m: Module, i: StreamIn) -> StreamOut {
+        let part = m.reg("part", below(self.parts)).reset(0);
+        let at_end = part.eq(self.parts - 1);
+        let word = i.into.payload;
+        let parts = (0..self.parts - 1).map(|part| (part.into(), word.part(part * self.width, self.width)));
+        let payload =
+            case(part.value(), parts.collect::<Vec<(u64, _)>>(), word.part((self.parts - 1) * self.width, self.width));
+        let (out, sent) = m.offer(i.into.valid, payload);
+        i.into.take_when(at_end & out.ready);
+        part.when(sent, mux(at_end, 0, part + 1));
+        StreamOut { out }
+    }
+
+    fn about(&self) -> About {
+        About {
+            summary: "Sends each word in parts, the least significant first.".into(),
+            latency: "0 clocks".into(),
+            source: String::new(),
+        }
+    }
+}
+
+/// Makes a word of several parts, the least significant first.
+///
+/// ```text
+/// into ===>[ 3 ][ 2 ][ 1 ][ 0 ]===> out      [full]
+/// ```
+///
+/// Latency 1 clock from the last part, a part a clock. No `valid` waits for `ready`; `ready` of `into` passes that of `out`.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub struct Widen {
+    parts: u32,
+    width: u32,
+}
+
+impl Widen {
+    /// To words of so many parts, each a word of so many bits that comes in.
+    ///
+    /// # Panics
+    ///
+    /// A word would have no parts.
+    #[track_caller]
+    pub fn new(parts: u32, width: u32) -> Widen {
+        assert!(parts > 0 && width > 0, "a word of {parts} parts of {width} bits is nothing");
+        Widen { parts, width }
+    }
+}
+
+impl Block for Widen {
+    type In = StreamIn;
+    type Out = StreamOut;
+
+    fn inputs(&self) -> StreamIn<Width> {
+        StreamIn { into: stream(bits(self.width)) }
+    }
+
+    fn build(&self, m: Module, i: StreamIn) -> StreamOut {
+        let full = m.reg("full", bit()).reset(0);
+        let part = m.reg("part", below(self.parts)).reset(0);
+        let held: Vec<_> = (0..self.parts).map(|part| m.reg(&format!("held{part}"), self.width)).collect();
+        let word: Vec<_> = held.iter().rev().map(|part| part.value()).collect();
+        let (out, sent) = m.offer(full, concat(&word));
+        let into = i.into.take_when(!full | out.ready);
+        let at_end = part.eq(self.parts - 1);
+        for (held, place) in held.into_iter().zip(0u64..) {
+            held.when(into.taken & part.eq(place), *into);
+        }
+        part.when(into.taken, mux(at_end, 0, part + 1));
+        full.when(into.taken & at_end, 1).when(sent, 0);
+        StreamOut { out }
+    }
+
+    fn about(&self) -> About {
+        About {
+            summary: "Makes a word of several parts, the least significant first.".into(),
+            latency: "1 clock".into(),
+            source: String::new(),
+        }
+    }
+}

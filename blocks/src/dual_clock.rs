@@ -1,0 +1,114 @@
+//! A queue from one clock to another.
+
+use crate::ports::{StreamIn, StreamOut};
+use tilewright_hdl::ir::About;
+use tilewright_hdl::{Block, Clock, Module, ReadUnderWrite, Signal, Width, bit, bits, concat, net, on, stream};
+
+/// A queue that is filled on one clock and emptied on another.
+///
+/// ```text
+///                 write clock | read clock
+///             .---------------|---------.
+/// into ======>| words [depth] |         |======> out
+///             '---------------|---------'
+///   free --> gray ----------[ 2 ]-----> filled?
+///   full? <---------------[ 2 ]-------- gray <-- oldest
+/// ```
+///
+/// Each side knows the other's pointer in Gray code, through two registers; as one bit changes at a time, what it sees is where the
+/// pointer is or was. So the writer may take the queue for fuller than it is, and the reader for emptier, never the other way.
+///
+/// Latency 3 clocks of the reader after the writer's edge that takes a word: two for the pointer, one for the memory; where the edges of
+/// both clocks meet, hardware may need one more. No path within a clock from any port to another. Both resets come together.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub struct DualClockFifo {
+    depth: u32,
+    width: u32,
+    write: Clock,
+    read: Clock,
+}
+
+impl DualClockFifo {
+    /// A queue of that many words, a power of two from 2 on, of that many bits.
+    ///
+    /// # Panics
+    ///
+    /// The depth is not a power of two, or the clocks are one.
+    #[track_caller]
+    pub fn new(depth: u32, width: u32, write: Clock, read: Clock) -> DualClockFifo {
+        assert!(
+            depth > 1 && depth.is_power_of_two(),
+            "a dual-clock FIFO of {depth} words: Gray code needs a power of two from 2 on"
+        );
+        assert!(width > 0, "a FIFO of {depth} words of 0 bits holds nothing");
+        assert!(write.name != read.name, "a dual-clock FIFO on clock `{}` alone: take `Fifo`", write.name);
+        DualClockFifo { depth, width, write, read }
+    }
+}
+
+/// Of numbers that follow each other one bit differs.
+fn gray(number: Signal) -> Signal {
+    number ^ (number >> 1)
+}
+
+/// A Gray code, registered on another clock, through two registers of this one for each bit.
+#[track_caller]
+fn cross(m: Module, name: &str, code: Signal) -> Signal {
+    // A loop, as a closure would be the caller that messages name.
+    let mut bits = Vec::new();
+    for bit in (0..code.width()).rev() {
+        bits.push(m.synchronize(&format!("{name}{bit}"), code.bit(bit)));
+    }
+    concat(&bits)
+}
+
+impl Block for DualClockFifo {
+    type In = StreamIn;
+    type Out = StreamOut;
+
+    fn inputs(&self) -> StreamIn<Width> {
+        StreamIn { into: on(self.write, stream(bits(self.width))) }
+    }
+
+    fn build(&self, m: Module, i: StreamIn) -> StreamOut {
+        let (write, read) = (m.on(self.write), m.on(self.read));
+        let words = m.memory("words", self.depth, self.width, ReadUnderWrite::Any);
+        let address = words.address_width(); // One bit more tells full from empty.
+        let free = write.reg("free", address + 1).reset(0);
+        let free_gray = write.reg("free_gray", address + 1).reset(0);
+        let oldest = read.reg("oldest", address + 1).reset(0);
+        let oldest_gray = read.reg("oldest_gray", address + 1).reset(0);
+
+        // In Gray code the pointers are `depth` apart if their two upper bits differ and no others.
+        let seen_oldest = cross(write, "seen_oldest", oldest_gray.value());
+        net!(full = (free_gray ^ seen_oldest).eq(3u64 << (address - 1)));
+        let into = i.into.take_when(!full);
+        words.on(self.write).write(into.taken, free.trunc(address), *into);
+        net!(next_free = free + into.taken.zext(address + 1));
+        free.next(next_free);
+        free_gray.next(gray(next_free));
+
+        let seen_free = cross(read, "seen_free", free_gray.value());
+        let shown = read.reg("shown", bit()).reset(0);
+        let (out, sent) = read.offer(shown, ());
+        net!(next_oldest = oldest + sent.zext(address + 1));
+        oldest.next(next_oldest);
+        oldest_gray.next(gray(next_oldest));
+        net!(filled = gray(next_oldest).ne(seen_free));
+        shown.next(filled);
+        let word = words.on(self.read).read_when(filled, next_oldest.trunc(address));
+        StreamOut { out: out.with(word) }
+    }
+
+    fn about(&self) -> About {
+        About {
+            summary: "A queue from one clock to another, with pointers in Gray code.".into(),
+            latency: "3 clocks of the reader, 4 where its edge meets the writer's".into(),
+            source: String::new(),
+        }
+    }
+
+    fn name(&self) -> String {
+        format!("dual_clock_fifo_depth{}_width{}_{}_to_{}", self.depth, self.width, self.write.name, self.read.name)
+    }
+}

@@ -1,0 +1,114 @@
+//! A queue.
+//!
+//! ```text
+//!             .---------------.
+//! into ======>| words [depth] |======> out      first in, first out
+//!             '---------------'
+//!          free ^   used   ^ oldest
+//! ```
+//!
+//! It has a word a clock, and `out` shows the oldest word before it is taken (first word falls through). Latency 1 clock in
+//! registers or distributed memory, 2 in a block RAM, whose read takes one. No path within a clock from any port to another.
+
+use crate::ports::{StreamIn, StreamOut};
+use tilewright_hdl::ir::About;
+use tilewright_hdl::{Block, Module, ReadUnderWrite, Reg, Width, bit, bits, mux, net, stream, up_to};
+
+/// What the words of a [`Fifo`] are kept in.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Storage {
+    /// Registers, or the distributed memory of an FPGA: read in the same clock.
+    Registers,
+    /// A block RAM, which is read at an edge.
+    BlockRam,
+}
+
+/// Holds up to `depth` words and gives them back in order; see [the table](crate) for what it costs.
+///
+/// ```text
+///             .---------------.
+/// into ======>| words [depth] |======> out
+///             '---------------'
+///          free ^   used   ^ oldest
+/// ```
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub struct Fifo {
+    depth: u32,
+    width: u32,
+    storage: Storage,
+}
+
+impl Fifo {
+    /// A queue of that many words, which need not be a power of two, of that many bits.
+    ///
+    /// ```
+    /// use tilewright_blocks::{Fifo, Storage};
+    /// let design = tilewright_hdl::elaborate(&Fifo::new(5, 8, Storage::Registers))?;
+    /// assert_eq!(design.top().name, "fifo_depth5_width8");
+    /// # Ok::<(), tilewright_hdl::Problems>(())
+    /// ```
+    ///
+    /// # Panics
+    ///
+    /// It would hold nothing.
+    #[track_caller]
+    pub fn new(depth: u32, width: u32, storage: Storage) -> Fifo {
+        assert!(depth > 0 && width > 0, "a FIFO of {depth} words of {width} bits holds nothing");
+        Fifo { depth, width, storage }
+    }
+}
+
+impl Block for Fifo {
+    type In = StreamIn;
+    type Out = StreamOut;
+
+    fn inputs(&self) -> StreamIn<Width> {
+        StreamIn { into: stream(bits(self.width)) }
+    }
+
+    fn build(&self, m: Module, i: StreamIn) -> StreamOut {
+        let words = m.memory("words", self.depth, self.width, ReadUnderWrite::Any);
+        let address = words.address_width();
+        let used = m.reg("used", up_to(self.depth)).reset(0);
+        let free = m.reg("free", address).reset(0);
+        let oldest = m.reg("oldest", address).reset(0);
+        let after = |pointer: Reg| mux(pointer.eq(self.depth - 1), 0, pointer + 1);
+
+        let into = i.into.take_when(used.ne(self.depth));
+        words.write(into.taken, free, *into);
+        free.when(into.taken, after(free));
+
+        let (out, sent) = match self.storage {
+            Storage::Registers => m.offer(used.ne(0), words.read_async(oldest)),
+            Storage::BlockRam => {
+                // What is written at this edge is not read at it: `used` does not count it yet.
+                let shown = m.reg("shown", bit()).reset(0);
+                let (out, sent) = m.offer(shown, ());
+                net!(filled = mux(sent, used.ne(1), used.ne(0)));
+                shown.next(filled);
+                (out.with(words.read_when(filled, mux(sent, after(oldest), oldest))), sent)
+            }
+        };
+        oldest.when(sent, after(oldest));
+        used.when(into.taken & !sent, used + 1).when(sent & !into.taken, used - 1);
+        StreamOut { out }
+    }
+
+    fn about(&self) -> About {
+        About {
+            summary:
+                "A queue: gives its words in the order in which it took them, and shows the oldest before it is taken."
+                    .into(),
+            latency: match self.storage {
+                Storage::Registers => "1 clock".into(),
+                Storage::BlockRam => "2 clocks".into(),
+            },
+            source: String::new(),
+        }
+    }
+
+    fn name(&self) -> String {
+        let kind = if self.storage == Storage::BlockRam { "block_ram_fifo" } else { "fifo" };
+        format!("{kind}_depth{}_width{}", self.depth, self.width)
+    }
+}

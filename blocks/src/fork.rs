@@ -1,0 +1,75 @@
+//! One stream to several receivers.
+
+use crate::ports::StreamIn;
+use tilewright_hdl::ir::About;
+use tilewright_hdl::{Block, Module, Stream, Width, bit, bits, bundle, lit, stream};
+
+bundle! {
+    /// The outputs of a [`Fork`].
+    pub struct ForkOut<T> {
+        /// To each receiver the same.
+        pub out: Vec<Stream<T, T>>,
+    }
+}
+
+/// Gives each word to all of its receivers, each when it is ready for it; those that have it wait for the others.
+///
+/// ```text
+///          .---> out.0
+/// into ====+---> out.1      [done] for each: it has the word already
+///          '---> out.2
+/// ```
+///
+/// Latency 0. No `valid` waits for any `ready`; `ready` of `into` is one function of those of all receivers.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub struct Fork {
+    receivers: u32,
+    width: u32,
+}
+
+impl Fork {
+    /// A fork to so many receivers of so many bits.
+    ///
+    /// # Panics
+    ///
+    /// It would have no receivers.
+    #[track_caller]
+    pub fn new(receivers: u32, width: u32) -> Fork {
+        assert!(receivers > 0, "a fork to 0 receivers takes nothing");
+        Fork { receivers, width }
+    }
+}
+
+impl Block for Fork {
+    type In = StreamIn;
+    type Out = ForkOut;
+
+    fn inputs(&self) -> StreamIn<Width> {
+        StreamIn { into: stream(bits(self.width)) }
+    }
+
+    fn build(&self, m: Module, i: StreamIn) -> ForkOut {
+        let mut all = lit(1, 1);
+        let (mut out, mut has) = (Vec::new(), Vec::new());
+        for receiver in 0..self.receivers {
+            let done = m.reg(&format!("done{receiver}"), bit()).reset(0);
+            let (stream, sent) = m.offer(i.into.valid & !done, i.into.payload);
+            all &= done | stream.ready;
+            out.push(stream);
+            has.push((done, sent));
+        }
+        let into = i.into.take_when(all);
+        for (done, sent) in has {
+            done.when(into.taken, 0).when(sent, 1);
+        }
+        ForkOut { out }
+    }
+
+    fn about(&self) -> About {
+        About {
+            summary: "Gives each word to all of its receivers, each when it is ready for it.".into(),
+            latency: "0 clocks".into(),
+            source: String::new(),
+        }
+    }
+}

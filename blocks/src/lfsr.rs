@@ -1,0 +1,113 @@
+//! A linear feedback shift register.
+
+use tilewright_hdl::ir::About;
+use tilewright_hdl::{Block, Module, Signal, Width, bit, bundle, cat, concat};
+
+bundle! {
+    /// The inputs of an [`Lfsr`].
+    pub struct LfsrIn<T> {
+        /// It goes on to the next number.
+        pub enable: T,
+    }
+
+    /// The outputs of an [`Lfsr`].
+    pub struct LfsrOut<T> {
+        /// A number that is not 0.
+        pub number: T,
+    }
+}
+
+/// For each width from 2 on the bits, counted from 1, whose parity is shifted in, so that all numbers but 0 come.
+const TAPS: [&[u32]; 31] = [
+    &[2, 1],
+    &[3, 2],
+    &[4, 3],
+    &[5, 3],
+    &[6, 5],
+    &[7, 6],
+    &[8, 6, 5, 4],
+    &[9, 5],
+    &[10, 7],
+    &[11, 9],
+    &[12, 6, 4, 1],
+    &[13, 4, 3, 1],
+    &[14, 5, 3, 1],
+    &[15, 14],
+    &[16, 15, 13, 4],
+    &[17, 14],
+    &[18, 11],
+    &[19, 6, 2, 1],
+    &[20, 17],
+    &[21, 19],
+    &[22, 21],
+    &[23, 18],
+    &[24, 23, 22, 17],
+    &[25, 22],
+    &[26, 6, 2, 1],
+    &[27, 5, 2, 1],
+    &[28, 25],
+    &[29, 27],
+    &[30, 6, 4, 1],
+    &[31, 28],
+    &[32, 22, 2, 1],
+];
+
+/// Goes through all numbers of its width but 0, from 1 on, in an order that looks like chance.
+///
+/// ```text
+///      .--------------- parity <--.
+///      '-->[ ][ ][ ][ ][ ][ ][ ]--+--> number
+/// ```
+///
+/// Latency 1 clock; the period is 2 to the width, less one.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub struct Lfsr {
+    width: u32,
+}
+
+impl Lfsr {
+    /// Numbers of so many bits, from 2 to 32.
+    ///
+    /// ```
+    /// use tilewright_blocks::Lfsr;
+    /// assert_eq!(Lfsr::new(3).taps(), [3, 2]);
+    /// ```
+    ///
+    /// # Panics
+    ///
+    /// There are less or more.
+    #[track_caller]
+    pub fn new(width: u32) -> Lfsr {
+        assert!((2..=32).contains(&width), "an LFSR of {width} bits: it has from 2 to 32");
+        Lfsr { width }
+    }
+
+    /// The bits whose parity is shifted in, counted from 1.
+    pub fn taps(&self) -> &'static [u32] {
+        TAPS[self.width as usize - 2]
+    }
+}
+
+impl Block for Lfsr {
+    type In = LfsrIn;
+    type Out = LfsrOut;
+
+    fn inputs(&self) -> LfsrIn<Width> {
+        LfsrIn { enable: bit() }
+    }
+
+    fn build(&self, m: Module, i: LfsrIn) -> LfsrOut {
+        let number = m.reg("number", self.width).reset(1);
+        let taps: Vec<Signal> = self.taps().iter().map(|tap| number.bit(tap - 1)).collect();
+        number.when(i.enable, cat![number.trunc(self.width - 1), concat(&taps).parity()]);
+        LfsrOut { number: number.value() }
+    }
+
+    fn about(&self) -> About {
+        About {
+            summary: "Goes through all numbers but 0 in an order that looks like chance.".into(),
+            latency: "1 clock".into(),
+            source: String::new(),
+        }
+    }
+}

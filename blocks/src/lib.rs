@@ -1,0 +1,84 @@
+//! Blocks that every design needs, for whatever a [`Stream`](tilewright_hdl::Stream) carries.
+//!
+//! Those of streams are used by [`StreamBlocks`], whose methods take a stream of any signal or record and give one:
+//!
+//! ```
+//! use tilewright_blocks::{Slice, StreamBlocks, Turns};
+//! use tilewright_hdl::*;
+//!
+//! bundle! {
+//!     /// What is drawn.
+//!     pub struct Pixel<T> { pub x: T, pub y: T, pub last: T }
+//!     /// Pixels of two sources.
+//!     pub struct MixerIn<T> { pub left: Stream<Pixel<T>, T>, pub right: Stream<Pixel<T>, T> }
+//!     /// Pixels of both.
+//!     pub struct MixerOut<T> { pub pixels: Stream<Pixel<T>, T> }
+//! }
+//!
+//! /// Mixes two sources, each behind a queue.
+//! #[derive(Debug, Clone, PartialEq, Eq, Hash)]
+//! struct Mixer;
+//!
+//! impl Block for Mixer {
+//!     type In = MixerIn;
+//!     type Out = MixerOut;
+//!
+//!     fn inputs(&self) -> MixerIn<Width> {
+//!         let pixel = || stream(Pixel { x: bits(10), y: bits(9), last: bit() });
+//!         MixerIn { left: pixel(), right: pixel() }
+//!     }
+//!
+//!     fn build(&self, m: Module, i: MixerIn) -> MixerOut {
+//!         let left = m.fifo("u_left", 16, i.left);
+//!         let right = m.fifo("u_right", 16, i.right);
+//!         let mixed = m.arbiter("u_arbiter", Turns::RoundRobin, [left, right]);
+//!         MixerOut { pixels: m.slice("u_slice", Slice::Both, mixed) }
+//!     }
+//! }
+//!
+//! let design = elaborate(&Mixer)?;
+//! # assert_eq!(design.modules().len(), 4);
+//! # Ok::<(), Problems>(())
+//! ```
+//!
+//! | block | what it does | latency | no path within a clock |
+//! |---|---|---|---|
+//! | [`Fifo`] in [`Storage::Registers`] | a queue | 1 | any |
+//! | [`Fifo`] in [`Storage::BlockRam`] | a queue | 2 | any |
+//! | [`DualClockFifo`] | a queue from one clock to another | 3 read clocks, 4 where the edges meet | any |
+//! | [`RegisterSlice`], [`Slice::Forward`] | cuts `valid` and the payload | 1 | from `into` to `out` |
+//! | [`RegisterSlice`], [`Slice::Backward`] | cuts `ready` | 0 | from `out` to `into` |
+//! | [`RegisterSlice`], [`Slice::Both`] | cuts both: a skid buffer | 1 | any |
+//! | [`Fork`] | one stream to several receivers | 0 | from a `ready` to a `valid` |
+//! | [`StreamBlocks::join`] | two streams to one | 0 | from a `ready` to a `valid` |
+//! | [`Arbiter`] | several streams to one, by turns or by priority | 0 | from `ready` to `valid` |
+//! | [`Narrow`] | parts of words | 0 | from `ready` to `valid` |
+//! | [`Widen`] | words of parts | 1 from the last | from `into` to `out` |
+//! | [`Counter`], [`ShiftRegister`], [`Lfsr`] | what their names say | 1 | from inputs to outputs, but for [`Counter`]'s `wraps` |
+//! | [`one_hot`], [`index_of`], [`first`], [`first_index`] | functions of signals | 0 | |
+
+mod arbiter;
+mod convert;
+mod counter;
+mod dual_clock;
+mod encode;
+mod fifo;
+mod fork;
+mod lfsr;
+mod ports;
+mod shift;
+mod slice;
+mod streams;
+
+pub use arbiter::{Arbiter, ArbiterIn, Turns};
+pub use convert::{Narrow, Widen};
+pub use counter::{Counter, CounterIn, CounterOut};
+pub use dual_clock::DualClockFifo;
+pub use encode::{first, first_index, index_of, one_hot};
+pub use fifo::{Fifo, Storage};
+pub use fork::{Fork, ForkOut};
+pub use lfsr::{Lfsr, LfsrIn, LfsrOut};
+pub use ports::{StreamIn, StreamOut};
+pub use shift::{ShiftRegister, ShiftRegisterIn, ShiftRegisterOut};
+pub use slice::{RegisterSlice, Slice};
+pub use streams::StreamBlocks;

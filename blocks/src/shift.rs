@@ -1,0 +1,76 @@
+//! A shift register.
+
+use tilewright_hdl::ir::About;
+use tilewright_hdl::{Block, Module, Width, bit, bits, bundle, cat};
+
+bundle! {
+    /// The inputs of a [`ShiftRegister`].
+    pub struct ShiftRegisterIn<T> {
+        /// It takes `word`; wins over `shift`.
+        pub load: T,
+        /// What it takes.
+        pub word: T,
+        /// It shifts by a place.
+        pub shift: T,
+        /// What comes in at the bottom.
+        pub bit_in: T,
+    }
+
+    /// The outputs of a [`ShiftRegister`].
+    pub struct ShiftRegisterOut<T> {
+        /// All of it.
+        pub held: T,
+        /// What leaves next: the most significant bit.
+        pub bit_out: T,
+    }
+}
+
+/// Shifts towards the most significant bit: from a word to bits, or from bits to a word.
+///
+/// ```text
+/// word ==load==>.-----------.===> held
+///   bit_in ---->|   <<  1   |
+///    shift ---->'-----------'---> bit_out
+/// ```
+///
+/// Latency 1 clock.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub struct ShiftRegister {
+    width: u32,
+}
+
+impl ShiftRegister {
+    /// A shift register of so many bits.
+    ///
+    /// # Panics
+    ///
+    /// It has less than two, and nothing to shift.
+    #[track_caller]
+    pub fn new(width: u32) -> ShiftRegister {
+        assert!(width > 1, "a shift register of {width} bits has nothing to shift: it has 2 or more");
+        ShiftRegister { width }
+    }
+}
+
+impl Block for ShiftRegister {
+    type In = ShiftRegisterIn;
+    type Out = ShiftRegisterOut;
+
+    fn inputs(&self) -> ShiftRegisterIn<Width> {
+        ShiftRegisterIn { load: bit(), word: bits(self.width), shift: bit(), bit_in: bit() }
+    }
+
+    fn build(&self, m: Module, i: ShiftRegisterIn) -> ShiftRegisterOut {
+        let held = m.reg("held", self.width).reset(0);
+        held.when(i.load, i.word).when(i.shift, cat![held.trunc(self.width - 1), i.bit_in]);
+        ShiftRegisterOut { held: held.value(), bit_out: held.msb() }
+    }
+
+    fn about(&self) -> About {
+        About {
+            summary: "Shifts a word out, most significant bit first, or a word in.".into(),
+            latency: "1 clock".into(),
+            source: String::new(),
+        }
+    }
+}

@@ -1,0 +1,102 @@
+//! Register slices: registers on one direction of a stream, or on both.
+
+use crate::ports::{StreamIn, StreamOut};
+use tilewright_hdl::ir::About;
+use tilewright_hdl::{Block, Module, Width, bit, bits, mux, stream};
+
+/// Which paths a [`RegisterSlice`] cuts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Slice {
+    /// `valid` and the payload come from registers; `ready` passes. Latency 1 clock.
+    ///
+    /// ```text
+    /// into ===>[held]===> out
+    ///   ready <---------- ready
+    /// ```
+    Forward,
+    /// `ready` comes from a register; `valid` and the payload pass, or wait beside. Latency 0.
+    ///
+    /// ```text
+    /// into ===+===========>|\
+    ///         '==>[held]==>|/===> out
+    ///   ready <---[full]
+    /// ```
+    Backward,
+    /// All come from registers: a skid buffer, of two words. Latency 1 clock.
+    ///
+    /// ```text
+    /// into ===+============>|\
+    ///         '==>[spare]==>|/==>[held]===> out
+    ///   ready <---[spare_full]
+    /// ```
+    Both,
+}
+
+/// Cuts long paths through a stream, a word a clock; see [`Slice`] for the three kinds and their latencies.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub struct RegisterSlice {
+    /// The width of the payload.
+    pub width: u32,
+    /// Which paths it cuts.
+    pub cuts: Slice,
+}
+
+impl Block for RegisterSlice {
+    type In = StreamIn;
+    type Out = StreamOut;
+
+    fn inputs(&self) -> StreamIn<Width> {
+        StreamIn { into: stream(bits(self.width)) }
+    }
+
+    fn build(&self, m: Module, i: StreamIn) -> StreamOut {
+        let full = m.reg("full", bit()).reset(0);
+        let held = m.reg("held", self.width);
+        match self.cuts {
+            Slice::Forward => {
+                let (out, sent) = m.offer(full, held.value());
+                let into = i.into.take_when(!full | out.ready);
+                held.when(into.taken, *into);
+                full.when(into.taken, 1).when(sent, 0);
+                StreamOut { out }
+            }
+            Slice::Backward => {
+                let into = i.into.take_when(!full);
+                let (out, sent) = m.offer(full | into.valid, mux(full, held, *into));
+                held.when(into.taken, *into);
+                full.when(sent, 0).when(into.taken, 1);
+                StreamOut { out }
+            }
+            Slice::Both => {
+                let spare_full = m.reg("spare_full", bit()).reset(0);
+                let spare = m.reg("spare", self.width);
+                let (out, _) = m.offer(full, held.value());
+                let into = i.into.take_when(!spare_full);
+                let moves = !full | out.ready;
+                held.when(moves, mux(spare_full, spare, *into));
+                full.when(moves, spare_full | into.valid);
+                spare.when(into.taken, *into);
+                spare_full.when(moves, 0).when(into.taken, 1);
+                StreamOut { out }
+            }
+        }
+    }
+
+    fn about(&self) -> About {
+        let (summary, latency) = match self.cuts {
+            Slice::Forward => ("Puts registers on `valid` and the payload of a stream.", "1 clock"),
+            Slice::Backward => ("Puts a register on `ready` of a stream.", "0 clocks"),
+            Slice::Both => ("Puts registers on both directions of a stream: a skid buffer.", "1 clock"),
+        };
+        About { summary: summary.into(), latency: latency.into(), source: String::new() }
+    }
+
+    fn name(&self) -> String {
+        let kind = match self.cuts {
+            Slice::Forward => "forward_slice",
+            Slice::Backward => "backward_slice",
+            Slice::Both => "skid_buffer",
+        };
+        format!("{kind}_width{}", self.width)
+    }
+}

@@ -1,0 +1,140 @@
+//! The blocks of streams as methods of a module, for streams of anything.
+
+use crate::arbiter::{Arbiter, ArbiterIn, Turns};
+use crate::convert::{Narrow, Widen};
+use crate::dual_clock::DualClockFifo;
+use crate::fifo::{Fifo, Storage};
+use crate::fork::Fork;
+use crate::ports::StreamIn;
+use crate::slice::{RegisterSlice, Slice};
+use tilewright_hdl::{Clock, Data, Module, Stream};
+
+/// Streams through blocks: each method makes an instance of that name, which carries the fields of a record side by side.
+/// See [the crate](crate) for an example.
+pub trait StreamBlocks {
+    /// The stream through a queue of that many words in registers: [`Fifo`].
+    #[track_caller]
+    fn fifo<P: Data>(self, name: &str, depth: u32, stream: Stream<P>) -> Stream<P>;
+
+    /// The stream through a queue of that many words in a block RAM: [`Fifo`].
+    #[track_caller]
+    fn block_ram_fifo<P: Data>(self, name: &str, depth: u32, stream: Stream<P>) -> Stream<P>;
+
+    /// The stream from one clock to another, through a queue of that many words: [`DualClockFifo`].
+    #[track_caller]
+    fn cross_by_fifo<P: Data>(self, name: &str, depth: u32, clocks: (Clock, Clock), stream: Stream<P>) -> Stream<P>;
+
+    /// The stream through registers: [`RegisterSlice`].
+    #[track_caller]
+    fn slice<P: Data>(self, name: &str, cuts: Slice, stream: Stream<P>) -> Stream<P>;
+
+    /// The stream to `N` receivers, each of which gets all of it: [`Fork`].
+    #[track_caller]
+    fn fork<P: Data, const N: usize>(self, name: &str, stream: Stream<P>) -> [Stream<P>; N];
+
+    /// The streams to one receiver, one word after another: [`Arbiter`].
+    #[track_caller]
+    fn arbiter<P: Data>(self, name: &str, turns: Turns, streams: impl IntoIterator<Item = Stream<P>>) -> Stream<P>;
+
+    /// The stream of what `both` makes of a word of each, which go together. It is a gate, and no instance.
+    ///
+    /// ```text
+    /// left ====>|
+    ///           |&===> both(left, right)
+    /// right ===>|
+    /// ```
+    ///
+    /// Latency 0. `valid` waits for no `ready`; the `ready` of each is high where the word of both is taken.
+    #[track_caller]
+    fn join<P: Data, Q: Data, R: Data>(
+        self,
+        left: Stream<P>,
+        right: Stream<Q>,
+        both: impl FnOnce(P, Q) -> R,
+    ) -> Stream<R>;
+
+    /// The stream in so many parts of each word, the least significant first: [`Narrow`]. Its words have to have so many parts.
+    #[track_caller]
+    fn narrow(self, name: &str, parts: u32, stream: Stream) -> Stream;
+
+    /// The stream of words, of which each has so many parts, the least significant first: [`Widen`].
+    #[track_caller]
+    fn widen(self, name: &str, parts: u32, stream: Stream) -> Stream;
+}
+
+impl StreamBlocks for Module {
+    fn fifo<P: Data>(self, name: &str, depth: u32, stream: Stream<P>) -> Stream<P> {
+        let into = stream.packed();
+        let fifo = Fifo::new(depth, into.width(), Storage::Registers);
+        self.instance(name, &fifo, StreamIn { into }).out.unpacked(&stream.payload)
+    }
+
+    fn block_ram_fifo<P: Data>(self, name: &str, depth: u32, stream: Stream<P>) -> Stream<P> {
+        let into = stream.packed();
+        let fifo = Fifo::new(depth, into.width(), Storage::BlockRam);
+        self.instance(name, &fifo, StreamIn { into }).out.unpacked(&stream.payload)
+    }
+
+    fn cross_by_fifo<P: Data>(
+        self,
+        name: &str,
+        depth: u32,
+        (write, read): (Clock, Clock),
+        stream: Stream<P>,
+    ) -> Stream<P> {
+        let into = stream.packed();
+        let fifo = DualClockFifo::new(depth, into.width(), write, read);
+        self.instance(name, &fifo, StreamIn { into }).out.unpacked(&stream.payload)
+    }
+
+    fn slice<P: Data>(self, name: &str, cuts: Slice, stream: Stream<P>) -> Stream<P> {
+        let into = stream.packed();
+        let slice = RegisterSlice { width: into.width(), cuts };
+        self.instance(name, &slice, StreamIn { into }).out.unpacked(&stream.payload)
+    }
+
+    fn fork<P: Data, const N: usize>(self, name: &str, stream: Stream<P>) -> [Stream<P>; N] {
+        let into = stream.packed();
+        let out = self.instance(name, &Fork::new(N as u32, into.width()), StreamIn { into }).out;
+        // A loop, as a closure would be the caller that messages name.
+        let mut streams = Vec::with_capacity(N);
+        for out in out {
+            streams.push(out.unpacked(&stream.payload));
+        }
+        let Ok(streams) = streams.try_into() else { unreachable!("a fork has as many outputs as receivers") };
+        streams
+    }
+
+    fn arbiter<P: Data>(self, name: &str, turns: Turns, streams: impl IntoIterator<Item = Stream<P>>) -> Stream<P> {
+        let (mut into, mut like) = (Vec::new(), None);
+        for stream in streams {
+            into.push(stream.packed());
+            like.get_or_insert(stream.payload);
+        }
+        let width = into.first().map_or(1, |stream| stream.width());
+        let arbiter = Arbiter::new(into.len() as u32, width, turns);
+        let out = self.instance(name, &arbiter, ArbiterIn { into }).out;
+        out.unpacked(&like.expect("an arbiter has a sender"))
+    }
+
+    fn join<P: Data, Q: Data, R: Data>(
+        self,
+        left: Stream<P>,
+        right: Stream<Q>,
+        both: impl FnOnce(P, Q) -> R,
+    ) -> Stream<R> {
+        let (out, sent) = self.offer(left.valid & right.valid, both(left.payload.clone(), right.payload.clone()));
+        left.take_when(sent);
+        right.take_when(sent);
+        out
+    }
+
+    fn narrow(self, name: &str, parts: u32, stream: Stream) -> Stream {
+        let narrow = Narrow::new(parts, (stream.width() / parts.max(1)).max(1));
+        self.instance(name, &narrow, StreamIn { into: stream }).out
+    }
+
+    fn widen(self, name: &str, parts: u32, stream: Stream) -> Stream {
+        self.instance(name, &Widen::new(parts, stream.width()), StreamIn { into: stream }).out
+    }
+}

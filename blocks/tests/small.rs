@@ -1,0 +1,162 @@
+//! Counters, shift registers, encoders and number sequences.
+
+use tilewright_blocks::*;
+use tilewright_hdl::*;
+use tilewright_sim::Simulation;
+
+#[test]
+fn a_counter() {
+    let mut sim = Simulation::of(&Counter::new(3)).unwrap();
+    sim.reset();
+    let rows = [(0, 1), (0, 1), (0, 0), (0, 1), (0, 1), (1, 1), (0, 0)];
+    let seen = sim.stream(rows.map(|(restart, enable)| CounterIn { restart, enable }));
+    let expected = [(0, 0), (1, 0), (2, 0), (2, 1), (0, 0), (1, 0), (0, 0)];
+    assert_eq!(seen, expected.map(|(count, wraps)| CounterOut { count, wraps }));
+}
+
+#[test]
+fn a_counter_of_one_number() {
+    let mut sim = Simulation::of(&Counter::new(1)).unwrap();
+    sim.reset();
+    assert_eq!(sim.stream([CounterIn { restart: 0, enable: 1 }; 2]), [CounterOut { count: 0, wraps: 1 }; 2]);
+}
+
+#[test]
+fn a_shift_register() {
+    let mut sim = Simulation::of(&ShiftRegister::new(4)).unwrap();
+    sim.reset();
+    let row = |load, word, shift, bit_in| ShiftRegisterIn { load, word, shift, bit_in };
+    let seen = sim.stream([row(1, 0b1010, 1, 1), row(0, 0, 1, 1), row(0, 0, 0, 1), row(0, 0, 1, 0), row(0, 0, 0, 0)]);
+    let expected = [(0, 0), (0b1010, 1), (0b0101, 0), (0b0101, 0), (0b1010, 1)];
+    assert_eq!(seen, expected.map(|(held, bit_out)| ShiftRegisterOut { held, bit_out }));
+}
+
+bundle! {
+    struct EncodeIn<T> { word: T, index: T }
+    struct EncodeOut<T> { first: T, first_index: T, index_of: T, one_hot: T }
+}
+
+/// All functions of encode.rs.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+struct Encode {
+    width: u32,
+}
+
+impl Block for Encode {
+    type In = EncodeIn;
+    type Out = EncodeOut;
+
+    fn inputs(&self) -> EncodeIn<Width> {
+        EncodeIn { word: bits(self.width), index: bits(3) }
+    }
+
+    fn build(&self, _: Module, i: EncodeIn) -> EncodeOut {
+        EncodeOut {
+            first: first(i.word),
+            first_index: first_index(i.word),
+            index_of: index_of(i.word),
+            one_hot: one_hot(i.index, self.width.into()),
+        }
+    }
+}
+
+#[test]
+fn codes_of_every_word() {
+    for width in 1..=9u32 {
+        let mut sim = Simulation::of(&Encode { width }).unwrap();
+        for word in 0..1u64 << width {
+            let index = word % 8;
+            sim.drive(EncodeIn { word, index });
+            let out = sim.read_u64();
+            let place = if word == 0 { 0 } else { u64::from(word.trailing_zeros()) };
+            assert_eq!(out.first, word & word.wrapping_neg(), "{word:b}");
+            assert_eq!(out.first_index, place, "{word:b}");
+            assert!(!word.is_power_of_two() || out.index_of == place, "{word:b}");
+            assert_eq!(out.one_hot, (1 << index) & ((1 << width) - 1), "{index} of {width}");
+        }
+    }
+}
+
+#[test]
+fn short_sequences_have_all_numbers() {
+    for width in 2..=10 {
+        let mut sim = Simulation::of(&Lfsr::new(width)).unwrap();
+        sim.reset();
+        let period = (1 << width) - 1;
+        let seen = sim.stream((0..=period).map(|_| LfsrIn { enable: 1 }));
+        let mut numbers: Vec<u64> = seen.iter().map(|out| out.number).collect();
+        assert_eq!((numbers.pop(), numbers[0]), (Some(1), 1), "it begins again after {period}");
+        numbers.sort_unstable();
+        assert_eq!(numbers, (1..=period).collect::<Vec<_>>(), "{width} bits");
+        sim.set(sim.i.enable, 0);
+        let before = sim.read_u64();
+        sim.step();
+        assert_eq!(sim.read_u64(), before);
+    }
+}
+
+/// The product of two polynomials over GF(2), modulo a third of that degree.
+fn product(mut a: u64, mut b: u64, modulus: u64, degree: u32) -> u64 {
+    let mut product = 0;
+    while b != 0 {
+        product ^= a * (b & 1);
+        b >>= 1;
+        a <<= 1;
+        a ^= modulus * (a >> degree);
+    }
+    product
+}
+
+fn power(mut exponent: u64, modulus: u64, degree: u32) -> u64 {
+    let (mut result, mut square) = (1, 2);
+    while exponent != 0 {
+        if exponent & 1 == 1 {
+            result = product(result, square, modulus, degree);
+        }
+        square = product(square, square, modulus, degree);
+        exponent >>= 1;
+    }
+    result
+}
+
+/// The order of x modulo the taps' polynomial is the period: it divides no smaller part of 2 to the width, less one.
+#[test]
+fn the_taps_of_every_width_give_the_longest_period() {
+    for width in 3..=32u32 {
+        let taps = Lfsr::new(width).taps().iter().fold(0, |taps, tap| taps | 1u64 << (tap - 1));
+        // Bit i of the register was shifted in i + 1 clocks ago: x to the width has the terms x to the (width - 1 - i).
+        let modulus = 1 << width | (0..width).filter(|i| taps >> i & 1 == 1).fold(0, |m, i| m | 1 << (width - 1 - i));
+        let period = (1u64 << width) - 1;
+        assert_eq!(power(period, modulus, width), 1, "{width} bits");
+        let (mut rest, mut factor) = (period, 2);
+        while rest > 1 {
+            factor = if factor * factor > rest { rest } else { factor };
+            if rest % factor != 0 {
+                factor += 1;
+                continue;
+            }
+            assert_ne!(power(period / factor, modulus, width), 1, "{width} bits, a period of {}", period / factor);
+            while rest % factor == 0 {
+                rest /= factor;
+            }
+        }
+    }
+}
+
+#[test]
+#[should_panic(expected = "a counter of 0 numbers counts nothing")]
+fn a_counter_of_nothing() {
+    Counter::new(0);
+}
+
+#[test]
+#[should_panic(expected = "a shift register of 1 bits has nothing to shift: it has 2 or more")]
+fn nothing_to_shift() {
+    ShiftRegister::new(1);
+}
+
+#[test]
+#[should_panic(expected = "an LFSR of 33 bits: it has from 2 to 32")]
+fn a_sequence_that_is_too_wide() {
+    Lfsr::new(33);
+}

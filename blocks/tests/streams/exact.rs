@@ -1,0 +1,214 @@
+//! The blocks of streams clock by clock.
+
+use crate::clocks::play;
+use tilewright_blocks::*;
+use tilewright_sim::Simulation;
+
+#[test]
+fn a_queue_in_registers() {
+    play(
+        &Fifo::new(2, 8, Storage::Registers),
+        &[
+            (Some(1), 0, 1, None),
+            (Some(2), 0, 1, Some(1)),
+            (Some(3), 0, 0, Some(1)), // full
+            (Some(3), 1, 0, Some(1)), // `ready` does not pass
+            (Some(3), 1, 1, Some(2)),
+            (None, 1, 1, Some(3)),
+            (None, 1, 1, None),
+        ],
+    );
+}
+
+#[test]
+fn a_queue_in_a_block_ram() {
+    play(
+        &Fifo::new(3, 8, Storage::BlockRam),
+        &[
+            (Some(1), 1, 1, None),
+            (Some(2), 1, 1, None),
+            (Some(3), 1, 1, Some(1)),
+            (Some(4), 1, 1, Some(2)),
+            (None, 1, 1, Some(3)),
+            (None, 0, 1, Some(4)),
+            (None, 1, 1, Some(4)),
+            (Some(5), 1, 1, None),
+            (None, 1, 1, None),
+            (None, 1, 1, Some(5)),
+        ],
+    );
+}
+
+#[test]
+fn a_forward_slice() {
+    play(
+        &RegisterSlice { width: 8, cuts: Slice::Forward },
+        &[
+            (Some(1), 0, 1, None),
+            (Some(2), 0, 0, Some(1)),
+            (Some(2), 1, 1, Some(1)),
+            (Some(3), 1, 1, Some(2)),
+            (None, 1, 1, Some(3)),
+            (None, 1, 1, None),
+        ],
+    );
+}
+
+#[test]
+fn a_backward_slice() {
+    play(
+        &RegisterSlice { width: 8, cuts: Slice::Backward },
+        &[
+            (Some(1), 1, 1, Some(1)),
+            (Some(2), 0, 1, Some(2)),
+            (Some(3), 0, 0, Some(2)),
+            (Some(3), 1, 0, Some(2)),
+            (Some(3), 1, 1, Some(3)),
+            (None, 1, 1, None),
+        ],
+    );
+}
+
+#[test]
+fn a_skid_buffer() {
+    play(
+        &RegisterSlice { width: 8, cuts: Slice::Both },
+        &[
+            (Some(1), 0, 1, None),
+            (Some(2), 0, 1, Some(1)),
+            (Some(3), 0, 0, Some(1)),
+            (Some(3), 1, 0, Some(1)),
+            (Some(3), 1, 1, Some(2)),
+            (Some(4), 1, 1, Some(3)),
+            (None, 1, 1, Some(4)),
+            (None, 1, 1, None),
+        ],
+    );
+}
+
+#[test]
+fn narrower_and_wider_words() {
+    play(
+        &Narrow::new(3, 4),
+        &[
+            (Some(0x321), 1, 0, Some(1)),
+            (Some(0x321), 0, 0, Some(2)),
+            (Some(0x321), 1, 0, Some(2)),
+            (Some(0x321), 1, 1, Some(3)),
+            (Some(0x654), 1, 0, Some(4)),
+        ],
+    );
+    play(
+        &Widen::new(3, 4),
+        &[
+            (Some(1), 1, 1, None),
+            (Some(2), 1, 1, None),
+            (None, 1, 1, None),
+            (Some(3), 0, 1, None),
+            (Some(4), 0, 0, Some(0x321)),
+            (Some(4), 1, 1, Some(0x321)),
+            (Some(5), 1, 1, None),
+            (Some(6), 1, 1, None),
+            (None, 1, 1, Some(0x654)),
+        ],
+    );
+}
+
+/// In each clock: who has a word, whether the receiver is ready, who is taken.
+fn arbiter(turns: Turns, rows: &[([u64; 3], u64, Option<u64>)]) {
+    let mut sim = Simulation::of(&Arbiter::new(3, 8, turns)).unwrap();
+    sim.reset();
+    let mut seen = Vec::new();
+    for &(valid, ready, _) in rows {
+        for (sender, valid) in valid.into_iter().enumerate() {
+            sim.set(sim.i.into[sender].valid, valid);
+            sim.set(sim.i.into[sender].payload, sender as u64);
+        }
+        sim.set(sim.o.out.ready, ready);
+        let shows = sim.get_u64(sim.o.out.valid) == 1;
+        let shown = shows.then(|| sim.get_u64(sim.o.out.payload));
+        for (sender, valid) in valid.into_iter().enumerate() {
+            let taken = sim.get_u64(sim.i.into[sender].ready) & valid;
+            assert_eq!(taken == 1, ready == 1 && shown == Some(sender as u64));
+        }
+        seen.push((valid, ready, shown));
+        sim.step();
+    }
+    assert_eq!(seen, rows);
+}
+
+#[test]
+fn turns() {
+    arbiter(
+        Turns::RoundRobin,
+        &[
+            ([1, 1, 1], 1, Some(0)),
+            ([1, 1, 1], 1, Some(1)),
+            ([1, 1, 1], 1, Some(2)),
+            ([1, 1, 1], 1, Some(0)),
+            ([1, 0, 0], 1, Some(0)),
+            ([1, 0, 1], 0, Some(2)),
+            ([1, 1, 1], 1, Some(2)), // shown is shown
+            ([0, 0, 0], 1, None),
+            ([0, 1, 1], 1, Some(1)),
+        ],
+    );
+}
+
+#[test]
+fn priority() {
+    arbiter(
+        Turns::Priority,
+        &[
+            ([1, 1, 1], 1, Some(0)),
+            ([0, 1, 1], 0, Some(1)),
+            ([1, 1, 1], 1, Some(1)), // shown is shown
+            ([1, 0, 1], 1, Some(0)),
+            ([0, 0, 1], 1, Some(2)),
+            ([0, 0, 0], 1, None),
+        ],
+    );
+}
+
+#[test]
+fn a_fork() {
+    let mut sim = Simulation::of(&Fork::new(2, 8)).unwrap();
+    sim.reset();
+    // The sender's word, the receivers' `ready`; the block's `ready`, what the receivers see.
+    let rows = [
+        (1, [1, 1], 1, [1, 1]),
+        (1, [1, 0], 0, [1, 1]),
+        (1, [1, 0], 0, [0, 1]), // the first has it already
+        (1, [1, 1], 1, [0, 1]),
+        (1, [0, 0], 0, [1, 1]),
+        (1, [1, 1], 1, [1, 1]),
+        (0, [1, 1], 1, [0, 0]),
+    ];
+    for (clock, (valid, ready, taken, shown)) in rows.into_iter().enumerate() {
+        sim.set(sim.i.into.valid, valid);
+        for (receiver, ready) in ready.into_iter().enumerate() {
+            sim.set(sim.o.out[receiver].ready, ready);
+        }
+        let seen = [0, 1].map(|receiver| sim.get_u64(sim.o.out[receiver].valid));
+        assert_eq!((sim.get_u64(sim.i.into.ready), seen), (taken, shown), "clock {clock}");
+        sim.step();
+    }
+}
+
+#[test]
+#[should_panic(expected = "a FIFO of 0 words of 8 bits holds nothing")]
+fn a_queue_of_nothing() {
+    Fifo::new(0, 8, Storage::Registers);
+}
+
+#[test]
+#[should_panic(expected = "a fork to 0 receivers takes nothing")]
+fn a_fork_to_nobody() {
+    Fork::new(0, 8);
+}
+
+#[test]
+#[should_panic(expected = "an arbiter of 0 senders sends nothing")]
+fn an_arbiter_of_nobody() {
+    Arbiter::new(0, 8, Turns::Priority);
+}

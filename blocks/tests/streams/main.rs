@@ -1,0 +1,9 @@
+//! The blocks of streams: under stalls, and clock by clock.
+
+mod clocks;
+mod crossing;
+mod exact;
+mod property;
+mod property_tests;
+mod records;
+mod stalls;

@@ -1,0 +1,127 @@
+//! The property finds what it is to find.
+
+use crate::property::{BACKWARD, Cuts, End, FORWARD, NONE, Stalls, through};
+use tilewright_blocks::{RegisterSlice, Slice, StreamIn, StreamOut};
+use tilewright_hdl::*;
+use tilewright_sim::Simulation;
+
+/// What a bad block does.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+enum Fault {
+    /// It shows whatever comes in, with the number of the clock.
+    Changes,
+    /// It loses a word that comes while another waits.
+    Loses,
+    /// It takes nothing.
+    Sticks,
+}
+
+/// A block with a fault.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+struct Bad(Fault);
+
+impl Block for Bad {
+    type In = StreamIn;
+    type Out = StreamOut;
+
+    fn inputs(&self) -> StreamIn<Width> {
+        StreamIn { into: stream(8) }
+    }
+
+    fn build(&self, m: Module, i: StreamIn) -> StreamOut {
+        let clocks = m.reg("clocks", 8).reset(0);
+        clocks.next(clocks + 1);
+        let full = m.reg("full", bit()).reset(0);
+        let held = m.reg("held", 8);
+        let out = match self.0 {
+            Fault::Changes => {
+                let (out, _) = m.offer(i.into.valid, i.into.payload ^ clocks);
+                i.into.take_when(out.ready);
+                out
+            }
+            Fault::Loses => {
+                let (out, sent) = m.offer(full, held.value());
+                let into = i.into.take_when(1);
+                held.when(into.taken & (!full | sent), *into);
+                full.when(into.taken, 1).when(sent, 0);
+                out
+            }
+            Fault::Sticks => {
+                i.into.take_when(0);
+                m.offer(full & !i.into.valid & i.into.payload.bit(0), held.value()).0
+            }
+        };
+        if self.0 == Fault::Changes || self.0 == Fault::Sticks {
+            held.next(0);
+            full.next(0);
+        }
+        StreamOut { out }
+    }
+}
+
+fn run<B: Block<In = StreamIn, Out = StreamOut>>(block: &B, cuts: Cuts) -> Vec<u64> {
+    let mut sim = Simulation::of(block).unwrap();
+    sim.reset();
+    let ends = ([End::of(sim.i.into)], [End::of(sim.o.out)]);
+    let stalls = Stalls { senders: 20, receivers: 50, seed: 7 };
+    through(&mut sim, (&ends.0, &ends.1), &[(1..30).collect()], stalls, cuts).remove(0)
+}
+
+bundle! {
+    struct WaitsIn<T> { ready: T }
+    struct WaitsOut<T> { valid: T, payload: T }
+}
+
+/// Shows its word only to a receiver that is ready; of a stream the language would not take that.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+struct Waits;
+
+impl Block for Waits {
+    type In = WaitsIn;
+    type Out = WaitsOut;
+
+    fn inputs(&self) -> WaitsIn<Width> {
+        WaitsIn { ready: bit() }
+    }
+
+    fn build(&self, m: Module, i: WaitsIn) -> WaitsOut {
+        WaitsOut { valid: i.ready, payload: m.pipe("ready_before", i.ready) }
+    }
+}
+
+#[test]
+#[should_panic(expected = "what goes out waits for `ready` of output 0")]
+fn a_sender_that_waits_for_its_receiver() {
+    let mut sim = Simulation::of(&Waits).unwrap();
+    let out = End::of(Stream { valid: sim.o.valid, ready: sim.i.ready, payload: sim.o.payload });
+    through(&mut sim, (&[], &[out]), &[], Stalls { senders: 0, receivers: 50, seed: 7 }, NONE);
+}
+
+#[test]
+#[should_panic(expected = "output 0 takes back Some(")]
+fn a_word_that_changes() {
+    run(&Bad(Fault::Changes), NONE);
+}
+
+#[test]
+fn a_word_that_is_lost() {
+    assert_ne!(run(&Bad(Fault::Loses), NONE), (1..30).collect::<Vec<_>>());
+}
+
+#[test]
+#[should_panic(expected = "it is stuck")]
+fn a_block_that_takes_nothing() {
+    run(&Bad(Fault::Sticks), NONE);
+}
+
+#[test]
+#[should_panic(expected = "a path from `ready` of output 0 to that of an input")]
+fn a_path_back() {
+    run(&RegisterSlice { width: 8, cuts: Slice::Forward }, BACKWARD);
+}
+
+#[test]
+#[should_panic(expected = "a path from input 0 to an output")]
+fn a_path_through() {
+    run(&RegisterSlice { width: 8, cuts: Slice::Backward }, FORWARD);
+}

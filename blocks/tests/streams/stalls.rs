@@ -1,0 +1,121 @@
+//! Every block of streams under random stalls.
+
+use crate::property::{BACKWARD, BOTH, Cuts, End, FORWARD, NONE, Stalls, through};
+use proptest::prelude::*;
+use tilewright_blocks::*;
+use tilewright_hdl::{Block, Bundle, Module, Stream, Width, bundle, cat, stream};
+use tilewright_sim::{Port, Simulation};
+
+pub fn stalls() -> impl Strategy<Value = Stalls> {
+    let percent = || prop_oneof![Just(0), Just(50), 1u64..90];
+    (percent(), percent(), any::<u64>()).prop_map(|(senders, receivers, seed)| Stalls { senders, receivers, seed })
+}
+
+fn words(below: u64) -> impl Strategy<Value = Vec<u64>> {
+    prop::collection::vec(0..below, 0..60)
+}
+
+/// What a block makes of the senders' words.
+fn result<B: Block>(
+    block: &B,
+    into: impl Fn(&<B::In as Bundle>::Of<Port>) -> Vec<Stream<Port, Port>>,
+    out: impl Fn(&<B::Out as Bundle>::Of<Port>) -> Vec<Stream<Port, Port>>,
+    words: &[Vec<u64>],
+    stalls: Stalls,
+    cuts: Cuts,
+) -> Vec<Vec<u64>> {
+    let mut sim = Simulation::of(block).unwrap();
+    sim.reset();
+    let ends = |streams: Vec<Stream<Port, Port>>| streams.into_iter().map(End::of).collect::<Vec<_>>();
+    let (into, out) = (ends(into(&sim.i)), ends(out(&sim.o)));
+    through(&mut sim, (&into, &out), words, stalls, cuts)
+}
+
+/// What a block of one stream in and one out makes of the words.
+fn passed<B: Block<In = StreamIn, Out = StreamOut>>(block: &B, words: &[u64], stalls: Stalls, cuts: Cuts) -> Vec<u64> {
+    result(block, |i| vec![i.into], |o| vec![o.out], &[words.to_vec()], stalls, cuts).remove(0)
+}
+
+bundle! {
+    struct JoinIn<T> { left: Stream<T, T>, right: Stream<T, T> }
+}
+
+/// Words of two streams side by side.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+struct Join;
+
+impl Block for Join {
+    type In = JoinIn;
+    type Out = StreamOut;
+
+    fn inputs(&self) -> JoinIn<Width> {
+        JoinIn { left: stream(8), right: stream(8) }
+    }
+
+    fn build(&self, m: Module, i: JoinIn) -> StreamOut {
+        // A block without a clock cannot be stepped: a slice has one.
+        let left = m.slice("u_left", Slice::Both, i.left);
+        StreamOut { out: m.join(left, i.right, |left, right| cat![left, right]) }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+
+    #[test]
+    fn queues(depth in 1u32..10, block_ram: bool, words in words(256), stalls in stalls()) {
+        let storage = if block_ram { Storage::BlockRam } else { Storage::Registers };
+        prop_assert_eq!(passed(&Fifo::new(depth, 8, storage), &words, stalls, BOTH), words);
+    }
+
+    #[test]
+    fn register_slices(kind in 0usize..3, words in words(256), stalls in stalls()) {
+        let (cuts, paths) = [(Slice::Forward, FORWARD), (Slice::Backward, BACKWARD), (Slice::Both, BOTH)][kind];
+        prop_assert_eq!(passed(&RegisterSlice { width: 8, cuts }, &words, stalls, paths), words);
+    }
+
+    #[test]
+    fn forks(receivers in 1u32..5, words in words(256), stalls in stalls()) {
+        let fork = Fork::new(receivers, 8);
+        let received = result(&fork, |i| vec![i.into], |o| o.out.clone(), std::slice::from_ref(&words), stalls, NONE);
+        prop_assert_eq!(received, vec![words; receivers as usize]);
+    }
+
+    #[test]
+    fn joins(left in words(256), right in words(256), stalls in stalls()) {
+        let count = left.len().min(right.len());
+        let sent = [left[..count].to_vec(), right[..count].to_vec()];
+        let pairs: Vec<u64> = left.iter().zip(&right).map(|(left, right)| left << 8 | right).collect();
+        let received = result(&Join, |i| vec![i.left, i.right], |o| vec![o.out], &sent, stalls, NONE);
+        prop_assert_eq!(received, vec![pairs]);
+    }
+
+    #[test]
+    fn arbiters(fair: bool, sent in prop::collection::vec(words(256), 1..6), stalls in stalls()) {
+        let turns = if fair { Turns::RoundRobin } else { Turns::Priority };
+        // A word says who sends it.
+        let from = |sender: usize, words: &Vec<u64>| words.iter().map(|word| (sender as u64) << 8 | word).collect();
+        let sent: Vec<Vec<u64>> = sent.iter().enumerate().map(|(sender, words)| from(sender, words)).collect();
+        let arbiter = Arbiter::new(sent.len() as u32, 11, turns);
+        let received = result(&arbiter, |i| i.into.clone(), |o| vec![o.out], &sent, stalls, NONE).remove(0);
+        let of = |sender: u64| received.iter().copied().filter(|word| word >> 8 == sender).collect::<Vec<_>>();
+        prop_assert_eq!((0..sent.len() as u64).map(of).collect::<Vec<_>>(), sent);
+    }
+
+    #[test]
+    fn narrower_words(parts in 1u32..6, words in words(1 << 3), stalls in stalls()) {
+        // Each part tells its word and its place.
+        let all: u64 = (0..parts).map(|place| u64::from(place) << (6 * place)).sum();
+        let repeated = |word: u64| (0..parts).map(|place| word << (6 * place + 3)).sum::<u64>();
+        let sent: Vec<u64> = words.iter().map(|word| all | repeated(*word)).collect();
+        let expected: Vec<u64> = words.iter().flat_map(|word| (0..parts).map(move |place| word << 3 | u64::from(place))).collect();
+        prop_assert_eq!(passed(&Narrow::new(parts, 6), &sent, stalls, NONE), expected);
+    }
+
+    #[test]
+    fn wider_words(parts in 1u32..6, words in words(256), stalls in stalls()) {
+        let whole = words.chunks_exact(parts as usize);
+        let expected: Vec<u64> = whole.map(|parts| parts.iter().rev().fold(0, |word, part| word << 8 | part)).collect();
+        prop_assert_eq!(passed(&Widen::new(parts, 8), &words, stalls, FORWARD), expected);
+    }
+}

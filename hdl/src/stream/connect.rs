@@ -1,0 +1,192 @@
+//! How a stream's `ready` finds its way back: a net that whoever takes the stream drives.
+
+use crate::bundle::{Fields, Leaf, Visited};
+use crate::clock::Clock;
+use crate::draft::{Draft, DraftWire, UNDRIVEN};
+use crate::elaboration::{self, Elaboration};
+use crate::ir::{Input, InstanceId, NodeId, Op, Shape};
+use crate::loc::Loc;
+use crate::module::{Module, port_name};
+use crate::problem::Problem;
+use crate::signal::Signal;
+use crate::wire::is_here;
+
+/// A stream that can be taken in the module under construction.
+pub(crate) struct DraftStream {
+    pub origin: Origin,
+    /// The place of its `ready` among the wires.
+    pub wire: usize,
+    /// That of its sender.
+    pub clock: Option<Clock>,
+    pub loc: Loc,
+}
+
+/// A stream that the module offers and that leaves it.
+pub(crate) struct Sent {
+    /// The path of its `valid` among the outputs.
+    pub valid: String,
+    /// The place of its `ready` among the inputs.
+    pub ready: u32,
+    pub loc: Loc,
+}
+
+/// Where a stream comes from.
+#[derive(Clone)]
+pub(crate) enum Origin {
+    /// It is an input of that name.
+    Input(String),
+    /// It is an output of an instance.
+    Instance { instance: String, port: String },
+    /// The module itself offers it.
+    Offered,
+}
+
+impl DraftStream {
+    /// Whether it is an input of the module.
+    pub fn comes_in(&self) -> bool {
+        matches!(self.origin, Origin::Input(_))
+    }
+
+    /// The stream for messages, and what was done with it where it begins.
+    pub fn text(&self) -> (String, &'static str) {
+        match &self.origin {
+            Origin::Input(name) => (format!("stream `{name}`"), "is declared"),
+            Origin::Instance { instance, port } => (format!("stream `{port}` of `{instance}`"), "is made"),
+            Origin::Offered => ("a stream that is offered".to_owned(), "is offered"),
+        }
+    }
+}
+
+/// For each leaf whether it runs against the others, as the `ready` of a stream does.
+pub(crate) fn backwards<T: Leaf>(bundle: &impl Fields<T>) -> Vec<bool> {
+    let mut backwards = Vec::new();
+    bundle.visit(&mut |part| match part {
+        Visited::Leaf(_) => backwards.push(false),
+        Visited::Back(_) => backwards.push(true),
+        Visited::List(_) => {}
+    });
+    backwards
+}
+
+/// The `ready` of a stream that nobody takes yet.
+pub(crate) fn untaken(e: &mut Elaboration, origin: Origin, shape: Shape, clock: Option<Clock>, loc: Loc) -> Signal {
+    let draft = e.draft();
+    let node = draft.add(Op::Wire(UNDRIVEN), 1, shape, loc);
+    if let Origin::Input(name) = &origin {
+        draft.node_mut(node).name = Some(format!("{name}_ready"));
+    }
+    let wire = draft.wires.len();
+    draft.wires.push(DraftWire { node, driver: None });
+    draft.streams.insert(node, DraftStream { origin, wire, clock, loc });
+    Signal::at(e, node)
+}
+
+impl Module {
+    /// The `ready`, at that path, of a stream that an instance sends; one for each of the instance's lanes.
+    pub(crate) fn unanswered(self, e: &mut Elaboration, id: InstanceId, path: &str, shape: Shape, loc: Loc) -> Signal {
+        let draft = e.drafts.last().expect("a module is being built");
+        let instance = &draft.instances[id.0 as usize];
+        let port = e.done[instance.module.0 as usize].inputs.iter().rfind(|input| input.path == path);
+        let clock = port.and_then(|port| port.clock).map(|clock| instance.clocks[clock.0 as usize]);
+        let clock = clock.map_or(self.clock, |clock| draft.clocks[clock.0 as usize]);
+        let shape = instance.shape.beside(shape).unwrap_or(instance.shape);
+        let port = port_name("", path.strip_suffix(".ready").unwrap_or(path));
+        let origin = Origin::Instance { instance: instance.name.clone(), port };
+        untaken(e, origin, shape, clock, loc)
+    }
+}
+
+/// Says what the `ready` of a stream is, which whoever takes the stream does once.
+pub(crate) fn take(ready: Signal, driver: Signal, loc: Loc) {
+    if !is_here(ready, driver.node, loc) {
+        return;
+    }
+    elaboration::with(|e| {
+        let Some(stream) = e.draft().streams.get(&ready.node) else {
+            return report_no_stream(e, ready, driver.node, loc);
+        };
+        let (wire, (text, begins), began, is_port) = (stream.wire, stream.text(), stream.loc, stream.comes_in());
+        let driver = match (driver.shape == ready.shape, driver.shape.is_plain()) {
+            (true, _) => driver,
+            (false, true) => driver.spread_in(e, ready.shape, loc),
+            (false, false) => {
+                let message = format!("{text} has {}, but is taken by {}", ready.shape, driver.shape);
+                let problem = Problem::new(loc, message).note(format!("{text} {begins}"), began);
+                e.report_instead_of(
+                    &[driver.node],
+                    problem.help("a stream has one receiver: give each lane a stream of its own"),
+                );
+                Signal::zero_in(e, 1, ready.shape, loc)
+            }
+        };
+        let draft = e.draft();
+        if is_port {
+            // What drives the port is told by the line that takes the stream.
+            draft.node_mut(ready.node).loc = loc;
+        }
+        let before = draft.wires[wire].driver.replace((driver.node, loc));
+        if let Some((lost, first)) = before {
+            let mut problem = Problem::new(loc, format!("{text} is taken twice"));
+            // What is returned has no line but that where it begins.
+            for (note, place) in [("the first time is".to_owned(), first), (format!("{text} {begins}"), began)] {
+                problem = if place == loc { problem } else { problem.note(note, place) };
+            }
+            e.report_instead_of(&[lost], problem.help("a stream has one receiver: a fork makes two of it"));
+        }
+    });
+}
+
+fn report_no_stream(e: &mut Elaboration, ready: Signal, driver: NodeId, loc: Loc) {
+    let draft = e.draft();
+    let (text, place) = (draft.describe(ready.node), draft.node(ready.node).loc);
+    let mut problem = Problem::new(loc, format!("`{text}` stands as the `ready` of a stream, but is that of none"));
+    if place != loc {
+        problem = problem.note(format!("`{text}` is made"), place);
+    }
+    let problem = problem.help(
+        "a stream is an input, an output of an instance, or made by `m.offer`; registers and memories hold its payload",
+    );
+    e.report_instead_of(&[ready.node, driver], problem);
+}
+
+/// The stream of that `ready` leaves the module: its receiver's answer is the input port of that path.
+pub(crate) fn leave(path: &str, ready: Signal, loc: Loc) {
+    let (port, loc) = elaboration::with(|e| {
+        let draft = e.draft();
+        // A mistake is told where the stream begins: the return value has no line.
+        let is_own = draft.serial == ready.module;
+        let stream = draft.streams.get(&ready.node).filter(|_| is_own);
+        let clock = stream.and_then(|stream| stream.clock);
+        let is_offered = stream.is_some_and(|stream| matches!(stream.origin, Origin::Offered));
+        let loc = match stream {
+            Some(stream) => stream.loc,
+            None if is_own => draft.node(ready.node).loc,
+            None => loc,
+        };
+        let name = port_name("", path);
+        let index = draft.inputs.len() as u32;
+        let node = draft.add(Op::Input(index), 1, ready.shape, loc);
+        draft.node_mut(node).name = Some(name.clone());
+        draft.inputs.push(Input { name, path: path.to_owned(), node, clock: None });
+        draft.input_clocks.push(clock);
+        if is_offered {
+            let valid = format!("{}valid", path.strip_suffix("ready").unwrap_or(path));
+            draft.sent.push(Sent { valid, ready: index, loc });
+        }
+        (Signal::at(e, node), loc)
+    });
+    take(ready, port, loc);
+}
+
+/// The problem of a stream that nobody takes.
+pub(crate) fn say_untaken(draft: &Draft, node: NodeId) -> Option<Problem> {
+    let stream = draft.streams.get(&node)?;
+    let (text, help) = match &stream.origin {
+        Origin::Offered => (stream.text().0, "return it among the outputs, or feed an instance with it"),
+        _ => (
+            stream.text().0,
+            "take it with `.take_when(condition)`, feed an instance with it, or return it among the outputs",
+        ),
+    };
+    Some(Problem::new(stream.loc, format!("{text} in `{}` is never taken", draft.block)).help(help))
+}

@@ -1,0 +1,114 @@
+//! Streams: a payload that goes where its sender has it valid and its receiver is ready.
+
+mod connect;
+mod offer;
+
+pub(crate) use connect::{DraftStream, Origin, Sent, backwards, leave, say_untaken, take, untaken};
+pub use offer::Taken;
+
+use crate::bundle::{Fields, Leaf, Visited, join};
+use crate::data::{Data, Layout};
+use crate::width::{Width, bit};
+use std::ops::Deref;
+
+/// A payload with its handshake. At an edge where `valid` and `ready` are high it goes over. The sender must not wait for `ready`
+/// before it says `valid`, and holds both `valid` and the payload until then.
+///
+/// In a [`bundle!`](crate::bundle!) it is a field that runs both ways: `ready` of a stream among a block's inputs is an output port, and
+/// that of one among its outputs is an input port. The ports of `jobs: Stream<Job<T>, T>` are `jobs_valid`, `jobs_ready` and
+/// one for each field of the payload, as `jobs_page`; a payload that is one signal has the port `jobs_payload`. A payload's fields can
+/// be read at once: `i.jobs.page`.
+///
+/// A stream is taken once: by [`take_when`](Stream::take_when), by an instance that is given it, or by being returned. What a block
+/// sends it makes with [`Module::offer`](crate::Module::offer).
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// bundle! {
+///     /// What is looked up.
+///     pub struct Job<T> { pub page: T, pub last: T }
+///     /// What comes in.
+///     pub struct DelayIn<T> { pub jobs: Stream<Job<T>, T> }
+///     /// What goes out.
+///     pub struct DelayOut<T> { pub delayed: Stream<Job<T>, T> }
+/// }
+///
+/// /// Holds one job; latency one clock.
+/// #[derive(Debug, Clone, PartialEq, Eq, Hash)]
+/// struct Delay { pages: u32 }
+///
+/// impl Block for Delay {
+///     type In = DelayIn;
+///     type Out = DelayOut;
+///
+///     fn inputs(&self) -> DelayIn<Width> {
+///         DelayIn { jobs: stream(Job { page: below(self.pages), last: bit() }) }
+///     }
+///
+///     fn build(&self, m: Module, i: DelayIn) -> DelayOut {
+///         let full = m.reg("full", bit()).reset(0);
+///         let held = m.reg("held", Job { page: below(self.pages), last: bit() });
+///         let (delayed, sent) = m.offer(full, held.value());
+///         let jobs = i.jobs.take_when(!full | sent);
+///         held.when(jobs.taken, *jobs);
+///         full.when(jobs.taken, 1).when(sent, 0);
+///         DelayOut { delayed }
+///     }
+/// }
+///
+/// let design = elaborate(&Delay { pages: 12 })?;
+/// let names = |ports: Vec<&str>| ports.join(" ");
+/// assert_eq!(names(design.top().inputs.iter().map(|port| &*port.name).collect()), "jobs_valid jobs_page jobs_last delayed_ready");
+/// assert_eq!(names(design.top().outputs.iter().map(|port| &*port.name).collect()), "delayed_valid delayed_page delayed_last jobs_ready");
+/// # Ok::<(), Problems>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stream<P = crate::Signal, T = crate::Signal> {
+    /// The sender has a payload.
+    pub valid: T,
+    /// The receiver takes it.
+    pub ready: T,
+    /// What goes over: a signal or a record.
+    pub payload: P,
+}
+
+impl<P, T> Deref for Stream<P, T> {
+    type Target = P;
+
+    fn deref(&self) -> &P {
+        &self.payload
+    }
+}
+
+/// A port that is a stream, whose payload is a signal of that width or a record of those: `stream(8)`,
+/// `stream(Job { page: below(12), last: bit() })`.
+#[track_caller]
+pub fn stream<L: Layout>(payload: L) -> Stream<<L::Value as Data>::Like<Width>, Width> {
+    Stream { valid: bit(), ready: bit(), payload: payload.layout() }
+}
+
+impl<T: Leaf, P: Fields<T>> Fields<T> for Stream<P, T> {
+    type With<U: Leaf> = Stream<P::With<U>, U>;
+
+    fn map_fields<U: Leaf>(&self, path: &str, f: &mut dyn FnMut(&str, &T) -> U) -> Self::With<U> {
+        let valid = f(&join(path, "valid"), &self.valid);
+        let ready = f(&join(path, "ready"), &self.ready);
+        // A payload that is a leaf has no name of its own.
+        let payload = self.payload.map_fields(path, &mut |field, leaf| match field == path {
+            true => f(&join(path, "payload"), leaf),
+            false => f(field, leaf),
+        });
+        Stream { valid, ready, payload }
+    }
+
+    fn map_leaves<U: Leaf>(&self, f: &mut impl FnMut(&T) -> U) -> Self::With<U> {
+        let (valid, ready) = (f(&self.valid), f(&self.ready));
+        Stream { valid, ready, payload: self.payload.map_leaves(f) }
+    }
+
+    fn visit(&self, f: &mut impl FnMut(Visited<T>)) {
+        f(Visited::Leaf(&self.valid));
+        f(Visited::Back(&self.ready));
+        self.payload.visit(f);
+    }
+}

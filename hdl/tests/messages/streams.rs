@@ -1,0 +1,216 @@
+//! Streams: what is not taken, what is taken twice, and what is none.
+
+use crate::common::*;
+use tilewright_hdl::*;
+
+bundle! {
+    pub struct Job<T> { pub page: T, pub last: T }
+    pub struct JobsIn<T> { pub jobs: Stream<Job<T>, T>, pub go: T }
+    pub struct JobsOut<T> { pub found: Stream<T, T>, pub copy: Vec<Stream<T, T>> }
+}
+
+/// Describes the outputs of a [`Streams`].
+type BuildStreams = fn(Module, JobsIn) -> JobsOut;
+
+/// A block of one stream in, described by a function.
+#[derive(Clone, PartialEq, Eq, Hash)]
+#[allow(unpredictable_function_pointer_comparisons, reason = "a block that is built twice for one function is no harm")]
+struct Streams(BuildStreams);
+
+impl std::fmt::Debug for Streams {
+    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+        write!(f, "Streams {{ at: {} }}", self.0 as usize)
+    }
+}
+
+impl Block for Streams {
+    type In = JobsIn;
+    type Out = JobsOut;
+
+    fn inputs(&self) -> JobsIn<Width> {
+        JobsIn { jobs: stream(Job { page: bits(8), last: bit() }), go: bit() }
+    }
+
+    fn build(&self, m: Module, i: JobsIn) -> JobsOut {
+        m.ignore(&i);
+        (self.0)(m, i)
+    }
+
+    fn name(&self) -> String {
+        "streams".to_owned()
+    }
+}
+
+#[track_caller]
+fn expect(build: BuildStreams, expected: &str) {
+    let lines: Vec<_> = expected.lines().map(str::trim_start).collect();
+    let found = problems(&Streams(build));
+    let found: Vec<_> = found.lines().map(str::trim_start).collect();
+    assert_eq!(found.join("\n"), lines.join("\n").trim());
+}
+
+#[test]
+fn a_stream_that_comes_in_and_is_never_taken() {
+    expect(
+        |m, i| JobsOut { found: m.offer(i.go, i.jobs.page).0, copy: vec![] },
+        "stream `jobs` in `Streams` is never taken
+         --> [JobsIn { jobs: stream(Job { page: bits(8), last: bit() }), go: bit() }]
+         help: take it with `.take_when(condition)`, feed an instance with it, or return it among the outputs",
+    );
+}
+
+#[test]
+fn a_stream_that_is_offered_to_nobody() {
+    expect(
+        |m, i| {
+            let (lost, _) = m.offer(i.go, i.jobs.payload);
+            let _ = lost;
+            JobsOut { found: i.jobs.with(i.jobs.page), copy: vec![] }
+        },
+        "a stream that is offered in `Streams` is never taken
+         --> [let (lost, _) = m.offer(i.go, i.jobs.payload);]
+         help: return it among the outputs, or feed an instance with it",
+    );
+}
+
+#[test]
+fn streams_of_instances_that_nobody_takes() {
+    expect(
+        |m, i| {
+            let u = m.instance("u_pass", &Pass, Passed { x: i.jobs.with(i.jobs.page) });
+            JobsOut { found: m.offer(i.go, u.y.payload).0, copy: vec![] }
+        },
+        "stream `y` of `u_pass` in `Streams` is never taken
+         --> [let u = m.instance(\"u_pass\", &Pass, Passed { x: i.jobs.with(i.jobs.page) });]
+         help: take it with `.take_when(condition)`, feed an instance with it, or return it among the outputs",
+    );
+}
+
+#[test]
+fn streams_that_are_taken_twice() {
+    expect(
+        |m, i| {
+            i.jobs.take_when(1);
+            let jobs = i.jobs.take_when(i.go);
+            JobsOut { found: m.offer(i.go, jobs.page).0, copy: vec![] }
+        },
+        "stream `jobs` is taken twice
+         --> [let jobs = i.jobs.take_when(i.go);]
+         the first time is at [i.jobs.take_when(1);]
+         stream `jobs` is declared at [JobsIn { jobs: stream(Job { page: bits(8), last: bit() }), go: bit() }]
+         help: a stream has one receiver: a fork makes two of it",
+    );
+    expect(
+        |m, i| {
+            let page = i.jobs.with(i.jobs.page);
+            let u = m.instance("u_pass", &Pass, Passed { x: page });
+            let _ = m.instance("u_twice", &Pass, Passed { x: page }).y.take_when(i.go);
+            JobsOut { found: u.y, copy: vec![] }
+        },
+        "stream `jobs` is taken twice
+         --> [let _ = m.instance(\"u_twice\", &Pass, Passed { x: page }).y.take_when(i.go);]
+         the first time is at [let u = m.instance(\"u_pass\", &Pass, Passed { x: page });]
+         stream `jobs` is declared at [JobsIn { jobs: stream(Job { page: bits(8), last: bit() }), go: bit() }]
+         help: a stream has one receiver: a fork makes two of it",
+    );
+}
+
+#[test]
+fn streams_that_are_returned_twice() {
+    expect(
+        |m, i| {
+            let jobs = i.jobs.take_when(i.go);
+            let (found, _) = m.offer(jobs.valid, jobs.page);
+            JobsOut { found, copy: vec![found] }
+        },
+        "a stream that is offered is taken twice
+         --> [let (found, _) = m.offer(jobs.valid, jobs.page);]
+         help: a stream has one receiver: a fork makes two of it",
+    );
+}
+
+#[test]
+fn what_is_no_stream() {
+    expect(
+        |_, i| {
+            let jobs = i.jobs.take_when(i.go);
+            let made = Stream { valid: jobs.valid, ready: i.go, payload: jobs.page };
+            JobsOut { found: made, copy: vec![] }
+        },
+        "`go` stands as the `ready` of a stream, but is that of none
+         --> [JobsIn { jobs: stream(Job { page: bits(8), last: bit() }), go: bit() }]
+         help: a stream is an input, an output of an instance, or made by `m.offer`; registers and memories hold its payload",
+    );
+}
+
+#[test]
+fn conditions_and_lanes_of_streams() {
+    expect(
+        |m, i| {
+            let jobs = i.jobs.take_when(i.jobs.page);
+            JobsOut { found: m.offer(i.jobs.page, jobs.page).0, copy: vec![] }
+        },
+        "the condition of `take_when` is 1 bit, but `jobs_page` has 8 bits
+         --> [let jobs = i.jobs.take_when(i.jobs.page);]
+         `jobs_page` is made at [JobsIn { jobs: stream(Job { page: bits(8), last: bit() }), go: bit() }]
+         help: compare it, as in `.ne(0)`, or take one `.bit(i)`
+
+         the condition of `offer` is 1 bit, but `jobs_page` has 8 bits
+         --> [JobsOut { found: m.offer(i.jobs.page, jobs.page).0, copy: vec![] }]
+         `jobs_page` is made at [JobsIn { jobs: stream(Job { page: bits(8), last: bit() }), go: bit() }]
+         help: compare it, as in `.ne(0)`, or take one `.bit(i)`
+
+         2 problems in this description",
+    );
+    expect(
+        |m, i| {
+            let cells = m.array("u_cell", 2, &Pass, |_| Passed { x: i.jobs.with(i.jobs.page) });
+            let page = cells.y.take_when(i.go).lane(0);
+            JobsOut { found: m.offer(i.go, page).0, copy: vec![] }
+        },
+        "stream `jobs` has no lanes, but is taken by 2 lanes
+         --> [let cells = m.array(\"u_cell\", 2, &Pass, |_| Passed { x: i.jobs.with(i.jobs.page) });]
+         stream `jobs` is declared at [JobsIn { jobs: stream(Job { page: bits(8), last: bit() }), go: bit() }]
+         help: a stream has one receiver: give each lane a stream of its own",
+    );
+}
+
+#[test]
+fn a_sender_that_waits_for_its_receiver() {
+    expect(
+        |m, i| {
+            let jobs = i.jobs.take_when(1);
+            let answer = m.wire("answer", bit());
+            let (found, _) = m.offer(jobs.valid & answer, jobs.page);
+            answer.drive(found.ready);
+            JobsOut { found, copy: vec![] }
+        },
+        "stream `found` of `Streams` waits for its receiver: its `valid` follows from its `ready`
+         --> [let (found, _) = m.offer(jobs.valid & answer, jobs.page);]
+         help: offer what there is, and let `sent` say whether it is taken: the receiver may wait for `valid`",
+    );
+}
+
+bundle! {
+    struct Passed<T> { x: Stream<T, T> }
+    struct PassedOn<T> { y: Stream<T, T>, taken: T }
+}
+
+/// Passes its stream on as it is.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+struct Pass;
+
+impl Block for Pass {
+    type In = Passed;
+    type Out = PassedOn;
+
+    fn inputs(&self) -> Passed<Width> {
+        Passed { x: stream(8) }
+    }
+
+    fn build(&self, m: Module, i: Passed) -> PassedOn {
+        let x = i.x.take_when(1);
+        let held = m.pipe("held", *x);
+        PassedOn { y: m.offer(x.valid, held).0, taken: x.taken }
+    }
+}
