@@ -5,5 +5,6 @@ pub(crate) mod drives;
 mod lane_loops;
 pub(crate) mod loops;
 pub(crate) mod naming;
+pub(crate) mod outputs;
 pub(crate) mod synchronizers;
 pub(crate) mod unused;
