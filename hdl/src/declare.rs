@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::bundle::{Bundle, Fields, join};
 use crate::ir::About;
+use crate::module::Module;
 use crate::signal::Signal;
 use crate::width::Width;
 
@@ -61,6 +62,17 @@ use crate::width::Width;
 /// | `preset: Position = self.position()` | a record whose widths some expression gives |
 /// | `samples: [bits(48); self.units]`, `nearest: [Position = self.position(); 4]` | a list, as a `Vec` |
 /// | `sum: _`, `nearest: Pixel = _`, `all: [Pixel] = _` | an output as wide as what drives it |
+///
+/// Without a `build` it does not compile:
+///
+/// ```compile_fail
+/// # use tilewright_hdl::*;
+/// block! {
+///     /// Does nothing yet.
+///     pub struct Nothing;
+///     out NothingOut { nothing: bit() }
+/// }
+/// ```
 ///
 /// A block may have type parameters with bounds, as `struct Queue<C: Codes> { .. }`. One whose ports are a bundle of others, or whose
 /// module has a name of its own, implements [`Block`](crate::Block) itself.
@@ -167,9 +179,10 @@ macro_rules! block {
             $crate::block! { @outputs $out }
             $crate::block! { @about [$([$($attribute)*])*] $latency [$source] }
 
-            // `build` of the struct comes before the trait's. Without one this would call itself.
-            #[deny(unconditional_recursion)]
             fn build(&self, m: $crate::Module, i: Self::In) -> Self::Out {
+                // The struct's own `build` comes before those of traits. Without one this would call itself: a second trait
+                // makes that an error.
+                use $crate::AddTheBuildOfThisBlock as _;
                 Self::build(self, m, i)
             }
         }
@@ -236,6 +249,20 @@ macro_rules! doc_line {
         ""
     };
 }
+
+/// A block that `block!` declares and that has no `build` gets this one, which is none.
+#[doc(hidden)]
+pub trait AddTheBuildOfThisBlock {
+    fn build(&self, _: Module, _: impl Sized) -> NoBuild {
+        NoBuild
+    }
+}
+
+impl<T> AddTheBuildOfThisBlock for T {}
+
+#[doc(hidden)]
+#[derive(Debug)]
+pub struct NoBuild;
 
 /// A list of ports that are alike.
 #[doc(hidden)]

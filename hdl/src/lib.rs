@@ -103,7 +103,7 @@ pub use codes::{Codes, one_of};
 pub use data::Given;
 pub use data::{Data, Fits, Layout};
 #[doc(hidden)]
-pub use declare::{about, declared, list, sentence};
+pub use declare::{AddTheBuildOfThisBlock, NoBuild, about, declared, list, sentence};
 pub use index::Index;
 pub use ir::{About, Design, ReadUnderWrite, Shape};
 pub use lanes::{Along, constants, interleave, stack};

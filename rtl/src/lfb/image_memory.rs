@@ -50,9 +50,6 @@ bundle! {
         /// The buffer to read and clear.
         pub buffer: T,
     }
-
-    /// The pixel under way.
-    struct Drawn<T> { address: T, word: T }
 }
 
 codes! {
@@ -111,8 +108,8 @@ impl ImageMemory {
             Stage2::Write => when(accept, Stage2::Read).or_else(Stage2::Idle),
         });
 
-        let drawn = Drawn { address: cat!(i.draw.page, i.draw.offset, i.front), word: i.draw.word };
-        let Drawn { address, word } = front.pipe_when(accept, "drawn", drawn);
+        let address = front.pipe_when(accept, "drawn_address", cat!(i.draw.page, i.draw.offset, i.front));
+        let word = front.pipe_when(accept, "drawn_word", i.draw.word);
         net!(old_word = memory.on(PE).read_when(stage.is(Stage2::Read), address));
         let nearer = front.pipe_when(stage.is(Stage2::Compare), "nearer", word.lt(old_word));
         memory.on(PE).write(stage.is(Stage2::Write) & nearer, address, word);

@@ -31,7 +31,7 @@
 use tilewright_hdl::{Module, Width, bit, bits, block, bundle, net, up_to};
 
 use super::image_memory::{Draw, ImageMemory, ImageMemoryIn, SendPixel};
-use super::patch_table::{LookUp, PatchTable, PatchTableIn, ScanLookUp};
+use super::patch_table::{LookUp, PatchTable, PatchTableIn, PatchTableOut, ScanLookUp};
 use super::patches::Patches;
 use super::scan_counter::{ScanCounter, ScanCounterIn};
 use crate::clocks::{MERGE, PE};
@@ -59,16 +59,6 @@ bundle! {
         /// Its number.
         pub patch: T,
     }
-
-    /// What waits while the patch of the scan's pixel is looked up.
-    struct Sought<T> {
-        offset: T,
-        /// The buffer that was looked into.
-        buffer: T,
-    }
-
-    /// What waits while the patch of the processor's pixel is looked up.
-    struct Wanted<T> { offset: T, word: T }
 }
 
 block! {
@@ -140,7 +130,7 @@ impl LfbUnit {
         let (pe, merge) = (m.on(PE), m.on(MERGE));
 
         // Which buffer is in front, as the processor knows it and as the merger knows it.
-        let front = pe.reg("front", 1).reset(0);
+        let front = pe.reg("front", bit()).reset(0);
         front.when(i.swap, !front);
         let merge_front = merge.synchronize("merge_front", front.value());
         let known_front = pe.synchronize("known_front", merge_front);
@@ -152,10 +142,10 @@ impl LfbUnit {
         let counter = ScanCounter { screen: self.patches.screen() };
         let counted = merge.instance("u_scan_counter", &counter, ScanCounterIn { scan, preset: i.preset });
         let sought = self.patches.locate(counted.pixel);
-        let armed = merge.reg("sought_armed", 1).reset(0);
+        let armed = merge.reg("sought_armed", bit()).reset(0);
         armed.when(scan.restart, 0).when(scan.enable, counted.armed);
-        let beside = Sought { offset: sought.offset, buffer: back };
-        let Sought { offset, buffer } = merge.pipe_when(scan.enable, "sought", beside);
+        let offset = merge.pipe_when(scan.enable, "sought_offset", sought.offset);
+        let buffer = merge.pipe_when(scan.enable, "sought_buffer", back);
 
         // The processor's request: its patch is looked up, the rest waits beside.
         let wanted = self.patches.locate(Position { x: i.request.x, y: i.request.y });
@@ -173,8 +163,8 @@ impl LfbUnit {
             },
         );
         net!(accept = i.request.valid & table.ready);
-        let beside = Wanted { offset: wanted.offset, word: i.request.word };
-        let Wanted { offset: wanted_offset, word } = pe.pipe_when(accept, "wanted", beside);
+        let wanted_offset = pe.pipe_when(accept, "wanted_offset", wanted.offset);
+        let word = pe.pipe_when(accept, "wanted_word", i.request.word);
 
         // A pixel sought before the buffers were swapped is not sent: its page may belong to another patch by now.
         net!(resident = armed & table.scan_entry.resident & buffer.eq(back));
@@ -190,14 +180,8 @@ impl LfbUnit {
         let idle = table.idle & image.idle;
         pe.assert(i.swap.implies(table.overflow | idle), "the buffers are swapped when idle or in overflow");
         pe.assert(i.swap.implies(settled), "the buffers are not swapped again before the merger has followed");
-        LfbUnitOut {
-            ready: table.ready,
-            clear_ready: table.clear_ready,
-            overflow: table.overflow,
-            pages_used: table.pages_used,
-            idle,
-            word: image.sent,
-        }
+        let PatchTableOut { ready, clear_ready, overflow, pages_used, .. } = table;
+        LfbUnitOut { ready, clear_ready, overflow, pages_used, idle, word: image.sent }
     }
 }
 
