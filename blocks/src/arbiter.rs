@@ -94,6 +94,7 @@ impl Block for Arbiter {
             },
             latency: "0 clocks".into(),
             source: String::new(),
+            ..About::default()
         }
     }
 

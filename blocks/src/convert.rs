@@ -57,6 +57,7 @@ impl Block for Narrow {
             summary: "Sends each word in parts, the least significant first.".into(),
             latency: "0 clocks".into(),
             source: String::new(),
+            ..About::default()
         }
     }
 }
@@ -116,6 +117,7 @@ impl Block for Widen {
             summary: "Makes a word of several parts, the least significant first.".into(),
             latency: "1 clock".into(),
             source: String::new(),
+            ..About::default()
         }
     }
 }

@@ -75,6 +75,7 @@ impl Block for Counter {
             summary: "Counts the clocks with `enable` high and starts again at a limit.".into(),
             latency: "1 clock".into(),
             source: String::new(),
+            ..About::default()
         }
     }
 }

@@ -105,6 +105,7 @@ impl Block for DualClockFifo {
             summary: "A queue from one clock to another, with pointers in Gray code.".into(),
             latency: "3 clocks of the reader, 4 where its edge meets the writer's".into(),
             source: String::new(),
+            ..About::default()
         }
     }
 

@@ -104,6 +104,7 @@ impl Block for Fifo {
                 Storage::BlockRam => "2 clocks".into(),
             },
             source: String::new(),
+            ..About::default()
         }
     }
 

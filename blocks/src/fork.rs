@@ -70,6 +70,7 @@ impl Block for Fork {
             summary: "Gives each word to all of its receivers, each when it is ready for it.".into(),
             latency: "0 clocks".into(),
             source: String::new(),
+            ..About::default()
         }
     }
 }

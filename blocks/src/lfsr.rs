@@ -108,6 +108,7 @@ impl Block for Lfsr {
             summary: "Goes through all numbers but 0 in an order that looks like chance.".into(),
             latency: "1 clock".into(),
             source: String::new(),
+            ..About::default()
         }
     }
 }

@@ -71,6 +71,7 @@ impl Block for ShiftRegister {
             summary: "Shifts a word out, most significant bit first, or a word in.".into(),
             latency: "1 clock".into(),
             source: String::new(),
+            ..About::default()
         }
     }
 }

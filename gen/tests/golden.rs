@@ -7,7 +7,7 @@ mod blocks;
 mod compare;
 mod shapes;
 
-use blocks::{Clocks, Counter, Latest, LineBuffer, Pump, Row, Updates};
+use blocks::{Clocks, Counter, Latest, LineBuffer, Mirror, Pump, Row, Updates};
 use compare::compare;
 use shapes::{Grid, Shapes, Words};
 use tilewright_gen::{testbench, tools, verilog};
@@ -24,6 +24,11 @@ fn check<B: Block>(block: &B) {
 #[test]
 fn a_counter() {
     check(&Counter { width: 8, limit: 10 });
+}
+
+#[test]
+fn what_is_said_about_ports() {
+    check(&Mirror);
 }
 
 #[test]

@@ -4,30 +4,21 @@
 use tilewright_hdl::*;
 use tilewright_sim::{Simulation, Vcd};
 
-bundle! {
-    struct CounterIn<T> { enable: T }
-    struct CounterOut<T> { count: T, wraps: T }
-}
-
-/// Counts from 0 to `limit - 1` and starts again.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Counter {
-    width: u32,
-    limit: u64,
-}
-
-impl Block for Counter {
-    type In = CounterIn;
-    type Out = CounterOut;
-
-    fn inputs(&self) -> CounterIn<Width> {
-        CounterIn { enable: bit() }
+block! {
+    /// Counts from 0 to `limit - 1` and starts again.
+    struct Counter {
+        width: u32,
+        limit: u64,
     }
+    in CounterIn { enable: bit() }
+    out(self) CounterOut { count: bits(self.width), wraps: bit() }
+}
 
+impl Counter {
     fn build(&self, m: Module, i: CounterIn) -> CounterOut {
         let count = m.reg("count", self.width).reset(0);
         net!(at_end = count.eq(self.limit - 1));
-        count.enable(i.enable).next(mux(at_end, 0, count + 1));
+        count.when(i.enable, mux(at_end, 0, count + 1));
         CounterOut { count: count.value(), wraps: at_end & i.enable }
     }
 }

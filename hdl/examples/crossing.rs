@@ -6,25 +6,16 @@ use tilewright_sim::{Simulation, Vcd};
 
 codes! { enum Light { Green, Amber, Red } }
 
-bundle! {
-    struct CrossingIn<T> { button: T }
-    struct CrossingOut<T> { cars_stop: T, walk: T }
-}
-
-/// Cars have green until somebody presses the button, but for `clocks[0]` clocks; then amber and red for the others.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Crossing {
-    clocks: [u64; 3],
-}
-
-impl Block for Crossing {
-    type In = CrossingIn;
-    type Out = CrossingOut;
-
-    fn inputs(&self) -> CrossingIn<Width> {
-        CrossingIn { button: bit() }
+block! {
+    /// Cars have green until somebody presses the button, but for `clocks[0]` clocks; then amber and red for the others.
+    struct Crossing {
+        clocks: [u64; 3],
     }
+    in CrossingIn { button: bit() }
+    out CrossingOut { cars_stop: bit(), walk: bit() }
+}
 
+impl Crossing {
     fn build(&self, m: Module, i: CrossingIn) -> CrossingOut {
         let light = m.fsm("light", Light::Green);
         let clocks = m.reg("clocks", 4).reset(1);

@@ -4,26 +4,17 @@
 use tilewright_hdl::*;
 use tilewright_sim::{Simulation, Vcd};
 
-bundle! {
-    struct FifoIn<T> { push: T, data: T, pop: T }
-    struct FifoOut<T> { head: T, empty: T, full: T }
-}
-
-/// Holds up to `depth` words, a power of two; the oldest is at the head. A push when full and a pop when empty do nothing.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Fifo {
-    depth: u32,
-    width: u32,
-}
-
-impl Block for Fifo {
-    type In = FifoIn;
-    type Out = FifoOut;
-
-    fn inputs(&self) -> FifoIn<Width> {
-        FifoIn { push: bit(), data: bits(self.width), pop: bit() }
+block! {
+    /// Holds up to `depth` words, a power of two; the oldest is at the head. A push when full and a pop when empty do nothing.
+    struct Fifo {
+        depth: u32,
+        width: u32,
     }
+    in(self) FifoIn { push: bit(), data: bits(self.width), pop: bit() }
+    out(self) FifoOut { head: bits(self.width), empty: bit(), full: bit() }
+}
 
+impl Fifo {
     fn build(&self, m: Module, i: FifoIn) -> FifoOut {
         let words = m.memory("words", self.depth, self.width, ReadUnderWrite::Old);
         let address = words.address_width(); // One bit more tells full from empty.
@@ -32,8 +23,8 @@ impl Block for Fifo {
         net!(empty = oldest.eq(free));
         net!(full = (oldest ^ free).eq(self.depth));
         words.write(i.push & !full, free.trunc(address), i.data);
-        free.enable(i.push & !full).next(free + 1);
-        oldest.enable(i.pop & !empty).next(oldest + 1);
+        free.when(i.push & !full, free + 1);
+        oldest.when(i.pop & !empty, oldest + 1);
         FifoOut { head: words.read_async(oldest.trunc(address)), empty, full }
     }
 }

@@ -12,8 +12,6 @@ codes! {
 bundle! {
     /// An instruction; it is done once and then so many times more.
     struct Step<T> { alu: T, operand: T, more: T, ends: T }
-    struct RunIn<T> { start: T }
-    struct RunOut<T> { sum: T, busy: T }
 }
 
 /// The assembler: a function that makes a record of numbers.
@@ -21,18 +19,14 @@ fn step(alu: Alu, operand: u64) -> Step<u64> {
     Step { alu: alu.code(), operand, more: 0, ends: 0 }
 }
 
-/// Runs its program whenever it is started.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Run;
+block! {
+    /// Runs its program whenever it is started.
+    struct Run;
+    in RunIn { start: bit() }
+    out RunOut { sum: bits(8), busy: bit() }
+}
 
-impl Block for Run {
-    type In = RunIn;
-    type Out = RunOut;
-
-    fn inputs(&self) -> RunIn<Width> {
-        RunIn { start: bit() }
-    }
-
+impl Run {
     fn build(&self, m: Module, i: RunIn) -> RunOut {
         let layout = Step { alu: one_of::<Alu>(), operand: bits(8), more: bits(2), ends: bit() };
         let program = m.memory("program", 4, layout, ReadUnderWrite::Any).words([

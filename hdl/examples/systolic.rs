@@ -4,26 +4,17 @@
 use tilewright_hdl::*;
 use tilewright_sim::Simulation;
 
-bundle! {
-    struct SystolicIn<T> { clear: T, left: T, above: T }
-    struct SystolicOut<T> { product: T }
-}
-
-/// `size` x `size` cells. Row `i` of the left matrix enters row `i` of the grid, `i` clocks late; column `j` of the other one enters
-/// column `j`, `j` clocks late.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Systolic {
-    size: u32,
-}
-
-impl Block for Systolic {
-    type In = SystolicIn;
-    type Out = SystolicOut;
-
-    fn inputs(&self) -> SystolicIn<Width> {
-        SystolicIn { clear: bit(), left: bits(8).of(row(self.size)), above: bits(8).of(row(self.size)) }
+block! {
+    /// `size` x `size` cells. Row `i` of the left matrix enters row `i` of the grid, `i` clocks late; column `j` of the other one enters
+    /// column `j`, `j` clocks late.
+    struct Systolic {
+        size: u32,
     }
+    in(self) SystolicIn { clear: bit(), left: bits(8).of(row(self.size)), above: bits(8).of(row(self.size)) }
+    out(self) SystolicOut { product: bits(16).of(grid(self.size, self.size)) }
+}
 
+impl Systolic {
     fn build(&self, m: Module, i: SystolicIn) -> SystolicOut {
         let cells = grid(self.size, self.size);
         let x = m.reg("x", bits(8).of(cells));

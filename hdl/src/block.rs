@@ -1,6 +1,7 @@
 //! Blocks: parameters in a plain struct, and a function from an input bundle to an output bundle.
 
 use crate::bundle::{Bundle, Fields};
+use crate::check;
 use crate::clock::Period;
 use crate::draft::Draft;
 use crate::elaboration;
@@ -9,6 +10,7 @@ use crate::ir::{About, Design, Input, ModuleId, Op};
 use crate::limits::{DEEPEST, sound_width};
 use crate::loc::Loc;
 use crate::module::{Module, port_name};
+use crate::module_name::module_name;
 use crate::names;
 use crate::problem::Problems;
 use crate::shaping::sound_shape;
@@ -23,12 +25,13 @@ use std::rc::Rc;
 /// A hardware block: the struct holds its parameters, [`build`](Block::build) describes it. Instances of one type with
 /// equal parameters are one module; what `Debug` prints of them goes into its name and into messages.
 ///
-/// Write `#[derive(Debug, Clone, PartialEq, Eq, Hash)]` before the struct. Floating-point parameters have no `Eq`: state
+/// [`block!`](crate::block!) makes all of it but `build` of one declaration. Without it,
+/// write `#[derive(Debug, Clone, PartialEq, Eq, Hash)]` before the struct. Floating-point parameters have no `Eq`: state
 /// them as integers.
 pub trait Block: Debug + Clone + Eq + Hash + 'static {
     /// The input bundle.
     type In: Bundle;
-    /// The output bundle; its widths follow from the description.
+    /// The output bundle; its widths follow from the description, and can be stated in [`outputs`](Block::outputs).
     type Out: Bundle;
 
     /// The widths of the inputs.
@@ -37,15 +40,20 @@ pub trait Block: Debug + Clone + Eq + Hash + 'static {
     /// Describes the block.
     fn build(&self, m: Module, i: Self::In) -> Self::Out;
 
+    /// The widths that its outputs are to have, each with the port's path; those that are not said follow from the description.
+    fn outputs(&self) -> Vec<(String, Width)> {
+        Vec::new()
+    }
+
     /// What the block is, for people: the header of its Verilog and its documentation.
     fn about(&self) -> About {
         About::default()
     }
 
-    /// The name of its module in Verilog: by default the type's name in snake case with the parameters behind it, as
-    /// `counter_width8`.
+    /// The name of its module in Verilog: by default the type's name in snake case with its type arguments and parameters behind
+    /// it, as `counter_width8`. Blocks that differ have names that differ, and where they would not that is a problem.
     fn name(&self) -> String {
-        names::module_name(std::any::type_name::<Self>(), &format!("{self:?}"))
+        module_name(std::any::type_name::<Self>(), &format!("{self:?}"))
     }
 }
 
@@ -157,7 +165,9 @@ pub(crate) fn elaborate_module<B: Block>(block: &B, loc: Loc) -> Elaborated {
         }
     }
     outputs.extend(answers);
+    let widths = block.outputs();
     elaboration::with(|e| {
+        check::outputs::check(e, &outputs, &widths);
         finish::finish(e, outputs, block.name(), block.about(), parameters);
         let id = ModuleId(e.done.len() as u32 - 1);
         e.known.insert(block.clone(), id);

@@ -57,6 +57,12 @@ pub trait Fields<T: Leaf>: Sized {
         });
     }
 
+    /// Shows `f` what is said about each record and each leaf, with its path; elements of lists have no number there.
+    #[doc(hidden)]
+    fn documentation(path: &str, said: &str, f: &mut dyn FnMut(&str, &str)) {
+        f(path, said);
+    }
+
     /// Each leaf with its path, in order of declaration.
     fn leaves(&self) -> Vec<(String, T)> {
         let mut leaves = Vec::new();
@@ -88,6 +94,10 @@ impl<T: Leaf> Fields<T> for T {
 impl<T: Leaf, B: Fields<T>> Fields<T> for Vec<B> {
     type With<U: Leaf> = Vec<B::With<U>>;
 
+    fn documentation(path: &str, said: &str, f: &mut dyn FnMut(&str, &str)) {
+        B::documentation(path, said, f);
+    }
+
     fn map_fields<U: Leaf>(&self, path: &str, f: &mut dyn FnMut(&str, &T) -> U) -> Self::With<U> {
         self.iter().enumerate().map(|(i, element)| element.map_fields(&join(path, &i.to_string()), f)).collect()
     }
@@ -105,6 +115,10 @@ impl<T: Leaf, B: Fields<T>> Fields<T> for Vec<B> {
 /// Elements are named by their index.
 impl<T: Leaf, B: Fields<T>, const N: usize> Fields<T> for [B; N] {
     type With<U: Leaf> = [B::With<U>; N];
+
+    fn documentation(path: &str, said: &str, f: &mut dyn FnMut(&str, &str)) {
+        B::documentation(path, said, f);
+    }
 
     fn map_fields<U: Leaf>(&self, path: &str, f: &mut dyn FnMut(&str, &T) -> U) -> Self::With<U> {
         std::array::from_fn(|i| self[i].map_fields(&join(path, &i.to_string()), f))
@@ -231,18 +245,27 @@ pub fn join(path: &str, field: &str) -> String {
 #[macro_export]
 macro_rules! bundle {
     ($($(#[$attribute:meta])* $vis:vis struct $name:ident<$leaf:ident> {
-        $($(#[$field_attribute:meta])* $field_vis:vis $field:ident: $ty:ty),* $(,)?
+        $($(#[$($field_attribute:tt)*])* $field_vis:vis $field:ident: $ty:ty),* $(,)?
     })*) => {$(
         $(#[$attribute])*
         #[derive(Debug, Clone, PartialEq)]
         $vis struct $name<$leaf = $crate::Signal> {
-            $($(#[$field_attribute])* $field_vis $field: $ty),*
+            $($(#[$($field_attribute)*])* $field_vis $field: $ty),*
         }
 
         impl<$leaf: Copy> Copy for $name<$leaf> where $($ty: Copy),* {}
 
         impl<$leaf: $crate::Leaf> $crate::Fields<$leaf> for $name<$leaf> {
             type With<U: $crate::Leaf> = $name<U>;
+
+            fn documentation(path: &str, said: &str, f: &mut dyn FnMut(&str, &str)) {
+                f(path, said);
+                $(<$ty as $crate::Fields<$leaf>>::documentation(
+                    &$crate::join(path, stringify!($field)),
+                    &$crate::sentence(&[$($crate::doc_line!($($field_attribute)*)),*]),
+                    f,
+                );)*
+            }
 
             fn map_fields<U: $crate::Leaf>(
                 &self,
@@ -334,6 +357,11 @@ macro_rules! bundle {
 
         #[allow(dead_code)]
         impl $name<$crate::Width> {
+            /// The same widths, of values that are all synchronous to `clock`.
+            $vis fn on(self, clock: $crate::Clock) -> Self {
+                $crate::Fields::map(&self, |width| width.on(clock))
+            }
+
             /// The record whose fields stand side by side in `word`, the first most significant.
             #[track_caller]
             $vis fn unpack(&self, word: impl Into<$crate::Signal>) -> $name {

@@ -46,7 +46,7 @@ macro_rules! codes {
         $($(#[$code_attribute:meta])* $code:ident),+ $(,)?
     })+) => {$(
         $(#[$attribute])*
-        #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
         $vis enum $name { $($(#[$code_attribute])* $code),+ }
 
         impl $crate::Codes for $name {

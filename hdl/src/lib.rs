@@ -5,27 +5,18 @@
 //! ```
 //! use tilewright_hdl::*;
 //!
-//! bundle! {
-//!     pub struct CounterIn<T> { pub enable: T }
-//!     pub struct CounterOut<T> { pub count: T, pub wraps: T }
+//! block! {
+//!     /// Counts from 0 to `limit - 1` and starts again.
+//!     pub struct Counter { pub width: u32, pub limit: u64 }
+//!     in CounterIn { enable: bit() }
+//!     out(self) CounterOut { count: bits(self.width), wraps: bit() }
 //! }
 //!
-//! /// Counts from 0 to `limit - 1` and starts again.
-//! #[derive(Debug, Clone, PartialEq, Eq, Hash)]
-//! pub struct Counter { pub width: u32, pub limit: u64 }
-//!
-//! impl Block for Counter {
-//!     type In = CounterIn;
-//!     type Out = CounterOut;
-//!
-//!     fn inputs(&self) -> CounterIn<Width> {
-//!         CounterIn { enable: bit() }
-//!     }
-//!
+//! impl Counter {
 //!     fn build(&self, m: Module, i: CounterIn) -> CounterOut {
 //!         let count = m.reg("count", self.width).reset(0);
 //!         net!(at_end = count.eq(self.limit - 1));
-//!         count.enable(i.enable).next(mux(at_end, 0, count + 1));
+//!         count.when(i.enable, mux(at_end, 0, count + 1));
 //!         CounterOut { count: count.value(), wraps: at_end & i.enable }
 //!     }
 //! }
@@ -37,7 +28,8 @@
 //!
 //! | to say | write |
 //! |---|---|
-//! | a port | a field of a [`bundle!`], as wide as [`bit`]`()`, [`bits`]`(n)`, [`below`]`(n)` or [`up_to`]`(n)` in [`Block::inputs`] |
+//! | a block | [`block!`], and its `build` |
+//! | a port | its name and width in [`block!`]: [`bit`]`()`, [`bits`]`(n)`, [`below`]`(n)`, [`up_to`]`(n)`, or a record of these |
 //! | an expression | `+ - & \| ^ ! << >>` and methods of [`Signal`]; integers take the width of what they meet |
 //! | a change of width | [`zext`](Signal::zext) [`sext`](Signal::sext) [`trunc`](Signal::trunc) [`slice`](Signal::slice) [`part`](Signal::part) [`bit`](Signal::bit) [`cat!`] [`repeat`](Signal::repeat) |
 //! | a choice | [`mux`], [`select`] (first that holds), [`case`] (by value); of signals, numbers or records |
@@ -52,7 +44,7 @@
 //! | lanes | `bits(8).of(row(4))`, [`row`], [`grid`]; what is elementwise is written as for one; [`previous`](Signal::previous), [`take`](Signal::take), [`pick`](Signal::pick), [`sum`](Signal::sum), [`rows`](Signal::rows), [`columns`](Signal::columns), [`stack`], [`tree`] |
 //! | a stream: a payload with `valid` and `ready` | a field `Stream<Job<T>, T>` as wide as [`stream`]`(Job { .. })`; [`Stream::take_when`], [`Module::offer`] |
 //! | an instance, an array of them | [`Module::instance`], [`Module::array`] |
-//! | another clock | [`Module::on`], [`Mem::on`], [`Width::on`] and [`on`]; [`Module::synchronize`], [`Module::synchronize_from`], [`Signal::quasi_static`] to cross |
+//! | another clock | [`Module::on`], [`Mem::on`], [`Width::on`]; [`Module::synchronize`], [`Module::synchronize_from`], [`Signal::quasi_static`] to cross |
 //! | what must hold | [`Module::assert`], with [`implies`](Signal::implies) |
 //!
 //! Both sides of an operator have equal widths, results wrap, and `==` does not compile: [`Signal::eq`] does. Every mistake
@@ -68,6 +60,7 @@ mod circuit;
 pub mod clock;
 mod codes;
 mod data;
+mod declare;
 mod draft;
 mod elaboration;
 mod finish;
@@ -81,6 +74,7 @@ mod limits;
 mod loc;
 mod memory;
 mod module;
+mod module_name;
 mod names;
 mod operand;
 mod problem;
@@ -111,6 +105,8 @@ pub use codes::{Codes, one_of};
 #[doc(hidden)]
 pub use data::Given;
 pub use data::{Data, Fits, Layout};
+#[doc(hidden)]
+pub use declare::{AddTheBuildOfThisBlock, NoBuild, about, declared, list, sentence};
 pub use index::Index;
 pub use ir::{About, Design, ReadUnderWrite, Shape};
 pub use lanes::{Along, constants, interleave, stack};

@@ -37,35 +37,6 @@ pub(crate) fn short(type_name: &'static str) -> &'static str {
     plain.rsplit("::").next().unwrap_or(plain)
 }
 
-/// `Counter` and `Counter { width: 8, limit: 10 }` make `counter_width8_limit10`.
-pub(crate) fn module_name(type_name: &'static str, parameters: &str) -> String {
-    let mut name = snake_case(short(type_name));
-    let values = parameters.strip_prefix(short(type_name)).unwrap_or(parameters);
-    let words = values.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').filter(|word| !word.is_empty());
-    let mut after_key = false;
-    for word in words {
-        if !after_key {
-            name.push('_');
-        }
-        name.push_str(&snake_case(word));
-        after_key = !after_key && word.starts_with(|c: char| c.is_ascii_lowercase());
-    }
-    if is_reserved(&name) { format!("{name}_") } else { name }
-}
-
-fn snake_case(name: &str) -> String {
-    let mut snake = String::new();
-    let mut previous = '_';
-    for c in name.chars() {
-        if c.is_ascii_uppercase() && (previous.is_ascii_lowercase() || previous.is_ascii_digit()) {
-            snake.push('_');
-        }
-        snake.push(c.to_ascii_lowercase());
-        previous = c;
-    }
-    snake
-}
-
 /// Two different blocks may not share a module's name.
 pub(crate) fn check_module_names(e: &mut Elaboration) {
     let mut problems = Vec::new();
@@ -95,14 +66,6 @@ pub(crate) fn check_module_names(e: &mut Elaboration) {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn module_names_carry_the_parameters() {
-        assert_eq!(module_name("a::b::Counter", "Counter { width: 8, limit: 10 }"), "counter_width8_limit10");
-        assert_eq!(module_name("Pim", "Pim"), "pim");
-        assert_eq!(module_name("x::PageIdGenerator", "PageIdGenerator(12)"), "page_id_generator_12");
-        assert_eq!(module_name("Table", "Table"), "table_");
-    }
 
     #[test]
     fn reserved_words_of_both_standards_are_known() {

@@ -199,7 +199,9 @@ fn a_cancelled_run_leaves_a_dump_that_opens() {
 
     let mut parser = vcd::Parser::new(BufReader::new(File::open(&path).expect("the dump exists")));
     let header = parser.parse_header().expect("a header");
-    assert!(header.find_var(&["vc1_n2_48x36_patch4_pages108", "u_lfb[1]", "lane", "overflow"]).is_some());
+    assert!(
+        header.find_var(&["vc1_width48_height36_edge4_pages108_processors2", "u_lfb[1]", "lane", "overflow"]).is_some()
+    );
     let commands: Vec<_> = parser.collect::<Result<_, _>>().expect("a dump that is whole");
     let states = commands.iter().filter_map(|it| match it {
         vcd::Command::ChangeString(_, state) => Some(state.as_str()),

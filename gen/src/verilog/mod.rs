@@ -23,6 +23,7 @@ mod part;
 mod pattern;
 mod pick;
 mod plan;
+mod ports;
 mod printer;
 mod reads;
 mod reduction;

@@ -37,7 +37,7 @@ pub fn print(printer: &mut Printer) -> String {
     body.section(printer.unused());
     let body = printer.fill_in_unread(body.lines);
     let module = printer.module;
-    format!("{}{}{}endmodule\n`default_nettype wire\n", header(module), printer.ports(), body)
+    format!("{}{}{}endmodule\n`default_nettype wire\n", header(module), super::ports::print(printer), body)
 }
 
 /// The lines between the ports and `endmodule`; sections are set apart by a blank line.
@@ -87,33 +87,6 @@ fn header(module: &Module) -> String {
 }
 
 impl Printer<'_> {
-    fn ports(&self) -> String {
-        let module = self.module;
-        let mut ports: Vec<(&str, u32, &str)> = Vec::new();
-        for clock in &module.clocks {
-            ports.push(("input  wire", 1, &clock.port));
-            ports.extend(clock.reset.iter().map(|reset| ("input  wire", 1, reset.as_str())));
-        }
-        ports.extend(module.inputs.iter().map(|input| ("input  wire", module.width(input.node), input.name.as_str())));
-        for output in &module.outputs {
-            let own = self.is_port(output.node) && self.names[output.node.0 as usize].as_ref() == Some(&output.name);
-            let direction = match own && self.is_variable(output.node) {
-                true if self.is_synchronizer(output.node) => "(* ASYNC_REG = \"TRUE\" *) output reg ",
-                true => "output reg ",
-                false => "output wire",
-            };
-            ports.push((direction, module.width(output.node), &output.name));
-        }
-        let longest = ports.iter().map(|&(_, width, _)| range(width).len()).max().unwrap_or(0);
-        let mut out = format!("module {} (", module.name);
-        for (index, (direction, width, name)) in ports.iter().enumerate() {
-            let comma = if index + 1 < ports.len() { "," } else { "" };
-            out.push_str(&format!("\n    {direction} {:longest$}{name}{comma}", range(*width)));
-        }
-        out.push_str("\n);\n");
-        out
-    }
-
     /// Whether the name of a node is assigned in an always block.
     pub fn is_variable(&self, id: NodeId) -> bool {
         match self.module.node(id).op {

@@ -3,39 +3,31 @@
 
 use tilewright_hdl::*;
 
-bundle! {
-    pub struct CounterIn<T> { pub enable: T }
-    pub struct CounterOut<T> { pub count: T, pub wrapped: T }
-}
-
-/// Counts up to a limit.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct Counter {
-    pub width: u32,
-    pub limit: u64,
-}
-
-impl Block for Counter {
-    type In = CounterIn;
-    type Out = CounterOut;
-
-    fn inputs(&self) -> CounterIn<Width> {
-        CounterIn { enable: bit() }
+block! {
+    /// Counts the clocks with `enable` high and starts again at a limit.
+    pub struct Counter {
+        pub width: u32,
+        pub limit: u64,
     }
+    latency = "1 clock";
+    in CounterIn {
+        /// It counts.
+        enable: bit(),
+    }
+    out(self) CounterOut {
+        /// The clocks since it began.
+        count: bits(self.width),
+        /// It is at its limit, and begins anew with the next clock, which is said at such length that it stands above.
+        wrapped: bit(),
+    }
+}
 
+impl Counter {
     fn build(&self, m: Module, i: CounterIn) -> CounterOut {
         let count = m.reg("count", self.width).reset(0);
         net!(at_end = count.eq(self.limit - 1));
         count.enable(i.enable).next(mux(at_end, 0, count + 1));
         CounterOut { count: count.value(), wrapped: at_end & i.enable }
-    }
-
-    fn about(&self) -> About {
-        About {
-            summary: "Counts the clocks with `enable` high and starts again at a limit.".into(),
-            latency: "1 clock".into(),
-            source: String::new(),
-        }
     }
 }
 
@@ -274,5 +266,49 @@ impl Block for Latest {
         let latest = m.reg("latest", 8).reset(0);
         latest.when(i.forget, 0).when(i.load, i.value);
         LatestOut { latest: latest.value() }
+    }
+}
+
+bundle! {
+    /// A place on the screen.
+    pub struct Place<T> {
+        /// Counted from the left.
+        pub x: T,
+        /// Counted from the top.
+        pub y: T,
+    }
+
+    /// A place as it is seen.
+    pub struct Seen<T> {
+        pub left: T,
+        pub top: T,
+    }
+}
+
+block! {
+    /// Sends each place on, mirrored.
+    pub struct Mirror;
+    in MirrorIn {
+        /// Where things are.
+        places: [Place = Place { x: bits(8), y: bits(7) }; 2],
+        /// The axis.
+        axis: Place { x: bit(), y: bit() },
+        /// Where there are any.
+        valid: [bit(); 2],
+    }
+    out MirrorOut {
+        /// Where they look to be.
+        places: [Seen] = _,
+        /// Some are seen.
+        seen: bit(),
+    }
+}
+
+impl Mirror {
+    pub fn build(&self, _: Module, i: MirrorIn) -> MirrorOut {
+        let flip = |flips, value: Signal| mux(flips, !value, value);
+        let see = |place: &Place| Seen { left: flip(i.axis.x, place.x), top: flip(i.axis.y, place.y) };
+        let places = i.places.iter().map(see);
+        MirrorOut { places: places.collect(), seen: i.valid[0] | i.valid[1] }
     }
 }

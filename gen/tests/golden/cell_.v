@@ -1,7 +1,7 @@
 // cell_
 //
 // Parameters  Cell
-// Described   gen/tests/blocks/mod.rs:121
+// Described   gen/tests/blocks/mod.rs:113
 `default_nettype none
 
 module cell_ (
@@ -15,8 +15,8 @@ module cell_ (
     output wire [7:0] sum
 );
 
-    assign hit = q == left;                                      // gen/tests/blocks/mod.rs:123
-    assign sum = (left ^ weight) + q;                            // gen/tests/blocks/mod.rs:123
+    assign hit = q == left;                                      // gen/tests/blocks/mod.rs:115
+    assign sum = (left ^ weight) + q;                            // gen/tests/blocks/mod.rs:115
 
     always @(posedge clk) begin
         if (op) q <= left + {4'd0, x};

@@ -10,8 +10,9 @@
 module counter_width8_limit10 (
     input  wire       clk,
     input  wire       rst,
-    input  wire       enable,
-    output reg  [7:0] count,
+    input  wire       enable,  // It counts.
+    output reg  [7:0] count,   // The clocks since it began.
+    // It is at its limit, and begins anew with the next clock, which is said at such length that it stands above.
     output wire       wrapped
 );
 

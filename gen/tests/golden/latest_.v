@@ -1,7 +1,7 @@
 // latest_
 //
 // Parameters  Latest
-// Described   gen/tests/blocks/mod.rs:274
+// Described   gen/tests/blocks/mod.rs:266
 `default_nettype none
 
 module latest_ (

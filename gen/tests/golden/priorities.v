@@ -1,7 +1,7 @@
 // priorities
 //
 // Parameters  Updates
-// Described   gen/tests/blocks/mod.rs:241
+// Described   gen/tests/blocks/mod.rs:233
 `default_nettype none
 
 module priorities (

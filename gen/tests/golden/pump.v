@@ -1,7 +1,7 @@
 // pump
 //
 // Parameters  Pump
-// Described   gen/tests/blocks/mod.rs:65
+// Described   gen/tests/blocks/mod.rs:57
 `default_nettype none
 
 module pump (
@@ -18,7 +18,7 @@ module pump (
     localparam [1:0] PHASE_FILL  = 2'd1;
     localparam [1:0] PHASE_DRAIN = 2'd2;
 
-    reg [1:0] phase;                                             // gen/tests/blocks/mod.rs:65
+    reg [1:0] phase;                                             // gen/tests/blocks/mod.rs:57
 
     always @* begin
         case (phase)
@@ -27,7 +27,7 @@ module pump (
             default: valve = 4'd12; // PHASE_DRAIN
         endcase
     end
-    assign busy = phase != PHASE_IDLE;                           // gen/tests/blocks/mod.rs:72
+    assign busy = phase != PHASE_IDLE;                           // gen/tests/blocks/mod.rs:64
 
     always @(posedge clk) begin
         if (rst) begin

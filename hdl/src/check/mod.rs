@@ -5,6 +5,7 @@ pub(crate) mod drives;
 mod lane_loops;
 pub(crate) mod loops;
 pub(crate) mod naming;
+pub(crate) mod outputs;
 pub(crate) mod streams;
 pub(crate) mod synchronizers;
 pub(crate) mod unused;

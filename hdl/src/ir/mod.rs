@@ -20,6 +20,7 @@ use crate::bits::Bits;
 use crate::clock::Period;
 use crate::loc::Loc;
 use crate::problem::Problems;
+use std::collections::BTreeMap;
 
 pub use affine::Affine;
 pub use kind::{Kind, Names};
@@ -94,6 +95,11 @@ pub struct About {
     pub latency: String,
     /// The paper and the rule, such as `VC-1, section 3.3 (VC1-MU)`.
     pub source: String,
+    /// What the inputs stand for, and the records of inputs, by their paths, such as `scan` and `scan.enable`; what is in
+    /// a list has no number.
+    pub inputs: BTreeMap<String, String>,
+    /// What the outputs stand for, likewise.
+    pub outputs: BTreeMap<String, String>,
 }
 
 /// A clock port of a module, and the reset that goes with it.

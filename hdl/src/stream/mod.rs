@@ -90,6 +90,10 @@ pub fn stream<L: Layout>(payload: L) -> Stream<<L::Value as Data>::Like<Width>, 
 impl<T: Leaf, P: Fields<T>> Fields<T> for Stream<P, T> {
     type With<U: Leaf> = Stream<P::With<U>, U>;
 
+    fn documentation(path: &str, said: &str, f: &mut dyn FnMut(&str, &str)) {
+        P::documentation(path, said, f);
+    }
+
     fn map_fields<U: Leaf>(&self, path: &str, f: &mut dyn FnMut(&str, &T) -> U) -> Self::With<U> {
         let valid = f(&join(path, "valid"), &self.valid);
         let ready = f(&join(path, "ready"), &self.ready);

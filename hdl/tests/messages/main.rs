@@ -12,6 +12,7 @@ mod kinds;
 mod lists;
 mod loops;
 mod names;
+mod outputs;
 mod records;
 mod reports;
 mod shapes;

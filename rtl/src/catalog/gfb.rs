@@ -5,7 +5,7 @@ use tilewright_hdl::{Scenario, Script, elaborate_at};
 use super::shared::{HEIGHT, UNITS, WIDTH};
 use super::{CatalogError, Entry, Parameter, Values};
 use crate::clocks::MERGE;
-use crate::gfb::{GfbUnit, GfbUnitIn, Host, Sequencer, SequencerIn};
+use crate::gfb::{GfbSequencer, GfbSequencerIn, GfbUnit, GfbUnitIn, Host};
 use crate::parameter::Screen;
 
 const OVERHEAD: Parameter =
@@ -45,13 +45,13 @@ fn two_rounds(gfb: &GfbUnit) -> Scenario {
     script.finish("two frames: a round of merging each, a swap of the banks, and a look at the first pixels")
 }
 
-fn sequencer(values: &Values) -> Result<Sequencer, CatalogError> {
+fn sequencer(values: &Values) -> Result<GfbSequencer, CatalogError> {
     Ok(gfb_unit(values)?.sequencer())
 }
 
-fn a_round(sequencer: &Sequencer) -> Scenario {
+fn a_round(sequencer: &GfbSequencer) -> Scenario {
     let mut script = Script::new(sequencer, MERGE.period);
-    script.clock(&SequencerIn { start: 1 });
-    script.hold(&SequencerIn { start: 0 }, sequencer.merge_clocks() + 6);
+    script.clock(&GfbSequencerIn { start: 1 });
+    script.hold(&GfbSequencerIn { start: 0 }, sequencer.merge_clocks() + 6);
     script.finish("a merging round: line by line, and on until the last pixel has left the chain")
 }

@@ -3,5 +3,5 @@
 mod sequencer;
 mod unit;
 
-pub use sequencer::{SCAN_LATENCY, Sequencer, SequencerIn, SequencerOut};
+pub use sequencer::{GfbSequencer, GfbSequencerIn, GfbSequencerOut, SCAN_LATENCY};
 pub use unit::{GfbUnit, GfbUnitIn, GfbUnitOut, Host, View};

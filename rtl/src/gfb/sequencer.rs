@@ -17,8 +17,7 @@
 //! In the 2 clocks before, the local frame buffers and the global one read their first pixel ([`SCAN_LATENCY`]). The whole
 //! chain holds during the overhead; in the end it runs on until the last pixel has left it.
 
-use tilewright_hdl::ir::About;
-use tilewright_hdl::{Block, Module, Width, below, bit, bundle, codes, mux, net, select, up_to, when};
+use tilewright_hdl::{Module, below, bit, block, codes, mux, net, select, up_to, when};
 
 use crate::merger::STAGES;
 use crate::parameter::Screen;
@@ -27,65 +26,52 @@ use crate::scan::ScanControl;
 /// Clocks with `enable` from a scan counter to the word that its local frame buffer sends.
 pub const SCAN_LATENCY: u32 = 2;
 
-bundle! {
-    /// The inputs of [`Sequencer`].
-    pub struct SequencerIn<T> {
-        /// Begins a round, unless one is under way.
-        pub start: T,
-    }
-
-    /// The outputs of [`Sequencer`].
-    pub struct SequencerOut<T> {
-        /// To every unit of the chain.
-        pub scan: ScanControl<T>,
-        /// The pixel to read, which enters the chain [`SCAN_LATENCY`] clocks later.
-        pub feed: T,
-        /// A pixel leaves the chain.
-        pub stores: T,
-        /// The pixel that leaves the chain.
-        pub store: T,
-        /// A round is under way.
-        pub busy: T,
-        /// The round ends with this clock.
-        pub ends: T,
-        /// The clocks of the round so far, or of the last one, from the first pixel that entered the chain.
-        pub clocks: T,
-    }
-}
-
 codes! {
     /// The parts of a merging round.
     enum Round { Idle, Prime, Line, Overhead, Drain }
 }
 
-/// Leads merging rounds. [`GfbUnit::sequencer`](super::GfbUnit::sequencer) makes it.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct Sequencer {
-    /// The screen: M x N pixels.
-    pub(super) screen: Screen,
-    /// The merging units of the chain: n, at least 1.
-    pub(super) units: u32,
-    /// Clocks of overhead after each scan line: beta, at least 1.
-    pub(super) overhead: u32,
+block! {
+    /// Leads a merging round over the screen, through a chain of merging units.
+    pub struct GfbSequencer {
+        /// The screen: M x N pixels.
+        pub(super) screen: Screen,
+        /// The merging units of the chain: n, at least 1.
+        pub(super) units: u32,
+        /// Clocks of overhead after each scan line: beta, at least 1.
+        pub(super) overhead: u32,
+    }
+    latency(self) = format!("a round of {} clocks", self.merge_clocks());
+    source = "VC-1, section 3.3, T_m (VC1-TM)";
+    in GfbSequencerIn {
+        /// Begins a round, unless one is under way.
+        start: bit(),
+    }
+    out(self) GfbSequencerOut {
+        /// To every unit of the chain.
+        scan: ScanControl { restart: bit(), enable: bit() },
+        /// The pixel to read, which enters the chain [`SCAN_LATENCY`] clocks later.
+        feed: below(self.screen.pixels()),
+        /// A pixel leaves the chain.
+        stores: bit(),
+        /// The pixel that leaves the chain.
+        store: below(self.screen.pixels()),
+        /// A round is under way.
+        busy: bit(),
+        /// The round ends with this clock.
+        ends: bit(),
+        /// The clocks of the round so far, or of the last one, from the first pixel that entered the chain.
+        clocks: up_to(self.merge_clocks()),
+    }
 }
 
-impl Sequencer {
+impl GfbSequencer {
     /// T_m, the clocks of a merging round (VC1-TM).
     pub fn merge_clocks(&self) -> u64 {
         let [width, height, overhead] = [self.screen.width, self.screen.height, self.overhead].map(u64::from);
         (width + overhead) * height + u64::from(STAGES * self.units)
     }
-}
-
-impl Block for Sequencer {
-    type In = SequencerIn;
-    type Out = SequencerOut;
-
-    fn inputs(&self) -> SequencerIn<Width> {
-        SequencerIn { start: bit() }
-    }
-
-    fn build(&self, m: Module, i: SequencerIn) -> SequencerOut {
+    fn build(&self, m: Module, i: GfbSequencerIn) -> GfbSequencerOut {
         let Screen { width, height } = self.screen;
         let pixel = below(self.screen.pixels());
         let drain = STAGES * self.units;
@@ -129,7 +115,7 @@ impl Block for Sequencer {
         net!(counts = round.is(Round::Line) | round.is(Round::Overhead) | round.is(Round::Drain));
         clocks.when(begins, 0).when(counts, clocks + 1);
 
-        SequencerOut {
+        GfbSequencerOut {
             scan: ScanControl { restart: begins, enable },
             feed: feed.value(),
             stores,
@@ -137,22 +123,6 @@ impl Block for Sequencer {
             busy: !round.is(Round::Idle),
             ends,
             clocks: clocks.value(),
-        }
-    }
-
-    fn name(&self) -> String {
-        let Screen { width, height } = self.screen;
-        format!("gfb_sequencer_{width}x{height}_units{}_overhead{}", self.units, self.overhead)
-    }
-
-    fn about(&self) -> About {
-        About {
-            summary: format!(
-                "Leads a merging round over {} x {} pixels through a chain of {} merging units.",
-                self.screen.width, self.screen.height, self.units
-            ),
-            latency: format!("a round of {} clocks", self.merge_clocks()),
-            source: "VC-1, section 3.3, T_m (VC1-TM)".to_owned(),
         }
     }
 }
@@ -167,7 +137,7 @@ mod tests {
     /// A round on a screen of 3 x 2 pixels with an overhead of 2 clocks and one merging unit.
     #[test]
     fn a_round_clock_by_clock() {
-        let sequencer = Sequencer { screen: Screen { width: 3, height: 2 }, units: 1, overhead: 2 };
+        let sequencer = GfbSequencer { screen: Screen { width: 3, height: 2 }, units: 1, overhead: 2 };
         let mut sim = Simulation::of(&sequencer).unwrap();
         sim.reset();
         let wave = sim.record(["scan_restart", "scan_enable", "round", "feed", "stores", "store", "ends", "clocks"]);
@@ -203,7 +173,7 @@ mod tests {
 
     /// The clocks of a round, counted from outside: those after the first [`SCAN_LATENCY`] in which it is busy.
     fn round(screen: Screen, units: u32, overhead: u32) -> u64 {
-        let mut sim = Simulation::of(&Sequencer { screen, units, overhead }).unwrap();
+        let mut sim = Simulation::of(&GfbSequencer { screen, units, overhead }).unwrap();
         sim.reset();
         sim.set(sim.i.start, 1);
         sim.step();
@@ -245,13 +215,13 @@ mod tests {
             (width, height, units, overhead) in (1..9u32, 1..6u32, 1..5u32, 1..7u32),
             starts in prop::collection::vec(prop::bool::weighted(0.2), 1..400),
         ) {
-            let mut sim = Simulation::of(&Sequencer { screen: Screen { width, height }, units, overhead }).unwrap();
+            let mut sim = Simulation::of(&GfbSequencer { screen: Screen { width, height }, units, overhead }).unwrap();
             sim.reset();
             let timetable = timetable(width as usize, height as usize, units as usize, overhead as usize);
             let (pixels, way) = ((width * height) as usize, 2 + 4 * units as usize);
             let (mut clock, mut clocks) = (None, 0);
             for start in starts {
-                sim.drive(SequencerIn { start: start.into() });
+                sim.drive(GfbSequencerIn { start: start.into() });
                 let o = sim.read_u64();
                 let enable = clock.is_some_and(|clock: usize| timetable[clock]);
                 let advanced = clock.map_or(0, |clock| timetable[..clock].iter().filter(|enable| **enable).count());

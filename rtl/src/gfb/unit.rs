@@ -14,16 +14,15 @@
 //! ```
 //!
 //! Latency: a pixel enters the chain 2 clocks after its address; `read_word` comes 1 clock after `read_address`. A round takes
-//! T_m (VC1-TM), see [`Sequencer`].
+//! T_m (VC1-TM), see [`GfbSequencer`].
 //!
 //! One bank is filled while the other is on display; `swap` exchanges them. In the first round after a swap blank pixels
 //! enter the chain, so that the bank's old contents are replaced; in later rounds they enter it themselves, so that the bank is
 //! cumulative (VC1-CLR3). The chain itself chooses the nearer pixel, so what comes out of it is stored as it is.
 
-use tilewright_hdl::ir::About;
-use tilewright_hdl::{Block, Module, ReadUnderWrite, Width, below, bit, bits, bundle, cat, mux, net};
+use tilewright_hdl::{Module, ReadUnderWrite, Width, below, bit, bits, block, bundle, cat, mux, net, up_to};
 
-use super::sequencer::{Sequencer, SequencerIn};
+use super::sequencer::{GfbSequencer, GfbSequencerIn};
 use crate::parameter::{ParameterError, Screen};
 use crate::scan::ScanControl;
 use crate::word::WORD;
@@ -52,32 +51,31 @@ bundle! {
         /// The clocks of the round so far, or of the last one, from the first pixel that entered the chain.
         pub clocks: T,
     }
-
-    /// The inputs of [`GfbUnit`].
-    pub struct GfbUnitIn<T> {
-        /// From the host.
-        pub host: Host<T>,
-        /// From the right end of the chain.
-        pub merged: T,
-    }
-
-    /// The outputs of [`GfbUnit`].
-    pub struct GfbUnitOut<T> {
-        /// To the host.
-        pub view: View<T>,
-        /// To every unit of the chain.
-        pub scan: ScanControl<T>,
-        /// To the left end of the chain.
-        pub left: T,
-    }
 }
 
-/// A double-buffered frame buffer with depth, at both ends of a chain of merging units.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct GfbUnit {
-    screen: Screen,
-    units: u32,
-    overhead: u32,
+block! {
+    /// A double-buffered frame buffer with depth: leads the scan, feeds the chain of merging units and keeps what comes out of it.
+    pub struct GfbUnit {
+        screen: Screen,
+        units: u32,
+        overhead: u32,
+    }
+    latency(self) = format!("a round of {} clocks", self.merge_clocks());
+    source = "VC-1, section 3.3, global frame buffer (VC1-GFB, VC1-TM, VC1-CLR3)";
+    in(self) GfbUnitIn {
+        /// From the host.
+        host: Host = self.host(),
+        /// From the right end of the chain.
+        merged: bits(WORD),
+    }
+    out(self) GfbUnitOut {
+        /// To the host.
+        view: View = self.view(),
+        /// To every unit of the chain.
+        scan: ScanControl { restart: bit(), enable: bit() },
+        /// To the left end of the chain.
+        left: bits(WORD),
+    }
 }
 
 impl GfbUnit {
@@ -108,35 +106,34 @@ impl GfbUnit {
     }
 
     /// The unit's sequencer.
-    pub fn sequencer(&self) -> Sequencer {
-        Sequencer { screen: self.screen, units: self.units, overhead: self.overhead }
+    pub fn sequencer(&self) -> GfbSequencer {
+        GfbSequencer { screen: self.screen, units: self.units, overhead: self.overhead }
     }
 
     /// T_m, the clocks of a merging round (VC1-TM).
     pub fn merge_clocks(&self) -> u64 {
         self.sequencer().merge_clocks()
     }
-}
 
-impl Block for GfbUnit {
-    type In = GfbUnitIn;
-    type Out = GfbUnitOut;
+    /// The widths of what the host says to it.
+    pub fn host(&self) -> Host<Width> {
+        Host { start: bit(), swap: bit(), read_address: below(self.screen.pixels()), background: bits(WORD) }
+    }
 
-    fn inputs(&self) -> GfbUnitIn<Width> {
-        let pixel = below(self.screen.pixels());
-        let host = Host { start: bit(), swap: bit(), read_address: pixel, background: bits(WORD) };
-        GfbUnitIn { host, merged: bits(WORD) }
+    /// The widths of what the host sees of it.
+    pub fn view(&self) -> View<Width> {
+        View { read_word: bits(WORD), busy: bit(), first_round: bit(), clocks: up_to(self.merge_clocks()) }
     }
 
     fn build(&self, m: Module, i: GfbUnitIn) -> GfbUnitOut {
         let Host { start, swap, read_address, background } = i.host;
-        let round = m.instance("u_sequencer", &self.sequencer(), SequencerIn { start });
+        let round = m.instance("u_sequencer", &self.sequencer(), GfbSequencerIn { start });
         m.assert((swap | start).implies(!round.busy), "the banks are swapped and a round is started between rounds");
 
         // The lowest bit of an address tells the banks apart. No read meets a write: what is on display is not filled, and a
         // pixel is fed long before it is stored.
         let filled = m.reg("filled_bank", 1).reset(0);
-        filled.enable(swap).next(!filled);
+        filled.when(swap, !filled);
         let banks = m.memory("banks", 2 * self.screen.pixels(), WORD, ReadUnderWrite::Any);
         banks.write(round.stores, cat![round.store, filled], i.merged);
         net!(read_word = banks.read(cat![read_address, !filled]));
@@ -150,24 +147,6 @@ impl Block for GfbUnit {
             view: View { read_word, busy: round.busy, first_round: first_round.value(), clocks: round.clocks },
             scan: round.scan,
             left,
-        }
-    }
-
-    fn name(&self) -> String {
-        let Screen { width, height } = self.screen;
-        format!("gfb_unit_{width}x{height}_units{}_overhead{}", self.units, self.overhead)
-    }
-
-    fn about(&self) -> About {
-        let Screen { width, height } = self.screen;
-        About {
-            summary: format!(
-                "The global frame buffer of {width} x {height} pixels: leads the scan, feeds the chain of {} merging units \
-                 and keeps what comes out of it.",
-                self.units
-            ),
-            latency: format!("a round of {} clocks", self.merge_clocks()),
-            source: "VC-1, section 3.3, global frame buffer (VC1-GFB, VC1-TM, VC1-CLR3)".to_owned(),
         }
     }
 }

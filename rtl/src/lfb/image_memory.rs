@@ -19,10 +19,7 @@
 //! Both buffers are one memory, whose lowest address bit tells them apart: a port for the processor, a port for the
 //! scan, which takes the old word and leaves [`empty`] at the same edge.
 
-use tilewright_hdl::ir::About;
-use tilewright_hdl::{
-    Block, Module, ReadUnderWrite, Width, below, bit, bits, bundle, cat, codes, goto, mux, net, on, when,
-};
+use tilewright_hdl::{Module, ReadUnderWrite, below, bit, bits, block, bundle, cat, codes, goto, mux, net, when};
 
 use crate::clocks::{MERGE, PE};
 use crate::word::{WORD, empty};
@@ -53,29 +50,6 @@ bundle! {
         /// The buffer to read and clear.
         pub buffer: T,
     }
-
-    /// The inputs of [`ImageMemory`].
-    pub struct ImageMemoryIn<T> {
-        /// From the first stage.
-        pub draw: Draw<T>,
-        /// The buffer to draw into.
-        pub front: T,
-        /// From the scan counter, by way of the patch table.
-        pub send: SendPixel<T>,
-    }
-
-    /// The outputs of [`ImageMemory`].
-    pub struct ImageMemoryOut<T> {
-        /// A pixel is accepted at this edge.
-        pub ready: T,
-        /// No pixel is under way.
-        pub idle: T,
-        /// The word sent.
-        pub sent: T,
-    }
-
-    /// The pixel under way.
-    struct Drawn<T> { address: T, word: T }
 }
 
 codes! {
@@ -83,29 +57,41 @@ codes! {
     enum Stage2 { Idle, Read, Compare, Write }
 }
 
-/// Two buffers of pages.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct ImageMemory {
-    /// The number of pages in a buffer.
-    pub pages: u32,
-    /// The number of pixels in a page, a power of two.
-    pub page_pixels: u32,
+block! {
+    /// Holds two buffers of pages of pixels: keeps the nearer word of each pixel drawn, and clears what it sends.
+    pub struct ImageMemory {
+        /// The number of pages in a buffer.
+        pub pages: u32,
+        /// The number of pixels in a page, a power of two.
+        pub page_pixels: u32,
+    }
+    latency = "3 clocks of the processor to draw, 1 clock of the merger to send";
+    source = "VC-1, section 3.3, image memory (VC1-ACC, VC1-CLR1)";
+    in(self) ImageMemoryIn {
+        /// From the first stage.
+        draw: Draw { valid: bit(), page: below(self.pages), offset: below(self.page_pixels), word: bits(WORD) }.on(PE),
+        /// The buffer to draw into.
+        front: bit().on(PE),
+        /// From the scan counter, by way of the patch table.
+        send: SendPixel {
+            enable: bit(),
+            resident: bit(),
+            page: below(self.pages),
+            offset: below(self.page_pixels),
+            buffer: bit(),
+        }.on(MERGE),
+    }
+    out ImageMemoryOut {
+        /// A pixel is accepted at this edge.
+        ready: bit(),
+        /// No pixel is under way.
+        idle: bit(),
+        /// The word sent.
+        sent: bits(WORD),
+    }
 }
 
-impl Block for ImageMemory {
-    type In = ImageMemoryIn;
-    type Out = ImageMemoryOut;
-
-    fn inputs(&self) -> ImageMemoryIn<Width> {
-        let page = below(self.pages);
-        let offset = below(self.page_pixels);
-        ImageMemoryIn {
-            draw: on(PE, Draw { valid: bit(), page, offset, word: bits(WORD) }),
-            front: bit().on(PE),
-            send: on(MERGE, SendPixel { enable: bit(), resident: bit(), page, offset, buffer: bit() }),
-        }
-    }
-
+impl ImageMemory {
     fn build(&self, m: Module, i: ImageMemoryIn) -> ImageMemoryOut {
         let words = 2 * self.pages * self.page_pixels;
         let memory = m.memory("words", words, WORD, ReadUnderWrite::Old).true_dual_port().fill(empty());
@@ -122,11 +108,10 @@ impl Block for ImageMemory {
             Stage2::Write => when(accept, Stage2::Read).or_else(Stage2::Idle),
         });
 
-        let drawn = Drawn { address: cat!(i.draw.page, i.draw.offset, i.front), word: i.draw.word };
-        let Drawn { address, word } = front.pipe_when(accept, "drawn", drawn);
-        let nearer = front.reg("nearer", 1);
+        let address = front.pipe_when(accept, "drawn_address", cat!(i.draw.page, i.draw.offset, i.front));
+        let word = front.pipe_when(accept, "drawn_word", i.draw.word);
         net!(old_word = memory.on(PE).read_when(stage.is(Stage2::Read), address));
-        nearer.enable(stage.is(Stage2::Compare)).next(word.lt(old_word));
+        let nearer = front.pipe_when(stage.is(Stage2::Compare), "nearer", word.lt(old_word));
         memory.on(PE).write(stage.is(Stage2::Write) & nearer, address, word);
 
         let back = m.on(MERGE);
@@ -135,20 +120,8 @@ impl Block for ImageMemory {
         net!(taken_word = memory.on(MERGE).read_when(take, send_address));
         memory.on(MERGE).write(take, send_address, empty());
         let resident = back.reg("resident", 1).reset(0);
-        resident.enable(i.send.enable).next(i.send.resident);
+        resident.when(i.send.enable, i.send.resident);
         ImageMemoryOut { ready: can_accept, idle: stage.is(Stage2::Idle), sent: mux(resident, taken_word, empty()) }
-    }
-
-    fn about(&self) -> About {
-        About {
-            summary: format!(
-                "Holds two buffers of {} pages of {} pixels: keeps the nearer word of each pixel drawn, and clears what it \
-                 sends.",
-                self.pages, self.page_pixels
-            ),
-            latency: "3 clocks of the processor to draw, 1 clock of the merger to send".to_owned(),
-            source: "VC-1, section 3.3, image memory (VC1-ACC, VC1-CLR1)".to_owned(),
-        }
     }
 }
 

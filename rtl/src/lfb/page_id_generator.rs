@@ -11,58 +11,39 @@
 //!
 //! Its value is the ID of the next free page; a first access to a patch takes it. It restarts when the buffers are swapped.
 
-use tilewright_hdl::ir::About;
-use tilewright_hdl::{Block, Module, Width, below, bit, bundle, net, up_to};
+use tilewright_hdl::{Module, below, bit, block, net, up_to};
 
-bundle! {
-    /// The inputs of [`PageIdGenerator`].
-    pub struct PageIdGeneratorIn<T> {
+block! {
+    /// Names the next free page of an image memory: 0, 1, 2 ..
+    pub struct PageIdGenerator {
+        /// The number of pages.
+        pub pages: u32,
+    }
+    latency = "1 clock";
+    source = "VC-1, section 3.3, page ID generator (VC1-PIG)";
+    in PageIdGeneratorIn {
         /// All pages are free again; wins over `take`.
-        pub restart: T,
+        restart: bit(),
         /// The next free page is taken.
-        pub take: T,
+        take: bit(),
     }
-
-    /// The outputs of [`PageIdGenerator`].
-    pub struct PageIdGeneratorOut<T> {
+    out(self) PageIdGeneratorOut {
         /// The next free page, unless all are taken.
-        pub page: T,
+        page: below(self.pages),
         /// How many pages are taken.
-        pub used: T,
+        used: up_to(self.pages),
         /// All pages are taken.
-        pub exhausted: T,
+        exhausted: bit(),
     }
 }
 
-/// Hands out the pages 0, 1, 2 ... of an image memory.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct PageIdGenerator {
-    /// The number of pages.
-    pub pages: u32,
-}
-
-impl Block for PageIdGenerator {
-    type In = PageIdGeneratorIn;
-    type Out = PageIdGeneratorOut;
-
-    fn inputs(&self) -> PageIdGeneratorIn<Width> {
-        PageIdGeneratorIn { restart: bit(), take: bit() }
-    }
-
+impl PageIdGenerator {
     fn build(&self, m: Module, i: PageIdGeneratorIn) -> PageIdGeneratorOut {
         let used = m.reg("used", up_to(self.pages)).reset(0);
         net!(exhausted = used.eq(self.pages));
         m.assert(i.take.implies(!exhausted), "a page is taken only while one is free");
         used.when(i.restart, 0).when(i.take, used + 1);
         PageIdGeneratorOut { page: used.trunc(below(self.pages)), used: used.value(), exhausted }
-    }
-
-    fn about(&self) -> About {
-        About {
-            summary: format!("Names the next free page of an image memory of {} pages.", self.pages),
-            latency: "1 clock".to_owned(),
-            source: "VC-1, section 3.3, page ID generator (VC1-PIG)".to_owned(),
-        }
     }
 }
 

@@ -21,8 +21,9 @@
 //! Both tables are one memory, whose lowest address bit tells the buffers apart: a port for the processor, a port
 //! for the scan.
 
-use tilewright_hdl::ir::About;
-use tilewright_hdl::{Block, Module, ReadUnderWrite, Width, below, bit, bundle, cat, codes, goto, mux, net, on, when};
+use tilewright_hdl::{
+    Module, ReadUnderWrite, Width, below, bit, block, bundle, cat, codes, goto, mux, net, up_to, when,
+};
 
 use super::page_id_generator::{PageIdGenerator, PageIdGeneratorIn};
 use crate::clocks::{MERGE, PE};
@@ -56,44 +57,6 @@ bundle! {
         /// The page ID.
         pub page: T,
     }
-
-    /// The inputs of [`PatchTable`].
-    pub struct PatchTableIn<T> {
-        /// A request for the page of a patch.
-        pub look_up: LookUp<T>,
-        /// A request to clear an entry.
-        pub clear: LookUp<T>,
-        /// The front buffer, 0 or 1.
-        pub front: T,
-        /// The scan has left the front buffer.
-        pub settled: T,
-        /// All pages are free again.
-        pub restart: T,
-        /// The held look-up is tried again.
-        pub resume: T,
-        /// The scan's look-up.
-        pub scan: ScanLookUp<T>,
-    }
-
-    /// The outputs of [`PatchTable`].
-    pub struct PatchTableOut<T> {
-        /// A look-up is accepted at this edge.
-        pub ready: T,
-        /// A clear is accepted at this edge. If a look-up is too, the clear comes first.
-        pub clear_ready: T,
-        /// A look-up is held, because all pages are taken.
-        pub overflow: T,
-        /// No look-up is under way.
-        pub idle: T,
-        /// How many pages are taken.
-        pub pages_used: T,
-        /// The look-up ends with this clock.
-        pub found: T,
-        /// The page it found.
-        pub page: T,
-        /// What the scan asked for one clock before.
-        pub scan_entry: Entry<T>,
-    }
 }
 
 codes! {
@@ -101,31 +64,56 @@ codes! {
     enum Stage1 { Idle, Read, Examine, Allocate, Found, Overflow }
 }
 
-/// Two tables that give each patch of the screen its page of image memory.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct PatchTable {
-    /// The number of patches.
-    pub patches: u32,
-    /// The number of pages.
-    pub pages: u32,
+block! {
+    /// Gives each patch of the screen a page of image memory on its first access, for the buffer in front and for the one behind.
+    pub struct PatchTable {
+        /// The number of patches.
+        pub patches: u32,
+        /// The number of pages.
+        pub pages: u32,
+    }
+    latency = "3 clocks for a patch that has a page, else 4";
+    source = "VC-1, section 3.3, patch table (VC1-PT, VC1-ACC)";
+    in(self) PatchTableIn {
+        /// A request for the page of a patch.
+        look_up: LookUp { valid: bit(), patch: below(self.patches) }.on(PE),
+        /// A request to clear an entry.
+        clear: LookUp { valid: bit(), patch: below(self.patches) }.on(PE),
+        /// The front buffer, 0 or 1.
+        front: bit().on(PE),
+        /// The scan has left the front buffer.
+        settled: bit().on(PE),
+        /// All pages are free again.
+        restart: bit().on(PE),
+        /// The held look-up is tried again.
+        resume: bit().on(PE),
+        /// The scan's look-up.
+        scan: ScanLookUp { enable: bit(), patch: below(self.patches), buffer: bit() }.on(MERGE),
+    }
+    out(self) PatchTableOut {
+        /// A look-up is accepted at this edge.
+        ready: bit(),
+        /// A clear is accepted at this edge. If a look-up is too, the clear comes first.
+        clear_ready: bit(),
+        /// A look-up is held, because all pages are taken.
+        overflow: bit(),
+        /// No look-up is under way.
+        idle: bit(),
+        /// How many pages are taken.
+        pages_used: up_to(self.pages),
+        /// The look-up ends with this clock.
+        found: bit(),
+        /// The page it found.
+        page: below(self.pages),
+        /// What the scan asked for one clock before.
+        scan_entry: Entry = self.entry(),
+    }
 }
 
-impl Block for PatchTable {
-    type In = PatchTableIn;
-    type Out = PatchTableOut;
-
-    fn inputs(&self) -> PatchTableIn<Width> {
-        let patch = below(self.patches);
-        let look_up = on(PE, LookUp { valid: bit(), patch });
-        PatchTableIn {
-            look_up,
-            clear: look_up,
-            front: bit().on(PE),
-            settled: bit().on(PE),
-            restart: bit().on(PE),
-            resume: bit().on(PE),
-            scan: on(MERGE, ScanLookUp { enable: bit(), patch, buffer: bit() }),
-        }
+impl PatchTable {
+    /// The widths of an entry.
+    fn entry(&self) -> Entry<Width> {
+        Entry { resident: bit(), page: below(self.pages) }
     }
 
     fn build(&self, m: Module, i: PatchTableIn) -> PatchTableOut {
@@ -140,12 +128,10 @@ impl Block for PatchTable {
         net!(clear = i.clear.valid & clear_ready);
         clearing.when(clear, CLEAR_CLOCKS - 1).when(clearing.ne(0), clearing - 1);
 
-        let patch = m.reg("patch", i.look_up.patch.width());
-        patch.enable(accept).next(i.look_up.patch);
+        let patch = m.pipe_when(accept, "patch", i.look_up.patch);
 
         // The two ports are never in the same buffer.
-        let layout = Entry { resident: bit(), page: below(self.pages) };
-        let table = m.memory("entries", 2 * self.patches, layout, ReadUnderWrite::Any).fill(0);
+        let table = m.memory("entries", 2 * self.patches, self.entry(), ReadUnderWrite::Any).fill(0);
         net!(address = cat!(mux(clear, i.clear.patch, patch), i.front));
         net!(read = stage.is(Stage1::Read) & table_free);
         net!(entry = table.on(PE).read_when(read, address));
@@ -168,7 +154,7 @@ impl Block for PatchTable {
         });
 
         let page = m.reg("page", below(self.pages));
-        page.enable(stage.is(Stage1::Examine)).next(mux(entry.resident, entry.page, free.page));
+        page.when(stage.is(Stage1::Examine), mux(entry.resident, entry.page, free.page));
         table.on(PE).write(allocate | clear, address, Entry { resident: allocate, page: *page });
         net!(scan_entry = table.on(MERGE).read_when(i.scan.enable, cat!(i.scan.patch, i.scan.buffer)));
         PatchTableOut {
@@ -180,18 +166,6 @@ impl Block for PatchTable {
             found: stage.is(Stage1::Found),
             page: page.value(),
             scan_entry,
-        }
-    }
-
-    fn about(&self) -> About {
-        About {
-            summary: format!(
-                "Gives each of {} patches one of {} pages of image memory on its first access, for the buffer in front \
-                 and for the one behind.",
-                self.patches, self.pages
-            ),
-            latency: "3 clocks for a patch that has a page, else 4".to_owned(),
-            source: "VC-1, section 3.3, patch table (VC1-PT, VC1-ACC)".to_owned(),
         }
     }
 }

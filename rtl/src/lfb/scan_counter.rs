@@ -16,8 +16,7 @@
 //! tells the one whole frame after a restart from what comes before and after it. Each pixel is so sent once in a round of
 //! merging, at whatever time in it the buffers are swapped.
 
-use tilewright_hdl::ir::About;
-use tilewright_hdl::{Block, Module, Width, below, bit, bundle, codes, net, when};
+use tilewright_hdl::{Module, Width, below, bit, block, codes, net, when};
 
 use crate::parameter::Screen;
 use crate::scan::{Position, ScanControl};
@@ -25,34 +24,31 @@ use crate::scan::{Position, ScanControl};
 /// How far a scan counter runs ahead of the succeeding one, in pixels.
 pub const LEAD: u32 = 4;
 
-bundle! {
-    /// The inputs of [`ScanCounter`].
-    pub struct ScanCounterIn<T> {
-        /// From the global frame buffer.
-        pub scan: ScanControl<T>,
-        /// Where a restart puts the counter; a constant.
-        pub preset: Position<T>,
-    }
-
-    /// The outputs of [`ScanCounter`].
-    pub struct ScanCounterOut<T> {
-        /// The pixel to send.
-        pub pixel: Position<T>,
-        /// The pixel belongs to the whole frame after the restart.
-        pub armed: T,
-    }
-}
-
 codes! {
     /// Where the counter is in respect of the whole frame after the restart.
     enum Pass { Before, Frame, After }
 }
 
-/// Counts the pixels of a screen in raster order.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct ScanCounter {
-    /// The screen.
-    pub screen: Screen,
+block! {
+    /// Counts the pixels of the screen in raster order, freely, from a preset on.
+    pub struct ScanCounter {
+        /// The screen.
+        pub screen: Screen,
+    }
+    latency = "1 clock";
+    source = "VC-1, section 3.3, scan counter (VC1-SCAN)";
+    in(self) ScanCounterIn {
+        /// From the global frame buffer.
+        scan: ScanControl { restart: bit(), enable: bit() },
+        /// Where a restart puts the counter; a constant.
+        preset: Position = ScanCounter::position(self.screen),
+    }
+    out(self) ScanCounterOut {
+        /// The pixel to send.
+        pixel: Position = ScanCounter::position(self.screen),
+        /// The pixel belongs to the whole frame after the restart.
+        armed: bit(),
+    }
 }
 
 impl ScanCounter {
@@ -69,19 +65,6 @@ impl ScanCounter {
     pub fn position(screen: Screen) -> Position<Width> {
         Position { x: below(screen.width), y: below(screen.height) }
     }
-}
-
-impl Block for ScanCounter {
-    type In = ScanCounterIn;
-    type Out = ScanCounterOut;
-
-    fn inputs(&self) -> ScanCounterIn<Width> {
-        ScanCounterIn {
-            scan: ScanControl { restart: bit(), enable: bit() },
-            preset: ScanCounter::position(self.screen),
-        }
-    }
-
     fn build(&self, m: Module, i: ScanCounterIn) -> ScanCounterOut {
         let ScanControl { restart, enable } = i.scan;
         let x = m.reg("x", i.preset.x.width()).reset(0);
@@ -103,24 +86,12 @@ impl Block for ScanCounter {
         });
         ScanCounterOut { pixel: Position { x: x.value(), y: y.value() }, armed: pass.is(Pass::Frame) }
     }
-
-    fn name(&self) -> String {
-        format!("scan_counter_{}x{}", self.screen.width, self.screen.height)
-    }
-
-    fn about(&self) -> About {
-        About {
-            summary: "Counts the pixels of the screen in raster order, freely, from a preset on.".to_owned(),
-            latency: "1 clock".to_owned(),
-            source: "VC-1, section 3.3, scan counter (VC1-SCAN)".to_owned(),
-        }
-    }
 }
 
 #[cfg(test)]
 mod tests {
     use proptest::prelude::*;
-    use tilewright_hdl::constants;
+    use tilewright_hdl::{Block, bundle, constants};
     use tilewright_sim::Simulation;
 
     use super::*;

@@ -28,11 +28,10 @@
 //! that two clocks of its own later still; until then its look-ups and clears wait, so that never both are in one buffer.
 //! Whoever swaps has to see that the back buffer has been sent as a whole (VC1-SW3), and to clear the patch table then.
 
-use tilewright_hdl::ir::About;
-use tilewright_hdl::{Block, Module, Width, bit, bits, bundle, net, on};
+use tilewright_hdl::{Module, Width, bit, bits, block, bundle, net, up_to};
 
 use super::image_memory::{Draw, ImageMemory, ImageMemoryIn, SendPixel};
-use super::patch_table::{LookUp, PatchTable, PatchTableIn, ScanLookUp};
+use super::patch_table::{LookUp, PatchTable, PatchTableIn, PatchTableOut, ScanLookUp};
 use super::patches::Patches;
 use super::scan_counter::{ScanCounter, ScanCounterIn};
 use crate::clocks::{MERGE, PE};
@@ -60,55 +59,44 @@ bundle! {
         /// Its number.
         pub patch: T,
     }
-
-    /// The inputs of [`LfbUnit`].
-    pub struct LfbUnitIn<T> {
-        /// The processor draws.
-        pub request: Request<T>,
-        /// The processor clears the patch table.
-        pub clear: Clear<T>,
-        /// For one clock, when idle or in overflow: exchange the buffers.
-        pub swap: T,
-        /// For one clock: try the held request again.
-        pub resume: T,
-        /// From the global frame buffer unit.
-        pub scan: ScanControl<T>,
-        /// Where a restart puts the scan counter; a constant, [`ScanCounter::preset`].
-        pub preset: Position<T>,
-    }
-
-    /// The outputs of [`LfbUnit`].
-    pub struct LfbUnitOut<T> {
-        /// A request is accepted at this edge.
-        pub ready: T,
-        /// A clear is accepted at this edge. If a request is too, the clear comes first.
-        pub clear_ready: T,
-        /// A request is held, because its patch has no page and all pages are taken.
-        pub overflow: T,
-        /// How many pages of the front buffer are taken.
-        pub pages_used: T,
-        /// No request is under way.
-        pub idle: T,
-        /// The pixel sent to the merging unit.
-        pub word: T,
-    }
-
-    /// What waits while the patch of the scan's pixel is looked up.
-    struct Sought<T> {
-        offset: T,
-        /// The buffer that was looked into.
-        buffer: T,
-    }
-
-    /// What waits while the patch of the processor's pixel is looked up.
-    struct Wanted<T> { offset: T, word: T }
 }
 
-/// A virtual local frame buffer.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct LfbUnit {
-    patches: Patches,
-    pages: u32,
+block! {
+    /// A virtual local frame buffer: a full screen in the pages of a part of its memory.
+    pub struct LfbUnit {
+        patches: Patches,
+        pages: u32,
+    }
+    latency = "an access every 3 or 4 clocks; 2 clocks of the merger from the scan counter to the word";
+    source = "VC-1, section 3.3, local frame buffer (VC1-LFB, VC1-ACC, VC1-SCAN, VC1-CLR1)";
+    in(self) LfbUnitIn {
+        /// The processor draws.
+        request: Request = self.request(),
+        /// The processor clears the patch table.
+        clear: Clear { valid: bit(), patch: self.patches.patch_width() }.on(PE),
+        /// For one clock, when idle or in overflow: exchange the buffers.
+        swap: bit().on(PE),
+        /// For one clock: try the held request again.
+        resume: bit().on(PE),
+        /// From the global frame buffer unit.
+        scan: ScanControl { restart: bit(), enable: bit() }.on(MERGE),
+        /// Where a restart puts the scan counter; a constant, [`ScanCounter::preset`].
+        preset: Position = ScanCounter::position(self.patches.screen()).on(MERGE),
+    }
+    out(self) LfbUnitOut {
+        /// A request is accepted at this edge.
+        ready: bit(),
+        /// A clear is accepted at this edge. If a request is too, the clear comes first.
+        clear_ready: bit(),
+        /// A request is held, because its patch has no page and all pages are taken.
+        overflow: bit(),
+        /// How many pages of the front buffer are taken.
+        pages_used: up_to(self.pages),
+        /// No request is under way.
+        idle: bit(),
+        /// The pixel sent to the merging unit.
+        word: bits(WORD),
+    }
 }
 
 impl LfbUnit {
@@ -131,31 +119,19 @@ impl LfbUnit {
     pub fn patches(&self) -> &Patches {
         &self.patches
     }
-}
 
-impl Block for LfbUnit {
-    type In = LfbUnitIn;
-    type Out = LfbUnitOut;
-
-    fn inputs(&self) -> LfbUnitIn<Width> {
-        let position = ScanCounter::position(self.patches.screen());
-        let Position { x, y } = position;
-        LfbUnitIn {
-            request: on(PE, Request { valid: bit(), x, y, word: bits(WORD) }),
-            clear: on(PE, Clear { valid: bit(), patch: self.patches.patch_width() }),
-            swap: bit().on(PE),
-            resume: bit().on(PE),
-            scan: on(MERGE, ScanControl { restart: bit(), enable: bit() }),
-            preset: on(MERGE, position),
-        }
+    /// The widths of a pixel that the processor draws.
+    fn request(&self) -> Request<Width> {
+        let Position { x, y } = ScanCounter::position(self.patches.screen());
+        Request { valid: bit(), x, y, word: bits(WORD) }.on(PE)
     }
 
     fn build(&self, m: Module, i: LfbUnitIn) -> LfbUnitOut {
         let (pe, merge) = (m.on(PE), m.on(MERGE));
 
         // Which buffer is in front, as the processor knows it and as the merger knows it.
-        let front = pe.reg("front", 1).reset(0);
-        front.enable(i.swap).next(!front);
+        let front = pe.reg("front", bit()).reset(0);
+        front.when(i.swap, !front);
         let merge_front = merge.synchronize("merge_front", front.value());
         let known_front = pe.synchronize("known_front", merge_front);
         net!(settled = known_front.eq(front));
@@ -166,11 +142,10 @@ impl Block for LfbUnit {
         let counter = ScanCounter { screen: self.patches.screen() };
         let counted = merge.instance("u_scan_counter", &counter, ScanCounterIn { scan, preset: i.preset });
         let sought = self.patches.locate(counted.pixel);
-        let step = scan.restart | scan.enable;
-        let armed = merge.reg("sought_armed", 1).reset(0);
-        armed.enable(step).next(counted.armed & !scan.restart);
-        let beside = Sought { offset: sought.offset, buffer: back };
-        let Sought { offset, buffer } = merge.pipe_when(scan.enable, "sought", beside);
+        let armed = merge.reg("sought_armed", bit()).reset(0);
+        armed.when(scan.restart, 0).when(scan.enable, counted.armed);
+        let offset = merge.pipe_when(scan.enable, "sought_offset", sought.offset);
+        let buffer = merge.pipe_when(scan.enable, "sought_buffer", back);
 
         // The processor's request: its patch is looked up, the rest waits beside.
         let wanted = self.patches.locate(Position { x: i.request.x, y: i.request.y });
@@ -188,8 +163,8 @@ impl Block for LfbUnit {
             },
         );
         net!(accept = i.request.valid & table.ready);
-        let beside = Wanted { offset: wanted.offset, word: i.request.word };
-        let Wanted { offset: wanted_offset, word } = pe.pipe_when(accept, "wanted", beside);
+        let wanted_offset = pe.pipe_when(accept, "wanted_offset", wanted.offset);
+        let word = pe.pipe_when(accept, "wanted_word", i.request.word);
 
         // A pixel sought before the buffers were swapped is not sent: its page may belong to another patch by now.
         net!(resident = armed & table.scan_entry.resident & buffer.eq(back));
@@ -205,36 +180,8 @@ impl Block for LfbUnit {
         let idle = table.idle & image.idle;
         pe.assert(i.swap.implies(table.overflow | idle), "the buffers are swapped when idle or in overflow");
         pe.assert(i.swap.implies(settled), "the buffers are not swapped again before the merger has followed");
-        LfbUnitOut {
-            ready: table.ready,
-            clear_ready: table.clear_ready,
-            overflow: table.overflow,
-            pages_used: table.pages_used,
-            idle,
-            word: image.sent,
-        }
-    }
-
-    fn name(&self) -> String {
-        let screen = self.patches.screen();
-        format!("lfb_unit_{}x{}_patch{}_pages{}", screen.width, screen.height, self.patches.edge(), self.pages)
-    }
-
-    fn about(&self) -> About {
-        let screen = self.patches.screen();
-        About {
-            summary: format!(
-                "A virtual local frame buffer: a screen of {} x {} in {} pages of {} x {} pixels.",
-                screen.width,
-                screen.height,
-                self.pages,
-                self.patches.edge(),
-                self.patches.edge()
-            ),
-            latency: "an access every 3 or 4 clocks; 2 clocks of the merger from the scan counter to the word"
-                .to_owned(),
-            source: "VC-1, section 3.3, local frame buffer (VC1-LFB, VC1-ACC, VC1-SCAN, VC1-CLR1)".to_owned(),
-        }
+        let PatchTableOut { ready, clear_ready, overflow, pages_used, .. } = table;
+        LfbUnitOut { ready, clear_ready, overflow, pages_used, idle, word: image.sent }
     }
 }
 

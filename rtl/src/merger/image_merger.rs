@@ -10,45 +10,34 @@
 //! Latency 4 n clocks, a pixel every clock. Everything holds where `enable` is low. The sample of unit `i` has to
 //! come 4 i clocks after the left one of the same pixel, which the scan counters' lead takes care of (VC1-SCAN).
 
-use tilewright_hdl::ir::About;
-use tilewright_hdl::{Block, Module, Width, bit, bits, bundle, stack};
+use tilewright_hdl::{Module, bit, bits, block, stack};
 
-use super::unit::{MergingUnit, MergingUnitIn};
+use super::unit::{MergingUnit, MergingUnitIn, STAGES};
 use crate::word::WORD;
 
-bundle! {
-    /// The inputs of [`ImageMerger`].
-    pub struct ImageMergerIn<T> {
+block! {
+    /// Merges the images of the local frame buffers: of each pixel the nearest sample.
+    pub struct ImageMerger {
+        /// How many merging units, at least 1.
+        pub units: u32,
+    }
+    latency(self) = format!("{} clocks with `enable`", STAGES * self.units);
+    source = "VC-1, section 3.3, pipelined image merger (VC1-PIM)";
+    in(self) ImageMergerIn {
         /// What enters the chain at its left end.
-        pub left: T,
+        left: bits(WORD),
         /// The pixel of each local frame buffer.
-        pub samples: Vec<T>,
+        samples: [bits(WORD); self.units],
         /// The chain advances.
-        pub enable: T,
+        enable: bit(),
     }
-
-    /// The outputs of [`ImageMerger`].
-    pub struct ImageMergerOut<T> {
+    out ImageMergerOut {
         /// The nearest of what met in the chain.
-        pub merged: T,
+        merged: bits(WORD),
     }
 }
 
-/// A chain of merging units.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct ImageMerger {
-    /// How many, at least 1.
-    pub units: u32,
-}
-
-impl Block for ImageMerger {
-    type In = ImageMergerIn;
-    type Out = ImageMergerOut;
-
-    fn inputs(&self) -> ImageMergerIn<Width> {
-        ImageMergerIn { left: bits(WORD), samples: vec![bits(WORD); self.units as usize], enable: bit() }
-    }
-
+impl ImageMerger {
     fn build(&self, m: Module, i: ImageMergerIn) -> ImageMergerOut {
         let units = m.array("u_merging_unit", self.units, &MergingUnit, |units| MergingUnitIn {
             left: units.nearer.previous(i.left),
@@ -56,17 +45,6 @@ impl Block for ImageMerger {
             enable: i.enable,
         });
         ImageMergerOut { merged: units.nearer.last() }
-    }
-
-    fn about(&self) -> About {
-        About {
-            summary: format!(
-                "Merges the images of {} local frame buffers: of each pixel the nearest sample.",
-                self.units
-            ),
-            latency: format!("{} clocks with `enable`", 4 * self.units),
-            source: "VC-1, section 3.3, pipelined image merger (VC1-PIM)".to_owned(),
-        }
     }
 }
 

@@ -16,8 +16,7 @@
 //! colour, alike in every order of merging (facts E0). A stage compares 12 bits of the words, the highest first, as a
 //! comparison of all 48 would not fit into a clock.
 
-use tilewright_hdl::ir::About;
-use tilewright_hdl::{Block, Module, Signal, Width, bit, bits, bundle, lit, mux};
+use tilewright_hdl::{Module, Signal, bit, bits, block, bundle, lit, mux};
 
 use crate::word::WORD;
 
@@ -26,23 +25,26 @@ pub const STAGES: u32 = 4;
 /// The bits that a stage compares.
 const PART: u32 = WORD / STAGES;
 
-bundle! {
-    /// The inputs of [`MergingUnit`].
-    pub struct MergingUnitIn<T> {
+block! {
+    /// Sends on the nearer of two pixels: words of depth above colour, the smaller is the nearer.
+    pub struct MergingUnit;
+    latency = "4 clocks with `enable`";
+    source = "VC-1, section 3.3, pipelined image merger (VC1-MU)";
+    in MergingUnitIn {
         /// The pixel of the preceding unit of the chain.
-        pub left: T,
+        left: bits(WORD),
         /// The pixel of the local frame buffer.
-        pub right: T,
+        right: bits(WORD),
         /// The pipeline advances.
-        pub enable: T,
+        enable: bit(),
     }
-
-    /// The outputs of [`MergingUnit`].
-    pub struct MergingUnitOut<T> {
+    out MergingUnitOut {
         /// The nearer pixel.
-        pub nearer: T,
+        nearer: bits(WORD),
     }
+}
 
+bundle! {
     /// What is known of two pixels in a stage.
     struct Race<T> {
         left: T,
@@ -54,18 +56,7 @@ bundle! {
     }
 }
 
-/// Sends on the nearer of two pixels.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct MergingUnit;
-
-impl Block for MergingUnit {
-    type In = MergingUnitIn;
-    type Out = MergingUnitOut;
-
-    fn inputs(&self) -> MergingUnitIn<Width> {
-        MergingUnitIn { left: bits(WORD), right: bits(WORD), enable: bit() }
-    }
-
+impl MergingUnit {
     fn build(&self, m: Module, i: MergingUnitIn) -> MergingUnitOut {
         let compare = |stage: u32, race: Race| {
             let part = |word: Signal| word.part(WORD - stage * PART, PART);
@@ -81,15 +72,6 @@ impl Block for MergingUnit {
         let race = m.stages(STAGES - 1, i.enable, start, compare);
         let Race { left, right, right_is_nearer, .. } = compare(STAGES, race);
         MergingUnitOut { nearer: m.pipe_when(i.enable, "nearer", mux(right_is_nearer, right, left)) }
-    }
-
-    fn about(&self) -> About {
-        About {
-            summary: "Sends on the nearer of two pixels; words of depth above colour, the smaller is the nearer."
-                .to_owned(),
-            latency: "4 clocks with `enable`".to_owned(),
-            source: "VC-1, section 3.3, pipelined image merger (VC1-MU)".to_owned(),
-        }
     }
 }
 

@@ -29,8 +29,7 @@
 //!
 //! A processor that swaps during a round loses nothing (VC1-SW4): what the scan has passed already is sent in the next round.
 
-use tilewright_hdl::ir::About;
-use tilewright_hdl::{Block, Fields, Module, Width, bundle, constants, on, stack};
+use tilewright_hdl::{Block, Fields, Module, Width, block, bundle, constants, stack};
 
 use crate::clocks::MERGE;
 use crate::gfb::{GfbUnit, GfbUnitIn, Host, View};
@@ -71,29 +70,28 @@ bundle! {
         /// Nothing is under way.
         pub idle: T,
     }
-
-    /// The inputs of [`Vc1`].
-    pub struct Vc1In<T> {
-        /// Of each processor.
-        pub processors: Vec<ProcessorIn<T>>,
-        /// Of the host.
-        pub gfb: Host<T>,
-    }
-
-    /// The outputs of [`Vc1`].
-    pub struct Vc1Out<T> {
-        /// To each processor.
-        pub processors: Vec<ProcessorOut<T>>,
-        /// To the host.
-        pub gfb: View<T>,
-    }
 }
 
-/// The frame buffer subsystem of a VC-1.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct Vc1 {
-    lfb: LfbUnit,
-    processors: u32,
+block! {
+    /// The frame buffer subsystem of a VC-1: virtual local frame buffers, pipelined image merger, global frame buffer.
+    pub struct Vc1 {
+        lfb: LfbUnit,
+        processors: u32,
+    }
+    latency(self) = format!("a round of merging takes {} clocks", self.gfb().merge_clocks());
+    source = "VC-1, section 3.3 (VC1-LFB, VC1-PIM, VC1-GFB)";
+    in(self) Vc1In {
+        /// Of each processor.
+        processors: [ProcessorIn = self.processor(); self.processors],
+        /// Of the host.
+        gfb: Host = self.gfb().host().on(MERGE),
+    }
+    out(self) Vc1Out {
+        /// To each processor.
+        processors: [ProcessorOut] = _,
+        /// To the host.
+        gfb: View = self.gfb().view(),
+    }
 }
 
 impl Vc1 {
@@ -116,16 +114,11 @@ impl Vc1 {
         let screen = self.lfb.patches().screen();
         GfbUnit::new(screen, self.processors, OVERHEAD).expect("there are processors, and there is an overhead")
     }
-}
 
-impl Block for Vc1 {
-    type In = Vc1In;
-    type Out = Vc1Out;
-
-    fn inputs(&self) -> Vc1In<Width> {
+    /// The widths of what a processor says.
+    fn processor(&self) -> ProcessorIn<Width> {
         let LfbUnitIn { request, clear, swap, resume, .. } = self.lfb.inputs();
-        let processor = ProcessorIn { request, clear, swap, resume };
-        Vc1In { processors: vec![processor; self.processors as usize], gfb: on(MERGE, self.gfb().inputs().host) }
+        ProcessorIn { request, clear, swap, resume }
     }
 
     fn build(&self, m: Module, i: Vc1In) -> Vc1Out {
@@ -155,22 +148,6 @@ impl Block for Vc1 {
             ProcessorOut { ready, clear_ready, overflow, pages_used, idle }
         };
         Vc1Out { processors: (0..self.processors).map(processor).collect(), gfb: gfb.view }
-    }
-
-    fn name(&self) -> String {
-        format!("vc1_n{}_{}", self.processors, self.lfb.name().trim_start_matches("lfb_unit_"))
-    }
-
-    fn about(&self) -> About {
-        About {
-            summary: format!(
-                "The frame buffer subsystem of a VC-1 with {} processors: virtual local frame buffers, pipelined image \
-                 merger, global frame buffer.",
-                self.processors
-            ),
-            latency: format!("a round of merging takes {} clocks", self.gfb().merge_clocks()),
-            source: "VC-1, section 3.3 (VC1-LFB, VC1-PIM, VC1-GFB)".to_owned(),
-        }
     }
 }
 

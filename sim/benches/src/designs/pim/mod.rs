@@ -86,7 +86,7 @@ impl Block for Pim {
         About {
             summary: format!("{} merging units with local frame buffers that draw at random.", self.stages),
             latency: format!("{} clocks from the first frame buffer to the checksum", 4 * self.stages + 1),
-            source: String::new(),
+            ..About::default()
         }
     }
 }

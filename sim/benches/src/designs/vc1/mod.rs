@@ -116,8 +116,8 @@ impl Block for Vc1Frames {
     fn about(&self) -> About {
         About {
             summary: format!("Frame after frame on a VC-1 with {} processors that draw at random.", self.processors),
-            latency: String::new(),
             source: "VC-1, section 3.3 (VC1-FLOW, VC1-LFB, VC1-PIM, VC1-GFB)".to_owned(),
+            ..About::default()
         }
     }
 }

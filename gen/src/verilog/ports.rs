@@ -1,0 +1,81 @@
+//! The ports of a module, with what is said about them: of a port behind it, of a record of ports above its first one.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::layout::range;
+use super::printer::Printer;
+
+/// What is said about a port stands behind it up to here, else above it.
+const COLUMNS: usize = 120;
+
+struct Port<'a> {
+    direction: &'static str,
+    width: u32,
+    name: &'a str,
+    /// Its path in the block's bundle; a clock has none.
+    path: &'a str,
+    /// What is said about the ports of its direction.
+    about: &'a BTreeMap<String, String>,
+}
+
+/// The module's head: `module NAME (..);`.
+pub fn print(printer: &Printer) -> String {
+    let module = printer.module;
+    let ports = ports(printer);
+    let range_width = ports.iter().map(|port| range(port.width).len()).max().unwrap_or(0);
+    let declare = |port: &Port| format!("    {} {:range_width$}{}", port.direction, range(port.width), port.name);
+    let longest = ports.iter().map(|port| declare(port).len() + 1).max().unwrap_or(0);
+    let mut said = BTreeSet::new();
+    let mut out = format!("module {} (\n", module.name);
+    for (index, port) in ports.iter().enumerate() {
+        let comma = if index + 1 < ports.len() { "," } else { "" };
+        let mut line = format!("{}{comma}", declare(port));
+        let ends = port.path.match_indices('.').map(|(at, _)| at).chain([port.path.len()]);
+        for end in ends {
+            let key = without_numbers(&port.path[..end]);
+            let Some(words) = port.about.get(&key).filter(|_| said.insert((port.direction.starts_with("input"), key)))
+            else {
+                continue;
+            };
+            // On one line: what comes after the next would be Verilog.
+            let words = words.split_whitespace().collect::<Vec<_>>().join(" ");
+            if end == port.path.len() && longest + words.len() + 4 <= COLUMNS {
+                line = format!("{line:longest$} // {words}");
+            } else {
+                out.push_str(&format!("    // {words}\n"));
+            }
+        }
+        out.push_str(&line);
+        out.push('\n');
+    }
+    out + ");\n"
+}
+
+fn ports<'a>(printer: &'a Printer) -> Vec<Port<'a>> {
+    let module = printer.module;
+    let mut ports = Vec::new();
+    let about = &module.about.inputs;
+    let input = |width, name, path| Port { direction: "input  wire", width, name, path, about };
+    for clock in &module.clocks {
+        ports.push(input(1, &clock.port, ""));
+        ports.extend(clock.reset.iter().map(|reset| input(1, reset, "")));
+    }
+    ports.extend(module.inputs.iter().map(|port| input(module.width(port.node), &port.name, &port.path)));
+    for port in &module.outputs {
+        let own = printer.is_port(port.node) && printer.names[port.node.0 as usize].as_ref() == Some(&port.name);
+        let direction = match own && printer.is_variable(port.node) {
+            true if printer.is_synchronizer(port.node) => "(* ASYNC_REG = \"TRUE\" *) output reg ",
+            true => "output reg ",
+            false => "output wire",
+        };
+        let (width, about) = (module.width(port.node), &module.about.outputs);
+        ports.push(Port { direction, width, name: &port.name, path: &port.path, about });
+    }
+    ports
+}
+
+/// A path without the numbers of elements: what is said about a list is said about each of them.
+fn without_numbers(path: &str) -> String {
+    let names = path.split('.').filter(|name| !name.starts_with(|c: char| c.is_ascii_digit()));
+    names.collect::<Vec<_>>().join(".")
+}

@@ -1,0 +1,51 @@
+//! Whether the outputs have the widths that the block declares.
+
+use crate::elaboration::Elaboration;
+use crate::problem::Problem;
+use crate::signal::{Signal, bits_text};
+use crate::uneven::uneven;
+use crate::width::Width;
+
+/// Reports outputs that are not as they are declared: what `build` returned, and the widths, both by their paths.
+pub(crate) fn check(e: &mut Elaboration, outputs: &[(String, Signal)], declared: &[(String, Width)]) {
+    // Of an output that is declared without a width nothing is known.
+    let port = |path: &str| path.split('.').next().unwrap_or(path).to_owned();
+    let is_declared = |path: &str| declared.iter().any(|(other, _)| port(other) == port(path));
+    let returned: Vec<_> = outputs.iter().filter(|(path, _)| is_declared(path)).cloned().collect();
+    if let Some(uneven) = uneven(&returned, declared) {
+        let has = uneven.has;
+        let message = format!("output{uneven} is declared as a list of {}, but `build` returns {has}", uneven.needs);
+        let place = declared.iter().find(|(path, _)| path.starts_with(&format!("{}.", uneven.list)));
+        let loc = place.map_or(e.draft().loc, |(_, width)| width.loc);
+        return e.report(Problem::new(loc, message).help("`build` returns as many as are declared"));
+    }
+    for ((path, signal), (_, width)) in returned.iter().zip(declared) {
+        let problem = problem(e, &path.replace('.', "_"), *signal, *width);
+        problem.into_iter().for_each(|problem| e.report(problem));
+    }
+}
+
+fn problem(e: &mut Elaboration, name: &str, signal: Signal, width: Width) -> Option<Problem> {
+    if let Some(clock) = width.clock {
+        let clock = clock.name;
+        let message =
+            format!("output `{name}` is declared on clock `{clock}`, but an output is on the clock of what drives it");
+        return Some(Problem::new(width.loc, message).help("leave `.on(..)` out"));
+    }
+    let draft = e.draft();
+    let driver = Some(draft.describe(signal.node)).filter(|driver| driver != name);
+    let driver = driver.map_or("what drives it".to_owned(), |driver| format!("`{driver}`"));
+    let place = draft.node(signal.node).loc;
+    let (declared, has) = if signal.width != width.bits {
+        (format!("with {}", bits_text(width.bits)), format!("has {}", bits_text(signal.width)))
+    } else if signal.shape != width.shape {
+        (format!("with {}", width.shape), format!("has {}", signal.shape))
+    } else if signal.kind != width.kind {
+        (format!("as {}", width.kind), format!("is {}", signal.kind))
+    } else {
+        return None;
+    };
+    let problem = Problem::new(place, format!("output `{name}` is declared {declared}, but {driver} {has}"));
+    let problem = problem.note(format!("`{name}` is declared"), width.loc);
+    Some(problem.help("change what drives it, or its declaration, on which the block's instances rely"))
+}

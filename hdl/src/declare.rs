@@ -1,0 +1,326 @@
+//! A block in one declaration: `block!`, and what is made of the words in it.
+
+use std::collections::BTreeMap;
+
+use crate::bundle::{Bundle, Fields, join};
+use crate::ir::About;
+use crate::module::Module;
+use crate::signal::Signal;
+use crate::stream::backwards;
+use crate::width::Width;
+
+/// Declares a block: its parameters, its ports with their widths, and what is said about them.
+///
+/// ```
+/// use tilewright_hdl::{Module, below, bit, block, elaborate, up_to};
+///
+/// block! {
+///     /// Names the next free page.
+///     pub struct PageIdGenerator {
+///         /// The number of pages.
+///         pub pages: u32,
+///     }
+///     latency = "1 clock";
+///     source = "VC-1, section 3.3";
+///     in PageIdGeneratorIn {
+///         /// All pages are free again.
+///         restart: bit(),
+///         /// The next free page is taken.
+///         take: bit(),
+///     }
+///     out(self) PageIdGeneratorOut {
+///         /// The next free page, unless all are taken.
+///         page: below(self.pages),
+///         /// All pages are taken.
+///         exhausted: bit(),
+///     }
+/// }
+///
+/// impl PageIdGenerator {
+///     fn build(&self, m: Module, i: PageIdGeneratorIn) -> PageIdGeneratorOut {
+///         let used = m.reg("used", up_to(self.pages)).reset(0);
+///         used.when(i.restart, 0).when(i.take, used + 1);
+///         PageIdGeneratorOut { page: used.trunc(below(self.pages)), exhausted: used.eq(self.pages) }
+///     }
+/// }
+///
+/// let design = elaborate(&PageIdGenerator { pages: 12 }).unwrap();
+/// assert_eq!(design.top().about.summary, "Names the next free page.");
+/// assert_eq!(design.top().about.inputs["take"], "The next free page is taken.");
+/// ```
+///
+/// It makes the struct, with what a [`Block`](crate::Block) needs derived; a [`bundle!`](crate::bundle!) of the inputs and one of the outputs; and
+/// the `impl Block`, which calls `build`. The first paragraph of the struct's documentation heads the Verilog, where the ports have theirs beside them.
+/// What `build` returns is checked against the widths of the outputs.
+///
+/// The clauses come in any order, and none has to be there. One whose expressions say `self` has `(self)` behind its first word, as macros
+/// cannot lend that word: `latency(self) = format!("{} clocks", self.clocks());`. A port is
+///
+/// | written | which is |
+/// |---|---|
+/// | `take: bit()` | a signal, or lanes of one: `bits(8).of(row(4))` |
+/// | `scan: ScanControl { restart: bit(), enable: bit() }.on(MERGE)` | a record |
+/// | `preset: Position = self.position()` | a record whose widths some expression gives |
+/// | `samples: [bits(48); self.units]`, `nearest: [Position = self.position(); 4]` | a list, as a `Vec` |
+/// | `sum: _`, `nearest: Pixel = _`, `all: [Pixel] = _` | an output as wide as what drives it |
+///
+/// Without a `build` it does not compile:
+///
+/// ```compile_fail
+/// # use tilewright_hdl::*;
+/// block! {
+///     /// Does nothing yet.
+///     pub struct Nothing;
+///     out NothingOut { nothing: bit() }
+/// }
+/// ```
+///
+/// A block may have type parameters with bounds, as `struct Queue<C: Codes> { .. }`. One whose ports are a bundle of others, or whose
+/// module has a name of its own, implements [`Block`](crate::Block) itself.
+#[macro_export]
+macro_rules! block {
+    ($(#[$($attribute:tt)*])* $vis:vis struct $name:ident; $($clauses:tt)*) => {
+        $(#[$($attribute)*])*
+        #[derive(Debug, Clone, PartialEq, Eq, Hash)]
+        $vis struct $name;
+
+        $crate::block! { @clauses [[$([$($attribute)*])*] [$vis] $name []] [""] [""] [] [] $($clauses)* }
+    };
+    ($(#[$($attribute:tt)*])* $vis:vis struct $name:ident $(<$($of:ident: $first:ident $(+ $bound:ident)*),+>)? {
+        $($fields:tt)*
+    } $($clauses:tt)*) => {
+        $(#[$($attribute)*])*
+        #[derive(Debug, Clone, PartialEq, Eq, Hash)]
+        $vis struct $name $(<$($of: $first $(+ $bound)*),+>)? { $($fields)* }
+
+        $crate::block! {
+            @clauses [[$([$($attribute)*])*] [$vis] $name [$($($of: [$first $($bound)*])+)?]] [""] [""] [] [] $($clauses)*
+        }
+    };
+
+    // The clauses, one after another: the latency, the source, the inputs and the outputs.
+    (@clauses $block:tt $latency:tt $source:tt $in:tt $out:tt latency $(($this:ident))? = $said:expr; $($rest:tt)*) => {
+        $crate::block! { @clauses $block [$($this)? $said] $source $in $out $($rest)* }
+    };
+    (@clauses $block:tt $latency:tt $source:tt $in:tt $out:tt source = $said:expr; $($rest:tt)*) => {
+        $crate::block! { @clauses $block $latency [$said] $in $out $($rest)* }
+    };
+    (@clauses $block:tt $latency:tt $source:tt [] $out:tt in $(($this:ident))? $name:ident { $($ports:tt)* } $($rest:tt)*) => {
+        $crate::block! { @ports [in $name $($this)?] [] [$($ports)*] $block $latency $source [] $out $($rest)* }
+    };
+    (@clauses $block:tt $latency:tt $source:tt $in:tt [] out $(($this:ident))? $name:ident { $($ports:tt)* } $($rest:tt)*) => {
+        $crate::block! { @ports [out $name $($this)?] [] [$($ports)*] $block $latency $source $in [] $($rest)* }
+    };
+
+    // The ports of a bundle, one after another: what is said about each, its name, its type, and its width if there is one.
+    (@ports $of:tt [$($done:tt)*] [$(#[$($said:tt)*])* $port:ident: _ $(, $($more:tt)*)?] $($state:tt)*) => {
+        $crate::block! { @ports $of [$($done)* {[$([$($said)*])*] $port [T] []}] [$($($more)*)?] $($state)* }
+    };
+    (@ports $of:tt [$($done:tt)*] [
+        $(#[$($said:tt)*])* $port:ident: $record:ident = _ $(, $($more:tt)*)?
+    ] $($state:tt)*) => {
+        $crate::block! { @ports $of [$($done)* {[$([$($said)*])*] $port [$record<T>] []}] [$($($more)*)?] $($state)* }
+    };
+    (@ports $of:tt [$($done:tt)*] [
+        $(#[$($said:tt)*])* $port:ident: $record:ident = $widths:expr $(, $($more:tt)*)?
+    ] $($state:tt)*) => {
+        $crate::block! {
+            @ports $of [$($done)* {[$([$($said)*])*] $port [$record<T>] [$widths]}] [$($($more)*)?] $($state)*
+        }
+    };
+    (@ports $of:tt [$($done:tt)*] [
+        $(#[$($said:tt)*])* $port:ident: $record:ident { $($fields:tt)* } $(.on($clock:expr))? $(, $($more:tt)*)?
+    ] $($state:tt)*) => {
+        $crate::block! {
+            @ports $of [$($done)* {[$([$($said)*])*] $port [$record<T>] [$record { $($fields)* } $(.on($clock))?]}]
+            [$($($more)*)?] $($state)*
+        }
+    };
+    (@ports $of:tt [$($done:tt)*] [
+        $(#[$($said:tt)*])* $port:ident: [$record:ident = $widths:expr; $count:expr] $(, $($more:tt)*)?
+    ] $($state:tt)*) => {
+        $crate::block! {
+            @ports $of [$($done)* {[$([$($said)*])*] $port [Vec<$record<T>>] [$crate::list($widths, $count)]}]
+            [$($($more)*)?] $($state)*
+        }
+    };
+    (@ports $of:tt [$($done:tt)*] [
+        $(#[$($said:tt)*])* $port:ident: [$record:ident] = _ $(, $($more:tt)*)?
+    ] $($state:tt)*) => {
+        $crate::block! { @ports $of [$($done)* {[$([$($said)*])*] $port [Vec<$record<T>>] []}] [$($($more)*)?] $($state)* }
+    };
+    (@ports $of:tt [$($done:tt)*] [
+        $(#[$($said:tt)*])* $port:ident: [$width:expr; $count:expr] $(, $($more:tt)*)?
+    ] $($state:tt)*) => {
+        $crate::block! {
+            @ports $of [$($done)* {[$([$($said)*])*] $port [Vec<T>] [$crate::list($width, $count)]}]
+            [$($($more)*)?] $($state)*
+        }
+    };
+    (@ports $of:tt [$($done:tt)*] [$(#[$($said:tt)*])* $port:ident: $width:expr $(, $($more:tt)*)?] $($state:tt)*) => {
+        $crate::block! { @ports $of [$($done)* {[$([$($said)*])*] $port [T] [$width]}] [$($($more)*)?] $($state)* }
+    };
+    (@ports [in $($of:tt)+] $ports:tt [] $block:tt $latency:tt $source:tt [] $out:tt $($rest:tt)*) => {
+        $crate::block! { @clauses $block $latency $source [[$($of)+] $ports] $out $($rest)* }
+    };
+    (@ports [out $($of:tt)+] $ports:tt [] $block:tt $latency:tt $source:tt $in:tt [] $($rest:tt)*) => {
+        $crate::block! { @clauses $block $latency $source $in [[$($of)+] $ports] $($rest)* }
+    };
+
+    // All is known.
+    (@clauses [[$([$($attribute:tt)*])*] $vis:tt $name:ident [$($of:ident: [$($bound:ident)+])*]]
+        $latency:tt [$source:expr] $in:tt $out:tt
+    ) => {
+        $crate::block! { @bundle $vis "The inputs of [`" $name $in }
+        $crate::block! { @bundle $vis "The outputs of [`" $name $out }
+
+        impl<$($of),*> $crate::Block for $name<$($of),*>
+        where $($of: $($bound +)+ ::std::fmt::Debug + Clone + Eq + ::std::hash::Hash + 'static),* {
+            $crate::block! { @inputs $in }
+            $crate::block! { @outputs $out }
+            $crate::block! { @about [$([$($attribute)*])*] $latency [$source] }
+
+            fn build(&self, m: $crate::Module, i: Self::In) -> Self::Out {
+                // The struct's own `build` comes before those of traits. Without one this would call itself: a second trait
+                // makes that an error.
+                use $crate::AddTheBuildOfThisBlock as _;
+                Self::build(self, m, i)
+            }
+        }
+    };
+
+    (@bundle $vis:tt $what:literal $name:ident []) => {};
+    (@bundle [$vis:vis] $what:literal $name:ident [
+        [$bundle:ident $($this:ident)?] [$({[$([$($said:tt)*])*] $port:ident [$($ty:tt)*] $width:tt})*]
+    ]) => {
+        $crate::bundle! {
+            #[doc = concat!($what, stringify!($name), "`].")]
+            $vis struct $bundle<T> { $($(#[$($said)*])* $vis $port: $($ty)*),* }
+        }
+    };
+
+    (@inputs []) => {
+        type In = ();
+
+        fn inputs(&self) {}
+    };
+    (@inputs [[$bundle:ident] $ports:tt]) => { $crate::block! { @inputs [[$bundle self] $ports] } };
+    (@inputs [[$bundle:ident $this:ident] [$({$said:tt $port:ident $ty:tt [$width:expr]})*]]) => {
+        type In = $bundle;
+
+        fn inputs(&$this) -> $bundle<$crate::Width> {
+            $bundle { $($port: $width),* }
+        }
+    };
+
+    (@outputs []) => {
+        type Out = ();
+    };
+    (@outputs [[$bundle:ident] $ports:tt]) => { $crate::block! { @outputs [[$bundle self] $ports] } };
+    (@outputs [[$bundle:ident $this:ident] [$({$said:tt $port:ident $ty:tt [$($width:expr)?]})*]]) => {
+        type Out = $bundle;
+
+        fn outputs(&$this) -> Vec<(String, $crate::Width)> {
+            let mut widths = Vec::new();
+            $($(widths.extend($crate::declared(stringify!($port), &$width));)?)*
+            widths
+        }
+    };
+
+    (@about $said:tt [$latency:expr] $source:tt) => { $crate::block! { @about $said [self $latency] $source } };
+    (@about [$([$($attribute:tt)*])*] [$this:ident $latency:expr] [$source:expr]) => {
+        fn about(&$this) -> $crate::ir::About {
+            $crate::about::<Self::In, Self::Out>(
+                &[$($crate::doc_line!($($attribute)*)),*],
+                $latency.to_string(),
+                $source.to_string(),
+            )
+        }
+    };
+}
+
+/// The text of a line of documentation; of any other attribute, nothing.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! doc_line {
+    (doc = $text:expr) => {
+        $text
+    };
+    ($($other:tt)*) => {
+        ""
+    };
+}
+
+/// A block that `block!` declares and that has no `build` gets this one, which is none.
+#[doc(hidden)]
+pub trait AddTheBuildOfThisBlock {
+    fn build(&self, _: Module, _: impl Sized) -> NoBuild {
+        NoBuild
+    }
+}
+
+impl<T> AddTheBuildOfThisBlock for T {}
+
+#[doc(hidden)]
+#[derive(Debug)]
+pub struct NoBuild;
+
+/// A list of ports that are alike.
+#[doc(hidden)]
+pub fn list<W: Clone>(widths: W, count: impl crate::width::Count) -> Vec<W> {
+    vec![widths; count.count() as usize]
+}
+
+/// The widths of an output that is declared with them, each with its path.
+#[doc(hidden)]
+pub fn declared(port: &str, widths: &impl Fields<Width>) -> Vec<(String, Width)> {
+    let port = join("", port);
+    let path = |path: String| if path.is_empty() { port.clone() } else { join(&port, &path) };
+    // What comes back, as the `ready` of a stream, is no output.
+    let outputs = widths.leaves().into_iter().zip(backwards(widths)).filter(|(_, back)| !back);
+    outputs.map(|((inner, width), _)| (path(inner), width)).collect()
+}
+
+/// What a block's declaration says in words.
+#[doc(hidden)]
+pub fn about<I: Bundle, O: Bundle>(said: &[&str], latency: String, source: String) -> About {
+    About { summary: sentence(said), latency, source, inputs: ports::<I>(), outputs: ports::<O>() }
+}
+
+/// What is said about the ports of a bundle, and about the records in it.
+fn ports<B: Bundle>() -> BTreeMap<String, String> {
+    let mut ports = BTreeMap::new();
+    <B as Fields<Signal>>::documentation("", "", &mut |path, said| {
+        if !said.is_empty() {
+            ports.insert(path.to_owned(), said.to_owned());
+        }
+    });
+    ports
+}
+
+/// The first paragraph of a documentation, on one line, without the places that its links lead to.
+#[doc(hidden)]
+pub fn sentence(lines: &[&str]) -> String {
+    let lines = lines.iter().map(|line| line.trim()).skip_while(|line| line.is_empty());
+    let text = lines.take_while(|line| !line.is_empty()).collect::<Vec<_>>().join(" ");
+    let mut plain = String::new();
+    let mut rest = text.as_str();
+    while let Some((before, link)) = rest.split_once("[`") {
+        let Some((name, after)) = link.split_once("`]") else { break };
+        plain += &format!("{before}`{name}`");
+        rest = after.strip_prefix('(').and_then(|place| Some(place.split_once(')')?.1)).unwrap_or(after);
+    }
+    plain + rest
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_first_paragraph_without_its_links() {
+        assert_eq!(sentence(&[" Leads the", " scan.", "", " And more."]), "Leads the scan.");
+        assert_eq!(sentence(&[" [`A`] and [`b`](super::b), not [c]."]), "`A` and `b`, not [c].");
+        assert_eq!(sentence(&[]), "");
+    }
+}

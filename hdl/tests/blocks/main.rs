@@ -1,0 +1,177 @@
+//! Blocks in one declaration: every form of it, and what comes out.
+
+use std::marker::PhantomData;
+
+use tilewright_hdl::*;
+
+const FAST: Clock = Clock::new("fast", Period::ns(4));
+
+bundle! {
+    /// A pixel of the screen.
+    struct Position<T> {
+        /// Counted from the left.
+        x: T,
+        y: T,
+    }
+}
+
+codes! {
+    /// Which way.
+    enum Way { Left, Right }
+}
+
+block! {
+    /// Has no parameters.
+    /// And a second line, of [`Position`].
+    ///
+    /// More of it, which no header shows.
+    struct Plain;
+}
+
+impl Plain {
+    fn build(&self, _: Module, (): ()) {}
+}
+
+block! {
+    /// Uses every form of a port.
+    #[derive(Copy)]
+    pub(crate) struct Forms {
+        /// How many.
+        count: u32,
+        screen: (u32, u32),
+    }
+    out(self) FormsOut {
+        /// As wide as what drives it.
+        sum: _,
+        first: Position = _,
+        all: [Position] = _,
+        signal: bits(8),
+        same: bit().of(row(self.count)),
+    }
+    source = "a book";
+    in(self) FormsIn {
+        /// Where it is.
+        at: Position { x: below(self.screen.0), y: below(self.screen.1) }.on(FAST),
+        other: Position = self.position(),
+        /// Several.
+        many: [bits(8); self.count],
+        places: [Position = self.position(); 2],
+        way: one_of::<Way>(),
+        lanes: bit().of(row(self.count)),
+        r#move: bit(),
+    }
+    latency(self) = self.count + 1;
+}
+
+impl Forms {
+    fn position(&self) -> Position<Width> {
+        Position { x: below(self.screen.0), y: below(self.screen.1) }.on(FAST)
+    }
+
+    fn build(&self, m: Module, i: FormsIn) -> FormsOut {
+        m.ignore(&i.r#move);
+        m.ignore(&i.at);
+        let signal = i.many.iter().copied().reduce(|a, b| a ^ b).expect("there are some");
+        FormsOut { sum: i.way.is(Way::Right), first: i.other, all: i.places, signal, same: i.lanes }
+    }
+}
+
+/// What a counter's value stands for.
+trait Unit {
+    const MOST: u64;
+}
+
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+struct Seconds;
+
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+struct Hours;
+
+impl Unit for Seconds {
+    const MOST: u64 = 59;
+}
+
+impl Unit for Hours {
+    const MOST: u64 = 23;
+}
+
+block! {
+    /// Counts what its type says.
+    struct Wheel<U: Unit> {
+        of: PhantomData<U>,
+        way: Way,
+    }
+    in WheelIn { turn: bit() }
+    out WheelOut { at: up_to(U::MOST) }
+}
+
+impl<U: Unit> Wheel<U> {
+    fn build(&self, m: Module, i: WheelIn) -> WheelOut {
+        let at = m.reg("at", up_to(U::MOST)).reset(0);
+        let next = match self.way {
+            Way::Left => at - 1,
+            Way::Right => at + 1,
+        };
+        at.when(i.turn, next);
+        WheelOut { at: at.value() }
+    }
+}
+
+#[test]
+fn a_block_without_parameters_and_ports() {
+    let design = elaborate(&Plain).unwrap();
+    let about = &design.top().about;
+    assert_eq!(about.summary, "Has no parameters. And a second line, of `Position`.");
+    assert_eq!((about.latency.as_str(), about.source.as_str(), design.top().inputs.len()), ("", "", 0));
+}
+
+#[test]
+fn every_form_of_a_port() {
+    let forms = Forms { count: 3, screen: (640, 480) };
+    let copy = forms;
+    let design = elaborate(&copy).unwrap();
+    let top = design.top();
+    assert_eq!(top.name, "forms_count3_screen640_480");
+    assert_eq!((top.about.latency.as_str(), top.about.source.as_str()), ("4", "a book"));
+    let names: Vec<_> = top.inputs.iter().map(|input| format!("{} {}", input.name, top.width(input.node))).collect();
+    assert_eq!(
+        names.join(", "),
+        "at_x 10, at_y 9, other_x 10, other_y 9, many_0 8, many_1 8, many_2 8, places_0_x 10, places_0_y 9, \
+         places_1_x 10, places_1_y 9, way 1, lanes 1, move 1"
+    );
+    let said: Vec<_> = top.about.inputs.iter().map(|(path, said)| format!("{path}: {said}")).collect();
+    assert_eq!(
+        said,
+        [
+            "at: Where it is.",
+            "at.x: Counted from the left.",
+            "many: Several.",
+            "other.x: Counted from the left.",
+            "places.x: Counted from the left."
+        ]
+    );
+    assert_eq!(top.about.outputs["sum"], "As wide as what drives it.");
+}
+
+#[test]
+fn a_block_of_a_type() {
+    block! {
+        /// Two wheels, told apart by their types.
+        struct Clockwork;
+        in ClockworkIn { turn: bit() }
+        out ClockworkOut { hours: bits(5), seconds: bits(6) }
+    }
+    impl Clockwork {
+        fn build(&self, m: Module, ClockworkIn { turn }: ClockworkIn) -> ClockworkOut {
+            let hours = Wheel::<Hours> { of: PhantomData, way: Way::Left };
+            let seconds = Wheel::<Seconds> { of: PhantomData, way: Way::Left };
+            ClockworkOut {
+                hours: m.instance("u_hours", &hours, WheelIn { turn }).at,
+                seconds: m.instance("u_seconds", &seconds, WheelIn { turn }).at,
+            }
+        }
+    }
+    let design = elaborate(&Clockwork).unwrap();
+    let names: Vec<_> = design.modules().iter().map(|module| module.name.as_str()).collect();
+    assert_eq!(names, ["wheel_hours_way_left", "wheel_seconds_way_left", "clockwork"]);
+}
