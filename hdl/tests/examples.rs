@@ -10,6 +10,8 @@ mod fifo;
 mod program;
 #[path = "../examples/systolic.rs"]
 mod systolic;
+#[path = "../examples/windows.rs"]
+mod windows;
 
 #[test]
 fn the_counter_runs() {
@@ -34,4 +36,9 @@ fn the_matrices_are_multiplied() {
 #[test]
 fn the_program_runs() {
     program::main().unwrap();
+}
+
+#[test]
+fn the_windows_are_divided() {
+    windows::main().unwrap();
 }

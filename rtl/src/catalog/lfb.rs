@@ -1,12 +1,12 @@
 //! The entries of the local frame buffer and its parts.
 
-use tilewright_hdl::{Scenario, Script, elaborate, elaborate_at};
+use tilewright_hdl::{Scenario, Script, Stream, elaborate, elaborate_at};
 
 use super::shared::{EMPTY, HEIGHT, PAGES, PATCH, WIDTH};
 use super::{CatalogError, Entry, Parameter, Values};
 use crate::clocks::{MERGE, PE};
 use crate::lfb::{
-    Clear, Draw, ImageMemory, ImageMemoryIn, LfbUnit, LfbUnitIn, LookUp, PageIdGenerator, PageIdGeneratorIn,
+    Clear, Cleared, Draw, ImageMemory, ImageMemoryIn, LfbUnit, LfbUnitIn, LookUp, PageIdGenerator, PageIdGeneratorIn,
     PatchTable, PatchTableIn, Patches, Request, ScanCounter, ScanCounterIn, ScanLookUp, SendPixel,
 };
 use crate::parameter::Screen;
@@ -77,10 +77,9 @@ fn patch_table(values: &Values) -> PatchTable {
 
 fn misses_and_hits(table: &PatchTable) -> Scenario {
     let mut script = Script::new(table, PE.period);
-    let none = LookUp { valid: 0, patch: 0 };
     let idle = PatchTableIn {
-        look_up: none,
-        clear: none,
+        look_up: LookUp { valid: 0, patch: 0 },
+        clear: Stream::of(0, Cleared { patch: 0 }),
         front: 0,
         settled: 1,
         restart: 0,
@@ -93,7 +92,7 @@ fn misses_and_hits(table: &PatchTable) -> Scenario {
         script.hold(&PatchTableIn { look_up: LookUp { valid: 1, patch }, ..idle }, clocks);
     }
     script.hold(&idle, 4);
-    script.clock(&PatchTableIn { clear: LookUp { valid: 1, patch: 3 }, ..idle });
+    script.clock(&PatchTableIn { clear: Stream::of(1, Cleared { patch: 3 }), ..idle });
     script.hold(&idle, 8);
     script.finish("two patches get a page on their first look-up, in 4 clocks, and are found in 3; then one is cleared")
 }

@@ -22,7 +22,9 @@
 //! for the scan.
 
 use tilewright_hdl::ir::About;
-use tilewright_hdl::{Block, Module, ReadUnderWrite, Width, below, bit, bundle, cat, codes, goto, mux, net, on, when};
+use tilewright_hdl::{
+    Block, Module, ReadUnderWrite, Stream, Width, below, bit, bundle, cat, codes, goto, mux, net, on, stream, when,
+};
 
 use super::page_id_generator::{PageIdGenerator, PageIdGeneratorIn};
 use crate::clocks::{MERGE, PE};
@@ -31,10 +33,16 @@ use crate::clocks::{MERGE, PE};
 const CLEAR_CLOCKS: u64 = 3;
 
 bundle! {
-    /// A patch of which the processor wants something: its page, or its entry cleared.
+    /// A patch whose page the processor wants.
     pub struct LookUp<T> {
         /// There is one.
         pub valid: T,
+        /// Its number.
+        pub patch: T,
+    }
+
+    /// A patch whose entry the processor wants cleared.
+    pub struct Cleared<T> {
         /// Its number.
         pub patch: T,
     }
@@ -61,8 +69,8 @@ bundle! {
     pub struct PatchTableIn<T> {
         /// A request for the page of a patch.
         pub look_up: LookUp<T>,
-        /// A request to clear an entry.
-        pub clear: LookUp<T>,
+        /// Entries to clear. Of a clear and a look-up that are accepted at one edge the clear comes first.
+        pub clear: Stream<Cleared<T>, T>,
         /// The front buffer, 0 or 1.
         pub front: T,
         /// The scan has left the front buffer.
@@ -79,8 +87,6 @@ bundle! {
     pub struct PatchTableOut<T> {
         /// A look-up is accepted at this edge.
         pub ready: T,
-        /// A clear is accepted at this edge. If a look-up is too, the clear comes first.
-        pub clear_ready: T,
         /// A look-up is held, because all pages are taken.
         pub overflow: T,
         /// No look-up is under way.
@@ -116,10 +122,9 @@ impl Block for PatchTable {
 
     fn inputs(&self) -> PatchTableIn<Width> {
         let patch = below(self.patches);
-        let look_up = on(PE, LookUp { valid: bit(), patch });
         PatchTableIn {
-            look_up,
-            clear: look_up,
+            look_up: on(PE, LookUp { valid: bit(), patch }),
+            clear: on(PE, stream(Cleared { patch })),
             front: bit().on(PE),
             settled: bit().on(PE),
             restart: bit().on(PE),
@@ -135,10 +140,9 @@ impl Block for PatchTable {
 
         net!(table_free = clearing.eq(0) & i.settled);
         net!(can_accept = stage.is(Stage1::Idle) | stage.is(Stage1::Found));
-        net!(clear_ready = table_free & (can_accept | stage.is(Stage1::Overflow)));
         net!(accept = i.look_up.valid & can_accept);
-        net!(clear = i.clear.valid & clear_ready);
-        clearing.when(clear, CLEAR_CLOCKS - 1).when(clearing.ne(0), clearing - 1);
+        let clear = i.clear.take_when(table_free & (can_accept | stage.is(Stage1::Overflow)));
+        clearing.when(clear.taken, CLEAR_CLOCKS - 1).when(clearing.ne(0), clearing - 1);
 
         let patch = m.reg("patch", i.look_up.patch.width());
         patch.enable(accept).next(i.look_up.patch);
@@ -146,7 +150,7 @@ impl Block for PatchTable {
         // The two ports are never in the same buffer.
         let layout = Entry { resident: bit(), page: below(self.pages) };
         let table = m.memory("entries", 2 * self.patches, layout, ReadUnderWrite::Any).fill(0);
-        net!(address = cat!(mux(clear, i.clear.patch, patch), i.front));
+        net!(address = cat!(mux(clear.taken, clear.patch, patch), i.front));
         net!(read = stage.is(Stage1::Read) & table_free);
         net!(entry = table.on(PE).read_when(read, address));
 
@@ -169,11 +173,10 @@ impl Block for PatchTable {
 
         let page = m.reg("page", below(self.pages));
         page.enable(stage.is(Stage1::Examine)).next(mux(entry.resident, entry.page, free.page));
-        table.on(PE).write(allocate | clear, address, Entry { resident: allocate, page: *page });
+        table.on(PE).write(allocate | clear.taken, address, Entry { resident: allocate, page: *page });
         net!(scan_entry = table.on(MERGE).read_when(i.scan.enable, cat!(i.scan.patch, i.scan.buffer)));
         PatchTableOut {
             ready: can_accept,
-            clear_ready,
             overflow: stage.is(Stage1::Overflow),
             idle: stage.is(Stage1::Idle),
             pages_used: free.used,

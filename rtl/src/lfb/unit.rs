@@ -32,7 +32,7 @@ use tilewright_hdl::ir::About;
 use tilewright_hdl::{Block, Module, Width, bit, bits, bundle, net, on};
 
 use super::image_memory::{Draw, ImageMemory, ImageMemoryIn, SendPixel};
-use super::patch_table::{LookUp, PatchTable, PatchTableIn, ScanLookUp};
+use super::patch_table::{Cleared, LookUp, PatchTable, PatchTableIn, ScanLookUp};
 use super::patches::Patches;
 use super::scan_counter::{ScanCounter, ScanCounterIn};
 use crate::clocks::{MERGE, PE};
@@ -174,12 +174,13 @@ impl Block for LfbUnit {
 
         // The processor's request: its patch is looked up, the rest waits beside.
         let wanted = self.patches.locate(Position { x: i.request.x, y: i.request.y });
+        let (clear, _) = pe.offer(i.clear.valid, Cleared { patch: i.clear.patch });
         let table = m.instance(
             "u_patch_table",
             &PatchTable { patches: self.patches.count(), pages: self.pages },
             PatchTableIn {
                 look_up: LookUp { valid: i.request.valid, patch: wanted.patch },
-                clear: LookUp { valid: i.clear.valid, patch: i.clear.patch },
+                clear,
                 front: front.value(),
                 settled,
                 restart: i.swap,
@@ -207,7 +208,7 @@ impl Block for LfbUnit {
         pe.assert(i.swap.implies(settled), "the buffers are not swapped again before the merger has followed");
         LfbUnitOut {
             ready: table.ready,
-            clear_ready: table.clear_ready,
+            clear_ready: clear.ready,
             overflow: table.overflow,
             pages_used: table.pages_used,
             idle,

@@ -24,7 +24,7 @@ fn look_up(sim: &mut Sim, patch: u64) -> Vec<&'static str> {
 
 /// As [`look_up`], to clear an entry.
 fn clear(sim: &mut Sim, patch: u64) -> Vec<&'static str> {
-    let (valid, number, ready) = (sim.i.clear.valid, sim.i.clear.patch, sim.o.clear_ready);
+    let (valid, number, ready) = (sim.i.clear.valid, sim.i.clear.patch, sim.i.clear.ready);
     offer(sim, [valid, number], patch, ready)
 }
 
@@ -79,7 +79,7 @@ fn a_clear_takes_3_clocks_and_comes_before_a_look_up_of_the_same_edge() {
     clocks(&mut sim, 2);
     sim.drive(PatchTableIn {
         look_up: LookUp { valid: 1, patch: 3 },
-        clear: LookUp { valid: 1, patch: 3 },
+        clear: Stream::of(1, Cleared { patch: 3 }),
         settled: 1,
         ..idle()
     });
@@ -92,7 +92,7 @@ fn a_clear_takes_3_clocks_and_comes_before_a_look_up_of_the_same_edge() {
 fn idle() -> PatchTableIn<u64> {
     PatchTableIn {
         look_up: LookUp { valid: 0, patch: 0 },
-        clear: LookUp { valid: 0, patch: 0 },
+        clear: Stream::of(0, Cleared { patch: 0 }),
         front: 0,
         settled: 0,
         restart: 0,
@@ -127,7 +127,7 @@ fn an_overflow_holds_the_look_up_until_it_is_resumed() {
 fn the_processor_waits_until_the_scan_has_left_the_front_buffer() {
     let mut sim = table(6, 2);
     sim.set(sim.i.settled, 0);
-    assert_eq!(sim.get_u64(sim.o.clear_ready), 0);
+    assert_eq!(sim.get_u64(sim.i.clear.ready), 0);
     look_up(&mut sim, 1);
     assert_eq!(clocks(&mut sim, 3), ["Read"; 3]);
     sim.set(sim.i.settled, 1);

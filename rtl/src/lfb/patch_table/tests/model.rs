@@ -148,10 +148,6 @@ fn run() -> impl Strategy<Value = (PatchTable, Vec<Step>)> {
     })
 }
 
-fn wish(patch: Option<u64>) -> LookUp<u64> {
-    LookUp { valid: patch.is_some().into(), patch: patch.unwrap_or_default() }
-}
-
 proptest! {
     #![proptest_config(ProptestConfig { cases: 128, failure_persistence: None, ..ProptestConfig::default() })]
 
@@ -171,8 +167,8 @@ proptest! {
                 buffer: 1 - front,
             };
             let i = PatchTableIn {
-                look_up: wish(step.look_up),
-                clear: wish(step.clear),
+                look_up: LookUp { valid: step.look_up.is_some().into(), patch: step.look_up.unwrap_or_default() },
+                clear: Stream::of(step.clear.is_some().into(), Cleared { patch: step.clear.unwrap_or_default() }),
                 front,
                 settled: step.settled.into(),
                 restart: swap.into(),
@@ -180,8 +176,8 @@ proptest! {
                 scan,
             };
             sim.drive(i);
-            let o = sim.read_u64();
-            prop_assert_eq!((o.ready == 1, o.clear_ready == 1), (model.ready(), model.clear_ready(step.settled)));
+            let (o, clear_ready) = (sim.read_u64(), sim.get_u64(sim.i.clear.ready));
+            prop_assert_eq!((o.ready == 1, clear_ready == 1), (model.ready(), model.clear_ready(step.settled)));
             prop_assert_eq!((o.overflow == 1, o.idle == 1), (model.overflow(), model.look_up.is_none()));
             prop_assert_eq!(o.pages_used, model.used);
             prop_assert_eq!((o.found == 1).then_some(o.page), model.found());
