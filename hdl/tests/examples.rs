@@ -12,6 +12,8 @@ mod program;
 mod rv32i;
 #[path = "../examples/systolic.rs"]
 mod systolic;
+#[path = "../examples/windows.rs"]
+mod windows;
 
 #[test]
 fn the_counter_runs() {
@@ -41,4 +43,9 @@ fn the_program_runs() {
 #[test]
 fn the_processor_runs() {
     rv32i::main().unwrap();
+}
+
+#[test]
+fn the_windows_are_divided() {
+    windows::main().unwrap();
 }

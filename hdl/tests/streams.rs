@@ -119,8 +119,7 @@ fn verilog_has_the_ports_of_both_directions() {
 }
 
 fn sent(valid: u64, page: u64) -> JobsIn<u64> {
-    // The block says whether it is ready; what stands here means nothing.
-    JobsIn { jobs: Stream { valid, ready: 1, payload: Job { page, last: 0 } } }
+    JobsIn { jobs: Stream::of(valid, Job { page, last: 0 }) }
 }
 
 fn seen(valid: u64, ready: u64, page: u64) -> JobsOut<u64> {

@@ -80,6 +80,14 @@ impl<P, T> Deref for Stream<P, T> {
     }
 }
 
+impl<P, T: Default> Stream<P, T> {
+    /// What a testbench drives: `Stream::of(1, Job { page: 7, last: 0 })`. It has no say in `ready` of a stream that comes in, which is the
+    /// block's.
+    pub fn of(valid: T, payload: P) -> Stream<P, T> {
+        Stream { valid, ready: T::default(), payload }
+    }
+}
+
 /// A port that is a stream, whose payload is a signal of that width or a record of those: `stream(8)`,
 /// `stream(Job { page: below(12), last: bit() })`.
 #[track_caller]

@@ -1,0 +1,112 @@
+//! A coverage test: of each window of the screen it sends the quarters that a triangle may cover. Two of them, one behind the other, are
+//! connected by their streams. `cargo run -p tilewright-hdl --example windows`
+
+use tilewright_hdl::*;
+use tilewright_sim::Simulation;
+
+bundle! {
+    /// A square of the screen, and the greatest value in it of each edge function of the triangle.
+    struct Window<T> { x: T, y: T, edges: T }
+    struct TestIn<T> { windows: Stream<Window<T>, T> }
+    struct TestOut<T> { quarters: Stream<Window<T>, T> }
+}
+
+/// The edge functions are `a x + b y + c`; inside of the triangle none is negative. This is `(a, b)` of each.
+const SLOPES: [(i64, i64); 3] = [(1, 0), (0, 1), (-1, -1)];
+
+fn window() -> Window<Width> {
+    Window { x: bits(5), y: bits(5), edges: bits(12).signed().of(row(3)) }
+}
+
+impl Window {
+    /// A quarter of a window that is twice as wide as `half`.
+    fn quarter(&self, number: Signal, half: u32) -> Window {
+        let place = |upper: Signal| upper.zext(5) << half.ilog2();
+        // An edge function is less in the half that it points away from.
+        let less = |quarter: u64| {
+            let [right, upper] = [quarter & 1 == 1, quarter >> 1 == 1];
+            let along = |slope: i64, upper: bool| if (slope > 0) == upper { 0 } else { slope.unsigned_abs() };
+            let less = |(a, b): (i64, i64)| (along(a, right) + along(b, upper)) * u64::from(half);
+            constants(bits(12).of(row(3)), |edge| less(SLOPES[edge as usize])).signed()
+        };
+        let edges = self.edges - case(number, [(0, less(0)), (1, less(1)), (2, less(2))], less(3));
+        Window { x: self.x | place(number.bit(0)), y: self.y | place(number.bit(1)), edges }
+    }
+}
+
+/// Sends the quarters, a clock each, of windows that are twice as wide as `half`.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+struct CoverageTest {
+    half: u32,
+}
+
+impl Block for CoverageTest {
+    type In = TestIn;
+    type Out = TestOut;
+
+    fn inputs(&self) -> TestIn<Width> {
+        TestIn { windows: stream(window()) }
+    }
+
+    fn build(&self, m: Module, i: TestIn) -> TestOut {
+        let busy = m.reg("busy", bit()).reset(0);
+        let held = m.reg("held", window());
+        let number = m.reg("number", 2).reset(0);
+        net!(quarter = held.quarter(*number, self.half));
+        net!(covers = !quarter.edges.is_negative().or_all());
+        let (quarters, sent) = m.offer(busy & covers, quarter);
+        net!(tested = sent | (busy & !covers));
+        net!(ends = tested & number.all_ones());
+        let next = i.windows.take_when(!busy | ends);
+        held.when(next.taken, *next);
+        number.when(next.taken, 0).when(tested, number + 1);
+        busy.when(next.taken, 1).when(ends, 0);
+        TestOut { quarters }
+    }
+}
+
+/// From windows of 8 x 8 pixels to those of 2 x 2.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+struct TwoLevels;
+
+impl Block for TwoLevels {
+    type In = TestIn;
+    type Out = TestOut;
+
+    fn inputs(&self) -> TestIn<Width> {
+        TestIn { windows: stream(window()) }
+    }
+
+    fn build(&self, m: Module, i: TestIn) -> TestOut {
+        let windows = m.instance("u_upper", &CoverageTest { half: 4 }, i).quarters;
+        m.instance("u_lower", &CoverageTest { half: 2 }, TestIn { windows })
+    }
+}
+
+/// Runs it; a test does so too.
+pub fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let mut sim = Simulation::of(&TwoLevels)?;
+    sim.reset();
+    let wave =
+        sim.record(["windows_valid", "windows_ready", "quarters_valid", "quarters_ready", "quarters_x", "quarters_y"]);
+    // The triangle x >= 1, y >= 1, x + y <= 6, in the window of the pixels from 0 to 7.
+    sim.set(sim.i.windows.valid, 1);
+    sim.set_lanes(sim.i.windows.edges, [7 - 1, 7 - 1, 6]);
+    let mut leaves = Vec::new();
+    for clock in 0..30 {
+        let ready = clock % 3 != 2;
+        sim.set(sim.o.quarters.ready, ready);
+        let accepted = sim.get(sim.i.windows.ready) == 1;
+        if ready && sim.get(sim.o.quarters.valid) == 1 {
+            leaves.push((sim.get_u64(sim.o.quarters.x), sim.get_u64(sim.o.quarters.y)));
+        }
+        sim.step();
+        if accepted {
+            sim.set(sim.i.windows.valid, 0);
+        }
+    }
+    assert_eq!(leaves, [(0, 0), (2, 0), (0, 2), (2, 2), (4, 0), (6, 0), (4, 2), (0, 4), (2, 4), (0, 6)]);
+    println!("{wave}");
+    print!("{}", tilewright_gen::verilog(&elaborate(&TwoLevels)?)[1].text);
+    Ok(())
+}
