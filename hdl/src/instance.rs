@@ -180,7 +180,7 @@ fn report_uneven(
         problem = problem.note(format!("`{}` is declared", uneven.list), port.declared);
     }
     let nodes: Vec<_> = drivers.iter().map(|(_, signal)| signal.node).collect();
-    e.report_instead_of(&nodes, problem.help("feed as many as the block's `fn inputs` declares"));
+    e.report_instead_of(&nodes, problem.help("feed as many as the block declares"));
 }
 
 /// An input port of a child.

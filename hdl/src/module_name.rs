@@ -102,7 +102,9 @@ impl Reader {
     fn mark(&mut self, c: char) {
         match c {
             '{' | '(' | '[' => {
+                // Where one list ends and the next begins does not show.
                 self.is_shortened |= c == '[' && self.around.iter().any(|(open, ..)| *open == '[');
+                self.is_shortened |= c == '[' && self.values.iter().any(|(path, _)| *path == self.path());
                 self.around.push((c, self.field.take(), self.values.len()));
             }
             '}' | ')' | ']' => {
@@ -119,8 +121,13 @@ impl Reader {
     }
 
     fn value(&mut self, value: String) {
+        self.values.push((self.path(), value));
+    }
+
+    /// The fields that lead to the present place.
+    fn path(&self) -> Vec<String> {
         let fields = self.around.iter().map(|(_, field, _)| field).chain([&self.field]);
-        self.values.push((fields.flatten().cloned().collect(), value));
+        fields.flatten().cloned().collect()
     }
 
     /// A field's name, a record's, a variant's or a number.
@@ -290,6 +297,7 @@ mod tests {
         for list in lists {
             assert_eq!(names.insert(named(Table { of: list.clone() }), list), None);
         }
+        assert_ne!(printed("Ports([1, 2], [3])"), printed("Ports([1], [2, 3])"));
         let long = |last: u32| named(Table { of: (0..100).chain([last]).collect::<Vec<u32>>() });
         assert!(long(1).len() <= LONGEST && long(1) != long(2), "{}", long(1));
         assert!(long(1).starts_with("table_vec_u32_of0_1_2_3_"));

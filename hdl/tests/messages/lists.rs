@@ -40,7 +40,7 @@ fn an_instance_fed_a_shorter_list() {
         "input `rows.1.cells` of `u_adder` is a list of 2, but is fed a list of 1
          --> [|m, i| m.instance(\"u_adder\", &Adder, rows(&[2, 1], &i)).out,]
          `rows.1.cells` is declared at [let row = || Row { cells: vec![bits(8), bits(8)] };]
-         help: feed as many as the block's `fn inputs` declares",
+         help: feed as many as the block declares",
     );
 }
 
@@ -56,7 +56,7 @@ fn an_instance_fed_a_longer_list() {
         "input `rows.1.cells` of `u_adder` is a list of 2, but is fed a list of 3
          --> [m.instance(\"u_adder\", &Adder, more).out]
          `rows.1.cells` is declared at [let row = || Row { cells: vec![bits(8), bits(8)] };]
-         help: feed as many as the block's `fn inputs` declares",
+         help: feed as many as the block declares",
     );
     let text = problems(&Case(|m, i| m.instance("u_adder", &Adder, rows(&[2, 2, 2], &i)).out));
     assert!(text.starts_with("input `rows` of `u_adder` is a list of 2, but is fed a list of 3\n"), "{text}");
@@ -71,7 +71,7 @@ fn an_array_fed_a_list_of_another_length() {
         "input `rows.1.cells` of `u_adders` is a list of 2, but is fed a list of 3
          --> [|m, i| m.array(\"u_adders\", 3, &Adder, |_| rows(&[2, 3], &i)).out.lane(0),]
          `rows.1.cells` is declared at [let row = || Row { cells: vec![bits(8), bits(8)] };]
-         help: feed as many as the block's `fn inputs` declares",
+         help: feed as many as the block declares",
     );
 }
 
