@@ -52,6 +52,7 @@
 //! of the description that it involves. What comes out, [`Design`], is the circuit that `tilewright-sim` runs and
 //! `tilewright-gen` prints.
 
+mod along;
 mod bits;
 mod block;
 mod bundle;
@@ -84,6 +85,7 @@ mod register;
 pub mod scenario;
 mod select;
 mod shaping;
+mod shift;
 mod shorthand;
 mod signal;
 mod signed;
@@ -95,6 +97,7 @@ mod uneven;
 mod width;
 mod wire;
 
+pub use along::Along;
 pub use bits::{Bits, limbs_for, top_mask};
 pub use block::{Block, DEFAULT_PERIOD, Typed, elaborate, elaborate_at, elaborate_typed};
 #[doc(hidden)]
@@ -109,7 +112,7 @@ pub use data::{Data, Fits, Layout};
 pub use declare::{AddTheBuildOfThisBlock, NoBuild, about, declared, list, sentence};
 pub use index::Index;
 pub use ir::{About, Design, ReadUnderWrite, Shape};
-pub use lanes::{Along, constants, interleave, stack};
+pub use lanes::{constants, interleave, stack};
 pub use loc::Loc;
 pub use memory::Mem;
 pub use module::Module;

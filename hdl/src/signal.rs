@@ -2,10 +2,10 @@
 
 use crate::bits::Bits;
 use crate::elaboration::{self, Elaboration};
-use crate::ir::{Binary, Kind, Node, NodeId, Op, Relation, Shape, Shift, Unary};
+use crate::ir::{Binary, Kind, Node, NodeId, Op, Relation, Shape, Unary};
 use crate::limits::{WIDEST, sound_width};
 use crate::loc::Loc;
-use crate::operand::{Operand, ShiftAmount, Value, operators};
+use crate::operand::{Operand, Value, operators};
 use crate::problem::Problem;
 use crate::shaping::level;
 use crate::width::IntoWidth;
@@ -366,28 +366,6 @@ impl Signal {
         Signal::make(Op::Repeat(self.id(), times), width, self.shape)
     }
 
-    #[track_caller]
-    pub(crate) fn shift(self, shift: Shift, amount: Signal) -> Signal {
-        let [left, amount] = level([self, amount], shift.symbol());
-        Signal::make(Op::Shift(shift, left.id(), amount.id()), left.width, left.shape).kept_as(left.kind)
-    }
-
-    /// Shifted by a constant: wiring, not a shifter.
-    #[track_caller]
-    pub(crate) fn shift_by(self, shift: Shift, amount: u32) -> Signal {
-        let kept = self.width.saturating_sub(amount);
-        let shifted = match (shift, kept) {
-            (_, kept) if kept == self.width => self,
-            (Shift::Left, 0) | (Shift::Right, 0) => crate::lit(self.width, 0),
-            (Shift::RightSigned, 0) => self.msb().repeat(self.width),
-            (Shift::Left, _) => crate::concat(&[self.trunc(kept), crate::lit(amount, 0)]),
-            (Shift::Right, _) => self.slice(amount..self.width).zext(self.width),
-            (Shift::RightSigned, _) => self.slice(amount..self.width).sext(self.width),
-        };
-        // Not of the node, which may be an operand itself.
-        Signal { kind: self.kind, ..shifted }
-    }
-
     /// Declares that another clock may sample this signal as it is, because it is stable whenever that happens. The
     /// reason is printed beside it in the Verilog.
     #[track_caller]
@@ -404,13 +382,6 @@ pub(crate) fn bits_text(width: u32) -> String {
 impl Operand for Signal {
     fn operand(self) -> Value {
         Value::Signal(self)
-    }
-}
-
-impl ShiftAmount for Signal {
-    #[track_caller]
-    fn shift(self, operand: Signal, shift: Shift) -> Signal {
-        operand.shift(shift, self)
     }
 }
 
