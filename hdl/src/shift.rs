@@ -8,24 +8,26 @@ use crate::signal::Signal;
 impl Signal {
     #[track_caller]
     pub(crate) fn shift(self, shift: Shift, amount: Signal) -> Signal {
-        let [left, amount] = level([self, amount], shift.symbol());
+        let left = self.computable(shift.symbol());
+        let [left, amount] = level([left, amount], shift.symbol());
         Signal::make(Op::Shift(shift, left.id(), amount.id()), left.width, left.shape).kept_as(left.kind)
     }
 
     /// Shifted by a constant: wiring, not a shifter.
     #[track_caller]
     pub(crate) fn shift_by(self, shift: Shift, amount: u32) -> Signal {
-        let kept = self.width.saturating_sub(amount);
+        let this = self.computable(shift.symbol());
+        let kept = this.width.saturating_sub(amount);
         let shifted = match (shift, kept) {
-            (_, kept) if kept == self.width => self,
-            (Shift::Left, 0) | (Shift::Right, 0) => crate::lit(self.width, 0),
-            (Shift::RightSigned, 0) => self.msb().repeat(self.width),
-            (Shift::Left, _) => crate::concat(&[self.trunc(kept), crate::lit(amount, 0)]),
-            (Shift::Right, _) => self.slice(amount..self.width).zext(self.width),
-            (Shift::RightSigned, _) => self.slice(amount..self.width).sext(self.width),
+            (_, kept) if kept == this.width => this,
+            (Shift::Left, 0) | (Shift::Right, 0) => crate::lit(this.width, 0),
+            (Shift::RightSigned, 0) => this.msb().repeat(this.width),
+            (Shift::Left, _) => crate::concat(&[this.trunc(kept), crate::lit(amount, 0)]),
+            (Shift::Right, _) => this.slice(amount..this.width).zext(this.width),
+            (Shift::RightSigned, _) => this.slice(amount..this.width).sext(this.width),
         };
         // Not of the node, which may be an operand itself.
-        Signal { kind: self.kind, ..shifted }
+        Signal { kind: this.kind, ..shifted }
     }
 }
 

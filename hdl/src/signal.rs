@@ -335,7 +335,8 @@ impl Signal {
             let what = format!("`.{name}({width})` makes more than {WIDEST} bits of");
             return self.bad_width(what, 1, "widen less".to_owned());
         }
-        Signal::make(Op::Extend { of: self.id(), signed }, width, self.shape).kept_as(self.kind)
+        let kind = if self.kind == Kind::Signed { Kind::Signed } else { Kind::Number };
+        Signal::make(Op::Extend { of: self.id(), signed }, width, self.shape).kept_as(kind)
     }
 
     #[track_caller]

@@ -44,7 +44,8 @@ fn signed_and_unsigned() {
 
 #[test]
 fn codes_and_numbers() {
-    let cases: [(&str, Build); 7] = [
+    let cases: [(&str, Build); 8] = [
+        ("`<<` computes with `operation`, a code of `Operation`", |m, _| operation(m) << 1),
         ("`eq` mixes `operation`, a code of `Operation`, and `1`", |m, _| operation(m).eq(1)),
         ("`+` computes with `operation`, a code of `Operation`", |m, _| operation(m) + 1),
         ("`is` mixes `operation`, a code of `Operation`, and `Source::Memory`", |m, _| operation(m).is(Source::Memory)),
