@@ -120,25 +120,25 @@
 //! ```text
 //! $ cargo bench -p tilewright-benches --bench testbench
 //! a processor of RV32I                                ns    ratio
-//!   run(n), a cycle                                 18.9     1.00
-//!   run_until a register is a number                18.9     1.00
-//!   run_until a result is a number                  18.9     1.00
-//!   step                                            23.6     1.25
-//!   step, get of a register                         26.0     1.38
-//!   step, get_u64 of a register                     25.3     1.34
-//!   step, get of a result                           33.6     1.78
-//!   step, get_u64 of a result                       33.2     1.76
-//!   step, read_u64 of 7 ports                       50.5     2.68
-//!   set, step, get_u64 of a result                  57.0     3.02
-//!   run(n) with a waveform of everything           423.5    22.43
+//!   run(n), a cycle                                 18.7     1.00
+//!   run_until a register is a number                18.9     1.01
+//!   run_until a result is a number                  19.0     1.01
+//!   step                                            23.4     1.26
+//!   step, get of a register                         26.2     1.40
+//!   step, get_u64 of a register                     25.5     1.36
+//!   step, get of a result                           33.6     1.80
+//!   step, get_u64 of a result                       33.0     1.77
+//!   step, read_u64 of 7 ports                       50.3     2.69
+//!   set, step, get_u64 of a result                  56.8     3.04
+//!   run(n) with a waveform of everything           159.1     8.52
 //! 16 products and their sum                           ns    ratio
-//!   run(n), a cycle                                  2.8     1.00
-//!   32 sets                                         74.8    26.82
-//!   32 sets, step, get_u64                         115.8    41.51
-//!   set_list of 16 inputs, twice                    93.9    33.66
-//!   get_list of 16 outputs                          44.1    15.80
-//!   drive of 32 inputs                             275.7    98.82
-//!   read_u64 of 17 outputs                          63.5    22.77
+//!   run(n), a cycle                                  3.6     1.00
+//!   32 sets                                         74.5    20.95
+//!   32 sets, step, get_u64                         115.0    32.36
+//!   set_list of 16 inputs, twice                    90.2    25.39
+//!   get_list of 16 outputs                          45.0    12.65
+//!   drive of 32 inputs                             269.9    75.91
+//!   read_u64 of 17 outputs                          59.2    16.65
 //! ```
 //!
 //! # What a waveform costs
