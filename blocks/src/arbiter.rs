@@ -93,7 +93,6 @@ impl Block for Arbiter {
                 Turns::Priority => "Sends the words of several streams, the first that has one first.".into(),
             },
             latency: "0 clocks".into(),
-            source: String::new(),
             ..About::default()
         }
     }

@@ -56,7 +56,6 @@ impl Block for Narrow {
         About {
             summary: "Sends each word in parts, the least significant first.".into(),
             latency: "0 clocks".into(),
-            source: String::new(),
             ..About::default()
         }
     }
@@ -116,7 +115,6 @@ impl Block for Widen {
         About {
             summary: "Makes a word of several parts, the least significant first.".into(),
             latency: "1 clock".into(),
-            source: String::new(),
             ..About::default()
         }
     }

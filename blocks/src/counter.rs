@@ -74,7 +74,6 @@ impl Block for Counter {
         About {
             summary: "Counts the clocks with `enable` high and starts again at a limit.".into(),
             latency: "1 clock".into(),
-            source: String::new(),
             ..About::default()
         }
     }

@@ -2,7 +2,7 @@
 
 use crate::ports::{StreamIn, StreamOut};
 use tilewright_hdl::ir::About;
-use tilewright_hdl::{Block, Clock, Module, ReadUnderWrite, Signal, Width, bit, bits, concat, net, on, stream};
+use tilewright_hdl::{Block, Clock, Module, ReadUnderWrite, Signal, Width, bit, bits, concat, net, stream};
 
 /// A queue that is filled on one clock and emptied on another.
 ///
@@ -67,7 +67,7 @@ impl Block for DualClockFifo {
     type Out = StreamOut;
 
     fn inputs(&self) -> StreamIn<Width> {
-        StreamIn { into: on(self.write, stream(bits(self.width))) }
+        StreamIn { into: stream(bits(self.width)).on(self.write) }
     }
 
     fn build(&self, m: Module, i: StreamIn) -> StreamOut {
@@ -104,7 +104,6 @@ impl Block for DualClockFifo {
         About {
             summary: "A queue from one clock to another, with pointers in Gray code.".into(),
             latency: "3 clocks of the reader, 4 where its edge meets the writer's".into(),
-            source: String::new(),
             ..About::default()
         }
     }

@@ -103,7 +103,6 @@ impl Block for Fifo {
                 Storage::Registers => "1 clock".into(),
                 Storage::BlockRam => "2 clocks".into(),
             },
-            source: String::new(),
             ..About::default()
         }
     }

@@ -69,7 +69,6 @@ impl Block for Fork {
         About {
             summary: "Gives each word to all of its receivers, each when it is ready for it.".into(),
             latency: "0 clocks".into(),
-            source: String::new(),
             ..About::default()
         }
     }

@@ -107,7 +107,6 @@ impl Block for Lfsr {
         About {
             summary: "Goes through all numbers but 0 in an order that looks like chance.".into(),
             latency: "1 clock".into(),
-            source: String::new(),
             ..About::default()
         }
     }

@@ -70,7 +70,6 @@ impl Block for ShiftRegister {
         About {
             summary: "Shifts a word out, most significant bit first, or a word in.".into(),
             latency: "1 clock".into(),
-            source: String::new(),
             ..About::default()
         }
     }

@@ -88,7 +88,7 @@ impl Block for RegisterSlice {
             Slice::Backward => ("Puts a register on `ready` of a stream.", "0 clocks"),
             Slice::Both => ("Puts registers on both directions of a stream: a skid buffer.", "1 clock"),
         };
-        About { summary: summary.into(), latency: latency.into(), source: String::new(), ..About::default() }
+        About { summary: summary.into(), latency: latency.into(), ..About::default() }
     }
 
     fn name(&self) -> String {

@@ -8,7 +8,7 @@ use crate::limits::sound_width;
 use crate::loc::Loc;
 use crate::operand::Operand;
 use crate::problem::Problem;
-use crate::shaping::sound_shape;
+use crate::shaping::{extent, sound_shape};
 use crate::signal::Signal;
 use crate::width::Count;
 
@@ -118,13 +118,13 @@ impl Along {
     /// `count` of them: number `i` is the one that `index` says, as in `take(2 * n, |i| i / 2)`. There is one for each.
     #[track_caller]
     pub fn take(self, count: impl Count, index: impl FnOnce(Index) -> Index) -> Signal {
-        self.map(crate::Shape::extent(row_of(count), 0), index, None::<u32>, "take")
+        self.map(extent(count), index, None::<u32>, "take")
     }
 
     /// As [`take`](Along::take); where `index` leads beyond the ends, `edge`.
     #[track_caller]
     pub fn take_or(self, count: impl Count, index: impl FnOnce(Index) -> Index, edge: impl Operand) -> Signal {
-        self.map(crate::Shape::extent(row_of(count), 0), index, Some(edge), "take_or")
+        self.map(extent(count), index, Some(edge), "take_or")
     }
 
     /// The last first.
@@ -144,29 +144,24 @@ impl Along {
         };
         let shape = self.inner().with(self.axis, count).expect("the axis is put back");
         let shape = elaboration::with(|e| sound_shape(e, &format!("what `.{method}` gives"), shape, loc));
-        let (axis, extent) = (self.axis, self.count());
+        let (axis, has) = (self.axis, self.count());
         let (problem, help) = match index(Index::lane()).affine() {
             None => (
                 format!("the rule of `.{method}` is none that a row of wires can follow"),
                 "a lane's number is multiplied and added to before it is divided, in 32 bits, as in `(2 * i + 1) / 3`",
             ),
-            Some(index) => match (index.stays_inside(shape.extent(axis), extent), edge) {
-                (true, edge) => {
-                    // Where no lane is beyond the edge, nothing takes it.
-                    elaboration::draft(|draft| draft.ignored.extend(edge));
-                    return Signal::make(Op::Map { of: id, axis, index, edge: None }, self.of.width, shape)
-                        .kept_as(self.of.kind);
-                }
-                (false, Some(edge)) => {
-                    let op = Op::Map { of: id, axis, index, edge: Some(edge) };
+            Some(index) => match (index.stays_inside(shape.extent(axis), has), edge) {
+                (is_inside, edge) if is_inside || edge.is_some() => {
+                    // Where no lane is beyond the ends, nothing takes the edge.
+                    elaboration::draft(|draft| draft.ignored.extend(edge.filter(|_| is_inside)));
+                    let op = Op::Map { of: id, axis, index, edge: edge.filter(|_| !is_inside) };
                     return Signal::make(op, self.of.width, shape).kept_as(self.of.kind);
                 }
-                (false, None) => {
-                    let beyond = (0..shape.extent(axis)).find(|lane| index.source(*lane, extent).is_none());
+                _ => {
+                    let beyond = (0..shape.extent(axis)).find(|lane| index.source(*lane, has).is_none());
                     let lane = beyond.unwrap_or(0);
                     let from = index.at(lane);
-                    let message =
-                        format!("lane {lane} of `.{method}` would be lane {from} of a signal of {extent} lanes");
+                    let message = format!("lane {lane} of `.{method}` would be lane {from} of a signal of {has} lanes");
                     (message, "`.take_or(n, |i| .., edge)` says what lanes beyond the ends have")
                 }
             },
@@ -251,9 +246,4 @@ impl Along {
             Signal::make_in(e, Op::Pack { of: id, axis: self.axis }, sound, inner, loc)
         })
     }
-}
-
-#[track_caller]
-fn row_of(count: impl Count) -> Shape {
-    crate::shaping::row(count)
 }

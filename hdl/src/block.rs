@@ -7,9 +7,9 @@ use crate::draft::Draft;
 use crate::elaboration;
 use crate::finish;
 use crate::ir::{About, Design, Input, ModuleId, Op};
-use crate::limits::{DEEPEST, sound_width};
+use crate::limits::DEEPEST;
 use crate::loc::Loc;
-use crate::module::{Module, port_name};
+use crate::module::{Module, declare, port_name};
 use crate::module_name::module_name;
 use crate::names;
 use crate::problem::Problems;
@@ -189,14 +189,10 @@ fn declare_ready(path: &str, width: Width) -> Signal {
 fn declare_input(path: &str, width: Width) -> Signal {
     elaboration::with(|e| {
         let name = port_name("", path);
-        let bits = sound_width(e, &[], &format!("input `{name}`"), width.bits.into(), width.loc);
-        let shape = sound_shape(e, &format!("input `{name}`"), width.shape, width.loc);
         width.clock.into_iter().for_each(|clock| e.meet_clock(clock, width.loc));
+        let index = e.draft().inputs.len() as u32;
+        let node = declare(e, Op::Input(index), ("input", &name), width, width.loc);
         let draft = e.draft();
-        let index = draft.inputs.len() as u32;
-        let node = draft.add(Op::Input(index), bits, shape, width.loc);
-        draft.node_mut(node).name = Some(name.clone());
-        draft.node_mut(node).kind = width.kind;
         draft.inputs.push(Input { name, path: path.to_owned(), node, clock: None });
         draft.input_clocks.push(width.clock);
         Signal::at(e, node)

@@ -136,5 +136,5 @@ pub use stream::{Stream, Taken, stream};
 pub use tree::tree;
 #[doc(hidden)]
 pub use uneven::{Uneven, uneven};
-pub use width::{Count, IntoWidth, Width, below, bit, bits, index_width, on, up_to};
+pub use width::{Count, IntoWidth, Width, below, bit, bits, index_width, up_to};
 pub use wire::Wire;

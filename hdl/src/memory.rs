@@ -4,7 +4,7 @@ use crate::bits::Bits;
 use crate::clock::Clock;
 use crate::data::Data;
 use crate::elaboration;
-use crate::ir::{Contents, Kind, MemoryId, Op, ReadPort, Shape, WritePort};
+use crate::ir::{Contents, Kind, MemoryId, Op, ReadPort, WritePort};
 use crate::loc::Loc;
 use crate::operand::{Operand, Value};
 use crate::problem::Problem;
@@ -19,9 +19,8 @@ pub struct Mem<V: Data = Signal> {
     pub(crate) module: u32,
     pub(crate) index: u32,
     pub(crate) address_width: u32,
-    pub(crate) width: u32,
-    pub(crate) shape: Shape,
-    pub(crate) kind: Kind,
+    /// The width of a word, in one lane, with its lanes and kind.
+    pub(crate) word: Width,
     pub(crate) clock: Option<Clock>,
     /// The widths of a word's fields, or of the word.
     pub(crate) layout: V::Like<Width>,
@@ -43,7 +42,7 @@ impl Mem {
 
     /// The width of a word in bits.
     pub fn width(self) -> u32 {
-        self.width
+        self.word.bits
     }
 
     /// Every word is `word` at the start.
@@ -148,7 +147,7 @@ impl Mem {
     /// The signal, which is plain or has a lane for each lane of the memory; if not, that is a problem.
     #[track_caller]
     fn laid_out(self, signal: Signal, what: &str) -> Signal {
-        if signal.shape.is_plain() || signal.shape == self.shape {
+        if signal.shape.is_plain() || signal.shape == self.word.shape {
             return signal;
         }
         let (loc, id) = (Loc::caller(), signal.id());
@@ -156,13 +155,13 @@ impl Mem {
             let draft = e.draft();
             let memory = &draft.memories[self.index as usize].memory;
             let (name, text) = (&memory.name, draft.describe(id));
-            let message = format!("{what} of memory `{name}`, of {}, has {}: `{text}`", self.shape, signal.shape);
+            let message = format!("{what} of memory `{name}`, of {}, has {}: `{text}`", self.word.shape, signal.shape);
             let problem = Problem::new(loc, message)
                 .note(format!("`{name}` is declared"), memory.loc)
                 .note(format!("`{text}` is made"), draft.node(id).loc)
                 .help("it is plain, one for all lanes, or has the memory's lanes");
             e.report_instead_of(&[id], problem);
-            Signal::zero_in(e, signal.width, self.shape, loc)
+            Signal::zero_in(e, signal.width, self.word.shape, loc)
         })
     }
 
@@ -211,9 +210,9 @@ impl Mem {
             let draft = e.draft();
             let clock = synchronous.then(|| draft.use_clock(self.clock));
             let port = draft.memories[self.index as usize].memory.reads.len() as u32;
-            let node = draft.add(Op::Read(MemoryId(self.index), port), self.width, self.shape, loc);
+            let node = draft.add(Op::Read(MemoryId(self.index), port), self.word.bits, self.word.shape, loc);
             draft.memories[self.index as usize].memory.reads.push(ReadPort { clock, address, enable, node });
-            Signal::at(e, node).kept_in(e, self.kind)
+            Signal::at(e, node).kept_in(e, self.word.kind)
         })
     }
 
@@ -223,9 +222,9 @@ impl Mem {
         let loc = Loc::caller();
         let enable = self.laid_out(condition(enable.into(), "write"), "an enable").id();
         let address = self.address(address).id();
-        let mut data = self.laid_out(self.sized(data, (self.width, self.kind), "a word"), "a word");
-        if data.shape != self.shape {
-            data = data.spread(self.shape, loc);
+        let mut data = self.laid_out(self.sized(data, (self.word.bits, self.word.kind), "a word"), "a word");
+        if data.shape != self.word.shape {
+            data = data.spread(self.word.shape, loc);
         }
         let data = data.id();
         elaboration::with(|e| {

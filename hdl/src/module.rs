@@ -5,8 +5,8 @@ use crate::clock::Clock;
 use crate::codes::{Codes, one_of};
 use crate::data::Layout;
 use crate::draft::{DraftMemory, DraftRegister, DraftWire, Synchronizer, UNDRIVEN};
-use crate::elaboration;
-use crate::ir::{Assert, Contents, Memory, Op, ReadUnderWrite, RegisterId};
+use crate::elaboration::{self, Elaboration};
+use crate::ir::{Assert, Contents, Memory, NodeId, Op, ReadUnderWrite, RegisterId};
 use crate::limits::{WIDEST, sound_width};
 use crate::loc::Loc;
 use crate::memory::Mem;
@@ -53,16 +53,10 @@ impl Module {
 
     pub(crate) fn register(self, name: &str, width: Width, loc: Loc) -> Reg {
         elaboration::with(|e| {
-            let what = format!("register `{name}`");
-            let shape = sound_shape(e, &what, width.shape, loc);
-            let kind = width.kind;
-            let width = sound_width(e, &[], &what, width.bits.into(), loc);
+            let index = e.draft().registers.len();
+            let node = declare(e, Op::Register(RegisterId(index as u32)), ("register", name), width, loc);
             let draft = e.draft();
             let clock = draft.use_clock(self.clock);
-            let index = draft.registers.len();
-            let node = draft.add(Op::Register(RegisterId(index as u32)), width, shape, loc);
-            draft.node_mut(node).name = Some(name.to_owned());
-            draft.node_mut(node).kind = kind;
             let (reset, enable, next) = (None, None, None);
             draft.registers.push(DraftRegister { node, clock, reset, enable, next, is_synchronizer: false });
             Reg { signal: Signal::at(e, node), index }
@@ -117,14 +111,8 @@ impl Module {
 
     fn net(self, name: &str, width: Width, loc: Loc) -> Wire {
         elaboration::with(|e| {
-            let what = format!("wire `{name}`");
-            let shape = sound_shape(e, &what, width.shape, loc);
-            let kind = width.kind;
-            let width = sound_width(e, &[], &what, width.bits.into(), loc);
+            let node = declare(e, Op::Wire(UNDRIVEN), ("wire", name), width, loc);
             let draft = e.draft();
-            let node = draft.add(Op::Wire(UNDRIVEN), width, shape, loc);
-            draft.node_mut(node).name = Some(name.to_owned());
-            draft.node_mut(node).kind = kind;
             let index = draft.wires.len();
             draft.wires.push(DraftWire { node, driver: None });
             Wire { signal: Signal::at(e, node), index }
@@ -139,15 +127,14 @@ impl Module {
     pub fn memory<L: Layout>(self, name: &str, depth: u32, layout: L, policy: ReadUnderWrite) -> Mem<L::Value> {
         let (layout, loc) = (layout.layout(), Loc::caller());
         let word = word(&layout, name, loc);
-        let Mem { stamp, module, index, address_width, width, shape, kind, clock, .. } =
-            self.words(name, depth, word, policy, loc);
-        Mem { stamp, module, index, address_width, width, shape, kind, clock, layout }
+        let Mem { stamp, module, index, address_width, word, clock, .. } = self.words(name, depth, word, policy, loc);
+        Mem { stamp, module, index, address_width, word, clock, layout }
     }
 
     fn words(self, name: &str, depth: u32, word: Width, policy: ReadUnderWrite, loc: Loc) -> Mem {
-        let Width { bits: width, shape, kind, .. } = word;
+        let width = word.bits;
         elaboration::with(|e| {
-            let shape = sound_shape(e, &format!("memory `{name}`"), shape, loc);
+            let shape = sound_shape(e, &format!("memory `{name}`"), word.shape, loc);
             if depth == 0 || width == 0 {
                 let problem =
                     Problem::new(loc, format!("memory `{name}` of {depth} words of {width} bits holds nothing"));
@@ -175,7 +162,8 @@ impl Module {
                 true_dual_port: false,
             });
             let (module, address_width) = (draft.serial, index_width(depth.into()));
-            Mem { stamp, module, index, address_width, width, shape, kind, clock: self.clock, layout: word }
+            let word = Width { bits: width, shape, ..word };
+            Mem { stamp, module, index, address_width, word, clock: self.clock, layout: word }
         })
     }
 
@@ -227,6 +215,18 @@ impl Module {
         let ids: Vec<_> = inputs.leaves().iter().map(|(_, signal)| signal.id_at(loc)).collect();
         elaboration::draft(|draft| draft.ignored.extend(ids));
     }
+}
+
+/// A node that a description declares as what it is and by name: of that width, those lanes and that kind, as far as they are sound.
+pub(crate) fn declare(e: &mut Elaboration, op: Op, (what, name): (&str, &str), width: Width, loc: Loc) -> NodeId {
+    let what = format!("{what} `{name}`");
+    let shape = sound_shape(e, &what, width.shape, loc);
+    let bits = sound_width(e, &[], &what, width.bits.into(), loc);
+    let draft = e.draft();
+    let id = draft.add(op, bits, shape, loc);
+    let node = draft.node_mut(id);
+    (node.name, node.kind) = (Some(name.to_owned()), width.kind);
+    id
 }
 
 /// The name of a port or register: the path of its fields joined by `_`.

@@ -29,7 +29,7 @@ pub fn grid(rows: impl Count, columns: impl Count) -> Shape {
 
 /// What no extent can be is a problem of what has it.
 #[track_caller]
-fn extent(count: impl Count) -> u32 {
+pub(crate) fn extent(count: impl Count) -> u32 {
     u32::try_from(count.count()).unwrap_or(u32::MAX)
 }
 

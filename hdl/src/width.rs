@@ -1,6 +1,5 @@
 //! The width of a port, as a bundle of widths declares it.
 
-use crate::bundle::Fields;
 use crate::clock::Clock;
 use crate::ir::{Kind, Shape};
 use crate::loc::Loc;
@@ -128,11 +127,6 @@ macro_rules! widths {
     )*};
 }
 widths!(u32 u64 usize i32);
-
-/// Ports of which all are synchronous to `clock`: [`Width::on`] for a whole bundle.
-pub fn on<B: Fields<Width>>(clock: Clock, widths: B) -> B::With<Width> {
-    widths.map(|width| width.on(clock))
-}
 
 /// The number of bits that hold every number below `count`: the width of an index into `count` things, at least 1.
 pub const fn index_width(count: u64) -> u32 {

@@ -203,7 +203,7 @@ impl Block for TwoClocks {
     type Out = TwoOut;
 
     fn inputs(&self) -> TwoIn<Width> {
-        TwoIn { fast: on(FAST, stream(job())), slow: on(SLOW, stream(job())) }
+        TwoIn { fast: stream(job()).on(FAST), slow: stream(job()).on(SLOW) }
     }
 
     fn build(&self, m: Module, i: TwoIn) -> TwoOut {
@@ -232,7 +232,7 @@ impl Block for Crossed {
     type Out = JobsOut;
 
     fn inputs(&self) -> JobsIn<Width> {
-        JobsIn { jobs: on(FAST, stream(job())) }
+        JobsIn { jobs: stream(job()).on(FAST) }
     }
 
     fn build(&self, m: Module, i: JobsIn) -> JobsOut {

@@ -13,7 +13,7 @@ use crate::problem::Problem;
 use crate::record::split;
 use crate::select::concat;
 use crate::signal::{Signal, bits_text};
-use crate::width::{Width, bits};
+use crate::width::Width;
 
 /// A memory of records is one memory, in whose words the fields stand side by side, the first most significant, as in
 /// [`cat!`](crate::cat!). What is read is a record; a name for it, as in `net!(step = ..)`, names
@@ -62,7 +62,7 @@ impl<B: Bundle> Mem<B> {
 
     /// The width of a word in bits: of all fields together.
     pub fn width(&self) -> u32 {
-        self.width
+        self.word.bits
     }
 
     /// Allows more than one write port. Few FPGAs have such memories: elsewhere this becomes registers.
@@ -127,9 +127,8 @@ impl<B: Bundle> Mem<B> {
 
     /// The memory of packed words.
     fn word(&self) -> Mem {
-        let Mem { stamp, module, index, address_width, width, shape, kind, clock, .. } = *self;
-        let layout = Width { shape, ..bits(width) };
-        Mem { stamp, module, index, address_width, width, shape, kind, clock, layout }
+        let Mem { stamp, module, index, address_width, word, clock, .. } = *self;
+        Mem { stamp, module, index, address_width, word, clock, layout: word }
     }
 
     fn with(&self, word: Mem) -> Mem<B> {
@@ -178,6 +177,6 @@ impl<B: Bundle> Mem<B> {
             };
             word = Some(word.map_or(part.clone(), |word| word.concat(&part)));
         }
-        word.unwrap_or(Bits::zero(self.width)).resize(self.width)
+        word.unwrap_or(Bits::zero(self.word.bits)).resize(self.word.bits)
     }
 }

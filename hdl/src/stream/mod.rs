@@ -7,6 +7,7 @@ pub(crate) use connect::{DraftStream, Origin, Sent, backwards, leave, say_untake
 pub use offer::Taken;
 
 use crate::bundle::{Fields, Leaf, Visited, join};
+use crate::clock::Clock;
 use crate::data::{Data, Layout};
 use crate::width::{Width, bit};
 use std::ops::Deref;
@@ -93,6 +94,13 @@ impl<P, T: Default> Stream<P, T> {
 #[track_caller]
 pub fn stream<L: Layout>(payload: L) -> Stream<<L::Value as Data>::Like<Width>, Width> {
     Stream { valid: bit(), ready: bit(), payload: payload.layout() }
+}
+
+impl<P: Fields<Width, With<Width> = P>> Stream<P, Width> {
+    /// The same stream, all of it synchronous to `clock`.
+    pub fn on(self, clock: Clock) -> Self {
+        self.map(|width| width.on(clock))
+    }
 }
 
 impl<T: Leaf, P: Fields<T>> Fields<T> for Stream<P, T> {
