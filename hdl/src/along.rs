@@ -59,7 +59,7 @@ impl Along {
                 format!("{what} of `.{method}`, `{text}`, has {}, but a {one} of `{of}` has {inner}", signal.shape);
             let problem = Problem::new(loc, message).help(format!("it is plain, or as one {one} is"));
             e.report_instead_of(&[id], problem);
-            Signal::zero_in(e, signal.width, inner, loc)
+            Signal::zero_in(e, signal.width, inner, signal.kind, loc)
         })
     }
 
@@ -72,7 +72,7 @@ impl Along {
                 Problem::new(loc, format!("lane {index} of a signal of {count} lanes")).help("lanes count from 0");
             return elaboration::with(|e| {
                 e.report(problem);
-                Signal::zero_in(e, self.of.width, self.inner(), loc)
+                Signal::zero_in(e, self.of.width, self.inner(), self.of.kind, loc)
             });
         }
         self.dropped(Op::Lane { of: self.of.id(), axis: self.axis, index })
@@ -168,7 +168,7 @@ impl Along {
         };
         elaboration::with(|e| {
             e.report_instead_of(&[id], Problem::new(loc, problem).help(help));
-            Signal::zero_in(e, self.of.width, shape, loc)
+            Signal::zero_in(e, self.of.width, shape, self.of.kind, loc)
         })
     }
 
@@ -241,7 +241,7 @@ impl Along {
             let sound = sound_width(e, &[id], "a word of packed lanes", width, loc);
             let inner = self.inner();
             if width != sound.into() {
-                return Signal::zero_in(e, sound, inner, loc);
+                return Signal::zero_in(e, sound, inner, Kind::Number, loc);
             }
             Signal::make_in(e, Op::Pack { of: id, axis: self.axis }, sound, inner, loc)
         })

@@ -108,7 +108,7 @@ impl Signal {
             let (text, needs, has) = (e.draft().describe(id), bits_text(width), bits_text(self.width));
             let problem = Problem::new(loc, format!("a `{}` has {needs}, but `{text}` has {has}", C::NAMES.of));
             e.report_instead_of(&[id], problem.help("take the bits that hold the code, as in `.part(low, width)`"));
-            Signal { kind, ..Signal::zero_in(e, width, self.shape, loc) }
+            Signal::zero_in(e, width, self.shape, kind, loc)
         })
     }
 

@@ -117,7 +117,7 @@ impl Module {
         for (i, stream) in streams.into_iter().enumerate() {
             let ready = elaboration::with(|e| match even {
                 true => Signal::at(e, instance.outputs[first + i]),
-                false => Signal::zero_in(e, 1, stream.shape(), loc),
+                false => Signal::zero_in(e, 1, stream.shape(), Kind::Number, loc),
             });
             take(stream, ready, loc);
         }
@@ -242,7 +242,7 @@ fn fit(e: &mut Elaboration, id: InstanceId, port: &Port, signal: Signal, loc: Lo
 /// A zero for a port, in every lane.
 fn zero(e: &mut Elaboration, id: InstanceId, port: &Port, loc: Loc) -> NodeId {
     let instance = e.draft().instances[id.0 as usize].shape;
-    Signal::zero_in(e, port.width, instance.beside(port.shape).unwrap_or(instance), loc).node
+    Signal::zero_in(e, port.width, instance.beside(port.shape).unwrap_or(instance), port.kind, loc).node
 }
 
 /// An instance whose inputs are not known yet.

@@ -4,7 +4,7 @@ use crate::along::Along;
 use crate::bundle::Fields;
 use crate::elaboration;
 use crate::index::Index;
-use crate::ir::{Op, Shape};
+use crate::ir::{Kind, Op, Shape};
 use crate::loc::Loc;
 use crate::operand::Operand;
 use crate::problem::Problem;
@@ -36,13 +36,15 @@ pub fn stack<B: Fields<Signal>>(values: impl IntoIterator<Item = B>) -> B::With<
     }
     let mut stacked = Vec::new();
     for leaf in 0..by_lane[0].len() {
-        stacked.push(stack_signals(by_lane.iter().map(|lane| lane[leaf].1).collect(), loc));
+        stacked.push(stack_signals(by_lane.iter().map(|lane| lane[leaf].1).collect()));
     }
     let mut stacked = stacked.into_iter();
     first.map(|_| stacked.next().expect("a row for each leaf"))
 }
 
-fn stack_signals(mut parts: Vec<Signal>, loc: Loc) -> Signal {
+#[track_caller]
+fn stack_signals(mut parts: Vec<Signal>) -> Signal {
+    let loc = Loc::caller();
     let (width, kind, lanes) = (parts[0].width, parts[0].kind, parts.len() as u32);
     let nodes: Vec<_> = parts.iter().map(|part| part.id_at(loc)).collect();
     if let Some(other) = parts.iter().position(|part| part.width != width) {
@@ -52,7 +54,7 @@ fn stack_signals(mut parts: Vec<Signal>, loc: Loc) -> Signal {
         let problem = Problem::new(loc, message).help("spell the change of width, lane by lane");
         return elaboration::with(|e| {
             e.report_instead_of(&nodes, problem);
-            Signal::zero_in(e, width, Shape::Row(lanes), loc)
+            Signal::zero_in(e, width, Shape::Row(lanes), kind, loc)
         });
     }
     let first = parts[0];
@@ -66,7 +68,7 @@ fn stack_signals(mut parts: Vec<Signal>, loc: Loc) -> Signal {
         None => {
             let message = format!("a stack of grids, of {inner} each, would have three axes");
             e.report_instead_of(&nodes, Problem::new(loc, message).help("shapes have two at most: rows and columns"));
-            Signal::zero_in(e, width, inner, loc)
+            Signal::zero_in(e, width, inner, kind, loc)
         }
     })
 }
@@ -159,7 +161,7 @@ impl Signal {
                     Shape::Plain => "lanes come from a register, a port or a wire that is declared with some, as in `bits(8).of(row(4))`, or from `stack`",
                 });
             e.report_instead_of(&[id], problem);
-            Signal::zero_in(e, self.width, shape, loc)
+            Signal::zero_in(e, self.width, shape, self.kind, loc)
         })
     }
 
@@ -178,17 +180,14 @@ impl Signal {
                     &[id],
                     Problem::new(loc, message).help("it cuts a plain word into lanes of equal widths"),
                 );
-                Signal::zero_in(e, (self.width / lanes).max(1), shape, loc)
+                Signal::zero_in(e, (self.width / lanes).max(1), shape, Kind::Number, loc)
             });
         }
-        let mut signal = self;
-        if let Shape::Grid(rows, columns) = shape {
-            let row = self.width / rows;
-            signal = Signal::make(Op::Unpack { of: id, axis: 0 }, row, Shape::Row(rows));
-            return Signal::make(Op::Unpack { of: signal.id(), axis: 1 }, row / columns, shape);
-        }
-        signal = Signal::make(Op::Unpack { of: signal.id(), axis: 0 }, self.width / lanes, shape);
-        signal
+        let Shape::Grid(rows, _) = shape else {
+            return Signal::make(Op::Unpack { of: id, axis: 0 }, self.width / lanes, shape);
+        };
+        let words = Signal::make(Op::Unpack { of: id, axis: 0 }, self.width / rows, Shape::Row(rows));
+        Signal::make(Op::Unpack { of: words.id(), axis: 1 }, self.width / lanes, shape)
     }
 }
 

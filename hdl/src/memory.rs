@@ -122,7 +122,7 @@ impl Mem {
                     false => format!("cut it with `.trunc({width})`"),
                 });
             e.report_instead_of(&[id], problem);
-            Signal::zero_in(e, width, signal.shape, loc)
+            Signal::zero_in(e, width, signal.shape, kind, loc)
         })
     }
 
@@ -161,7 +161,7 @@ impl Mem {
                 .note(format!("`{text}` is made"), draft.node(id).loc)
                 .help("it is plain, one for all lanes, or has the memory's lanes");
             e.report_instead_of(&[id], problem);
-            Signal::zero_in(e, signal.width, self.word.shape, loc)
+            Signal::zero_in(e, signal.width, self.word.shape, signal.kind, loc)
         })
     }
 

@@ -65,7 +65,7 @@ impl Value {
         elaboration::with(|e| {
             let problem = width_mismatch(e.draft(), operator, left_id, right_id, loc);
             e.report_instead_of(&[left_id, right_id], problem);
-            Signal::zero_in(e, left.width, right.shape, loc).kept_in(e, left.kind)
+            Signal::zero_in(e, left.width, right.shape, left.kind, loc)
         })
     }
 }

@@ -112,7 +112,7 @@ pub(crate) fn condition(signal: Signal, of: &str) -> Signal {
             let message = format!("the condition of `{of}` is 1 bit, but `{text}` has {}", bits_text(signal.width));
             let help = "compare it, as in `.ne(0)`, or take one `.bit(i)`";
             e.report_instead_of(&[id], Problem::new(loc, message).note(format!("`{text}` is made"), place).help(help));
-            Signal::zero_in(e, 1, signal.shape, loc)
+            Signal::zero_in(e, 1, signal.shape, Kind::Number, loc)
         })
     } else {
         signal

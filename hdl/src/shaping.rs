@@ -110,7 +110,7 @@ impl Signal {
                 Problem::new(loc, format!("`{text}` has {has}, and only a plain signal can be that of {shape}"));
             let help = "a row becomes a grid by `.to_rows(n)`, which repeats it as n rows, or by `.to_columns(n)`";
             e.report_instead_of(&[id], problem.help(help));
-            Signal::zero_in(e, self.width, shape, loc)
+            Signal::zero_in(e, self.width, shape, self.kind, loc)
         })
     }
 
@@ -142,7 +142,7 @@ impl Signal {
                     &[id],
                     problem.help("a plain signal goes into a grid by `.of(grid(rows, columns))`"),
                 );
-                Signal::zero_in(e, self.width, Shape::Grid(times.max(1), times.max(1)), loc)
+                Signal::zero_in(e, self.width, Shape::Grid(times.max(1), times.max(1)), self.kind, loc)
             }
         })
     }
@@ -194,7 +194,7 @@ impl Signal {
                     _ => "both sides have as many lanes, laid out the same way",
                 });
             e.report_instead_of(&[left_id, right_id], problem);
-            Signal::zero_in(e, self.width, left.shape, loc).kept_in(e, self.kind)
+            Signal::zero_in(e, self.width, left.shape, self.kind, loc)
         })
     }
 }

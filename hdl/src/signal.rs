@@ -69,8 +69,8 @@ impl Signal {
     }
 
     /// A zero, where a mistake leaves nothing better.
-    pub(crate) fn zero_in(e: &mut Elaboration, width: u32, shape: Shape, loc: Loc) -> Signal {
-        Signal::make_in(e, Op::Const(Bits::zero(width)), width, shape, loc)
+    pub(crate) fn zero_in(e: &mut Elaboration, width: u32, shape: Shape, kind: Kind, loc: Loc) -> Signal {
+        Signal::make_in(e, Op::Const(Bits::zero(width)), width, shape, loc).kept_in(e, kind)
     }
 
     /// The handle of a node of the module under construction.
@@ -268,7 +268,7 @@ impl Signal {
     #[track_caller]
     pub fn slice(self, range: Range<u32>) -> Signal {
         if range.start >= range.end || range.end > self.width {
-            return self.bad_width(
+            return self.bits().bad_width(
                 format!("the slice {}..{} is outside of", range.start, range.end),
                 range.end.saturating_sub(range.start).max(1),
                 format!("a slice is `low..high` with low < high <= {}", self.width),
@@ -347,7 +347,7 @@ impl Signal {
             let (name, place) = (draft.describe(id), draft.node(id).loc);
             let message = format!("{what} `{name}`, which has {}", bits_text(self.width));
             e.report_instead_of(&[id], Problem::new(loc, message).note(format!("`{name}` is made"), place).help(help));
-            Signal::zero_in(e, width, self.shape, loc)
+            Signal::zero_in(e, width, self.shape, self.kind, loc)
         })
     }
 

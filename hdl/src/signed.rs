@@ -94,7 +94,7 @@ impl Literal {
                 _ => "`.code::<Enum>()` reads bits as a code of an enum",
             });
             e.report_instead_of(&[id], problem);
-            Signal::zero_in(e, left.width, Shape::Plain, loc).kept_in(e, left.kind)
+            Signal::zero_in(e, left.width, Shape::Plain, left.kind, loc)
         })
     }
 

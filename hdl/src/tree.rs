@@ -71,7 +71,7 @@ fn rows<B: Fields<Signal, With<Signal> = B>>(lanes: B) -> B {
             Problem::new(loc, format!("a tree needs rows, all of as many lanes, but `{text}` has {}", odd.shape()));
         e.report_instead_of(&nodes, problem.help("a grid is combined by `.rows()` and `.columns()`, one after the other, and their `sum()`, `minimum()` and so on"));
     });
-    lanes.map(|signal| elaboration::with(|e| Signal::zero_in(e, signal.width(), Shape::Row(1), loc)))
+    lanes.map(|signal| elaboration::with(|e| Signal::zero_in(e, signal.width, Shape::Row(1), signal.kind, loc)))
 }
 
 fn lanes_of<B: Fields<Signal>>(level: &B) -> u32 {

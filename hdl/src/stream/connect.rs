@@ -4,7 +4,7 @@ use crate::bundle::{Fields, Leaf, Visited};
 use crate::clock::Clock;
 use crate::draft::{Draft, DraftWire, UNDRIVEN};
 use crate::elaboration::{self, Elaboration};
-use crate::ir::{Input, InstanceId, NodeId, Op, Shape};
+use crate::ir::{Input, InstanceId, Kind, NodeId, Op, Shape};
 use crate::loc::Loc;
 use crate::module::{Module, port_name};
 use crate::problem::Problem;
@@ -116,7 +116,7 @@ pub(crate) fn take(ready: Signal, driver: Signal, loc: Loc) {
                     &[driver.node],
                     problem.help("a stream has one receiver: give each lane a stream of its own"),
                 );
-                Signal::zero_in(e, 1, ready.shape, loc)
+                Signal::zero_in(e, 1, ready.shape, Kind::Number, loc)
             }
         };
         let draft = e.draft();

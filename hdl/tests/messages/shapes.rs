@@ -87,6 +87,35 @@ fn what_is_asked_of_another_shape() {
 }
 
 #[test]
+fn what_does_not_stack() {
+    expect(
+        |_, i| stack([i.a.of(3), i.a.of(4)]).sum(),
+        "`stack` needs equal shapes: `a.of(..)` has 3 lanes, `a.of(..)` has 4 lanes
+         --> [|_, i| stack([i.a.of(3), i.a.of(4)]).sum(),]
+         `a.of(..)` is made at [|_, i| stack([i.a.of(3), i.a.of(4)]).sum(),]
+         `a.of(..)` is made at [|_, i| stack([i.a.of(3), i.a.of(4)]).sum(),]
+         help: both sides have as many lanes, laid out the same way",
+    );
+    expect(
+        |_, i| stack([i.a, i.b]).sum(),
+        "the lanes of a stack have different widths: lane 0 has 8 bits, lane 1 7 bits
+         --> [|_, i| stack([i.a, i.b]).sum(),]
+         help: spell the change of width, lane by lane",
+    );
+}
+
+/// What stands in for it is of its kind: the one mistake is the one message.
+#[test]
+fn a_signed_lane_that_there_is_not() {
+    expect(
+        |m, i| (m.pipe("line", i.a.signed().of(3)).lane(3) + i.a.signed()).bits(),
+        "lane 3 of a signal of 3 lanes
+         --> [|m, i| (m.pipe(\"line\", i.a.signed().of(3)).lane(3) + i.a.signed()).bits(),]
+         help: lanes count from 0",
+    );
+}
+
+#[test]
 fn what_is_declared_without_lanes() {
     let cases: [(&str, Build); 6] = [
         ("register `r` has no lanes", |m, _| lanes(m, "r", row(0)).sum()),
