@@ -1,6 +1,6 @@
 //! From a program to the functions that code is made of.
 
-use tilewright_hdl::{Bits, Block, Module, Width, bit, bits, bundle, case, cat};
+use tilewright_hdl::{Bits, Block, Module, Width, bit, bits, bundle, case, cat, row};
 use tilewright_sim::{Pass, Passes};
 
 use crate::{after, after_with, is};
@@ -213,7 +213,7 @@ fn plan() {
         r"
         an edge of clk:
         stage 0
-          loop over 64 lanes:
+          loop over 64 lanes, the last first:
             %0          : 8      = xor of 64 lanes of u_cell.q
             %2          : 64 x 8 = lane i - 1 of u_cell.q
             u_cell.left : 64 x 8 = %3 ? %2 : %1
@@ -227,7 +227,56 @@ fn plan() {
             %11         : 64 x 8 = case u_cell.op { 1: %4, 2: %10, 3: %8, else u_cell.q }
             u_cell.q <- %11
         live out: %0
-        hazards, changed at the end: u_cell.q
+    ",
+    );
+}
+
+bundle! {
+    pub struct HeatIn<T> { pub ends: T }
+    pub struct HeatOut<T> { pub all: T }
+}
+
+/// A rod of cells, each of which becomes what its neighbours were.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+struct Heat;
+
+impl Block for Heat {
+    type In = HeatIn;
+    type Out = HeatOut;
+
+    fn inputs(&self) -> HeatIn<Width> {
+        HeatIn { ends: bits(8) }
+    }
+
+    fn build(&self, m: Module, i: HeatIn) -> HeatOut {
+        let heat = m.reg("heat", bits(8).of(row(64)));
+        let flow = m.reg("flow", bits(8).of(row(64)));
+        heat.next(heat.previous(i.ends) + heat.following(i.ends));
+        flow.next(flow.following(i.ends));
+        HeatOut { all: (*heat ^ *flow).xor_all() }
+    }
+}
+
+/// Once a loop that goes upwards is at a lane, the one below is not as it was any more: `heat` has to wait for the end,
+/// `flow` does not.
+#[test]
+fn plan_of_a_register_with_neighbours_on_both_sides() {
+    is(
+        &after(&Heat, Pass::Plan),
+        r"
+        an edge of clk:
+        stage 0
+          loop over 64 lanes:
+            %1 : 64 x 8 = lane i + 1 of heat
+            %3 : 64 x 8 = %2 ? %1 : %0
+            %4 : 64 x 8 = lane i - 1 of heat
+            %6 : 64 x 8 = %5 ? %4 : %0
+            %7 : 64 x 8 = %6 + %3
+            %8 : 64 x 8 = lane i + 1 of flow
+            %9 : 64 x 8 = %2 ? %8 : %0
+            heat <- %7
+            flow <- %9
+        hazards, changed at the end: heat
     ",
     );
 }
@@ -239,10 +288,9 @@ fn branch() {
         r"
         an edge of clk:
         stage 0
-          loop over 64 lanes: by op
+          loop over 64 lanes, the last first: by op
             0:
               %0 : 8 = xor of 64 lanes of u_cell.q
-              u_cell.q <- u_cell.q
             1:
               %0          : 8      = xor of 64 lanes of u_cell.q
               %2          : 64 x 8 = lane i - 1 of u_cell.q
@@ -269,7 +317,6 @@ fn branch() {
               %8          : 64 x 8 = %7 & %5
               u_cell.q <- %8
         live out: %0
-        hazards, changed at the end: u_cell.q
     ",
     );
 }

@@ -7,8 +7,9 @@ use rustc_hash::FxHashSet;
 use tilewright_hdl::ir::Contents;
 
 use super::emitter::MemoryAt;
-use super::layout::{Strips, Words};
+use super::layout::Words;
 use super::store::Store;
+use super::strips::Strips;
 use crate::engine::program::{Cell, Kind, Memory, Program, ValueId};
 
 /// Memories that stand side by side.

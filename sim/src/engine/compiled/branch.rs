@@ -7,8 +7,8 @@ use rustc_hash::{FxHashMap, FxHashSet};
 use tilewright_hdl::Bits;
 
 use super::function::{Function, Sink, happening};
-use super::layout::Strips;
 use super::plan::{Kernel, Plan, Switch};
+use super::strips::Strips;
 use crate::engine::program::{Cell, Circuit, Kind, ValueId};
 
 /// The widest value that is branched on.
@@ -241,7 +241,7 @@ impl<'a> Known<'a> {
         }
         let is_live = |id: &ValueId| wanted.contains(id) && self.function.circuit().constant(*id).is_none();
         cells.retain(is_live);
-        Kernel { cells, sinks, switch: None }
+        Kernel { cells, sinks, descends: kernel.descends, switch: None }
     }
 
     /// A sink as it is then; none if nothing happens.

@@ -5,10 +5,11 @@ use cranelift_codegen::ir::{InstBuilder, MemFlagsData, Value, types};
 
 use super::builder::FunctionBuilder;
 use super::function::{Function, Sink};
-use super::layout::{Layout, Place, Strips, Words};
+use super::layout::{Layout, Place, Words};
 use super::plan::Plan;
 use super::scalar::Scalars;
 use super::sequence::Step;
+use super::strips::Strips;
 use crate::engine::program::{Kind, ValueId};
 
 /// A memory as code sees it.
@@ -296,30 +297,53 @@ impl<'a, 'b, 'c> Emitter<'a, 'b, 'c> {
     fn copy(&mut self, from: Place, to: Place) {
         let vectors = (from.lanes as usize * from.bytes()).div_ceil(16);
         let flags = MemFlagsData::trusted();
-        let (count, step) = (vectors as i64 * 16, 16);
-        self.count(count, step, |emitter, at| {
+        let count = Count { limit: vectors as i64 * 16, step: 16, descends: false };
+        self.count(count, |emitter, at| {
             let at = emitter.builder.ins().iadd(emitter.state, at);
             let vector = emitter.builder.ins().load(types::I8X16, flags, at, offset(from.offset));
             emitter.builder.ins().store(flags, vector, at, offset(to.offset));
         });
     }
 
-    /// A loop: `body` gets 0, `step`, `2 * step` and so on below `limit`.
-    pub(super) fn count(&mut self, limit: i64, step: i64, body: impl FnOnce(&mut Self, Value)) {
+    /// A loop: `body` gets each number of the count.
+    pub(super) fn count(&mut self, count: Count, body: impl FnOnce(&mut Self, Value)) {
         let block = self.builder.create_block();
         let done = self.builder.create_block();
         self.builder.append_block_param(block, types::I64);
-        let start = self.builder.ins().iconst(types::I64, 0);
+        let start = count.start(self.builder);
         self.builder.ins().jump(block, &[start.into()]);
         self.builder.switch_to_block(block);
         let at = self.builder.block_params(block)[0];
         body(self, at);
-        let step = self.builder.ins().iconst(types::I64, step);
-        let next = self.builder.ins().iadd(at, step);
-        let limit = self.builder.ins().iconst(types::I64, limit);
-        let more = self.builder.ins().icmp(IntCC::UnsignedLessThan, next, limit);
+        let (next, more) = count.next(self.builder, at);
         self.builder.ins().brif(more, block, &[next.into()], done, &[]);
         self.builder.switch_to_block(done);
+    }
+}
+
+/// The numbers 0, `step`, `2 * step` and so on below `limit`; or from the last of them to 0.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Count {
+    pub limit: i64,
+    pub step: i64,
+    pub descends: bool,
+}
+
+impl Count {
+    /// The first number.
+    pub fn start(self, b: &mut FunctionBuilder) -> Value {
+        let last = (self.limit - 1) / self.step * self.step;
+        b.ins().iconst(types::I64, if self.descends { last } else { 0 })
+    }
+
+    /// The number after one, and whether there is one.
+    pub fn next(self, b: &mut FunctionBuilder, at: Value) -> (Value, Value) {
+        if self.descends {
+            return (b.ins().iadd_imm_s(at, -self.step), at);
+        }
+        let next = b.ins().iadd_imm_s(at, self.step);
+        let limit = b.ins().iconst(types::I64, self.limit);
+        (next, b.ins().icmp(IntCC::UnsignedLessThan, next, limit))
     }
 }
 

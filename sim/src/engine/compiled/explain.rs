@@ -5,10 +5,10 @@ use std::fmt::Write;
 use tilewright_hdl::Bits;
 
 use super::function::{Function, Held, Maker, Sink};
-use super::layout::Strips;
 use super::passes::{self, Seen};
 use super::plan::{Kernel, Plan};
 use super::sequence::Step;
+use super::strips::Strips;
 use super::{bank, held_inputs};
 use crate::engine::explain::{Names, Pass, Text};
 use crate::engine::program::{Program, ValueId};
@@ -86,7 +86,8 @@ fn planned(program: &Program, function: &Function, plan: &Plan, names: &Names) -
             }
         }
         for (lanes, kernel) in &stage.kernels {
-            let _ = write!(out, "  loop over {lanes} lanes: ");
+            let order = if kernel.descends { ", the last first" } else { "" };
+            let _ = write!(out, "  loop over {lanes} lanes{order}: ");
             kernel_text(&mut out, &mut text, function, kernel, 2);
         }
     }

@@ -5,22 +5,30 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::{BlockArg, BlockCall, InstBuilder, JumpTableData, Value, types};
+use tilewright_hdl::ir::Reduction;
 
-use super::emitter::Emitter;
+use super::emitter::{Count, Emitter};
 use super::function::Sink;
 use super::lanes::Vector;
 use super::plan::Kernel;
 use super::scalar::Scalar;
 use super::strip::Strip;
-use crate::engine::program::{Axis, Kind, ValueId};
+use crate::engine::program::{Axis, Cell, Kind, ValueId};
 
 /// The order within a strip: cells, and after each the sinks that may run then.
 struct Order {
     /// Before any cell.
     first: Vec<usize>,
     after: BTreeMap<usize, Vec<usize>>,
+}
+
+/// A reduction, and its result so far, as [`Lanes::carried`](super::lanes::Lanes::carried) gives it.
+struct Sum {
+    id: ValueId,
+    by: Reduction,
+    of: ValueId,
+    so_far: Option<Vector>,
 }
 
 impl Emitter<'_, '_, '_> {
@@ -64,23 +72,24 @@ impl Emitter<'_, '_, '_> {
         }
         let (outer, scratch) = (self.scalars.clone(), self.builder.taken());
         let row = self.row_length(lanes, kernel);
-        let mut strip = Strip::new(self.strips.strip(lanes), lanes, row);
+        let mut strip = Strip::new(self.strips.strip(lanes), lanes, row, kernel.descends);
         self.splat_uniforms(&mut strip, kernel);
         self.begin_memories(&mut strip, kernel);
         let sums = match strip.rows() {
-            1 => self.row(&mut strip, kernel, None),
+            1 => self.row(&mut strip, kernel, None, &mut Vec::new()),
             rows => {
-                self.count(i64::from(rows), 1, |emitter, row| {
+                let mut totals = self.sums(kernel, lanes);
+                let count = Count { limit: i64::from(rows), step: 1, descends: kernel.descends };
+                self.carry(count, &mut strip, &mut totals, |emitter, strip, totals, row| {
                     let mark = strip.lanes.mark();
-                    emitter.splat_row(&mut strip, kernel, row);
-                    let sums = emitter.row(&mut strip, kernel, Some(row));
-                    for (id, sum) in sums {
+                    emitter.splat_row(strip, kernel, row);
+                    for (id, sum) in emitter.row(strip, kernel, Some(row), totals) {
                         let at = emitter.address(row, emitter.addresses.of(id).bytes());
                         emitter.sum(id, sum, at);
                     }
                     strip.lanes.forget(mark);
                 });
-                Vec::new()
+                self.reduced(&mut strip, totals)
             }
         };
         self.scalars = outer;
@@ -187,75 +196,105 @@ impl Emitter<'_, '_, '_> {
         }
     }
 
-    /// Whether a reduction's result is carried around the loop over a row.
-    fn is_loop_carried(&self, strip: &Strip, id: ValueId) -> bool {
-        let cell = self.function.cell(id);
-        matches!(cell.kind, Kind::Reduce { axis, .. } if axis.count == strip.row && cell.width <= 64)
+    /// Reductions of so many lanes each, of which nothing has been combined.
+    fn sums(&self, kernel: &Kernel, lanes: u32) -> Vec<Sum> {
+        let sum = |&id: &ValueId| match self.function.cell(id) {
+            &Cell { kind: Kind::Reduce { by, of, axis }, width: ..=64, .. } if axis.count == lanes => {
+                Some(Sum { id, by, of, so_far: None })
+            }
+            _ => None,
+        };
+        kernel.cells.iter().filter_map(sum).collect()
     }
 
-    /// Runs the strips of a row; gives what is reduced over them, clean.
-    fn row(&mut self, strip: &mut Strip, kernel: &Kernel, row: Option<Value>) -> Vec<(ValueId, Value)> {
-        let order = self.order(kernel);
-        let sums: Vec<ValueId> = kernel.cells.iter().copied().filter(|&id| self.is_loop_carried(strip, id)).collect();
-        let sum = |emitter: &Self, id: ValueId| match emitter.function.cell(id).kind {
-            Kind::Reduce { by, of, .. } => (by, of),
-            _ => unreachable!("a sum is a reduction"),
-        };
-        let mark = strip.lanes.mark();
-        let strips = strip.row.div_ceil(strip.size);
-        if strips == 1 {
-            let zero = self.builder.ins().iconst(types::I64, 0);
-            self.strip(strip, kernel, &order, row, zero);
-            let sums = sums.into_iter().map(|id| {
-                let (by, of) = sum(self, id);
-                self.vector(strip, of);
-                let vector = strip.lanes.carried(self.builder, of);
-                (id, strip.lanes.reduce(self.builder, by, &vector))
-            });
-            let sums = sums.collect();
-            strip.lanes.forget(mark);
-            return sums;
-        }
+    /// A loop around which results so far are carried.
+    fn carry(
+        &mut self,
+        count: Count,
+        strip: &mut Strip,
+        sums: &mut Vec<Sum>,
+        body: impl FnOnce(&mut Self, &mut Strip, &mut Vec<Sum>, Value),
+    ) {
         let (block, done) = (self.builder.create_block(), self.builder.create_block());
         self.builder.append_block_param(block, types::I64);
-        let zero = self.builder.ins().iconst(types::I64, 0);
-        let mut start: Vec<BlockArg> = vec![zero.into()];
-        let mut carried: Vec<Vector> = Vec::new();
-        for &id in &sums {
-            let neutral = strip.lanes.neutral(self.builder, sum(self, id).0, self.function.cell(id).width);
-            let mut parts = Vec::new();
-            for part in neutral.parts {
+        let mut start: Vec<BlockArg> = vec![count.start(self.builder).into()];
+        for sum in sums.iter_mut() {
+            let width = self.function.cell(sum.id).width;
+            let before = sum.so_far.take().unwrap_or_else(|| strip.lanes.neutral(self.builder, sum.by, width));
+            let parts = before.parts.iter().map(|&part| {
                 start.push(part.into());
                 let kind = self.builder.func.dfg.value_type(part);
-                parts.push(self.builder.append_block_param(block, kind));
-            }
-            carried.push(strip.lanes.shape(neutral.width, parts));
+                self.builder.append_block_param(block, kind)
+            });
+            sum.so_far = Some(strip.lanes.shape(width, parts.collect()));
         }
         self.builder.ins().jump(block, &start);
         self.builder.switch_to_block(block);
-        let within = self.builder.block_params(block)[0];
-        self.strip(strip, kernel, &order, row, within);
-        for (&id, before) in sums.iter().zip(&mut carried) {
-            let (by, of) = sum(self, id);
-            self.vector(strip, of);
-            let vector = strip.lanes.carried(self.builder, of);
-            *before = strip.lanes.combine(self.builder, by, before, &vector);
-        }
-        let next = self.builder.ins().iadd_imm_s(within, i64::from(strip.size));
-        let limit = self.builder.ins().iconst(types::I64, i64::from(strip.row));
-        let more = self.builder.ins().icmp(IntCC::UnsignedLessThan, next, limit);
+        let at = self.builder.block_params(block)[0];
+        body(self, strip, sums, at);
+        let (next, more) = count.next(self.builder, at);
         let mut again: Vec<BlockArg> = vec![next.into()];
-        again.extend(carried.iter().flat_map(|vector| vector.parts.iter().map(|&part| BlockArg::from(part))));
+        let so_far = sums.iter().filter_map(|sum| sum.so_far.as_ref());
+        again.extend(so_far.flat_map(|vector| vector.parts.iter().map(|&part| BlockArg::from(part))));
         self.builder.ins().brif(more, block, &again, done, &[]);
         self.builder.switch_to_block(done);
+    }
+
+    /// Each result, clean.
+    fn reduced(&mut self, strip: &mut Strip, sums: Vec<Sum>) -> Vec<(ValueId, Value)> {
+        let sums = sums.into_iter().map(|Sum { id, by, so_far, .. }| {
+            (id, strip.lanes.reduce(self.builder, by, &so_far.expect("there has been a strip")))
+        });
+        sums.collect()
+    }
+
+    /// Whether a reduction's result is carried around the loop over a row, or over all rows.
+    fn is_loop_carried(&self, strip: &Strip, id: ValueId) -> bool {
+        let cell = self.function.cell(id);
+        let is_whole = |count| count == strip.row || count == strip.total;
+        matches!(cell.kind, Kind::Reduce { axis, .. } if is_whole(axis.count) && cell.width <= 64)
+    }
+
+    /// Runs the strips of a row, which combines into `totals` too; gives what is reduced over the row, clean.
+    fn row(
+        &mut self,
+        strip: &mut Strip,
+        kernel: &Kernel,
+        row: Option<Value>,
+        totals: &mut Vec<Sum>,
+    ) -> Vec<(ValueId, Value)> {
+        let order = self.order(kernel);
+        let mut sums = self.sums(kernel, strip.row);
+        let of_row = sums.len();
+        sums.append(totals);
+        let mark = strip.lanes.mark();
+        let start = row.map(|row| self.scaled(row, strip.row as usize));
+        let body = |emitter: &mut Self, strip: &mut Strip, sums: &mut Vec<Sum>, within: Value| {
+            emitter.strip(strip, kernel, &order, start, within);
+            for sum in sums {
+                emitter.vector(strip, sum.of);
+                let vector = strip.lanes.carried(emitter.builder, sum.of);
+                sum.so_far = Some(match &sum.so_far {
+                    None => vector,
+                    Some(before) => strip.lanes.combine(emitter.builder, sum.by, before, &vector),
+                });
+            }
+        };
+        let count = Count { limit: strip.row.into(), step: strip.size.into(), descends: kernel.descends };
+        if strip.row <= strip.size {
+            let zero = count.start(self.builder);
+            body(self, strip, &mut sums, zero);
+        } else {
+            self.carry(count, strip, &mut sums, body);
+        }
         strip.lanes.forget(mark);
-        let sums = sums.into_iter().zip(&carried);
-        sums.map(|(id, vector)| (id, strip.lanes.reduce(self.builder, sum(self, id).0, vector))).collect()
+        totals.extend(sums.split_off(of_row));
+        self.reduced(strip, sums)
     }
 
     /// Cells and sinks of a strip.
-    fn strip(&mut self, strip: &mut Strip, kernel: &Kernel, order: &Order, row: Option<Value>, within: Value) {
-        self.enter(strip, row, within);
+    fn strip(&mut self, strip: &mut Strip, kernel: &Kernel, order: &Order, start: Option<Value>, within: Value) {
+        self.enter(strip, start, within);
         let mut open: BTreeSet<usize> = kernel.sinks.iter().copied().collect();
         order.first.iter().for_each(|&sink| self.register(strip, sink, &mut open));
         for (index, &id) in kernel.cells.iter().enumerate() {

@@ -4,14 +4,12 @@
 //! lanes takes an array, each lane one element, padded at both ends so that a strip may begin or end outside; 1-bit
 //! values are masks there. Wider values take limbs.
 
-use std::collections::BTreeMap;
-
 use tilewright_hdl::limbs_for;
 
-use crate::engine::program::Program;
+use super::strips::Strips;
 
-/// Bytes in front of and behind an array of lanes that code may touch: the largest strip of the widest element.
-pub(super) const GUARD: usize = 128;
+/// Bytes in front of and behind an array of lanes that code may touch, at least: the largest strip of the widest element.
+const GUARD: usize = 128;
 
 /// Where a value is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -44,7 +42,7 @@ impl Place {
 }
 
 /// The smallest element that holds `width` bits; whole limbs above 64.
-fn element(width: u32) -> u32 {
+pub(super) fn element(width: u32) -> u32 {
     match width {
         0..=8 => 8,
         9..=16 => 16,
@@ -53,45 +51,11 @@ fn element(width: u32) -> u32 {
     }
 }
 
-/// How many lanes a kernel takes at a time, by lane count: 4, 8 or 16.
-///
-/// A vector of 128 bits holds as many elements of one size; what is smaller is widened to fill it, what is larger
-/// takes several vectors. Strips of 4 suit values of 32 bits, strips of 16 those of 8.
-#[derive(Debug, Clone, Default)]
-pub(super) struct Strips(BTreeMap<u32, u32>);
-
-impl Strips {
-    /// Strips for the values of a program.
-    pub fn of(program: &Program) -> Strips {
-        let mut elements: BTreeMap<u32, [u32; 4]> = BTreeMap::new();
-        for (_, value) in program.circuit.cells().filter(|(_, cell)| cell.lanes > 1) {
-            let counts = elements.entry(value.lanes).or_default();
-            if value.width > 1 {
-                counts[element(value.width).min(64).ilog2() as usize - 3] += 1;
-            }
-        }
-        let strip = |(lanes, [bytes, words, doubles, quads]): (u32, [u32; 4])| {
-            let strip = match () {
-                () if bytes > 2 * (words + doubles + quads) => 16,
-                () if bytes + words > 2 * (doubles + quads) => 8,
-                () => 4,
-            };
-            (lanes, strip.min(lanes.next_power_of_two()).max(4))
-        };
-        Strips(elements.into_iter().map(strip).collect())
-    }
-
-    /// The strip of arrays of so many lanes.
-    pub fn strip(&self, lanes: u32) -> u32 {
-        self.0.get(&lanes).copied().unwrap_or(4)
-    }
-
-    /// Bits of an element that a lane of such an array is stored in.
-    fn storage(&self, lanes: u32, width: u32) -> u32 {
-        match lanes {
-            1 => limbs_for(width) as u32 * 64,
-            _ => element(width).max(128 / self.strip(lanes)),
-        }
+/// Bits of an element that a lane of an array of so many is stored in.
+fn storage(strips: &Strips, lanes: u32, width: u32) -> u32 {
+    match lanes {
+        1 => limbs_for(width) as u32 * 64,
+        _ => element(width).max(128 / strips.strip(lanes)),
     }
 }
 
@@ -111,15 +75,16 @@ impl Layout {
 
     /// A place for a value of this shape.
     pub fn place(&mut self, lanes: u32, width: u32) -> Place {
-        let element = self.strips.storage(lanes, width);
+        let element = storage(&self.strips, lanes, width);
         if lanes == 1 {
             let place = Place { offset: self.size, element, lanes, width };
             self.size += place.bytes();
             return place;
         }
-        let offset = self.size.next_multiple_of(GUARD) + GUARD;
+        let (strip, reach) = (self.strips.strip(lanes), self.strips.reach(lanes));
+        let guard = ((strip + reach) as usize * element as usize / 8).next_multiple_of(GUARD);
+        let offset = self.size.next_multiple_of(GUARD) + guard;
         let place = Place { offset, element, lanes, width };
-        let guard = GUARD.max(self.strips.strip(lanes) as usize * place.bytes());
         self.size = (place.lane(lanes) + guard).next_multiple_of(GUARD);
         place
     }
@@ -153,7 +118,7 @@ impl Words {
         together: bool,
         strips: &Strips,
     ) -> Vec<(usize, Words)> {
-        let word = |width: u32| (if together { strips.storage(lanes, width) } else { element(width) }) as usize / 8;
+        let word = |width: u32| (if together { storage(strips, lanes, width) } else { element(width) }) as usize / 8;
         let padded = lanes.next_multiple_of(strips.strip(lanes)) as usize;
         let row = |width: u32| if together { (padded * word(width)).next_multiple_of(16) } else { word(width) };
         // The largest first, so that all are aligned.

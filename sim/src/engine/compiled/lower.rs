@@ -13,7 +13,7 @@ use tilewright_hdl::ir::Binary;
 
 use super::emitter::MemoryAt;
 use super::function::{Became, Function, Sink};
-use super::layout::Strips;
+use super::strips::Strips;
 use crate::engine::Passes;
 use crate::engine::program::{Cell, Kind, ValueId};
 use crate::engine::rewrite::Rewriter;

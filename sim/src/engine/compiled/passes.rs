@@ -2,9 +2,9 @@
 
 use super::emitter::MemoryAt;
 use super::function::{Became, Function};
-use super::layout::Strips;
 use super::plan::Plan;
 use super::sequence::{self, Step};
+use super::strips::Strips;
 use super::{branch, lower};
 use crate::engine::Passes;
 

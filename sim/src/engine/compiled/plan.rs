@@ -5,6 +5,8 @@
 //! values of one lane count. What leads from lanes to single values or to other lanes (a reduction, a neighbour, one
 //! lane) begins a new stage, unless it looks at state, which is in memory anyway.
 
+mod hazards;
+
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::function::{Function, Sink};
@@ -41,6 +43,8 @@ pub(super) struct Kernel {
     pub cells: Vec<ValueId>,
     /// What it does at the end of a strip, by index in [`Function::sinks`].
     pub sinks: Vec<usize>,
+    /// From the last lanes to the first.
+    pub descends: bool,
     /// What runs instead.
     pub switch: Option<Box<Switch>>,
 }
@@ -109,7 +113,7 @@ impl Plan {
         }
         planner.sinks(&mut plan);
         planner.stores(&mut plan, &needed);
-        planner.hazards(&mut plan, &needed);
+        hazards::find(&planner, &mut plan, &needed);
         plan
     }
 
@@ -360,37 +364,6 @@ impl Planner<'_> {
             {
                 plan.live_out.insert(*value);
             }
-        }
-    }
-
-    /// Finds the registers that cannot change where their kernel runs.
-    fn hazards(&self, plan: &mut Plan, needed: &[ValueId]) {
-        let mut written: BTreeMap<ValueId, Position> = BTreeMap::new();
-        for sink in &self.function.sinks {
-            if let Sink::Register { state, .. } = sink
-                && self.function.cell(*state).lanes > 1
-            {
-                written.insert(*state, self.sink_position(sink));
-            }
-        }
-        let mut read = |operand: ValueId, reader: Position, by_lane: bool| {
-            if written.get(&operand).is_some_and(|&writer| reader > writer || (reader == writer && !by_lane)) {
-                plan.hazards.insert(operand);
-            }
-        };
-        for &id in needed {
-            let kind = &self.function.cell(id).kind;
-            let by_lane = kind.is_elementwise() || matches!(kind, Kind::Word { .. } | Kind::Reduce { .. });
-            let reader = match self.role(id) {
-                // A row is read where it is used, any time later.
-                Role::Rematerialised => Position { stage: usize::MAX, place: 0 },
-                _ => self.positions[id.index()],
-            };
-            self.function.cell(id).kind.for_each_operand(|operand| read(operand, reader, by_lane));
-        }
-        for sink in &self.function.sinks {
-            let reader = self.sink_position(sink);
-            sink.for_each_operand(|operand| read(operand, reader, true));
         }
     }
 }

@@ -7,10 +7,11 @@ use super::builder::FunctionBuilder;
 use super::emitter::{self, Addresses, Emitter, MemoryAt};
 use super::function::{Function, Sink};
 use super::jit::Code;
-use super::layout::{Place, Strips};
+use super::layout::Place;
 use super::passes::{self, Planned};
 use super::plan::Plan;
 use super::sequence::Step;
+use super::strips::Strips;
 use crate::engine::program::{Kind, ValueId};
 
 /// A function in order, and where its values are.

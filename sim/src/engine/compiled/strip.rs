@@ -2,12 +2,13 @@
 
 use std::collections::HashMap;
 
+use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::{InstBuilder, Value, types};
 use tilewright_hdl::ir::Reduction;
 
 use super::emitter::{Emitter, offset};
 use super::lanes::{Lanes, Span, operator};
-use super::layout::{GUARD, Place};
+use super::layout::Place;
 use super::scalar::{Scalar, Scalars};
 use crate::engine::program::{Kind, ValueId};
 
@@ -20,6 +21,8 @@ pub(super) struct Strip {
     pub total: u32,
     /// Lanes of a row.
     pub row: u32,
+    /// From the last lanes to the first.
+    descends: bool,
     pub lanes: Lanes,
     /// Lane by lane.
     singles: Vec<Scalars>,
@@ -36,11 +39,11 @@ pub(super) struct Strip {
 
 impl Strip {
     /// Strips of `size` lanes.
-    pub fn new(size: u32, total: u32, row: u32) -> Strip {
+    pub fn new(size: u32, total: u32, row: u32, descends: bool) -> Strip {
         let singles = Vec::new();
         let (addresses, memories, words) = (HashMap::new(), HashMap::new(), HashMap::new());
         let lanes = Lanes::new(size);
-        Strip { size, total, row, lanes, singles, first: None, within: None, addresses, memories, words }
+        Strip { size, total, row, descends, lanes, singles, first: None, within: None, addresses, memories, words }
     }
 
     /// How many rows there are.
@@ -70,18 +73,15 @@ impl Strip {
 }
 
 impl Emitter<'_, '_, '_> {
-    /// Begins a strip.
-    pub(super) fn enter(&mut self, strip: &mut Strip, row: Option<Value>, within: Value) {
+    /// Begins the strip of a row, which starts at that lane, so many lanes behind it.
+    pub(super) fn enter(&mut self, strip: &mut Strip, start: Option<Value>, within: Value) {
         strip.singles = vec![Scalars::default(); strip.size as usize];
         strip.addresses.clear();
         strip.memories.clear();
         strip.within = Some(within);
-        strip.first = Some(match row {
+        strip.first = Some(match start {
             None => within,
-            Some(row) => {
-                let start = self.builder.ins().imul_imm_s(row, i64::from(strip.row));
-                self.builder.ins().iadd(start, within)
-            }
+            Some(start) => self.builder.ins().iadd(start, within),
         });
     }
 
@@ -328,8 +328,7 @@ impl Emitter<'_, '_, '_> {
         {
             return strip.lanes.constant(id, bits);
         }
-        let reach = by.unsigned_abs() as usize * 8;
-        if width <= 64 && reach <= GUARD / 2 && !matches!(self.function.cell(of).kind, Kind::Const(_)) {
+        if width <= 64 && by.unsigned_abs() <= self.strips.reach(strip.total) {
             let place = self.addresses.of(of);
             let address = self.strip_address(strip, place.bytes());
             let offset = offset(place.offset) - by * place.bytes() as i32;
@@ -350,7 +349,8 @@ impl Emitter<'_, '_, '_> {
     fn accumulate(&mut self, strip: &mut Strip, id: ValueId, by: Reduction, of: ValueId, group: u32) {
         self.singles(strip, of);
         let (place, width) = (self.addresses.of(id), self.function.cell(id).width);
-        for lane in 0..strip.size {
+        for number in 0..strip.size {
+            let lane = if strip.descends { strip.size - 1 - number } else { number };
             let at = self.builder.ins().iadd_imm_s(strip.first.expect("it has begun"), i64::from(lane));
             // With one group, lanes that do not exist add nothing to it.
             let (target, within) = match group == strip.total {
@@ -364,8 +364,9 @@ impl Emitter<'_, '_, '_> {
             };
             let at = self.address(target, place.bytes());
             let (before, both, first, all) = (self.id(), self.id(), self.id(), self.id());
-            let zero = self.builder.ins().iconst(types::I64, 0);
-            let is_first = self.builder.ins().icmp(cranelift_codegen::ir::condcodes::IntCC::Equal, within, zero);
+            let first_within = if strip.descends { i64::from(group) - 1 } else { 0 };
+            let first_within = self.builder.ins().iconst(types::I64, first_within);
+            let is_first = self.builder.ins().icmp(IntCC::Equal, within, first_within);
             let single = &mut strip.singles[lane as usize];
             let b = &mut *self.builder;
             single.load(b, before, width, place.integer(), at, offset(place.offset));

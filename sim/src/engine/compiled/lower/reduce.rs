@@ -3,7 +3,7 @@
 use tilewright_hdl::Bits;
 use tilewright_hdl::ir::{Reduction, Relation};
 
-use super::super::layout::Strips;
+use super::super::strips::Strips;
 use super::{flags, lanes};
 use crate::engine::program::{Axis, Kind, ValueId};
 use crate::engine::rewrite::Rewriter;

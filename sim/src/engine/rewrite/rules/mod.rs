@@ -8,6 +8,7 @@ mod constants;
 mod lift;
 mod logic;
 mod names;
+mod reduce;
 mod repeat;
 mod same;
 mod taken;
@@ -22,8 +23,16 @@ type Rule = fn(&mut Rewriter, &Cell) -> Option<Rewrite>;
 /// Rules that hold always: engines do not know what they remove.
 const ALWAYS: [Rule; 1] = [names::name];
 /// Rules that compute constants, and leave out operations that do nothing.
-const FOLD: [Rule; 7] =
-    [constants::fold, choices::select, choices::case, choices::mux, logic::identity, same::operands, taken::lane];
+const FOLD: [Rule; 8] = [
+    constants::fold,
+    choices::select,
+    choices::case,
+    choices::mux,
+    logic::identity,
+    same::operands,
+    taken::lane,
+    reduce::of_reduced,
+];
 
 /// What the first rule that has something to say makes of an operation.
 pub(super) fn apply(rewriter: &mut Rewriter, cell: &Cell) -> Option<Rewrite> {

@@ -198,3 +198,24 @@ fn lanes_that_are_computed_alike() {
     let all = c.add(Kind::Stack { parts, inner: 1 }, 4);
     c.is(all, "x ^ (4 times a)");
 }
+
+#[test]
+fn reductions() {
+    let mut c = Circuit::new();
+    let grid = c.rewriter.state(24, 8);
+    let by = Reduction::Xor;
+    let reduced = |c: &mut Circuit, first: Axis, second: Axis| {
+        let of = c.add(Kind::Reduce { by, of: grid, axis: first }, 24 / first.count);
+        let twice = c.add(Kind::Reduce { by, of, axis: second }, 24 / first.count / second.count);
+        match c.rewriter.circuit()[twice].kind {
+            Kind::Reduce { of, axis, .. } if of == grid => Some((axis.count, axis.inner)),
+            _ => None,
+        }
+    };
+    // Of 2 x 3 x 4 lanes: the last two axes in both orders, the first two, and the two that do not lie together.
+    assert_eq!(reduced(&mut c, Axis::last(4), Axis::last(3)), Some((12, 1)));
+    assert_eq!(reduced(&mut c, Axis { count: 3, inner: 4 }, Axis::last(4)), Some((12, 1)));
+    assert_eq!(reduced(&mut c, Axis { count: 3, inner: 4 }, Axis { count: 2, inner: 4 }), Some((6, 4)));
+    assert_eq!(reduced(&mut c, Axis { count: 2, inner: 12 }, Axis { count: 3, inner: 4 }), Some((6, 4)));
+    assert_eq!(reduced(&mut c, Axis::last(4), Axis { count: 2, inner: 3 }), None);
+}

@@ -1,0 +1,71 @@
+//! Registers with lanes that are read after they would change, and the order of lanes that leaves few of them.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::{Plan, Planner, Position, Role};
+use crate::engine::compiled::function::Sink;
+use crate::engine::program::{Kind, ValueId};
+
+/// The neighbours that a loop looks at of a register that it changes.
+#[derive(Debug, Clone, Copy, Default)]
+struct Neighbours {
+    /// Some stand before the lane, which has them as they were if the loop descends.
+    before: bool,
+    /// Some stand behind it, which has them if the loop ascends.
+    behind: bool,
+}
+
+/// Finds the registers that cannot change where their kernel runs, and in which order each kernel takes its lanes: a register
+/// whose neighbours are looked at on one side only can change in one of both orders.
+pub(super) fn find(planner: &Planner, plan: &mut Plan, needed: &[ValueId]) {
+    let function = planner.function;
+    let mut written: BTreeMap<ValueId, Position> = BTreeMap::new();
+    for sink in &function.sinks {
+        if let Sink::Register { state, .. } = sink
+            && function.cell(*state).lanes > 1
+        {
+            written.insert(*state, planner.sink_position(sink));
+        }
+    }
+    let mut shifted: BTreeMap<Position, BTreeMap<ValueId, Neighbours>> = BTreeMap::new();
+    let mut read = |operand: ValueId, reader: Position, kind: Option<&Kind>| {
+        let Some(&writer) = written.get(&operand) else { return };
+        let by_lane =
+            kind.is_none_or(|kind| kind.is_elementwise() || matches!(kind, Kind::Word { .. } | Kind::Reduce { .. }));
+        match kind {
+            Some(Kind::Slide { by, .. }) if reader == writer => {
+                let seen = shifted.entry(writer).or_default().entry(operand).or_default();
+                seen.before |= *by > 0;
+                seen.behind |= *by < 0;
+            }
+            _ if reader > writer || (reader == writer && !by_lane) => {
+                plan.hazards.insert(operand);
+            }
+            _ => {}
+        }
+    };
+    for &id in needed {
+        let reader = match planner.role(id) {
+            // A row is read where it is used, any time later.
+            Role::Rematerialised => Position { stage: usize::MAX, place: 0 },
+            _ => planner.positions[id.index()],
+        };
+        let kind = &function.cell(id).kind;
+        kind.for_each_operand(|operand| read(operand, reader, Some(kind)));
+    }
+    for sink in &function.sinks {
+        let reader = planner.sink_position(sink);
+        sink.for_each_operand(|operand| read(operand, reader, None));
+    }
+    for (position, shifted) in shifted {
+        let hazards = |descends: bool| -> BTreeSet<ValueId> {
+            let remains = |seen: &Neighbours| if descends { seen.behind } else { seen.before };
+            shifted.iter().filter(|(_, seen)| remains(seen)).map(|(id, _)| *id).collect()
+        };
+        let [ascending, descending] = [hazards(false), hazards(true)];
+        let descends = descending.len() < ascending.len();
+        plan.hazards.extend(if descends { descending } else { ascending });
+        let kernel = plan.at(position.stage).kernels.get_mut(&position.place);
+        kernel.expect("it changes registers").descends = descends;
+    }
+}
