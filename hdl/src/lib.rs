@@ -45,7 +45,7 @@
 //! | a stream: a payload with `valid` and `ready` | a field `Stream<Job<T>, T>` as wide as [`stream`]`(Job { .. })`; [`Stream::take_when`], [`Module::offer`] |
 //! | an instance, an array of them | [`Module::instance`], [`Module::array`] |
 //! | another clock | [`Module::on`], [`Mem::on`], [`Width::on`]; [`Module::synchronize`], [`Module::synchronize_from`], [`Signal::quasi_static`] to cross |
-//! | what must hold | [`Module::assert`], with [`implies`](Signal::implies) |
+//! | what must hold, is given, or is to happen | [`Module::assert`], [`Module::assume`], [`Module::cover`], with [`implies`](Signal::implies), [`Module::past`], [`Module::rose`] |
 //!
 //! Both sides of an operator have equal widths, results wrap, and `==` does not compile: [`Signal::eq`] does. Every mistake
 //! in a description is found when it is elaborated, and all of them are reported at once ([`Problems`]), each with the lines
@@ -53,6 +53,7 @@
 //! `tilewright-gen` prints.
 
 mod along;
+mod attribute;
 mod bits;
 mod block;
 mod bundle;
@@ -78,7 +79,9 @@ mod module;
 mod module_name;
 mod names;
 mod operand;
+mod past;
 mod problem;
+mod property;
 mod record;
 pub mod recording;
 mod register;

@@ -17,7 +17,8 @@ use std::ops::Deref;
 /// stands in its place.
 ///
 /// At an edge of its clock it takes the [`reset`](Reg::reset) value if its clock's reset is high and it has one; else
-/// the next value if it is enabled; else it keeps what it holds.
+/// the next value if it is enabled; else it keeps what it holds. A clear of its own, beside the reset, is the first condition of its chain:
+/// `count.when(i.clear, 0).when(i.take, count + 1)`.
 #[derive(Debug, Clone, Copy)]
 #[must_use]
 pub struct Reg<V = Signal> {
@@ -45,7 +46,7 @@ impl Reg {
     /// The value after a reset: an integer, a [`Bits`], a `bool`; of a register with lanes the same in each.
     #[track_caller]
     pub fn reset(self, value: impl Operand) -> Reg {
-        let (loc, (bits, id)) = (Loc::caller(), self.reset_value(value));
+        let (loc, (bits, id)) = (Loc::caller(), self.constant(value, "reset"));
         if is_here(self.signal, id, loc) {
             elaboration::draft(|draft| draft.registers[self.index].reset = Some((Init::Same(bits), loc)));
         }
@@ -58,7 +59,7 @@ impl Reg {
         let (loc, lanes) = (Loc::caller(), self.shape.lanes() as usize);
         let mut each = Vec::new();
         for value in values {
-            each.push(self.reset_value(value).0);
+            each.push(self.constant(value, "reset").0);
         }
         if is_here(self.signal, self.signal.node, loc) {
             if each.len() != lanes {
@@ -75,12 +76,52 @@ impl Reg {
         self
     }
 
-    /// A reset value, and the constant that it was.
+    /// The value at power-on: an integer, a [`Bits`], a `bool`; of a register with lanes the same in each. It is what an FPGA loads with its
+    /// configuration, so a register that has one needs no reset to begin with; a simulation begins with it, whatever its seed. Without one, a register
+    /// begins with its reset value, or if it has no reset with anything.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// block! {
+    ///     /// Holds its reset for some clocks after power-on.
+    ///     pub struct PowerOn { pub clocks: u64 }
+    ///     in PowerOnIn { again: bit() }
+    ///     out PowerOnOut { reset: bit() }
+    /// }
+    ///
+    /// impl PowerOn {
+    ///     fn build(&self, m: Module, i: PowerOnIn) -> PowerOnOut {
+    ///         let left = m.reg("left", up_to(self.clocks)).initial(self.clocks);
+    ///         net!(reset = left.ne(0));
+    ///         left.when(i.again, self.clocks).when(reset, left - 1);
+    ///         PowerOnOut { reset }
+    ///     }
+    /// }
+    ///
+    /// let mut sim = tilewright_sim::Simulation::of(&PowerOn { clocks: 3 })?.seeded(1);
+    /// sim.run(2);
+    /// assert_eq!(sim.get(sim.o.reset), 1);
+    /// sim.step();
+    /// assert_eq!(sim.get(sim.o.reset), 0);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     #[track_caller]
-    fn reset_value(self, value: impl Operand) -> (Bits, NodeId) {
+    pub fn initial(self, value: impl Operand) -> Reg {
+        let (loc, (bits, id)) = (Loc::caller(), self.constant(value, "initial"));
+        if is_here(self.signal, id, loc) {
+            let before = elaboration::draft(|draft| draft.registers[self.index].initial.replace((bits, loc)));
+            let before = before.map(|(_, loc)| (self.signal.node, loc));
+            report_second_driver(before, self.signal.node, "given an initial value", "give it once", loc);
+        }
+        self
+    }
+
+    /// A value known while the block is built, the register's at its `when`, and the constant that it was.
+    #[track_caller]
+    fn constant(self, value: impl Operand, when: &str) -> (Bits, NodeId) {
         let loc = Loc::caller();
         let constant = match value.operand() {
-            Value::Literal(literal) => literal.for_signal(self.signal, "reset"),
+            Value::Literal(literal) => literal.for_signal(self.signal, when),
             Value::Signal(signal) => signal,
         };
         let id = constant.id();
@@ -88,9 +129,9 @@ impl Reg {
             Op::Const(bits) if bits.width() == self.width => bits.clone(),
             _ => {
                 let name = e.draft().describe(self.signal.node);
-                let message = format!("the reset value of `{name}` is not a constant of {}", bits_text(self.width));
-                let problem =
-                    Problem::new(loc, message).help("a reset value is a number known while the block is built");
+                let message = format!("the {when} value of `{name}` is not a constant of {}", bits_text(self.width));
+                let problem = Problem::new(loc, message)
+                    .help(format!("the {when} value is a number known while the block is built"));
                 e.report_instead_of(&[id], problem);
                 Bits::zero(self.width)
             }

@@ -53,6 +53,15 @@ impl<B: Bundle> Reg<B> {
         self
     }
 
+    /// The values at power-on: a record of numbers, or 0 for all.
+    #[track_caller]
+    pub fn initial(self, values: impl Fits<B>) -> Reg<B> {
+        for (register, value) in self.fields().into_iter().zip(self.values(values, "initial")) {
+            let _ = register.initial(value);
+        }
+        self
+    }
+
     /// Takes its next values only where `condition`, 1 bit, is high.
     #[track_caller]
     pub fn enable(self, enable: impl Into<Signal>) -> Reg<B> {
@@ -84,7 +93,7 @@ impl<B: Bundle> Reg<B> {
     }
 
     /// The registers of the fields, which were declared one after another.
-    fn fields(&self) -> Vec<Reg> {
+    pub(crate) fn fields(&self) -> Vec<Reg> {
         let leaves = self.signal.leaves().into_iter().enumerate();
         leaves.map(|(i, (_, signal))| Reg { signal, index: self.index + i }).collect()
     }
