@@ -43,6 +43,7 @@
 //! | an enum | [`codes!`], [`one_of`], [`Signal::is`], [`Signal::choose`] |
 //! | lanes | `bits(8).of(row(4))`, [`row`], [`grid`]; what is elementwise is written as for one; [`previous`](Signal::previous), [`take`](Signal::take), [`pick`](Signal::pick), [`sum`](Signal::sum), [`rows`](Signal::rows), [`columns`](Signal::columns), [`stack`], [`tree`] |
 //! | a stream: a payload with `valid` and `ready` | a field `Stream<Job<T>, T>` as wide as [`stream`]`(Job { .. })`; [`Stream::take_when`], [`Module::offer`] |
+//! | a number in another radix | [`hex`]`(0x3f)`, [`binary`]`(0b101)` |
 //! | an instance, an array of them | [`Module::instance`], [`Module::array`] |
 //! | another clock | [`Module::on`], [`Mem::on`], [`Width::on`]; [`Module::synchronize`], [`Module::synchronize_from`], [`Signal::quasi_static`] to cross |
 //! | what must hold, is given, or is to happen | [`Module::assert`], [`Module::assume`], [`Module::cover`], with [`implies`](Signal::implies), [`Module::past`], [`Module::rose`] |
@@ -82,6 +83,7 @@ mod operand;
 mod past;
 mod problem;
 mod property;
+mod radix;
 mod record;
 pub mod recording;
 mod register;
@@ -123,6 +125,7 @@ pub use module::Module;
 pub use operand::Value;
 pub use operand::{Operand, ShiftAmount};
 pub use problem::{Problem, Problems};
+pub use radix::{Radix, Written, binary, hex};
 pub use record::RecordUpdates;
 #[doc(hidden)]
 pub use record::{named, pack, unpack};

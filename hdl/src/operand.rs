@@ -6,6 +6,7 @@ use crate::elaboration;
 use crate::ir::{Names, NodeId, Shift};
 use crate::loc::Loc;
 use crate::problem::Problem;
+use crate::radix::Radix;
 use crate::signal::{Signal, bits_text};
 use std::fmt;
 
@@ -28,7 +29,7 @@ pub enum Value {
 #[derive(Debug, Clone)]
 pub enum Literal {
     /// A number that must fit where it stands.
-    Integer(i128),
+    Integer(i128, Radix),
     /// A value that must have just the width of where it stands.
     Exact(Bits),
     /// A code of an enum, which only meets signals of that one.
@@ -38,7 +39,9 @@ pub enum Literal {
 impl fmt::Display for Literal {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         match self {
-            Literal::Integer(value) => write!(f, "{value}"),
+            Literal::Integer(value, Radix::Any) => write!(f, "{value}"),
+            Literal::Integer(value, Radix::Hex) => write!(f, "{value:#x}"),
+            Literal::Integer(value, Radix::Binary) => write!(f, "{value:#b}"),
             Literal::Exact(bits) => write!(f, "{bits}"),
             Literal::Code { names, code } => write!(f, "{}::{}", names.of, names.codes[*code as usize]),
         }
@@ -93,7 +96,7 @@ macro_rules! integers {
     ($($ty:ty)*) => {$(
         impl Operand for $ty {
             fn operand(self) -> Value {
-                Value::Literal(Literal::Integer(self as i128))
+                Value::Literal(Literal::Integer(self as i128, Radix::Any))
             }
         }
     )*};

@@ -9,6 +9,7 @@ use crate::limits::sound_width;
 use crate::loc::Loc;
 use crate::operand::{Literal, Value};
 use crate::problem::Problem;
+use crate::radix::Radix;
 use crate::shaping::{level, level_all};
 use crate::signal::{Signal, bits_text};
 use crate::width::{IntoWidth, index_width};
@@ -28,7 +29,7 @@ pub(crate) fn constants(width: u32, values: impl IntoIterator<Item = u64>) -> Ve
     let mut signals = Vec::new();
     for value in values {
         let value = if sound == width { value } else { 0 };
-        signals.push(Literal::Integer(value.into()).sized(sound, Kind::Number));
+        signals.push(Literal::Integer(value.into(), Radix::Any).sized(sound, Kind::Number));
     }
     signals
 }
