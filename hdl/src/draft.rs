@@ -33,6 +33,8 @@ pub(crate) struct Draft {
     pub properties: Vec<Property>,
     /// The registers of past values, by what they are the past of.
     pub pasts: BTreeMap<(NodeId, ClockId), NodeId>,
+    /// The subjects of choices by the codes of an enum.
+    pub chosen: Vec<(NodeId, Loc)>,
     pub synchronizers: Vec<Synchronizer>,
     /// Inputs that the description says it leaves unused.
     pub ignored: BTreeSet<NodeId>,
@@ -99,6 +101,7 @@ impl Draft {
             instance_outputs: Vec::new(),
             properties: Vec::new(),
             pasts: BTreeMap::new(),
+            chosen: Vec::new(),
             synchronizers: Vec::new(),
             ignored: BTreeSet::new(),
             in_problems: BTreeSet::new(),

@@ -1,6 +1,7 @@
 //! From a draft to a finished module: every check, then the plain form.
 
 use crate::check;
+use crate::chosen;
 use crate::draft::Draft;
 use crate::elaboration::Elaboration;
 use crate::ir::*;
@@ -25,6 +26,7 @@ pub(crate) fn finish(
     let mut draft = e.drafts.pop().expect("a module is being built");
     let problems = &mut e.problems;
     check::drives::check(&mut draft, problems);
+    chosen::assert_codes(&mut draft);
     past::wait_for_pasts(&mut draft, &e.summaries, &outputs);
     let renumber = place_clocks(&mut draft);
     let resets = find_resets(&draft, &e.done);

@@ -37,7 +37,7 @@
 //! | a named net | `net!(at_end = ..)`, or [`Signal::named`] |
 //! | a net read before it is driven | [`Module::wire`] |
 //! | a register | [`Module::reg`], then [`reset`](Reg::reset), [`enable`](Reg::enable), [`next`](Reg::next) or [`when`](Reg::when); [`Module::pipe`] for a pipeline stage, [`Module::stages`] for a pipeline |
-//! | a state machine | [`codes!`], [`Module::fsm`], [`StateReg::next`] |
+//! | a state machine | [`codes!`], [`Module::fsm`], [`StateReg::next`], whose [`Moves`] say what happens at a transition |
 //! | a memory | [`Module::memory`], [`Mem::read`], [`Mem::read_async`], [`Mem::write`] |
 //! | a record | a [`bundle!`]: what is declared with a record of widths, or given a record, is one; `.pack()` makes a word of it, `.unpack(word)` of its widths a record |
 //! | an enum | [`codes!`], [`one_of`], [`Signal::is`], [`Signal::choose`] |
@@ -57,8 +57,10 @@ mod along;
 mod attribute;
 mod bits;
 mod block;
+mod bracket;
 mod bundle;
 mod check;
+mod chosen;
 mod circuit;
 pub mod clock;
 mod codes;
@@ -75,6 +77,7 @@ pub mod ir;
 mod lanes;
 mod limits;
 mod loc;
+mod machine;
 mod memory;
 mod module;
 mod module_name;
@@ -119,18 +122,19 @@ pub use index::Index;
 pub use ir::{About, Design, ReadUnderWrite, Shape};
 pub use lanes::{constants, interleave, stack};
 pub use loc::Loc;
+pub use machine::{Moves, StateReg, Transition, goto, hold, when};
 pub use memory::Mem;
 pub use module::Module;
 #[doc(hidden)]
 pub use operand::Value;
-pub use operand::{Operand, ShiftAmount};
+pub use operand::{IntoSignal, Operand, ShiftAmount};
 pub use problem::{Problem, Problems};
 pub use radix::{Radix, Written, binary, hex};
 pub use record::RecordUpdates;
 #[doc(hidden)]
 pub use record::{named, pack, unpack};
 pub use recording::Recording;
-pub use register::{Reg, StateReg, Transition, Updates, goto, hold, when};
+pub use register::{Reg, Updates};
 pub use scenario::{Scenario, Script};
 pub use select::{case, concat, lit, mux, select};
 pub use shaping::{IntoShape, grid, row};

@@ -6,7 +6,7 @@ use crate::data::Data;
 use crate::elaboration;
 use crate::ir::{Contents, Kind, MemoryId, Op, ReadPort, WritePort};
 use crate::loc::Loc;
-use crate::operand::{Operand, Value};
+use crate::operand::{IntoSignal, Operand, Value};
 use crate::problem::Problem;
 use crate::select::condition;
 use crate::signal::{Signal, bits_text};
@@ -185,7 +185,7 @@ impl Mem {
 
     /// As [`Mem::read`], where `enable` is high; elsewhere the data stays.
     #[track_caller]
-    pub fn read_when(self, enable: impl Into<Signal>, address: impl Operand) -> Signal {
+    pub fn read_when(self, enable: impl IntoSignal, address: impl Operand) -> Signal {
         let (address, enable) = (self.address(address), enable.into());
         self.read_port(address, Some(enable), true)
     }
@@ -218,7 +218,7 @@ impl Mem {
 
     /// Writes `data` at `address` at each edge where `enable` is high.
     #[track_caller]
-    pub fn write(self, enable: impl Into<Signal>, address: impl Operand, data: impl Operand) {
+    pub fn write(self, enable: impl IntoSignal, address: impl Operand, data: impl Operand) {
         let loc = Loc::caller();
         let enable = self.laid_out(condition(enable.into(), "write"), "an enable").id();
         let address = self.address(address).id();

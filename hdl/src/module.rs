@@ -9,11 +9,12 @@ use crate::elaboration::{self, Elaboration};
 use crate::ir::{Contents, Memory, NodeId, Op, ReadUnderWrite, RegisterId};
 use crate::limits::{WIDEST, sound_width};
 use crate::loc::Loc;
+use crate::machine::StateReg;
 use crate::memory::Mem;
-use crate::operand::Operand;
+use crate::operand::{IntoSignal, Operand};
 use crate::problem::Problem;
 use crate::record::word;
-use crate::register::{Reg, StateReg};
+use crate::register::Reg;
 use crate::select::condition;
 use crate::shaping::sound_shape;
 use crate::signal::Signal;
@@ -77,7 +78,7 @@ impl Module {
 
     /// As [`Module::pipe`], in a pipeline that advances only where `enable` is high.
     #[track_caller]
-    pub fn pipe_when<B: Fields<Signal>>(self, enable: impl Into<Signal>, name: &str, value: B) -> B::With<Signal> {
+    pub fn pipe_when<B: Fields<Signal>>(self, enable: impl IntoSignal, name: &str, value: B) -> B::With<Signal> {
         self.stage(Some(enable.into()), name, value)
     }
 

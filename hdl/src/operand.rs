@@ -11,10 +11,24 @@ use crate::signal::{Signal, bits_text};
 use std::fmt;
 
 /// Anything that can be read as an unsigned value.
+#[diagnostic::on_unimplemented(
+    message = "a `{Self}` is neither a signal nor a number",
+    note = "a signal, a register, an integer, a `bool`, a `Bits` and a code of an enum can stand here; of a record, name a field"
+)]
 pub trait Operand {
     #[doc(hidden)]
     fn operand(self) -> Value;
 }
+
+/// What is read as a signal, and no number: a signal, a register, a wire.
+#[diagnostic::on_unimplemented(
+    message = "a `{Self}` is no signal",
+    label = "a signal is wanted here",
+    note = "a condition that always holds is `lit(1, 1)`, one that never does `lit(1, 0)`; a number of some width is `lit(width, number)`"
+)]
+pub trait IntoSignal: Into<Signal> {}
+
+impl IntoSignal for Signal {}
 
 #[doc(hidden)]
 #[derive(Debug, Clone)]
@@ -201,6 +215,8 @@ macro_rules! reads_as_signal {
                 *handle
             }
         }
+
+        impl $crate::operand::IntoSignal for $ty {}
 
         impl $crate::operand::Operand for $ty {
             fn operand(self) -> $crate::operand::Value {

@@ -7,6 +7,7 @@ use crate::elaboration;
 use crate::ir::{Binary, ClockId, Directive, Init, NodeId, Op, RegisterId, Shape, Unary};
 use crate::loc::Loc;
 use crate::module::Module;
+use crate::operand::IntoSignal;
 use crate::select::condition;
 use crate::signal::Signal;
 use crate::summary::{self, Summary};
@@ -31,21 +32,21 @@ impl Module {
 
     /// 1 bit: `signal`, 1 bit, is high and was low at the edge before.
     #[track_caller]
-    pub fn rose(self, signal: impl Into<Signal>) -> Signal {
+    pub fn rose(self, signal: impl IntoSignal) -> Signal {
         let signal = condition(signal.into(), "rose");
         signal & !self.past_of(signal, Loc::caller())
     }
 
     /// 1 bit: `signal`, 1 bit, is low and was high at the edge before.
     #[track_caller]
-    pub fn fell(self, signal: impl Into<Signal>) -> Signal {
+    pub fn fell(self, signal: impl IntoSignal) -> Signal {
         let signal = condition(signal.into(), "fell");
         !signal & self.past_of(signal, Loc::caller())
     }
 
     /// 1 bit: `signal` is what it was at the edge before.
     #[track_caller]
-    pub fn stable(self, signal: impl Into<Signal>) -> Signal {
+    pub fn stable(self, signal: impl IntoSignal) -> Signal {
         let signal = signal.into();
         signal.eq(self.past_of(signal, Loc::caller()))
     }

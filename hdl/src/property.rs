@@ -5,6 +5,7 @@ use crate::elaboration;
 use crate::ir::{Directive, Property};
 use crate::loc::Loc;
 use crate::module::Module;
+use crate::operand::IntoSignal;
 use crate::problem::Problem;
 use crate::select::condition;
 use crate::signal::Signal;
@@ -38,21 +39,21 @@ use crate::signal::Signal;
 impl Module {
     /// States that `holds` does at every edge while the reset is low; where it does not, the circuit is wrong, and a simulation stops.
     #[track_caller]
-    pub fn assert(self, holds: impl Into<Signal>, message: &str) {
+    pub fn assert(self, holds: impl IntoSignal, message: &str) {
         self.state(Directive::Assert, condition(holds.into(), "assert"), message);
     }
 
     /// As [`Module::assert`], of what the block is given: where it does not hold, the stimulus is wrong. A formal tool looks only at inputs of
     /// which it holds.
     #[track_caller]
-    pub fn assume(self, holds: impl Into<Signal>, message: &str) {
+    pub fn assume(self, holds: impl IntoSignal, message: &str) {
         self.state(Directive::Assume, condition(holds.into(), "assume"), message);
     }
 
     /// States that `happens` is high at some edge while the reset is low. A simulation counts how often, of which a test asks by the cover's name;
     /// a formal tool looks for a way.
     #[track_caller]
-    pub fn cover(self, name: &str, happens: impl Into<Signal>) {
+    pub fn cover(self, name: &str, happens: impl IntoSignal) {
         self.state(Directive::Cover, condition(happens.into(), "cover"), name);
     }
 
