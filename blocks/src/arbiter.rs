@@ -83,6 +83,9 @@ impl Block for Arbiter {
         for (stream, sender) in i.into.iter().zip(0..) {
             stream.take_when(chosen.bit(sender) & out.ready);
         }
+        let waits = requests.any_one() & !sent;
+        m.assert(m.past(waits).implies(m.stable(chosen)), "a word stays chosen until it is taken");
+        m.cover("a word waits while others come", m.past(waits) & m.past(requests).lt(requests));
         StreamOut { out }
     }
 

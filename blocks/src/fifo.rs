@@ -91,6 +91,10 @@ impl Block for Fifo {
         };
         oldest.when(sent, after(oldest));
         used.when(into.taken & !sent, used + 1).when(sent & !into.taken, used - 1);
+        m.assert(used.le(self.depth), "no more is held than there is room for");
+        m.assert(m.past(out.valid & !sent).implies(out.valid), "what is shown stays until it is taken");
+        m.cover("it is full", m.rose(used.eq(self.depth)));
+        m.cover("it is emptied", m.rose(used.eq(0)));
         StreamOut { out }
     }
 

@@ -77,6 +77,8 @@ impl Block for RegisterSlice {
                 full.when(moves, spare_full | into.valid);
                 spare.when(into.taken, *into);
                 spare_full.when(moves, 0).when(into.taken, 1);
+                m.assert(m.past(!moves).implies(full & m.stable(held)), "what is shown stays until it is taken");
+                m.cover("both registers are full", m.rose(spare_full));
                 StreamOut { out }
             }
         }

@@ -6,7 +6,7 @@ use crate::elaboration;
 use crate::index::Index;
 use crate::ir::{Kind, Op, Shape};
 use crate::loc::Loc;
-use crate::operand::Operand;
+use crate::operand::{IntoSignal, Operand};
 use crate::problem::Problem;
 use crate::shaping::{level_all, sound_shape};
 use crate::signal::{Signal, bits_text};
@@ -226,7 +226,7 @@ of_a_row! {
     /// The last lane of a row first.
     fn reversed() -> Signal;
     /// The lane of a row whose number `index` is; zero beyond the last.
-    fn pick(index: impl Into<Signal>) -> Signal;
+    fn pick(index: impl IntoSignal) -> Signal;
 }
 
 /// What a grid has too: of all its lanes.

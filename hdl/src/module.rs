@@ -6,14 +6,15 @@ use crate::codes::{Codes, one_of};
 use crate::data::Layout;
 use crate::draft::{DraftMemory, DraftRegister, DraftWire, Synchronizer, UNDRIVEN};
 use crate::elaboration::{self, Elaboration};
-use crate::ir::{Assert, Contents, Memory, NodeId, Op, ReadUnderWrite, RegisterId};
+use crate::ir::{Contents, Memory, NodeId, Op, ReadUnderWrite, RegisterId};
 use crate::limits::{WIDEST, sound_width};
 use crate::loc::Loc;
+use crate::machine::StateReg;
 use crate::memory::Mem;
-use crate::operand::Operand;
+use crate::operand::{IntoSignal, Operand};
 use crate::problem::Problem;
 use crate::record::word;
-use crate::register::{Reg, StateReg};
+use crate::register::Reg;
 use crate::select::condition;
 use crate::shaping::sound_shape;
 use crate::signal::Signal;
@@ -57,8 +58,7 @@ impl Module {
             let node = declare(e, Op::Register(RegisterId(index as u32)), ("register", name), width, loc);
             let draft = e.draft();
             let clock = draft.use_clock(self.clock);
-            let (reset, enable, next) = (None, None, None);
-            draft.registers.push(DraftRegister { node, clock, reset, enable, next, is_synchronizer: false });
+            draft.registers.push(DraftRegister::new(node, clock));
             Reg { signal: Signal::at(e, node), index }
         })
     }
@@ -78,7 +78,7 @@ impl Module {
 
     /// As [`Module::pipe`], in a pipeline that advances only where `enable` is high.
     #[track_caller]
-    pub fn pipe_when<B: Fields<Signal>>(self, enable: impl Into<Signal>, name: &str, value: B) -> B::With<Signal> {
+    pub fn pipe_when<B: Fields<Signal>>(self, enable: impl IntoSignal, name: &str, value: B) -> B::With<Signal> {
         self.stage(Some(enable.into()), name, value)
     }
 
@@ -157,6 +157,7 @@ impl Module {
                     contents: Contents::Unknown,
                     reads: Vec::new(),
                     writes: Vec::new(),
+                    attributes: Vec::new(),
                     loc,
                 },
                 true_dual_port: false,
@@ -195,17 +196,6 @@ impl Module {
         meta.next(entered);
         stable.next(meta);
         stable.value()
-    }
-
-    /// States that `condition` holds at every edge while the reset is low.
-    #[track_caller]
-    pub fn assert(self, holds: impl Into<Signal>, message: &str) {
-        let loc = Loc::caller();
-        let condition = condition(holds.into(), "assert").id();
-        elaboration::draft(|draft| {
-            let clock = draft.use_clock(self.clock);
-            draft.asserts.push(Assert { clock, condition, message: message.to_owned(), loc });
-        });
     }
 
     /// States that an input is not used on purpose; for a bundle, that none of its fields need be.

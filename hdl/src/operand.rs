@@ -6,14 +6,29 @@ use crate::elaboration;
 use crate::ir::{Names, NodeId, Shift};
 use crate::loc::Loc;
 use crate::problem::Problem;
+use crate::radix::Radix;
 use crate::signal::{Signal, bits_text};
 use std::fmt;
 
 /// Anything that can be read as an unsigned value.
+#[diagnostic::on_unimplemented(
+    message = "a `{Self}` is neither a signal nor a number",
+    note = "a signal, a register, an integer, a `bool`, a `Bits` and a code of an enum can stand here; of a record, name a field"
+)]
 pub trait Operand {
     #[doc(hidden)]
     fn operand(self) -> Value;
 }
+
+/// What is read as a signal, and no number: a signal, a register, a wire.
+#[diagnostic::on_unimplemented(
+    message = "a `{Self}` is no signal",
+    label = "a signal is wanted here",
+    note = "a condition that always holds is `lit(1, 1)`, one that never does `lit(1, 0)`; a number of some width is `lit(width, number)`"
+)]
+pub trait IntoSignal: Into<Signal> {}
+
+impl IntoSignal for Signal {}
 
 #[doc(hidden)]
 #[derive(Debug, Clone)]
@@ -28,7 +43,7 @@ pub enum Value {
 #[derive(Debug, Clone)]
 pub enum Literal {
     /// A number that must fit where it stands.
-    Integer(i128),
+    Integer(i128, Radix),
     /// A value that must have just the width of where it stands.
     Exact(Bits),
     /// A code of an enum, which only meets signals of that one.
@@ -38,7 +53,9 @@ pub enum Literal {
 impl fmt::Display for Literal {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         match self {
-            Literal::Integer(value) => write!(f, "{value}"),
+            Literal::Integer(value, Radix::Any) => write!(f, "{value}"),
+            Literal::Integer(value, Radix::Hex) => write!(f, "{value:#x}"),
+            Literal::Integer(value, Radix::Binary) => write!(f, "{value:#b}"),
             Literal::Exact(bits) => write!(f, "{bits}"),
             Literal::Code { names, code } => write!(f, "{}::{}", names.of, names.codes[*code as usize]),
         }
@@ -93,7 +110,7 @@ macro_rules! integers {
     ($($ty:ty)*) => {$(
         impl Operand for $ty {
             fn operand(self) -> Value {
-                Value::Literal(Literal::Integer(self as i128))
+                Value::Literal(Literal::Integer(self as i128, Radix::Any))
             }
         }
     )*};
@@ -198,6 +215,8 @@ macro_rules! reads_as_signal {
                 *handle
             }
         }
+
+        impl $crate::operand::IntoSignal for $ty {}
 
         impl $crate::operand::Operand for $ty {
             fn operand(self) -> $crate::operand::Value {

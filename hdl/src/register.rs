@@ -1,23 +1,22 @@
-//! Registers, and registers that hold the state of a state machine.
+//! Registers.
 
 use crate::bits::Bits;
-use crate::codes::Codes;
 use crate::elaboration;
 use crate::ir::{Init, NodeId, Op};
 use crate::loc::Loc;
-use crate::operand::{Operand, Value, operators, reads_as_signal};
+use crate::operand::{IntoSignal, Operand, Value, operators, reads_as_signal};
 use crate::problem::Problem;
-use crate::select::{condition, select};
+use crate::select::condition;
 use crate::signal::{Signal, bits_text};
 use crate::wire::{CHOOSE, is_here, report_second_driver};
-use std::marker::PhantomData;
 use std::ops::Deref;
 
 /// A register of a signal, or of a record. It reads as its present value; [`next`](Reg::next) must be called exactly once, or a chain of [`when`](Reg::when)
 /// stands in its place.
 ///
 /// At an edge of its clock it takes the [`reset`](Reg::reset) value if its clock's reset is high and it has one; else
-/// the next value if it is enabled; else it keeps what it holds.
+/// the next value if it is enabled; else it keeps what it holds. A clear of its own, beside the reset, is the first condition of its chain:
+/// `count.when(i.clear, 0).when(i.take, count + 1)`.
 #[derive(Debug, Clone, Copy)]
 #[must_use]
 pub struct Reg<V = Signal> {
@@ -45,7 +44,7 @@ impl Reg {
     /// The value after a reset: an integer, a [`Bits`], a `bool`; of a register with lanes the same in each.
     #[track_caller]
     pub fn reset(self, value: impl Operand) -> Reg {
-        let (loc, (bits, id)) = (Loc::caller(), self.reset_value(value));
+        let (loc, (bits, id)) = (Loc::caller(), self.constant(value, "reset"));
         if is_here(self.signal, id, loc) {
             elaboration::draft(|draft| draft.registers[self.index].reset = Some((Init::Same(bits), loc)));
         }
@@ -58,7 +57,7 @@ impl Reg {
         let (loc, lanes) = (Loc::caller(), self.shape.lanes() as usize);
         let mut each = Vec::new();
         for value in values {
-            each.push(self.reset_value(value).0);
+            each.push(self.constant(value, "reset").0);
         }
         if is_here(self.signal, self.signal.node, loc) {
             if each.len() != lanes {
@@ -75,12 +74,52 @@ impl Reg {
         self
     }
 
-    /// A reset value, and the constant that it was.
+    /// The value at power-on: an integer, a [`Bits`], a `bool`; of a register with lanes the same in each. It is what an FPGA loads with its
+    /// configuration, so a register that has one needs no reset to begin with; a simulation begins with it, whatever its seed. Without one, a register
+    /// begins with its reset value, or if it has no reset with anything.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// block! {
+    ///     /// Holds its reset for some clocks after power-on.
+    ///     pub struct PowerOn { pub clocks: u64 }
+    ///     in PowerOnIn { again: bit() }
+    ///     out PowerOnOut { reset: bit() }
+    /// }
+    ///
+    /// impl PowerOn {
+    ///     fn build(&self, m: Module, i: PowerOnIn) -> PowerOnOut {
+    ///         let left = m.reg("left", up_to(self.clocks)).initial(self.clocks);
+    ///         net!(reset = left.ne(0));
+    ///         left.when(i.again, self.clocks).when(reset, left - 1);
+    ///         PowerOnOut { reset }
+    ///     }
+    /// }
+    ///
+    /// let mut sim = tilewright_sim::Simulation::of(&PowerOn { clocks: 3 })?.seeded(1);
+    /// sim.run(2);
+    /// assert_eq!(sim.get(sim.o.reset), 1);
+    /// sim.step();
+    /// assert_eq!(sim.get(sim.o.reset), 0);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     #[track_caller]
-    fn reset_value(self, value: impl Operand) -> (Bits, NodeId) {
+    pub fn initial(self, value: impl Operand) -> Reg {
+        let (loc, (bits, id)) = (Loc::caller(), self.constant(value, "initial"));
+        if is_here(self.signal, id, loc) {
+            let before = elaboration::draft(|draft| draft.registers[self.index].initial.replace((bits, loc)));
+            let before = before.map(|(_, loc)| (self.signal.node, loc));
+            report_second_driver(before, self.signal.node, "given an initial value", "give it once", loc);
+        }
+        self
+    }
+
+    /// A value known while the block is built, the register's at its `when`, and the constant that it was.
+    #[track_caller]
+    fn constant(self, value: impl Operand, when: &str) -> (Bits, NodeId) {
         let loc = Loc::caller();
         let constant = match value.operand() {
-            Value::Literal(literal) => literal.for_signal(self.signal, "reset"),
+            Value::Literal(literal) => literal.for_signal(self.signal, when),
             Value::Signal(signal) => signal,
         };
         let id = constant.id();
@@ -88,9 +127,9 @@ impl Reg {
             Op::Const(bits) if bits.width() == self.width => bits.clone(),
             _ => {
                 let name = e.draft().describe(self.signal.node);
-                let message = format!("the reset value of `{name}` is not a constant of {}", bits_text(self.width));
-                let problem =
-                    Problem::new(loc, message).help("a reset value is a number known while the block is built");
+                let message = format!("the {when} value of `{name}` is not a constant of {}", bits_text(self.width));
+                let problem = Problem::new(loc, message)
+                    .help(format!("the {when} value is a number known while the block is built"));
                 e.report_instead_of(&[id], problem);
                 Bits::zero(self.width)
             }
@@ -100,7 +139,7 @@ impl Reg {
 
     /// Takes its next value only where `condition`, 1 bit, is high.
     #[track_caller]
-    pub fn enable(self, enable: impl Into<Signal>) -> Reg {
+    pub fn enable(self, enable: impl IntoSignal) -> Reg {
         let loc = Loc::caller();
         let enable = condition(enable.into(), "enable").with_lanes_of(self.signal, "enable").id();
         if is_here(self.signal, enable, loc) {
@@ -146,7 +185,7 @@ impl Reg {
     /// # elaborate(&Count).unwrap();
     /// ```
     #[track_caller]
-    pub fn when(self, condition: impl Into<Signal>, value: impl Operand) -> Updates {
+    pub fn when(self, condition: impl IntoSignal, value: impl Operand) -> Updates {
         let loc = Loc::caller();
         let arm = self.arm(condition.into(), value);
         let chain = is_here(self.signal, arm.1, loc).then(|| {
@@ -185,7 +224,7 @@ pub struct Updates {
 impl Updates {
     /// Takes `value` where `condition`, 1 bit, is high and no condition before it is.
     #[track_caller]
-    pub fn when(self, condition: impl Into<Signal>, value: impl Operand) -> Updates {
+    pub fn when(self, condition: impl IntoSignal, value: impl Operand) -> Updates {
         let arm = self.register.arm(condition.into(), value);
         self.change(Loc::caller(), arm.1, |arms, _| arms.push(arm));
         self
@@ -204,126 +243,5 @@ impl Updates {
             Op::Select { arms, default } => change(arms, default),
             op => unreachable!("a chain is a choice, not {op:?}"),
         });
-    }
-}
-
-/// A register that holds a state. Made by [`Module::fsm`](crate::Module::fsm).
-#[derive(Debug)]
-#[must_use]
-pub struct StateReg<S> {
-    pub(crate) register: Reg,
-    pub(crate) states: PhantomData<S>,
-}
-
-impl<S> Clone for StateReg<S> {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-
-impl<S> Copy for StateReg<S> {}
-
-impl<S> Deref for StateReg<S> {
-    type Target = Signal;
-
-    fn deref(&self) -> &Signal {
-        &self.register.signal
-    }
-}
-
-/// Reads as its value.
-impl<S> Operand for StateReg<S> {
-    fn operand(self) -> Value {
-        Value::Signal(*self)
-    }
-}
-
-impl<S: Codes + Operand> StateReg<S> {
-    /// The code of the present state.
-    pub fn value(self) -> Signal {
-        self.register.signal
-    }
-
-    /// 1 bit: the machine is in `state`.
-    #[track_caller]
-    pub fn is(self, state: S) -> Signal {
-        self.register.signal.is(state)
-    }
-
-    /// The next state, for each present one: `match` it, and say [`goto`], [`when`] or [`hold`].
-    #[track_caller]
-    pub fn next(self, transition: impl Fn(S) -> Transition<S>) {
-        // Loops, as closures would be the callers that messages name.
-        let mut values = Vec::with_capacity(S::ALL.len());
-        for &state in S::ALL {
-            let Transition { arms, last } = transition(state);
-            let last = self.code(last.unwrap_or(state));
-            let mut coded = Vec::with_capacity(arms.len());
-            for (condition, to) in arms {
-                coded.push((condition, self.code(to)));
-            }
-            values.push(if coded.is_empty() { last } else { select(coded, last) });
-        }
-        self.register.next(self.choose(&values));
-    }
-
-    #[track_caller]
-    fn code(self, state: S) -> Signal {
-        state.operand().with_width_of(self.register.signal, "next")
-    }
-
-    /// The number that `of` gives for the present state, in `width` bits.
-    #[track_caller]
-    pub fn constants(self, width: u32, of: impl Fn(S) -> u64) -> Signal {
-        self.choose(&crate::select::constants(width, S::ALL.iter().map(|state| of(*state))))
-    }
-
-    /// The signal that `of` gives for the present state; all of one width.
-    #[track_caller]
-    pub fn pick(self, of: impl Fn(S) -> Signal) -> Signal {
-        let values: Vec<_> = S::ALL.iter().map(|state| of(*state)).collect();
-        self.choose(&values)
-    }
-
-    /// The one of `values`, in the order of [`Codes::ALL`], that belongs to the present state.
-    #[track_caller]
-    fn choose(self, values: &[Signal]) -> Signal {
-        let (last, arms) = values.split_last().expect("a machine has a state");
-        crate::case(*self, S::ALL.iter().map(|state| state.code()).zip(arms.iter().copied()), *last)
-    }
-}
-
-/// Where a machine goes from a state.
-#[must_use]
-pub struct Transition<S> {
-    arms: Vec<(Signal, S)>,
-    last: Option<S>,
-}
-
-/// To `state` at the next edge, whatever happens.
-pub fn goto<S>(state: S) -> Transition<S> {
-    Transition { arms: Vec::new(), last: Some(state) }
-}
-
-/// Stay.
-pub fn hold<S>() -> Transition<S> {
-    Transition { arms: Vec::new(), last: None }
-}
-
-/// To `state` if `condition`, else stay; [`or_when`](Transition::or_when) and [`or_else`](Transition::or_else) go on.
-pub fn when<S>(condition: impl Into<Signal>, state: S) -> Transition<S> {
-    Transition { arms: vec![(condition.into(), state)], last: None }
-}
-
-impl<S> Transition<S> {
-    /// Else, to `state` if `condition`.
-    pub fn or_when(mut self, condition: impl Into<Signal>, state: S) -> Transition<S> {
-        self.arms.push((condition.into(), state));
-        self
-    }
-
-    /// Else, to `state`.
-    pub fn or_else(self, state: S) -> Transition<S> {
-        Transition { last: Some(state), ..self }
     }
 }

@@ -110,7 +110,7 @@ impl Printer<'_> {
     fn scope(&mut self, group: usize) -> Vec<String> {
         let own = &self.groups.groups[group];
         let (nets, registers, memories) = (own.nets.clone(), own.registers.clone(), own.memories.clone());
-        let (instances, asserts) = (own.instances.clone(), own.asserts.clone());
+        let (instances, properties) = (own.instances.clone(), own.properties.clone());
         let (early, ahead) = (own.early.clone(), own.ahead.clone());
         let mut out = Vec::new();
         let outputs = instances.iter().flat_map(|&index| self.module.instances[index].outputs.clone());
@@ -144,7 +144,7 @@ impl Printer<'_> {
             out.push(String::new());
         }
         out.extend(blocks);
-        out.extend(self.assertions(&asserts));
+        out.extend(self.properties(&properties));
         out.push(format!("{UNREAD} {group}"));
         out
     }
@@ -161,7 +161,7 @@ impl Printer<'_> {
     /// The declaration of a net or register, without what it is.
     fn declaration(&self, id: NodeId) -> String {
         let is_variable = self.is_variable(id);
-        let mark = if self.is_synchronizer(id) { "(* ASYNC_REG = \"TRUE\" *) " } else { "" };
+        let mark = self.attributes(id);
         let kind = if is_variable { "reg" } else { "wire" };
         format!("{mark}{kind} {}{};", range(self.module.width(id)), self.name(id))
     }

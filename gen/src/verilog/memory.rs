@@ -7,6 +7,7 @@ use super::layout::{generate, range, with_place};
 use super::literal::{Style, literal};
 use super::printer::Printer;
 use super::statement::Statement;
+use super::text::{attribute, mark};
 use tilewright_hdl::Bits;
 use tilewright_hdl::ir::{ClockId, Memory, MemoryId, NodeId, Op, ReadUnderWrite};
 
@@ -29,6 +30,9 @@ impl Printer<'_> {
         let (index, memory) = (id.0 as usize, &module.memories[id.0 as usize]);
         if memory.policy == ReadUnderWrite::Any {
             out.push("(* no_rw_check *)".to_string());
+        }
+        if !memory.attributes.is_empty() {
+            out.push(mark(memory.attributes.iter().map(attribute).collect()).trim_end().to_string());
         }
         let many_clocks = memory.writes.windows(2).any(|pair| pair[0].clock != pair[1].clock);
         if many_clocks {

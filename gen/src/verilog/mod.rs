@@ -1,7 +1,6 @@
 //! The printer: a fold, a plan, names, and then the text of each part of a module.
 
 mod adopt;
-mod asserts;
 mod branches;
 mod constant;
 mod contents;
@@ -25,6 +24,7 @@ mod pick;
 mod plan;
 mod ports;
 mod printer;
+mod properties;
 mod reads;
 mod reduction;
 mod registers;
@@ -32,6 +32,7 @@ mod scope;
 mod state;
 mod statement;
 mod states;
+mod text;
 mod usage;
 
 use crate::VerilogFile;

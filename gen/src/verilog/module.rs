@@ -1,11 +1,12 @@
 //! A whole module, in this order: header, ports, state names, registers and memories, nets, instances, always blocks,
-//! outputs, assertions, and what nothing reads.
+//! outputs, properties, and what nothing reads.
 
 use super::group::UNREAD;
 use super::layout::{range, with_place, wrapped};
 use super::plan::Form;
 use super::printer::Printer;
-use tilewright_hdl::ir::{Module, NodeId, Op};
+use super::text::{attribute, mark};
+use tilewright_hdl::ir::{Module, NodeId, Op, Register};
 
 /// The text of a folded module.
 pub fn print(printer: &mut Printer) -> String {
@@ -32,8 +33,8 @@ pub fn print(printer: &mut Printer) -> String {
     body.section(memory_ports);
     body.section(registers);
     body.section(outputs);
-    let asserts = printer.plain_asserts();
-    body.section(printer.assertions(&asserts));
+    let properties = printer.plain_properties();
+    body.section(printer.properties(&properties));
     body.section(printer.unused());
     let body = printer.fill_in_unread(body.lines);
     let module = printer.module;
@@ -99,10 +100,13 @@ impl Printer<'_> {
         }
     }
 
-    /// Whether a node is a register that synthesizers are to keep as it is, close to the other one of its synchronizer.
-    pub fn is_synchronizer(&self, id: NodeId) -> bool {
-        let Op::Register(register) = self.module.node(id).op else { return false };
-        self.module.registers[register.0 as usize].is_synchronizer
+    /// What synthesizers are told of a register, in front of its declaration: to keep one of a synchronizer as it is, close to the other one; and what the
+    /// description says.
+    pub fn attributes(&self, id: NodeId) -> String {
+        let Op::Register(register) = self.module.node(id).op else { return String::new() };
+        let Register { is_synchronizer, attributes, .. } = &self.module.registers[register.0 as usize];
+        let synchronizes = is_synchronizer.then(|| "ASYNC_REG = \"TRUE\"".to_string());
+        mark(synchronizes.into_iter().chain(attributes.iter().map(attribute)).collect())
     }
 
     fn register_declarations(&self) -> Vec<String> {
@@ -110,7 +114,7 @@ impl Printer<'_> {
         let inner = module.registers.iter().map(|register| register.node);
         let inner = inner.filter(|&id| !self.is_port(id) && module.shape(id).is_plain());
         let declare = |id: NodeId| {
-            let mark = if self.is_synchronizer(id) { "(* ASYNC_REG = \"TRUE\" *) " } else { "" };
+            let mark = self.attributes(id);
             let declaration = format!("{mark}reg {}{};", range(module.width(id)), self.name(id));
             with_place(declaration, module.node(id).loc)
         };
@@ -165,10 +169,10 @@ impl Printer<'_> {
         self.usage.unread(id, width).into_iter().map(text).collect()
     }
 
-    /// The assertions without lanes.
-    fn plain_asserts(&self) -> Vec<usize> {
-        let asserts = self.module.asserts.iter().enumerate();
-        let plain = asserts.filter(|(_, assert)| self.module.shape(assert.condition).is_plain());
+    /// The properties without lanes.
+    fn plain_properties(&self) -> Vec<usize> {
+        let properties = self.module.properties.iter().enumerate();
+        let plain = properties.filter(|(_, property)| self.module.shape(property.condition).is_plain());
         plain.map(|(index, _)| index).collect()
     }
 

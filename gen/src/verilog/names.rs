@@ -6,7 +6,7 @@ use super::plan::{Form, Plan};
 use super::reads::ReadNames;
 use super::scope::Names;
 use std::collections::{BTreeMap, BTreeSet};
-use tilewright_hdl::ir::{Binary, Design, Module, NodeId, Op, Reduction, Relation, Unary};
+use tilewright_hdl::ir::{Binary, Design, Directive, Module, NodeId, Op, Reduction, Relation, Unary};
 
 /// The name of every node that is referred to by one.
 pub fn name_nodes(
@@ -53,8 +53,13 @@ pub fn name_nodes(
     for output in &module.outputs {
         namer.name_below(output.node, &output.name, &format!("{}_value", output.name));
     }
-    for assert in &module.asserts {
-        namer.name_below(assert.condition, "asserted", "asserted");
+    for property in &module.properties {
+        let name = match property.directive {
+            Directive::Assert => "asserted",
+            Directive::Assume => "assumed",
+            Directive::Cover => "covered",
+        };
+        namer.name_below(property.condition, name, name);
     }
     namer.names
 }

@@ -8,7 +8,7 @@
 //!
 //! Every value has a [`Shape`]: plain, a row or a grid of lanes. Most operations are elementwise, so that one node stands
 //! for as many gates as it has lanes; the lane operations of [`Op`] lead from one shape to another. Registers, memories,
-//! instances and assertions have lanes as their nodes have. Nothing is broadcast but by [`Op::Broadcast`].
+//! instances and properties have lanes as their nodes have. Nothing is broadcast but by [`Op::Broadcast`].
 
 mod affine;
 mod kind;
@@ -82,8 +82,8 @@ pub struct Module {
     pub memories: Vec<Memory>,
     /// The instances and instance arrays.
     pub instances: Vec<Instance>,
-    /// What must hold at every edge.
-    pub asserts: Vec<Assert>,
+    /// What is stated of it.
+    pub properties: Vec<Property>,
 }
 
 /// A block's description in words, carried into the Verilog header and the documentation.
@@ -189,6 +189,8 @@ pub struct Register {
     pub clock: ClockId,
     /// The value after a reset; `None` for a register that a reset does not touch.
     pub reset: Option<Init>,
+    /// The value at power-on, the same in each lane; `None` if nothing may be relied on.
+    pub initial: Option<Bits>,
     /// 1 bit, of the register's shape: whether it takes `next`; `None` means always.
     pub enable: Option<NodeId>,
     /// The value it takes.
@@ -196,6 +198,8 @@ pub struct Register {
     /// Whether it is one of the two registers of a synchronizer, which a synthesizer is to keep as they are and close
     /// together: `ASYNC_REG` in Verilog.
     pub is_synchronizer: bool,
+    /// For synthesizers.
+    pub attributes: Vec<Attribute>,
 }
 
 /// What a read gives when its word is written at the same edge.
@@ -244,6 +248,8 @@ pub struct Memory {
     pub reads: Vec<ReadPort>,
     /// Write ports.
     pub writes: Vec<WritePort>,
+    /// For synthesizers.
+    pub attributes: Vec<Attribute>,
     /// Where it is declared.
     pub loc: Loc,
 }
@@ -294,17 +300,39 @@ pub struct Instance {
     pub loc: Loc,
 }
 
-/// A condition that must hold, in every lane, at every edge of its clock while that clock's reset is low.
+/// A statement about a condition, in every lane, at every edge of its clock while that clock's reset is low.
 #[derive(Debug, Clone)]
-pub struct Assert {
+pub struct Property {
+    /// What is stated.
+    pub directive: Directive,
     /// Its clock.
     pub clock: ClockId,
     /// 1 bit, of any shape.
     pub condition: NodeId,
-    /// What is wrong if it does not hold.
+    /// What is wrong if it does not hold; of a cover, what it is that happens.
     pub message: String,
     /// Where it is stated.
     pub loc: Loc,
+}
+
+/// What a [`Property`] states of its condition.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Directive {
+    /// It always holds; if not, the circuit is wrong.
+    Assert,
+    /// It always holds; if not, what the inputs are given is wrong.
+    Assume,
+    /// It holds at some time.
+    Cover,
+}
+
+/// An attribute for synthesizers, as Verilog's `(* ram_style = "block" *)`.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Attribute {
+    /// The name, a plain identifier.
+    pub name: String,
+    /// The value, a text.
+    pub value: String,
 }
 
 impl Node {

@@ -8,11 +8,11 @@ use crate::elaboration;
 use crate::ir::Op;
 use crate::loc::Loc;
 use crate::memory::Mem;
-use crate::operand::{Literal, Operand, Value};
+use crate::operand::{IntoSignal, Literal, Operand, Value};
 use crate::problem::Problem;
 use crate::record::split;
 use crate::select::concat;
-use crate::signal::{Signal, bits_text};
+use crate::signal::bits_text;
 use crate::width::Width;
 
 /// A memory of records is one memory, in whose words the fields stand side by side, the first most significant, as in
@@ -96,7 +96,7 @@ impl<B: Bundle> Mem<B> {
 
     /// As a read, where `enable` is high; elsewhere the data stays.
     #[track_caller]
-    pub fn read_when(&self, enable: impl Into<Signal>, address: impl Operand) -> B {
+    pub fn read_when(&self, enable: impl IntoSignal, address: impl Operand) -> B {
         split(&self.layout, self.word().read_when(enable, address))
     }
 
@@ -108,7 +108,7 @@ impl<B: Bundle> Mem<B> {
 
     /// Writes `record` at `address` at each edge where `enable` is high.
     #[track_caller]
-    pub fn write(&self, enable: impl Into<Signal>, address: impl Operand, record: impl Fits<B>) {
+    pub fn write(&self, enable: impl IntoSignal, address: impl Operand, record: impl Fits<B>) {
         let fields = self.fields();
         let mut parts = Vec::new();
         for (value, (path, width)) in record.given().for_fields(&fields, "write").into_iter().zip(&fields) {

@@ -2,10 +2,9 @@
 
 use crate::bundle::Bundle;
 use crate::data::{Fits, value_of_field};
-use crate::operand::Value;
+use crate::operand::{IntoSignal, Value};
 use crate::register::{Reg, Updates};
 use crate::select::condition;
-use crate::signal::Signal;
 
 /// A register of a record is one register for each field, named `entry_page` for the field `page` of `entry`. All of them are
 /// enabled and updated together.
@@ -53,9 +52,18 @@ impl<B: Bundle> Reg<B> {
         self
     }
 
+    /// The values at power-on: a record of numbers, or 0 for all.
+    #[track_caller]
+    pub fn initial(self, values: impl Fits<B>) -> Reg<B> {
+        for (register, value) in self.fields().into_iter().zip(self.values(values, "initial")) {
+            let _ = register.initial(value);
+        }
+        self
+    }
+
     /// Takes its next values only where `condition`, 1 bit, is high.
     #[track_caller]
-    pub fn enable(self, enable: impl Into<Signal>) -> Reg<B> {
+    pub fn enable(self, enable: impl IntoSignal) -> Reg<B> {
         let enable = condition(enable.into(), "enable");
         for register in self.fields() {
             let _ = register.enable(enable);
@@ -74,7 +82,7 @@ impl<B: Bundle> Reg<B> {
     /// Takes `record` where `condition`, 1 bit, is high; else what a further [`when`](RecordUpdates::when) of the same chain
     /// says; else it keeps what it holds. The first condition that holds wins.
     #[track_caller]
-    pub fn when(&self, condition: impl Into<Signal>, record: impl Fits<B>) -> RecordUpdates<B> {
+    pub fn when(&self, condition: impl IntoSignal, record: impl Fits<B>) -> RecordUpdates<B> {
         let condition = crate::select::condition(condition.into(), "when");
         let mut fields = Vec::new();
         for (register, value) in self.fields().into_iter().zip(self.values(record, "when")) {
@@ -84,7 +92,7 @@ impl<B: Bundle> Reg<B> {
     }
 
     /// The registers of the fields, which were declared one after another.
-    fn fields(&self) -> Vec<Reg> {
+    pub(crate) fn fields(&self) -> Vec<Reg> {
         let leaves = self.signal.leaves().into_iter().enumerate();
         leaves.map(|(i, (_, signal))| Reg { signal, index: self.index + i }).collect()
     }
@@ -111,7 +119,7 @@ pub struct RecordUpdates<B> {
 impl<B: Bundle> RecordUpdates<B> {
     /// Takes `record` where `condition`, 1 bit, is high and no condition before it is.
     #[track_caller]
-    pub fn when(self, condition: impl Into<Signal>, record: impl Fits<B>) -> RecordUpdates<B> {
+    pub fn when(self, condition: impl IntoSignal, record: impl Fits<B>) -> RecordUpdates<B> {
         let condition = crate::select::condition(condition.into(), "when");
         for (updates, value) in self.fields.iter().zip(self.register.values(record, "when")) {
             updates.when(condition, value);

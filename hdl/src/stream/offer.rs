@@ -4,7 +4,7 @@ use crate::data::Data;
 use crate::elaboration;
 use crate::loc::Loc;
 use crate::module::Module;
-use crate::operand::{Operand, Value};
+use crate::operand::{IntoSignal, Operand, Value};
 use crate::record;
 use crate::select::condition;
 use crate::signal::Signal;
@@ -70,7 +70,7 @@ impl Module {
     ///
     /// See [`Stream`] for a block that does it. The stream's `ready` belongs to this handle's clock.
     #[track_caller]
-    pub fn offer<P: Data>(self, valid: impl Into<Signal>, payload: P) -> (Stream<P>, Signal) {
+    pub fn offer<P: Data>(self, valid: impl IntoSignal, payload: P) -> (Stream<P>, Signal) {
         let loc = Loc::caller();
         let valid = condition(valid.into(), "offer");
         let ready = elaboration::with(|e| untaken(e, Origin::Offered, valid.shape, self.clock, loc));

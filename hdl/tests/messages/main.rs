@@ -13,6 +13,7 @@ mod lists;
 mod loops;
 mod names;
 mod outputs;
+mod properties;
 mod records;
 mod reports;
 mod shapes;

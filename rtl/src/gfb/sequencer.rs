@@ -83,18 +83,18 @@ impl GfbSequencer {
         let longest = drain.max(self.overhead).max(SCAN_LATENCY);
         let clocks_left = m.reg("clocks_left", below(longest)).reset(0);
         net!(part_ends = clocks_left.eq(0));
-        net!(begins = i.start & round.is(Round::Idle));
-        net!(line_ends = round.is(Round::Line) & x.eq(width - 1));
         net!(overhead_ends = round.is(Round::Overhead) & part_ends);
-        net!(scan_ends = overhead_ends & y.eq(height - 1));
-        net!(ends = round.is(Round::Drain) & part_ends);
-        round.next(|part| match part {
-            Round::Idle => when(begins, Round::Prime),
+        let moves = round.next(|part| match part {
+            Round::Idle => when(i.start, Round::Prime),
             Round::Prime => when(part_ends, Round::Line),
-            Round::Line => when(line_ends, Round::Overhead),
-            Round::Overhead => when(scan_ends, Round::Drain).or_when(part_ends, Round::Line),
-            Round::Drain => when(ends, Round::Idle),
+            Round::Line => when(x.eq(width - 1), Round::Overhead),
+            Round::Overhead => when(overhead_ends & y.eq(height - 1), Round::Drain).or_when(part_ends, Round::Line),
+            Round::Drain => when(part_ends, Round::Idle),
         });
+        net!(begins = moves.leaves(Round::Idle));
+        net!(line_ends = moves.leaves(Round::Line));
+        net!(scan_ends = moves.enters(Round::Drain));
+        net!(ends = moves.leaves(Round::Drain));
         x.when(line_ends, 0).when(round.is(Round::Line), x + 1);
         y.when(scan_ends, 0).when(overhead_ends, y + 1);
         let lengths = [(begins, SCAN_LATENCY - 1), (line_ends, self.overhead - 1), (scan_ends, drain - 1)];

@@ -128,7 +128,7 @@ impl GfbUnit {
     fn build(&self, m: Module, i: GfbUnitIn) -> GfbUnitOut {
         let Host { start, swap, read_address, background } = i.host;
         let round = m.instance("u_sequencer", &self.sequencer(), GfbSequencerIn { start });
-        m.assert((swap | start).implies(!round.busy), "the banks are swapped and a round is started between rounds");
+        m.assume((swap | start).implies(!round.busy), "the banks are swapped and a round is started between rounds");
 
         // The lowest bit of an address tells the banks apart. No read meets a write: what is on display is not filled, and a
         // pixel is fed long before it is stored.

@@ -43,6 +43,8 @@ impl PageIdGenerator {
         net!(exhausted = used.eq(self.pages));
         m.assert(i.take.implies(!exhausted), "a page is taken only while one is free");
         used.when(i.restart, 0).when(i.take, used + 1);
+        m.assert(m.past(i.restart).implies(used.eq(0)), "a restart frees all pages");
+        m.cover("all pages are taken", m.rose(exhausted));
         PageIdGeneratorOut { page: used.trunc(below(self.pages)), used: used.value(), exhausted }
     }
 }
@@ -74,6 +76,7 @@ mod tests {
             exhausted |___________________/~~~~~~~\____________
             ",
         );
+        assert_eq!(sim.covered("all pages are taken").unwrap(), 1);
     }
 
     #[test]

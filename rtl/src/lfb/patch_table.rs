@@ -142,7 +142,7 @@ impl PatchTable {
             &PageIdGenerator { pages: self.pages },
             PageIdGeneratorIn { restart: i.restart, take: allocate },
         );
-        stage.next(|state| match state {
+        let moves = stage.next(|state| match state {
             Stage1::Idle => when(accept, Stage1::Read),
             Stage1::Read => when(read, Stage1::Examine),
             Stage1::Examine => {
@@ -152,6 +152,8 @@ impl PatchTable {
             Stage1::Found => when(accept, Stage1::Read).or_else(Stage1::Idle),
             Stage1::Overflow => when(i.resume, Stage1::Read),
         });
+
+        m.cover("a look-up finds no free page", moves.enters(Stage1::Overflow));
 
         let page = m.reg("page", below(self.pages));
         page.when(stage.is(Stage1::Examine), mux(entry.resident, entry.page, free.page));

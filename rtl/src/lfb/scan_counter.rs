@@ -77,13 +77,14 @@ impl ScanCounter {
         x.when(restart, i.preset.x).when(line_end, 0).when(enable, x + 1);
         y.when(restart, i.preset.y).when(frame_end, 0).when(line_end, y + 1);
         net!(at_start = i.preset.x.eq(0) & i.preset.y.eq(0));
-        pass.next(|state| {
+        let moves = pass.next(|state| {
             let passed = match state {
                 Pass::Before => Pass::Frame,
                 Pass::Frame | Pass::After => Pass::After,
             };
             when(restart & at_start, Pass::Frame).or_when(restart, Pass::Before).or_when(frame_end, passed)
         });
+        m.cover("a whole frame is sent", moves.goes(Pass::Frame, Pass::After));
         ScanCounterOut { pixel: Position { x: x.value(), y: y.value() }, armed: pass.is(Pass::Frame) }
     }
 }

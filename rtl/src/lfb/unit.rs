@@ -178,8 +178,8 @@ impl LfbUnit {
             },
         );
         let idle = table.idle & image.idle;
-        pe.assert(i.swap.implies(table.overflow | idle), "the buffers are swapped when idle or in overflow");
-        pe.assert(i.swap.implies(settled), "the buffers are not swapped again before the merger has followed");
+        pe.assume(i.swap.implies(table.overflow | idle), "the buffers are swapped when idle or in overflow");
+        pe.assume(i.swap.implies(settled), "the buffers are not swapped again before the merger has followed");
         let PatchTableOut { ready, clear_ready, overflow, pages_used, .. } = table;
         LfbUnitOut { ready, clear_ready, overflow, pages_used, idle, word: image.sent }
     }

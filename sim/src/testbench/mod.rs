@@ -3,6 +3,7 @@
 mod attach;
 mod batch;
 mod condition;
+mod covers;
 mod error;
 mod instants;
 mod lookup;
@@ -13,7 +14,6 @@ mod port_lanes;
 mod port_order;
 mod run;
 mod running;
-
 mod simulation;
 mod timeline;
 mod trace;
@@ -21,6 +21,7 @@ mod trace;
 pub use attach::Probe;
 pub use batch::Batch;
 pub use condition::Condition;
+pub use covers::Covered;
 pub use error::{Error, UnknownName, Violation};
 pub use port::{IntoValue, Port};
 pub use simulation::Simulation;

@@ -121,6 +121,7 @@ fn an_overflow_holds_the_look_up_until_it_is_resumed() {
     pulse(sim.i.resume, &mut sim);
     assert_eq!(clocks(&mut sim, 5), ["Read", "Read", "Examine", "Allocate", "Found"]);
     assert_eq!((sim.get_u64(sim.o.page), sim.get_u64(sim.o.pages_used)), (0, 1));
+    assert_eq!(sim.covered("a look-up finds no free page").unwrap(), 2);
 }
 
 #[test]

@@ -6,6 +6,7 @@ mod clocks;
 mod kinds;
 mod lane_values;
 mod lists;
+mod properties;
 mod shorthand;
 mod testbench;
 mod until;

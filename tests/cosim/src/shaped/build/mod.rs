@@ -205,7 +205,7 @@ impl<'a> Builder<'a> {
 
     fn asserts(&mut self, clock: ClockId, condition: NodeId, message: &str) {
         self.build.assert(condition, message);
-        self.build.module.asserts.last_mut().expect("there is one").clock = clock;
+        self.build.module.properties.last_mut().expect("there is one").clock = clock;
     }
 
     /// A condition that always holds, in each lane of a value.
