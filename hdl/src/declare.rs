@@ -61,8 +61,9 @@ use crate::width::Width;
 /// | `take: bit()` | a signal, or lanes of one: `bits(8).of(row(4))` |
 /// | `scan: ScanControl { restart: bit(), enable: bit() }.on(MERGE)` | a record |
 /// | `preset: Position = self.position()` | a record whose widths some expression gives |
-/// | `samples: [bits(48); self.units]`, `nearest: [Position = self.position(); 4]` | a list, as a `Vec` |
-/// | `sum: _`, `nearest: Pixel = _`, `all: [Pixel] = _` | an output as wide as what drives it |
+/// | `samples: [bits(48); self.units]`, `nearest: [Position = self.position(); 4]`, `jobs: [stream(bits(8)); 3]` | a list, as a `Vec` |
+/// | `jobs: stream(bits(8))`, `jobs: stream(Job { page: bits(4), last: bit() })`, `jobs: stream(Job = self.job())` | a [`Stream`](crate::Stream) of signals or of records |
+/// | `sum: _`, `nearest: Pixel = _`, `all: [Pixel] = _`, `sent: stream(Job = _)`, `all: [stream(_)]` | an output as wide as what drives it |
 ///
 /// Without a `build` it does not compile:
 ///
@@ -117,6 +118,21 @@ macro_rules! block {
         $crate::block! { @ports $of [$($done)* {[$([$($said)*])*] $port [T] []}] [$($($more)*)?] $($state)* }
     };
     (@ports $of:tt [$($done:tt)*] [
+        $(#[$($said:tt)*])* $port:ident: stream($($payload:tt)*) $(.on($clock:expr))? $(, $($more:tt)*)?
+    ] $($state:tt)*) => {
+        $crate::block! {
+            @stream [$($payload)*] [$($clock)?] [] [$([$($said)*])*] $port @ports $of [$($done)*] [$($($more)*)?] $($state)*
+        }
+    };
+    (@ports $of:tt [$($done:tt)*] [
+        $(#[$($said:tt)*])* $port:ident: [stream($($payload:tt)*) $(.on($clock:expr))? $(; $count:expr)?] $(, $($more:tt)*)?
+    ] $($state:tt)*) => {
+        $crate::block! {
+            @stream [$($payload)*] [$($clock)?] [list $($count)?] [$([$($said)*])*] $port
+            @ports $of [$($done)*] [$($($more)*)?] $($state)*
+        }
+    };
+    (@ports $of:tt [$($done:tt)*] [
         $(#[$($said:tt)*])* $port:ident: $record:ident = _ $(, $($more:tt)*)?
     ] $($state:tt)*) => {
         $crate::block! { @ports $of [$($done)* {[$([$($said)*])*] $port [$record<T>] []}] [$($($more)*)?] $($state)* }
@@ -165,6 +181,29 @@ macro_rules! block {
     };
     (@ports [out $($of:tt)+] $ports:tt [] $block:tt $latency:tt $source:tt $in:tt [] $($rest:tt)*) => {
         $crate::block! { @clauses $block $latency $source $in [[$($of)+] $ports] $($rest)* }
+    };
+
+    // A stream: its type by that of the payload, and its widths if there are any.
+    (@stream [_] [] $($port:tt)*) => { $crate::block! { @put [T] [] $($port)* } };
+    (@stream [$record:ident = _] [] $($port:tt)*) => { $crate::block! { @put [$record<T>] [] $($port)* } };
+    (@stream [$record:ident = $widths:expr] [$($clock:expr)?] $($port:tt)*) => {
+        $crate::block! { @put [$record<T>] [$crate::stream($widths) $(.on($clock))?] $($port)* }
+    };
+    (@stream [$record:ident { $($fields:tt)* }] [$($clock:expr)?] $($port:tt)*) => {
+        $crate::block! { @put [$record<T>] [$crate::stream($record { $($fields)* }) $(.on($clock))?] $($port)* }
+    };
+    (@stream [$width:expr] [$($clock:expr)?] $($port:tt)*) => {
+        $crate::block! { @put [T] [$crate::stream($width) $(.on($clock))?] $($port)* }
+    };
+    (@put [$($payload:tt)*] [$($widths:expr)?] [] $said:tt $port:ident @ports $of:tt [$($done:tt)*] $($state:tt)*) => {
+        $crate::block! { @ports $of [$($done)* {$said $port [$crate::Stream<$($payload)*, T>] [$($widths)?]}] $($state)* }
+    };
+    (@put [$($payload:tt)*] [$($widths:expr)?] [list $($count:expr)?] $said:tt $port:ident @ports $of:tt [$($done:tt)*] $($state:tt)*) => {
+        $crate::block! {
+            @ports $of
+            [$($done)* {$said $port [Vec<$crate::Stream<$($payload)*, T>>] [$($crate::list($widths, $count))?]}]
+            $($state)*
+        }
     };
 
     // All is known.
