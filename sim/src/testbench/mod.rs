@@ -11,6 +11,7 @@ mod play;
 mod port;
 mod port_lanes;
 mod port_order;
+mod processes;
 mod run;
 mod running;
 
@@ -23,5 +24,6 @@ pub use batch::Batch;
 pub use condition::Condition;
 pub use error::{Error, UnknownName, Violation};
 pub use port::{IntoValue, Port};
+pub use processes::{Monitor, Pauses, Process, Processes, Testbench, monitor};
 pub use simulation::Simulation;
 pub use trace::{Recorder, Vcd, Wave};

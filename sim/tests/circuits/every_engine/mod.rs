@@ -6,6 +6,7 @@ mod clocks;
 mod kinds;
 mod lane_values;
 mod lists;
+mod processes;
 mod shorthand;
 mod testbench;
 mod until;
