@@ -169,9 +169,11 @@ impl Testbench<'_> {
             ports.len()
         );
         self.set_at(stream.valid, 1, loc);
-        ports.into_iter().zip(values).for_each(|(port, value)| self.set_at(port, value, loc));
+        ports.iter().zip(values).for_each(|(port, value)| self.set_at(*port, value, loc));
         self.until_at(stream.ready.into(), loc).await;
+        // A word that is not valid is none: a block that reads it nevertheless fails its test.
         self.set_at(stream.valid, 0, loc);
+        ports.iter().for_each(|port| self.set_at(*port, 0, loc));
     }
 
     async fn receive_at<P: Fields<Port>>(&self, stream: &Stream<P, Port>, loc: Loc) -> P::With<u64> {
