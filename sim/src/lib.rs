@@ -163,6 +163,6 @@ mod testbench;
 pub use engine::program;
 pub use engine::{Difference, EngineKind, Explained, Pass, Passes, Unsupported, explain};
 pub use testbench::{
-    Batch, Condition, Error, IntoValue, Monitor, Pauses, Port, Probe, Process, Processes, Recorder, Simulation, Testbench,
-    UnknownName, Vcd, Violation, Wave, monitor,
+    Batch, Condition, Error, IntoValue, Monitor, Pauses, Port, Probe, Process, Processes, Recorder, Simulation,
+    Testbench, UnknownName, Vcd, Violation, Wave, monitor,
 };

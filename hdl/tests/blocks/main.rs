@@ -100,13 +100,7 @@ block! {
 
 impl Streams {
     fn build(&self, _: Module, i: StreamsIn) -> StreamsOut {
-        StreamsOut {
-            sent: i.words,
-            sent_fast: i.fast,
-            sent_places: i.places,
-            sent_others: i.others,
-            sent_many: i.many,
-        }
+        StreamsOut { sent: i.words, sent_fast: i.fast, sent_places: i.places, sent_others: i.others, sent_many: i.many }
     }
 }
 
@@ -191,7 +185,11 @@ fn every_form_of_a_port() {
 fn every_form_of_a_stream() {
     let design = elaborate(&Streams { count: 2 }).unwrap();
     let top = design.top();
-    let ports = top.inputs.iter().map(|port| (&port.name, port.node)).chain(top.outputs.iter().map(|port| (&port.name, port.node)));
+    let ports = top
+        .inputs
+        .iter()
+        .map(|port| (&port.name, port.node))
+        .chain(top.outputs.iter().map(|port| (&port.name, port.node)));
     let names: Vec<_> = ports.map(|(name, node)| format!("{name} {}", top.width(node))).collect();
     assert_eq!(
         names.join(", "),

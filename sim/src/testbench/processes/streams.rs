@@ -120,7 +120,11 @@ impl Testbench<'_> {
             for _ in 0..edges {
                 self.wait_at(1, loc).await;
                 if let Some(word) = self.shown(&stream) {
-                    panic!("`{}` shows one more word, {word:?}, at {} ps\n  --> {loc}", self.name(&stream), self.time());
+                    panic!(
+                        "`{}` shows one more word, {word:?}, at {} ps\n  --> {loc}",
+                        self.name(&stream),
+                        self.time()
+                    );
                 }
             }
         }

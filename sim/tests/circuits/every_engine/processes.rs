@@ -63,7 +63,11 @@ fn items(numbers: std::ops::Range<u64>) -> Vec<Item<u64>> {
 /// What a panic says.
 fn message(run: impl FnOnce()) -> String {
     let payload = catch_unwind(AssertUnwindSafe(run)).expect_err("it panics");
-    payload.downcast_ref::<String>().cloned().or_else(|| payload.downcast_ref::<&str>().map(|text| text.to_string())).unwrap()
+    payload
+        .downcast_ref::<String>()
+        .cloned()
+        .or_else(|| payload.downcast_ref::<&str>().map(|text| text.to_string()))
+        .unwrap()
 }
 
 /// The number of the line of this file that ends so.
@@ -291,7 +295,8 @@ fn a_wrong_word_is_told_at_its_line() {
         let receive = t.expect_all(out, expected, Pauses::NONE); // expects
         t.run((t.send_all(into, items(0..5), Pauses::NONE), receive));
     });
-    let expected = "word 3 of `sums`, at 60000 ps, is Item { number: 3, word: 30 }, and not Item { number: 3, word: 31 }";
+    let expected =
+        "word 3 of `sums`, at 60000 ps, is Item { number: 3, word: 30 }, and not Item { number: 3, word: 31 }";
     assert_eq!(without_columns(&text), format!("{expected}\n  --> {}", line("// expects")));
 }
 
