@@ -132,7 +132,7 @@ pub use signal::Signal;
 pub use stages::Start;
 #[doc(hidden)]
 pub use stages::cleared;
-pub use stream::{Stream, Taken, stream};
+pub use stream::{Stream, StreamWire, Taken, stream};
 pub use tree::tree;
 #[doc(hidden)]
 pub use uneven::{Uneven, uneven};
