@@ -76,8 +76,10 @@ use crate::width::Width;
 /// }
 /// ```
 ///
-/// A block may have type parameters with bounds, as `struct Queue<C: Codes> { .. }`. One whose ports are a bundle of others, or whose
-/// module has a name of its own, implements [`Block`](crate::Block) itself.
+/// Ports that several blocks share are a [`bundle!`](crate::bundle!), and are declared by its widths: `in(self) = StreamIn { into: stream(bits(self.width)) };`.
+///
+/// A block may have type parameters with bounds, as `struct Queue<C: Codes> { .. }`. One whose module has a name of its own implements
+/// [`Block`](crate::Block) itself.
 #[macro_export]
 macro_rules! block {
     ($(#[$($attribute:tt)*])* $vis:vis struct $name:ident; $($clauses:tt)*) => {
@@ -111,6 +113,12 @@ macro_rules! block {
     };
     (@clauses $block:tt $latency:tt $source:tt $in:tt [] out $(($this:ident))? $name:ident { $($ports:tt)* } $($rest:tt)*) => {
         $crate::block! { @ports [out $name $($this)?] [] [$($ports)*] $block $latency $source $in [] $($rest)* }
+    };
+    (@clauses $block:tt $latency:tt $source:tt [] $out:tt in $(($this:ident))? = $bundle:ident { $($ports:tt)* }; $($rest:tt)*) => {
+        $crate::block! { @clauses $block $latency $source [= $bundle [$($this)?] [$bundle { $($ports)* }]] $out $($rest)* }
+    };
+    (@clauses $block:tt $latency:tt $source:tt $in:tt [] out $(($this:ident))? = $bundle:ident { $($ports:tt)* }; $($rest:tt)*) => {
+        $crate::block! { @clauses $block $latency $source $in [= $bundle [$($this)?] [$bundle { $($ports)* }]] $($rest)* }
     };
 
     // The ports of a bundle, one after another: what is said about each, its name, its type, and its width if there is one.
@@ -229,6 +237,7 @@ macro_rules! block {
     };
 
     (@bundle $vis:tt $what:literal $name:ident []) => {};
+    (@bundle $vis:tt $what:literal $name:ident [= $($bundle:tt)*]) => {};
     (@bundle [$vis:vis] $what:literal $name:ident [
         [$bundle:ident $($this:ident)?] [$({[$([$($said:tt)*])*] $port:ident [$($ty:tt)*] $width:tt})*]
     ]) => {
@@ -243,6 +252,14 @@ macro_rules! block {
 
         fn inputs(&self) {}
     };
+    (@inputs [= $bundle:ident [] $widths:tt]) => { $crate::block! { @inputs [= $bundle [self] $widths] } };
+    (@inputs [= $bundle:ident [$this:ident] [$widths:expr]]) => {
+        type In = $bundle;
+
+        fn inputs(&$this) -> $bundle<$crate::Width> {
+            $widths
+        }
+    };
     (@inputs [[$bundle:ident] $ports:tt]) => { $crate::block! { @inputs [[$bundle self] $ports] } };
     (@inputs [[$bundle:ident $this:ident] [$({$said:tt $port:ident $ty:tt [$width:expr]})*]]) => {
         type In = $bundle;
@@ -254,6 +271,14 @@ macro_rules! block {
 
     (@outputs []) => {
         type Out = ();
+    };
+    (@outputs [= $bundle:ident [] $widths:tt]) => { $crate::block! { @outputs [= $bundle [self] $widths] } };
+    (@outputs [= $bundle:ident [$this:ident] [$widths:expr]]) => {
+        type Out = $bundle;
+
+        fn outputs(&$this) -> Vec<(String, $crate::Width)> {
+            $crate::declared("", &$widths)
+        }
     };
     (@outputs [[$bundle:ident] $ports:tt]) => { $crate::block! { @outputs [[$bundle self] $ports] } };
     (@outputs [[$bundle:ident $this:ident] [$({$said:tt $port:ident $ty:tt [$($width:expr)?]})*]]) => {
@@ -313,7 +338,8 @@ pub fn list<W: Clone>(widths: W, count: impl crate::width::Count) -> Vec<W> {
 /// The widths of an output that is declared with them, each with its path.
 #[doc(hidden)]
 pub fn declared(port: &str, widths: &impl Fields<Width>) -> Vec<(String, Width)> {
-    let port = join("", port);
+    // A port may be a raw identifier; all ports of a bundle have none before them.
+    let port = if port.is_empty() { String::new() } else { join("", port) };
     let path = |path: String| if path.is_empty() { port.clone() } else { join(&port, &path) };
     // What comes back, as the `ready` of a stream, is no output.
     let outputs = widths.leaves().into_iter().zip(backwards(widths)).filter(|(_, back)| !back);

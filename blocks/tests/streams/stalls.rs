@@ -3,7 +3,7 @@
 use crate::property::{BACKWARD, BOTH, Cuts, End, FORWARD, NONE, Stalls, through};
 use proptest::prelude::*;
 use tilewright_blocks::*;
-use tilewright_hdl::{Block, Bundle, Module, Stream, Width, bundle, cat, stream};
+use tilewright_hdl::{Block, Bundle, Module, Stream, Width, bits, block, bundle, cat, stream};
 use tilewright_sim::{Port, Simulation};
 
 pub fn stalls() -> impl Strategy<Value = Stalls> {
@@ -65,6 +65,33 @@ impl Block for Join {
     }
 }
 
+block! {
+    /// Words by their lowest two bits, which are not 3.
+    struct Split;
+    in = StreamIn { into: stream(bits(8)) };
+    out = ForkOut { out: vec![stream(bits(8)); 3] };
+}
+
+impl Split {
+    fn build(&self, m: Module, i: StreamIn) -> ForkOut {
+        let words = m.slice("u_slice", Slice::Forward, i.into);
+        ForkOut { out: m.split_by::<_, 3>(words, |word| word.trunc(2)).into() }
+    }
+}
+
+#[test]
+#[should_panic(expected = "a word goes to one of 3 receivers")]
+fn a_word_to_nobody() {
+    result(
+        &Split,
+        |i| vec![i.into],
+        |o| o.out.clone(),
+        (&[vec![3]], &[0; 3]),
+        Stalls { senders: 0, receivers: 0, seed: 1 },
+        NONE,
+    );
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(24))]
 
@@ -85,6 +112,15 @@ proptest! {
         let fork = Fork::new(receivers, 8);
         let received = result(&fork, |i| vec![i.into], |o| o.out.clone(), (std::slice::from_ref(&words), &vec![words.len(); receivers as usize]), stalls, NONE);
         prop_assert_eq!(received, vec![words; receivers as usize]);
+    }
+
+    #[test]
+    fn splits(words in words(256), stalls in stalls()) {
+        let words: Vec<u64> = words.into_iter().filter(|word| word % 4 != 3).collect();
+        let expected = [0, 1, 2].map(|number| words.iter().copied().filter(|word| word % 4 == number).collect::<Vec<_>>());
+        let counts = expected.each_ref().map(Vec::len);
+        let received = result(&Split, |i| vec![i.into], |o| o.out.clone(), (&[words], &counts), stalls, NONE);
+        prop_assert_eq!(received, expected);
     }
 
     #[test]

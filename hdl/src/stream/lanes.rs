@@ -55,7 +55,8 @@ impl<P: Data> Stream<P> {
             // A loop, as a closure would be the caller that messages name.
             let mut fields = Vec::new();
             for (_, signal) in self.payload.leaves() {
-                fields.push(signal.lane(lane));
+                let is_grid = matches!(signal.shape, Shape::Grid(..));
+                fields.push(if is_grid { signal.rows().lane(lane) } else { signal.lane(lane) });
             }
             let mut fields = fields.into_iter();
             let payload = self.payload.map(|_| fields.next().expect("a lane of each field"));

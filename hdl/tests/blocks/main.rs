@@ -104,6 +104,34 @@ impl Streams {
     }
 }
 
+bundle! {
+    /// What several blocks take and give.
+    struct Both<T> {
+        /// A place.
+        place: Position<T>,
+        words: Stream<T, T>,
+    }
+}
+
+block! {
+    /// Its ports are a bundle of others.
+    struct Shared {
+        width: u32,
+    }
+    in(self) = Both { place: Position { x: bits(3), y: bits(4) }, words: stream(bits(self.width)) };
+    out = Renamed { at: Position { x: bits(3), y: bits(4) }, sent: stream(8) };
+}
+
+bundle! {
+    struct Renamed<T> { at: Position<T>, sent: Stream<T, T> }
+}
+
+impl Shared {
+    fn build(&self, _: Module, i: Both) -> Renamed {
+        Renamed { at: i.place, sent: i.words }
+    }
+}
+
 /// What a counter's value stands for.
 trait Unit {
     const MOST: u64;
@@ -203,6 +231,20 @@ fn every_form_of_a_stream() {
          others_ready 1, many_0_ready 1, many_1_ready 1"
     );
     assert_eq!(top.about.inputs["words"], "Words.");
+}
+
+#[test]
+fn ports_that_several_blocks_share() {
+    let design = elaborate(&Shared { width: 8 }).unwrap();
+    let top = design.top();
+    let names: Vec<_> = top.inputs.iter().map(|port| port.name.as_str()).collect();
+    assert_eq!(names, ["place_x", "place_y", "words_valid", "words_payload", "sent_ready"]);
+    assert_eq!(top.about.inputs["place"], "A place.");
+    let problems = elaborate(&Shared { width: 9 }).unwrap_err().to_string();
+    assert!(
+        problems.starts_with("output `sent_payload` is declared with 8 bits, but `words_payload` has 9 bits"),
+        "{problems}"
+    );
 }
 
 #[test]
