@@ -60,6 +60,7 @@
 //! | [`one_hot`], [`index_of`], [`first`], [`first_index`] | functions of signals | 0 | |
 
 mod arbiter;
+pub mod catalog;
 mod convert;
 mod counter;
 mod dual_clock;
