@@ -55,7 +55,8 @@ proptest! {
             monitor(model),
         ));
         let mut sent = words;
-        (sent.sort_unstable(), received.sort_unstable());
+        sent.sort_unstable();
+        received.sort_unstable();
         prop_assert_eq!(received, sent);
     }
 }
