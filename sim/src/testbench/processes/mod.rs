@@ -31,8 +31,8 @@ use wait::Waiting;
 /// # block! {
 /// #     /// Adds one to each word.
 /// #     struct Increment;
-/// #     in IncrementIn { words: Stream<T> = stream(8) }
-/// #     out IncrementOut { sums: Stream<T> = stream(8) }
+/// #     in IncrementIn { words: stream(8) }
+/// #     out IncrementOut { sums: stream(8) }
 /// # }
 /// # impl Increment {
 /// #     fn build(&self, m: Module, i: IncrementIn) -> IncrementOut {

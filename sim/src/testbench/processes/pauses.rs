@@ -6,7 +6,7 @@
 /// # use tilewright_sim::Pauses;
 /// let [mut some, mut none] = [Pauses::percent(50, 7), Pauses::NONE];
 /// let drawn: Vec<u32> = (0..6).map(|_| some.next_length()).collect();
-/// assert_eq!(drawn, [0, 1, 0, 0, 0, 1]);
+/// assert_eq!(drawn, [2, 2, 3, 0, 4, 1]);
 /// assert_eq!(none.next_length(), 0);
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq)]

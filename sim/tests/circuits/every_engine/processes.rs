@@ -351,3 +351,13 @@ fn a_clock_that_is_not_there() {
 fn pauses_without_end() {
     Pauses::percent(100, 1);
 }
+
+#[test]
+fn pauses_are_as_long_as_they_are_to_be() {
+    for percent in [0, 1, 30, 50, 90, 99] {
+        let mut pauses = Pauses::percent(percent, 5);
+        let clocks: u32 = (0..10_000).map(|_| pauses.next_length()).sum();
+        let (mean, expected) = (f64::from(clocks) / 10_000.0, percent as f64 / (100 - percent) as f64);
+        assert!((mean - expected).abs() <= 0.05 * expected.max(0.1), "{percent} percent: {mean}, not {expected}");
+    }
+}
