@@ -1,21 +1,24 @@
 //! Streams of another width.
 
 use crate::ports::{StreamIn, StreamOut};
-use tilewright_hdl::ir::About;
-use tilewright_hdl::{Block, Module, Width, below, bit, bits, case, concat, mux, stream};
+use tilewright_hdl::{Module, below, bit, bits, block, case, concat, mux, stream};
 
-/// Sends each word in parts, the least significant first.
-///
-/// ```text
-/// into ===[ 3 | 2 | 1 | 0 ]===>|\
-///                       [part]-|/===> out
-/// ```
-///
-/// Latency 0, a part a clock. No `valid` waits for `ready`; `ready` of `into` is that of `out` at the last part.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct Narrow {
-    parts: u32,
-    width: u32,
+block! {
+    /// Sends each word in parts, the least significant first.
+    ///
+    /// ```text
+    /// into ===[ 3 | 2 | 1 | 0 ]===>|\
+    ///                       [part]-|/===> out
+    /// ```
+    ///
+    /// Latency 0, a part a clock. No `valid` waits for `ready`; `ready` of `into` is that of `out` at the last part.
+    pub struct Narrow {
+        parts: u32,
+        width: u32,
+    }
+    latency = "0 clocks";
+    in(self) = StreamIn { into: stream(bits(self.parts * self.width)) };
+    out(self) = StreamOut { out: stream(bits(self.width)) };
 }
 
 impl Narrow {
@@ -28,15 +31,6 @@ impl Narrow {
     pub fn new(parts: u32, width: u32) -> Narrow {
         assert!(parts > 0 && width > 0, "a word of {parts} parts of {width} bits is nothing");
         Narrow { parts, width }
-    }
-}
-
-impl Block for Narrow {
-    type In = StreamIn;
-    type Out = StreamOut;
-
-    fn inputs(&self) -> StreamIn<Width> {
-        StreamIn { into: stream(bits(self.parts * self.width)) }
     }
 
     fn build(&self, m: Module, i: StreamIn) -> StreamOut {
@@ -51,27 +45,23 @@ impl Block for Narrow {
         part.when(sent, mux(at_end, 0, part + 1));
         StreamOut { out }
     }
-
-    fn about(&self) -> About {
-        About {
-            summary: "Sends each word in parts, the least significant first.".into(),
-            latency: "0 clocks".into(),
-            ..About::default()
-        }
-    }
 }
 
-/// Makes a word of several parts, the least significant first.
-///
-/// ```text
-/// into ===>[ 3 ][ 2 ][ 1 ][ 0 ]===> out      [full]
-/// ```
-///
-/// Latency 1 clock from the last part, a part a clock. No `valid` waits for `ready`; `ready` of `into` passes that of `out`.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct Widen {
-    parts: u32,
-    width: u32,
+block! {
+    /// Makes a word of several parts, the least significant first.
+    ///
+    /// ```text
+    /// into ===>[ 3 ][ 2 ][ 1 ][ 0 ]===> out      [full]
+    /// ```
+    ///
+    /// Latency 1 clock from the last part, a part a clock. No `valid` waits for `ready`; `ready` of `into` passes that of `out`.
+    pub struct Widen {
+        parts: u32,
+        width: u32,
+    }
+    latency = "1 clock";
+    in(self) = StreamIn { into: stream(bits(self.width)) };
+    out(self) = StreamOut { out: stream(bits(self.parts * self.width)) };
 }
 
 impl Widen {
@@ -84,15 +74,6 @@ impl Widen {
     pub fn new(parts: u32, width: u32) -> Widen {
         assert!(parts > 0 && width > 0, "a word of {parts} parts of {width} bits is nothing");
         Widen { parts, width }
-    }
-}
-
-impl Block for Widen {
-    type In = StreamIn;
-    type Out = StreamOut;
-
-    fn inputs(&self) -> StreamIn<Width> {
-        StreamIn { into: stream(bits(self.width)) }
     }
 
     fn build(&self, m: Module, i: StreamIn) -> StreamOut {
@@ -109,13 +90,5 @@ impl Block for Widen {
         part.when(into.taken, mux(at_end, 0, part + 1));
         full.when(into.taken & at_end, 1).when(sent, 0);
         StreamOut { out }
-    }
-
-    fn about(&self) -> About {
-        About {
-            summary: "Makes a word of several parts, the least significant first.".into(),
-            latency: "1 clock".into(),
-            ..About::default()
-        }
     }
 }

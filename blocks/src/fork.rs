@@ -1,30 +1,28 @@
 //! One stream to several receivers.
 
 use crate::ports::StreamIn;
-use tilewright_hdl::ir::About;
-use tilewright_hdl::{Block, Module, Stream, Width, bit, bits, bundle, lit, stream};
+use tilewright_hdl::{Module, bit, bits, block, lit, stream};
 
-bundle! {
-    /// The outputs of a [`Fork`].
-    pub struct ForkOut<T> {
-        /// To each receiver the same.
-        pub out: Vec<Stream<T, T>>,
+block! {
+    /// Gives each word to all of its receivers, each when it is ready for it; those that have it wait for the others.
+    ///
+    /// ```text
+    ///          .---> out.0
+    /// into ====+---> out.1      [done] for each: it has the word already
+    ///          '---> out.2
+    /// ```
+    ///
+    /// Latency 0. No `valid` waits for any `ready`; `ready` of `into` is one function of those of all receivers.
+    pub struct Fork {
+        receivers: u32,
+        width: u32,
     }
-}
-
-/// Gives each word to all of its receivers, each when it is ready for it; those that have it wait for the others.
-///
-/// ```text
-///          .---> out.0
-/// into ====+---> out.1      [done] for each: it has the word already
-///          '---> out.2
-/// ```
-///
-/// Latency 0. No `valid` waits for any `ready`; `ready` of `into` is one function of those of all receivers.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct Fork {
-    receivers: u32,
-    width: u32,
+    latency = "0 clocks";
+    in(self) = StreamIn { into: stream(bits(self.width)) };
+    out(self) ForkOut {
+        /// To each receiver the same.
+        out: [stream(bits(self.width)); self.receivers],
+    }
 }
 
 impl Fork {
@@ -37,15 +35,6 @@ impl Fork {
     pub fn new(receivers: u32, width: u32) -> Fork {
         assert!(receivers > 0, "a fork to 0 receivers takes nothing");
         Fork { receivers, width }
-    }
-}
-
-impl Block for Fork {
-    type In = StreamIn;
-    type Out = ForkOut;
-
-    fn inputs(&self) -> StreamIn<Width> {
-        StreamIn { into: stream(bits(self.width)) }
     }
 
     fn build(&self, m: Module, i: StreamIn) -> ForkOut {
@@ -63,13 +52,5 @@ impl Block for Fork {
             done.when(into.taken, 0).when(sent, 1);
         }
         ForkOut { out }
-    }
-
-    fn about(&self) -> About {
-        About {
-            summary: "Gives each word to all of its receivers, each when it is ready for it.".into(),
-            latency: "0 clocks".into(),
-            ..About::default()
-        }
     }
 }

@@ -10,10 +10,11 @@ use crate::operand::{IntoSignal, Operand};
 use crate::problem::Problem;
 use crate::shaping::{level_all, sound_shape};
 use crate::signal::{Signal, bits_text};
+use crate::stream::{backwards, stack_ready};
 use crate::uneven::{Uneven, uneven};
 use crate::width::{Count, IntoWidth};
 
-/// The signals, or records of signals, as the lanes of a row; rows as the rows of a grid. All are of one shape and width.
+/// The signals, records of signals or streams as the lanes of a row; rows as the rows of a grid. All are of one shape and width.
 ///
 /// # Panics
 ///
@@ -35,8 +36,9 @@ pub fn stack<B: Fields<Signal>>(values: impl IntoIterator<Item = B>) -> B::With<
         }
     }
     let mut stacked = Vec::new();
-    for leaf in 0..by_lane[0].len() {
-        stacked.push(stack_signals(by_lane.iter().map(|lane| lane[leaf].1).collect()));
+    for (leaf, is_ready) in backwards(first).into_iter().enumerate() {
+        let lanes: Vec<Signal> = by_lane.iter().map(|lane| lane[leaf].1).collect();
+        stacked.push(if is_ready { stack_ready(&lanes) } else { stack_signals(lanes) });
     }
     let mut stacked = stacked.into_iter();
     first.map(|_| stacked.next().expect("a row for each leaf"))

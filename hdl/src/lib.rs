@@ -42,7 +42,7 @@
 //! | a record | a [`bundle!`]: what is declared with a record of widths, or given a record, is one; `.pack()` makes a word of it, `.unpack(word)` of its widths a record |
 //! | an enum | [`codes!`], [`one_of`], [`Signal::is`], [`Signal::choose`] |
 //! | lanes | `bits(8).of(row(4))`, [`row`], [`grid`]; what is elementwise is written as for one; [`previous`](Signal::previous), [`take`](Signal::take), [`pick`](Signal::pick), [`sum`](Signal::sum), [`rows`](Signal::rows), [`columns`](Signal::columns), [`stack`], [`tree`] |
-//! | a stream: a payload with `valid` and `ready` | a field `Stream<Job<T>, T>` as wide as [`stream`]`(Job { .. })`; [`Stream::take_when`], [`Module::offer`] |
+//! | a stream: a payload with `valid` and `ready` | `stream(Job { .. })` in [`block!`], which is a field `Stream<Job<T>, T>`; [`Stream::take_when`], [`Module::offer`]; [`Module::stream_wire`] where it goes round, [`Stream::lanes`] for an array's |
 //! | a number in another radix | [`hex`]`(0x3f)`, [`binary`]`(0b101)` |
 //! | an instance, an array of them | [`Module::instance`], [`Module::array`] |
 //! | another clock | [`Module::on`], [`Mem::on`], [`Width::on`]; [`Module::synchronize`], [`Module::synchronize_from`], [`Signal::quasi_static`] to cross |
@@ -59,6 +59,7 @@ mod bits;
 mod block;
 mod bracket;
 mod bundle;
+pub mod catalog;
 mod check;
 mod chosen;
 mod circuit;
@@ -142,7 +143,7 @@ pub use signal::Signal;
 pub use stages::Start;
 #[doc(hidden)]
 pub use stages::cleared;
-pub use stream::{Stream, Taken, stream};
+pub use stream::{Stream, StreamWire, Taken, stream};
 pub use tree::tree;
 #[doc(hidden)]
 pub use uneven::{Uneven, uneven};

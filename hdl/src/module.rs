@@ -109,7 +109,7 @@ impl Module {
         Wire { signal, index }
     }
 
-    fn net(self, name: &str, width: Width, loc: Loc) -> Wire {
+    pub(crate) fn net(self, name: &str, width: Width, loc: Loc) -> Wire {
         elaboration::with(|e| {
             let node = declare(e, Op::Wire(UNDRIVEN), ("wire", name), width, loc);
             let draft = e.draft();

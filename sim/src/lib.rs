@@ -163,5 +163,6 @@ mod testbench;
 pub use engine::program;
 pub use engine::{Difference, EngineKind, Explained, Pass, Passes, Unsupported, explain};
 pub use testbench::{
-    Batch, Condition, Covered, Error, IntoValue, Port, Probe, Recorder, Simulation, UnknownName, Vcd, Violation, Wave,
+    Batch, Condition, Covered, Error, IntoValue, Monitor, Pauses, Port, Probe, Process, Processes, Recorder,
+    Simulation, Testbench, UnknownName, Vcd, Violation, Wave, monitor,
 };

@@ -26,7 +26,7 @@ proptest! {
         let mut sim = Simulation::of(&fifo(1 << depth, 2 * write, 2 * read)).unwrap();
         sim.reset();
         let ends = ([End::on(sim.i.into, "write")], [End::on(sim.o.out, "read")]);
-        let received = through(&mut sim, (&ends.0, &ends.1), std::slice::from_ref(&words), stalls, BOTH);
+        let received = through(&mut sim, (&ends.0, &ends.1), std::slice::from_ref(&words), &[words.len()], stalls, BOTH);
         prop_assert_eq!(received, vec![words]);
     }
 }

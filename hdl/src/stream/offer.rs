@@ -48,10 +48,11 @@ impl<P: Data> Stream<P> {
         Stream { valid: self.valid, ready: self.ready, payload }
     }
 
-    /// The stream with its payload's fields side by side in one signal, the first most significant.
+    /// The stream with its payload's fields side by side in one signal, the first most significant; so are the lanes of a field, lane 0 in the
+    /// lowest bits.
     #[track_caller]
     pub fn packed(&self) -> Stream {
-        self.with(record::pack_any(&self.payload))
+        self.with(record::pack_any(&self.payload, self.valid.shape))
     }
 }
 

@@ -76,6 +76,62 @@ impl Forms {
     }
 }
 
+block! {
+    /// Uses every form of a stream.
+    struct Streams {
+        count: u32,
+    }
+    in(self) StreamsIn {
+        /// Words.
+        words: stream(bits(8)),
+        fast: stream(up_to(self.count)).on(FAST),
+        places: stream(Position { x: bits(3), y: bits(4) }).on(FAST),
+        others: stream(Position = Position { x: bits(5), y: bits(6) }),
+        many: [stream(bits(2)); self.count],
+    }
+    out StreamsOut {
+        sent: stream(bits(8)),
+        sent_fast: stream(_),
+        sent_places: stream(Position = _),
+        sent_others: stream(Position { x: bits(5), y: bits(6) }),
+        sent_many: [stream(_)],
+    }
+}
+
+impl Streams {
+    fn build(&self, _: Module, i: StreamsIn) -> StreamsOut {
+        StreamsOut { sent: i.words, sent_fast: i.fast, sent_places: i.places, sent_others: i.others, sent_many: i.many }
+    }
+}
+
+bundle! {
+    /// What several blocks take and give.
+    struct Both<T> {
+        /// A place.
+        place: Position<T>,
+        words: Stream<T, T>,
+    }
+}
+
+block! {
+    /// Its ports are a bundle of others.
+    struct Shared {
+        width: u32,
+    }
+    in(self) = Both { place: Position { x: bits(3), y: bits(4) }, words: stream(bits(self.width)) };
+    out = Renamed { at: Position { x: bits(3), y: bits(4) }, sent: stream(8) };
+}
+
+bundle! {
+    struct Renamed<T> { at: Position<T>, sent: Stream<T, T> }
+}
+
+impl Shared {
+    fn build(&self, _: Module, i: Both) -> Renamed {
+        Renamed { at: i.place, sent: i.words }
+    }
+}
+
 /// What a counter's value stands for.
 trait Unit {
     const MOST: u64;
@@ -151,6 +207,44 @@ fn every_form_of_a_port() {
         ]
     );
     assert_eq!(top.about.outputs["sum"], "As wide as what drives it.");
+}
+
+#[test]
+fn every_form_of_a_stream() {
+    let design = elaborate(&Streams { count: 2 }).unwrap();
+    let top = design.top();
+    let ports = top
+        .inputs
+        .iter()
+        .map(|port| (&port.name, port.node))
+        .chain(top.outputs.iter().map(|port| (&port.name, port.node)));
+    let names: Vec<_> = ports.map(|(name, node)| format!("{name} {}", top.width(node))).collect();
+    assert_eq!(
+        names.join(", "),
+        "words_valid 1, words_payload 8, fast_valid 1, fast_payload 2, places_valid 1, places_x 3, places_y 4, \
+         others_valid 1, others_x 5, others_y 6, many_0_valid 1, many_0_payload 2, many_1_valid 1, many_1_payload 2, \
+         sent_ready 1, sent_fast_ready 1, sent_places_ready 1, sent_others_ready 1, sent_many_0_ready 1, \
+         sent_many_1_ready 1, \
+         sent_valid 1, sent_payload 8, sent_fast_valid 1, sent_fast_payload 2, sent_places_valid 1, sent_places_x 3, \
+         sent_places_y 4, sent_others_valid 1, sent_others_x 5, sent_others_y 6, sent_many_0_valid 1, \
+         sent_many_0_payload 2, sent_many_1_valid 1, sent_many_1_payload 2, words_ready 1, fast_ready 1, places_ready 1, \
+         others_ready 1, many_0_ready 1, many_1_ready 1"
+    );
+    assert_eq!(top.about.inputs["words"], "Words.");
+}
+
+#[test]
+fn ports_that_several_blocks_share() {
+    let design = elaborate(&Shared { width: 8 }).unwrap();
+    let top = design.top();
+    let names: Vec<_> = top.inputs.iter().map(|port| port.name.as_str()).collect();
+    assert_eq!(names, ["place_x", "place_y", "words_valid", "words_payload", "sent_ready"]);
+    assert_eq!(top.about.inputs["place"], "A place.");
+    let problems = elaborate(&Shared { width: 9 }).unwrap_err().to_string();
+    assert!(
+        problems.starts_with("output `sent_payload` is declared with 8 bits, but `words_payload` has 9 bits"),
+        "{problems}"
+    );
 }
 
 #[test]
