@@ -179,7 +179,8 @@ mod tests {
         sim.step();
         sim.set(sim.i.start, 0);
         let mut stored = 0;
-        for clocks in 0.. {
+        let limit = 2 * (screen.pixels() + screen.height * overhead + STAGES * units);
+        for clocks in 0..limit.into() {
             if sim.get_u64(sim.o.busy) == 0 {
                 assert_eq!(stored, screen.pixels());
                 return clocks - u64::from(SCAN_LATENCY);
@@ -187,7 +188,7 @@ mod tests {
             stored += u32::from(sim.get_u64(sim.o.stores) == 1);
             sim.step();
         }
-        unreachable!("the count has no end")
+        panic!("the round has no end")
     }
 
     /// T_m of the VC-1 is 316800 + 64 clocks: 25.35 ms of 80 ns each.

@@ -169,6 +169,7 @@ mod tests {
         sim: Simulation<GfbUnitIn, GfbUnitOut>,
         chain: VecDeque<u64>,
         pixels: usize,
+        merge_clocks: usize,
     }
 
     impl Bench {
@@ -177,7 +178,7 @@ mod tests {
             sim.reset();
             sim.set(sim.i.host.background, BLANK);
             let chain = VecDeque::from(vec![0; (STAGES * gfb.units) as usize]);
-            Bench { sim, chain, pixels: gfb.screen.pixels() as usize }
+            Bench { sim, chain, pixels: gfb.screen.pixels() as usize, merge_clocks: gfb.merge_clocks() as usize }
         }
 
         fn swap(&mut self) {
@@ -204,6 +205,7 @@ mod tests {
                 self.sim.step();
                 self.sim.set(self.sim.i.host.start, 0);
                 seen.push(self.sim.get_u64(self.sim.o.view.read_word));
+                assert!(seen.len() <= self.merge_clocks + 9, "the round has no end");
             }
             seen
         }

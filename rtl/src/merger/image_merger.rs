@@ -73,6 +73,7 @@ mod tests {
             while sim.get_u64(sim.o.merged) != 7 {
                 drive(&mut sim, EMPTY);
                 clocks += 1;
+                assert!(clocks < 200, "the pixel never comes out");
             }
             assert_eq!(clocks, 4 * units);
         }

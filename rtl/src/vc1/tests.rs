@@ -94,10 +94,19 @@ impl Machine {
         self.sim.set(self.sim.i.gfb.start, 1);
         self.sim.step_clock("merge", 1);
         self.sim.set(self.sim.i.gfb.start, 0);
-        while self.sim.get_u64(self.sim.o.gfb.busy) == 1 {
+        self.finish_round();
+        self.sim.get_u64(self.sim.o.gfb.clocks)
+    }
+
+    /// Lets clocks pass until the round under way has ended.
+    fn finish_round(&mut self) {
+        for _ in 0..self.merge_clocks + 9 {
+            if self.sim.get_u64(self.sim.o.gfb.busy) == 0 {
+                return;
+            }
             self.sim.step_clock("merge", 1);
         }
-        self.sim.get_u64(self.sim.o.gfb.clocks)
+        panic!("the round has no end");
     }
 
     /// Exchanges the banks.
@@ -179,9 +188,7 @@ fn a_swap_during_a_round_loses_nothing() {
         machine.sim.set(machine.sim.i.gfb.start, 0);
         machine.sim.step_clock("merge", delay);
         machine.swap(0);
-        while machine.sim.get_u64(machine.sim.o.gfb.busy) == 1 {
-            machine.sim.step_clock("merge", 1);
-        }
+        machine.finish_round();
         machine.merge();
         machine.show();
         assert_eq!(machine.picture(), nearest(screen, &drawn, &blank(screen)), "a swap {delay} clocks after the start");

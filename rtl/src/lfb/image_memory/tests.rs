@@ -26,6 +26,7 @@ fn draw(sim: &mut Sim, [page, offset, word]: [u64; 3]) -> Vec<&'static str> {
     let mut states = Vec::new();
     while sim.get(sim.o.ready) != 1 {
         states.extend(clocks(sim, 1));
+        assert!(states.len() < 9, "the pixel is never accepted: {states:?}");
     }
     sim.set(i.valid, 1);
     states.extend(clocks(sim, 1));

@@ -1,4 +1,4 @@
-//! The tests of `rtl` as a program that simulates mutants.
+//! The tests of a crate as programs that simulate mutants.
 
 use std::io::{BufRead, BufReader};
 use std::path::PathBuf;
@@ -7,8 +7,20 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 use tilewright_mutants::{Mutant, VARIABLE};
 
-/// How long the tests of a block may take; without a mutant the longest take a few seconds.
-const PATIENCE: Duration = Duration::from_secs(60);
+/// How long a program of tests may take; without a mutant the longest takes a few seconds.
+const PATIENCE: Duration = Duration::from_secs(30);
+
+/// A crate of blocks, and those of its tests that simulate what the blocks are meant to do.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Crate {
+    package: &'static str,
+    targets: &'static [&'static str],
+}
+
+/// The machines' blocks.
+pub const RTL: Crate = Crate { package: "tilewright-rtl", targets: &["--lib"] };
+/// The library.
+pub const BLOCKS: Crate = Crate { package: "tilewright-blocks", targets: &["--test=small", "--test=streams"] };
 
 /// What the tests say of a mutant.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -23,9 +35,9 @@ pub enum Verdict {
     Survives,
 }
 
-/// The program.
+/// The programs.
 pub struct Suite {
-    program: PathBuf,
+    programs: Vec<PathBuf>,
     /// Of the inputs that tests draw.
     seed: u64,
 }
@@ -36,41 +48,35 @@ impl Suite {
     /// # Errors
     ///
     /// What Cargo says, if it fails.
-    pub fn build(seed: u64) -> Result<Suite, String> {
-        let arguments = [
-            "test",
-            "-p",
-            "tilewright-rtl",
-            "--lib",
-            "--no-run",
-            "--features",
-            "tilewright-sim/mutation",
-            "--color=never",
-        ];
-        let output = Command::new("cargo").args(arguments).output().map_err(|error| format!("`cargo`: {error}"))?;
+    pub fn build(of: Crate, seed: u64) -> Result<Suite, String> {
+        let mut cargo = Command::new("cargo");
+        cargo.args(["test", "--no-run", "--color=never", "--features=tilewright-sim/mutation", "-p", of.package]);
+        let output = cargo.args(of.targets).output().map_err(|error| format!("`cargo`: {error}"))?;
         let text = String::from_utf8_lossy(&output.stderr).into_owned();
-        let program =
-            text.lines().rev().find_map(|line| line.trim().strip_prefix("Executable")?.split(['(', ')']).nth(1));
-        match program.map(std::path::absolute) {
-            Some(Ok(program)) if output.status.success() => Ok(Suite { program, seed }),
-            _ => Err(text),
-        }
+        let program = |line: &str| line.trim().strip_prefix("Executable")?.split(['(', ')']).nth(1).map(PathBuf::from);
+        let programs: Vec<PathBuf> = text.lines().filter_map(program).collect();
+        let built = output.status.success() && programs.len() == of.targets.len();
+        if built { Ok(Suite { programs, seed }) } else { Err(text) }
     }
 
     /// Runs the tests whose path contains `tests` with a mutant, or without one.
     ///
     /// # Panics
     ///
-    /// The program cannot be started.
+    /// A program cannot be started.
     pub fn run(&self, tests: &str, mutant: Option<&Mutant>) -> Verdict {
-        let mut command = Command::new(&self.program);
-        command.args([tests, "--test-threads=1"]).env("PROPTEST_RNG_SEED", self.seed.to_string());
-        command.env("PROPTEST_MAX_SHRINK_ITERS", "0").stdout(Stdio::piped()).stderr(Stdio::null());
-        match mutant {
-            Some(mutant) => command.env(VARIABLE, mutant.to_string()),
-            None => command.env_remove(VARIABLE),
+        let run = |program: &PathBuf| {
+            let mut command = Command::new(program);
+            command.args([tests, "--test-threads=1"]).env("PROPTEST_RNG_SEED", self.seed.to_string());
+            command.env("PROPTEST_MAX_SHRINK_ITERS", "0").stdout(Stdio::piped()).stderr(Stdio::null());
+            match mutant {
+                Some(mutant) => command.env(VARIABLE, mutant.to_string()),
+                None => command.env_remove(VARIABLE),
+            };
+            watch(command.spawn().expect("the tests can be started"))
         };
-        watch(command.spawn().expect("the tests can be started"))
+        let mut verdicts = self.programs.iter().map(run);
+        verdicts.find(|verdict| *verdict != Verdict::Survives).unwrap_or(Verdict::Survives)
     }
 }
 
