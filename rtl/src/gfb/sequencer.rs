@@ -215,8 +215,10 @@ mod tests {
         fn rounds_follow_the_timetable(
             (width, height, units, overhead) in (1..9u32, 1..6u32, 1..5u32, 1..7u32),
             starts in prop::collection::vec(prop::bool::weighted(0.2), 1..400),
+            seed in any::<u64>(),
         ) {
-            let mut sim = Simulation::of(&GfbSequencer { screen: Screen { width, height }, units, overhead }).unwrap();
+            let sequencer = GfbSequencer { screen: Screen { width, height }, units, overhead };
+            let mut sim = Simulation::of(&sequencer).unwrap().seeded(seed);
             sim.reset();
             let timetable = timetable(width as usize, height as usize, units as usize, overhead as usize);
             let (pixels, way) = ((width * height) as usize, 2 + 4 * units as usize);

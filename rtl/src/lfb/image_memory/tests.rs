@@ -98,3 +98,11 @@ fn the_word_sent_stays_while_the_scan_does_not_advance() {
     sim.step_clock("merge", 1);
     assert_eq!(sim.get_u64(sim.o.sent), EMPTY, "a pixel without a page is empty");
 }
+
+#[test]
+#[should_panic(expected = "the second stage ends before the first has a page again")]
+fn a_pixel_while_another_is_read_is_an_error() {
+    let mut sim = memory();
+    sim.set(sim.i.draw.valid, 1);
+    sim.step_clock("pe", 2);
+}
