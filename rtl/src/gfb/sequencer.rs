@@ -138,7 +138,7 @@ mod tests {
     #[test]
     fn a_round_clock_by_clock() {
         let sequencer = GfbSequencer { screen: Screen { width: 3, height: 2 }, units: 1, overhead: 2 };
-        let mut sim = Simulation::of(&sequencer).unwrap();
+        let mut sim = Simulation::of(&sequencer).unwrap().seeded(7);
         sim.reset();
         let wave = sim.record(["scan_restart", "scan_enable", "round", "feed", "stores", "store", "ends", "clocks"]);
         sim.set(sim.i.start, 1);

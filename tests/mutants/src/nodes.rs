@@ -1,5 +1,6 @@
 //! Edits of how a value is computed.
 
+use crate::exclusive::exclusive;
 use crate::site::{Sites, always, near, not, used};
 use tilewright_hdl::ir::{Affine, Binary, Module, NodeId, Op, Reduction, Relation, Shift, Unary};
 
@@ -104,7 +105,9 @@ impl Value<'_, '_> {
             MulSigned => &[Mul],
         };
         for other in others {
-            self.becomes(format!("{operator:?} becomes {other:?}"), Op::Binary(*other, a, b));
+            if (operator, *other) != (Or, Xor) || !exclusive(self.sites.module, a, b) {
+                self.becomes(format!("{operator:?} becomes {other:?}"), Op::Binary(*other, a, b));
+            }
         }
         if !matches!(operator, Mul | MulSigned) {
             self.becomes("the left operand alone", Op::Wire(a));
@@ -149,7 +152,7 @@ impl Value<'_, '_> {
                     arms[i].0 = condition;
                 }
             });
-            if i > 0 {
+            if i > 0 && !exclusive(self.sites.module, arms[i - 1].0, arms[i].0) {
                 let mut others = arms.to_vec();
                 others.swap(i - 1, i);
                 self.becomes(format!("arms {} and {i} exchanged", i - 1), Op::Select { arms: others, default });

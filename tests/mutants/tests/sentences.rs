@@ -114,6 +114,37 @@ fn an_edit_is_of_one_thing() {
     assert_eq!(value.op, Op::Wire(register.next));
 }
 
+block! {
+    /// Two conditions that need other states, and two that do not.
+    struct States;
+    latency = "1 clock";
+    source = "a test of mutants";
+    in StatesIn { go: bit() }
+    out StatesOut { either: bit(), any: bit(), held: bits(4) }
+}
+
+impl States {
+    fn build(&self, m: Module, i: StatesIn) -> StatesOut {
+        let state = m.reg("state", 2).reset(0);
+        state.next(state + 1);
+        net!(first = state.eq(0) & i.go);
+        net!(last = state.eq(2) | state.eq(3));
+        let held = m.reg("held", 4).reset(0);
+        held.when(first, 1).when(last, 2).when(i.go, 3);
+        StatesOut { either: first | last, any: last | i.go, held: held.value() }
+    }
+}
+
+#[test]
+fn conditions_that_exclude_each_other_are_not_exchanged() {
+    let all = edits(&mutants(elaborate(&States).unwrap().top()));
+    let of = |edit: &str| all.iter().filter(|other| other.ends_with(edit)).count();
+    assert_eq!(of("Or becomes And"), 3, "`last`, and two outputs");
+    assert_eq!(of("Or becomes Xor"), 1, "the output whose conditions may hold together");
+    assert_eq!(of("arms 0 and 1 exchanged"), 0);
+    assert_eq!(of("arms 1 and 2 exchanged"), 1);
+}
+
 #[test]
 fn a_sentence_says_the_block_the_place_the_thing_and_the_edit() {
     let all = mutants(&circuit());
