@@ -153,6 +153,42 @@ fn a_round_takes_t_m() {
 }
 
 #[test]
+fn each_processor_sees_its_own_buffer() {
+    let mut machine = Machine::new(Screen { width: 16, height: 8 }, 4, 8, 3);
+    for busy in 0..3 {
+        machine.draw(busy, (0..=busy as u64).map(|patch| (4 * patch, 0, 9)));
+        let ProcessorIn { request, clear, .. } = machine.sim.i.processors[busy];
+        machine.sim.set(clear.patch, busy as u64);
+        for wanted in [1, 0] {
+            machine.sim.set(request.valid, wanted);
+            machine.sim.set(clear.valid, wanted);
+            machine.sim.step_clock("pe", wanted);
+        }
+        for (processor, seen) in machine.sim.read_u64().processors.into_iter().enumerate() {
+            let is_free = u64::from(processor != busy);
+            assert_eq!((seen.ready, seen.clear_ready, seen.idle), (is_free, is_free, is_free), "{processor} of {busy}");
+        }
+        machine.wait_until(machine.sim.o.processors[busy].idle);
+    }
+    // The patch that was drawn into last was cleared, and got another page.
+    let pages = machine.sim.read_u64().processors.into_iter().map(|seen| seen.pages_used);
+    assert_eq!(pages.collect::<Vec<_>>(), [2, 3, 4]);
+}
+
+#[test]
+fn the_host_sees_which_round_is_the_first() {
+    let mut machine = Machine::new(Screen { width: 16, height: 8 }, 4, 8, 1);
+    for _ in 0..2 {
+        assert_eq!(machine.sim.get_u64(machine.sim.o.gfb.first_round), 1);
+        for _ in 0..2 {
+            machine.merge();
+            assert_eq!(machine.sim.get_u64(machine.sim.o.gfb.first_round), 0);
+        }
+        machine.show();
+    }
+}
+
+#[test]
 fn later_rounds_accumulate_and_a_swap_starts_afresh() {
     let screen = Screen { width: 16, height: 8 };
     let mut machine = Machine::new(screen, 4, 8, 3);

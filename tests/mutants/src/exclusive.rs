@@ -11,26 +11,30 @@ struct Only {
 
 /// Whether two conditions never hold together, as each needs another number of the same value.
 pub(crate) fn exclusive(module: &Module, a: NodeId, b: NodeId) -> bool {
-    match (only(module, a), only(module, b)) {
-        (Some(a), Some(b)) => a.value == b.value && a.numbers.is_disjoint(&b.numbers),
-        _ => false,
-    }
+    let (a, b) = (needs(module, a), needs(module, b));
+    a.iter().any(|a| b.iter().any(|b| a.value == b.value && a.numbers.is_disjoint(&b.numbers)))
 }
 
-/// What is needed for a condition, as far as that is plain to see.
-fn only(module: &Module, condition: NodeId) -> Option<Only> {
+/// All that is needed for a condition, as far as that is plain to see.
+fn needs(module: &Module, condition: NodeId) -> Vec<Only> {
     match &module.node(condition).op {
-        Op::Wire(of) => only(module, *of),
+        Op::Wire(of) => needs(module, *of),
         Op::Compare { relation: Relation::Eq, operands: [value, number], .. } => match &module.node(*number).op {
-            Op::Const(number) => Some(Only { value: *value, numbers: [number.to_u64()?].into() }),
-            _ => None,
+            Op::Const(number) => {
+                let only = |number| Only { value: *value, numbers: [number].into() };
+                number.to_u64().map(only).into_iter().collect()
+            }
+            _ => Vec::new(),
         },
-        Op::Binary(Binary::And, a, b) => only(module, *a).or_else(|| only(module, *b)),
+        Op::Binary(Binary::And, a, b) => [needs(module, *a), needs(module, *b)].into_iter().flatten().collect(),
         Op::Binary(Binary::Or, a, b) => {
-            let (a, mut b) = (only(module, *a)?, only(module, *b)?);
-            b.numbers.extend(a.numbers);
-            (a.value == b.value).then_some(b)
+            let b = needs(module, *b);
+            let either = |a: Only| {
+                let b = b.iter().find(|b| b.value == a.value)?;
+                Some(Only { value: a.value, numbers: &a.numbers | &b.numbers })
+            };
+            needs(module, *a).into_iter().filter_map(either).collect()
         }
-        _ => None,
+        _ => Vec::new(),
     }
 }

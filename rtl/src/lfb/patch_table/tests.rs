@@ -90,6 +90,18 @@ fn a_clear_takes_3_clocks_and_comes_before_a_look_up_of_the_same_edge() {
     assert_eq!(sim.get_u64(sim.o.page), 1, "a cleared patch gets a new page");
 }
 
+#[test]
+fn a_reset_ends_a_clear() {
+    for wait in 0..4 {
+        let mut sim = table(6, 4);
+        clocks(&mut sim, wait);
+        clear(&mut sim, 1);
+        assert_eq!(sim.get_u64(sim.o.clear_ready), 0);
+        sim.reset();
+        assert_eq!(sim.get_u64(sim.o.clear_ready), 1, "a reset {wait} clocks after the first");
+    }
+}
+
 fn idle() -> PatchTableIn<u64> {
     PatchTableIn {
         look_up: LookUp { valid: 0, patch: 0 },

@@ -2,6 +2,7 @@
 //! `cargo run -p tilewright-cosim --bin mutants -- --mutants 1000 --seed 1 --jobs 2`.
 
 use std::collections::HashMap;
+use std::collections::hash_map::Entry;
 use std::process::ExitCode;
 use tilewright_cosim::mutation::{Comparison, Subject, Suite, Verdict, choose, compare, run, subjects};
 use tilewright_mutants::Mutant;
@@ -62,10 +63,10 @@ fn judge(options: &Options) -> Result<(), String> {
             mutants.iter().for_each(|mutant| println!("{mutant}"));
             continue;
         }
-        if !suites.contains_key(&subject.of) {
-            suites.insert(subject.of, Suite::build(subject.of, options.seed)?);
-        }
-        let suite = &suites[&subject.of];
+        let suite = match suites.entry(subject.of) {
+            Entry::Occupied(known) => known.into_mut(),
+            Entry::Vacant(of) => of.insert(Suite::build(subject.of, options.seed)?),
+        };
         match suite.run(&subject.tests, None) {
             Verdict::Survives => {}
             verdict => {
