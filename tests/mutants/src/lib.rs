@@ -5,9 +5,9 @@
 //! with [`VARIABLE`] set to such a sentence simulates every size with the same edit. Only a simulator that is built with its
 //! feature `mutation` looks at the variable.
 
-mod exclusive;
 mod nodes;
 mod objects;
+mod same;
 mod site;
 
 use std::fmt;
@@ -48,7 +48,7 @@ pub fn block(module: &Module) -> &str {
 }
 
 /// Every mutant of a module, in an order that is always the same. Some break a rule of circuits. Those are left out that are plainly
-/// the same circuit: where two conditions never hold together, as they need other codes of one state.
+/// the same circuit: where two conditions never hold together, as they need other codes of one state, and beside constants.
 pub fn mutants(module: &Module) -> Vec<Mutant> {
     let mut sites = site::Sites::of(module);
     nodes::edit(&mut sites);

@@ -1,6 +1,6 @@
 //! Edits of how a value is computed.
 
-use crate::exclusive::exclusive;
+use crate::same::{exclusive, is_neutral};
 use crate::site::{Sites, always, near, not, used};
 use tilewright_hdl::ir::{Affine, Binary, Module, NodeId, Op, Reduction, Relation, Shift, Unary};
 
@@ -104,14 +104,21 @@ impl Value<'_, '_> {
             Mul => &[MulSigned],
             MulSigned => &[Mul],
         };
+        let module = self.sites.module;
+        let [is_a, is_b] = [a, b].map(|operand| is_neutral(module, operator, operand));
+        let never_both = exclusive(module, a, b) || operator == Or && (is_a || is_b);
         for other in others {
-            if (operator, *other) != (Or, Xor) || !exclusive(self.sites.module, a, b) {
+            if (operator, *other) != (Or, Xor) || !never_both {
                 self.becomes(format!("{operator:?} becomes {other:?}"), Op::Binary(*other, a, b));
             }
         }
         if !matches!(operator, Mul | MulSigned) {
-            self.becomes("the left operand alone", Op::Wire(a));
-            self.becomes("the right operand alone", Op::Wire(b));
+            if !is_b {
+                self.becomes("the left operand alone", Op::Wire(a));
+            }
+            if !is_a || operator == Sub {
+                self.becomes("the right operand alone", Op::Wire(b));
+            }
         }
     }
 

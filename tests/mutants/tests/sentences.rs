@@ -120,7 +120,7 @@ block! {
     latency = "1 clock";
     source = "a test of mutants";
     in StatesIn { go: bit() }
-    out StatesOut { either: bit(), any: bit(), held: bits(4) }
+    out StatesOut { either: bit(), any: bit(), same: bit(), held: bits(4) }
 }
 
 impl States {
@@ -131,7 +131,7 @@ impl States {
         net!(last = state.eq(2) | state.eq(3));
         let held = m.reg("held", 4).reset(0);
         held.when(first, 1).when(last, 2).when(i.go, 3);
-        StatesOut { either: first | last, any: last | i.go, held: held.value() }
+        StatesOut { either: first | last, any: last | i.go, same: i.go & !lit(1, 0), held: held.value() }
     }
 }
 
@@ -141,6 +141,11 @@ fn conditions_that_exclude_each_other_are_not_exchanged() {
     let of = |edit: &str| all.iter().filter(|other| other.ends_with(edit)).count();
     assert_eq!(of("Or becomes And"), 3, "`last`, and two outputs");
     assert_eq!(of("Or becomes Xor"), 1, "the output whose conditions may hold together");
+    assert_eq!(
+        (of("&: the left operand alone"), of("&: the right operand alone")),
+        (0, 1),
+        "the right one is constant"
+    );
     assert_eq!(of("arms 0 and 1 exchanged"), 0);
     assert_eq!(of("arms 1 and 2 exchanged"), 1);
 }

@@ -325,14 +325,41 @@ fn the_table_is_free_when_the_merger_has_followed_a_swap() {
 
 #[test]
 fn after_a_reset_the_table_is_free_and_stays_free() {
-    for seed in 0..16 {
+    for wait in 0..16 {
         let unit = LfbUnit::new(Patches::new(SMALL, 4).unwrap(), 30).unwrap();
-        let mut sim = Simulation::of(&unit).unwrap().seeded(seed);
-        sim.reset();
-        for clock in 0..16 {
-            assert_eq!(sim.get_u64(sim.o.clear_ready), 1, "seed {seed}, clock {clock}");
+        let mut sim = Simulation::of(&unit).unwrap().seeded(wait);
+        // At the start, and at any time after a swap.
+        for swap in [1, 0] {
+            sim.reset();
+            for clock in 0..16 {
+                assert_eq!(sim.get_u64(sim.o.clear_ready), 1, "clock {clock} of {wait}");
+                sim.step_clock("pe", 1);
+            }
+            sim.set(sim.i.swap, swap);
             sim.step_clock("pe", 1);
+            sim.set(sim.i.swap, 0);
+            sim.step_clock("pe", wait);
         }
+    }
+}
+
+/// In each phase of the scan, which holds now and then: of the buffer that was behind no entry is taken for one of the other.
+#[test]
+fn a_swap_while_the_scan_is_among_pages_sends_no_word_twice() {
+    for wait in 0..40 {
+        let mut bench = Bench::new(SMALL, 4, 30, 0);
+        for word in [3, 2] {
+            for x in (0..24).rev() {
+                bench.draw((x, 0), 100 * word + x);
+            }
+            bench.wait_until(|o| o.idle);
+            while bench.since_swap < bench.frame() || bench.advanced != 2 {
+                bench.clock();
+            }
+            (0..wait).for_each(|_| bench.clock());
+            bench.swap();
+        }
+        bench.finish_scan();
     }
 }
 

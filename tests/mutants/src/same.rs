@@ -1,7 +1,27 @@
-//! Which conditions never hold together: the order of such does not matter, nor whether they meet in an or or an exclusive or.
+//! Which edits plainly make the same circuit: of conditions that never hold together, and beside constants that change nothing.
 
 use std::collections::BTreeSet;
-use tilewright_hdl::ir::{Binary, Module, NodeId, Op, Relation};
+use tilewright_hdl::Bits;
+use tilewright_hdl::ir::{Binary, Module, NodeId, Op, Relation, Unary};
+
+/// Whether the operator gives its other operand where one is this.
+pub(crate) fn is_neutral(module: &Module, operator: Binary, operand: NodeId) -> bool {
+    let neutral = match operator {
+        Binary::And => Bits::ones(module.width(operand)),
+        _ => Bits::zero(module.width(operand)),
+    };
+    constant(module, operand) == Some(neutral)
+}
+
+/// The value of a constant, as it is or inverted.
+fn constant(module: &Module, id: NodeId) -> Option<Bits> {
+    match &module.node(id).op {
+        Op::Const(value) => Some(value.clone()),
+        Op::Wire(of) => constant(module, *of),
+        Op::Unary(Unary::Not, of) => constant(module, *of).map(|value| value.not()),
+        _ => None,
+    }
+}
 
 /// A condition holds only while a value is one of these numbers, such as the codes of a state.
 struct Only {
