@@ -23,7 +23,7 @@ proptest! {
         words in prop::collection::vec(0u64..256, 0..60),
         stalls in stalls(),
     ) {
-        let mut sim = Simulation::of(&fifo(1 << depth, 2 * write, 2 * read)).unwrap();
+        let mut sim = Simulation::of(&fifo(1 << depth, 2 * write, 2 * read)).unwrap().seeded(stalls.seed);
         sim.reset();
         let ends = ([End::on(sim.i.into, "write")], [End::on(sim.o.out, "read")]);
         let received = through(&mut sim, (&ends.0, &ends.1), std::slice::from_ref(&words), stalls, BOTH);

@@ -24,7 +24,8 @@ fn result<B: Block>(
     stalls: Stalls,
     cuts: Cuts,
 ) -> Vec<Vec<u64>> {
-    let mut sim = Simulation::of(block).unwrap();
+    // Registers without a reset, and memories, start with any value.
+    let mut sim = Simulation::of(block).unwrap().seeded(stalls.seed);
     sim.reset();
     let ends = |streams: Vec<Stream<Port, Port>>| streams.into_iter().map(End::of).collect::<Vec<_>>();
     let (into, out) = (ends(into(&sim.i)), ends(out(&sim.o)));

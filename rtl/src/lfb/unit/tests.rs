@@ -203,10 +203,22 @@ impl Bench {
         accepted
     }
 
+    /// Whether every pixel of the back buffer has been sent: the merger follows a swap after 2 clocks, and a word comes 2
+    /// clocks after its pixel is counted.
+    fn is_sent(&self) -> bool {
+        self.since_swap >= self.frame() + 4
+    }
+
+    /// Waits until the scan has advanced so far, in a frame after that in which all was sent.
+    fn wait_for_scan(&mut self, advanced: u64) {
+        while !self.is_sent() || self.advanced != advanced {
+            self.clock();
+        }
+    }
+
     /// Waits until every pixel of the back buffer has been sent, and sees that it was what had been drawn.
     fn finish_scan(&mut self) {
-        // The merger follows a swap after 2 clocks, and a word comes 2 clocks after its pixel is counted.
-        while self.since_swap < self.frame() + 4 {
+        while !self.is_sent() {
             self.clock();
         }
         assert_eq!(std::mem::take(&mut self.sent), std::mem::take(&mut self.expected));
@@ -348,14 +360,13 @@ fn after_a_reset_the_table_is_free_and_stays_free() {
 fn a_swap_while_the_scan_is_among_pages_sends_no_word_twice() {
     for wait in 0..40 {
         let mut bench = Bench::new(SMALL, 4, 30, 0);
-        for word in [3, 2] {
-            for x in (0..24).rev() {
-                bench.draw((x, 0), 100 * word + x);
+        // A patch has another page in each buffer.
+        for first in [0, 23] {
+            for x in 0..24 {
+                bench.draw((u64::abs_diff(first, x), 0), x);
             }
             bench.wait_until(|o| o.idle);
-            while bench.since_swap < bench.frame() || bench.advanced != 2 {
-                bench.clock();
-            }
+            bench.wait_for_scan(2);
             (0..wait).for_each(|_| bench.clock());
             bench.swap();
         }
@@ -385,9 +396,7 @@ fn a_restart_leaves_a_pixel_that_is_sought_to_the_next_frame() {
             let mut bench = Bench::new(SMALL, 4, 30, 0);
             bench.draw((20, 0), 5);
             // The scan is behind the pixel until it begins again.
-            while bench.advanced < 60 {
-                bench.clock();
-            }
+            bench.wait_for_scan(60);
             bench.swap();
             while bench.advanced > 0 {
                 bench.clock();

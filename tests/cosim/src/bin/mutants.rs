@@ -76,7 +76,9 @@ fn judge(options: &Options) -> Result<(), String> {
         let verdicts = run(suite, &subject.tests, &mutants, options.jobs);
         rows.push((subject.name.as_str(), Row::of(subject, &mutants, &verdicts)));
     }
-    print(&rows);
+    if !options.lists {
+        print(&rows);
+    }
     Ok(())
 }
 
