@@ -13,7 +13,7 @@ fn fifo(depth: u32, write: u64, read: u64) -> DualClockFifo {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(24))]
+    #![proptest_config(ProptestConfig { cases: 24, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn nothing_is_lost_between_clocks(

@@ -61,7 +61,7 @@ impl Block for Join {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(24))]
+    #![proptest_config(ProptestConfig { cases: 24, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn queues(depth in 1u32..10, block_ram: bool, words in words(256), stalls in stalls()) {
