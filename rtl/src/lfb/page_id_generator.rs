@@ -96,8 +96,9 @@ mod tests {
         fn it_is_the_first_of_the_free_pages(
             pages in 2..20u32,
             steps in prop::collection::vec((prop::bool::weighted(0.04), prop::bool::weighted(0.7)), 1..200),
+            seed in any::<u64>(),
         ) {
-            let mut sim = Simulation::of(&PageIdGenerator { pages }).unwrap();
+            let mut sim = Simulation::of(&PageIdGenerator { pages }).unwrap().seeded(seed);
             sim.reset();
             let all: Vec<u64> = (0..pages.into()).rev().collect();
             let mut free = all.clone();

@@ -97,10 +97,19 @@ impl Machine {
         self.sim.set(self.sim.i.gfb.start, 1);
         self.sim.step_clock("merge", 1);
         self.sim.set(self.sim.i.gfb.start, 0);
-        while self.sim.get_u64(self.sim.o.gfb.busy) == 1 {
+        self.finish_round();
+        self.sim.get_u64(self.sim.o.gfb.clocks)
+    }
+
+    /// Lets clocks pass until the round under way has ended.
+    fn finish_round(&mut self) {
+        for _ in 0..self.merge_clocks + 9 {
+            if self.sim.get_u64(self.sim.o.gfb.busy) == 0 {
+                return;
+            }
             self.sim.step_clock("merge", 1);
         }
-        self.sim.get_u64(self.sim.o.gfb.clocks)
+        panic!("the round has no end");
     }
 
     /// Exchanges the banks.
@@ -147,6 +156,42 @@ fn a_round_takes_t_m() {
 }
 
 #[test]
+fn each_processor_sees_its_own_buffer() {
+    let mut machine = Machine::new(Screen { width: 16, height: 8 }, 4, 8, 3);
+    for busy in 0..3 {
+        machine.draw(busy, (0..=busy as u64).map(|patch| (4 * patch, 0, 9)));
+        let ProcessorIn { request, clear, .. } = machine.sim.i.processors[busy];
+        machine.sim.set(clear.patch, busy as u64);
+        for wanted in [1, 0] {
+            machine.sim.set(request.valid, wanted);
+            machine.sim.set(clear.valid, wanted);
+            machine.sim.step_clock("pe", wanted);
+        }
+        for (processor, seen) in machine.sim.read_u64().processors.into_iter().enumerate() {
+            let is_free = u64::from(processor != busy);
+            assert_eq!((seen.ready, seen.clear_ready, seen.idle), (is_free, is_free, is_free), "{processor} of {busy}");
+        }
+        machine.wait_until(machine.sim.o.processors[busy].idle);
+    }
+    // The patch that was drawn into last was cleared, and got another page.
+    let pages = machine.sim.read_u64().processors.into_iter().map(|seen| seen.pages_used);
+    assert_eq!(pages.collect::<Vec<_>>(), [2, 3, 4]);
+}
+
+#[test]
+fn the_host_sees_which_round_is_the_first() {
+    let mut machine = Machine::new(Screen { width: 16, height: 8 }, 4, 8, 1);
+    for _ in 0..2 {
+        assert_eq!(machine.sim.get_u64(machine.sim.o.gfb.first_round), 1);
+        for _ in 0..2 {
+            machine.merge();
+            assert_eq!(machine.sim.get_u64(machine.sim.o.gfb.first_round), 0);
+        }
+        machine.show();
+    }
+}
+
+#[test]
 fn later_rounds_accumulate_and_a_swap_starts_afresh() {
     let screen = Screen { width: 16, height: 8 };
     let mut machine = Machine::new(screen, 4, 8, 3);
@@ -182,9 +227,7 @@ fn a_swap_during_a_round_loses_nothing() {
         machine.sim.set(machine.sim.i.gfb.start, 0);
         machine.sim.step_clock("merge", delay);
         machine.swap(0);
-        while machine.sim.get_u64(machine.sim.o.gfb.busy) == 1 {
-            machine.sim.step_clock("merge", 1);
-        }
+        machine.finish_round();
         machine.merge();
         machine.show();
         assert_eq!(machine.picture(), nearest(screen, &drawn, &blank(screen)), "a swap {delay} clocks after the start");

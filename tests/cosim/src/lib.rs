@@ -8,6 +8,7 @@
 //! - [`reduce`]: a circuit that fails made smaller, node by node;
 //! - [`fuzz`]: random designs and random edits of them, on both engines;
 //! - [`many`]: several stimuli of a random design at once;
+//! - [`mutation`]: small edits of the blocks, which their own tests have to find;
 //! - [`check`]: one design through all tools, for the blocks of the catalogue.
 
 pub mod batch;
@@ -19,6 +20,7 @@ mod edit;
 pub mod fuzz;
 pub mod many;
 pub mod matrix;
+pub mod mutation;
 pub mod operators;
 pub mod reduce;
 pub mod shaped;

@@ -32,7 +32,7 @@ fn offer(sim: &mut Sim, [valid, number]: [Port; 2], patch: u64, ready: Port) -> 
     sim.set(valid, 1);
     sim.set(number, patch);
     let mut states = Vec::new();
-    loop {
+    while states.len() < 9 {
         let accepted = sim.get(ready) == 1;
         states.extend(clocks(sim, 1));
         if accepted {
@@ -40,6 +40,7 @@ fn offer(sim: &mut Sim, [valid, number]: [Port; 2], patch: u64, ready: Port) -> 
             return states;
         }
     }
+    panic!("it is never accepted: {states:?}");
 }
 
 /// Lets clocks pass; gives the states in them.
@@ -87,6 +88,18 @@ fn a_clear_takes_3_clocks_and_comes_before_a_look_up_of_the_same_edge() {
     sim.drive(PatchTableIn { settled: 1, ..idle() });
     assert_eq!(clocks(&mut sim, 6), ["Read", "Read", "Read", "Examine", "Allocate", "Found"]);
     assert_eq!(sim.get_u64(sim.o.page), 1, "a cleared patch gets a new page");
+}
+
+#[test]
+fn a_reset_ends_a_clear() {
+    for wait in 0..4 {
+        let mut sim = table(6, 4);
+        clocks(&mut sim, wait);
+        clear(&mut sim, 1);
+        assert_eq!(sim.get_u64(sim.o.clear_ready), 0);
+        sim.reset();
+        assert_eq!(sim.get_u64(sim.o.clear_ready), 1, "a reset {wait} clocks after the first");
+    }
 }
 
 fn idle() -> PatchTableIn<u64> {

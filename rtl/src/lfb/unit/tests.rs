@@ -37,8 +37,10 @@ struct Bench {
     sent: BTreeMap<(u64, u64), u64>,
     /// The unit's place in the chain.
     position: u32,
-    /// How many pixels the scan has advanced since its restart.
+    /// How many pixels the scan has advanced since its restart, and after how many it is restarted, whether it advances or not.
     advanced: u64,
+    restart_at: u64,
+    restart_advances: bool,
     /// How many pixels were sent since the last swap.
     since_swap: u64,
     overflows: u64,
@@ -69,6 +71,8 @@ impl Bench {
             sent: BTreeMap::new(),
             position,
             advanced: 0,
+            restart_at: u64::from(screen.pixels()) + 19,
+            restart_advances: false,
             since_swap: 0,
             overflows: 0,
             found: 0,
@@ -109,14 +113,15 @@ impl Bench {
                 None => assert_eq!(word, EMPTY, "only the pixels of a whole frame are sent"),
             }
         }
-        // The chain is longer than this unit's place in it, and holds now and then, as it does after each line.
-        let restart = self.advanced == self.frame() + 19;
-        if restart {
+        if self.sim.get_u64(scan.restart) == 1 {
             self.advanced = 0;
+            self.restart_at = self.frame() + 19;
         }
+        // The chain is longer than this unit's place in it, and holds now and then, as it does after each line.
+        let restart = self.advanced == self.restart_at;
         let merged = self.sim.cycles("merge").unwrap();
         self.sim.set(scan.restart, restart);
-        self.sim.set(scan.enable, !restart && merged % 11 > 1);
+        self.sim.set(scan.enable, if restart { self.restart_advances } else { merged % 11 > 1 });
     }
 
     fn merge_pixel(&mut self, number: u64, word: u64) {
@@ -198,10 +203,22 @@ impl Bench {
         accepted
     }
 
+    /// Whether every pixel of the back buffer has been sent: the merger follows a swap after 2 clocks, and a word comes 2
+    /// clocks after its pixel is counted.
+    fn is_sent(&self) -> bool {
+        self.since_swap >= self.frame() + 4
+    }
+
+    /// Waits until the scan has advanced so far, in a frame after that in which all was sent.
+    fn wait_for_scan(&mut self, advanced: u64) {
+        while !self.is_sent() || self.advanced != advanced {
+            self.clock();
+        }
+    }
+
     /// Waits until every pixel of the back buffer has been sent, and sees that it was what had been drawn.
     fn finish_scan(&mut self) {
-        // The merger follows a swap after 2 clocks, and a word comes 2 clocks after its pixel is counted.
-        while self.since_swap < self.frame() + 4 {
+        while !self.is_sent() {
             self.clock();
         }
         assert_eq!(std::mem::take(&mut self.sent), std::mem::take(&mut self.expected));
@@ -291,6 +308,103 @@ fn swapping_while_a_request_is_under_way_is_an_error() {
     bench.draw((0, 0), 1);
     bench.sim.set(bench.sim.i.swap, 1);
     bench.clock();
+}
+
+#[test]
+fn swapping_again_before_the_merger_has_followed_is_an_error() {
+    let mut bench = Bench::new(SMALL, 4, 30, 0);
+    bench.sim.set(bench.sim.i.swap, 1);
+    bench.clock();
+    let problem = (0..4).find_map(|_| bench.sim.try_step().err()).expect("a clock of the processor passes").to_string();
+    assert!(problem.contains("the buffers are not swapped again before the merger has followed"), "{problem}");
+}
+
+/// Two clocks of the merger after a swap, and then two of the processor, in every phase of the two clocks.
+#[test]
+fn the_table_is_free_when_the_merger_has_followed_a_swap() {
+    let [pe, merge] = [PE, MERGE].map(|clock| clock.period.picoseconds());
+    for wait in 0..16 {
+        let mut bench = Bench::new(SMALL, 4, 30, 0);
+        (0..wait).for_each(|_| bench.clock());
+        bench.sim.set(bench.sim.i.swap, 1);
+        bench.clock();
+        bench.sim.set(bench.sim.i.swap, 0);
+        let followed = (bench.sim.time() / merge + 2) * merge;
+        bench.wait_until(|o| o.clear_ready);
+        assert_eq!(bench.sim.time(), (followed / pe + 2) * pe, "a swap after {wait} clocks");
+    }
+}
+
+#[test]
+fn after_a_reset_the_table_is_free_and_stays_free() {
+    for wait in 0..16 {
+        let unit = LfbUnit::new(Patches::new(SMALL, 4).unwrap(), 30).unwrap();
+        let mut sim = Simulation::of(&unit).unwrap().seeded(wait);
+        // At the start, and at any time after a swap.
+        for swap in [1, 0] {
+            sim.reset();
+            for clock in 0..16 {
+                assert_eq!(sim.get_u64(sim.o.clear_ready), 1, "clock {clock} of {wait}");
+                sim.step_clock("pe", 1);
+            }
+            sim.set(sim.i.swap, swap);
+            sim.step_clock("pe", 1);
+            sim.set(sim.i.swap, 0);
+            sim.step_clock("pe", wait);
+        }
+    }
+}
+
+/// In each phase of the scan, which holds now and then: of the buffer that was behind no entry is taken for one of the other.
+#[test]
+fn a_swap_while_the_scan_is_among_pages_sends_no_word_twice() {
+    for wait in 0..40 {
+        let mut bench = Bench::new(SMALL, 4, 30, 0);
+        // A patch has another page in each buffer.
+        for first in [0, 23] {
+            for x in 0..24 {
+                bench.draw((u64::abs_diff(first, x), 0), x);
+            }
+            bench.wait_until(|o| o.idle);
+            bench.wait_for_scan(2);
+            (0..wait).for_each(|_| bench.clock());
+            bench.swap();
+        }
+        bench.finish_scan();
+    }
+}
+
+/// A look-up, and 3 clocks in the image memory.
+#[test]
+fn a_request_is_under_way_until_its_word_is_written() {
+    let mut bench = Bench::new(SMALL, 4, 30, 0);
+    for (pixel, look_up) in [((0, 0), 4), ((1, 0), 3)] {
+        let accepted = bench.draw(pixel, 9);
+        for clock in 1..look_up + 4 {
+            assert_eq!(bench.sim.get_u64(bench.sim.o.idle), 0, "clock {clock}");
+            bench.clock();
+        }
+        assert_eq!((bench.sim.get_u64(bench.sim.o.idle), bench.now()), (1, accepted + look_up + 4));
+    }
+}
+
+/// The pixel is sought when the scan has advanced to the one after it, and its word is there when it has advanced by one more.
+#[test]
+fn a_restart_leaves_a_pixel_that_is_sought_to_the_next_frame() {
+    for (restart_advances, restarts) in [(false, [19, 20, 21, 23]), (true, [19, 20, 22, 23])] {
+        for restart_at in restarts {
+            let mut bench = Bench::new(SMALL, 4, 30, 0);
+            bench.draw((20, 0), 5);
+            // The scan is behind the pixel until it begins again.
+            bench.wait_for_scan(60);
+            bench.swap();
+            while bench.advanced > 0 {
+                bench.clock();
+            }
+            (bench.restart_at, bench.restart_advances) = (restart_at, restart_advances);
+            bench.finish_scan();
+        }
+    }
 }
 
 #[test]
