@@ -3,6 +3,7 @@
 use crate::clock::Clock;
 use crate::ir::*;
 use crate::loc::Loc;
+use crate::stages::Pipelines;
 use crate::stream::{DraftStream, Sent};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -31,6 +32,7 @@ pub(crate) struct Draft {
     pub instance_outputs: Vec<Vec<String>>,
     pub asserts: Vec<Assert>,
     pub synchronizers: Vec<Synchronizer>,
+    pub pipelines: Pipelines,
     /// Inputs that the description says it leaves unused.
     pub ignored: BTreeSet<NodeId>,
     /// What stands in faulty expressions, of which the circuit has only a stand-in.
@@ -54,6 +56,8 @@ pub(crate) struct DraftWire {
 pub(crate) struct DraftMemory {
     pub memory: Memory,
     pub true_dual_port: bool,
+    /// Where each write port is made.
+    pub written: Vec<Loc>,
 }
 
 /// A signal of another clock, and the synchronizer that it enters.
@@ -86,6 +90,7 @@ impl Draft {
             instance_outputs: Vec::new(),
             asserts: Vec::new(),
             synchronizers: Vec::new(),
+            pipelines: Pipelines::default(),
             ignored: BTreeSet::new(),
             in_problems: BTreeSet::new(),
         }

@@ -30,6 +30,9 @@ pub(crate) fn finish(
     check::unused::check(&draft, &outputs, problems);
     let sound = check::loops::check(&draft, &e.summaries, problems);
     let mixed = check::domains::check(&draft, &e.done, &e.summaries, &outputs, problems);
+    if sound {
+        check::stages::check(&draft, &e.summaries, problems);
+    }
     let nodes: Vec<_> = outputs.iter().map(|(_, node)| *node).collect();
     let mut summary = match sound {
         true => summary::summarize(&draft, &e.summaries, &nodes, &renumber),

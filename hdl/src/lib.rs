@@ -91,6 +91,7 @@ mod signal;
 mod signed;
 mod stages;
 mod stream;
+mod stream_stages;
 mod summary;
 mod tree;
 mod uneven;
@@ -131,7 +132,7 @@ pub use shaping::{IntoShape, grid, row};
 pub use signal::Signal;
 pub use stages::Start;
 #[doc(hidden)]
-pub use stages::cleared;
+pub use stages::{any_stage, cleared};
 pub use stream::{Stream, Taken, stream};
 pub use tree::tree;
 #[doc(hidden)]

@@ -6,6 +6,7 @@ mod lane_loops;
 pub(crate) mod loops;
 pub(crate) mod naming;
 pub(crate) mod outputs;
+pub(crate) mod stages;
 pub(crate) mod streams;
 pub(crate) mod synchronizers;
 pub(crate) mod unused;

@@ -16,6 +16,7 @@ mod outputs;
 mod records;
 mod reports;
 mod shapes;
+mod stages;
 mod state;
 mod streams;
 mod unused;
