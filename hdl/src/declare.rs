@@ -20,7 +20,7 @@ use crate::width::Width;
 ///         /// The number of pages.
 ///         pub pages: u32,
 ///     }
-///     latency = "1 clock";
+///     latency = "1 clock from `take` to the next page";
 ///     source = "VC-1, section 3.3";
 ///     in PageIdGeneratorIn {
 ///         /// All pages are free again.
@@ -54,7 +54,8 @@ use crate::width::Width;
 /// What `build` returns is checked against the widths of the outputs.
 ///
 /// The clauses come in any order, and none has to be there. One whose expressions say `self` has `(self)` behind its first word, as macros
-/// cannot lend that word: `latency(self) = format!("{} clocks", self.clocks());`. A port is
+/// cannot lend that word: `latency(self) = format!("{} clocks", self.clocks());`. A latency that is one number needs no clause: it is counted
+/// ([`Design::latencies`](crate::Design::latencies)). A port is
 ///
 /// | written | which is |
 /// |---|---|

@@ -44,7 +44,12 @@ pub(crate) fn finish(
     summary.synchronized = check::synchronizers::check(&draft, &e.summaries, problems);
     e.summaries.push(summary);
     e.instantiated.push(draft.loc);
-    e.done.push(module(draft, outputs.into_iter().zip(kinds), &renumber, &resets, name, about, parameters));
+    let block = draft.block;
+    let module = module(draft, outputs.into_iter().zip(kinds), &renumber, &resets, name, about, parameters);
+    if e.problems.is_empty() {
+        check::latency::check(block, &module, &mut e.delays, &mut e.problems);
+    }
+    e.done.push(module);
 }
 
 /// Says which clock each input belongs to, and where each clock of the draft stands among those in use.

@@ -3,6 +3,7 @@
 pub(crate) mod domains;
 pub(crate) mod drives;
 mod lane_loops;
+pub(crate) mod latency;
 pub(crate) mod loops;
 pub(crate) mod naming;
 pub(crate) mod outputs;
