@@ -28,7 +28,6 @@ const PART: u32 = WORD / STAGES;
 block! {
     /// Sends on the nearer of two pixels: words of depth above colour, the smaller is the nearer.
     pub struct MergingUnit;
-    latency = "4 clocks with `enable`";
     source = "VC-1, section 3.3, pipelined image merger (VC1-MU)";
     in MergingUnitIn {
         /// The pixel of the preceding unit of the chain.

@@ -1,0 +1,54 @@
+// image_merger_units4
+//
+// Merges the images of the local frame buffers: of each pixel the nearest sample.
+//
+// Parameters  ImageMerger { units: 4 }
+// Latency     16 clocks with `enable`
+// Source      VC-1, section 3.3, pipelined image merger (VC1-PIM)
+// Described   rtl/src/merger/image_merger.rs:42
+`default_nettype none
+
+module image_merger_units4 (
+    input  wire        clk,
+    input  wire [47:0] left,      // What enters the chain at its left end.
+    // The pixel of each local frame buffer.
+    input  wire [47:0] samples_0,
+    input  wire [47:0] samples_1,
+    input  wire [47:0] samples_2,
+    input  wire [47:0] samples_3,
+    input  wire        enable,    // The chain advances.
+    output wire [47:0] merged     // The nearest of what met in the chain.
+);
+
+    genvar i;
+
+    generate
+        for (i = 0; i < 4; i = i + 1) begin : u_merging_unit         // rtl/src/merger/image_merger.rs:42
+            wire [47:0] nearer;
+            wire [47:0] lane_left;
+            if (i < 1) begin : lane_left_edge
+                assign lane_left = left;
+            end else begin : lane_left_link
+                assign lane_left = u_merging_unit[i - 1].nearer;
+            end
+            wire [47:0] right;
+            case (i)
+                0: begin : right_0 assign right = samples_0; end
+                1: begin : right_1 assign right = samples_1; end
+                2: begin : right_2 assign right = samples_2; end
+                default: begin : right_3 assign right = samples_3; end
+            endcase
+
+            merging_unit lane (
+                .clk    (clk),
+                .left   (lane_left),
+                .right  (right),
+                .enable (enable),
+                .nearer (nearer)
+            );
+        end
+    endgenerate
+
+    assign merged = u_merging_unit[3].nearer;
+endmodule
+`default_nettype wire
