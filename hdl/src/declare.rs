@@ -62,6 +62,7 @@ use crate::width::Width;
 /// | `take: bit()` | a signal, or lanes of one: `bits(8).of(row(4))` |
 /// | `scan: ScanControl { restart: bit(), enable: bit() }.on(MERGE)` | a record |
 /// | `preset: Position = self.position()` | a record whose widths some expression gives |
+/// | `jobs: stream(Job { page: below(12), last: bit() })`, `words: stream(8).on(PE)` | a stream, which runs both ways |
 /// | `samples: [bits(48); self.units]`, `nearest: [Position = self.position(); 4]` | a list, as a `Vec` |
 /// | `sum: _`, `nearest: Pixel = _`, `all: [Pixel] = _` | an output as wide as what drives it |
 ///
@@ -134,6 +135,24 @@ macro_rules! block {
     ] $($state:tt)*) => {
         $crate::block! {
             @ports $of [$($done)* {[$([$($said)*])*] $port [$record<T>] [$record { $($fields)* } $(.on($clock))?]}]
+            [$($($more)*)?] $($state)*
+        }
+    };
+    (@ports $of:tt [$($done:tt)*] [
+        $(#[$($said:tt)*])* $port:ident: stream($record:ident { $($fields:tt)* }) $(.on($clock:expr))? $(, $($more:tt)*)?
+    ] $($state:tt)*) => {
+        $crate::block! {
+            @ports $of [$($done)* {
+                [$([$($said)*])*] $port [$crate::Stream<$record<T>, T>] [$crate::stream($record { $($fields)* }) $(.on($clock))?]
+            }]
+            [$($($more)*)?] $($state)*
+        }
+    };
+    (@ports $of:tt [$($done:tt)*] [
+        $(#[$($said:tt)*])* $port:ident: stream($width:expr) $(.on($clock:expr))? $(, $($more:tt)*)?
+    ] $($state:tt)*) => {
+        $crate::block! {
+            @ports $of [$($done)* {[$([$($said)*])*] $port [$crate::Stream<T, T>] [$crate::stream($width) $(.on($clock))?]}]
             [$($($more)*)?] $($state)*
         }
     };

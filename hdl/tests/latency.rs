@@ -98,6 +98,12 @@ fn what_has_no_single_latency_has_none() {
     is_none(|m, i| [m.pipe_when(i.go, "first", i.a), m.pipe_when(i.hold, "second", i.b)]);
     is_none(|m, i| [m.pipe("second", m.pipe_when(i.go, "first", i.a)), lit(1, 0)]);
     is_none(|m, i| [m.pipe_when(!i.hold, "first", i.a), lit(1, 0)]);
+    // A counter remembers how often it was enabled.
+    is_none(|m, i| {
+        let count = m.reg("count", 8).reset(0);
+        count.enable(i.go).next(count + 1);
+        [i.a + 1, *count]
+    });
     is_none(|m, i| {
         let sum = m.reg("sum", 8).reset(0);
         sum.next(sum + i.a);

@@ -214,7 +214,7 @@ impl Printer<'_> {
             Op::Pick { of, axis, index } => out.extend(self.pick(id, &target, of, axis, index)),
             Op::Pack { of, axis } => out.extend(self.pack(&target, width, of, axis, id)),
             _ if self.plan.form(id) == Form::Block => {
-                let target = Target { name: target, assign: "=", hold: None, states: self.states.of(id) };
+                let target = Target { name: target, assign: "=", hold: None, states: self.states.of(id), now: None };
                 let body = self.statements(id, &target);
                 out.push("always @* begin".to_string());
                 out.extend(lines(&body, 1));

@@ -78,6 +78,7 @@ fn is_short(body: &[Statement]) -> bool {
 fn print_body(head: &str, body: &[Statement], short: bool, indent: usize, out: &mut Vec<String>) {
     match body {
         [Statement::Assign(text)] if short => out.push(format!("{head} {text}")),
+        [] if short => out.push(format!("{head} ;")),
         _ => {
             out.push(format!("{head} begin"));
             out.extend(lines(body, indent + 1));

@@ -1,7 +1,8 @@
 //! How many clocks a module takes from its inputs to its outputs, where that is one number: counted, as a statement of it could be wrong.
 
 use super::{Design, Instance, Module, Node, NodeId, Op, Register};
-use crate::graph::Edges;
+use crate::graph::{Edges, cyclic_components};
+use std::collections::BTreeSet;
 use std::fmt;
 
 /// The clocks from every input of a module to every output that it has a part in, not through enables: the registers and synchronous
@@ -95,6 +96,11 @@ impl Delay {
         }
     }
 
+    /// What is left of it in a value that remembers.
+    fn remembered(self) -> Delay {
+        if self == Delay::Nothing { Delay::Nothing } else { Delay::Several }
+    }
+
     /// After so many clocks more; none if what lets them pass is no input.
     fn after(self, more: u32, by: Option<Gate>) -> Delay {
         match (self, by) {
@@ -114,7 +120,9 @@ pub(crate) fn output_delays(module: &Module, children: &[Vec<Delay>]) -> Vec<Del
         return vec![Delay::Several; module.outputs.len()];
     }
     let count = module.nodes.len();
-    let users = Edges::new(count, |node, push| operands(module, NodeId(node), &mut |id| push(id.0))).reversed();
+    let edges = Edges::new(count, |node, push| operands(module, NodeId(node), &mut |id| push(id.0)));
+    let looped: BTreeSet<u32> = cyclic_components(&edges).into_iter().flatten().collect();
+    let users = edges.reversed();
     let mut delays = vec![Delay::Nothing; count];
     let mut changed: Vec<u32> = Vec::new();
     for input in &module.inputs {
@@ -124,7 +132,11 @@ pub(crate) fn output_delays(module: &Module, children: &[Vec<Delay>]) -> Vec<Del
     // A delay changes at most twice.
     while let Some(node) = changed.pop() {
         for &user in users.of(node) {
-            let delay = delay(module, children, &delays, NodeId(user));
+            let delay = match looped.contains(&user) {
+                // What follows from itself remembers, if only how often it was enabled.
+                true => edges.of(user).iter().fold(Delay::Nothing, |all, of| all.or(delays[*of as usize].remembered())),
+                false => delay(module, children, &delays, NodeId(user)),
+            };
             if delay != delays[user as usize] {
                 delays[user as usize] = delay;
                 changed.push(user);
@@ -137,7 +149,11 @@ pub(crate) fn output_delays(module: &Module, children: &[Vec<Delay>]) -> Vec<Del
 /// What the value of a node follows from, in whatever clock, but for enables.
 fn operands(module: &Module, id: NodeId, visit: &mut dyn FnMut(NodeId)) {
     match &module.node(id).op {
-        Op::Register(register) => visit(taken(module, &module.registers[register.0 as usize]).0),
+        Op::Register(register) => {
+            let (next, enable) = taken(module, &module.registers[register.0 as usize]);
+            visit(next);
+            enable.into_iter().for_each(visit);
+        }
         Op::Read(memory, port) => {
             let memory = &module.memories[memory.0 as usize];
             visit(memory.reads[*port as usize].address);
