@@ -17,11 +17,8 @@
 //! In the 2 clocks before, the local frame buffers and the global one read their first pixel ([`SCAN_LATENCY`]). The whole
 //! chain holds during the overhead; in the end it runs on until the last pixel has left it.
 
-use tilewright_hdl::{Module, below, bit, block, codes, mux, net, select, up_to, when};
-
 use crate::merger::STAGES;
-use crate::parameter::Screen;
-use crate::scan::ScanControl;
+use crate::prelude::*;
 
 /// Clocks with `enable` from a scan counter to the word that its local frame buffer sends.
 pub const SCAN_LATENCY: u32 = 2;

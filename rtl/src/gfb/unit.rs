@@ -20,12 +20,8 @@
 //! enter the chain, so that the bank's old contents are replaced; in later rounds they enter it themselves, so that the bank is
 //! cumulative (VC1-CLR3). The chain itself chooses the nearer pixel, so what comes out of it is stored as it is.
 
-use tilewright_hdl::{Module, ReadUnderWrite, Width, below, bit, bits, block, bundle, cat, mux, net, up_to};
-
 use super::sequencer::{GfbSequencer, GfbSequencerIn};
-use crate::parameter::{ParameterError, Screen};
-use crate::scan::ScanControl;
-use crate::word::WORD;
+use crate::prelude::*;
 
 bundle! {
     /// What the host says to the global frame buffer.

@@ -19,10 +19,7 @@
 //! Both buffers are one memory, whose lowest address bit tells them apart: a port for the processor, a port for the
 //! scan, which takes the old word and leaves [`empty`] at the same edge.
 
-use tilewright_hdl::{Module, ReadUnderWrite, below, bit, bits, block, bundle, cat, codes, goto, mux, net, when};
-
-use crate::clocks::{MERGE, PE};
-use crate::word::{WORD, empty};
+use crate::prelude::*;
 
 bundle! {
     /// A pixel to draw.

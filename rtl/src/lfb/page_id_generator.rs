@@ -11,7 +11,7 @@
 //!
 //! Its value is the ID of the next free page; a first access to a patch takes it. It restarts when the buffers are swapped.
 
-use tilewright_hdl::{Module, below, bit, block, net, up_to};
+use crate::prelude::*;
 
 block! {
     /// Names the next free page of an image memory: 0, 1, 2 ..

@@ -28,16 +28,8 @@
 //! that two clocks of its own later still; until then its look-ups and clears wait, so that never both are in one buffer.
 //! Whoever swaps has to see that the back buffer has been sent as a whole (VC1-SW3), and to clear the patch table then.
 
-use tilewright_hdl::{Module, Width, bit, bits, block, bundle, net, up_to};
-
-use super::image_memory::{Draw, ImageMemory, ImageMemoryIn, SendPixel};
-use super::patch_table::{LookUp, PatchTable, PatchTableIn, PatchTableOut, ScanLookUp};
-use super::patches::Patches;
-use super::scan_counter::{ScanCounter, ScanCounterIn};
-use crate::clocks::{MERGE, PE};
-use crate::parameter::ParameterError;
-use crate::scan::{Position, ScanControl};
-use crate::word::WORD;
+use super::*;
+use crate::prelude::*;
 
 bundle! {
     /// A pixel that the processor draws.
@@ -149,12 +141,14 @@ impl LfbUnit {
 
         // The processor's request: its patch is looked up, the rest waits beside.
         let wanted = self.patches.locate(Position { x: i.request.x, y: i.request.y });
+        let (look_up, accept) = pe.offer(i.request.valid, Wanted { patch: wanted.patch });
+        let (clear, _) = pe.offer(i.clear.valid, Wanted { patch: i.clear.patch });
         let table = m.instance(
             "u_patch_table",
             &PatchTable { patches: self.patches.count(), pages: self.pages },
             PatchTableIn {
-                look_up: LookUp { valid: i.request.valid, patch: wanted.patch },
-                clear: LookUp { valid: i.clear.valid, patch: i.clear.patch },
+                look_up,
+                clear,
                 front: front.value(),
                 settled,
                 restart: i.swap,
@@ -162,7 +156,6 @@ impl LfbUnit {
                 scan: ScanLookUp { enable: scan.enable, patch: sought.patch, buffer: back },
             },
         );
-        net!(accept = i.request.valid & table.ready);
         let wanted_offset = pe.pipe_when(accept, "wanted_offset", wanted.offset);
         let word = pe.pipe_when(accept, "wanted_word", i.request.word);
 
@@ -180,7 +173,8 @@ impl LfbUnit {
         let idle = table.idle & image.idle;
         pe.assert(i.swap.implies(table.overflow | idle), "the buffers are swapped when idle or in overflow");
         pe.assert(i.swap.implies(settled), "the buffers are not swapped again before the merger has followed");
-        let PatchTableOut { ready, clear_ready, overflow, pages_used, .. } = table;
+        let PatchTableOut { overflow, pages_used, .. } = table;
+        let (ready, clear_ready) = (look_up.ready, clear.ready);
         LfbUnitOut { ready, clear_ready, overflow, pages_used, idle, word: image.sent }
     }
 }

@@ -16,9 +16,7 @@
 //! colour, alike in every order of merging (facts E0). A stage compares 12 bits of the words, the highest first, as a
 //! comparison of all 48 would not fit into a clock.
 
-use tilewright_hdl::{Module, Signal, bit, bits, block, bundle, lit, mux};
-
-use crate::word::WORD;
+use crate::prelude::*;
 
 /// The stages of the pipeline (VC1-MU).
 pub const STAGES: u32 = 4;

@@ -6,7 +6,7 @@
 // Parameters  GfbUnit { screen: Screen { width: 16, height: 8 }, units: 4, overhead: 20 }
 // Latency     a round of 304 clocks
 // Source      VC-1, section 3.3, global frame buffer (VC1-GFB, VC1-TM, VC1-CLR3)
-// Described   rtl/src/gfb/unit.rs:130
+// Described   rtl/src/gfb/unit.rs:126
 `default_nettype none
 
 module gfb_unit_width16_height8_units4_overhead20 (
@@ -32,20 +32,20 @@ module gfb_unit_width16_height8_units4_overhead20 (
     output reg  [47:0] left               // To the left end of the chain.
 );
 
-    reg filled_bank;                                             // rtl/src/gfb/unit.rs:135
-    reg first_round;                                             // rtl/src/gfb/unit.rs:141
+    reg filled_bank;                                             // rtl/src/gfb/unit.rs:131
+    reg first_round;                                             // rtl/src/gfb/unit.rs:137
 
     (* no_rw_check *)
-    reg [47:0] banks [0:255];                                    // rtl/src/gfb/unit.rs:137
-    reg [47:0] read_word;
-    reg [47:0] old;
+    reg [47:0] banks [0:255];                                    // rtl/src/gfb/unit.rs:133
+    reg [47:0] read_word;                                        // rtl/src/gfb/unit.rs:135
+    reg [47:0] old;                                              // rtl/src/gfb/unit.rs:139
 
-    wire [6:0] u_sequencer_feed;                                 // rtl/src/gfb/unit.rs:130
-    wire u_sequencer_stores;                                     // rtl/src/gfb/unit.rs:130
-    wire [6:0] u_sequencer_store;                                // rtl/src/gfb/unit.rs:130
-    wire u_sequencer_ends;                                       // rtl/src/gfb/unit.rs:130
+    wire [6:0] u_sequencer_feed;                                 // rtl/src/gfb/unit.rs:126
+    wire u_sequencer_stores;                                     // rtl/src/gfb/unit.rs:126
+    wire [6:0] u_sequencer_store;                                // rtl/src/gfb/unit.rs:126
+    wire u_sequencer_ends;                                       // rtl/src/gfb/unit.rs:126
 
-    gfb_sequencer_width16_height8_units4_overhead20 u_sequencer ( // rtl/src/gfb/unit.rs:130
+    gfb_sequencer_width16_height8_units4_overhead20 u_sequencer ( // rtl/src/gfb/unit.rs:126
         .clk          (clk),
         .rst          (rst),
         .start        (host_start),
@@ -88,12 +88,12 @@ module gfb_unit_width16_height8_units4_overhead20 (
 
 `ifdef FORMAL
     always @(posedge clk) begin
-        if (!rst) assert (!(host_swap | host_start) | !view_busy);   // rtl/src/gfb/unit.rs:131
+        if (!rst) assert (!(host_swap | host_start) | !view_busy);   // rtl/src/gfb/unit.rs:127
     end
 `else
 `ifndef SYNTHESIS
     always @(posedge clk) begin
-        if (!rst && !(!(host_swap | host_start) | !view_busy)) begin // rtl/src/gfb/unit.rs:131
+        if (!rst && !(!(host_swap | host_start) | !view_busy)) begin // rtl/src/gfb/unit.rs:127
             $display("FAIL: time %0t: %m: the banks are swapped and a round is started between rounds", $time);
             $stop;
         end

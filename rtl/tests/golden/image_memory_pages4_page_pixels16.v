@@ -6,7 +6,7 @@
 // Parameters  ImageMemory { pages: 4, page_pixels: 16 }
 // Latency     3 clocks of the processor to draw, 1 clock of the merger to send
 // Source      VC-1, section 3.3, image memory (VC1-ACC, VC1-CLR1)
-// Described   rtl/src/lfb/image_memory.rs:97
+// Described   rtl/src/lfb/image_memory.rs:94
 `default_nettype none
 
 module image_memory_pages4_page_pixels16 (
@@ -36,29 +36,29 @@ module image_memory_pages4_page_pixels16 (
     localparam [1:0] STAGE2_COMPARE = 2'd2;
     localparam [1:0] STAGE2_WRITE   = 2'd3;
 
-    reg [1:0] stage2;                                            // rtl/src/lfb/image_memory.rs:100
-    reg [6:0] drawn_address;                                     // rtl/src/lfb/image_memory.rs:111
-    reg [47:0] drawn_word;                                       // rtl/src/lfb/image_memory.rs:112
-    reg nearer;                                                  // rtl/src/lfb/image_memory.rs:114
-    reg resident;                                                // rtl/src/lfb/image_memory.rs:122
+    reg [1:0] stage2;                                            // rtl/src/lfb/image_memory.rs:97
+    reg [6:0] drawn_address;                                     // rtl/src/lfb/image_memory.rs:108
+    reg [47:0] drawn_word;                                       // rtl/src/lfb/image_memory.rs:109
+    reg nearer;                                                  // rtl/src/lfb/image_memory.rs:111
+    reg resident;                                                // rtl/src/lfb/image_memory.rs:119
 
     /* verilator lint_off MULTIDRIVEN */ // written by two clocks
-    reg [47:0] words [0:127];                                    // rtl/src/lfb/image_memory.rs:97
+    reg [47:0] words [0:127];                                    // rtl/src/lfb/image_memory.rs:94
     /* verilator lint_on MULTIDRIVEN */
-    reg [47:0] old_word;
-    reg [47:0] taken_word;
+    reg [47:0] old_word;                                         // rtl/src/lfb/image_memory.rs:110
+    reg [47:0] taken_word;                                       // rtl/src/lfb/image_memory.rs:117
 
     initial begin : words_contents
         integer i;
         for (i = 0; i < 128; i = i + 1) words[i] = 48'hffffffffffff;
     end
 
-    wire can_accept = (stage2 == STAGE2_IDLE) | (stage2 == STAGE2_WRITE); // rtl/src/lfb/image_memory.rs:101
-    wire accept = draw_valid & can_accept;                       // rtl/src/lfb/image_memory.rs:102
-    wire [6:0] send_address = {send_page, send_offset, send_buffer}; // rtl/src/lfb/image_memory.rs:118
-    wire take = send_enable & send_resident;                     // rtl/src/lfb/image_memory.rs:119
-    assign idle = stage2 == STAGE2_IDLE;                         // rtl/src/lfb/image_memory.rs:124
-    assign sent = resident ? taken_word : 48'hffffffffffff;      // rtl/src/lfb/image_memory.rs:124
+    wire can_accept = (stage2 == STAGE2_IDLE) | (stage2 == STAGE2_WRITE); // rtl/src/lfb/image_memory.rs:98
+    wire accept = draw_valid & can_accept;                       // rtl/src/lfb/image_memory.rs:99
+    wire [6:0] send_address = {send_page, send_offset, send_buffer}; // rtl/src/lfb/image_memory.rs:115
+    wire take = send_enable & send_resident;                     // rtl/src/lfb/image_memory.rs:116
+    assign idle = stage2 == STAGE2_IDLE;                         // rtl/src/lfb/image_memory.rs:121
+    assign sent = resident ? taken_word : 48'hffffffffffff;      // rtl/src/lfb/image_memory.rs:121
 
     always @(posedge pe_clk) begin
         if ((stage2 == STAGE2_WRITE) & nearer) words[drawn_address] <= drawn_word;
@@ -88,7 +88,6 @@ module image_memory_pages4_page_pixels16 (
             case (stage2)
                 STAGE2_IDLE: begin
                     if (accept) stage2 <= STAGE2_READ;
-                    else stage2 <= STAGE2_IDLE;
                 end
                 STAGE2_READ: stage2 <= STAGE2_COMPARE;
                 STAGE2_COMPARE: stage2 <= STAGE2_WRITE;
@@ -109,12 +108,12 @@ module image_memory_pages4_page_pixels16 (
 
 `ifdef FORMAL
     always @(posedge pe_clk) begin
-        if (!pe_rst) assert (!draw_valid | can_accept);              // rtl/src/lfb/image_memory.rs:103
+        if (!pe_rst) assert (!draw_valid | can_accept);              // rtl/src/lfb/image_memory.rs:100
     end
 `else
 `ifndef SYNTHESIS
     always @(posedge pe_clk) begin
-        if (!pe_rst && !(!draw_valid | can_accept)) begin            // rtl/src/lfb/image_memory.rs:103
+        if (!pe_rst && !(!draw_valid | can_accept)) begin            // rtl/src/lfb/image_memory.rs:100
             $display("FAIL: time %0t: %m: the second stage ends before the first has a page again", $time);
             $stop;
         end

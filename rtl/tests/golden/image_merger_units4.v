@@ -5,7 +5,7 @@
 // Parameters  ImageMerger { units: 4 }
 // Latency     16 clocks with `enable`
 // Source      VC-1, section 3.3, pipelined image merger (VC1-PIM)
-// Described   rtl/src/merger/image_merger.rs:42
+// Described   rtl/src/merger/image_merger.rs:40
 `default_nettype none
 
 module image_merger_units4 (
@@ -23,7 +23,7 @@ module image_merger_units4 (
     genvar i;
 
     generate
-        for (i = 0; i < 4; i = i + 1) begin : u_merging_unit         // rtl/src/merger/image_merger.rs:42
+        for (i = 0; i < 4; i = i + 1) begin : u_merging_unit         // rtl/src/merger/image_merger.rs:40
             wire [47:0] nearer;
             wire [47:0] lane_left;
             if (i < 1) begin : lane_left_edge

@@ -5,7 +5,7 @@
 // Parameters  MergingUnit
 // Latency     4 clocks with `enable`
 // Source      VC-1, section 3.3, pipelined image merger (VC1-MU)
-// Described   rtl/src/merger/unit.rs:69
+// Described   rtl/src/merger/unit.rs:67
 `default_nettype none
 
 module merging_unit (
@@ -16,18 +16,18 @@ module merging_unit (
     output reg  [47:0] nearer  // The nearer pixel.
 );
 
-    reg [47:0] left1;                                            // rtl/src/merger/unit.rs:71
-    reg [47:0] right1;                                           // rtl/src/merger/unit.rs:71
-    reg decided1;                                                // rtl/src/merger/unit.rs:71
-    reg right_is_nearer1;                                        // rtl/src/merger/unit.rs:71
-    reg [47:0] left2;                                            // rtl/src/merger/unit.rs:71
-    reg [47:0] right2;                                           // rtl/src/merger/unit.rs:71
-    reg decided2;                                                // rtl/src/merger/unit.rs:71
-    reg right_is_nearer2;                                        // rtl/src/merger/unit.rs:71
-    reg [47:0] left3;                                            // rtl/src/merger/unit.rs:71
-    reg [47:0] right3;                                           // rtl/src/merger/unit.rs:71
-    reg decided3;                                                // rtl/src/merger/unit.rs:71
-    reg right_is_nearer3;                                        // rtl/src/merger/unit.rs:71
+    reg [47:0] left1;                                            // rtl/src/merger/unit.rs:69
+    reg [47:0] right1;                                           // rtl/src/merger/unit.rs:69
+    reg decided1;                                                // rtl/src/merger/unit.rs:69
+    reg right_is_nearer1;                                        // rtl/src/merger/unit.rs:69
+    reg [47:0] left2;                                            // rtl/src/merger/unit.rs:69
+    reg [47:0] right2;                                           // rtl/src/merger/unit.rs:69
+    reg decided2;                                                // rtl/src/merger/unit.rs:69
+    reg right_is_nearer2;                                        // rtl/src/merger/unit.rs:69
+    reg [47:0] left3;                                            // rtl/src/merger/unit.rs:69
+    reg [47:0] right3;                                           // rtl/src/merger/unit.rs:69
+    reg decided3;                                                // rtl/src/merger/unit.rs:69
+    reg right_is_nearer3;                                        // rtl/src/merger/unit.rs:69
 
     always @(posedge clk) begin
         if (enable) begin

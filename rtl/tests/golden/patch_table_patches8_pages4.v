@@ -6,7 +6,7 @@
 // Parameters  PatchTable { patches: 8, pages: 4 }
 // Latency     3 clocks for a patch that has a page, else 4
 // Source      VC-1, section 3.3, patch table (VC1-PT, VC1-ACC)
-// Described   rtl/src/lfb/patch_table.rs:121
+// Described   rtl/src/lfb/patch_table.rs:111
 `default_nettype none
 
 module patch_table_patches8_pages4 (
@@ -14,10 +14,10 @@ module patch_table_patches8_pages4 (
     input  wire       pe_rst,
     input  wire       merge_clk,
     // A request for the page of a patch.
-    input  wire       look_up_valid,       // There is one.
+    input  wire       look_up_valid,
     input  wire [2:0] look_up_patch,       // Its number.
-    // A request to clear an entry.
-    input  wire       clear_valid,         // There is one.
+    // A request to clear an entry. If a look-up is accepted at the same edge, the clear comes first.
+    input  wire       clear_valid,
     input  wire [2:0] clear_patch,         // Its number.
     input  wire       front,               // The front buffer, 0 or 1.
     input  wire       settled,             // The scan has left the front buffer.
@@ -27,9 +27,6 @@ module patch_table_patches8_pages4 (
     input  wire       scan_enable,         // The scan advances; where it is low the entry stays.
     input  wire [2:0] scan_patch,          // Its number.
     input  wire       scan_buffer,         // The buffer to look into.
-    output wire       ready,               // A look-up is accepted at this edge.
-    // A clear is accepted at this edge. If a look-up is too, the clear comes first.
-    output wire       clear_ready,
     output wire       overflow,            // A look-up is held, because all pages are taken.
     output wire       idle,                // No look-up is under way.
     output wire [2:0] pages_used,          // How many pages are taken.
@@ -37,7 +34,9 @@ module patch_table_patches8_pages4 (
     output reg  [1:0] page,                // The page it found.
     // What the scan asked for one clock before.
     output wire       scan_entry_resident, // The page existence flag.
-    output wire [1:0] scan_entry_page      // The page ID.
+    output wire [1:0] scan_entry_page,     // The page ID.
+    output wire       look_up_ready,
+    output wire       clear_ready
 );
 
     localparam [2:0] STAGE1_IDLE     = 3'd0;
@@ -47,40 +46,41 @@ module patch_table_patches8_pages4 (
     localparam [2:0] STAGE1_FOUND    = 3'd4;
     localparam [2:0] STAGE1_OVERFLOW = 3'd5;
 
-    reg [2:0] stage1;                                            // rtl/src/lfb/patch_table.rs:121
-    reg [1:0] clearing;                                          // rtl/src/lfb/patch_table.rs:122
-    reg [2:0] patch;                                             // rtl/src/lfb/patch_table.rs:131
+    reg [2:0] stage1;                                            // rtl/src/lfb/patch_table.rs:111
+    reg [1:0] clearing;                                          // rtl/src/lfb/patch_table.rs:112
+    reg [2:0] patch;                                             // rtl/src/lfb/patch_table.rs:119
 
     (* no_rw_check *)
-    reg [2:0] entries [0:15];                                    // rtl/src/lfb/patch_table.rs:134
-    reg [2:0] entry;
-    reg [2:0] scan_entry;
+    reg [2:0] entries [0:15];                                    // rtl/src/lfb/patch_table.rs:122
+    reg [2:0] entry;                                             // rtl/src/lfb/patch_table.rs:125
+    reg [2:0] scan_entry;                                        // rtl/src/lfb/patch_table.rs:147
 
     initial begin : entries_contents
         integer i;
         for (i = 0; i < 16; i = i + 1) entries[i] = 3'd0;
     end
 
-    wire [1:0] u_page_id_generator_page;                         // rtl/src/lfb/patch_table.rs:140
-    wire u_page_id_generator_exhausted;                          // rtl/src/lfb/patch_table.rs:140
+    wire [1:0] u_page_id_generator_page;                         // rtl/src/lfb/patch_table.rs:128
+    wire u_page_id_generator_exhausted;                          // rtl/src/lfb/patch_table.rs:128
 
-    wire table_free = (clearing == 2'd0) & settled;              // rtl/src/lfb/patch_table.rs:124
-    wire can_accept = (stage1 == STAGE1_IDLE) | (stage1 == STAGE1_FOUND); // rtl/src/lfb/patch_table.rs:125
-    assign clear_ready = table_free & (can_accept | (stage1 == STAGE1_OVERFLOW)); // rtl/src/lfb/patch_table.rs:126
-    wire accept = look_up_valid & can_accept;                    // rtl/src/lfb/patch_table.rs:127
-    wire clear = clear_valid & clear_ready;                      // rtl/src/lfb/patch_table.rs:128
-    wire [3:0] address = {clear ? clear_patch : patch, front};   // rtl/src/lfb/patch_table.rs:135
-    wire read = (stage1 == STAGE1_READ) & table_free;            // rtl/src/lfb/patch_table.rs:136
-    wire entry_resident = entry[2];                              // rtl/src/lfb/patch_table.rs:137
-    wire [1:0] entry_page = entry[1:0];                          // rtl/src/lfb/patch_table.rs:137
-    wire allocate = stage1 == STAGE1_ALLOCATE;                   // rtl/src/lfb/patch_table.rs:139
-    assign scan_entry_resident = scan_entry[2];                  // rtl/src/lfb/patch_table.rs:159
-    assign scan_entry_page = scan_entry[1:0];                    // rtl/src/lfb/patch_table.rs:159
-    assign overflow = stage1 == STAGE1_OVERFLOW;                 // rtl/src/lfb/patch_table.rs:163
-    assign idle = stage1 == STAGE1_IDLE;                         // rtl/src/lfb/patch_table.rs:164
-    assign found = stage1 == STAGE1_FOUND;                       // rtl/src/lfb/patch_table.rs:166
+    wire can_accept = (stage1 == STAGE1_IDLE) | (stage1 == STAGE1_FOUND); // rtl/src/lfb/patch_table.rs:115
+    assign look_up_ready = can_accept;                           // rtl/src/lfb/patch_table.rs:116
+    wire table_free = (clearing == 2'd0) & settled;              // rtl/src/lfb/patch_table.rs:114
+    assign clear_ready = table_free & (can_accept | (stage1 == STAGE1_OVERFLOW)); // rtl/src/lfb/patch_table.rs:117
+    wire stage1_and = look_up_valid & can_accept;                // rtl/src/lfb/patch_table.rs:116
+    wire address_and = clear_valid & clear_ready;                // rtl/src/lfb/patch_table.rs:117
+    wire [3:0] address = {address_and ? clear_patch : patch, front}; // rtl/src/lfb/patch_table.rs:123
+    wire read = (stage1 == STAGE1_READ) & table_free;            // rtl/src/lfb/patch_table.rs:124
+    wire entry_resident = entry[2];                              // rtl/src/lfb/patch_table.rs:125
+    wire [1:0] entry_page = entry[1:0];                          // rtl/src/lfb/patch_table.rs:125
+    wire allocate = stage1 == STAGE1_ALLOCATE;                   // rtl/src/lfb/patch_table.rs:127
+    assign scan_entry_resident = scan_entry[2];                  // rtl/src/lfb/patch_table.rs:147
+    assign scan_entry_page = scan_entry[1:0];                    // rtl/src/lfb/patch_table.rs:147
+    assign overflow = stage1 == STAGE1_OVERFLOW;                 // rtl/src/lfb/patch_table.rs:149
+    assign idle = stage1 == STAGE1_IDLE;                         // rtl/src/lfb/patch_table.rs:150
+    assign found = stage1 == STAGE1_FOUND;                       // rtl/src/lfb/patch_table.rs:152
 
-    page_id_generator_pages4 u_page_id_generator (               // rtl/src/lfb/patch_table.rs:140
+    page_id_generator_pages4 u_page_id_generator (               // rtl/src/lfb/patch_table.rs:128
         .clk       (pe_clk),
         .rst       (pe_rst),
         .restart   (restart),
@@ -91,7 +91,7 @@ module patch_table_patches8_pages4 (
     );
 
     always @(posedge pe_clk) begin
-        if (allocate | clear) entries[address] <= {allocate, page};
+        if (allocate | address_and) entries[address] <= {allocate, page};
         if (read) entry <= entries[address];
     end
 
@@ -100,7 +100,7 @@ module patch_table_patches8_pages4 (
     end
 
     always @(posedge pe_clk) begin
-        if (accept) patch <= look_up_patch;
+        if (stage1_and) patch <= look_up_patch;
     end
 
     always @(posedge pe_clk) begin
@@ -117,12 +117,10 @@ module patch_table_patches8_pages4 (
         end else begin
             case (stage1)
                 STAGE1_IDLE: begin
-                    if (accept) stage1 <= STAGE1_READ;
-                    else stage1 <= STAGE1_IDLE;
+                    if (stage1_and) stage1 <= STAGE1_READ;
                 end
                 STAGE1_READ: begin
                     if (read) stage1 <= STAGE1_EXAMINE;
-                    else stage1 <= STAGE1_READ;
                 end
                 STAGE1_EXAMINE: begin
                     if (entry_resident) stage1 <= STAGE1_FOUND;
@@ -131,7 +129,7 @@ module patch_table_patches8_pages4 (
                 end
                 STAGE1_ALLOCATE: stage1 <= STAGE1_FOUND;
                 STAGE1_FOUND: begin
-                    if (accept) stage1 <= STAGE1_READ;
+                    if (stage1_and) stage1 <= STAGE1_READ;
                     else stage1 <= STAGE1_IDLE;
                 end
                 default: begin // STAGE1_OVERFLOW
@@ -139,11 +137,9 @@ module patch_table_patches8_pages4 (
                     else stage1 <= STAGE1_OVERFLOW;
                 end
             endcase
-            if (clear) clearing <= 2'd2;
+            if (address_and) clearing <= 2'd2;
             else if (clearing != 2'd0) clearing <= clearing - 2'd1;
         end
     end
-
-    assign ready = can_accept;
 endmodule
 `default_nettype wire

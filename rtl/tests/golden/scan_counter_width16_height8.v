@@ -5,7 +5,7 @@
 // Parameters  ScanCounter { screen: Screen { width: 16, height: 8 } }
 // Latency     1 clock
 // Source      VC-1, section 3.3, scan counter (VC1-SCAN)
-// Described   rtl/src/lfb/scan_counter.rs:70
+// Described   rtl/src/lfb/scan_counter.rs:68
 `default_nettype none
 
 module scan_counter_width16_height8 (
@@ -28,15 +28,15 @@ module scan_counter_width16_height8 (
     localparam [1:0] PASS_FRAME  = 2'd1;
     localparam [1:0] PASS_AFTER  = 2'd2;
 
-    reg [3:0] x;                                                 // rtl/src/lfb/scan_counter.rs:70
-    reg [2:0] y;                                                 // rtl/src/lfb/scan_counter.rs:71
-    reg [1:0] pass;                                              // rtl/src/lfb/scan_counter.rs:72
+    reg [3:0] x;                                                 // rtl/src/lfb/scan_counter.rs:68
+    reg [2:0] y;                                                 // rtl/src/lfb/scan_counter.rs:69
+    reg [1:0] pass;                                              // rtl/src/lfb/scan_counter.rs:70
 
-    wire line_end = scan_enable & (x == 4'd15);                  // rtl/src/lfb/scan_counter.rs:73
-    wire last_line = y == 3'd7;                                  // rtl/src/lfb/scan_counter.rs:74
-    wire frame_end = line_end & last_line;                       // rtl/src/lfb/scan_counter.rs:75
-    wire at_start = (preset_x == 4'd0) & (preset_y == 3'd0);     // rtl/src/lfb/scan_counter.rs:79
-    assign armed = pass == PASS_FRAME;                           // rtl/src/lfb/scan_counter.rs:87
+    wire line_end = scan_enable & (x == 4'd15);                  // rtl/src/lfb/scan_counter.rs:71
+    wire last_line = y == 3'd7;                                  // rtl/src/lfb/scan_counter.rs:72
+    wire frame_end = line_end & last_line;                       // rtl/src/lfb/scan_counter.rs:73
+    wire at_start = (preset_x == 4'd0) & (preset_y == 3'd0);     // rtl/src/lfb/scan_counter.rs:77
+    assign armed = pass == PASS_FRAME;                           // rtl/src/lfb/scan_counter.rs:80
 
     always @(posedge clk) begin
         if (rst) begin
@@ -50,26 +50,13 @@ module scan_counter_width16_height8 (
             if (scan_restart) y <= preset_y;
             else if (frame_end) y <= 3'd0;
             else if (line_end) y <= y + 3'd1;
-            case (pass)
-                PASS_BEFORE: begin
-                    if (scan_restart & at_start) pass <= PASS_FRAME;
-                    else if (scan_restart) pass <= PASS_BEFORE;
-                    else if (frame_end) pass <= PASS_FRAME;
-                    else pass <= PASS_BEFORE;
-                end
-                PASS_FRAME: begin
-                    if (scan_restart & at_start) pass <= PASS_FRAME;
-                    else if (scan_restart) pass <= PASS_BEFORE;
-                    else if (frame_end) pass <= PASS_AFTER;
-                    else pass <= PASS_FRAME;
-                end
-                default: begin // PASS_AFTER
-                    if (scan_restart & at_start) pass <= PASS_FRAME;
-                    else if (scan_restart) pass <= PASS_BEFORE;
-                    else if (frame_end) pass <= PASS_AFTER;
-                    else pass <= PASS_AFTER;
-                end
-            endcase
+            if (scan_restart) begin
+                if (at_start) pass <= PASS_FRAME;
+                else pass <= PASS_BEFORE;
+            end else if (frame_end) begin
+                if (pass == PASS_BEFORE) pass <= PASS_FRAME;
+                else pass <= PASS_AFTER;
+            end
         end
     end
 
