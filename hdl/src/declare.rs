@@ -61,6 +61,7 @@ use crate::width::Width;
 /// |---|---|
 /// | `take: bit()` | a signal, or lanes of one: `bits(8).of(row(4))` |
 /// | `scan: ScanControl { restart: bit(), enable: bit() }.on(MERGE)` | a record |
+/// | `host: pub struct Host { start: bit(), swap: bit() }.on(MERGE)` | a record that is declared here, its fields once, each with its own documentation |
 /// | `preset: Position = self.position()` | a record whose widths some expression gives |
 /// | `jobs: stream(Job { page: below(12), last: bit() })`, `words: stream(8).on(PE)` | a stream, which runs both ways |
 /// | `samples: [bits(48); self.units]`, `nearest: [Position = self.position(); 4]` | a list, as a `Vec` |
@@ -117,6 +118,23 @@ macro_rules! block {
     // The ports of a bundle, one after another: what is said about each, its name, its type, and its width if there is one.
     (@ports $of:tt [$($done:tt)*] [$(#[$($said:tt)*])* $port:ident: _ $(, $($more:tt)*)?] $($state:tt)*) => {
         $crate::block! { @ports $of [$($done)* {[$([$($said)*])*] $port [T] []}] [$($($more)*)?] $($state)* }
+    };
+    // A record that is declared with its widths is a bundle of its own.
+    (@ports $of:tt [$($done:tt)*] [
+        $(#[$($said:tt)*])* $port:ident: $vis:vis struct $record:ident {
+            $($(#[$($field_said:tt)*])* $field:ident: $width:expr),* $(,)?
+        } $(.on($clock:expr))? $(, $($more:tt)*)?
+    ] $($state:tt)*) => {
+        $crate::bundle! {
+            $(#[$($said)*])*
+            $vis struct $record<T> { $($(#[$($field_said)*])* $vis $field: T),* }
+        }
+        $crate::block! {
+            @ports $of [$($done)* {
+                [$([$($said)*])*] $port [$record<T>] [$record { $($field: $width),* } $(.on($clock))?]
+            }]
+            [$($($more)*)?] $($state)*
+        }
     };
     (@ports $of:tt [$($done:tt)*] [
         $(#[$($said:tt)*])* $port:ident: $record:ident = _ $(, $($more:tt)*)?

@@ -204,20 +204,22 @@ impl Signal {
     /// # bundle! {
     /// #     /// A sample.
     /// #     pub struct Sample<T> { pub x: T }
+    /// #     /// How much more it is than the one before.
+    /// #     pub struct Change<T> { pub rise: T }
     /// # }
     /// # #[derive(Debug, Clone, PartialEq, Eq, Hash)]
-    /// # struct Smooth;
-    /// # impl Block for Smooth {
+    /// # struct Slope;
+    /// # impl Block for Slope {
     /// #     type In = Sample;
-    /// #     type Out = Sample;
+    /// #     type Out = Change;
     /// #     fn inputs(&self) -> Sample<Width> { Sample { x: bits(8) } }
-    /// #     fn build(&self, m: Module, i: Sample) -> Sample {
+    /// #     fn build(&self, m: Module, i: Sample) -> Change {
     /// let before = m.stages(1, None, i, |_, sample| sample);
     /// let rise = i.x - before.x.any_stage();
-    /// #         Sample { x: rise }
+    /// #         Change { rise }
     /// #     }
     /// # }
-    /// # elaborate(&Smooth).unwrap();
+    /// # elaborate(&Slope).unwrap();
     /// ```
     #[track_caller]
     pub fn any_stage(self) -> Signal {

@@ -3,7 +3,7 @@
 // Counts the clocks with `enable` high and starts again at a limit.
 //
 // Parameters  Counter { width: 8, limit: 10 }
-// Latency     0 clocks; 1 clock
+// Latency     1 clock
 // Described   gen/tests/blocks/mod.rs:27
 `default_nettype none
 

@@ -43,7 +43,7 @@ impl PageIdGenerator {
         net!(exhausted = used.eq(self.pages));
         m.assert(i.take.implies(!exhausted), "a page is taken only while one is free");
         used.when(i.restart, 0).when(i.take, used + 1);
-        PageIdGeneratorOut { page: used.trunc(below(self.pages)), used: used.value(), exhausted }
+        PageIdGeneratorOut { page: used.trunc(below(self.pages)), used: *used, exhausted }
     }
 }
 

@@ -80,13 +80,13 @@ block! {
         /// Of each processor.
         processors: [ProcessorIn = self.processor(); self.processors],
         /// Of the host.
-        gfb: Host = self.gfb().host().on(MERGE),
+        gfb: Host = self.gfb().inputs().host.on(MERGE),
     }
     out(self) Vc1Out {
         /// To each processor.
         processors: [ProcessorOut] = _,
         /// To the host.
-        gfb: View = self.gfb().view(),
+        gfb: View = _,
     }
 }
 
@@ -126,12 +126,8 @@ impl Vc1 {
 
         let lfb = m.array("u_lfb", self.processors, &self.lfb, |_| {
             let ProcessorIn { request, clear, swap, resume } = stack(i.processors);
-            let widths = ScanCounter::position(screen);
-            let preset = |position| ScanCounter::preset(screen, position);
-            let preset = Position {
-                x: constants(widths.x.of(self.processors), |position| preset(position).x),
-                y: constants(widths.y.of(self.processors), |position| preset(position).y),
-            };
+            let widths = ScanCounter::position(screen).map(|width| width.of(self.processors));
+            let preset = constants(widths, |position| ScanCounter::preset(screen, position));
             LfbUnitIn { request, clear, swap, resume, scan: gfb.scan, preset }
         });
 

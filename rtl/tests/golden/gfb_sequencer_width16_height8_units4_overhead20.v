@@ -5,7 +5,7 @@
 // Parameters  GfbSequencer { screen: Screen { width: 16, height: 8 }, units: 4, overhead: 20 }
 // Latency     a round of 304 clocks
 // Source      VC-1, section 3.3, T_m (VC1-TM)
-// Described   rtl/src/gfb/sequencer.rs:77
+// Described   rtl/src/gfb/sequencer.rs:78
 `default_nettype none
 
 module gfb_sequencer_width16_height8_units4_overhead20 (
@@ -31,22 +31,22 @@ module gfb_sequencer_width16_height8_units4_overhead20 (
     localparam [2:0] ROUND_OVERHEAD = 3'd3;
     localparam [2:0] ROUND_DRAIN    = 3'd4;
 
-    reg [2:0] round;                                             // rtl/src/gfb/sequencer.rs:77
-    reg [3:0] x;                                                 // rtl/src/gfb/sequencer.rs:78
-    reg [2:0] y;                                                 // rtl/src/gfb/sequencer.rs:79
-    reg [4:0] clocks_left;                                       // rtl/src/gfb/sequencer.rs:81
-    reg [4:0] until_stored;                                      // rtl/src/gfb/sequencer.rs:105
+    reg [2:0] round;                                             // rtl/src/gfb/sequencer.rs:78
+    reg [3:0] x;                                                 // rtl/src/gfb/sequencer.rs:79
+    reg [2:0] y;                                                 // rtl/src/gfb/sequencer.rs:80
+    reg [4:0] clocks_left;                                       // rtl/src/gfb/sequencer.rs:82
+    reg [4:0] until_stored;                                      // rtl/src/gfb/sequencer.rs:106
 
-    wire part_ends = clocks_left == 5'd0;                        // rtl/src/gfb/sequencer.rs:82
-    wire begins = start & (round == ROUND_IDLE);                 // rtl/src/gfb/sequencer.rs:83
-    wire line_ends = (round == ROUND_LINE) & (x == 4'd15);       // rtl/src/gfb/sequencer.rs:84
-    wire overhead_ends = (round == ROUND_OVERHEAD) & part_ends;  // rtl/src/gfb/sequencer.rs:85
-    wire scan_ends = overhead_ends & (y == 3'd7);                // rtl/src/gfb/sequencer.rs:86
-    assign ends = (round == ROUND_DRAIN) & part_ends;            // rtl/src/gfb/sequencer.rs:87
-    wire enable = (round == ROUND_PRIME) | (round == ROUND_LINE) | (round == ROUND_DRAIN); // rtl/src/gfb/sequencer.rs:101
-    assign stores = enable & (until_stored == 5'd0);             // rtl/src/gfb/sequencer.rs:106
-    wire counts = (round == ROUND_LINE) | (round == ROUND_OVERHEAD) | (round == ROUND_DRAIN); // rtl/src/gfb/sequencer.rs:112
-    assign busy = round != ROUND_IDLE;                           // rtl/src/gfb/sequencer.rs:120
+    wire part_ends = clocks_left == 5'd0;                        // rtl/src/gfb/sequencer.rs:83
+    wire begins = start & (round == ROUND_IDLE);                 // rtl/src/gfb/sequencer.rs:84
+    wire line_ends = (round == ROUND_LINE) & (x == 4'd15);       // rtl/src/gfb/sequencer.rs:85
+    wire overhead_ends = (round == ROUND_OVERHEAD) & part_ends;  // rtl/src/gfb/sequencer.rs:86
+    wire scan_ends = overhead_ends & (y == 3'd7);                // rtl/src/gfb/sequencer.rs:87
+    assign ends = (round == ROUND_DRAIN) & part_ends;            // rtl/src/gfb/sequencer.rs:88
+    wire enable = (round == ROUND_PRIME) | (round == ROUND_LINE) | (round == ROUND_DRAIN); // rtl/src/gfb/sequencer.rs:102
+    assign stores = enable & (until_stored == 5'd0);             // rtl/src/gfb/sequencer.rs:107
+    wire counts = (round == ROUND_LINE) | (round == ROUND_OVERHEAD) | (round == ROUND_DRAIN); // rtl/src/gfb/sequencer.rs:113
+    assign busy = round != ROUND_IDLE;                           // rtl/src/gfb/sequencer.rs:117
 
     always @(posedge clk) begin
         if (rst) begin

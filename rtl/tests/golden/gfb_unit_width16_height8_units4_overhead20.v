@@ -6,20 +6,20 @@
 // Parameters  GfbUnit { screen: Screen { width: 16, height: 8 }, units: 4, overhead: 20 }
 // Latency     a round of 304 clocks
 // Source      VC-1, section 3.3, global frame buffer (VC1-GFB, VC1-TM, VC1-CLR3)
-// Described   rtl/src/gfb/unit.rs:126
+// Described   rtl/src/gfb/unit.rs:108
 `default_nettype none
 
 module gfb_unit_width16_height8_units4_overhead20 (
     input  wire        clk,
     input  wire        rst,
-    // From the host.
+    // What the host says.
     input  wire        host_start,        // For one clock, when not busy: merge the local frame buffers.
     input  wire        host_swap,         // For one clock, when not busy: exchange the banks.
     input  wire [6:0]  host_read_address, // A pixel of the bank on display, in raster order.
     // The word of a blank pixel: the greatest depth above the background's colour.
     input  wire [47:0] host_background,
     input  wire [47:0] merged,            // From the right end of the chain.
-    // To the host.
+    // What the host sees.
     output wire [47:0] view_read_word,    // The pixel at the address of the last clock.
     output wire        view_busy,         // A round is under way.
     output wire        view_first_round,  // The next or present round is the first since the banks were swapped.
@@ -32,20 +32,20 @@ module gfb_unit_width16_height8_units4_overhead20 (
     output reg  [47:0] left               // To the left end of the chain.
 );
 
-    reg filled_bank;                                             // rtl/src/gfb/unit.rs:131
-    reg first_round;                                             // rtl/src/gfb/unit.rs:137
+    reg filled_bank;                                             // rtl/src/gfb/unit.rs:113
+    reg first_round;                                             // rtl/src/gfb/unit.rs:119
 
     (* no_rw_check *)
-    reg [47:0] banks [0:255];                                    // rtl/src/gfb/unit.rs:133
-    reg [47:0] read_word;                                        // rtl/src/gfb/unit.rs:135
-    reg [47:0] old;                                              // rtl/src/gfb/unit.rs:139
+    reg [47:0] banks [0:255];                                    // rtl/src/gfb/unit.rs:115
+    reg [47:0] read_word;                                        // rtl/src/gfb/unit.rs:117
+    reg [47:0] old;                                              // rtl/src/gfb/unit.rs:121
 
-    wire [6:0] u_sequencer_feed;                                 // rtl/src/gfb/unit.rs:126
-    wire u_sequencer_stores;                                     // rtl/src/gfb/unit.rs:126
-    wire [6:0] u_sequencer_store;                                // rtl/src/gfb/unit.rs:126
-    wire u_sequencer_ends;                                       // rtl/src/gfb/unit.rs:126
+    wire [6:0] u_sequencer_feed;                                 // rtl/src/gfb/unit.rs:108
+    wire u_sequencer_stores;                                     // rtl/src/gfb/unit.rs:108
+    wire [6:0] u_sequencer_store;                                // rtl/src/gfb/unit.rs:108
+    wire u_sequencer_ends;                                       // rtl/src/gfb/unit.rs:108
 
-    gfb_sequencer_width16_height8_units4_overhead20 u_sequencer ( // rtl/src/gfb/unit.rs:126
+    gfb_sequencer_width16_height8_units4_overhead20 u_sequencer ( // rtl/src/gfb/unit.rs:108
         .clk          (clk),
         .rst          (rst),
         .start        (host_start),
@@ -88,12 +88,12 @@ module gfb_unit_width16_height8_units4_overhead20 (
 
 `ifdef FORMAL
     always @(posedge clk) begin
-        if (!rst) assert (!(host_swap | host_start) | !view_busy);   // rtl/src/gfb/unit.rs:127
+        if (!rst) assert (!(host_swap | host_start) | !view_busy);   // rtl/src/gfb/unit.rs:109
     end
 `else
 `ifndef SYNTHESIS
     always @(posedge clk) begin
-        if (!rst && !(!(host_swap | host_start) | !view_busy)) begin // rtl/src/gfb/unit.rs:127
+        if (!rst && !(!(host_swap | host_start) | !view_busy)) begin // rtl/src/gfb/unit.rs:109
             $display("FAIL: time %0t: %m: the banks are swapped and a round is started between rounds", $time);
             $stop;
         end

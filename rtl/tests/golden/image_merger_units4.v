@@ -22,6 +22,7 @@ module image_merger_units4 (
 
     genvar i;
 
+    wire [191:0] u_merging_unit_right = {samples_3, samples_2, samples_1, samples_0};
     generate
         for (i = 0; i < 4; i = i + 1) begin : u_merging_unit         // rtl/src/merger/image_merger.rs:40
             wire [47:0] nearer;
@@ -31,13 +32,7 @@ module image_merger_units4 (
             end else begin : lane_left_link
                 assign lane_left = u_merging_unit[i - 1].nearer;
             end
-            wire [47:0] right;
-            case (i)
-                0: begin : right_0 assign right = samples_0; end
-                1: begin : right_1 assign right = samples_1; end
-                2: begin : right_2 assign right = samples_2; end
-                default: begin : right_3 assign right = samples_3; end
-            endcase
+            wire [47:0] right = u_merging_unit_right[i * 48 +: 48];
 
             merging_unit lane (
                 .clk    (clk),

@@ -6,7 +6,7 @@
 // Parameters  PatchTable { patches: 8, pages: 4 }
 // Latency     3 clocks for a patch that has a page, else 4
 // Source      VC-1, section 3.3, patch table (VC1-PT, VC1-ACC)
-// Described   rtl/src/lfb/patch_table.rs:111
+// Described   rtl/src/lfb/patch_table.rs:101
 `default_nettype none
 
 module patch_table_patches8_pages4 (
@@ -23,7 +23,7 @@ module patch_table_patches8_pages4 (
     input  wire       settled,             // The scan has left the front buffer.
     input  wire       restart,             // All pages are free again.
     input  wire       resume,              // The held look-up is tried again.
-    // The scan's look-up.
+    // A patch of which the scan wants the page.
     input  wire       scan_enable,         // The scan advances; where it is low the entry stays.
     input  wire [2:0] scan_patch,          // Its number.
     input  wire       scan_buffer,         // The buffer to look into.
@@ -32,7 +32,7 @@ module patch_table_patches8_pages4 (
     output wire [2:0] pages_used,          // How many pages are taken.
     output wire       found,               // The look-up ends with this clock.
     output reg  [1:0] page,                // The page it found.
-    // What the scan asked for one clock before.
+    // The entry that the scan asked for one clock before.
     output wire       scan_entry_resident, // The page existence flag.
     output wire [1:0] scan_entry_page,     // The page ID.
     output wire       look_up_ready,
@@ -46,41 +46,41 @@ module patch_table_patches8_pages4 (
     localparam [2:0] STAGE1_FOUND    = 3'd4;
     localparam [2:0] STAGE1_OVERFLOW = 3'd5;
 
-    reg [2:0] stage1;                                            // rtl/src/lfb/patch_table.rs:111
-    reg [1:0] clearing;                                          // rtl/src/lfb/patch_table.rs:112
-    reg [2:0] patch;                                             // rtl/src/lfb/patch_table.rs:119
+    reg [2:0] stage1;                                            // rtl/src/lfb/patch_table.rs:101
+    reg [1:0] clearing;                                          // rtl/src/lfb/patch_table.rs:102
+    reg [2:0] patch;                                             // rtl/src/lfb/patch_table.rs:109
 
     (* no_rw_check *)
-    reg [2:0] entries [0:15];                                    // rtl/src/lfb/patch_table.rs:122
-    reg [2:0] entry;                                             // rtl/src/lfb/patch_table.rs:125
-    reg [2:0] scan_entry;                                        // rtl/src/lfb/patch_table.rs:147
+    reg [2:0] entries [0:15];                                    // rtl/src/lfb/patch_table.rs:113
+    reg [2:0] entry;                                             // rtl/src/lfb/patch_table.rs:116
+    reg [2:0] scan_entry;                                        // rtl/src/lfb/patch_table.rs:133
 
     initial begin : entries_contents
         integer i;
         for (i = 0; i < 16; i = i + 1) entries[i] = 3'd0;
     end
 
-    wire [1:0] u_page_id_generator_page;                         // rtl/src/lfb/patch_table.rs:128
-    wire u_page_id_generator_exhausted;                          // rtl/src/lfb/patch_table.rs:128
+    wire [1:0] u_page_id_generator_page;                         // rtl/src/lfb/patch_table.rs:120
+    wire u_page_id_generator_exhausted;                          // rtl/src/lfb/patch_table.rs:120
 
-    wire can_accept = (stage1 == STAGE1_IDLE) | (stage1 == STAGE1_FOUND); // rtl/src/lfb/patch_table.rs:115
-    assign look_up_ready = can_accept;                           // rtl/src/lfb/patch_table.rs:116
-    wire table_free = (clearing == 2'd0) & settled;              // rtl/src/lfb/patch_table.rs:114
-    assign clear_ready = table_free & (can_accept | (stage1 == STAGE1_OVERFLOW)); // rtl/src/lfb/patch_table.rs:117
-    wire stage1_and = look_up_valid & can_accept;                // rtl/src/lfb/patch_table.rs:116
-    wire address_and = clear_valid & clear_ready;                // rtl/src/lfb/patch_table.rs:117
-    wire [3:0] address = {address_and ? clear_patch : patch, front}; // rtl/src/lfb/patch_table.rs:123
-    wire read = (stage1 == STAGE1_READ) & table_free;            // rtl/src/lfb/patch_table.rs:124
-    wire entry_resident = entry[2];                              // rtl/src/lfb/patch_table.rs:125
-    wire [1:0] entry_page = entry[1:0];                          // rtl/src/lfb/patch_table.rs:125
-    wire allocate = stage1 == STAGE1_ALLOCATE;                   // rtl/src/lfb/patch_table.rs:127
-    assign scan_entry_resident = scan_entry[2];                  // rtl/src/lfb/patch_table.rs:147
-    assign scan_entry_page = scan_entry[1:0];                    // rtl/src/lfb/patch_table.rs:147
-    assign overflow = stage1 == STAGE1_OVERFLOW;                 // rtl/src/lfb/patch_table.rs:149
-    assign idle = stage1 == STAGE1_IDLE;                         // rtl/src/lfb/patch_table.rs:150
-    assign found = stage1 == STAGE1_FOUND;                       // rtl/src/lfb/patch_table.rs:152
+    wire can_accept = (stage1 == STAGE1_IDLE) | (stage1 == STAGE1_FOUND); // rtl/src/lfb/patch_table.rs:105
+    assign look_up_ready = can_accept;                           // rtl/src/lfb/patch_table.rs:106
+    wire table_free = (clearing == 2'd0) & settled;              // rtl/src/lfb/patch_table.rs:104
+    assign clear_ready = table_free & (can_accept | (stage1 == STAGE1_OVERFLOW)); // rtl/src/lfb/patch_table.rs:107
+    wire stage1_and = look_up_valid & can_accept;                // rtl/src/lfb/patch_table.rs:106
+    wire address_and = clear_valid & clear_ready;                // rtl/src/lfb/patch_table.rs:107
+    wire [3:0] address = {address_and ? clear_patch : patch, front}; // rtl/src/lfb/patch_table.rs:114
+    wire read = (stage1 == STAGE1_READ) & table_free;            // rtl/src/lfb/patch_table.rs:115
+    wire entry_resident = entry[2];                              // rtl/src/lfb/patch_table.rs:116
+    wire [1:0] entry_page = entry[1:0];                          // rtl/src/lfb/patch_table.rs:116
+    wire allocate = stage1 == STAGE1_ALLOCATE;                   // rtl/src/lfb/patch_table.rs:118
+    assign scan_entry_resident = scan_entry[2];                  // rtl/src/lfb/patch_table.rs:133
+    assign scan_entry_page = scan_entry[1:0];                    // rtl/src/lfb/patch_table.rs:133
+    assign overflow = stage1 == STAGE1_OVERFLOW;                 // rtl/src/lfb/patch_table.rs:134
+    assign idle = stage1 == STAGE1_IDLE;                         // rtl/src/lfb/patch_table.rs:134
+    assign found = stage1 == STAGE1_FOUND;                       // rtl/src/lfb/patch_table.rs:134
 
-    page_id_generator_pages4 u_page_id_generator (               // rtl/src/lfb/patch_table.rs:128
+    page_id_generator_pages4 u_page_id_generator (               // rtl/src/lfb/patch_table.rs:120
         .clk       (pe_clk),
         .rst       (pe_rst),
         .restart   (restart),

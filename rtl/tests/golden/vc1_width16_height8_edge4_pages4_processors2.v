@@ -66,6 +66,14 @@ module vc1_width16_height8_edge4_pages4_processors2 (
 
     genvar i;
 
+    wire [1:0] u_lfb_request_valid = {processors_1_request_valid, processors_0_request_valid};
+    wire [7:0] u_lfb_request_x = {processors_1_request_x, processors_0_request_x};
+    wire [5:0] u_lfb_request_y = {processors_1_request_y, processors_0_request_y};
+    wire [95:0] u_lfb_request_word = {processors_1_request_word, processors_0_request_word};
+    wire [1:0] u_lfb_clear_valid = {processors_1_clear_valid, processors_0_clear_valid};
+    wire [5:0] u_lfb_clear_patch = {processors_1_clear_patch, processors_0_clear_patch};
+    wire [1:0] u_lfb_swap = {processors_1_swap, processors_0_swap};
+    wire [1:0] u_lfb_resume = {processors_1_resume, processors_0_resume};
     generate
         for (i = 0; i < 2; i = i + 1) begin : u_lfb                  // rtl/src/vc1/mod.rs:127
             wire ready;
@@ -74,46 +82,14 @@ module vc1_width16_height8_edge4_pages4_processors2 (
             wire [2:0] pages_used;
             wire idle;
             wire [47:0] word;
-            wire request_valid;
-            case (i)
-                0: begin : request_valid_0 assign request_valid = processors_0_request_valid; end
-                default: begin : request_valid_1 assign request_valid = processors_1_request_valid; end
-            endcase
-            wire [3:0] request_x;
-            case (i)
-                0: begin : request_x_0 assign request_x = processors_0_request_x; end
-                default: begin : request_x_1 assign request_x = processors_1_request_x; end
-            endcase
-            wire [2:0] request_y;
-            case (i)
-                0: begin : request_y_0 assign request_y = processors_0_request_y; end
-                default: begin : request_y_1 assign request_y = processors_1_request_y; end
-            endcase
-            wire [47:0] request_word;
-            case (i)
-                0: begin : request_word_0 assign request_word = processors_0_request_word; end
-                default: begin : request_word_1 assign request_word = processors_1_request_word; end
-            endcase
-            wire clear_valid;
-            case (i)
-                0: begin : clear_valid_0 assign clear_valid = processors_0_clear_valid; end
-                default: begin : clear_valid_1 assign clear_valid = processors_1_clear_valid; end
-            endcase
-            wire [2:0] clear_patch;
-            case (i)
-                0: begin : clear_patch_0 assign clear_patch = processors_0_clear_patch; end
-                default: begin : clear_patch_1 assign clear_patch = processors_1_clear_patch; end
-            endcase
-            wire swap;
-            case (i)
-                0: begin : swap_0 assign swap = processors_0_swap; end
-                default: begin : swap_1 assign swap = processors_1_swap; end
-            endcase
-            wire resume;
-            case (i)
-                0: begin : resume_0 assign resume = processors_0_resume; end
-                default: begin : resume_1 assign resume = processors_1_resume; end
-            endcase
+            wire request_valid = u_lfb_request_valid[i];
+            wire [3:0] request_x = u_lfb_request_x[i * 4 +: 4];
+            wire [2:0] request_y = u_lfb_request_y[i * 3 +: 3];
+            wire [47:0] request_word = u_lfb_request_word[i * 48 +: 48];
+            wire clear_valid = u_lfb_clear_valid[i];
+            wire [2:0] clear_patch = u_lfb_clear_patch[i * 3 +: 3];
+            wire swap = u_lfb_swap[i];
+            wire resume = u_lfb_resume[i];
             localparam [31:0] preset_x = 12 * i;
             localparam [31:0] preset_y = 7 * i;
 
@@ -161,7 +137,7 @@ module vc1_width16_height8_edge4_pages4_processors2 (
         .left              (u_gfb_left)
     );
 
-    image_merger_units2 u_merger (                               // rtl/src/vc1/mod.rs:140
+    image_merger_units2 u_merger (                               // rtl/src/vc1/mod.rs:136
         .clk       (merge_clk),
         .left      (u_gfb_left),
         .samples_0 (u_lfb[0].word),
