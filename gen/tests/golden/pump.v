@@ -38,9 +38,7 @@ module pump (
                     if (start & !full) phase <= PHASE_FILL;
                     else if (start) phase <= PHASE_DRAIN;
                 end
-                PHASE_FILL: begin
-                    if (full) phase <= PHASE_DRAIN;
-                end
+                PHASE_FILL: if (full) phase <= PHASE_DRAIN;
                 default: begin // PHASE_DRAIN
                     if (empty) phase <= PHASE_IDLE;
                     else phase <= PHASE_DRAIN;

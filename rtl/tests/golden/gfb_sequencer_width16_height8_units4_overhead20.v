@@ -60,15 +60,9 @@ module gfb_sequencer_width16_height8_units4_overhead20 (
             clocks <= 9'd0;
         end else begin
             case (round)
-                ROUND_IDLE: begin
-                    if (begins) round <= ROUND_PRIME;
-                end
-                ROUND_PRIME: begin
-                    if (part_ends) round <= ROUND_LINE;
-                end
-                ROUND_LINE: begin
-                    if (line_ends) round <= ROUND_OVERHEAD;
-                end
+                ROUND_IDLE: if (begins) round <= ROUND_PRIME;
+                ROUND_PRIME: if (part_ends) round <= ROUND_LINE;
+                ROUND_LINE: if (line_ends) round <= ROUND_OVERHEAD;
                 ROUND_OVERHEAD: begin
                     if (scan_ends) round <= ROUND_DRAIN;
                     else if (part_ends) round <= ROUND_LINE;

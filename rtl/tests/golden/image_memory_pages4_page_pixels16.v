@@ -86,9 +86,7 @@ module image_memory_pages4_page_pixels16 (
             stage2 <= STAGE2_IDLE;
         end else begin
             case (stage2)
-                STAGE2_IDLE: begin
-                    if (accept) stage2 <= STAGE2_READ;
-                end
+                STAGE2_IDLE: if (accept) stage2 <= STAGE2_READ;
                 STAGE2_READ: stage2 <= STAGE2_COMPARE;
                 STAGE2_COMPARE: stage2 <= STAGE2_WRITE;
                 default: begin // STAGE2_WRITE

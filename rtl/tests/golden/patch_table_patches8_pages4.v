@@ -67,9 +67,9 @@ module patch_table_patches8_pages4 (
     assign look_up_ready = can_accept;                           // rtl/src/lfb/patch_table.rs:106
     wire table_free = (clearing == 2'd0) & settled;              // rtl/src/lfb/patch_table.rs:104
     assign clear_ready = table_free & (can_accept | (stage1 == STAGE1_OVERFLOW)); // rtl/src/lfb/patch_table.rs:107
-    wire stage1_and = look_up_valid & can_accept;                // rtl/src/lfb/patch_table.rs:106
-    wire address_and = clear_valid & clear_ready;                // rtl/src/lfb/patch_table.rs:107
-    wire [3:0] address = {address_and ? clear_patch : patch, front}; // rtl/src/lfb/patch_table.rs:114
+    wire look_up_taken = look_up_valid & can_accept;             // rtl/src/lfb/patch_table.rs:106
+    wire clear_taken = clear_valid & clear_ready;                // rtl/src/lfb/patch_table.rs:107
+    wire [3:0] address = {clear_taken ? clear_patch : patch, front}; // rtl/src/lfb/patch_table.rs:114
     wire read = (stage1 == STAGE1_READ) & table_free;            // rtl/src/lfb/patch_table.rs:115
     wire entry_resident = entry[2];                              // rtl/src/lfb/patch_table.rs:116
     wire [1:0] entry_page = entry[1:0];                          // rtl/src/lfb/patch_table.rs:116
@@ -91,7 +91,7 @@ module patch_table_patches8_pages4 (
     );
 
     always @(posedge pe_clk) begin
-        if (allocate | address_and) entries[address] <= {allocate, page};
+        if (allocate | clear_taken) entries[address] <= {allocate, page};
         if (read) entry <= entries[address];
     end
 
@@ -100,7 +100,7 @@ module patch_table_patches8_pages4 (
     end
 
     always @(posedge pe_clk) begin
-        if (stage1_and) patch <= look_up_patch;
+        if (look_up_taken) patch <= look_up_patch;
     end
 
     always @(posedge pe_clk) begin
@@ -116,12 +116,8 @@ module patch_table_patches8_pages4 (
             clearing <= 2'd0;
         end else begin
             case (stage1)
-                STAGE1_IDLE: begin
-                    if (stage1_and) stage1 <= STAGE1_READ;
-                end
-                STAGE1_READ: begin
-                    if (read) stage1 <= STAGE1_EXAMINE;
-                end
+                STAGE1_IDLE: if (look_up_taken) stage1 <= STAGE1_READ;
+                STAGE1_READ: if (read) stage1 <= STAGE1_EXAMINE;
                 STAGE1_EXAMINE: begin
                     if (entry_resident) stage1 <= STAGE1_FOUND;
                     else if (u_page_id_generator_exhausted) stage1 <= STAGE1_OVERFLOW;
@@ -129,7 +125,7 @@ module patch_table_patches8_pages4 (
                 end
                 STAGE1_ALLOCATE: stage1 <= STAGE1_FOUND;
                 STAGE1_FOUND: begin
-                    if (stage1_and) stage1 <= STAGE1_READ;
+                    if (look_up_taken) stage1 <= STAGE1_READ;
                     else stage1 <= STAGE1_IDLE;
                 end
                 default: begin // STAGE1_OVERFLOW
@@ -137,7 +133,7 @@ module patch_table_patches8_pages4 (
                     else stage1 <= STAGE1_OVERFLOW;
                 end
             endcase
-            if (address_and) clearing <= 2'd2;
+            if (clear_taken) clearing <= 2'd2;
             else if (clearing != 2'd0) clearing <= clearing - 2'd1;
         end
     end
