@@ -20,7 +20,7 @@ use crate::width::Width;
 ///         /// The number of pages.
 ///         pub pages: u32,
 ///     }
-///     latency = "1 clock";
+///     latency = "1 clock from `take` to the next page";
 ///     source = "VC-1, section 3.3";
 ///     in PageIdGeneratorIn {
 ///         /// All pages are free again.
@@ -54,12 +54,14 @@ use crate::width::Width;
 /// What `build` returns is checked against the widths of the outputs.
 ///
 /// The clauses come in any order, and none has to be there. One whose expressions say `self` has `(self)` behind its first word, as macros
-/// cannot lend that word: `latency(self) = format!("{} clocks", self.clocks());`. A port is
+/// cannot lend that word: `latency(self) = format!("{} clocks", self.clocks());`. A latency that is one number needs no clause: it is counted
+/// ([`Design::latencies`](crate::Design::latencies)). A port is
 ///
 /// | written | which is |
 /// |---|---|
 /// | `take: bit()` | a signal, or lanes of one: `bits(8).of(row(4))` |
 /// | `scan: ScanControl { restart: bit(), enable: bit() }.on(MERGE)` | a record |
+/// | `host: pub struct Host { start: bit(), swap: bit() }.on(MERGE)` | a record that is declared here, its fields once, each with its own documentation |
 /// | `preset: Position = self.position()` | a record whose widths some expression gives |
 /// | `samples: [bits(48); self.units]`, `nearest: [Position = self.position(); 4]`, `jobs: [stream(bits(8)); 3]` | a list, as a `Vec` |
 /// | `jobs: stream(bits(8))`, `jobs: stream(Job { page: bits(4), last: bit() })`, `jobs: stream(Job = self.job())` | a [`Stream`](crate::Stream) of signals or of records |
@@ -125,6 +127,23 @@ macro_rules! block {
     (@ports $of:tt [$($done:tt)*] [$(#[$($said:tt)*])* $port:ident: _ $(, $($more:tt)*)?] $($state:tt)*) => {
         $crate::block! { @ports $of [$($done)* {[$([$($said)*])*] $port [T] []}] [$($($more)*)?] $($state)* }
     };
+    // A record that is declared with its widths is a bundle of its own.
+    (@ports $of:tt [$($done:tt)*] [
+        $(#[$($said:tt)*])* $port:ident: $vis:vis struct $record:ident {
+            $($(#[$($field_said:tt)*])* $field:ident: $width:expr),* $(,)?
+        } $(.on($clock:expr))? $(, $($more:tt)*)?
+    ] $($state:tt)*) => {
+        $crate::bundle! {
+            $(#[$($said)*])*
+            $vis struct $record<T> { $($(#[$($field_said)*])* $vis $field: T),* }
+        }
+        $crate::block! {
+            @ports $of [$($done)* {
+                [$([$($said)*])*] $port [$record<T>] [$record { $($field: $width),* } $(.on($clock))?]
+            }]
+            [$($($more)*)?] $($state)*
+        }
+    };
     (@ports $of:tt [$($done:tt)*] [
         $(#[$($said:tt)*])* $port:ident: stream($($payload:tt)*) $(.on($clock:expr))? $(, $($more:tt)*)?
     ] $($state:tt)*) => {
@@ -157,6 +176,24 @@ macro_rules! block {
     ] $($state:tt)*) => {
         $crate::block! {
             @ports $of [$($done)* {[$([$($said)*])*] $port [$record<T>] [$record { $($fields)* } $(.on($clock))?]}]
+            [$($($more)*)?] $($state)*
+        }
+    };
+    (@ports $of:tt [$($done:tt)*] [
+        $(#[$($said:tt)*])* $port:ident: stream($record:ident { $($fields:tt)* }) $(.on($clock:expr))? $(, $($more:tt)*)?
+    ] $($state:tt)*) => {
+        $crate::block! {
+            @ports $of [$($done)* {
+                [$([$($said)*])*] $port [$crate::Stream<$record<T>, T>] [$crate::stream($record { $($fields)* }) $(.on($clock))?]
+            }]
+            [$($($more)*)?] $($state)*
+        }
+    };
+    (@ports $of:tt [$($done:tt)*] [
+        $(#[$($said:tt)*])* $port:ident: stream($width:expr) $(.on($clock:expr))? $(, $($more:tt)*)?
+    ] $($state:tt)*) => {
+        $crate::block! {
+            @ports $of [$($done)* {[$([$($said)*])*] $port [$crate::Stream<T, T>] [$crate::stream($width) $(.on($clock))?]}]
             [$($($more)*)?] $($state)*
         }
     };

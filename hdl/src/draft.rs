@@ -4,6 +4,7 @@ use crate::bits::Bits;
 use crate::clock::Clock;
 use crate::ir::*;
 use crate::loc::Loc;
+use crate::stages::Pipelines;
 use crate::stream::{DraftStream, Sent};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -36,6 +37,7 @@ pub(crate) struct Draft {
     /// The subjects of choices by the codes of an enum.
     pub chosen: Vec<(NodeId, Loc)>,
     pub synchronizers: Vec<Synchronizer>,
+    pub pipelines: Pipelines,
     /// Inputs that the description says it leaves unused.
     pub ignored: BTreeSet<NodeId>,
     /// What stands in faulty expressions, of which the circuit has only a stand-in.
@@ -69,6 +71,8 @@ pub(crate) struct DraftWire {
 pub(crate) struct DraftMemory {
     pub memory: Memory,
     pub true_dual_port: bool,
+    /// Where each write port is made.
+    pub written: Vec<Loc>,
 }
 
 /// A signal of another clock, and the synchronizer that it enters.
@@ -103,6 +107,7 @@ impl Draft {
             pasts: BTreeMap::new(),
             chosen: Vec::new(),
             synchronizers: Vec::new(),
+            pipelines: Pipelines::default(),
             ignored: BTreeSet::new(),
             in_problems: BTreeSet::new(),
         }

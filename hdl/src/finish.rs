@@ -34,6 +34,9 @@ pub(crate) fn finish(
     check::unused::check(&draft, &outputs, problems);
     let sound = check::loops::check(&draft, &e.summaries, problems);
     let mixed = check::domains::check(&draft, &e.done, &e.summaries, &outputs, problems);
+    if sound {
+        check::stages::check(&draft, &e.summaries, problems);
+    }
     let nodes: Vec<_> = outputs.iter().map(|(_, node)| *node).collect();
     let mut summary = match sound {
         true => summary::summarize(&draft, &e.summaries, &nodes, &renumber),
@@ -45,7 +48,12 @@ pub(crate) fn finish(
     summary.synchronized = check::synchronizers::check(&draft, &e.summaries, problems);
     e.summaries.push(summary);
     e.instantiated.push(draft.loc);
-    e.done.push(module(draft, outputs.into_iter().zip(kinds), &renumber, &resets, name, about, parameters));
+    let block = draft.block;
+    let module = module(draft, outputs.into_iter().zip(kinds), &renumber, &resets, name, about, parameters);
+    if e.problems.is_empty() {
+        check::latency::check(block, &module, &mut e.delays, &mut e.problems);
+    }
+    e.done.push(module);
 }
 
 /// Says which clock each input belongs to, and where each clock of the draft stands among those in use.

@@ -2,6 +2,7 @@
 
 use crate::along::Along;
 use crate::bundle::Fields;
+use crate::data::{Data, Layout};
 use crate::elaboration;
 use crate::index::Index;
 use crate::ir::{Kind, Op, Shape};
@@ -12,7 +13,7 @@ use crate::shaping::{level_all, sound_shape};
 use crate::signal::{Signal, bits_text};
 use crate::stream::{backwards, stack_ready};
 use crate::uneven::{Uneven, uneven};
-use crate::width::{Count, IntoWidth};
+use crate::width::{Count, Width};
 
 /// The signals, records of signals or streams as the lanes of a row; rows as the rows of a grid. All are of one shape and width.
 ///
@@ -76,9 +77,42 @@ fn stack_signals(mut parts: Vec<Signal>) -> Signal {
 }
 
 /// A constant for each lane, as `constants(bits(8).of(row(4)), |lane| 3 * lane as u64)`. The lanes of a grid are counted row by row.
+/// Of a record of widths, a record for each lane.
+///
+/// ```
+/// # use tilewright_hdl::{Block, Fields, Module, Width, below, bundle, constants, elaborate, row};
+/// bundle! {
+///     /// A pixel of the screen.
+///     pub struct Position<T> { pub x: T, pub y: T }
+/// }
+/// # #[derive(Debug, Clone, PartialEq, Eq, Hash)]
+/// # struct Corners;
+/// # impl Block for Corners {
+/// #     type In = ();
+/// #     type Out = Position;
+/// #     fn inputs(&self) {}
+/// #     fn build(&self, _: Module, (): ()) -> Position {
+/// let widths = Position { x: below(640), y: below(480) }.map(|width| width.of(row(4)));
+/// let corners = constants(widths, |i| Position { x: u64::from(i % 2) * 639, y: u64::from(i / 2) * 479 });
+/// #         corners
+/// #     }
+/// # }
+/// # elaborate(&Corners).unwrap();
+/// ```
 #[track_caller]
-pub fn constants(width: impl IntoWidth, of: impl Fn(u32) -> u64) -> Signal {
-    let (loc, width) = (Loc::caller(), width.into_width());
+pub fn constants<L: Layout>(layout: L, of: impl Fn(u32) -> <L::Value as Data>::Like<u64>) -> L::Value {
+    let layout = layout.layout();
+    let mut fields = Vec::new();
+    for (field, (_, width)) in layout.leaves().into_iter().enumerate() {
+        fields.push(row_of_constants(width, |lane| of(lane).leaves()[field].1));
+    }
+    let mut fields = fields.into_iter();
+    layout.map(|_| fields.next().expect("a row for each field"))
+}
+
+#[track_caller]
+fn row_of_constants(width: Width, of: impl Fn(u32) -> u64) -> Signal {
+    let loc = Loc::caller();
     let shape = elaboration::with(|e| sound_shape(e, "a list of constants", width.shape, loc));
     let values = crate::select::constants(width.bits, (0..shape.lanes()).map(of));
     let bits = values[0].width;

@@ -36,7 +36,8 @@
 //! | signed arithmetic | [`Signal::signed`], [`Width::signed`]: both sides of an operator are, or neither |
 //! | a named net | `net!(at_end = ..)`, or [`Signal::named`] |
 //! | a net read before it is driven | [`Module::wire`] |
-//! | a register | [`Module::reg`], then [`reset`](Reg::reset), [`enable`](Reg::enable), [`next`](Reg::next) or [`when`](Reg::when); [`Module::pipe`] for a pipeline stage, [`Module::stages`] for a pipeline |
+//! | a register | [`Module::reg`], then [`reset`](Reg::reset), [`enable`](Reg::enable), [`next`](Reg::next) or [`when`](Reg::when); [`Module::pipe`] for a pipeline stage |
+//! | a pipeline | [`Module::stages`] of a record, [`Module::stream_stages`] between streams; [`any_stage`](Signal::any_stage) where two stages are to meet |
 //! | a state machine | [`codes!`], [`Module::fsm`], [`StateReg::next`], whose [`Moves`] say what happens at a transition |
 //! | a memory | [`Module::memory`], [`Mem::read`], [`Mem::read_async`], [`Mem::write`] |
 //! | a record | a [`bundle!`]: what is declared with a record of widths, or given a record, is one; `.pack()` makes a word of it, `.unpack(word)` of its widths a record |
@@ -100,6 +101,7 @@ mod signal;
 mod signed;
 mod stages;
 mod stream;
+mod stream_stages;
 mod summary;
 mod tree;
 mod uneven;
@@ -142,7 +144,7 @@ pub use shaping::{IntoShape, grid, row};
 pub use signal::Signal;
 pub use stages::Start;
 #[doc(hidden)]
-pub use stages::cleared;
+pub use stages::{any_stage, cleared};
 pub use stream::{Stream, StreamWire, Taken, stream};
 pub use tree::tree;
 #[doc(hidden)]

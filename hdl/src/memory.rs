@@ -263,6 +263,7 @@ impl Mem {
             let clock = e.draft().use_clock(self.clock);
             let draft = &mut e.draft().memories[self.index as usize];
             draft.memory.writes.push(WritePort { clock, enable, address, data });
+            draft.written.push(loc);
             if draft.memory.writes.len() > 1 && !draft.true_dual_port {
                 let (name, declared) = (draft.memory.name.clone(), draft.memory.loc);
                 let problem = Problem::new(loc, format!("memory `{name}` gets a second write port"))

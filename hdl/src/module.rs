@@ -89,6 +89,7 @@ impl Module {
         let mut registers = Vec::new();
         for (path, signal) in value.leaves() {
             let register = self.register(&port_name(name, &path), Width::like(signal), loc);
+            elaboration::draft(|draft| draft.pipelines.delays.insert(register.signal.node));
             if let Some(enable) = enable {
                 let _ = register.enable(enable);
             }
@@ -161,6 +162,7 @@ impl Module {
                     loc,
                 },
                 true_dual_port: false,
+                written: Vec::new(),
             });
             let (module, address_width) = (draft.serial, index_width(depth.into()));
             let word = Width { bits: width, shape, ..word };

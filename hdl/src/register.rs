@@ -206,7 +206,7 @@ impl Reg {
         )
     }
 
-    fn give(self, next: NodeId, loc: Loc) {
+    pub(crate) fn give(self, next: NodeId, loc: Loc) {
         let before = elaboration::draft(|draft| draft.registers[self.index].next.replace((next, loc)));
         let help = "say all that it takes in one chain: `.when(condition, value).when(..)`, or with `mux` or `select`";
         report_second_driver(before, self.signal.node, "given a next value", help, loc);

@@ -93,6 +93,23 @@ fn a_word_to_nobody() {
     );
 }
 
+/// Stages, each of which adds its number.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+struct Stages(u32);
+
+impl Block for Stages {
+    type In = StreamIn;
+    type Out = StreamOut;
+
+    fn inputs(&self) -> StreamIn<Width> {
+        StreamIn { into: stream(8) }
+    }
+
+    fn build(&self, m: Module, i: StreamIn) -> StreamOut {
+        StreamOut { out: m.stream_stages(self.0, i.into, |stage, word| word + stage) }
+    }
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 24, failure_persistence: None, ..ProptestConfig::default() })]
 
@@ -106,6 +123,12 @@ proptest! {
     fn register_slices(kind in 0usize..3, words in words(256), stalls in stalls()) {
         let (cuts, paths) = [(Slice::Forward, FORWARD), (Slice::Backward, BACKWARD), (Slice::Both, BOTH)][kind];
         prop_assert_eq!(passed(&RegisterSlice { width: 8, cuts }, &words, words.len(), stalls, paths), words);
+    }
+
+    #[test]
+    fn stages_of_streams(count in 1u32..6, words in words(200), stalls in stalls()) {
+        let expected: Vec<u64> = words.iter().map(|word| word + u64::from(count * (count + 1) / 2)).collect();
+        prop_assert_eq!(passed(&Stages(count), &words, words.len(), stalls, FORWARD), expected);
     }
 
     #[test]

@@ -44,9 +44,10 @@ impl Printer<'_> {
         if many_clocks {
             out.push("/* verilator lint_on MULTIDRIVEN */".to_string());
         }
-        for names in self.reads[index].iter().flatten() {
+        for (names, read) in self.reads[index].iter().zip(&memory.reads) {
+            let Some(names) = names else { continue };
             match &names.raw {
-                None => out.push(format!("reg {range}{};", names.data)),
+                None => out.push(with_place(format!("reg {range}{};", names.data), module.node(read.node).loc)),
                 Some(raw) => {
                     let zero = literal(&Bits::zero(memory.width), Style::Count);
                     out.push(format!("reg {range}{};", raw.word));

@@ -52,9 +52,9 @@ use tilewright_hdl::ir::{Design, Module};
 /// bytes for the same design, and with the names of the description.
 pub fn verilog(design: &Design) -> Vec<VerilogFile> {
     let mut files = Vec::new();
-    for module in design.modules() {
+    for (module, latency) in design.modules().iter().zip(design.latencies()) {
         let folded = simplified(design, module);
-        let text = module::print(&mut Printer::new(design, &folded));
+        let text = module::print(&mut Printer::new(design, &folded), latency.as_ref());
         files.push(VerilogFile { name: format!("{}.v", module.name), text });
         files.extend(contents::data_files(&folded.module));
     }

@@ -6,10 +6,10 @@ use super::layout::{range, with_place, wrapped};
 use super::plan::Form;
 use super::printer::Printer;
 use super::text::{attribute, mark};
-use tilewright_hdl::ir::{Module, NodeId, Op, Register};
+use tilewright_hdl::ir::{Latency, Module, NodeId, Op, Register};
 
 /// The text of a folded module.
-pub fn print(printer: &mut Printer) -> String {
+pub fn print(printer: &mut Printer, latency: Option<&Latency>) -> String {
     let mut body = Body::default();
     let nets = printer.nets();
     let groups = printer.groups();
@@ -38,7 +38,7 @@ pub fn print(printer: &mut Printer) -> String {
     body.section(printer.unused());
     let body = printer.fill_in_unread(body.lines);
     let module = printer.module;
-    format!("{}{}{}endmodule\n`default_nettype wire\n", header(module), super::ports::print(printer), body)
+    format!("{}{}{}endmodule\n`default_nettype wire\n", header(module, latency), super::ports::print(printer), body)
 }
 
 /// The lines between the ports and `endmodule`; sections are set apart by a blank line.
@@ -59,7 +59,7 @@ impl Body {
     }
 }
 
-fn header(module: &Module) -> String {
+fn header(module: &Module, latency: Option<&Latency>) -> String {
     let mut lines = vec![module.name.clone()];
     let about = &module.about;
     if !about.summary.is_empty() {
@@ -76,7 +76,12 @@ fn header(module: &Module) -> String {
         lines.push(line);
     }
     lines.push(String::new());
-    let facts = [("Parameters", &module.parameters), ("Latency", &about.latency), ("Source", &about.source)];
+    let latency = match latency {
+        None => about.latency.clone(),
+        Some(counted) if about.latency.is_empty() || about.latency.parse() == Ok(counted.clocks) => counted.to_string(),
+        Some(counted) => format!("{counted}; {}", about.latency),
+    };
+    let facts = [("Parameters", &module.parameters), ("Latency", &latency), ("Source", &about.source)];
     for (title, text) in facts.into_iter().filter(|(_, text)| !text.is_empty()) {
         // On one line: what comes after the next would be Verilog.
         let words: Vec<&str> = text.split_whitespace().collect();

@@ -85,6 +85,7 @@ impl Printer<'_> {
             assign: "<=",
             hold: Some(register.node),
             states: self.states.of(register.node),
+            now: None,
         };
         match self.branch(register.next, &target) {
             body if body.is_empty() => vec![target.keep()],

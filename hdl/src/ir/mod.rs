@@ -12,6 +12,7 @@
 
 mod affine;
 mod kind;
+pub(crate) mod latency;
 mod op;
 mod shape;
 mod validate;
@@ -24,6 +25,7 @@ use std::collections::BTreeMap;
 
 pub use affine::Affine;
 pub use kind::{Kind, Names};
+pub use latency::Latency;
 pub use op::{Binary, Op, Reduction, Relation, Shift, Unary};
 pub use shape::Shape;
 
@@ -91,7 +93,8 @@ pub struct Module {
 pub struct About {
     /// What the block does, one or a few sentences.
     pub summary: String,
-    /// Clocks from an input to the output it causes, in words or a number, such as `4`.
+    /// Clocks from an input to the output it causes: words, where it is not one number, and how often it can begin. Where it is one,
+    /// [`Design::latencies`] counts it; a number that stands here all the same, such as `4`, has to be that one.
     pub latency: String,
     /// The paper and the rule, such as `VC-1, section 3.3 (VC1-MU)`.
     pub source: String,

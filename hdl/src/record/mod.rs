@@ -40,7 +40,7 @@ pub fn named<B: Bundle>(record: &B, name: &str) -> B {
     for (path, signal) in fields {
         nets.push(signal.named(&port_name(name, &path)));
     }
-    from_leaves(record, nets)
+    from_leaves(record, nets.into_iter())
 }
 
 /// As [`pack`], of anything that a stream carries; of nothing a zero. A field with lanes that the word does not have is packed itself.
@@ -91,8 +91,7 @@ fn name_word(fields: &[NodeId], name: &str) {
 }
 
 /// The record of these signals, in order of declaration.
-pub(crate) fn from_leaves<B: Bundle>(like: &B, signals: Vec<Signal>) -> B {
-    let mut signals = signals.into_iter();
+pub(crate) fn from_leaves<V: Data>(like: &V, mut signals: impl Iterator<Item = Signal>) -> V {
     like.map_fields("", &mut |_, _| signals.next().expect("a signal for each field"))
 }
 

@@ -46,6 +46,9 @@ block! {
         first: Position = _,
         all: [Position] = _,
         signal: bits(8),
+        /// Goes through.
+        passed: stream(8),
+        area: struct Area { size: bits(20) },
         same: bit().of(row(self.count)),
     }
     source = "a book";
@@ -59,8 +62,17 @@ block! {
         way: one_of::<Way>(),
         lanes: bit().of(row(self.count)),
         r#move: bit(),
+        /// Declared where it stands.
+        size: struct Size {
+            /// From the left to the right.
+            width: below(self.screen.0),
+            height: below(self.screen.1),
+        }.on(FAST),
+        /// One after another.
+        words: stream(8),
+        visited: stream(Position { x: bits(3), y: bits(2) }).on(FAST),
     }
-    latency(self) = self.count + 1;
+    latency(self) = format!("{} clocks, or so", self.count + 1);
 }
 
 impl Forms {
@@ -72,7 +84,20 @@ impl Forms {
         m.ignore(&i.r#move);
         m.ignore(&i.at);
         let signal = i.many.iter().copied().reduce(|a, b| a ^ b).expect("there are some");
-        FormsOut { sum: i.way.is(Way::Right), first: i.other, all: i.places, signal, same: i.lanes }
+        let _ = i.visited.take_when(1);
+        m.ignore(&i.visited.payload);
+        m.ignore(&i.visited.valid);
+        let Size { width, height } = i.size;
+        let area = Area { size: width.times(height).zext(20) };
+        FormsOut {
+            sum: i.way.is(Way::Right),
+            first: i.other,
+            all: i.places,
+            signal,
+            passed: i.words,
+            area,
+            same: i.lanes,
+        }
     }
 }
 
@@ -188,12 +213,13 @@ fn every_form_of_a_port() {
     let design = elaborate(&copy).unwrap();
     let top = design.top();
     assert_eq!(top.name, "forms_count3_screen640_480");
-    assert_eq!((top.about.latency.as_str(), top.about.source.as_str()), ("4", "a book"));
+    assert_eq!((top.about.latency.as_str(), top.about.source.as_str()), ("4 clocks, or so", "a book"));
     let names: Vec<_> = top.inputs.iter().map(|input| format!("{} {}", input.name, top.width(input.node))).collect();
     assert_eq!(
         names.join(", "),
         "at_x 10, at_y 9, other_x 10, other_y 9, many_0 8, many_1 8, many_2 8, places_0_x 10, places_0_y 9, \
-         places_1_x 10, places_1_y 9, way 1, lanes 1, move 1"
+         places_1_x 10, places_1_y 9, way 1, lanes 1, move 1, size_width 10, size_height 9, words_valid 1, words_payload 8, \
+         visited_valid 1, visited_x 3, visited_y 2, passed_ready 1"
     );
     let said: Vec<_> = top.about.inputs.iter().map(|(path, said)| format!("{path}: {said}")).collect();
     assert_eq!(
@@ -203,10 +229,27 @@ fn every_form_of_a_port() {
             "at.x: Counted from the left.",
             "many: Several.",
             "other.x: Counted from the left.",
-            "places.x: Counted from the left."
+            "places.x: Counted from the left.",
+            "size: Declared where it stands.",
+            "size.width: From the left to the right.",
+            "visited.x: Counted from the left.",
+            "words: One after another."
         ]
     );
     assert_eq!(top.about.outputs["sum"], "As wide as what drives it.");
+    let names: Vec<_> = top.outputs.iter().map(|output| output.name.as_str()).collect();
+    assert!(
+        names.ends_with(&[
+            "signal",
+            "passed_valid",
+            "passed_payload",
+            "area_size",
+            "same",
+            "words_ready",
+            "visited_ready"
+        ]),
+        "{names:?}"
+    );
 }
 
 #[test]

@@ -17,6 +17,7 @@ mod properties;
 mod records;
 mod reports;
 mod shapes;
+mod stages;
 mod state;
 mod streams;
 mod unused;

@@ -17,11 +17,8 @@
 //! In the 2 clocks before, the local frame buffers and the global one read their first pixel ([`SCAN_LATENCY`]). The whole
 //! chain holds during the overhead; in the end it runs on until the last pixel has left it.
 
-use tilewright_hdl::{Module, below, bit, block, codes, mux, net, select, up_to, when};
-
 use crate::merger::STAGES;
-use crate::parameter::Screen;
-use crate::scan::ScanControl;
+use crate::prelude::*;
 
 /// Clocks with `enable` from a scan counter to the word that its local frame buffer sends.
 pub const SCAN_LATENCY: u32 = 2;
@@ -71,6 +68,7 @@ impl GfbSequencer {
         let [width, height, overhead] = [self.screen.width, self.screen.height, self.overhead].map(u64::from);
         (width + overhead) * height + u64::from(STAGES * self.units)
     }
+
     fn build(&self, m: Module, i: GfbSequencerIn) -> GfbSequencerOut {
         let Screen { width, height } = self.screen;
         let pixel = below(self.screen.pixels());
@@ -115,15 +113,9 @@ impl GfbSequencer {
         net!(counts = round.is(Round::Line) | round.is(Round::Overhead) | round.is(Round::Drain));
         clocks.when(begins, 0).when(counts, clocks + 1);
 
-        GfbSequencerOut {
-            scan: ScanControl { restart: begins, enable },
-            feed: feed.value(),
-            stores,
-            store: store.value(),
-            busy: !round.is(Round::Idle),
-            ends,
-            clocks: clocks.value(),
-        }
+        let scan = ScanControl { restart: begins, enable };
+        let busy = !round.is(Round::Idle);
+        GfbSequencerOut { scan, feed: *feed, stores, store: *store, busy, ends, clocks: *clocks }
     }
 }
 

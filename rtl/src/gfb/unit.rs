@@ -20,38 +20,8 @@
 //! enter the chain, so that the bank's old contents are replaced; in later rounds they enter it themselves, so that the bank is
 //! cumulative (VC1-CLR3). The chain itself chooses the nearer pixel, so what comes out of it is stored as it is.
 
-use tilewright_hdl::{Module, ReadUnderWrite, Width, below, bit, bits, block, bundle, cat, mux, net, up_to};
-
 use super::sequencer::{GfbSequencer, GfbSequencerIn};
-use crate::parameter::{ParameterError, Screen};
-use crate::scan::ScanControl;
-use crate::word::WORD;
-
-bundle! {
-    /// What the host says to the global frame buffer.
-    pub struct Host<T> {
-        /// For one clock, when not busy: merge the local frame buffers.
-        pub start: T,
-        /// For one clock, when not busy: exchange the banks.
-        pub swap: T,
-        /// A pixel of the bank on display, in raster order.
-        pub read_address: T,
-        /// The word of a blank pixel: the greatest depth above the background's colour.
-        pub background: T,
-    }
-
-    /// What the host sees of the global frame buffer.
-    pub struct View<T> {
-        /// The pixel at the address of the last clock.
-        pub read_word: T,
-        /// A round is under way.
-        pub busy: T,
-        /// The next or present round is the first since the banks were swapped.
-        pub first_round: T,
-        /// The clocks of the round so far, or of the last one, from the first pixel that entered the chain.
-        pub clocks: T,
-    }
-}
+use crate::prelude::*;
 
 block! {
     /// A double-buffered frame buffer with depth: leads the scan, feeds the chain of merging units and keeps what comes out of it.
@@ -63,14 +33,32 @@ block! {
     latency(self) = format!("a round of {} clocks", self.merge_clocks());
     source = "VC-1, section 3.3, global frame buffer (VC1-GFB, VC1-TM, VC1-CLR3)";
     in(self) GfbUnitIn {
-        /// From the host.
-        host: Host = self.host(),
+        /// What the host says.
+        host: pub struct Host {
+            /// For one clock, when not busy: merge the local frame buffers.
+            start: bit(),
+            /// For one clock, when not busy: exchange the banks.
+            swap: bit(),
+            /// A pixel of the bank on display, in raster order.
+            read_address: below(self.screen.pixels()),
+            /// The word of a blank pixel: the greatest depth above the background's colour.
+            background: bits(WORD),
+        },
         /// From the right end of the chain.
         merged: bits(WORD),
     }
     out(self) GfbUnitOut {
-        /// To the host.
-        view: View = self.view(),
+        /// What the host sees.
+        view: pub struct View {
+            /// The pixel at the address of the last clock.
+            read_word: bits(WORD),
+            /// A round is under way.
+            busy: bit(),
+            /// The next or present round is the first since the banks were swapped.
+            first_round: bit(),
+            /// The clocks of the round so far, or of the last one, from the first pixel that entered the chain.
+            clocks: up_to(self.merge_clocks()),
+        },
         /// To every unit of the chain.
         scan: ScanControl { restart: bit(), enable: bit() },
         /// To the left end of the chain.
@@ -115,16 +103,6 @@ impl GfbUnit {
         self.sequencer().merge_clocks()
     }
 
-    /// The widths of what the host says to it.
-    pub fn host(&self) -> Host<Width> {
-        Host { start: bit(), swap: bit(), read_address: below(self.screen.pixels()), background: bits(WORD) }
-    }
-
-    /// The widths of what the host sees of it.
-    pub fn view(&self) -> View<Width> {
-        View { read_word: bits(WORD), busy: bit(), first_round: bit(), clocks: up_to(self.merge_clocks()) }
-    }
-
     fn build(&self, m: Module, i: GfbUnitIn) -> GfbUnitOut {
         let Host { start, swap, read_address, background } = i.host;
         let round = m.instance("u_sequencer", &self.sequencer(), GfbSequencerIn { start });
@@ -143,11 +121,8 @@ impl GfbUnit {
         net!(old = banks.read_when(round.scan.enable, cat![round.feed, filled]));
         let left = m.pipe_when(round.scan.enable, "left", mux(first_round, background, old));
 
-        GfbUnitOut {
-            view: View { read_word, busy: round.busy, first_round: first_round.value(), clocks: round.clocks },
-            scan: round.scan,
-            left,
-        }
+        let view = View { read_word, busy: round.busy, first_round: *first_round, clocks: round.clocks };
+        GfbUnitOut { view, scan: round.scan, left }
     }
 }
 

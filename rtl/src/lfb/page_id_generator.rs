@@ -11,7 +11,7 @@
 //!
 //! Its value is the ID of the next free page; a first access to a patch takes it. It restarts when the buffers are swapped.
 
-use tilewright_hdl::{Module, below, bit, block, net, up_to};
+use crate::prelude::*;
 
 block! {
     /// Names the next free page of an image memory: 0, 1, 2 ..
@@ -45,7 +45,7 @@ impl PageIdGenerator {
         used.when(i.restart, 0).when(i.take, used + 1);
         m.assert(m.past(i.restart).implies(used.eq(0)), "a restart frees all pages");
         m.cover("all pages are taken", m.rose(exhausted));
-        PageIdGeneratorOut { page: used.trunc(below(self.pages)), used: used.value(), exhausted }
+        PageIdGeneratorOut { page: used.trunc(below(self.pages)), used: *used, exhausted }
     }
 }
 

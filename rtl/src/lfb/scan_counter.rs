@@ -16,10 +16,7 @@
 //! tells the one whole frame after a restart from what comes before and after it. Each pixel is so sent once in a round of
 //! merging, at whatever time in it the buffers are swapped.
 
-use tilewright_hdl::{Module, Width, below, bit, block, codes, net, when};
-
-use crate::parameter::Screen;
-use crate::scan::{Position, ScanControl};
+use crate::prelude::*;
 
 /// How far a scan counter runs ahead of the succeeding one, in pixels.
 pub const LEAD: u32 = 4;
@@ -65,11 +62,12 @@ impl ScanCounter {
     pub fn position(screen: Screen) -> Position<Width> {
         Position { x: below(screen.width), y: below(screen.height) }
     }
+
     fn build(&self, m: Module, i: ScanCounterIn) -> ScanCounterOut {
         let ScanControl { restart, enable } = i.scan;
         let x = m.reg("x", i.preset.x.width()).reset(0);
         let y = m.reg("y", i.preset.y.width()).reset(0);
-        let pass = m.fsm("pass", Pass::After);
+        let pass = m.reg("pass", one_of::<Pass>()).reset(Pass::After);
         net!(line_end = enable & x.eq(self.screen.width - 1));
         net!(last_line = y.eq(self.screen.height - 1));
         net!(frame_end = line_end & last_line);
@@ -77,15 +75,10 @@ impl ScanCounter {
         x.when(restart, i.preset.x).when(line_end, 0).when(enable, x + 1);
         y.when(restart, i.preset.y).when(frame_end, 0).when(line_end, y + 1);
         net!(at_start = i.preset.x.eq(0) & i.preset.y.eq(0));
-        let moves = pass.next(|state| {
-            let passed = match state {
-                Pass::Before => Pass::Frame,
-                Pass::Frame | Pass::After => Pass::After,
-            };
-            when(restart & at_start, Pass::Frame).or_when(restart, Pass::Before).or_when(frame_end, passed)
-        });
-        m.cover("a whole frame is sent", moves.goes(Pass::Frame, Pass::After));
-        ScanCounterOut { pixel: Position { x: x.value(), y: y.value() }, armed: pass.is(Pass::Frame) }
+        pass.when(restart, mux(at_start, Pass::Frame, Pass::Before))
+            .when(frame_end, mux(pass.is(Pass::Before), Pass::Frame, Pass::After));
+        m.cover("a whole frame is sent", m.past(*pass).is(Pass::Frame) & pass.is(Pass::After));
+        ScanCounterOut { pixel: Position { x: *x, y: *y }, armed: pass.is(Pass::Frame) }
     }
 }
 

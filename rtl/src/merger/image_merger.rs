@@ -10,10 +10,8 @@
 //! Latency 4 n clocks, a pixel every clock. Everything holds where `enable` is low. The sample of unit `i` has to
 //! come 4 i clocks after the left one of the same pixel, which the scan counters' lead takes care of (VC1-SCAN).
 
-use tilewright_hdl::{Module, bit, bits, block, stack};
-
 use super::unit::{MergingUnit, MergingUnitIn, STAGES};
-use crate::word::WORD;
+use crate::prelude::*;
 
 block! {
     /// Merges the images of the local frame buffers: of each pixel the nearest sample.

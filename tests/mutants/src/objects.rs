@@ -1,7 +1,7 @@
 //! Edits of registers, memories, instances, outputs and assertions.
 
 use crate::site::{Sites, always, beside, near, near_init, not};
-use tilewright_hdl::ir::{Contents, Module, Node, NodeId, Op, ReadUnderWrite};
+use tilewright_hdl::ir::{Contents, Directive, Module, Node, NodeId, Op, ReadUnderWrite};
 
 /// Adds the mutants in which a part of the schematic is another.
 pub(crate) fn edit(sites: &mut Sites) {
@@ -133,9 +133,10 @@ fn ends(sites: &mut Sites) {
             });
         }
     }
-    for (i, assert) in module.asserts.iter().enumerate() {
+    let asserts = module.properties.iter().enumerate().filter(|(_, it)| it.directive == Directive::Assert);
+    for (i, assert) in asserts {
         sites.add("an assertion", assert.loc, "dropped", |module| {
-            module.asserts[i].condition = always(module, assert.condition, true);
+            module.properties[i].condition = always(module, assert.condition, true);
         });
     }
 }

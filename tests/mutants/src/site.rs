@@ -41,7 +41,7 @@ pub(crate) fn used(module: &Module) -> Vec<bool> {
         left.extend(memory.writes.iter().flat_map(|write| [write.enable, write.address, write.data]));
     }
     left.extend(module.instances.iter().flat_map(|instance| instance.inputs.iter().copied()));
-    left.extend(module.asserts.iter().map(|assert| assert.condition));
+    left.extend(module.properties.iter().map(|property| property.condition));
     while let Some(id) = left.pop() {
         if !std::mem::replace(&mut used[id.0 as usize], true) {
             module.node(id).op.for_each_operand(|operand| left.push(operand));
