@@ -43,6 +43,42 @@ impl Looking {
     }
 }
 
+codes! { enum Way { Left, Right, Both } }
+
+block! {
+    /// Takes codes that it names nowhere but in what it states.
+    pub struct Stated;
+    in StatedIn {
+        /// A way.
+        way: one_of::<Way>(),
+    }
+    out StatedOut {
+        /// It is no way.
+        none: bit(),
+    }
+}
+
+impl Stated {
+    fn build(&self, m: Module, i: StatedIn) -> StatedOut {
+        m.assume(i.way.is_code(), "a way is given");
+        m.cover("right", i.way.is(Way::Right));
+        StatedOut { none: i.way.bits().eq(3) }
+    }
+}
+
+#[test]
+fn a_code_that_only_a_statement_names_is_declared() {
+    let files = verilog(&elaborate(&Stated).unwrap());
+    tools::lint(&files).unwrap_or_else(|problems| panic!("{problems}\n{}", files[0].text));
+    for part in [
+        "assume (way <= WAY_BOTH);",
+        "    localparam [1:0] WAY_BOTH  = 2'd2;",
+        "// not mentioned: localparam [1:0] WAY_LEFT",
+    ] {
+        assert!(files[0].text.contains(part), "{}", files[0].text);
+    }
+}
+
 /// The Verilog, and the testbench that gives it this stimulus and expects what follows from it.
 fn run(stimulus: &[(u64, [u64; 3])]) -> (Vec<VerilogFile>, VerilogFile) {
     let design = elaborate(&Looking).unwrap();

@@ -15,7 +15,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// Past values are for statements: `m.assert(m.past(i.restart).implies(count.eq(0)), ..)`. A statement that looks at one, be it within
 /// the expression or through nets and instances, waits until there is one: it says nothing of the first edge after power-on or a reset, and nothing of the first two
-/// if it looks at the past of the past. Elsewhere, a past value is a register without a reset, as [`Module::pipe`] makes them.
+/// if it looks at the past of the past. Elsewhere (behind a register, in a statement of another module, in what the circuit computes) a past value is a
+/// register without a reset, as [`Module::pipe`] makes them.
 impl Module {
     /// The value at the edge of this module's clock before, of a signal or of each field of a record. Equal signals share their register.
     #[track_caller]

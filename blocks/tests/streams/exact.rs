@@ -2,6 +2,7 @@
 
 use crate::clocks::play;
 use tilewright_blocks::*;
+use tilewright_hdl::Block;
 use tilewright_sim::Simulation;
 
 #[test]
@@ -112,6 +113,33 @@ fn narrower_and_wider_words() {
             (None, 1, 1, Some(0x654)),
         ],
     );
+}
+
+/// After words have gone in, and some out, by a reset.
+fn empties<B: Block<In = StreamIn, Out = StreamOut>>(block: &B) {
+    let mut sim = Simulation::of(block).unwrap();
+    sim.set(sim.i.into.valid, 1);
+    for ready in [0, 1, 1, 0, 0, 0] {
+        sim.set(sim.o.out.ready, ready);
+        sim.step();
+    }
+    sim.reset();
+    sim.set(sim.i.into.valid, 0);
+    for clock in 0..4 {
+        let seen = (sim.get_u64(sim.i.into.ready), sim.get_u64(sim.o.out.valid));
+        assert_eq!(seen, (1, 0), "clock {clock} of {block:?}");
+        sim.step();
+    }
+}
+
+#[test]
+fn a_reset_empties_slices_and_queues() {
+    for cuts in [Slice::Forward, Slice::Backward, Slice::Both] {
+        empties(&RegisterSlice { width: 8, cuts });
+    }
+    for storage in [Storage::Registers, Storage::BlockRam] {
+        (1..5).for_each(|depth| empties(&Fifo::new(depth, 8, storage)));
+    }
 }
 
 /// In each clock: who has a word, whether the receiver is ready, who is taken.

@@ -19,6 +19,9 @@ pub fn print(printer: &mut Printer, latency: Option<&Latency>) -> String {
     let memory_ports = printer.memory_ports();
     let registers = printer.registers();
     let outputs = printer.output_assigns();
+    let properties = printer.plain_properties();
+    // They may be all that mentions a code.
+    let properties = printer.properties(&properties);
     body.section(printer.states.declarations());
     body.section(printer.register_declarations());
     body.section(memories);
@@ -33,8 +36,7 @@ pub fn print(printer: &mut Printer, latency: Option<&Latency>) -> String {
     body.section(memory_ports);
     body.section(registers);
     body.section(outputs);
-    let properties = printer.plain_properties();
-    body.section(printer.properties(&properties));
+    body.section(properties);
     body.section(printer.unused());
     let body = printer.fill_in_unread(body.lines);
     let module = printer.module;

@@ -7,22 +7,23 @@ use std::process::ExitCode;
 use tilewright_cosim::mutation::{Comparison, Subject, Suite, Verdict, choose, compare, run, subjects};
 use tilewright_mutants::Mutant;
 
-const USAGE: &str = "usage: mutants [--mutants N] [--seed N] [--jobs N] [--block NAME] [--list]
+const USAGE: &str = "usage: mutants [--mutants N] [--seed N] [--jobs N] [--of CRATE] [--block NAME] [--list]
 
-Makes N mutants of the blocks of `rtl` and `blocks`, of each in turn: one operator, constant, enable or reset is another. Runs the
-tests of the block on each, and says which no test finds, and what random inputs show of those. The same seed makes the same
-mutants. With --block, only of blocks with that in their names; with --list, only says what the mutants are.";
+Makes N mutants of the blocks of `rtl`, or of another crate, of each in turn: one operator, constant, enable or reset is another.
+Runs the tests of the block on each, and says which no test finds, and what random inputs show of those. The same seed makes the
+same mutants. With --block, only of blocks with that in their names; with --list, only says what the mutants are.";
 
 struct Options {
     mutants: usize,
     seed: u64,
     jobs: usize,
+    of: String,
     block: String,
     lists: bool,
 }
 
 fn options() -> Option<Options> {
-    let mut options = Options { mutants: 1000, seed: 1, jobs: 1, block: String::new(), lists: false };
+    let mut options = Options { mutants: 1000, seed: 1, jobs: 1, of: "rtl".into(), block: String::new(), lists: false };
     let mut arguments = std::env::args().skip(1);
     while let Some(option) = arguments.next() {
         match option.as_str() {
@@ -30,6 +31,7 @@ fn options() -> Option<Options> {
             "--mutants" => options.mutants = arguments.next()?.parse().ok()?,
             "--seed" => options.seed = arguments.next()?.parse().ok()?,
             "--jobs" => options.jobs = arguments.next()?.parse().ok().filter(|jobs| *jobs > 0)?,
+            "--of" => options.of = arguments.next()?,
             "--block" => options.block = arguments.next()?,
             _ => return None,
         }
@@ -54,7 +56,11 @@ fn main() -> ExitCode {
 /// Has the tests of each block find its mutants, block by block.
 fn judge(options: &Options) -> Result<(), String> {
     let mut subjects = subjects();
-    subjects.retain(|subject| subject.name.contains(&options.block));
+    subjects.retain(|subject| subject.of.name() == options.of && subject.name.contains(&options.block));
+    if subjects.is_empty() {
+        let Options { of, block, .. } = options;
+        return Err(format!("no block of `{of}` has `{block}` in its name; the crates are `rtl` and `blocks`"));
+    }
     let chosen = choose(&subjects, options.mutants, options.seed);
     let (mut suites, mut rows) = (HashMap::new(), Vec::new());
     for (subject, chosen) in subjects.iter().zip(chosen) {

@@ -1,6 +1,6 @@
 //! Steps that state something, look back, or hold codes of an enum; and memories whose words are written in parts.
 
-use super::Builder;
+use super::{Builder, Kind};
 use crate::spec::*;
 use tilewright_hdl::*;
 
@@ -21,11 +21,11 @@ impl Builder<'_> {
             Statement::Rises => m.cover(&format!("rise {number}"), m.rose(signal.bit(0))),
             Statement::Falls => m.cover(&format!("fall {number}"), m.fell(signal.msb())),
             Statement::Past(edges) => {
-                let name = self.inner_name(&format!("h{number}"));
                 let (mut past, mut held) = (signal, signal);
                 for edge in 0..=edges {
                     past = m.past(past);
-                    held = m.pipe(&format!("{name}_{edge}"), held);
+                    let name = self.inner_name(&format!("h{number}_{edge}"));
+                    held = m.pipe(&name, held);
                 }
                 // Whatever they hold at first, which is not the same.
                 m.assert(past.eq(held), "a past value is what was");
@@ -70,7 +70,7 @@ impl Builder<'_> {
     /// A memory of words in parts, each with an enable of its own.
     pub fn parts(&mut self, d: usize, number: usize, parts: &InParts) {
         let InParts { parts: count, width, depth, asynchronous, ports: [enables, write_at, data, read_at] } = *parts;
-        let name = self.inner_name(&format!("p{number}"));
+        let name = self.namer.draw_with(&format!("p{number}"), Kind::Inner, &["_read".to_owned()]);
         let words = self.on(d).memory(&name, depth, bits(width).of(row(count)), ReadUnderWrite::Old);
         let address = words.address_width();
         let [write_at, read_at] = [write_at, read_at].map(|pick| self.pick_fit(d, pick, address));

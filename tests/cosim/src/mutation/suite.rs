@@ -17,6 +17,13 @@ pub struct Crate {
     targets: &'static [&'static str],
 }
 
+impl Crate {
+    /// Its folder in the workspace.
+    pub fn name(self) -> &'static str {
+        self.package.trim_start_matches("tilewright-")
+    }
+}
+
 /// The machines' blocks.
 pub const RTL: Crate = Crate { package: "tilewright-rtl", targets: &["--lib"] };
 /// The library.
