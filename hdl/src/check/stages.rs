@@ -67,7 +67,8 @@ impl Flow<'_> {
     /// The stage that a value is of behind `node`; none if that delays it otherwise than the pipeline does.
     fn after(&self, node: NodeId, of: Of) -> Option<Of> {
         let Some(delay) = delay(self.draft, node) else { return Some(of) };
-        let is_own = delay.enable == self.draft.pipelines.enables[of.stage.pipeline as usize];
+        let own = self.draft.pipelines.enables[of.stage.pipeline as usize];
+        let is_own = delay.enable == own.map(|enable| plain(self.draft, enable));
         is_own.then(|| Of { stage: Stage { number: of.stage.number + 1, ..of.stage }, from: node })
     }
 }

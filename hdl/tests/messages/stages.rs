@@ -107,3 +107,22 @@ fn registers_and_memories_take_what_is_of_one_stage() {
          2 problems in this description",
     );
 }
+
+/// What all lanes are enabled by is the pipeline's own enable, and another one's delay is of no stage.
+#[test]
+fn rows_go_through_stages_too() {
+    expect(
+        |m, i| {
+            let start = Race { left: i.a.of(3), right: i.a.of(3) };
+            let last = m.stages(1, i.c, start, |_, race| race);
+            let later = m.pipe_when(i.c, "later", last.left);
+            let other = m.pipe("other", last.left);
+            ((later + last.right) ^ (other + last.right)).lane(0)
+        },
+        "`later + right1` mixes stages of a pipeline: `later` is of stage 2, `right1` of stage 1
+         --> [((later + last.right) ^ (other + last.right)).lane(0)]
+         `later` is made at [let later = m.pipe_when(i.c, \"later\", last.left);]
+         `right1` is made at [let last = m.stages(1, i.c, start, |_, race| race);]
+         help: bring the earlier one along as a field of the pipeline's record; `.any_stage()` says that two records are to meet",
+    );
+}
