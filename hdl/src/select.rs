@@ -249,7 +249,7 @@ fn by_value<V: Data>(subject: Signal, keys: &[Bits], values: Vec<Given<V>>, of: 
             let is_other = |(_, node): &(Bits, NodeId)| !same(*node, default);
             let arms: Vec<_> = keys.iter().cloned().zip(nodes).filter(is_other).collect();
             if arms.is_empty() {
-                chosen.push(elaboration::with(|e| Signal::at(e, default)));
+                chosen.push(Signal { kind, ..elaboration::with(|e| Signal::at(e, default)) });
                 continue;
             }
             Op::Case { subject, arms, default }

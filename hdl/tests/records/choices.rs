@@ -220,3 +220,24 @@ fn moves_say_what_the_next_edge_does() {
     let text = &tilewright_gen::verilog(&elaborate(&Mover).unwrap())[0].text;
     assert!(text.contains("assign leaves_0 = (phase == PHASE_IDLE) & go;"), "{text}");
 }
+
+block! {
+    /// Chooses by something that makes no difference.
+    struct Indifferent;
+    in IndifferentIn { phase: one_of::<Phase>(), level: bits(8).signed() }
+    out IndifferentOut { level: bits(8) }
+}
+
+impl Indifferent {
+    fn build(&self, _: Module, i: IndifferentIn) -> IndifferentOut {
+        let level: Signal = i.phase.choose(|_: Phase| i.level.bits());
+        IndifferentOut { level: level + 1 }
+    }
+}
+
+#[test]
+fn a_choice_is_of_the_kind_of_its_values_though_they_are_all_one() {
+    let mut sim = Simulation::of(&Indifferent).unwrap();
+    sim.set(sim.i.level, -3);
+    assert_eq!(sim.get_u64(sim.o.level), 254);
+}
