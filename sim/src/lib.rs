@@ -165,3 +165,5 @@ pub use engine::{Difference, EngineKind, Explained, Pass, Passes, Unsupported, e
 pub use testbench::{
     Batch, Condition, Error, IntoValue, Port, Probe, Recorder, Simulation, UnknownName, Vcd, Violation, Wave,
 };
+#[doc(hidden)]
+pub use testbench::{Traced, example, traced};

@@ -4,6 +4,7 @@ mod attach;
 mod batch;
 mod condition;
 mod error;
+mod example;
 mod instants;
 mod lookup;
 mod peek;
@@ -22,6 +23,8 @@ pub use attach::Probe;
 pub use batch::Batch;
 pub use condition::Condition;
 pub use error::{Error, UnknownName, Violation};
+#[doc(hidden)]
+pub use example::{Traced, example, traced};
 pub use port::{IntoValue, Port};
 pub use simulation::Simulation;
 pub use trace::{Recorder, Vcd, Wave};
