@@ -39,6 +39,16 @@ pub fn tree<B: Fields<Signal, With<Signal> = B> + Clone>(lanes: B, combine: impl
 impl Module {
     /// As [`tree`], with a register behind each level, named after it: `name1` behind the first. The result is as many clocks late as the number
     /// of levels, which is that of the bits of [`below`](crate::below)`(lanes)`; none for a single lane.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # let example = tilewright_sim::traced(|m| {
+    /// let lanes = lit(5, 0b10111).unpack(5).zext(3);
+    /// net!(hits = m.tree_of_stages("level", lanes, |a: Signal, b| a + b));
+    /// # });
+    /// // Three levels, so the sum of five lanes is there after three clocks.
+    /// assert_eq!(example.values("hits"), [0, 0, 0, 4, 4]);
+    /// ```
     #[track_caller]
     pub fn tree_of_stages<B: Fields<Signal, With<Signal> = B> + Clone>(
         self,

@@ -165,13 +165,11 @@ pub trait Count {
 ///
 /// ```
 /// # use tilewright_hdl::*;
-/// fn counter(m: Module, width: impl IntoWidth) -> Reg {
-///     let count = m.reg("count", width).reset(0);
-///     count.next(count + 1);
-///     count
+/// fn ones(width: impl IntoWidth) -> Signal {
+///     !lit(width, 0)
 /// }
 /// # tilewright_sim::example(|m| {
-/// m.assert(counter(m, below(12)).lt(16), "as `counter(m, 4)`");
+/// m.assert(ones(4).eq(15) & ones(below(12)).eq(15), "12 pages are numbered by 4 bits");
 /// # });
 /// ```
 #[diagnostic::on_unimplemented(
