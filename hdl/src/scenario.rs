@@ -11,6 +11,24 @@ use crate::uneven::{Uneven, uneven};
 use crate::width::Width;
 
 /// What the inputs do over time. A reset comes first, at one edge of every clock; inputs not mentioned are zero.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # block! {
+/// #     struct Adder;
+/// #     in AdderIn { a: bits(8), b: bits(8) }
+/// #     out AdderOut { sum: bits(8) }
+/// # }
+/// # impl Adder {
+/// #     fn build(&self, m: Module, i: AdderIn) -> AdderOut {
+/// #         AdderOut { sum: m.pipe("held", i.a + i.b) }
+/// #     }
+/// # }
+/// let mut script = Script::new(&Adder, DEFAULT_PERIOD);
+/// script.clock(&AdderIn { a: 1, b: 2 });
+/// let scenario = script.finish("adds once");
+/// assert_eq!((scenario.events.len(), scenario.end_ps), (2, 12_500));
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Scenario {
     /// What it shows.
@@ -22,6 +40,26 @@ pub struct Scenario {
 }
 
 /// A change of an input.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # block! {
+/// #     struct Delay;
+/// #     in DelayIn { word: bits(8) }
+/// #     out DelayOut { word_late: bits(8) }
+/// # }
+/// # impl Delay {
+/// #     fn build(&self, m: Module, i: DelayIn) -> DelayOut {
+/// #         DelayOut { word_late: m.pipe("held", i.word) }
+/// #     }
+/// # }
+/// let mut script = Script::new(&Delay, Period::ns(10));
+/// script.clock(&DelayIn { word: 0 });
+/// script.clock(&DelayIn { word: 7 });
+/// // Zero is what an input is without an event. A change is a quarter of a period behind an edge.
+/// let seven = scenario::Event { at_ps: 12_500, input: "word".to_owned(), value: Bits::new(8, 7) };
+/// assert_eq!(script.finish("a seven").events, [seven]);
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Event {
     /// When, in picoseconds after the reset; never at an edge.
@@ -33,6 +71,26 @@ pub struct Event {
 }
 
 /// Writes a scenario row by row: the inputs in each clock.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # block! {
+/// #     struct Delay;
+/// #     in DelayIn { word: bits(8) }
+/// #     out DelayOut { word_late: bits(8) }
+/// # }
+/// # impl Delay {
+/// #     fn build(&self, m: Module, i: DelayIn) -> DelayOut {
+/// #         DelayOut { word_late: m.pipe("held", i.word) }
+/// #     }
+/// # }
+/// let mut script = Script::new(&Delay, Period::ns(10));
+/// for word in [3, 3, 4] {
+///     script.clock(&DelayIn { word });
+/// }
+/// // What stays the same is no event.
+/// assert_eq!(script.finish("two words").events.len(), 2);
+/// ```
 pub struct Script<B: Block> {
     widths: <B::In as Bundle>::Of<Width>,
     period: u64,
@@ -44,6 +102,22 @@ pub struct Script<B: Block> {
 
 impl<B: Block> Script<B> {
     /// An empty script for a block, in clocks of `period`; that of its fastest clock if it has several.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # block! {
+    /// #     struct Delay;
+    /// #     in DelayIn { word: bits(8) }
+    /// #     out DelayOut { late: bits(8) }
+    /// # }
+    /// # impl Delay {
+    /// #     fn build(&self, m: Module, i: DelayIn) -> DelayOut {
+    /// #         DelayOut { late: m.pipe("held", i.word) }
+    /// #     }
+    /// # }
+    /// let nothing = Script::new(&Delay, Period::ns(10)).finish("nothing happens");
+    /// assert!(nothing.events.is_empty());
+    /// ```
     pub fn new(block: &B, period: Period) -> Script<B> {
         let widths = block.inputs();
         let last = vec![0; widths.leaves().len()];
@@ -52,11 +126,53 @@ impl<B: Block> Script<B> {
     }
 
     /// From now on a row is a clock of that period.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # block! {
+    /// #     struct Delay;
+    /// #     in DelayIn { word: bits(8) }
+    /// #     out DelayOut { late: bits(8) }
+    /// # }
+    /// # impl Delay {
+    /// #     fn build(&self, m: Module, i: DelayIn) -> DelayOut {
+    /// #         DelayOut { late: m.pipe("held", i.word) }
+    /// #     }
+    /// # }
+    /// let mut script = Script::new(&Delay, Period::ns(10));
+    /// script.clock(&DelayIn { word: 1 });
+    /// script.in_clocks_of(Period::ns(40));
+    /// script.clock(&DelayIn { word: 2 });
+    /// assert_eq!(script.finish("a fast clock and a slow one").end_ps, 52_500);
+    /// ```
     pub fn in_clocks_of(&mut self, period: Period) {
         self.period = period.picoseconds();
     }
 
     /// One clock with these inputs.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # block! {
+    /// #     struct Scan;
+    /// #     in ScanIn { restart: bit(), enable: bit() }
+    /// #     out ScanOut { x: bits(8) }
+    /// # }
+    /// # impl Scan {
+    /// #     fn build(&self, m: Module, i: ScanIn) -> ScanOut {
+    /// #         let x = m.reg("column", 8).reset(0);
+    /// #         x.when(i.restart, 0).when(i.enable, x + 1);
+    /// #         ScanOut { x: *x }
+    /// #     }
+    /// # }
+    /// const IDLE: ScanIn<u64> = ScanIn { restart: 0, enable: 0 };
+    ///
+    /// let mut script = Script::new(&Scan, Period::ns(10));
+    /// script.clock(&ScanIn { restart: 1, ..IDLE });
+    /// script.clock(&ScanIn { enable: 1, ..IDLE });
+    /// let inputs: Vec<_> = script.finish("a start").events.into_iter().map(|event| event.input).collect();
+    /// assert_eq!(inputs, ["restart", "restart", "enable"]); // it rises, and falls when `enable` rises
+    /// ```
     ///
     /// # Panics
     ///
@@ -81,6 +197,24 @@ impl<B: Block> Script<B> {
 
     /// Some clocks with these inputs.
     ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # block! {
+    /// #     struct Delay;
+    /// #     in DelayIn { word: bits(8) }
+    /// #     out DelayOut { late: bits(8) }
+    /// # }
+    /// # impl Delay {
+    /// #     fn build(&self, m: Module, i: DelayIn) -> DelayOut {
+    /// #         DelayOut { late: m.pipe("held", i.word) }
+    /// #     }
+    /// # }
+    /// let mut script = Script::new(&Delay, Period::ns(10));
+    /// script.hold(&DelayIn { word: 1 }, 5);
+    /// script.clock(&DelayIn { word: 2 });
+    /// assert_eq!(script.finish("5 clocks of 1").events[1].at_ps, 52_500);
+    /// ```
+    ///
     /// # Panics
     ///
     /// As [`Script::clock`].
@@ -91,11 +225,49 @@ impl<B: Block> Script<B> {
     }
 
     /// The same inputs for some clocks more.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # block! {
+    /// #     struct Delay;
+    /// #     in DelayIn { word: bits(8) }
+    /// #     out DelayOut { late: bits(8) }
+    /// # }
+    /// # impl Delay {
+    /// #     fn build(&self, m: Module, i: DelayIn) -> DelayOut {
+    /// #         DelayOut { late: m.pipe("held", i.word) }
+    /// #     }
+    /// # }
+    /// let mut script = Script::new(&Delay, Period::ns(10));
+    /// script.clock(&DelayIn { word: 1 });
+    /// script.wait(4);
+    /// let mut held = Script::new(&Delay, Period::ns(10));
+    /// held.hold(&DelayIn { word: 1 }, 5);
+    /// assert_eq!(script.finish("a one"), held.finish("a one"));
+    /// ```
     pub fn wait(&mut self, clocks: u64) {
         self.at_ps += clocks * self.period;
     }
 
     /// The scenario written so far.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # block! {
+    /// #     struct Delay;
+    /// #     in DelayIn { word: bits(8) }
+    /// #     out DelayOut { late: bits(8) }
+    /// # }
+    /// # impl Delay {
+    /// #     fn build(&self, m: Module, i: DelayIn) -> DelayOut {
+    /// #         DelayOut { late: m.pipe("held", i.word) }
+    /// #     }
+    /// # }
+    /// let mut script = Script::new(&Delay, Period::ns(10));
+    /// script.hold(&DelayIn { word: 255 }, 3);
+    /// let scenario = script.finish("the largest word comes through");
+    /// assert_eq!(scenario.about, "the largest word comes through");
+    /// ```
     pub fn finish(self, about: &'static str) -> Scenario {
         Scenario { about, events: self.events, end_ps: self.at_ps }
     }
