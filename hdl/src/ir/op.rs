@@ -4,6 +4,14 @@ use super::{Affine, InstanceId, MemoryId, NodeId, RegisterId};
 use crate::bits::Bits;
 
 /// Operators of one operand.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// use tilewright_hdl::ir::{Op, Unary};
+///
+/// let op = Op::Unary(Unary::Not, ir::NodeId(3));
+/// assert!(matches!(op, Op::Unary(unary, _) if unary != Unary::Parity));
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Unary {
     /// Every bit inverted.
@@ -17,6 +25,15 @@ pub enum Unary {
 }
 
 /// Operators of two operands of equal widths, with a result of that width except where said.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// use tilewright_hdl::ir::{Binary, NodeId, Op};
+///
+/// // Products are the only ones whose operands may have different widths.
+/// let sized_by_itself = |op: &Op| matches!(op, Op::Binary(Binary::Mul | Binary::MulSigned, ..));
+/// assert!(!sized_by_itself(&Op::Binary(Binary::Add, NodeId(0), NodeId(1))));
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Binary {
     /// Bitwise and.
@@ -36,6 +53,14 @@ pub enum Binary {
 }
 
 /// Comparisons.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// use tilewright_hdl::ir::{NodeId, Op, Relation};
+///
+/// let less = Op::Compare { relation: Relation::Lt, signed: true, operands: [NodeId(0), NodeId(1)] };
+/// assert!(matches!(less, Op::Compare { signed: true, .. })); // of equality the sign makes no difference
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Relation {
     /// Equal.
@@ -53,6 +78,14 @@ pub enum Relation {
 }
 
 /// Shifts by an amount that is a signal.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// use tilewright_hdl::ir::Shift;
+///
+/// let fills_with_zeros = |shift: Shift| shift != Shift::RightSigned;
+/// assert!(fills_with_zeros(Shift::Left) && fills_with_zeros(Shift::Right));
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Shift {
     /// Towards the most significant bit, filled with zeros.
@@ -64,6 +97,13 @@ pub enum Shift {
 }
 
 /// Combinations of all lanes along an axis into one.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// use tilewright_hdl::ir::Reduction;
+///
+/// assert!(Reduction::Min.operator().is_none() && Reduction::Add.operator().is_some());
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Reduction {
     /// Bitwise and of all lanes.
@@ -83,6 +123,14 @@ pub enum Reduction {
 impl Reduction {
     /// The operator that combines two lanes; `None` for [`Min`](Reduction::Min) and [`Max`](Reduction::Max), which
     /// compare and choose.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// use tilewright_hdl::ir::{Binary, Reduction};
+    ///
+    /// assert_eq!(Reduction::Xor.operator(), Some(Binary::Xor));
+    /// assert_eq!(Reduction::Max.operator(), None);
+    /// ```
     pub fn operator(self) -> Option<Binary> {
         match self {
             Reduction::And => Some(Binary::And),
@@ -98,6 +146,29 @@ impl Reduction {
 ///
 /// Operations up to [`Output`](Op::Output) are elementwise: their operands have the node's shape, and each lane is
 /// computed from the same lane of them. The others lead from one shape to another, along one axis.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// use tilewright_hdl::ir::Op;
+/// # block! {
+/// #     struct Masked;
+/// #     in MaskedIn { word: bits(8), mask: bits(8) }
+/// #     out MaskedOut { masked: bits(8) }
+/// # }
+/// # impl Masked {
+/// #     fn build(&self, _: Module, i: MaskedIn) -> MaskedOut {
+/// #         MaskedOut { masked: i.word & !i.mask }
+/// #     }
+/// # }
+///
+/// // `i.word & !i.mask`
+/// let design = elaborate(&Masked)?;
+/// let top = design.top();
+/// let Op::Binary(ir::Binary::And, word, inverted) = top.node(top.outputs[0].node).op else { panic!("an and") };
+/// assert_eq!(top.node(word).op, Op::Input(0));
+/// assert!(matches!(top.node(inverted).op, Op::Unary(ir::Unary::Not, _)));
+/// # Ok::<(), Problems>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub enum Op {
     /// The input port of that index in [`Module::inputs`](crate::ir::Module::inputs).
@@ -274,6 +345,18 @@ impl Op {
 
     /// Calls `visit` with every node of the same module that this one is computed from in the same clock cycle,
     /// except through an instance or an asynchronous read.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// use tilewright_hdl::ir::{NodeId, Op};
+    ///
+    /// let [select, on_true, on_false] = [5, 3, 4].map(NodeId);
+    /// let mut operands = Vec::new();
+    /// Op::Mux { select, on_true, on_false }.for_each_operand(|node| operands.push(node.0));
+    /// assert_eq!(operands, [5, 3, 4]);
+    /// // What a register is does not depend on anything in the same clock.
+    /// Op::Register(ir::RegisterId(0)).for_each_operand(|_| unreachable!("no operand"));
+    /// ```
     pub fn for_each_operand(&self, mut visit: impl FnMut(NodeId)) {
         match self {
             Op::Input(_) | Op::Const(_) | Op::Register(_) | Op::Read(..) | Op::Output(..) => {}
