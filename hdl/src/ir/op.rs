@@ -7,10 +7,21 @@ use crate::bits::Bits;
 ///
 /// ```
 /// # use tilewright_hdl::*;
-/// use tilewright_hdl::ir::{Op, Unary};
-///
-/// let op = Op::Unary(Unary::Not, ir::NodeId(3));
-/// assert!(matches!(op, Op::Unary(unary, _) if unary != Unary::Parity));
+/// # block! {
+/// #     struct Shown;
+/// #     in ShownIn { word: bits(8) }
+/// #     out ShownOut { full: bit() }
+/// # }
+/// # impl Shown {
+/// #     fn build(&self, _: Module, i: ShownIn) -> ShownOut {
+/// let full = i.word.all_ones();
+/// #         ShownOut { full }
+/// #     }
+/// # }
+/// # let design = elaborate(&Shown)?;
+/// let top = design.top();
+/// assert!(matches!(top.node(top.outputs[0].node).op, ir::Op::Unary(ir::Unary::AllOnes, _)));
+/// # Ok::<(), Problems>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Unary {
@@ -28,11 +39,22 @@ pub enum Unary {
 ///
 /// ```
 /// # use tilewright_hdl::*;
-/// use tilewright_hdl::ir::{Binary, NodeId, Op};
-///
-/// // Products are the only ones whose operands may have different widths.
-/// let sized_by_itself = |op: &Op| matches!(op, Op::Binary(Binary::Mul | Binary::MulSigned, ..));
-/// assert!(!sized_by_itself(&Op::Binary(Binary::Add, NodeId(0), NodeId(1))));
+/// # block! {
+/// #     struct Shown;
+/// #     in ShownIn { a: bits(8), b: bits(8).signed() }
+/// #     out ShownOut { product: _ }
+/// # }
+/// # impl Shown {
+/// #     fn build(&self, _: Module, i: ShownIn) -> ShownOut {
+/// let product = i.a.signed() * i.b;
+/// #         ShownOut { product }
+/// #     }
+/// # }
+/// # let design = elaborate(&Shown)?;
+/// // The operation says that it is signed; what its operands stand for does not change it.
+/// let top = design.top();
+/// assert!(matches!(top.node(top.outputs[0].node).op, ir::Op::Binary(ir::Binary::MulSigned, ..)));
+/// # Ok::<(), Problems>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Binary {
@@ -56,10 +78,22 @@ pub enum Binary {
 ///
 /// ```
 /// # use tilewright_hdl::*;
-/// use tilewright_hdl::ir::{NodeId, Op, Relation};
-///
-/// let less = Op::Compare { relation: Relation::Lt, signed: true, operands: [NodeId(0), NodeId(1)] };
-/// assert!(matches!(less, Op::Compare { signed: true, .. })); // of equality the sign makes no difference
+/// # block! {
+/// #     struct Shown;
+/// #     in ShownIn { a: bits(8).signed(), b: bits(8).signed() }
+/// #     out ShownOut { less: bit() }
+/// # }
+/// # impl Shown {
+/// #     fn build(&self, _: Module, i: ShownIn) -> ShownOut {
+/// let less = i.a.lt(i.b);
+/// #         ShownOut { less }
+/// #     }
+/// # }
+/// # let design = elaborate(&Shown)?;
+/// let top = design.top();
+/// let op = &top.node(top.outputs[0].node).op;
+/// assert!(matches!(op, ir::Op::Compare { relation: ir::Relation::Lt, signed: true, .. }));
+/// # Ok::<(), Problems>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Relation {
@@ -81,10 +115,24 @@ pub enum Relation {
 ///
 /// ```
 /// # use tilewright_hdl::*;
-/// use tilewright_hdl::ir::Shift;
-///
-/// let fills_with_zeros = |shift: Shift| shift != Shift::RightSigned;
-/// assert!(fills_with_zeros(Shift::Left) && fills_with_zeros(Shift::Right));
+/// # block! {
+/// #     struct Shown;
+/// #     in ShownIn { word: bits(8), amount: bits(3) }
+/// #     out ShownOut { by_signal: bits(8), by_two: bits(8) }
+/// # }
+/// # impl Shown {
+/// #     fn build(&self, _: Module, i: ShownIn) -> ShownOut {
+/// let (by_signal, by_two) = (i.word << i.amount, i.word << 2);
+/// #         ShownOut { by_signal, by_two }
+/// #     }
+/// # }
+/// # let design = elaborate(&Shown)?;
+/// // A shift by a constant is none: it is wiring.
+/// let top = design.top();
+/// let op = |output: usize| &top.node(top.outputs[output].node).op;
+/// assert!(matches!(op(0), ir::Op::Shift(ir::Shift::Left, ..)));
+/// assert!(matches!(op(1), ir::Op::Concat(_)));
+/// # Ok::<(), Problems>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Shift {
@@ -100,9 +148,22 @@ pub enum Shift {
 ///
 /// ```
 /// # use tilewright_hdl::*;
-/// use tilewright_hdl::ir::Reduction;
-///
-/// assert!(Reduction::Min.operator().is_none() && Reduction::Add.operator().is_some());
+/// # block! {
+/// #     struct Shown;
+/// #     in ShownIn { depths: bits(8).of(row(4)) }
+/// #     out ShownOut { nearest: bits(8) }
+/// # }
+/// # impl Shown {
+/// #     fn build(&self, _: Module, i: ShownIn) -> ShownOut {
+/// let nearest = i.depths.minimum();
+/// #         ShownOut { nearest }
+/// #     }
+/// # }
+/// # let design = elaborate(&Shown)?;
+/// let top = design.top();
+/// let op = &top.node(top.outputs[0].node).op;
+/// assert!(matches!(op, ir::Op::Reduce { by: ir::Reduction::Min, axis: 0, .. }));
+/// # Ok::<(), Problems>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Reduction {
