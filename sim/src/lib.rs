@@ -166,4 +166,4 @@ pub use testbench::{
     Batch, Condition, Error, IntoValue, Port, Probe, Recorder, Simulation, UnknownName, Vcd, Violation, Wave,
 };
 #[doc(hidden)]
-pub use testbench::{Traced, example, traced};
+pub use testbench::{Traced, example, for_examples, traced};

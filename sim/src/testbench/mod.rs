@@ -5,6 +5,8 @@ mod batch;
 mod condition;
 mod error;
 mod example;
+#[doc(hidden)]
+pub mod for_examples;
 mod instants;
 mod lookup;
 mod peek;
