@@ -7,6 +7,17 @@ use tilewright_hdl::{Block, Module, Signal, Stream, Width, bits, bundle, concat,
 
 bundle! {
     /// The inputs of an [`Arbiter`].
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # use tilewright_blocks::{Arbiter, ArbiterIn, Turns};
+    /// # let example = tilewright_sim::traced(|m| {
+    /// let into = (1..4).map(|word| m.offer(lit(1, 1), lit(8, word)).0).collect();
+    /// let out = m.instance("u_arbiter", &Arbiter::new(3, 8, Turns::RoundRobin), ArbiterIn { into }).out;
+    /// net!(word = *out.take_when(1));
+    /// # });
+    /// assert_eq!(example.values("word"), [1, 2, 3, 1]);
+    /// ```
     pub struct ArbiterIn<T> {
         /// What wants to go out.
         pub into: Vec<Stream<T, T>>,
@@ -14,6 +25,20 @@ bundle! {
 }
 
 /// Which of the streams that have a word goes first.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # use tilewright_blocks::{StreamBlocks, Turns};
+/// # let example = tilewright_sim::traced(|m| {
+/// for (name, turns) in [("by_turns", Turns::RoundRobin), ("by_rank", Turns::Priority)] {
+///     let streams = [1, 2].map(|word| m.offer(lit(1, 1), lit(8, word)).0);
+///     let word = m.arbiter(&format!("u_{name}"), turns, streams).take_when(1);
+///     let _ = word.named(name);
+/// }
+/// # });
+/// assert_eq!(example.values("by_turns"), [1, 2, 1, 2]);
+/// assert_eq!(example.values("by_rank"), [1, 1, 1, 1]);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Turns {
     /// The next after the one that went last: each gets its turn within as many words as there are streams.
@@ -31,6 +56,20 @@ pub enum Turns {
 /// ```
 ///
 /// Latency 0, a word a clock. A word that is shown stays, though one of a higher priority comes. No `valid` waits for `ready`.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # use tilewright_blocks::{StreamBlocks, Turns};
+/// # let example = tilewright_sim::traced(|m| {
+/// let count = m.reg("count", 2).reset(0);
+/// count.next(count + 1);
+/// let (often, _) = m.offer(lit(1, 1), lit(8, 2));
+/// let (seldom, _) = m.offer(count.eq(2), lit(8, 1));
+/// let word = m.arbiter("u_arbiter", Turns::Priority, [seldom, often]).take_when(1);
+/// net!(sent = *word);
+/// # });
+/// assert_eq!(example.values("sent"), [2, 2, 1, 2, 2, 2, 1]);
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Arbiter {
     senders: u32,
@@ -40,6 +79,13 @@ pub struct Arbiter {
 
 impl Arbiter {
     /// An arbiter of so many senders of so many bits.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// use tilewright_blocks::{Arbiter, Turns};
+    ///
+    /// assert_eq!(Arbiter::new(4, 8, Turns::RoundRobin).name(), "round_robin_arbiter_senders4_width8");
+    /// ```
     ///
     /// # Panics
     ///

@@ -5,6 +5,18 @@ use tilewright_hdl::{Block, Module, Width, below, bit, bundle, mux, net};
 
 bundle! {
     /// The inputs of a [`Counter`].
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # use tilewright_blocks::{Counter, CounterIn};
+    /// # let example = tilewright_sim::traced(|m| {
+    /// let go = m.reg("go", 2).reset(0);
+    /// go.next(go + 1);
+    /// let counter = m.instance("u_counter", &Counter::new(10), CounterIn { restart: go.eq(3), enable: lit(1, 1) });
+    /// net!(count = counter.count);
+    /// # });
+    /// assert_eq!(example.values("count"), [0, 1, 2, 3, 0, 1]);
+    /// ```
     pub struct CounterIn<T> {
         /// It starts at 0 again; wins over `enable`.
         pub restart: T,
@@ -13,6 +25,18 @@ bundle! {
     }
 
     /// The outputs of a [`Counter`].
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # use tilewright_blocks::{Counter, CounterIn};
+    /// # let example = tilewright_sim::traced(|m| {
+    /// let low = m.instance("u_low", &Counter::new(3), CounterIn { restart: lit(1, 0), enable: lit(1, 1) });
+    /// // One more wherever the other wraps.
+    /// let high = m.instance("u_high", &Counter::new(10), CounterIn { restart: lit(1, 0), enable: low.wraps });
+    /// net!(digits = cat!(high.count, low.count.zext(4)));
+    /// # });
+    /// assert_eq!(example.values("digits"), [0x00, 0x01, 0x02, 0x10, 0x11, 0x12, 0x20]);
+    /// ```
     pub struct CounterOut<T> {
         /// How far it is.
         pub count: T,
@@ -44,6 +68,15 @@ pub struct Counter {
 
 impl Counter {
     /// A counter of so many numbers.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # use tilewright_blocks::{Counter, CounterIn};
+    /// # tilewright_sim::example(|m| {
+    /// let counter = m.instance("u_counter", &Counter::new(12), CounterIn { restart: lit(1, 0), enable: lit(1, 1) });
+    /// m.assert(counter.count.lt(12), "0 to 11, in 4 bits");
+    /// # });
+    /// ```
     ///
     /// # Panics
     ///

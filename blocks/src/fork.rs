@@ -6,6 +6,19 @@ use tilewright_hdl::{Block, Module, Stream, Width, bit, bits, bundle, lit, strea
 
 bundle! {
     /// The outputs of a [`Fork`].
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # use tilewright_blocks::{Fork, StreamIn};
+    /// # tilewright_sim::example(|m| {
+    /// let (into, _) = m.offer(lit(1, 1), lit(8, 7));
+    /// let out = m.instance("u_fork", &Fork::new(3, 8), StreamIn { into }).out;
+    /// for stream in out {
+    ///     let word = stream.take_when(1);
+    ///     m.assert(word.taken & word.eq(7), "each has it in the same clock");
+    /// }
+    /// # });
+    /// ```
     pub struct ForkOut<T> {
         /// To each receiver the same.
         pub out: Vec<Stream<T, T>>,
@@ -21,6 +34,23 @@ bundle! {
 /// ```
 ///
 /// Latency 0. No `valid` waits for any `ready`; `ready` of `into` is one function of those of all receivers.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # use tilewright_blocks::{Fork, StreamIn};
+/// # let example = tilewright_sim::traced(|m| {
+/// let count = m.reg("count", 4).reset(0);
+/// let (into, sent) = m.offer(lit(1, 1), *count);
+/// count.when(sent, count + 1);
+/// let out = m.instance("u_fork", &Fork::new(2, 4), StreamIn { into }).out;
+/// let slow = m.reg("slow", 1).reset(0);
+/// slow.next(!*slow);
+/// net!(fast_takes = out[0].take_when(1).taken);
+/// net!(slow_takes = out[1].take_when(*slow).taken);
+/// # });
+/// assert_eq!(example.values("fast_takes"), [1, 0, 1, 0]); // it waits for the other
+/// assert_eq!(example.values("slow_takes"), [0, 1, 0, 1]);
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Fork {
     receivers: u32,
@@ -29,6 +59,13 @@ pub struct Fork {
 
 impl Fork {
     /// A fork to so many receivers of so many bits.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// use tilewright_blocks::Fork;
+    ///
+    /// assert_eq!(Fork::new(3, 8).name(), "fork_receivers3_width8");
+    /// ```
     ///
     /// # Panics
     ///

@@ -5,12 +5,32 @@ use tilewright_hdl::{Block, Module, Signal, Width, bit, bundle, cat, concat};
 
 bundle! {
     /// The inputs of an [`Lfsr`].
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # use tilewright_blocks::{Lfsr, LfsrIn};
+    /// # let example = tilewright_sim::traced(|m| {
+    /// let twice = m.reg("twice", 1).reset(0);
+    /// twice.next(!*twice);
+    /// net!(number = m.instance("u_lfsr", &Lfsr::new(3), LfsrIn { enable: *twice }).number);
+    /// # });
+    /// assert_eq!(example.values("number"), [1, 1, 2, 2, 5, 5]);
+    /// ```
     pub struct LfsrIn<T> {
         /// It goes on to the next number.
         pub enable: T,
     }
 
     /// The outputs of an [`Lfsr`].
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # use tilewright_blocks::{Lfsr, LfsrIn};
+    /// # let example = tilewright_sim::traced(|m| {
+    /// net!(number = m.instance("u_lfsr", &Lfsr::new(3), LfsrIn { enable: lit(1, 1) }).number);
+    /// # });
+    /// assert_eq!(example.values("number"), [1, 2, 5, 3, 7, 6, 4, 1]); // all but 0
+    /// ```
     pub struct LfsrOut<T> {
         /// A number that is not 0.
         pub number: T,
@@ -60,6 +80,15 @@ const TAPS: [&[u32]; 31] = [
 /// ```
 ///
 /// Latency 1 clock; the period is 2 to the width, less one.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # use tilewright_blocks::{Lfsr, LfsrIn};
+/// # tilewright_sim::example(|m| {
+/// let lfsr = m.instance("u_lfsr", &Lfsr::new(16), LfsrIn { enable: lit(1, 1) });
+/// m.assert(lfsr.number.ne(0), "from 0 it would not get away");
+/// # });
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Lfsr {
     width: u32,
@@ -83,6 +112,14 @@ impl Lfsr {
     }
 
     /// The bits whose parity is shifted in, counted from 1.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// use tilewright_blocks::Lfsr;
+    ///
+    /// // The highest is always among them, as it is what leaves.
+    /// assert!((2..=32).all(|width| Lfsr::new(width).taps().contains(&width)));
+    /// ```
     pub fn taps(&self) -> &'static [u32] {
         TAPS[self.width as usize - 2]
     }
