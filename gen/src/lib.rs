@@ -44,6 +44,24 @@ pub use bench::testbench;
 pub use verilog::verilog;
 
 /// A file of the printed design: Verilog, or the data that a memory is loaded with.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # block! {
+/// #     struct Delay;
+/// #     in DelayIn { word: bits(8) }
+/// #     out DelayOut { late: bits(8) }
+/// # }
+/// # impl Delay {
+/// #     fn build(&self, m: Module, i: DelayIn) -> DelayOut {
+/// #         DelayOut { late: m.pipe("held", i.word) }
+/// #     }
+/// # }
+/// # let design = elaborate(&Delay).unwrap();
+/// let files = tilewright_gen::verilog(&design);
+/// assert_eq!(files[0].name, "delay.v");
+/// assert!(files[0].text.contains("held <= word;"));
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct VerilogFile {
     /// The file's name, such as `counter_width8.v`; data files end in `.hex` and belong beside the Verilog.

@@ -18,6 +18,26 @@ const PROGRAM: &str = "build/program";
 
 /// Builds a program of the Verilog files of a folder, and returns its path; `None` if something is not installed.
 ///
+/// ```no_run
+/// # use tilewright_hdl::*;
+/// # block! {
+/// #     struct Delay;
+/// #     in DelayIn { word: bits(8) }
+/// #     out DelayOut { late: bits(8) }
+/// # }
+/// # impl Delay {
+/// #     fn build(&self, m: Module, i: DelayIn) -> DelayOut {
+/// #         DelayOut { late: m.pipe("held", i.word) }
+/// #     }
+/// # }
+/// # let design = elaborate(&Delay).unwrap();
+/// use tilewright_gen::tools::verilated;
+///
+/// if let Some(program) = verilated("build".as_ref(), &["delay_tb.v", "delay.v"], "delay_tb", &[]).unwrap() {
+///     assert!(std::process::Command::new(program).status().unwrap().success());
+/// }
+/// ```
+///
 /// # Errors
 ///
 /// What Verilator or the compiler printed.
