@@ -37,6 +37,8 @@
 //! ```
 
 mod bench;
+#[doc(hidden)]
+pub mod for_examples;
 pub mod tools;
 mod verilog;
 
@@ -47,17 +49,7 @@ pub use verilog::verilog;
 ///
 /// ```
 /// # use tilewright_hdl::*;
-/// # block! {
-/// #     struct Delay;
-/// #     in DelayIn { word: bits(8) }
-/// #     out DelayOut { late: bits(8) }
-/// # }
-/// # impl Delay {
-/// #     fn build(&self, m: Module, i: DelayIn) -> DelayOut {
-/// #         DelayOut { late: m.pipe("held", i.word) }
-/// #     }
-/// # }
-/// # let design = elaborate(&Delay).unwrap();
+/// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
 /// let files = tilewright_gen::verilog(&design);
 /// assert_eq!(files[0].name, "delay.v");
 /// assert!(files[0].text.contains("held <= word;"));

@@ -250,15 +250,57 @@ pub trait Bundle: Fields<Signal, With<Signal> = Self> + Clone + 'static {
     type Of<T: Leaf>: Fields<T, With<Signal> = Self> + Clone;
 
     /// The record of `f` of each signal and its path.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// bundle! { struct Pixel<T> { z: T, rgb: T } }
+    ///
+    /// let pixel = Pixel { z: lit(16, 5), rgb: lit(24, 7) };
+    /// let widths: Pixel<u32> = pixel.of(&mut |_, signal| signal.width());
+    /// m.assert(pixel.z.eq(5) & pixel.rgb.eq(lit(widths.rgb, 7)), "what is known of each field");
+    /// # });
+    /// ```
     fn of<U: Leaf>(&self, f: &mut dyn FnMut(&str, &Signal) -> U) -> Self::Of<U>;
 
     /// The record of signals that `f` makes of each leaf and its path.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// bundle! { struct Pixel<T> { z: T, rgb: T } }
+    ///
+    /// let numbers = Pixel { z: 5, rgb: 7u64 };
+    /// let pixel = Pixel::signals(&numbers, &mut |_, number| lit(24, *number));
+    /// m.assert(pixel.z.eq(5) & pixel.rgb.eq(7), "constants");
+    /// # });
+    /// ```
     fn signals<T: Leaf>(of: &Self::Of<T>, f: &mut dyn FnMut(&str, &T) -> Signal) -> Self;
 
     /// The record of `f` of each leaf and its path.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// bundle! { struct Pixel<T> { z: T, rgb: T } }
+    ///
+    /// let numbers = Pixel { z: 5u64, rgb: 7 };
+    /// let words: Pixel<String> = <Pixel as Bundle>::convert(&numbers, &mut |path, number| format!("{path} is {number}"));
+    /// assert_eq!(words.rgb, "rgb is 7");
+    /// ```
     fn convert<T: Leaf, U: Leaf>(of: &Self::Of<T>, f: &mut dyn FnMut(&str, &T) -> U) -> Self::Of<U>;
 
     /// As [`Bundle::convert`], without the time that paths take.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// bundle! { struct Pixel<T> { z: T, rgb: T } }
+    ///
+    /// /// Twice each number of a record, whatever its type.
+    /// fn doubled<B: Bundle>(numbers: &B::Of<u64>) -> B::Of<u64> {
+    ///     B::convert_leaves(numbers, &mut |number: &u64| 2 * number)
+    /// }
+    /// assert_eq!(doubled::<Pixel>(&Pixel { z: 5, rgb: 7 }), Pixel { z: 10, rgb: 14 });
+    /// ```
     fn convert_leaves<T: Leaf, U: Leaf>(of: &Self::Of<T>, f: &mut impl FnMut(&T) -> U) -> Self::Of<U>;
 }
 
@@ -315,30 +357,16 @@ pub fn join(path: &str, field: &str) -> String {
 /// first most significant:
 ///
 /// ```
-/// # use tilewright_hdl::{bundle, bits, elaborate, net, Block, Module, Signal, Width};
-/// # bundle! {
-/// #     /// A sample of an image.
-/// #     pub struct Pixel<T> { pub z: T, pub rgb: T }
-/// #     /// What comes over a line.
-/// #     pub struct LineIn<T> { pub word: T }
-/// #     /// What goes on.
-/// #     pub struct LineOut<T> { pub darker: T }
-/// # }
-/// # #[derive(Debug, Clone, PartialEq, Eq, Hash)]
-/// # struct Darken;
-/// # impl Block for Darken {
-/// #     type In = LineIn;
-/// #     type Out = LineOut;
-/// #     fn inputs(&self) -> LineIn<Width> { LineIn { word: bits(48) } }
-/// #     fn build(&self, m: Module, i: LineIn) -> LineOut {
+/// # use tilewright_hdl::*;
+/// # tilewright_sim::example(|m| {
+/// bundle! { struct Pixel<T> { z: T, rgb: T } }
+///
 /// let layout = Pixel { z: bits(24), rgb: bits(24) };
-/// net!(pixel = layout.unpack(i.word));                       // nets `pixel_z` and `pixel_rgb`
+/// net!(pixel = layout.unpack(lit(48, 0x000005_ff8000)));       // nets `pixel_z` and `pixel_rgb`
 /// let darker = Pixel { rgb: pixel.rgb >> 1, ..pixel };
 /// let word: Signal = darker.pack();
-/// # LineOut { darker: word }
-/// # }
-/// # }
-/// # elaborate(&Darken).unwrap();
+/// m.assert(word.eq(0x000005_7fc000), "the depth is as it was");
+/// # });
 /// ```
 #[macro_export]
 macro_rules! bundle {

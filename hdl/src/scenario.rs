@@ -14,20 +14,11 @@ use crate::width::Width;
 ///
 /// ```
 /// # use tilewright_hdl::*;
-/// # block! {
-/// #     struct Adder;
-/// #     in AdderIn { a: bits(8), b: bits(8) }
-/// #     out AdderOut { sum: bits(8) }
-/// # }
-/// # impl Adder {
-/// #     fn build(&self, m: Module, i: AdderIn) -> AdderOut {
-/// #         AdderOut { sum: m.pipe("held", i.a + i.b) }
-/// #     }
-/// # }
-/// let mut script = Script::new(&Adder, DEFAULT_PERIOD);
-/// script.clock(&AdderIn { a: 1, b: 2 });
-/// let scenario = script.finish("adds once");
-/// assert_eq!((scenario.events.len(), scenario.end_ps), (2, 12_500));
+/// # use tilewright_sim::for_examples::{Counter, CounterIn};
+/// let mut script = Script::new(&Counter, DEFAULT_PERIOD);
+/// script.clock(&CounterIn { enable: 1 });
+/// let scenario = script.finish("counts once");
+/// assert_eq!((scenario.events.len(), scenario.end_ps), (1, 12_500));
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Scenario {
@@ -43,22 +34,13 @@ pub struct Scenario {
 ///
 /// ```
 /// # use tilewright_hdl::*;
-/// # block! {
-/// #     struct Delay;
-/// #     in DelayIn { word: bits(8) }
-/// #     out DelayOut { word_late: bits(8) }
-/// # }
-/// # impl Delay {
-/// #     fn build(&self, m: Module, i: DelayIn) -> DelayOut {
-/// #         DelayOut { word_late: m.pipe("held", i.word) }
-/// #     }
-/// # }
-/// let mut script = Script::new(&Delay, Period::ns(10));
-/// script.clock(&DelayIn { word: 0 });
-/// script.clock(&DelayIn { word: 7 });
+/// # use tilewright_sim::for_examples::{Counter, CounterIn};
+/// let mut script = Script::new(&Counter, Period::ns(10));
+/// script.clock(&CounterIn { enable: 0 });
+/// script.clock(&CounterIn { enable: 1 });
 /// // Zero is what an input is without an event. A change is a quarter of a period behind an edge.
-/// let seven = scenario::Event { at_ps: 12_500, input: "word".to_owned(), value: Bits::new(8, 7) };
-/// assert_eq!(script.finish("a seven").events, [seven]);
+/// let rises = scenario::Event { at_ps: 12_500, input: "enable".to_owned(), value: Bits::new(1, 1) };
+/// assert_eq!(script.finish("counts once").events, [rises]);
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Event {
@@ -74,22 +56,13 @@ pub struct Event {
 ///
 /// ```
 /// # use tilewright_hdl::*;
-/// # block! {
-/// #     struct Delay;
-/// #     in DelayIn { word: bits(8) }
-/// #     out DelayOut { word_late: bits(8) }
-/// # }
-/// # impl Delay {
-/// #     fn build(&self, m: Module, i: DelayIn) -> DelayOut {
-/// #         DelayOut { word_late: m.pipe("held", i.word) }
-/// #     }
-/// # }
-/// let mut script = Script::new(&Delay, Period::ns(10));
-/// for word in [3, 3, 4] {
-///     script.clock(&DelayIn { word });
+/// # use tilewright_sim::for_examples::{Counter, CounterIn};
+/// let mut script = Script::new(&Counter, Period::ns(10));
+/// for enable in [1, 1, 0] {
+///     script.clock(&CounterIn { enable });
 /// }
 /// // What stays the same is no event.
-/// assert_eq!(script.finish("two words").events.len(), 2);
+/// assert_eq!(script.finish("counts to 2").events.len(), 2);
 /// ```
 pub struct Script<B: Block> {
     widths: <B::In as Bundle>::Of<Width>,
@@ -105,17 +78,8 @@ impl<B: Block> Script<B> {
     ///
     /// ```
     /// # use tilewright_hdl::*;
-    /// # block! {
-    /// #     struct Delay;
-    /// #     in DelayIn { word: bits(8) }
-    /// #     out DelayOut { late: bits(8) }
-    /// # }
-    /// # impl Delay {
-    /// #     fn build(&self, m: Module, i: DelayIn) -> DelayOut {
-    /// #         DelayOut { late: m.pipe("held", i.word) }
-    /// #     }
-    /// # }
-    /// let nothing = Script::new(&Delay, Period::ns(10)).finish("nothing happens");
+    /// # use tilewright_sim::for_examples::{Counter, CounterIn};
+    /// let nothing = Script::new(&Counter, Period::ns(10)).finish("nothing happens");
     /// assert!(nothing.events.is_empty());
     /// ```
     pub fn new(block: &B, period: Period) -> Script<B> {
@@ -129,20 +93,11 @@ impl<B: Block> Script<B> {
     ///
     /// ```
     /// # use tilewright_hdl::*;
-    /// # block! {
-    /// #     struct Delay;
-    /// #     in DelayIn { word: bits(8) }
-    /// #     out DelayOut { late: bits(8) }
-    /// # }
-    /// # impl Delay {
-    /// #     fn build(&self, m: Module, i: DelayIn) -> DelayOut {
-    /// #         DelayOut { late: m.pipe("held", i.word) }
-    /// #     }
-    /// # }
-    /// let mut script = Script::new(&Delay, Period::ns(10));
-    /// script.clock(&DelayIn { word: 1 });
+    /// # use tilewright_sim::for_examples::{Counter, CounterIn};
+    /// let mut script = Script::new(&Counter, Period::ns(10));
+    /// script.clock(&CounterIn { enable: 1 });
     /// script.in_clocks_of(Period::ns(40));
-    /// script.clock(&DelayIn { word: 2 });
+    /// script.clock(&CounterIn { enable: 0 });
     /// assert_eq!(script.finish("a fast clock and a slow one").end_ps, 52_500);
     /// ```
     pub fn in_clocks_of(&mut self, period: Period) {
@@ -199,20 +154,11 @@ impl<B: Block> Script<B> {
     ///
     /// ```
     /// # use tilewright_hdl::*;
-    /// # block! {
-    /// #     struct Delay;
-    /// #     in DelayIn { word: bits(8) }
-    /// #     out DelayOut { late: bits(8) }
-    /// # }
-    /// # impl Delay {
-    /// #     fn build(&self, m: Module, i: DelayIn) -> DelayOut {
-    /// #         DelayOut { late: m.pipe("held", i.word) }
-    /// #     }
-    /// # }
-    /// let mut script = Script::new(&Delay, Period::ns(10));
-    /// script.hold(&DelayIn { word: 1 }, 5);
-    /// script.clock(&DelayIn { word: 2 });
-    /// assert_eq!(script.finish("5 clocks of 1").events[1].at_ps, 52_500);
+    /// # use tilewright_sim::for_examples::{Counter, CounterIn};
+    /// let mut script = Script::new(&Counter, Period::ns(10));
+    /// script.hold(&CounterIn { enable: 1 }, 5);
+    /// script.clock(&CounterIn { enable: 0 });
+    /// assert_eq!(script.finish("counts to 5").events[1].at_ps, 52_500);
     /// ```
     ///
     /// # Panics
@@ -228,22 +174,13 @@ impl<B: Block> Script<B> {
     ///
     /// ```
     /// # use tilewright_hdl::*;
-    /// # block! {
-    /// #     struct Delay;
-    /// #     in DelayIn { word: bits(8) }
-    /// #     out DelayOut { late: bits(8) }
-    /// # }
-    /// # impl Delay {
-    /// #     fn build(&self, m: Module, i: DelayIn) -> DelayOut {
-    /// #         DelayOut { late: m.pipe("held", i.word) }
-    /// #     }
-    /// # }
-    /// let mut script = Script::new(&Delay, Period::ns(10));
-    /// script.clock(&DelayIn { word: 1 });
+    /// # use tilewright_sim::for_examples::{Counter, CounterIn};
+    /// let mut script = Script::new(&Counter, Period::ns(10));
+    /// script.clock(&CounterIn { enable: 1 });
     /// script.wait(4);
-    /// let mut held = Script::new(&Delay, Period::ns(10));
-    /// held.hold(&DelayIn { word: 1 }, 5);
-    /// assert_eq!(script.finish("a one"), held.finish("a one"));
+    /// let mut held = Script::new(&Counter, Period::ns(10));
+    /// held.hold(&CounterIn { enable: 1 }, 5);
+    /// assert_eq!(script.finish("counts to 5"), held.finish("counts to 5"));
     /// ```
     pub fn wait(&mut self, clocks: u64) {
         self.at_ps += clocks * self.period;
@@ -253,20 +190,11 @@ impl<B: Block> Script<B> {
     ///
     /// ```
     /// # use tilewright_hdl::*;
-    /// # block! {
-    /// #     struct Delay;
-    /// #     in DelayIn { word: bits(8) }
-    /// #     out DelayOut { late: bits(8) }
-    /// # }
-    /// # impl Delay {
-    /// #     fn build(&self, m: Module, i: DelayIn) -> DelayOut {
-    /// #         DelayOut { late: m.pipe("held", i.word) }
-    /// #     }
-    /// # }
-    /// let mut script = Script::new(&Delay, Period::ns(10));
-    /// script.hold(&DelayIn { word: 255 }, 3);
-    /// let scenario = script.finish("the largest word comes through");
-    /// assert_eq!(scenario.about, "the largest word comes through");
+    /// # use tilewright_sim::for_examples::{Counter, CounterIn};
+    /// let mut script = Script::new(&Counter, Period::ns(10));
+    /// script.hold(&CounterIn { enable: 1 }, 3);
+    /// let scenario = script.finish("counts to 3");
+    /// assert_eq!(scenario.about, "counts to 3");
     /// ```
     pub fn finish(self, about: &'static str) -> Scenario {
         Scenario { about, events: self.events, end_ps: self.at_ps }

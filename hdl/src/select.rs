@@ -92,25 +92,15 @@ macro_rules! cat {
 /// The arms of [`select`] or [`case`], of which some are signals and some are numbers, registers or records of numbers.
 ///
 /// ```
-/// # use tilewright_hdl::{Block, Module, Width, arms, bits, bundle, case, elaborate};
-/// # bundle! {
-/// #     /// An operation.
-/// #     pub struct AluIn<T> { pub op: T, pub a: T, pub b: T }
-/// #     /// What comes of it.
-/// #     pub struct AluOut<T> { pub result: T }
-/// # }
-/// # #[derive(Debug, Clone, PartialEq, Eq, Hash)]
-/// # struct Alu;
-/// # impl Block for Alu {
-/// #     type In = AluIn;
-/// #     type Out = AluOut;
-/// #     fn inputs(&self) -> AluIn<Width> { AluIn { op: bits(2), a: bits(8), b: bits(8) } }
-/// #     fn build(&self, m: Module, i: AluIn) -> AluOut {
-/// let result = case(i.op, arms![0 => 0, 1 => i.a + i.b, 2 => i.a - i.b], i.a);
-/// #         AluOut { result }
-/// #     }
-/// # }
-/// # elaborate(&Alu).unwrap();
+/// # use tilewright_hdl::*;
+/// # tilewright_sim::example(|m| {
+/// let (a, b) = (lit(8, 40), lit(8, 2));
+/// let op = m.reg("op", 2).reset(0);
+/// op.next(op + 1);
+/// let result = case(op, arms![0 => 0, 1 => a + b, 2 => a - b], a);
+/// m.assert(op.eq(1).implies(result.eq(42)), "an arm that is a signal");
+/// m.assert(op.eq(0).implies(result.eq(0)), "an arm that is a number");
+/// # });
 /// ```
 #[macro_export]
 macro_rules! arms {

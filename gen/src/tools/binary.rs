@@ -20,17 +20,7 @@ const PROGRAM: &str = "build/program";
 ///
 /// ```no_run
 /// # use tilewright_hdl::*;
-/// # block! {
-/// #     struct Delay;
-/// #     in DelayIn { word: bits(8) }
-/// #     out DelayOut { late: bits(8) }
-/// # }
-/// # impl Delay {
-/// #     fn build(&self, m: Module, i: DelayIn) -> DelayOut {
-/// #         DelayOut { late: m.pipe("held", i.word) }
-/// #     }
-/// # }
-/// # let design = elaborate(&Delay).unwrap();
+/// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
 /// use tilewright_gen::tools::verilated;
 ///
 /// if let Some(program) = verilated("build".as_ref(), &["delay_tb.v", "delay.v"], "delay_tb", &[]).unwrap() {

@@ -67,17 +67,7 @@ static LINTERS: [Linter; 4] = [
 ///
 /// ```
 /// # use tilewright_hdl::*;
-/// # block! {
-/// #     struct Delay;
-/// #     in DelayIn { word: bits(8) }
-/// #     out DelayOut { late: bits(8) }
-/// # }
-/// # impl Delay {
-/// #     fn build(&self, m: Module, i: DelayIn) -> DelayOut {
-/// #         DelayOut { late: m.pipe("held", i.word) }
-/// #     }
-/// # }
-/// # let design = elaborate(&Delay).unwrap();
+/// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
 /// use tilewright_gen::tools::lint;
 ///
 /// let linted = lint(&tilewright_gen::verilog(&design)).unwrap();
@@ -95,17 +85,7 @@ pub fn lint(files: &[VerilogFile]) -> Result<Linted, Problems> {
 ///
 /// ```
 /// # use tilewright_hdl::*;
-/// # block! {
-/// #     struct Delay;
-/// #     in DelayIn { word: bits(8) }
-/// #     out DelayOut { late: bits(8) }
-/// # }
-/// # impl Delay {
-/// #     fn build(&self, m: Module, i: DelayIn) -> DelayOut {
-/// #         DelayOut { late: m.pipe("held", i.word) }
-/// #     }
-/// # }
-/// # let design = elaborate(&Delay).unwrap();
+/// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
 /// use tilewright_gen::{VerilogFile, tools::lint_all};
 ///
 /// let good = tilewright_gen::verilog(&design);
@@ -127,17 +107,7 @@ pub fn lint_all(designs: &[&[VerilogFile]]) -> Result<Linted, BTreeMap<usize, Pr
 ///
 /// ```
 /// # use tilewright_hdl::*;
-/// # block! {
-/// #     struct Delay;
-/// #     in DelayIn { word: bits(8) }
-/// #     out DelayOut { late: bits(8) }
-/// # }
-/// # impl Delay {
-/// #     fn build(&self, m: Module, i: DelayIn) -> DelayOut {
-/// #         DelayOut { late: m.pipe("held", i.word) }
-/// #     }
-/// # }
-/// # let design = elaborate(&Delay).unwrap();
+/// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
 /// use tilewright_gen::tools::lint_quickly;
 ///
 /// let files = tilewright_gen::verilog(&design);

@@ -25,17 +25,7 @@ use std::fmt;
 ///
 /// ```
 /// # use tilewright_hdl::*;
-/// # block! {
-/// #     struct Delay;
-/// #     in DelayIn { word: bits(8) }
-/// #     out DelayOut { late: bits(8) }
-/// # }
-/// # impl Delay {
-/// #     fn build(&self, m: Module, i: DelayIn) -> DelayOut {
-/// #         DelayOut { late: m.pipe("held", i.word) }
-/// #     }
-/// # }
-/// # let design = elaborate(&Delay).unwrap();
+/// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
 /// use tilewright_gen::tools::{Checked, skipped_without};
 ///
 /// // A check of one's own, which needs two programs.
@@ -61,17 +51,7 @@ pub enum Checked {
 ///
 /// ```
 /// # use tilewright_hdl::*;
-/// # block! {
-/// #     struct Delay;
-/// #     in DelayIn { word: bits(8) }
-/// #     out DelayOut { late: bits(8) }
-/// # }
-/// # impl Delay {
-/// #     fn build(&self, m: Module, i: DelayIn) -> DelayOut {
-/// #         DelayOut { late: m.pipe("held", i.word) }
-/// #     }
-/// # }
-/// # let design = elaborate(&Delay).unwrap();
+/// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
 /// use tilewright_gen::tools::lint_quickly;
 ///
 /// let files = tilewright_gen::verilog(&design);
@@ -90,17 +70,7 @@ pub struct Linted {
 ///
 /// ```
 /// # use tilewright_hdl::*;
-/// # block! {
-/// #     struct Delay;
-/// #     in DelayIn { word: bits(8) }
-/// #     out DelayOut { late: bits(8) }
-/// # }
-/// # impl Delay {
-/// #     fn build(&self, m: Module, i: DelayIn) -> DelayOut {
-/// #         DelayOut { late: m.pipe("held", i.word) }
-/// #     }
-/// # }
-/// # let design = elaborate(&Delay).unwrap();
+/// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
 /// let missing = tilewright_gen::tools::Missing { program: "yosys", remedy: "apt-get install yosys" };
 /// assert_eq!(missing.to_string(), "yosys is not installed: apt-get install yosys");
 /// ```
@@ -124,17 +94,7 @@ impl std::error::Error for Missing {}
 ///
 /// ```
 /// # use tilewright_hdl::*;
-/// # block! {
-/// #     struct Delay;
-/// #     in DelayIn { word: bits(8) }
-/// #     out DelayOut { late: bits(8) }
-/// # }
-/// # impl Delay {
-/// #     fn build(&self, m: Module, i: DelayIn) -> DelayOut {
-/// #         DelayOut { late: m.pipe("held", i.word) }
-/// #     }
-/// # }
-/// # let design = elaborate(&Delay).unwrap();
+/// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
 /// use tilewright_gen::tools::{Problem, Problems};
 ///
 /// let problems = Problems(vec![Problem { tool: "iverilog".to_owned(), output: "delay.v:3: syntax error\n".to_owned() }]);
@@ -147,17 +107,7 @@ pub struct Problems(pub Vec<Problem>);
 ///
 /// ```
 /// # use tilewright_hdl::*;
-/// # block! {
-/// #     struct Delay;
-/// #     in DelayIn { word: bits(8) }
-/// #     out DelayOut { late: bits(8) }
-/// # }
-/// # impl Delay {
-/// #     fn build(&self, m: Module, i: DelayIn) -> DelayOut {
-/// #         DelayOut { late: m.pipe("held", i.word) }
-/// #     }
-/// # }
-/// # let design = elaborate(&Delay).unwrap();
+/// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
 /// use tilewright_gen::{VerilogFile, tools::lint_quickly};
 ///
 /// let broken = VerilogFile { name: "broken.v".to_owned(), text: "module broken (input wire a;\nendmodule\n".to_owned() };

@@ -11,17 +11,7 @@ use std::process::Command;
 ///
 /// ```
 /// # use tilewright_hdl::*;
-/// # block! {
-/// #     struct Delay;
-/// #     in DelayIn { word: bits(8) }
-/// #     out DelayOut { late: bits(8) }
-/// # }
-/// # impl Delay {
-/// #     fn build(&self, m: Module, i: DelayIn) -> DelayOut {
-/// #         DelayOut { late: m.pipe("held", i.word) }
-/// #     }
-/// # }
-/// # let design = elaborate(&Delay).unwrap();
+/// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
 /// use tilewright_gen::tools::{Checked, replay_in_icarus};
 /// # use tilewright_hdl::recording::{Recording, Step};
 /// # let at = |time_ps, word, late| Step {
@@ -63,17 +53,7 @@ pub fn replay_in_icarus(files: &[VerilogFile], bench: &VerilogFile) -> Result<Ch
 ///
 /// ```no_run
 /// # use tilewright_hdl::*;
-/// # block! {
-/// #     struct Delay;
-/// #     in DelayIn { word: bits(8) }
-/// #     out DelayOut { late: bits(8) }
-/// # }
-/// # impl Delay {
-/// #     fn build(&self, m: Module, i: DelayIn) -> DelayOut {
-/// #         DelayOut { late: m.pipe("held", i.word) }
-/// #     }
-/// # }
-/// # let design = elaborate(&Delay).unwrap();
+/// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
 /// use tilewright_gen::tools::{Checked, replay_in_verilator};
 /// # let recording = Recording::default();
 ///
@@ -115,17 +95,7 @@ fn verdict(tool: &str, succeeded: bool, output: String) -> Result<Checked, Probl
 ///
 /// ```no_run
 /// # use tilewright_hdl::*;
-/// # block! {
-/// #     struct Delay;
-/// #     in DelayIn { word: bits(8) }
-/// #     out DelayOut { late: bits(8) }
-/// # }
-/// # impl Delay {
-/// #     fn build(&self, m: Module, i: DelayIn) -> DelayOut {
-/// #         DelayOut { late: m.pipe("held", i.word) }
-/// #     }
-/// # }
-/// # let design = elaborate(&Delay).unwrap();
+/// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
 /// use tilewright_gen::tools::{Checked, yosys_replay_vcd};
 ///
 /// let files = tilewright_gen::verilog(&design);

@@ -52,17 +52,7 @@ use tilewright_hdl::ir::{Design, Module};
 ///
 /// ```
 /// # use tilewright_hdl::*;
-/// # block! {
-/// #     struct Delay;
-/// #     in DelayIn { word: bits(8) }
-/// #     out DelayOut { late: bits(8) }
-/// # }
-/// # impl Delay {
-/// #     fn build(&self, m: Module, i: DelayIn) -> DelayOut {
-/// #         DelayOut { late: m.pipe("held", i.word) }
-/// #     }
-/// # }
-/// # let design = elaborate(&Delay).unwrap();
+/// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
 /// let files = tilewright_gen::verilog(&design);
 /// # let folder = std::env::temp_dir().join(format!("tilewright-{}", std::process::id()));
 /// # std::fs::create_dir_all(&folder).unwrap();

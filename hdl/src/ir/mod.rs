@@ -31,23 +31,14 @@ pub use shape::Shape;
 ///
 /// ```
 /// # use tilewright_hdl::*;
-/// # block! {
-/// #     struct Shown;
-/// #     in ShownIn { enable: bit() }
-/// #     out ShownOut { count: bits(8) }
-/// # }
-/// # impl Shown {
-/// #     fn build(&self, m: Module, i: ShownIn) -> ShownOut {
+/// # let design = tilewright_sim::shown! { |m, i| in { enable: bit() } out { count: bits(8) }
 /// let count = m.reg("count", 8).reset(0);
 /// count.when(i.enable, count + 1);
-/// #         ShownOut { count: *count }
-/// #     }
-/// # }
-/// # let design = elaborate(&Shown)?;
+/// #     ShownOut { count: *count }
+/// # };
 /// // How many bits of state it has.
 /// let bits = |module: &ir::Module| module.registers.iter().map(|register| module.width(register.node)).sum::<u32>();
 /// assert_eq!(design.modules().iter().map(bits).sum::<u32>(), 8);
-/// # Ok::<(), Problems>(())
 /// ```
 #[derive(Debug, Clone)]
 pub struct Design {
@@ -58,20 +49,11 @@ pub struct Design {
 ///
 /// ```
 /// # use tilewright_hdl::*;
-/// # block! {
-/// #     struct Shown;
-/// #     in ShownIn { word: bits(8) }
-/// #     out ShownOut { late: bits(8) }
-/// # }
-/// # impl Shown {
-/// #     fn build(&self, m: Module, i: ShownIn) -> ShownOut {
+/// # let design = tilewright_sim::shown! { |m, i| in { word: bits(8) } out { late: bits(8) }
 /// let late = m.pipe("late", i.word);
-/// #         ShownOut { late }
-/// #     }
-/// # }
-/// # let design = elaborate(&Shown)?;
+/// #     ShownOut { late }
+/// # };
 /// assert_eq!(design.module(ir::ModuleId(0)).name, design.top().name);
-/// # Ok::<(), Problems>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct ModuleId(pub u32);
@@ -80,23 +62,14 @@ pub struct ModuleId(pub u32);
 ///
 /// ```
 /// # use tilewright_hdl::*;
-/// # block! {
-/// #     struct Shown;
-/// #     in ShownIn { word: bits(8) }
-/// #     out ShownOut { flipped: bits(8) }
-/// # }
-/// # impl Shown {
-/// #     fn build(&self, _: Module, i: ShownIn) -> ShownOut {
+/// # let design = tilewright_sim::shown! { |_, i| in { word: bits(8) } out { flipped: bits(8) }
 /// let flipped = !i.word;
-/// #         ShownOut { flipped }
-/// #     }
-/// # }
-/// # let design = elaborate(&Shown)?;
+/// #     ShownOut { flipped }
+/// # };
 /// // Operands come first, but for those that close a loop through a register.
 /// let top = design.top();
 /// let ir::Op::Unary(_, operand) = top.node(top.outputs[0].node).op else { panic!("a `not`") };
 /// assert!(operand < top.outputs[0].node);
-/// # Ok::<(), Problems>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct NodeId(pub u32);
@@ -105,22 +78,13 @@ pub struct NodeId(pub u32);
 ///
 /// ```
 /// # use tilewright_hdl::*;
-/// # block! {
-/// #     struct Shown;
-/// #     in ShownIn { word: bits(8) }
-/// #     out ShownOut { late: bits(8) }
-/// # }
-/// # impl Shown {
-/// #     fn build(&self, m: Module, i: ShownIn) -> ShownOut {
+/// # let design = tilewright_sim::shown! { |m, i| in { word: bits(8) } out { late: bits(8) }
 /// let late = m.pipe("late", i.word);
-/// #         ShownOut { late }
-/// #     }
-/// # }
-/// # let design = elaborate(&Shown)?;
+/// #     ShownOut { late }
+/// # };
 /// let top = design.top();
 /// let ir::ClockId(clock) = top.registers[0].clock;
 /// assert_eq!(top.clocks[clock as usize].port, "clk");
-/// # Ok::<(), Problems>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct ClockId(pub u32);
@@ -129,22 +93,13 @@ pub struct ClockId(pub u32);
 ///
 /// ```
 /// # use tilewright_hdl::*;
-/// # block! {
-/// #     struct Shown;
-/// #     in ShownIn { word: bits(8) }
-/// #     out ShownOut { late: bits(8) }
-/// # }
-/// # impl Shown {
-/// #     fn build(&self, m: Module, i: ShownIn) -> ShownOut {
+/// # let design = tilewright_sim::shown! { |m, i| in { word: bits(8) } out { late: bits(8) }
 /// let late = m.pipe("late", i.word);
-/// #         ShownOut { late }
-/// #     }
-/// # }
-/// # let design = elaborate(&Shown)?;
+/// #     ShownOut { late }
+/// # };
 /// let top = design.top();
 /// let node = top.node(top.registers[0].node);
 /// assert_eq!(node.op, ir::Op::Register(ir::RegisterId(0)));
-/// # Ok::<(), Problems>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct RegisterId(pub u32);
@@ -153,21 +108,12 @@ pub struct RegisterId(pub u32);
 ///
 /// ```
 /// # use tilewright_hdl::*;
-/// # block! {
-/// #     struct Shown;
-/// #     in ShownIn { at: bits(4) }
-/// #     out ShownOut { word: bits(8) }
-/// # }
-/// # impl Shown {
-/// #     fn build(&self, m: Module, i: ShownIn) -> ShownOut {
+/// # let design = tilewright_sim::shown! { |m, i| in { at: bits(4) } out { word: bits(8) }
 /// let word = m.memory("table", 16, 8, ReadUnderWrite::Any).fill(Bits::zero(8)).read(i.at);
-/// #         ShownOut { word }
-/// #     }
-/// # }
-/// # let design = elaborate(&Shown)?;
+/// #     ShownOut { word }
+/// # };
 /// let top = design.top();
 /// assert_eq!(top.node(top.outputs[0].node).op, ir::Op::Read(ir::MemoryId(0), 0)); // its first read port
-/// # Ok::<(), Problems>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct MemoryId(pub u32);
@@ -210,23 +156,14 @@ pub struct InstanceId(pub u32);
 ///
 /// ```
 /// # use tilewright_hdl::*;
-/// # block! {
-/// #     struct Shown;
-/// #     in ShownIn { enable: bit() }
-/// #     out ShownOut { count: bits(8) }
-/// # }
-/// # impl Shown {
-/// #     fn build(&self, m: Module, i: ShownIn) -> ShownOut {
+/// # let design = tilewright_sim::shown! { |m, i| in { enable: bit() } out { count: bits(8) }
 /// let count = m.reg("count", 8).reset(0);
 /// count.when(i.enable, count + 1);
-/// #         ShownOut { count: *count }
-/// #     }
-/// # }
-/// # let design = elaborate(&Shown)?;
+/// #     ShownOut { count: *count }
+/// # };
 /// let module = design.top();
 /// assert_eq!((&*module.inputs[0].name, &*module.outputs[0].name), ("enable", "count"));
 /// assert_eq!(module.register_name(&module.registers[0]), "count");
-/// # Ok::<(), Problems>(())
 /// ```
 #[derive(Debug, Clone)]
 pub struct Module {
@@ -300,22 +237,13 @@ pub struct About {
 ///
 /// ```
 /// # use tilewright_hdl::*;
-/// # block! {
-/// #     struct Shown;
-/// #     in ShownIn { word: bits(8) }
-/// #     out ShownOut { late: bits(8) }
-/// # }
-/// # impl Shown {
-/// #     fn build(&self, m: Module, i: ShownIn) -> ShownOut {
+/// # let design = tilewright_sim::shown! { |m, i| in { word: bits(8) } out { late: bits(8) }
 /// let late = m.pipe("late", i.word);
-/// #         ShownOut { late }
-/// #     }
-/// # }
-/// # let design = elaborate(&Shown)?;
+/// #     ShownOut { late }
+/// # };
 /// let clock = &design.top().clocks[0];
 /// assert_eq!((&*clock.port, clock.name), ("clk", None));
 /// assert_eq!(clock.reset, None); // a register of a pipeline has no reset, so the module has no port for it
-/// # Ok::<(), Problems>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Clock {
@@ -368,23 +296,14 @@ pub struct Input {
 ///
 /// ```
 /// # use tilewright_hdl::*;
-/// # block! {
-/// #     struct Shown;
-/// #     in ShownIn { word: bits(8) }
-/// #     out ShownOut { same: bits(8).signed() }
-/// # }
-/// # impl Shown {
-/// #     fn build(&self, _: Module, i: ShownIn) -> ShownOut {
+/// # let design = tilewright_sim::shown! { |_, i| in { word: bits(8) } out { same: bits(8).signed() }
 /// let same = i.word.signed();
-/// #         ShownOut { same }
-/// #     }
-/// # }
-/// # let design = elaborate(&Shown)?;
+/// #     ShownOut { same }
+/// # };
 /// // No operation, but read in another way.
 /// let (top, output) = (design.top(), &design.top().outputs[0]);
 /// assert_eq!(output.node, top.inputs[0].node);
 /// assert_eq!((output.kind, top.node(output.node).kind), (ir::Kind::Signed, ir::Kind::Number));
-/// # Ok::<(), Problems>(())
 /// ```
 #[derive(Debug, Clone)]
 pub struct Output {
@@ -402,22 +321,13 @@ pub struct Output {
 ///
 /// ```
 /// # use tilewright_hdl::*;
-/// # block! {
-/// #     struct Shown;
-/// #     in ShownIn { a: bits(8).of(row(4)), b: bits(8) }
-/// #     out ShownOut { sum: _ }
-/// # }
-/// # impl Shown {
-/// #     fn build(&self, _: Module, i: ShownIn) -> ShownOut {
+/// # let design = tilewright_sim::shown! { |_, i| in { a: bits(8).of(row(4)), b: bits(8) } out { sum: _ }
 /// net!(sum = i.a + i.b);
-/// #         ShownOut { sum }
-/// #     }
-/// # }
-/// # let design = elaborate(&Shown)?;
+/// #     ShownOut { sum }
+/// # };
 /// // One node for four adders.
 /// let node = design.top().node(design.top().outputs[0].node);
 /// assert_eq!((node.name.as_deref(), node.width, node.shape), (Some("sum"), 8, row(4)));
-/// # Ok::<(), Problems>(())
 /// ```
 #[derive(Debug, Clone)]
 pub struct Node {
@@ -485,23 +395,14 @@ impl Init {
 ///
 /// ```
 /// # use tilewright_hdl::*;
-/// # block! {
-/// #     struct Shown;
-/// #     in ShownIn { enable: bit() }
-/// #     out ShownOut { count: bits(8) }
-/// # }
-/// # impl Shown {
-/// #     fn build(&self, m: Module, i: ShownIn) -> ShownOut {
+/// # let design = tilewright_sim::shown! { |m, i| in { enable: bit() } out { count: bits(8) }
 /// let count = m.reg("count", 8).reset(5);
 /// count.enable(i.enable).next(count + 1);
-/// #         ShownOut { count: *count }
-/// #     }
-/// # }
-/// # let design = elaborate(&Shown)?;
+/// #     ShownOut { count: *count }
+/// # };
 /// let (top, register) = (design.top(), &design.top().registers[0]);
 /// assert_eq!(register.enable, Some(top.inputs[0].node));
 /// assert_eq!(register.reset.as_ref().unwrap().lane(0), &Bits::new(8, 5));
-/// # Ok::<(), Problems>(())
 /// ```
 #[derive(Debug, Clone)]
 pub struct Register {
@@ -549,22 +450,13 @@ pub enum ReadUnderWrite {
 ///
 /// ```
 /// # use tilewright_hdl::*;
-/// # block! {
-/// #     struct Shown;
-/// #     in ShownIn { at: bits(4) }
-/// #     out ShownOut { square: bits(8) }
-/// # }
-/// # impl Shown {
-/// #     fn build(&self, m: Module, i: ShownIn) -> ShownOut {
+/// # let design = tilewright_sim::shown! { |m, i| in { at: bits(4) } out { square: bits(8) }
 /// let squares = m.memory("squares", 16, 8, ReadUnderWrite::Any).words((0..3).map(|x| Bits::new(8, x * x)));
 /// let square = squares.read(i.at);
-/// #         ShownOut { square }
-/// #     }
-/// # }
-/// # let design = elaborate(&Shown)?;
+/// #     ShownOut { square }
+/// # };
 /// let ir::Contents::Words(words) = &design.top().memories[0].contents else { panic!("words") };
 /// assert_eq!(words.len(), 3); // as many as were given: the rest is zero without being said
-/// # Ok::<(), Problems>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub enum Contents {
@@ -587,23 +479,14 @@ pub enum Contents {
 ///
 /// ```
 /// # use tilewright_hdl::*;
-/// # block! {
-/// #     struct Shown;
-/// #     in ShownIn { at: bits(4), word: bits(8) }
-/// #     out ShownOut { last_word: bits(8) }
-/// # }
-/// # impl Shown {
-/// #     fn build(&self, m: Module, i: ShownIn) -> ShownOut {
+/// # let design = tilewright_sim::shown! { |m, i| in { at: bits(4), word: bits(8) } out { last_word: bits(8) }
 /// let last = m.memory("last", 12, 8, ReadUnderWrite::Old).fill(Bits::zero(8));
 /// last.write(i.at.lt(12), i.at, i.word);
 /// let last_word = last.read(i.at);
-/// #         ShownOut { last_word }
-/// #     }
-/// # }
-/// # let design = elaborate(&Shown)?;
+/// #     ShownOut { last_word }
+/// # };
 /// let memory = &design.top().memories[0];
 /// assert_eq!((memory.depth * memory.width, memory.reads.len(), memory.writes.len()), (96, 1, 1));
-/// # Ok::<(), Problems>(())
 /// ```
 #[derive(Debug, Clone)]
 pub struct Memory {
@@ -631,22 +514,13 @@ pub struct Memory {
 ///
 /// ```
 /// # use tilewright_hdl::*;
-/// # block! {
-/// #     struct Shown;
-/// #     in ShownIn { at: bits(4) }
-/// #     out ShownOut { now: bits(8), later: bits(8) }
-/// # }
-/// # impl Shown {
-/// #     fn build(&self, m: Module, i: ShownIn) -> ShownOut {
+/// # let design = tilewright_sim::shown! { |m, i| in { at: bits(4) } out { now: bits(8), later: bits(8) }
 /// let table = m.memory("table", 16, 8, ReadUnderWrite::Any).fill(Bits::zero(8));
 /// let (now, later) = (table.read_async(i.at), table.read(i.at));
-/// #         ShownOut { now, later }
-/// #     }
-/// # }
-/// # let design = elaborate(&Shown)?;
+/// #     ShownOut { now, later }
+/// # };
 /// let reads = &design.top().memories[0].reads;
 /// assert!(reads[0].clock.is_none() && reads[1].clock.is_some());
-/// # Ok::<(), Problems>(())
 /// ```
 #[derive(Debug, Clone)]
 pub struct ReadPort {
@@ -665,23 +539,14 @@ pub struct ReadPort {
 ///
 /// ```
 /// # use tilewright_hdl::*;
-/// # block! {
-/// #     struct Shown;
-/// #     in ShownIn { at: bits(4), word: bits(8) }
-/// #     out ShownOut { word_before: bits(8) }
-/// # }
-/// # impl Shown {
-/// #     fn build(&self, m: Module, i: ShownIn) -> ShownOut {
+/// # let design = tilewright_sim::shown! { |m, i| in { at: bits(4), word: bits(8) } out { word_before: bits(8) }
 /// let table = m.memory("table", 16, 8, ReadUnderWrite::Any).fill(Bits::zero(8));
 /// table.write(lit(1, 1), i.at, i.word);
 /// let word_before = table.read(3);
-/// #         ShownOut { word_before }
-/// #     }
-/// # }
-/// # let design = elaborate(&Shown)?;
+/// #     ShownOut { word_before }
+/// # };
 /// let (top, write) = (design.top(), &design.top().memories[0].writes[0]);
 /// assert_eq!((write.address, write.data), (top.inputs[0].node, top.inputs[1].node));
-/// # Ok::<(), Problems>(())
 /// ```
 #[derive(Debug, Clone)]
 pub struct WritePort {
@@ -748,22 +613,13 @@ pub struct Instance {
 ///
 /// ```
 /// # use tilewright_hdl::*;
-/// # block! {
-/// #     struct Shown;
-/// #     in ShownIn { take: bit(), empty: bit() }
-/// #     out ShownOut { taken: bit() }
-/// # }
-/// # impl Shown {
-/// #     fn build(&self, m: Module, i: ShownIn) -> ShownOut {
+/// # let design = tilewright_sim::shown! { |m, i| in { take: bit(), empty: bit() } out { taken: bit() }
 /// m.assert(i.take.implies(!i.empty), "nothing is taken of what is empty");
-/// #         ShownOut { taken: i.take }
-/// #     }
-/// # }
-/// # let design = elaborate(&Shown)?;
+/// #     ShownOut { taken: i.take }
+/// # };
 /// // Of a module that is simulated by itself, it is on a clock of its own.
 /// let (top, assert) = (design.top(), &design.top().asserts[0]);
 /// assert_eq!((top.width(assert.condition), &*assert.message), (1, "nothing is taken of what is empty"));
-/// # Ok::<(), Problems>(())
 /// ```
 #[derive(Debug, Clone)]
 pub struct Assert {
@@ -795,18 +651,10 @@ impl Design {
     ///
     /// ```
     /// # use tilewright_hdl::*;
-    /// # block! {
-    /// #     struct Shown;
-    /// #     in ShownIn { word: bits(8) }
-    /// #     out ShownOut { sum: bits(8) }
-    /// # }
-    /// # impl Shown {
-    /// #     fn build(&self, _: Module, i: ShownIn) -> ShownOut {
+    /// # let design = tilewright_sim::shown! { |_, i| in { word: bits(8) } out { sum: bits(8) }
     /// let sum = i.word + 1;
-    /// #         ShownOut { sum }
-    /// #     }
-    /// # }
-    /// # let design = elaborate(&Shown)?;
+    /// #     ShownOut { sum }
+    /// # };
     /// // The one of the sum becomes a two.
     /// let mut modules = design.into_modules();
     /// for node in &mut modules[0].nodes {
@@ -818,7 +666,6 @@ impl Design {
     /// // An output of a node that there is not.
     /// modules[0].outputs[0].node = ir::NodeId(99);
     /// assert!(Design::new(modules).is_err());
-    /// # Ok::<(), Problems>(())
     /// ```
     ///
     /// # Errors
@@ -869,22 +716,13 @@ impl Design {
     ///
     /// ```
     /// # use tilewright_hdl::*;
-    /// # block! {
-    /// #     struct Shown;
-    /// #     in ShownIn { word: bits(8) }
-    /// #     out ShownOut { late: bits(8) }
-    /// # }
-    /// # impl Shown {
-    /// #     fn build(&self, m: Module, i: ShownIn) -> ShownOut {
+    /// # let design = tilewright_sim::shown! { |m, i| in { word: bits(8) } out { late: bits(8) }
     /// let late = m.pipe("late", i.word);
-    /// #         ShownOut { late }
-    /// #     }
-    /// # }
-    /// # let design = elaborate(&Shown)?;
+    /// #     ShownOut { late }
+    /// # };
     /// let mut modules = design.into_modules();
     /// modules[0].name = "delay".to_owned();
-    /// assert_eq!(Design::new(modules)?.top().name, "delay");
-    /// # Ok::<(), Problems>(())
+    /// assert_eq!(Design::new(modules).unwrap().top().name, "delay");
     /// ```
     pub fn into_modules(self) -> Vec<Module> {
         self.modules
@@ -894,20 +732,11 @@ impl Design {
     ///
     /// ```
     /// # use tilewright_hdl::*;
-    /// # block! {
-    /// #     struct Shown;
-    /// #     in ShownIn { word: bits(8) }
-    /// #     out ShownOut { late: bits(8) }
-    /// # }
-    /// # impl Shown {
-    /// #     fn build(&self, m: Module, i: ShownIn) -> ShownOut {
+    /// # let design = tilewright_sim::shown! { |m, i| in { word: bits(8) } out { late: bits(8) }
     /// let late = m.pipe("late", i.word);
-    /// #         ShownOut { late }
-    /// #     }
-    /// # }
-    /// # let design = elaborate(&Shown)?;
+    /// #     ShownOut { late }
+    /// # };
     /// assert_eq!(design.top().inputs[0].name, "word"); // what a simulation sets
-    /// # Ok::<(), Problems>(())
     /// ```
     pub fn top(&self) -> &Module {
         self.modules.last().expect("a design has a top module")
@@ -953,22 +782,13 @@ impl Module {
     ///
     /// ```
     /// # use tilewright_hdl::*;
-    /// # block! {
-    /// #     struct Shown;
-    /// #     in ShownIn { word: bits(8) }
-    /// #     out ShownOut { flipped: bits(8) }
-    /// # }
-    /// # impl Shown {
-    /// #     fn build(&self, _: Module, i: ShownIn) -> ShownOut {
+    /// # let design = tilewright_sim::shown! { |_, i| in { word: bits(8) } out { flipped: bits(8) }
     /// let flipped = !i.word;
-    /// #         ShownOut { flipped }
-    /// #     }
-    /// # }
-    /// # let design = elaborate(&Shown)?;
+    /// #     ShownOut { flipped }
+    /// # };
     /// let top = design.top();
     /// let input = top.node(top.inputs[0].node);
     /// assert_eq!((input.op.clone(), input.name.as_deref()), (ir::Op::Input(0), Some("word")));
-    /// # Ok::<(), Problems>(())
     /// ```
     pub fn node(&self, id: NodeId) -> &Node {
         &self.nodes[id.0 as usize]
@@ -978,21 +798,12 @@ impl Module {
     ///
     /// ```
     /// # use tilewright_hdl::*;
-    /// # block! {
-    /// #     struct Shown;
-    /// #     in ShownIn { word: bits(8).of(row(4)) }
-    /// #     out ShownOut { word_of_all: _ }
-    /// # }
-    /// # impl Shown {
-    /// #     fn build(&self, _: Module, i: ShownIn) -> ShownOut {
+    /// # let design = tilewright_sim::shown! { |_, i| in { word: bits(8).of(row(4)) } out { word_of_all: _ }
     /// let word_of_all = i.word.pack();
-    /// #         ShownOut { word_of_all }
-    /// #     }
-    /// # }
-    /// # let design = elaborate(&Shown)?;
+    /// #     ShownOut { word_of_all }
+    /// # };
     /// let top = design.top();
     /// assert_eq!((top.width(top.inputs[0].node), top.width(top.outputs[0].node)), (8, 32));
-    /// # Ok::<(), Problems>(())
     /// ```
     pub fn width(&self, id: NodeId) -> u32 {
         self.node(id).width
@@ -1002,21 +813,12 @@ impl Module {
     ///
     /// ```
     /// # use tilewright_hdl::*;
-    /// # block! {
-    /// #     struct Shown;
-    /// #     in ShownIn { word: bits(8).of(row(4)) }
-    /// #     out ShownOut { word_of_all: _ }
-    /// # }
-    /// # impl Shown {
-    /// #     fn build(&self, _: Module, i: ShownIn) -> ShownOut {
+    /// # let design = tilewright_sim::shown! { |_, i| in { word: bits(8).of(row(4)) } out { word_of_all: _ }
     /// let word_of_all = i.word.pack();
-    /// #         ShownOut { word_of_all }
-    /// #     }
-    /// # }
-    /// # let design = elaborate(&Shown)?;
+    /// #     ShownOut { word_of_all }
+    /// # };
     /// let top = design.top();
     /// assert_eq!((top.shape(top.inputs[0].node), top.shape(top.outputs[0].node)), (row(4), Shape::Plain));
-    /// # Ok::<(), Problems>(())
     /// ```
     pub fn shape(&self, id: NodeId) -> Shape {
         self.node(id).shape
@@ -1026,25 +828,16 @@ impl Module {
     ///
     /// ```
     /// # use tilewright_hdl::*;
-    /// # block! {
-    /// #     struct Shown;
-    /// #     in ShownIn { word: bits(8) }
-    /// #     out ShownOut { out: bits(8) }
-    /// # }
-    /// # impl Shown {
-    /// #     fn build(&self, m: Module, i: ShownIn) -> ShownOut {
+    /// # let design = tilewright_sim::shown! { |m, i| in { word: bits(8) } out { out: bits(8) }
     /// bundle! { struct Pair<T> { low: T, high: T } }
     ///
     /// let pair = m.pipe("pair", Pair { low: i.word.part(0, 4), high: i.word.part(4, 4) });
     /// let out = pair.pack();
-    /// #         ShownOut { out }
-    /// #     }
-    /// # }
-    /// # let design = elaborate(&Shown)?;
+    /// #     ShownOut { out }
+    /// # };
     /// let top = design.top();
     /// let names: Vec<_> = top.registers.iter().map(|register| top.register_name(register)).collect();
     /// assert_eq!(names, ["pair_low", "pair_high"]);
-    /// # Ok::<(), Problems>(())
     /// ```
     pub fn register_name(&self, register: &Register) -> &str {
         self.node(register.node).name.as_deref().expect("a register has a name")

@@ -7,21 +7,12 @@ use crate::bits::Bits;
 ///
 /// ```
 /// # use tilewright_hdl::*;
-/// # block! {
-/// #     struct Shown;
-/// #     in ShownIn { word: bits(8) }
-/// #     out ShownOut { full: bit() }
-/// # }
-/// # impl Shown {
-/// #     fn build(&self, _: Module, i: ShownIn) -> ShownOut {
+/// # let design = tilewright_sim::shown! { |_, i| in { word: bits(8) } out { full: bit() }
 /// let full = i.word.all_ones();
-/// #         ShownOut { full }
-/// #     }
-/// # }
-/// # let design = elaborate(&Shown)?;
+/// #     ShownOut { full }
+/// # };
 /// let top = design.top();
 /// assert!(matches!(top.node(top.outputs[0].node).op, ir::Op::Unary(ir::Unary::AllOnes, _)));
-/// # Ok::<(), Problems>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Unary {
@@ -39,22 +30,13 @@ pub enum Unary {
 ///
 /// ```
 /// # use tilewright_hdl::*;
-/// # block! {
-/// #     struct Shown;
-/// #     in ShownIn { a: bits(8), b: bits(8).signed() }
-/// #     out ShownOut { product: _ }
-/// # }
-/// # impl Shown {
-/// #     fn build(&self, _: Module, i: ShownIn) -> ShownOut {
+/// # let design = tilewright_sim::shown! { |_, i| in { a: bits(8), b: bits(8).signed() } out { product: _ }
 /// let product = i.a.signed() * i.b;
-/// #         ShownOut { product }
-/// #     }
-/// # }
-/// # let design = elaborate(&Shown)?;
+/// #     ShownOut { product }
+/// # };
 /// // The operation says that it is signed; what its operands stand for does not change it.
 /// let top = design.top();
 /// assert!(matches!(top.node(top.outputs[0].node).op, ir::Op::Binary(ir::Binary::MulSigned, ..)));
-/// # Ok::<(), Problems>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Binary {
@@ -78,22 +60,13 @@ pub enum Binary {
 ///
 /// ```
 /// # use tilewright_hdl::*;
-/// # block! {
-/// #     struct Shown;
-/// #     in ShownIn { a: bits(8).signed(), b: bits(8).signed() }
-/// #     out ShownOut { less: bit() }
-/// # }
-/// # impl Shown {
-/// #     fn build(&self, _: Module, i: ShownIn) -> ShownOut {
+/// # let design = tilewright_sim::shown! { |_, i| in { a: bits(8).signed(), b: bits(8).signed() } out { less: bit() }
 /// let less = i.a.lt(i.b);
-/// #         ShownOut { less }
-/// #     }
-/// # }
-/// # let design = elaborate(&Shown)?;
+/// #     ShownOut { less }
+/// # };
 /// let top = design.top();
 /// let op = &top.node(top.outputs[0].node).op;
 /// assert!(matches!(op, ir::Op::Compare { relation: ir::Relation::Lt, signed: true, .. }));
-/// # Ok::<(), Problems>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Relation {
@@ -115,24 +88,15 @@ pub enum Relation {
 ///
 /// ```
 /// # use tilewright_hdl::*;
-/// # block! {
-/// #     struct Shown;
-/// #     in ShownIn { word: bits(8), amount: bits(3) }
-/// #     out ShownOut { by_signal: bits(8), by_two: bits(8) }
-/// # }
-/// # impl Shown {
-/// #     fn build(&self, _: Module, i: ShownIn) -> ShownOut {
+/// # let design = tilewright_sim::shown! { |_, i| in { word: bits(8), amount: bits(3) } out { by_signal: bits(8), by_two: bits(8) }
 /// let (by_signal, by_two) = (i.word << i.amount, i.word << 2);
-/// #         ShownOut { by_signal, by_two }
-/// #     }
-/// # }
-/// # let design = elaborate(&Shown)?;
+/// #     ShownOut { by_signal, by_two }
+/// # };
 /// // A shift by a constant is none: it is wiring.
 /// let top = design.top();
 /// let op = |output: usize| &top.node(top.outputs[output].node).op;
 /// assert!(matches!(op(0), ir::Op::Shift(ir::Shift::Left, ..)));
 /// assert!(matches!(op(1), ir::Op::Concat(_)));
-/// # Ok::<(), Problems>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Shift {
@@ -148,22 +112,13 @@ pub enum Shift {
 ///
 /// ```
 /// # use tilewright_hdl::*;
-/// # block! {
-/// #     struct Shown;
-/// #     in ShownIn { depths: bits(8).of(row(4)) }
-/// #     out ShownOut { nearest: bits(8) }
-/// # }
-/// # impl Shown {
-/// #     fn build(&self, _: Module, i: ShownIn) -> ShownOut {
+/// # let design = tilewright_sim::shown! { |_, i| in { depths: bits(8).of(row(4)) } out { nearest: bits(8) }
 /// let nearest = i.depths.minimum();
-/// #         ShownOut { nearest }
-/// #     }
-/// # }
-/// # let design = elaborate(&Shown)?;
+/// #     ShownOut { nearest }
+/// # };
 /// let top = design.top();
 /// let op = &top.node(top.outputs[0].node).op;
 /// assert!(matches!(op, ir::Op::Reduce { by: ir::Reduction::Min, axis: 0, .. }));
-/// # Ok::<(), Problems>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Reduction {

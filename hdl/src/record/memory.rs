@@ -20,33 +20,27 @@ use crate::width::Width;
 /// its word and its fields, `step_address`, in waves and in Verilog.
 ///
 /// ```
-/// # use tilewright_hdl::{Block, Module, ReadUnderWrite, Width, bit, bits, bundle, elaborate, net};
+/// # use tilewright_hdl::*;
+/// # let example = tilewright_sim::traced(|m| {
 /// bundle! {
 ///     /// An instruction.
-///     pub struct Step<T> { pub address: T, pub counts: T, pub ends: T }
+///     struct Step<T> { address: T, counts: T, ends: T }
 /// }
-/// # bundle! {
-/// #     /// Where it is.
-/// #     pub struct ProgramIn<T> { pub at: T }
-/// # }
-/// # #[derive(Debug, Clone, PartialEq, Eq, Hash)]
-/// # struct Program;
-/// # impl Block for Program {
-/// #     type In = ProgramIn;
-/// #     type Out = Step;
-/// #     fn inputs(&self) -> ProgramIn<Width> { ProgramIn { at: bits(2) } }
-/// #     fn build(&self, m: Module, i: ProgramIn) -> Step {
+///
 /// const COUNT: Step<u64> = Step { address: 0, counts: 1, ends: 0 };
-/// let program = m.memory("program", 4, Step { address: bits(8), counts: bit(), ends: bit() }, ReadUnderWrite::Any).words([
+/// let layout = Step { address: bits(8), counts: bit(), ends: bit() };
+/// let program = m.memory("program", 4, layout, ReadUnderWrite::Any).words([
 ///     Step { address: 17, ..COUNT },
 ///     Step { address: 18, ..COUNT },
 ///     Step { address: 0, counts: 0, ends: 1 },
+///     COUNT,
 /// ]);
-/// net!(step = program.read(i.at));
-/// #         step
-/// #     }
-/// # }
-/// # elaborate(&Program).unwrap();
+/// let at = m.reg("at", 2).reset(0);
+/// net!(step = program.read_async(at));
+/// at.when(!step.ends, at + 1);
+/// # });
+/// assert_eq!(example.values("step_address"), [17, 18, 0, 0]);
+/// assert_eq!(example.values("step_ends"), [0, 0, 1, 1]);
 /// ```
 impl<B: Bundle> Mem<B> {
     /// The same memory; ports made through this handle are on `clock`.

@@ -1,5 +1,8 @@
 //! The frame of an example in the documentation: a block without ports around a few lines that describe hardware.
-#![expect(unpredictable_function_pointer_comparisons, reason = "a block can be compared, but an example is the only one")]
+#![expect(
+    unpredictable_function_pointer_comparisons,
+    reason = "a block can be compared, but an example is the only one"
+)]
 
 use std::array;
 
@@ -87,6 +90,27 @@ impl Traced {
             value.to_u64().unwrap_or_else(|| panic!("`{name}` has more than 64 bits"))
         })
     }
+}
+
+/// The design of a block of which an example shows what `build` says: `m` and `i` are its arguments, and it returns a `ShownOut`.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! shown {
+    (|$m:pat_param, $i:pat_param| in { $($in:tt)* } out { $($out:tt)* } $($build:tt)*) => {{
+        tilewright_hdl::block! {
+            struct Shown;
+            in ShownIn { $($in)* }
+            out ShownOut { $($out)* }
+        }
+
+        impl Shown {
+            fn build(&self, $m: tilewright_hdl::Module, $i: ShownIn) -> ShownOut {
+                $($build)*
+            }
+        }
+
+        tilewright_hdl::elaborate(&Shown).unwrap()
+    }};
 }
 
 /// On the engine that says what is right.
