@@ -275,8 +275,8 @@ impl Signal {
     /// ```
     /// # use tilewright_hdl::*;
     /// # tilewright_sim::example(|m| {
-    /// let carry = lit(8, 200).add_carry(lit(8, 100));
-    /// m.assert(carry.ge(256), "300, in the 9 bits that a sum with its carry has");
+    /// let sum = lit(8, 200).add_carry(lit(8, 100));
+    /// m.assert(sum.ge(256), "300, in the 9 bits that a sum with its carry has");
     /// # });
     /// ```
     #[track_caller]
