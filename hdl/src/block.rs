@@ -64,9 +64,45 @@ pub trait Block: Debug + Clone + Eq + Hash + 'static {
     type Out: Bundle;
 
     /// The widths of the inputs.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// block! {
+    ///     struct Adder { width: u32 }
+    ///     in(self) AdderIn { a: bits(self.width), b: bits(self.width) }
+    ///     out AdderOut { sum: _ }
+    /// }
+    /// # impl Adder {
+    /// #     fn build(&self, _: Module, i: AdderIn) -> AdderOut {
+    /// #         AdderOut { sum: i.a + i.b }
+    /// #     }
+    /// # }
+    ///
+    /// assert_eq!(Adder { width: 12 }.inputs().b.bits(), 12);
+    /// ```
     fn inputs(&self) -> <Self::In as Bundle>::Of<Width>;
 
     /// Describes the block.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # block! {
+    /// #     struct Adder { width: u32 }
+    /// #     in(self) AdderIn { a: bits(self.width), b: bits(self.width) }
+    /// #     out AdderOut { sum: _ }
+    /// # }
+    /// impl Adder {
+    ///     // Plain Rust: what is asked here is answered once, when the circuit is built.
+    ///     fn build(&self, m: Module, i: AdderIn) -> AdderOut {
+    ///         let sum = i.a + i.b;
+    ///         AdderOut { sum: if self.width > 32 { m.pipe("late", sum) } else { sum } }
+    ///     }
+    /// }
+    ///
+    /// let registers = |width| Ok::<_, Problems>(elaborate(&Adder { width })?.top().registers.len());
+    /// assert_eq!((registers(16)?, registers(64)?), (0, 1));
+    /// # Ok::<(), Problems>(())
+    /// ```
     fn build(&self, m: Module, i: Self::In) -> Self::Out;
 
     /// The widths that its outputs are to have, each with the port's path; those that are not said follow from the description.

@@ -95,17 +95,6 @@ macro_rules! codes {
 
 impl Value {
     /// A code, which only meets signals of its enum.
-    ///
-    /// ```
-    /// # use tilewright_hdl::*;
-    /// # tilewright_sim::example(|m| {
-    /// codes! { enum Alu { Load, Add, Double } }
-    ///
-    /// let instruction = lit(10, 0b10_0010_1010);
-    /// let operation = instruction.part(8, 2).code::<Alu>();
-    /// m.assert(operation.is(Alu::Double), "two bits of an instruction, and from here on its operation");
-    /// # });
-    /// ```
     pub fn code<C: Codes>(code: C) -> Value {
         Value::Literal(Literal::Code { names: C::NAMES, code: code.code() })
     }
@@ -172,6 +161,17 @@ impl Signal {
     }
 
     /// The bits as a code of that enum.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// codes! { enum Alu { Load, Add, Double } }
+    ///
+    /// let instruction = lit(10, 0b10_0010_1010);
+    /// let operation = instruction.part(8, 2).code::<Alu>();
+    /// m.assert(operation.is(Alu::Double), "two bits of an instruction, and from here on its operation");
+    /// # });
+    /// ```
     #[track_caller]
     pub fn code<C: Codes>(self) -> Signal {
         let (loc, width, kind) = (Loc::caller(), below(C::ALL.len()).bits(), Kind::Code(C::NAMES));
