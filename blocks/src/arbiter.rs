@@ -5,6 +5,20 @@ use crate::ports::StreamOut;
 use tilewright_hdl::{Module, Signal, bits, block, concat, mux, net, select, stream};
 
 /// Which of the streams that have a word goes first.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # use tilewright_blocks::{StreamBlocks, Turns};
+/// # let example = tilewright_sim::traced(|m| {
+/// for (name, turns) in [("by_turns", Turns::RoundRobin), ("by_rank", Turns::Priority)] {
+///     let streams = [1, 2].map(|word| m.offer(lit(1, 1), lit(8, word)).0);
+///     let word = m.arbiter(&format!("u_{name}"), turns, streams).take_when(1);
+///     let _ = word.named(name);
+/// }
+/// # });
+/// assert_eq!(example.values("by_turns"), [1, 2, 1, 2]);
+/// assert_eq!(example.values("by_rank"), [1, 1, 1, 1]);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Turns {
     /// The next after the one that went last: each gets its turn within as many words as there are streams.
@@ -23,6 +37,20 @@ block! {
     /// ```
     ///
     /// Latency 0, a word a clock. A word that is shown stays, though one of a higher priority comes. No `valid` waits for `ready`.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # use tilewright_blocks::{StreamBlocks, Turns};
+    /// # let example = tilewright_sim::traced(|m| {
+    /// let count = m.reg("count", 2).reset(0);
+    /// count.next(count + 1);
+    /// let (often, _) = m.offer(lit(1, 1), lit(8, 2));
+    /// let (seldom, _) = m.offer(count.eq(2), lit(8, 1));
+    /// let word = m.arbiter("u_arbiter", Turns::Priority, [seldom, often]).take_when(1);
+    /// net!(sent = *word);
+    /// # });
+    /// assert_eq!(example.values("sent"), [2, 2, 1, 2, 2, 2, 1]);
+    /// ```
     pub struct Arbiter {
         senders: u32,
         width: u32,
@@ -38,6 +66,13 @@ block! {
 
 impl Arbiter {
     /// An arbiter of so many senders of so many bits.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// use tilewright_blocks::{Arbiter, Turns};
+    ///
+    /// assert_eq!(Arbiter::new(4, 8, Turns::RoundRobin).name(), "arbiter_senders4_width8_turns_round_robin");
+    /// ```
     ///
     /// # Panics
     ///

@@ -12,6 +12,17 @@ block! {
     /// ```
     ///
     /// Latency 0, a part a clock. No `valid` waits for `ready`; `ready` of `into` is that of `out` at the last part.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # use tilewright_blocks::{Narrow, StreamIn};
+    /// # let example = tilewright_sim::traced(|m| {
+    /// let (into, _) = m.offer(lit(1, 1), lit(12, 0xabc));
+    /// let out = m.instance("u_narrow", &Narrow::new(3, 4), StreamIn { into }).out;
+    /// net!(part = *out.take_when(1));
+    /// # });
+    /// assert_eq!(example.values("part"), [0xc, 0xb, 0xa, 0xc]);
+    /// ```
     pub struct Narrow {
         parts: u32,
         width: u32,
@@ -23,6 +34,14 @@ block! {
 
 impl Narrow {
     /// To words of so many bits, of which so many parts are a word that comes in.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// use tilewright_blocks::Narrow;
+    ///
+    /// // Words of 12 bits come in.
+    /// assert_eq!(Narrow::new(3, 4).inputs().into.payload.bits(), 12);
+    /// ```
     ///
     /// # Panics
     ///
@@ -55,6 +74,19 @@ block! {
     /// ```
     ///
     /// Latency 1 clock from the last part, a part a clock. No `valid` waits for `ready`; `ready` of `into` passes that of `out`.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # use tilewright_blocks::{StreamIn, Widen};
+    /// # let example = tilewright_sim::traced(|m| {
+    /// let count = m.reg("count", 4).reset(1);
+    /// let (into, sent) = m.offer(lit(1, 1), *count);
+    /// count.when(sent, count + 1);
+    /// let word = m.instance("u_widen", &Widen::new(2, 4), StreamIn { into }).out.take_when(1);
+    /// net!(words = mux(word.taken, *word, 0));
+    /// # });
+    /// assert_eq!(example.values("words"), [0, 0, 0x21, 0, 0x43, 0]);
+    /// ```
     pub struct Widen {
         parts: u32,
         width: u32,
@@ -66,6 +98,14 @@ block! {
 
 impl Widen {
     /// To words of so many parts, each a word of so many bits that comes in.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// use tilewright_blocks::Widen;
+    ///
+    /// // Words of 4 bits come in, three of which are one that goes out.
+    /// assert_eq!(Widen::new(3, 4).inputs().into.payload.bits(), 4);
+    /// ```
     ///
     /// # Panics
     ///

@@ -20,6 +20,24 @@ use tilewright_hdl::{Block, Clock, Module, ReadUnderWrite, Signal, Width, bit, b
 ///
 /// Latency 3 clocks of the reader after the writer's edge that takes a word: two for the pointer, one for the memory; where the edges of
 /// both clocks meet, hardware may need one more. No path within a clock from any port to another. Both resets come together.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// use tilewright_blocks::{DualClockFifo, StreamIn};
+///
+/// const HOST: Clock = Clock::new("host", Period::ns(10));
+/// const VIDEO: Clock = Clock::new("video", Period::ns(14));
+///
+/// # let example = tilewright_sim::traced(|m| {
+/// let count = m.on(HOST).reg("count", 4).reset(0);
+/// let (into, sent) = m.on(HOST).offer(lit(1, 1), *count);
+/// count.when(sent, count + 1);
+/// let queue = DualClockFifo::new(4, 4, HOST, VIDEO);
+/// m.instance("u_queue", &queue, StreamIn { into }).out.take_when(0);
+/// # });
+/// // The edges of both clocks up to 60 ns. Nobody takes a word, so four are taken in.
+/// assert_eq!(example.values("count"), [0, 1, 1, 2, 2, 3, 4, 4, 4, 4]);
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct DualClockFifo {
     depth: u32,
@@ -30,6 +48,17 @@ pub struct DualClockFifo {
 
 impl DualClockFifo {
     /// A queue of that many words, a power of two from 2 on, of that many bits.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// use tilewright_blocks::DualClockFifo;
+    ///
+    /// const HOST: Clock = Clock::new("host", Period::ns(10));
+    /// const VIDEO: Clock = Clock::new("video", Period::ns(14));
+    ///
+    /// let queue = DualClockFifo::new(16, 8, HOST, VIDEO);
+    /// assert_eq!(queue.name(), "dual_clock_fifo_depth16_width8_host_to_video");
+    /// ```
     ///
     /// # Panics
     ///

@@ -35,12 +35,29 @@ pub fn first(requests: Signal) -> Signal {
 }
 
 /// The place of the first of the bits that are high, and 0 if there is none: a priority encoder.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # use tilewright_blocks::first_index;
+/// # tilewright_sim::example(|m| {
+/// m.assert(first_index(lit(6, 0b101100)).eq(2), "3 bits, as 6 places need");
+/// m.assert(first_index(lit(6, 0)).eq(0), "so ask `.any_one()` beside it");
+/// # });
+/// ```
 #[track_caller]
 pub fn first_index(requests: Signal) -> Signal {
     index_of(first(requests))
 }
 
 /// The place of the one bit that is high, and 0 if there is none. If several are high, it is of no use.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # use tilewright_blocks::index_of;
+/// # tilewright_sim::example(|m| {
+/// m.assert(index_of(lit(6, 0b001000)).eq(3), "cheaper than `first_index`, as nothing is looked for");
+/// # });
+/// ```
 #[track_caller]
 pub fn index_of(one_hot: Signal) -> Signal {
     let places = 0..one_hot.width();
@@ -54,6 +71,16 @@ pub fn index_of(one_hot: Signal) -> Signal {
 }
 
 /// So many bits, of which the one at place `index` is high: a decoder. None is if the index is as large as that, or larger.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # use tilewright_blocks::{index_of, one_hot};
+/// # tilewright_sim::example(|m| {
+/// m.assert(one_hot(lit(3, 2), 6).eq(0b000100), "6 bits");
+/// m.assert(one_hot(lit(3, 7), 6).eq(0), "there is no place 7");
+/// m.assert(index_of(one_hot(lit(3, 5), 6)).eq(5), "there and back");
+/// # });
+/// ```
 #[track_caller]
 pub fn one_hot(index: Signal, count: u64) -> Signal {
     let width = index.width();

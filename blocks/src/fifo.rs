@@ -14,6 +14,17 @@ use crate::ports::{StreamIn, StreamOut};
 use tilewright_hdl::{Module, ReadUnderWrite, Reg, bit, bits, block, mux, net, stream, up_to};
 
 /// What the words of a [`Fifo`] are kept in.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # use tilewright_blocks::{Fifo, Storage, StreamIn};
+/// # let example = tilewright_sim::traced(|m| {
+/// let (into, _) = m.offer(lit(1, 1), lit(8, 7));
+/// let queue = Fifo::new(4, 8, Storage::BlockRam);
+/// net!(taken = m.instance("u_queue", &queue, StreamIn { into }).out.take_when(1).taken);
+/// # });
+/// assert_eq!(example.values("taken"), [0, 0, 1, 1]); // 2 clocks, then one a clock all the same
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Storage {
     /// Registers, or the distributed memory of an FPGA: read in the same clock.
@@ -32,6 +43,19 @@ block! {
     /// into ======>| words [depth] |======> out
     ///             '---------------'
     ///          free ^   used   ^ oldest
+    /// ```
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # use tilewright_blocks::{Fifo, Storage, StreamIn};
+    /// # let example = tilewright_sim::traced(|m| {
+    /// let count = m.reg("count", 4).reset(0);
+    /// let (into, sent) = m.offer(lit(1, 1), *count);
+    /// count.when(sent, count + 1);
+    /// let queue = Fifo::new(3, 4, Storage::Registers);
+    /// m.instance("u_queue", &queue, StreamIn { into }).out.take_when(0);
+    /// # });
+    /// assert_eq!(example.values("count"), [0, 1, 2, 3, 3, 3]); // it is full
     /// ```
     pub struct Fifo {
         depth: u32,

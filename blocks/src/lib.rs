@@ -41,6 +41,9 @@
 //! # Ok::<(), Problems>(())
 //! ```
 //!
+//! In the examples `m` is the module of a block that is run, and `example.values("count")` is what `count` is just before each of the
+//! first edges.
+//!
 //! | block | what it does | latency | no path within a clock |
 //! |---|---|---|---|
 //! | [`Fifo`] in [`Storage::Registers`] | a queue | 1 | any |

@@ -44,6 +44,13 @@ block! {
 impl ShiftRegister {
     /// A shift register of so many bits.
     ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// use tilewright_blocks::ShiftRegister;
+    ///
+    /// assert_eq!(ShiftRegister::new(8).name(), "shift_register_width8");
+    /// ```
+    ///
     /// # Panics
     ///
     /// It has less than two, and nothing to shift.

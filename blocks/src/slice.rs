@@ -4,6 +4,21 @@ use crate::ports::{StreamIn, StreamOut};
 use tilewright_hdl::{Module, bit, bits, block, mux, stream};
 
 /// Which paths a [`RegisterSlice`] cuts.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # use tilewright_blocks::{RegisterSlice, Slice, StreamIn};
+/// # let example = tilewright_sim::traced(|m| {
+/// for (name, cuts) in [("forward", Slice::Forward), ("backward", Slice::Backward), ("skid", Slice::Both)] {
+///     let (into, _) = m.offer(lit(1, 1), lit(8, 7));
+///     let out = m.instance(&format!("u_{name}"), &RegisterSlice { width: 8, cuts }, StreamIn { into }).out;
+///     let _ = out.take_when(1).taken.named(&format!("{name}_takes"));
+/// }
+/// # });
+/// assert_eq!(example.values("forward_takes"), [0, 1, 1]);
+/// assert_eq!(example.values("backward_takes"), [1, 1, 1]);
+/// assert_eq!(example.values("skid_takes"), [0, 1, 1]);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Slice {
     /// `valid` and the payload come from registers; `ready` passes. Latency 1 clock.
@@ -35,6 +50,19 @@ block! {
     /// Puts registers on one direction of a stream, or on both, and lets a word pass each clock.
     ///
     /// They cut long paths; see [`Slice`] for the three kinds and their latencies.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # use tilewright_blocks::{RegisterSlice, Slice, StreamIn};
+    /// # let example = tilewright_sim::traced(|m| {
+    /// let count = m.reg("count", 4).reset(0);
+    /// let (into, sent) = m.offer(lit(1, 1), *count);
+    /// count.when(sent, count + 1);
+    /// let skid = RegisterSlice { width: 4, cuts: Slice::Both };
+    /// m.instance("u_skid", &skid, StreamIn { into }).out.take_when(0);
+    /// # });
+    /// assert_eq!(example.values("count"), [0, 1, 2, 2, 2]); // it has room for two words
+    /// ```
     pub struct RegisterSlice {
         /// The width of the payload.
         pub width: u32,

@@ -13,12 +13,51 @@ use tilewright_hdl::{Clock, Data, Module, Signal, Stream, lit};
 
 /// Streams through blocks: each method makes an instance of that name, which carries the fields of a record side by side.
 /// See [the crate](crate) for an example.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # use tilewright_blocks::{Slice, StreamBlocks};
+/// # tilewright_sim::example(|m| {
+/// bundle! { struct Job<T> { page: T, last: T } }
+///
+/// let (jobs, _) = m.offer(lit(1, 1), Job { page: lit(4, 11), last: lit(1, 1) });
+/// let queued = m.fifo("u_queue", 4, jobs);
+/// let job = m.slice("u_slice", Slice::Both, queued).take_when(1);
+/// m.assert(job.taken.implies(job.page.eq(11) & job.last), "what comes out is a `Job` again");
+/// # });
+/// ```
 pub trait StreamBlocks {
     /// The stream through a queue of that many words in registers: [`Fifo`].
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # use tilewright_blocks::StreamBlocks;
+    /// # let example = tilewright_sim::traced(|m| {
+    /// let count = m.reg("count", 4).reset(5);
+    /// let (numbers, sent) = m.offer(lit(1, 1), *count);
+    /// count.when(sent, count + 1);
+    /// let number = m.fifo("u_queue", 4, numbers).take_when(1);
+    /// net!(out = mux(number.taken, *number, 0));
+    /// # });
+    /// assert_eq!(example.values("out"), [0, 5, 6, 7]);
+    /// ```
     #[track_caller]
     fn fifo<P: Data>(self, name: &str, depth: u32, stream: Stream<P>) -> Stream<P>;
 
     /// The stream through a queue of that many words in a block RAM: [`Fifo`].
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # use tilewright_blocks::StreamBlocks;
+    /// # let example = tilewright_sim::traced(|m| {
+    /// let count = m.reg("count", 4).reset(5);
+    /// let (numbers, sent) = m.offer(lit(1, 1), *count);
+    /// count.when(sent, count + 1);
+    /// let number = m.block_ram_fifo("u_queue", 512, numbers).take_when(1);
+    /// net!(out = mux(number.taken, *number, 0));
+    /// # });
+    /// assert_eq!(example.values("out"), [0, 0, 5, 6]); // a clock later than from registers
+    /// ```
     #[track_caller]
     fn block_ram_fifo<P: Data>(self, name: &str, depth: u32, stream: Stream<P>) -> Stream<P>;
 
@@ -27,14 +66,54 @@ pub trait StreamBlocks {
     fn lifo<P: Data>(self, name: &str, depth: u32, stream: Stream<P>) -> Stream<P>;
 
     /// The stream from one clock to another, through a queue of that many words: [`DualClockFifo`].
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// use tilewright_blocks::StreamBlocks;
+    ///
+    /// const HOST: Clock = Clock::new("host", Period::ns(10));
+    /// const VIDEO: Clock = Clock::new("video", Period::ns(14));
+    ///
+    /// # let example = tilewright_sim::traced(|m| {
+    /// let (colours, _) = m.on(HOST).offer(lit(1, 1), lit(24, 0xff8000));
+    /// let shown = m.cross_by_fifo("u_crossing", 16, (HOST, VIDEO), colours);
+    /// let colour = shown.take_when(1);
+    /// let rgb = m.on(VIDEO).reg("rgb", 24).reset(0);
+    /// rgb.when(colour.taken, *colour);
+    /// # });
+    /// let rgb: [u64; 14] = example.values("rgb");
+    /// assert_eq!((rgb[0], rgb[13]), (0, 0xff8000));
+    /// ```
     #[track_caller]
     fn cross_by_fifo<P: Data>(self, name: &str, depth: u32, clocks: (Clock, Clock), stream: Stream<P>) -> Stream<P>;
 
     /// The stream through registers: [`RegisterSlice`].
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # use tilewright_blocks::{Slice, StreamBlocks};
+    /// # let example = tilewright_sim::traced(|m| {
+    /// let (words, _) = m.offer(lit(1, 1), lit(8, 7));
+    /// let word = m.slice("u_slice", Slice::Forward, words).take_when(1);
+    /// net!(taken = word.taken);
+    /// # });
+    /// assert_eq!(example.values("taken"), [0, 1, 1]);
+    /// ```
     #[track_caller]
     fn slice<P: Data>(self, name: &str, cuts: Slice, stream: Stream<P>) -> Stream<P>;
 
     /// The stream to `N` receivers, each of which gets all of it: [`Fork`].
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # use tilewright_blocks::StreamBlocks;
+    /// # tilewright_sim::example(|m| {
+    /// let (words, _) = m.offer(lit(1, 1), lit(8, 7));
+    /// let [left, right] = m.fork("u_fork", words);
+    /// let (left, right) = (left.take_when(1), right.take_when(1));
+    /// m.assert(left.taken & right.taken & left.eq(*right), "as many as the pattern has");
+    /// # });
+    /// ```
     #[track_caller]
     fn fork<P: Data, const N: usize>(self, name: &str, stream: Stream<P>) -> [Stream<P>; N];
 
@@ -71,6 +150,16 @@ pub trait StreamBlocks {
     fn split_by<P: Data, const N: usize>(self, stream: Stream<P>, to: impl FnOnce(&P) -> Signal) -> [Stream<P>; N];
 
     /// The streams to one receiver, one word after another: [`Arbiter`].
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # use tilewright_blocks::{StreamBlocks, Turns};
+    /// # let example = tilewright_sim::traced(|m| {
+    /// let streams = [1, 2, 3].map(|word| m.offer(lit(1, 1), lit(8, word)).0);
+    /// net!(word = *m.arbiter("u_arbiter", Turns::RoundRobin, streams).take_when(1));
+    /// # });
+    /// assert_eq!(example.values("word"), [1, 2, 3, 1, 2]);
+    /// ```
     #[track_caller]
     fn arbiter<P: Data>(self, name: &str, turns: Turns, streams: impl IntoIterator<Item = Stream<P>>) -> Stream<P>;
 
@@ -83,6 +172,23 @@ pub trait StreamBlocks {
     /// ```
     ///
     /// Latency 0. `valid` waits for no `ready`; the `ready` of each is high where the word of both is taken.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # use tilewright_blocks::StreamBlocks;
+    /// # let example = tilewright_sim::traced(|m| {
+    /// let count = m.reg("count", 4).reset(0);
+    /// let (left, sent) = m.offer(lit(1, 1), *count);
+    /// count.when(sent, count + 1);
+    /// let half = m.reg("half", 1).reset(0);
+    /// half.next(!*half);
+    /// let (right, _) = m.offer(*half, lit(4, 10));
+    ///
+    /// let sum = m.join(left, right, |left, right| left + right).take_when(1);
+    /// net!(sums = mux(sum.taken, *sum, 0));
+    /// # });
+    /// assert_eq!(example.values("sums"), [0, 10, 0, 11, 0, 12]); // one waits for the other
+    /// ```
     #[track_caller]
     fn join<P: Data, Q: Data, R: Data>(
         self,
@@ -92,10 +198,33 @@ pub trait StreamBlocks {
     ) -> Stream<R>;
 
     /// The stream in so many parts of each word, the least significant first: [`Narrow`]. Its words have to have so many parts.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # use tilewright_blocks::StreamBlocks;
+    /// # let example = tilewright_sim::traced(|m| {
+    /// let (words, _) = m.offer(lit(1, 1), lit(12, 0xabc));
+    /// net!(part = *m.narrow("u_narrow", 3, words).take_when(1));
+    /// # });
+    /// assert_eq!(example.values("part"), [0xc, 0xb, 0xa, 0xc]);
+    /// ```
     #[track_caller]
     fn narrow(self, name: &str, parts: u32, stream: Stream) -> Stream;
 
     /// The stream of words, of which each has so many parts, the least significant first: [`Widen`].
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # use tilewright_blocks::StreamBlocks;
+    /// # let example = tilewright_sim::traced(|m| {
+    /// let count = m.reg("count", 4).reset(1);
+    /// let (digits, sent) = m.offer(lit(1, 1), *count);
+    /// count.when(sent, count + 1);
+    /// let word = m.widen("u_widen", 2, digits).take_when(1);
+    /// net!(words = mux(word.taken, *word, 0));
+    /// # });
+    /// assert_eq!(example.values("words"), [0, 0, 0x21, 0, 0x43]);
+    /// ```
     #[track_caller]
     fn widen(self, name: &str, parts: u32, stream: Stream) -> Stream;
 }

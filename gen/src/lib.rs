@@ -37,6 +37,8 @@
 //! ```
 
 mod bench;
+#[doc(hidden)]
+pub mod for_examples;
 pub mod tools;
 mod verilog;
 
@@ -44,6 +46,14 @@ pub use bench::testbench;
 pub use verilog::verilog;
 
 /// A file of the printed design: Verilog, or the data that a memory is loaded with.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
+/// let files = tilewright_gen::verilog(&design);
+/// assert_eq!(files[0].name, "delay.v");
+/// assert!(files[0].text.contains("held <= word;"));
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct VerilogFile {
     /// The file's name, such as `counter_width8.v`; data files end in `.hex` and belong beside the Verilog.

@@ -14,6 +14,15 @@ use crate::width::Count;
 
 /// The lanes of a row, or the rows or the columns of a grid, one after another: made by [`Signal::rows`] and [`Signal::columns`]. Each of
 /// its lanes is what is left without that axis: of the rows of a grid, a row.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # tilewright_sim::example(|m| {
+/// let x = constants(bits(4).of(grid(2, 3)), |lane| lane.into());
+/// m.assert(x.rows().lane(1).pack().eq(0x543), "of the rows one is a row, ..");
+/// m.assert(x.columns().lane(1).pack().eq(0x41), ".. and so is one of the columns");
+/// # });
+/// ```
 #[derive(Debug, Clone, Copy)]
 #[must_use]
 pub struct Along {
@@ -23,6 +32,15 @@ pub struct Along {
 
 impl Along {
     /// How many there are.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let x = constants(bits(4).of(grid(2, 3)), |lane| lane.into());
+    /// let (rows, columns) = (x.rows().count(), x.columns().count());
+    /// m.assert(x.rows().lane(rows - 1).lane(columns - 1).eq(5), "2 and 3");
+    /// # });
+    /// ```
     pub fn count(self) -> u32 {
         self.of.shape.extent(self.axis)
     }
@@ -64,6 +82,14 @@ impl Along {
     }
 
     /// The one of that number, counted from 0.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let x = constants(bits(4).of(grid(2, 3)), |lane| lane.into());
+    /// m.assert(x.rows().lane(1).lane(2).eq(5), "row 1, and of that column 2");
+    /// # });
+    /// ```
     #[track_caller]
     pub fn lane(self, index: u32) -> Signal {
         let (loc, count) = (Loc::caller(), self.count());
@@ -79,12 +105,29 @@ impl Along {
     }
 
     /// The last one.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let x = constants(bits(4).of(grid(2, 3)), |lane| lane.into());
+    /// m.assert(x.columns().last().pack().eq(0x52), "what leaves a grid on its right, a lane for each row");
+    /// # });
+    /// ```
     #[track_caller]
     pub fn last(self) -> Signal {
         self.lane(self.count() - 1)
     }
 
     /// All of them, as signals of their own.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let x = constants(bits(4).of(grid(2, 3)), |lane| lane.into());
+    /// let [upper, lower] = x.rows().to_vec()[..] else { unreachable!("two rows") };
+    /// m.assert((lower - upper).eq(3).and_all(), "rows that meet lane by lane");
+    /// # });
+    /// ```
     #[track_caller]
     pub fn to_vec(self) -> Vec<Signal> {
         let mut signals = Vec::new();
@@ -95,18 +138,43 @@ impl Along {
     }
 
     /// What the neighbour of the next lower number has; the first has `edge`.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let x = constants(bits(4).of(grid(2, 3)), |lane| lane.into());
+    /// let left = lit(8, 0xba).unpack(2);
+    /// m.assert(x.columns().previous(left).pack().eq(0x43b_10a), "the edge is plain, or as one column is");
+    /// # });
+    /// ```
     #[track_caller]
     pub fn previous(self, edge: impl Operand) -> Signal {
         self.shifted(1, edge)
     }
 
     /// What the neighbour of the next higher number has; the last has `edge`.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let x = constants(bits(4).of(grid(2, 3)), |lane| lane.into());
+    /// m.assert(x.rows().following(15).pack().eq(0xfff_543), "what is below; the last row has the edge there");
+    /// # });
+    /// ```
     #[track_caller]
     pub fn following(self, edge: impl Operand) -> Signal {
         self.shifted(-1, edge)
     }
 
     /// Number `i` has what number `i - by` has; those that have no such neighbour have `edge`.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let x = constants(bits(4).of(grid(2, 3)), |lane| lane.into());
+    /// m.assert(x.columns().shifted(2, 0).pack().eq(0x300_000), "column 2 has column 0");
+    /// # });
+    /// ```
     #[track_caller]
     pub fn shifted(self, by: i32, edge: impl Operand) -> Signal {
         // All are beyond the edge from there on.
@@ -116,18 +184,44 @@ impl Along {
     }
 
     /// `count` of them: number `i` is the one that `index` says, as in `take(2 * n, |i| i / 2)`. There is one for each.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let x = constants(bits(4).of(grid(2, 2)), |lane| lane.into());
+    /// let doubled = x.rows().take(4, |i| i / 2).columns().take(4, |i| i / 2);
+    /// m.assert(doubled.rows().last().pack().eq(0x3322), "each lane becomes two by two");
+    /// # });
+    /// ```
     #[track_caller]
     pub fn take(self, count: impl Count, index: impl FnOnce(Index) -> Index) -> Signal {
         self.map(extent(count), index, None::<u32>, "take")
     }
 
     /// As [`take`](Along::take); where `index` leads beyond the ends, `edge`.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let x = constants(bits(4).of(grid(2, 2)), |lane| lane.into());
+    /// m.assert(x.rows().take_or(3, |i| i - 1, 15).pack().eq(0x32_10_ff), "a border above");
+    /// # });
+    /// ```
     #[track_caller]
     pub fn take_or(self, count: impl Count, index: impl FnOnce(Index) -> Index, edge: impl Operand) -> Signal {
         self.map(extent(count), index, Some(edge), "take_or")
     }
 
     /// The last first.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let x = constants(bits(4).of(grid(2, 3)), |lane| lane.into());
+    /// m.assert(x.rows().reversed().pack().eq(0x210_543), "upside down");
+    /// m.assert(x.columns().reversed().pack().eq(0x345_012), "from right to left");
+    /// # });
+    /// ```
     #[track_caller]
     pub fn reversed(self) -> Signal {
         let count = self.count();
@@ -173,6 +267,14 @@ impl Along {
     }
 
     /// The one whose number `index` is; zero beyond the last.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let x = constants(bits(4).of(grid(2, 3)), |lane| lane.into());
+    /// m.assert(x.rows().pick(lit(1, 1)).pack().eq(0x543), "one row for all; its number is a signal");
+    /// # });
+    /// ```
     #[track_caller]
     pub fn pick(self, index: impl IntoSignal) -> Signal {
         let index = self.one(index.into(), "the index", "pick");
@@ -185,36 +287,84 @@ impl Along {
     }
 
     /// Bitwise and of all.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let resident = constants(bits(1).of(grid(2, 2)), |lane| (lane != 1).into());
+    /// m.assert(resident.rows().and_all().pack().eq(0b01), "column 0 is all ones, column 1 is not");
+    /// # });
+    /// ```
     #[track_caller]
     pub fn and_all(self) -> Signal {
         self.reduce(Reduction::And)
     }
 
     /// Bitwise or of all.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let wants = constants(bits(1).of(grid(2, 3)), |lane| (lane < 2).into());
+    /// m.assert(wants.columns().or_all().pack().eq(0b01), "a lane for each row: does any of it want something?");
+    /// # });
+    /// ```
     #[track_caller]
     pub fn or_all(self) -> Signal {
         self.reduce(Reduction::Or)
     }
 
     /// Bitwise exclusive or of all.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let bits = constants(bits(1).of(grid(2, 3)), |lane| (lane < 4).into());
+    /// m.assert(bits.columns().xor_all().pack().eq(0b11), "the parity of each row: three ones and one");
+    /// # });
+    /// ```
     #[track_caller]
     pub fn xor_all(self) -> Signal {
         self.reduce(Reduction::Xor)
     }
 
     /// The sum of all, modulo 2 to the width.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let x = constants(bits(4).of(grid(2, 3)), |lane| lane.into());
+    /// m.assert(x.rows().sum().sum().eq(x.sum()), "along one axis, then along the other");
+    /// # });
+    /// ```
     #[track_caller]
     pub fn sum(self) -> Signal {
         self.reduce(Reduction::Add)
     }
 
     /// The smallest; of signed ones in two's complement.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let x = constants(bits(4).of(grid(2, 3)), |lane| 5 - u64::from(lane));
+    /// m.assert(x.columns().minimum().pack().eq(0x03), "of 5, 4, 3 and of 2, 1, 0");
+    /// # });
+    /// ```
     #[track_caller]
     pub fn minimum(self) -> Signal {
         self.extreme(Reduction::Min)
     }
 
     /// The largest; of signed ones in two's complement.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let x = constants(bits(4).of(grid(2, 3)), |lane| 5 - u64::from(lane));
+    /// m.assert(x.rows().maximum().pack().eq(0x345), "of each column the largest, in the upper row here");
+    /// # });
+    /// ```
     #[track_caller]
     pub fn maximum(self) -> Signal {
         self.extreme(Reduction::Max)
@@ -233,6 +383,14 @@ impl Along {
     }
 
     /// Side by side in one word, number 0 in the lowest bits.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let x = constants(bits(4).of(grid(2, 3)), |lane| lane.into());
+    /// m.assert(x.columns().pack().lane(1).eq(0x543), "a row of words, one for each row of the grid");
+    /// # });
+    /// ```
     #[track_caller]
     pub fn pack(self) -> Signal {
         let (loc, id) = (Loc::caller(), self.of.id());

@@ -59,11 +59,23 @@ enum Limbs {
 }
 
 /// The number of 64-bit limbs that hold `width` bits.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// assert_eq!((limbs_for(64), limbs_for(65)), (1, 2));
+/// ```
 pub const fn limbs_for(width: u32) -> usize {
     width.div_ceil(64) as usize
 }
 
 /// The mask of the bits in use of a value's highest limb.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// assert_eq!(top_mask(12), 0xfff);
+/// // Of 64 bits all are in use, and of 65 one in the second limb.
+/// assert_eq!((top_mask(64), top_mask(65)), (u64::MAX, 1));
+/// ```
 pub const fn top_mask(width: u32) -> u64 {
     match width % 64 {
         0 => u64::MAX,
@@ -73,6 +85,12 @@ pub const fn top_mask(width: u32) -> u64 {
 
 impl Bits {
     /// The low `width` bits of `value`.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// assert_eq!(Bits::new(4, 0xabc), 0xc);
+    /// assert_eq!(Bits::new(100, 7).width(), 100);
+    /// ```
     #[inline]
     pub fn new(width: u32, value: u64) -> Bits {
         match width {
@@ -82,11 +100,23 @@ impl Bits {
     }
 
     /// The low `width` bits of `value`.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// let colour_and_depth = Bits::from_u128(72, 0xff_8000 << 48 | 5);
+    /// assert_eq!(colour_and_depth.slice(48..72), 0xff_8000);
+    /// ```
     pub fn from_u128(width: u32, value: u128) -> Bits {
         Bits::from_limbs(width, &[value as u64, (value >> 64) as u64])
     }
 
     /// `value` in two's complement, sign-extended or cut to `width` bits.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// assert_eq!(Bits::from_i128(8, -1), Bits::ones(8));
+    /// assert_eq!(Bits::from_i128(100, -1).to_i128(), Some(-1));
+    /// ```
     pub fn from_i128(width: u32, value: i128) -> Bits {
         let mut limbs = vec![if value < 0 { u64::MAX } else { 0 }; limbs_for(width).max(2)];
         limbs[0] = value as u64;
@@ -95,6 +125,12 @@ impl Bits {
     }
 
     /// The value whose limbs, lowest first, are given; missing limbs are zero, bits above the width are dropped.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// let wide = Bits::from_limbs(70, &[1, u64::MAX]);
+    /// assert_eq!(wide.limbs(), [1, 0x3f]);
+    /// ```
     pub fn from_limbs(width: u32, limbs: &[u64]) -> Bits {
         assert!(width > 0, "a value has at least 1 bit");
         let limb = |i: usize| limbs.get(i).copied().unwrap_or(0);
@@ -110,21 +146,44 @@ impl Bits {
     }
 
     /// All bits zero.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// assert!(Bits::zero(1000).is_zero());
+    /// ```
     pub fn zero(width: u32) -> Bits {
         Bits::new(width, 0)
     }
 
     /// All bits one.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// assert_eq!(Bits::ones(12), 0xfff);
+    /// assert_eq!(Bits::ones(1000).not(), Bits::zero(1000));
+    /// ```
     pub fn ones(width: u32) -> Bits {
         Bits::from_limbs(width, &vec![u64::MAX; limbs_for(width)])
     }
 
     /// The number of bits.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// // Equal numbers of different widths are different values.
+    /// let (a, b) = (Bits::new(8, 5), Bits::new(9, 5));
+    /// assert!(a != b && a.width() + 1 == b.width());
+    /// ```
     pub fn width(&self) -> u32 {
         self.width
     }
 
     /// The limbs, lowest first; there are [`limbs_for`]`(width)` of them.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// assert_eq!(Bits::from_u128(65, 1 << 64).limbs(), [0, 1]);
+    /// ```
     pub fn limbs(&self) -> &[u64] {
         match &self.limbs {
             Limbs::One(limb) => std::slice::from_ref(limb),
@@ -133,23 +192,45 @@ impl Bits {
     }
 
     /// Bit `index`, counted from the least significant.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// let a = Bits::new(8, 0b0000_0100);
+    /// assert!(a.bit(2) && !a.bit(7));
+    /// ```
     pub fn bit(&self, index: u32) -> bool {
         assert!(index < self.width, "bit {index} of a value of {} bits", self.width);
         self.limbs()[index as usize / 64] >> (index % 64) & 1 == 1
     }
 
     /// Whether every bit is zero.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// assert!(Bits::new(4, 0x10).is_zero(), "the one bit was above the width");
+    /// ```
     pub fn is_zero(&self) -> bool {
         self.limbs().iter().all(|&limb| limb == 0)
     }
 
     /// The value as an unsigned number, or `None` if it needs more than 64 bits.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// assert_eq!(Bits::new(100, 5).to_u64(), Some(5));
+    /// assert_eq!(Bits::ones(100).to_u64(), None);
+    /// ```
     pub fn to_u64(&self) -> Option<u64> {
         let (low, rest) = self.limbs().split_first()?;
         rest.iter().all(|&limb| limb == 0).then_some(*low)
     }
 
     /// The value as an unsigned number, or `None` if it needs more than 128 bits.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// assert_eq!(Bits::ones(65).to_u128(), Some((1 << 65) - 1));
+    /// ```
     pub fn to_u128(&self) -> Option<u128> {
         let limbs = self.limbs();
         let high = limbs.get(1).copied().unwrap_or(0);
@@ -157,6 +238,12 @@ impl Bits {
     }
 
     /// The value read as two's complement, or `None` if it does not fit.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// assert_eq!(Bits::new(4, 0b1110).to_i128(), Some(-2));
+    /// assert_eq!(Bits::new(5, 0b01110).to_i128(), Some(14));
+    /// ```
     pub fn to_i128(&self) -> Option<i128> {
         let extended = self.sext(self.width.max(128));
         let limbs = extended.limbs();
@@ -167,6 +254,12 @@ impl Bits {
     }
 
     /// The bits of `range`, lowest first, as in `z.slice(0..12)`.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// let word = Bits::new(12, 0xabc);
+    /// assert_eq!(word.slice(4..12), Bits::new(8, 0xab));
+    /// ```
     pub fn slice(&self, range: std::ops::Range<u32>) -> Bits {
         assert!(range.start < range.end && range.end <= self.width, "slice {range:?} of {} bits", self.width);
         let (skip, shift) = (range.start as usize / 64, range.start % 64);
@@ -180,6 +273,11 @@ impl Bits {
     }
 
     /// `self` above `low`: the width is the sum of both.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// assert_eq!(Bits::new(4, 0xa).concat(&Bits::new(8, 0xbc)), Bits::new(12, 0xabc));
+    /// ```
     pub fn concat(&self, low: &Bits) -> Bits {
         let width = self.width + low.width;
         let mut limbs = vec![0; limbs_for(width)];
@@ -195,11 +293,22 @@ impl Bits {
     }
 
     /// Cut, or widened with zeros, to `width` bits.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// assert_eq!(Bits::new(12, 0xabc).resize(8), Bits::new(8, 0xbc));
+    /// assert_eq!(Bits::new(4, 0xe).resize(8), Bits::new(8, 0x0e));
+    /// ```
     pub fn resize(&self, width: u32) -> Bits {
         Bits::from_limbs(width, self.limbs()).shown_in(self.radix)
     }
 
     /// Cut, or widened with the sign bit, to `width` bits.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// assert_eq!(Bits::new(4, 0xe).sext(8), Bits::new(8, 0xfe));
+    /// ```
     pub fn sext(&self, width: u32) -> Bits {
         if !self.bit(self.width - 1) {
             return self.resize(width);
@@ -211,6 +320,12 @@ impl Bits {
     }
 
     /// Every bit inverted.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// // Bits above the width stay zero.
+    /// assert_eq!(Bits::new(4, 0b0101).not(), Bits::new(4, 0b1010));
+    /// ```
     pub fn not(&self) -> Bits {
         Bits::from_limbs(self.width, &self.limbs().iter().map(|limb| !limb).collect::<Vec<_>>())
     }

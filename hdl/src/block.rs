@@ -28,6 +28,35 @@ use std::rc::Rc;
 /// [`block!`](crate::block!) makes all of it but `build` of one declaration. Without it,
 /// write `#[derive(Debug, Clone, PartialEq, Eq, Hash)]` before the struct. Floating-point parameters have no `Eq`: state
 /// them as integers.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// bundle! {
+///     struct GateIn<T> { a: T, b: T }
+///     struct GateOut<T> { both: T }
+/// }
+///
+/// #[derive(Debug, Clone, PartialEq, Eq, Hash)]
+/// struct Gate { width: u32 }
+///
+/// impl Block for Gate {
+///     type In = GateIn;
+///     type Out = GateOut;
+///
+///     fn inputs(&self) -> GateIn<Width> {
+///         GateIn { a: bits(self.width), b: bits(self.width) }
+///     }
+///
+///     fn build(&self, _: Module, i: GateIn) -> GateOut {
+///         GateOut { both: i.a & i.b }
+///     }
+/// }
+///
+/// assert_eq!(Gate { width: 8 }.name(), "gate_width8");
+/// let design = elaborate(&Gate { width: 8 })?;
+/// assert_eq!(design.top().node(design.top().outputs[0].node).width, 8);
+/// # Ok::<(), Problems>(())
+/// ```
 pub trait Block: Debug + Clone + Eq + Hash + 'static {
     /// The input bundle.
     type In: Bundle;
@@ -35,32 +64,145 @@ pub trait Block: Debug + Clone + Eq + Hash + 'static {
     type Out: Bundle;
 
     /// The widths of the inputs.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// block! {
+    ///     struct Adder { width: u32 }
+    ///     in(self) AdderIn { a: bits(self.width), b: bits(self.width) }
+    ///     out AdderOut { sum: _ }
+    /// }
+    /// # impl Adder {
+    /// #     fn build(&self, _: Module, i: AdderIn) -> AdderOut {
+    /// #         AdderOut { sum: i.a + i.b }
+    /// #     }
+    /// # }
+    ///
+    /// assert_eq!(Adder { width: 12 }.inputs().b.bits(), 12);
+    /// ```
     fn inputs(&self) -> <Self::In as Bundle>::Of<Width>;
 
     /// Describes the block.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # block! {
+    /// #     struct Adder { width: u32 }
+    /// #     in(self) AdderIn { a: bits(self.width), b: bits(self.width) }
+    /// #     out AdderOut { sum: _ }
+    /// # }
+    /// impl Adder {
+    ///     // Plain Rust: what is asked here is answered once, when the circuit is built.
+    ///     fn build(&self, m: Module, i: AdderIn) -> AdderOut {
+    ///         let sum = i.a + i.b;
+    ///         AdderOut { sum: if self.width > 32 { m.pipe("late", sum) } else { sum } }
+    ///     }
+    /// }
+    ///
+    /// let registers = |width| Ok::<_, Problems>(elaborate(&Adder { width })?.top().registers.len());
+    /// assert_eq!((registers(16)?, registers(64)?), (0, 1));
+    /// # Ok::<(), Problems>(())
+    /// ```
     fn build(&self, m: Module, i: Self::In) -> Self::Out;
 
     /// The widths that its outputs are to have, each with the port's path; those that are not said follow from the description.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// block! {
+    ///     struct Half;
+    ///     in HalfIn { word: bits(8) }
+    ///     out HalfOut { half: bits(4), rest: _ }
+    /// }
+    ///
+    /// impl Half {
+    ///     fn build(&self, _: Module, i: HalfIn) -> HalfOut {
+    ///         HalfOut { half: i.word.part(4, 4), rest: i.word.part(0, 4) }
+    ///     }
+    /// }
+    ///
+    /// let outputs: Vec<_> = Half.outputs().into_iter().map(|(path, width)| (path, width.bits())).collect();
+    /// assert_eq!(outputs, [("half".to_owned(), 4)]); // of `rest`, nothing is said
+    /// ```
     fn outputs(&self) -> Vec<(String, Width)> {
         Vec::new()
     }
 
     /// What the block is, for people: the header of its Verilog and its documentation.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// block! {
+    ///     /// The sum of two bytes.
+    ///     ///
+    ///     /// What follows the first paragraph is for those who read the source.
+    ///     struct Sum;
+    ///     latency = "none";
+    ///     in SumIn { a: bits(8), b: bits(8) }
+    ///     out SumOut { sum: bits(8) }
+    /// }
+    /// # impl Sum {
+    /// #     fn build(&self, _: Module, i: SumIn) -> SumOut {
+    /// #         SumOut { sum: i.a + i.b }
+    /// #     }
+    /// # }
+    ///
+    /// assert_eq!((&*Sum.about().summary, &*Sum.about().latency), ("The sum of two bytes.", "none"));
+    /// ```
     fn about(&self) -> About {
         About::default()
     }
 
     /// The name of its module in Verilog: by default the type's name in snake case with its type arguments and parameters behind
     /// it, as `counter_width8`. Blocks that differ have names that differ, and where they would not that is a problem.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// block! {
+    ///     struct Fifo { depth: u32, registered: bool }
+    ///     in FifoIn { word: bits(8) }
+    ///     out FifoOut { word: bits(8) }
+    /// }
+    /// # impl Fifo {
+    /// #     fn build(&self, _: Module, i: FifoIn) -> FifoOut {
+    /// #         FifoOut { word: i.word }
+    /// #     }
+    /// # }
+    ///
+    /// assert_eq!(Fifo { depth: 16, registered: true }.name(), "fifo_depth16_registered");
+    /// ```
     fn name(&self) -> String {
         module_name(std::any::type_name::<Self>(), &format!("{self:?}"))
     }
 }
 
 /// The period of the default clock of [`elaborate`].
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// assert_eq!(DEFAULT_PERIOD.to_string(), "10 ns");
+/// ```
 pub const DEFAULT_PERIOD: Period = Period::ns(10);
 
 /// Builds the circuit of `block` and checks it. The default clock has a period of [`DEFAULT_PERIOD`].
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// block! {
+///     struct Sum;
+///     in SumIn { a: bits(8), b: bits(7) }
+///     out SumOut { sum: bits(8) }
+/// }
+///
+/// impl Sum {
+///     fn build(&self, _: Module, i: SumIn) -> SumOut {
+///         SumOut { sum: i.a + i.b }
+///     }
+/// }
+///
+/// let problems = elaborate(&Sum).unwrap_err();
+/// assert_eq!(problems.0[0].message, "`+` needs equal widths: `a` has 8 bits, `b` has 7 bits");
+/// ```
 ///
 /// # Errors
 ///
@@ -71,15 +213,69 @@ pub fn elaborate<B: Block>(block: &B) -> Result<Design, Problems> {
 }
 
 /// As [`elaborate`], with another period of the default clock.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # block! {
+/// #     struct Toggle;
+/// #     out ToggleOut { high: bit() }
+/// # }
+/// # impl Toggle {
+/// #     fn build(&self, m: Module, _: ()) -> ToggleOut {
+/// #         let high = m.reg("high", 1).reset(0);
+/// #         high.next(!*high);
+/// #         ToggleOut { high: *high }
+/// #     }
+/// # }
+/// let design = elaborate_at(&Toggle, Period::ns(4))?;
+/// assert_eq!(design.top().clocks[0].period, Some(Period::ns(4)));
+/// # Ok::<(), Problems>(())
+/// ```
 #[track_caller]
 pub fn elaborate_at<B: Block>(block: &B, period: Period) -> Result<Design, Problems> {
     elaborate_typed(block, period).map(|(design, ..)| design)
 }
 
 /// The circuit, and its ports as bundles of their numbers: the design's inputs from 0, then its outputs.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # block! {
+/// #     struct Sum;
+/// #     in SumIn { a: bits(8), b: bits(8) }
+/// #     out SumOut { sum: bits(8) }
+/// # }
+/// # impl Sum {
+/// #     fn build(&self, _: Module, i: SumIn) -> SumOut {
+/// #         SumOut { sum: i.a + i.b }
+/// #     }
+/// # }
+/// let typed: Typed<Sum> = elaborate_typed(&Sum, DEFAULT_PERIOD)?;
+/// let (_, _, SumOut { sum }) = typed;
+/// assert_eq!(sum, 2); // behind the two inputs
+/// # Ok::<(), Problems>(())
+/// ```
 pub type Typed<B> = (Design, <<B as Block>::In as Bundle>::Of<usize>, <<B as Block>::Out as Bundle>::Of<usize>);
 
 /// As [`elaborate_at`], with the ports as bundles: what a typed testbench needs.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # block! {
+/// #     struct Sum;
+/// #     in SumIn { a: bits(8), b: bits(8) }
+/// #     out SumOut { sum: bits(8) }
+/// # }
+/// # impl Sum {
+/// #     fn build(&self, _: Module, i: SumIn) -> SumOut {
+/// #         SumOut { sum: i.a + i.b }
+/// #     }
+/// # }
+/// let (design, i, o) = elaborate_typed(&Sum, DEFAULT_PERIOD)?;
+/// assert_eq!((i.a, i.b, o.sum), (0, 1, 2));
+/// assert_eq!(design.top().inputs[i.b].name, "b");
+/// # Ok::<(), Problems>(())
+/// ```
 #[track_caller]
 pub fn elaborate_typed<B: Block>(block: &B, period: Period) -> Result<Typed<B>, Problems> {
     let loc = Loc::caller();

@@ -5,6 +5,15 @@ use crate::width::Width;
 use crate::{Bits, Loc};
 
 /// What may stand in a bundle's fields: a signal, a width, a value, a handle.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// bundle! { struct Pixel<T> { z: T, rgb: T } }
+///
+/// let widths = Pixel { z: bits(16), rgb: bits(24) };
+/// let names: Pixel<String> = widths.map_fields("nearest", &mut |path, _| path.to_owned());
+/// assert_eq!(names.rgb, "nearest.rgb");
+/// ```
 pub trait Leaf: Clone {}
 
 impl Leaf for Signal {}
@@ -20,6 +29,19 @@ impl Leaf for usize {}
 impl Leaf for u128 {}
 
 /// What [`Fields::visit`] comes across.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// let mut seen = Vec::new();
+/// [stream(8)].to_vec().visit(&mut |part| {
+///     seen.push(match part {
+///         Visited::Leaf(width) => format!("{} forth", width.bits()),
+///         Visited::Back(width) => format!("{} back", width.bits()),
+///         Visited::List(count) => format!("{count} of these:"),
+///     });
+/// });
+/// assert_eq!(seen, ["1 of these:", "1 forth", "1 back", "8 forth"]); // `valid`, `ready` and the payload
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Visited<'a, T> {
     /// A leaf.
@@ -32,24 +54,78 @@ pub enum Visited<'a, T> {
 
 /// A record whose leaves are `T`: a leaf itself, an array or a list of records, or a struct made by
 /// [`bundle!`](crate::bundle!).
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// bundle! {
+///     struct Pixel<T> { z: T, rgb: T }
+///     struct Pair<T> { left: Pixel<T>, others: Vec<Pixel<T>> }
+/// }
+///
+/// let pixel = Pixel { z: bits(16), rgb: bits(24) };
+/// let pair = Pair { left: pixel, others: vec![pixel; 2] };
+/// assert_eq!(pair.leaves().iter().map(|(_, width)| width.bits()).sum::<u32>(), 120);
+/// assert_eq!(pair.leaves()[4].0, "others.1.z");
+/// ```
 pub trait Fields<T: Leaf>: Sized {
     /// The same record with leaves `U`.
     type With<U: Leaf>: Fields<U>;
 
     /// The record with `f` of each leaf, in order of declaration; `f` also gets the leaf's path, such as `left.z`.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// bundle! { struct Pixel<T> { z: T, rgb: T } }
+    ///
+    /// let mut paths = Vec::new();
+    /// Pixel { z: 1u64, rgb: 2 }.map_fields("left", &mut |path, value| {
+    ///     paths.push(format!("{path} = {value}"));
+    ///     *value
+    /// });
+    /// assert_eq!(paths, ["left.z = 1", "left.rgb = 2"]);
+    /// ```
     fn map_fields<U: Leaf>(&self, path: &str, f: &mut dyn FnMut(&str, &T) -> U) -> Self::With<U>;
 
     /// The record with `f` of each leaf.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// bundle! { struct Pixel<T> { z: T, rgb: T } }
+    ///
+    /// let widths = Pixel { z: bits(16), rgb: bits(24) };
+    /// let largest: Pixel<Bits> = widths.map(|width| Bits::ones(width.bits()));
+    /// assert_eq!(largest.rgb, 0xff_ffff);
+    /// ```
     fn map<U: Leaf>(&self, mut f: impl FnMut(&T) -> U) -> Self::With<U> {
         self.map_leaves(&mut f)
     }
 
     /// As [`Fields::map_fields`], without the time that paths take.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// bundle! { struct Pixel<T> { z: T, rgb: T } }
+    ///
+    /// let zeros = Pixel { z: 5u64, rgb: 7 }.map_leaves(&mut |_| 0u64);
+    /// assert_eq!(zeros, Pixel { z: 0, rgb: 0 });
+    /// ```
     fn map_leaves<U: Leaf>(&self, f: &mut impl FnMut(&T) -> U) -> Self::With<U> {
         self.map_fields("", &mut |_, leaf| f(leaf))
     }
 
     /// Shows `f` each leaf in order of declaration, and how long each `Vec` is before what is in it.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// let list: Vec<u64> = vec![3, 4];
+    /// let mut sum = 0;
+    /// list.visit(&mut |part| {
+    ///     if let Visited::Leaf(value) = part {
+    ///         sum += value;
+    ///     }
+    /// });
+    /// assert_eq!(sum, 7);
+    /// ```
     fn visit(&self, f: &mut impl FnMut(Visited<T>)) {
         self.map_leaves(&mut |leaf| {
             f(Visited::Leaf(leaf));
@@ -64,6 +140,12 @@ pub trait Fields<T: Leaf>: Sized {
     }
 
     /// Each leaf with its path, in order of declaration.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// let leaves = [5u64, 6].leaves();
+    /// assert_eq!(leaves, [("0".to_owned(), 5), ("1".to_owned(), 6)]); // a list's leaves are named by their index
+    /// ```
     fn leaves(&self) -> Vec<(String, T)> {
         let mut leaves = Vec::new();
         self.map_fields("", &mut |path, leaf| {
@@ -143,6 +225,22 @@ impl<T: Leaf> Fields<T> for () {
 }
 
 /// A record of signals, with the family of records that it belongs to. [`bundle!`](crate::bundle!) implements it.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # tilewright_sim::example(|m| {
+/// bundle! { struct Pixel<T> { z: T, rgb: T } }
+///
+/// /// The one of two records whose first field is less.
+/// fn nearer<B: Bundle + Fits<B>>(a: B, b: B) -> B {
+///     let depth = |record: &B| record.leaves()[0].1;
+///     mux(depth(&a).le(depth(&b)), a, b)
+/// }
+///
+/// let [a, b] = [7, 5].map(|z| Pixel { z: lit(8, z), rgb: lit(24, z) });
+/// m.assert(nearer(a, b).rgb.eq(5), "a helper for any record");
+/// # });
+/// ```
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no record of signals",
     note = "a record is a struct that `bundle!` makes"
@@ -152,15 +250,57 @@ pub trait Bundle: Fields<Signal, With<Signal> = Self> + Clone + 'static {
     type Of<T: Leaf>: Fields<T, With<Signal> = Self> + Clone;
 
     /// The record of `f` of each signal and its path.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// bundle! { struct Pixel<T> { z: T, rgb: T } }
+    ///
+    /// let pixel = Pixel { z: lit(16, 5), rgb: lit(24, 7) };
+    /// let widths: Pixel<u32> = pixel.of(&mut |_, signal| signal.width());
+    /// m.assert(pixel.z.eq(5) & pixel.rgb.eq(lit(widths.rgb, 7)), "what is known of each field");
+    /// # });
+    /// ```
     fn of<U: Leaf>(&self, f: &mut dyn FnMut(&str, &Signal) -> U) -> Self::Of<U>;
 
     /// The record of signals that `f` makes of each leaf and its path.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// bundle! { struct Pixel<T> { z: T, rgb: T } }
+    ///
+    /// let numbers = Pixel { z: 5, rgb: 7u64 };
+    /// let pixel = Pixel::signals(&numbers, &mut |_, number| lit(24, *number));
+    /// m.assert(pixel.z.eq(5) & pixel.rgb.eq(7), "constants");
+    /// # });
+    /// ```
     fn signals<T: Leaf>(of: &Self::Of<T>, f: &mut dyn FnMut(&str, &T) -> Signal) -> Self;
 
     /// The record of `f` of each leaf and its path.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// bundle! { struct Pixel<T> { z: T, rgb: T } }
+    ///
+    /// let numbers = Pixel { z: 5u64, rgb: 7 };
+    /// let words: Pixel<String> = <Pixel as Bundle>::convert(&numbers, &mut |path, number| format!("{path} is {number}"));
+    /// assert_eq!(words.rgb, "rgb is 7");
+    /// ```
     fn convert<T: Leaf, U: Leaf>(of: &Self::Of<T>, f: &mut dyn FnMut(&str, &T) -> U) -> Self::Of<U>;
 
     /// As [`Bundle::convert`], without the time that paths take.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// bundle! { struct Pixel<T> { z: T, rgb: T } }
+    ///
+    /// /// Twice each number of a record, whatever its type.
+    /// fn doubled<B: Bundle>(numbers: &B::Of<u64>) -> B::Of<u64> {
+    ///     B::convert_leaves(numbers, &mut |number: &u64| 2 * number)
+    /// }
+    /// assert_eq!(doubled::<Pixel>(&Pixel { z: 5, rgb: 7 }), Pixel { z: 10, rgb: 14 });
+    /// ```
     fn convert_leaves<T: Leaf, U: Leaf>(of: &Self::Of<T>, f: &mut impl FnMut(&T) -> U) -> Self::Of<U>;
 }
 
@@ -217,30 +357,16 @@ pub fn join(path: &str, field: &str) -> String {
 /// first most significant:
 ///
 /// ```
-/// # use tilewright_hdl::{bundle, bits, elaborate, net, Block, Module, Signal, Width};
-/// # bundle! {
-/// #     /// A sample of an image.
-/// #     pub struct Pixel<T> { pub z: T, pub rgb: T }
-/// #     /// What comes over a line.
-/// #     pub struct LineIn<T> { pub word: T }
-/// #     /// What goes on.
-/// #     pub struct LineOut<T> { pub darker: T }
-/// # }
-/// # #[derive(Debug, Clone, PartialEq, Eq, Hash)]
-/// # struct Darken;
-/// # impl Block for Darken {
-/// #     type In = LineIn;
-/// #     type Out = LineOut;
-/// #     fn inputs(&self) -> LineIn<Width> { LineIn { word: bits(48) } }
-/// #     fn build(&self, m: Module, i: LineIn) -> LineOut {
+/// # use tilewright_hdl::*;
+/// # tilewright_sim::example(|m| {
+/// bundle! { struct Pixel<T> { z: T, rgb: T } }
+///
 /// let layout = Pixel { z: bits(24), rgb: bits(24) };
-/// net!(pixel = layout.unpack(i.word));                       // nets `pixel_z` and `pixel_rgb`
+/// net!(pixel = layout.unpack(lit(48, 0x000005_ff8000)));       // nets `pixel_z` and `pixel_rgb`
 /// let darker = Pixel { rgb: pixel.rgb >> 1, ..pixel };
 /// let word: Signal = darker.pack();
-/// # LineOut { darker: word }
-/// # }
-/// # }
-/// # elaborate(&Darken).unwrap();
+/// m.assert(word.eq(0x000005_7fc000), "the depth is as it was");
+/// # });
 /// ```
 #[macro_export]
 macro_rules! bundle {

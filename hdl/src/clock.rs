@@ -3,11 +3,24 @@
 use std::fmt;
 
 /// A clock period in picoseconds.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// assert_eq!(Period::ns(20), Period::ps(20_000));
+/// assert_eq!((Period::ns(20).to_string(), Period::ps(2_500).to_string()), ("20 ns".into(), "2500 ps".into()));
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Period(u64);
 
 impl Period {
     /// A period of so many picoseconds, an even number, since half of it is the clock's high time.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// // A pixel clock of 25.175 MHz, to a thousandth of a percent.
+    /// const PIXEL: Period = Period::ps(39_722);
+    /// assert_eq!(PIXEL.picoseconds(), 39_722);
+    /// ```
     pub const fn ps(picoseconds: u64) -> Period {
         assert!(
             picoseconds > 0 && picoseconds.is_multiple_of(2),
@@ -17,11 +30,22 @@ impl Period {
     }
 
     /// A period of so many nanoseconds.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// assert_eq!(Period::ns(10), DEFAULT_PERIOD);
+    /// ```
     pub const fn ns(nanoseconds: u64) -> Period {
         Period::ps(nanoseconds * 1000)
     }
 
     /// The period in picoseconds.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// let clocks_a_frame = 16_666_666_666 / Period::ns(40).picoseconds();
+    /// assert_eq!(clocks_a_frame, 416_666);
+    /// ```
     pub const fn picoseconds(self) -> u64 {
         self.0
     }
@@ -40,6 +64,29 @@ impl fmt::Display for Period {
 ///
 /// A block with one clock does not mention any: it takes the clock of the place where it is instantiated. A block
 /// with more has its clocks among its parameters, and says [`Module::on`](crate::Module::on).
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// const VIDEO: Clock = Clock::new("video", Period::ns(40));
+///
+/// block! {
+///     /// Counts the pixels of a line.
+///     struct Column { clock: Clock }
+///     out ColumnOut { x: bits(10) }
+/// }
+///
+/// impl Column {
+///     fn build(&self, m: Module, _: ()) -> ColumnOut {
+///         let x = m.on(self.clock).reg("x", 10).reset(0);
+///         x.next(x + 1);
+///         ColumnOut { x: *x }
+///     }
+/// }
+///
+/// let design = elaborate(&Column { clock: VIDEO })?;
+/// assert_eq!(design.top().clocks[0].period, Some(Period::ns(40)));
+/// # Ok::<(), Problems>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Clock {
     /// The name; the ports in Verilog are `NAME_clk` and `NAME_rst`.
@@ -57,6 +104,12 @@ impl AsRef<str> for Clock {
 
 impl Clock {
     /// A clock of that name and period.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// const VIDEO: Clock = Clock::new("video", Period::ns(40));
+    /// assert_eq!(VIDEO.as_ref(), "video");
+    /// ```
     pub const fn new(name: &'static str, period: Period) -> Clock {
         Clock { name, period }
     }

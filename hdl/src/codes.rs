@@ -13,6 +13,18 @@ use crate::signal::{Signal, bits_text};
 use crate::width::{Width, below};
 
 /// An enum whose variants are values of signals. [`codes!`](crate::codes!) implements it.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// codes! { enum Phase { Idle, Fill, Drain } }
+///
+/// /// The code that comes behind another, the first behind the last: for any enum.
+/// fn following<C: Codes>(code: C) -> C {
+///     C::ALL[(code.code() as usize + 1) % C::ALL.len()]
+/// }
+///
+/// assert_eq!(following(Phase::Drain), Phase::Idle);
+/// ```
 pub trait Codes: Copy + 'static {
     /// The enum's name, and those of its codes.
     const NAMES: Names;
@@ -20,9 +32,23 @@ pub trait Codes: Copy + 'static {
     const ALL: &'static [Self];
 
     /// What stands in the hardware for it.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// codes! { enum Phase { Idle, Fill, Drain } }
+    ///
+    /// assert_eq!(Phase::ALL[Phase::Fill.code() as usize], Phase::Fill);
+    /// ```
     fn code(self) -> u64;
 
     /// Its name, as waves and Verilog show it.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// codes! { enum Phase { Idle, Fill, Drain } }
+    ///
+    /// assert_eq!(Phase::ALL.iter().map(|phase| phase.name()).collect::<Vec<_>>(), Phase::NAMES.codes);
+    /// ```
     fn name(self) -> &'static str {
         Self::NAMES.codes[self.code() as usize]
     }
@@ -94,6 +120,17 @@ pub(crate) fn has_spare_codes(names: Names, width: u32) -> bool {
 }
 
 /// As wide as the codes of an enum, one of which it is: `m.reg("operation", one_of::<Operation>())`.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let example = tilewright_sim::traced(|m| {
+/// codes! { enum Alu { Load, Add, Double } }
+///
+/// let operation = m.reg("operation", one_of::<Alu>()).reset(Alu::Add);
+/// operation.next(mux(operation.is(Alu::Add), Alu::Double, Alu::Load));
+/// # });
+/// assert_eq!(example.values("operation"), [1, 2, 0, 0]); // in 2 bits, as 3 codes need
+/// ```
 #[track_caller]
 pub fn one_of<C: Codes>() -> Width {
     Width { kind: Kind::Code(C::NAMES), ..below(C::ALL.len()) }
@@ -101,6 +138,17 @@ pub fn one_of<C: Codes>() -> Width {
 
 impl Signal {
     /// 1 bit: it is that code.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// codes! { enum Phase { Idle, Fill, Drain } }
+    ///
+    /// let phase = m.reg("phase", one_of::<Phase>()).reset(Phase::Idle);
+    /// phase.when(phase.is(Phase::Idle), Phase::Drain);
+    /// m.assert(phase.is(Phase::Idle) | phase.is(Phase::Drain), "a code of another enum is a mistake here, as a number is");
+    /// # });
+    /// ```
     #[track_caller]
     pub fn is<C: Codes + Operand>(self, code: C) -> Signal {
         let code = code.operand().with_width_of(self, "is");
@@ -113,6 +161,22 @@ impl Signal {
     /// That there are no others is asserted by itself, where it can be relied on from the first edge on: where all that the signal takes its value from is a code of
     /// the description, or begins with a reset or power-on value. A register without one holds anything at first, as does what a memory read, and an input has no meaning
     /// while its `valid` is low; of those [`is_code`](Signal::is_code) says when: `m.assert(i.valid.implies(i.opcode.is_code()), ..)`.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// codes! { enum Alu { Load, Add, Double } }
+    ///
+    /// let operation = lit(2, 1).code::<Alu>();
+    /// let (sum, operand) = (lit(8, 40), lit(8, 2));
+    /// let result = operation.choose(|operation| match operation {
+    ///     Alu::Load => operand,
+    ///     Alu::Add => sum + operand,
+    ///     Alu::Double => sum << 1,
+    /// });
+    /// m.assert(result.eq(42), "Rust says when a code is forgotten");
+    /// # });
+    /// ```
     #[track_caller]
     pub fn choose<C: Codes, V: Data, A: Fits<V>>(self, of: impl Fn(C) -> A) -> V {
         let subject = self.read_as(Kind::Code(C::NAMES), "choose");
@@ -160,6 +224,17 @@ impl Signal {
     }
 
     /// The bits as a code of that enum.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// codes! { enum Alu { Load, Add, Double } }
+    ///
+    /// let instruction = lit(10, 0b10_0010_1010);
+    /// let operation = instruction.part(8, 2).code::<Alu>();
+    /// m.assert(operation.is(Alu::Double), "two bits of an instruction, and from here on its operation");
+    /// # });
+    /// ```
     #[track_caller]
     pub fn code<C: Codes>(self) -> Signal {
         let (loc, width, kind) = (Loc::caller(), below(C::ALL.len()).bits(), Kind::Code(C::NAMES));

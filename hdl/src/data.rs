@@ -15,6 +15,22 @@ use crate::width::{IntoWidth, Width};
 use crate::wire::Wire;
 
 /// A value in the circuit: a [`Signal`], a record of signals made by [`bundle!`](crate::bundle!), a list of either.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # tilewright_sim::example(|m| {
+/// bundle! { struct Pixel<T> { z: T, rgb: T } }
+///
+/// /// Works for a signal, a record and a list.
+/// fn held<V: Data + Fits<V>>(busy: Signal, old: V, new: V) -> V {
+///     mux(busy, old, new)
+/// }
+///
+/// m.assert(held(lit(1, 1), lit(8, 5), lit(8, 6)).eq(5), "a signal");
+/// let [near, far] = [5, 6].map(|z| Pixel { z: lit(8, z), rgb: lit(24, 0) });
+/// m.assert(held(lit(1, 0), near, far).z.eq(6), "a record");
+/// # });
+/// ```
 pub trait Data: Fields<Signal, With<Signal> = Self> + Clone + 'static {
     /// The same with other leaves: of `Entry`, `Entry<Width>` for widths.
     type Like<T: Leaf>: Fields<T, With<Signal> = Self> + Clone;
@@ -38,6 +54,24 @@ impl<V: Data, const N: usize> Data for [V; N] {
 
 /// What something is declared by: a width, which makes it a signal, or a record of widths, which makes it a record of
 /// signals.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let example = tilewright_sim::traced(|m| {
+/// bundle! { struct Range<T> { from: T, to: T } }
+///
+/// /// Two registers in a row, of a signal or a record.
+/// fn history<L: Layout + Copy>(m: Module, layout: L) -> [Reg<L::Value>; 2] {
+///     ["now", "before"].map(|name| m.reg(name, layout))
+/// }
+///
+/// let [now, before] = history(m, Range { from: bits(4), to: bits(8) });
+/// now.next(Range { from: now.from + 1, to: now.to + 2 });
+/// before.next(now.value());
+/// # });
+/// assert_eq!(example.values("now_to"), [0, 2, 4, 6]);
+/// assert_eq!(example.values("before_from"), [0, 0, 1, 2]);
+/// ```
 #[diagnostic::on_unimplemented(
     message = "nothing can be declared with a `{Self}`: it is no record of widths",
     note = "a record of widths has one in each field, as in `Entry {{ resident: bit(), page: below(n) }}`"
@@ -61,6 +95,20 @@ impl<W: IntoWidth> Layout for W {
 
 /// What can be given where a `V` is wanted. For a signal that is an [`Operand`]; for a record it is a record of
 /// signals, a reference to one, one of numbers, a register or wire that holds one, or `0` for all of its fields.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let example = tilewright_sim::traced(|m| {
+/// bundle! { struct Pixel<T> { z: T, rgb: T } }
+///
+/// let nearest = m.reg("nearest", Pixel { z: bits(4), rgb: bits(24) }).reset(Pixel { z: 8, rgb: 0 }); // numbers
+/// nearest
+///     .when(nearest.z.eq(1), 0) // zeros
+///     .otherwise(Pixel { z: nearest.z >> 1, rgb: lit(24, 7) }); // signals
+/// # });
+/// assert_eq!(example.values("nearest_z"), [8, 4, 2, 1, 0]);
+/// assert_eq!(example.values("nearest_rgb"), [0, 7, 7, 7, 0]);
+/// ```
 #[diagnostic::on_unimplemented(
     message = "a `{Self}` cannot be given where a `{V}` is wanted",
     note = "a signal is given a signal or a number; a record is given a record of signals or of numbers, or 0"

@@ -223,6 +223,11 @@ impl Draft {
 
 impl Binary {
     /// The operator as Rust writes it.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// assert_eq!([ir::Binary::Add, ir::Binary::MulSigned].map(ir::Binary::symbol), ["+", "*"]);
+    /// ```
     pub fn symbol(self) -> &'static str {
         match self {
             Binary::And => "&",
@@ -237,6 +242,12 @@ impl Binary {
 
 impl Shift {
     /// The operator as Rust writes it.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// // The operand says whether it is signed, so both shifts to the right are one operator.
+    /// assert_eq!([ir::Shift::Right, ir::Shift::RightSigned].map(ir::Shift::symbol), [">>", ">>"]);
+    /// ```
     pub fn symbol(self) -> &'static str {
         match self {
             Shift::Left => "<<",
@@ -261,6 +272,11 @@ impl Reduction {
 
 impl Relation {
     /// The method's name.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// assert_eq!([ir::Relation::Lt, ir::Relation::Ge].map(ir::Relation::method), ["lt", "ge"]);
+    /// ```
     pub fn method(self) -> &'static str {
         match self {
             Relation::Eq => "eq",

@@ -5,6 +5,17 @@ use std::ops::{Add, Div, Mul, Sub};
 
 /// The number of a lane, with which [`Signal::take`](crate::Signal::take) computes: `|i| i / 2`, `|i| 2 * i + 1`, `|i| n - 1 - i`. Quotients
 /// are rounded towards minus infinity. What is divided is not multiplied afterwards.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # tilewright_sim::example(|m| {
+/// let x = lit(16, 0x4321).unpack(4);
+/// let mirrored = x.take(4, |i| 3 - i);
+/// let neighbours = x.take_or(4, |i| (i - 1) / 2, 9);
+/// m.assert(mirrored.pack().eq(0x1234), "lane 0 takes lane 3");
+/// m.assert(neighbours.pack().eq(0x2119), "-1 / 2 is -1 when it is rounded down, so lane 0 has the edge");
+/// # });
+/// ```
 #[derive(Debug, Clone, Copy)]
 pub struct Index(Option<Sum>);
 

@@ -16,6 +16,28 @@ use crate::uneven::{Uneven, uneven};
 
 impl Module {
     /// An instance of `block`. Its own clock is this handle's; its named clocks are this module's of the same names.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// block! {
+    ///     /// The sum of two numbers.
+    ///     struct Adder { width: u32 }
+    ///     in(self) AdderIn { a: bits(self.width), b: bits(self.width) }
+    ///     out AdderOut { sum: _ }
+    /// }
+    ///
+    /// impl Adder {
+    ///     fn build(&self, _: Module, i: AdderIn) -> AdderOut {
+    ///         AdderOut { sum: i.a.add_carry(i.b) }
+    ///     }
+    /// }
+    ///
+    /// let first = m.instance("u_first", &Adder { width: 8 }, AdderIn { a: lit(8, 200), b: lit(8, 100) });
+    /// let second = m.instance("u_second", &Adder { width: 9 }, AdderIn { a: first.sum, b: lit(9, 212) });
+    /// m.assert(second.sum.eq(512), "two modules, as their parameters differ");
+    /// # });
+    /// ```
     #[track_caller]
     pub fn instance<B: Block>(self, name: &str, block: &B, inputs: B::In) -> B::Out {
         let loc = Loc::caller();
@@ -31,6 +53,29 @@ impl Module {
     /// `feed` gets the array's outputs, which have those lanes, and says what its inputs are; that is how neighbours are linked. A plain
     /// signal feeds all lanes alike. A port with lanes of its own has them behind those of the array: a row of blocks with a port of four lanes is
     /// fed a grid of four columns.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # let example = tilewright_sim::traced(|m| {
+    /// block! {
+    ///     /// A stage of a shift register.
+    ///     struct Cell;
+    ///     in CellIn { left: bits(4) }
+    ///     out CellOut { held: bits(4) }
+    /// }
+    ///
+    /// impl Cell {
+    ///     fn build(&self, m: Module, i: CellIn) -> CellOut {
+    ///         CellOut { held: m.pipe("held", i.left) }
+    ///     }
+    /// }
+    ///
+    /// let cells = m.array("u_cell", 3, &Cell, |cells| CellIn { left: cells.held.previous(7) });
+    /// net!(all = cells.held.pack());
+    /// # });
+    /// assert_eq!(example.values("u_cell[1].held"), [0, 0, 7, 7]);
+    /// assert_eq!(example.values("all"), [0x000, 0x007, 0x077, 0x777]);
+    /// ```
     #[track_caller]
     pub fn array<B: Block>(
         self,

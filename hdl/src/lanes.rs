@@ -20,6 +20,15 @@ use crate::width::{Count, Width};
 /// # Panics
 ///
 /// There are none.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # tilewright_sim::example(|m| {
+/// let sides = stack([lit(8, 3), lit(8, 4), lit(8, 5)]);
+/// m.assert((sides + 1).pack().eq(0x060504), "from here on one line does what three did");
+/// m.assert(stack([sides, sides]).rows().last().lane(0).eq(3), "rows become a grid");
+/// # });
+/// ```
 #[track_caller]
 pub fn stack<B: Fields<Signal>>(values: impl IntoIterator<Item = B>) -> B::With<Signal> {
     let loc = Loc::caller();
@@ -135,6 +144,15 @@ fn row_of_constants(width: Width, of: impl Fn(u32) -> u64) -> Signal {
 /// # Panics
 ///
 /// There are none.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # tilewright_sim::example(|m| {
+/// let even = constants(bits(4).of(row(2)), |lane| [0, 2][lane as usize]);
+/// let odd = constants(bits(4).of(row(2)), |lane| [1, 3][lane as usize]);
+/// m.assert(interleave([even, odd]).pack().eq(0x3210), "0, 1, 2, 3");
+/// # });
+/// ```
 #[track_caller]
 pub fn interleave(rows: impl IntoIterator<Item = Signal>) -> Signal {
     let loc = Loc::caller();
@@ -152,12 +170,30 @@ pub fn interleave(rows: impl IntoIterator<Item = Signal>) -> Signal {
 
 impl Signal {
     /// The rows of a grid, one after another: `x.rows().previous(above)` is what is above each.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let x = constants(bits(4).of(grid(2, 3)), |lane| lane.into());
+    /// m.assert(x.rows().sum().pack().eq(0x753), "rows are added up, and a row is left: 0 + 3, 1 + 4, 2 + 5");
+    /// m.assert(x.rows().previous(15).pack().eq(0x210_fff), "row 0 has the edge above, row 1 has row 0");
+    /// # });
+    /// ```
     #[track_caller]
     pub fn rows(self) -> Along {
         self.axis(0, "rows")
     }
 
     /// The columns of a grid, one after another: `x.columns().previous(left)` is what is on the left of each.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let x = constants(bits(4).of(grid(2, 3)), |lane| lane.into());
+    /// m.assert(x.columns().sum().pack().eq(0xc3), "columns are added up: 0 + 1 + 2 and 3 + 4 + 5");
+    /// m.assert(x.columns().previous(15).pack().eq(0x43f_10f), "column 0 has the edge on its left");
+    /// # });
+    /// ```
     #[track_caller]
     pub fn columns(self) -> Along {
         self.axis(1, "columns")
@@ -202,6 +238,15 @@ impl Signal {
     }
 
     /// The word cut into as many equal parts as `shape` has lanes, lane 0 in the lowest bits, a grid row by row.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let digits = lit(16, 0x4321).unpack(row(4));
+    /// m.assert(digits.lane(0).eq(1), "lane 0 is in the lowest bits");
+    /// m.assert((digits + 1).pack().eq(0x5432), "`pack` puts them side by side again");
+    /// # });
+    /// ```
     #[track_caller]
     pub fn unpack(self, shape: impl crate::IntoShape) -> Signal {
         let (loc, shape) = (Loc::caller(), shape.into_shape());
@@ -242,26 +287,119 @@ macro_rules! of_a_row {
 
 of_a_row! {
     /// How many lanes a row has.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let digits = lit(16, 0x4321).unpack(4);
+    /// m.assert(digits.lane(digits.count() - 1).eq(4), "a number known while the block is built");
+    /// # });
+    /// ```
     fn count() -> u32;
     /// The lane of a row of that number, counted from 0.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let digits = lit(16, 0x4321).unpack(4);
+    /// m.assert(digits.lane(1).eq(2), "one lane by a number; `pick` takes one by a signal");
+    /// # });
+    /// ```
     fn lane(index: u32) -> Signal;
     /// The last lane of a row.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let digits = lit(16, 0x4321).unpack(4);
+    /// m.assert(digits.last().eq(4), "what leaves a chain at its end");
+    /// # });
+    /// ```
     fn last() -> Signal;
     /// The lanes of a row, as signals of their own.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let digits = lit(16, 0x4321).unpack(4).to_vec();
+    /// m.assert(concat(&digits).eq(0x1234), "side by side, but the first most significant");
+    /// # });
+    /// ```
     fn to_vec() -> Vec<Signal>;
     /// What the neighbour in a row with the next lower number has; lane 0 has `edge`.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let x = lit(16, 0x4321).unpack(4);
+    /// m.assert(x.previous(9).pack().eq(0x3219), "all one lane up");
+    /// # });
+    /// ```
     fn previous(edge: impl Operand) -> Signal;
     /// What the neighbour in a row with the next higher number has; the last lane has `edge`.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let x = lit(16, 0x4321).unpack(4);
+    /// m.assert((x.following(0) - x).lane(0).eq(1), "differences of neighbours, lane by lane");
+    /// # });
+    /// ```
     fn following(edge: impl Operand) -> Signal;
     /// Lane `i` of a row has what lane `i - by` has; lanes that have no such neighbour have `edge`.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let x = lit(16, 0x4321).unpack(4);
+    /// m.assert(x.shifted(2, 0).pack().eq(0x2100), "lane 2 has lane 0");
+    /// m.assert(x.shifted(-1, 9).pack().eq(x.following(9).pack()), "the other way");
+    /// # });
+    /// ```
     fn shifted(by: i32, edge: impl Operand) -> Signal;
     /// `count` lanes of a row: lane `i` is the one that `index` says, as in `take(2 * n, |i| i / 2)`, the parents in a tree.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let x = lit(16, 0x4321).unpack(4);
+    /// m.assert(x.take(2, |i| 2 * i + 1).pack().eq(0x42), "every second lane, from lane 1 on");
+    /// m.assert(x.take(8, |i| i / 2).pack().eq(0x44332211u64), "each lane twice");
+    /// # });
+    /// ```
     fn take(count: impl Count, index: impl FnOnce(Index) -> Index) -> Signal;
     /// As [`take`](Signal::take); where `index` leads beyond the ends, `edge`.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let x = lit(16, 0x4321).unpack(4);
+    /// m.assert(x.take_or(6, |i| i - 1, 9).pack().eq(0x94321_9), "a border around a row");
+    /// # });
+    /// ```
     fn take_or(count: impl Count, index: impl FnOnce(Index) -> Index, edge: impl Operand) -> Signal;
     /// The last lane of a row first.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let word = lit(8, 0b1100_1010);
+    /// m.assert(word.unpack(8).reversed().pack().eq(0b0101_0011), "the bits of a word in reverse");
+    /// # });
+    /// ```
     fn reversed() -> Signal;
     /// The lane of a row whose number `index` is; zero beyond the last.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let count = m.reg("count", 3).reset(0);
+    /// count.next(count + 1);
+    /// let square = constants(bits(4).of(row(4)), |lane| u64::from(lane * lane)).pick(count);
+    /// m.assert(count.lt(4).implies(square.zext(6).eq(*count * *count)), "a table in logic");
+    /// m.assert(count.ge(4).implies(square.eq(0)), "there are no lanes 4 to 7");
+    /// # });
+    /// ```
     fn pick(index: impl IntoSignal) -> Signal;
 }
 

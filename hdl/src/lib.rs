@@ -53,6 +53,9 @@
 //! in a description is found when it is elaborated, and all of them are reported at once ([`Problems`]), each with the lines
 //! of the description that it involves. What comes out, [`Design`], is the circuit that `tilewright-sim` runs and
 //! `tilewright-gen` prints.
+//!
+//! The examples of this documentation are lines of a `build` whose module is `m`. They run: what one states by `m.assert`
+//! holds in 64 clocks, and `example.values("count")` is what `count` is just before each of the first edges.
 
 mod along;
 mod attribute;

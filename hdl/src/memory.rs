@@ -13,6 +13,19 @@ use crate::signal::{Signal, bits_text};
 use crate::width::Width;
 
 /// A memory of signals or of records, seen from one clock. Made by [`Module::memory`](crate::Module::memory).
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let example = tilewright_sim::traced(|m| {
+/// let count = m.reg("count", 2).reset(0);
+/// count.next(count + 1);
+/// let table = m.memory("table", 4, 8, ReadUnderWrite::Old).fill(Bits::new(8, 9));
+/// table.write(count.bit(0), count, count.zext(8));
+/// net!(word = table.read_async(count));
+/// # });
+/// // Words 1 and 3 are written at the end of the clock in which they are read first.
+/// assert_eq!(example.values("word"), [9, 9, 9, 9, 9, 1, 9, 3]);
+/// ```
 #[derive(Debug, Clone, Copy)]
 pub struct Mem<V: Data = Signal> {
     pub(crate) stamp: u32,
@@ -28,6 +41,36 @@ pub struct Mem<V: Data = Signal> {
 
 impl Mem {
     /// The same memory; ports made through this handle are on `clock`.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// const HOST: Clock = Clock::new("host", Period::ns(30));
+    /// const VIDEO: Clock = Clock::new("video", Period::ns(40));
+    ///
+    /// block! {
+    ///     /// Colours that the host sets and the screen looks up.
+    ///     struct Palette;
+    ///     in PaletteIn {
+    ///         set: bit().on(HOST),
+    ///         index: bits(8).on(HOST),
+    ///         rgb: bits(24).on(HOST),
+    ///         pixel: bits(8).on(VIDEO),
+    ///     }
+    ///     out PaletteOut { rgb_out: bits(24) }
+    /// }
+    ///
+    /// impl Palette {
+    ///     fn build(&self, m: Module, i: PaletteIn) -> PaletteOut {
+    ///         let colours = m.memory("colours", 256, 24, ReadUnderWrite::Any);
+    ///         colours.on(HOST).write(i.set, i.index, i.rgb);
+    ///         PaletteOut { rgb_out: colours.on(VIDEO).read(i.pixel) }
+    ///     }
+    /// }
+    ///
+    /// // A memory is one of the ways from one clock to another.
+    /// assert_eq!(elaborate(&Palette)?.top().clocks.len(), 2);
+    /// # Ok::<(), Problems>(())
+    /// ```
     #[track_caller]
     pub fn on(self, clock: Clock) -> Mem {
         let loc = Loc::caller();
@@ -36,22 +79,59 @@ impl Mem {
     }
 
     /// The width of an address in bits.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let table = m.memory("table", 12, 8, ReadUnderWrite::Any).fill(Bits::zero(8));
+    /// let last = lit(table.address_width(), 11);
+    /// m.assert(table.read_async(last).eq(0), "4 bits, of which the addresses 12 to 15 lead nowhere");
+    /// # });
+    /// ```
     pub fn address_width(self) -> u32 {
         self.address_width
     }
 
     /// The width of a word in bits.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let table = m.memory("table", 12, below(100), ReadUnderWrite::Any).fill(Bits::new(7, 99));
+    /// let word = table.read_async(0);
+    /// m.assert(word.eq(lit(table.width(), 99)), "7 bits hold every number below 100");
+    /// # });
+    /// ```
     pub fn width(self) -> u32 {
         self.word.bits
     }
 
     /// Every word is `word` at the start.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let depths = m.memory("depths", 16, 24, ReadUnderWrite::Any).fill(Bits::ones(24));
+    /// m.assert(depths.read_async(5).all_ones(), "the farthest depth; a reset does not bring it back");
+    /// # });
+    /// ```
     #[track_caller]
     pub fn fill(self, word: Bits) -> Mem {
         self.contents(Contents::Fill(word.clone()), std::slice::from_ref(&word))
     }
 
     /// Holds `words` from address 0 at the start, and zeros above.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # let example = tilewright_sim::traced(|m| {
+    /// let squares = m.memory("squares", 8, 8, ReadUnderWrite::Any).words((0..4).map(|x| Bits::new(8, x * x)));
+    /// let at = m.reg("at", 3).reset(1);
+    /// at.next(at + 1);
+    /// net!(square = squares.read_async(at));
+    /// # });
+    /// assert_eq!(example.values("square"), [1, 4, 9, 0, 0]); // above address 3 there are zeros
+    /// ```
     #[track_caller]
     pub fn words(self, words: impl IntoIterator<Item = Bits>) -> Mem {
         let words: Vec<_> = words.into_iter().collect();
@@ -86,6 +166,19 @@ impl Mem {
     }
 
     /// Allows more than one write port. Few FPGAs have such memories: elsewhere this becomes registers.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # let example = tilewright_sim::traced(|m| {
+    /// let count = m.reg("count", 2).reset(0);
+    /// count.next(count + 1);
+    /// let table = m.memory("table", 4, 8, ReadUnderWrite::Any).true_dual_port().fill(Bits::zero(8));
+    /// table.write(lit(1, 1), count, 1);
+    /// table.write(count.bit(0), count, 2); // of two writes to one word the later port wins
+    /// net!(word = table.read_async(count));
+    /// # });
+    /// assert_eq!(example.values("word"), [0, 0, 0, 0, 1, 2, 1, 2]);
+    /// ```
     #[track_caller]
     pub fn true_dual_port(self) -> Mem {
         elaboration::draft(|draft| draft.memories[self.index as usize].true_dual_port = true);
@@ -177,6 +270,18 @@ impl Mem {
     }
 
     /// A synchronous read: the word at `address` appears after the next edge.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # let example = tilewright_sim::traced(|m| {
+    /// let at = m.reg("at", 2).reset(0);
+    /// at.next(at + 1);
+    /// let table = m.memory("table", 4, 8, ReadUnderWrite::Any).words([10, 11, 12, 13].map(|word| Bits::new(8, word)));
+    /// net!(word = table.read(at));
+    /// # });
+    /// assert_eq!(example.values("at"), [0, 1, 2, 3]);
+    /// assert_eq!(example.values("word"), [0, 10, 11, 12]); // the data is a register, which a reset does not set
+    /// ```
     #[track_caller]
     pub fn read(self, address: impl Operand) -> Signal {
         let address = self.address(address);
@@ -184,6 +289,17 @@ impl Mem {
     }
 
     /// As [`Mem::read`], where `enable` is high; elsewhere the data stays.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # let example = tilewright_sim::traced(|m| {
+    /// let at = m.reg("at", 2).reset(0);
+    /// at.next(at + 1);
+    /// let table = m.memory("table", 4, 8, ReadUnderWrite::Any).words([10, 11, 12, 13].map(|word| Bits::new(8, word)));
+    /// net!(word = table.read_when(at.bit(0), at));
+    /// # });
+    /// assert_eq!(example.values("word"), [0, 0, 11, 11, 13, 13]);
+    /// ```
     #[track_caller]
     pub fn read_when(self, enable: impl IntoSignal, address: impl Operand) -> Signal {
         let (address, enable) = (self.address(address), enable.into());
@@ -191,6 +307,17 @@ impl Mem {
     }
 
     /// An asynchronous read: the word at `address`, in the same cycle. On an FPGA it costs distributed memory.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # let example = tilewright_sim::traced(|m| {
+    /// let at = m.reg("at", 2).reset(0);
+    /// at.next(at + 1);
+    /// let table = m.memory("table", 3, 8, ReadUnderWrite::Any).words([10, 11, 12].map(|word| Bits::new(8, word)));
+    /// net!(word = table.read_async(at));
+    /// # });
+    /// assert_eq!(example.values("word"), [10, 11, 12, 0]); // there is no word 3
+    /// ```
     #[track_caller]
     pub fn read_async(self, address: impl Operand) -> Signal {
         let address = self.address(address);

@@ -24,6 +24,17 @@ use std::marker::PhantomData;
 
 /// The module under construction, seen from one clock. It declares the objects of the schematic; the operators of
 /// [`Signal`] do the rest.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let example = tilewright_sim::traced(|m| {
+/// // `m` is this block's module: what has a name is declared by it.
+/// let count = m.reg("count", 8).reset(0);
+/// count.next(count + 3);
+/// m.assert(count.le(252), "252 is 84 times 3");
+/// # });
+/// assert_eq!(example.values("count"), [0, 3, 6, 9]);
+/// ```
 #[derive(Debug, Clone, Copy)]
 pub struct Module {
     pub(crate) clock: Option<Clock>,
@@ -31,6 +42,21 @@ pub struct Module {
 
 impl Module {
     /// The same module; what is declared through this handle runs on `clock`.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # let example = tilewright_sim::traced(|m| {
+    /// const FAST: Clock = Clock::new("fast", Period::ns(5));
+    /// const SLOW: Clock = Clock::new("slow", Period::ns(10));
+    /// for (clock, name) in [(FAST, "ticks"), (SLOW, "tocks")] {
+    ///     let count = m.on(clock).reg(name, 8).reset(0);
+    ///     count.next(count + 1);
+    /// }
+    /// # });
+    /// // One value for each time at which a clock rises: every 5 ns.
+    /// assert_eq!(example.values("ticks"), [0, 1, 2, 3, 4, 5]);
+    /// assert_eq!(example.values("tocks"), [0, 0, 1, 1, 2, 2]);
+    /// ```
     #[track_caller]
     pub fn on(self, clock: Clock) -> Module {
         let loc = Loc::caller();
@@ -41,6 +67,20 @@ impl Module {
     /// A register of that width: a number of bits, or as in `m.reg("used", up_to(pages))`; or of a record of widths, which is
     /// a register for each field, named `entry_page` for the field `page` of `entry`. If a width names a clock, its register runs
     /// on that one.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # let example = tilewright_sim::traced(|m| {
+    /// bundle! { struct Entry<T> { resident: T, page: T } }
+    ///
+    /// let used = m.reg("used", up_to(12)).reset(0);
+    /// used.when(used.ne(12), used + 1);
+    /// let entry = m.reg("entry", Entry { resident: bit(), page: below(12) });
+    /// entry.next(Entry { resident: used.ne(12), page: *used });
+    /// # });
+    /// assert_eq!(example.values("used"), [0, 1, 2, 3]);
+    /// assert_eq!(example.values("entry_page"), [0, 0, 1, 2]);
+    /// ```
     #[track_caller]
     pub fn reg<L: Layout>(self, name: &str, layout: L) -> Reg<L::Value> {
         let loc = Loc::caller();
@@ -64,6 +104,21 @@ impl Module {
     }
 
     /// A state machine over the variants of an enum, which a reset puts into `initial`.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # let example = tilewright_sim::traced(|m| {
+    /// codes! { enum Light { Red, Green, Amber } }
+    ///
+    /// let light = m.fsm("light", Light::Red);
+    /// light.next(|light| match light {
+    ///     Light::Red => goto(Light::Green),
+    ///     Light::Green => goto(Light::Amber),
+    ///     Light::Amber => goto(Light::Red),
+    /// });
+    /// # });
+    /// assert_eq!(example.values("light"), [0, 1, 2, 0, 1]);
+    /// ```
     #[track_caller]
     pub fn fsm<S: Codes + Operand>(self, name: &str, initial: S) -> StateReg<S> {
         let register = self.register(name, one_of::<S>(), Loc::caller());
@@ -71,12 +126,34 @@ impl Module {
     }
 
     /// `value`, one clock later: a register without reset for each field, named `name` or `name_FIELD`.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # let example = tilewright_sim::traced(|m| {
+    /// let count = m.reg("count", 4).reset(5);
+    /// count.next(count + 1);
+    /// let late = m.pipe("late", *count);
+    /// let _ = m.pipe("later", late);
+    /// # });
+    /// assert_eq!(example.values("late"), [0, 5, 6, 7]);
+    /// assert_eq!(example.values("later"), [0, 0, 5, 6]);
+    /// ```
     #[track_caller]
     pub fn pipe<B: Fields<Signal>>(self, name: &str, value: B) -> B::With<Signal> {
         self.stage(None, name, value)
     }
 
     /// As [`Module::pipe`], in a pipeline that advances only where `enable` is high.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # let example = tilewright_sim::traced(|m| {
+    /// let count = m.reg("count", 4).reset(5);
+    /// count.next(count + 1);
+    /// let _ = m.pipe_when(!count.bit(0), "even", *count);
+    /// # });
+    /// assert_eq!(example.values("even"), [0, 0, 6, 6, 8, 8]);
+    /// ```
     #[track_caller]
     pub fn pipe_when<B: Fields<Signal>>(self, enable: impl IntoSignal, name: &str, value: B) -> B::With<Signal> {
         self.stage(Some(enable.into()), name, value)
@@ -101,6 +178,19 @@ impl Module {
     }
 
     /// A net of that width that is read before it is driven; of a record of widths, a net for each field.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// bundle! { struct Grant<T> { taken: T, page: T } }
+    ///
+    /// let grant = m.wire("grant", Grant { taken: bit(), page: below(12) });
+    /// let free = m.reg("free", below(12)).reset(0);
+    /// free.when(grant.taken, grant.page + 1);
+    /// grant.drive(Grant { taken: free.lt(11), page: *free });
+    /// m.assert(free.le(11), "the wire closed a loop, but through a register");
+    /// # });
+    /// ```
     #[track_caller]
     pub fn wire<L: Layout>(self, name: &str, layout: L) -> Wire<L::Value> {
         let loc = Loc::caller();
@@ -124,6 +214,18 @@ impl Module {
     /// edge is always written down. An address has [`index_width`]`(depth)` bits.
     ///
     /// Of a record of widths it is one memory, in whose words the fields stand side by side, the first most significant.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # let example = tilewright_sim::traced(|m| {
+    /// let count = m.reg("count", 2).reset(0);
+    /// count.next(count + 1);
+    /// let squares = m.memory("squares", 4, 8, ReadUnderWrite::Any).words((0..4).map(|x| Bits::new(8, x * x)));
+    /// net!(square = squares.read(count));
+    /// # });
+    /// // The word comes one clock after its address. What a read beside a write gives does not matter: nothing writes.
+    /// assert_eq!(example.values("square"), [0, 0, 1, 4, 9, 0]);
+    /// ```
     #[track_caller]
     pub fn memory<L: Layout>(self, name: &str, depth: u32, layout: L, policy: ReadUnderWrite) -> Mem<L::Value> {
         let (layout, loc) = (layout.layout(), Loc::caller());
@@ -174,6 +276,33 @@ impl Module {
     /// reset sets to 0. It must come straight from a register or an input, as logic glitches.
     ///
     /// Verilog marks both registers `ASYNC_REG`, so that synthesizers keep them as they are.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// const HOST: Clock = Clock::new("host", Period::ns(30));
+    /// const VIDEO: Clock = Clock::new("video", Period::ns(40));
+    ///
+    /// block! {
+    ///     struct Start;
+    ///     in StartIn { go: bit().on(HOST) }
+    ///     out StartOut { running: bit() }
+    /// }
+    ///
+    /// impl Start {
+    ///     fn build(&self, m: Module, i: StartIn) -> StartOut {
+    ///         let m = m.on(VIDEO);
+    ///         let go = m.synchronize("go_here", i.go);
+    ///         let running = m.reg("running", 1).reset(0);
+    ///         running.when(go, 1);
+    ///         StartOut { running: *running }
+    ///     }
+    /// }
+    ///
+    /// let design = elaborate(&Start)?;
+    /// let registers = design.top().registers.iter().map(|register| design.top().register_name(register));
+    /// assert_eq!(registers.collect::<Vec<_>>(), ["go_here_meta", "go_here", "running"]);
+    /// # Ok::<(), Problems>(())
+    /// ```
     #[track_caller]
     pub fn synchronize(self, name: &str, signal: Signal) -> Signal {
         self.synchronize_from(false, name, signal)
@@ -181,6 +310,28 @@ impl Module {
 
     /// As [`Module::synchronize`], with registers that a reset sets to `reset`: what the signal is while nothing happens.
     /// A line that idles high, as a UART's does, would else begin with an edge that nobody sent.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # const HOST: Clock = Clock::new("host", Period::ns(30));
+    /// # const UART: Clock = Clock::new("uart", Period::ns(40));
+    /// # block! {
+    /// #     struct Receiver;
+    /// #     in ReceiverIn { line: bit().on(HOST) }
+    /// #     out ReceiverOut { start: bit() }
+    /// # }
+    /// # impl Receiver {
+    /// #     fn build(&self, m: Module, i: ReceiverIn) -> ReceiverOut {
+    /// let m = m.on(UART);
+    /// let line = m.synchronize_from(true, "line_here", i.line);
+    /// let start = m.pipe("line_was", line) & !line; // a falling edge
+    /// #         ReceiverOut { start }
+    /// #     }
+    /// # }
+    /// # let design = elaborate(&Receiver).unwrap();
+    /// # let resets = design.top().registers.iter().filter_map(|register| register.reset.as_ref()).count();
+    /// # assert_eq!(resets, 2);
+    /// ```
     #[track_caller]
     pub fn synchronize_from(self, reset: bool, name: &str, signal: Signal) -> Signal {
         let loc = Loc::caller();
@@ -201,6 +352,27 @@ impl Module {
     }
 
     /// States that an input is not used on purpose; for a bundle, that none of its fields need be.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// block! {
+    ///     /// Gives away that there is a request, and drops what it is.
+    ///     struct Pending;
+    ///     in PendingIn { valid: bit(), page: below(12) }
+    ///     out PendingOut { pending: bit() }
+    /// }
+    ///
+    /// impl Pending {
+    ///     fn build(&self, m: Module, i: PendingIn) -> PendingOut {
+    ///         m.ignore(&i.page);
+    ///         PendingOut { pending: i.valid }
+    ///     }
+    /// }
+    ///
+    /// // Without that line, "input `page` of `Pending` is never used" would be a problem.
+    /// elaborate(&Pending)?;
+    /// # Ok::<(), Problems>(())
+    /// ```
     #[track_caller]
     pub fn ignore<B: Fields<Signal>>(self, inputs: &B) {
         let loc = Loc::caller();

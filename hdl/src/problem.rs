@@ -14,6 +14,22 @@ use std::fmt;
 ///   `limit` is declared at src/counter.rs:8:67
 ///   help: widen one side with `.zext(8)` or cut the other with `.trunc(7)`
 /// ```
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # block! {
+/// #     struct Half;
+/// #     in HalfIn { word: bits(8) }
+/// #     out HalfOut { half: bits(4) }
+/// # }
+/// # impl Half {
+/// #     fn build(&self, _: Module, i: HalfIn) -> HalfOut {
+/// HalfOut { half: i.word.slice(4..9) }
+/// #     }
+/// # }
+/// let problem = &elaborate(&Half).unwrap_err().0[0];
+/// assert_eq!(problem.help, "a slice is `low..high` with low < high <= 8");
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Problem {
     /// The sentence.
@@ -56,6 +72,23 @@ impl fmt::Display for Problem {
 }
 
 /// All the mistakes found in a description, in the order in which they were noticed.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # block! {
+/// #     struct Mixed;
+/// #     in MixedIn { a: bits(8), b: bits(7) }
+/// #     out MixedOut { sum: bits(8), top: bit() }
+/// # }
+/// # impl Mixed {
+/// #     fn build(&self, _: Module, i: MixedIn) -> MixedOut {
+/// let out = MixedOut { sum: i.a + i.b, top: i.a.bit(8) };
+/// #         out
+/// #     }
+/// # }
+/// # let problems = elaborate(&Mixed).unwrap_err();
+/// assert!(problems.to_string().ends_with("2 problems in this description"));
+/// ```
 #[derive(Clone, PartialEq, Eq)]
 pub struct Problems(pub Vec<Problem>);
 

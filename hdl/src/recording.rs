@@ -4,6 +4,22 @@
 use crate::bits::Bits;
 
 /// A run of a design's top module from time 0.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// use tilewright_hdl::recording::{Recording, Step};
+///
+/// // A design without clocks, compared once: 1 + 2 is to be 3.
+/// let step = Step {
+///     time_ps: 10_000,
+///     rising: vec![],
+///     resets: vec![],
+///     inputs: vec![Bits::new(8, 1), Bits::new(8, 2)],
+///     outputs: vec![Bits::new(8, 3)],
+/// };
+/// let recording = Recording { steps: vec![step], initial: vec![] };
+/// assert_eq!(recording.steps[0].outputs[0], 3);
+/// ```
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Recording {
     /// The instants at which clocks rise, in order of time; in a design without clocks, those of comparison.
@@ -13,6 +29,19 @@ pub struct Recording {
 }
 
 /// One instant of a [`Recording`].
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// // The first edge after a reset of a block whose one clock has a period of 10 ns.
+/// let step = recording::Step {
+///     time_ps: 20_000,
+///     rising: vec![0],
+///     resets: vec![],
+///     inputs: vec![Bits::new(1, 1)],
+///     outputs: vec![Bits::zero(8)],
+/// };
+/// assert_eq!(step.rising.first(), Some(&0));
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Step {
     /// Its time in picoseconds, above 1 and at least 2 after the step before.
@@ -28,6 +57,17 @@ pub struct Step {
 }
 
 /// What a register, the data of a synchronous read or a memory holds at the start.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// // Of a memory of 1024 words, two that were poked before the run began.
+/// let initial = recording::Initial {
+///     path: "u_row.u_cell[3].table".to_owned(),
+///     address: 100,
+///     words: vec![Bits::new(8, 1), Bits::new(8, 2)],
+/// };
+/// assert_eq!(initial.address as usize + initial.words.len(), 102);
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Initial {
     /// The path below the top, such as `u_row.u_cell[3].q`.

@@ -17,6 +17,18 @@ use std::ops::Deref;
 /// At an edge of its clock it takes the [`reset`](Reg::reset) value if its clock's reset is high and it has one; else
 /// the next value if it is enabled; else it keeps what it holds. A clear of its own, beside the reset, is the first condition of its chain:
 /// `count.when(i.clear, 0).when(i.take, count + 1)`.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let example = tilewright_sim::traced(|m| {
+/// let count = m.reg("count", 4).reset(3);
+/// let is_even = !count.bit(0); // what it holds now, ..
+/// count.next(count + 1); // .. and what it holds from the next edge on
+/// let _ = is_even.named("is_even");
+/// # });
+/// assert_eq!(example.values("count"), [3, 4, 5, 6]);
+/// assert_eq!(example.values("is_even"), [0, 1, 0, 1]);
+/// ```
 #[derive(Debug, Clone, Copy)]
 #[must_use]
 pub struct Reg<V = Signal> {
@@ -37,11 +49,34 @@ reads_as_signal!(Reg);
 
 impl Reg {
     /// The present value.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let count = m.reg("count", 4).reset(0);
+    /// count.next(count + 1);
+    /// let digits: [Signal; 2] = [count.value(), *count];
+    /// m.assert(digits[0].eq(digits[1]), "a bare signal; `*count` says the same");
+    /// # });
+    /// ```
     pub fn value(self) -> Signal {
         self.signal
     }
 
     /// The value after a reset: an integer, a [`Bits`], a `bool`; of a register with lanes the same in each.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # let example = tilewright_sim::traced(|m| {
+    /// let level = m.reg("level", bits(8).signed()).reset(-2);
+    /// level.next(level + 1);
+    /// let lamps = m.reg("lamps", bit().of(row(3))).reset(true);
+    /// lamps.next(lamps.previous(0));
+    /// net!(lit = lamps.pack());
+    /// # });
+    /// assert_eq!(example.values("level"), [0xfe, 0xff, 0, 1]);
+    /// assert_eq!(example.values("lit"), [0b111, 0b110, 0b100, 0b000]);
+    /// ```
     #[track_caller]
     pub fn reset(self, value: impl Operand) -> Reg {
         let (loc, (bits, id)) = (Loc::caller(), self.constant(value, "reset"));
@@ -52,6 +87,15 @@ impl Reg {
     }
 
     /// The values after a reset, one for each lane, a grid row by row.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # let example = tilewright_sim::traced(|m| {
+    /// let ring = m.reg("ring", bits(4).of(row(3))).reset_each([7, 8, 9]);
+    /// ring.next(ring.previous(ring.last()));
+    /// # });
+    /// assert_eq!(example.values("ring[0]"), [7, 9, 8, 7]);
+    /// ```
     #[track_caller]
     pub fn reset_each<V: Operand>(self, values: impl IntoIterator<Item = V>) -> Reg {
         let (loc, lanes) = (Loc::caller(), self.shape.lanes() as usize);
@@ -138,6 +182,17 @@ impl Reg {
     }
 
     /// Takes its next value only where `condition`, 1 bit, is high.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # let example = tilewright_sim::traced(|m| {
+    /// let half = m.reg("half", 1).reset(0);
+    /// half.next(!*half);
+    /// let count = m.reg("count", 4).reset(0);
+    /// count.enable(*half).next(count + 1);
+    /// # });
+    /// assert_eq!(example.values("count"), [0, 0, 1, 1, 2, 2]);
+    /// ```
     #[track_caller]
     pub fn enable(self, enable: impl IntoSignal) -> Reg {
         let loc = Loc::caller();
@@ -150,6 +205,17 @@ impl Reg {
     }
 
     /// The value that the register takes at the next edge.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # let example = tilewright_sim::traced(|m| {
+    /// let fibonacci = m.reg("fibonacci", 8).reset(1);
+    /// let before = m.reg("last", 8).reset(0);
+    /// before.next(fibonacci);
+    /// fibonacci.next(before + *fibonacci); // both sample at once: `before` is still what it was
+    /// # });
+    /// assert_eq!(example.values("fibonacci"), [1, 1, 2, 3, 5, 8]);
+    /// ```
     #[track_caller]
     pub fn next(self, value: impl Operand) {
         let loc = Loc::caller();
@@ -214,6 +280,19 @@ impl Reg {
 }
 
 /// What a register takes, and when: made by [`Reg::when`]. It says all, so a register has one such chain.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let example = tilewright_sim::traced(|m| {
+/// let count = m.reg("count", 4).reset(0);
+/// let mut updates = count.when(count.eq(9), 0);
+/// for (at, skip_to) in [(2, 5), (6, 8)] {
+///     updates = updates.when(count.eq(at), skip_to); // a chain may be made in a loop
+/// }
+/// updates.otherwise(count + 1);
+/// # });
+/// assert_eq!(example.values("count"), [0, 1, 2, 5, 6, 8, 9, 0]);
+/// ```
 #[derive(Debug, Clone, Copy)]
 pub struct Updates {
     register: Reg,
@@ -223,6 +302,16 @@ pub struct Updates {
 
 impl Updates {
     /// Takes `value` where `condition`, 1 bit, is high and no condition before it is.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # let example = tilewright_sim::traced(|m| {
+    /// let count = m.reg("count", 4).reset(0);
+    /// count.when(count.eq(3), 0).when(count.le(3), count + 1);
+    /// # });
+    /// // At 3 both conditions hold, and the first wins.
+    /// assert_eq!(example.values("count"), [0, 1, 2, 3, 0]);
+    /// ```
     #[track_caller]
     pub fn when(self, condition: impl IntoSignal, value: impl Operand) -> Updates {
         let arm = self.register.arm(condition.into(), value);
@@ -231,6 +320,15 @@ impl Updates {
     }
 
     /// Takes `value` where no condition holds, instead of keeping what it holds.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # let example = tilewright_sim::traced(|m| {
+    /// let timer = m.reg("timer", 4).reset(1);
+    /// timer.when(timer.eq(0), 3).otherwise(timer - 1);
+    /// # });
+    /// assert_eq!(example.values("timer"), [1, 0, 3, 2, 1, 0]);
+    /// ```
     #[track_caller]
     pub fn otherwise(self, value: impl Operand) {
         let value = value.operand().like(self.register.signal, "otherwise").id();

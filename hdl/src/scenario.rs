@@ -11,6 +11,15 @@ use crate::uneven::{Uneven, uneven};
 use crate::width::Width;
 
 /// What the inputs do over time. A reset comes first, at one edge of every clock; inputs not mentioned are zero.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # use tilewright_sim::for_examples::{Counter, CounterIn};
+/// let mut script = Script::new(&Counter, DEFAULT_PERIOD);
+/// script.clock(&CounterIn { enable: 1 });
+/// let scenario = script.finish("counts once");
+/// assert_eq!((scenario.events.len(), scenario.end_ps), (1, 12_500));
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Scenario {
     /// What it shows.
@@ -22,6 +31,17 @@ pub struct Scenario {
 }
 
 /// A change of an input.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # use tilewright_sim::for_examples::{Counter, CounterIn};
+/// let mut script = Script::new(&Counter, Period::ns(10));
+/// script.clock(&CounterIn { enable: 0 });
+/// script.clock(&CounterIn { enable: 1 });
+/// // Zero is what an input is without an event. A change is a quarter of a period behind an edge.
+/// let rises = scenario::Event { at_ps: 12_500, input: "enable".to_owned(), value: Bits::new(1, 1) };
+/// assert_eq!(script.finish("counts once").events, [rises]);
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Event {
     /// When, in picoseconds after the reset; never at an edge.
@@ -33,6 +53,17 @@ pub struct Event {
 }
 
 /// Writes a scenario row by row: the inputs in each clock.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # use tilewright_sim::for_examples::{Counter, CounterIn};
+/// let mut script = Script::new(&Counter, Period::ns(10));
+/// for enable in [1, 1, 0] {
+///     script.clock(&CounterIn { enable });
+/// }
+/// // What stays the same is no event.
+/// assert_eq!(script.finish("counts to 2").events.len(), 2);
+/// ```
 pub struct Script<B: Block> {
     widths: <B::In as Bundle>::Of<Width>,
     period: u64,
@@ -44,6 +75,13 @@ pub struct Script<B: Block> {
 
 impl<B: Block> Script<B> {
     /// An empty script for a block, in clocks of `period`; that of its fastest clock if it has several.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # use tilewright_sim::for_examples::{Counter, CounterIn};
+    /// let nothing = Script::new(&Counter, Period::ns(10)).finish("nothing happens");
+    /// assert!(nothing.events.is_empty());
+    /// ```
     pub fn new(block: &B, period: Period) -> Script<B> {
         let widths = block.inputs();
         let last = vec![0; widths.leaves().len()];
@@ -52,11 +90,44 @@ impl<B: Block> Script<B> {
     }
 
     /// From now on a row is a clock of that period.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # use tilewright_sim::for_examples::{Counter, CounterIn};
+    /// let mut script = Script::new(&Counter, Period::ns(10));
+    /// script.clock(&CounterIn { enable: 1 });
+    /// script.in_clocks_of(Period::ns(40));
+    /// script.clock(&CounterIn { enable: 0 });
+    /// assert_eq!(script.finish("a fast clock and a slow one").end_ps, 52_500);
+    /// ```
     pub fn in_clocks_of(&mut self, period: Period) {
         self.period = period.picoseconds();
     }
 
     /// One clock with these inputs.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # block! {
+    /// #     struct Scan;
+    /// #     in ScanIn { restart: bit(), enable: bit() }
+    /// #     out ScanOut { x: bits(8) }
+    /// # }
+    /// # impl Scan {
+    /// #     fn build(&self, m: Module, i: ScanIn) -> ScanOut {
+    /// #         let x = m.reg("column", 8).reset(0);
+    /// #         x.when(i.restart, 0).when(i.enable, x + 1);
+    /// #         ScanOut { x: *x }
+    /// #     }
+    /// # }
+    /// const IDLE: ScanIn<u64> = ScanIn { restart: 0, enable: 0 };
+    ///
+    /// let mut script = Script::new(&Scan, Period::ns(10));
+    /// script.clock(&ScanIn { restart: 1, ..IDLE });
+    /// script.clock(&ScanIn { enable: 1, ..IDLE });
+    /// let inputs: Vec<_> = script.finish("a start").events.into_iter().map(|event| event.input).collect();
+    /// assert_eq!(inputs, ["restart", "restart", "enable"]); // it rises, and falls when `enable` rises
+    /// ```
     ///
     /// # Panics
     ///
@@ -81,6 +152,15 @@ impl<B: Block> Script<B> {
 
     /// Some clocks with these inputs.
     ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # use tilewright_sim::for_examples::{Counter, CounterIn};
+    /// let mut script = Script::new(&Counter, Period::ns(10));
+    /// script.hold(&CounterIn { enable: 1 }, 5);
+    /// script.clock(&CounterIn { enable: 0 });
+    /// assert_eq!(script.finish("counts to 5").events[1].at_ps, 52_500);
+    /// ```
+    ///
     /// # Panics
     ///
     /// As [`Script::clock`].
@@ -98,11 +178,31 @@ impl<B: Block> Script<B> {
     }
 
     /// The same inputs for some clocks more.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # use tilewright_sim::for_examples::{Counter, CounterIn};
+    /// let mut script = Script::new(&Counter, Period::ns(10));
+    /// script.clock(&CounterIn { enable: 1 });
+    /// script.wait(4);
+    /// let mut held = Script::new(&Counter, Period::ns(10));
+    /// held.hold(&CounterIn { enable: 1 }, 5);
+    /// assert_eq!(script.finish("counts to 5"), held.finish("counts to 5"));
+    /// ```
     pub fn wait(&mut self, clocks: u64) {
         self.at_ps += clocks * self.period;
     }
 
     /// The scenario written so far.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # use tilewright_sim::for_examples::{Counter, CounterIn};
+    /// let mut script = Script::new(&Counter, Period::ns(10));
+    /// script.hold(&CounterIn { enable: 1 }, 3);
+    /// let scenario = script.finish("counts to 3");
+    /// assert_eq!(scenario.about, "counts to 3");
+    /// ```
     pub fn finish(self, about: &'static str) -> Scenario {
         Scenario { about, events: self.events, end_ps: self.at_ps }
     }

@@ -15,6 +15,17 @@ use crate::signal::{Signal, bits_text};
 use crate::width::{IntoWidth, index_width};
 
 /// A constant of that width: a number of bits, or what [`below`](crate::below) and [`up_to`](crate::up_to) give.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # tilewright_sim::example(|m| {
+/// let byte = lit(8, 5);
+/// let page = lit(below(12), 5);
+/// m.assert(byte.eq(page.zext(8)), "12 pages are numbered by 4 bits");
+/// // Beside a signal a plain number does: it takes the width of the signal.
+/// m.assert((byte + 1).eq(6), "no width is said twice");
+/// # });
+/// ```
 #[track_caller]
 pub fn lit(width: impl IntoWidth, value: u64) -> Signal {
     constants(width.into_width().bits, [value])[0]
@@ -35,6 +46,14 @@ pub(crate) fn constants(width: u32, values: impl IntoIterator<Item = u64>) -> Ve
 }
 
 /// The signals side by side, the first most significant. [`cat!`](crate::cat!) reads better.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # tilewright_sim::example(|m| {
+/// let digits = [lit(4, 1), lit(4, 2), lit(4, 3)];
+/// m.assert(concat(&digits).eq(0x123), "as many parts as a list has");
+/// # });
+/// ```
 #[track_caller]
 pub fn concat(parts: &[Signal]) -> Signal {
     match parts {
@@ -56,6 +75,14 @@ pub fn concat(parts: &[Signal]) -> Signal {
 }
 
 /// Signals side by side, the first most significant, as Verilog's `{a, b}`.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # tilewright_sim::example(|m| {
+/// let (sign, exponent) = (lit(1, 1), lit(8, 0x7f));
+/// m.assert(cat!(sign, exponent, lit(23, 0)).eq(0xbf80_0000u32), "-1.0, in 32 bits");
+/// # });
+/// ```
 #[macro_export]
 macro_rules! cat {
     ($($part:expr),+ $(,)?) => {
@@ -66,25 +93,15 @@ macro_rules! cat {
 /// The arms of [`select`] or [`case`], of which some are signals and some are numbers, registers or records of numbers.
 ///
 /// ```
-/// # use tilewright_hdl::{Block, Module, Width, arms, bits, bundle, case, elaborate};
-/// # bundle! {
-/// #     /// An operation.
-/// #     pub struct AluIn<T> { pub op: T, pub a: T, pub b: T }
-/// #     /// What comes of it.
-/// #     pub struct AluOut<T> { pub result: T }
-/// # }
-/// # #[derive(Debug, Clone, PartialEq, Eq, Hash)]
-/// # struct Alu;
-/// # impl Block for Alu {
-/// #     type In = AluIn;
-/// #     type Out = AluOut;
-/// #     fn inputs(&self) -> AluIn<Width> { AluIn { op: bits(2), a: bits(8), b: bits(8) } }
-/// #     fn build(&self, m: Module, i: AluIn) -> AluOut {
-/// let result = case(i.op, arms![0 => 0, 1 => i.a + i.b, 2 => i.a - i.b], i.a);
-/// #         AluOut { result }
-/// #     }
-/// # }
-/// # elaborate(&Alu).unwrap();
+/// # use tilewright_hdl::*;
+/// # tilewright_sim::example(|m| {
+/// let (a, b) = (lit(8, 40), lit(8, 2));
+/// let op = m.reg("op", 2).reset(0);
+/// op.next(op + 1);
+/// let result = case(op, arms![0 => 0, 1 => a + b, 2 => a - b], a);
+/// m.assert(op.eq(1).implies(result.eq(42)), "an arm that is a signal");
+/// m.assert(op.eq(0).implies(result.eq(0)), "an arm that is a number");
+/// # });
 /// ```
 #[macro_export]
 macro_rules! arms {
@@ -95,6 +112,16 @@ macro_rules! arms {
 
 /// `let NAME = EXPRESSION;` that also names the net: `net!(at_end = count.eq(limit - 1));` Of a record, `net!(entry = ..)`
 /// names the net of each field: `entry_page`.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let example = tilewright_sim::traced(|m| {
+/// let count = m.reg("count", 4).reset(0);
+/// net!(at_end = count.eq(2));
+/// count.next(mux(at_end, 0, count + 1));
+/// # });
+/// assert_eq!(example.values("at_end"), [0, 0, 1, 0, 0, 1]);
+/// ```
 #[macro_export]
 macro_rules! net {
     ($name:ident = $value:expr) => {
@@ -155,6 +182,16 @@ fn sized(mut values: Vec<Value>, of: &str) -> Vec<Signal> {
 }
 
 /// `on_true` where `select` is 1, else `on_false`: signals, numbers, or records, of which each field is chosen.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # tilewright_sim::example(|m| {
+/// let (a, b) = (lit(8, 7), lit(8, 9));
+/// let larger = mux(a.lt(b), b, a);
+/// m.assert(larger.eq(9), "a choice of signals");
+/// m.assert(mux(larger.gt(8), 8, larger).eq(8), "a number takes the width of the other side");
+/// # });
+/// ```
 #[track_caller]
 pub fn mux<V: Data>(select: impl IntoSignal, on_true: impl Fits<V>, on_false: impl Fits<V>) -> V {
     let select = condition(select.into(), "mux");
@@ -171,6 +208,17 @@ pub fn mux<V: Data>(select: impl IntoSignal, on_true: impl Fits<V>, on_false: im
 
 /// The value of the first arm whose condition holds, else `default`: signals, numbers, or records, of which each field is
 /// chosen. Arms of which some are signals and some are numbers stand in [`arms!`](crate::arms!).
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # tilewright_sim::example(|m| {
+/// let level = m.reg("level", 8).reset(0);
+/// level.next(level + 25);
+/// let warning = select([(level.gt(200), lit(2, 3)), (level.gt(100), lit(2, 1))], 0);
+/// m.assert(level.gt(200).implies(warning.eq(3)), "above 200 both hold, and the first wins");
+/// m.assert(level.le(100).implies(warning.eq(0)), "the default, where none holds");
+/// # });
+/// ```
 #[track_caller]
 pub fn select<V: Data, A: Fits<V>>(arms: impl IntoIterator<Item = (Signal, A)>, default: impl Fits<V>) -> V {
     let loc = Loc::caller();
@@ -199,6 +247,16 @@ pub fn select<V: Data, A: Fits<V>>(arms: impl IntoIterator<Item = (Signal, A)>, 
 
 /// The value of the arm whose key equals `subject`, else `default`: signals, numbers, or records, of which each field is
 /// chosen. Keys must differ. Arms of which some are signals and some are numbers stand in [`arms!`](crate::arms!).
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # tilewright_sim::example(|m| {
+/// let digit = m.reg("digit", 2).reset(0);
+/// digit.next(digit + 1);
+/// let square = case(digit, [(2, lit(4, 4)), (3, lit(4, 9))], digit.zext(4));
+/// m.assert(square.eq(digit * *digit), "0 and 1 are their own squares");
+/// # });
+/// ```
 #[track_caller]
 pub fn case<V: Data, A: Fits<V>>(
     subject: impl IntoSignal,

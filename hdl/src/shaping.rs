@@ -9,6 +9,14 @@ use crate::width::Count;
 
 /// So many lanes side by side.
 ///
+/// ```
+/// # use tilewright_hdl::*;
+/// # tilewright_sim::example(|m| {
+/// let index = constants(bits(8).of(row(4)), |lane| lane.into());
+/// m.assert(index.sum().eq(6), "0 + 1 + 2 + 3");
+/// # });
+/// ```
+///
 /// # Panics
 ///
 /// The number is negative.
@@ -18,6 +26,14 @@ pub fn row(lanes: impl Count) -> Shape {
 }
 
 /// So many rows of so many columns.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # tilewright_sim::example(|m| {
+/// let index = constants(bits(8).of(grid(2, 3)), |lane| lane.into());
+/// m.assert(index.rows().lane(1).lane(0).eq(3), "row by row: the second row begins with lane 3");
+/// # });
+/// ```
 ///
 /// # Panics
 ///
@@ -34,6 +50,12 @@ pub(crate) fn extent(count: impl Count) -> u32 {
 }
 
 /// What says how many lanes there are: [`row`], [`grid`], or a number for a row of so many.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// assert_eq!(bits(8).of(4).shape(), bits(8).of(row(4)).shape());
+/// assert_eq!(bits(8).of(grid(2, 2)).shape().lanes(), 4);
+/// ```
 #[diagnostic::on_unimplemented(
     message = "`{Self}` does not say how many lanes there are",
     note = "write a number of lanes, or `row(n)`, or `grid(rows, columns)`"
@@ -88,11 +110,28 @@ pub(crate) fn level_all(signals: &mut [Signal], operator: &str) -> Shape {
 
 impl Signal {
     /// How many lanes it has, and how they are laid out.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let index = constants(bits(8).of(row(4)), |lane| lane.into());
+    /// let last = index.shape().lanes() - 1;
+    /// m.assert(index.lane(last).eq(3), "a helper needs not be told how many lanes there are");
+    /// # });
+    /// ```
     pub fn shape(self) -> Shape {
         self.shape
     }
 
     /// The signal in each lane of `shape`: what a plain one becomes by itself where it meets a row or a grid.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let ones = lit(8, 1).of(row(4));
+    /// m.assert(ones.sum().eq(4), "a plain signal has no lanes that could be added up");
+    /// # });
+    /// ```
     #[track_caller]
     pub fn of(self, shape: impl crate::IntoShape) -> Signal {
         let (loc, shape) = (Loc::caller(), shape.into_shape());
@@ -115,12 +154,28 @@ impl Signal {
     }
 
     /// The row as each of `rows` rows of a grid.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let x = constants(bits(8).of(row(3)), |x| x.into()).to_rows(2);
+    /// m.assert(x.pack().eq(0x020100_020100u64), "both rows are 0, 1, 2");
+    /// # });
+    /// ```
     #[track_caller]
     pub fn to_rows(self, rows: impl Count) -> Signal {
         self.repeated(0, extent(rows), "to_rows")
     }
 
     /// The row stood upright, as each of `columns` columns of a grid: lane `i` is the whole of row `i`.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let y = constants(bits(8).of(row(2)), |y| y.into()).to_columns(3);
+    /// m.assert(y.pack().eq(0x010101_000000u64), "a row of zeros and a row of ones");
+    /// # });
+    /// ```
     #[track_caller]
     pub fn to_columns(self, columns: impl Count) -> Signal {
         self.repeated(1, extent(columns), "to_columns")

@@ -24,12 +24,30 @@ assignments!(AddAssign add_assign +  SubAssign sub_assign -  BitAndAssign bitand
 
 impl Signal {
     /// So many bits from bit `low` on: `word.part(36, 12)` is Verilog's `word[36 +: 12]`.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let word = lit(12, 0xabc);
+    /// m.assert(word.part(4, 8).eq(0xab), "8 bits from bit 4 on");
+    /// m.assert(word.part(0, below(16)).eq(0xc), "as wide as an index into 16 things");
+    /// # });
+    /// ```
     #[track_caller]
     pub fn part(self, low: u32, width: impl IntoWidth) -> Signal {
         self.slice(low..low.saturating_add(width.into_width().bits()))
     }
 
     /// The bits moved up by so many places; those that leave at the top come back at the bottom.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let word = lit(8, 0b1100_0001);
+    /// m.assert(word.rotate_left(1).eq(0b1000_0011), "the top bit comes back");
+    /// m.assert(word.rotate_left(9).eq(word.rotate_left(1)), "8 places are once around");
+    /// # });
+    /// ```
     #[track_caller]
     pub fn rotate_left(self, places: u32) -> Signal {
         match places % self.width() {
@@ -42,12 +60,32 @@ impl Signal {
     }
 
     /// The bits moved down by so many places; those that leave at the bottom come back at the top.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let word = lit(8, 0b1100_0001);
+    /// m.assert(word.rotate_right(1).eq(0b1110_0000), "the bottom bit comes back");
+    /// m.assert(word.rotate_right(3).rotate_left(3).eq(word), "there and back");
+    /// # });
+    /// ```
     #[track_caller]
     pub fn rotate_right(self, places: u32) -> Signal {
         self.rotate_left(self.width() - places % self.width())
     }
 
     /// 1 bit: `other` holds, or this does not; for what must hold, as in `m.assert(take.implies(!full), ..)`.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let count = m.reg("count", 4).reset(0);
+    /// count.when(count.ne(9), count + 1);
+    /// let full = count.eq(9);
+    /// m.assert(full.implies(!count.bit(1)), "9 has no bit 1");
+    /// m.assert(lit(1, 0).implies(full), "what never holds implies anything");
+    /// # });
+    /// ```
     #[track_caller]
     pub fn implies(self, other: impl IntoSignal) -> Signal {
         let (this, other) = (condition(self, "implies"), condition(other.into(), "implies"));

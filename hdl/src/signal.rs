@@ -17,6 +17,14 @@ use std::ops::Range;
 /// spelled: [`zext`](Signal::zext), [`sext`](Signal::sext), [`trunc`](Signal::trunc), [`slice`](Signal::slice),
 /// [`cat!`](crate::cat!). An integer on the right takes the width of the left, and must fit. Signals are compared with
 /// [`eq`](Signal::eq) and its like; `==` does not compile.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # tilewright_sim::example(|m| {
+/// let (sum, carry): (Signal, Signal) = (lit(8, 200) + 100, lit(8, 200).add_carry(100).msb());
+/// m.assert(sum.eq(44) & carry, "results wrap, unless a carry is asked for");
+/// # });
+/// ```
 #[derive(Debug, Clone, Copy)]
 #[must_use]
 pub struct Signal {
@@ -116,11 +124,33 @@ impl Signal {
     }
 
     /// The width in bits, of each lane.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let word = lit(12, 0xabc);
+    /// let upper_half = word.part(word.width() / 2, word.width() / 2);
+    /// m.assert(upper_half.eq(0b101010), "a helper needs not be told how wide its signals are");
+    /// # });
+    /// ```
     pub fn width(self) -> u32 {
         self.width
     }
 
     /// Names the net; waves and Verilog show it by this name. [`net!`](crate::net!) does it for a `let`.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # let example = tilewright_sim::traced(|m| {
+    /// let count = m.reg("count", 2).reset(0);
+    /// count.next(count + 1);
+    /// for bit in 0..2 {
+    ///     // A name that is made; `net!` names a net after its variable.
+    ///     let _ = count.bit(bit).named(&format!("count_bit{bit}"));
+    /// }
+    /// # });
+    /// assert_eq!(example.values("count_bit1"), [0, 0, 1, 1]);
+    /// ```
     #[track_caller]
     pub fn named(self, name: &str) -> Signal {
         let (loc, id) = (Loc::caller(), self.id());
@@ -168,54 +198,130 @@ impl Signal {
     }
 
     /// 1 bit: equal.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let count = m.reg("count", 2).reset(0);
+    /// count.when(count.eq(2), 0).otherwise(count + 1);
+    /// m.assert(!count.eq(3), "a number takes the width of the signal, here 2 bits");
+    /// # });
+    /// ```
     #[track_caller]
     pub fn eq(self, right: impl Operand) -> Signal {
         self.relate(Relation::Eq, right)
     }
 
     /// 1 bit: not equal.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let left = m.reg("left", 4).reset(9);
+    /// left.when(left.ne(0), left - 1);
+    /// m.assert(left.ne(0).eq(left.any_one()), "not 0 is: some bit is one");
+    /// # });
+    /// ```
     #[track_caller]
     pub fn ne(self, right: impl Operand) -> Signal {
         self.relate(Relation::Ne, right)
     }
 
     /// 1 bit: less than, in two's complement if both are signed.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// m.assert(lit(4, 0b0111).lt(0b1000), "7 < 8");
+    /// m.assert(lit(4, 0b1000).signed().lt(7), "-8 < 7");
+    /// # });
+    /// ```
     #[track_caller]
     pub fn lt(self, right: impl Operand) -> Signal {
         self.relate(Relation::Lt, right)
     }
 
     /// 1 bit: less than or equal, in two's complement if both are signed.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let count = m.reg("count", 4).reset(0);
+    /// count.when(count.lt(12), count + 1);
+    /// m.assert(count.le(12), "it counts up to 12, with that");
+    /// # });
+    /// ```
     #[track_caller]
     pub fn le(self, right: impl Operand) -> Signal {
         self.relate(Relation::Le, right)
     }
 
     /// 1 bit: greater than, in two's complement if both are signed.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// m.assert(lit(8, 255).gt(1), "255 > 1");
+    /// m.assert(!lit(8, 255).signed().gt(1), "-1 is not");
+    /// # });
+    /// ```
     #[track_caller]
     pub fn gt(self, right: impl Operand) -> Signal {
         self.relate(Relation::Gt, right)
     }
 
     /// 1 bit: greater than or equal, in two's complement if both are signed.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let sum = lit(8, 200).add_carry(lit(8, 100));
+    /// m.assert(sum.ge(256), "300, in the 9 bits that a sum with its carry has");
+    /// # });
+    /// ```
     #[track_caller]
     pub fn ge(self, right: impl Operand) -> Signal {
         self.relate(Relation::Ge, right)
     }
 
     /// 1 bit: every bit is one.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let lanes_done = cat!(lit(1, 1), lit(1, 1), lit(1, 0));
+    /// m.assert(!lanes_done.all_ones() & (lanes_done | 1).all_ones(), "Verilog's `&word`");
+    /// # });
+    /// ```
     #[track_caller]
     pub fn all_ones(self) -> Signal {
         self.unary(Unary::AllOnes)
     }
 
     /// 1 bit: some bit is one.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let requests = lit(4, 0b0100);
+    /// m.assert(requests.any_one() & !(requests & 0b1011).any_one(), "Verilog's `|word`");
+    /// # });
+    /// ```
     #[track_caller]
     pub fn any_one(self) -> Signal {
         self.unary(Unary::AnyOne)
     }
 
     /// 1 bit: the number of ones is odd.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let byte = lit(8, 0b0110_0100);
+    /// m.assert(byte.parity(), "three ones");
+    /// m.assert(!cat!(byte, byte.parity()).parity(), "with its parity a word has an even number of them");
+    /// # });
+    /// ```
     #[track_caller]
     pub fn parity(self) -> Signal {
         self.unary(Unary::Parity)
@@ -227,6 +333,16 @@ impl Signal {
     }
 
     /// The sum with its carry: one bit wider than the operands.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let sum = lit(8, 0xff).add_carry(1);
+    /// m.assert(sum.eq(0x100), "9 bits: the carry is the top one");
+    /// // Of signed operands the sign is kept.
+    /// m.assert(lit(8, 0x80).signed().add_carry(-1).eq(-129), "no overflow");
+    /// # });
+    /// ```
     #[track_caller]
     pub fn add_carry(self, right: impl Operand) -> Signal {
         let right = right.operand().with_width_of(self, "add_carry");
@@ -235,6 +351,16 @@ impl Signal {
     }
 
     /// The product, in two's complement if both are signed; its width is the sum of the operands' widths.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let area = lit(8, 200).times(lit(4, 10));
+    /// m.assert(area.eq(2000), "12 bits, so that no product overflows");
+    /// // `*` does the same, and takes a number too.
+    /// m.assert((lit(8, 200) * 10).eq(2000), "10 has 4 bits");
+    /// # });
+    /// ```
     #[track_caller]
     pub fn times(self, right: Signal) -> Signal {
         let loc = Loc::caller();
@@ -253,18 +379,44 @@ impl Signal {
     }
 
     /// Bit `index`, counted from the least significant.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let flags = lit(4, 0b0100);
+    /// m.assert(flags.bit(2) & !flags.bit(3), "a condition as it is, 1 bit");
+    /// # });
+    /// ```
     #[track_caller]
     pub fn bit(self, index: u32) -> Signal {
         self.slice(index..index + 1)
     }
 
     /// The most significant bit.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let timer = m.reg("timer", 5).reset(9);
+    /// timer.when(!timer.msb(), timer - 1);
+    /// m.assert(timer.msb().implies(timer.all_ones()), "below 0 the top bit ends it, and no comparator is needed");
+    /// # });
+    /// ```
     #[track_caller]
     pub fn msb(self) -> Signal {
         self.bit(self.width - 1)
     }
 
     /// The bits of `range`, lowest first and the end not included: `z.slice(0..12)` is Verilog's `z[11:0]`.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let word = lit(12, 0xabc);
+    /// m.assert(word.slice(4..12).eq(0xab), "8 bits");
+    /// m.assert(cat!(word.slice(4..12), word.slice(0..4)).eq(word), "ranges that meet leave nothing out");
+    /// # });
+    /// ```
     #[track_caller]
     pub fn slice(self, range: Range<u32>) -> Signal {
         if range.start >= range.end || range.end > self.width {
@@ -281,6 +433,15 @@ impl Signal {
     }
 
     /// The lowest `width` bits: a number of them, or as in `used.trunc(below(pages))`.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let used = lit(up_to(12), 12);
+    /// m.assert(used.trunc(2).eq(0), "the upper bits are lost");
+    /// m.assert(lit(8, 0xfe).signed().trunc(4).eq(-2), "what is signed stays so");
+    /// # });
+    /// ```
     #[track_caller]
     pub fn trunc(self, width: impl IntoWidth) -> Signal {
         let width = width.into_width().bits;
@@ -299,12 +460,30 @@ impl Signal {
     }
 
     /// Widened with zeros to `width` bits.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let page = lit(4, 11);
+    /// let address = page.zext(16) << 8;
+    /// m.assert(address.eq(0xb00), "room first, as a shift keeps the width");
+    /// # });
+    /// ```
     #[track_caller]
     pub fn zext(self, width: impl IntoWidth) -> Signal {
         self.extend(width.into_width().bits, false)
     }
 
     /// Widened with copies of the most significant bit to `width` bits.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let step = lit(4, 0b1110);
+    /// m.assert(step.sext(8).eq(0xfe), "-2 in 4 bits is -2 in 8");
+    /// m.assert(step.sext(8).signed().eq(-2), "and read so where it is signed");
+    /// # });
+    /// ```
     #[track_caller]
     pub fn sext(self, width: impl IntoWidth) -> Signal {
         self.extend(width.into_width().bits, true)
@@ -352,6 +531,15 @@ impl Signal {
     }
 
     /// The signal side by side with itself, `times` times.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let enable = lit(1, 1);
+    /// m.assert((lit(8, 0xa5) & enable.repeat(8)).eq(0xa5), "a mask of one bit");
+    /// m.assert(lit(4, 0x5).repeat(3).eq(0x555), "12 bits");
+    /// # });
+    /// ```
     #[track_caller]
     pub fn repeat(self, times: u32) -> Signal {
         if times == 0 {
@@ -369,6 +557,31 @@ impl Signal {
 
     /// Declares that another clock may sample this signal as it is, because it is stable whenever that happens. The
     /// reason is printed beside it in the Verilog.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// const HOST: Clock = Clock::new("host", Period::ns(30));
+    /// const VIDEO: Clock = Clock::new("video", Period::ns(40));
+    ///
+    /// block! {
+    ///     /// Shows a colour that the host sets while the screen is dark.
+    ///     struct Border;
+    ///     in BorderIn { colour: bits(24).on(HOST) }
+    ///     out BorderOut { rgb: bits(24) }
+    /// }
+    ///
+    /// impl Border {
+    ///     fn build(&self, m: Module, i: BorderIn) -> BorderOut {
+    ///         let held = m.on(HOST).pipe("held", i.colour);
+    ///         let colour = held.quasi_static("it is set while the screen is dark");
+    ///         BorderOut { rgb: m.on(VIDEO).pipe("rgb", colour) }
+    ///     }
+    /// }
+    ///
+    /// // Without the reason, `rgb` samples a register of another clock, which is a problem.
+    /// elaborate(&Border)?;
+    /// # Ok::<(), Problems>(())
+    /// ```
     #[track_caller]
     pub fn quasi_static(self, reason: &str) -> Signal {
         Signal::make(Op::QuasiStatic(self.id(), reason.to_owned()), self.width, self.shape).kept_as(self.kind)

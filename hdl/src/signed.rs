@@ -15,6 +15,15 @@ pub(crate) const READ_AS: &str =
 
 impl Width {
     /// Read in two's complement: `m.reg("x", bits(12).signed())`.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let height = m.reg("height", bits(8).signed()).reset(-3);
+    /// height.next(height + 1);
+    /// m.assert(height.lt(-3).implies(height.is_negative()), "compared in two's complement");
+    /// # });
+    /// ```
     pub fn signed(self) -> Width {
         Width { kind: Kind::Signed, ..self }
     }
@@ -23,16 +32,43 @@ impl Width {
 impl Signal {
     /// The same bits read as two's complement: `+ - *`, comparisons, `>>`, integers and what is made of it are signed then. Both sides of an
     /// operator are, or neither.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let ones = lit(8, 0xff);
+    /// m.assert(ones.gt(0), "255, ..");
+    /// m.assert(ones.signed().lt(0), ".. and read in two's complement -1");
+    /// m.assert((ones.signed() >> 4).eq(-1), "shifted with its sign");
+    /// # });
+    /// ```
     pub fn signed(self) -> Signal {
         Signal { kind: Kind::Signed, ..self }
     }
 
     /// The same bits as an unsigned number.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let depth = lit(8, 0x80).signed();
+    /// m.assert(depth.bits().zext(12).eq(0x80), "only a number is widened by zeros");
+    /// m.assert(depth.sext(12).bits().eq(0xf80), "what is signed, by its sign");
+    /// # });
+    /// ```
     pub fn bits(self) -> Signal {
         Signal { kind: Kind::Number, ..self }
     }
 
     /// The sign bit of a signed value: 1 for a negative one.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let difference = lit(8, 3).signed() - lit(8, 5).signed();
+    /// m.assert(difference.is_negative() & !(-difference).is_negative(), "-2, and 2");
+    /// # });
+    /// ```
     #[track_caller]
     pub fn is_negative(self) -> Signal {
         self.msb()

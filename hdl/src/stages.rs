@@ -16,6 +16,19 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// What enters a pipeline: a record, which fields of it a reset clears in each stage, and what is put before their names. A
 /// record alone is a start of which no field is cleared: see [`Module::stages`].
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let example = tilewright_sim::traced(|m| {
+/// bundle! { struct Sum<T> { valid: T, value: T } }
+///
+/// let start = Sum { valid: lit(1, 1), value: lit(8, 40) };
+/// let start = start.cleared(|sum| sum.valid).called("twice");
+/// let _ = m.stages(2, None, start, |_, sum| Sum { value: sum.value + 1, ..sum });
+/// # });
+/// assert_eq!(example.values("twice_valid2"), [0, 0, 1, 1]);
+/// assert_eq!(example.values("twice_value2"), [0, 1, 42, 42]); // not cleared: what it is before is not valid
+/// ```
 #[derive(Debug, Clone)]
 pub struct Start<B> {
     pub(crate) record: B,
@@ -36,6 +49,21 @@ impl<B> Start<B> {
     }
 
     /// Puts a name before those of the registers, where a module has two pipelines with the same fields: `depth_left1`.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # let example = tilewright_sim::traced(|m| {
+    /// bundle! { struct Depth<T> { z: T } }
+    ///
+    /// let near = Start::from(Depth { z: lit(8, 3) }).called("near");
+    /// let far = Start::from(Depth { z: lit(8, 9) }).called("far");
+    /// for start in [near, far] {
+    ///     let _ = m.stages(2, None, start, |_, depth| depth);
+    /// }
+    /// # });
+    /// assert_eq!(example.values("near_z2"), [0, 0, 3, 3]);
+    /// assert_eq!(example.values("far_z1"), [0, 9, 9, 9]);
+    /// ```
     pub fn called(self, name: &str) -> Start<B> {
         Start { name: name.to_owned(), ..self }
     }

@@ -12,20 +12,14 @@ use crate::signal::Signal;
 /// lanes on the left. Combinational.
 ///
 /// ```
-/// # use tilewright_hdl::{Block, Module, Signal, Width, bits, bundle, elaborate, mux, row, tree};
-/// # bundle! { pub struct In<T> { pub depths: T } pub struct Out<T> { pub nearest: T } }
-/// # #[derive(Debug, Clone, PartialEq, Eq, Hash)]
-/// # struct Nearest;
-/// # impl Block for Nearest {
-/// #     type In = In;
-/// #     type Out = Out;
-/// #     fn inputs(&self) -> In<Width> { In { depths: bits(8).of(row(5)) } }
-/// #     fn build(&self, m: Module, i: In) -> Out {
-/// let nearest = tree(i.depths, |a: Signal, b| mux(a.le(b), a, b));
-/// #         Out { nearest }
-/// #     }
-/// # }
-/// # elaborate(&Nearest).unwrap();
+/// # use tilewright_hdl::*;
+/// # tilewright_sim::example(|m| {
+/// bundle! { struct Pixel<T> { z: T, rgb: T } }
+///
+/// let pixels = stack([9, 3, 250, 7, 5].map(|z| Pixel { z: lit(8, z), rgb: lit(24, z << 8) }));
+/// let nearest = tree(pixels, |a: Pixel, b: Pixel| mux(a.z.le(b.z), a, b));
+/// m.assert(nearest.z.eq(3) & nearest.rgb.eq(0x300), "the nearest with its colour, in three levels");
+/// # });
 /// ```
 #[track_caller]
 pub fn tree<B: Fields<Signal, With<Signal> = B> + Clone>(lanes: B, combine: impl Fn(B, B) -> B) -> B {
@@ -39,6 +33,16 @@ pub fn tree<B: Fields<Signal, With<Signal> = B> + Clone>(lanes: B, combine: impl
 impl Module {
     /// As [`tree`], with a register behind each level, named after it: `name1` behind the first. The result is as many clocks late as the number
     /// of levels, which is that of the bits of [`below`](crate::below)`(lanes)`; none for a single lane.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # let example = tilewright_sim::traced(|m| {
+    /// let lanes = lit(5, 0b10111).unpack(5).zext(3);
+    /// net!(hits = m.tree_of_stages("level", lanes, |a: Signal, b| a + b));
+    /// # });
+    /// // Three levels, so the sum of five lanes is there after three clocks.
+    /// assert_eq!(example.values("hits"), [0, 0, 0, 4, 4]);
+    /// ```
     #[track_caller]
     pub fn tree_of_stages<B: Fields<Signal, With<Signal> = B> + Clone>(
         self,

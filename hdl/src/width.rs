@@ -9,6 +9,13 @@ use crate::signal::Signal;
 /// The width of an input port, where it was written down, and the clock it is synchronous to if that is not the
 /// block's own. In a block with several named clocks and none of its own, an input that a register or memory samples must
 /// name its clock; with a single named clock, it is on that one.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// // What is unlike in two ports: how many bits, how many lanes, how they are read.
+/// let widths = [bit(), bits(24), below(12), bits(8).signed(), bits(8).of(row(4))];
+/// assert_eq!(widths.map(Width::bits), [1, 24, 4, 8, 8]);
+/// ```
 #[derive(Debug, Clone, Copy)]
 pub struct Width {
     pub(crate) bits: u32,
@@ -20,11 +27,38 @@ pub struct Width {
 
 impl Width {
     /// The port's values are synchronous to `clock`.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// const VIDEO: Clock = Clock::new("video", Period::ns(40));
+    ///
+    /// block! {
+    ///     struct Sampler;
+    ///     in SamplerIn { level: bits(8).on(VIDEO) }
+    ///     out SamplerOut { sampled: bits(8) }
+    /// }
+    ///
+    /// impl Sampler {
+    ///     fn build(&self, m: Module, i: SamplerIn) -> SamplerOut {
+    ///         SamplerOut { sampled: m.on(VIDEO).pipe("sampled", i.level) }
+    ///     }
+    /// }
+    ///
+    /// let design = elaborate(&Sampler)?;
+    /// assert_eq!(design.top().clocks[0].name, Some("video"));
+    /// # Ok::<(), Problems>(())
+    /// ```
     pub fn on(self, clock: Clock) -> Width {
         Width { clock: Some(clock), ..self }
     }
 
     /// So much in each lane: `bits(8).of(row(4))`.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// assert_eq!(bits(8).of(4).shape(), row(4));
+    /// assert_eq!(bits(8).of(grid(2, 3)).bits(), 8);
+    /// ```
     #[track_caller]
     pub fn of(self, shape: impl IntoShape) -> Width {
         Width { shape: shape.into_shape(), ..self }
@@ -37,29 +71,57 @@ impl Width {
     }
 
     /// The width in bits, of each lane.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// assert_eq!(bits(8).of(row(4)).bits(), 8);
+    /// ```
     pub fn bits(self) -> u32 {
         self.bits
     }
 
     /// How many lanes it has, and how they are laid out.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// assert_eq!(bits(8).shape(), Shape::Plain);
+    /// assert_eq!(bits(8).of(grid(2, 3)).shape().lanes(), 6);
+    /// ```
     pub fn shape(self) -> Shape {
         self.shape
     }
 }
 
 /// A port of `width` bits.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// assert_eq!(bits(24).shape(), Shape::Plain);
+/// assert_eq!(bits(24).of(row(4)).shape(), row(4));
+/// ```
 #[track_caller]
 pub fn bits(width: u32) -> Width {
     Width { bits: width, shape: Shape::Plain, kind: Kind::Number, clock: None, loc: Loc::caller() }
 }
 
 /// A port of one bit.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// assert_eq!(bit().bits(), 1);
+/// ```
 #[track_caller]
 pub fn bit() -> Width {
     bits(1)
 }
 
 /// As wide as an index into `count` things: it holds every number below `count`. At least 1 bit.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// assert_eq!(below(12).bits(), 4);
+/// assert_eq!((below(16).bits(), below(17).bits()), (4, 5));
+/// ```
 ///
 /// # Panics
 ///
@@ -71,6 +133,12 @@ pub fn below(count: impl Count) -> Width {
 
 /// Wide enough for every number from 0 to `most`, with that one: 3 bits for `up_to(4)`, where `below(4)` has 2.
 ///
+/// ```
+/// # use tilewright_hdl::*;
+/// // A counter of how many of 16 places are taken has 17 values.
+/// assert_eq!((up_to(16).bits(), up_to(15).bits()), (5, 4));
+/// ```
+///
 /// # Panics
 ///
 /// The number is negative.
@@ -80,12 +148,30 @@ pub fn up_to(most: impl Count) -> Width {
 }
 
 /// A number of things: an integer of any type.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// fn pages(count: impl Count) -> Width {
+///     below(count)
+/// }
+/// assert_eq!(pages(12u8).bits(), pages(12usize).bits());
+/// ```
 pub trait Count {
     #[doc(hidden)]
     fn count(self) -> u64;
 }
 
 /// How wide something is: a number of bits, or what [`bits`], [`below`] and [`up_to`] give.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// fn ones(width: impl IntoWidth) -> Signal {
+///     !lit(width, 0)
+/// }
+/// # tilewright_sim::example(|m| {
+/// m.assert(ones(4).eq(15) & ones(below(12)).eq(15), "12 pages are numbered by 4 bits");
+/// # });
+/// ```
 #[diagnostic::on_unimplemented(
     message = "a `{Self}` is no width",
     note = "a width is a number of bits, as an `i32` or `u32`, or `bit()`, `below(n)` or `up_to(n)`; a record of a `bundle!` has one in \
@@ -129,6 +215,14 @@ macro_rules! widths {
 widths!(u32 u64 usize i32);
 
 /// The number of bits that hold every number below `count`: the width of an index into `count` things, at least 1.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// const PAGE: u32 = index_width(12);
+/// assert_eq!(PAGE, 4);
+/// // One thing needs no index, but nothing has 0 bits.
+/// assert_eq!((index_width(1), index_width(2), index_width(3)), (1, 1, 2));
+/// ```
 pub const fn index_width(count: u64) -> u32 {
     match count {
         0..=2 => 1,

@@ -9,6 +9,17 @@ use crate::signal::Signal;
 use std::ops::Deref;
 
 /// A net, or a record of nets, declared before its driver. It reads as its value; [`drive`](Wire::drive) must be called exactly once.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let example = tilewright_sim::traced(|m| {
+/// let ready = m.wire("ready", bit());
+/// let count = m.reg("count", 4).reset(0);
+/// count.when(ready, count + 1); // read here, ..
+/// ready.drive(count.lt(3)); // .. driven there
+/// # });
+/// assert_eq!(example.values("count"), [0, 1, 2, 3, 3, 3]);
+/// ```
 #[derive(Debug, Clone, Copy)]
 #[must_use]
 pub struct Wire<V = Signal> {
@@ -29,11 +40,30 @@ reads_as_signal!(Wire);
 
 impl Wire {
     /// What drives it, as a signal.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let wire = m.wire("wire", 8);
+    /// let half: Signal = wire.value() >> 1;
+    /// wire.drive(lit(8, 10));
+    /// m.assert(half.eq(5), "a bare signal, where a `Wire` does not do");
+    /// # });
+    /// ```
     pub fn value(self) -> Signal {
         self.signal
     }
 
     /// Says what drives the wire.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let sum = m.wire("sum", 8);
+    /// sum.drive(250);
+    /// m.assert((sum + 10).eq(4), "a number takes the width of the wire");
+    /// # });
+    /// ```
     #[track_caller]
     pub fn drive(self, value: impl Operand) {
         let loc = Loc::caller();

@@ -166,3 +166,5 @@ pub use testbench::{
     Batch, Condition, Covered, Error, IntoValue, Monitor, Pauses, Port, Probe, Process, Processes, Recorder,
     Simulation, Testbench, UnknownName, Vcd, Violation, Wave, monitor,
 };
+#[doc(hidden)]
+pub use testbench::{Traced, example, for_examples, traced};

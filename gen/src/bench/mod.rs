@@ -20,6 +20,25 @@ use tilewright_hdl::{Bits, Recording};
 /// end with a non-zero status. An assertion of the design that fails is printed as `FAIL: time t: INSTANCE: message`, and
 /// stops it at once.
 ///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
+/// use tilewright_hdl::recording::{Recording, Step};
+///
+/// // What a simulation records: 5 goes in, and comes out one clock later.
+/// let at = |time_ps, word, late| Step {
+///     time_ps,
+///     rising: vec![0],
+///     resets: vec![],
+///     inputs: vec![Bits::new(8, word)],
+///     outputs: vec![Bits::new(8, late)],
+/// };
+/// let recording = Recording { steps: vec![at(10_000, 5, 0), at(20_000, 0, 5)], initial: vec![] };
+/// let bench = tilewright_gen::testbench(&design, &recording);
+/// assert_eq!(bench.name, "delay_tb.v");
+/// assert!(bench.text.contains("PASS: "));
+/// ```
+///
 /// # Panics
 ///
 /// If the recording does not fit the design: a step with too many or too few values or values of another width, steps

@@ -18,6 +18,16 @@ const PROGRAM: &str = "build/program";
 
 /// Builds a program of the Verilog files of a folder, and returns its path; `None` if something is not installed.
 ///
+/// ```no_run
+/// # use tilewright_hdl::*;
+/// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
+/// use tilewright_gen::tools::verilated;
+///
+/// if let Some(program) = verilated("build".as_ref(), &["delay_tb.v", "delay.v"], "delay_tb", &[]).unwrap() {
+///     assert!(std::process::Command::new(program).status().unwrap().success());
+/// }
+/// ```
+///
 /// # Errors
 ///
 /// What Verilator or the compiler printed.

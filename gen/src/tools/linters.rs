@@ -65,6 +65,15 @@ static LINTERS: [Linter; 4] = [
 ///
 /// The last Verilog file is the top, as [`verilog`](crate::verilog) prints them.
 ///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
+/// use tilewright_gen::tools::lint;
+///
+/// let linted = lint(&tilewright_gen::verilog(&design)).unwrap();
+/// assert!(!linted.ran.is_empty() || !linted.skipped.is_empty());
+/// ```
+///
 /// # Errors
 ///
 /// Every warning of every linter.
@@ -74,6 +83,19 @@ pub fn lint(files: &[VerilogFile]) -> Result<Linted, Problems> {
 
 /// As [`lint`], for many designs in one process of each linter. Two designs may share a file of one text.
 ///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
+/// use tilewright_gen::{VerilogFile, tools::lint_all};
+///
+/// let good = tilewright_gen::verilog(&design);
+/// let broken = [VerilogFile { name: "broken.v".to_owned(), text: "module broken (input wire a;\nendmodule\n".to_owned() }];
+/// match lint_all(&[&good, &broken]) {
+///     Ok(linted) => assert!(linted.ran.is_empty(), "no linter is installed"),
+///     Err(wrong) => assert_eq!(wrong.into_keys().collect::<Vec<_>>(), [1]),
+/// }
+/// ```
+///
 /// # Errors
 ///
 /// For each design that a linter complains of, by its place, every warning that it gets alone.
@@ -82,6 +104,16 @@ pub fn lint_all(designs: &[&[VerilogFile]]) -> Result<Linted, BTreeMap<usize, Pr
 }
 
 /// As [`lint_all`], with Yosys and slang alone: Verilator takes twice as long as both.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
+/// use tilewright_gen::tools::lint_quickly;
+///
+/// let files = tilewright_gen::verilog(&design);
+/// let linted = lint_quickly(&[&files]).unwrap();
+/// assert!(!linted.ran.contains(&"verilator"));
+/// ```
 ///
 /// # Errors
 ///

@@ -22,6 +22,22 @@ pub use synthesis::{Target, cells};
 use std::fmt;
 
 /// What became of a check that found nothing wrong.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
+/// use tilewright_gen::tools::{Checked, skipped_without};
+///
+/// // A check of one's own, which needs two programs.
+/// fn drawn() -> Checked {
+///     if let Some(skipped) = skipped_without(&["yosys", "dot"]) {
+///         return skipped;
+///     }
+///     Checked::Passed
+/// }
+/// let is_installed = ["yosys", "dot"].iter().all(|program| skipped_without(&[program]).is_none());
+/// assert_eq!(drawn() == Checked::Passed, is_installed);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[must_use]
 pub enum Checked {
@@ -32,6 +48,16 @@ pub enum Checked {
 }
 
 /// Which linters looked at the files.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
+/// use tilewright_gen::tools::lint_quickly;
+///
+/// let files = tilewright_gen::verilog(&design);
+/// let linted = lint_quickly(&[&files]).unwrap();
+/// assert!(linted.ran.contains(&"pyslang") != linted.skipped.contains(&"pyslang"));
+/// ```
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Linted {
     /// Those that ran, and found nothing.
@@ -41,6 +67,13 @@ pub struct Linted {
 }
 
 /// A program that is not installed.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
+/// let missing = tilewright_gen::tools::Missing { program: "yosys", remedy: "apt-get install yosys" };
+/// assert_eq!(missing.to_string(), "yosys is not installed: apt-get install yosys");
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Missing {
     /// Its name.
@@ -58,10 +91,30 @@ impl fmt::Display for Missing {
 impl std::error::Error for Missing {}
 
 /// What the programs complain about.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
+/// use tilewright_gen::tools::{Problem, Problems};
+///
+/// let problems = Problems(vec![Problem { tool: "iverilog".to_owned(), output: "delay.v:3: syntax error\n".to_owned() }]);
+/// assert_eq!(problems.to_string(), "iverilog says:\ndelay.v:3: syntax error\n");
+/// ```
 #[derive(Clone, PartialEq, Eq)]
 pub struct Problems(pub Vec<Problem>);
 
 /// What one program complains about.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
+/// use tilewright_gen::{VerilogFile, tools::lint_quickly};
+///
+/// let broken = VerilogFile { name: "broken.v".to_owned(), text: "module broken (input wire a;\nendmodule\n".to_owned() };
+/// if let Err(wrong) = lint_quickly(&[&[broken]]) {
+///     assert!(wrong[&0].0.iter().any(|problem| problem.output.contains("broken.v"))); // of design 0
+/// }
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Problem {
     /// The program, such as `verilator 5.006`.

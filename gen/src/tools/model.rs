@@ -9,6 +9,15 @@ use std::thread::available_parallelism;
 use std::time::{Duration, Instant};
 
 /// A Verilator, and the newest clang that is installed.
+///
+/// ```
+/// use tilewright_gen::tools::Compiler;
+///
+/// match Compiler::find_all() {
+///     Ok(compilers) => assert_ne!(compilers[0].verilator_version(), ""),
+///     Err(missing) => assert!(["Verilator", "clang++", "make"].contains(&missing.program)),
+/// }
+/// ```
 #[derive(Debug, Clone)]
 pub struct Compiler {
     verilator: Verilator,
@@ -20,6 +29,18 @@ pub struct Compiler {
 type Version = Vec<u32>;
 
 /// What to compile.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
+/// use tilewright_gen::tools::Source;
+///
+/// let verilog = tilewright_gen::verilog(&design);
+/// let main = r#"#include "Vmodel.h"
+/// int main() { Vmodel model; model.word = 5; model.eval(); }"#;
+/// let source = Source { verilog: &verilog, top: "delay", parameters: &[], driver: &[("main.cpp", main)] };
+/// assert_eq!(source.driver[0].0, "main.cpp");
+/// ```
 #[derive(Debug, Clone, Copy)]
 pub struct Source<'a> {
     /// The design: Verilog, and data that its memories are loaded with.
@@ -33,6 +54,16 @@ pub struct Source<'a> {
 }
 
 /// A compiled simulator; its files are deleted when it is dropped.
+///
+/// ```no_run
+/// # use tilewright_hdl::*;
+/// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
+/// use tilewright_gen::tools::{Compiler, Source};
+/// # fn source() -> Source<'static> { unimplemented!() }
+///
+/// let model = Compiler::find_all().unwrap()[0].compile(&source()).unwrap();
+/// println!("{}, made in {:?}", model.run(&[]).unwrap(), model.build_time);
+/// ```
 #[derive(Debug)]
 pub struct Model {
     folder: Folder,
@@ -43,6 +74,13 @@ pub struct Model {
 impl Compiler {
     /// Looks for the programs: there is one compiler for each Verilator that is installed, the newest first. An older one
     /// may make faster models.
+    ///
+    /// ```
+    /// use tilewright_gen::tools::Compiler;
+    ///
+    /// let newest_first = Compiler::find_all().unwrap_or_default();
+    /// assert!(newest_first.is_sorted_by_key(|compiler| std::cmp::Reverse(compiler.verilator_version())));
+    /// ```
     ///
     /// # Errors
     ///
@@ -75,18 +113,46 @@ impl Compiler {
     }
 
     /// Verilator's version, such as `5.048`.
+    ///
+    /// ```
+    /// use tilewright_gen::tools::Compiler;
+    ///
+    /// for compiler in Compiler::find_all().unwrap_or_default() {
+    ///     assert_eq!(compiler.verilator_version().matches('.').count(), 1);
+    /// }
+    /// ```
     pub fn verilator_version(&self) -> String {
         let [major, minor] = release(&self.versions[0]);
         format!("{major}.{minor:03}")
     }
 
     /// Clang's version, such as `19.1.7`.
+    ///
+    /// ```
+    /// use tilewright_gen::tools::Compiler;
+    ///
+    /// for compiler in Compiler::find_all().unwrap_or_default() {
+    ///     assert!(compiler.clang_version().starts_with(|c: char| c.is_ascii_digit()));
+    /// }
+    /// ```
     pub fn clang_version(&self) -> String {
         let [_, clang] = &self.versions;
         clang.iter().map(u32::to_string).collect::<Vec<_>>().join(".")
     }
 
     /// Compiles a design at the strongest settings, for this machine's processor, without its assertions.
+    ///
+    /// ```no_run
+    /// # use tilewright_hdl::*;
+    /// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
+    /// use tilewright_gen::tools::{Compiler, Source};
+    ///
+    /// let verilog = tilewright_gen::verilog(&design);
+    /// let driver = [("main.cpp", "#include \"Vmodel.h\"\nint main() { Vmodel model; model.eval(); }")];
+    /// let source = Source { verilog: &verilog, top: "delay", parameters: &[], driver: &driver };
+    /// let model = Compiler::find_all().unwrap()[0].compile(&source).unwrap();
+    /// assert_eq!(model.run(&[]).unwrap(), "");
+    /// ```
     ///
     /// # Errors
     ///
@@ -141,6 +207,17 @@ const BUILD: &str = "build";
 
 impl Model {
     /// Runs it, and gives what it printed.
+    ///
+    /// ```no_run
+    /// # use tilewright_hdl::*;
+    /// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
+    /// use tilewright_gen::tools::{Compiler, Source};
+    /// # fn source() -> Source<'static> { unimplemented!() }
+    ///
+    /// let model = Compiler::find_all().unwrap()[0].compile(&source()).unwrap();
+    /// let clocks: u64 = model.run(&["1000000".to_owned()]).unwrap().trim().parse().unwrap(); // what the driver prints
+    /// assert_eq!(clocks, 1_000_000);
+    /// ```
     ///
     /// # Errors
     ///

@@ -9,6 +9,27 @@ use std::process::Command;
 
 /// Runs the testbench in Icarus.
 ///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
+/// use tilewright_gen::tools::{Checked, replay_in_icarus};
+/// # use tilewright_hdl::recording::{Recording, Step};
+/// # let at = |time_ps, word, late| Step {
+/// #     time_ps,
+/// #     rising: vec![0],
+/// #     resets: vec![],
+/// #     inputs: vec![Bits::new(8, word)],
+/// #     outputs: vec![Bits::new(8, late)],
+/// # };
+/// # let right = Recording { steps: vec![at(10_000, 5, 0), at(20_000, 0, 5)], initial: vec![] };
+/// # let wrong = Recording { steps: vec![at(10_000, 5, 0), at(20_000, 0, 6)], initial: vec![] };
+///
+/// let files = tilewright_gen::verilog(&design);
+/// let passed = replay_in_icarus(&files, &tilewright_gen::testbench(&design, &right)).unwrap();
+/// let failed = replay_in_icarus(&files, &tilewright_gen::testbench(&design, &wrong));
+/// assert_eq!(passed == Checked::Passed, failed.is_err()); // or both are skipped
+/// ```
+///
 /// # Errors
 ///
 /// What Icarus or the testbench printed, if that is not `PASS`.
@@ -29,6 +50,17 @@ pub fn replay_in_icarus(files: &[VerilogFile], bench: &VerilogFile) -> Result<Ch
 }
 
 /// Builds the testbench with Verilator and runs it; takes a C++ compiler and some seconds.
+///
+/// ```no_run
+/// # use tilewright_hdl::*;
+/// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
+/// use tilewright_gen::tools::{Checked, replay_in_verilator};
+/// # let recording = Recording::default();
+///
+/// let bench = tilewright_gen::testbench(&design, &recording);
+/// let checked = replay_in_verilator(&tilewright_gen::verilog(&design), &bench).unwrap();
+/// assert!(matches!(checked, Checked::Passed | Checked::Skipped)); // else it is an error
+/// ```
 ///
 /// # Errors
 ///
@@ -60,6 +92,16 @@ fn verdict(tool: &str, succeeded: bool, output: String) -> Result<Checked, Probl
 /// driven from the dump, the rest must follow.
 ///
 /// `scope` is the top module's scope in the dump, such as `tb.dut`; `clocks` are the names of its clocks in it.
+///
+/// ```no_run
+/// # use tilewright_hdl::*;
+/// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
+/// use tilewright_gen::tools::{Checked, yosys_replay_vcd};
+///
+/// let files = tilewright_gen::verilog(&design);
+/// let checked = yosys_replay_vcd(&files, "delay.vcd".as_ref(), "delay", &["clk"]).unwrap();
+/// assert!(matches!(checked, Checked::Passed | Checked::Skipped));
+/// ```
 ///
 /// # Errors
 ///

@@ -64,6 +64,15 @@ pub fn lacks(programs: &[&str]) -> bool {
 
 /// Says which of the programs that a check calls, also through one another, is missing, if one is; `None` if the check
 /// can run. Fails where `CI` is set.
+///
+/// ```
+/// use tilewright_gen::tools::{Checked, skipped_without};
+///
+/// assert_eq!(skipped_without(&[]), None);
+/// if std::env::var_os("CI").is_none() {
+///     assert_eq!(skipped_without(&["no-such-program"]), Some(Checked::Skipped));
+/// }
+/// ```
 pub fn skipped_without(programs: &[&str]) -> Option<Checked> {
     programs.iter().find(|program| !is_installed(program)).map(|program| missing(program))
 }

@@ -7,6 +7,20 @@ use std::collections::BTreeMap;
 use std::process::Command;
 
 /// An FPGA family.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
+/// use tilewright_gen::tools::{Target, cells};
+///
+/// // A byte in registers, on two families that call a flip-flop by different names.
+/// let files = tilewright_gen::verilog(&design);
+/// for (target, flip_flop) in [(Target::Ice40, "SB_DFF"), (Target::Ecp5, "TRELLIS_FF")] {
+///     if let Some(cells) = cells(&files, target).unwrap() {
+///         assert_eq!(cells[flip_flop], 8);
+///     }
+/// }
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Target {
     /// Lattice iCE40.
@@ -28,6 +42,17 @@ impl Target {
 }
 
 /// The cells of the whole design on that family, by type; `None` if Yosys is not installed.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
+/// use tilewright_gen::tools::{Target, cells};
+///
+/// let files = tilewright_gen::verilog(&design);
+/// if let Some(cells) = cells(&files, Target::Ice40).unwrap() {
+///     assert_eq!(cells.get("SB_LUT4"), None); // there is nothing to compute
+/// }
+/// ```
 ///
 /// # Errors
 ///

@@ -50,6 +50,19 @@ use tilewright_hdl::ir::{Design, Module};
 ///
 /// The text is a Verilog-2001 subset with ANSI ports: free of warnings in Verilator, Icarus, Yosys and slang, the same
 /// bytes for the same design, and with the names of the description.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
+/// let files = tilewright_gen::verilog(&design);
+/// # let folder = std::env::temp_dir().join(format!("tilewright-{}", std::process::id()));
+/// # std::fs::create_dir_all(&folder).unwrap();
+/// for file in &files {
+///     std::fs::write(folder.join(&file.name), &file.text).unwrap();
+/// }
+/// assert!(folder.join("delay.v").is_file());
+/// # std::fs::remove_dir_all(&folder).unwrap();
+/// ```
 pub fn verilog(design: &Design) -> Vec<VerilogFile> {
     let mut files = Vec::new();
     for (module, latency) in design.modules().iter().zip(design.latencies()) {

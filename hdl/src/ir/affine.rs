@@ -2,6 +2,14 @@
 
 /// Lane `i` is lane `floor((mul * i + add) / div)` of the operand, computed in 64 bits: a neighbour, every second lane,
 /// the lanes in reverse, the parent in a tree.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// use tilewright_hdl::ir::Affine;
+///
+/// let parent = Affine { mul: 1, add: -1, div: 2 };
+/// assert_eq!([0, 1, 2, 3, 4].map(|lane| parent.at(lane)), [-1, 0, 0, 1, 1]);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Affine {
     /// What a lane's index is multiplied by.
@@ -14,22 +22,56 @@ pub struct Affine {
 
 impl Affine {
     /// Lane `i` is lane `i + by`.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// use tilewright_hdl::ir::Affine;
+    ///
+    /// // What `previous` is: lane 3 is lane 2, and lane 0 comes from beyond the ends.
+    /// let previous = Affine::shift(-1);
+    /// assert_eq!([3, 0].map(|lane| previous.source(lane, 4)), [Some(2), None]);
+    /// ```
     pub fn shift(by: i32) -> Affine {
         Affine { mul: 1, add: by, div: 1 }
     }
 
     /// Where lane `lane` comes from, also if there is no such lane.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// use tilewright_hdl::ir::Affine;
+    ///
+    /// let reversed = Affine { mul: -1, add: 3, div: 1 };
+    /// assert_eq!([0, 3, 4].map(|lane| reversed.at(lane)), [3, 0, -1]);
+    /// ```
     pub fn at(self, lane: u32) -> i64 {
         // From -2 to the 63 on, and below it.
         (i64::from(self.mul) * i64::from(lane) + i64::from(self.add)).div_euclid(i64::from(self.div.max(1)))
     }
 
     /// The lane of an operand of `extent` lanes that lane `lane` comes from; `None` if it comes from beyond the ends.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// use tilewright_hdl::ir::Affine;
+    ///
+    /// let doubled = Affine { mul: 2, add: 0, div: 1 };
+    /// assert_eq!([0, 1, 2].map(|lane| doubled.source(lane, 4)), [Some(0), Some(2), None]);
+    /// ```
     pub fn source(self, lane: u32, extent: u32) -> Option<u32> {
         u32::try_from(self.at(lane)).ok().filter(|&from| from < extent)
     }
 
     /// Whether each of `lanes` lanes comes from a lane of an operand of `extent` lanes.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// use tilewright_hdl::ir::Affine;
+    ///
+    /// // Each of 8 lanes has one of 4, but a ninth would have none.
+    /// let half = Affine { mul: 1, add: 0, div: 2 };
+    /// assert!(half.stays_inside(8, 4) && !half.stays_inside(9, 4));
+    /// ```
     pub fn stays_inside(self, lanes: u32, extent: u32) -> bool {
         // The rule is monotonic: what the ends keep, all keep.
         lanes == 0 || [0, lanes - 1].into_iter().all(|lane| self.source(lane, extent).is_some())

@@ -5,6 +5,16 @@ use std::fmt;
 
 /// How the bits of a value are to be read, in each lane. Nothing is computed by it: operations say themselves whether they are signed.
 /// Waves and Verilog show codes by name.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// use tilewright_hdl::ir::Kind;
+///
+/// codes! { enum Phase { Idle, Fill } }
+///
+/// let kinds = [Kind::Number, Kind::Signed, Kind::Code(Phase::NAMES)];
+/// assert_eq!(kinds.map(|kind| kind.to_string()), ["a number", "signed", "a code of `Phase`"]);
+/// ```
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
 pub enum Kind {
     /// As a number from 0 on, or as nothing but bits.
@@ -17,6 +27,13 @@ pub enum Kind {
 }
 
 /// The names of an enum's codes.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// codes! { enum Phase { Idle, Fill } }
+///
+/// assert_eq!((Phase::NAMES.of, Phase::NAMES.codes[1]), ("Phase", "Fill"));
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Names {
     /// The enum's name, such as `Phase`.
@@ -32,6 +49,16 @@ impl Kind {
     }
 
     /// The enum that it is a code of, if it is one.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// use tilewright_hdl::ir::Kind;
+    ///
+    /// codes! { enum Phase { Idle, Fill } }
+    ///
+    /// assert_eq!(Kind::Code(Phase::NAMES).names(), Some(Phase::NAMES));
+    /// assert_eq!(Kind::Signed.names(), None);
+    /// ```
     pub fn names(self) -> Option<Names> {
         match self {
             Kind::Code(names) => Some(names),

@@ -30,36 +30,143 @@ pub use op::{Binary, Op, Reduction, Relation, Shift, Unary};
 pub use shape::Shape;
 
 /// A whole circuit, which keeps every rule of this module: its readers need not ask.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let design = tilewright_sim::shown! { |m, i| in { enable: bit() } out { count: bits(8) }
+/// let count = m.reg("count", 8).reset(0);
+/// count.when(i.enable, count + 1);
+/// #     ShownOut { count: *count }
+/// # };
+/// // How many bits of state it has.
+/// let bits = |module: &ir::Module| module.registers.iter().map(|register| module.width(register.node)).sum::<u32>();
+/// assert_eq!(design.modules().iter().map(bits).sum::<u32>(), 8);
+/// ```
 #[derive(Debug, Clone)]
 pub struct Design {
     modules: Vec<Module>,
 }
 
 /// A module's place in [`Design::modules`].
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let design = tilewright_sim::shown! { |m, i| in { word: bits(8) } out { late: bits(8) }
+/// let late = m.pipe("late", i.word);
+/// #     ShownOut { late }
+/// # };
+/// assert_eq!(design.module(ir::ModuleId(0)).name, design.top().name);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct ModuleId(pub u32);
 
 /// A node's place in [`Module::nodes`].
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let design = tilewright_sim::shown! { |_, i| in { word: bits(8) } out { flipped: bits(8) }
+/// let flipped = !i.word;
+/// #     ShownOut { flipped }
+/// # };
+/// // Operands come first, but for those that close a loop through a register.
+/// let top = design.top();
+/// let ir::Op::Unary(_, operand) = top.node(top.outputs[0].node).op else { panic!("a `not`") };
+/// assert!(operand < top.outputs[0].node);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct NodeId(pub u32);
 
 /// A clock's place in [`Module::clocks`].
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let design = tilewright_sim::shown! { |m, i| in { word: bits(8) } out { late: bits(8) }
+/// let late = m.pipe("late", i.word);
+/// #     ShownOut { late }
+/// # };
+/// let top = design.top();
+/// let ir::ClockId(clock) = top.registers[0].clock;
+/// assert_eq!(top.clocks[clock as usize].port, "clk");
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct ClockId(pub u32);
 
 /// A register's place in [`Module::registers`].
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let design = tilewright_sim::shown! { |m, i| in { word: bits(8) } out { late: bits(8) }
+/// let late = m.pipe("late", i.word);
+/// #     ShownOut { late }
+/// # };
+/// let top = design.top();
+/// let node = top.node(top.registers[0].node);
+/// assert_eq!(node.op, ir::Op::Register(ir::RegisterId(0)));
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct RegisterId(pub u32);
 
 /// A memory's place in [`Module::memories`].
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let design = tilewright_sim::shown! { |m, i| in { at: bits(4) } out { word: bits(8) }
+/// let word = m.memory("table", 16, 8, ReadUnderWrite::Any).fill(Bits::zero(8)).read(i.at);
+/// #     ShownOut { word }
+/// # };
+/// let top = design.top();
+/// assert_eq!(top.node(top.outputs[0].node).op, ir::Op::Read(ir::MemoryId(0), 0)); // its first read port
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct MemoryId(pub u32);
 
 /// An instance's place in [`Module::instances`].
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # block! {
+/// #     struct Halver;
+/// #     in HalverIn { word: bits(8) }
+/// #     out HalverOut { half: bits(8) }
+/// # }
+/// # impl Halver {
+/// #     fn build(&self, _: Module, i: HalverIn) -> HalverOut {
+/// #         HalverOut { half: i.word >> 1 }
+/// #     }
+/// # }
+/// # block! {
+/// #     struct Chain;
+/// #     in ChainIn { word: bits(8) }
+/// #     out ChainOut { quarter: bits(8) }
+/// # }
+/// # impl Chain {
+/// #     fn build(&self, m: Module, i: ChainIn) -> ChainOut {
+/// let half = m.instance("u_half", &Halver, HalverIn { word: i.word }).half;
+/// let quarter = m.instance("u_quarter", &Halver, HalverIn { word: half }).half;
+/// #         ChainOut { quarter }
+/// #     }
+/// # }
+/// # let design = elaborate(&Chain)?;
+/// let top = design.top();
+/// assert_eq!(top.node(top.outputs[0].node).op, ir::Op::Output(ir::InstanceId(1), 0)); // its first output
+/// # Ok::<(), Problems>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct InstanceId(pub u32);
 
 /// One module definition.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let design = tilewright_sim::shown! { |m, i| in { enable: bit() } out { count: bits(8) }
+/// let count = m.reg("count", 8).reset(0);
+/// count.when(i.enable, count + 1);
+/// #     ShownOut { count: *count }
+/// # };
+/// let module = design.top();
+/// assert_eq!((&*module.inputs[0].name, &*module.outputs[0].name), ("enable", "count"));
+/// assert_eq!(module.register_name(&module.registers[0]), "count");
+/// ```
 #[derive(Debug, Clone)]
 pub struct Module {
     /// Its name in Verilog, unique in the design.
@@ -89,6 +196,30 @@ pub struct Module {
 }
 
 /// A block's description in words, carried into the Verilog header and the documentation.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// block! {
+///     /// Adds two bytes.
+///     struct Adder;
+///     source = "Shannon, 1938";
+///     in AdderIn {
+///         /// What is added to.
+///         a: bits(8),
+///         b: bits(8),
+///     }
+///     out AdderOut { sum: bits(8) }
+/// }
+/// # impl Adder {
+/// #     fn build(&self, _: Module, i: AdderIn) -> AdderOut {
+/// #         AdderOut { sum: i.a + i.b }
+/// #     }
+/// # }
+///
+/// let about = Adder.about();
+/// assert_eq!((&*about.summary, &*about.source), ("Adds two bytes.", "Shannon, 1938"));
+/// assert_eq!((&*about.inputs["a"], about.inputs.get("b")), ("What is added to.", None));
+/// ```
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct About {
     /// What the block does, one or a few sentences.
@@ -106,6 +237,17 @@ pub struct About {
 }
 
 /// A clock port of a module, and the reset that goes with it.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let design = tilewright_sim::shown! { |m, i| in { word: bits(8) } out { late: bits(8) }
+/// let late = m.pipe("late", i.word);
+/// #     ShownOut { late }
+/// # };
+/// let clock = &design.top().clocks[0];
+/// assert_eq!((&*clock.port, clock.name), ("clk", None));
+/// assert_eq!(clock.reset, None); // a register of a pipeline has no reset, so the module has no port for it
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Clock {
     /// The clock port's name in Verilog: `clk` for the default clock, `NAME_clk` for a named one.
@@ -120,6 +262,27 @@ pub struct Clock {
 }
 
 /// An input port.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// bundle! { struct Pixel<T> { z: T, rgb: T } }
+/// # block! {
+/// #     struct Shown;
+/// in ShownIn { left: Pixel { z: bits(16), rgb: bits(24) } }
+/// #     out ShownOut { depth: bits(16) }
+/// # }
+/// # impl Shown {
+/// #     fn build(&self, m: Module, i: ShownIn) -> ShownOut {
+/// #         m.ignore(&i.left.rgb);
+/// #         ShownOut { depth: i.left.z }
+/// #     }
+/// # }
+/// # let design = elaborate(&Shown)?;
+///
+/// let port = &design.top().inputs[1];
+/// assert_eq!((&*port.name, &*port.path), ("left_rgb", "left.rgb"));
+/// # Ok::<(), Problems>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct Input {
     /// The port's name: the path of the bundle's fields joined by `_`.
@@ -133,6 +296,18 @@ pub struct Input {
 }
 
 /// An output port.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let design = tilewright_sim::shown! { |_, i| in { word: bits(8) } out { same: bits(8).signed() }
+/// let same = i.word.signed();
+/// #     ShownOut { same }
+/// # };
+/// // No operation, but read in another way.
+/// let (top, output) = (design.top(), &design.top().outputs[0]);
+/// assert_eq!(output.node, top.inputs[0].node);
+/// assert_eq!((output.kind, top.node(output.node).kind), (ir::Kind::Signed, ir::Kind::Number));
+/// ```
 #[derive(Debug, Clone)]
 pub struct Output {
     /// The port's name: the path of the bundle's fields joined by `_`.
@@ -146,6 +321,17 @@ pub struct Output {
 }
 
 /// An expression of a known width.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let design = tilewright_sim::shown! { |_, i| in { a: bits(8).of(row(4)), b: bits(8) } out { sum: _ }
+/// net!(sum = i.a + i.b);
+/// #     ShownOut { sum }
+/// # };
+/// // One node for four adders.
+/// let node = design.top().node(design.top().outputs[0].node);
+/// assert_eq!((node.name.as_deref(), node.width, node.shape), (Some("sum"), 8, row(4)));
+/// ```
 #[derive(Debug, Clone)]
 pub struct Node {
     /// How it is computed.
@@ -164,6 +350,25 @@ pub struct Node {
 }
 
 /// What the lanes of a register hold after a reset.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # block! {
+/// #     struct Shown;
+/// #     out ShownOut { next: _ }
+/// # }
+/// # impl Shown {
+/// #     fn build(&self, m: Module, _: ()) -> ShownOut {
+/// let ring = m.reg("ring", bits(4).of(row(3))).reset_each([7, 8, 9]);
+/// ring.next(ring.previous(ring.last()));
+/// #         ShownOut { next: *ring }
+/// #     }
+/// # }
+/// # let design = elaborate(&Shown)?;
+/// let reset = design.top().registers[0].reset.as_ref();
+/// assert_eq!(reset, Some(&ir::Init::Each([7, 8, 9].map(|value| Bits::new(4, value)).into())));
+/// # Ok::<(), Problems>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub enum Init {
     /// The same in every lane; of a plain register always so.
@@ -174,6 +379,12 @@ pub enum Init {
 
 impl Init {
     /// The value of one lane, counted in row-major order.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// let zeros = ir::Init::Same(Bits::zero(8));
+    /// assert_eq!(zeros.lane(100), &Bits::zero(8)); // of as many lanes as there may be
+    /// ```
     pub fn lane(&self, lane: u32) -> &Bits {
         match self {
             Init::Same(value) => value,
@@ -184,6 +395,18 @@ impl Init {
 
 /// A register, in each of its lanes. At an edge of its clock: `reset` if that clock's reset is high and there is a reset value; else `next`
 /// if `enable` is absent or high; else unchanged.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let design = tilewright_sim::shown! { |m, i| in { enable: bit() } out { count: bits(8) }
+/// let count = m.reg("count", 8).reset(5);
+/// count.enable(i.enable).next(count + 1);
+/// #     ShownOut { count: *count }
+/// # };
+/// let (top, register) = (design.top(), &design.top().registers[0]);
+/// assert_eq!(register.enable, Some(top.inputs[0].node));
+/// assert_eq!(register.reset.as_ref().unwrap().lane(0), &Bits::new(8, 5));
+/// ```
 #[derive(Debug, Clone)]
 pub struct Register {
     /// The [`Op::Register`] node, which has the name, the width, the shape and the place.
@@ -206,6 +429,22 @@ pub struct Register {
 }
 
 /// What a read gives when its word is written at the same edge.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let example = tilewright_sim::traced(|m| {
+/// let count = m.reg("count", 2).reset(0);
+/// count.next(count + 1);
+/// for (name, policy) in [("old", ReadUnderWrite::Old), ("any", ReadUnderWrite::Any)] {
+///     let cell = m.memory(&format!("{name}_cell"), 1, 2, policy).fill(Bits::zero(2));
+///     cell.write(lit(1, 1), 0, count);
+///     let _ = cell.read(0).named(name);
+/// }
+/// # });
+/// assert_eq!(example.values("old"), [0, 0, 0, 1, 2]);
+/// // What relies on it is to fail its tests.
+/// assert_eq!(example.values("any"), [0, 3, 3, 2, 1]);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum ReadUnderWrite {
     /// The word as it was before the edge.
@@ -215,6 +454,17 @@ pub enum ReadUnderWrite {
 }
 
 /// What a memory holds at the start.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let design = tilewright_sim::shown! { |m, i| in { at: bits(4) } out { square: bits(8) }
+/// let squares = m.memory("squares", 16, 8, ReadUnderWrite::Any).words((0..3).map(|x| Bits::new(8, x * x)));
+/// let square = squares.read(i.at);
+/// #     ShownOut { square }
+/// # };
+/// let ir::Contents::Words(words) = &design.top().memories[0].contents else { panic!("words") };
+/// assert_eq!(words.len(), 3); // as many as were given: the rest is zero without being said
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub enum Contents {
     /// Nothing that may be relied on.
@@ -233,6 +483,18 @@ pub enum Contents {
 /// With a shape, every lane has words of its own. The address of a port is plain, the same for all lanes, or of the
 /// memory's shape; so is an enable. Each port has it its own way. Where all addresses are plain, this is one memory of
 /// wide words with a write mask for the lanes; else it is one memory a lane.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let design = tilewright_sim::shown! { |m, i| in { at: bits(4), word: bits(8) } out { last_word: bits(8) }
+/// let last = m.memory("last", 12, 8, ReadUnderWrite::Old).fill(Bits::zero(8));
+/// last.write(i.at.lt(12), i.at, i.word);
+/// let last_word = last.read(i.at);
+/// #     ShownOut { last_word }
+/// # };
+/// let memory = &design.top().memories[0];
+/// assert_eq!((memory.depth * memory.width, memory.reads.len(), memory.writes.len()), (96, 1, 1));
+/// ```
 #[derive(Debug, Clone)]
 pub struct Memory {
     /// Its name, unique in the module.
@@ -258,6 +520,17 @@ pub struct Memory {
 }
 
 /// A read port.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let design = tilewright_sim::shown! { |m, i| in { at: bits(4) } out { now: bits(8), later: bits(8) }
+/// let table = m.memory("table", 16, 8, ReadUnderWrite::Any).fill(Bits::zero(8));
+/// let (now, later) = (table.read_async(i.at), table.read(i.at));
+/// #     ShownOut { now, later }
+/// # };
+/// let reads = &design.top().memories[0].reads;
+/// assert!(reads[0].clock.is_none() && reads[1].clock.is_some());
+/// ```
 #[derive(Debug, Clone)]
 pub struct ReadPort {
     /// `Some` for a synchronous port: the data is a register that takes the word at the edge. `None`: asynchronous.
@@ -272,6 +545,18 @@ pub struct ReadPort {
 }
 
 /// A write port.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let design = tilewright_sim::shown! { |m, i| in { at: bits(4), word: bits(8) } out { word_before: bits(8) }
+/// let table = m.memory("table", 16, 8, ReadUnderWrite::Any).fill(Bits::zero(8));
+/// table.write(lit(1, 1), i.at, i.word);
+/// let word_before = table.read(3);
+/// #     ShownOut { word_before }
+/// # };
+/// let (top, write) = (design.top(), &design.top().memories[0].writes[0]);
+/// assert_eq!((write.address, write.data), (top.inputs[0].node, top.inputs[1].node));
+/// ```
 #[derive(Debug, Clone)]
 pub struct WritePort {
     /// Its clock.
@@ -285,6 +570,36 @@ pub struct WritePort {
 }
 
 /// An instance, or an array of instances that differ only in what their lanes are fed.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # block! {
+/// #     struct Cell;
+/// #     in CellIn { left: bits(4) }
+/// #     out CellOut { held: bits(4) }
+/// # }
+/// # impl Cell {
+/// #     fn build(&self, m: Module, i: CellIn) -> CellOut {
+/// #         CellOut { held: m.pipe("held", i.left) }
+/// #     }
+/// # }
+/// # block! {
+/// #     struct Line;
+/// #     in LineIn { word: bits(4) }
+/// #     out LineOut { last: bits(4) }
+/// # }
+/// # impl Line {
+/// #     fn build(&self, m: Module, i: LineIn) -> LineOut {
+/// let cells = m.array("u_cell", 100, &Cell, |cells| CellIn { left: cells.held.previous(i.word) });
+/// #         LineOut { last: cells.held.last() }
+/// #     }
+/// # }
+/// # let design = elaborate(&Line)?;
+/// // One instance with 100 lanes.
+/// let [cells] = &design.top().instances[..] else { panic!("an array is one") };
+/// assert_eq!((cells.shape, cells.inputs.len()), (row(100), 1));
+/// # Ok::<(), Problems>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct Instance {
     /// Its name, unique in the module, such as `u_merger`.
@@ -304,6 +619,17 @@ pub struct Instance {
 }
 
 /// A statement about a condition, in every lane, at every edge of its clock while that clock's reset is low.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let design = tilewright_sim::shown! { |m, i| in { take: bit(), empty: bit() } out { taken: bit() }
+/// m.assert(i.take.implies(!i.empty), "nothing is taken of what is empty");
+/// #     ShownOut { taken: i.take }
+/// # };
+/// // Of a module that is simulated by itself, it is on a clock of its own.
+/// let (top, assert) = (design.top(), &design.top().properties[0]);
+/// assert_eq!((top.width(assert.condition), &*assert.message), (1, "nothing is taken of what is empty"));
+/// ```
 #[derive(Debug, Clone)]
 pub struct Property {
     /// What is stated.
@@ -340,6 +666,12 @@ pub struct Attribute {
 
 impl Node {
     /// A node without a name, whose bits are a number.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// let node = ir::Node::new(ir::Op::Const(Bits::new(8, 7)), 8, row(4), Loc::caller());
+    /// assert_eq!((node.name, node.kind), (None, ir::Kind::Number));
+    /// ```
     pub fn new(op: Op, width: u32, shape: Shape, loc: Loc) -> Node {
         Node { op, width, shape, kind: Kind::Number, name: None, loc }
     }
@@ -351,6 +683,25 @@ impl Design {
     /// # Errors
     ///
     /// Every rule that the modules break, each at the place that the part in question was described.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # let design = tilewright_sim::shown! { |_, i| in { word: bits(8) } out { sum: bits(8) }
+    /// let sum = i.word + 1;
+    /// #     ShownOut { sum }
+    /// # };
+    /// // The one of the sum becomes a two.
+    /// let mut modules = design.into_modules();
+    /// for node in &mut modules[0].nodes {
+    ///     if let ir::Op::Const(value) = &mut node.op {
+    ///         *value = Bits::new(8, 2);
+    ///     }
+    /// }
+    /// assert!(Design::new(modules.clone()).is_ok());
+    /// // An output of a node that there is not.
+    /// modules[0].outputs[0].node = ir::NodeId(99);
+    /// assert!(Design::new(modules).is_err());
+    /// ```
     #[track_caller]
     pub fn new(modules: Vec<Module>) -> Result<Design, Problems> {
         let problems = validate::validate(&modules);
@@ -358,21 +709,100 @@ impl Design {
     }
 
     /// The modules, children before the modules that instantiate them; the top is the last.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # block! {
+    /// #     struct Halver;
+    /// #     in HalverIn { word: bits(8) }
+    /// #     out HalverOut { half: bits(8) }
+    /// # }
+    /// # impl Halver {
+    /// #     fn build(&self, _: Module, i: HalverIn) -> HalverOut {
+    /// #         HalverOut { half: i.word >> 1 }
+    /// #     }
+    /// # }
+    /// # block! {
+    /// #     struct Chain;
+    /// #     in ChainIn { word: bits(8) }
+    /// #     out ChainOut { quarter: bits(8) }
+    /// # }
+    /// # impl Chain {
+    /// #     fn build(&self, m: Module, i: ChainIn) -> ChainOut {
+    /// let half = m.instance("u_half", &Halver, HalverIn { word: i.word }).half;
+    /// let quarter = m.instance("u_quarter", &Halver, HalverIn { word: half }).half;
+    /// #         ChainOut { quarter }
+    /// #     }
+    /// # }
+    /// # let design = elaborate(&Chain)?;
+    /// // Two instances of one module.
+    /// assert_eq!(design.modules().iter().map(|module| &*module.name).collect::<Vec<_>>(), ["halver", "chain"]);
+    /// # Ok::<(), Problems>(())
+    /// ```
     pub fn modules(&self) -> &[Module] {
         &self.modules
     }
 
     /// The modules, to be edited; [`Design::new`] makes a design of them again.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # let design = tilewright_sim::shown! { |m, i| in { word: bits(8) } out { late: bits(8) }
+    /// let late = m.pipe("late", i.word);
+    /// #     ShownOut { late }
+    /// # };
+    /// let mut modules = design.into_modules();
+    /// modules[0].name = "delay".to_owned();
+    /// assert_eq!(Design::new(modules).unwrap().top().name, "delay");
+    /// ```
     pub fn into_modules(self) -> Vec<Module> {
         self.modules
     }
 
     /// The module that is not instantiated by another.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # let design = tilewright_sim::shown! { |m, i| in { word: bits(8) } out { late: bits(8) }
+    /// let late = m.pipe("late", i.word);
+    /// #     ShownOut { late }
+    /// # };
+    /// assert_eq!(design.top().inputs[0].name, "word"); // what a simulation sets
+    /// ```
     pub fn top(&self) -> &Module {
         self.modules.last().expect("a design has a top module")
     }
 
     /// The module of that id.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # block! {
+    /// #     struct Halver;
+    /// #     in HalverIn { word: bits(8) }
+    /// #     out HalverOut { half: bits(8) }
+    /// # }
+    /// # impl Halver {
+    /// #     fn build(&self, _: Module, i: HalverIn) -> HalverOut {
+    /// #         HalverOut { half: i.word >> 1 }
+    /// #     }
+    /// # }
+    /// # block! {
+    /// #     struct Outer;
+    /// #     in OuterIn { word: bits(8) }
+    /// #     out OuterOut { half: bits(8) }
+    /// # }
+    /// # impl Outer {
+    /// #     fn build(&self, m: Module, i: OuterIn) -> OuterOut {
+    /// let HalverOut { half } = m.instance("u_half", &Halver, HalverIn { word: i.word });
+    /// #         OuterOut { half }
+    /// #     }
+    /// # }
+    /// # let design = elaborate(&Outer)?;
+    /// let instance = &design.top().instances[0];
+    /// assert_eq!(design.module(instance.module).name, "halver");
+    /// # Ok::<(), Problems>(())
+    /// ```
     pub fn module(&self, id: ModuleId) -> &Module {
         &self.modules[id.0 as usize]
     }
@@ -380,21 +810,66 @@ impl Design {
 
 impl Module {
     /// The node of that id.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # let design = tilewright_sim::shown! { |_, i| in { word: bits(8) } out { flipped: bits(8) }
+    /// let flipped = !i.word;
+    /// #     ShownOut { flipped }
+    /// # };
+    /// let top = design.top();
+    /// let input = top.node(top.inputs[0].node);
+    /// assert_eq!((input.op.clone(), input.name.as_deref()), (ir::Op::Input(0), Some("word")));
+    /// ```
     pub fn node(&self, id: NodeId) -> &Node {
         &self.nodes[id.0 as usize]
     }
 
     /// The width of a node in bits, in one lane.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # let design = tilewright_sim::shown! { |_, i| in { word: bits(8).of(row(4)) } out { word_of_all: _ }
+    /// let word_of_all = i.word.pack();
+    /// #     ShownOut { word_of_all }
+    /// # };
+    /// let top = design.top();
+    /// assert_eq!((top.width(top.inputs[0].node), top.width(top.outputs[0].node)), (8, 32));
+    /// ```
     pub fn width(&self, id: NodeId) -> u32 {
         self.node(id).width
     }
 
     /// The shape of a node.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # let design = tilewright_sim::shown! { |_, i| in { word: bits(8).of(row(4)) } out { word_of_all: _ }
+    /// let word_of_all = i.word.pack();
+    /// #     ShownOut { word_of_all }
+    /// # };
+    /// let top = design.top();
+    /// assert_eq!((top.shape(top.inputs[0].node), top.shape(top.outputs[0].node)), (row(4), Shape::Plain));
+    /// ```
     pub fn shape(&self, id: NodeId) -> Shape {
         self.node(id).shape
     }
 
     /// The name of a register: its node's.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # let design = tilewright_sim::shown! { |m, i| in { word: bits(8) } out { out: bits(8) }
+    /// bundle! { struct Pair<T> { low: T, high: T } }
+    ///
+    /// let pair = m.pipe("pair", Pair { low: i.word.part(0, 4), high: i.word.part(4, 4) });
+    /// let out = pair.pack();
+    /// #     ShownOut { out }
+    /// # };
+    /// let top = design.top();
+    /// let names: Vec<_> = top.registers.iter().map(|register| top.register_name(register)).collect();
+    /// assert_eq!(names, ["pair_low", "pair_high"]);
+    /// ```
     pub fn register_name(&self, register: &Register) -> &str {
         self.node(register.node).name.as_deref().expect("a register has a name")
     }

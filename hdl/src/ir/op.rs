@@ -4,6 +4,16 @@ use super::{Affine, InstanceId, MemoryId, NodeId, RegisterId};
 use crate::bits::Bits;
 
 /// Operators of one operand.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let design = tilewright_sim::shown! { |_, i| in { word: bits(8) } out { full: bit() }
+/// let full = i.word.all_ones();
+/// #     ShownOut { full }
+/// # };
+/// let top = design.top();
+/// assert!(matches!(top.node(top.outputs[0].node).op, ir::Op::Unary(ir::Unary::AllOnes, _)));
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Unary {
     /// Every bit inverted.
@@ -17,6 +27,17 @@ pub enum Unary {
 }
 
 /// Operators of two operands of equal widths, with a result of that width except where said.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let design = tilewright_sim::shown! { |_, i| in { a: bits(8), b: bits(8).signed() } out { product: _ }
+/// let product = i.a.signed() * i.b;
+/// #     ShownOut { product }
+/// # };
+/// // The operation says that it is signed; what its operands stand for does not change it.
+/// let top = design.top();
+/// assert!(matches!(top.node(top.outputs[0].node).op, ir::Op::Binary(ir::Binary::MulSigned, ..)));
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Binary {
     /// Bitwise and.
@@ -36,6 +57,17 @@ pub enum Binary {
 }
 
 /// Comparisons.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let design = tilewright_sim::shown! { |_, i| in { a: bits(8).signed(), b: bits(8).signed() } out { less: bit() }
+/// let less = i.a.lt(i.b);
+/// #     ShownOut { less }
+/// # };
+/// let top = design.top();
+/// let op = &top.node(top.outputs[0].node).op;
+/// assert!(matches!(op, ir::Op::Compare { relation: ir::Relation::Lt, signed: true, .. }));
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Relation {
     /// Equal.
@@ -53,6 +85,19 @@ pub enum Relation {
 }
 
 /// Shifts by an amount that is a signal.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let design = tilewright_sim::shown! { |_, i| in { word: bits(8), amount: bits(3) } out { by_signal: bits(8), by_two: bits(8) }
+/// let (by_signal, by_two) = (i.word << i.amount, i.word << 2);
+/// #     ShownOut { by_signal, by_two }
+/// # };
+/// // A shift by a constant is none: it is wiring.
+/// let top = design.top();
+/// let op = |output: usize| &top.node(top.outputs[output].node).op;
+/// assert!(matches!(op(0), ir::Op::Shift(ir::Shift::Left, ..)));
+/// assert!(matches!(op(1), ir::Op::Concat(_)));
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Shift {
     /// Towards the most significant bit, filled with zeros.
@@ -64,6 +109,17 @@ pub enum Shift {
 }
 
 /// Combinations of all lanes along an axis into one.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let design = tilewright_sim::shown! { |_, i| in { depths: bits(8).of(row(4)) } out { nearest: bits(8) }
+/// let nearest = i.depths.minimum();
+/// #     ShownOut { nearest }
+/// # };
+/// let top = design.top();
+/// let op = &top.node(top.outputs[0].node).op;
+/// assert!(matches!(op, ir::Op::Reduce { by: ir::Reduction::Min, axis: 0, .. }));
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Reduction {
     /// Bitwise and of all lanes.
@@ -83,6 +139,14 @@ pub enum Reduction {
 impl Reduction {
     /// The operator that combines two lanes; `None` for [`Min`](Reduction::Min) and [`Max`](Reduction::Max), which
     /// compare and choose.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// use tilewright_hdl::ir::{Binary, Reduction};
+    ///
+    /// assert_eq!(Reduction::Xor.operator(), Some(Binary::Xor));
+    /// assert_eq!(Reduction::Max.operator(), None);
+    /// ```
     pub fn operator(self) -> Option<Binary> {
         match self {
             Reduction::And => Some(Binary::And),
@@ -98,6 +162,29 @@ impl Reduction {
 ///
 /// Operations up to [`Output`](Op::Output) are elementwise: their operands have the node's shape, and each lane is
 /// computed from the same lane of them. The others lead from one shape to another, along one axis.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// use tilewright_hdl::ir::Op;
+/// # block! {
+/// #     struct Masked;
+/// #     in MaskedIn { word: bits(8), mask: bits(8) }
+/// #     out MaskedOut { masked: bits(8) }
+/// # }
+/// # impl Masked {
+/// #     fn build(&self, _: Module, i: MaskedIn) -> MaskedOut {
+/// #         MaskedOut { masked: i.word & !i.mask }
+/// #     }
+/// # }
+///
+/// // `i.word & !i.mask`
+/// let design = elaborate(&Masked)?;
+/// let top = design.top();
+/// let Op::Binary(ir::Binary::And, word, inverted) = top.node(top.outputs[0].node).op else { panic!("an and") };
+/// assert_eq!(top.node(word).op, Op::Input(0));
+/// assert!(matches!(top.node(inverted).op, Op::Unary(ir::Unary::Not, _)));
+/// # Ok::<(), Problems>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub enum Op {
     /// The input port of that index in [`Module::inputs`](crate::ir::Module::inputs).
@@ -274,6 +361,18 @@ impl Op {
 
     /// Calls `visit` with every node of the same module that this one is computed from in the same clock cycle,
     /// except through an instance or an asynchronous read.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// use tilewright_hdl::ir::{NodeId, Op};
+    ///
+    /// let [select, on_true, on_false] = [5, 3, 4].map(NodeId);
+    /// let mut operands = Vec::new();
+    /// Op::Mux { select, on_true, on_false }.for_each_operand(|node| operands.push(node.0));
+    /// assert_eq!(operands, [5, 3, 4]);
+    /// // What a register is does not depend on anything in the same clock.
+    /// Op::Register(ir::RegisterId(0)).for_each_operand(|_| unreachable!("no operand"));
+    /// ```
     pub fn for_each_operand(&self, mut visit: impl FnMut(NodeId)) {
         match self {
             Op::Input(_) | Op::Const(_) | Op::Register(_) | Op::Read(..) | Op::Output(..) => {}

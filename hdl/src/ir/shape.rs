@@ -6,6 +6,12 @@ use std::fmt;
 ///
 /// Axis 0 of a row counts its lanes. Axis 0 of a grid counts its rows, axis 1 its columns. Lanes are in row-major order
 /// wherever they stand in one line: lane `(row, column)` of a grid is lane `row * columns + column`.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// let shapes = [Shape::Plain, row(5), grid(3, 4)];
+/// assert_eq!(shapes.map(|shape| shape.to_string()), ["no lanes", "5 lanes", "3 x 4 lanes"]);
+/// ```
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Shape {
     /// A single value, without lanes.
@@ -19,6 +25,11 @@ pub enum Shape {
 
 impl Shape {
     /// The number of lanes in all; 1 for a plain value. A product beyond [`u32::MAX`] stops there.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// assert_eq!([Shape::Plain, row(1), grid(3, 4)].map(Shape::lanes), [1, 1, 12]);
+    /// ```
     pub fn lanes(self) -> u32 {
         match self {
             Shape::Plain => 1,
@@ -28,11 +39,22 @@ impl Shape {
     }
 
     /// Whether this is a single value, without lanes.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// // A row of one lane is none: it does not go where a plain value does by itself.
+    /// assert!(Shape::Plain.is_plain() && !row(1).is_plain());
+    /// ```
     pub fn is_plain(self) -> bool {
         self == Shape::Plain
     }
 
     /// The number of axes: 0, 1 or 2.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// assert_eq!([Shape::Plain, row(5), grid(1, 1)].map(Shape::axes), [0, 1, 2]);
+    /// ```
     pub fn axes(self) -> u32 {
         match self {
             Shape::Plain => 0,
@@ -42,6 +64,12 @@ impl Shape {
     }
 
     /// The number of lanes along an axis; 1 along an axis that there is not.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// assert_eq!((grid(3, 4).extent(0), grid(3, 4).extent(1)), (3, 4));
+    /// assert_eq!(row(5).extent(1), 1);
+    /// ```
     pub fn extent(self, axis: u32) -> u32 {
         match (self, axis) {
             (Shape::Row(count), 0) => count,
@@ -52,6 +80,12 @@ impl Shape {
     }
 
     /// The shape that is left where an axis is dropped; itself if there is no such axis.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// // Without its rows, a grid is as long as a row of it.
+    /// assert_eq!((grid(3, 4).without(0), grid(3, 4).without(1)), (row(4), row(3)));
+    /// ```
     pub fn without(self, axis: u32) -> Shape {
         match (self, axis) {
             (Shape::Row(_), 0) => Shape::Plain,
@@ -63,6 +97,12 @@ impl Shape {
 
     /// The shape with an axis of `count` lanes put in as that axis, the reverse of [`without`](Shape::without); `None`
     /// if that would be a third axis, or leave a gap.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// assert_eq!((row(4).with(0, 3), row(4).with(1, 3)), (Some(grid(3, 4)), Some(grid(4, 3))));
+    /// assert_eq!(grid(3, 4).with(0, 2), None);
+    /// ```
     pub fn with(self, axis: u32, count: u32) -> Option<Shape> {
         match (self, axis) {
             (Shape::Plain, 0) => Some(Shape::Row(count)),
@@ -73,6 +113,12 @@ impl Shape {
     }
 
     /// The product of the extents behind an axis: how far neighbours along that axis are apart in row-major order.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// // The lane below is 4 further, that on the right the next one.
+    /// assert_eq!((grid(3, 4).inner(0), grid(3, 4).inner(1)), (4, 1));
+    /// ```
     pub fn inner(self, axis: u32) -> u32 {
         match (self, axis) {
             (Shape::Grid(_, columns), 0) => columns,
@@ -81,6 +127,12 @@ impl Shape {
     }
 
     /// The product of the extents before an axis.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// let shape = grid(3, 4);
+    /// assert!([0, 1].iter().all(|&axis| shape.outer(axis) * shape.extent(axis) * shape.inner(axis) == shape.lanes()));
+    /// ```
     pub fn outer(self, axis: u32) -> u32 {
         match (self, axis) {
             (Shape::Grid(rows, _), 1) => rows,
@@ -89,17 +141,36 @@ impl Shape {
     }
 
     /// Where lane `lane` stands along an axis.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// // Lane 11 of 3 x 5 is in row 2, column 1.
+    /// assert_eq!((grid(3, 5).along(0, 11), grid(3, 5).along(1, 11)), (2, 1));
+    /// ```
     pub fn along(self, axis: u32, lane: u32) -> u32 {
         lane / self.inner(axis) % self.extent(axis)
     }
 
     /// Where lane `lane` stands in the shape [`without`](Shape::without) an axis.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// // Where lane 11 of 3 x 5 stands in its row, and in its column.
+    /// assert_eq!((grid(3, 5).across(0, 11), grid(3, 5).across(1, 11)), (1, 2));
+    /// ```
     pub fn across(self, axis: u32, lane: u32) -> u32 {
         let inner = self.inner(axis);
         lane / inner / self.extent(axis) * inner + lane % inner
     }
 
     /// The lane that stands at `along` of an axis and at `across` of the shape without it.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// let shape = grid(3, 5);
+    /// assert_eq!(shape.lane(0, 2, 1), 11);
+    /// assert_eq!(shape.lane(0, shape.along(0, 7), shape.across(0, 7)), 7);
+    /// ```
     pub fn lane(self, axis: u32, along: u32, across: u32) -> u32 {
         let inner = self.inner(axis);
         (across / inner * self.extent(axis) + along) * inner + across % inner
@@ -107,6 +178,13 @@ impl Shape {
 
     /// This shape followed by another: what a port of shape `other` is, seen from outside an array of this shape. `None`
     /// above two axes.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// // A row of 2 blocks, each with a port of 3 lanes, has a grid of them.
+    /// assert_eq!(row(2).beside(row(3)), Some(grid(2, 3)));
+    /// assert_eq!(grid(2, 3).beside(row(4)), None);
+    /// ```
     pub fn beside(self, other: Shape) -> Option<Shape> {
         match (self, other) {
             (shape, Shape::Plain) | (Shape::Plain, shape) => Some(shape),

@@ -20,64 +20,152 @@ use crate::width::Width;
 /// its word and its fields, `step_address`, in waves and in Verilog.
 ///
 /// ```
-/// # use tilewright_hdl::{Block, Module, ReadUnderWrite, Width, bit, bits, bundle, elaborate, net};
+/// # use tilewright_hdl::*;
+/// # let example = tilewright_sim::traced(|m| {
 /// bundle! {
 ///     /// An instruction.
-///     pub struct Step<T> { pub address: T, pub counts: T, pub ends: T }
+///     struct Step<T> { address: T, counts: T, ends: T }
 /// }
-/// # bundle! {
-/// #     /// Where it is.
-/// #     pub struct ProgramIn<T> { pub at: T }
-/// # }
-/// # #[derive(Debug, Clone, PartialEq, Eq, Hash)]
-/// # struct Program;
-/// # impl Block for Program {
-/// #     type In = ProgramIn;
-/// #     type Out = Step;
-/// #     fn inputs(&self) -> ProgramIn<Width> { ProgramIn { at: bits(2) } }
-/// #     fn build(&self, m: Module, i: ProgramIn) -> Step {
+///
 /// const COUNT: Step<u64> = Step { address: 0, counts: 1, ends: 0 };
-/// let program = m.memory("program", 4, Step { address: bits(8), counts: bit(), ends: bit() }, ReadUnderWrite::Any).words([
+/// let layout = Step { address: bits(8), counts: bit(), ends: bit() };
+/// let program = m.memory("program", 4, layout, ReadUnderWrite::Any).words([
 ///     Step { address: 17, ..COUNT },
 ///     Step { address: 18, ..COUNT },
 ///     Step { address: 0, counts: 0, ends: 1 },
+///     COUNT,
 /// ]);
-/// net!(step = program.read(i.at));
-/// #         step
-/// #     }
-/// # }
-/// # elaborate(&Program).unwrap();
+/// let at = m.reg("at", 2).reset(0);
+/// net!(step = program.read_async(at));
+/// at.when(!step.ends, at + 1);
+/// # });
+/// assert_eq!(example.values("step_address"), [17, 18, 0, 0]);
+/// assert_eq!(example.values("step_ends"), [0, 0, 1, 1]);
 /// ```
 impl<B: Bundle> Mem<B> {
     /// The same memory; ports made through this handle are on `clock`.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # const HOST: Clock = Clock::new("host", Period::ns(30));
+    /// # const VIDEO: Clock = Clock::new("video", Period::ns(40));
+    /// bundle! { struct Tile<T> { glyph: T, colour: T } }
+    /// # block! {
+    /// #     struct Text;
+    /// #     in TextIn {
+    /// #         set: bit().on(HOST),
+    /// #         at: bits(10).on(HOST),
+    /// #         tile: Tile { glyph: bits(8), colour: bits(4) }.on(HOST),
+    /// #         shown: bits(10).on(VIDEO),
+    /// #     }
+    /// #     out TextOut { now: Tile = _ }
+    /// # }
+    /// # impl Text {
+    /// #     fn build(&self, m: Module, i: TextIn) -> TextOut {
+    ///
+    /// let tiles = m.memory("tiles", 1024, Tile { glyph: bits(8), colour: bits(4) }, ReadUnderWrite::Any);
+    /// tiles.on(HOST).write(i.set, i.at, i.tile);
+    /// let now = tiles.on(VIDEO).read(i.shown);
+    /// #         TextOut { now }
+    /// #     }
+    /// # }
+    /// # assert_eq!(elaborate(&Text).unwrap().top().clocks.len(), 2);
+    /// ```
     #[track_caller]
     pub fn on(&self, clock: Clock) -> Mem<B> {
         self.with(self.word().on(clock))
     }
 
     /// The width of an address in bits.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// bundle! { struct Entry<T> { resident: T, page: T } }
+    ///
+    /// let table = m.memory("table", 12, Entry { resident: bit(), page: below(100) }, ReadUnderWrite::Any).fill(0);
+    /// let last = lit(table.address_width(), 11);
+    /// m.assert(!table.read_async(last).resident, "4 bits lead to 12 records");
+    /// # });
+    /// ```
     pub fn address_width(&self) -> u32 {
         self.address_width
     }
 
     /// The width of a word in bits: of all fields together.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// bundle! { struct Entry<T> { resident: T, page: T } }
+    ///
+    /// let table = m.memory("table", 12, Entry { resident: bit(), page: below(100) }, ReadUnderWrite::Any).fill(0);
+    /// m.assert(table.read_async(0).pack().eq(lit(table.width(), 0)), "1 bit and 7");
+    /// # });
+    /// ```
     pub fn width(&self) -> u32 {
         self.word.bits
     }
 
     /// Allows more than one write port. Few FPGAs have such memories: elsewhere this becomes registers.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # let example = tilewright_sim::traced(|m| {
+    /// bundle! { struct Entry<T> { resident: T, page: T } }
+    ///
+    /// let count = m.reg("count", 2).reset(0);
+    /// count.next(count + 1);
+    /// let layout = Entry { resident: bit(), page: bits(2) };
+    /// let table = m.memory("table", 4, layout, ReadUnderWrite::Any).true_dual_port().fill(0);
+    /// table.write(lit(1, 1), count, Entry { resident: lit(1, 1), page: *count });
+    /// table.write(count.eq(1), 3, 0);
+    /// net!(entry = table.read_async(3));
+    /// # });
+    /// assert_eq!(example.values("entry_resident"), [0, 0, 0, 0, 1, 1, 0, 0]);
+    /// ```
     #[track_caller]
     pub fn true_dual_port(&self) -> Mem<B> {
         self.with(self.word().true_dual_port())
     }
 
     /// Every word is `record` at the start: a record of numbers, or 0 for all of its fields.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// bundle! { struct Entry<T> { resident: T, page: T } }
+    ///
+    /// let layout = Entry { resident: bit(), page: below(12) };
+    /// let table = m.memory("table", 16, layout, ReadUnderWrite::Any).fill(Entry { resident: 0, page: 11 });
+    /// m.assert(table.read_async(5).page.eq(11), "a number for each field");
+    /// # });
+    /// ```
     #[track_caller]
     pub fn fill(&self, record: impl Fits<B>) -> Mem<B> {
         self.with(self.word().fill(self.number(record, "fill", "the contents")))
     }
 
     /// Holds these records of numbers from address 0 at the start, and zeros above.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # let example = tilewright_sim::traced(|m| {
+    /// bundle! { struct Step<T> { add: T, halt: T } }
+    ///
+    /// let at = m.reg("at", 2).reset(0);
+    /// let steps = m.memory("steps", 4, Step { add: bits(8).signed(), halt: bit() }, ReadUnderWrite::Any).words([
+    ///     Step { add: 5, halt: 0 },
+    ///     Step { add: -2, halt: 0 },
+    ///     Step { add: 0, halt: 1 },
+    /// ]);
+    /// net!(step = steps.read_async(at));
+    /// let sum = m.reg("sum", bits(8).signed()).reset(0);
+    /// sum.next(sum + step.add);
+    /// at.when(!step.halt, at + 1);
+    /// # });
+    /// assert_eq!(example.values("sum"), [0, 5, 3, 3]);
+    /// ```
     #[track_caller]
     pub fn words<R: Fits<B>>(&self, records: impl IntoIterator<Item = R>) -> Mem<B> {
         // A loop, as a closure would be the caller that messages name.
@@ -89,24 +177,81 @@ impl<B: Bundle> Mem<B> {
     }
 
     /// A synchronous read: the record at `address` appears after the next edge.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # let example = tilewright_sim::traced(|m| {
+    /// bundle! { struct Entry<T> { resident: T, page: T } }
+    ///
+    /// let at = m.reg("at", 1).reset(0);
+    /// at.next(!*at);
+    /// let table = m
+    ///     .memory("table", 2, Entry { resident: bit(), page: bits(4) }, ReadUnderWrite::Any)
+    ///     .words([Entry { resident: 0, page: 9 }, Entry { resident: 1, page: 7 }]);
+    /// net!(entry = table.read(at));
+    /// # });
+    /// assert_eq!(example.values("entry_page"), [0, 9, 7, 9]);
+    /// assert_eq!(example.values("entry_resident"), [0, 0, 1, 0]);
+    /// ```
     #[track_caller]
     pub fn read(&self, address: impl Operand) -> B {
         split(&self.layout, self.word().read(address))
     }
 
     /// As a read, where `enable` is high; elsewhere the data stays.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # let example = tilewright_sim::traced(|m| {
+    /// bundle! { struct Entry<T> { resident: T, page: T } }
+    ///
+    /// let count = m.reg("count", 2).reset(0);
+    /// count.next(count + 1);
+    /// let table = m
+    ///     .memory("table", 2, Entry { resident: bit(), page: bits(4) }, ReadUnderWrite::Any)
+    ///     .words([Entry { resident: 0, page: 9 }, Entry { resident: 1, page: 7 }]);
+    /// net!(entry = table.read_when(count.bit(0), count.bit(1)));
+    /// # });
+    /// assert_eq!(example.values("entry_page"), [0, 0, 9, 9, 7, 7, 9]);
+    /// ```
     #[track_caller]
     pub fn read_when(&self, enable: impl IntoSignal, address: impl Operand) -> B {
         split(&self.layout, self.word().read_when(enable, address))
     }
 
     /// An asynchronous read: the record at `address`, in the same cycle. On an FPGA it costs distributed memory.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// bundle! { struct Entry<T> { resident: T, page: T } }
+    ///
+    /// let layout = Entry { resident: bit(), page: bits(4) };
+    /// let table = m.memory("table", 2, layout, ReadUnderWrite::Any).words([Entry { resident: 1, page: 7 }]);
+    /// let Entry { resident, page } = table.read_async(0);
+    /// m.assert(resident & page.eq(7), "its fields, taken apart");
+    /// # });
+    /// ```
     #[track_caller]
     pub fn read_async(&self, address: impl Operand) -> B {
         split(&self.layout, self.word().read_async(address))
     }
 
     /// Writes `record` at `address` at each edge where `enable` is high.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # let example = tilewright_sim::traced(|m| {
+    /// bundle! { struct Entry<T> { resident: T, page: T } }
+    ///
+    /// let count = m.reg("count", 3).reset(0);
+    /// count.next(count + 1);
+    /// let table = m.memory("table", 2, Entry { resident: bit(), page: bits(3) }, ReadUnderWrite::Old).fill(0);
+    /// net!(entry = table.read_async(1));
+    /// table.write(count.bit(0), 1, Entry { page: *count, ..entry }); // the other field is written as it is
+    /// # });
+    /// assert_eq!(example.values("entry_page"), [0, 0, 1, 1, 3, 3, 5]);
+    /// ```
     #[track_caller]
     pub fn write(&self, enable: impl IntoSignal, address: impl Operand, record: impl Fits<B>) {
         let fields = self.fields();

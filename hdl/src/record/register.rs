@@ -39,11 +39,35 @@ use crate::select::condition;
 /// ```
 impl<B: Bundle> Reg<B> {
     /// The present values.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// bundle! { struct Pixel<T> { z: T, rgb: T } }
+    ///
+    /// let nearest = m.reg("nearest", Pixel { z: bits(16), rgb: bits(24) }).reset(Pixel { z: 5, rgb: 7 });
+    /// nearest.next(nearest.value());
+    /// let Pixel { z, rgb } = nearest.value();
+    /// m.assert(z.eq(5) & rgb.eq(7), "a record of signals, for an output or a helper; one field is `nearest.z`");
+    /// # });
+    /// ```
     pub fn value(&self) -> B {
         self.signal.clone()
     }
 
     /// The values after a reset: a record of numbers, or 0 for all.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # let example = tilewright_sim::traced(|m| {
+    /// bundle! { struct Pixel<T> { z: T, rgb: T } }
+    ///
+    /// let nearest = m.reg("nearest", Pixel { z: bits(4), rgb: bits(8) }).reset(Pixel { z: 15, rgb: 0 });
+    /// nearest.next(Pixel { z: nearest.z - 1, rgb: nearest.rgb + 9 });
+    /// # });
+    /// assert_eq!(example.values("nearest_z"), [15, 14, 13]);
+    /// assert_eq!(example.values("nearest_rgb"), [0, 9, 18]);
+    /// ```
     #[track_caller]
     pub fn reset(self, values: impl Fits<B>) -> Reg<B> {
         for (register, value) in self.fields().into_iter().zip(self.values(values, "reset")) {
@@ -62,6 +86,20 @@ impl<B: Bundle> Reg<B> {
     }
 
     /// Takes its next values only where `condition`, 1 bit, is high.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # let example = tilewright_sim::traced(|m| {
+    /// bundle! { struct Point<T> { x: T, y: T } }
+    ///
+    /// let half = m.reg("half", 1).reset(0);
+    /// half.next(!*half);
+    /// let point = m.reg("point", Point { x: bits(4), y: bits(4) }).reset(0);
+    /// point.enable(*half).next(Point { x: point.x + 1, y: point.y - 1 });
+    /// # });
+    /// assert_eq!(example.values("point_x"), [0, 0, 1, 1, 2]);
+    /// assert_eq!(example.values("point_y"), [0, 0, 15, 15, 14]);
+    /// ```
     #[track_caller]
     pub fn enable(self, enable: impl IntoSignal) -> Reg<B> {
         let enable = condition(enable.into(), "enable");
@@ -72,6 +110,17 @@ impl<B: Bundle> Reg<B> {
     }
 
     /// The values that the register takes at the next edge.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # let example = tilewright_sim::traced(|m| {
+    /// bundle! { struct Point<T> { x: T, y: T } }
+    ///
+    /// let point = m.reg("point", Point { x: bits(4), y: bits(4) }).reset(Point { x: 1, y: 2 });
+    /// point.next(Point { x: point.y, y: point.x }); // both sample at once
+    /// # });
+    /// assert_eq!(example.values("point_x"), [1, 2, 1, 2]);
+    /// ```
     #[track_caller]
     pub fn next(&self, record: impl Fits<B>) {
         for (register, value) in self.fields().into_iter().zip(self.values(record, "next")) {
@@ -81,6 +130,20 @@ impl<B: Bundle> Reg<B> {
 
     /// Takes `record` where `condition`, 1 bit, is high; else what a further [`when`](RecordUpdates::when) of the same chain
     /// says; else it keeps what it holds. The first condition that holds wins.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # let example = tilewright_sim::traced(|m| {
+    /// bundle! { struct Point<T> { x: T, y: T } }
+    ///
+    /// let point = m.reg("point", Point { x: bits(2), y: bits(2) }).reset(0);
+    /// point
+    ///     .when(point.x.eq(2), Point { x: lit(2, 0), y: point.y + 1 })
+    ///     .otherwise(Point { x: point.x + 1, ..point.value() });
+    /// # });
+    /// assert_eq!(example.values("point_x"), [0, 1, 2, 0, 1]);
+    /// assert_eq!(example.values("point_y"), [0, 0, 0, 1, 1]);
+    /// ```
     #[track_caller]
     pub fn when(&self, condition: impl IntoSignal, record: impl Fits<B>) -> RecordUpdates<B> {
         let condition = crate::select::condition(condition.into(), "when");
@@ -110,6 +173,18 @@ impl<B: Bundle> Reg<B> {
 }
 
 /// What a register of a record takes, and when: made by its [`when`](Reg::when).
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let example = tilewright_sim::traced(|m| {
+/// bundle! { struct Point<T> { x: T, y: T } }
+///
+/// let point = m.reg("point", Point { x: bits(4), y: bits(4) }).reset(0);
+/// let updates = point.when(point.x.eq(1), Point { x: 8, y: 9 });
+/// updates.when(point.x.eq(8), 0).otherwise(Point { x: point.x + 1, y: point.y });
+/// # });
+/// assert_eq!(example.values("point_x"), [0, 1, 8, 0, 1]);
+/// ```
 #[derive(Debug, Clone)]
 pub struct RecordUpdates<B> {
     register: Reg<B>,
@@ -118,6 +193,19 @@ pub struct RecordUpdates<B> {
 
 impl<B: Bundle> RecordUpdates<B> {
     /// Takes `record` where `condition`, 1 bit, is high and no condition before it is.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # let example = tilewright_sim::traced(|m| {
+    /// bundle! { struct Point<T> { x: T, y: T } }
+    ///
+    /// let point = m.reg("point", Point { x: bits(4), y: bits(4) }).reset(0);
+    /// point
+    ///     .when(point.x.eq(3), 0)
+    ///     .when(point.y.lt(4), Point { x: point.x + 1, y: point.y + 2 }); // else it stays as it is
+    /// # });
+    /// assert_eq!(example.values("point_y"), [0, 2, 4, 4, 4]);
+    /// ```
     #[track_caller]
     pub fn when(self, condition: impl IntoSignal, record: impl Fits<B>) -> RecordUpdates<B> {
         let condition = crate::select::condition(condition.into(), "when");
@@ -128,6 +216,17 @@ impl<B: Bundle> RecordUpdates<B> {
     }
 
     /// Takes `record` where no condition holds, instead of keeping what it holds.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # let example = tilewright_sim::traced(|m| {
+    /// bundle! { struct Point<T> { x: T, y: T } }
+    ///
+    /// let point = m.reg("point", Point { x: bits(4), y: bits(4) }).reset(Point { x: 3, y: 0 });
+    /// point.when(point.x.eq(3), 0).otherwise(Point { x: point.x + 1, y: point.y + 2 });
+    /// # });
+    /// assert_eq!(example.values("point_x"), [3, 0, 1, 2, 3, 0]);
+    /// ```
     #[track_caller]
     pub fn otherwise(self, record: impl Fits<B>) {
         for (updates, value) in self.fields.iter().zip(self.register.values(record, "otherwise")) {

@@ -88,6 +88,15 @@ impl<P, T> Deref for Stream<P, T> {
 impl<P, T: Default> Stream<P, T> {
     /// What a testbench drives: `Stream::of(1, Job { page: 7, last: 0 })`. It has no say in `ready` of a stream that comes in, which is the
     /// block's.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// bundle! { struct Job<T> { page: T, last: T } }
+    ///
+    /// let idle = Stream::of(0u64, Job { page: 0, last: 0 });
+    /// let last = Stream::of(1, Job { last: 1, ..idle.payload });
+    /// assert_eq!((last.valid, last.last, last.ready), (1, 1, 0));
+    /// ```
     pub fn of(valid: T, payload: P) -> Stream<P, T> {
         Stream { valid, ready: T::default(), payload }
     }
@@ -95,6 +104,15 @@ impl<P, T: Default> Stream<P, T> {
 
 /// A port that is a stream, whose payload is a signal of that width or a record of those: `stream(8)`,
 /// `stream(Job { page: below(12), last: bit() })`.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// bundle! { struct Job<T> { page: T, last: T } }
+///
+/// let jobs = stream(Job { page: below(12), last: bit() });
+/// assert_eq!((jobs.valid.bits(), jobs.ready.bits(), jobs.page.bits()), (1, 1, 4));
+/// assert_eq!(stream(8).leaves()[2].0, "payload");
+/// ```
 #[track_caller]
 pub fn stream<L: Layout>(payload: L) -> Stream<<L::Value as Data>::Like<Width>, Width> {
     Stream { valid: bit(), ready: bit(), payload: payload.layout() }
@@ -102,6 +120,30 @@ pub fn stream<L: Layout>(payload: L) -> Stream<<L::Value as Data>::Like<Width>, 
 
 impl<P: Fields<Width, With<Width> = P>> Stream<P, Width> {
     /// The same stream, all of it synchronous to `clock`.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # const HOST: Clock = Clock::new("host", Period::ns(30));
+    /// type Bytes<T> = Stream<T, T>;
+    ///
+    /// block! {
+    ///     struct Sink;
+    ///     in SinkIn { bytes: Bytes = stream(8).on(HOST) }
+    ///     out SinkOut { last: bits(8) }
+    /// }
+    ///
+    /// impl Sink {
+    ///     fn build(&self, m: Module, i: SinkIn) -> SinkOut {
+    ///         let bytes = i.bytes.take_when(1);
+    ///         let last = m.on(HOST).reg("last_byte", 8).reset(0);
+    ///         last.when(bytes.taken, *bytes);
+    ///         SinkOut { last: *last }
+    ///     }
+    /// }
+    ///
+    /// elaborate(&Sink)?;
+    /// # Ok::<(), Problems>(())
+    /// ```
     pub fn on(self, clock: Clock) -> Self {
         self.map(|width| width.on(clock))
     }

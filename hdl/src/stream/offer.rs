@@ -12,6 +12,23 @@ use crate::stream::{Origin, Stream, take, untaken};
 use std::ops::Deref;
 
 /// A stream that is being taken, made by [`Stream::take_when`]. It reads as its payload.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let example = tilewright_sim::traced(|m| {
+/// let count = m.reg("count", 4).reset(0);
+/// let (numbers, sent) = m.offer(lit(1, 1), *count);
+/// count.when(sent, count + 1);
+///
+/// let busy = m.reg("busy", 1).reset(0);
+/// let number = numbers.take_when(!*busy);
+/// busy.next(number.taken);
+/// let sum = m.reg("sum", 8).reset(0);
+/// sum.when(number.taken, sum + number.zext(8)); // it reads as the payload
+/// # });
+/// assert_eq!(example.values("count"), [0, 1, 1, 2, 2, 3]);
+/// assert_eq!(example.values("sum"), [0, 0, 0, 1, 1, 3]);
+/// ```
 #[derive(Debug, Clone, Copy)]
 pub struct Taken<P> {
     /// The payload goes over at this edge: it is valid, and this side is ready.
@@ -32,6 +49,22 @@ impl<P> Deref for Taken<P> {
 
 impl<P: Data> Stream<P> {
     /// Takes the stream's payload at each edge where it is valid and `can_accept`, 1 bit, is high, which is its `ready`.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # let example = tilewright_sim::traced(|m| {
+    /// let left = m.reg("left", 4).reset(3);
+    /// let (tokens, sent) = m.offer(left.ne(0), *left);
+    /// left.when(sent, left - 1);
+    ///
+    /// let wait = m.reg("wait", 1).reset(1);
+    /// wait.next(0);
+    /// let token = tokens.take_when(!*wait);
+    /// net!(taken = token.taken);
+    /// # });
+    /// // It is ready from the second clock on, and there are three.
+    /// assert_eq!(example.values("taken"), [0, 1, 1, 1, 0]);
+    /// ```
     #[track_caller]
     pub fn take_when(&self, can_accept: impl Operand) -> Taken<P> {
         let loc = Loc::caller();
@@ -44,12 +77,35 @@ impl<P: Data> Stream<P> {
     }
 
     /// The stream with another payload, which is made of this one in the same cycle: `jobs.with(jobs.page)`.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// bundle! { struct Job<T> { page: T, last: T } }
+    ///
+    /// let (jobs, _) = m.offer(lit(1, 1), Job { page: lit(4, 11), last: lit(1, 0) });
+    /// let addresses = jobs.with(jobs.page.zext(12) << 8);
+    /// let address = addresses.take_when(1);
+    /// m.assert(address.taken & address.eq(0xb00), "the same handshake, so it is `jobs` that is taken");
+    /// # });
+    /// ```
     pub fn with<Q: Data>(&self, payload: Q) -> Stream<Q> {
         Stream { valid: self.valid, ready: self.ready, payload }
     }
 
     /// The stream with its payload's fields side by side in one signal, the first most significant; so are the lanes of a field, lane 0 in the
     /// lowest bits.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// bundle! { struct Job<T> { page: T, last: T } }
+    ///
+    /// let (jobs, _) = m.offer(lit(1, 1), Job { page: lit(4, 0xa), last: lit(1, 1) });
+    /// let words = jobs.packed();
+    /// m.assert(words.take_when(1).eq(0b1010_1), "for what carries words and knows no records");
+    /// # });
+    /// ```
     #[track_caller]
     pub fn packed(&self) -> Stream {
         self.with(record::pack_any(&self.payload, self.valid.shape))
@@ -58,6 +114,18 @@ impl<P: Data> Stream<P> {
 
 impl Stream {
     /// The stream with a payload like `like`, which its own one is packed of.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// bundle! { struct Job<T> { page: T, last: T } }
+    ///
+    /// let like = Job { page: lit(4, 0), last: lit(1, 0) };
+    /// let (words, _) = m.offer(lit(1, 1), lit(5, 0b1010_1));
+    /// let job = words.unpacked(&like).take_when(1);
+    /// m.assert(job.page.eq(0xa) & job.last, "of `like` only the widths count");
+    /// # });
+    /// ```
     #[track_caller]
     pub fn unpacked<P: Data>(&self, like: &P) -> Stream<P> {
         self.with(record::unpack_any(like, self.payload))
@@ -70,6 +138,19 @@ impl Module {
     /// for that signal.
     ///
     /// See [`Stream`] for a block that does it. The stream's `ready` belongs to this handle's clock.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # let example = tilewright_sim::traced(|m| {
+    /// let count = m.reg("count", 4).reset(0);
+    /// let (numbers, sent) = m.offer(count.lt(3), *count);
+    /// count.when(sent, count + 1);
+    /// let number = numbers.take_when(1);
+    /// net!(taken = number.taken);
+    /// # });
+    /// assert_eq!(example.values("count"), [0, 1, 2, 3, 3]);
+    /// assert_eq!(example.values("taken"), [1, 1, 1, 0, 0]);
+    /// ```
     #[track_caller]
     pub fn offer<P: Data>(self, valid: impl IntoSignal, payload: P) -> (Stream<P>, Signal) {
         let loc = Loc::caller();

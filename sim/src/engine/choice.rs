@@ -11,6 +11,19 @@ use crate::engine::program::{Program, Triggers, ValueId};
 use crate::engine::{interpreter, reference};
 
 /// Which engine executes a circuit. All give the same results.
+///
+/// ```
+/// # use tilewright_sim::{EngineKind, Simulation, for_examples::Counter};
+/// let mut counts = Vec::new();
+/// for kind in [EngineKind::Reference, EngineKind::Interpreter, EngineKind::Compiled, EngineKind::Both] {
+///     let mut sim = Simulation::of(&Counter)?.on(kind);
+///     sim.set(sim.i.enable, 1);
+///     sim.run(100);
+///     counts.push(sim.get_u64(sim.o.count));
+/// }
+/// assert_eq!(counts, [100; 4]);
+/// # Ok::<(), tilewright_sim::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum EngineKind {
     /// The plainest one: the meaning that the others are held to.
@@ -26,6 +39,13 @@ pub enum EngineKind {
 
 impl EngineKind {
     /// Why this engine cannot run on this computer, if it cannot: only those that make machine code may be unable to.
+    ///
+    /// ```
+    /// use tilewright_sim::EngineKind;
+    ///
+    /// assert_eq!(EngineKind::Interpreter.refused(), None);
+    /// assert_eq!(EngineKind::Compiled.refused(), EngineKind::Both.refused());
+    /// ```
     pub fn refused(self) -> Option<String> {
         let needs_code = matches!(self, EngineKind::Compiled | EngineKind::Both);
         needs_code.then(compiled::unsupported).flatten().map(|reason| reason.to_string())

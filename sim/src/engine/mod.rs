@@ -57,6 +57,16 @@ pub(crate) struct Word {
 }
 
 /// Where two engines first differ.
+///
+/// ```
+/// use tilewright_hdl::Bits;
+/// use tilewright_sim::{Difference, Error};
+///
+/// let (reference, other) = (Bits::new(8, 5), Bits::new(8, 4));
+/// let difference = Difference { signal: "count".to_owned(), instant: 7, clocks: vec!["clk".to_owned()], reference, other };
+/// let error = Error::from(Box::new(difference));
+/// assert!(error.to_string().starts_with("the engines differ in `count` after instant 7, an edge of clk:"));
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Difference {
     /// The signal's hierarchical name, that of a memory with the address, or an instance and the message of an assertion

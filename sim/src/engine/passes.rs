@@ -1,6 +1,18 @@
 //! What is done to make a program fast, each of it for tests to switch.
 
 /// The optimisation passes. None changes what a circuit does, which running a design with and without them shows.
+///
+/// ```
+/// # use tilewright_sim::{Simulation, for_examples::Counter};
+/// use tilewright_sim::Passes;
+///
+/// let design = tilewright_hdl::elaborate(&Counter)?;
+/// let without_folding = Passes { fold: false, ..Passes::default() };
+/// let mut sim = Simulation::with_passes(&design, &without_folding)?;
+/// sim.run(5);
+/// assert_eq!(sim.peek("count")?, 0); // as with it
+/// # Ok::<(), tilewright_sim::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Passes {
     /// Instances of one module that were written one by one run as an array.
@@ -61,6 +73,13 @@ impl Default for Passes {
 
 impl Passes {
     /// No pass: each operation of the description as it stands.
+    ///
+    /// ```
+    /// use tilewright_sim::Passes;
+    ///
+    /// let folding_alone = Passes { fold: true, ..Passes::none() };
+    /// assert!(!folding_alone.share && !folding_alone.lift);
+    /// ```
     pub fn none() -> Passes {
         Passes {
             siblings: false,

@@ -10,6 +10,22 @@ use crate::testbench::simulation::Simulation;
 use crate::testbench::trace::{Draw, Dump, Recorder, Source, Vcd, Wave, Window, header};
 
 /// What a wave shows: a port, or anything with a name.
+///
+/// ```
+/// # use tilewright_sim::{Simulation, for_examples::Counter};
+/// let mut sim = Simulation::of(&Counter)?;
+/// sim.set(sim.i.enable, 1);
+/// let ports = sim.record([sim.o.count]); // by a port, ..
+/// let inside = sim.record(["late"]); // .. or by the name of anything inside
+/// sim.run(3);
+/// ports.expect(r"
+///     clk   |___/~\_/~\_/
+///     count | 0 | 1 | 2 |");
+/// inside.expect(r"
+///     clk  |___/~\_/~\_/
+///     late | 0     | 1 |");
+/// # Ok::<(), tilewright_sim::Error>(())
+/// ```
 #[derive(Debug, Clone)]
 pub enum Probe {
     /// A port of the top module.
@@ -33,6 +49,19 @@ impl From<&str> for Probe {
 impl<I: Bundle, O: Bundle> Simulation<I, O> {
     /// Writes a waveform file from here on; [`Simulation::finish`] ends it.
     ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, Vcd, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// # let folder = tempfile::tempdir().unwrap();
+    /// # let path = folder.path().join("counter.vcd");
+    /// sim.trace(Vcd::to(&path).only("count"))?;
+    /// sim.set(sim.i.enable, 1);
+    /// sim.run(3);
+    /// sim.finish()?;
+    /// assert!(std::fs::read_to_string(&path).unwrap().contains(" count "));
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    ///
     /// # Errors
     ///
     /// The file cannot be created, a pattern matches nothing, or there is no such clock.
@@ -42,6 +71,14 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
 
     /// The header of the file that [`Simulation::trace`] would write: from `$version` to `$enddefinitions`.
     ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, Vcd, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// let header = sim.trace_header(&Vcd::to("counter.vcd").only("late"))?;
+    /// assert!(String::from_utf8(header).unwrap().contains(" late ")); // and there is no file yet
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    ///
     /// # Errors
     ///
     /// A pattern matches nothing.
@@ -50,6 +87,18 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     }
 
     /// Records inputs and outputs at every instant from here on, and what memories were poked with before the first step.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// let recorder = sim.recording();
+    /// sim.set(sim.i.enable, 1);
+    /// sim.run(3);
+    /// // Before each edge: the count, and its square.
+    /// let steps = recorder.take().steps;
+    /// assert_eq!(steps[2].outputs.iter().map(|value| value.to_u64().unwrap()).collect::<Vec<_>>(), [2, 4]);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     ///
     /// # Panics
     ///
@@ -61,6 +110,20 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
 
     /// Draws a wave of these ports and signals, by [`Port`] or by name, from here on. In the last part of a name `*` stands for any characters:
     /// `entry_*` are the fields of the record `entry`, or of the payload of a stream, each by its name.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// let wave = sim.record([sim.i.enable, sim.o.count]);
+    /// sim.step();
+    /// sim.set(sim.i.enable, 1);
+    /// sim.run(2);
+    /// wave.expect(r"
+    ///     clk    |___/~\_/~\_/
+    ///     enable |___/~~~~~~~~
+    ///     count  | 0     | 1 |");
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     ///
     /// # Panics
     ///

@@ -10,6 +10,16 @@ use crate::testbench::running::{Running, bits};
 use crate::testbench::simulation::Simulation;
 
 /// What a port is to be: made of a [`Port`] by [`Port::is`] and its like, or of one of 1 bit by itself, which is to be 1.
+///
+/// ```
+/// # use tilewright_sim::{Simulation, for_examples::Counter};
+/// let mut sim = Simulation::of(&Counter)?;
+/// sim.set(sim.i.enable, 1);
+/// let nine = sim.o.square.is(9);
+/// assert_eq!(sim.run_until(nine, 100), Some(3)); // 3
+/// assert_eq!(sim.run_until(nine, 100), Some(16)); // 19, of which the lower 4 bits are 3
+/// # Ok::<(), tilewright_sim::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Condition {
     port: Port,
@@ -20,21 +30,55 @@ pub struct Condition {
 /// Conditions for [`Simulation::run_until`]; numbers are unsigned.
 impl Port {
     /// The port is this number.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// sim.set(sim.i.enable, 1);
+    /// assert_eq!(sim.run_until(sim.o.count.is(7), 100), Some(7));
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     pub fn is(self, number: u64) -> Condition {
         self.compared(Order::Is, number)
     }
 
     /// The port is another number.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// sim.set(sim.i.enable, 1);
+    /// assert_eq!(sim.run_until(sim.o.count.is_not(0), 100), Some(1)); // whatever comes next
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     pub fn is_not(self, number: u64) -> Condition {
         self.compared(Order::IsNot, number)
     }
 
     /// The port is less than this number.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// sim.set(sim.i.enable, 1);
+    /// sim.run(10);
+    /// // The square has 8 bits, and is 0 again at 16.
+    /// assert_eq!(sim.run_until(sim.o.square.is_below(100), 100), Some(6));
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     pub fn is_below(self, number: u64) -> Condition {
         self.compared(Order::Below, number)
     }
 
     /// The port is this number or a larger one.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// sim.set(sim.i.enable, 1);
+    /// assert_eq!(sim.run_until(sim.o.square.is_at_least(50), 100), Some(8)); // 64 is the first
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     pub fn is_at_least(self, number: u64) -> Condition {
         self.compared(Order::AtLeast, number)
     }
@@ -102,6 +146,15 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     }
 
     /// As [`Simulation::run_until`].
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// sim.set(sim.i.enable, 1);
+    /// let error = sim.try_run_until(sim.o.count.is(250), 1000).unwrap_err();
+    /// assert!(error.to_string().contains("it counts to less than 200"));
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     ///
     /// # Errors
     ///

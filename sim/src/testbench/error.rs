@@ -10,6 +10,17 @@ use crate::engine::Difference;
 /// Why a simulation could not be made or could not go on.
 ///
 /// Its `Debug` is its sentences, so that a `main` that returns it says what is wrong.
+///
+/// ```
+/// # use tilewright_sim::{Simulation, Error, for_examples::Counter};
+/// let mut sim = Simulation::of(&Counter)?;
+/// sim.set(sim.i.enable, 1);
+/// match sim.try_run(1000) {
+///     Err(Error::Violated(violations)) => assert_eq!(violations[0].cycle, 200),
+///     other => panic!("{other:?}"),
+/// }
+/// # Ok::<(), tilewright_sim::Error>(())
+/// ```
 #[derive(thiserror::Error)]
 pub enum Error {
     /// The description has mistakes.
@@ -59,6 +70,17 @@ fn sentences(violations: &[Violation]) -> String {
 }
 
 /// An assertion or assumption that does not hold at an edge of its clock.
+///
+/// ```
+/// # use tilewright_sim::{Simulation, for_examples::Counter};
+/// let mut sim = Simulation::of(&Counter)?;
+/// sim.set(sim.i.enable, 1);
+/// let error = sim.try_run(1000).unwrap_err().to_string();
+/// assert!(error.starts_with("assertion failed in `counter` in cycle 200 of `clk`, at 2010000 ps: it counts"));
+/// // The values are those before the edge, which does not happen.
+/// assert_eq!(sim.get(sim.o.count), 200);
+/// # Ok::<(), tilewright_sim::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Violation {
     /// Its message.
@@ -89,6 +111,14 @@ impl fmt::Display for Violation {
 }
 
 /// A name that the circuit does not have.
+///
+/// ```
+/// # use tilewright_sim::{Simulation, for_examples::Counter};
+/// let mut sim = Simulation::of(&Counter)?;
+/// let unknown = sim.peek("cuont").unwrap_err();
+/// assert_eq!(unknown.to_string(), "there is no signal `cuont`: did you mean `count`?");
+/// # Ok::<(), tilewright_sim::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct UnknownName {
     /// What was looked for: `signal`, `memory`, `clock`, `port`.

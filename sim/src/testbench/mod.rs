@@ -5,6 +5,9 @@ mod batch;
 mod condition;
 mod covers;
 mod error;
+mod example;
+#[doc(hidden)]
+pub mod for_examples;
 mod instants;
 mod lookup;
 mod peek;
@@ -24,6 +27,8 @@ pub use batch::Batch;
 pub use condition::Condition;
 pub use covers::Covered;
 pub use error::{Error, UnknownName, Violation};
+#[doc(hidden)]
+pub use example::{Traced, example, traced};
 pub use port::{IntoValue, Port};
 pub use processes::{Monitor, Pauses, Process, Processes, Testbench, monitor};
 pub use simulation::Simulation;

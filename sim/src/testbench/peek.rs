@@ -14,6 +14,15 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     /// The value of anything with a name, settled: a port, a register, a named net, the data of a synchronous memory
     /// read, such as `u_cell[3].sum`.
     ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// sim.set(sim.i.enable, 1);
+    /// sim.run(3);
+    /// assert_eq!(sim.peek("late")?, 2); // no port
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    ///
     /// # Errors
     ///
     /// There is no such name; the error has the nearest one.
@@ -22,6 +31,13 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     }
 
     /// A word of a memory.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// assert_eq!(sim.peek_memory("squares", 5)?, 25);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     ///
     /// # Errors
     ///
@@ -36,6 +52,14 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     }
 
     /// Replaces a word of a memory at once.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// sim.poke_memory("squares", 0, 99)?;
+    /// assert_eq!(sim.get(sim.o.square), 99); // an asynchronous read sees it at once
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     ///
     /// # Errors
     ///

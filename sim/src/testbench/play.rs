@@ -10,6 +10,21 @@ use crate::testbench::simulation::Simulation;
 impl<I: Bundle, O: Bundle> Simulation<I, O> {
     /// Resets the circuit and plays a scenario to its end.
     ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// use tilewright_hdl::{DEFAULT_PERIOD, Script};
+    /// # use tilewright_sim::for_examples::CounterIn;
+    ///
+    /// let mut script = Script::new(&Counter, DEFAULT_PERIOD);
+    /// script.hold(&CounterIn { enable: 1 }, 5);
+    /// let scenario = script.finish("counts to 5");
+    ///
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// sim.play(&scenario)?;
+    /// assert_eq!(sim.get(sim.o.count), 5);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    ///
     /// # Errors
     ///
     /// The scenario is of another block; or as [`Simulation::try_step`].
@@ -19,6 +34,24 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
 
     /// As [`Simulation::play`], with a call of `watch` every `slice` picoseconds and before every event; it gets how much
     /// of the scenario has been played, from 0 to 1, and may break it off.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// use std::ops::ControlFlow;
+    /// # use tilewright_hdl::{DEFAULT_PERIOD, Script};
+    /// # use tilewright_sim::for_examples::CounterIn;
+    /// # let mut script = Script::new(&Counter, DEFAULT_PERIOD);
+    /// # script.hold(&CounterIn { enable: 1 }, 100);
+    /// # let scenario = script.finish("counts to 100");
+    /// # let mut sim = Simulation::of(&Counter)?;
+    ///
+    /// let ended = sim.play_watched(&scenario, 10_000, |_, played| match played < 0.5 {
+    ///     true => ControlFlow::Continue(()),
+    ///     false => ControlFlow::Break(()),
+    /// })?;
+    /// assert!(ended.is_break() && sim.get_u64(sim.o.count).abs_diff(50) <= 1);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     ///
     /// # Errors
     ///

@@ -3,6 +3,17 @@
 use tilewright_hdl::{Bits, Leaf};
 
 /// An input or output port of a simulation; the leaf of the bundles `sim.i` and `sim.o`.
+///
+/// ```
+/// # use tilewright_sim::{Simulation, for_examples::Counter};
+/// let mut sim = Simulation::of(&Counter)?;
+/// let enable = sim.i.enable;
+/// assert_eq!(enable, sim.port("enable")?);
+/// sim.set(enable, 1);
+/// sim.step();
+/// assert_eq!(sim.get(sim.o.count), 1);
+/// # Ok::<(), tilewright_sim::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Port {
     /// Inputs first, in order of declaration, then outputs.
@@ -14,8 +25,24 @@ impl Leaf for Port {}
 /// What a signal of some width can be set to: an integer, a `bool` or [`Bits`].
 ///
 /// A negative integer is taken in two's complement. Nothing is cut off: a value that does not fit is an error.
+///
+/// ```
+/// use tilewright_hdl::Bits;
+/// use tilewright_sim::IntoValue;
+///
+/// assert_eq!((-1).into_value(4), Ok(Bits::new(4, 15)));
+/// assert_eq!(16.into_value(4), Err("cannot hold 16".to_owned()));
+/// ```
 pub trait IntoValue {
     /// The value in `width` bits, or a sentence's end such as `cannot hold 300`.
+    ///
+    /// ```
+    /// use tilewright_hdl::Bits;
+    /// use tilewright_sim::IntoValue;
+    ///
+    /// assert_eq!(true.into_value(8), Ok(Bits::new(8, 1)));
+    /// assert!(Bits::new(5, 1).into_value(8).is_err()); // it has a width of its own
+    /// ```
     ///
     /// # Errors
     ///

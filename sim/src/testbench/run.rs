@@ -8,6 +8,15 @@ use crate::testbench::simulation::Simulation;
 impl<I: Bundle, O: Bundle> Simulation<I, O> {
     /// Goes to the next instant at which a clock rises, and through the edges there.
     ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// sim.set(sim.i.enable, 1);
+    /// sim.step();
+    /// assert_eq!((sim.time(), sim.get_u64(sim.o.count)), (10_000, 1));
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    ///
     /// # Panics
     ///
     /// An assertion of the design does not hold, a trace cannot be written, or there is no clock.
@@ -19,6 +28,15 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
 
     /// As [`Simulation::step`], `n` times.
     ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// sim.set(sim.i.enable, 1);
+    /// sim.run(100);
+    /// assert_eq!(sim.get(sim.o.count), 100);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    ///
     /// # Panics
     ///
     /// As [`Simulation::step`].
@@ -29,6 +47,15 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
 
     /// Runs through every instant up to and including that time in picoseconds.
     ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// sim.set(sim.i.enable, 1);
+    /// sim.run_to(35_000);
+    /// assert_eq!((sim.time(), sim.get_u64(sim.o.count)), (30_000, 3)); // the last edge before was at 30 ns
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    ///
     /// # Panics
     ///
     /// As [`Simulation::step`].
@@ -38,6 +65,15 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     }
 
     /// Runs until a clock, or one of that name, has risen `n` more times; other clocks rise as they may.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// sim.set(sim.i.enable, 1);
+    /// sim.step_clock("clk", 4);
+    /// assert_eq!(sim.cycles("clk")?, 4);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     ///
     /// # Panics
     ///
@@ -56,6 +92,17 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
 
     /// Holds every reset high for one edge of every clock, then low.
     ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// sim.set(sim.i.enable, 1);
+    /// sim.run(10);
+    /// sim.reset();
+    /// // What has no reset value goes on meanwhile, and so does time.
+    /// assert_eq!((sim.get_u64(sim.o.count), sim.peek("late")?.to_u64(), sim.time()), (0, Some(10), 110_000));
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    ///
     /// # Panics
     ///
     /// As [`Simulation::step`].
@@ -65,6 +112,16 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     }
 
     /// As [`Simulation::step`], for a program that reports errors itself.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// sim.set(sim.i.enable, 1);
+    /// sim.run(200);
+    /// assert!(sim.try_step().is_err());
+    /// assert_eq!(sim.time(), 2_000_000); // the edge did not happen
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     ///
     /// # Errors
     ///
@@ -76,6 +133,16 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
 
     /// As [`Simulation::reset`]; after an error the resets stay high.
     ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// sim.set(sim.i.enable, 1);
+    /// assert!(sim.try_run(1000).is_err());
+    /// sim.try_reset()?; // nothing is checked while the reset is high
+    /// assert_eq!(sim.get(sim.o.count), 0);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    ///
     /// # Errors
     ///
     /// As [`Simulation::try_step`].
@@ -84,6 +151,15 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     }
 
     /// As [`Simulation::run`].
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// sim.set(sim.i.enable, 1);
+    /// assert!(sim.try_run(200).is_ok());
+    /// assert!(sim.try_run(1).is_err());
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     ///
     /// # Errors
     ///
@@ -94,6 +170,15 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
 
     /// As [`Simulation::run_to`].
     ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// sim.set(sim.i.enable, 1);
+    /// assert!(sim.try_run_to(1_000_000_000).is_err());
+    /// assert_eq!(sim.time(), 2_000_000);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    ///
     /// # Errors
     ///
     /// As [`Simulation::try_step`].
@@ -103,6 +188,20 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
 
     /// Ends every trace: writes what is left of it.
     ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, Vcd, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// # let folder = tempfile::tempdir().unwrap();
+    /// # let path = folder.path().join("counter.vcd");
+    /// sim.trace(Vcd::to(&path))?;
+    /// sim.run(3);
+    /// sim.finish()?;
+    /// let size = std::fs::metadata(&path).unwrap().len();
+    /// sim.run(3); // goes on without the trace
+    /// assert_eq!(std::fs::metadata(&path).unwrap().len(), size);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    ///
     /// # Errors
     ///
     /// [`Error::Trace`] for the first file that could not be written to its end; the others are. [`Error::Differs`].
@@ -111,11 +210,28 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     }
 
     /// The time of the last instant in picoseconds; 0 before the first.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// sim.run(3);
+    /// assert_eq!(sim.time(), 30_000); // the first edge comes after one period
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     pub fn time(&self) -> u64 {
         self.circuit.timeline.time
     }
 
     /// How many times a clock, or one of that name, has risen.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// sim.run(3);
+    /// assert_eq!(sim.cycles("clk")?, 3);
+    /// assert!(sim.cycles("video").is_err());
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     ///
     /// # Errors
     ///

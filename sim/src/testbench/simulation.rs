@@ -15,6 +15,15 @@ use crate::testbench::running::Running;
 ///
 /// `I` and `O` are the block's input and output bundles; a simulation made by [`Simulation::from_design`] has none and
 /// finds its ports by name.
+///
+/// ```
+/// # use tilewright_sim::{Simulation, for_examples::Counter};
+/// let mut sim = Simulation::of(&Counter)?;
+/// sim.set(sim.i.enable, 1);
+/// sim.run(5);
+/// assert_eq!((sim.get_u64(sim.o.count), sim.get_u64(sim.o.square)), (5, 25));
+/// # Ok::<(), tilewright_sim::Error>(())
+/// ```
 pub struct Simulation<I: Bundle = (), O: Bundle = ()> {
     /// The input ports.
     pub i: I::Of<Port>,
@@ -27,6 +36,14 @@ pub struct Simulation<I: Bundle = (), O: Bundle = ()> {
 impl Simulation {
     /// Elaborates and compiles a block; its default clock has a period of 10 ns.
     ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// sim.step();
+    /// assert_eq!(sim.time(), 10_000);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    ///
     /// # Errors
     ///
     /// [`Error::Description`] lists every mistake in the description.
@@ -36,6 +53,16 @@ impl Simulation {
     }
 
     /// As [`Simulation::of`], with another period of the default clock.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// use tilewright_hdl::Period;
+    ///
+    /// let mut sim = Simulation::at(&Counter, Period::ns(4))?;
+    /// sim.step();
+    /// assert_eq!(sim.time(), 4_000);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     ///
     /// # Errors
     ///
@@ -48,6 +75,17 @@ impl Simulation {
 
     /// Compiles a design; ports are found by [`Simulation::port`].
     ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// let design = tilewright_hdl::elaborate(&Counter)?;
+    /// let mut sim = Simulation::from_design(&design)?;
+    /// let (enable, count) = (sim.port("enable")?, sim.port("count")?);
+    /// sim.set(enable, 1);
+    /// sim.run(5);
+    /// assert_eq!(sim.get(count), 5);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    ///
     /// # Errors
     ///
     /// None at present: every [`Design`] can be compiled.
@@ -56,6 +94,17 @@ impl Simulation {
     }
 
     /// As [`Simulation::from_design`], with some optimisation passes only.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// use tilewright_sim::Passes;
+    ///
+    /// let design = tilewright_hdl::elaborate(&Counter)?;
+    /// let mut sim = Simulation::with_passes(&design, &Passes::default())?;
+    /// sim.run(5); // as `Simulation::from_design`
+    /// assert_eq!(sim.peek("count")?, 0);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     ///
     /// # Errors
     ///
@@ -83,6 +132,15 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     /// The same circuit at time 0, with registers that a reset does not set and memories of unknown contents filled
     /// from `seed`, deterministically; 0 means zeros, as does not calling this. Inputs become zero.
     ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?.seeded(7);
+    /// let start = sim.peek("late")?; // it has no reset
+    /// assert_eq!(start, Simulation::of(&Counter)?.seeded(7).peek("late")?);
+    /// assert_ne!(start, Simulation::of(&Counter)?.seeded(8).peek("late")?);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    ///
     /// # Panics
     ///
     /// After the first step, or with a trace attached.
@@ -94,6 +152,15 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
 
     /// The same circuit at time 0 on this engine; inputs become zero. Where no code can be generated for this machine, it
     /// is the interpreter if that needs code: [`Simulation::engine`] tells, and [`Simulation::fallback`] why.
+    ///
+    /// ```
+    /// # use tilewright_sim::{EngineKind, Simulation, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?.on(EngineKind::Reference);
+    /// sim.set(sim.i.enable, 1);
+    /// sim.run(5);
+    /// assert_eq!(sim.get(sim.o.square), 25); // as on any other
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     ///
     /// # Panics
     ///
@@ -112,21 +179,54 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     }
 
     /// The engine that runs: the one chosen, or the interpreter where no code can be generated for this machine.
+    ///
+    /// ```
+    /// # use tilewright_sim::{EngineKind, Simulation, for_examples::Counter};
+    /// let sim = Simulation::of(&Counter)?.on(EngineKind::Interpreter);
+    /// # let mut sim = sim;
+    /// assert_eq!(sim.engine(), EngineKind::Interpreter);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     pub fn engine(&self) -> EngineKind {
         self.circuit.engine.kind()
     }
 
     /// Why the interpreter runs although another one was chosen; nothing if the chosen one runs.
+    ///
+    /// ```
+    /// # use tilewright_sim::{EngineKind, Simulation, for_examples::Counter};
+    /// let sim = Simulation::of(&Counter)?;
+    /// # let mut sim = sim;
+    /// // A reason is there exactly if the engine is another than the one that was chosen.
+    /// assert_eq!(sim.fallback().is_some(), sim.engine() != EngineKind::Compiled);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     pub fn fallback(&self) -> Option<&str> {
         self.circuit.engine.fallback()
     }
 
     /// The compiled circuit.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// let clocks = sim.program().clocks.iter().map(|clock| clock.period).collect::<Vec<_>>();
+    /// assert_eq!(clocks, [10_000]);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     pub fn program(&self) -> &Program {
         &self.circuit.program
     }
 
     /// The port of that Verilog name or bundle path.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// assert_eq!(sim.port("count")?, sim.o.count);
+    /// assert!(sim.port("late").is_err()); // a register inside is no port: `peek` finds it
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     ///
     /// # Errors
     ///
@@ -136,6 +236,17 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     }
 
     /// Sets an input from now on. Several inputs may be set in any order; nothing happens before the next step.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// sim.set(sim.i.enable, true);
+    /// sim.step();
+    /// sim.set(sim.i.enable, 0);
+    /// sim.run(5);
+    /// assert_eq!(sim.get(sim.o.count), 1);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     ///
     /// # Panics
     ///
@@ -188,6 +299,15 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
 
     /// The values of a list of outputs, one of the fields of the bundle, settled, as numbers.
     ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Products};
+    /// let mut sim = Simulation::of(&Products)?;
+    /// sim.set_list(|i| &i.left, [1, 2, 3]);
+    /// sim.set_list(|i| &i.right, [200; 3]);
+    /// assert_eq!(sim.get_list(|o| &o.products), [200, 400, 600]);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    ///
     /// # Panics
     ///
     /// One of them is wider than 64 bits.
@@ -199,6 +319,14 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
 
     /// Sets an input that has lanes, a value for each; a grid row by row.
     ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Products};
+    /// let mut sim = Simulation::of(&Products)?;
+    /// sim.set_lanes(sim.i.lanes, [1, 2, 3, 200]);
+    /// assert_eq!(sim.lanes(sim.o.squares), [1, 4, 9, 40_000]);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    ///
     /// # Panics
     ///
     /// There are more or fewer values than lanes; or as [`Simulation::set`].
@@ -209,6 +337,14 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
 
     /// The lanes of a port, settled, as numbers; a grid row by row. A plain port has one.
     ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Products};
+    /// let mut sim = Simulation::of(&Products)?;
+    /// sim.set(sim.i.lanes, 0x04_03_02_01);
+    /// assert_eq!(sim.lanes(sim.i.lanes), [1, 2, 3, 4]); // lane 0 is in the lowest bits
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    ///
     /// # Panics
     ///
     /// They are wider than 64 bits.
@@ -218,6 +354,15 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     }
 
     /// The value of a port, settled: an output as it follows from the state and the inputs of this moment.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// sim.set(sim.i.enable, 1);
+    /// sim.run(5);
+    /// assert_eq!(sim.get(sim.o.count).to_string(), "8'h05");
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     #[track_caller]
     #[inline]
     pub fn get(&mut self, port: Port) -> Bits {
@@ -225,6 +370,15 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     }
 
     /// As [`Simulation::get`], for a port of up to 64 bits.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// sim.set(sim.i.enable, 1);
+    /// sim.run(5);
+    /// assert_eq!(sim.get_u64(sim.o.count) * 3, 15);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     ///
     /// # Panics
     ///
@@ -238,6 +392,16 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     /// Sets every input of the input bundle; [`Simulation::drive_bits`] takes values wider than 64 bits. The `ready` of a stream in it is an
     /// output, and its value means nothing here.
     ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// # use tilewright_sim::for_examples::CounterIn;
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// sim.drive(CounterIn { enable: 1 });
+    /// sim.run(5);
+    /// assert_eq!(sim.get(sim.o.count), 5);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    ///
     /// # Panics
     ///
     /// A value does not fit, or a list is not as long as the block's.
@@ -247,6 +411,17 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     }
 
     /// Sets every input.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// # use tilewright_hdl::Bits;
+    /// # use tilewright_sim::for_examples::CounterIn;
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// sim.drive_bits(CounterIn { enable: Bits::ones(1) });
+    /// sim.run(5);
+    /// assert_eq!(sim.get(sim.o.count), 5);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     ///
     /// # Panics
     ///
@@ -263,6 +438,16 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     }
 
     /// Every output, settled.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// sim.set(sim.i.enable, 1);
+    /// sim.run(5);
+    /// let outputs = sim.read();
+    /// assert_eq!((outputs.count.width(), outputs.square.to_u64()), (8, Some(25)));
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     pub fn read(&mut self) -> O::Of<Bits> {
         self.read_run(0)
     }
@@ -273,6 +458,16 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     }
 
     /// Every output as a number, settled; easy to compare with an expected bundle.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// # use tilewright_sim::for_examples::CounterOut;
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// sim.set(sim.i.enable, 1);
+    /// sim.run(5);
+    /// assert_eq!(sim.read_u64(), CounterOut { count: 5, square: 25 });
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     ///
     /// # Panics
     ///
@@ -289,6 +484,15 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     }
 
     /// Drives one bundle of inputs after another, an instant each, and gives the outputs settled before each edge.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// # use tilewright_sim::for_examples::CounterIn;
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// let outputs = sim.stream([1, 1, 0, 1].map(|enable| CounterIn { enable }));
+    /// assert_eq!(outputs.iter().map(|output| output.count).collect::<Vec<_>>(), [0, 1, 2, 2]);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     ///
     /// # Panics
     ///

@@ -7,6 +7,16 @@ use cranelift_codegen::settings::{self, Configurable};
 use target_lexicon::Triple;
 
 /// Why this machine runs no generated code.
+///
+/// ```
+/// use tilewright_sim::{EngineKind, Unsupported};
+///
+/// // A simulation does not fail for it, but says it: `Simulation::fallback`.
+/// if let Some(reason) = EngineKind::Compiled.refused() {
+///     assert!(reason.starts_with("no code can be generated for this machine ("));
+/// }
+/// # fn is_an_error(reason: Unsupported) -> Box<dyn std::error::Error> { reason.into() }
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("no code can be generated for this machine ({0})")]
 pub struct Unsupported(pub(super) String);

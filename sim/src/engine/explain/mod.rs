@@ -14,6 +14,15 @@ pub use pass::Pass;
 pub(super) use text::{Names, Text};
 
 /// What a pass has left of a circuit.
+///
+/// ```
+/// use tilewright_sim::{Pass, Passes, explain, for_examples::Counter};
+///
+/// let design = tilewright_hdl::elaborate(&Counter).unwrap();
+/// let flat = &explain(&design, &Passes::default())[0];
+/// assert_eq!(flat.pass, Pass::Flatten);
+/// assert!(flat.text.contains("count"));
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Explained {
     /// The pass.
@@ -24,6 +33,17 @@ pub struct Explained {
 }
 
 /// A design after each pass, under those that are switched on and before.
+///
+/// ```
+/// use tilewright_sim::{Pass, Passes, explain, for_examples::Counter};
+///
+/// let design = tilewright_hdl::elaborate(&Counter).unwrap();
+/// let all = explain(&design, &Passes::default());
+/// assert!(all.is_sorted_by_key(|explained| explained.pass));
+/// // Without passes nothing happens between the first two.
+/// let none = explain(&design, &Passes::none());
+/// assert_eq!(none[0].text, none[1].text);
+/// ```
 pub fn explain(design: &Design, passes: &Passes) -> Vec<Explained> {
     let mut all = Vec::new();
     let mut add = |pass, text| all.push(Explained { pass, text });

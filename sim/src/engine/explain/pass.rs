@@ -1,6 +1,12 @@
 //! The passes by name.
 
 /// A pass on the way from a design to code, in the order in which they are made.
+///
+/// ```
+/// use tilewright_sim::Pass;
+///
+/// assert!(Pass::Flatten < Pass::Fold && Pass::Fold < Pass::Sequence);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Pass {
     /// Instances are put in their places; each node of the description is a value.
@@ -31,6 +37,13 @@ pub enum Pass {
 
 impl Pass {
     /// All of them, in order.
+    ///
+    /// ```
+    /// use tilewright_sim::Pass;
+    ///
+    /// let by_name = |name: &str| Pass::ALL.into_iter().find(|pass| pass.name() == name);
+    /// assert_eq!(by_name("fold"), Some(Pass::Fold));
+    /// ```
     pub const ALL: [Pass; 12] = [
         Pass::Flatten,
         Pass::Siblings,
@@ -47,6 +60,12 @@ impl Pass {
     ];
 
     /// Its name, as `tilewright explain --pass` takes it.
+    ///
+    /// ```
+    /// use tilewright_sim::Pass;
+    ///
+    /// assert_eq!(Pass::ALL.map(Pass::name)[..3], ["flatten", "siblings", "share"]);
+    /// ```
     pub fn name(self) -> &'static str {
         match self {
             Pass::Flatten => "flatten",
@@ -65,6 +84,12 @@ impl Pass {
     }
 
     /// What it does, in a sentence.
+    ///
+    /// ```
+    /// use tilewright_sim::Pass;
+    ///
+    /// assert_eq!(Pass::Share.about(), "Names for one value become one, and equal expressions are computed once.");
+    /// ```
     pub fn about(self) -> &'static str {
         match self {
             Pass::Flatten => "Instances are put in their places; each node of the description is a value.",

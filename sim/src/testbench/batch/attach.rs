@@ -11,6 +11,19 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
     /// Writes a waveform file of one run from here on; see [`Simulation::trace`](crate::Simulation::trace). Several
     /// runs are several files.
     ///
+    /// ```
+    /// # use tilewright_sim::{Batch, Vcd, for_examples::Counter};
+    /// let mut batch = Batch::of(&Counter, 4)?;
+    /// # let folder = tempfile::tempdir().unwrap();
+    /// # let path = folder.path().join("run2.vcd");
+    /// batch.trace(2, Vcd::to(&path).only("count"))?;
+    /// batch.set_each(batch.i.enable, |run| run == 2);
+    /// batch.run(5);
+    /// batch.finish()?;
+    /// assert!(std::fs::read_to_string(&path).unwrap().contains("101 ")); // it counts to 5 in that run
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    ///
     /// # Errors
     ///
     /// The file cannot be created, a pattern matches nothing, or there is no such clock.
@@ -26,6 +39,16 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
 
     /// Records inputs and outputs of one run at every instant from here on.
     ///
+    /// ```
+    /// # use tilewright_sim::{Batch, for_examples::Counter};
+    /// let mut batch = Batch::of(&Counter, 4)?;
+    /// let recorder = batch.recording(3);
+    /// batch.set_each(batch.i.enable, |run| run == 3);
+    /// batch.run(5);
+    /// assert_eq!(recorder.take().steps[4].outputs[0], 4); // before the fifth edge
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    ///
     /// # Panics
     ///
     /// After the first step, if the run has a seed, or if there is no such run.
@@ -36,6 +59,18 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
     }
 
     /// Draws a wave of these ports and signals of one run from here on.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Batch, for_examples::Counter};
+    /// let mut batch = Batch::of(&Counter, 4)?;
+    /// let wave = batch.record(1, [batch.o.count]);
+    /// batch.set_all(batch.i.enable, 1);
+    /// batch.run(3);
+    /// wave.expect(r"
+    ///     clk   |___/~\_/~\_/
+    ///     count | 0 | 1 | 2 |");
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     ///
     /// # Panics
     ///

@@ -87,6 +87,15 @@ impl Input {
 impl Batch {
     /// Elaborates and compiles a block for so many runs; its default clock has a period of 10 ns.
     ///
+    /// ```
+    /// # use tilewright_sim::{Batch, for_examples::Counter};
+    /// let batch = Batch::of(&Counter, 4)?;
+    /// # let mut batch = batch;
+    /// assert_eq!(batch.runs(), 4);
+    /// assert!(Batch::of(&Counter, 0).is_err());
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    ///
     /// # Errors
     ///
     /// [`Error::Description`] lists every mistake in the description; [`Error::Runs`] if there are no runs or too many.
@@ -96,6 +105,16 @@ impl Batch {
     }
 
     /// As [`Batch::of`], with another period of the default clock.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Batch, for_examples::Counter};
+    /// use tilewright_hdl::Period;
+    ///
+    /// let mut batch = Batch::at(&Counter, Period::ns(4), 4)?;
+    /// batch.run(10);
+    /// assert_eq!(batch.time(), 40_000);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     ///
     /// # Errors
     ///
@@ -107,6 +126,17 @@ impl Batch {
     }
 
     /// Compiles a design for so many runs; ports are found by [`Batch::port`].
+    ///
+    /// ```
+    /// # use tilewright_sim::{Batch, for_examples::Counter};
+    /// let design = tilewright_hdl::elaborate(&Counter)?;
+    /// let mut batch = Batch::from_design(&design, 4)?;
+    /// let (enable, count) = (batch.port("enable")?, batch.port("count")?);
+    /// batch.set(enable, 2, 1);
+    /// batch.run(10);
+    /// assert_eq!(batch.get_each(count).iter().map(|count| count.to_u64().unwrap()).collect::<Vec<_>>(), [0, 0, 10, 0]);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     ///
     /// # Errors
     ///
@@ -133,6 +163,14 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
     /// The same circuit at time 0, with a seed for each run as in [`Simulation::seeded`](crate::Simulation::seeded):
     /// `seeded(|run| run.into())` starts all of them differently, but the first from zeros. Inputs become zero.
     ///
+    /// ```
+    /// # use tilewright_sim::{Batch, for_examples::Counter};
+    /// let mut batch = Batch::of(&Counter, 4)?.seeded(|run| run.into());
+    /// assert!(batch.peek("late", 0)?.is_zero());
+    /// assert_ne!(batch.peek("late", 1)?, batch.peek("late", 2)?);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    ///
     /// # Panics
     ///
     /// After the first step, or with a trace attached.
@@ -143,6 +181,14 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
     }
 
     /// The same circuit at time 0 on this engine; inputs become zero.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Batch, EngineKind, for_examples::Counter};
+    /// let batch = Batch::of(&Counter, 4)?.on(EngineKind::Reference);
+    /// # let mut batch = batch;
+    /// assert_eq!(batch.engine(), EngineKind::Reference);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     ///
     /// # Panics
     ///
@@ -163,21 +209,53 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
     }
 
     /// How many runs there are.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Batch, for_examples::Counter};
+    /// let mut batch = Batch::of(&Counter, 4)?;
+    /// let last = batch.runs() - 1;
+    /// batch.set(batch.i.enable, last, 1);
+    /// batch.step();
+    /// assert_eq!(batch.get(batch.o.count, last), 1);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     pub fn runs(&self) -> u32 {
         self.all.circuit.program.lanes()
     }
 
     /// The engine that runs; see [`Simulation::engine`](crate::Simulation::engine).
+    ///
+    /// ```
+    /// # use tilewright_sim::{Batch, EngineKind, for_examples::Counter};
+    /// let batch = Batch::of(&Counter, 4)?.on(EngineKind::Interpreter);
+    /// # let mut batch = batch;
+    /// assert_eq!(batch.engine(), EngineKind::Interpreter);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     pub fn engine(&self) -> EngineKind {
         self.all.engine()
     }
 
     /// The compiled circuit: the array of as many top modules as there are runs.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Batch, for_examples::Counter};
+    /// let mut batch = Batch::of(&Counter, 4)?;
+    /// assert_eq!(batch.program().clocks.len(), 1); // one for all runs
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     pub fn program(&self) -> &Program {
         self.all.program()
     }
 
     /// The port of that Verilog name or bundle path.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Batch, for_examples::Counter};
+    /// let mut batch = Batch::of(&Counter, 4)?;
+    /// assert_eq!(batch.port("count")?, batch.o.count);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     ///
     /// # Errors
     ///
@@ -187,6 +265,15 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
     }
 
     /// Sets an input of one run from now on; nothing happens before the next step.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Batch, for_examples::Counter};
+    /// let mut batch = Batch::of(&Counter, 4)?;
+    /// batch.set(batch.i.enable, 3, 1);
+    /// batch.run(10);
+    /// assert_eq!((batch.get(batch.o.count, 2).to_u64(), batch.get(batch.o.count, 3).to_u64()), (Some(0), Some(10)));
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     ///
     /// # Panics
     ///
@@ -200,6 +287,17 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
 
     /// Sets an input of every run, to what `value` says for it.
     ///
+    /// ```
+    /// # use tilewright_sim::{Batch, for_examples::Counter};
+    /// let mut batch = Batch::of(&Counter, 4)?;
+    /// for cycle in 0..10 {
+    ///     batch.set_each(batch.i.enable, |run| cycle < run);
+    ///     batch.step();
+    /// }
+    /// assert_eq!(batch.get(batch.o.count, 3), 3); // run 3 counts in the cycles 0, 1 and 2
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    ///
     /// # Panics
     ///
     /// As [`Batch::set`].
@@ -211,6 +309,15 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
     }
 
     /// Sets an input of all runs alike.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Batch, for_examples::Counter};
+    /// let mut batch = Batch::of(&Counter, 4)?;
+    /// batch.set_all(batch.i.enable, 1);
+    /// batch.run(10);
+    /// assert!(batch.get_each(batch.o.count).iter().all(|count| *count == 10));
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     ///
     /// # Panics
     ///
@@ -224,6 +331,15 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
     }
 
     /// Sets a list of inputs of one run; see [`Simulation::set_list`](crate::Simulation::set_list).
+    ///
+    /// ```
+    /// # use tilewright_sim::{Batch, for_examples::Products};
+    /// let mut batch = Batch::of(&Products, 4)?;
+    /// batch.set_list(2, |i| &i.left, [1, 2, 3]);
+    /// batch.set_list(2, |i| &i.right, [9; 3]);
+    /// assert_eq!(batch.get_list(2, |o| &o.products), [9, 18, 27]);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     ///
     /// # Panics
     ///
@@ -244,6 +360,14 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
 
     /// The values of a list of outputs in one run; see [`Simulation::get_list`](crate::Simulation::get_list).
     ///
+    /// ```
+    /// # use tilewright_sim::{Batch, for_examples::Products};
+    /// let mut batch = Batch::of(&Products, 4)?;
+    /// batch.set_list(2, |i| &i.left, [1, 2, 3]);
+    /// assert_eq!(batch.get_list(2, |o| &o.products), [0; 3]); // the other factors are still zero
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    ///
     /// # Panics
     ///
     /// One of them is wider than 64 bits, or there is no such run.
@@ -256,6 +380,16 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
 
     /// Sets every input of one run; [`Batch::drive_bits`] takes values wider than 64 bits.
     ///
+    /// ```
+    /// # use tilewright_sim::{Batch, for_examples::Counter};
+    /// # use tilewright_sim::for_examples::CounterIn;
+    /// let mut batch = Batch::of(&Counter, 4)?;
+    /// batch.drive(1, CounterIn { enable: 1 });
+    /// batch.run(10);
+    /// assert_eq!(batch.get(batch.o.count, 1), 10);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    ///
     /// # Panics
     ///
     /// As [`Batch::set`].
@@ -265,6 +399,17 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
     }
 
     /// Sets every input of one run.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Batch, for_examples::Counter};
+    /// # use tilewright_hdl::Bits;
+    /// # use tilewright_sim::for_examples::CounterIn;
+    /// let mut batch = Batch::of(&Counter, 4)?;
+    /// batch.drive_bits(1, CounterIn { enable: Bits::ones(1) });
+    /// batch.run(10);
+    /// assert_eq!(batch.get(batch.o.count, 1), 10);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     ///
     /// # Panics
     ///
@@ -285,6 +430,15 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
 
     /// The value of a port in one run, settled.
     ///
+    /// ```
+    /// # use tilewright_sim::{Batch, for_examples::Counter};
+    /// let mut batch = Batch::of(&Counter, 4)?;
+    /// batch.set_all(batch.i.enable, 1);
+    /// batch.run(10);
+    /// assert_eq!(batch.get(batch.o.square, 0), 100);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    ///
     /// # Panics
     ///
     /// There is no such run.
@@ -295,6 +449,16 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
     }
 
     /// The value of a port in every run, settled.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Batch, for_examples::Counter};
+    /// let mut batch = Batch::of(&Counter, 4)?;
+    /// batch.set_each(batch.i.enable, |run| run % 2);
+    /// batch.run(10);
+    /// let counts = batch.get_each(batch.o.count);
+    /// assert_eq!(counts.iter().map(|count| count.to_u64().unwrap()).collect::<Vec<_>>(), [0, 10, 0, 10]);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     #[track_caller]
     pub fn get_each(&mut self, port: Port) -> Vec<Bits> {
         let id = self.all.circuit.declared(port).value;
@@ -304,6 +468,15 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
     }
 
     /// Every output of one run, settled.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Batch, for_examples::Counter};
+    /// let mut batch = Batch::of(&Counter, 4)?;
+    /// batch.set(batch.i.enable, 1, 1);
+    /// batch.run(5);
+    /// assert_eq!(batch.read(1).square, 25);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     ///
     /// # Panics
     ///
@@ -316,6 +489,16 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
 
     /// Every output of one run as a number, settled; see [`Simulation::read_u64`](crate::Simulation::read_u64).
     ///
+    /// ```
+    /// # use tilewright_sim::{Batch, for_examples::Counter};
+    /// # use tilewright_sim::for_examples::CounterOut;
+    /// let mut batch = Batch::of(&Counter, 4)?;
+    /// batch.set(batch.i.enable, 1, 1);
+    /// batch.run(5);
+    /// assert_eq!(batch.read_u64(1), CounterOut { count: 5, square: 25 });
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    ///
     /// # Panics
     ///
     /// An output is wider than 64 bits and does not fit, or there is no such run.
@@ -326,6 +509,15 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
     }
 
     /// The value of anything with a name in one run, settled; see [`Simulation::peek`](crate::Simulation::peek).
+    ///
+    /// ```
+    /// # use tilewright_sim::{Batch, for_examples::Counter};
+    /// let mut batch = Batch::of(&Counter, 4)?;
+    /// batch.set(batch.i.enable, 1, 1);
+    /// batch.run(5);
+    /// assert_eq!(batch.peek("late", 1)?, 4);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     ///
     /// # Errors
     ///
@@ -342,6 +534,13 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
 
     /// A word of a memory in one run.
     ///
+    /// ```
+    /// # use tilewright_sim::{Batch, for_examples::Counter};
+    /// let mut batch = Batch::of(&Counter, 4)?;
+    /// assert_eq!(batch.peek_memory("squares", 3, 5)?, 25);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    ///
     /// # Errors
     ///
     /// There is no such memory.
@@ -356,6 +555,15 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
     }
 
     /// Replaces a word of a memory in one run at once.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Batch, for_examples::Counter};
+    /// let mut batch = Batch::of(&Counter, 4)?;
+    /// batch.poke_memory("squares", 3, 0, 99)?;
+    /// let squares = batch.get_each(batch.o.square);
+    /// assert!(squares[2] == 0 && squares[3] == 99); // each run has a memory of its own
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     ///
     /// # Errors
     ///

@@ -8,6 +8,15 @@ use crate::testbench::error::{Error, UnknownName};
 impl<I: Bundle, O: Bundle> Batch<I, O> {
     /// Takes all runs to the next instant at which a clock rises, and through the edges there.
     ///
+    /// ```
+    /// # use tilewright_sim::{Batch, for_examples::Counter};
+    /// let mut batch = Batch::of(&Counter, 4)?;
+    /// batch.set(batch.i.enable, 1, 1);
+    /// batch.step();
+    /// assert_eq!((batch.time(), batch.get(batch.o.count, 1).to_u64()), (10_000, Some(1)));
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    ///
     /// # Panics
     ///
     /// An assertion of the design does not hold in some run, a trace cannot be written, or there is no clock.
@@ -17,6 +26,15 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
     }
 
     /// As [`Batch::step`], `n` times.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Batch, for_examples::Counter};
+    /// let mut batch = Batch::of(&Counter, 4)?;
+    /// batch.set_all(batch.i.enable, 1);
+    /// batch.run(100);
+    /// assert_eq!(batch.get(batch.o.count, 3), 100);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     ///
     /// # Panics
     ///
@@ -28,6 +46,14 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
 
     /// Takes all runs through every instant up to and including that time in picoseconds.
     ///
+    /// ```
+    /// # use tilewright_sim::{Batch, for_examples::Counter};
+    /// let mut batch = Batch::of(&Counter, 4)?;
+    /// batch.run_to(35_000);
+    /// assert_eq!(batch.time(), 30_000);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    ///
     /// # Panics
     ///
     /// As [`Batch::step`].
@@ -37,6 +63,14 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
     }
 
     /// Takes all runs to where a clock, or one of that name, has risen `n` more times; other clocks rise as they may.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Batch, for_examples::Counter};
+    /// let mut batch = Batch::of(&Counter, 4)?;
+    /// batch.step_clock("clk", 4);
+    /// assert_eq!(batch.cycles("clk")?, 4);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     ///
     /// # Panics
     ///
@@ -48,6 +82,16 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
 
     /// Holds every reset of all runs high for one edge of every clock, then low.
     ///
+    /// ```
+    /// # use tilewright_sim::{Batch, for_examples::Counter};
+    /// let mut batch = Batch::of(&Counter, 4)?;
+    /// batch.set_all(batch.i.enable, 1);
+    /// batch.run(10);
+    /// batch.reset();
+    /// assert!(batch.get_each(batch.o.count).iter().all(|count| count.is_zero()));
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    ///
     /// # Panics
     ///
     /// As [`Batch::step`].
@@ -57,6 +101,16 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
     }
 
     /// As [`Batch::step`], for a program that reports errors itself.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Batch, for_examples::Counter};
+    /// let mut batch = Batch::of(&Counter, 4)?;
+    /// batch.set(batch.i.enable, 2, 1);
+    /// batch.run(200);
+    /// let error = batch.try_step().unwrap_err();
+    /// assert!(error.to_string().contains("of run 2 in cycle 200"));
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     ///
     /// # Errors
     ///
@@ -68,6 +122,15 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
 
     /// As [`Batch::run`].
     ///
+    /// ```
+    /// # use tilewright_sim::{Batch, for_examples::Counter};
+    /// let mut batch = Batch::of(&Counter, 4)?;
+    /// batch.set(batch.i.enable, 2, 1);
+    /// assert!(batch.try_run(1000).is_err());
+    /// assert_eq!(batch.time(), 2_000_000); // where it ended, for all runs
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    ///
     /// # Errors
     ///
     /// As [`Batch::try_step`].
@@ -76,6 +139,13 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
     }
 
     /// As [`Batch::run_to`].
+    ///
+    /// ```
+    /// # use tilewright_sim::{Batch, for_examples::Counter};
+    /// let mut batch = Batch::of(&Counter, 4)?;
+    /// assert!(batch.try_run_to(1_000_000_000).is_ok()); // nothing counts, so nothing is violated
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     ///
     /// # Errors
     ///
@@ -86,6 +156,16 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
 
     /// As [`Batch::reset`]; after an error the resets stay high.
     ///
+    /// ```
+    /// # use tilewright_sim::{Batch, for_examples::Counter};
+    /// let mut batch = Batch::of(&Counter, 4)?;
+    /// batch.set(batch.i.enable, 2, 1);
+    /// assert!(batch.try_run(1000).is_err());
+    /// batch.try_reset()?;
+    /// assert!(batch.get(batch.o.count, 2).is_zero());
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    ///
     /// # Errors
     ///
     /// As [`Batch::try_step`].
@@ -95,6 +175,20 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
 
     /// Ends every trace: writes what is left of it.
     ///
+    /// ```
+    /// # use tilewright_sim::{Batch, Vcd, for_examples::Counter};
+    /// let mut batch = Batch::of(&Counter, 4)?;
+    /// # let folder = tempfile::tempdir().unwrap();
+    /// # let file = |run: u32| folder.path().join(format!("run{run}.vcd"));
+    /// for run in 0..2 {
+    ///     batch.trace(run, Vcd::to(file(run)))?;
+    /// }
+    /// batch.run(5);
+    /// batch.finish()?;
+    /// assert!(file(0).is_file() && file(1).is_file());
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    ///
     /// # Errors
     ///
     /// [`Error::Trace`] for the first file that could not be written to its end; the others are.
@@ -103,11 +197,27 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
     }
 
     /// The time of the last instant in picoseconds; 0 before the first.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Batch, for_examples::Counter};
+    /// let mut batch = Batch::of(&Counter, 4)?;
+    /// batch.run(5);
+    /// assert_eq!(batch.time(), 50_000);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     pub fn time(&self) -> u64 {
         self.all.time()
     }
 
     /// How many times a clock, or one of that name, has risen.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Batch, for_examples::Counter};
+    /// let mut batch = Batch::of(&Counter, 4)?;
+    /// batch.run(5);
+    /// assert_eq!(batch.cycles("clk")?, 5);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     ///
     /// # Errors
     ///

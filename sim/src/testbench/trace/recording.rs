@@ -66,6 +66,16 @@ impl Word {
 }
 
 /// A recording that goes on while the simulation runs.
+///
+/// ```
+/// # use tilewright_sim::{Simulation, for_examples::Counter};
+/// let mut sim = Simulation::of(&Counter)?;
+/// let recorder = sim.recording();
+/// sim.run(3);
+/// let recording = recorder.take();
+/// assert_eq!(recording.steps.iter().map(|step| step.time_ps).collect::<Vec<_>>(), [10_000, 20_000, 30_000]);
+/// # Ok::<(), tilewright_sim::Error>(())
+/// ```
 #[derive(Debug, Clone, Default)]
 pub struct Recorder {
     recording: Arc<Mutex<Recording>>,
@@ -81,6 +91,17 @@ impl Recorder {
     }
 
     /// What was recorded so far; the recording goes on with nothing.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// let recorder = sim.recording();
+    /// sim.run(3);
+    /// assert_eq!(recorder.take().steps.len(), 3);
+    /// sim.run(2);
+    /// assert_eq!(recorder.take().steps.len(), 2);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     pub fn take(&self) -> Recording {
         std::mem::take(&mut self.recording.lock().expect("no panic while recording"))
     }

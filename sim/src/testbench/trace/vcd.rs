@@ -9,6 +9,20 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// What a waveform file shows. Attach it with [`Simulation::trace`](crate::Simulation::trace).
+///
+/// ```
+/// # use tilewright_sim::{Simulation, Vcd, for_examples::Counter};
+/// let mut sim = Simulation::of(&Counter)?;
+/// # let folder = tempfile::tempdir().unwrap();
+/// # let path = folder.path().join("counter.vcd");
+/// sim.trace(Vcd::to(&path).only("count").cycles("clk", 100..110))?;
+/// sim.set(sim.i.enable, 1);
+/// sim.run(150);
+/// sim.finish()?;
+/// let text = std::fs::read_to_string(&path).unwrap();
+/// assert!(text.contains("#1000000") && !text.contains("#1200000"));
+/// # Ok::<(), tilewright_sim::Error>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct Vcd {
     pub(crate) path: PathBuf,
@@ -28,35 +42,111 @@ pub(crate) enum Window {
 
 impl Vcd {
     /// Everything, for the whole run, into this file.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, Vcd, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// # let folder = tempfile::tempdir().unwrap();
+    /// # let path = folder.path().join("counter.vcd");
+    /// sim.trace(Vcd::to(&path))?;
+    /// sim.step();
+    /// sim.finish()?;
+    /// assert!(std::fs::read_to_string(&path).unwrap().contains("late")); // registers inside too
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     pub fn to(path: impl AsRef<Path>) -> Vcd {
         Vcd { path: path.as_ref().to_path_buf(), file: None, patterns: Vec::new(), window: None, last: None }
     }
 
     /// As [`Vcd::to`], into a file that is open for writing, from where it stands; errors call it by that name.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, Vcd, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// # let folder = tempfile::tempdir().unwrap();
+    /// # let path = folder.path().join("counter.vcd");
+    /// # let file = std::fs::File::create(&path).unwrap();
+    /// sim.trace(Vcd::into("the counter's waves", file))?;
+    /// sim.step();
+    /// sim.finish()?;
+    /// assert!(std::fs::metadata(&path).unwrap().len() > 0);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     pub fn into(name: impl AsRef<Path>, file: File) -> Vcd {
         Vcd { file: Some(Arc::new(file)), ..Vcd::to(name) }
     }
 
     /// Only the signals whose hierarchical name matches this pattern, or another one given: `*` stands for anything
     /// but a dot, `**` for anything, as in `u_cell[*].value` or `u_cell[3].**`.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, Vcd, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// let vcd = Vcd::to("counter.vcd").only("c*").only("square");
+    /// let header = String::from_utf8(sim.trace_header(&vcd)?).unwrap();
+    /// assert!(header.contains(" count ") && header.contains(" square ") && !header.contains(" late "));
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     pub fn only(mut self, pattern: &str) -> Vcd {
         self.patterns.push(pattern.to_string());
         self
     }
 
     /// Only what happens in these picoseconds: the file begins there with the values in force.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, Vcd, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// # let folder = tempfile::tempdir().unwrap();
+    /// # let path = folder.path().join("counter.vcd");
+    /// sim.trace(Vcd::to(&path).only("count").times(30_000..50_000))?;
+    /// sim.set(sim.i.enable, 1);
+    /// sim.run(10);
+    /// sim.finish()?;
+    /// let text = std::fs::read_to_string(&path).unwrap();
+    /// assert!(text.contains("#40000") && !text.contains("#60000"));
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     pub fn times(mut self, picoseconds: std::ops::Range<u64>) -> Vcd {
         self.window = Some(Window::Time(picoseconds));
         self
     }
 
     /// Only what happens in these cycles of a clock, the first being 0.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, Vcd, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// # let folder = tempfile::tempdir().unwrap();
+    /// # let path = folder.path().join("counter.vcd");
+    /// sim.trace(Vcd::to(&path).only("count").cycles("clk", 3..5))?;
+    /// sim.set(sim.i.enable, 1);
+    /// sim.run(10);
+    /// sim.finish()?;
+    /// let text = std::fs::read_to_string(&path).unwrap();
+    /// assert!(text.contains("#40000") && !text.contains("#60000"));
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     pub fn cycles(mut self, clock: impl AsRef<str>, cycles: std::ops::Range<u64>) -> Vcd {
         self.window = Some(Window::Cycles(clock.as_ref().to_string(), cycles));
         self
     }
 
     /// A flight recorder: keeps the last `n` instants in memory, and writes the file only if an assertion fails.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, Vcd, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// # let folder = tempfile::tempdir().unwrap();
+    /// # let path = folder.path().join("counter.vcd");
+    /// sim.trace(Vcd::to(&path).only("count").last(20))?;
+    /// sim.set(sim.i.enable, 1);
+    /// sim.run(150);
+    /// assert!(!path.exists());
+    /// assert!(sim.try_run(100).is_err()); // now it is written: the last 20 instants before the failure
+    /// assert!(std::fs::read_to_string(&path).unwrap().contains("#2000000"));
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     pub fn last(mut self, n: usize) -> Vcd {
         self.last = Some(n.max(1));
         self

@@ -26,6 +26,20 @@ const COLUMN: std::ops::RangeInclusive<usize> = 4..=16;
 const LINE: usize = 110;
 
 /// A wave that a simulation draws while it runs; [`to_string`](ToString::to_string) shows it at any time.
+///
+/// ```
+/// # use tilewright_sim::{Simulation, for_examples::Counter};
+/// let mut sim = Simulation::of(&Counter)?;
+/// let wave = sim.record([sim.i.enable, sim.o.square]);
+/// sim.set(sim.i.enable, 1);
+/// sim.run(5);
+/// println!("{wave}");
+/// wave.expect(r"
+///     clk    |____/~~\_/~~\_/~~\_/~~\_/
+///     enable |~~~~~~~~~~~~~~~~~~~~~~~~~
+///     square | 0  | 1  | 4  | 9  | 10 |"); // numbers are hexadecimal
+/// # Ok::<(), tilewright_sim::Error>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct Wave {
     data: Arc<Mutex<Data>>,
@@ -70,18 +84,54 @@ impl Wave {
     }
 
     /// Shows numbers in decimal.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// let wave = sim.record([sim.o.square]).decimal();
+    /// sim.set(sim.i.enable, 1);
+    /// sim.run(5);
+    /// wave.expect(r"
+    ///     clk    |____/~~\_/~~\_/~~\_/~~\_/
+    ///     square | 0  | 1  | 4  | 9  | 16 |");
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     pub fn decimal(self) -> Wave {
         self.data().rows.iter_mut().for_each(|row| row.is_decimal = true);
         self
     }
 
     /// Draws only what happens in these picoseconds: the columns that have a part in them.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// let wave = sim.record([sim.o.count]).times(30_000..50_000);
+    /// sim.set(sim.i.enable, 1);
+    /// sim.run(10);
+    /// wave.expect(r"
+    ///     clk   |~\_/~\_/
+    ///     count | 3 | 4 |");
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     pub fn times(self, picoseconds: Range<u64>) -> Wave {
         self.data().times = picoseconds;
         self
     }
 
     /// Draws only these cycles of a clock, the first being 0.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// let wave = sim.record([sim.o.count]).cycles("clk", 3..5);
+    /// sim.set(sim.i.enable, 1);
+    /// sim.run(10);
+    /// wave.expect(r"
+    ///     clk   |~\_/~\_/
+    ///     count | 3 | 4 |");
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     ///
     /// # Panics
     ///
@@ -100,12 +150,37 @@ impl Wave {
     }
 
     /// Draws no more: what was drawn so far stays.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// let wave = sim.record([sim.o.count]);
+    /// sim.set(sim.i.enable, 1);
+    /// sim.run(2);
+    /// wave.stop();
+    /// sim.run(100);
+    /// wave.expect(r"
+    ///     clk   |___/~\_/
+    ///     count | 0 | 1 |");
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     pub fn stop(&self) {
         self.data().is_over = true;
     }
 
     /// Panics unless the wave is `expected`, whose common indentation and surrounding blank lines do not count; the
     /// message shows both.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// let wave = sim.record([sim.o.count]);
+    /// sim.run(2);
+    /// wave.expect(r"
+    ///     clk   |___/~\_/
+    ///     count | 0     |");
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     #[track_caller]
     pub fn expect(&self, expected: &str) {
         let (expected, actual) = (unindent(expected), unindent(&self.to_string()));

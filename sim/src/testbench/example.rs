@@ -1,0 +1,160 @@
+//! The frame of an example in the documentation: a block without ports around a few lines that describe hardware.
+#![expect(
+    unpredictable_function_pointer_comparisons,
+    reason = "a block can be compared, but an example is the only one"
+)]
+
+use std::array;
+
+use tilewright_hdl::{Block, Design, Module, elaborate};
+
+use crate::engine::EngineKind;
+use crate::testbench::simulation::Simulation;
+
+/// The clocks that an example's assertions are checked in.
+const CLOCKS: u64 = 64;
+
+/// What an example describes. It has no ports, so it states by itself what holds, or is looked at by the names of its registers and nets.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+struct Example {
+    build: fn(Module),
+}
+
+impl Block for Example {
+    type In = ();
+    type Out = ();
+
+    fn inputs(&self) {}
+
+    fn build(&self, m: Module, (): ()) {
+        (self.build)(m);
+    }
+
+    // A pointer would be another number in each run.
+    fn name(&self) -> String {
+        "example".to_owned()
+    }
+}
+
+impl Example {
+    #[track_caller]
+    fn design(self) -> Design {
+        elaborate(&self).unwrap_or_else(|problems| panic!("{problems}"))
+    }
+}
+
+/// Runs an example that states what holds, for 64 clocks.
+///
+/// # Panics
+///
+/// It has mistakes, states nothing, or something of it does not hold.
+#[doc(hidden)]
+#[track_caller]
+pub fn example(build: fn(Module)) {
+    let design = Example { build }.design();
+    assert!(!design.top().properties.is_empty(), "the example asserts nothing");
+    simulation(&design).run(CLOCKS);
+}
+
+/// An example whose values over time are looked at.
+///
+/// # Panics
+///
+/// It has mistakes.
+#[doc(hidden)]
+#[must_use]
+#[track_caller]
+pub fn traced(build: fn(Module)) -> Traced {
+    Traced { design: Example { build }.design() }
+}
+
+/// Made by [`traced`].
+#[doc(hidden)]
+#[derive(Debug)]
+pub struct Traced {
+    design: Design,
+}
+
+impl Traced {
+    /// What a register or a net of that name is just before each of the first edges, as many as are asked for.
+    ///
+    /// # Panics
+    ///
+    /// There is none of that name, or an assertion does not hold.
+    #[track_caller]
+    pub fn values<const N: usize>(&self, name: &str) -> [u64; N] {
+        let mut sim = simulation(&self.design);
+        array::from_fn(|_| {
+            let value = sim.peek(name).unwrap_or_else(|unknown| panic!("{unknown}"));
+            sim.step();
+            value.to_u64().unwrap_or_else(|| panic!("`{name}` has more than 64 bits"))
+        })
+    }
+}
+
+/// The design of a block of which an example shows what `build` says: `m` and `i` are its arguments, and it returns a `ShownOut`.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! shown {
+    (|$m:pat_param, $i:pat_param| in { $($in:tt)* } out { $($out:tt)* } $($build:tt)*) => {{
+        tilewright_hdl::block! {
+            struct Shown;
+            in ShownIn { $($in)* }
+            out ShownOut { $($out)* }
+        }
+
+        impl Shown {
+            fn build(&self, $m: tilewright_hdl::Module, $i: ShownIn) -> ShownOut {
+                $($build)*
+            }
+        }
+
+        tilewright_hdl::elaborate(&Shown).unwrap()
+    }};
+}
+
+/// On the engine that says what is right.
+#[track_caller]
+fn simulation(design: &Design) -> Simulation {
+    Simulation::from_design(design).unwrap_or_else(|error| panic!("{error}")).on(EngineKind::Reference)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use tilewright_hdl::lit;
+
+    #[test]
+    #[should_panic(expected = "the example asserts nothing")]
+    fn an_example_states_something() {
+        example(|m| {
+            let count = m.reg("count", 2).reset(0);
+            count.next(count + 1);
+        });
+    }
+
+    #[test]
+    #[should_panic(expected = "the count stays below 3")]
+    fn what_does_not_hold_is_found() {
+        example(|m| {
+            let count = m.reg("count", 2).reset(0);
+            count.next(count + 1);
+            m.assert(count.lt(3), "the count stays below 3");
+        });
+    }
+
+    #[test]
+    #[should_panic(expected = "needs equal widths")]
+    fn mistakes_are_told() {
+        example(|m| m.assert((lit(8, 1) + lit(7, 1)).eq(2), "a sum"));
+    }
+
+    #[test]
+    fn values_are_those_before_each_edge() {
+        let example = traced(|m| {
+            let count = m.reg("count", 2).reset(1);
+            count.next(count + 1);
+        });
+        assert_eq!(example.values("count"), [1, 2, 3, 0, 1]);
+    }
+}

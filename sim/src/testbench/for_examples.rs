@@ -1,0 +1,57 @@
+//! Blocks that the examples of this crate run.
+
+use tilewright_hdl::{Bits, Module, ReadUnderWrite, bit, bits, block, net};
+
+block! {
+    /// Counts, and squares how far it is.
+    pub struct Counter;
+    in CounterIn {
+        /// It counts.
+        enable: bit(),
+    }
+    out CounterOut {
+        /// How far it is.
+        count: bits(8),
+        /// The square of its lower 4 bits.
+        square: bits(8),
+    }
+}
+
+impl Counter {
+    fn build(&self, m: Module, i: CounterIn) -> CounterOut {
+        let count = m.reg("count", 8).reset(0);
+        count.when(i.enable, count + 1);
+        m.assert(count.lt(200), "it counts to less than 200");
+        let _ = m.pipe("late", *count);
+        let squares = m.memory("squares", 16, 8, ReadUnderWrite::Any);
+        let squares = squares.words((0..16).map(|x| Bits::new(8, x * x)));
+        net!(square = squares.read_async(count.trunc(4)));
+        CounterOut { count: *count, square }
+    }
+}
+
+block! {
+    /// The products of two lists, element by element, and of two rows, lane by lane.
+    pub struct Products;
+    in ProductsIn {
+        /// A list of factors.
+        left: [bits(8); 3],
+        /// A list of factors.
+        right: [bits(8); 3],
+        /// A row of factors.
+        lanes: bits(8).of(4),
+    }
+    out ProductsOut {
+        /// Element by element.
+        products: [bits(16); 3],
+        /// Lane by lane.
+        squares: bits(16).of(4),
+    }
+}
+
+impl Products {
+    fn build(&self, _: Module, i: ProductsIn) -> ProductsOut {
+        let products = i.left.iter().zip(&i.right).map(|(left, right)| *left * *right).collect();
+        ProductsOut { products, squares: i.lanes * i.lanes }
+    }
+}
