@@ -10,7 +10,7 @@ fn a_pass_is_shown_with_the_users_names_and_source_lines() {
         "{text}"
     );
     let line = text.lines().find(|line| line.starts_with("line_end ")).unwrap();
-    assert!(line.contains(": 1 = scan_enable & %") && line.contains("   rtl/src/lfb/scan_counter.rs:"), "{line}");
+    assert!(line.contains("= scan_enable & %") && line.contains("   rtl/src/lfb/scan_counter.rs:"), "{line}");
     assert!(text.contains("\nat clk:\n  pixel_x <- %"), "{text}");
     assert_eq!(text.matches("# ").count(), 1, "only that pass is shown: {text}");
 }
