@@ -77,7 +77,7 @@ impl ScanCounter {
         net!(at_start = i.preset.x.eq(0) & i.preset.y.eq(0));
         pass.when(restart, mux(at_start, Pass::Frame, Pass::Before))
             .when(frame_end, mux(pass.is(Pass::Before), Pass::Frame, Pass::After));
-        m.cover("a whole frame is sent", m.past(*pass).is(Pass::Frame) & pass.is(Pass::After));
+        m.cover("a whole frame is sent", frame_end & pass.is(Pass::Frame));
         ScanCounterOut { pixel: Position { x: *x, y: *y }, armed: pass.is(Pass::Frame) }
     }
 }
