@@ -4,15 +4,15 @@ use crate::engine::tell_fallback;
 use crate::shell::{Exit, Failure};
 use clap::Args;
 use clap::builder::PossibleValuesParser;
+use tilewright_hdl::catalog::{Entry, Values};
 use tilewright_hdl::{Design, limbs_for};
-use tilewright_rtl::catalog::{self, ENTRIES, Entry, Values};
 use tilewright_sim::{EngineKind, Simulation};
 
 /// A block of the catalogue with parameters.
 #[derive(Args)]
 pub struct BlockArguments {
     /// A block's name
-    #[arg(value_name = "BLOCK", value_parser = PossibleValuesParser::new(ENTRIES.iter().map(|entry| entry.name)))]
+    #[arg(value_name = "BLOCK", value_parser = PossibleValuesParser::new(entries().map(|entry| entry.name)))]
     block: String,
     /// A parameter's value, as often as needed; `tilewright list` has their names and ranges
     #[arg(long = "set", value_name = "NAME=VALUE", value_parser = setting)]
@@ -30,10 +30,17 @@ impl BlockArguments {
                 return Err(Failure::new(Exit::BadInput, format!("{name} is set twice: give one --set {name}=VALUE")));
             }
         }
-        let entry = catalog::find(&self.block).expect("the command line admits only names of the catalogue");
+        let entry = entries()
+            .find(|entry| entry.name == self.block)
+            .expect("the command line admits only names of the catalogues");
         let values = entry.values(self.settings.iter().map(|(name, value)| (name.as_str(), *value)))?;
         Ok((entry, values))
     }
+}
+
+/// Every block: those of the machines, then those that any design uses.
+pub fn entries() -> impl Iterator<Item = &'static Entry> {
+    tilewright_rtl::catalog::ENTRIES.iter().chain(tilewright_blocks::catalog::ENTRIES)
 }
 
 fn setting(text: &str) -> Result<(String, u64), &'static str> {

@@ -1,11 +1,12 @@
 //! `tilewright list`: what there is to render, to run and to print.
 
+use crate::block::entries;
 use crate::machine::Machine;
 use crate::shell::{Exit, Failure, terminal};
 use clap::{Args, ValueEnum};
 use serde::Serialize;
 use std::fmt::Write;
-use tilewright_rtl::catalog::{CatalogError, ENTRIES, Entry};
+use tilewright_hdl::catalog::{CatalogError, Entry};
 use tilewright_scenes::{Scene, builtin};
 
 /// Lists machines, scenes, and blocks with their scenarios and parameters
@@ -66,7 +67,7 @@ impl List {
             format: 1,
             machines: Machine::value_variants().iter().copied().map(machine).collect(),
             scenes: builtin::NAMES.into_iter().filter_map(scene).collect(),
-            blocks: ENTRIES.iter().map(block).collect::<Result<_, _>>()?,
+            blocks: entries().map(block).collect::<Result<_, _>>()?,
         };
         if self.json {
             terminal::print_json(&lists)?

@@ -16,7 +16,7 @@ use std::fs::File;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 use tilewright_hdl::Scenario;
-use tilewright_rtl::catalog::{Entry, Values};
+use tilewright_hdl::catalog::{Entry, Values};
 use tilewright_sim::{Probe, Simulation};
 
 /// Runs a block's scenario and shows it as a waveform

@@ -2,27 +2,7 @@
 
 use crate::encode::first;
 use crate::ports::StreamOut;
-use tilewright_hdl::ir::About;
-use tilewright_hdl::{Block, Module, Signal, Stream, Width, bits, bundle, concat, mux, net, select, stream};
-
-bundle! {
-    /// The inputs of an [`Arbiter`].
-    ///
-    /// ```
-    /// # use tilewright_hdl::*;
-    /// # use tilewright_blocks::{Arbiter, ArbiterIn, Turns};
-    /// # let example = tilewright_sim::traced(|m| {
-    /// let into = (1..4).map(|word| m.offer(lit(1, 1), lit(8, word)).0).collect();
-    /// let out = m.instance("u_arbiter", &Arbiter::new(3, 8, Turns::RoundRobin), ArbiterIn { into }).out;
-    /// net!(word = *out.take_when(1));
-    /// # });
-    /// assert_eq!(example.values("word"), [1, 2, 3, 1]);
-    /// ```
-    pub struct ArbiterIn<T> {
-        /// What wants to go out.
-        pub into: Vec<Stream<T, T>>,
-    }
-}
+use tilewright_hdl::{Module, Signal, bits, block, concat, mux, net, select, stream};
 
 /// Which of the streams that have a word goes first.
 ///
@@ -47,34 +27,27 @@ pub enum Turns {
     Priority,
 }
 
-/// Sends the words of several streams, one after another.
-///
-/// ```text
-/// into.0 ===>|\
-/// into.1 ===>| |===> out      [locked] to the one whose word is shown, until it is taken
-/// into.2 ===>|/
-/// ```
-///
-/// Latency 0, a word a clock. A word that is shown stays, though one of a higher priority comes. No `valid` waits for `ready`.
-///
-/// ```
-/// # use tilewright_hdl::*;
-/// # use tilewright_blocks::{StreamBlocks, Turns};
-/// # let example = tilewright_sim::traced(|m| {
-/// let count = m.reg("count", 2).reset(0);
-/// count.next(count + 1);
-/// let (often, _) = m.offer(lit(1, 1), lit(8, 2));
-/// let (seldom, _) = m.offer(count.eq(2), lit(8, 1));
-/// let word = m.arbiter("u_arbiter", Turns::Priority, [seldom, often]).take_when(1);
-/// net!(sent = *word);
-/// # });
-/// assert_eq!(example.values("sent"), [2, 2, 1, 2, 2, 2, 1]);
-/// ```
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct Arbiter {
-    senders: u32,
-    width: u32,
-    turns: Turns,
+block! {
+    /// Sends the words of several streams, one after another.
+    ///
+    /// ```text
+    /// into.0 ===>|\
+    /// into.1 ===>| |===> out      [locked] to the one whose word is shown, until it is taken
+    /// into.2 ===>|/
+    /// ```
+    ///
+    /// Latency 0, a word a clock. A word that is shown stays, though one of a higher priority comes. No `valid` waits for `ready`.
+    pub struct Arbiter {
+        senders: u32,
+        width: u32,
+        turns: Turns,
+    }
+    latency = "0 clocks";
+    in(self) ArbiterIn {
+        /// What wants to go out.
+        into: [stream(bits(self.width)); self.senders],
+    }
+    out(self) = StreamOut { out: stream(bits(self.width)) };
 }
 
 impl Arbiter {
@@ -94,15 +67,6 @@ impl Arbiter {
     pub fn new(senders: u32, width: u32, turns: Turns) -> Arbiter {
         assert!(senders > 0, "an arbiter of 0 senders sends nothing");
         Arbiter { senders, width, turns }
-    }
-}
-
-impl Block for Arbiter {
-    type In = ArbiterIn;
-    type Out = StreamOut;
-
-    fn inputs(&self) -> ArbiterIn<Width> {
-        ArbiterIn { into: (0..self.senders).map(|_| stream(bits(self.width))).collect() }
     }
 
     fn build(&self, m: Module, i: ArbiterIn) -> StreamOut {
@@ -129,22 +93,9 @@ impl Block for Arbiter {
         for (stream, sender) in i.into.iter().zip(0..) {
             stream.take_when(chosen.bit(sender) & out.ready);
         }
+        let waits = requests.any_one() & !sent;
+        m.assert(m.past(waits).implies(m.stable(chosen)), "a word stays chosen until it is taken");
+        m.cover("a word waits while others come", m.past(waits) & m.past(requests).lt(requests));
         StreamOut { out }
-    }
-
-    fn about(&self) -> About {
-        About {
-            summary: match self.turns {
-                Turns::RoundRobin => "Sends the words of several streams, each in its turn.".into(),
-                Turns::Priority => "Sends the words of several streams, the first that has one first.".into(),
-            },
-            latency: "0 clocks".into(),
-            ..About::default()
-        }
-    }
-
-    fn name(&self) -> String {
-        let kind = if self.turns == Turns::RoundRobin { "round_robin_arbiter" } else { "priority_arbiter" };
-        format!("{kind}_senders{}_width{}", self.senders, self.width)
     }
 }

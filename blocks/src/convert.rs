@@ -1,32 +1,24 @@
 //! Streams of another width.
 
 use crate::ports::{StreamIn, StreamOut};
-use tilewright_hdl::ir::About;
-use tilewright_hdl::{Block, Module, Width, below, bit, bits, case, concat, mux, stream};
+use tilewright_hdl::{Module, below, bit, bits, block, case, concat, mux, stream};
 
-/// Sends each word in parts, the least significant first.
-///
-/// ```text
-/// into ===[ 3 | 2 | 1 | 0 ]===>|\
-///                       [part]-|/===> out
-/// ```
-///
-/// Latency 0, a part a clock. No `valid` waits for `ready`; `ready` of `into` is that of `out` at the last part.
-///
-/// ```
-/// # use tilewright_hdl::*;
-/// # use tilewright_blocks::{Narrow, StreamIn};
-/// # let example = tilewright_sim::traced(|m| {
-/// let (into, _) = m.offer(lit(1, 1), lit(12, 0xabc));
-/// let out = m.instance("u_narrow", &Narrow::new(3, 4), StreamIn { into }).out;
-/// net!(part = *out.take_when(1));
-/// # });
-/// assert_eq!(example.values("part"), [0xc, 0xb, 0xa, 0xc]);
-/// ```
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct Narrow {
-    parts: u32,
-    width: u32,
+block! {
+    /// Sends each word in parts, the least significant first.
+    ///
+    /// ```text
+    /// into ===[ 3 | 2 | 1 | 0 ]===>|\
+    ///                       [part]-|/===> out
+    /// ```
+    ///
+    /// Latency 0, a part a clock. No `valid` waits for `ready`; `ready` of `into` is that of `out` at the last part.
+    pub struct Narrow {
+        parts: u32,
+        width: u32,
+    }
+    latency = "0 clocks";
+    in(self) = StreamIn { into: stream(bits(self.parts * self.width)) };
+    out(self) = StreamOut { out: stream(bits(self.width)) };
 }
 
 impl Narrow {
@@ -48,15 +40,6 @@ impl Narrow {
         assert!(parts > 0 && width > 0, "a word of {parts} parts of {width} bits is nothing");
         Narrow { parts, width }
     }
-}
-
-impl Block for Narrow {
-    type In = StreamIn;
-    type Out = StreamOut;
-
-    fn inputs(&self) -> StreamIn<Width> {
-        StreamIn { into: stream(bits(self.parts * self.width)) }
-    }
 
     fn build(&self, m: Module, i: StreamIn) -> StreamOut {
         let part = m.reg("part", below(self.parts)).reset(0);
@@ -70,40 +53,23 @@ impl Block for Narrow {
         part.when(sent, mux(at_end, 0, part + 1));
         StreamOut { out }
     }
-
-    fn about(&self) -> About {
-        About {
-            summary: "Sends each word in parts, the least significant first.".into(),
-            latency: "0 clocks".into(),
-            ..About::default()
-        }
-    }
 }
 
-/// Makes a word of several parts, the least significant first.
-///
-/// ```text
-/// into ===>[ 3 ][ 2 ][ 1 ][ 0 ]===> out      [full]
-/// ```
-///
-/// Latency 1 clock from the last part, a part a clock. No `valid` waits for `ready`; `ready` of `into` passes that of `out`.
-///
-/// ```
-/// # use tilewright_hdl::*;
-/// # use tilewright_blocks::{StreamIn, Widen};
-/// # let example = tilewright_sim::traced(|m| {
-/// let count = m.reg("count", 4).reset(1);
-/// let (into, sent) = m.offer(lit(1, 1), *count);
-/// count.when(sent, count + 1);
-/// let word = m.instance("u_widen", &Widen::new(2, 4), StreamIn { into }).out.take_when(1);
-/// net!(words = mux(word.taken, *word, 0));
-/// # });
-/// assert_eq!(example.values("words"), [0, 0, 0x21, 0, 0x43, 0]);
-/// ```
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct Widen {
-    parts: u32,
-    width: u32,
+block! {
+    /// Makes a word of several parts, the least significant first.
+    ///
+    /// ```text
+    /// into ===>[ 3 ][ 2 ][ 1 ][ 0 ]===> out      [full]
+    /// ```
+    ///
+    /// Latency 1 clock from the last part, a part a clock. No `valid` waits for `ready`; `ready` of `into` passes that of `out`.
+    pub struct Widen {
+        parts: u32,
+        width: u32,
+    }
+    latency = "1 clock";
+    in(self) = StreamIn { into: stream(bits(self.width)) };
+    out(self) = StreamOut { out: stream(bits(self.parts * self.width)) };
 }
 
 impl Widen {
@@ -125,15 +91,6 @@ impl Widen {
         assert!(parts > 0 && width > 0, "a word of {parts} parts of {width} bits is nothing");
         Widen { parts, width }
     }
-}
-
-impl Block for Widen {
-    type In = StreamIn;
-    type Out = StreamOut;
-
-    fn inputs(&self) -> StreamIn<Width> {
-        StreamIn { into: stream(bits(self.width)) }
-    }
 
     fn build(&self, m: Module, i: StreamIn) -> StreamOut {
         let full = m.reg("full", bit()).reset(0);
@@ -149,13 +106,5 @@ impl Block for Widen {
         part.when(into.taken, mux(at_end, 0, part + 1));
         full.when(into.taken & at_end, 1).when(sent, 0);
         StreamOut { out }
-    }
-
-    fn about(&self) -> About {
-        About {
-            summary: "Makes a word of several parts, the least significant first.".into(),
-            latency: "1 clock".into(),
-            ..About::default()
-        }
     }
 }

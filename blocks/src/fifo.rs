@@ -11,8 +11,7 @@
 //! registers or distributed memory, 2 in a block RAM, whose read takes one. No path within a clock from any port to another.
 
 use crate::ports::{StreamIn, StreamOut};
-use tilewright_hdl::ir::About;
-use tilewright_hdl::{Block, Module, ReadUnderWrite, Reg, Width, bit, bits, mux, net, stream, up_to};
+use tilewright_hdl::{Module, ReadUnderWrite, Reg, bit, bits, block, mux, net, stream, up_to};
 
 /// What the words of a [`Fifo`] are kept in.
 ///
@@ -34,32 +33,28 @@ pub enum Storage {
     BlockRam,
 }
 
-/// Holds up to `depth` words and gives them back in order; see [the table](crate) for what it costs.
-///
-/// ```text
-///             .---------------.
-/// into ======>| words [depth] |======> out
-///             '---------------'
-///          free ^   used   ^ oldest
-/// ```
-///
-/// ```
-/// # use tilewright_hdl::*;
-/// # use tilewright_blocks::{Fifo, Storage, StreamIn};
-/// # let example = tilewright_sim::traced(|m| {
-/// let count = m.reg("count", 4).reset(0);
-/// let (into, sent) = m.offer(lit(1, 1), *count);
-/// count.when(sent, count + 1);
-/// let queue = Fifo::new(3, 4, Storage::Registers);
-/// m.instance("u_queue", &queue, StreamIn { into }).out.take_when(0);
-/// # });
-/// assert_eq!(example.values("count"), [0, 1, 2, 3, 3, 3]); // it is full
-/// ```
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct Fifo {
-    depth: u32,
-    width: u32,
-    storage: Storage,
+block! {
+    /// A queue: gives its words in the order in which it took them, and shows the oldest before it is taken.
+    ///
+    /// It holds up to `depth` words; see [the table](crate) for what it costs.
+    ///
+    /// ```text
+    ///             .---------------.
+    /// into ======>| words [depth] |======> out
+    ///             '---------------'
+    ///          free ^   used   ^ oldest
+    /// ```
+    pub struct Fifo {
+        depth: u32,
+        width: u32,
+        storage: Storage,
+    }
+    latency(self) = match self.storage {
+        Storage::Registers => "1 clock",
+        Storage::BlockRam => "2 clocks",
+    };
+    in(self) = StreamIn { into: stream(bits(self.width)) };
+    out(self) = StreamOut { out: stream(bits(self.width)) };
 }
 
 impl Fifo {
@@ -68,7 +63,7 @@ impl Fifo {
     /// ```
     /// use tilewright_blocks::{Fifo, Storage};
     /// let design = tilewright_hdl::elaborate(&Fifo::new(5, 8, Storage::Registers))?;
-    /// assert_eq!(design.top().name, "fifo_depth5_width8");
+    /// assert_eq!(design.top().name, "fifo_depth5_width8_storage_registers");
     /// # Ok::<(), tilewright_hdl::Problems>(())
     /// ```
     ///
@@ -79,15 +74,6 @@ impl Fifo {
     pub fn new(depth: u32, width: u32, storage: Storage) -> Fifo {
         assert!(depth > 0 && width > 0, "a FIFO of {depth} words of {width} bits holds nothing");
         Fifo { depth, width, storage }
-    }
-}
-
-impl Block for Fifo {
-    type In = StreamIn;
-    type Out = StreamOut;
-
-    fn inputs(&self) -> StreamIn<Width> {
-        StreamIn { into: stream(bits(self.width)) }
     }
 
     fn build(&self, m: Module, i: StreamIn) -> StreamOut {
@@ -115,24 +101,10 @@ impl Block for Fifo {
         };
         oldest.when(sent, after(oldest));
         used.when(into.taken & !sent, used + 1).when(sent & !into.taken, used - 1);
+        m.assert(used.le(self.depth), "no more is held than there is room for");
+        m.assert(m.past(out.valid & !sent).implies(out.valid), "what is shown stays until it is taken");
+        m.cover("it is full", m.rose(used.eq(self.depth)));
+        m.cover("it is emptied", m.rose(used.eq(0)));
         StreamOut { out }
-    }
-
-    fn about(&self) -> About {
-        About {
-            summary:
-                "A queue: gives its words in the order in which it took them, and shows the oldest before it is taken."
-                    .into(),
-            latency: match self.storage {
-                Storage::Registers => "1 clock".into(),
-                Storage::BlockRam => "2 clocks".into(),
-            },
-            ..About::default()
-        }
-    }
-
-    fn name(&self) -> String {
-        let kind = if self.storage == Storage::BlockRam { "block_ram_fifo" } else { "fifo" };
-        format!("{kind}_depth{}_width{}", self.depth, self.width)
     }
 }

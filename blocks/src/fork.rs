@@ -1,60 +1,28 @@
 //! One stream to several receivers.
 
 use crate::ports::StreamIn;
-use tilewright_hdl::ir::About;
-use tilewright_hdl::{Block, Module, Stream, Width, bit, bits, bundle, lit, stream};
+use tilewright_hdl::{Module, bit, bits, block, lit, stream};
 
-bundle! {
-    /// The outputs of a [`Fork`].
+block! {
+    /// Gives each word to all of its receivers, each when it is ready for it; those that have it wait for the others.
     ///
+    /// ```text
+    ///          .---> out.0
+    /// into ====+---> out.1      [done] for each: it has the word already
+    ///          '---> out.2
     /// ```
-    /// # use tilewright_hdl::*;
-    /// # use tilewright_blocks::{Fork, StreamIn};
-    /// # tilewright_sim::example(|m| {
-    /// let (into, _) = m.offer(lit(1, 1), lit(8, 7));
-    /// let out = m.instance("u_fork", &Fork::new(3, 8), StreamIn { into }).out;
-    /// for stream in out {
-    ///     let word = stream.take_when(1);
-    ///     m.assert(word.taken & word.eq(7), "each has it in the same clock");
-    /// }
-    /// # });
-    /// ```
-    pub struct ForkOut<T> {
-        /// To each receiver the same.
-        pub out: Vec<Stream<T, T>>,
+    ///
+    /// Latency 0. No `valid` waits for any `ready`; `ready` of `into` is one function of those of all receivers.
+    pub struct Fork {
+        receivers: u32,
+        width: u32,
     }
-}
-
-/// Gives each word to all of its receivers, each when it is ready for it; those that have it wait for the others.
-///
-/// ```text
-///          .---> out.0
-/// into ====+---> out.1      [done] for each: it has the word already
-///          '---> out.2
-/// ```
-///
-/// Latency 0. No `valid` waits for any `ready`; `ready` of `into` is one function of those of all receivers.
-///
-/// ```
-/// # use tilewright_hdl::*;
-/// # use tilewright_blocks::{Fork, StreamIn};
-/// # let example = tilewright_sim::traced(|m| {
-/// let count = m.reg("count", 4).reset(0);
-/// let (into, sent) = m.offer(lit(1, 1), *count);
-/// count.when(sent, count + 1);
-/// let out = m.instance("u_fork", &Fork::new(2, 4), StreamIn { into }).out;
-/// let slow = m.reg("slow", 1).reset(0);
-/// slow.next(!*slow);
-/// net!(fast_takes = out[0].take_when(1).taken);
-/// net!(slow_takes = out[1].take_when(*slow).taken);
-/// # });
-/// assert_eq!(example.values("fast_takes"), [1, 0, 1, 0]); // it waits for the other
-/// assert_eq!(example.values("slow_takes"), [0, 1, 0, 1]);
-/// ```
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct Fork {
-    receivers: u32,
-    width: u32,
+    latency = "0 clocks";
+    in(self) = StreamIn { into: stream(bits(self.width)) };
+    out(self) ForkOut {
+        /// To each receiver the same.
+        out: [stream(bits(self.width)); self.receivers],
+    }
 }
 
 impl Fork {
@@ -75,15 +43,6 @@ impl Fork {
         assert!(receivers > 0, "a fork to 0 receivers takes nothing");
         Fork { receivers, width }
     }
-}
-
-impl Block for Fork {
-    type In = StreamIn;
-    type Out = ForkOut;
-
-    fn inputs(&self) -> StreamIn<Width> {
-        StreamIn { into: stream(bits(self.width)) }
-    }
 
     fn build(&self, m: Module, i: StreamIn) -> ForkOut {
         let mut all = lit(1, 1);
@@ -100,13 +59,5 @@ impl Block for Fork {
             done.when(into.taken, 0).when(sent, 1);
         }
         ForkOut { out }
-    }
-
-    fn about(&self) -> About {
-        About {
-            summary: "Gives each word to all of its receivers, each when it is ready for it.".into(),
-            latency: "0 clocks".into(),
-            ..About::default()
-        }
     }
 }

@@ -1,41 +1,6 @@
 //! A linear feedback shift register.
 
-use tilewright_hdl::ir::About;
-use tilewright_hdl::{Block, Module, Signal, Width, bit, bundle, cat, concat};
-
-bundle! {
-    /// The inputs of an [`Lfsr`].
-    ///
-    /// ```
-    /// # use tilewright_hdl::*;
-    /// # use tilewright_blocks::{Lfsr, LfsrIn};
-    /// # let example = tilewright_sim::traced(|m| {
-    /// let twice = m.reg("twice", 1).reset(0);
-    /// twice.next(!*twice);
-    /// net!(number = m.instance("u_lfsr", &Lfsr::new(3), LfsrIn { enable: *twice }).number);
-    /// # });
-    /// assert_eq!(example.values("number"), [1, 1, 2, 2, 5, 5]);
-    /// ```
-    pub struct LfsrIn<T> {
-        /// It goes on to the next number.
-        pub enable: T,
-    }
-
-    /// The outputs of an [`Lfsr`].
-    ///
-    /// ```
-    /// # use tilewright_hdl::*;
-    /// # use tilewright_blocks::{Lfsr, LfsrIn};
-    /// # let example = tilewright_sim::traced(|m| {
-    /// net!(number = m.instance("u_lfsr", &Lfsr::new(3), LfsrIn { enable: lit(1, 1) }).number);
-    /// # });
-    /// assert_eq!(example.values("number"), [1, 2, 5, 3, 7, 6, 4, 1]); // all but 0
-    /// ```
-    pub struct LfsrOut<T> {
-        /// A number that is not 0.
-        pub number: T,
-    }
-}
+use tilewright_hdl::{Module, Signal, bit, bits, block, cat, concat};
 
 /// For each width from 2 on the bits, counted from 1, whose parity is shifted in, so that all numbers but 0 come.
 const TAPS: [&[u32]; 31] = [
@@ -72,26 +37,27 @@ const TAPS: [&[u32]; 31] = [
     &[32, 22, 2, 1],
 ];
 
-/// Goes through all numbers of its width but 0, from 1 on, in an order that looks like chance.
-///
-/// ```text
-///      .--------------- parity <--.
-///      '-->[ ][ ][ ][ ][ ][ ][ ]--+--> number
-/// ```
-///
-/// Latency 1 clock; the period is 2 to the width, less one.
-///
-/// ```
-/// # use tilewright_hdl::*;
-/// # use tilewright_blocks::{Lfsr, LfsrIn};
-/// # tilewright_sim::example(|m| {
-/// let lfsr = m.instance("u_lfsr", &Lfsr::new(16), LfsrIn { enable: lit(1, 1) });
-/// m.assert(lfsr.number.ne(0), "from 0 it would not get away");
-/// # });
-/// ```
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct Lfsr {
-    width: u32,
+block! {
+    /// Goes through all numbers of its width but 0, from 1 on, in an order that looks like chance.
+    ///
+    /// ```text
+    ///      .--------------- parity <--.
+    ///      '-->[ ][ ][ ][ ][ ][ ][ ]--+--> number
+    /// ```
+    ///
+    /// Latency 1 clock; the period is 2 to the width, less one.
+    pub struct Lfsr {
+        width: u32,
+    }
+    latency = "1 clock";
+    in LfsrIn {
+        /// It goes on to the next number.
+        enable: bit(),
+    }
+    out(self) LfsrOut {
+        /// A number that is not 0.
+        number: bits(self.width),
+    }
 }
 
 impl Lfsr {
@@ -123,28 +89,11 @@ impl Lfsr {
     pub fn taps(&self) -> &'static [u32] {
         TAPS[self.width as usize - 2]
     }
-}
-
-impl Block for Lfsr {
-    type In = LfsrIn;
-    type Out = LfsrOut;
-
-    fn inputs(&self) -> LfsrIn<Width> {
-        LfsrIn { enable: bit() }
-    }
 
     fn build(&self, m: Module, i: LfsrIn) -> LfsrOut {
         let number = m.reg("number", self.width).reset(1);
         let taps: Vec<Signal> = self.taps().iter().map(|tap| number.bit(tap - 1)).collect();
         number.when(i.enable, cat![number.trunc(self.width - 1), concat(&taps).parity()]);
-        LfsrOut { number: number.value() }
-    }
-
-    fn about(&self) -> About {
-        About {
-            summary: "Goes through all numbers but 0 in an order that looks like chance.".into(),
-            latency: "1 clock".into(),
-            ..About::default()
-        }
+        LfsrOut { number: *number }
     }
 }

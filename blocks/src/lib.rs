@@ -48,12 +48,14 @@
 //! |---|---|---|---|
 //! | [`Fifo`] in [`Storage::Registers`] | a queue | 1 | any |
 //! | [`Fifo`] in [`Storage::BlockRam`] | a queue | 2 | any |
+//! | [`Lifo`] | a stack | 1 | any |
 //! | [`DualClockFifo`] | a queue from one clock to another | 3 read clocks, 4 where the edges meet | any |
 //! | [`RegisterSlice`], [`Slice::Forward`] | cuts `valid` and the payload | 1 | from `into` to `out` |
 //! | [`RegisterSlice`], [`Slice::Backward`] | cuts `ready` | 0 | from `out` to `into` |
 //! | [`RegisterSlice`], [`Slice::Both`] | cuts both: a skid buffer | 1 | any |
 //! | [`Fork`] | one stream to several receivers | 0 | from a `ready` to a `valid` |
 //! | [`StreamBlocks::join`] | two streams to one | 0 | from a `ready` to a `valid` |
+//! | [`StreamBlocks::split_by`] | one stream to several receivers, to each its words | 0 | from a `ready` to a `valid` |
 //! | [`Arbiter`] | several streams to one, by turns or by priority | 0 | from `ready` to `valid` |
 //! | [`Narrow`] | parts of words | 0 | from `ready` to `valid` |
 //! | [`Widen`] | words of parts | 1 from the last | from `into` to `out` |
@@ -61,6 +63,7 @@
 //! | [`one_hot`], [`index_of`], [`first`], [`first_index`] | functions of signals | 0 | |
 
 mod arbiter;
+pub mod catalog;
 mod convert;
 mod counter;
 mod dual_clock;
@@ -68,6 +71,7 @@ mod encode;
 mod fifo;
 mod fork;
 mod lfsr;
+mod lifo;
 mod ports;
 mod shift;
 mod slice;
@@ -81,6 +85,7 @@ pub use encode::{first, first_index, index_of, one_hot};
 pub use fifo::{Fifo, Storage};
 pub use fork::{Fork, ForkOut};
 pub use lfsr::{Lfsr, LfsrIn, LfsrOut};
+pub use lifo::Lifo;
 pub use ports::{StreamIn, StreamOut};
 pub use shift::{ShiftRegister, ShiftRegisterIn, ShiftRegisterOut};
 pub use slice::{RegisterSlice, Slice};

@@ -1,8 +1,7 @@
 //! Register slices: registers on one direction of a stream, or on both.
 
 use crate::ports::{StreamIn, StreamOut};
-use tilewright_hdl::ir::About;
-use tilewright_hdl::{Block, Module, Width, bit, bits, mux, stream};
+use tilewright_hdl::{Module, bit, bits, block, mux, stream};
 
 /// Which paths a [`RegisterSlice`] cuts.
 ///
@@ -47,36 +46,25 @@ pub enum Slice {
     Both,
 }
 
-/// Cuts long paths through a stream, a word a clock; see [`Slice`] for the three kinds and their latencies.
-///
-/// ```
-/// # use tilewright_hdl::*;
-/// # use tilewright_blocks::{RegisterSlice, Slice, StreamIn};
-/// # let example = tilewright_sim::traced(|m| {
-/// let count = m.reg("count", 4).reset(0);
-/// let (into, sent) = m.offer(lit(1, 1), *count);
-/// count.when(sent, count + 1);
-/// let skid = RegisterSlice { width: 4, cuts: Slice::Both };
-/// m.instance("u_skid", &skid, StreamIn { into }).out.take_when(0);
-/// # });
-/// assert_eq!(example.values("count"), [0, 1, 2, 2, 2]); // it has room for two words
-/// ```
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct RegisterSlice {
-    /// The width of the payload.
-    pub width: u32,
-    /// Which paths it cuts.
-    pub cuts: Slice,
+block! {
+    /// Puts registers on one direction of a stream, or on both, and lets a word pass each clock.
+    ///
+    /// They cut long paths; see [`Slice`] for the three kinds and their latencies.
+    pub struct RegisterSlice {
+        /// The width of the payload.
+        pub width: u32,
+        /// Which paths it cuts.
+        pub cuts: Slice,
+    }
+    latency(self) = match self.cuts {
+        Slice::Forward | Slice::Both => "1 clock",
+        Slice::Backward => "0 clocks",
+    };
+    in(self) = StreamIn { into: stream(bits(self.width)) };
+    out(self) = StreamOut { out: stream(bits(self.width)) };
 }
 
-impl Block for RegisterSlice {
-    type In = StreamIn;
-    type Out = StreamOut;
-
-    fn inputs(&self) -> StreamIn<Width> {
-        StreamIn { into: stream(bits(self.width)) }
-    }
-
+impl RegisterSlice {
     fn build(&self, m: Module, i: StreamIn) -> StreamOut {
         let full = m.reg("full", bit()).reset(0);
         let held = m.reg("held", self.width);
@@ -105,26 +93,10 @@ impl Block for RegisterSlice {
                 full.when(moves, spare_full | into.valid);
                 spare.when(into.taken, *into);
                 spare_full.when(moves, 0).when(into.taken, 1);
+                m.assert(m.past(!moves).implies(full & m.stable(held)), "what is shown stays until it is taken");
+                m.cover("both registers are full", m.rose(spare_full));
                 StreamOut { out }
             }
         }
-    }
-
-    fn about(&self) -> About {
-        let (summary, latency) = match self.cuts {
-            Slice::Forward => ("Puts registers on `valid` and the payload of a stream.", "1 clock"),
-            Slice::Backward => ("Puts a register on `ready` of a stream.", "0 clocks"),
-            Slice::Both => ("Puts registers on both directions of a stream: a skid buffer.", "1 clock"),
-        };
-        About { summary: summary.into(), latency: latency.into(), ..About::default() }
-    }
-
-    fn name(&self) -> String {
-        let kind = match self.cuts {
-            Slice::Forward => "forward_slice",
-            Slice::Backward => "backward_slice",
-            Slice::Both => "skid_buffer",
-        };
-        format!("{kind}_width{}", self.width)
     }
 }

@@ -3,11 +3,13 @@
 use crate::arbiter::{Arbiter, ArbiterIn, Turns};
 use crate::convert::{Narrow, Widen};
 use crate::dual_clock::DualClockFifo;
+use crate::encode::one_hot;
 use crate::fifo::{Fifo, Storage};
 use crate::fork::Fork;
+use crate::lifo::Lifo;
 use crate::ports::StreamIn;
 use crate::slice::{RegisterSlice, Slice};
-use tilewright_hdl::{Clock, Data, Module, Stream};
+use tilewright_hdl::{Clock, Data, Module, Signal, Stream, lit};
 
 /// Streams through blocks: each method makes an instance of that name, which carries the fields of a record side by side.
 /// See [the crate](crate) for an example.
@@ -58,6 +60,10 @@ pub trait StreamBlocks {
     /// ```
     #[track_caller]
     fn block_ram_fifo<P: Data>(self, name: &str, depth: u32, stream: Stream<P>) -> Stream<P>;
+
+    /// The stream through a stack of that many words, and the one that it shows: [`Lifo`].
+    #[track_caller]
+    fn lifo<P: Data>(self, name: &str, depth: u32, stream: Stream<P>) -> Stream<P>;
 
     /// The stream from one clock to another, through a queue of that many words: [`DualClockFifo`].
     ///
@@ -110,6 +116,38 @@ pub trait StreamBlocks {
     /// ```
     #[track_caller]
     fn fork<P: Data, const N: usize>(self, name: &str, stream: Stream<P>) -> [Stream<P>; N];
+
+    /// The stream to `N` receivers, of which each word goes to one: to that whose number `to` makes of it. It is a gate, and no instance.
+    ///
+    /// ```text
+    ///              .===> 0
+    /// stream ===>--+===> 1
+    ///          to--'===> 2
+    /// ```
+    ///
+    /// Latency 0. `valid` waits for no `ready`; `ready` of the stream is that of the receiver whose number its word has. A number that
+    /// no receiver has is a mistake of the design, and fails an assertion.
+    ///
+    /// ```
+    /// # use tilewright_blocks::*;
+    /// # use tilewright_hdl::*;
+    /// # block! {
+    /// #     /// Tells even from odd.
+    /// #     struct Parity;
+    /// #     in ParityIn { words: stream(8) }
+    /// #     out ParityOut { even: stream(8), odd: stream(8) }
+    /// # }
+    /// # impl Parity {
+    /// #     fn build(&self, m: Module, i: ParityIn) -> ParityOut {
+    /// let [even, odd] = m.split_by(i.words, |word| word.bit(0));
+    /// #         ParityOut { even, odd }
+    /// #     }
+    /// # }
+    /// # elaborate(&Parity)?;
+    /// # Ok::<(), Problems>(())
+    /// ```
+    #[track_caller]
+    fn split_by<P: Data, const N: usize>(self, stream: Stream<P>, to: impl FnOnce(&P) -> Signal) -> [Stream<P>; N];
 
     /// The streams to one receiver, one word after another: [`Arbiter`].
     ///
@@ -204,6 +242,12 @@ impl StreamBlocks for Module {
         self.instance(name, &fifo, StreamIn { into }).out.unpacked(&stream.payload)
     }
 
+    fn lifo<P: Data>(self, name: &str, depth: u32, stream: Stream<P>) -> Stream<P> {
+        let into = stream.packed();
+        let lifo = Lifo::new(depth, into.width());
+        self.instance(name, &lifo, StreamIn { into }).out.unpacked(&stream.payload)
+    }
+
     fn cross_by_fifo<P: Data>(
         self,
         name: &str,
@@ -231,6 +275,25 @@ impl StreamBlocks for Module {
             streams.push(out.unpacked(&stream.payload));
         }
         let Ok(streams) = streams.try_into() else { unreachable!("a fork has as many outputs as receivers") };
+        streams
+    }
+
+    fn split_by<P: Data, const N: usize>(self, stream: Stream<P>, to: impl FnOnce(&P) -> Signal) -> [Stream<P>; N] {
+        let to = to(&stream.payload);
+        let chosen = one_hot(to, N as u64);
+        let mut ready = lit(1, 0);
+        // A loop, as a closure would be the caller that messages name.
+        let mut streams = Vec::with_capacity(N);
+        for number in 0..N as u32 {
+            let (out, sent) = self.offer(stream.valid & chosen.bit(number), stream.payload.clone());
+            ready |= sent;
+            streams.push(out);
+        }
+        stream.take_when(ready);
+        if to.width() < 64 && N as u64 != 1 << to.width() {
+            self.assert(stream.valid.implies(chosen.any_one()), &format!("a word goes to one of {N} receivers"));
+        }
+        let Ok(streams) = streams.try_into() else { unreachable!("there are as many as receivers") };
         streams
     }
 

@@ -1,5 +1,6 @@
 //! Counters, shift registers, encoders and number sequences.
 
+use proptest::prelude::*;
 use tilewright_blocks::*;
 use tilewright_hdl::*;
 use tilewright_sim::Simulation;
@@ -21,9 +22,31 @@ fn a_counter_of_one_number() {
     assert_eq!(sim.stream([CounterIn { restart: 0, enable: 1 }; 2]), [CounterOut { count: 0, wraps: 1 }; 2]);
 }
 
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 64, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn a_counter_counts_up_to_its_limit(
+        limit in 1..40u64,
+        rows in prop::collection::vec((prop::bool::weighted(0.05), prop::bool::weighted(0.8)), 1..200),
+        seed in any::<u64>(),
+    ) {
+        let mut sim = Simulation::of(&Counter::new(limit)).unwrap().seeded(seed);
+        sim.reset();
+        let mut count = 0;
+        for (restart, enable) in rows {
+            sim.drive(CounterIn { restart: restart.into(), enable: enable.into() });
+            let wraps = enable && !restart && count == limit - 1;
+            prop_assert_eq!(sim.read_u64(), CounterOut { count, wraps: wraps.into() });
+            sim.step();
+            count = if restart { 0 } else { (count + u64::from(enable)) % limit };
+        }
+    }
+}
+
 #[test]
 fn a_shift_register() {
-    let mut sim = Simulation::of(&ShiftRegister::new(4)).unwrap();
+    let mut sim = Simulation::of(&ShiftRegister::new(4)).unwrap().seeded(7);
     sim.reset();
     let row = |load, word, shift, bit_in| ShiftRegisterIn { load, word, shift, bit_in };
     let seen = sim.stream([row(1, 0b1010, 1, 1), row(0, 0, 1, 1), row(0, 0, 0, 1), row(0, 0, 1, 0), row(0, 0, 0, 0)]);
@@ -85,6 +108,10 @@ fn short_sequences_have_all_numbers() {
         let period = (1 << width) - 1;
         let seen = sim.stream((0..=period).map(|_| LfsrIn { enable: 1 }));
         let mut numbers: Vec<u64> = seen.iter().map(|out| out.number).collect();
+        for pair in numbers.windows(2) {
+            let parity = Lfsr::new(width).taps().iter().fold(0, |parity, tap| parity ^ pair[0] >> (tap - 1) & 1);
+            assert_eq!(pair[1], (pair[0] << 1 | parity) & period, "{width} bits");
+        }
         assert_eq!((numbers.pop(), numbers[0]), (Some(1), 1), "it begins again after {period}");
         numbers.sort_unstable();
         assert_eq!(numbers, (1..=period).collect::<Vec<_>>(), "{width} bits");

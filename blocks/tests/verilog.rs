@@ -17,6 +17,9 @@ fn blocks() -> Vec<(String, Design)> {
             blocks.push(designed(Fifo::new(depth, 8, storage)));
         }
     }
+    for depth in [1, 2, 5] {
+        blocks.push(designed(Lifo::new(depth, 8)));
+    }
     for cuts in [Slice::Forward, Slice::Backward, Slice::Both] {
         blocks.push(designed(RegisterSlice { width: 1, cuts }));
         blocks.push(designed(RegisterSlice { width: 70, cuts }));

@@ -290,8 +290,8 @@ fn a_lane_of_what_is_not_an_output_is_the_value_that_was_given() {
         (|m, i| of_lanes(m, i, |row, _| row.y.lane(1)), "u_cell[1].lane_y"),
         (|m, i| of_lanes(m, i, |row, i| row.y.previous(i.b).lane(0)), "b"),
         (|m, i| of_lanes(m, i, |row, i| row.y.previous(i.b).lane(1)), "u_cell[0].lane_y"),
-        (|m, i| of_lanes(m, i, |_, i| stack([i.a, i.b, i.a]).sum()), "(a + b) + a"),
-        (|m, i| of_lanes(m, i, |_, i| i.a.of(3).sum()), "(a + a) + a"),
+        (|m, i| of_lanes(m, i, |_, i| stack([i.a, i.b, i.a]).sum()), "a + b + a"),
+        (|m, i| of_lanes(m, i, |_, i| i.a.of(3).sum()), "a + a + a"),
         (|m, i| of_lanes(m, i, |_, i| i.a.of(3).and_all()), "a"),
     ]);
 }

@@ -2,7 +2,7 @@
 //! connected by their streams. `cargo run -p tilewright-hdl --example windows`
 
 use tilewright_hdl::*;
-use tilewright_sim::Simulation;
+use tilewright_sim::{Pauses, Simulation};
 
 bundle! {
     /// A square of the screen, and the greatest value in it of each edge function of the triangle.
@@ -90,21 +90,14 @@ pub fn main() -> Result<(), Box<dyn std::error::Error>> {
     let wave =
         sim.record(["windows_valid", "windows_ready", "quarters_valid", "quarters_ready", "quarters_x", "quarters_y"]);
     // The triangle x >= 1, y >= 1, x + y <= 6, in the window of the pixels from 0 to 7.
-    sim.set(sim.i.windows.valid, 1);
-    sim.set_lanes(sim.i.windows.edges, [7 - 1, 7 - 1, 6]);
-    let mut leaves = Vec::new();
-    for clock in 0..30 {
-        let ready = clock % 3 != 2;
-        sim.set(sim.o.quarters.ready, ready);
-        let accepted = sim.get(sim.i.windows.ready) == 1;
-        if ready && sim.get(sim.o.quarters.valid) == 1 {
-            leaves.push((sim.get_u64(sim.o.quarters.x), sim.get_u64(sim.o.quarters.y)));
-        }
-        sim.step();
-        if accepted {
-            sim.set(sim.i.windows.valid, 0);
-        }
-    }
+    let (windows, quarters) = (sim.i.windows, sim.o.quarters);
+    sim.set_lanes(windows.edges, [7 - 1, 7 - 1, 6]);
+    let edges = sim.get(windows.edges).to_u64().expect("they are 36 bits");
+    let t = sim.testbench();
+    let send = t.send(windows, Window { x: 0, y: 0, edges });
+    let receive = t.receive_all(quarters, 10, Pauses::percent(33, 1));
+    let ((), leaves) = t.run((send, receive));
+    let leaves: Vec<_> = leaves.iter().map(|leaf| (leaf.x, leaf.y)).collect();
     assert_eq!(leaves, [(0, 0), (2, 0), (0, 2), (2, 2), (4, 0), (6, 0), (4, 2), (0, 4), (2, 4), (0, 6)]);
     println!("{wave}");
     print!("{}", tilewright_gen::verilog(&elaborate(&TwoLevels)?)[1].text);

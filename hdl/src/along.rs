@@ -6,7 +6,7 @@ use crate::index::Index;
 use crate::ir::{Kind, Op, Reduction, Shape};
 use crate::limits::sound_width;
 use crate::loc::Loc;
-use crate::operand::Operand;
+use crate::operand::{IntoSignal, Operand};
 use crate::problem::Problem;
 use crate::shaping::{extent, sound_shape};
 use crate::signal::Signal;
@@ -276,7 +276,7 @@ impl Along {
     /// # });
     /// ```
     #[track_caller]
-    pub fn pick(self, index: impl Into<Signal>) -> Signal {
+    pub fn pick(self, index: impl IntoSignal) -> Signal {
         let index = self.one(index.into(), "the index", "pick");
         self.dropped(Op::Pick { of: self.of.id(), axis: self.axis, index: index.id() })
     }

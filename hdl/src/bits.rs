@@ -1,7 +1,10 @@
 //! A value of a known width: what a signal holds at one moment.
 
 use crate::operand::{Literal, Operand, Value};
+use crate::radix::Radix;
+use std::cmp::Ordering;
 use std::fmt;
+use std::hash::{Hash, Hasher};
 
 /// A bit vector of a fixed width, 1 bit to thousands, in two's complement where it stands for a signed number.
 ///
@@ -14,10 +17,38 @@ use std::fmt;
 /// assert_eq!(a, 0xa5);
 /// assert_eq!(a.to_string(), "8'ha5");
 /// ```
-#[derive(Clone, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[derive(Clone)]
 pub struct Bits {
     width: u32,
+    pub(crate) radix: Radix,
     limbs: Limbs,
+}
+
+impl PartialEq for Bits {
+    fn eq(&self, other: &Bits) -> bool {
+        (self.width, &self.limbs) == (other.width, &other.limbs)
+    }
+}
+
+impl Eq for Bits {}
+
+impl Hash for Bits {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        (self.width, &self.limbs).hash(state);
+    }
+}
+
+/// By width, and then by the lowest limb first.
+impl Ord for Bits {
+    fn cmp(&self, other: &Bits) -> Ordering {
+        (self.width, &self.limbs).cmp(&(other.width, &other.limbs))
+    }
+}
+
+impl PartialOrd for Bits {
+    fn partial_cmp(&self, other: &Bits) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
 }
 
 /// Up to 64 bits live in place, so that a testbench does not allocate for each value.
@@ -63,7 +94,7 @@ impl Bits {
     #[inline]
     pub fn new(width: u32, value: u64) -> Bits {
         match width {
-            1..=64 => Bits { width, limbs: Limbs::One(value & top_mask(width)) },
+            1..=64 => Bits { width, radix: Radix::Any, limbs: Limbs::One(value & top_mask(width)) },
             _ => Bits::from_limbs(width, &[value]),
         }
     }
@@ -111,7 +142,7 @@ impl Bits {
                 Limbs::Many(all)
             }
         };
-        Bits { width, limbs }
+        Bits { width, radix: Radix::Any, limbs }
     }
 
     /// All bits zero.
@@ -269,7 +300,7 @@ impl Bits {
     /// assert_eq!(Bits::new(4, 0xe).resize(8), Bits::new(8, 0x0e));
     /// ```
     pub fn resize(&self, width: u32) -> Bits {
-        Bits::from_limbs(width, self.limbs())
+        Bits::from_limbs(width, self.limbs()).shown_in(self.radix)
     }
 
     /// Cut, or widened with the sign bit, to `width` bits.

@@ -360,10 +360,10 @@ pub(crate) fn elaborate_module<B: Block>(block: &B, loc: Loc) -> Elaborated {
             true => leave(&path, signal, loc),
         }
     }
-    outputs.extend(answers);
     let widths = block.outputs();
+    elaboration::with(|e| check::outputs::check(e, &outputs, &widths));
+    outputs.extend(answers);
     elaboration::with(|e| {
-        check::outputs::check(e, &outputs, &widths);
         finish::finish(e, outputs, block.name(), block.about(), parameters);
         let id = ModuleId(e.done.len() as u32 - 1);
         e.known.insert(block.clone(), id);

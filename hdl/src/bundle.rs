@@ -471,6 +471,12 @@ macro_rules! bundle {
                 $crate::named(self, name)
             }
 
+            /// The same record, which may meet values of any stage of a pipeline.
+            #[track_caller]
+            $vis fn any_stage(&self) -> $name {
+                $crate::any_stage(self)
+            }
+
             /// What enters a pipeline, with the fields that a reset clears in each stage: as in
             /// `start.cleared(|start| start.valid)`.
             $vis fn cleared<WhichFields: $crate::Fields<usize>>(

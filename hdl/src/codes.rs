@@ -1,8 +1,10 @@
 //! Enums in hardware: values of a fixed list, which waves and Verilog show by name.
 
+use crate::bits::Bits;
 use crate::data::{Data, Fits};
+use crate::draft::Draft;
 use crate::elaboration;
-use crate::ir::{Kind, Names, Relation};
+use crate::ir::{Kind, Names, Node, NodeId, Op, Relation};
 use crate::loc::Loc;
 use crate::operand::{Literal, Operand, Value};
 use crate::problem::Problem;
@@ -100,6 +102,23 @@ impl Value {
     }
 }
 
+/// That a node is one of these codes.
+pub(crate) fn add_is_code(draft: &mut Draft, of: NodeId, names: Names, loc: Loc) -> NodeId {
+    let &Node { width, shape, kind, .. } = draft.node(of);
+    if !has_spare_codes(names, width) {
+        return draft.add(Op::Const(Bits::new(1, 1)), 1, shape, loc);
+    }
+    let last = Bits::new(width, names.codes.len() as u64 - 1);
+    let last = draft.add(Op::Const(last), width, shape, loc);
+    draft.node_mut(last).kind = kind;
+    draft.add(Op::Compare { relation: Relation::Le, signed: false, operands: [of, last] }, 1, shape, loc)
+}
+
+/// Whether so many bits can hold more than these codes.
+pub(crate) fn has_spare_codes(names: Names, width: u32) -> bool {
+    width < usize::BITS && names.codes.len() < 1 << width
+}
+
 /// As wide as the codes of an enum, one of which it is: `m.reg("operation", one_of::<Operation>())`.
 ///
 /// ```
@@ -139,25 +158,53 @@ impl Signal {
     /// For each code what `of` says, a signal, a number or a record: `step.source.choose(|source| match source { .. })`. Where an enum has fewer codes
     /// than its bits could hold, the others give what most codes do, of as many the last.
     ///
-    /// ```
-    /// # use tilewright_hdl::*;
-    /// # tilewright_sim::example(|m| {
-    /// codes! { enum Alu { Load, Add, Double } }
-    ///
-    /// let operation = lit(2, 1).code::<Alu>();
-    /// let (sum, operand) = (lit(8, 40), lit(8, 2));
-    /// let result = operation.choose(|operation| match operation {
-    ///     Alu::Load => operand,
-    ///     Alu::Add => sum + operand,
-    ///     Alu::Double => sum << 1,
-    /// });
-    /// m.assert(result.eq(42), "Rust says when a code is forgotten");
-    /// # });
-    /// ```
+    /// That there are no others is asserted by itself, where it can be relied on from the first edge on: where all that the signal takes its value from is a code of
+    /// the description, or begins with a reset or power-on value. A register without one holds anything at first, as does what a memory read, and an input has no meaning
+    /// while its `valid` is low; of those [`is_code`](Signal::is_code) says when: `m.assert(i.valid.implies(i.opcode.is_code()), ..)`.
     #[track_caller]
     pub fn choose<C: Codes, V: Data, A: Fits<V>>(self, of: impl Fn(C) -> A) -> V {
         let subject = self.read_as(Kind::Code(C::NAMES), "choose");
+        let (loc, node) = (Loc::caller(), subject.id());
+        elaboration::draft(|draft| draft.chosen.push((node, loc)));
         by_code(subject, C::ALL.iter().map(|code| of(*code).given()).collect())
+    }
+
+    /// 1 bit: it is one of its enum's codes, of which there may be fewer than its bits could hold.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// codes! { enum Alu { Load, Add, Double } }
+    ///
+    /// block! {
+    ///     /// Counts the additions.
+    ///     pub struct Additions;
+    ///     in AdditionsIn { valid: bit(), operation: one_of::<Alu>() }
+    ///     out AdditionsOut { additions: bits(8) }
+    /// }
+    ///
+    /// impl Additions {
+    ///     fn build(&self, m: Module, i: AdditionsIn) -> AdditionsOut {
+    ///         m.assume(i.valid.implies(i.operation.is_code()), "what is valid is an operation");
+    ///         let additions = m.reg("additions", 8).reset(0);
+    ///         additions.when(i.valid & i.operation.is(Alu::Add), additions + 1);
+    ///         AdditionsOut { additions: *additions }
+    ///     }
+    /// }
+    /// # assert!(tilewright_gen::verilog(&elaborate(&Additions).unwrap())[0].text.contains("operation <= ALU_DOUBLE"));
+    /// ```
+    #[track_caller]
+    pub fn is_code(self) -> Signal {
+        let (loc, id) = (Loc::caller(), self.id());
+        let Kind::Code(names) = self.kind else {
+            return elaboration::with(|e| {
+                let text = e.draft().describe(id);
+                let problem = Problem::new(loc, format!("`is_code` is of codes, but `{text}` is {}", self.kind));
+                e.report_instead_of(&[id], problem.help("`.code::<Enum>()` reads bits as a code of an enum"));
+                Signal::zero_in(e, 1, self.shape, Kind::Number, loc)
+            });
+        };
+        let node = elaboration::draft(|draft| add_is_code(draft, id, names, loc));
+        elaboration::with(|e| Signal::at(e, node))
     }
 
     /// The bits as a code of that enum.

@@ -7,6 +7,7 @@ use crate::ir::{Kind, Names};
 use crate::loc::Loc;
 use crate::operand::{Literal, Operand, Value};
 use crate::problem::Problem;
+use crate::radix::Radix;
 use crate::register::Reg;
 use crate::signal::{Signal, bits_text};
 use crate::uneven::{Uneven, uneven};
@@ -217,7 +218,7 @@ impl<V: Data> Given<V> {
     #[track_caller]
     pub(crate) fn for_fields<T: Clone>(self, fields: &[(String, T)], of: &str) -> Vec<Value> {
         let loc = Loc::caller();
-        let zero = || Value::Literal(Literal::Integer(0));
+        let zero = || Value::Literal(Literal::Integer(0, Radix::Any));
         let problem = match self {
             Given::All(0) => None,
             Given::All(number) => {
@@ -260,13 +261,13 @@ fn report_instead_of_all(values: &[(String, Value)], loc: Loc) {
 pub(crate) fn number_of_field(number: &Literal, name: impl FnOnce() -> String, (width, kind): (u32, Kind)) -> Bits {
     let (bits, fits) = number.bits(width, kind);
     let is_code = |names: Names| match number {
-        Literal::Integer(value) => usize::try_from(*value).is_ok_and(|code| code < names.codes.len()),
+        Literal::Integer(value, _) => usize::try_from(*value).is_ok_and(|code| code < names.codes.len()),
         Literal::Exact(_) => true,
         Literal::Code { names: of, .. } => *of == names,
     };
     let (loc, name) = match (fits, kind, number) {
         (true, Kind::Code(names), _) if is_code(names) => return bits,
-        (true, Kind::Number | Kind::Signed, Literal::Integer(_) | Literal::Exact(_)) => return bits,
+        (true, Kind::Number | Kind::Signed, Literal::Integer(..) | Literal::Exact(_)) => return bits,
         _ => (Loc::caller(), name()),
     };
     let problem = match kind {

@@ -20,7 +20,7 @@ use crate::width::Width;
 ///         /// The number of pages.
 ///         pub pages: u32,
 ///     }
-///     latency = "1 clock";
+///     latency = "1 clock from `take` to the next page";
 ///     source = "VC-1, section 3.3";
 ///     in PageIdGeneratorIn {
 ///         /// All pages are free again.
@@ -54,15 +54,18 @@ use crate::width::Width;
 /// What `build` returns is checked against the widths of the outputs.
 ///
 /// The clauses come in any order, and none has to be there. One whose expressions say `self` has `(self)` behind its first word, as macros
-/// cannot lend that word: `latency(self) = format!("{} clocks", self.clocks());`. A port is
+/// cannot lend that word: `latency(self) = format!("{} clocks", self.clocks());`. A latency that is one number needs no clause: it is counted
+/// ([`Design::latencies`](crate::Design::latencies)). A port is
 ///
 /// | written | which is |
 /// |---|---|
 /// | `take: bit()` | a signal, or lanes of one: `bits(8).of(row(4))` |
 /// | `scan: ScanControl { restart: bit(), enable: bit() }.on(MERGE)` | a record |
+/// | `host: pub struct Host { start: bit(), swap: bit() }.on(MERGE)` | a record that is declared here, its fields once, each with its own documentation |
 /// | `preset: Position = self.position()` | a record whose widths some expression gives |
-/// | `samples: [bits(48); self.units]`, `nearest: [Position = self.position(); 4]` | a list, as a `Vec` |
-/// | `sum: _`, `nearest: Pixel = _`, `all: [Pixel] = _` | an output as wide as what drives it |
+/// | `samples: [bits(48); self.units]`, `nearest: [Position = self.position(); 4]`, `jobs: [stream(bits(8)); 3]` | a list, as a `Vec` |
+/// | `jobs: stream(bits(8))`, `jobs: stream(Job { page: bits(4), last: bit() })`, `jobs: stream(Job = self.job())` | a [`Stream`](crate::Stream) of signals or of records |
+/// | `sum: _`, `nearest: Pixel = _`, `all: [Pixel] = _`, `sent: stream(Job = _)`, `all: [stream(_)]` | an output as wide as what drives it |
 ///
 /// Without a `build` it does not compile:
 ///
@@ -75,8 +78,10 @@ use crate::width::Width;
 /// }
 /// ```
 ///
-/// A block may have type parameters with bounds, as `struct Queue<C: Codes> { .. }`. One whose ports are a bundle of others, or whose
-/// module has a name of its own, implements [`Block`](crate::Block) itself.
+/// Ports that several blocks share are a [`bundle!`](crate::bundle!), and are declared by its widths: `in(self) = StreamIn { into: stream(bits(self.width)) };`.
+///
+/// A block may have type parameters with bounds, as `struct Queue<C: Codes> { .. }`. One whose module has a name of its own implements
+/// [`Block`](crate::Block) itself.
 #[macro_export]
 macro_rules! block {
     ($(#[$($attribute:tt)*])* $vis:vis struct $name:ident; $($clauses:tt)*) => {
@@ -111,10 +116,48 @@ macro_rules! block {
     (@clauses $block:tt $latency:tt $source:tt $in:tt [] out $(($this:ident))? $name:ident { $($ports:tt)* } $($rest:tt)*) => {
         $crate::block! { @ports [out $name $($this)?] [] [$($ports)*] $block $latency $source $in [] $($rest)* }
     };
+    (@clauses $block:tt $latency:tt $source:tt [] $out:tt in $(($this:ident))? = $bundle:ident { $($ports:tt)* }; $($rest:tt)*) => {
+        $crate::block! { @clauses $block $latency $source [= $bundle [$($this)?] [$bundle { $($ports)* }]] $out $($rest)* }
+    };
+    (@clauses $block:tt $latency:tt $source:tt $in:tt [] out $(($this:ident))? = $bundle:ident { $($ports:tt)* }; $($rest:tt)*) => {
+        $crate::block! { @clauses $block $latency $source $in [= $bundle [$($this)?] [$bundle { $($ports)* }]] $($rest)* }
+    };
 
     // The ports of a bundle, one after another: what is said about each, its name, its type, and its width if there is one.
     (@ports $of:tt [$($done:tt)*] [$(#[$($said:tt)*])* $port:ident: _ $(, $($more:tt)*)?] $($state:tt)*) => {
         $crate::block! { @ports $of [$($done)* {[$([$($said)*])*] $port [T] []}] [$($($more)*)?] $($state)* }
+    };
+    // A record that is declared with its widths is a bundle of its own.
+    (@ports $of:tt [$($done:tt)*] [
+        $(#[$($said:tt)*])* $port:ident: $vis:vis struct $record:ident {
+            $($(#[$($field_said:tt)*])* $field:ident: $width:expr),* $(,)?
+        } $(.on($clock:expr))? $(, $($more:tt)*)?
+    ] $($state:tt)*) => {
+        $crate::bundle! {
+            $(#[$($said)*])*
+            $vis struct $record<T> { $($(#[$($field_said)*])* $vis $field: T),* }
+        }
+        $crate::block! {
+            @ports $of [$($done)* {
+                [$([$($said)*])*] $port [$record<T>] [$record { $($field: $width),* } $(.on($clock))?]
+            }]
+            [$($($more)*)?] $($state)*
+        }
+    };
+    (@ports $of:tt [$($done:tt)*] [
+        $(#[$($said:tt)*])* $port:ident: stream($($payload:tt)*) $(.on($clock:expr))? $(, $($more:tt)*)?
+    ] $($state:tt)*) => {
+        $crate::block! {
+            @stream [$($payload)*] [$($clock)?] [] [$([$($said)*])*] $port @ports $of [$($done)*] [$($($more)*)?] $($state)*
+        }
+    };
+    (@ports $of:tt [$($done:tt)*] [
+        $(#[$($said:tt)*])* $port:ident: [stream($($payload:tt)*) $(.on($clock:expr))? $(; $count:expr)?] $(, $($more:tt)*)?
+    ] $($state:tt)*) => {
+        $crate::block! {
+            @stream [$($payload)*] [$($clock)?] [list $($count)?] [$([$($said)*])*] $port
+            @ports $of [$($done)*] [$($($more)*)?] $($state)*
+        }
     };
     (@ports $of:tt [$($done:tt)*] [
         $(#[$($said:tt)*])* $port:ident: $record:ident = _ $(, $($more:tt)*)?
@@ -133,6 +176,24 @@ macro_rules! block {
     ] $($state:tt)*) => {
         $crate::block! {
             @ports $of [$($done)* {[$([$($said)*])*] $port [$record<T>] [$record { $($fields)* } $(.on($clock))?]}]
+            [$($($more)*)?] $($state)*
+        }
+    };
+    (@ports $of:tt [$($done:tt)*] [
+        $(#[$($said:tt)*])* $port:ident: stream($record:ident { $($fields:tt)* }) $(.on($clock:expr))? $(, $($more:tt)*)?
+    ] $($state:tt)*) => {
+        $crate::block! {
+            @ports $of [$($done)* {
+                [$([$($said)*])*] $port [$crate::Stream<$record<T>, T>] [$crate::stream($record { $($fields)* }) $(.on($clock))?]
+            }]
+            [$($($more)*)?] $($state)*
+        }
+    };
+    (@ports $of:tt [$($done:tt)*] [
+        $(#[$($said:tt)*])* $port:ident: stream($width:expr) $(.on($clock:expr))? $(, $($more:tt)*)?
+    ] $($state:tt)*) => {
+        $crate::block! {
+            @ports $of [$($done)* {[$([$($said)*])*] $port [$crate::Stream<T, T>] [$crate::stream($width) $(.on($clock))?]}]
             [$($($more)*)?] $($state)*
         }
     };
@@ -167,6 +228,29 @@ macro_rules! block {
         $crate::block! { @clauses $block $latency $source $in [[$($of)+] $ports] $($rest)* }
     };
 
+    // A stream: its type by that of the payload, and its widths if there are any.
+    (@stream [_] [] $($port:tt)*) => { $crate::block! { @put [T] [] $($port)* } };
+    (@stream [$record:ident = _] [] $($port:tt)*) => { $crate::block! { @put [$record<T>] [] $($port)* } };
+    (@stream [$record:ident = $widths:expr] [$($clock:expr)?] $($port:tt)*) => {
+        $crate::block! { @put [$record<T>] [$crate::stream($widths) $(.on($clock))?] $($port)* }
+    };
+    (@stream [$record:ident { $($fields:tt)* }] [$($clock:expr)?] $($port:tt)*) => {
+        $crate::block! { @put [$record<T>] [$crate::stream($record { $($fields)* }) $(.on($clock))?] $($port)* }
+    };
+    (@stream [$width:expr] [$($clock:expr)?] $($port:tt)*) => {
+        $crate::block! { @put [T] [$crate::stream($width) $(.on($clock))?] $($port)* }
+    };
+    (@put [$($payload:tt)*] [$($widths:expr)?] [] $said:tt $port:ident @ports $of:tt [$($done:tt)*] $($state:tt)*) => {
+        $crate::block! { @ports $of [$($done)* {$said $port [$crate::Stream<$($payload)*, T>] [$($widths)?]}] $($state)* }
+    };
+    (@put [$($payload:tt)*] [$($widths:expr)?] [list $($count:expr)?] $said:tt $port:ident @ports $of:tt [$($done:tt)*] $($state:tt)*) => {
+        $crate::block! {
+            @ports $of
+            [$($done)* {$said $port [Vec<$crate::Stream<$($payload)*, T>>] [$($crate::list($widths, $count))?]}]
+            $($state)*
+        }
+    };
+
     // All is known.
     (@clauses [[$([$($attribute:tt)*])*] $vis:tt $name:ident [$($of:ident: [$($bound:ident)+])*]]
         $latency:tt [$source:expr] $in:tt $out:tt
@@ -190,6 +274,7 @@ macro_rules! block {
     };
 
     (@bundle $vis:tt $what:literal $name:ident []) => {};
+    (@bundle $vis:tt $what:literal $name:ident [= $($bundle:tt)*]) => {};
     (@bundle [$vis:vis] $what:literal $name:ident [
         [$bundle:ident $($this:ident)?] [$({[$([$($said:tt)*])*] $port:ident [$($ty:tt)*] $width:tt})*]
     ]) => {
@@ -204,6 +289,14 @@ macro_rules! block {
 
         fn inputs(&self) {}
     };
+    (@inputs [= $bundle:ident [] $widths:tt]) => { $crate::block! { @inputs [= $bundle [self] $widths] } };
+    (@inputs [= $bundle:ident [$this:ident] [$widths:expr]]) => {
+        type In = $bundle;
+
+        fn inputs(&$this) -> $bundle<$crate::Width> {
+            $widths
+        }
+    };
     (@inputs [[$bundle:ident] $ports:tt]) => { $crate::block! { @inputs [[$bundle self] $ports] } };
     (@inputs [[$bundle:ident $this:ident] [$({$said:tt $port:ident $ty:tt [$width:expr]})*]]) => {
         type In = $bundle;
@@ -215,6 +308,14 @@ macro_rules! block {
 
     (@outputs []) => {
         type Out = ();
+    };
+    (@outputs [= $bundle:ident [] $widths:tt]) => { $crate::block! { @outputs [= $bundle [self] $widths] } };
+    (@outputs [= $bundle:ident [$this:ident] [$widths:expr]]) => {
+        type Out = $bundle;
+
+        fn outputs(&$this) -> Vec<(String, $crate::Width)> {
+            $crate::declared("", &$widths)
+        }
     };
     (@outputs [[$bundle:ident] $ports:tt]) => { $crate::block! { @outputs [[$bundle self] $ports] } };
     (@outputs [[$bundle:ident $this:ident] [$({$said:tt $port:ident $ty:tt [$($width:expr)?]})*]]) => {
@@ -274,7 +375,8 @@ pub fn list<W: Clone>(widths: W, count: impl crate::width::Count) -> Vec<W> {
 /// The widths of an output that is declared with them, each with its path.
 #[doc(hidden)]
 pub fn declared(port: &str, widths: &impl Fields<Width>) -> Vec<(String, Width)> {
-    let port = join("", port);
+    // A port may be a raw identifier; all ports of a bundle have none before them.
+    let port = if port.is_empty() { String::new() } else { join("", port) };
     let path = |path: String| if path.is_empty() { port.clone() } else { join(&port, &path) };
     // What comes back, as the `ready` of a stream, is no output.
     let outputs = widths.leaves().into_iter().zip(backwards(widths)).filter(|(_, back)| !back);

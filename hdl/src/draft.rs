@@ -1,8 +1,10 @@
 //! A module under construction.
 
+use crate::bits::Bits;
 use crate::clock::Clock;
 use crate::ir::*;
 use crate::loc::Loc;
+use crate::stages::Pipelines;
 use crate::stream::{DraftStream, Sent};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -29,8 +31,13 @@ pub(crate) struct Draft {
     pub instances: Vec<Instance>,
     /// The names of each instance's output ports.
     pub instance_outputs: Vec<Vec<String>>,
-    pub asserts: Vec<Assert>,
+    pub properties: Vec<Property>,
+    /// The registers of past values, by what they are the past of.
+    pub pasts: BTreeMap<(NodeId, ClockId), NodeId>,
+    /// The subjects of choices by the codes of an enum.
+    pub chosen: Vec<(NodeId, Loc)>,
     pub synchronizers: Vec<Synchronizer>,
+    pub pipelines: Pipelines,
     /// Inputs that the description says it leaves unused.
     pub ignored: BTreeSet<NodeId>,
     /// What stands in faulty expressions, of which the circuit has only a stand-in.
@@ -43,7 +50,17 @@ pub(crate) struct DraftRegister {
     pub reset: Option<(Init, Loc)>,
     pub enable: Option<(NodeId, Loc)>,
     pub next: Option<(NodeId, Loc)>,
+    pub initial: Option<(Bits, Loc)>,
     pub is_synchronizer: bool,
+    pub attributes: Vec<Attribute>,
+}
+
+impl DraftRegister {
+    /// Of which nothing is said yet.
+    pub fn new(node: NodeId, clock: ClockId) -> DraftRegister {
+        let (reset, initial, enable, next) = (None, None, None, None);
+        DraftRegister { node, clock, reset, initial, enable, next, is_synchronizer: false, attributes: Vec::new() }
+    }
 }
 
 pub(crate) struct DraftWire {
@@ -54,6 +71,8 @@ pub(crate) struct DraftWire {
 pub(crate) struct DraftMemory {
     pub memory: Memory,
     pub true_dual_port: bool,
+    /// Where each write port is made.
+    pub written: Vec<Loc>,
 }
 
 /// A signal of another clock, and the synchronizer that it enters.
@@ -84,8 +103,11 @@ impl Draft {
             memories: Vec::new(),
             instances: Vec::new(),
             instance_outputs: Vec::new(),
-            asserts: Vec::new(),
+            properties: Vec::new(),
+            pasts: BTreeMap::new(),
+            chosen: Vec::new(),
             synchronizers: Vec::new(),
+            pipelines: Pipelines::default(),
             ignored: BTreeSet::new(),
             in_problems: BTreeSet::new(),
         }
@@ -191,7 +213,10 @@ impl Draft {
             Op::Reduce { by, of, .. } => format!("{}.{}()", inner(of), by.method()),
             Op::Pack { of, .. } => format!("{}.pack()", inner(of)),
             Op::Unpack { of, .. } => format!("{}.unpack()", inner(of)),
-            Op::Register(_) => "a register".to_owned(),
+            Op::Register(_) => match self.pasts.iter().find(|(_, past)| **past == id) {
+                Some(((of, _), _)) => format!("past({})", say(of)),
+                None => "a register".to_owned(),
+            },
         }
     }
 }

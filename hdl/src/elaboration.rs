@@ -6,6 +6,7 @@
 
 use crate::clock::{Clock, Period};
 use crate::draft::Draft;
+use crate::ir::latency::Delay;
 use crate::ir::{Module, ModuleId, NodeId};
 use crate::loc::Loc;
 use crate::problem::{Problem, Problems};
@@ -22,6 +23,8 @@ pub(crate) struct Elaboration {
     pub stamp: u32,
     pub done: Vec<Module>,
     pub summaries: Vec<Summary>,
+    /// For each finished module the delays of its outputs, while there is no problem.
+    pub delays: Vec<Vec<Delay>>,
     /// For each finished module the output bundle of its block, as a shape.
     pub shapes: Vec<Rc<dyn Any>>,
     /// Where each finished module was first instantiated.
@@ -75,6 +78,7 @@ pub(crate) fn run(describe: impl FnOnce()) -> Result<Elaboration, Problems> {
             stamp: STAMPS.fetch_add(1, Ordering::Relaxed),
             done: Vec::new(),
             summaries: Vec::new(),
+            delays: Vec::new(),
             shapes: Vec::new(),
             instantiated: Vec::new(),
             known: KnownBlocks::default(),

@@ -1,11 +1,13 @@
 //! From a draft to a finished module: every check, then the plain form.
 
 use crate::check;
+use crate::chosen;
 use crate::draft::Draft;
 use crate::elaboration::Elaboration;
 use crate::ir::*;
 use crate::loc::Loc;
 use crate::module::port_name;
+use crate::past;
 use crate::signal::Signal;
 use crate::stream::DraftStream;
 use crate::summary;
@@ -24,12 +26,17 @@ pub(crate) fn finish(
     let mut draft = e.drafts.pop().expect("a module is being built");
     let problems = &mut e.problems;
     check::drives::check(&mut draft, problems);
+    chosen::assert_codes(&mut draft);
+    past::wait_for_pasts(&mut draft, &e.summaries, &outputs);
     let renumber = place_clocks(&mut draft);
     let resets = find_resets(&draft, &e.done);
     let name = check::naming::check(&mut draft, &e.done, &outputs, &resets, name, problems);
     check::unused::check(&draft, &outputs, problems);
     let sound = check::loops::check(&draft, &e.summaries, problems);
     let mixed = check::domains::check(&draft, &e.done, &e.summaries, &outputs, problems);
+    if sound {
+        check::stages::check(&draft, &e.summaries, problems);
+    }
     let nodes: Vec<_> = outputs.iter().map(|(_, node)| *node).collect();
     let mut summary = match sound {
         true => summary::summarize(&draft, &e.summaries, &nodes, &renumber),
@@ -41,7 +48,12 @@ pub(crate) fn finish(
     summary.synchronized = check::synchronizers::check(&draft, &e.summaries, problems);
     e.summaries.push(summary);
     e.instantiated.push(draft.loc);
-    e.done.push(module(draft, outputs.into_iter().zip(kinds), &renumber, &resets, name, about, parameters));
+    let block = draft.block;
+    let module = module(draft, outputs.into_iter().zip(kinds), &renumber, &resets, name, about, parameters);
+    if e.problems.is_empty() {
+        check::latency::check(block, &module, &mut e.delays, &mut e.problems);
+    }
+    e.done.push(module);
 }
 
 /// Says which clock each input belongs to, and where each clock of the draft stands among those in use.
@@ -68,7 +80,7 @@ fn find_resets(draft: &Draft, done: &[Module]) -> Vec<Option<String>> {
         resets[clock.0 as usize] = Some(name);
     };
     draft.registers.iter().filter(|register| register.reset.is_some()).for_each(|register| needs(register.clock));
-    draft.asserts.iter().for_each(|assert| needs(assert.clock));
+    draft.properties.iter().for_each(|property| needs(property.clock));
     for instance in &draft.instances {
         let child = &done[instance.module.0 as usize];
         let reset = child.clocks.iter().zip(&instance.clocks).filter(|(clock, _)| clock.reset.is_some());
@@ -119,7 +131,9 @@ fn module(
         reset: register.reset.map(|(value, _)| value),
         enable: register.enable.map(|(node, _)| node),
         next: register.next.map_or(register.node, |(node, _)| node),
+        initial: register.initial.map(|(value, _)| value),
         is_synchronizer: register.is_synchronizer,
+        attributes: register.attributes,
     });
     let registers = registers.collect();
     let memories = draft.memories.into_iter().map(|draft| {
@@ -134,7 +148,8 @@ fn module(
         instance
     });
     let instances = instances.collect();
-    let asserts = draft.asserts.into_iter().map(|assert| Assert { clock: clock_id(assert.clock), ..assert }).collect();
+    let properties = draft.properties.into_iter();
+    let properties = properties.map(|property| Property { clock: clock_id(property.clock), ..property }).collect();
     Module {
         name,
         about,
@@ -147,6 +162,6 @@ fn module(
         registers,
         memories,
         instances,
-        asserts,
+        properties,
     }
 }

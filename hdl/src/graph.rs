@@ -46,6 +46,27 @@ pub(crate) fn cyclic_components(edges: &Edges) -> Vec<Vec<u32>> {
     found
 }
 
+/// Every vertex after those that it has edges to, where no cycle forbids it.
+pub(crate) fn targets_first(edges: &Edges) -> Vec<u32> {
+    let (mut order, mut begun, mut work) = (Vec::new(), vec![false; edges.count()], Vec::new());
+    for root in 0..edges.count() as u32 {
+        work.push((root, 0));
+        while let Some((vertex, edge)) = work.pop() {
+            if edge == 0 && std::mem::replace(&mut begun[vertex as usize], true) {
+                continue;
+            }
+            match edges.of(vertex).get(edge) {
+                Some(&to) => {
+                    work.push((vertex, edge + 1));
+                    work.push((to, 0));
+                }
+                None => order.push(vertex),
+            }
+        }
+    }
+    order
+}
+
 /// A shortest cycle through `start` within `component`, which is sorted.
 pub(crate) fn cycle_through(edges: &Edges, component: &[u32], start: u32) -> Vec<u32> {
     let place = |vertex: u32| component.binary_search(&vertex).ok();

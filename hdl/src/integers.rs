@@ -46,10 +46,10 @@ impl Signal {
     pub(crate) fn times_any(self, right: impl Operand) -> Signal {
         match right.operand() {
             Value::Signal(right) => self.times(right),
-            Value::Literal(Literal::Integer(value)) => {
+            Value::Literal(Literal::Integer(value, radix)) => {
                 let needed = 128 - if value < 0 { (!value).leading_zeros() } else { value.leading_zeros() };
                 let width = if self.kind == Kind::Signed { needed + 1 } else { needed.max(1) };
-                self.times(Literal::Integer(value).sized(width, self.kind))
+                self.times(Literal::Integer(value, radix).sized(width, self.kind))
             }
             Value::Literal(Literal::Exact(bits)) => {
                 let width = bits.width();

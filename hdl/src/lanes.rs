@@ -2,18 +2,20 @@
 
 use crate::along::Along;
 use crate::bundle::Fields;
+use crate::data::{Data, Layout};
 use crate::elaboration;
 use crate::index::Index;
 use crate::ir::{Kind, Op, Shape};
 use crate::loc::Loc;
-use crate::operand::Operand;
+use crate::operand::{IntoSignal, Operand};
 use crate::problem::Problem;
 use crate::shaping::{level_all, sound_shape};
 use crate::signal::{Signal, bits_text};
+use crate::stream::{backwards, stack_ready};
 use crate::uneven::{Uneven, uneven};
-use crate::width::{Count, IntoWidth};
+use crate::width::{Count, Width};
 
-/// The signals, or records of signals, as the lanes of a row; rows as the rows of a grid. All are of one shape and width.
+/// The signals, records of signals or streams as the lanes of a row; rows as the rows of a grid. All are of one shape and width.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -44,8 +46,9 @@ pub fn stack<B: Fields<Signal>>(values: impl IntoIterator<Item = B>) -> B::With<
         }
     }
     let mut stacked = Vec::new();
-    for leaf in 0..by_lane[0].len() {
-        stacked.push(stack_signals(by_lane.iter().map(|lane| lane[leaf].1).collect()));
+    for (leaf, is_ready) in backwards(first).into_iter().enumerate() {
+        let lanes: Vec<Signal> = by_lane.iter().map(|lane| lane[leaf].1).collect();
+        stacked.push(if is_ready { stack_ready(&lanes) } else { stack_signals(lanes) });
     }
     let mut stacked = stacked.into_iter();
     first.map(|_| stacked.next().expect("a row for each leaf"))
@@ -83,17 +86,42 @@ fn stack_signals(mut parts: Vec<Signal>) -> Signal {
 }
 
 /// A constant for each lane, as `constants(bits(8).of(row(4)), |lane| 3 * lane as u64)`. The lanes of a grid are counted row by row.
+/// Of a record of widths, a record for each lane.
 ///
 /// ```
-/// # use tilewright_hdl::*;
-/// # tilewright_sim::example(|m| {
-/// let offset = constants(bits(8).of(row(4)), |lane| 3 * u64::from(lane));
-/// m.assert((offset + 100).pack().eq(0x6d6a6764), "100, 103, 106, 109, lane 0 in the lowest bits");
-/// # });
+/// # use tilewright_hdl::{Block, Fields, Module, Width, below, bundle, constants, elaborate, row};
+/// bundle! {
+///     /// A pixel of the screen.
+///     pub struct Position<T> { pub x: T, pub y: T }
+/// }
+/// # #[derive(Debug, Clone, PartialEq, Eq, Hash)]
+/// # struct Corners;
+/// # impl Block for Corners {
+/// #     type In = ();
+/// #     type Out = Position;
+/// #     fn inputs(&self) {}
+/// #     fn build(&self, _: Module, (): ()) -> Position {
+/// let widths = Position { x: below(640), y: below(480) }.map(|width| width.of(row(4)));
+/// let corners = constants(widths, |i| Position { x: u64::from(i % 2) * 639, y: u64::from(i / 2) * 479 });
+/// #         corners
+/// #     }
+/// # }
+/// # elaborate(&Corners).unwrap();
 /// ```
 #[track_caller]
-pub fn constants(width: impl IntoWidth, of: impl Fn(u32) -> u64) -> Signal {
-    let (loc, width) = (Loc::caller(), width.into_width());
+pub fn constants<L: Layout>(layout: L, of: impl Fn(u32) -> <L::Value as Data>::Like<u64>) -> L::Value {
+    let layout = layout.layout();
+    let mut fields = Vec::new();
+    for (field, (_, width)) in layout.leaves().into_iter().enumerate() {
+        fields.push(row_of_constants(width, |lane| of(lane).leaves()[field].1));
+    }
+    let mut fields = fields.into_iter();
+    layout.map(|_| fields.next().expect("a row for each field"))
+}
+
+#[track_caller]
+fn row_of_constants(width: Width, of: impl Fn(u32) -> u64) -> Signal {
+    let loc = Loc::caller();
     let shape = elaboration::with(|e| sound_shape(e, "a list of constants", width.shape, loc));
     let values = crate::select::constants(width.bits, (0..shape.lanes()).map(of));
     let bits = values[0].width;
@@ -361,18 +389,7 @@ of_a_row! {
     /// ```
     fn reversed() -> Signal;
     /// The lane of a row whose number `index` is; zero beyond the last.
-    ///
-    /// ```
-    /// # use tilewright_hdl::*;
-    /// # tilewright_sim::example(|m| {
-    /// let count = m.reg("count", 3).reset(0);
-    /// count.next(count + 1);
-    /// let square = constants(bits(4).of(row(4)), |lane| u64::from(lane * lane)).pick(count);
-    /// m.assert(count.lt(4).implies(square.zext(6).eq(*count * *count)), "a table in logic");
-    /// m.assert(count.ge(4).implies(square.eq(0)), "there are no lanes 4 to 7");
-    /// # });
-    /// ```
-    fn pick(index: impl Into<Signal>) -> Signal;
+    fn pick(index: impl IntoSignal) -> Signal;
 }
 
 /// What a grid has too: of all its lanes.

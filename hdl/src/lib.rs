@@ -36,16 +36,18 @@
 //! | signed arithmetic | [`Signal::signed`], [`Width::signed`]: both sides of an operator are, or neither |
 //! | a named net | `net!(at_end = ..)`, or [`Signal::named`] |
 //! | a net read before it is driven | [`Module::wire`] |
-//! | a register | [`Module::reg`], then [`reset`](Reg::reset), [`enable`](Reg::enable), [`next`](Reg::next) or [`when`](Reg::when); [`Module::pipe`] for a pipeline stage, [`Module::stages`] for a pipeline |
-//! | a state machine | [`codes!`], [`Module::fsm`], [`StateReg::next`] |
+//! | a register | [`Module::reg`], then [`reset`](Reg::reset), [`enable`](Reg::enable), [`next`](Reg::next) or [`when`](Reg::when); [`Module::pipe`] for a pipeline stage |
+//! | a pipeline | [`Module::stages`] of a record, [`Module::stream_stages`] between streams; [`any_stage`](Signal::any_stage) where two stages are to meet |
+//! | a state machine | [`codes!`], [`Module::fsm`], [`StateReg::next`], whose [`Moves`] say what happens at a transition |
 //! | a memory | [`Module::memory`], [`Mem::read`], [`Mem::read_async`], [`Mem::write`] |
 //! | a record | a [`bundle!`]: what is declared with a record of widths, or given a record, is one; `.pack()` makes a word of it, `.unpack(word)` of its widths a record |
 //! | an enum | [`codes!`], [`one_of`], [`Signal::is`], [`Signal::choose`] |
 //! | lanes | `bits(8).of(row(4))`, [`row`], [`grid`]; what is elementwise is written as for one; [`previous`](Signal::previous), [`take`](Signal::take), [`pick`](Signal::pick), [`sum`](Signal::sum), [`rows`](Signal::rows), [`columns`](Signal::columns), [`stack`], [`tree`] |
-//! | a stream: a payload with `valid` and `ready` | a field `Stream<Job<T>, T>` as wide as [`stream`]`(Job { .. })`; [`Stream::take_when`], [`Module::offer`] |
+//! | a stream: a payload with `valid` and `ready` | `stream(Job { .. })` in [`block!`], which is a field `Stream<Job<T>, T>`; [`Stream::take_when`], [`Module::offer`]; [`Module::stream_wire`] where it goes round, [`Stream::lanes`] for an array's |
+//! | a number in another radix | [`hex`]`(0x3f)`, [`binary`]`(0b101)` |
 //! | an instance, an array of them | [`Module::instance`], [`Module::array`] |
 //! | another clock | [`Module::on`], [`Mem::on`], [`Width::on`]; [`Module::synchronize`], [`Module::synchronize_from`], [`Signal::quasi_static`] to cross |
-//! | what must hold | [`Module::assert`], with [`implies`](Signal::implies) |
+//! | what must hold, is given, or is to happen | [`Module::assert`], [`Module::assume`], [`Module::cover`], with [`implies`](Signal::implies), [`Module::past`], [`Module::rose`] |
 //!
 //! Both sides of an operator have equal widths, results wrap, and `==` does not compile: [`Signal::eq`] does. Every mistake
 //! in a description is found when it is elaborated, and all of them are reported at once ([`Problems`]), each with the lines
@@ -56,10 +58,14 @@
 //! holds in 64 clocks, and `example.values("count")` is what `count` is just before each of the first edges.
 
 mod along;
+mod attribute;
 mod bits;
 mod block;
+mod bracket;
 mod bundle;
+pub mod catalog;
 mod check;
+mod chosen;
 mod circuit;
 pub mod clock;
 mod codes;
@@ -76,12 +82,16 @@ pub mod ir;
 mod lanes;
 mod limits;
 mod loc;
+mod machine;
 mod memory;
 mod module;
 mod module_name;
 mod names;
 mod operand;
+mod past;
 mod problem;
+mod property;
+mod radix;
 mod record;
 pub mod recording;
 mod register;
@@ -94,6 +104,7 @@ mod signal;
 mod signed;
 mod stages;
 mod stream;
+mod stream_stages;
 mod summary;
 mod tree;
 mod uneven;
@@ -117,25 +128,27 @@ pub use index::Index;
 pub use ir::{About, Design, ReadUnderWrite, Shape};
 pub use lanes::{constants, interleave, stack};
 pub use loc::Loc;
+pub use machine::{Moves, StateReg, Transition, goto, hold, when};
 pub use memory::Mem;
 pub use module::Module;
 #[doc(hidden)]
 pub use operand::Value;
-pub use operand::{Operand, ShiftAmount};
+pub use operand::{IntoSignal, Operand, ShiftAmount};
 pub use problem::{Problem, Problems};
+pub use radix::{Radix, Written, binary, hex};
 pub use record::RecordUpdates;
 #[doc(hidden)]
 pub use record::{named, pack, unpack};
 pub use recording::Recording;
-pub use register::{Reg, StateReg, Transition, Updates, goto, hold, when};
+pub use register::{Reg, Updates};
 pub use scenario::{Scenario, Script};
 pub use select::{case, concat, lit, mux, select};
 pub use shaping::{IntoShape, grid, row};
 pub use signal::Signal;
 pub use stages::Start;
 #[doc(hidden)]
-pub use stages::cleared;
-pub use stream::{Stream, Taken, stream};
+pub use stages::{any_stage, cleared};
+pub use stream::{Stream, StreamWire, Taken, stream};
 pub use tree::tree;
 #[doc(hidden)]
 pub use uneven::{Uneven, uneven};

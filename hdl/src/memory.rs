@@ -6,7 +6,7 @@ use crate::data::Data;
 use crate::elaboration;
 use crate::ir::{Contents, Kind, MemoryId, Op, ReadPort, WritePort};
 use crate::loc::Loc;
-use crate::operand::{Operand, Value};
+use crate::operand::{IntoSignal, Operand, Value};
 use crate::problem::Problem;
 use crate::select::condition;
 use crate::signal::{Signal, bits_text};
@@ -301,7 +301,7 @@ impl Mem {
     /// assert_eq!(example.values("word"), [0, 0, 11, 11, 13, 13]);
     /// ```
     #[track_caller]
-    pub fn read_when(self, enable: impl Into<Signal>, address: impl Operand) -> Signal {
+    pub fn read_when(self, enable: impl IntoSignal, address: impl Operand) -> Signal {
         let (address, enable) = (self.address(address), enable.into());
         self.read_port(address, Some(enable), true)
     }
@@ -345,19 +345,39 @@ impl Mem {
 
     /// Writes `data` at `address` at each edge where `enable` is high.
     ///
+    /// A word that is written in parts is a row of them, and its enable is a row of bits: of a memory of lanes with one address a synthesizer makes one of
+    /// wide words with a write enable for each part. Fields of a record that are written at different times are a memory each.
+    ///
     /// ```
     /// # use tilewright_hdl::*;
-    /// # let example = tilewright_sim::traced(|m| {
-    /// let count = m.reg("count", 4).reset(0);
-    /// count.next(count + 1);
-    /// let last = m.memory("last", 2, 4, ReadUnderWrite::Old).fill(Bits::zero(4));
-    /// last.write(count.gt(2), count.bit(0), count); // the place is a number of one bit here
-    /// net!(odd = last.read_async(1));
-    /// # });
-    /// assert_eq!(example.values("odd"), [0, 0, 0, 0, 3, 3, 5, 5]);
+    /// block! {
+    ///     /// A memory of 32 bits, of which each byte can be written.
+    ///     pub struct Ram;
+    ///     in RamIn { at: below(256), writes: bit(), bytes: bits(4), data: bits(32) }
+    ///     out RamOut { word: bits(32) }
+    /// }
+    ///
+    /// impl Ram {
+    ///     fn build(&self, m: Module, i: RamIn) -> RamOut {
+    ///         let words = m.memory("words", 256, bits(8).of(row(4)), ReadUnderWrite::Any);
+    ///         words.write(i.writes & i.bytes.unpack(row(4)), i.at, i.data.unpack(row(4)));
+    ///         RamOut { word: words.read(i.at).pack() }
+    ///     }
+    /// }
+    /// # let text = &tilewright_gen::verilog(&elaborate(&Ram).unwrap())[0].text;
+    /// # assert!(text.contains("reg [31:0] words [0:255];"), "{text}");
+    /// # assert!(text.contains("words[at][i * 8 +: 8] <= data[i * 8 +: 8];"), "{text}");
+    /// # let mut sim = tilewright_sim::Simulation::of(&Ram).unwrap();
+    /// # for (bytes, data) in [(0b1111, 0x1122_3344), (0b0101, 0xaabb_ccdd)] {
+    /// #     sim.drive(RamIn { at: 3, writes: 1, bytes, data });
+    /// #     sim.step();
+    /// # }
+    /// # sim.set(sim.i.writes, 0);
+    /// # sim.step();
+    /// # assert_eq!(sim.get_u64(sim.o.word), 0x11bb_33dd);
     /// ```
     #[track_caller]
-    pub fn write(self, enable: impl Into<Signal>, address: impl Operand, data: impl Operand) {
+    pub fn write(self, enable: impl IntoSignal, address: impl Operand, data: impl Operand) {
         let loc = Loc::caller();
         let enable = self.laid_out(condition(enable.into(), "write"), "an enable").id();
         let address = self.address(address).id();
@@ -370,6 +390,7 @@ impl Mem {
             let clock = e.draft().use_clock(self.clock);
             let draft = &mut e.draft().memories[self.index as usize];
             draft.memory.writes.push(WritePort { clock, enable, address, data });
+            draft.written.push(loc);
             if draft.memory.writes.len() > 1 && !draft.true_dual_port {
                 let (name, declared) = (draft.memory.name.clone(), draft.memory.loc);
                 let problem = Problem::new(loc, format!("memory `{name}` gets a second write port"))

@@ -6,14 +6,15 @@ use crate::codes::{Codes, one_of};
 use crate::data::Layout;
 use crate::draft::{DraftMemory, DraftRegister, DraftWire, Synchronizer, UNDRIVEN};
 use crate::elaboration::{self, Elaboration};
-use crate::ir::{Assert, Contents, Memory, NodeId, Op, ReadUnderWrite, RegisterId};
+use crate::ir::{Contents, Memory, NodeId, Op, ReadUnderWrite, RegisterId};
 use crate::limits::{WIDEST, sound_width};
 use crate::loc::Loc;
+use crate::machine::StateReg;
 use crate::memory::Mem;
-use crate::operand::Operand;
+use crate::operand::{IntoSignal, Operand};
 use crate::problem::Problem;
 use crate::record::word;
-use crate::register::{Reg, StateReg};
+use crate::register::Reg;
 use crate::select::condition;
 use crate::shaping::sound_shape;
 use crate::signal::Signal;
@@ -97,8 +98,7 @@ impl Module {
             let node = declare(e, Op::Register(RegisterId(index as u32)), ("register", name), width, loc);
             let draft = e.draft();
             let clock = draft.use_clock(self.clock);
-            let (reset, enable, next) = (None, None, None);
-            draft.registers.push(DraftRegister { node, clock, reset, enable, next, is_synchronizer: false });
+            draft.registers.push(DraftRegister::new(node, clock));
             Reg { signal: Signal::at(e, node), index }
         })
     }
@@ -155,7 +155,7 @@ impl Module {
     /// assert_eq!(example.values("even"), [0, 0, 6, 6, 8, 8]);
     /// ```
     #[track_caller]
-    pub fn pipe_when<B: Fields<Signal>>(self, enable: impl Into<Signal>, name: &str, value: B) -> B::With<Signal> {
+    pub fn pipe_when<B: Fields<Signal>>(self, enable: impl IntoSignal, name: &str, value: B) -> B::With<Signal> {
         self.stage(Some(enable.into()), name, value)
     }
 
@@ -166,6 +166,7 @@ impl Module {
         let mut registers = Vec::new();
         for (path, signal) in value.leaves() {
             let register = self.register(&port_name(name, &path), Width::like(signal), loc);
+            elaboration::draft(|draft| draft.pipelines.delays.insert(register.signal.node));
             if let Some(enable) = enable {
                 let _ = register.enable(enable);
             }
@@ -199,7 +200,7 @@ impl Module {
         Wire { signal, index }
     }
 
-    fn net(self, name: &str, width: Width, loc: Loc) -> Wire {
+    pub(crate) fn net(self, name: &str, width: Width, loc: Loc) -> Wire {
         elaboration::with(|e| {
             let node = declare(e, Op::Wire(UNDRIVEN), ("wire", name), width, loc);
             let draft = e.draft();
@@ -259,9 +260,11 @@ impl Module {
                     contents: Contents::Unknown,
                     reads: Vec::new(),
                     writes: Vec::new(),
+                    attributes: Vec::new(),
                     loc,
                 },
                 true_dual_port: false,
+                written: Vec::new(),
             });
             let (module, address_width) = (draft.serial, index_width(depth.into()));
             let word = Width { bits: width, shape, ..word };
@@ -346,29 +349,6 @@ impl Module {
         meta.next(entered);
         stable.next(meta);
         stable.value()
-    }
-
-    /// States that `condition` holds at every edge while the reset is low.
-    ///
-    /// ```
-    /// # use tilewright_hdl::*;
-    /// # let example = tilewright_sim::traced(|m| {
-    /// let used = m.reg("used", up_to(12)).reset(0);
-    /// let take = used.lt(12);
-    /// used.when(take, used + 1);
-    /// m.assert(take.implies(used.ne(12)), "a page is taken only while one is free");
-    /// # });
-    /// // A run that got here would have ended at the first edge where it did not hold, with that message.
-    /// assert_eq!(example.values("used"), [0, 1, 2, 3]);
-    /// ```
-    #[track_caller]
-    pub fn assert(self, holds: impl Into<Signal>, message: &str) {
-        let loc = Loc::caller();
-        let condition = condition(holds.into(), "assert").id();
-        elaboration::draft(|draft| {
-            let clock = draft.use_clock(self.clock);
-            draft.asserts.push(Assert { clock, condition, message: message.to_owned(), loc });
-        });
     }
 
     /// States that an input is not used on purpose; for a bundle, that none of its fields need be.

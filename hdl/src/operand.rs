@@ -6,29 +6,29 @@ use crate::elaboration;
 use crate::ir::{Names, NodeId, Shift};
 use crate::loc::Loc;
 use crate::problem::Problem;
+use crate::radix::Radix;
 use crate::signal::{Signal, bits_text};
 use std::fmt;
 
 /// Anything that can be read as an unsigned value.
-///
-/// ```
-/// # use tilewright_hdl::*;
-/// # tilewright_sim::example(|m| {
-/// fn twice(value: Signal, more: impl Operand) -> Signal {
-///     (value << 1) + more
-/// }
-///
-/// let count = m.reg("count", 8).reset(20);
-/// count.next(count);
-/// m.assert(twice(*count, 2).eq(42), "a number, which takes the width of what it meets");
-/// m.assert(twice(*count, count).eq(60), "a register, a wire or a signal");
-/// m.assert(twice(*count, true).eq(41) & twice(*count, Bits::new(8, 1)).eq(41), "a `bool`, a value of that width");
-/// # });
-/// ```
+#[diagnostic::on_unimplemented(
+    message = "a `{Self}` is neither a signal nor a number",
+    note = "a signal, a register, an integer, a `bool`, a `Bits` and a code of an enum can stand here; of a record, name a field"
+)]
 pub trait Operand {
     #[doc(hidden)]
     fn operand(self) -> Value;
 }
+
+/// What is read as a signal, and no number: a signal, a register, a wire.
+#[diagnostic::on_unimplemented(
+    message = "a `{Self}` is no signal",
+    label = "a signal is wanted here",
+    note = "a condition that always holds is `lit(1, 1)`, one that never does `lit(1, 0)`; a number of some width is `lit(width, number)`"
+)]
+pub trait IntoSignal: Into<Signal> {}
+
+impl IntoSignal for Signal {}
 
 #[doc(hidden)]
 #[derive(Debug, Clone)]
@@ -43,7 +43,7 @@ pub enum Value {
 #[derive(Debug, Clone)]
 pub enum Literal {
     /// A number that must fit where it stands.
-    Integer(i128),
+    Integer(i128, Radix),
     /// A value that must have just the width of where it stands.
     Exact(Bits),
     /// A code of an enum, which only meets signals of that one.
@@ -53,7 +53,9 @@ pub enum Literal {
 impl fmt::Display for Literal {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         match self {
-            Literal::Integer(value) => write!(f, "{value}"),
+            Literal::Integer(value, Radix::Any) => write!(f, "{value}"),
+            Literal::Integer(value, Radix::Hex) => write!(f, "{value:#x}"),
+            Literal::Integer(value, Radix::Binary) => write!(f, "{value:#b}"),
             Literal::Exact(bits) => write!(f, "{bits}"),
             Literal::Code { names, code } => write!(f, "{}::{}", names.of, names.codes[*code as usize]),
         }
@@ -108,7 +110,7 @@ macro_rules! integers {
     ($($ty:ty)*) => {$(
         impl Operand for $ty {
             fn operand(self) -> Value {
-                Value::Literal(Literal::Integer(self as i128))
+                Value::Literal(Literal::Integer(self as i128, Radix::Any))
             }
         }
     )*};
@@ -222,6 +224,8 @@ macro_rules! reads_as_signal {
                 *handle
             }
         }
+
+        impl $crate::operand::IntoSignal for $ty {}
 
         impl $crate::operand::Operand for $ty {
             fn operand(self) -> $crate::operand::Value {

@@ -170,6 +170,13 @@ impl<B: Block> Script<B> {
         self.wait(clocks - 1);
     }
 
+    /// From the next row on the receiver of an outgoing stream is ready, or is not; it is not at first. The stream is told by its path in
+    /// the block's outputs, as `out` or `out.1`.
+    pub fn ready(&mut self, stream: &str, is_ready: bool) {
+        let input = port_name("", &format!("{stream}.ready"));
+        self.events.push(Event { at_ps: self.at_ps, input, value: Bits::new(1, is_ready.into()) });
+    }
+
     /// The same inputs for some clocks more.
     ///
     /// ```

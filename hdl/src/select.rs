@@ -7,8 +7,9 @@ use crate::elaboration;
 use crate::ir::{Kind, NodeId, Op, Shape};
 use crate::limits::sound_width;
 use crate::loc::Loc;
-use crate::operand::{Literal, Value};
+use crate::operand::{IntoSignal, Literal, Value};
 use crate::problem::Problem;
+use crate::radix::Radix;
 use crate::shaping::{level, level_all};
 use crate::signal::{Signal, bits_text};
 use crate::width::{IntoWidth, index_width};
@@ -39,7 +40,7 @@ pub(crate) fn constants(width: u32, values: impl IntoIterator<Item = u64>) -> Ve
     let mut signals = Vec::new();
     for value in values {
         let value = if sound == width { value } else { 0 };
-        signals.push(Literal::Integer(value.into()).sized(sound, Kind::Number));
+        signals.push(Literal::Integer(value.into(), Radix::Any).sized(sound, Kind::Number));
     }
     signals
 }
@@ -192,7 +193,7 @@ fn sized(mut values: Vec<Value>, of: &str) -> Vec<Signal> {
 /// # });
 /// ```
 #[track_caller]
-pub fn mux<V: Data>(select: impl Into<Signal>, on_true: impl Fits<V>, on_false: impl Fits<V>) -> V {
+pub fn mux<V: Data>(select: impl IntoSignal, on_true: impl Fits<V>, on_false: impl Fits<V>) -> V {
     let select = condition(select.into(), "mux");
     let (shape, fields) = fields(vec![on_true.given(), on_false.given()], "mux");
     let mut chosen = Vec::with_capacity(fields.len());
@@ -258,7 +259,7 @@ pub fn select<V: Data, A: Fits<V>>(arms: impl IntoIterator<Item = (Signal, A)>, 
 /// ```
 #[track_caller]
 pub fn case<V: Data, A: Fits<V>>(
-    subject: impl Into<Signal>,
+    subject: impl IntoSignal,
     arms: impl IntoIterator<Item = (u64, A)>,
     default: impl Fits<V>,
 ) -> V {
@@ -306,7 +307,7 @@ fn by_value<V: Data>(subject: Signal, keys: &[Bits], values: Vec<Given<V>>, of: 
             let is_other = |(_, node): &(Bits, NodeId)| !same(*node, default);
             let arms: Vec<_> = keys.iter().cloned().zip(nodes).filter(is_other).collect();
             if arms.is_empty() {
-                chosen.push(elaboration::with(|e| Signal::at(e, default)));
+                chosen.push(Signal { kind, ..elaboration::with(|e| Signal::at(e, default)) });
                 continue;
             }
             Op::Case { subject, arms, default }

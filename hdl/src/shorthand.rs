@@ -3,7 +3,7 @@
 use std::ops::{AddAssign, BitAndAssign, BitOrAssign, BitXorAssign, SubAssign};
 
 use crate::ir::{Binary, Op, Unary};
-use crate::operand::Operand;
+use crate::operand::{IntoSignal, Operand};
 use crate::select::{concat, condition};
 use crate::shaping::level;
 use crate::signal::Signal;
@@ -87,7 +87,7 @@ impl Signal {
     /// # });
     /// ```
     #[track_caller]
-    pub fn implies(self, other: impl Into<Signal>) -> Signal {
+    pub fn implies(self, other: impl IntoSignal) -> Signal {
         let (this, other) = (condition(self, "implies"), condition(other.into(), "implies"));
         let [this, other] = level([this, other], "implies");
         let not = Signal::make(Op::Unary(Unary::Not, this.id()), 1, this.shape);

@@ -5,6 +5,7 @@ use crate::ir::{Binary, Kind, Op, Shape};
 use crate::loc::Loc;
 use crate::operand::Literal;
 use crate::problem::Problem;
+use crate::radix::Radix;
 use crate::signal::{Signal, bits_text};
 use crate::{Bits, Width};
 
@@ -75,7 +76,7 @@ impl Signal {
 
     #[track_caller]
     pub(crate) fn negative(self) -> Signal {
-        let zero = Literal::Integer(0).for_signal(self, "-");
+        let zero = Literal::Integer(0, Radix::Any).for_signal(self, "-");
         if self.kind != Kind::Signed {
             let (loc, id) = (Loc::caller(), self.id());
             elaboration::with(|e| {
@@ -115,7 +116,7 @@ impl Literal {
     pub(crate) fn for_signal(self, left: Signal, operator: &str) -> Signal {
         let fits = match (&self, left.kind) {
             (Literal::Code { names, .. }, kind) => kind == Kind::Code(*names),
-            (Literal::Integer(_), Kind::Code(_)) => false,
+            (Literal::Integer(..), Kind::Code(_)) => false,
             _ => true,
         };
         if fits {
@@ -139,8 +140,8 @@ impl Literal {
         match self {
             Literal::Exact(bits) => (bits.resize(width), bits.width() == width),
             Literal::Code { code, .. } => (Bits::new(width, *code), true),
-            Literal::Integer(value) => {
-                let bits = Bits::from_i128(width, *value);
+            Literal::Integer(value, radix) => {
+                let bits = Bits::from_i128(width, *value).shown_in(*radix);
                 let signed = kind == Kind::Signed;
                 let back = if signed { bits.to_i128() } else { bits.to_u128().and_then(|v| v.try_into().ok()) };
                 (bits, back == Some(*value))

@@ -1,12 +1,18 @@
-//! Pipelines of records: stages that are alike, with a register for each field after each of them.
+//! Pipelines of records: stages that are alike, with a register for each field after each of them. What a stage holds does not meet
+//! what another one does, as that is of another record.
 
 use crate::bundle::{Bundle, Fields};
+use crate::data::Data;
+use crate::elaboration::draft;
+use crate::ir::{NodeId, Op};
 use crate::loc::Loc;
 use crate::module::{Module, port_name};
 use crate::record::from_leaves;
+use crate::register::Reg;
 use crate::select::condition;
 use crate::signal::Signal;
 use crate::width::Width;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// What enters a pipeline: a record, which fields of it a reset clears in each stage, and what is put before their names. A
 /// record alone is a start of which no field is cleared: see [`Module::stages`].
@@ -25,20 +31,23 @@ use crate::width::Width;
 /// ```
 #[derive(Debug, Clone)]
 pub struct Start<B> {
-    record: B,
-    name: String,
+    pub(crate) record: B,
+    pub(crate) name: String,
     /// For each field, in order of declaration.
     cleared: Vec<bool>,
 }
 
 impl<B: Bundle> From<B> for Start<B> {
     fn from(record: B) -> Start<B> {
-        let cleared = record.leaves().iter().map(|_| false).collect();
-        Start { record, name: String::new(), cleared }
+        Start { cleared: vec![false; record.leaves().len()], ..Start::plain(record) }
     }
 }
 
 impl<B> Start<B> {
+    pub(crate) fn plain(record: B) -> Start<B> {
+        Start { record, name: String::new(), cleared: Vec::new() }
+    }
+
     /// Puts a name before those of the registers, where a module has two pipelines with the same fields: `depth_left1`.
     ///
     /// ```
@@ -105,6 +114,12 @@ impl Module {
     /// # assert_eq!(resets, [true, false, false].repeat(4));
     /// # assert_eq!(design.top().register_name(&design.top().registers[4]), "sum2");
     /// ```
+    ///
+    /// What enters is of stage 0, and what stage `k` holds of stage `k`; so is what is computed of it. Values of different stages of a
+    /// pipeline do not meet in an operator, nor in what a register or a memory is given, unless they say
+    /// [`.any_stage()`](Signal::any_stage). What is of no pipeline meets all: constants, other inputs, registers made by
+    /// [`Module::reg`], which remember, and what an instance gives out of its registers. [`Module::pipe`] and synchronous reads with
+    /// the pipeline's own enable are one stage more.
     #[track_caller]
     pub fn stages<B: Bundle>(
         self,
@@ -120,24 +135,134 @@ impl Module {
             *enable = condition(*enable, "stages");
         }
         let Start { mut record, name, cleared } = start.into();
+        let pipeline = Pipeline::begin(enable, &record, loc);
         for number in 1..=count {
             let next = stage(number, record);
-            let mut held = Vec::with_capacity(cleared.len());
-            for (field, (path, signal)) in next.leaves().into_iter().enumerate() {
-                let name = format!("{}{number}", port_name(&name, &path));
-                let mut register = self.register(&name, Width::like(signal), loc);
+            let registers = self.stage_registers(pipeline, number, &name, &next, loc);
+            for (field, register) in registers.iter().enumerate() {
                 // A list may have become longer.
                 if cleared.get(field) == Some(&true) {
-                    register = register.reset(0);
+                    let _ = register.reset(0);
                 }
                 if let Some(enable) = enable {
-                    register = register.enable(enable);
+                    let _ = register.enable(enable);
                 }
-                register.next(signal);
-                held.push(register.value());
             }
-            record = from_leaves(&next, held);
+            record = from_leaves(&next, registers.into_iter().map(|register| register.signal));
         }
         record
     }
+
+    /// The registers of a stage, one for each field of what it makes.
+    pub(crate) fn stage_registers<V: Data>(
+        self,
+        pipeline: Pipeline,
+        number: u32,
+        name: &str,
+        next: &V,
+        loc: Loc,
+    ) -> Vec<Reg> {
+        let mut registers = Vec::new();
+        next.map_fields("", &mut |path, signal| {
+            // A payload that is one signal has no name of its own.
+            let field = port_name(name, if path.is_empty() { "payload" } else { path });
+            let register = self.register(&format!("{field}{number}"), Width::like(*signal), loc);
+            register.give(signal.id_at(loc), loc);
+            pipeline.holds(register.signal, number);
+            registers.push(register);
+            register.signal
+        });
+        registers
+    }
+}
+
+/// A stage of one of a module's pipelines; what enters is of stage 0.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Stage {
+    pub pipeline: u32,
+    pub number: u32,
+}
+
+/// The pipelines of a module under construction.
+#[derive(Default)]
+pub(crate) struct Pipelines {
+    /// What lets each advance.
+    pub enables: Vec<Option<NodeId>>,
+    /// What enters a pipeline, and what a stage holds.
+    pub held: BTreeMap<NodeId, Vec<Stage>>,
+    /// Registers that [`Module::pipe`] made.
+    pub delays: BTreeSet<NodeId>,
+    /// What meets values of any stage.
+    pub any_stage: BTreeSet<NodeId>,
+}
+
+/// A pipeline of the module under construction.
+#[derive(Clone, Copy)]
+pub(crate) struct Pipeline(u32);
+
+impl Pipeline {
+    pub fn begin<V: Data>(enable: Option<Signal>, start: &V, loc: Loc) -> Pipeline {
+        let enable = enable.map(|enable| enable.id_at(loc));
+        let pipeline = draft(|draft| {
+            draft.pipelines.enables.push(enable);
+            Pipeline(draft.pipelines.enables.len() as u32 - 1)
+        });
+        for (_, signal) in start.leaves() {
+            let id = signal.id_at(loc);
+            let is_constant = draft(|draft| matches!(draft.node(id).op, Op::Const(_)));
+            if !is_constant {
+                pipeline.holds(Signal { node: id, ..signal }, 0);
+            }
+        }
+        pipeline
+    }
+
+    fn holds(self, signal: Signal, number: u32) {
+        let stage = Stage { pipeline: self.0, number };
+        draft(|draft| draft.pipelines.held.entry(signal.node).or_default().push(stage));
+    }
+}
+
+impl Signal {
+    /// The same value, which may meet those of any stage of its pipeline: see [`Module::stages`]. For what one record is to learn of
+    /// another that entered the pipeline earlier or later, as where a result is forwarded.
+    ///
+    /// ```
+    /// # use tilewright_hdl::{Block, Module, Width, bits, bundle, elaborate};
+    /// # bundle! {
+    /// #     /// A sample.
+    /// #     pub struct Sample<T> { pub x: T }
+    /// #     /// How much more it is than the one before.
+    /// #     pub struct Change<T> { pub rise: T }
+    /// # }
+    /// # #[derive(Debug, Clone, PartialEq, Eq, Hash)]
+    /// # struct Slope;
+    /// # impl Block for Slope {
+    /// #     type In = Sample;
+    /// #     type Out = Change;
+    /// #     fn inputs(&self) -> Sample<Width> { Sample { x: bits(8) } }
+    /// #     fn build(&self, m: Module, i: Sample) -> Change {
+    /// let before = m.stages(1, None, i, |_, sample| sample);
+    /// let rise = i.x - before.x.any_stage();
+    /// #         Change { rise }
+    /// #     }
+    /// # }
+    /// # elaborate(&Slope).unwrap();
+    /// ```
+    #[track_caller]
+    pub fn any_stage(self) -> Signal {
+        let same = Signal::make(Op::Wire(self.id()), self.width, self.shape).kept_as(self.kind);
+        draft(|draft| draft.pipelines.any_stage.insert(same.node));
+        same
+    }
+}
+
+#[doc(hidden)]
+#[track_caller]
+pub fn any_stage<B: Bundle>(record: &B) -> B {
+    let mut same = Vec::new();
+    for (_, signal) in record.leaves() {
+        same.push(signal.any_stage());
+    }
+    from_leaves(record, same.into_iter())
 }

@@ -12,6 +12,8 @@ mod program;
 mod rv32i;
 #[path = "../examples/systolic.rs"]
 mod systolic;
+#[path = "../examples/uart.rs"]
+mod uart;
 #[path = "../examples/windows.rs"]
 mod windows;
 
@@ -43,6 +45,11 @@ fn the_program_runs() {
 #[test]
 fn the_processor_runs() {
     rv32i::main().unwrap();
+}
+
+#[test]
+fn the_bytes_go_over_the_line() {
+    uart::main().unwrap();
 }
 
 #[test]

@@ -6,6 +6,7 @@ pub mod gfb;
 pub mod lfb;
 pub mod merger;
 pub mod parameter;
+mod prelude;
 pub mod scan;
 pub mod vc1;
 pub mod word;

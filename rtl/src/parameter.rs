@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use tilewright_hdl::catalog::CatalogError;
+
 /// A parameter for which there is no hardware; one sentence that says why, and what would do.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ParameterError(pub String);
@@ -13,6 +15,12 @@ impl fmt::Display for ParameterError {
 }
 
 impl std::error::Error for ParameterError {}
+
+impl From<ParameterError> for CatalogError {
+    fn from(ParameterError(sentence): ParameterError) -> CatalogError {
+        CatalogError::Parameters(sentence)
+    }
+}
 
 /// The screen's size in pixels.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

@@ -1,25 +1,26 @@
 //! The golden rasterizer: the plainest double loop over the integer contract, against which every machine is compared.
 //!
 //! Source: facts E0. It shares the packet's type with the machines and nothing else: products are formed directly in i64, with
-//! no increments and no tree, over each pixel of a triangle's box, so that it can be checked by reading.
+//! no increments and no tree, over each pixel of a polygon's box, so that it can be checked by reading.
 
 use crate::frame::{Frame, depth_of, rgb_of, word};
 use crate::packet::*;
 use crate::size::Size;
 use std::ops::ControlFlow;
 
-impl Triangle {
-    /// Whether the triangle covers pixel (x, y): all three reduced edge functions are at least 0 (DES-EDGE).
+impl<E: AsRef<[Edge]>> Packet<E> {
+    /// Whether the polygon covers pixel (x, y): all its reduced edge functions are at least 0 (DES-EDGE).
     pub fn covers(&self, x: u32, y: u32) -> bool {
-        self.edges.iter().all(|e| i64::from(e.a) * i64::from(x) + i64::from(e.b) * i64::from(y) + i64::from(e.c) >= 0)
+        let value = |e: &Edge| i64::from(e.a) * i64::from(x) + i64::from(e.b) * i64::from(y) + i64::from(e.c);
+        self.edges.as_ref().iter().all(|edge| value(edge) >= 0)
     }
 
-    /// Depth at pixel (x, y), 24 bits; meaningful where the triangle covers the pixel (DES-Z).
+    /// Depth at pixel (x, y), 24 bits; meaningful where the polygon covers the pixel (DES-Z).
     pub fn depth(&self, x: u32, y: u32) -> u32 {
         plane_at(&self.z, x, y, DEPTH_PLANE_BITS) as u32
     }
 
-    /// Red, green and blue at pixel (x, y); meaningful where the triangle covers the pixel.
+    /// Red, green and blue at pixel (x, y); meaningful where the polygon covers the pixel.
     pub fn rgb(&self, x: u32, y: u32) -> [u8; 3] {
         self.rgb.map(|plane| plane_at(&plane, x, y, COLOUR_PLANE_BITS) as u8)
     }
@@ -37,43 +38,44 @@ fn plane_at(plane: &Plane, x: u32, y: u32, bits: u32) -> u64 {
     (sum & ((1 << bits) - 1)) >> FRACTION_BITS
 }
 
-/// Renders triangles over a background: each pixel keeps the least word (DES-MIN), so their order does not matter.
-pub fn render(size: Size, triangles: &[Triangle], background: [u8; 3]) -> Frame {
+/// Renders triangles, or other polygons, over a background: each pixel keeps the least word (DES-MIN), so their order does not
+/// matter.
+pub fn render<E: AsRef<[Edge]>>(size: Size, packets: &[Packet<E>], background: [u8; 3]) -> Frame {
     let mut frame = Frame::blank(size, background);
-    triangles.iter().for_each(|triangle| draw(&mut frame, triangle));
+    packets.iter().for_each(|packet| draw(&mut frame, packet));
     frame
 }
 
-/// As [`render`], with a call of `watch` before every triangle; it gets how many of them are done, from 0 to 1, and may break it
+/// As [`render`], with a call of `watch` before every packet; it gets how many of them are done, from 0 to 1, and may break it
 /// off: then there is no frame.
-pub fn render_watched(
+pub fn render_watched<E: AsRef<[Edge]>>(
     size: Size,
-    triangles: &[Triangle],
+    packets: &[Packet<E>],
     background: [u8; 3],
     mut watch: impl FnMut(f64) -> ControlFlow<()>,
 ) -> Option<Frame> {
     let mut frame = Frame::blank(size, background);
-    for (done, triangle) in triangles.iter().enumerate() {
-        if watch(done as f64 / triangles.len() as f64).is_break() {
+    for (done, packet) in packets.iter().enumerate() {
+        if watch(done as f64 / packets.len() as f64).is_break() {
             return None;
         }
-        draw(&mut frame, triangle);
+        draw(&mut frame, packet);
     }
     Some(frame)
 }
 
-fn draw(frame: &mut Frame, triangle: &Triangle) {
-    each_fragment(frame.size(), triangle, |pixel, fragment| {
+fn draw<E: AsRef<[Edge]>>(frame: &mut Frame, packet: &Packet<E>) {
+    each_fragment(frame.size(), packet, |pixel, fragment| {
         let kept = &mut frame.words[pixel];
         *kept = (*kept).min(fragment);
     });
 }
 
-/// Renders triangles with the strict rule: depth alone decides, and of equal depths the first submitted stays (facts E0).
-pub fn render_strict(size: Size, triangles: &[Triangle], background: [u8; 3]) -> Frame {
+/// Renders packets with the strict rule: depth alone decides, and of equal depths the first submitted stays (facts E0).
+pub fn render_strict<E: AsRef<[Edge]>>(size: Size, packets: &[Packet<E>], background: [u8; 3]) -> Frame {
     let mut frame = Frame::blank(size, background);
-    for triangle in triangles {
-        each_fragment(size, triangle, |pixel, fragment| {
+    for packet in packets {
+        each_fragment(size, packet, |pixel, fragment| {
             let kept = &mut frame.words[pixel];
             if depth_of(fragment) < depth_of(*kept) {
                 *kept = fragment;
@@ -86,16 +88,16 @@ pub fn render_strict(size: Size, triangles: &[Triangle], background: [u8; 3]) ->
 /// How often exact depth ties decide a frame (facts E0: to be counted per scene).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Ties {
-    /// Pixels whose least depth is reached by two or more triangles.
+    /// Pixels whose least depth is reached by two or more polygons.
     pub pixels: u64,
-    /// Those among them where the tied triangles differ in colour, so that a rule is needed: least word, or first submitted.
+    /// Those among them where the tied polygons differ in colour, so that a rule is needed: least word, or first submitted.
     pub decided_by_colour: u64,
-    /// Pixels that some triangle covers.
+    /// Pixels that some polygon covers.
     pub covered: u64,
 }
 
 /// Counts the exact depth ties of a frame.
-pub fn ties(size: Size, triangles: &[Triangle]) -> Ties {
+pub fn ties<E: AsRef<[Edge]>>(size: Size, packets: &[Packet<E>]) -> Ties {
     #[derive(Clone, Copy)]
     struct Front {
         depth: u32,
@@ -117,7 +119,7 @@ pub fn ties(size: Size, triangles: &[Triangle]) -> Ties {
             }
         }
     };
-    triangles.iter().for_each(|triangle| each_fragment(size, triangle, &mut see));
+    packets.iter().for_each(|packet| each_fragment(size, packet, &mut see));
     let mut ties = Ties::default();
     for kept in front.into_iter().flatten() {
         ties.covered += 1;
@@ -127,14 +129,14 @@ pub fn ties(size: Size, triangles: &[Triangle]) -> Ties {
     ties
 }
 
-/// Calls `visit(pixel index, word)` for every pixel that the triangle covers.
-fn each_fragment(size: Size, triangle: &Triangle, mut visit: impl FnMut(usize, u64)) {
-    let bounds = triangle.bounds;
+/// Calls `visit(pixel index, word)` for every pixel that the polygon covers.
+fn each_fragment<E: AsRef<[Edge]>>(size: Size, packet: &Packet<E>, mut visit: impl FnMut(usize, u64)) {
+    let bounds = packet.bounds;
     // A packet set up for a larger screen is cut to this one.
     for y in bounds.top..=bounds.bottom.min(size.height() - 1) {
         for x in bounds.left..=bounds.right.min(size.width() - 1) {
-            if triangle.covers(x, y) {
-                visit(y as usize * size.width() as usize + x as usize, triangle.word(x, y));
+            if packet.covers(x, y) {
+                visit(y as usize * size.width() as usize + x as usize, packet.word(x, y));
             }
         }
     }

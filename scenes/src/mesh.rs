@@ -24,6 +24,8 @@ pub struct Mesh {
     positions: Vec<DVec3>,
     normals: Vec<DVec3>,
     triangles: Vec<MeshTriangle>,
+    /// How many triangles each face consists of; none if each is a face of its own.
+    faces: Vec<u32>,
 }
 
 /// The corner positions nearest to the origin and farthest from it, axis by axis.
@@ -69,7 +71,35 @@ impl Mesh {
                 ));
             }
         }
-        Ok(Mesh { positions, normals, triangles })
+        Ok(Mesh { positions, normals, triangles, faces: Vec::new() })
+    }
+
+    /// The same mesh, of which so many triangles at a time are a face: a fan, whose triangles have their first corner in common, and
+    /// each its second with the third of the one before.
+    ///
+    /// # Errors
+    /// [`SceneError::Invalid`] if they are not as many as the triangles, or no fans.
+    pub fn with_faces(self, faces: Vec<u32>) -> Result<Mesh, SceneError> {
+        let mesh = Mesh { faces, ..self };
+        let count = mesh.faces.iter().map(|&count| u64::from(count)).sum::<u64>();
+        if count != mesh.triangles.len() as u64 || mesh.faces.contains(&0) {
+            return Err(SceneError::invalid(
+                format!("the faces of the mesh have {count} triangles, and there are {}", mesh.triangles.len()),
+                "give each triangle to one face",
+            ));
+        }
+        let corner = |t: &MeshTriangle, i: usize| (t.positions[i], t.normals[i]);
+        let is_fan = |face: &[MeshTriangle]| {
+            face.windows(2)
+                .all(|pair| [(0, 0), (2, 1)].iter().all(|&(i, j)| corner(&pair[0], i) == corner(&pair[1], j)))
+        };
+        if let Some(face) = mesh.faces().position(|face| !is_fan(face)) {
+            return Err(SceneError::invalid(
+                format!("face {face} of the mesh is no fan of triangles"),
+                "begin each of its triangles with the same corner, and go on from the last one's end",
+            ));
+        }
+        Ok(mesh)
     }
 
     /// Vertex positions.
@@ -85,6 +115,17 @@ impl Mesh {
     /// Triangles in order of submission; at least one.
     pub fn triangles(&self) -> &[MeshTriangle] {
         &self.triangles
+    }
+
+    /// The triangles of each face, in order of submission.
+    pub fn faces(&self) -> impl Iterator<Item = &[MeshTriangle]> {
+        let single = if self.faces.is_empty() { self.triangles.len() } else { 0 };
+        let counts = self.faces.iter().copied().chain(std::iter::repeat_n(1, single));
+        counts.scan(&self.triangles[..], |rest, count| {
+            let (face, others) = rest.split_at(count as usize);
+            *rest = others;
+            Some(face)
+        })
     }
 
     /// The box round the vertices that triangles use.
@@ -193,6 +234,24 @@ mod tests {
             assert_eq!(sentence, expected);
         }
         assert!(Mesh::new(CORNERS.to_vec(), normals.to_vec(), vec![sound]).is_ok());
+    }
+
+    #[test]
+    fn faces_are_fans_of_all_triangles() {
+        let mesh = || {
+            Mesh::new(CORNERS.to_vec(), vec![DVec3::Z], [[0, 1, 2], [0, 2, 3], [3, 2, 1]].map(triangle).to_vec())
+                .unwrap()
+        };
+        let counts = |mesh: &Mesh| mesh.faces().map(<[MeshTriangle]>::len).collect::<Vec<_>>();
+        assert_eq!(counts(&mesh()), [1, 1, 1]);
+        assert_eq!(counts(&mesh().with_faces(vec![2, 1]).unwrap()), [2, 1]);
+        let refused = |faces: &[u32]| mesh().with_faces(faces.to_vec()).expect_err("no fans").to_string();
+        let uncounted = "the faces of the mesh have 4 triangles, and there are 3: give each triangle to one face";
+        assert_eq!(refused(&[2, 2]), uncounted);
+        assert_eq!(refused(&[2, 0, 1]), uncounted.replace('4', "3"));
+        let no_fan = "face 1 of the mesh is no fan of triangles: begin each of its triangles with the same corner, and go on from \
+                      the last one's end";
+        assert_eq!(refused(&[1, 2]), no_fan);
     }
 
     #[test]

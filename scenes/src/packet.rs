@@ -1,4 +1,5 @@
-//! The triangle packet: what set-up hands to a rasterizer, golden or hardware, and the formats of its fields.
+//! The packet of a triangle, or of another convex polygon: what set-up hands to a rasterizer, golden or hardware, and the formats of
+//! its fields.
 //!
 //! Source: facts E0 (the integer contract), DES-EDGE, DES-Z and DES-W. These are types and constants alone; the formulas that
 //! evaluate a packet at a pixel are in [`crate::golden`], and each machine writes its own.
@@ -84,11 +85,14 @@ impl PixelBox {
     }
 }
 
-/// The packet: one triangle, ready for a rasterizer. Made by [`crate::set_up`].
+/// The most edges that a packet has.
+pub const MOST_EDGES: usize = 8;
+
+/// The packet: one convex polygon, ready for a rasterizer. Its edges are three in a [`Triangle`], and 3 to 8 in a [`Polygon`].
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub struct Triangle {
+pub struct Packet<E> {
     /// Edge i runs from vertex i to vertex i+1, in the order that makes the area positive (y points down).
-    pub edges: [Edge; 3],
+    pub edges: E,
     /// Depth, 40 bits modular.
     pub z: Plane,
     /// Red, green, blue, 24 bits modular each.
@@ -102,10 +106,23 @@ pub struct Triangle {
     pub polygon: u32,
 }
 
-impl Triangle {
+/// The packet of a triangle. Made by [`crate::set_up`].
+pub type Triangle = Packet<[Edge; 3]>;
+
+/// The packet of a convex polygon of 3 to [`MOST_EDGES`] edges. Made by [`crate::set_up_polygon`].
+pub type Polygon = Packet<Vec<Edge>>;
+
+impl<E> Packet<E> {
     /// Area in pixels.
     pub fn area(&self) -> f64 {
         self.area2 as f64 / f64::from(2 * SUBPIXELS * SUBPIXELS)
+    }
+}
+
+impl From<Triangle> for Polygon {
+    fn from(triangle: Triangle) -> Polygon {
+        let Packet { edges, z, rgb, bounds, area2, polygon } = triangle;
+        Packet { edges: edges.to_vec(), z, rgb, bounds, area2, polygon }
     }
 }
 

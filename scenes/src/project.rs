@@ -12,6 +12,7 @@ use crate::error::SceneError;
 use crate::light::{Lighting, facing};
 use crate::mesh::{MeshTriangle, unit_or_z};
 use crate::packet::*;
+use crate::polygon::set_up_polygon;
 use crate::scene::Scene;
 use crate::setup::{set_up, signed_area2};
 use crate::size::Size;
@@ -20,7 +21,7 @@ use glam::DVec3;
 /// What becomes of a scene's polygons; every polygon is counted once, in `drawn` or in one of the four fields after it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Counts {
-    /// Triangles of the mesh.
+    /// Triangles of the mesh, or its faces.
     pub polygons: u32,
     /// Polygons with at least one packet.
     pub drawn: u32,
@@ -46,6 +47,17 @@ pub struct Projection {
     /// The three vertices that each packet was set up from, in the same order as `triangles`.
     pub vertices: Vec<[ScreenVertex; 3]>,
     /// What became of the polygons.
+    pub counts: Counts,
+}
+
+/// A scene on a screen, in polygons.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Polygons {
+    /// The screen.
+    pub size: Size,
+    /// Packets in order of submission; [`Packet::polygon`] tells which face of the mesh each is of, never decreasing.
+    pub polygons: Vec<Polygon>,
+    /// What became of the faces.
     pub counts: Counts,
 }
 
@@ -78,11 +90,7 @@ pub fn project_sample(scene: &Scene, size: Size, shift: [i32; 2]) -> Result<Proj
             "give numbers from -16 to 16",
         ));
     }
-    scene.lighting.check()?;
-    let view = scene.camera.view()?;
-    let seen: Vec<DVec3> = scene.mesh.positions().iter().map(|&p| view.of_point(p)).collect();
-    let screen = Screen::new(scene, &seen, view, size, shift)?;
-    let lighting = scene.lighting.normalized();
+    let front = Front::new(scene, size, shift)?;
     let mut projection = Projection {
         size,
         triangles: Vec::with_capacity(scene.mesh.triangles().len()),
@@ -90,26 +98,50 @@ pub fn project_sample(scene: &Scene, size: Size, shift: [i32; 2]) -> Result<Proj
         counts: Counts::default(),
     };
     for (polygon, triangle) in (0..).zip(scene.mesh.triangles()) {
-        let lit = light_corners(scene, &lighting, triangle);
-        let corners = [0, 1, 2].map(|i| ViewVertex { at: seen[triangle.positions[i] as usize], rgb: lit[i] });
         projection.counts.polygons += 1;
-        match screen.clip(corners) {
-            Ok(pieces) => projection.submit(polygon, &pieces, &screen),
-            Err(Clipped::Behind) => projection.counts.behind += 1,
-            Err(Clipped::OffScreen) => projection.counts.off_screen += 1,
+        match front.screen.clip(&front.corners(triangle)) {
+            Ok(ring) => projection.submit(polygon, &ring, &front.screen),
+            Err(outside) => projection.counts.leave_out(outside),
         }
     }
     Ok(projection)
 }
 
+/// Projects a scene onto a screen, each face of its mesh as one polygon where [`set_up_polygon`] makes one of it. Few tilted faces
+/// are: snapping their corners takes them out of their plane by more than a unit of depth.
+///
+/// # Errors
+/// As [`project`].
+pub fn project_polygons(scene: &Scene, size: Size) -> Result<Polygons, SceneError> {
+    let front = Front::new(scene, size, [0, 0])?;
+    let mut all = Polygons { size, polygons: Vec::new(), counts: Counts::default() };
+    for (number, face) in (0..).zip(scene.mesh.faces()) {
+        all.counts.polygons += 1;
+        let ends = face.iter().skip(1).map(|triangle| front.corners(triangle)[2]);
+        let corners: Vec<ViewVertex> = front.corners(&face[0]).into_iter().chain(ends).collect();
+        match front.screen.clip(&corners) {
+            Err(outside) => all.counts.leave_out(outside),
+            Ok(ring) => {
+                let vertices: Vec<ScreenVertex> = ring.iter().map(|&v| front.screen.snap(v)).collect();
+                let packets = set_up_polygon(&vertices, size);
+                let is_proper =
+                    (2..vertices.len()).any(|i| signed_area2(&[vertices[0], vertices[i - 1], vertices[i]]) != 0);
+                all.counts.take(packets.len(), is_proper, front.screen.meets(&vertices));
+                all.polygons.extend(packets.into_iter().map(|packet| Polygon { polygon: number, ..packet }));
+            }
+        }
+    }
+    Ok(all)
+}
+
 impl Projection {
     /// Sets up the pieces of one polygon and counts what became of it.
-    fn submit(&mut self, polygon: u32, pieces: &[[ViewVertex; 3]], screen: &Screen) {
+    fn submit(&mut self, polygon: u32, ring: &[ViewVertex], screen: &Screen) {
         let before = self.triangles.len();
-        let (mut proper, mut on_screen) = (false, false);
-        for piece in pieces {
-            let vertices = piece.map(|v| screen.snap(v));
-            proper |= signed_area2(&vertices) != 0;
+        let (mut is_proper, mut on_screen) = (false, false);
+        for i in 2..ring.len() {
+            let vertices = [ring[0], ring[i - 1], ring[i]].map(|v| screen.snap(v));
+            is_proper |= signed_area2(&vertices) != 0;
             on_screen |= screen.meets(&vertices);
             if let Some(mut packet) = set_up(&vertices, self.size) {
                 packet.polygon = polygon;
@@ -117,29 +149,64 @@ impl Projection {
                 self.vertices.push(vertices);
             }
         }
-        let counts = &mut self.counts;
-        let fate = match self.triangles.len() - before {
-            0 if !proper => &mut counts.degenerate,
-            0 if !on_screen => &mut counts.off_screen,
-            0 => &mut counts.between_centres,
+        self.counts.take(self.triangles.len() - before, is_proper, on_screen);
+    }
+}
+
+impl Counts {
+    /// A polygon that has become so many packets.
+    fn take(&mut self, packets: usize, is_proper: bool, on_screen: bool) {
+        let fate = match packets {
+            0 if !is_proper => &mut self.degenerate,
+            0 if !on_screen => &mut self.off_screen,
+            0 => &mut self.between_centres,
             packets => {
-                counts.split += u32::from(packets > 1);
-                &mut counts.drawn
+                self.split += u32::from(packets > 1);
+                &mut self.drawn
             }
         };
         *fate += 1;
     }
+
+    /// A polygon that clipping left nothing of.
+    fn leave_out(&mut self, outside: Clipped) {
+        match outside {
+            Clipped::Behind => self.behind += 1,
+            Clipped::OffScreen => self.off_screen += 1,
+        }
+    }
 }
 
-/// The colours of a triangle's corners, each channel 0 to 1.
-fn light_corners(scene: &Scene, lighting: &Lighting, triangle: &MeshTriangle) -> [DVec3; 3] {
-    let [p, q, r] = triangle.positions.map(|i| scene.mesh.positions()[i as usize]);
-    let face = (q - p).cross(r - p);
-    let diffuse = DVec3::from_array(triangle.diffuse);
-    triangle.normals.map(|i| {
-        let normal = unit_or_z(scene.mesh.normals()[i as usize]);
-        diffuse * lighting.at(facing(normal, face, scene.camera.eye - p))
-    })
+/// What all polygons of a scene go through.
+struct Front<'a> {
+    scene: &'a Scene,
+    lighting: Lighting,
+    /// The positions of the mesh, in view space.
+    seen: Vec<DVec3>,
+    screen: Screen,
+}
+
+impl Front<'_> {
+    fn new(scene: &Scene, size: Size, shift: [i32; 2]) -> Result<Front<'_>, SceneError> {
+        scene.lighting.check()?;
+        let view = scene.camera.view()?;
+        let seen: Vec<DVec3> = scene.mesh.positions().iter().map(|&p| view.of_point(p)).collect();
+        let screen = Screen::new(scene, &seen, view, size, shift)?;
+        Ok(Front { scene, lighting: scene.lighting.normalized(), seen, screen })
+    }
+
+    /// A triangle's corners, each channel of their colours 0 to 1.
+    fn corners(&self, triangle: &MeshTriangle) -> [ViewVertex; 3] {
+        let mesh = &self.scene.mesh;
+        let [p, q, r] = triangle.positions.map(|i| mesh.positions()[i as usize]);
+        let face = (q - p).cross(r - p);
+        let diffuse = DVec3::from_array(triangle.diffuse);
+        [0, 1, 2].map(|i| {
+            let normal = unit_or_z(mesh.normals()[triangle.normals[i] as usize]);
+            let rgb = diffuse * self.lighting.at(facing(normal, face, self.scene.camera.eye - p));
+            ViewVertex { at: self.seen[triangle.positions[i] as usize], rgb }
+        })
+    }
 }
 
 /// The error of a scene of which nothing is in front of the eye, or `None` if something is; what is wrong with the camera itself
@@ -236,8 +303,9 @@ impl Screen {
         })
     }
 
-    /// The pieces of a triangle that are beyond the near plane and, where it leaves the guard band, inside that; at least one.
-    fn clip(&self, corners: [ViewVertex; 3]) -> Result<Vec<[ViewVertex; 3]>, Clipped> {
+    /// The part of a convex polygon that is beyond the near plane and, where it leaves the guard band, inside that: three vertices at
+    /// least.
+    fn clip(&self, corners: &[ViewVertex]) -> Result<Vec<ViewVertex>, Clipped> {
         let planes = [(&self.near_plane, Clipped::Behind)]
             .into_iter()
             .chain(self.guard.iter().map(|plane| (plane, Clipped::OffScreen)));
@@ -250,7 +318,7 @@ impl Screen {
                 return Err(outside);
             }
         }
-        Ok((2..polygon.len()).map(|i| [polygon[0], polygon[i - 1], polygon[i]]).collect())
+        Ok(polygon)
     }
 
     /// A vertex at its 1/16 pixel.
@@ -272,10 +340,10 @@ impl Screen {
     }
 
     /// Whether the box round the vertices meets the screen.
-    fn meets(&self, vertices: &[ScreenVertex; 3]) -> bool {
-        let axis = |positions: [i32; 3], side: u32| {
-            positions.iter().any(|&p| p > 0) && positions.iter().any(|&p| p < side as i32 * SUBPIXELS)
+    fn meets(&self, vertices: &[ScreenVertex]) -> bool {
+        let axis = |position: fn(&ScreenVertex) -> i32, side: u32| {
+            vertices.iter().any(|v| position(v) > 0) && vertices.iter().any(|v| position(v) < side as i32 * SUBPIXELS)
         };
-        axis(vertices.map(|v| v.x), self.size.width()) && axis(vertices.map(|v| v.y), self.size.height())
+        axis(|v| v.x, self.size.width()) && axis(|v| v.y, self.size.height())
     }
 }

@@ -24,16 +24,9 @@ pub fn set_up(vertices: &[ScreenVertex; 3], size: Size) -> Option<Triangle> {
         (v1, v2, area2) = (v2, v1, -area2);
     }
     let bounds = pixel_bounds(vertices, size)?;
-    let plane = Anchor { corners: [v0, v1, v2], area2 };
-    let channel = |i: usize| plane.through([v0, v1, v2].map(|v| i64::from(v.rgb[i])), COLOUR_PLANE_BITS);
-    Some(Triangle {
-        edges: [edge(v0, v1), edge(v1, v2), edge(v2, v0)],
-        z: plane.through([v0, v1, v2].map(|v| i64::from(v.z)), DEPTH_PLANE_BITS),
-        rgb: [channel(0), channel(1), channel(2)],
-        bounds,
-        area2,
-        polygon: 0,
-    })
+    let edges = [edge(v0, v1), edge(v1, v2), edge(v2, v0)];
+    let (z, rgb) = planes([v0, v1, v2], area2);
+    Some(Triangle { edges, z, rgb, bounds, area2, polygon: 0 })
 }
 
 /// Twice the area in 1/256 square pixel; positive if the vertices run clockwise as seen (y points down), 0 if degenerate.
@@ -43,24 +36,24 @@ pub fn signed_area2(v: &[ScreenVertex; 3]) -> i64 {
 }
 
 /// The pixels of the screen whose centres lie between the vertices along both axes, or `None` if there are none.
-pub fn pixel_bounds(v: &[ScreenVertex; 3], size: Size) -> Option<PixelBox> {
-    let (left, right) = centres_between(v.map(|v| v.x), size.width())?;
-    let (top, bottom) = centres_between(v.map(|v| v.y), size.height())?;
+pub fn pixel_bounds(v: &[ScreenVertex], size: Size) -> Option<PixelBox> {
+    let (left, right) = centres_between(v.iter().map(|v| v.x), size.width())?;
+    let (top, bottom) = centres_between(v.iter().map(|v| v.y), size.height())?;
     Some(PixelBox { left, top, right, bottom })
 }
 
 /// First and last pixel of a row of `side` pixels whose centres (16*i + 8) lie between the least and the greatest position.
-fn centres_between(positions: [i32; 3], side: u32) -> Option<(u32, u32)> {
-    let [p, q, r] = positions.map(i64::from);
+fn centres_between(positions: impl Iterator<Item = i32> + Clone, side: u32) -> Option<(u32, u32)> {
+    let (least, greatest) = (positions.clone().min()?, positions.max()?);
     let half = i64::from(SUBPIXELS / 2);
     let sub = i64::from(SUBPIXELS);
-    let first = (p.min(q).min(r) - half + sub - 1).div_euclid(sub).max(0);
-    let last = (p.max(q).max(r) - half).div_euclid(sub).min(i64::from(side) - 1);
+    let first = (i64::from(least) - half + sub - 1).div_euclid(sub).max(0);
+    let last = (i64::from(greatest) - half).div_euclid(sub).min(i64::from(side) - 1);
     (first <= last).then_some((first as u32, last as u32))
 }
 
 /// The reduced edge function from `p` to `q` (DES-EDGE).
-fn edge(p: ScreenVertex, q: ScreenVertex) -> Edge {
+pub(crate) fn edge(p: ScreenVertex, q: ScreenVertex) -> Edge {
     let (dx, dy) = (i64::from(q.x) - i64::from(p.x), i64::from(q.y) - i64::from(p.y));
     let (a, b) = (-dy, dx);
     let c = -(a * i64::from(p.x) + b * i64::from(p.y));
@@ -69,6 +62,14 @@ fn edge(p: ScreenVertex, q: ScreenVertex) -> Edge {
     let reduced = (8 * (a + b) + c - i64::from(!top_left)).div_euclid(i64::from(SUBPIXELS));
     // Vertices in the guard band keep |value| < 2^30 (DES-W), so nothing is cut off here.
     Edge { a: a as i32, b: b as i32, c: reduced as i32 }
+}
+
+/// The planes of depth and of the three channels through a triangle's corners, whose doubled area is positive.
+pub(crate) fn planes(corners: [ScreenVertex; 3], area2: i64) -> (Plane, [Plane; 3]) {
+    let plane = Anchor { corners, area2 };
+    let channel = |i: usize| plane.through(corners.map(|v| i64::from(v.rgb[i])), COLOUR_PLANE_BITS);
+    let z = plane.through(corners.map(|v| i64::from(v.z)), DEPTH_PLANE_BITS);
+    (z, [channel(0), channel(1), channel(2)])
 }
 
 /// What all planes of one triangle share.

@@ -4,7 +4,8 @@ use glam::{DVec3, dvec3};
 use proptest::prelude::*;
 use tilewright_scenes::packet::{FARTHEST_VERTEX, NEAREST_VERTEX};
 use tilewright_scenes::{
-    Camera, Light, Lighting, Mesh, MeshTriangle, Projection, Scene, Size, frame, golden, project, project_sample,
+    Camera, Light, Lighting, Mesh, MeshTriangle, Polygon, Projection, Scene, Size, frame, golden, project,
+    project_polygons, project_sample,
 };
 
 fn mesh(positions: Vec<DVec3>, triangles: &[[u32; 3]]) -> Mesh {
@@ -237,4 +238,50 @@ proptest! {
             golden::render(p.size, &p.triangles, [0; 3]);
         }
     }
+}
+
+/// A square, one that is far wider than the guard band, and one that is bent.
+fn squares() -> Scene {
+    let square = |x: f64, width: f64, bent: f64| {
+        [dvec3(x, -1.0, 0.0), dvec3(x + width, -1.0, 0.0), dvec3(x + width, 1.0, bent), dvec3(x, 1.0, 0.0)]
+    };
+    let corners = [square(-2.0, 1.5, 0.0), square(0.0, 1e6, 0.0), square(-1.0, 1.5, 0.5)];
+    let fan = |first: u32| [[first, first + 1, first + 2], [first, first + 2, first + 3]];
+    let mesh = mesh(corners.as_flattened().to_vec(), &[fan(0), fan(4), fan(8)].concat());
+    scene(mesh.with_faces(vec![2, 2, 2]).unwrap(), 3.0)
+}
+
+#[test]
+fn a_face_is_one_polygon_where_it_is_flat() {
+    let scene = squares();
+    let triangles = scene.project().unwrap();
+    let polygons = project_polygons(&scene, scene.size).unwrap();
+    let edges = polygons.polygons.iter().map(|packet| (packet.polygon, packet.edges.len()));
+    assert_eq!(edges.collect::<Vec<_>>(), [(0, 4), (1, 4), (2, 3), (2, 3)]);
+    let counts = polygons.counts;
+    assert_eq!((counts.polygons, counts.drawn, counts.split), (3, 3, 1));
+    assert_eq!(triangles.counts.split, 1, "the wide one's upper triangle has four corners in the guard band");
+    let of_triangles = golden::render(scene.size, &triangles.triangles, [0; 3]);
+    assert_eq!(golden::render(scene.size, &polygons.polygons, [0; 3]), of_triangles);
+}
+
+/// The depth of a tilted face changes by thousands of units a pixel, so that snapping takes its corners out of their plane.
+#[test]
+fn a_tilted_face_is_a_fan() {
+    let corners =
+        [(-1.0, -1.0), (1.07, -0.93), (0.91, 1.03), (-1.03, 0.97)].map(|(x, y)| dvec3(x, y, 0.1 * x + 0.3 * y));
+    let mesh = mesh(corners.to_vec(), &[[0, 1, 2], [0, 2, 3]]).with_faces(vec![2]).unwrap();
+    let scene = scene(mesh, 3.0);
+    let polygons = project_polygons(&scene, scene.size).unwrap().polygons;
+    let triangles = scene.project().unwrap().triangles;
+    assert!(triangles.into_iter().map(|packet| Polygon { polygon: 0, ..packet.into() }).eq(polygons));
+}
+
+#[test]
+fn triangles_stay_as_they_are_among_polygons() {
+    let scene = Scene::builtin("teapot").unwrap();
+    let triangles = scene.project().unwrap();
+    let polygons = project_polygons(&scene, scene.size).unwrap();
+    assert_eq!(polygons.counts, triangles.counts);
+    assert!(polygons.polygons.into_iter().eq(triangles.triangles.into_iter().map(Polygon::from)));
 }

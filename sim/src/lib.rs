@@ -48,14 +48,14 @@
 //! - **Time.** Every clock is low at time 0, rises at each multiple of its period, the first time after one period, and
 //!   falls half a period later. An *instant* is a time at which one or more clocks rise; [`Simulation::step`] goes to
 //!   the next one.
-//! - **An instant.** All expressions are settled with the inputs of this moment. The assertions of the clocks that rise
-//!   are checked, unless the clock's reset is high; if one fails, the instant does not happen and the error shows the
-//!   values before it. Then the registers, memory reads and memory writes of all those clocks sample at once, and then
+//! - **An instant.** All expressions are settled with the inputs of this moment. The assertions and assumptions of the
+//!   clocks that rise are checked, unless the clock's reset is high; if one fails, the instant does not happen and the error
+//!   shows the values before it. Covers that hold are counted likewise ([`Simulation::covered`]). Then the registers, memory reads and memory writes of all those clocks sample at once, and then
 //!   they all change. Clocks that rise together therefore see each other's values from before.
 //! - **Inputs** change when they are set and hold until they are set again; at time 0 they are zero. Between two instants
 //!   the order of `set` and `get` does not matter to what is stored.
-//! - **The start** is the moment after a reset: registers with a reset value hold it, memories hold their contents.
-//!   Everything else (registers without a reset value, the data of synchronous reads, memories of unknown contents) is
+//! - **The start** is the moment after a reset: registers with a reset value hold it, those with an initial value hold that instead, and memories
+//!   hold their contents. Everything else (registers with neither, the data of synchronous reads, memories of unknown contents) is
 //!   zero, or follows from the seed given to [`Simulation::seeded`] and the object's own hierarchical name.
 //!   [`Simulation::reset`] holds every reset high for an edge of each clock.
 //! - **Memories.** A read gives the word from before the instant. If that word is written at the same instant, by a port
@@ -163,7 +163,8 @@ mod testbench;
 pub use engine::program;
 pub use engine::{Difference, EngineKind, Explained, Pass, Passes, Unsupported, explain};
 pub use testbench::{
-    Batch, Condition, Error, IntoValue, Port, Probe, Recorder, Simulation, UnknownName, Vcd, Violation, Wave,
+    Batch, Condition, Covered, Error, IntoValue, Monitor, Pauses, Port, Probe, Process, Processes, Recorder,
+    Simulation, Testbench, UnknownName, Vcd, Violation, Wave, monitor,
 };
 #[doc(hidden)]
 pub use testbench::{Traced, example, for_examples, traced};

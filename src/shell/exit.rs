@@ -3,7 +3,7 @@
 use super::interrupt;
 use super::text::one_line;
 use std::process::ExitCode;
-use tilewright_rtl::catalog::CatalogError;
+use tilewright_hdl::catalog::CatalogError;
 use tilewright_scenes::SceneError;
 
 /// How a command ended; `tilewright --help` documents the numbers.

@@ -3,9 +3,9 @@
 use crate::property::{BOTH, End, through};
 use crate::stalls::stalls;
 use proptest::prelude::*;
-use tilewright_blocks::DualClockFifo;
+use tilewright_blocks::{DualClockFifo, StreamIn, StreamOut};
 use tilewright_hdl::{Clock, Period};
-use tilewright_sim::Simulation;
+use tilewright_sim::{Port, Simulation};
 
 /// Clocks of the same name have one period in a design, not in all.
 fn fifo(depth: u32, write: u64, read: u64) -> DualClockFifo {
@@ -13,7 +13,7 @@ fn fifo(depth: u32, write: u64, read: u64) -> DualClockFifo {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(24))]
+    #![proptest_config(ProptestConfig { cases: 24, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn nothing_is_lost_between_clocks(
@@ -23,36 +23,72 @@ proptest! {
         words in prop::collection::vec(0u64..256, 0..60),
         stalls in stalls(),
     ) {
-        let mut sim = Simulation::of(&fifo(1 << depth, 2 * write, 2 * read)).unwrap();
+        let mut sim = Simulation::of(&fifo(1 << depth, 2 * write, 2 * read)).unwrap().seeded(stalls.seed);
         sim.reset();
         let ends = ([End::on(sim.i.into, "write")], [End::on(sim.o.out, "read")]);
-        let received = through(&mut sim, (&ends.0, &ends.1), std::slice::from_ref(&words), stalls, BOTH);
+        let received = through(&mut sim, (&ends.0, &ends.1), std::slice::from_ref(&words), &[words.len()], stalls, BOTH);
         prop_assert_eq!(received, vec![words]);
     }
 }
 
-/// How many edges of the reader come after the one of the writer that takes a word, until it is shown.
-fn latency(write: u64, read: u64) -> u64 {
-    let mut sim = Simulation::of(&fifo(4, write, read)).unwrap();
+type Queue = Simulation<StreamIn, StreamOut>;
+
+fn queue(write: u64, read: u64) -> Queue {
+    let mut sim = Simulation::of(&fifo(4, write, read)).unwrap().seeded(7);
     sim.reset();
     sim.step_clock("write", 1);
-    let taken = sim.cycles("write").unwrap();
-    sim.set(sim.i.into.valid, 1);
-    while sim.cycles("write").unwrap() == taken {
+    sim
+}
+
+/// Sets a port for one edge of a clock.
+fn pulse(sim: &mut Queue, port: Port, clock: &str) {
+    let before = sim.cycles(clock).unwrap();
+    sim.set(port, 1);
+    while sim.cycles(clock).unwrap() == before {
         sim.step();
     }
-    sim.set(sim.i.into.valid, 0);
-    let start = sim.cycles("read").unwrap();
-    while sim.get_u64(sim.o.out.valid) == 0 {
+    sim.set(port, 0);
+}
+
+/// How many edges of a clock come until a port is high.
+fn edges_until(sim: &mut Queue, port: Port, clock: &str) -> u64 {
+    let start = sim.cycles(clock).unwrap();
+    while sim.get_u64(port) == 0 {
         sim.step();
+        assert!(sim.cycles(clock).unwrap() < start + 9, "the queue does not go on");
     }
-    sim.cycles("read").unwrap() - start
+    sim.cycles(clock).unwrap() - start
+}
+
+const PERIODS: [(u64, u64); 5] = [(4000, 4000), (4000, 9002), (9002, 4000), (1000, 7002), (7002, 1000)];
+
+/// Each after the one that takes it, twice around the queue.
+#[test]
+fn a_word_is_shown_after_three_edges_of_the_reader() {
+    for (write, read) in PERIODS {
+        let mut sim = queue(write, read);
+        for word in 0..9 {
+            let (valid, shown, ready) = (sim.i.into.valid, sim.o.out.valid, sim.o.out.ready);
+            pulse(&mut sim, valid, "write");
+            assert_eq!(edges_until(&mut sim, shown, "read"), 3, "word {word}, periods of {write} and {read} ps");
+            pulse(&mut sim, ready, "read");
+        }
+    }
 }
 
 #[test]
-fn a_word_is_shown_after_three_edges_of_the_reader() {
-    for (write, read) in [(4000, 4000), (4000, 9002), (9002, 4000), (1000, 7002), (7002, 1000)] {
-        assert_eq!(latency(write, read), 3, "periods of {write} and {read} ps");
+fn a_full_queue_takes_a_word_after_two_edges_of_the_writer() {
+    for (write, read) in PERIODS {
+        let mut sim = queue(write, read);
+        let (valid, free, shown, ready) = (sim.i.into.valid, sim.i.into.ready, sim.o.out.valid, sim.o.out.ready);
+        (0..4).for_each(|_| pulse(&mut sim, valid, "write"));
+        for word in 0..9 {
+            assert_eq!(sim.get_u64(free), 0, "word {word}, periods of {write} and {read} ps");
+            edges_until(&mut sim, shown, "read");
+            pulse(&mut sim, ready, "read");
+            assert_eq!(edges_until(&mut sim, free, "write"), 2, "word {word}, periods of {write} and {read} ps");
+            pulse(&mut sim, valid, "write");
+        }
     }
 }
 

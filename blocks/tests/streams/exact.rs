@@ -2,6 +2,7 @@
 
 use crate::clocks::play;
 use tilewright_blocks::*;
+use tilewright_hdl::Block;
 use tilewright_sim::Simulation;
 
 #[test]
@@ -114,9 +115,36 @@ fn narrower_and_wider_words() {
     );
 }
 
+/// After words have gone in, and some out, by a reset.
+fn empties<B: Block<In = StreamIn, Out = StreamOut>>(block: &B) {
+    let mut sim = Simulation::of(block).unwrap();
+    sim.set(sim.i.into.valid, 1);
+    for ready in [0, 1, 1, 0, 0, 0] {
+        sim.set(sim.o.out.ready, ready);
+        sim.step();
+    }
+    sim.reset();
+    sim.set(sim.i.into.valid, 0);
+    for clock in 0..4 {
+        let seen = (sim.get_u64(sim.i.into.ready), sim.get_u64(sim.o.out.valid));
+        assert_eq!(seen, (1, 0), "clock {clock} of {block:?}");
+        sim.step();
+    }
+}
+
+#[test]
+fn a_reset_empties_slices_and_queues() {
+    for cuts in [Slice::Forward, Slice::Backward, Slice::Both] {
+        empties(&RegisterSlice { width: 8, cuts });
+    }
+    for storage in [Storage::Registers, Storage::BlockRam] {
+        (1..5).for_each(|depth| empties(&Fifo::new(depth, 8, storage)));
+    }
+}
+
 /// In each clock: who has a word, whether the receiver is ready, who is taken.
 fn arbiter(turns: Turns, rows: &[([u64; 3], u64, Option<u64>)]) {
-    let mut sim = Simulation::of(&Arbiter::new(3, 8, turns)).unwrap();
+    let mut sim = Simulation::of(&Arbiter::new(3, 8, turns)).unwrap().seeded(7);
     sim.reset();
     let mut seen = Vec::new();
     for &(valid, ready, _) in rows {
@@ -172,24 +200,26 @@ fn priority() {
 
 #[test]
 fn a_fork() {
-    let mut sim = Simulation::of(&Fork::new(2, 8)).unwrap();
+    let mut sim = Simulation::of(&Fork::new(3, 8)).unwrap().seeded(7);
     sim.reset();
     // The sender's word, the receivers' `ready`; the block's `ready`, what the receivers see.
     let rows = [
-        (1, [1, 1], 1, [1, 1]),
-        (1, [1, 0], 0, [1, 1]),
-        (1, [1, 0], 0, [0, 1]), // the first has it already
-        (1, [1, 1], 1, [0, 1]),
-        (1, [0, 0], 0, [1, 1]),
-        (1, [1, 1], 1, [1, 1]),
-        (0, [1, 1], 1, [0, 0]),
+        (1, [1, 1, 1], 1, [1, 1, 1]),
+        (1, [1, 0, 0], 0, [1, 1, 1]),
+        (1, [0, 1, 0], 0, [0, 1, 1]), // the first has it already
+        (1, [0, 0, 1], 1, [0, 0, 1]),
+        (1, [0, 0, 0], 0, [1, 1, 1]),
+        (1, [0, 0, 1], 0, [1, 1, 1]),
+        (1, [1, 1, 0], 1, [1, 1, 0]),
+        (1, [1, 1, 1], 1, [1, 1, 1]),
+        (0, [1, 1, 1], 1, [0, 0, 0]),
     ];
     for (clock, (valid, ready, taken, shown)) in rows.into_iter().enumerate() {
         sim.set(sim.i.into.valid, valid);
         for (receiver, ready) in ready.into_iter().enumerate() {
             sim.set(sim.o.out[receiver].ready, ready);
         }
-        let seen = [0, 1].map(|receiver| sim.get_u64(sim.o.out[receiver].valid));
+        let seen = [0, 1, 2].map(|receiver| sim.get_u64(sim.o.out[receiver].valid));
         assert_eq!((sim.get_u64(sim.i.into.ready), seen), (taken, shown), "clock {clock}");
         sim.step();
     }

@@ -5,5 +5,7 @@ mod crossing;
 mod exact;
 mod property;
 mod property_tests;
+mod quadtree;
 mod records;
+mod stack;
 mod stalls;

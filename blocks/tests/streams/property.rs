@@ -2,7 +2,7 @@
 //! a `ready`, and what the page of the block says is cut is cut. What went through is given back, to be compared with what should have.
 
 use tilewright_hdl::{Bundle, Stream};
-use tilewright_sim::{Port, Simulation};
+use tilewright_sim::{Pauses, Port, Simulation, Testbench, monitor};
 
 /// A stream of the block, and its clock if the block has several.
 #[derive(Clone, Copy)]
@@ -43,133 +43,63 @@ pub const FORWARD: Cuts = Cuts { forward: true, backward: false };
 pub const BACKWARD: Cuts = Cuts { forward: false, backward: true };
 pub const BOTH: Cuts = Cuts { forward: true, backward: true };
 
-/// Draws numbers (xorshift).
-struct Chance(u64);
-
-impl Chance {
-    fn percent(&mut self, percent: u64) -> bool {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        self.0 % 100 < percent
-    }
-}
-
-/// What a sender does in a clock.
-#[derive(Clone, Copy)]
-struct Sender {
-    /// How many of its words were taken.
-    taken: usize,
-    shows: bool,
-}
-
-/// Sends each sender's words through the block, which has been reset, and gives what each receiver took.
+/// Sends each sender's words through the block, which has been reset, and gives what each receiver took: so many words as `counts` says,
+/// after which no more may come.
 ///
 /// # Panics
 ///
 /// The block does what no stream may, or is stuck.
-#[track_caller]
 pub fn through<I: Bundle, O: Bundle>(
     sim: &mut Simulation<I, O>,
     (into, out): (&[End], &[End]),
     words: &[Vec<u64>],
+    counts: &[usize],
     stalls: Stalls,
     cuts: Cuts,
 ) -> Vec<Vec<u64>> {
-    let mut chance = Chance(stalls.seed | 1);
-    let mut senders = vec![Sender { taken: 0, shows: false }; into.len()];
-    let mut ready = vec![false; out.len()];
-    let mut shown: Vec<Option<u64>> = vec![None; out.len()];
-    let mut received = vec![Vec::new(); out.len()];
-    let mut ticked = vec![true; into.len() + out.len()];
-    let count: usize = words.iter().map(Vec::len).sum();
-    let (mut idle, mut instants) = (0, 0);
-    while idle < 60 {
-        instants += 1;
-        assert!(instants < 4_000 + 400 * count, "it is stuck: {received:?} of {words:?}");
+    let t = sim.testbench();
+    t.limit(4_000 + 400 * words.iter().map(Vec::len).sum::<usize>() as u64);
+    let of = |end: &End| end.clock.map_or(t.clone(), |clock| t.on(clock));
+    let (from, to): (Vec<_>, Vec<_>) = (into.iter().map(of).collect(), out.iter().map(of).collect());
+    let mut seeds = stalls.seed..;
+    let mut pauses = |percent| Pauses::percent(percent, seeds.next().expect("endless"));
 
-        // What both sides do changes after an edge of their clock.
-        for (k, sender) in senders.iter_mut().enumerate().filter(|(k, _)| ticked[*k]) {
-            sender.shows |= sender.taken < words[k].len() && !chance.percent(stalls.senders);
-            drive(sim, into[k], sender.shows, words[k].get(sender.taken).copied());
+    let senders = from.iter().zip(into).zip(words);
+    let senders = senders.map(|((t, end), words)| t.send_all(end.stream, words.clone(), pauses(stalls.senders)));
+    let senders = t.all(senders.collect::<Vec<_>>());
+    let receivers = to.iter().zip(out).zip(counts).map(|((t, end), &count)| {
+        let pauses = pauses(stalls.receivers);
+        async move {
+            let words = t.receive_all(end.stream, count, pauses).await;
+            t.expect_silence(end.stream, 60).await;
+            words
         }
-        for (k, ready) in ready.iter_mut().enumerate().filter(|(k, _)| ticked[into.len() + *k]) {
-            *ready = !chance.percent(stalls.receivers);
-            sim.set(out[k].stream.ready, *ready);
-        }
-
-        let now: Vec<Option<u64>> = out.iter().map(|end| shows(sim, end)).collect();
-        for (k, (before, now)) in shown.iter().zip(&now).enumerate() {
-            assert!(before.is_none() || before == now, "output {k} takes back {before:?} and shows {now:?}");
-        }
-        check_paths(sim, (into, out), (&senders, &ready), words, &now, cuts);
-
-        let taken: Vec<bool> = into.iter().map(|end| sim.get_u64(end.stream.ready) == 1).collect();
-        let before = ticks(sim, into, out);
-        sim.step();
-        ticked = ticks(sim, into, out).iter().zip(before).map(|(now, before)| *now != before).collect();
-        for (k, sender) in senders.iter_mut().enumerate().filter(|(k, _)| ticked[*k]) {
-            if sender.shows && taken[k] {
-                *sender = Sender { taken: sender.taken + 1, shows: false };
-            }
-        }
-        for (k, word) in now.iter().enumerate() {
-            let goes = ticked[into.len() + k] && ready[k];
-            shown[k] = word.filter(|_| !goes);
-            received[k].extend(word.filter(|_| goes));
-        }
-        let all_sent = senders.iter().zip(words).all(|(sender, words)| sender.taken == words.len());
-        idle = if all_sent && now.iter().all(Option::is_none) { idle + 1 } else { 0 };
-    }
-    received
+    });
+    let receivers = t.all(receivers.collect::<Vec<_>>());
+    let holds = t.all(to.iter().zip(out).map(|(t, end)| t.holds(end.stream)));
+    t.run((senders, receivers, monitor(holds), monitor(has_no_path(&t, into, out, cuts)))).1
 }
 
-fn drive<I: Bundle, O: Bundle>(sim: &mut Simulation<I, O>, end: End, valid: bool, word: Option<u64>) {
-    sim.set(end.stream.valid, valid);
-    sim.set(end.stream.payload, if valid { word.unwrap_or(0) } else { 0 });
-}
-
-/// The word that goes out there, if one does.
-fn shows<I: Bundle, O: Bundle>(sim: &mut Simulation<I, O>, end: &End) -> Option<u64> {
-    (sim.get_u64(end.stream.valid) == 1).then(|| sim.get_u64(end.stream.payload))
-}
-
-/// How often the clock of each end has risen.
-fn ticks<I: Bundle, O: Bundle>(sim: &Simulation<I, O>, into: &[End], out: &[End]) -> Vec<u64> {
-    let ends = into.iter().chain(out);
-    ends.map(|end| end.clock.map_or(sim.time(), |clock| sim.cycles(clock).unwrap())).collect()
-}
-
-/// Turns each input over, within the clock, and looks at what must not follow.
-#[track_caller]
-fn check_paths<I: Bundle, O: Bundle>(
-    sim: &mut Simulation<I, O>,
-    (into, out): (&[End], &[End]),
-    (senders, ready): (&[Sender], &[bool]),
-    words: &[Vec<u64>],
-    now: &[Option<u64>],
-    cuts: Cuts,
-) {
-    let answers: Vec<u64> = into.iter().map(|end| sim.get_u64(end.stream.ready)).collect();
-    for (k, end) in out.iter().enumerate() {
-        sim.set(end.stream.ready, !ready[k]);
-        for (other, word) in out.iter().zip(now) {
-            assert_eq!(shows(sim, other), *word, "what goes out waits for `ready` of output {k}");
+/// Watches at every instant what would follow if an input were turned over, and must not.
+async fn has_no_path(t: &Testbench<'_>, into: &[End], out: &[End], cuts: Cuts) {
+    let shown = || out.iter().map(|end| t.shown(&end.stream)).collect::<Vec<_>>();
+    let accepted = || into.iter().map(|end| t.get_u64(end.stream.ready)).collect::<Vec<_>>();
+    loop {
+        t.step().await;
+        let (shows, accepts) = (shown(), accepted());
+        for (k, End { stream, .. }) in out.iter().enumerate() {
+            t.suppose(stream.ready, 1 - t.get_u64(stream.ready), || {
+                assert_eq!(shown(), shows, "what goes out waits for `ready` of output {k}");
+                if cuts.backward {
+                    assert_eq!(accepted(), accepts, "a path from `ready` of output {k} to that of an input");
+                }
+            });
         }
-        for (sender, answer) in into.iter().zip(&answers).filter(|_| cuts.backward) {
-            assert_eq!(
-                sim.get_u64(sender.stream.ready),
-                *answer,
-                "a path from `ready` of output {k} to that of an input"
-            );
+        for (k, End { stream, .. }) in into.iter().enumerate().filter(|_| cuts.forward) {
+            let other = 1 - t.get_u64(stream.valid);
+            t.suppose(stream.valid, other, || {
+                t.suppose(stream.payload, 1, || assert_eq!(shown(), shows, "a path from input {k} to an output"));
+            });
         }
-        sim.set(end.stream.ready, ready[k]);
-    }
-    for (k, end) in into.iter().enumerate().filter(|_| cuts.forward) {
-        drive(sim, *end, !senders[k].shows, Some(1));
-        for (other, word) in out.iter().zip(now) {
-            assert_eq!(shows(sim, other), *word, "a path from input {k} to an output");
-        }
-        drive(sim, *end, senders[k].shows, words[k].get(senders[k].taken).copied());
     }
 }

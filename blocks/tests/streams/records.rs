@@ -2,7 +2,7 @@
 
 use tilewright_blocks::*;
 use tilewright_hdl::*;
-use tilewright_sim::Simulation;
+use tilewright_sim::{Pauses, Simulation};
 
 codes! { enum Shade { Flat, Gouraud, Phong } }
 
@@ -40,25 +40,15 @@ impl Block for Spans {
 fn records_go_through() {
     let mut sim = Simulation::of(&Spans).unwrap();
     sim.reset();
-    for ready in [sim.o.moved.ready, sim.o.steps.ready, sim.o.ends.ready] {
-        sim.set(ready, 1);
-    }
-    let (mut moved, mut steps, mut ends) = (Vec::new(), Vec::new(), 0);
-    for clock in 0..12i64 {
-        sim.set(sim.i.spans.valid, clock < 5);
-        sim.set(sim.i.spans.x, clock);
-        sim.set(sim.i.spans.step, -clock - 1);
-        sim.set(sim.i.spans.shade, clock % 2);
-        if sim.get_u64(sim.o.moved.valid) == 1 {
-            moved.push((sim.get_u64(sim.o.moved.x), sim.get_u64(sim.o.moved.shade)));
-        }
-        if sim.get_u64(sim.o.steps.valid) == 1 {
-            steps.push(sim.get_u64(sim.o.steps.payload));
-        }
-        ends += sim.get_u64(sim.o.ends.valid);
-        sim.step();
-    }
-    assert_eq!(moved, [(255, 0), (255, 1), (255, 0), (255, 1), (255, 0)]);
-    assert_eq!(steps, [255, 254, 253, 252, 251]);
-    assert_eq!(ends, 5);
+    let (spans, moved, steps, ends) = (sim.i.spans, sim.o.moved, sim.o.steps, sim.o.ends);
+    let t = sim.testbench();
+    // A number with a sign goes in and out as its 8 bits.
+    let span = |x: u64| Span { x, step: 255 - x, shade: x % 2 };
+    let ((), (), (), ends) = t.run((
+        t.send_all(spans, (0..5).map(span), Pauses::percent(20, 1)),
+        t.expect_all(moved, (0..5).map(|x| Span { x: 255, ..span(x) }), Pauses::percent(40, 2)),
+        t.expect_all(steps, [255, 254, 253, 252, 251], Pauses::percent(60, 3)),
+        t.receive_all(ends, 5, Pauses::NONE),
+    ));
+    assert_eq!(ends, [(); 5]);
 }

@@ -3,7 +3,7 @@
 use crate::property::{BACKWARD, BOTH, Cuts, End, FORWARD, NONE, Stalls, through};
 use proptest::prelude::*;
 use tilewright_blocks::*;
-use tilewright_hdl::{Block, Bundle, Module, Stream, Width, bundle, cat, stream};
+use tilewright_hdl::{Block, Bundle, Module, Stream, Width, bits, block, bundle, cat, stream};
 use tilewright_sim::{Port, Simulation};
 
 pub fn stalls() -> impl Strategy<Value = Stalls> {
@@ -20,20 +20,27 @@ fn result<B: Block>(
     block: &B,
     into: impl Fn(&<B::In as Bundle>::Of<Port>) -> Vec<Stream<Port, Port>>,
     out: impl Fn(&<B::Out as Bundle>::Of<Port>) -> Vec<Stream<Port, Port>>,
-    words: &[Vec<u64>],
+    (words, counts): (&[Vec<u64>], &[usize]),
     stalls: Stalls,
     cuts: Cuts,
 ) -> Vec<Vec<u64>> {
-    let mut sim = Simulation::of(block).unwrap();
+    // Registers without a reset, and memories, start with any value.
+    let mut sim = Simulation::of(block).unwrap().seeded(stalls.seed);
     sim.reset();
     let ends = |streams: Vec<Stream<Port, Port>>| streams.into_iter().map(End::of).collect::<Vec<_>>();
     let (into, out) = (ends(into(&sim.i)), ends(out(&sim.o)));
-    through(&mut sim, (&into, &out), words, stalls, cuts)
+    through(&mut sim, (&into, &out), words, counts, stalls, cuts)
 }
 
-/// What a block of one stream in and one out makes of the words.
-fn passed<B: Block<In = StreamIn, Out = StreamOut>>(block: &B, words: &[u64], stalls: Stalls, cuts: Cuts) -> Vec<u64> {
-    result(block, |i| vec![i.into], |o| vec![o.out], &[words.to_vec()], stalls, cuts).remove(0)
+/// What a block of one stream in and one out makes of the words, of which so many come out.
+fn passed<B: Block<In = StreamIn, Out = StreamOut>>(
+    block: &B,
+    words: &[u64],
+    count: usize,
+    stalls: Stalls,
+    cuts: Cuts,
+) -> Vec<u64> {
+    result(block, |i| vec![i.into], |o| vec![o.out], (&[words.to_vec()], &[count]), stalls, cuts).remove(0)
 }
 
 bundle! {
@@ -59,26 +66,85 @@ impl Block for Join {
     }
 }
 
+block! {
+    /// Words by their lowest two bits, which are not 3.
+    struct Split;
+    in = StreamIn { into: stream(bits(8)) };
+    out = ForkOut { out: vec![stream(bits(8)); 3] };
+}
+
+impl Split {
+    fn build(&self, m: Module, i: StreamIn) -> ForkOut {
+        let words = m.slice("u_slice", Slice::Forward, i.into);
+        ForkOut { out: m.split_by::<_, 3>(words, |word| word.trunc(2)).into() }
+    }
+}
+
+#[test]
+#[should_panic(expected = "a word goes to one of 3 receivers")]
+fn a_word_to_nobody() {
+    result(
+        &Split,
+        |i| vec![i.into],
+        |o| o.out.clone(),
+        (&[vec![3]], &[0; 3]),
+        Stalls { senders: 0, receivers: 0, seed: 1 },
+        NONE,
+    );
+}
+
+/// Stages, each of which adds its number.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+struct Stages(u32);
+
+impl Block for Stages {
+    type In = StreamIn;
+    type Out = StreamOut;
+
+    fn inputs(&self) -> StreamIn<Width> {
+        StreamIn { into: stream(8) }
+    }
+
+    fn build(&self, m: Module, i: StreamIn) -> StreamOut {
+        StreamOut { out: m.stream_stages(self.0, i.into, |stage, word| word + stage) }
+    }
+}
+
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(24))]
+    #![proptest_config(ProptestConfig { cases: 24, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn queues(depth in 1u32..10, block_ram: bool, words in words(256), stalls in stalls()) {
         let storage = if block_ram { Storage::BlockRam } else { Storage::Registers };
-        prop_assert_eq!(passed(&Fifo::new(depth, 8, storage), &words, stalls, BOTH), words);
+        prop_assert_eq!(passed(&Fifo::new(depth, 8, storage), &words, words.len(), stalls, BOTH), words);
     }
 
     #[test]
     fn register_slices(kind in 0usize..3, words in words(256), stalls in stalls()) {
         let (cuts, paths) = [(Slice::Forward, FORWARD), (Slice::Backward, BACKWARD), (Slice::Both, BOTH)][kind];
-        prop_assert_eq!(passed(&RegisterSlice { width: 8, cuts }, &words, stalls, paths), words);
+        prop_assert_eq!(passed(&RegisterSlice { width: 8, cuts }, &words, words.len(), stalls, paths), words);
+    }
+
+    #[test]
+    fn stages_of_streams(count in 1u32..6, words in words(200), stalls in stalls()) {
+        let expected: Vec<u64> = words.iter().map(|word| word + u64::from(count * (count + 1) / 2)).collect();
+        prop_assert_eq!(passed(&Stages(count), &words, words.len(), stalls, FORWARD), expected);
     }
 
     #[test]
     fn forks(receivers in 1u32..5, words in words(256), stalls in stalls()) {
         let fork = Fork::new(receivers, 8);
-        let received = result(&fork, |i| vec![i.into], |o| o.out.clone(), std::slice::from_ref(&words), stalls, NONE);
+        let received = result(&fork, |i| vec![i.into], |o| o.out.clone(), (std::slice::from_ref(&words), &vec![words.len(); receivers as usize]), stalls, NONE);
         prop_assert_eq!(received, vec![words; receivers as usize]);
+    }
+
+    #[test]
+    fn splits(words in words(256), stalls in stalls()) {
+        let words: Vec<u64> = words.into_iter().filter(|word| word % 4 != 3).collect();
+        let expected = [0, 1, 2].map(|number| words.iter().copied().filter(|word| word % 4 == number).collect::<Vec<_>>());
+        let counts = expected.each_ref().map(Vec::len);
+        let received = result(&Split, |i| vec![i.into], |o| o.out.clone(), (&[words], &counts), stalls, NONE);
+        prop_assert_eq!(received, expected);
     }
 
     #[test]
@@ -86,7 +152,7 @@ proptest! {
         let count = left.len().min(right.len());
         let sent = [left[..count].to_vec(), right[..count].to_vec()];
         let pairs: Vec<u64> = left.iter().zip(&right).map(|(left, right)| left << 8 | right).collect();
-        let received = result(&Join, |i| vec![i.left, i.right], |o| vec![o.out], &sent, stalls, NONE);
+        let received = result(&Join, |i| vec![i.left, i.right], |o| vec![o.out], (&sent, &[count]), stalls, NONE);
         prop_assert_eq!(received, vec![pairs]);
     }
 
@@ -96,8 +162,9 @@ proptest! {
         // A word says who sends it.
         let from = |sender: usize, words: &Vec<u64>| words.iter().map(|word| (sender as u64) << 8 | word).collect();
         let sent: Vec<Vec<u64>> = sent.iter().enumerate().map(|(sender, words)| from(sender, words)).collect();
+        let count = sent.iter().map(Vec::len).sum();
         let arbiter = Arbiter::new(sent.len() as u32, 11, turns);
-        let received = result(&arbiter, |i| i.into.clone(), |o| vec![o.out], &sent, stalls, NONE).remove(0);
+        let received = result(&arbiter, |i| i.into.clone(), |o| vec![o.out], (&sent, &[count]), stalls, NONE).remove(0);
         let of = |sender: u64| received.iter().copied().filter(|word| word >> 8 == sender).collect::<Vec<_>>();
         prop_assert_eq!((0..sent.len() as u64).map(of).collect::<Vec<_>>(), sent);
     }
@@ -109,13 +176,13 @@ proptest! {
         let repeated = |word: u64| (0..parts).map(|place| word << (6 * place + 3)).sum::<u64>();
         let sent: Vec<u64> = words.iter().map(|word| all | repeated(*word)).collect();
         let expected: Vec<u64> = words.iter().flat_map(|word| (0..parts).map(move |place| word << 3 | u64::from(place))).collect();
-        prop_assert_eq!(passed(&Narrow::new(parts, 6), &sent, stalls, NONE), expected);
+        prop_assert_eq!(passed(&Narrow::new(parts, 6), &sent, expected.len(), stalls, NONE), expected);
     }
 
     #[test]
     fn wider_words(parts in 1u32..6, words in words(256), stalls in stalls()) {
         let whole = words.chunks_exact(parts as usize);
         let expected: Vec<u64> = whole.map(|parts| parts.iter().rev().fold(0, |word, part| word << 8 | part)).collect();
-        prop_assert_eq!(passed(&Widen::new(parts, 8), &words, stalls, FORWARD), expected);
+        prop_assert_eq!(passed(&Widen::new(parts, 8), &words, expected.len(), stalls, FORWARD), expected);
     }
 }

@@ -38,7 +38,7 @@ pub fn adopt_names(module: &mut Module) {
     for instance in &mut module.instances {
         instance.inputs.iter_mut().chain(&mut instance.outputs).for_each(|id| *id = to(*id));
     }
-    module.asserts.iter_mut().for_each(|assert| assert.condition = to(assert.condition));
+    module.properties.iter_mut().for_each(|property| property.condition = to(property.condition));
     for port in 0..module.outputs.len() {
         let driver = to(module.outputs[port].node);
         module.outputs[port].node = driver;

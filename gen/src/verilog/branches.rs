@@ -4,9 +4,11 @@ use super::literal::{Style, literal};
 use super::plan::Form;
 use super::printer::Printer;
 use super::statement::Statement;
+use tilewright_hdl::Bits;
 use tilewright_hdl::ir::{NodeId, Op, Unary};
 
 /// What statements assign to.
+#[derive(Clone)]
 pub struct Target {
     /// Its name.
     pub name: String,
@@ -16,15 +18,17 @@ pub struct Target {
     pub hold: Option<NodeId>,
     /// The states that it takes.
     pub states: Option<usize>,
+    /// In an arm of a `case` of its own value, that value: assigned, it is kept.
+    pub now: Option<Bits>,
 }
 
 impl Printer<'_> {
     /// The statements that give `target` the value of a node; none where a register keeps its value.
     pub fn statements(&mut self, id: NodeId, target: &Target) -> Vec<Statement> {
         match &self.module.node(id).op {
-            _ if target.hold == Some(id) => Vec::new(),
+            _ if self.keeps(target, id) => Vec::new(),
             Op::Case { .. } if self.is_choice(id) => vec![self.case(id, target)],
-            Op::Mux { .. } | Op::Select { .. } if self.is_choice(id) => vec![self.if_chain(id, target)],
+            Op::Mux { .. } | Op::Select { .. } if self.is_choice(id) => self.if_chain(id, target).into_iter().collect(),
             _ => self.leaf(id, target),
         }
     }
@@ -40,17 +44,24 @@ impl Printer<'_> {
     /// As [`Self::branch`], with the assignment spelled where a register keeps its value.
     fn full_branch(&mut self, id: NodeId, target: &Target) -> Vec<Statement> {
         match self.branch(id, target) {
-            body if body.is_empty() => vec![target.keep()],
-            body => body,
+            body if !body.is_empty() => body,
+            _ if target.hold == Some(id) => vec![target.keep()],
+            _ => self.leaf(id, &Target { now: None, ..target.clone() }),
         }
     }
 
     fn leaf(&mut self, id: NodeId, target: &Target) -> Vec<Statement> {
-        if target.hold == Some(id) {
+        if self.keeps(target, id) {
             return Vec::new();
         }
         let value = self.state_text(id, target.states).unwrap_or_else(|| self.value(id));
         vec![Statement::Assign(format!("{} {} {value};", target.name, target.assign))]
+    }
+
+    /// Whether `target` keeps its value where it is given that of a node.
+    fn keeps(&self, target: &Target, id: NodeId) -> bool {
+        target.hold == Some(id)
+            || matches!(&self.module.node(id).op, Op::Const(value) if target.now.as_ref() == Some(value))
     }
 
     fn is_choice(&self, id: NodeId) -> bool {
@@ -60,6 +71,7 @@ impl Printer<'_> {
     fn case(&mut self, id: NodeId, target: &Target) -> Statement {
         let Op::Case { subject, arms, default } = &self.module.node(id).op else { unreachable!("a case") };
         let states = self.states.of(*subject);
+        let is_own = target.hold == Some(*subject);
         let subject = self.value(*subject);
         let mut printed = Vec::with_capacity(arms.len());
         for (key, value) in arms {
@@ -67,30 +79,37 @@ impl Printer<'_> {
                 Some(states) => self.states.name(states, key),
                 None => literal(key, Style::Count),
             };
-            printed.push((label, self.full_branch(*value, target)));
+            let target = &Target { now: is_own.then(|| key.clone()), ..target.clone() };
+            printed.push((label, self.branch(*value, target)));
         }
         let note = states.and_then(|states| self.states.remaining(states, arms.iter().map(|(key, _)| key)));
-        Statement::Case { subject, arms: printed, default: self.full_branch(*default, target), note }
+        Statement::Case { subject, arms: printed, default: self.branch(*default, target), note }
     }
 
-    fn if_chain(&mut self, id: NodeId, target: &Target) -> Statement {
+    /// None where the target keeps its value in any case.
+    fn if_chain(&mut self, id: NodeId, target: &Target) -> Option<Statement> {
         let (mut arms, last) = self.chain(id);
-        let holds = |id: NodeId| target.hold == Some(id);
+        let this = &*self;
+        let holds = |id: NodeId| this.keeps(target, id);
         while holds(last) && arms.last().is_some_and(|&(_, value)| holds(value)) {
             arms.pop();
         }
-        if let [(condition, value)] = arms[..]
-            && holds(value)
+        if arms.is_empty() && holds(last) {
+            return None;
+        }
+        let is_kept = matches!(arms[..], [(_, value)] if holds(value));
+        if let [(condition, _)] = arms[..]
+            && is_kept
         {
             let condition = self.negated(condition);
-            return Statement::If(vec![(condition, self.branch(last, target))], Vec::new());
+            return Some(Statement::If(vec![(condition, self.branch(last, target))], Vec::new()));
         }
         let mut printed = Vec::with_capacity(arms.len());
         for (condition, value) in arms {
             let condition = self.value(condition);
             printed.push((condition, self.full_branch(value, target)));
         }
-        Statement::If(printed, self.branch(last, target))
+        Some(Statement::If(printed, self.branch(last, target)))
     }
 
     /// A condition that holds where the given one does not.

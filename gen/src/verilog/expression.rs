@@ -71,9 +71,8 @@ impl Printer<'_> {
         }
     }
 
-    /// The expression of an operand, in parentheses if it is an operator.
-    pub fn operand(&mut self, id: NodeId, style: Style) -> String {
-        let mut inner = id;
+    /// The node whose operator is printed where `id` is.
+    fn printed(&self, mut inner: NodeId) -> NodeId {
         while let (
             Form::Inline,
             Op::Wire(to)
@@ -85,6 +84,12 @@ impl Printer<'_> {
         {
             inner = *to;
         }
+        inner
+    }
+
+    /// The expression of an operand, in parentheses if it is an operator.
+    pub fn operand(&mut self, id: NodeId, style: Style) -> String {
+        let inner = self.printed(id);
         let text = self.value_as(id, style);
         let operator = match &self.module.node(inner).op {
             Op::Unary(unary, _) => *unary != Unary::Not,
@@ -118,7 +123,14 @@ impl Printer<'_> {
             Binary::MulSigned => return format!("$signed({}) * $signed({})", self.value(a), self.value(b)),
         };
         let style = if matches!(binary, Binary::Add | Binary::Sub) { Style::Count } else { Style::Pattern };
-        format!("{} {operator} {}", self.operand(a, style), self.operand(b, style))
+        // `a | b | c` is read from the left.
+        let left = self.printed(a);
+        let is_same = matches!(self.module.node(left).op, Op::Binary(left, ..) if left == binary);
+        let left = match is_same && self.plan.form(left) == Form::Inline {
+            true => self.value_as(a, style),
+            false => self.operand(a, style),
+        };
+        format!("{left} {operator} {}", self.operand(b, style))
     }
 
     /// A factor of an unsigned product, at the product's width.

@@ -13,7 +13,7 @@ use super::printer::Printer;
 use super::scope::LANE;
 use super::statement::lines;
 use std::collections::BTreeSet;
-use tilewright_hdl::ir::{Affine, InstanceId, MemoryId, NodeId, Op, Shape};
+use tilewright_hdl::ir::{Affine, InstanceId, MemoryId, Node, NodeId, Op, Shape};
 use tilewright_hdl::{Bits, Loc};
 
 impl Printer<'_> {
@@ -92,25 +92,41 @@ impl Printer<'_> {
         self.lanes.genvars[depth].clone()
     }
 
-    /// The tables of a group's constants.
+    /// The tables of a group's constants, and the ports that it takes side by side.
     fn tables(&mut self, group: usize) -> Vec<String> {
         let mut out = Vec::new();
         for id in self.groups.groups[group].nets.clone() {
             let (Op::Stack { .. } | Op::Broadcast { .. }) = self.module.node(id).op else { continue };
-            let Some(words) = self.table(id) else { continue };
+            let (words, ports) = (self.table(id), self.ports_of_row(id));
+            if words.is_none() && ports.is_none() {
+                continue;
+            }
             let names = &self.lanes.groups[group];
             let name = self.taken.fresh(&format!("{}_{}", names.label, self.name(id)));
-            out.extend(table_text(&name, &words));
+            out.extend(words.iter().flat_map(|words| table_text(&name, words)));
+            out.extend(ports.map(|ports| {
+                let range = range(self.module.width(id) * ports.len() as u32);
+                format!("wire {range}{name} = {{{}}};", wrapped(&ports, 8).replace('\n', "\n    "))
+            }));
             self.lanes.groups[group].tables.insert(id, name);
         }
         out
+    }
+
+    /// The plain ports that a row is made of, the last first. Nets are not taken so: side by side, chains of lanes look like loops.
+    fn ports_of_row(&mut self, id: NodeId) -> Option<Vec<String>> {
+        let Op::Stack { parts, axis: 0 } = &self.module.node(id).op else { return None };
+        let is_port =
+            |part: &NodeId| matches!(self.module.node(*part), Node { op: Op::Input(_), shape: Shape::Plain, .. });
+        let is_row = matches!(self.module.shape(id), Shape::Row(_)) && parts.iter().all(is_port);
+        is_row.then(|| parts.iter().rev().map(|&part| self.value(part)).collect())
     }
 
     /// What one lane has.
     fn scope(&mut self, group: usize) -> Vec<String> {
         let own = &self.groups.groups[group];
         let (nets, registers, memories) = (own.nets.clone(), own.registers.clone(), own.memories.clone());
-        let (instances, asserts) = (own.instances.clone(), own.asserts.clone());
+        let (instances, properties) = (own.instances.clone(), own.properties.clone());
         let (early, ahead) = (own.early.clone(), own.ahead.clone());
         let mut out = Vec::new();
         let outputs = instances.iter().flat_map(|&index| self.module.instances[index].outputs.clone());
@@ -144,7 +160,7 @@ impl Printer<'_> {
             out.push(String::new());
         }
         out.extend(blocks);
-        out.extend(self.assertions(&asserts));
+        out.extend(self.properties(&properties));
         out.push(format!("{UNREAD} {group}"));
         out
     }
@@ -161,7 +177,7 @@ impl Printer<'_> {
     /// The declaration of a net or register, without what it is.
     fn declaration(&self, id: NodeId) -> String {
         let is_variable = self.is_variable(id);
-        let mark = if self.is_synchronizer(id) { "(* ASYNC_REG = \"TRUE\" *) " } else { "" };
+        let mark = self.attributes(id);
         let kind = if is_variable { "reg" } else { "wire" };
         format!("{mark}{kind} {}{};", range(self.module.width(id)), self.name(id))
     }
@@ -190,8 +206,11 @@ impl Printer<'_> {
                 }
             }
             Op::Stack { .. } | Op::Broadcast { .. } if self.is_table(id) => {
-                if is_net {
-                    out.push(format!("assign {target} = {};", self.constant_lane(id)));
+                let value = self.constant_lane(id);
+                match out.pop() {
+                    Some(declaration) => out.push(format!("{} = {value};", declaration.trim_end_matches(';'))),
+                    None if is_net => out.push(format!("assign {target} = {value};")),
+                    None => {}
                 }
             }
             Op::Stack { parts, axis } => {
@@ -214,7 +233,7 @@ impl Printer<'_> {
             Op::Pick { of, axis, index } => out.extend(self.pick(id, &target, of, axis, index)),
             Op::Pack { of, axis } => out.extend(self.pack(&target, width, of, axis, id)),
             _ if self.plan.form(id) == Form::Block => {
-                let target = Target { name: target, assign: "=", hold: None, states: self.states.of(id) };
+                let target = Target { name: target, assign: "=", hold: None, states: self.states.of(id), now: None };
                 let body = self.statements(id, &target);
                 out.push("always @* begin".to_string());
                 out.extend(lines(&body, 1));

@@ -20,7 +20,7 @@ pub struct Group {
     pub registers: Vec<usize>,
     pub memories: Vec<usize>,
     pub instances: Vec<usize>,
-    pub asserts: Vec<usize>,
+    pub properties: Vec<usize>,
 }
 
 /// The groups in order, and the group of each node that is in one.
@@ -57,7 +57,7 @@ impl Groups {
             registers: Vec::new(),
             memories: Vec::new(),
             instances: Vec::new(),
-            asserts: Vec::new(),
+            properties: Vec::new(),
         };
         for &item in set {
             match items.all[item].what {
@@ -65,7 +65,7 @@ impl Groups {
                 What::Register(register) => group.registers.push(register),
                 What::Memory(memory) => group.memories.push(memory),
                 What::Instance(instance) => group.instances.push(instance),
-                What::Assert(assert) => group.asserts.push(assert),
+                What::Property(property) => group.properties.push(property),
             }
             items.all[item].nodes(module).into_iter().for_each(|id| {
                 self.home.insert(id, index);
@@ -103,7 +103,7 @@ impl Groups {
         self.groups.iter().position(|group| match item.what {
             What::Memory(memory) => group.memories.contains(&memory),
             What::Instance(instance) => group.instances.contains(&instance),
-            What::Assert(assert) => group.asserts.contains(&assert),
+            What::Property(property) => group.properties.contains(&property),
             _ => false,
         })
     }
@@ -122,7 +122,7 @@ enum What {
     Register(usize),
     Memory(usize),
     Instance(usize),
-    Assert(usize),
+    Property(usize),
 }
 
 /// What an item reads.
@@ -153,7 +153,7 @@ impl Item {
                 reads.filter(|read| read.clock.is_some()).map(|read| read.node).collect()
             }
             What::Instance(instance) => module.instances[instance].outputs.clone(),
-            What::Assert(_) => Vec::new(),
+            What::Property(_) => Vec::new(),
         }
     }
 
@@ -182,8 +182,8 @@ impl<'a> Items<'a> {
         for (index, instance) in module.instances.iter().enumerate() {
             items.add(instance.shape, What::Instance(index));
         }
-        for (index, assert) in module.asserts.iter().enumerate() {
-            items.add(module.shape(assert.condition), What::Assert(index));
+        for (index, property) in module.properties.iter().enumerate() {
+            items.add(module.shape(property.condition), What::Property(index));
         }
         items.reads = items.all.iter().map(|item| items.reads_of(item, resets)).collect();
         items
@@ -215,7 +215,7 @@ impl<'a> Items<'a> {
                 memory.writes.iter().for_each(|write| roots.extend([write.enable, write.address, write.data]));
             }
             What::Instance(index) => roots.extend(&module.instances[index].inputs),
-            What::Assert(index) => roots.push(module.asserts[index].condition),
+            What::Property(index) => roots.push(module.properties[index].condition),
         }
         let mut found = self.behind(item.shape, roots);
         // A word is read in the scope of its memory.

@@ -1,6 +1,6 @@
-//! Constants: decimal where a number counts, hexadecimal where its bits make a pattern.
+//! Constants: in the radix that the description says, else decimal where a number counts, hexadecimal where its bits make a pattern.
 
-use tilewright_hdl::Bits;
+use tilewright_hdl::{Bits, Radix};
 
 /// What a constant stands for where it is used.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -14,10 +14,15 @@ pub enum Style {
 /// Larger numbers are patterns wherever they are used.
 const LARGEST_COUNT: u64 = 99_999;
 
+/// What has more bits is not printed in binary.
+const WIDEST_BINARY: u32 = 64;
+
 /// A sized literal.
 pub fn literal(value: &Bits, style: Style) -> String {
     let width = value.width();
     match value.to_u64() {
+        _ if value.radix() == Radix::Binary && width <= WIDEST_BINARY => format!("{width}'b{value:b}"),
+        _ if width > 1 && value.radix() == Radix::Hex => pattern(value),
         _ if width == 1 => format!("1'b{value:b}"),
         Some(number) if width < 4 || (style == Style::Count && number <= LARGEST_COUNT) => format!("{width}'d{number}"),
         _ => pattern(value),

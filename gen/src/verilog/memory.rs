@@ -7,6 +7,7 @@ use super::layout::{generate, range, with_place};
 use super::literal::{Style, literal};
 use super::printer::Printer;
 use super::statement::Statement;
+use super::text::{attribute, mark};
 use tilewright_hdl::Bits;
 use tilewright_hdl::ir::{ClockId, Memory, MemoryId, NodeId, Op, ReadUnderWrite};
 
@@ -30,6 +31,9 @@ impl Printer<'_> {
         if memory.policy == ReadUnderWrite::Any {
             out.push("(* no_rw_check *)".to_string());
         }
+        if !memory.attributes.is_empty() {
+            out.push(mark(memory.attributes.iter().map(attribute).collect()).trim_end().to_string());
+        }
         let many_clocks = memory.writes.windows(2).any(|pair| pair[0].clock != pair[1].clock);
         if many_clocks {
             out.push("/* verilator lint_off MULTIDRIVEN */ // written by two clocks".to_string());
@@ -40,9 +44,10 @@ impl Printer<'_> {
         if many_clocks {
             out.push("/* verilator lint_on MULTIDRIVEN */".to_string());
         }
-        for names in self.reads[index].iter().flatten() {
+        for (names, read) in self.reads[index].iter().zip(&memory.reads) {
+            let Some(names) = names else { continue };
             match &names.raw {
-                None => out.push(format!("reg {range}{};", names.data)),
+                None => out.push(with_place(format!("reg {range}{};", names.data), module.node(read.node).loc)),
                 Some(raw) => {
                     let zero = literal(&Bits::zero(memory.width), Style::Count);
                     out.push(format!("reg {range}{};", raw.word));

@@ -1,7 +1,6 @@
 //! The printer: a fold, a plan, names, and then the text of each part of a module.
 
 mod adopt;
-mod asserts;
 mod branches;
 mod constant;
 mod contents;
@@ -25,6 +24,7 @@ mod pick;
 mod plan;
 mod ports;
 mod printer;
+mod properties;
 mod reads;
 mod reduction;
 mod registers;
@@ -32,6 +32,7 @@ mod scope;
 mod state;
 mod statement;
 mod states;
+mod text;
 mod usage;
 
 use crate::VerilogFile;
@@ -64,9 +65,9 @@ use tilewright_hdl::ir::{Design, Module};
 /// ```
 pub fn verilog(design: &Design) -> Vec<VerilogFile> {
     let mut files = Vec::new();
-    for module in design.modules() {
+    for (module, latency) in design.modules().iter().zip(design.latencies()) {
         let folded = simplified(design, module);
-        let text = module::print(&mut Printer::new(design, &folded));
+        let text = module::print(&mut Printer::new(design, &folded), latency.as_ref());
         files.push(VerilogFile { name: format!("{}.v", module.name), text });
         files.extend(contents::data_files(&folded.module));
     }

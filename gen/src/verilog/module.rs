@@ -1,14 +1,15 @@
 //! A whole module, in this order: header, ports, state names, registers and memories, nets, instances, always blocks,
-//! outputs, assertions, and what nothing reads.
+//! outputs, properties, and what nothing reads.
 
 use super::group::UNREAD;
 use super::layout::{range, with_place, wrapped};
 use super::plan::Form;
 use super::printer::Printer;
-use tilewright_hdl::ir::{Module, NodeId, Op};
+use super::text::{attribute, mark};
+use tilewright_hdl::ir::{Latency, Module, NodeId, Op, Register};
 
 /// The text of a folded module.
-pub fn print(printer: &mut Printer) -> String {
+pub fn print(printer: &mut Printer, latency: Option<&Latency>) -> String {
     let mut body = Body::default();
     let nets = printer.nets();
     let groups = printer.groups();
@@ -18,6 +19,9 @@ pub fn print(printer: &mut Printer) -> String {
     let memory_ports = printer.memory_ports();
     let registers = printer.registers();
     let outputs = printer.output_assigns();
+    let properties = printer.plain_properties();
+    // They may be all that mentions a code.
+    let properties = printer.properties(&properties);
     body.section(printer.states.declarations());
     body.section(printer.register_declarations());
     body.section(memories);
@@ -32,12 +36,11 @@ pub fn print(printer: &mut Printer) -> String {
     body.section(memory_ports);
     body.section(registers);
     body.section(outputs);
-    let asserts = printer.plain_asserts();
-    body.section(printer.assertions(&asserts));
+    body.section(properties);
     body.section(printer.unused());
     let body = printer.fill_in_unread(body.lines);
     let module = printer.module;
-    format!("{}{}{}endmodule\n`default_nettype wire\n", header(module), super::ports::print(printer), body)
+    format!("{}{}{}endmodule\n`default_nettype wire\n", header(module, latency), super::ports::print(printer), body)
 }
 
 /// The lines between the ports and `endmodule`; sections are set apart by a blank line.
@@ -58,7 +61,7 @@ impl Body {
     }
 }
 
-fn header(module: &Module) -> String {
+fn header(module: &Module, latency: Option<&Latency>) -> String {
     let mut lines = vec![module.name.clone()];
     let about = &module.about;
     if !about.summary.is_empty() {
@@ -75,7 +78,12 @@ fn header(module: &Module) -> String {
         lines.push(line);
     }
     lines.push(String::new());
-    let facts = [("Parameters", &module.parameters), ("Latency", &about.latency), ("Source", &about.source)];
+    let latency = match latency {
+        None => about.latency.clone(),
+        Some(counted) if about.latency.is_empty() || about.latency.parse() == Ok(counted.clocks) => counted.to_string(),
+        Some(counted) => format!("{counted}; {}", about.latency),
+    };
+    let facts = [("Parameters", &module.parameters), ("Latency", &latency), ("Source", &about.source)];
     for (title, text) in facts.into_iter().filter(|(_, text)| !text.is_empty()) {
         // On one line: what comes after the next would be Verilog.
         let words: Vec<&str> = text.split_whitespace().collect();
@@ -99,10 +107,13 @@ impl Printer<'_> {
         }
     }
 
-    /// Whether a node is a register that synthesizers are to keep as it is, close to the other one of its synchronizer.
-    pub fn is_synchronizer(&self, id: NodeId) -> bool {
-        let Op::Register(register) = self.module.node(id).op else { return false };
-        self.module.registers[register.0 as usize].is_synchronizer
+    /// What synthesizers are told of a register, in front of its declaration: to keep one of a synchronizer as it is, close to the other one; and what the
+    /// description says.
+    pub fn attributes(&self, id: NodeId) -> String {
+        let Op::Register(register) = self.module.node(id).op else { return String::new() };
+        let Register { is_synchronizer, attributes, .. } = &self.module.registers[register.0 as usize];
+        let synchronizes = is_synchronizer.then(|| "ASYNC_REG = \"TRUE\"".to_string());
+        mark(synchronizes.into_iter().chain(attributes.iter().map(attribute)).collect())
     }
 
     fn register_declarations(&self) -> Vec<String> {
@@ -110,7 +121,7 @@ impl Printer<'_> {
         let inner = module.registers.iter().map(|register| register.node);
         let inner = inner.filter(|&id| !self.is_port(id) && module.shape(id).is_plain());
         let declare = |id: NodeId| {
-            let mark = if self.is_synchronizer(id) { "(* ASYNC_REG = \"TRUE\" *) " } else { "" };
+            let mark = self.attributes(id);
             let declaration = format!("{mark}reg {}{};", range(module.width(id)), self.name(id));
             with_place(declaration, module.node(id).loc)
         };
@@ -165,10 +176,10 @@ impl Printer<'_> {
         self.usage.unread(id, width).into_iter().map(text).collect()
     }
 
-    /// The assertions without lanes.
-    fn plain_asserts(&self) -> Vec<usize> {
-        let asserts = self.module.asserts.iter().enumerate();
-        let plain = asserts.filter(|(_, assert)| self.module.shape(assert.condition).is_plain());
+    /// The properties without lanes.
+    fn plain_properties(&self) -> Vec<usize> {
+        let properties = self.module.properties.iter().enumerate();
+        let plain = properties.filter(|(_, property)| self.module.shape(property.condition).is_plain());
         plain.map(|(index, _)| index).collect()
     }
 

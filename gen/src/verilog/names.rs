@@ -6,7 +6,7 @@ use super::plan::{Form, Plan};
 use super::reads::ReadNames;
 use super::scope::Names;
 use std::collections::{BTreeMap, BTreeSet};
-use tilewright_hdl::ir::{Binary, Design, Module, NodeId, Op, Reduction, Relation, Unary};
+use tilewright_hdl::ir::{Binary, Design, Directive, Module, NodeId, Op, Reduction, Relation, Unary};
 
 /// The name of every node that is referred to by one.
 pub fn name_nodes(
@@ -53,8 +53,13 @@ pub fn name_nodes(
     for output in &module.outputs {
         namer.name_below(output.node, &output.name, &format!("{}_value", output.name));
     }
-    for assert in &module.asserts {
-        namer.name_below(assert.condition, "asserted", "asserted");
+    for property in &module.properties {
+        let name = match property.directive {
+            Directive::Assert => "asserted",
+            Directive::Assume => "assumed",
+            Directive::Cover => "covered",
+        };
+        namer.name_below(property.condition, name, name);
     }
     namer.names
 }
@@ -125,6 +130,31 @@ impl Namer<'_> {
         Some(format!("{}_{port}_{}", instance.name, combined(reduction)))
     }
 
+    /// `jobs_valid & jobs_ready` is that the payload of `jobs` is taken.
+    fn taken_name(&self, id: NodeId) -> Option<String> {
+        let Op::Binary(Binary::And, a, b) = self.module.node(id).op else { return None };
+        let pairs = [(a, b), (b, a)].into_iter();
+        let mut streams = pairs.flat_map(|(valid, ready)| {
+            let ready = self.streams(ready, "_ready");
+            self.streams(valid, "_valid").into_iter().filter(move |stream| ready.contains(stream))
+        });
+        streams.next().map(|stream| format!("{stream}_taken"))
+    }
+
+    /// The names of the ports that have a node's value and this end, without it.
+    fn streams(&self, id: NodeId, end: &str) -> Vec<&str> {
+        let module = self.module;
+        let source = |mut id: NodeId| {
+            while let Op::Wire(of) = module.node(id).op {
+                id = of;
+            }
+            id
+        };
+        let inputs = module.inputs.iter().map(|port| (port.node, &port.name));
+        let ports = inputs.chain(module.outputs.iter().map(|port| (port.node, &port.name)));
+        ports.filter(|(node, _)| source(*node) == source(id)).filter_map(|(_, name)| name.strip_suffix(end)).collect()
+    }
+
     /// Names the nets that `root` is computed from and that nobody has named yet; `root` itself is called `itself`.
     fn name_below(&mut self, root: NodeId, base: &str, itself: &str) {
         let mut stack = vec![root];
@@ -141,8 +171,8 @@ impl Namer<'_> {
             if fresh && id == root {
                 self.give(id, itself);
             } else if fresh {
-                let wanted =
-                    self.reduction_name(id).unwrap_or_else(|| format!("{base}_{}", suffix(&module.node(id).op)));
+                let wanted = self.reduction_name(id).or_else(|| self.taken_name(id));
+                let wanted = wanted.unwrap_or_else(|| format!("{base}_{}", suffix(&module.node(id).op)));
                 self.give(id, &wanted);
             }
             if id == root || fresh || matches!(form, Form::Inline | Form::Branches) || self.ports.contains_key(&id) {

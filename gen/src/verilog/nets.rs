@@ -86,7 +86,7 @@ impl Printer<'_> {
         if declare {
             out.push(with_place(format!("reg {range}{name};"), node.loc));
         }
-        let target = Target { name, assign: "=", hold: None, states: self.states.of(id) };
+        let target = Target { name, assign: "=", hold: None, states: self.states.of(id), now: None };
         let body = self.statements(id, &target);
         out.push("always @* begin".to_string());
         out.extend(lines(&body, 1));

@@ -9,7 +9,7 @@ use super::printer::Printer;
 const COLUMNS: usize = 120;
 
 struct Port<'a> {
-    direction: &'static str,
+    direction: String,
     width: u32,
     name: &'a str,
     /// Its path in the block's bundle; a clock has none.
@@ -55,7 +55,7 @@ fn ports<'a>(printer: &'a Printer) -> Vec<Port<'a>> {
     let module = printer.module;
     let mut ports = Vec::new();
     let about = &module.about.inputs;
-    let input = |width, name, path| Port { direction: "input  wire", width, name, path, about };
+    let input = |width, name, path| Port { direction: "input  wire".to_string(), width, name, path, about };
     for clock in &module.clocks {
         ports.push(input(1, &clock.port, ""));
         ports.extend(clock.reset.iter().map(|reset| input(1, reset, "")));
@@ -64,9 +64,8 @@ fn ports<'a>(printer: &'a Printer) -> Vec<Port<'a>> {
     for port in &module.outputs {
         let own = printer.is_port(port.node) && printer.names[port.node.0 as usize].as_ref() == Some(&port.name);
         let direction = match own && printer.is_variable(port.node) {
-            true if printer.is_synchronizer(port.node) => "(* ASYNC_REG = \"TRUE\" *) output reg ",
-            true => "output reg ",
-            false => "output wire",
+            true => format!("{}output reg ", printer.attributes(port.node)),
+            false => "output wire".to_string(),
         };
         let (width, about) = (module.width(port.node), &module.about.outputs);
         ports.push(Port { direction, width, name: &port.name, path: &port.path, about });

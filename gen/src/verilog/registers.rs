@@ -38,7 +38,7 @@ impl Printer<'_> {
         self.register_blocks(&plain)
     }
 
-    /// The always blocks of these registers, first those without reset.
+    /// What these registers have at power-on, and their always blocks, first those without reset.
     pub fn register_blocks(&mut self, registers: &[usize]) -> Vec<String> {
         let module = self.module;
         let group = |register: &Register| Group {
@@ -46,6 +46,10 @@ impl Printer<'_> {
             has_reset: register.reset.is_some(),
             enable: register.enable,
         };
+        let mut out: Vec<String> = registers.iter().filter_map(|&register| self.initial_value(register)).collect();
+        if !out.is_empty() {
+            out.push(String::new());
+        }
         let mut groups: Vec<(Group, Vec<usize>)> = Vec::new();
         for &register in registers {
             let key = group(&module.registers[register]);
@@ -55,7 +59,8 @@ impl Printer<'_> {
             }
         }
         groups.sort_by_key(|(group, _)| group.has_reset);
-        groups.into_iter().flat_map(|(group, members)| self.register_block(group, &members)).collect()
+        out.extend(groups.into_iter().flat_map(|(group, members)| self.register_block(group, &members)));
+        out
     }
 
     fn register_block(&mut self, group: Group, members: &[usize]) -> Vec<String> {
@@ -80,11 +85,23 @@ impl Printer<'_> {
             assign: "<=",
             hold: Some(register.node),
             states: self.states.of(register.node),
+            now: None,
         };
         match self.branch(register.next, &target) {
             body if body.is_empty() => vec![target.keep()],
             body => body,
         }
+    }
+
+    /// What a register has at power-on.
+    fn initial_value(&mut self, index: usize) -> Option<String> {
+        let register = &self.module.registers[index];
+        let value = register.initial.as_ref()?;
+        let value = match self.states.of(register.node) {
+            Some(states) => self.states.name(states, value),
+            None => literal(value, Style::Count),
+        };
+        Some(format!("initial {} = {value};", self.target(register.node)))
     }
 
     fn reset_value(&mut self, index: usize) -> Option<Statement> {

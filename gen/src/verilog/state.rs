@@ -81,10 +81,10 @@ impl Printer<'_> {
 
     fn register_state(&self, register: &Register) -> State {
         let width = self.module.width(register.node);
-        let start = match &register.reset {
-            Some(Init::Each(values)) => values.clone(),
-            Some(Init::Same(value)) => vec![value.clone()],
-            None => vec![Bits::zero(width)],
+        let start = match (&register.initial, &register.reset) {
+            (Some(value), _) | (None, Some(Init::Same(value))) => vec![value.clone()],
+            (None, Some(Init::Each(values))) => values.clone(),
+            (None, None) => vec![Bits::zero(width)],
         };
         State::Register { name: self.name(register.node).to_string(), start }
     }

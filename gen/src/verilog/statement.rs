@@ -59,6 +59,15 @@ fn print(statement: &Statement, indent: usize, out: &mut Vec<String>) {
 
 fn print_arm(label: &str, body: &[Statement], indent: usize, out: &mut Vec<String>) {
     let pad = "    ".repeat(indent);
+    // One condition with one assignment stands behind its label.
+    if let [Statement::If(arms, last)] = body
+        && let ([(condition, body)], []) = (&arms[..], &last[..])
+        && let [Statement::Assign(text)] = &body[..]
+        && condition.len() + text.len() < 70
+    {
+        out.push(format!("{pad}{label}: if ({condition}) {text}"));
+        return;
+    }
     let short = is_short(body);
     print_body(&format!("{pad}{label}:"), body, short, indent, out);
     if !short {
@@ -78,6 +87,7 @@ fn is_short(body: &[Statement]) -> bool {
 fn print_body(head: &str, body: &[Statement], short: bool, indent: usize, out: &mut Vec<String>) {
     match body {
         [Statement::Assign(text)] if short => out.push(format!("{head} {text}")),
+        [] if short => out.push(format!("{head} ;")),
         _ => {
             out.push(format!("{head} begin"));
             out.extend(lines(body, indent + 1));

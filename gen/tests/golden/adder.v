@@ -1,6 +1,7 @@
 // adder
 //
 // Parameters  adder
+// Latency     0 clocks
 // Described   gen/tests/lanes/mod.rs:304
 `default_nettype none
 

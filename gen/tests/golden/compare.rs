@@ -1,4 +1,4 @@
-//! Compares printed files with those of this folder.
+//! Compares printed files with those in `tests/golden` of the package.
 
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -16,7 +16,9 @@ pub fn compare(file: &VerilogFile) {
 
 /// The first differing lines.
 fn difference(name: &str, golden: &str, printed: &str) -> String {
-    let mut text = format!("{name} is not printed as in gen/tests/golden; set UPDATE_GOLDEN=1 to accept the change\n");
+    let package = env!("CARGO_PKG_NAME");
+    let mut text =
+        format!("{name} is not printed as in tests/golden of {package}; set UPDATE_GOLDEN=1 to accept the change\n");
     let (mut old, mut new) = (golden.lines(), printed.lines());
     let lines = std::iter::from_fn(|| match (old.next(), new.next()) {
         (None, None) => None,

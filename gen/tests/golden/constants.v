@@ -1,6 +1,7 @@
 // constants
 //
 // Parameters  constants
+// Latency     0 clocks
 // Described   gen/tests/lanes/mod.rs:173
 `default_nettype none
 
@@ -24,7 +25,7 @@ module constants (
                 localparam [31:0] all_listed = 10 * i;
                 localparam [31:0] all_listed_2 = j;
                 localparam [31:0] all_listed_3 = (i * 4 + j);
-                wire [7:0] all_sum = ((x[(i * 4 + j) * 8 +: 8] + all_listed[7:0]) + all_listed_2[7:0]) + all_listed_3[7:0];
+                wire [7:0] all_sum = x[(i * 4 + j) * 8 +: 8] + all_listed[7:0] + all_listed_2[7:0] + all_listed_3[7:0];
                 wire [7:0] all = all_sum + all_cells_all_listed_4[(i * 4 + j) * 8 +: 8];
             end
         end

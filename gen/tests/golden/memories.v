@@ -21,8 +21,8 @@ module memories (
 );
 
     reg [31:0] wide [0:15];                                      // gen/tests/lanes/mod.rs:92
-    reg [31:0] wide_read0;
-    reg [31:0] wide_read1;
+    reg [31:0] wide_read0;                                       // gen/tests/lanes/mod.rs:95
+    reg [31:0] wide_read1;                                       // gen/tests/lanes/mod.rs:96
     reg [5:0] plain [0:9];                                       // gen/tests/lanes/mod.rs:98
 
     initial begin : wide_contents

@@ -3,6 +3,7 @@
 // Sends each place on, mirrored.
 //
 // Parameters  Mirror
+// Latency     0 clocks
 // Described   gen/tests/blocks/mod.rs:309
 `default_nettype none
 

@@ -31,8 +31,7 @@ module picks (
     };
     generate
         for (i = 0; i < 4; i = i + 1) begin : prime_listed_row
-            wire [7:0] prime_listed;
-            assign prime_listed = prime_listed_row_prime_listed[i * 8 +: 8];
+            wire [7:0] prime_listed = prime_listed_row_prime_listed[i * 8 +: 8];
         end
     endgenerate
 

@@ -37,12 +37,8 @@ module pump (
                 PHASE_IDLE: begin
                     if (start & !full) phase <= PHASE_FILL;
                     else if (start) phase <= PHASE_DRAIN;
-                    else phase <= PHASE_IDLE;
                 end
-                PHASE_FILL: begin
-                    if (full) phase <= PHASE_DRAIN;
-                    else phase <= PHASE_FILL;
-                end
+                PHASE_FILL: if (full) phase <= PHASE_DRAIN;
                 default: begin // PHASE_DRAIN
                     if (empty) phase <= PHASE_IDLE;
                     else phase <= PHASE_DRAIN;

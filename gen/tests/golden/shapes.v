@@ -102,7 +102,7 @@ module shapes (
     end
     wire stopped = !go;                                          // gen/tests/shapes/mod.rs:63
     assign twice = parts_sum ^ (parts_sum + 8'd1);               // gen/tests/shapes/mod.rs:69
-    wire [15:0] products_joined = {kept, (((last ^ held) ^ once) ^ again) ^ cased}; // gen/tests/shapes/mod.rs:73
+    wire [15:0] products_joined = {kept, last ^ held ^ once ^ again ^ cased}; // gen/tests/shapes/mod.rs:73
     assign products = ({8'd0, a} * {8'd0, b}) + products_joined; // gen/tests/shapes/mod.rs:73
 
     always @(posedge clk) begin

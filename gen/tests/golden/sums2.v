@@ -1,6 +1,7 @@
 // sums2
 //
 // Parameters  sums2
+// Latency     0 clocks
 // Described   gen/tests/lanes/mod.rs:113
 `default_nettype none
 

@@ -1,6 +1,7 @@
 // sums3
 //
 // Parameters  sums3
+// Latency     0 clocks
 // Described   gen/tests/lanes/mod.rs:113
 `default_nettype none
 

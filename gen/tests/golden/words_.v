@@ -23,19 +23,19 @@ module words_ (
     reg [7:0] words_read0_word;
     reg words_read0_inside;
     wire [7:0] words_read0 = words_read0_inside ? words_read0_word : 8'd0;
-    reg [7:0] words_read1;
+    reg [7:0] words_read1;                                       // gen/tests/shapes/mod.rs:105
     reg [7:0] some [0:4];                                        // gen/tests/shapes/mod.rs:107
     reg [7:0] some_read_word;
     reg some_read_inside;
     wire [7:0] some_read = some_read_inside ? some_read_word : 8'd0;
     reg [7:0] filled [0:15];                                     // gen/tests/shapes/mod.rs:109
-    reg [7:0] filled_read;
+    reg [7:0] filled_read;                                       // gen/tests/shapes/mod.rs:119
     reg [7:0] table_of_many [0:256];                             // gen/tests/shapes/mod.rs:110
     reg [7:0] table_of_many_read_word;
     reg table_of_many_read_inside;
     wire [7:0] table_of_many_read = table_of_many_read_inside ? table_of_many_read_word : 8'd0;
     reg [7:0] fixed [0:3];                                       // gen/tests/shapes/mod.rs:111
-    reg [7:0] fixed_read;
+    reg [7:0] fixed_read;                                        // gen/tests/shapes/mod.rs:119
 
     initial begin : some_contents
         integer i;
@@ -60,7 +60,7 @@ module words_ (
     assign now = words_word0 ^ words_word1;                      // gen/tests/shapes/mod.rs:106
     assign beyond = 8'd0;                                        // gen/tests/shapes/mod.rs:117
     assign third = some[3'd2];                                   // gen/tests/shapes/mod.rs:118
-    assign constants = (some_read ^ filled_read) ^ fixed_read;   // gen/tests/shapes/mod.rs:119
+    assign constants = some_read ^ filled_read ^ fixed_read;     // gen/tests/shapes/mod.rs:119
     wire [8:0] table_of_many_read_address = {low, address, write, write}; // gen/tests/shapes/mod.rs:120
     wire [1:0] fixed_write_address = 2'd3;                       // gen/tests/shapes/mod.rs:112
 

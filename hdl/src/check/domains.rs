@@ -2,7 +2,7 @@
 
 use crate::draft::Draft;
 use crate::graph::Sets;
-use crate::ir::{ClockId, Module, NodeId};
+use crate::ir::{ClockId, Directive, Module, NodeId};
 use crate::module::port_name;
 use crate::problem::Problem;
 use crate::summary::{self, Summary, View};
@@ -49,8 +49,13 @@ pub(crate) fn check(
             checker.sampled(*driver, instance.clocks[clock.0 as usize], &what, *driver);
         }
     }
-    for assert in &draft.asserts {
-        checker.sampled(assert.condition, assert.clock, "an assertion", assert.condition);
+    for property in &draft.properties {
+        let what = match property.directive {
+            Directive::Assert => "an assertion",
+            Directive::Assume => "an assumption",
+            Directive::Cover => "a cover",
+        };
+        checker.sampled(property.condition, property.clock, what, property.condition);
     }
     let mixed = outputs.iter().enumerate().filter(|(_, (path, node))| checker.mixes(path, *node));
     mixed.map(|(output, _)| output).collect()

@@ -3,9 +3,11 @@
 pub(crate) mod domains;
 pub(crate) mod drives;
 mod lane_loops;
+pub(crate) mod latency;
 pub(crate) mod loops;
 pub(crate) mod naming;
 pub(crate) mod outputs;
+pub(crate) mod stages;
 pub(crate) mod streams;
 pub(crate) mod synchronizers;
 pub(crate) mod unused;

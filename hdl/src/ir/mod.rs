@@ -8,10 +8,11 @@
 //!
 //! Every value has a [`Shape`]: plain, a row or a grid of lanes. Most operations are elementwise, so that one node stands
 //! for as many gates as it has lanes; the lane operations of [`Op`] lead from one shape to another. Registers, memories,
-//! instances and assertions have lanes as their nodes have. Nothing is broadcast but by [`Op::Broadcast`].
+//! instances and properties have lanes as their nodes have. Nothing is broadcast but by [`Op::Broadcast`].
 
 mod affine;
 mod kind;
+pub(crate) mod latency;
 mod op;
 mod shape;
 mod validate;
@@ -24,6 +25,7 @@ use std::collections::BTreeMap;
 
 pub use affine::Affine;
 pub use kind::{Kind, Names};
+pub use latency::Latency;
 pub use op::{Binary, Op, Reduction, Relation, Shift, Unary};
 pub use shape::Shape;
 
@@ -189,8 +191,8 @@ pub struct Module {
     pub memories: Vec<Memory>,
     /// The instances and instance arrays.
     pub instances: Vec<Instance>,
-    /// What must hold at every edge.
-    pub asserts: Vec<Assert>,
+    /// What is stated of it.
+    pub properties: Vec<Property>,
 }
 
 /// A block's description in words, carried into the Verilog header and the documentation.
@@ -222,7 +224,8 @@ pub struct Module {
 pub struct About {
     /// What the block does, one or a few sentences.
     pub summary: String,
-    /// Clocks from an input to the output it causes, in words or a number, such as `4`.
+    /// Clocks from an input to the output it causes: words, where it is not one number, and how often it can begin. Where it is one,
+    /// [`Design::latencies`] counts it; a number that stands here all the same, such as `4`, has to be that one.
     pub latency: String,
     /// The paper and the rule, such as `VC-1, section 3.3 (VC1-MU)`.
     pub source: String,
@@ -412,6 +415,8 @@ pub struct Register {
     pub clock: ClockId,
     /// The value after a reset; `None` for a register that a reset does not touch.
     pub reset: Option<Init>,
+    /// The value at power-on, the same in each lane; `None` if nothing may be relied on.
+    pub initial: Option<Bits>,
     /// 1 bit, of the register's shape: whether it takes `next`; `None` means always.
     pub enable: Option<NodeId>,
     /// The value it takes.
@@ -419,6 +424,8 @@ pub struct Register {
     /// Whether it is one of the two registers of a synchronizer, which a synthesizer is to keep as they are and close
     /// together: `ASYNC_REG` in Verilog.
     pub is_synchronizer: bool,
+    /// For synthesizers.
+    pub attributes: Vec<Attribute>,
 }
 
 /// What a read gives when its word is written at the same edge.
@@ -506,6 +513,8 @@ pub struct Memory {
     pub reads: Vec<ReadPort>,
     /// Write ports.
     pub writes: Vec<WritePort>,
+    /// For synthesizers.
+    pub attributes: Vec<Attribute>,
     /// Where it is declared.
     pub loc: Loc,
 }
@@ -609,28 +618,39 @@ pub struct Instance {
     pub loc: Loc,
 }
 
-/// A condition that must hold, in every lane, at every edge of its clock while that clock's reset is low.
-///
-/// ```
-/// # use tilewright_hdl::*;
-/// # let design = tilewright_sim::shown! { |m, i| in { take: bit(), empty: bit() } out { taken: bit() }
-/// m.assert(i.take.implies(!i.empty), "nothing is taken of what is empty");
-/// #     ShownOut { taken: i.take }
-/// # };
-/// // Of a module that is simulated by itself, it is on a clock of its own.
-/// let (top, assert) = (design.top(), &design.top().asserts[0]);
-/// assert_eq!((top.width(assert.condition), &*assert.message), (1, "nothing is taken of what is empty"));
-/// ```
+/// A statement about a condition, in every lane, at every edge of its clock while that clock's reset is low.
 #[derive(Debug, Clone)]
-pub struct Assert {
+pub struct Property {
+    /// What is stated.
+    pub directive: Directive,
     /// Its clock.
     pub clock: ClockId,
     /// 1 bit, of any shape.
     pub condition: NodeId,
-    /// What is wrong if it does not hold.
+    /// What is wrong if it does not hold; of a cover, what it is that happens.
     pub message: String,
     /// Where it is stated.
     pub loc: Loc,
+}
+
+/// What a [`Property`] states of its condition.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Directive {
+    /// It always holds; if not, the circuit is wrong.
+    Assert,
+    /// It always holds; if not, what the inputs are given is wrong.
+    Assume,
+    /// It holds at some time.
+    Cover,
+}
+
+/// An attribute for synthesizers, as Verilog's `(* ram_style = "block" *)`.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Attribute {
+    /// The name, a plain identifier.
+    pub name: String,
+    /// The value, a text.
+    pub value: String,
 }
 
 impl Node {

@@ -8,11 +8,11 @@ use crate::elaboration;
 use crate::ir::Op;
 use crate::loc::Loc;
 use crate::memory::Mem;
-use crate::operand::{Literal, Operand, Value};
+use crate::operand::{IntoSignal, Literal, Operand, Value};
 use crate::problem::Problem;
 use crate::record::split;
 use crate::select::concat;
-use crate::signal::{Signal, bits_text};
+use crate::signal::bits_text;
 use crate::width::Width;
 
 /// A memory of records is one memory, in whose words the fields stand side by side, the first most significant, as in
@@ -215,7 +215,7 @@ impl<B: Bundle> Mem<B> {
     /// assert_eq!(example.values("entry_page"), [0, 0, 9, 9, 7, 7, 9]);
     /// ```
     #[track_caller]
-    pub fn read_when(&self, enable: impl Into<Signal>, address: impl Operand) -> B {
+    pub fn read_when(&self, enable: impl IntoSignal, address: impl Operand) -> B {
         split(&self.layout, self.word().read_when(enable, address))
     }
 
@@ -253,7 +253,7 @@ impl<B: Bundle> Mem<B> {
     /// assert_eq!(example.values("entry_page"), [0, 0, 1, 1, 3, 3, 5]);
     /// ```
     #[track_caller]
-    pub fn write(&self, enable: impl Into<Signal>, address: impl Operand, record: impl Fits<B>) {
+    pub fn write(&self, enable: impl IntoSignal, address: impl Operand, record: impl Fits<B>) {
         let fields = self.fields();
         let mut parts = Vec::new();
         for (value, (path, width)) in record.given().for_fields(&fields, "write").into_iter().zip(&fields) {

@@ -11,14 +11,14 @@ use crate::bits::Bits;
 use crate::bundle::{Bundle, Fields};
 use crate::data::Data;
 use crate::elaboration;
-use crate::ir::{NodeId, Op};
+use crate::ir::{NodeId, Op, Shape};
 use crate::limits::{WIDEST, sound_width};
 use crate::loc::Loc;
 use crate::module::port_name;
 use crate::problem::Problem;
 use crate::select::{concat, lit};
 use crate::signal::{Signal, bits_text};
-use crate::width::Width;
+use crate::width::{Width, bits};
 
 #[doc(hidden)]
 #[track_caller]
@@ -40,13 +40,21 @@ pub fn named<B: Bundle>(record: &B, name: &str) -> B {
     for (path, signal) in fields {
         nets.push(signal.named(&port_name(name, &path)));
     }
-    from_leaves(record, nets)
+    from_leaves(record, nets.into_iter())
 }
 
-/// As [`pack`], of anything that a stream carries; of nothing a zero.
+/// As [`pack`], of anything that a stream carries; of nothing a zero. A field with lanes that the word does not have is packed itself.
 #[track_caller]
-pub(crate) fn pack_any<V: Data>(value: &V) -> Signal {
-    let fields: Vec<Signal> = value.leaves().into_iter().map(|(_, signal)| signal).collect();
+pub(crate) fn pack_any<V: Data>(value: &V, word: Shape) -> Signal {
+    // A loop, as a closure would be the caller that messages name.
+    let mut fields = Vec::new();
+    for (_, signal) in value.leaves() {
+        fields.push(match signal.shape {
+            Shape::Row(_) if word.is_plain() => signal.pack(),
+            Shape::Grid(..) if word.is_plain() => signal.columns().pack().pack(),
+            _ => signal,
+        });
+    }
     if fields.is_empty() { lit(1, 0) } else { concat(&fields).bits() }
 }
 
@@ -56,9 +64,16 @@ pub(crate) fn unpack_any<V: Data>(like: &V, word: Signal) -> V {
     if like.leaves().is_empty() {
         return like.clone();
     }
-    let parts = unpack(&like.map(|signal| Width::like(*signal)), word).leaves();
-    let mut parts = parts.into_iter().map(|(_, signal)| signal);
-    like.map(|_| parts.next().expect("a part for each field"))
+    let is_packed = |field: &Signal| word.shape.is_plain() && !field.shape.is_plain();
+    let width =
+        |field: &Signal| if is_packed(field) { bits(field.width * field.shape.lanes()) } else { Width::like(*field) };
+    let parts = unpack(&like.map(width), word).leaves();
+    let mut fields = Vec::new();
+    for ((_, part), (_, field)) in parts.into_iter().zip(like.leaves()) {
+        fields.push(if is_packed(&field) { part.unpack(field.shape).kept_as(field.kind) } else { part });
+    }
+    let mut fields = fields.into_iter();
+    like.map(|_| fields.next().expect("a part for each field"))
 }
 
 /// The word that the fields are all of, as that which a memory reads, gets the name of the record, unless it has one.
@@ -76,8 +91,7 @@ fn name_word(fields: &[NodeId], name: &str) {
 }
 
 /// The record of these signals, in order of declaration.
-pub(crate) fn from_leaves<B: Bundle>(like: &B, signals: Vec<Signal>) -> B {
-    let mut signals = signals.into_iter();
+pub(crate) fn from_leaves<V: Data>(like: &V, mut signals: impl Iterator<Item = Signal>) -> V {
     like.map_fields("", &mut |_, _| signals.next().expect("a signal for each field"))
 }
 

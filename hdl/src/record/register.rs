@@ -2,10 +2,9 @@
 
 use crate::bundle::Bundle;
 use crate::data::{Fits, value_of_field};
-use crate::operand::Value;
+use crate::operand::{IntoSignal, Value};
 use crate::register::{Reg, Updates};
 use crate::select::condition;
-use crate::signal::Signal;
 
 /// A register of a record is one register for each field, named `entry_page` for the field `page` of `entry`. All of them are
 /// enabled and updated together.
@@ -77,6 +76,15 @@ impl<B: Bundle> Reg<B> {
         self
     }
 
+    /// The values at power-on: a record of numbers, or 0 for all.
+    #[track_caller]
+    pub fn initial(self, values: impl Fits<B>) -> Reg<B> {
+        for (register, value) in self.fields().into_iter().zip(self.values(values, "initial")) {
+            let _ = register.initial(value);
+        }
+        self
+    }
+
     /// Takes its next values only where `condition`, 1 bit, is high.
     ///
     /// ```
@@ -93,7 +101,7 @@ impl<B: Bundle> Reg<B> {
     /// assert_eq!(example.values("point_y"), [0, 0, 15, 15, 14]);
     /// ```
     #[track_caller]
-    pub fn enable(self, enable: impl Into<Signal>) -> Reg<B> {
+    pub fn enable(self, enable: impl IntoSignal) -> Reg<B> {
         let enable = condition(enable.into(), "enable");
         for register in self.fields() {
             let _ = register.enable(enable);
@@ -137,7 +145,7 @@ impl<B: Bundle> Reg<B> {
     /// assert_eq!(example.values("point_y"), [0, 0, 0, 1, 1]);
     /// ```
     #[track_caller]
-    pub fn when(&self, condition: impl Into<Signal>, record: impl Fits<B>) -> RecordUpdates<B> {
+    pub fn when(&self, condition: impl IntoSignal, record: impl Fits<B>) -> RecordUpdates<B> {
         let condition = crate::select::condition(condition.into(), "when");
         let mut fields = Vec::new();
         for (register, value) in self.fields().into_iter().zip(self.values(record, "when")) {
@@ -147,7 +155,7 @@ impl<B: Bundle> Reg<B> {
     }
 
     /// The registers of the fields, which were declared one after another.
-    fn fields(&self) -> Vec<Reg> {
+    pub(crate) fn fields(&self) -> Vec<Reg> {
         let leaves = self.signal.leaves().into_iter().enumerate();
         leaves.map(|(i, (_, signal))| Reg { signal, index: self.index + i }).collect()
     }
@@ -199,7 +207,7 @@ impl<B: Bundle> RecordUpdates<B> {
     /// assert_eq!(example.values("point_y"), [0, 2, 4, 4, 4]);
     /// ```
     #[track_caller]
-    pub fn when(self, condition: impl Into<Signal>, record: impl Fits<B>) -> RecordUpdates<B> {
+    pub fn when(self, condition: impl IntoSignal, record: impl Fits<B>) -> RecordUpdates<B> {
         let condition = crate::select::condition(condition.into(), "when");
         for (updates, value) in self.fields.iter().zip(self.register.values(record, "when")) {
             updates.when(condition, value);

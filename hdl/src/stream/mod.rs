@@ -1,10 +1,14 @@
 //! Streams: a payload that goes where its sender has it valid and its receiver is ready.
 
 mod connect;
+mod lanes;
 mod offer;
+mod wire;
 
 pub(crate) use connect::{DraftStream, Origin, Sent, backwards, leave, say_untaken, take, untaken};
+pub(crate) use lanes::stack_ready;
 pub use offer::Taken;
+pub use wire::StreamWire;
 
 use crate::bundle::{Fields, Leaf, Visited, join};
 use crate::clock::Clock;

@@ -4,7 +4,7 @@ use crate::data::Data;
 use crate::elaboration;
 use crate::loc::Loc;
 use crate::module::Module;
-use crate::operand::{Operand, Value};
+use crate::operand::{IntoSignal, Operand, Value};
 use crate::record;
 use crate::select::condition;
 use crate::signal::Signal;
@@ -93,21 +93,11 @@ impl<P: Data> Stream<P> {
         Stream { valid: self.valid, ready: self.ready, payload }
     }
 
-    /// The stream with its payload's fields side by side in one signal, the first most significant.
-    ///
-    /// ```
-    /// # use tilewright_hdl::*;
-    /// # tilewright_sim::example(|m| {
-    /// bundle! { struct Job<T> { page: T, last: T } }
-    ///
-    /// let (jobs, _) = m.offer(lit(1, 1), Job { page: lit(4, 0xa), last: lit(1, 1) });
-    /// let words = jobs.packed();
-    /// m.assert(words.take_when(1).eq(0b1010_1), "for what carries words and knows no records");
-    /// # });
-    /// ```
+    /// The stream with its payload's fields side by side in one signal, the first most significant; so are the lanes of a field, lane 0 in the
+    /// lowest bits.
     #[track_caller]
     pub fn packed(&self) -> Stream {
-        self.with(record::pack_any(&self.payload))
+        self.with(record::pack_any(&self.payload, self.valid.shape))
     }
 }
 
@@ -151,7 +141,7 @@ impl Module {
     /// assert_eq!(example.values("taken"), [1, 1, 1, 0, 0]);
     /// ```
     #[track_caller]
-    pub fn offer<P: Data>(self, valid: impl Into<Signal>, payload: P) -> (Stream<P>, Signal) {
+    pub fn offer<P: Data>(self, valid: impl IntoSignal, payload: P) -> (Stream<P>, Signal) {
         let loc = Loc::caller();
         let valid = condition(valid.into(), "offer");
         let ready = elaboration::with(|e| untaken(e, Origin::Offered, valid.shape, self.clock, loc));

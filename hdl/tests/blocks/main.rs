@@ -46,6 +46,9 @@ block! {
         first: Position = _,
         all: [Position] = _,
         signal: bits(8),
+        /// Goes through.
+        passed: stream(8),
+        area: struct Area { size: bits(20) },
         same: bit().of(row(self.count)),
     }
     source = "a book";
@@ -59,8 +62,17 @@ block! {
         way: one_of::<Way>(),
         lanes: bit().of(row(self.count)),
         r#move: bit(),
+        /// Declared where it stands.
+        size: struct Size {
+            /// From the left to the right.
+            width: below(self.screen.0),
+            height: below(self.screen.1),
+        }.on(FAST),
+        /// One after another.
+        words: stream(8),
+        visited: stream(Position { x: bits(3), y: bits(2) }).on(FAST),
     }
-    latency(self) = self.count + 1;
+    latency(self) = format!("{} clocks, or so", self.count + 1);
 }
 
 impl Forms {
@@ -72,7 +84,76 @@ impl Forms {
         m.ignore(&i.r#move);
         m.ignore(&i.at);
         let signal = i.many.iter().copied().reduce(|a, b| a ^ b).expect("there are some");
-        FormsOut { sum: i.way.is(Way::Right), first: i.other, all: i.places, signal, same: i.lanes }
+        let _ = i.visited.take_when(1);
+        m.ignore(&i.visited.payload);
+        m.ignore(&i.visited.valid);
+        let Size { width, height } = i.size;
+        let area = Area { size: width.times(height).zext(20) };
+        FormsOut {
+            sum: i.way.is(Way::Right),
+            first: i.other,
+            all: i.places,
+            signal,
+            passed: i.words,
+            area,
+            same: i.lanes,
+        }
+    }
+}
+
+block! {
+    /// Uses every form of a stream.
+    struct Streams {
+        count: u32,
+    }
+    in(self) StreamsIn {
+        /// Words.
+        words: stream(bits(8)),
+        fast: stream(up_to(self.count)).on(FAST),
+        places: stream(Position { x: bits(3), y: bits(4) }).on(FAST),
+        others: stream(Position = Position { x: bits(5), y: bits(6) }),
+        many: [stream(bits(2)); self.count],
+    }
+    out StreamsOut {
+        sent: stream(bits(8)),
+        sent_fast: stream(_),
+        sent_places: stream(Position = _),
+        sent_others: stream(Position { x: bits(5), y: bits(6) }),
+        sent_many: [stream(_)],
+    }
+}
+
+impl Streams {
+    fn build(&self, _: Module, i: StreamsIn) -> StreamsOut {
+        StreamsOut { sent: i.words, sent_fast: i.fast, sent_places: i.places, sent_others: i.others, sent_many: i.many }
+    }
+}
+
+bundle! {
+    /// What several blocks take and give.
+    struct Both<T> {
+        /// A place.
+        place: Position<T>,
+        words: Stream<T, T>,
+    }
+}
+
+block! {
+    /// Its ports are a bundle of others.
+    struct Shared {
+        width: u32,
+    }
+    in(self) = Both { place: Position { x: bits(3), y: bits(4) }, words: stream(bits(self.width)) };
+    out = Renamed { at: Position { x: bits(3), y: bits(4) }, sent: stream(8) };
+}
+
+bundle! {
+    struct Renamed<T> { at: Position<T>, sent: Stream<T, T> }
+}
+
+impl Shared {
+    fn build(&self, _: Module, i: Both) -> Renamed {
+        Renamed { at: i.place, sent: i.words }
     }
 }
 
@@ -132,12 +213,13 @@ fn every_form_of_a_port() {
     let design = elaborate(&copy).unwrap();
     let top = design.top();
     assert_eq!(top.name, "forms_count3_screen640_480");
-    assert_eq!((top.about.latency.as_str(), top.about.source.as_str()), ("4", "a book"));
+    assert_eq!((top.about.latency.as_str(), top.about.source.as_str()), ("4 clocks, or so", "a book"));
     let names: Vec<_> = top.inputs.iter().map(|input| format!("{} {}", input.name, top.width(input.node))).collect();
     assert_eq!(
         names.join(", "),
         "at_x 10, at_y 9, other_x 10, other_y 9, many_0 8, many_1 8, many_2 8, places_0_x 10, places_0_y 9, \
-         places_1_x 10, places_1_y 9, way 1, lanes 1, move 1"
+         places_1_x 10, places_1_y 9, way 1, lanes 1, move 1, size_width 10, size_height 9, words_valid 1, words_payload 8, \
+         visited_valid 1, visited_x 3, visited_y 2, passed_ready 1"
     );
     let said: Vec<_> = top.about.inputs.iter().map(|(path, said)| format!("{path}: {said}")).collect();
     assert_eq!(
@@ -147,10 +229,65 @@ fn every_form_of_a_port() {
             "at.x: Counted from the left.",
             "many: Several.",
             "other.x: Counted from the left.",
-            "places.x: Counted from the left."
+            "places.x: Counted from the left.",
+            "size: Declared where it stands.",
+            "size.width: From the left to the right.",
+            "visited.x: Counted from the left.",
+            "words: One after another."
         ]
     );
     assert_eq!(top.about.outputs["sum"], "As wide as what drives it.");
+    let names: Vec<_> = top.outputs.iter().map(|output| output.name.as_str()).collect();
+    assert!(
+        names.ends_with(&[
+            "signal",
+            "passed_valid",
+            "passed_payload",
+            "area_size",
+            "same",
+            "words_ready",
+            "visited_ready"
+        ]),
+        "{names:?}"
+    );
+}
+
+#[test]
+fn every_form_of_a_stream() {
+    let design = elaborate(&Streams { count: 2 }).unwrap();
+    let top = design.top();
+    let ports = top
+        .inputs
+        .iter()
+        .map(|port| (&port.name, port.node))
+        .chain(top.outputs.iter().map(|port| (&port.name, port.node)));
+    let names: Vec<_> = ports.map(|(name, node)| format!("{name} {}", top.width(node))).collect();
+    assert_eq!(
+        names.join(", "),
+        "words_valid 1, words_payload 8, fast_valid 1, fast_payload 2, places_valid 1, places_x 3, places_y 4, \
+         others_valid 1, others_x 5, others_y 6, many_0_valid 1, many_0_payload 2, many_1_valid 1, many_1_payload 2, \
+         sent_ready 1, sent_fast_ready 1, sent_places_ready 1, sent_others_ready 1, sent_many_0_ready 1, \
+         sent_many_1_ready 1, \
+         sent_valid 1, sent_payload 8, sent_fast_valid 1, sent_fast_payload 2, sent_places_valid 1, sent_places_x 3, \
+         sent_places_y 4, sent_others_valid 1, sent_others_x 5, sent_others_y 6, sent_many_0_valid 1, \
+         sent_many_0_payload 2, sent_many_1_valid 1, sent_many_1_payload 2, words_ready 1, fast_ready 1, places_ready 1, \
+         others_ready 1, many_0_ready 1, many_1_ready 1"
+    );
+    assert_eq!(top.about.inputs["words"], "Words.");
+}
+
+#[test]
+fn ports_that_several_blocks_share() {
+    let design = elaborate(&Shared { width: 8 }).unwrap();
+    let top = design.top();
+    let names: Vec<_> = top.inputs.iter().map(|port| port.name.as_str()).collect();
+    assert_eq!(names, ["place_x", "place_y", "words_valid", "words_payload", "sent_ready"]);
+    assert_eq!(top.about.inputs["place"], "A place.");
+    let problems = elaborate(&Shared { width: 9 }).unwrap_err().to_string();
+    assert!(
+        problems.starts_with("output `sent_payload` is declared with 8 bits, but `words_payload` has 9 bits"),
+        "{problems}"
+    );
 }
 
 #[test]

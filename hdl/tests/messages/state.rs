@@ -121,7 +121,7 @@ fn reset_values_that_are_not_constants() {
         build,
         "the reset value of `r` is not a constant of 8 bits
          --> [let r = m.reg(\"r\", 8).reset(i.a);]
-         help: a reset value is a number known while the block is built",
+         help: the reset value is a number known while the block is built",
     );
 }
 

@@ -214,3 +214,98 @@ impl Block for Pass {
         PassedOn { y: m.offer(x.valid, held).0, taken: x.taken }
     }
 }
+
+#[test]
+fn stream_wires_that_are_not_driven_once() {
+    expect(
+        |m, i| {
+            let back = m.stream_wire("back", 8);
+            JobsOut { found: m.offer(i.go, i.jobs.page).0, copy: vec![back.value(), i.jobs.with(i.jobs.page)] }
+        },
+        "wire `back_valid` of `Streams` is never driven
+         --> [let back = m.stream_wire(\"back\", 8);]
+         help: say what drives it with `.drive(value)`
+
+         wire `back_payload` of `Streams` is never driven
+         --> [let back = m.stream_wire(\"back\", 8);]
+         help: say what drives it with `.drive(value)`
+
+         2 problems in this description",
+    );
+    expect(
+        |m, i| {
+            let back = m.stream_wire("back", 8);
+            back.drive(i.jobs.with(i.jobs.page));
+            JobsOut { found: m.offer(i.go, i.jobs.page).0, copy: vec![] }
+        },
+        "a stream that is offered in `Streams` is never taken
+         --> [let back = m.stream_wire(\"back\", 8);]
+         help: return it among the outputs, or feed an instance with it",
+    );
+    expect(
+        |m, i| {
+            let back = m.stream_wire("back", 8);
+            back.drive(i.jobs.with(i.jobs.page));
+            back.drive(m.offer(i.go, i.jobs.page).0);
+            JobsOut { found: back.value(), copy: vec![] }
+        },
+        "`back_valid` is driven twice
+         --> [back.drive(m.offer(i.go, i.jobs.page).0);]
+         the first time is at [back.drive(i.jobs.with(i.jobs.page));]
+         `back_valid` is declared at [let back = m.stream_wire(\"back\", 8);]
+         help: choose between the two with `mux` or `select`
+
+         `back_payload` is driven twice
+         --> [back.drive(m.offer(i.go, i.jobs.page).0);]
+         the first time is at [back.drive(i.jobs.with(i.jobs.page));]
+         `back_payload` is declared at [let back = m.stream_wire(\"back\", 8);]
+         help: choose between the two with `mux` or `select`
+
+         2 problems in this description",
+    );
+}
+
+#[test]
+fn lanes_of_streams() {
+    expect(
+        |m, i| {
+            let page = i.jobs.with(i.jobs.page);
+            let cells = m.array("u_cell", 2, &Pass, |_| Passed { x: stack([page, page]) });
+            JobsOut { found: m.offer(i.go, i.jobs.page).0, copy: cells.y.lanes() }
+        },
+        "stream `jobs` is taken twice
+         --> [let cells = m.array(\"u_cell\", 2, &Pass, |_| Passed { x: stack([page, page]) });]
+         stream `jobs` is declared at [JobsIn { jobs: stream(Job { page: bits(8), last: bit() }), go: bit() }]
+         help: a stream has one receiver: a fork makes two of it",
+    );
+    expect(
+        |m, i| {
+            let offered = m.offer(i.go, i.jobs.page).0;
+            let x = stack([i.jobs.with(i.jobs.page), offered]);
+            let cells = m.array("u_cell", 2, &Pass, |_| Passed { x });
+            JobsOut { found: cells.y.lanes()[0], copy: vec![] }
+        },
+        "stream `y[1]` of `u_cell` in `Streams` is never taken
+         --> [JobsOut { found: cells.y.lanes()[0], copy: vec![] }]
+         help: take it with `.take_when(condition)`, feed an instance with it, or return it among the outputs",
+    );
+    expect(
+        |m, i| {
+            let x = stack([i.jobs.with(i.jobs.page), m.offer(i.go, i.jobs.page).0]);
+            JobsOut { found: m.offer(i.go, x.payload.lane(1)).0, copy: vec![] }
+        },
+        "a stream that is offered in `Streams` is never taken
+         --> [let x = stack([i.jobs.with(i.jobs.page), m.offer(i.go, i.jobs.page).0]);]
+         help: return it among the outputs, or feed an instance with it",
+    );
+    expect(
+        |_, i| {
+            let lanes = i.jobs.with(i.jobs.page).lanes();
+            JobsOut { found: lanes[0], copy: vec![] }
+        },
+        "`.lanes` needs a row, but `jobs_valid` has no lanes
+         --> [let lanes = i.jobs.with(i.jobs.page).lanes();]
+         `jobs_valid` is made at [JobsIn { jobs: stream(Job { page: bits(8), last: bit() }), go: bit() }]
+         help: lanes come from a register, a port or a wire that is declared with some, as in `bits(8).of(row(4))`, or from `stack`",
+    );
+}

@@ -264,3 +264,10 @@ fn concatenations_of_nothing() {
 fn shifts_by_less_than_nothing() {
     let _ = elaborate(&Case(|_, i| i.a << -1));
 }
+
+#[test]
+fn a_number_is_named_as_it_is_written() {
+    assert!(problems(&Case(|_, i| i.a + hex(0x1ff))).starts_with("`0x1ff` does not fit in 8 bits, unsigned\n"));
+    assert!(problems(&Case(|_, i| i.b & binary(0x80))).starts_with("`0b10000000` does not fit in 7 bits, unsigned\n"));
+    assert!(problems(&Case(|_, i| i.a + hex(u64::MAX))).starts_with("`0xffffffffffffffff` does not fit"));
+}

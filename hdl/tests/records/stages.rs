@@ -61,3 +61,114 @@ fn it_takes_a_record_a_clock_where_it_is_enabled() {
         ",
     );
 }
+
+bundle! {
+    struct AccessIn<T> { enable: T, mode: T, start: Access<T> }
+    struct Access<T> { address: T, value: T }
+    struct AccessOut<T> { sum: T, found: T, risen: T }
+}
+
+/// What may meet in a pipeline: what is of no pipeline, what is of the same stage, and what says that it may.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+struct Allowed;
+
+impl Block for Allowed {
+    type In = AccessIn;
+    type Out = AccessOut;
+
+    fn inputs(&self) -> AccessIn<Width> {
+        AccessIn { enable: bit(), mode: bit(), start: Access { address: bits(4), value: bits(8) } }
+    }
+
+    fn build(&self, m: Module, i: AccessIn) -> AccessOut {
+        let words = m.memory("words", 16, 8, ReadUnderWrite::Old).fill(Bits::zero(8));
+        // A read beside the first stage comes with it, and so does what `pipe_when` keeps.
+        let found = words.read_when(i.enable, i.start.address);
+        let kept = m.pipe_when(i.enable, "kept", i.start.value);
+        let first = m.stages(1, i.enable, i.start, |_, access| access);
+        let start = Access { value: mux(i.mode, found + kept, first.value), ..first };
+        let last = m.stages(2, i.enable, Start::from(start).called("late"), |_, access| access);
+        words.write(i.mode, last.address, last.value);
+        // A register remembers: it takes of one stage and meets every one; and so does what another condition delays.
+        let total = m.reg("total", 8).reset(0);
+        total.when(i.mode, total + last.value);
+        let other = m.pipe_when(i.mode, "other", last.value);
+        // A feedback, and a neighbour in time.
+        let start = Access { value: *total ^ i.start.value, ..i.start };
+        let fed = m.stages(2, None, Start::from(start).called("fed"), |_, access| access);
+        let risen = fed.any_stage().value - i.start.value;
+        AccessOut {
+            sum: total ^ last.value ^ other,
+            found: found & first.value,
+            risen: risen ^ fed.address.any_stage().zext(8),
+        }
+    }
+}
+
+#[test]
+fn what_is_of_one_record_or_of_none_meets() {
+    elaborate(&Allowed).unwrap();
+}
+
+bundle! {
+    struct StreamIn<T> { points: Stream<Pair<T>, T> }
+    struct Pair<T> { x: T, y: T }
+    struct StreamOut<T> { sums: Stream<Pair<T>, T> }
+}
+
+/// Adds x to y in each of two stages.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+struct Elastic;
+
+impl Block for Elastic {
+    type In = StreamIn;
+    type Out = StreamOut;
+
+    fn inputs(&self) -> StreamIn<Width> {
+        StreamIn { points: stream(Pair { x: bits(4), y: bits(4) }) }
+    }
+
+    fn build(&self, m: Module, i: StreamIn) -> StreamOut {
+        let sums =
+            m.stream_stages(2, Start::from(i.points).called("sum"), |_, pair| Pair { y: pair.x + pair.y, ..pair });
+        StreamOut { sums }
+    }
+}
+
+/// Bubbles close while the receiver waits, until all stages are full; then the sender waits.
+#[test]
+fn stages_of_a_stream_hold_while_the_next_one_is_full() {
+    let mut sim = Simulation::of(&Elastic).unwrap();
+    sim.reset();
+    let o = sim.o.sums;
+    let wave = sim.record([
+        "points_valid",
+        "points_x",
+        "points_ready",
+        "sum_full1",
+        "sum_full2",
+        "sum_y1",
+        "sum_y2",
+        "sums_ready",
+    ]);
+    for (valid, x, ready) in
+        [(1, 1, 1), (0, 0, 0), (1, 2, 0), (1, 3, 0), (1, 3, 0), (1, 3, 1), (0, 0, 1), (0, 0, 1), (0, 0, 1)]
+    {
+        sim.set(o.ready, ready);
+        sim.drive(StreamIn { points: Stream::of(valid, Pair { x, y: 0 }) });
+        sim.step();
+    }
+    wave.expect(
+        r"
+        clk          |~\_/~\_/~\_/~\_/~\_/~\_/~\_/~\_/~\_/
+        points_valid |~~~\___/~~~~~~~~~~~~~~~\____________
+        points_x     | 1 | 0 | 2 | 3         | 0         |
+        points_ready |~~~~~~~~~~~\_______/~~~~~~~~~~~~~~~~
+        sum_full1    |___/~~~\___/~~~~~~~~~~~~~~~\________
+        sum_full2    |_______/~~~~~~~~~~~~~~~~~~~~~~~\____
+        sum_y1       | 0 | 1     | 2         | 3         |
+        sum_y2       | 0     | 2             | 4 | 6     |
+        sums_ready   |~~~\_______________/~~~~~~~~~~~~~~~~
+        ",
+    );
+}

@@ -30,7 +30,7 @@ impl Build {
             registers: vec![],
             memories: vec![],
             instances: vec![],
-            asserts: vec![],
+            properties: vec![],
         };
         Build { module }
     }
@@ -81,7 +81,9 @@ impl Build {
             reset,
             enable: ALWAYS,
             next: node,
+            initial: None,
             is_synchronizer: false,
+            attributes: vec![],
         });
         self.named(name, node)
     }
@@ -231,6 +233,7 @@ impl Build {
             contents: Contents::Unknown,
             reads: vec![],
             writes: vec![],
+            attributes: vec![],
             loc: Loc::caller(),
         });
         MemoryId(self.module.memories.len() as u32 - 1)
@@ -276,6 +279,7 @@ impl Build {
     #[track_caller]
     pub fn assert(&mut self, condition: NodeId, message: &str) {
         let message = message.to_owned();
-        self.module.asserts.push(Assert { clock: ClockId(0), condition, message, loc: Loc::caller() });
+        let (directive, clock, loc) = (Directive::Assert, ClockId(0), Loc::caller());
+        self.module.properties.push(Property { directive, clock, condition, message, loc });
     }
 }

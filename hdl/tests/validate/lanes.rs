@@ -314,7 +314,7 @@ fn ports_are_vectors() {
 
 #[test]
 fn assertions() {
-    refused("the condition of an assertion in `top`, `top.row`, has 8 bits, not 1 bit", |b, [_, row, ..]| {
+    refused("the condition of a property of `top`, `top.row`, has 8 bits, not 1 bit", |b, [_, row, ..]| {
         b.assert(row, "a bit");
     });
 }

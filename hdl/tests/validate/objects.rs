@@ -92,9 +92,9 @@ fn clocks_ports_and_assertions() {
     refused("`top.a` is input 0, whose node is node 1", |it| it.top().inputs[0].node = NodeId(1));
     refused("the node of input `top.aa` has another name", |it| it.top().inputs[0].name = "aa".to_owned());
     refused("the driver of `top.sum` is node 70000 of 53", |it| it.top().outputs[0].node = NodeId(70_000));
-    refused("the clock of an assertion in `top` is clock 2 of 2", |it| it.top().asserts[0].clock = ClockId(2));
-    refused("the condition of an assertion in `top`, `top.a`, has 8 bits, not 1 bit", |it| {
-        it.top().asserts[0].condition = NodeId(0);
+    refused("the clock of a property of `top` is clock 2 of 2", |it| it.top().properties[0].clock = ClockId(2));
+    refused("the condition of a property of `top`, `top.a`, has 8 bits, not 1 bit", |it| {
+        it.top().properties[0].condition = NodeId(0);
     });
 }
 

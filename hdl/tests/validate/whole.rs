@@ -15,7 +15,7 @@ fn edits_that_keep_the_rules_are_a_design() {
     let harmless = |it: &mut Edit| {
         let b = it.id("b");
         it.op("add", |op| *op = Op::Wire(b));
-        it.top().asserts.clear();
+        it.top().properties.clear();
         it.top().registers[0].reset = None;
     };
     assert_eq!(problems(harmless), Vec::<String>::new());

@@ -1,13 +1,13 @@
 //! The entries of the local frame buffer and its parts.
 
-use tilewright_hdl::{Scenario, Script, elaborate, elaborate_at};
+use tilewright_hdl::{Scenario, Script, Stream, elaborate, elaborate_at};
 
 use super::shared::{EMPTY, HEIGHT, PAGES, PATCH, WIDTH};
 use super::{CatalogError, Entry, Parameter, Values};
 use crate::clocks::{MERGE, PE};
 use crate::lfb::{
-    Clear, Draw, ImageMemory, ImageMemoryIn, LfbUnit, LfbUnitIn, LookUp, PageIdGenerator, PageIdGeneratorIn,
-    PatchTable, PatchTableIn, Patches, Request, ScanCounter, ScanCounterIn, ScanLookUp, SendPixel,
+    Clear, Draw, ImageMemory, ImageMemoryIn, LfbUnit, LfbUnitIn, PageIdGenerator, PageIdGeneratorIn, PatchTable,
+    PatchTableIn, Patches, Request, ScanCounter, ScanCounterIn, ScanLookUp, SendPixel, Wanted,
 };
 use crate::parameter::Screen;
 use crate::scan::ScanControl;
@@ -77,7 +77,7 @@ fn patch_table(values: &Values) -> PatchTable {
 
 fn misses_and_hits(table: &PatchTable) -> Scenario {
     let mut script = Script::new(table, PE.period);
-    let none = LookUp { valid: 0, patch: 0 };
+    let none = Stream::of(0, Wanted { patch: 0 });
     let idle = PatchTableIn {
         look_up: none,
         clear: none,
@@ -90,10 +90,10 @@ fn misses_and_hits(table: &PatchTable) -> Scenario {
     script.clock(&idle);
     // Each look-up is held until it is accepted: at once, then in the last clock of the one before.
     for (patch, clocks) in [(3, 1), (3, 4), (1, 3), (3, 4)] {
-        script.hold(&PatchTableIn { look_up: LookUp { valid: 1, patch }, ..idle }, clocks);
+        script.hold(&PatchTableIn { look_up: Stream::of(1, Wanted { patch }), ..idle }, clocks);
     }
     script.hold(&idle, 4);
-    script.clock(&PatchTableIn { clear: LookUp { valid: 1, patch: 3 }, ..idle });
+    script.clock(&PatchTableIn { clear: Stream::of(1, Wanted { patch: 3 }), ..idle });
     script.hold(&idle, 8);
     script.finish("two patches get a page on their first look-up, in 4 clocks, and are found in 3; then one is cleared")
 }

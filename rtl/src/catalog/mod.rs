@@ -1,15 +1,12 @@
 //! Every block by name, with its parameters and a scenario: what the command line lists, prints and shows as a wave.
 
-mod entry;
-mod error;
 mod gfb;
 mod lfb;
 mod merger;
 mod shared;
 mod vc1;
 
-pub use entry::{Entry, Parameter, Values};
-pub use error::CatalogError;
+pub use tilewright_hdl::catalog::{CatalogError, Entry, Parameter, Values};
 
 /// Every block: the whole, then its parts in the order of the data's way through it.
 pub const ENTRIES: &[Entry] = &[

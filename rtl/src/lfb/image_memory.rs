@@ -19,38 +19,7 @@
 //! Both buffers are one memory, whose lowest address bit tells them apart: a port for the processor, a port for the
 //! scan, which takes the old word and leaves [`empty`] at the same edge.
 
-use tilewright_hdl::{Module, ReadUnderWrite, below, bit, bits, block, bundle, cat, codes, goto, mux, net, when};
-
-use crate::clocks::{MERGE, PE};
-use crate::word::{WORD, empty};
-
-bundle! {
-    /// A pixel to draw.
-    pub struct Draw<T> {
-        /// There is one.
-        pub valid: T,
-        /// Its page.
-        pub page: T,
-        /// The pixel's place in the page.
-        pub offset: T,
-        /// Depth above colour.
-        pub word: T,
-    }
-
-    /// A pixel to send to the merger.
-    pub struct SendPixel<T> {
-        /// The scan advances; where it is low the word sent stays.
-        pub enable: T,
-        /// The pixel has a page; if not, [`empty`] is sent.
-        pub resident: T,
-        /// Its page.
-        pub page: T,
-        /// The pixel's place in the page.
-        pub offset: T,
-        /// The buffer to read and clear.
-        pub buffer: T,
-    }
-}
+use crate::prelude::*;
 
 codes! {
     /// The clocks of an access.
@@ -68,16 +37,30 @@ block! {
     latency = "3 clocks of the processor to draw, 1 clock of the merger to send";
     source = "VC-1, section 3.3, image memory (VC1-ACC, VC1-CLR1)";
     in(self) ImageMemoryIn {
-        /// From the first stage.
-        draw: Draw { valid: bit(), page: below(self.pages), offset: below(self.page_pixels), word: bits(WORD) }.on(PE),
+        /// A pixel to draw, from the first stage.
+        draw: pub struct Draw {
+            /// There is one.
+            valid: bit(),
+            /// Its page.
+            page: below(self.pages),
+            /// The pixel's place in the page.
+            offset: below(self.page_pixels),
+            /// Depth above colour.
+            word: bits(WORD),
+        }.on(PE),
         /// The buffer to draw into.
         front: bit().on(PE),
-        /// From the scan counter, by way of the patch table.
-        send: SendPixel {
+        /// A pixel to send to the merger, from the scan counter by way of the patch table.
+        send: pub struct SendPixel {
+            /// The scan advances; where it is low the word sent stays.
             enable: bit(),
+            /// The pixel has a page; if not, [`empty`] is sent.
             resident: bit(),
+            /// Its page.
             page: below(self.pages),
+            /// The pixel's place in the page.
             offset: below(self.page_pixels),
+            /// The buffer to read and clear.
             buffer: bit(),
         }.on(MERGE),
     }

@@ -11,7 +11,7 @@
 //!
 //! Its value is the ID of the next free page; a first access to a patch takes it. It restarts when the buffers are swapped.
 
-use tilewright_hdl::{Module, below, bit, block, net, up_to};
+use crate::prelude::*;
 
 block! {
     /// Names the next free page of an image memory: 0, 1, 2 ..
@@ -43,7 +43,9 @@ impl PageIdGenerator {
         net!(exhausted = used.eq(self.pages));
         m.assert(i.take.implies(!exhausted), "a page is taken only while one is free");
         used.when(i.restart, 0).when(i.take, used + 1);
-        PageIdGeneratorOut { page: used.trunc(below(self.pages)), used: used.value(), exhausted }
+        m.assert(m.past(i.restart).implies(used.eq(0)), "a restart frees all pages");
+        m.cover("all pages are taken", m.rose(exhausted));
+        PageIdGeneratorOut { page: used.trunc(below(self.pages)), used: *used, exhausted }
     }
 }
 
@@ -74,6 +76,7 @@ mod tests {
             exhausted |___________________/~~~~~~~\____________
             ",
         );
+        assert_eq!(sim.covered("all pages are taken").unwrap(), 1);
     }
 
     #[test]
@@ -93,8 +96,9 @@ mod tests {
         fn it_is_the_first_of_the_free_pages(
             pages in 2..20u32,
             steps in prop::collection::vec((prop::bool::weighted(0.04), prop::bool::weighted(0.7)), 1..200),
+            seed in any::<u64>(),
         ) {
-            let mut sim = Simulation::of(&PageIdGenerator { pages }).unwrap();
+            let mut sim = Simulation::of(&PageIdGenerator { pages }).unwrap().seeded(seed);
             sim.reset();
             let all: Vec<u64> = (0..pages.into()).rev().collect();
             let mut free = all.clone();

@@ -21,41 +21,17 @@
 //! Both tables are one memory, whose lowest address bit tells the buffers apart: a port for the processor, a port
 //! for the scan.
 
-use tilewright_hdl::{
-    Module, ReadUnderWrite, Width, below, bit, block, bundle, cat, codes, goto, mux, net, up_to, when,
-};
-
 use super::page_id_generator::{PageIdGenerator, PageIdGeneratorIn};
-use crate::clocks::{MERGE, PE};
+use crate::prelude::*;
 
 /// The clocks that a clear takes.
 const CLEAR_CLOCKS: u64 = 3;
 
 bundle! {
     /// A patch of which the processor wants something: its page, or its entry cleared.
-    pub struct LookUp<T> {
-        /// There is one.
-        pub valid: T,
+    pub struct Wanted<T> {
         /// Its number.
         pub patch: T,
-    }
-
-    /// A patch of which the scan wants the page.
-    pub struct ScanLookUp<T> {
-        /// The scan advances; where it is low the entry stays.
-        pub enable: T,
-        /// Its number.
-        pub patch: T,
-        /// The buffer to look into.
-        pub buffer: T,
-    }
-
-    /// An entry of the table.
-    pub struct Entry<T> {
-        /// The page existence flag.
-        pub resident: T,
-        /// The page ID.
-        pub page: T,
     }
 }
 
@@ -76,9 +52,9 @@ block! {
     source = "VC-1, section 3.3, patch table (VC1-PT, VC1-ACC)";
     in(self) PatchTableIn {
         /// A request for the page of a patch.
-        look_up: LookUp { valid: bit(), patch: below(self.patches) }.on(PE),
-        /// A request to clear an entry.
-        clear: LookUp { valid: bit(), patch: below(self.patches) }.on(PE),
+        look_up: stream(Wanted { patch: below(self.patches) }).on(PE),
+        /// A request to clear an entry. If a look-up is accepted at the same edge, the clear comes first.
+        clear: stream(Wanted { patch: below(self.patches) }).on(PE),
         /// The front buffer, 0 or 1.
         front: bit().on(PE),
         /// The scan has left the front buffer.
@@ -87,14 +63,17 @@ block! {
         restart: bit().on(PE),
         /// The held look-up is tried again.
         resume: bit().on(PE),
-        /// The scan's look-up.
-        scan: ScanLookUp { enable: bit(), patch: below(self.patches), buffer: bit() }.on(MERGE),
+        /// A patch of which the scan wants the page.
+        scan: pub struct ScanLookUp {
+            /// The scan advances; where it is low the entry stays.
+            enable: bit(),
+            /// Its number.
+            patch: below(self.patches),
+            /// The buffer to look into.
+            buffer: bit(),
+        }.on(MERGE),
     }
     out(self) PatchTableOut {
-        /// A look-up is accepted at this edge.
-        ready: bit(),
-        /// A clear is accepted at this edge. If a look-up is too, the clear comes first.
-        clear_ready: bit(),
         /// A look-up is held, because all pages are taken.
         overflow: bit(),
         /// No look-up is under way.
@@ -105,68 +84,57 @@ block! {
         found: bit(),
         /// The page it found.
         page: below(self.pages),
-        /// What the scan asked for one clock before.
-        scan_entry: Entry = self.entry(),
+        /// The entry that the scan asked for one clock before.
+        scan_entry: pub struct Entry {
+            /// The page existence flag.
+            resident: bit(),
+            /// The page ID.
+            page: below(self.pages),
+        },
     }
 }
 
 impl PatchTable {
-    /// The widths of an entry.
-    fn entry(&self) -> Entry<Width> {
-        Entry { resident: bit(), page: below(self.pages) }
-    }
-
     fn build(&self, m: Module, i: PatchTableIn) -> PatchTableOut {
+        use Stage1::*;
         let m = m.on(PE);
-        let stage = m.fsm("stage1", Stage1::Idle);
+        let stage = m.fsm("stage1", Idle);
         let clearing = m.reg("clearing", 2).reset(0);
 
         net!(table_free = clearing.eq(0) & i.settled);
-        net!(can_accept = stage.is(Stage1::Idle) | stage.is(Stage1::Found));
-        net!(clear_ready = table_free & (can_accept | stage.is(Stage1::Overflow)));
-        net!(accept = i.look_up.valid & can_accept);
-        net!(clear = i.clear.valid & clear_ready);
-        clearing.when(clear, CLEAR_CLOCKS - 1).when(clearing.ne(0), clearing - 1);
-
-        let patch = m.pipe_when(accept, "patch", i.look_up.patch);
+        net!(can_accept = stage.is(Idle) | stage.is(Found));
+        let look_up = i.look_up.take_when(can_accept);
+        let clear = i.clear.take_when(table_free & (can_accept | stage.is(Overflow)));
+        clearing.when(clear.taken, CLEAR_CLOCKS - 1).when(clearing.ne(0), clearing - 1);
+        let patch = m.pipe_when(look_up.taken, "patch", look_up.patch);
 
         // The two ports are never in the same buffer.
-        let table = m.memory("entries", 2 * self.patches, self.entry(), ReadUnderWrite::Any).fill(0);
-        net!(address = cat!(mux(clear, i.clear.patch, patch), i.front));
-        net!(read = stage.is(Stage1::Read) & table_free);
+        let entry = Entry { resident: bit(), page: below(self.pages) };
+        let table = m.memory("entries", 2 * self.patches, entry, ReadUnderWrite::Any).fill(0);
+        net!(address = cat!(mux(clear.taken, clear.patch, patch), i.front));
+        net!(read = stage.is(Read) & table_free);
         net!(entry = table.on(PE).read_when(read, address));
 
-        net!(allocate = stage.is(Stage1::Allocate));
-        let free = m.instance(
-            "u_page_id_generator",
-            &PageIdGenerator { pages: self.pages },
-            PageIdGeneratorIn { restart: i.restart, take: allocate },
-        );
-        stage.next(|state| match state {
-            Stage1::Idle => when(accept, Stage1::Read),
-            Stage1::Read => when(read, Stage1::Examine),
-            Stage1::Examine => {
-                when(entry.resident, Stage1::Found).or_when(free.exhausted, Stage1::Overflow).or_else(Stage1::Allocate)
-            }
-            Stage1::Allocate => goto(Stage1::Found),
-            Stage1::Found => when(accept, Stage1::Read).or_else(Stage1::Idle),
-            Stage1::Overflow => when(i.resume, Stage1::Read),
+        net!(allocate = stage.is(Allocate));
+        let taking = PageIdGeneratorIn { restart: i.restart, take: allocate };
+        let free = m.instance("u_page_id_generator", &PageIdGenerator { pages: self.pages }, taking);
+        let moves = stage.next(|state| match state {
+            Idle => when(look_up.taken, Read),
+            Read => when(read, Examine),
+            Examine => when(entry.resident, Found).or_when(free.exhausted, Overflow).or_else(Allocate),
+            Allocate => goto(Found),
+            Found => when(look_up.taken, Read).or_else(Idle),
+            Overflow => when(i.resume, Read),
         });
 
+        m.cover("a look-up finds no free page", moves.enters(Overflow));
+
         let page = m.reg("page", below(self.pages));
-        page.when(stage.is(Stage1::Examine), mux(entry.resident, entry.page, free.page));
-        table.on(PE).write(allocate | clear, address, Entry { resident: allocate, page: *page });
+        page.when(stage.is(Examine), mux(entry.resident, entry.page, free.page));
+        table.on(PE).write(allocate | clear.taken, address, Entry { resident: allocate, page: *page });
         net!(scan_entry = table.on(MERGE).read_when(i.scan.enable, cat!(i.scan.patch, i.scan.buffer)));
-        PatchTableOut {
-            ready: can_accept,
-            clear_ready,
-            overflow: stage.is(Stage1::Overflow),
-            idle: stage.is(Stage1::Idle),
-            pages_used: free.used,
-            found: stage.is(Stage1::Found),
-            page: page.value(),
-            scan_entry,
-        }
+        let (overflow, idle, found) = (stage.is(Overflow), stage.is(Idle), stage.is(Found));
+        PatchTableOut { overflow, idle, pages_used: free.used, found, page: *page, scan_entry }
     }
 }
 

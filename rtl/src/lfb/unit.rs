@@ -28,38 +28,8 @@
 //! that two clocks of its own later still; until then its look-ups and clears wait, so that never both are in one buffer.
 //! Whoever swaps has to see that the back buffer has been sent as a whole (VC1-SW3), and to clear the patch table then.
 
-use tilewright_hdl::{Module, Width, bit, bits, block, bundle, net, up_to};
-
-use super::image_memory::{Draw, ImageMemory, ImageMemoryIn, SendPixel};
-use super::patch_table::{LookUp, PatchTable, PatchTableIn, PatchTableOut, ScanLookUp};
-use super::patches::Patches;
-use super::scan_counter::{ScanCounter, ScanCounterIn};
-use crate::clocks::{MERGE, PE};
-use crate::parameter::ParameterError;
-use crate::scan::{Position, ScanControl};
-use crate::word::WORD;
-
-bundle! {
-    /// A pixel that the processor draws.
-    pub struct Request<T> {
-        /// There is one.
-        pub valid: T,
-        /// Counted from the left.
-        pub x: T,
-        /// Counted from the top.
-        pub y: T,
-        /// Depth above colour.
-        pub word: T,
-    }
-
-    /// A patch table entry that the processor clears.
-    pub struct Clear<T> {
-        /// There is one.
-        pub valid: T,
-        /// Its number.
-        pub patch: T,
-    }
-}
+use super::*;
+use crate::prelude::*;
 
 block! {
     /// A virtual local frame buffer: a full screen in the pages of a part of its memory.
@@ -70,10 +40,24 @@ block! {
     latency = "an access every 3 or 4 clocks; 2 clocks of the merger from the scan counter to the word";
     source = "VC-1, section 3.3, local frame buffer (VC1-LFB, VC1-ACC, VC1-SCAN, VC1-CLR1)";
     in(self) LfbUnitIn {
-        /// The processor draws.
-        request: Request = self.request(),
-        /// The processor clears the patch table.
-        clear: Clear { valid: bit(), patch: self.patches.patch_width() }.on(PE),
+        /// A pixel that the processor draws.
+        request: pub struct Request {
+            /// There is one.
+            valid: bit(),
+            /// Counted from the left.
+            x: below(self.patches.screen().width),
+            /// Counted from the top.
+            y: below(self.patches.screen().height),
+            /// Depth above colour.
+            word: bits(WORD),
+        }.on(PE),
+        /// A patch table entry that the processor clears.
+        clear: pub struct Clear {
+            /// There is one.
+            valid: bit(),
+            /// Its number.
+            patch: self.patches.patch_width(),
+        }.on(PE),
         /// For one clock, when idle or in overflow: exchange the buffers.
         swap: bit().on(PE),
         /// For one clock: try the held request again.
@@ -120,19 +104,13 @@ impl LfbUnit {
         &self.patches
     }
 
-    /// The widths of a pixel that the processor draws.
-    fn request(&self) -> Request<Width> {
-        let Position { x, y } = ScanCounter::position(self.patches.screen());
-        Request { valid: bit(), x, y, word: bits(WORD) }.on(PE)
-    }
-
     fn build(&self, m: Module, i: LfbUnitIn) -> LfbUnitOut {
         let (pe, merge) = (m.on(PE), m.on(MERGE));
 
         // Which buffer is in front, as the processor knows it and as the merger knows it.
         let front = pe.reg("front", bit()).reset(0);
         front.when(i.swap, !front);
-        let merge_front = merge.synchronize("merge_front", front.value());
+        let merge_front = merge.synchronize("merge_front", *front);
         let known_front = pe.synchronize("known_front", merge_front);
         net!(settled = known_front.eq(front));
         net!(back = !merge_front);
@@ -149,39 +127,27 @@ impl LfbUnit {
 
         // The processor's request: its patch is looked up, the rest waits beside.
         let wanted = self.patches.locate(Position { x: i.request.x, y: i.request.y });
-        let table = m.instance(
-            "u_patch_table",
-            &PatchTable { patches: self.patches.count(), pages: self.pages },
-            PatchTableIn {
-                look_up: LookUp { valid: i.request.valid, patch: wanted.patch },
-                clear: LookUp { valid: i.clear.valid, patch: i.clear.patch },
-                front: front.value(),
-                settled,
-                restart: i.swap,
-                resume: i.resume,
-                scan: ScanLookUp { enable: scan.enable, patch: sought.patch, buffer: back },
-            },
-        );
-        net!(accept = i.request.valid & table.ready);
+        let (look_up, accept) = pe.offer(i.request.valid, Wanted { patch: wanted.patch });
+        let (clear, _) = pe.offer(i.clear.valid, Wanted { patch: i.clear.patch });
+        let seek = ScanLookUp { enable: scan.enable, patch: sought.patch, buffer: back };
+        let table = PatchTable { patches: self.patches.count(), pages: self.pages };
+        let asked =
+            PatchTableIn { look_up, clear, front: *front, settled, restart: i.swap, resume: i.resume, scan: seek };
+        let table = m.instance("u_patch_table", &table, asked);
         let wanted_offset = pe.pipe_when(accept, "wanted_offset", wanted.offset);
         let word = pe.pipe_when(accept, "wanted_word", i.request.word);
 
         // A pixel sought before the buffers were swapped is not sent: its page may belong to another patch by now.
         net!(resident = armed & table.scan_entry.resident & buffer.eq(back));
-        let image = m.instance(
-            "u_image_memory",
-            &ImageMemory { pages: self.pages, page_pixels: self.patches.pixels() },
-            ImageMemoryIn {
-                draw: Draw { valid: table.found, page: table.page, offset: wanted_offset, word },
-                front: front.value(),
-                send: SendPixel { enable: scan.enable, resident, page: table.scan_entry.page, offset, buffer: back },
-            },
-        );
+        let draw = Draw { valid: table.found, page: table.page, offset: wanted_offset, word };
+        let send = SendPixel { enable: scan.enable, resident, page: table.scan_entry.page, offset, buffer: back };
+        let image = ImageMemory { pages: self.pages, page_pixels: self.patches.pixels() };
+        let image = m.instance("u_image_memory", &image, ImageMemoryIn { draw, front: *front, send });
         let idle = table.idle & image.idle;
-        pe.assert(i.swap.implies(table.overflow | idle), "the buffers are swapped when idle or in overflow");
-        pe.assert(i.swap.implies(settled), "the buffers are not swapped again before the merger has followed");
-        let PatchTableOut { ready, clear_ready, overflow, pages_used, .. } = table;
-        LfbUnitOut { ready, clear_ready, overflow, pages_used, idle, word: image.sent }
+        pe.assume(i.swap.implies(table.overflow | idle), "the buffers are swapped when idle or in overflow");
+        pe.assume(i.swap.implies(settled), "the buffers are not swapped again before the merger has followed");
+        let PatchTableOut { overflow, pages_used, .. } = table;
+        LfbUnitOut { ready: look_up.ready, clear_ready: clear.ready, overflow, pages_used, idle, word: image.sent }
     }
 }
 

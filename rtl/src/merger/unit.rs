@@ -16,9 +16,7 @@
 //! colour, alike in every order of merging (facts E0). A stage compares 12 bits of the words, the highest first, as a
 //! comparison of all 48 would not fit into a clock.
 
-use tilewright_hdl::{Module, Signal, bit, bits, block, bundle, lit, mux};
-
-use crate::word::WORD;
+use crate::prelude::*;
 
 /// The stages of the pipeline (VC1-MU).
 pub const STAGES: u32 = 4;
@@ -28,7 +26,6 @@ const PART: u32 = WORD / STAGES;
 block! {
     /// Sends on the nearer of two pixels: words of depth above colour, the smaller is the nearer.
     pub struct MergingUnit;
-    latency = "4 clocks with `enable`";
     source = "VC-1, section 3.3, pipelined image merger (VC1-MU)";
     in MergingUnitIn {
         /// The pixel of the preceding unit of the chain.

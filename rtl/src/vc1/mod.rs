@@ -29,14 +29,10 @@
 //!
 //! A processor that swaps during a round loses nothing (VC1-SW4): what the scan has passed already is sent in the next round.
 
-use tilewright_hdl::{Block, Fields, Module, Width, block, bundle, constants, stack};
-
-use crate::clocks::MERGE;
 use crate::gfb::{GfbUnit, GfbUnitIn, Host, View};
 use crate::lfb::{Clear, LfbUnit, LfbUnitIn, LfbUnitOut, Patches, Request, ScanCounter};
 use crate::merger::{ImageMerger, ImageMergerIn, STAGES};
-use crate::parameter::ParameterError;
-use crate::scan::Position;
+use crate::prelude::*;
 
 /// The scan line overhead of the VC-1, beta, in clocks of the merger (VC1-TM).
 pub const OVERHEAD: u32 = 20;
@@ -84,13 +80,13 @@ block! {
         /// Of each processor.
         processors: [ProcessorIn = self.processor(); self.processors],
         /// Of the host.
-        gfb: Host = self.gfb().host().on(MERGE),
+        gfb: Host = self.gfb().inputs().host.on(MERGE),
     }
     out(self) Vc1Out {
         /// To each processor.
         processors: [ProcessorOut] = _,
         /// To the host.
-        gfb: View = self.gfb().view(),
+        gfb: View = _,
     }
 }
 
@@ -125,17 +121,13 @@ impl Vc1 {
         let merge = m.on(MERGE);
         let screen = self.lfb.patches().screen();
 
-        let merged = merge.wire("merged", crate::word::WORD);
+        let merged = merge.wire("merged", WORD);
         let gfb = merge.instance("u_gfb", &self.gfb(), GfbUnitIn { host: i.gfb, merged: *merged });
 
         let lfb = m.array("u_lfb", self.processors, &self.lfb, |_| {
             let ProcessorIn { request, clear, swap, resume } = stack(i.processors);
-            let widths = ScanCounter::position(screen);
-            let preset = |position| ScanCounter::preset(screen, position);
-            let preset = Position {
-                x: constants(widths.x.of(self.processors), |position| preset(position).x),
-                y: constants(widths.y.of(self.processors), |position| preset(position).y),
-            };
+            let widths = ScanCounter::position(screen).map(|width| width.of(self.processors));
+            let preset = constants(widths, |position| ScanCounter::preset(screen, position));
             LfbUnitIn { request, clear, swap, resume, scan: gfb.scan, preset }
         });
 

@@ -1,7 +1,10 @@
+use std::cell::Cell;
+
 use proptest::prelude::*;
-use tilewright_sim::{Port, Simulation};
+use tilewright_sim::{Port, Simulation, Testbench, monitor};
 
 use super::*;
+use crate::clocks::PE;
 use crate::parameter::Screen;
 
 const EMPTY: u64 = (1 << 48) - 1;
@@ -94,10 +97,19 @@ impl Machine {
         self.sim.set(self.sim.i.gfb.start, 1);
         self.sim.step_clock("merge", 1);
         self.sim.set(self.sim.i.gfb.start, 0);
-        while self.sim.get_u64(self.sim.o.gfb.busy) == 1 {
+        self.finish_round();
+        self.sim.get_u64(self.sim.o.gfb.clocks)
+    }
+
+    /// Lets clocks pass until the round under way has ended.
+    fn finish_round(&mut self) {
+        for _ in 0..self.merge_clocks + 9 {
+            if self.sim.get_u64(self.sim.o.gfb.busy) == 0 {
+                return;
+            }
             self.sim.step_clock("merge", 1);
         }
-        self.sim.get_u64(self.sim.o.gfb.clocks)
+        panic!("the round has no end");
     }
 
     /// Exchanges the banks.
@@ -144,6 +156,42 @@ fn a_round_takes_t_m() {
 }
 
 #[test]
+fn each_processor_sees_its_own_buffer() {
+    let mut machine = Machine::new(Screen { width: 16, height: 8 }, 4, 8, 3);
+    for busy in 0..3 {
+        machine.draw(busy, (0..=busy as u64).map(|patch| (4 * patch, 0, 9)));
+        let ProcessorIn { request, clear, .. } = machine.sim.i.processors[busy];
+        machine.sim.set(clear.patch, busy as u64);
+        for wanted in [1, 0] {
+            machine.sim.set(request.valid, wanted);
+            machine.sim.set(clear.valid, wanted);
+            machine.sim.step_clock("pe", wanted);
+        }
+        for (processor, seen) in machine.sim.read_u64().processors.into_iter().enumerate() {
+            let is_free = u64::from(processor != busy);
+            assert_eq!((seen.ready, seen.clear_ready, seen.idle), (is_free, is_free, is_free), "{processor} of {busy}");
+        }
+        machine.wait_until(machine.sim.o.processors[busy].idle);
+    }
+    // The patch that was drawn into last was cleared, and got another page.
+    let pages = machine.sim.read_u64().processors.into_iter().map(|seen| seen.pages_used);
+    assert_eq!(pages.collect::<Vec<_>>(), [2, 3, 4]);
+}
+
+#[test]
+fn the_host_sees_which_round_is_the_first() {
+    let mut machine = Machine::new(Screen { width: 16, height: 8 }, 4, 8, 1);
+    for _ in 0..2 {
+        assert_eq!(machine.sim.get_u64(machine.sim.o.gfb.first_round), 1);
+        for _ in 0..2 {
+            machine.merge();
+            assert_eq!(machine.sim.get_u64(machine.sim.o.gfb.first_round), 0);
+        }
+        machine.show();
+    }
+}
+
+#[test]
 fn later_rounds_accumulate_and_a_swap_starts_afresh() {
     let screen = Screen { width: 16, height: 8 };
     let mut machine = Machine::new(screen, 4, 8, 3);
@@ -179,9 +227,7 @@ fn a_swap_during_a_round_loses_nothing() {
         machine.sim.set(machine.sim.i.gfb.start, 0);
         machine.sim.step_clock("merge", delay);
         machine.swap(0);
-        while machine.sim.get_u64(machine.sim.o.gfb.busy) == 1 {
-            machine.sim.step_clock("merge", 1);
-        }
+        machine.finish_round();
         machine.merge();
         machine.show();
         assert_eq!(machine.picture(), nearest(screen, &drawn, &blank(screen)), "a swap {delay} clocks after the start");
@@ -199,6 +245,93 @@ fn an_overflow_is_merged_in_a_round_of_its_own() {
     machine.merge();
     machine.show();
     assert_eq!(machine.picture(), nearest(screen, &drawn, &blank(screen)));
+}
+
+/// A processor that draws, through overflows, while the host has the machine merge round after round; at the end it swaps.
+async fn processor(
+    t: &Testbench<'_>,
+    ports: (ProcessorIn<Port>, ProcessorOut<Port>),
+    merged: &Cell<u64>,
+    pixels: &[(u64, u64, u64)],
+    patches: u32,
+) -> u64 {
+    let (t, (i, o)) = (t.on(PE), ports);
+    let mut overflows = 0;
+    for &(x, y, word) in pixels {
+        for (port, value) in [(i.request.valid, 1), (i.request.x, x), (i.request.y, y), (i.request.word, word)] {
+            t.set(port, value);
+        }
+        t.until(o.ready).await;
+        t.set(i.request.valid, 0);
+        t.wait(3).await;
+        if t.get_u64(o.overflow) == 1 {
+            overflows += 1;
+            swap_and_wait(&t, i.swap, merged).await;
+            for patch in 0..patches {
+                t.set(i.clear.valid, 1);
+                t.set(i.clear.patch, patch);
+                t.until(o.clear_ready).await;
+            }
+            t.set(i.clear.valid, 0);
+            pulse(&t, i.resume).await;
+        }
+        // Processors are not in step.
+        t.wait(word % 5).await;
+    }
+    t.until(o.idle).await;
+    swap_and_wait(&t, i.swap, merged).await;
+    overflows
+}
+
+async fn pulse(t: &Testbench<'_>, port: Port) {
+    t.set(port, 1);
+    t.step().await;
+    t.set(port, 0);
+}
+
+/// Swaps, and waits for a round that begins after it has had its effect.
+async fn swap_and_wait(t: &Testbench<'_>, swap: Port, merged: &Cell<u64>) {
+    pulse(t, swap).await;
+    t.on(MERGE).wait(SWAP_CLOCKS).await;
+    let rounds = merged.get();
+    while merged.get() < rounds + 2 {
+        t.step().await;
+    }
+}
+
+/// The host: a round of merging after another.
+async fn merge_for_ever(t: &Testbench<'_>, start: Port, busy: Port, merged: &Cell<u64>) {
+    let t = t.on(MERGE);
+    loop {
+        pulse(&t, start).await;
+        t.until(busy.is(0)).await;
+        merged.set(merged.get() + 1);
+    }
+}
+
+#[test]
+fn processors_draw_side_by_side_while_the_host_merges() {
+    let screen = Screen { width: 16, height: 8 };
+    let mut machine = Machine::new(screen, 4, 2, 3);
+    let drawn: [Vec<_>; 3] = [0, 1, 2].map(|number| {
+        (0..12).map(|i| ((5 * i + number) % 16, (3 * i + number) % 8, 100 + 7 * i - 20 * number)).collect()
+    });
+    let (start, busy) = (machine.sim.i.gfb.start, machine.sim.o.gfb.busy);
+    let ports = machine.sim.i.processors.iter().zip(&machine.sim.o.processors);
+    let ports: Vec<_> = ports.map(|(i, o)| (*i, *o)).collect();
+    let (merged, patches) = (Cell::new(0), machine.patches);
+    let t = machine.sim.testbench();
+    let draw = ports.into_iter().zip(&drawn).map(|(ports, pixels)| processor(&t, ports, &merged, pixels, patches));
+    let (overflows, ()) = t.run((t.all(draw), monitor(merge_for_ever(&t, start, busy, &merged))));
+    assert!(overflows.iter().all(|&count| count > 1), "{overflows:?}");
+    // The round that goes on, or was about to start.
+    machine.sim.set(start, 0);
+    machine.sim.step_clock(MERGE, 2);
+    while machine.sim.get_u64(busy) == 1 {
+        machine.sim.step_clock(MERGE, 1);
+    }
+    machine.show();
+    assert_eq!(machine.picture(), nearest(screen, &drawn.concat(), &blank(screen)));
 }
 
 proptest! {

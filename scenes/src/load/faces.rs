@@ -10,6 +10,8 @@ use glam::DVec3;
 pub(super) struct Cut {
     /// Corners of the face, by index; the triangles run round as the face does.
     pub(super) triangles: Vec<[usize; 3]>,
+    /// Whether they are a fan from its first corner.
+    pub(super) is_fan: bool,
     /// Whether the outline crosses itself, so that the triangles cover it roughly.
     pub(super) crosses: bool,
 }
@@ -28,17 +30,17 @@ pub(super) fn cut(corners: &[DVec3]) -> Cut {
     let direction = normal / normal.length();
     let is_flat = normal.length() <= noise;
     if corners.len() == 3 || !is_flat && areas.iter().all(|area| area.dot(direction) >= -noise) {
-        return Cut { triangles: fan.collect(), crosses: false };
+        return Cut { triangles: fan.collect(), is_fan: true, crosses: false };
     }
     if is_flat {
         // All corners stand in a line, or the halves of a bow tie cancel each other.
-        return Cut { triangles: fan.collect(), crosses: areas.iter().any(|area| area.length() > noise) };
+        return Cut { triangles: fan.collect(), is_fan: true, crosses: areas.iter().any(|area| area.length() > noise) };
     }
     let mut indices: Vec<usize> = Vec::new();
     Earcut::new().earcut(corners.iter().map(|&p| seen_along(direction, p)), &[], &mut indices);
     let triangles: Vec<[usize; 3]> = indices.as_chunks::<3>().0.to_vec();
     let covered: f64 = triangles.iter().map(|t| doubled_area(t.map(|i| corners[i])).dot(direction).abs()).sum();
-    Cut { triangles, crosses: (covered - normal.length()).abs() > 1e-6 * normal.length() }
+    Cut { triangles, is_fan: false, crosses: (covered - normal.length()).abs() > 1e-6 * normal.length() }
 }
 
 /// The cross product of two sides: as long as twice the area, along the normal.

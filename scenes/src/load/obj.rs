@@ -37,6 +37,10 @@ pub(super) fn load(path: &Path) -> Result<Loaded, SceneError> {
         }
         let places: Vec<u32> = corners.into_iter().map(|corner| parts.place(corner)).collect();
         let diffuse = face.material.map_or(GREY, |material| colours[material]);
+        match cut.is_fan {
+            true => parts.faces.push(cut.triangles.len() as u32),
+            false => parts.faces.extend(cut.triangles.iter().map(|_| 1)),
+        }
         for triangle in cut.triangles {
             let positions = triangle.map(|i| places[i]);
             let normals = match has_normals {
@@ -51,7 +55,7 @@ pub(super) fn load(path: &Path) -> Result<Loaded, SceneError> {
         true => scan.normals,
         false => smooth_normals(&parts.positions, &parts.triangles.iter().map(|t| t.positions).collect::<Vec<_>>()),
     };
-    let mesh = Mesh::new(parts.positions, normals, parts.triangles)?;
+    let mesh = Mesh::new(parts.positions, normals, parts.triangles)?.with_faces(parts.faces)?;
     if !mesh.triangles().iter().any(|triangle| has_area(&mesh, triangle)) {
         return Err(SceneError::File {
             path: path.to_owned(),
@@ -99,6 +103,7 @@ struct Parts {
     positions: Vec<DVec3>,
     index_of: BTreeMap<[u64; 3], u32>,
     triangles: Vec<MeshTriangle>,
+    faces: Vec<u32>,
 }
 
 impl Parts {

@@ -1,4 +1,4 @@
-//! Two engines side by side, which must agree on everything that has a name.
+//! Two engines side by side, which must agree on everything that has a name, and on what is covered.
 
 use std::sync::Arc;
 
@@ -13,7 +13,7 @@ pub(crate) struct Lockstep {
     program: Arc<Program>,
     reference: reference::Engine,
     other: Box<dyn Engine>,
-    /// Every value that has a name, once, in the order of the hierarchy.
+    /// Every value that has a name, once, in the order of the hierarchy, and the counters of covers.
     named: Vec<ValueId>,
     instants: u64,
     /// Something was set since the last comparison.
@@ -27,7 +27,8 @@ impl Lockstep {
     pub fn new(program: Arc<Program>, reference: reference::Engine, other: Box<dyn Engine>) -> Lockstep {
         let mut seen = vec![false; program.circuit.len()];
         let signals = program.hierarchy.scopes.iter().flat_map(|scope| &scope.signals).map(|signal| signal.value);
-        let named: Vec<ValueId> = signals.filter(|id| !std::mem::replace(&mut seen[id.index()], true)).collect();
+        let named = signals.chain(program.covers.iter().map(|cover| cover.counter));
+        let named: Vec<ValueId> = named.filter(|id| !std::mem::replace(&mut seen[id.index()], true)).collect();
         let mut lockstep = Lockstep { program, reference, other, named, instants: 0, touched: true, found: None };
         lockstep.other.watch(&lockstep.named);
         lockstep
@@ -106,6 +107,9 @@ impl Lockstep {
     /// The first name of a lane of a value.
     fn name(&self, id: ValueId, lane: u32) -> String {
         let hierarchy = &self.program.hierarchy;
+        if let Some(cover) = self.program.covers.iter().find(|cover| cover.counter == id) {
+            return hierarchy.path_in(hierarchy.instance(&cover.scopes, lane / cover.group), &cover.name);
+        }
         let places = (0..self.program.lanes()).flat_map(|run| hierarchy.places(run));
         let names = places.flat_map(|place| {
             let signals = hierarchy.scope(place.scope).signals.iter().filter(move |signal| signal.value == id);

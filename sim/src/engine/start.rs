@@ -17,7 +17,7 @@ pub(crate) trait State {
     fn set_words(&mut self, memory: u32, lanes: Range<u32>, addresses: Range<u32>, limbs: &[u64]);
 }
 
-/// Sets registers to their reset values, memories to their contents, and the rest from the seed of its run, zeros if
+/// Sets registers to their values at power-on or after a reset, memories to their contents, and the rest from the seed of its run, zeros if
 /// that is 0.
 pub(crate) fn start(program: &Program, seeds: &[u64], state: &mut impl State) {
     for (index, memory) in (0..).zip(&program.memories) {
@@ -27,9 +27,15 @@ pub(crate) fn start(program: &Program, seeds: &[u64], state: &mut impl State) {
         scatter(program, run, seed, state);
     }
     for register in &program.registers {
-        let is_zero = matches!(&register.reset, Some(Init::Same(value)) if value.is_zero());
-        if !is_zero || seeds.iter().any(|&seed| seed != 0) {
-            reset(program, register, state);
+        let lanes = program.circuit[register.value].lanes;
+        let is_zero = match (&register.initial, &register.reset) {
+            (Some(value), _) | (None, Some(Init::Same(value))) => value.is_zero(),
+            _ => false,
+        };
+        match &register.initial {
+            _ if is_zero && seeds.iter().all(|&seed| seed == 0) => {}
+            Some(value) => state.set(register.value, 0..lanes, value.limbs()),
+            None => reset(program, register, state),
         }
     }
 }

@@ -30,7 +30,7 @@ use crate::testbench::trace::{Draw, Dump, Recorder, Source, Vcd, Wave, Window, h
 pub enum Probe {
     /// A port of the top module.
     Port(Port),
-    /// A hierarchical name.
+    /// A hierarchical name, or several: `u_table.entry_*`.
     Path(String),
 }
 
@@ -108,7 +108,8 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         self.circuit.recording(0)
     }
 
-    /// Draws a wave of these ports and signals, by [`Port`] or by name, from here on.
+    /// Draws a wave of these ports and signals, by [`Port`] or by name, from here on. In the last part of a name `*` stands for any characters:
+    /// `entry_*` are the fields of the record `entry`, or of the payload of a stream, each by its name.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Counter};
@@ -169,7 +170,7 @@ impl Running {
     pub fn record(&mut self, run: u32, what: impl IntoIterator<Item = impl Into<Probe>>) -> Wave {
         let mut sources = Vec::new();
         for probe in what {
-            sources.push(self.source(run, probe.into()));
+            sources.extend(self.sources(run, probe.into()));
         }
         self.engine.watch(&sources.iter().map(|source| source.value).collect::<Vec<_>>());
         let clocks = self.program.clocks.iter().map(|clock| (clock.port.clone(), clock.period)).collect();
@@ -179,13 +180,19 @@ impl Running {
     }
 
     #[track_caller]
-    fn source(&self, run: u32, probe: Probe) -> Source {
+    fn sources(&self, run: u32, probe: Probe) -> Vec<Source> {
         let name = match probe {
             Probe::Port(port) => self.declared(port).name.clone(),
             Probe::Path(path) => path,
         };
-        match lookup::signal(&self.program.hierarchy, &name, run) {
-            Ok(Found { signal, lane }) => Source { value: signal.value, lane, kind: signal.kind, name },
+        let hierarchy = &self.program.hierarchy;
+        let found = match name.contains('*') {
+            true => lookup::signals(hierarchy, &name, run),
+            false => lookup::signal(hierarchy, &name, run).map(|found| vec![(name, found)]),
+        };
+        let source = |(name, Found { signal, lane })| Source { value: signal.value, lane, kind: signal.kind, name };
+        match found {
+            Ok(found) => found.into_iter().map(source).collect(),
             Err(unknown) => panic!("{unknown}"),
         }
     }

@@ -173,7 +173,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
 impl Running {
     /// The condition on the port's value.
     #[track_caller]
-    fn until(&self, condition: Condition) -> Until {
+    pub fn until(&self, condition: Condition) -> Until {
         let Condition { port, compared } = condition;
         let declared = self.declared(port);
         let (name, value) = (&declared.name, declared.value);
@@ -187,6 +187,17 @@ impl Running {
             Ok(number) => Until { value, order, number },
             Err(problem) => panic!("the condition compares `{name}`, which has {} and {problem}", bits(width)),
         }
+    }
+
+    /// What the condition says, such as `count` to be below 5.
+    pub fn condition_text(&self, Condition { port, compared }: Condition) -> String {
+        let (order, number) = match compared.unwrap_or((Order::Is, 1)) {
+            (Order::Is, number) => ("", number),
+            (Order::IsNot, number) => ("other than ", number),
+            (Order::Below, number) => ("below ", number),
+            (Order::AtLeast, number) => ("at least ", number),
+        };
+        format!("`{}` to be {order}{number}", self.declared(port).name)
     }
 
     /// Goes on until the condition holds; gives after how many instants.

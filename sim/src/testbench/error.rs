@@ -26,7 +26,7 @@ pub enum Error {
     /// The description has mistakes.
     #[error(transparent)]
     Description(#[from] Problems),
-    /// Assertions do not hold.
+    /// Assertions or assumptions do not hold.
     #[error("{}", sentences(.0))]
     Violated(Vec<Violation>),
     /// A batch needs a run, and has no room for any number of them.
@@ -69,22 +69,13 @@ fn sentences(violations: &[Violation]) -> String {
     violations.iter().map(Violation::to_string).collect::<Vec<_>>().join("\n")
 }
 
-/// An assertion that does not hold at an edge of its clock.
-///
-/// ```
-/// # use tilewright_sim::{Simulation, for_examples::Counter};
-/// let mut sim = Simulation::of(&Counter)?;
-/// sim.set(sim.i.enable, 1);
-/// let error = sim.try_run(1000).unwrap_err().to_string();
-/// assert!(error.starts_with("assertion failed in `counter` in cycle 200 of `clk`, at 2010000 ps: it counts"));
-/// // The values are those before the edge, which does not happen.
-/// assert_eq!(sim.get(sim.o.count), 200);
-/// # Ok::<(), tilewright_sim::Error>(())
-/// ```
+/// An assertion or assumption that does not hold at an edge of its clock.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Violation {
-    /// The assertion's message.
+    /// Its message.
     pub message: String,
+    /// It is an assumption: not the circuit is wrong, but what it is given.
+    pub is_assumption: bool,
     /// The run of a [`Batch`](crate::Batch), from 0; `None` where there is only one.
     pub run: Option<u32>,
     /// The instance's path below the top; the top module's name for the top itself.
@@ -101,12 +92,10 @@ pub struct Violation {
 
 impl fmt::Display for Violation {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let Violation { message, run, instance, clock, cycle, time, loc } = self;
+        let Violation { message, is_assumption, run, instance, clock, cycle, time, loc } = self;
         let run = run.map(|run| format!(" of run {run}")).unwrap_or_default();
-        write!(
-            f,
-            "assertion failed in `{instance}`{run} in cycle {cycle} of `{clock}`, at {time} ps: {message}\n  --> {loc}"
-        )
+        let what = if *is_assumption { "the stimulus breaks an assumption of" } else { "assertion failed in" };
+        write!(f, "{what} `{instance}`{run} in cycle {cycle} of `{clock}`, at {time} ps: {message}\n  --> {loc}")
     }
 }
 

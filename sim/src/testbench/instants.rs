@@ -9,6 +9,9 @@ use crate::testbench::trace::View;
 
 impl Running {
     fn set_reset(&mut self, clock: usize, high: bool) {
+        if self.resets[clock] != high {
+            self.cover_reset(clock, high);
+        }
         self.resets[clock] = high;
         self.engine.set_reset(clock, high);
     }
@@ -216,6 +219,7 @@ impl Running {
         let path = hierarchy.path(place);
         Violation {
             message: assert.message.clone(),
+            is_assumption: assert.is_assumption,
             run: (self.program.lanes() > 1).then(|| hierarchy.run(place)),
             instance: if path.is_empty() { hierarchy.scopes[0].name.clone() } else { path },
             clock: self.program.clocks[assert.clock as usize].name.clone(),

@@ -5,6 +5,7 @@ use tilewright_hdl::ir::Shape;
 use crate::engine::program::Hierarchy;
 use crate::engine::program::hierarchy::{self, Place, Signal};
 use crate::testbench::error::UnknownName;
+use crate::testbench::trace::glob;
 
 /// A signal in one lane of its value.
 #[derive(Debug, Clone, Copy)]
@@ -27,6 +28,31 @@ pub(crate) fn signal<'a>(hierarchy: &'a Hierarchy, path: &str, run: u32) -> Resu
         names.extend(hierarchy.children(place).into_iter().map(|(name, _)| format!("{name}.")));
         unknown(hierarchy, place, "signal", &name, &names)
     })
+}
+
+/// Finds the signals of an instance whose names match the last of `path`, in which `*` stands for any characters: each with its path.
+pub(crate) fn signals<'a>(
+    hierarchy: &'a Hierarchy,
+    path: &str,
+    run: u32,
+) -> Result<Vec<(String, Found<'a>)>, UnknownName> {
+    let (place, pattern) = enter(hierarchy, path, run, "signal")?;
+    let inside = path.strip_suffix(&pattern).unwrap_or_default();
+    let mut found = Vec::new();
+    for signal in &hierarchy.scope(place.scope).signals {
+        for lane in 0..signal.shape.lanes() {
+            let name = format!("{}{}", signal.name, hierarchy::index(signal.shape, lane));
+            if glob::matches(&pattern, &name) {
+                let lane = place.lane * signal.shape.lanes() + lane;
+                found.push((format!("{inside}{name}"), Found { signal, lane }));
+            }
+        }
+    }
+    if found.is_empty() {
+        let names: Vec<String> = hierarchy.scope(place.scope).signals.iter().map(display_name).collect();
+        return Err(unknown(hierarchy, place, "signal", &pattern, &names));
+    }
+    Ok(found)
 }
 
 /// Finds a memory of a run: its index in the program, and the lane.

@@ -3,6 +3,7 @@
 mod attach;
 mod batch;
 mod condition;
+mod covers;
 mod error;
 mod example;
 #[doc(hidden)]
@@ -14,9 +15,9 @@ mod play;
 mod port;
 mod port_lanes;
 mod port_order;
+mod processes;
 mod run;
 mod running;
-
 mod simulation;
 mod timeline;
 mod trace;
@@ -24,9 +25,11 @@ mod trace;
 pub use attach::Probe;
 pub use batch::Batch;
 pub use condition::Condition;
+pub use covers::Covered;
 pub use error::{Error, UnknownName, Violation};
 #[doc(hidden)]
 pub use example::{Traced, example, traced};
 pub use port::{IntoValue, Port};
+pub use processes::{Monitor, Pauses, Process, Processes, Testbench, monitor};
 pub use simulation::Simulation;
 pub use trace::{Recorder, Vcd, Wave};

@@ -26,6 +26,9 @@ pub(crate) struct Running {
     pub changed: Triggers,
     /// The clocks of the coming instant; kept to save an allocation.
     pub rising: Vec<usize>,
+    /// By cover, how often its counter counted in each lane while the reset was high, and what it had when the reset began, if that is high.
+    pub in_reset: Vec<Vec<u64>>,
+    pub before_reset: Vec<Vec<u64>>,
     /// By number.
     ports: Vec<Wired>,
 }
@@ -54,7 +57,7 @@ impl Running {
             let end = if is_set { top_mask(width).saturating_add(1) } else { 0 };
             Wired { value: port.value, width, triggers: port.triggers, end, slot: Slot::NONE }
         });
-        Running {
+        let mut running = Running {
             engine,
             timeline: Timeline::new(&program),
             resets: vec![false; program.clocks.len()],
@@ -63,9 +66,13 @@ impl Running {
             recorded: Vec::new(),
             changed: Triggers::NONE,
             rising: Vec::new(),
+            in_reset: Vec::new(),
+            before_reset: Vec::new(),
             ports: ports.collect(),
             program,
-        }
+        };
+        running.clear_covers();
+        running
     }
 
     #[track_caller]
@@ -88,6 +95,7 @@ impl Running {
         self.ports.iter_mut().for_each(|port| port.slot = Slot::NONE);
         self.resets.fill(false);
         self.poked.clear();
+        self.clear_covers();
     }
 
     pub fn port(&self, name: &str) -> Result<Port, UnknownName> {

@@ -123,6 +123,8 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         o: O::Of<Port>,
         passes: &Passes,
     ) -> Result<Simulation<I, O>, Error> {
+        #[cfg(feature = "mutation")]
+        let design = &tilewright_mutants::from_environment(design);
         let inputs = PortOrder::of::<I>(&i);
         Ok(Simulation { i, o, circuit: Running::new(design, runs, passes), inputs })
     }

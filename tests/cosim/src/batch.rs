@@ -4,7 +4,7 @@
 //! The benches of all designs become instances in one module. Each prints its verdict behind its own name, and none
 //! ends the run: it is over when the last bench has nothing more to do.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use std::fs::File;
 use std::process::{Child, Command};
@@ -21,6 +21,8 @@ pub struct Printed {
     pub bench: VerilogFile,
     /// The run ended at an assertion that did not hold, as the replay has to.
     pub fails: bool,
+    /// The names of the covers that were hit, in whatever instance; nothing if nobody looked.
+    pub covered: Option<BTreeSet<String>>,
 }
 
 /// A simulator of Verilog.
@@ -111,10 +113,15 @@ fn named_verdicts(bench: &str, number: usize) -> String {
 fn verdicts(output: &str, designs: &[Printed]) -> Vec<Option<String>> {
     let mut lines: BTreeMap<usize, Vec<&str>> = BTreeMap::new();
     let mut asserted: BTreeMap<usize, &str> = BTreeMap::new();
+    let mut covered: BTreeMap<usize, BTreeSet<String>> = BTreeMap::new();
     for line in output.lines() {
         if let Some((_, place)) = line.split_once("all_benches.bench") {
             let number = place.split('.').next().and_then(|number| number.parse().ok());
-            asserted.entry(number.expect("an assertion says in which bench it fails")).or_insert(line);
+            let number = number.expect("a statement says in which bench it is");
+            match (line.starts_with("COVER: "), line.rsplit_once(": ")) {
+                (true, Some((_, name))) => _ = covered.entry(number).or_default().insert(name.to_owned()),
+                _ => _ = asserted.entry(number).or_insert(line),
+            }
         } else if let Some((number, text)) = line.split_once(": ")
             && let Ok(number) = number.parse()
         {
@@ -127,6 +134,11 @@ fn verdicts(output: &str, designs: &[Printed]) -> Vec<Option<String>> {
             Some([line]) if line.starts_with("PASS: ") => match (asserted, design.fails) {
                 (Some(line), false) => Some((*line).to_owned()),
                 (None, true) => Some("no assertion fails, but one did in the run".to_owned()),
+                (None, false) => {
+                    let (here, ours) = (covered.get(&number).cloned().unwrap_or_default(), design.covered.as_ref());
+                    let differing = ours.filter(|ours| **ours != here);
+                    differing.map(|ours| format!("covered are {here:?}, but {ours:?} in the run"))
+                }
                 _ => None,
             },
             Some(lines) => Some(lines.join("\n")),
@@ -195,6 +207,22 @@ pub(crate) fn execute(folder: &TempDir, command: &mut Command, patience: Duratio
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_is_covered_is_compared() {
+        let names = |names: &[&str]| names.iter().map(|name| (*name).to_owned()).collect::<BTreeSet<_>>();
+        let bench = VerilogFile { name: "bench.v".into(), text: String::new() };
+        let printed = |covered| Printed { files: vec![], bench: bench.clone(), fails: false, covered };
+        let output = "COVER: time 10000: all_benches.bench0.dut: rise 3\n\
+                      COVER: time 20000: all_benches.bench0.dut.row[1]: rise 3\n0: PASS: 3 steps\n";
+        let verdict = |covered| verdicts(output, &[printed(covered)]);
+        assert_eq!(verdict(Some(names(&["rise 3"]))), [None]);
+        assert_eq!(verdict(None), [None]);
+        for wrong in [&["fall 2", "rise 3"][..], &[]] {
+            let says = verdict(Some(names(wrong)))[0].clone().expect("another set is covered");
+            assert!(says.starts_with("covered are {\"rise 3\"}, but "), "{says}");
+        }
+    }
 
     #[test]
     fn a_program_that_does_not_end_is_ended() {

@@ -215,9 +215,17 @@ impl Campaign {
         spec: &Drawn,
         number: u64,
     ) -> Result<(Recording, Option<Printed>), String> {
-        let Run { recording, fails } = stimulus::run(design, spec.stimulus()).map_err(|error| error.to_string())?;
+        let Run { recording, fails, covers } =
+            stimulus::run(design, spec.stimulus()).map_err(|error| error.to_string())?;
         many::check(design, spec.stimulus(), number)?;
-        let print = || Printed { files: (self.printer)(design), bench: testbench(design, &recording), fails };
+        let hit = covers.iter().filter(|cover| cover.count > 0);
+        let hit = hit.map(|cover| cover.path.rsplit('.').next().unwrap_or_default().to_owned()).collect();
+        let print = || Printed {
+            files: (self.printer)(design),
+            bench: testbench(design, &recording),
+            fails,
+            covered: Some(hit),
+        };
         let printed = spec.is_printed().then(print);
         Ok((recording, printed))
     }

@@ -48,7 +48,12 @@ impl Run {
         let recording = sim.recording();
         stimulus(&mut sim)?;
         sim.finish()?;
-        let printed = Printed { files: verilog(design), bench: testbench(design, &recording.take()), fails: false };
+        let printed = Printed {
+            files: verilog(design),
+            bench: testbench(design, &recording.take()),
+            fails: false,
+            covered: None,
+        };
         Ok(Run { printed, folder })
     }
 

@@ -1,7 +1,7 @@
-//! A random design: one that is described in the language, or a circuit with shapes.
+//! A random design: one that is described in the language, a circuit with shapes, or a network of streams.
 
 use crate::spec::{Spec, Stimulus};
-use crate::{build, shaped, strategy};
+use crate::{build, shaped, strategy, streams};
 use proptest::strategy::{Strategy, ValueTree};
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 use tilewright_hdl::{Design, Problems, elaborate};
@@ -13,15 +13,19 @@ pub enum Drawn {
     Described(Spec),
     /// A circuit whose values have shapes.
     Shaped(shaped::Spec),
+    /// A network of streams.
+    Streams(streams::Spec),
 }
 
 /// Which designs are drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
-    /// Each fifth is a circuit with shapes.
+    /// Each fifth is a circuit with shapes, and each tenth a network of streams.
     Mixed,
     /// All are circuits with shapes.
     Shaped,
+    /// All are networks of streams.
+    Streams,
     /// All are circuits with shapes that no other simulator is asked about.
     Odd,
 }
@@ -29,7 +33,16 @@ pub enum Kind {
 impl Kind {
     /// Whether the design of that number is a circuit with shapes.
     fn is_shaped(self, number: u64) -> bool {
-        self != Kind::Mixed || number % 5 == 4
+        match self {
+            Kind::Mixed => number % 5 == 4,
+            Kind::Shaped | Kind::Odd => true,
+            Kind::Streams => false,
+        }
+    }
+
+    /// Whether the design of that number is a network of streams.
+    fn is_of_streams(self, number: u64) -> bool {
+        self == Kind::Streams || self == Kind::Mixed && number % 10 == 7
     }
 
     /// The random design of that number, with the way to smaller ones.
@@ -42,6 +55,7 @@ impl Kind {
         let designs = match self.is_shaped(number) {
             true if self == Kind::Odd => shaped::strategy::odd_designs().prop_map(Drawn::Shaped).boxed(),
             true => shaped::strategy::designs().prop_map(Drawn::Shaped).boxed(),
+            false if self.is_of_streams(number) => streams::designs().prop_map(Drawn::Streams).boxed(),
             false => strategy::designs().prop_map(Drawn::Described).boxed(),
         };
         designs.new_tree(&mut runner).expect("the strategy rejects nothing")
@@ -59,6 +73,7 @@ impl Drawn {
         match self {
             Drawn::Described(spec) => elaborate(&build::top(spec, &name)),
             Drawn::Shaped(spec) => shaped::design(spec, &name),
+            Drawn::Streams(spec) => streams::design(spec, &name),
         }
     }
 
@@ -67,6 +82,7 @@ impl Drawn {
         match self {
             Drawn::Described(spec) => &spec.stimulus,
             Drawn::Shaped(spec) => &spec.stimulus,
+            Drawn::Streams(spec) => &spec.stimulus,
         }
     }
 
@@ -75,13 +91,14 @@ impl Drawn {
         match self {
             Drawn::Described(spec) => spec.parts.iter().map(|part| part.steps.len()).sum(),
             Drawn::Shaped(spec) => spec.parts.iter().map(|part| part.steps.len()).sum(),
+            Drawn::Streams(spec) => spec.steps.len(),
         }
     }
 
     /// Whether it is printed, for other simulators and linters.
     pub fn is_printed(&self) -> bool {
         match self {
-            Drawn::Described(_) => true,
+            Drawn::Described(_) | Drawn::Streams(_) => true,
             Drawn::Shaped(spec) => spec.odd == shaped::spec::Odd::default(),
         }
     }

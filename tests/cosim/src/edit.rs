@@ -256,9 +256,9 @@ fn instance(module: &mut Module, modules: u32, numbers: &mut Numbers) {
 
 /// An output, or an assertion, takes another value.
 fn end(module: &mut Module, numbers: &mut Numbers) {
-    let id = below(numbers, module.outputs.len() + module.asserts.len());
+    let id = below(numbers, module.outputs.len() + module.properties.len());
     replace(module, numbers, |module| match module.outputs.len() {
         outputs if id < outputs => module.outputs.get_mut(id).map(|output| &mut output.node),
-        outputs => module.asserts.get_mut(id - outputs).map(|assert| &mut assert.condition),
+        outputs => module.properties.get_mut(id - outputs).map(|property| &mut property.condition),
     });
 }

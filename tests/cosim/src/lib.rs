@@ -2,11 +2,13 @@
 //!
 //! - [`operators`] and [`matrix`]: every operator at every width against big integers, Icarus and Verilator;
 //! - [`campaign`]: thousands of random designs, shrunk where they differ;
-//! - [`drawn`]: a random design of one of two kinds;
+//! - [`drawn`]: a random design of one of three kinds;
 //! - [`shaped`]: random circuits whose values have shapes, built node by node;
+//! - [`streams`]: random networks of streams, of the library's blocks;
 //! - [`reduce`]: a circuit that fails made smaller, node by node;
 //! - [`fuzz`]: random designs and random edits of them, on both engines;
 //! - [`many`]: several stimuli of a random design at once;
+//! - [`mutation`]: small edits of the blocks, which their own tests have to find;
 //! - [`check`]: one design through all tools, for the blocks of the catalogue.
 
 pub mod batch;
@@ -18,11 +20,13 @@ mod edit;
 pub mod fuzz;
 pub mod many;
 pub mod matrix;
+pub mod mutation;
 pub mod operators;
 pub mod reduce;
 pub mod shaped;
 pub mod spec;
 pub mod stimulus;
 pub mod strategy;
+pub mod streams;
 
 pub use campaign::{Campaign, Failure, Summary};

@@ -11,10 +11,12 @@ use tilewright_cosim::{Campaign, Summary, fuzz};
 const USAGE: &str =
     "usage: tilewright-cosim [--designs N] [--verilator N] [--seed N] [--first N] [--jobs N] [--shrinks N] [--lints 0]
        tilewright-cosim --shaped N [--seed N] [--first N] [--jobs N] [--shrinks N] [--lints 0]
+       tilewright-cosim --streams N [--seed N] [--first N] [--jobs N] [--shrinks N] [--lints 0]
        tilewright-cosim --fuzz SECONDS [--seed N] [--first N] [--jobs N]
 
 Runs N random designs through our simulator and Icarus Verilog, and N through Verilator (none by default).
 With --shaped, runs N random circuits whose values have shapes instead, which a fifth of the others are, too.
+With --streams, runs N random networks of streams, which a tenth of the others are.
 With --fuzz, runs random designs and random edits of them on both of our engines for so long instead; --fuzz-designs N
 runs so many in this process. With --shaped 1 beside it, all of them are circuits with shapes.
 The same seed makes the same designs; --first says the number of the first one. With --shrinks, so many of the designs
@@ -32,6 +34,8 @@ fn main() -> ExitCode {
             ("--verilator", Some(number)) => verilator = number,
             ("--shaped", Some(0)) => {}
             ("--shaped", Some(number)) => (campaign.designs, campaign.kind) = (number, Kind::Shaped),
+            ("--streams", Some(0)) => {}
+            ("--streams", Some(number)) => (campaign.designs, campaign.kind) = (number, Kind::Streams),
             ("--fuzz", Some(number)) => fuzz = Some(Duration::from_secs(number)),
             ("--fuzz-designs", Some(number)) => fuzz_designs = Some(number),
             ("--seed", Some(number)) => campaign.seed = number,

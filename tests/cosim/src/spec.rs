@@ -180,14 +180,67 @@ pub enum Make {
     Lanes(LaneWork),
     /// A value of the other clock, brought into this one.
     Cross { synchronize: bool, of: Pick },
-    /// A condition that always holds.
-    Assert(Pick),
+    /// Something stated of a value.
+    State(Statement, Pick),
+    /// A register of an enum's codes.
+    Coded(Coded),
+    /// A register with a value at power-on.
+    PowerOn { initial: Pattern, reset: Option<Pattern>, next: Pick },
+    /// A memory of words in parts.
+    InParts(InParts),
     /// A condition that may fail: a value is never this one.
     Never(Pick, Pattern),
     /// An instance of an earlier part.
     Instance { part: Pick, inputs: Vec<Pick> },
     /// An array of an earlier part.
     Array { part: Pick, lanes: u32, towards_lower: bool, inputs: Vec<(Feed, Pick)>, outputs: Vec<Gather> },
+}
+
+/// What is stated of a value.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Statement {
+    /// It is asserted to be at most all ones.
+    Assert,
+    /// It is assumed to be at most all ones.
+    Assume,
+    /// It has this value at some time.
+    Cover(Pattern),
+    /// Its lowest bit rises at some time.
+    Rises,
+    /// Its highest bit falls at some time.
+    Falls,
+    /// What it was one edge ago, and so many more, is what registers held that long.
+    Past(u8),
+}
+
+/// A register of an enum's codes, and what is chosen by it.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub struct Coded {
+    /// A reset gives its first code; else power-on.
+    pub begins_with_reset: bool,
+    /// The first code.
+    pub first: u8,
+    /// When it takes which code.
+    pub updates: Vec<(Pick, u8)>,
+    /// What it chooses from.
+    pub chosen: [Pick; 3],
+    /// Bits that are read as a code, and may be none.
+    pub raw: Pick,
+}
+
+/// A memory of words in parts, each with an enable of its own.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct InParts {
+    /// The parts of a word.
+    pub parts: u32,
+    /// The width of a part.
+    pub width: u32,
+    /// Words.
+    pub depth: u32,
+    /// It is read within the cycle.
+    pub asynchronous: bool,
+    /// The enables, where it is written, what, and where it is read.
+    pub ports: [Pick; 4],
 }
 
 /// Operators of one operand.

@@ -4,7 +4,7 @@ use crate::spec::{Pattern, Stimulus};
 use tilewright_hdl::ir::Node;
 use tilewright_hdl::recording::Step;
 use tilewright_hdl::{Bits, Design, Recording};
-use tilewright_sim::{EngineKind, Passes, Simulation};
+use tilewright_sim::{Covered, EngineKind, Passes, Simulation};
 
 /// Between comparisons of a design without clocks, in picoseconds.
 const IDLE_STEP: u64 = 10_000;
@@ -66,7 +66,8 @@ pub fn run(design: &Design, stimulus: &Stimulus) -> Result<Run, tilewright_sim::
     let passes = passes(stimulus.seed);
     let kind = if passes == Passes::none() { EngineKind::Interpreter } else { EngineKind::Compiled };
     let other = record(design, stimulus, Simulation::with_passes(design, &passes)?.on(kind))?;
-    let same = (&recording.recording.steps, recording.fails) == (&other.recording.steps, other.fails);
+    let same = (&recording.recording.steps, recording.fails, &recording.covers)
+        == (&other.recording.steps, other.fails, &other.covers);
     assert!(same, "it does something else with {passes:?}");
     Ok(recording)
 }
@@ -78,6 +79,8 @@ pub struct Run {
     pub recording: Recording,
     /// An assertion failed at its last edge.
     pub fails: bool,
+    /// The covers, with how often each was hit.
+    pub covers: Vec<Covered>,
 }
 
 /// All passes but one, or none at all; code for held inputs and functions that are cut early, no memory near.
@@ -119,7 +122,7 @@ pub(crate) fn record(design: &Design, stimulus: &Stimulus, mut sim: Simulation) 
             }
         };
         let recording = Recording { steps: (0..stimulus.steps).map(step).collect(), initial: Vec::new() };
-        return Ok(Run { recording, fails: false });
+        return Ok(Run { recording, fails: false, covers: Vec::new() });
     }
     let recording = sim.recording();
     let mut fails = false;
@@ -139,5 +142,8 @@ pub(crate) fn record(design: &Design, stimulus: &Stimulus, mut sim: Simulation) 
             done => done?,
         }
     }
-    Ok(Run { recording: recording.take(), fails })
+    // Arrays are in another order where they run one by one.
+    let mut covers = sim.covers();
+    covers.sort_by(|a, b| (&a.path, a.count).cmp(&(&b.path, b.count)));
+    Ok(Run { recording: recording.take(), fails, covers })
 }

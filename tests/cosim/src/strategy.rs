@@ -164,9 +164,31 @@ fn wiring() -> impl Strategy<Value = Make> {
         3 => (pick(), 2..5u32).prop_map(|(of, times)| Make::Repeat(of, times)),
         3 => pick().prop_map(Make::Name),
         3 => pick().prop_map(Make::Wire),
-        3 => pick().prop_map(Make::Assert),
+        5 => (statement(), pick()).prop_map(|(statement, of)| Make::State(statement, of)),
         1 => (pick(), pattern()).prop_map(|(of, pattern)| Make::Never(of, pattern)),
     ]
+}
+
+fn statement() -> impl Strategy<Value = Statement> {
+    prop_oneof![
+        2 => Just(Statement::Assert),
+        1 => Just(Statement::Assume),
+        1 => pattern().prop_map(Statement::Cover),
+        1 => Just(Statement::Rises),
+        1 => Just(Statement::Falls),
+        2 => (0..3u8).prop_map(Statement::Past),
+    ]
+}
+
+fn coded() -> impl Strategy<Value = Coded> {
+    (any::<bool>(), 0..5u8, vec((control(), 0..5u8), 1..4), picks(), pick()).prop_map(
+        |(begins_with_reset, first, updates, chosen, raw)| Coded { begins_with_reset, first, updates, chosen, raw },
+    )
+}
+
+fn in_parts() -> impl Strategy<Value = InParts> {
+    (1..5u32, prop_oneof![1 => Just(8), 1 => 1..20u32], 1..20u32, any::<bool>(), picks())
+        .prop_map(|(parts, width, depth, asynchronous, ports)| InParts { parts, width, depth, asynchronous, ports })
 }
 
 fn object() -> impl Strategy<Value = Make> {
@@ -188,6 +210,9 @@ fn object() -> impl Strategy<Value = Make> {
         1 => machine().prop_map(Make::Machine),
         3 => memory().prop_map(Make::Memory),
         1 => records().prop_map(Make::Records),
+        1 => coded().prop_map(Make::Coded),
+        1 => (pattern(), of(pattern()), pick()).prop_map(|(initial, reset, next)| Make::PowerOn { initial, reset, next }),
+        1 => in_parts().prop_map(Make::InParts),
         2 => lane_work().prop_map(Make::Lanes),
         2 => (any::<bool>(), pick()).prop_map(|(synchronize, of)| Make::Cross { synchronize, of }),
         3 => (part_pick(), vec(pick(), 0..5)).prop_map(|(part, inputs)| Make::Instance { part, inputs }),

@@ -1,13 +1,18 @@
-//! The scenario of every block of the catalogue, repeated by Icarus, Verilator and Yosys.
+//! The scenario of every block of the catalogues, repeated by Icarus, Verilator and Yosys.
 
 use tilewright_cosim::batch::{self, Tool};
 use tilewright_cosim::check::Run;
 use tilewright_gen::{VerilogFile, tools};
 use tilewright_hdl::Design;
-use tilewright_rtl::catalog::{ENTRIES, Entry};
+use tilewright_hdl::catalog::Entry;
 
 /// Small sizes that are no powers of two: addresses that a memory does not have.
 const UNEVEN: &[(&str, u64)] = &[("width", 9), ("height", 5), ("units", 2), ("overhead", 3)];
+
+/// Those of the machines, and those that any design uses.
+fn entries() -> impl Iterator<Item = &'static Entry> {
+    tilewright_rtl::catalog::ENTRIES.iter().chain(tilewright_blocks::catalog::ENTRIES)
+}
 
 /// Each block by name, with its defaults, and with uneven sizes if it has sizes.
 fn blocks() -> Vec<(String, Design, Run)> {
@@ -22,9 +27,9 @@ fn blocks() -> Vec<(String, Design, Run)> {
     let mut blocks = Vec::new();
     let has = |entry: &Entry, name: &str| entry.parameters.iter().any(|parameter| parameter.name == name);
     for (name, _) in UNEVEN {
-        assert!(ENTRIES.iter().any(|entry| has(entry, name)), "no block has a {name}");
+        assert!(entries().any(|entry| has(entry, name)), "no block has a {name}");
     }
-    for entry in ENTRIES {
+    for entry in entries() {
         let uneven: Vec<_> = UNEVEN.iter().copied().filter(|(name, _)| has(entry, name)).collect();
         blocks.push(block(entry, Vec::new()));
         blocks.extend((!uneven.is_empty()).then(|| block(entry, uneven)));

@@ -6,7 +6,7 @@ use tilewright_cosim::drawn::Kind;
 use tilewright_cosim::{Campaign, Failure};
 use tilewright_gen::{VerilogFile, tools, verilog};
 use tilewright_hdl::Design;
-use tilewright_hdl::ir::Op;
+use tilewright_hdl::ir::{Op, Property, Register};
 
 const SEED: u64 = 1;
 
@@ -145,6 +145,25 @@ fn every_node_of_the_circuit_is_generated() {
         "Wire",
     ];
     assert_eq!(seen, all.map(String::from).into());
+}
+
+#[test]
+fn every_statement_is_generated() {
+    let campaign = Campaign::icarus(SEED, 0);
+    let mut seen = BTreeSet::new();
+    for number in 0..400 {
+        let design = campaign.design(number).design(number).unwrap();
+        for module in design.modules() {
+            seen.extend(module.properties.iter().map(|property| format!("{:?}", property.directive)));
+            let of_code = |property: &&Property| property.message.contains("is a code of");
+            seen.extend(module.properties.iter().find(of_code).map(|_| "code".to_owned()));
+            let named = |name: &str| module.nodes.iter().any(|node| node.name.as_deref() == Some(name));
+            seen.extend(named("has_past").then(|| "past".to_owned()));
+            let initial = |register: &Register| register.initial.is_some() && register.reset.is_none();
+            seen.extend(module.registers.iter().any(initial).then(|| "initial".to_owned()));
+        }
+    }
+    assert_eq!(seen, ["Assert", "Assume", "Cover", "code", "initial", "past"].map(String::from).into());
 }
 
 /// The name of a node's variant.

@@ -10,7 +10,7 @@ mod shift;
 
 use super::order::{map_operands, operands_first};
 use tilewright_hdl::Bits;
-use tilewright_hdl::ir::{Design, Module, Node, NodeId, Op, Shape};
+use tilewright_hdl::ir::{Design, Directive, Module, Node, NodeId, Op, Shape};
 
 /// A circuit that is ready to be printed.
 pub struct Folded {
@@ -62,7 +62,7 @@ impl Fold {
         }
     }
 
-    /// Lets registers, memories, instances, outputs and asserts refer to the nodes that are left.
+    /// Lets registers, memories, instances, outputs and properties refer to the nodes that are left.
     fn rewire(&mut self) {
         let same: Vec<NodeId> = (0..self.same.len() as u32).map(|id| self.stands_for(NodeId(id))).collect();
         let to = |id: &mut NodeId| *id = same[id.0 as usize];
@@ -100,8 +100,11 @@ impl Fold {
         }
         module.instances.iter_mut().flat_map(|instance| &mut instance.inputs).for_each(to);
         module.outputs.iter_mut().for_each(|output| to(&mut output.node));
-        module.asserts.iter_mut().for_each(|assert| to(&mut assert.condition));
-        module.asserts.retain(|assert| constant(&module.nodes, assert.condition) != Some(true));
+        module.properties.iter_mut().for_each(|property| to(&mut property.condition));
+        // What always holds is not printed; that something always happens is.
+        module.properties.retain(|property| {
+            property.directive == Directive::Cover || constant(&module.nodes, property.condition) != Some(true)
+        });
     }
 
     /// The node that stands for this one.

@@ -65,7 +65,7 @@ impl Plan {
     }
 }
 
-/// Calls `visit` with every node that a register, memory, instance, port or assertion takes its value from, as often as
+/// Calls `visit` with every node that a register, memory, instance, port or property takes its value from, as often as
 /// the text names it.
 pub fn for_each_root(module: &Module, mut visit: impl FnMut(NodeId)) {
     for register in &module.registers {
@@ -86,7 +86,7 @@ pub fn for_each_root(module: &Module, mut visit: impl FnMut(NodeId)) {
     }
     module.instances.iter().flat_map(|instance| &instance.inputs).for_each(|&id| visit(id));
     module.outputs.iter().for_each(|output| visit(output.node));
-    module.asserts.iter().for_each(|assert| visit(assert.condition));
+    module.properties.iter().for_each(|property| visit(property.condition));
 }
 
 struct Planner<'a> {

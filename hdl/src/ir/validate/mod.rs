@@ -30,7 +30,7 @@ pub(super) fn validate(modules: &[Module]) -> Vec<Problem> {
         rules.ports();
         rules.registers();
         rules.memories();
-        rules.asserts();
+        rules.properties();
         rules.instances();
         rules.names();
     }

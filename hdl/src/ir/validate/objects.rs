@@ -1,10 +1,11 @@
-//! The rules of what holds state, and of assertions.
+//! The rules of what holds state, and of properties.
 
 use super::{Needs, Rules};
 use crate::bits::Bits;
-use crate::ir::{Contents, Init, Memory, MemoryId, Node, NodeId, Op, RegisterId, Shape};
+use crate::ir::{Attribute, Contents, Init, Memory, MemoryId, Node, NodeId, Op, RegisterId, Shape};
 use crate::limits::WIDEST;
 use crate::loc::Loc;
+use crate::names::{is_legal, is_reserved};
 use crate::signal::bits_text;
 use crate::width::index_width;
 use std::fmt;
@@ -34,6 +35,13 @@ impl<'a> Rules<'a> {
             if let Some(enable) = register.enable {
                 self.refers(loc, "the enable", &owner, enable, Needs::of(1, shape));
             }
+            if let Some(initial) = &register.initial {
+                let has = bits_text(initial.width());
+                self.rule(initial.width() == width, loc, || {
+                    format!("the initial value of {owner} has {has}, not {width}")
+                });
+            }
+            self.attributes(&register.attributes, loc, &owner);
             if let Some(reset) = &register.reset {
                 self.init(reset, node, &owner);
                 let clock = self.module.clocks.get(register.clock.0 as usize);
@@ -52,6 +60,7 @@ impl<'a> Rules<'a> {
                 format!("memory {owner} has words of {}, not 1 to {WIDEST}", bits_text(memory.width))
             });
             self.contents(memory, &owner);
+            self.attributes(&memory.attributes, loc, &format!("memory {owner}"));
             self.rule(memory.shape.lanes() > 0, loc, || format!("memory {owner} needs at least 1 lane"));
             let address = Needs::of(index_width(memory.depth.into()), memory.shape);
             let (bit, word) = (Needs::of(1, memory.shape), Needs::of(memory.width, memory.shape));
@@ -117,12 +126,20 @@ impl<'a> Rules<'a> {
         });
     }
 
-    pub(super) fn asserts(&mut self) {
-        for assert in &self.module.asserts {
-            let owner = format!("an assertion in `{}`", self.module.name);
-            self.clock(assert.loc, &owner, assert.clock);
-            let shape = self.module.nodes.get(assert.condition.0 as usize).map_or(Shape::Plain, |node| node.shape);
-            self.refers(assert.loc, "the condition", &owner, assert.condition, Needs::of(1, shape));
+    pub(super) fn properties(&mut self) {
+        for property in &self.module.properties {
+            let owner = format!("a property of `{}`", self.module.name);
+            self.clock(property.loc, &owner, property.clock);
+            let shape = self.module.nodes.get(property.condition.0 as usize).map_or(Shape::Plain, |node| node.shape);
+            self.refers(property.loc, "the condition", &owner, property.condition, Needs::of(1, shape));
+        }
+    }
+
+    /// Attributes have names that Verilog takes.
+    fn attributes(&mut self, attributes: &[Attribute], loc: Loc, owner: &dyn fmt::Display) {
+        for attribute in attributes {
+            let message = || format!("{owner} has the attribute `{}`, which is no plain name", attribute.name);
+            self.rule(is_legal(&attribute.name) && !is_reserved(&attribute.name), loc, message);
         }
     }
 }

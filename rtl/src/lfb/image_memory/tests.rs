@@ -26,6 +26,7 @@ fn draw(sim: &mut Sim, [page, offset, word]: [u64; 3]) -> Vec<&'static str> {
     let mut states = Vec::new();
     while sim.get(sim.o.ready) != 1 {
         states.extend(clocks(sim, 1));
+        assert!(states.len() < 9, "the pixel is never accepted: {states:?}");
     }
     sim.set(i.valid, 1);
     states.extend(clocks(sim, 1));
@@ -96,4 +97,12 @@ fn the_word_sent_stays_while_the_scan_does_not_advance() {
     sim.set(sim.i.send.enable, 1);
     sim.step_clock("merge", 1);
     assert_eq!(sim.get_u64(sim.o.sent), EMPTY, "a pixel without a page is empty");
+}
+
+#[test]
+#[should_panic(expected = "the second stage ends before the first has a page again")]
+fn a_pixel_while_another_is_read_is_an_error() {
+    let mut sim = memory();
+    sim.set(sim.i.draw.valid, 1);
+    sim.step_clock("pe", 2);
 }

@@ -18,13 +18,13 @@ fn table(patches: u32, pages: u32) -> Sim {
 
 /// Asks for the page of a patch until that is accepted; gives the states on the way.
 fn look_up(sim: &mut Sim, patch: u64) -> Vec<&'static str> {
-    let (valid, number, ready) = (sim.i.look_up.valid, sim.i.look_up.patch, sim.o.ready);
+    let (valid, number, ready) = (sim.i.look_up.valid, sim.i.look_up.patch, sim.i.look_up.ready);
     offer(sim, [valid, number], patch, ready)
 }
 
 /// As [`look_up`], to clear an entry.
 fn clear(sim: &mut Sim, patch: u64) -> Vec<&'static str> {
-    let (valid, number, ready) = (sim.i.clear.valid, sim.i.clear.patch, sim.o.clear_ready);
+    let (valid, number, ready) = (sim.i.clear.valid, sim.i.clear.patch, sim.i.clear.ready);
     offer(sim, [valid, number], patch, ready)
 }
 
@@ -32,7 +32,7 @@ fn offer(sim: &mut Sim, [valid, number]: [Port; 2], patch: u64, ready: Port) -> 
     sim.set(valid, 1);
     sim.set(number, patch);
     let mut states = Vec::new();
-    loop {
+    while states.len() < 9 {
         let accepted = sim.get(ready) == 1;
         states.extend(clocks(sim, 1));
         if accepted {
@@ -40,6 +40,7 @@ fn offer(sim: &mut Sim, [valid, number]: [Port; 2], patch: u64, ready: Port) -> 
             return states;
         }
     }
+    panic!("it is never accepted: {states:?}");
 }
 
 /// Lets clocks pass; gives the states in them.
@@ -78,8 +79,8 @@ fn a_clear_takes_3_clocks_and_comes_before_a_look_up_of_the_same_edge() {
     assert_eq!(clear(&mut sim, 1), ["Idle"; 3]);
     clocks(&mut sim, 2);
     sim.drive(PatchTableIn {
-        look_up: LookUp { valid: 1, patch: 3 },
-        clear: LookUp { valid: 1, patch: 3 },
+        look_up: Stream::of(1, Wanted { patch: 3 }),
+        clear: Stream::of(1, Wanted { patch: 3 }),
         settled: 1,
         ..idle()
     });
@@ -89,10 +90,22 @@ fn a_clear_takes_3_clocks_and_comes_before_a_look_up_of_the_same_edge() {
     assert_eq!(sim.get_u64(sim.o.page), 1, "a cleared patch gets a new page");
 }
 
+#[test]
+fn a_reset_ends_a_clear() {
+    for wait in 0..4 {
+        let mut sim = table(6, 4);
+        clocks(&mut sim, wait);
+        clear(&mut sim, 1);
+        assert_eq!(sim.get_u64(sim.i.clear.ready), 0);
+        sim.reset();
+        assert_eq!(sim.get_u64(sim.i.clear.ready), 1, "a reset {wait} clocks after the first");
+    }
+}
+
 fn idle() -> PatchTableIn<u64> {
     PatchTableIn {
-        look_up: LookUp { valid: 0, patch: 0 },
-        clear: LookUp { valid: 0, patch: 0 },
+        look_up: Stream::of(0, Wanted { patch: 0 }),
+        clear: Stream::of(0, Wanted { patch: 0 }),
         front: 0,
         settled: 0,
         restart: 0,
@@ -108,7 +121,7 @@ fn an_overflow_holds_the_look_up_until_it_is_resumed() {
         look_up(&mut sim, patch);
     }
     assert_eq!(clocks(&mut sim, 5), ["Read", "Examine", "Overflow", "Overflow", "Overflow"]);
-    assert_eq!((sim.get_u64(sim.o.overflow), sim.get_u64(sim.o.ready)), (1, 0));
+    assert_eq!((sim.get_u64(sim.o.overflow), sim.get_u64(sim.i.look_up.ready)), (1, 0));
 
     // Nothing is free yet: the overflow goes on.
     pulse(sim.i.resume, &mut sim);
@@ -121,13 +134,14 @@ fn an_overflow_holds_the_look_up_until_it_is_resumed() {
     pulse(sim.i.resume, &mut sim);
     assert_eq!(clocks(&mut sim, 5), ["Read", "Read", "Examine", "Allocate", "Found"]);
     assert_eq!((sim.get_u64(sim.o.page), sim.get_u64(sim.o.pages_used)), (0, 1));
+    assert_eq!(sim.covered("a look-up finds no free page").unwrap(), 2);
 }
 
 #[test]
 fn the_processor_waits_until_the_scan_has_left_the_front_buffer() {
     let mut sim = table(6, 2);
     sim.set(sim.i.settled, 0);
-    assert_eq!(sim.get_u64(sim.o.clear_ready), 0);
+    assert_eq!(sim.get_u64(sim.i.clear.ready), 0);
     look_up(&mut sim, 1);
     assert_eq!(clocks(&mut sim, 3), ["Read"; 3]);
     sim.set(sim.i.settled, 1);

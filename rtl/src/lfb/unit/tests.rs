@@ -1,5 +1,7 @@
 //! The local frame buffer unit against a plain software model, clock by clock.
 
+mod swaps;
+
 use std::collections::{BTreeMap, BTreeSet};
 
 use proptest::prelude::*;
@@ -37,8 +39,10 @@ struct Bench {
     sent: BTreeMap<(u64, u64), u64>,
     /// The unit's place in the chain.
     position: u32,
-    /// How many pixels the scan has advanced since its restart.
+    /// How many pixels the scan has advanced since its restart, and after how many it is restarted, whether it advances or not.
     advanced: u64,
+    restart_at: u64,
+    restart_advances: bool,
     /// How many pixels were sent since the last swap.
     since_swap: u64,
     overflows: u64,
@@ -69,6 +73,8 @@ impl Bench {
             sent: BTreeMap::new(),
             position,
             advanced: 0,
+            restart_at: u64::from(screen.pixels()) + 19,
+            restart_advances: false,
             since_swap: 0,
             overflows: 0,
             found: 0,
@@ -109,14 +115,15 @@ impl Bench {
                 None => assert_eq!(word, EMPTY, "only the pixels of a whole frame are sent"),
             }
         }
-        // The chain is longer than this unit's place in it, and holds now and then, as it does after each line.
-        let restart = self.advanced == self.frame() + 19;
-        if restart {
+        if self.sim.get_u64(scan.restart) == 1 {
             self.advanced = 0;
+            self.restart_at = self.frame() + 19;
         }
+        // The chain is longer than this unit's place in it, and holds now and then, as it does after each line.
+        let restart = self.advanced == self.restart_at;
         let merged = self.sim.cycles("merge").unwrap();
         self.sim.set(scan.restart, restart);
-        self.sim.set(scan.enable, !restart && merged % 11 > 1);
+        self.sim.set(scan.enable, if restart { self.restart_advances } else { merged % 11 > 1 });
     }
 
     fn merge_pixel(&mut self, number: u64, word: u64) {
@@ -198,10 +205,22 @@ impl Bench {
         accepted
     }
 
+    /// Whether every pixel of the back buffer has been sent: the merger follows a swap after 2 clocks, and a word comes 2
+    /// clocks after its pixel is counted.
+    fn is_sent(&self) -> bool {
+        self.since_swap >= self.frame() + 4
+    }
+
+    /// Waits until the scan has advanced so far, in a frame after that in which all was sent.
+    fn wait_for_scan(&mut self, advanced: u64) {
+        while !self.is_sent() || self.advanced != advanced {
+            self.clock();
+        }
+    }
+
     /// Waits until every pixel of the back buffer has been sent, and sees that it was what had been drawn.
     fn finish_scan(&mut self) {
-        // The merger follows a swap after 2 clocks, and a word comes 2 clocks after its pixel is counted.
-        while self.since_swap < self.frame() + 4 {
+        while !self.is_sent() {
             self.clock();
         }
         assert_eq!(std::mem::take(&mut self.sent), std::mem::take(&mut self.expected));
@@ -291,6 +310,20 @@ fn swapping_while_a_request_is_under_way_is_an_error() {
     bench.draw((0, 0), 1);
     bench.sim.set(bench.sim.i.swap, 1);
     bench.clock();
+}
+
+/// A look-up, and 3 clocks in the image memory.
+#[test]
+fn a_request_is_under_way_until_its_word_is_written() {
+    let mut bench = Bench::new(SMALL, 4, 30, 0);
+    for (pixel, look_up) in [((0, 0), 4), ((1, 0), 3)] {
+        let accepted = bench.draw(pixel, 9);
+        for clock in 1..look_up + 4 {
+            assert_eq!(bench.sim.get_u64(bench.sim.o.idle), 0, "clock {clock}");
+            bench.clock();
+        }
+        assert_eq!((bench.sim.get_u64(bench.sim.o.idle), bench.now()), (1, accepted + look_up + 4));
+    }
 }
 
 #[test]

@@ -24,7 +24,7 @@ mod split;
 
 use crate::engine::Passes;
 use tilewright_hdl::ir::{Contents, Init, ReadUnderWrite};
-use tilewright_hdl::{Loc, limbs_for};
+use tilewright_hdl::{Bits, Loc, limbs_for};
 
 pub use circuit::{Cell, Circuit, ValueId};
 pub(crate) use compile::flat;
@@ -129,6 +129,8 @@ pub struct Program {
     pub memories: Vec<Memory>,
     /// What must hold at edges.
     pub asserts: Vec<Assert>,
+    /// What is counted at edges.
+    pub covers: Vec<Cover>,
     /// The names of it all.
     pub hierarchy: Hierarchy,
     /// How it was made, and how code is to be.
@@ -233,6 +235,8 @@ pub struct Register {
     pub clock: u32,
     /// What it holds after a reset: values for so many lanes, over and over.
     pub reset: Option<Init>,
+    /// What it holds at power-on, if not the value after a reset.
+    pub initial: Option<Bits>,
     /// 1 bit a lane: whether it takes `next`; `None` means always.
     pub enable: Option<ValueId>,
     /// What it takes.
@@ -293,9 +297,28 @@ pub struct Assert {
     pub condition: ValueId,
     /// What is wrong if it does not hold.
     pub message: String,
+    /// Whether it is the stimulus that is wrong then.
+    pub is_assumption: bool,
     /// Where the description states it.
     pub loc: Loc,
     /// How many of the lanes of the condition each instance has.
+    pub group: u32,
+    /// The scope that it stands in; several for instances that run in lanes but were written one by one.
+    pub scopes: Vec<hierarchy::ScopeId>,
+}
+
+/// A condition whose edges are counted, by a register beside those of the design.
+#[derive(Debug, Clone)]
+pub struct Cover {
+    /// Its clock, by index in [`Program::clocks`].
+    pub clock: u32,
+    /// The register that counts, in each lane, also while the reset is high.
+    pub counter: ValueId,
+    /// What happens.
+    pub name: String,
+    /// Where the description states it.
+    pub loc: Loc,
+    /// How many of the lanes each instance has.
     pub group: u32,
     /// The scope that it stands in; several for instances that run in lanes but were written one by one.
     pub scopes: Vec<hierarchy::ScopeId>,

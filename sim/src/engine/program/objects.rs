@@ -1,12 +1,13 @@
 //! What an instance reads from and changes: registers, memories, assertions.
 
-use tilewright_hdl::ir::{self, ClockId, Module, NodeId, Shape};
+use tilewright_hdl::ir::{self, Binary, ClockId, Directive, Module, NodeId, Property, Shape};
+use tilewright_hdl::{Bits, Loc};
 
 use super::flatten::{Body, Flatten};
-use super::{Assert, Axis, Cell, Kind, Memory, ReadPort, Register, ValueId, WritePort};
+use super::{Assert, Axis, Cell, Cover, Kind, Memory, ReadPort, Register, ValueId, WritePort};
 
 impl Flatten<'_> {
-    /// Adds registers, memories and asserts; returns the program's memory for each memory of the module.
+    /// Adds registers, memories and properties; returns the program's memory for each memory of the module.
     pub(super) fn state(&mut self, body: &Body, module: &Module) -> Vec<u32> {
         let clock = |id: ClockId| body.clocks[id.0 as usize];
         for register in &module.registers {
@@ -14,21 +15,39 @@ impl Flatten<'_> {
                 value: body.whole(register.node),
                 clock: clock(register.clock),
                 reset: register.reset.clone(),
+                initial: register.initial.clone(),
                 enable: register.enable.map(|node| body.whole(node)),
                 next: body.whole(register.next),
             });
         }
-        for assert in &module.asserts {
-            self.flat.program.asserts.push(Assert {
-                clock: clock(assert.clock),
-                condition: body.whole(assert.condition),
-                message: assert.message.clone(),
-                loc: assert.loc,
-                group: module.node(assert.condition).shape.lanes(),
-                scopes: body.scopes.clone(),
-            });
-        }
+        module.properties.iter().for_each(|property| self.property(body, module, property));
         module.memories.iter().map(|memory| self.memory(body, module, memory)).collect()
+    }
+
+    /// Adds what must hold, or a counter of what is to happen.
+    fn property(&mut self, body: &Body, module: &Module, property: &Property) {
+        let Property { directive, condition, ref message, loc, .. } = *property;
+        let (clock, of) = (body.clocks[property.clock.0 as usize], body.whole(condition));
+        let (group, scopes) = (module.node(condition).shape.lanes(), body.scopes.clone());
+        if directive == Directive::Cover {
+            let counter = self.counter(clock, of, body.lanes * group, loc);
+            self.flat.program.covers.push(Cover { clock, counter, name: message.clone(), loc, group, scopes });
+            return;
+        }
+        let is_assumption = directive == Directive::Assume;
+        let message = message.clone();
+        self.flat.program.asserts.push(Assert { clock, condition: of, message, is_assumption, loc, group, scopes });
+    }
+
+    /// A register that counts the edges at which a condition is high.
+    fn counter(&mut self, clock: u32, condition: ValueId, lanes: u32, loc: Loc) -> ValueId {
+        let circuit = &mut self.flat.program.circuit;
+        let mut add = |kind| circuit.push(Cell::new(kind, lanes, u64::BITS), Some(loc));
+        let (value, one) = (add(Kind::State), add(Kind::Const(Bits::new(u64::BITS, 1))));
+        let next = add(Kind::Binary(Binary::Add, value, one));
+        let (reset, initial, enable) = (None, Some(Bits::zero(u64::BITS)), Some(condition));
+        self.flat.program.registers.push(Register { value, clock, reset, initial, enable, next });
+        value
     }
 
     /// Adds a memory.

@@ -9,6 +9,7 @@ impl Program {
         self.rewrite_sinks(&mut visit);
         self.inputs.iter_mut().for_each(|port| visit(&mut port.value));
         self.registers.iter_mut().for_each(|register| visit(&mut register.value));
+        self.covers.iter_mut().for_each(|cover| visit(&mut cover.counter));
         self.memories.iter_mut().flat_map(|memory| &mut memory.reads).for_each(|read| visit(&mut read.value));
         for scope in &mut self.hierarchy.scopes {
             scope.signals.iter_mut().for_each(|signal| visit(&mut signal.value));

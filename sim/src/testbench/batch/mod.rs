@@ -585,7 +585,7 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
     }
 
     /// All runs, with their inputs as they were set.
-    fn ready(&mut self) -> &mut Simulation<I, O> {
+    pub(super) fn ready(&mut self) -> &mut Simulation<I, O> {
         for (index, input) in (0..).zip(&mut self.inputs) {
             if std::mem::take(&mut input.waits) {
                 self.all.circuit.write(Port { index }, &input.limbs);

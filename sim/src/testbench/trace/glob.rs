@@ -2,7 +2,7 @@
 
 /// Whether `pattern` matches all of `path`: `*` stands for any characters but a dot, `**` for any. It takes time in proportion to
 /// the product of both lengths.
-pub(super) fn matches(pattern: &str, path: &str) -> bool {
+pub(crate) fn matches(pattern: &str, path: &str) -> bool {
     let parts = parts(pattern);
     // By `i`: whether the first `i` parts match what has been read of the path.
     let mut reached = vec![false; parts.len() + 1];

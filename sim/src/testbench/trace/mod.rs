@@ -2,7 +2,7 @@
 
 mod changes;
 mod dump;
-mod glob;
+pub(crate) mod glob;
 mod recording;
 mod rows;
 mod shown;

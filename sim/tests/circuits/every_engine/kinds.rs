@@ -3,7 +3,7 @@
 use crate::engine::of;
 use proptest::prelude::*;
 use tilewright_hdl::*;
-use tilewright_sim::Vcd;
+use tilewright_sim::{Pauses, Vcd};
 
 codes! {
     /// What is done.
@@ -92,6 +92,61 @@ proptest! {
         prop_assert_eq!(sim.get_u64(o.remembered), if left < 0 { byte(left) } else { 0 });
         prop_assert_eq!(sim.get_u64(o.was), match (left < 0, right < 0) { (false, _) => 0, (_, true) => 2, _ => code });
     }
+}
+
+bundle! {
+    struct Step<T> { operation: T, least: T, amount: T }
+}
+
+block! {
+    /// Holds a step, and remembers it.
+    struct Steps;
+    in StepsIn { steps: stream(Step { operation: one_of::<Operation>(), least: bits(6).signed(), amount: bits(8) }) }
+    out StepsOut { sent: stream(Step = _) }
+}
+
+impl Steps {
+    fn build(&self, m: Module, i: StepsIn) -> StepsOut {
+        let layout = Step { operation: one_of::<Operation>(), least: bits(6).signed(), amount: bits(8) };
+        let full = m.reg("full", bit()).reset(0);
+        let kept = m.memory("kept", 2, layout, ReadUnderWrite::Old).fill(0);
+        let steps = i.steps.take_when(!full);
+        kept.write(steps.taken, lit(1, 0), *steps);
+        net!(entry = kept.read_async(lit(1, 0)));
+        let (sent, taken) = m.offer(full, entry);
+        full.when(steps.taken, 1).when(taken, 0);
+        StepsOut { sent }
+    }
+}
+
+#[test]
+fn waves_name_the_fields_of_records_and_their_codes() {
+    let mut sim = of(&Steps);
+    let wave = sim.record(["steps_*", "entry_*"]);
+    let (steps, sent) = (sim.i.steps, sim.o.sent);
+    let t = sim.testbench();
+    let step = |operation, amount| Step { operation, least: 60, amount };
+    let words = [step(Operation::Subtract as u64, 7), step(Operation::Smaller as u64, 9)];
+    t.run((t.send_all(steps, words, Pauses::NONE), t.receive_all(sent, 2, Pauses::NONE)));
+    wave.expect(
+        r"
+        clk             |__________/~~~~~\____/~~~~~\____/~~~~~\____/
+        steps_valid     |~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~\___________
+        steps_operation | Subtract | Smaller             | Add      |
+        steps_least     | -4                             | 0        |
+        steps_amount    | 7        | 9                   | 0        |
+        steps_ready     |~~~~~~~~~~\__________/~~~~~~~~~~\___________
+        entry_operation | Add      | Subtract            | Smaller  |
+        entry_least     | 0        | -4                             |
+        entry_amount    | 0        | 7                   | 9        |
+        ",
+    );
+}
+
+#[test]
+#[should_panic(expected = "there is no signal `entrie_*`: did you mean `entry`?")]
+fn a_record_that_is_not_there() {
+    of(&Steps).record(["entrie_*"]);
 }
 
 #[test]

@@ -6,6 +6,8 @@ mod clocks;
 mod kinds;
 mod lane_values;
 mod lists;
+mod processes;
+mod properties;
 mod shorthand;
 mod testbench;
 mod until;

@@ -6,6 +6,7 @@ mod lanes;
 pub(crate) mod names;
 mod objects;
 mod records;
+mod statements;
 
 use crate::spec::*;
 pub use expression::compare;
@@ -287,10 +288,10 @@ impl<'a> Builder<'a> {
                 self.push(d, signal);
             }
             Make::Cross { synchronize, of } => self.cross(d, number, *synchronize, *of),
-            Make::Assert(pick) => {
-                let signal = self.pick(d, *pick);
-                self.on(d).assert(signal.le(Bits::ones(signal.width())), "a value is at most all ones");
-            }
+            Make::State(statement, pick) => self.state(d, number, *statement, *pick),
+            Make::Coded(coded) => self.coded(d, number, coded),
+            Make::PowerOn { initial, reset, next } => self.power_on(d, number, *initial, *reset, *next),
+            Make::InParts(parts) => self.parts(d, number, parts),
             Make::Never(pick, pattern) => {
                 let signal = self.pick(d, *pick);
                 self.on(d).assert(signal.ne(pattern.bits(signal.width())), "a value is never this one");

@@ -79,7 +79,6 @@ const WORDS: &[&str] = &[
     "namespace",
     "friend",
     "std",
-    "vlSymsp",
     "name",
     "path",
     "unit",

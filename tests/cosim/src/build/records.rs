@@ -48,6 +48,8 @@ impl Builder<'_> {
         let memory_name = name("_words", &["_read".to_owned()]);
         let staged = |stage| paths.iter().map(move |path| format!("{path}{stage}"));
         let pipe_name = name("_pipe", &(1..=records.stages).flat_map(staged).collect::<Vec<_>>());
+        let full = (1..=records.stages).map(|stage| format!("_full{stage}"));
+        let stream_name = name("_stream", &(1..=records.stages).flat_map(staged).chain(full).collect::<Vec<_>>());
 
         let m = self.on(d);
         let mut register = m.reg(&register_name, layout.clone());
@@ -69,13 +71,24 @@ impl Builder<'_> {
         self.push(d, narrow(layout.unpack(wire.pack()).pack()));
         self.push_fields(d, &found);
 
+        let accepts = found.head.any_one();
         let start = found.cleared(|start| [start.head, start.pairs[1].low]).called(&pipe_name);
         let last = m.stages(records.stages, enable, start, |stage, now| {
             let [left, right] = now.pairs;
             let pairs = [right, Pair { low: left.low + u64::from(stage % 2), ..left }];
             Mixed { pairs, ..now }
         });
-        self.push_fields(d, &last);
+        // Later steps let these meet what entered.
+        self.push_fields(d, &last.any_stage());
+
+        let (sent, _) = m.offer(enable, last.clone());
+        let taken = m.stream_stages(records.stages, Start::from(sent).called(&stream_name), |_, now| {
+            let [left, right] = now.pairs;
+            Mixed { pairs: [right, left], head: !now.head, ..now }
+        });
+        let taken = taken.take_when(accepts);
+        self.push(d, taken.taken);
+        self.push_fields(d, &taken.any_stage());
         self.late.push((d, Late::Records { register, records: records.clone() }));
     }
 

@@ -41,7 +41,7 @@ fn size(modules: &[Module]) -> usize {
         let writes: usize = module.memories.iter().map(|memory| memory.writes.len() + 1).sum();
         let options =
             module.registers.iter().map(|it| usize::from(it.enable.is_some()) + usize::from(it.reset.is_some()));
-        let ports = module.inputs.len() + module.outputs.len() + module.asserts.len() + module.instances.len();
+        let ports = module.inputs.len() + module.outputs.len() + module.properties.len() + module.instances.len();
         nodes.sum::<usize>() + writes + options.sum::<usize>() + ports
     };
     modules.iter().map(of).sum()
@@ -89,9 +89,9 @@ impl<F: Fn(&Design) -> Option<String>> Reducer<F> {
             self.each(at, |module| module.outputs.len(), |modules, place| sweep::drop_output(modules, at, place));
             self.each(
                 at,
-                |module| module.asserts.len(),
+                |module| module.properties.len(),
                 |modules, place| {
-                    modules[at].asserts.remove(place);
+                    modules[at].properties.remove(place);
                 },
             );
             let nodes = |module: &Module| module.nodes.len();

@@ -43,6 +43,6 @@ fn module_text(text: &mut String, module: &Module) -> std::fmt::Result {
             instance.name, instance.module.0, instance.shape, instance.inputs, instance.outputs
         )?;
     }
-    module.asserts.iter().try_for_each(|it| writeln!(text, "  assert {}: {}", it.condition.0, it.message))?;
+    module.properties.iter().try_for_each(|it| writeln!(text, "  assert {}: {}", it.condition.0, it.message))?;
     module.outputs.iter().try_for_each(|output| writeln!(text, "  output {} = {}", output.name, output.node.0))
 }

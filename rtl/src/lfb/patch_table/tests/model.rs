@@ -148,8 +148,8 @@ fn run() -> impl Strategy<Value = (PatchTable, Vec<Step>)> {
     })
 }
 
-fn wish(patch: Option<u64>) -> LookUp<u64> {
-    LookUp { valid: patch.is_some().into(), patch: patch.unwrap_or_default() }
+fn wish(patch: Option<u64>) -> Stream<Wanted<u64>, u64> {
+    Stream::of(patch.is_some().into(), Wanted { patch: patch.unwrap_or_default() })
 }
 
 proptest! {
@@ -181,7 +181,8 @@ proptest! {
             };
             sim.drive(i);
             let o = sim.read_u64();
-            prop_assert_eq!((o.ready == 1, o.clear_ready == 1), (model.ready(), model.clear_ready(step.settled)));
+            let ready = [sim.i.look_up.ready, sim.i.clear.ready].map(|ready| sim.get(ready) == 1);
+            prop_assert_eq!(ready, [model.ready(), model.clear_ready(step.settled)]);
             prop_assert_eq!((o.overflow == 1, o.idle == 1), (model.overflow(), model.look_up.is_none()));
             prop_assert_eq!(o.pages_used, model.used);
             prop_assert_eq!((o.found == 1).then_some(o.page), model.found());

@@ -66,7 +66,7 @@ fn clocks(module: &mut Module) {
         resets[clock.0 as usize] |= reset;
     };
     module.registers.iter().for_each(|register| on(register.clock, register.reset.is_some()));
-    module.asserts.iter().for_each(|assert| on(assert.clock, true));
+    module.properties.iter().for_each(|property| on(property.clock, true));
     for memory in &module.memories {
         memory.reads.iter().filter_map(|read| read.clock).for_each(|clock| on(clock, false));
         memory.writes.iter().for_each(|write| on(write.clock, false));
@@ -75,7 +75,7 @@ fn clocks(module: &mut Module) {
     module.instances.iter().flat_map(|instance| &instance.clocks).for_each(|clock| on(*clock, true));
     let new = |clock: ClockId| ClockId(used[..clock.0 as usize].iter().filter(|used| **used).count() as u32);
     module.registers.iter_mut().for_each(|register| register.clock = new(register.clock));
-    module.asserts.iter_mut().for_each(|assert| assert.clock = new(assert.clock));
+    module.properties.iter_mut().for_each(|property| property.clock = new(property.clock));
     for memory in &mut module.memories {
         memory.reads.iter_mut().flat_map(|read| &mut read.clock).for_each(|clock| *clock = new(*clock));
         memory.writes.iter_mut().for_each(|write| write.clock = new(write.clock));

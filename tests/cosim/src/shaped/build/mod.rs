@@ -138,7 +138,8 @@ impl<'a> Builder<'a> {
             }
             Make::Assert(of) => {
                 let condition = self.always(*of);
-                self.asserts(clock, condition, "this always holds");
+                let directive = [Directive::Assert, Directive::Assume, Directive::Cover][number % 3];
+                self.states(directive, clock, condition, "this always holds");
             }
             Make::Never(of, pattern) => {
                 let of = self.any(*of);
@@ -147,7 +148,7 @@ impl<'a> Builder<'a> {
                 if width > 4 {
                     let never = self.build.node(Op::Const(pattern.bits(width)), width, shape);
                     let condition = self.compare(Relation::Ne, false, of, never);
-                    self.asserts(clock, condition, "this may fail");
+                    self.states(Directive::Assert, clock, condition, "this may fail");
                 }
             }
             other => {
@@ -203,9 +204,10 @@ impl<'a> Builder<'a> {
         register
     }
 
-    fn asserts(&mut self, clock: ClockId, condition: NodeId, message: &str) {
+    fn states(&mut self, directive: Directive, clock: ClockId, condition: NodeId, message: &str) {
         self.build.assert(condition, message);
-        self.build.module.asserts.last_mut().expect("there is one").clock = clock;
+        let property = self.build.module.properties.last_mut().expect("there is one");
+        (property.directive, property.clock) = (directive, clock);
     }
 
     /// A condition that always holds, in each lane of a value.

@@ -2,9 +2,7 @@
 
 use std::fmt;
 
-use tilewright_hdl::Problems;
-
-use crate::parameter::ParameterError;
+use crate::problem::Problems;
 
 /// Why an entry cannot be had.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -27,8 +25,8 @@ pub enum CatalogError {
         /// The least and the greatest value.
         range: [u64; 2],
     },
-    /// The parameters do not go together.
-    Parameter(ParameterError),
+    /// There is no hardware for these parameters; one sentence that says why, and what would do.
+    Parameters(String),
     /// The description has mistakes.
     Description(Problems),
 }
@@ -45,19 +43,13 @@ impl fmt::Display for CatalogError {
             CatalogError::OutOfRange { name, value, range: [min, max] } => {
                 write!(f, "{name} = {value} is out of range: it is from {min} to {max}")
             }
-            CatalogError::Parameter(error) => error.fmt(f),
+            CatalogError::Parameters(sentence) => f.write_str(sentence),
             CatalogError::Description(problems) => problems.fmt(f),
         }
     }
 }
 
 impl std::error::Error for CatalogError {}
-
-impl From<ParameterError> for CatalogError {
-    fn from(error: ParameterError) -> CatalogError {
-        CatalogError::Parameter(error)
-    }
-}
 
 impl From<Problems> for CatalogError {
     fn from(problems: Problems) -> CatalogError {

@@ -2,9 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use tilewright_hdl::{Design, Scenario};
-
 use super::CatalogError;
+use crate::ir::Design;
+use crate::scenario::Scenario;
 
 /// A block of the catalogue.
 #[derive(Debug, Clone, Copy)]
@@ -15,8 +15,10 @@ pub struct Entry {
     pub summary: &'static str,
     /// What can be set.
     pub parameters: &'static [Parameter],
-    pub(super) design: fn(&Values) -> Result<Design, CatalogError>,
-    pub(super) scenario: fn(&Values) -> Result<Scenario, CatalogError>,
+    /// Makes the circuit; called by [`Entry::design`].
+    pub design: fn(&Values) -> Result<Design, CatalogError>,
+    /// Writes the scenario; called by [`Entry::scenario`].
+    pub scenario: fn(&Values) -> Result<Scenario, CatalogError>,
 }
 
 /// A number that can be set.
@@ -81,6 +83,10 @@ impl Entry {
 
 impl Values {
     /// The value of one of the entry's parameters.
+    ///
+    /// # Panics
+    ///
+    /// The entry has no such parameter.
     pub fn get(&self, name: &str) -> u64 {
         self.0[name]
     }
@@ -90,7 +96,12 @@ impl Values {
         self.0.iter().map(|(name, value)| (*name, *value))
     }
 
-    pub(super) fn get_u32(&self, name: &str) -> u32 {
+    /// As [`Values::get`], for a parameter whose range is within 32 bits.
+    ///
+    /// # Panics
+    ///
+    /// It is larger.
+    pub fn get_u32(&self, name: &str) -> u32 {
         u32::try_from(self.get(name)).expect("every range is within 32 bits")
     }
 }

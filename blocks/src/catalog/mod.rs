@@ -1,0 +1,33 @@
+//! The blocks of the library by name, with their parameters and scenarios.
+
+mod small;
+mod streams;
+
+use tilewright_hdl::catalog::Entry;
+
+/// Every block: those of streams, then the others.
+///
+/// ```
+/// use tilewright_blocks::catalog::ENTRIES;
+/// let fifo = ENTRIES.iter().find(|entry| entry.name == "fifo").unwrap();
+/// let design = fifo.design(&fifo.values([("depth", 5)])?)?;
+/// assert_eq!(design.top().name, "fifo_depth5_width8_storage_registers");
+/// # Ok::<(), tilewright_hdl::catalog::CatalogError>(())
+/// ```
+pub const ENTRIES: &[Entry] = &[
+    streams::FIFO,
+    streams::BLOCK_RAM_FIFO,
+    streams::DUAL_CLOCK_FIFO,
+    streams::LIFO,
+    streams::FORWARD_SLICE,
+    streams::BACKWARD_SLICE,
+    streams::SKID_BUFFER,
+    streams::FORK,
+    streams::ROUND_ROBIN_ARBITER,
+    streams::PRIORITY_ARBITER,
+    streams::NARROW,
+    streams::WIDEN,
+    small::COUNTER,
+    small::SHIFT_REGISTER,
+    small::LFSR,
+];

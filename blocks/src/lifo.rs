@@ -1,0 +1,67 @@
+//! A stack.
+
+use crate::ports::{StreamIn, StreamOut};
+use tilewright_hdl::{Module, ReadUnderWrite, bit, bits, block, mux, net, stream, up_to};
+
+block! {
+    /// A stack: gives the newest of the words that it holds, but keeps to the one that it shows until that is taken.
+    ///
+    /// ```text
+    ///             .---------------.
+    /// into ======>| words [depth] |===>[held]===> out      last in, first out
+    ///             '---------------'
+    ///               used ^
+    /// ```
+    ///
+    /// It has a word a clock, and holds one word beside those `depth`: the one that it shows. Latency 1 clock, in registers or distributed
+    /// memory. No path within a clock from any port to another.
+    ///
+    /// A stream keeps to what it shows, so what comes in while a word is shown goes out after that. Where a tree is walked, whose nodes come
+    /// back in place of their parent, it takes turns between two branches, and has to hold twice the nodes of one.
+    pub struct Lifo {
+        depth: u32,
+        width: u32,
+    }
+    latency = "1 clock";
+    in(self) = StreamIn { into: stream(bits(self.width)) };
+    out(self) = StreamOut { out: stream(bits(self.width)) };
+}
+
+impl Lifo {
+    /// A stack of that many words, and the one that it shows, of that many bits.
+    ///
+    /// ```
+    /// use tilewright_blocks::Lifo;
+    /// let design = tilewright_hdl::elaborate(&Lifo::new(5, 8))?;
+    /// assert_eq!(design.top().name, "lifo_depth5_width8");
+    /// # Ok::<(), tilewright_hdl::Problems>(())
+    /// ```
+    ///
+    /// # Panics
+    ///
+    /// It would hold nothing.
+    #[track_caller]
+    pub fn new(depth: u32, width: u32) -> Lifo {
+        assert!(depth > 0 && width > 0, "a stack of {depth} words of {width} bits holds nothing");
+        Lifo { depth, width }
+    }
+
+    fn build(&self, m: Module, i: StreamIn) -> StreamOut {
+        let words = m.memory("words", self.depth, self.width, ReadUnderWrite::Any);
+        let used = m.reg("used", up_to(self.depth)).reset(0);
+        let shown = m.reg("shown", bit()).reset(0);
+        let held = m.reg("held", self.width);
+
+        let (out, sent) = m.offer(shown, *held);
+        let into = i.into.take_when(used.ne(self.depth));
+        net!(moves = !shown | sent); // the newest is shown, and is what comes in if something does
+        net!(pushes = into.taken & !moves);
+        net!(pops = moves & !into.taken & used.ne(0));
+        words.write(pushes, used.trunc(words.address_width()), *into);
+        used.when(pushes, used + 1).when(pops, used - 1);
+        shown.when(moves, into.taken | pops);
+        let newest = words.read_async((used - 1).trunc(words.address_width()));
+        held.when(moves, mux(into.taken, *into, newest));
+        StreamOut { out }
+    }
+}

@@ -1,0 +1,99 @@
+//! The scenarios of the catalogue, played in the simulator.
+
+use std::ops::ControlFlow;
+
+use tilewright_blocks::catalog::ENTRIES;
+use tilewright_hdl::Design;
+use tilewright_hdl::catalog::Entry;
+use tilewright_sim::Simulation;
+
+fn find(name: &str) -> &'static Entry {
+    ENTRIES.iter().find(|entry| entry.name == name).unwrap()
+}
+
+/// The designs with the least, the default and large parameters.
+fn designs(entry: &Entry) -> Vec<(Vec<(&'static str, u64)>, Design)> {
+    let set = |of: fn(&tilewright_hdl::catalog::Parameter) -> u64| -> Vec<_> {
+        entry.parameters.iter().map(|parameter| (parameter.name, of(parameter))).collect()
+    };
+    let sets = [set(|it| it.min), set(|it| it.default), set(|it| it.max.min(16))];
+    sets.into_iter().map(|set| (set.clone(), entry.design(&entry.values(set).unwrap()).unwrap())).collect()
+}
+
+#[test]
+fn every_scenario_plays_and_changes_no_input_at_an_edge() {
+    for entry in ENTRIES {
+        for (set, design) in designs(entry) {
+            let scenario = entry.scenario(&entry.values(set.iter().copied()).unwrap()).unwrap();
+            let mut sim = Simulation::from_design(&design).unwrap();
+            sim.reset();
+            let start = sim.time();
+            for clock in &design.top().clocks {
+                let period = clock.period.unwrap().picoseconds();
+                let at_edge = scenario.events.iter().find(|event| (start + event.at_ps).is_multiple_of(period));
+                assert!(at_edge.is_none(), "{} {set:?}: {at_edge:?}", entry.name);
+            }
+            Simulation::from_design(&design).unwrap().play(&scenario).unwrap();
+        }
+    }
+}
+
+#[test]
+fn every_block_says_what_it_is_and_its_latency_in_clocks() {
+    for entry in ENTRIES {
+        for (_, design) in designs(entry) {
+            let about = &design.top().about;
+            assert!(about.latency.contains("clock"), "{}: {:?}", entry.name, about.latency);
+            assert!(
+                about.summary.ends_with('.') && !about.summary.contains(['[', ']']),
+                "{}: {}",
+                entry.name,
+                about.summary
+            );
+        }
+    }
+}
+
+/// The words that go over a stream in an entry's scenario, each as often as it does.
+fn words(name: &str, stream: &str) -> Vec<u64> {
+    let entry = find(name);
+    let values = entry.values([]).unwrap();
+    let scenario = entry.scenario(&values).unwrap();
+    let mut sim = Simulation::from_design(&entry.design(&values).unwrap()).unwrap();
+    let mut words = Vec::new();
+    let ended = sim.play_watched(&scenario, 1000, |sim, played| {
+        // Inputs change a quarter of a period after an edge; this is shortly before the next.
+        let is_before_an_edge = (played * scenario.end_ps as f64).round() as u64 % 10_000 == 9_500;
+        let goes = ["valid", "ready"].map(|end| sim.peek(&format!("{stream}_{end}")).unwrap().bit(0));
+        if is_before_an_edge && goes == [true, true] {
+            words.push(sim.peek(&format!("{stream}_payload")).unwrap().to_u64().unwrap());
+        }
+        ControlFlow::Continue(())
+    });
+    assert!(ended.unwrap().is_continue());
+    words
+}
+
+#[test]
+fn the_scenarios_show_what_they_say() {
+    for fifo in ["fifo", "block-ram-fifo"] {
+        assert_eq!((words(fifo, "into"), words(fifo, "out")), (vec![1, 2, 3, 4], vec![1, 2, 3, 4]), "{fifo}");
+    }
+    assert_eq!((words("lifo", "into"), words("lifo", "out")), (vec![1, 2, 3, 4, 5], vec![1, 4, 5, 3, 2]));
+    for slice in ["forward-slice", "backward-slice", "skid-buffer"] {
+        assert_eq!(words(slice, "into"), words(slice, "out"), "{slice}");
+        assert_eq!(words(slice, "out").last(), Some(&5), "{slice}");
+    }
+    assert_eq!([words("fork", "out_0"), words("fork", "out_1")], [[1, 2]; 2]);
+    assert_eq!(words("round-robin-arbiter", "out"), [0, 1, 2, 0, 1, 2, 0]);
+    assert_eq!(words("priority-arbiter", "out"), [0; 7]);
+    assert_eq!(words("narrow", "out"), [7, 0, 0, 9, 0, 0]);
+    assert_eq!(words("widen", "out"), [0x321, 0x999]);
+}
+
+#[test]
+fn a_depth_that_gray_code_has_not() {
+    let entry = find("dual-clock-fifo");
+    let error = entry.design(&entry.values([("depth", 6)]).unwrap()).unwrap_err().to_string();
+    assert_eq!(error, "depth = 6 is no power of two: set 8, or 4");
+}

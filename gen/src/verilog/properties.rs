@@ -1,0 +1,102 @@
+//! What is stated: a simulation says which assertion or assumption fails, where and when, and stops, and it says when a cover is hit
+//! for the first time; a formal tool proves, takes for granted, and looks for them; synthesis does not see them.
+
+use super::layout::with_place;
+use super::literal::Style;
+use super::plan::Form;
+use super::printer::Printer;
+use super::text::format_text;
+use tilewright_hdl::ir::{ClockId, Directive, NodeId, Op, Property, Unary};
+
+impl Printer<'_> {
+    /// These properties for a formal tool, and for a simulation. What they read counts as unread: a tool for synthesis
+    /// finds nothing that reads it.
+    pub fn properties(&mut self, properties: &[usize]) -> Vec<String> {
+        let module = self.module;
+        if properties.is_empty() {
+            return Vec::new();
+        }
+        let read = self.usage.clone();
+        let properties: Vec<&Property> = properties.iter().map(|&index| &module.properties[index]).collect();
+        let hits: Vec<Option<String>> = properties.iter().map(|property| self.hit(property)).collect();
+        let clocks = || (0..module.clocks.len() as u32).map(ClockId);
+        let mut out = vec!["`ifdef FORMAL".to_string()];
+        for clock in clocks() {
+            let body = properties.iter().filter(|it| it.clock == clock).map(|property| self.formal(property)).collect();
+            out.extend(self.at_edge(clock, body));
+        }
+        out.extend(["`else".to_string(), "`ifndef SYNTHESIS".to_string()]);
+        for hit in hits.iter().flatten() {
+            out.extend([format!("reg {hit};"), format!("initial {hit} = 1'b0;")]);
+        }
+        for clock in clocks() {
+            let here = properties.iter().zip(&hits).filter(|(property, _)| property.clock == clock);
+            let body = here.flat_map(|(property, hit)| self.simulated(property, hit.as_deref())).collect();
+            out.extend(self.at_edge(clock, body));
+        }
+        out.extend(["`endif".to_string(), "`endif".to_string()]);
+        self.usage = read;
+        out
+    }
+
+    /// The statements at the edges of a clock, if there are any.
+    fn at_edge(&mut self, clock: ClockId, body: Vec<String>) -> Vec<String> {
+        if body.is_empty() {
+            return body;
+        }
+        let head = format!("always @(posedge {}) begin", self.clock_port(clock));
+        let body = body.into_iter().map(|line| format!("    {line}"));
+        [head].into_iter().chain(body).chain(["end".to_string()]).collect()
+    }
+
+    /// The register that says that a cover was hit.
+    fn hit(&mut self, property: &Property) -> Option<String> {
+        (property.directive == Directive::Cover).then(|| self.label("is_covered"))
+    }
+
+    fn formal(&mut self, property: &Property) -> String {
+        let word = match property.directive {
+            Directive::Assert => "assert",
+            Directive::Assume => "assume",
+            Directive::Cover => "cover",
+        };
+        let statement = format!("{word} ({});", self.value(property.condition));
+        let line = match self.reset_is_low(property.clock) {
+            Some(low) => format!("if ({low}) {statement}"),
+            None => statement,
+        };
+        with_place(line, property.loc)
+    }
+
+    fn simulated(&mut self, property: &Property, hit: Option<&str>) -> Vec<String> {
+        let message = format_text(&property.message);
+        let (when, body) = match (property.directive, hit) {
+            (Directive::Cover, Some(hit)) => (
+                format!("{} && !{hit}", self.operand(property.condition, Style::Count)),
+                vec![format!("$display(\"COVER: time %0t: %m: {message}\", $time);"), format!("{hit} <= 1'b1;")],
+            ),
+            (directive, _) => {
+                let blames = if directive == Directive::Assume { "the stimulus breaks an assumption: " } else { "" };
+                let says = format!("$display(\"FAIL: time %0t: %m: {blames}{message}\", $time);");
+                (self.fails(property.condition), vec![says, "$stop;".to_string()])
+            }
+        };
+        let reset = self.reset_is_low(property.clock).map(|low| format!("{low} && ")).unwrap_or_default();
+        let head = with_place(format!("if ({reset}{when}) begin"), property.loc);
+        let body = body.into_iter().map(|line| format!("    {line}"));
+        [head].into_iter().chain(body).chain(["end".to_string()]).collect()
+    }
+
+    /// That a condition does not hold, as one of several that are tied by `&&`.
+    fn fails(&mut self, condition: NodeId) -> String {
+        match self.module.node(condition).op {
+            Op::Unary(Unary::Not, of) if self.plan.form(condition) == Form::Inline => self.operand(of, Style::Count),
+            _ => format!("!{}", self.operand(condition, Style::Count)),
+        }
+    }
+
+    fn reset_is_low(&mut self, clock: ClockId) -> Option<String> {
+        self.module.clocks[clock.0 as usize].reset.as_ref()?;
+        Some(format!("!{}", self.reset_port(clock)))
+    }
+}

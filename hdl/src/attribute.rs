@@ -1,0 +1,82 @@
+//! Attributes: what a description says to synthesizers alone.
+
+use crate::bundle::Bundle;
+use crate::data::Data;
+use crate::draft::Draft;
+use crate::elaboration;
+use crate::ir::Attribute;
+use crate::loc::Loc;
+use crate::memory::Mem;
+use crate::names::{is_legal, is_reserved};
+use crate::problem::Problem;
+use crate::register::Reg;
+use crate::wire::is_here;
+
+impl Reg {
+    /// An attribute for synthesizers, of this register: `.attribute("keep", "true")` is Verilog's `(* keep = "true" *)`. The registers of a synchronizer have
+    /// `ASYNC_REG` by themselves.
+    #[track_caller]
+    pub fn attribute(self, name: &str, value: &str) -> Reg {
+        let loc = Loc::caller();
+        if is_here(self.signal, self.signal.node, loc) {
+            add(loc, name, value, |draft| &mut draft.registers[self.index].attributes);
+        }
+        self
+    }
+}
+
+impl<B: Bundle> Reg<B> {
+    /// An attribute for synthesizers, of the register of each field.
+    #[track_caller]
+    pub fn attribute(self, name: &str, value: &str) -> Reg<B> {
+        for register in self.fields() {
+            let _ = register.attribute(name, value);
+        }
+        self
+    }
+}
+
+impl<V: Data> Mem<V> {
+    /// An attribute for synthesizers, of this memory: what it is made of is `.attribute("ram_style", "block")` to Xilinx' tools.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// block! {
+    ///     /// Keeps lines of a picture.
+    ///     pub struct Lines;
+    ///     in LinesIn { write: bit(), at: below(1024), pixel: bits(24) }
+    ///     out LinesOut { shown: bits(24) }
+    /// }
+    ///
+    /// impl Lines {
+    ///     fn build(&self, m: Module, i: LinesIn) -> LinesOut {
+    ///         let lines = m.memory("lines", 1024, 24, ReadUnderWrite::Any).attribute("ram_style", "block");
+    ///         lines.write(i.write, i.at, i.pixel);
+    ///         LinesOut { shown: lines.read(i.at) }
+    ///     }
+    /// }
+    /// # let design = elaborate(&Lines).unwrap();
+    /// # assert!(tilewright_gen::verilog(&design)[0].text.contains("(* ram_style = \"block\" *)"));
+    /// ```
+    #[track_caller]
+    pub fn attribute(self, name: &str, value: &str) -> Mem<V> {
+        let index = self.index as usize;
+        add(Loc::caller(), name, value, |draft| &mut draft.memories[index].memory.attributes);
+        self
+    }
+}
+
+fn add(loc: Loc, name: &str, value: &str, to: impl Fn(&mut Draft) -> &mut Vec<Attribute>) {
+    elaboration::with(|e| {
+        let attributes = to(e.draft());
+        if !is_legal(name) || is_reserved(name) {
+            let problem = Problem::new(loc, format!("`{name}` cannot be the name of an attribute"));
+            e.report(problem.help("a name is letters, digits and `_`, and no reserved word of Verilog"));
+        } else if attributes.iter().any(|known| known.name == name) {
+            let problem = Problem::new(loc, format!("the attribute `{name}` is given twice"));
+            e.report(problem.help("give it once"));
+        } else {
+            attributes.push(Attribute { name: name.to_owned(), value: value.to_owned() });
+        }
+    });
+}

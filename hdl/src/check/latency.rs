@@ -1,0 +1,21 @@
+//! A latency that is stated as a number, which is then the one that the circuit has.
+
+use crate::ir::Module;
+use crate::ir::latency::{Delay, latency, output_delays};
+use crate::problem::Problem;
+
+/// Adds the delays of `module` to those of the modules before it, if these have no problem.
+pub(crate) fn check(block: &str, module: &Module, delays: &mut Vec<Vec<Delay>>, problems: &mut Vec<Problem>) {
+    let own = output_delays(module, delays);
+    let found = latency(module, &own);
+    delays.push(own);
+    let Ok(stated) = module.about.latency.parse::<u32>() else { return };
+    let message = match found {
+        Some(found) if found.clocks == stated => return,
+        Some(found) => format!("`{block}` states a latency of {stated}, but takes {found}"),
+        None => format!("`{block}` states a latency of {stated}, but has no single one"),
+    };
+    problems.push(Problem::new(module.loc, message).help(
+        "a latency that is one number is counted, and needs no statement; where it is not one, words say what it is",
+    ));
+}

@@ -1,0 +1,232 @@
+//! How many clocks a module takes from its inputs to its outputs, where that is one number: counted, as a statement of it could be wrong.
+
+use super::{Design, Instance, Module, Node, NodeId, Op, Register};
+use crate::graph::{Edges, cyclic_components};
+use std::collections::BTreeSet;
+use std::fmt;
+
+/// The clocks from every input of a module to every output that it has a part in, not through enables: the registers and synchronous
+/// reads between. See [`Design::latencies`].
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Latency {
+    /// How many.
+    pub clocks: u32,
+    /// The input port without which none of them counts, if there is one: the enable of all those registers.
+    pub enable: Option<String>,
+}
+
+impl fmt::Display for Latency {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let plural = if self.clocks == 1 { "" } else { "s" };
+        write!(f, "{} clock{plural}", self.clocks)?;
+        self.enable.iter().try_for_each(|enable| write!(f, " with `{enable}`"))
+    }
+}
+
+impl Design {
+    /// For each module its latency; none if it has no single one, as a state machine, a queue, or what has several clocks.
+    ///
+    /// ```
+    /// use tilewright_hdl::*;
+    ///
+    /// block! {
+    ///     /// The square of a sum.
+    ///     pub struct Square;
+    ///     in SquareIn { a: bits(8), b: bits(8), advances: bit() }
+    ///     out SquareOut { square: bits(16) }
+    /// }
+    ///
+    /// impl Square {
+    ///     fn build(&self, m: Module, i: SquareIn) -> SquareOut {
+    ///         let sum = m.pipe_when(i.advances, "sum", i.a + i.b);
+    ///         SquareOut { square: m.pipe_when(i.advances, "squared", sum.times(sum)) }
+    ///     }
+    /// }
+    ///
+    /// let latencies = elaborate(&Square)?.latencies();
+    /// assert_eq!(latencies[0].as_ref().unwrap().to_string(), "2 clocks with `advances`");
+    /// # Ok::<(), Problems>(())
+    /// ```
+    pub fn latencies(&self) -> Vec<Option<Latency>> {
+        let mut delays: Vec<Vec<Delay>> = Vec::new();
+        for module in &self.modules {
+            delays.push(output_delays(module, &delays));
+        }
+        self.modules.iter().zip(&delays).map(|(module, delays)| latency(module, delays)).collect()
+    }
+}
+
+/// The latency of a module whose outputs have these delays.
+pub(crate) fn latency(module: &Module, delays: &[Delay]) -> Option<Latency> {
+    match delays.iter().fold(Delay::Nothing, |all, one| all.or(*one)) {
+        Delay::Clocks { clocks, gate } => {
+            let enable = if let Gate::Input(input) = gate { Some(&module.inputs[input as usize].name) } else { None };
+            Some(Latency { clocks, enable: enable.cloned() })
+        }
+        Delay::Nothing | Delay::Several => None,
+    }
+}
+
+/// When a value was an input.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Delay {
+    /// No input has a part in it.
+    Nothing,
+    /// So many clocks ago.
+    Clocks { clocks: u32, gate: Gate },
+    /// There is no single answer.
+    Several,
+}
+
+/// What the clocks of a delay count with.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Gate {
+    /// All of them.
+    Always,
+    /// Those where this input is high.
+    Input(u32),
+}
+
+impl Delay {
+    fn or(self, other: Delay) -> Delay {
+        match (self, other) {
+            (Delay::Nothing, one) | (one, Delay::Nothing) => one,
+            (one, other) if one == other => one,
+            _ => Delay::Several,
+        }
+    }
+
+    /// What is left of it in a value that remembers.
+    fn remembered(self) -> Delay {
+        if self == Delay::Nothing { Delay::Nothing } else { Delay::Several }
+    }
+
+    /// After so many clocks more; none if what lets them pass is no input.
+    fn after(self, more: u32, by: Option<Gate>) -> Delay {
+        match (self, by) {
+            (Delay::Nothing, _) => Delay::Nothing,
+            (delay, _) if more == 0 => delay,
+            (Delay::Clocks { clocks, gate }, Some(by)) if clocks == 0 || gate == by => {
+                Delay::Clocks { clocks: clocks + more, gate: by }
+            }
+            _ => Delay::Several,
+        }
+    }
+}
+
+/// The delay of each output of a module, whose children's are known.
+pub(crate) fn output_delays(module: &Module, children: &[Vec<Delay>]) -> Vec<Delay> {
+    if module.clocks.len() > 1 {
+        return vec![Delay::Several; module.outputs.len()];
+    }
+    let count = module.nodes.len();
+    let edges = Edges::new(count, |node, push| operands(module, NodeId(node), &mut |id| push(id.0)));
+    let looped: BTreeSet<u32> = cyclic_components(&edges).into_iter().flatten().collect();
+    let users = edges.reversed();
+    let mut delays = vec![Delay::Nothing; count];
+    let mut changed: Vec<u32> = Vec::new();
+    for input in &module.inputs {
+        delays[input.node.0 as usize] = Delay::Clocks { clocks: 0, gate: Gate::Always };
+        changed.push(input.node.0);
+    }
+    // A delay changes at most twice.
+    while let Some(node) = changed.pop() {
+        for &user in users.of(node) {
+            let delay = match looped.contains(&user) {
+                // What follows from itself remembers, if only how often it was enabled.
+                true => edges.of(user).iter().fold(Delay::Nothing, |all, of| all.or(delays[*of as usize].remembered())),
+                false => delay(module, children, &delays, NodeId(user)),
+            };
+            if delay != delays[user as usize] {
+                delays[user as usize] = delay;
+                changed.push(user);
+            }
+        }
+    }
+    module.outputs.iter().map(|output| delays[output.node.0 as usize]).collect()
+}
+
+/// What the value of a node follows from, in whatever clock, but for enables.
+fn operands(module: &Module, id: NodeId, visit: &mut dyn FnMut(NodeId)) {
+    match &module.node(id).op {
+        Op::Register(register) => {
+            let (next, enable) = taken(module, &module.registers[register.0 as usize]);
+            visit(next);
+            enable.into_iter().for_each(visit);
+        }
+        Op::Read(memory, port) => {
+            let memory = &module.memories[memory.0 as usize];
+            visit(memory.reads[*port as usize].address);
+            memory.writes.iter().flat_map(|write| [write.enable, write.address, write.data]).for_each(visit);
+        }
+        Op::Output(instance, _) => {
+            module.instances[instance.0 as usize].inputs.iter().for_each(|input| visit(*input));
+        }
+        op => op.for_each_operand(visit),
+    }
+}
+
+/// What a register takes, and when. One that takes a value under one condition and else keeps what it holds is enabled by that.
+fn taken(module: &Module, register: &Register) -> (NodeId, Option<NodeId>) {
+    match &module.node(register.next).op {
+        Op::Select { arms, default } if *default == register.node && arms.len() == 1 && register.enable.is_none() => {
+            (arms[0].1, Some(arms[0].0))
+        }
+        _ => (register.next, register.enable),
+    }
+}
+
+fn delay(module: &Module, children: &[Vec<Delay>], delays: &[Delay], id: NodeId) -> Delay {
+    let of = |id: NodeId| delays[id.0 as usize];
+    let node: &Node = module.node(id);
+    match &node.op {
+        Op::Input(_) => of(id),
+        Op::Register(register) => {
+            let (next, enable) = taken(module, &module.registers[register.0 as usize]);
+            of(next).after(1, gate(module, enable))
+        }
+        Op::Read(memory, port) => {
+            let memory = &module.memories[memory.0 as usize];
+            let read = &memory.reads[*port as usize];
+            let written = memory.writes.iter().flat_map(|write| [write.enable, write.address, write.data]);
+            // What an input wrote stays for as long as it likes.
+            let is_written = written.into_iter().any(|id| of(id) != Delay::Nothing);
+            let data = if is_written { Delay::Several } else { of(read.address) };
+            data.after(read.clock.is_some().into(), gate(module, read.enable))
+        }
+        Op::Output(instance, port) => {
+            let instance = &module.instances[instance.0 as usize];
+            through(module, instance, children[instance.module.0 as usize][*port as usize], &of)
+        }
+        op => {
+            let mut all = Delay::Nothing;
+            op.for_each_operand(|id| all = all.or(of(id)));
+            all
+        }
+    }
+}
+
+/// What an instance with that delay makes of its inputs.
+fn through(module: &Module, instance: &Instance, delay: Delay, of: &dyn Fn(NodeId) -> Delay) -> Delay {
+    let Delay::Clocks { clocks, gate: by } = delay else {
+        return if delay == Delay::Nothing { Delay::Nothing } else { Delay::Several };
+    };
+    let (enable, by) = match by {
+        Gate::Always => (None, Some(Gate::Always)),
+        Gate::Input(input) => (Some(input as usize), gate(module, Some(instance.inputs[input as usize]))),
+    };
+    let inputs = instance.inputs.iter().enumerate().filter(|(place, _)| Some(*place) != enable);
+    inputs.fold(Delay::Nothing, |all, (_, input)| all.or(of(*input))).after(clocks, by)
+}
+
+/// What an enable lets pass; none if it is more than an input.
+fn gate(module: &Module, enable: Option<NodeId>) -> Option<Gate> {
+    let Some(mut enable) = enable else { return Some(Gate::Always) };
+    loop {
+        match module.node(enable).op {
+            Op::Input(input) => return Some(Gate::Input(input)),
+            Op::Wire(of) | Op::Broadcast { of, .. } => enable = of,
+            _ => return None,
+        }
+    }
+}

@@ -1,0 +1,180 @@
+//! Past values, and what is stated of them.
+
+use crate::bits::Bits;
+use crate::bundle::Fields;
+use crate::draft::{Draft, DraftRegister};
+use crate::elaboration;
+use crate::ir::{Binary, ClockId, Directive, Init, NodeId, Op, RegisterId, Shape, Unary};
+use crate::loc::Loc;
+use crate::module::Module;
+use crate::operand::IntoSignal;
+use crate::select::condition;
+use crate::signal::Signal;
+use crate::summary::{self, Summary};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Past values are for statements: `m.assert(m.past(i.restart).implies(count.eq(0)), ..)`. A statement that looks at one, be it within
+/// the expression or through nets and instances, waits until there is one: it says nothing of the first edge after power-on or a reset, and nothing of the first two
+/// if it looks at the past of the past. Elsewhere (behind a register, in a statement of another module, in what the circuit computes) a past value is a
+/// register without a reset, as [`Module::pipe`] makes them.
+impl Module {
+    /// The value at the edge of this module's clock before, of a signal or of each field of a record. Equal signals share their register.
+    #[track_caller]
+    pub fn past<B: Fields<Signal>>(self, value: B) -> B::With<Signal> {
+        let loc = Loc::caller();
+        // A loop, as a closure would be the caller that messages name.
+        let mut pasts = Vec::new();
+        for (_, signal) in value.leaves() {
+            pasts.push(self.past_of(signal, loc));
+        }
+        let mut pasts = pasts.into_iter();
+        value.map(|_| pasts.next().expect("a past for each field"))
+    }
+
+    /// 1 bit: `signal`, 1 bit, is high and was low at the edge before.
+    #[track_caller]
+    pub fn rose(self, signal: impl IntoSignal) -> Signal {
+        let signal = condition(signal.into(), "rose");
+        signal & !self.past_of(signal, Loc::caller())
+    }
+
+    /// 1 bit: `signal`, 1 bit, is low and was high at the edge before.
+    #[track_caller]
+    pub fn fell(self, signal: impl IntoSignal) -> Signal {
+        let signal = condition(signal.into(), "fell");
+        !signal & self.past_of(signal, Loc::caller())
+    }
+
+    /// 1 bit: `signal` is what it was at the edge before.
+    #[track_caller]
+    pub fn stable(self, signal: impl IntoSignal) -> Signal {
+        let signal = signal.into();
+        signal.eq(self.past_of(signal, Loc::caller()))
+    }
+
+    fn past_of(self, signal: Signal, loc: Loc) -> Signal {
+        let of = signal.id_at(loc);
+        elaboration::with(|e| {
+            let draft = e.draft();
+            let clock = draft.use_clock(self.clock);
+            let past = draft.pasts.get(&(of, clock)).copied().unwrap_or_else(|| {
+                let past = add_register(draft, clock, (signal.width, signal.shape), loc);
+                draft.node_mut(past).kind = signal.kind;
+                let register = draft.registers.last_mut().expect("just added");
+                register.next = Some((of, loc));
+                draft.pasts.insert((of, clock), past);
+                past
+            });
+            Signal::at(e, past)
+        })
+    }
+}
+
+fn add_register(draft: &mut Draft, clock: ClockId, (width, shape): (u32, Shape), loc: Loc) -> NodeId {
+    let node = draft.add(Op::Register(RegisterId(draft.registers.len() as u32)), width, shape, loc);
+    draft.registers.push(DraftRegister::new(node, clock));
+    node
+}
+
+/// Has each statement about past values wait until there are any, and gives names to their registers.
+pub(crate) fn wait_for_pasts(draft: &mut Draft, summaries: &[Summary], outputs: &[(String, NodeId)]) {
+    if draft.pasts.is_empty() {
+        return;
+    }
+    let mut passed: BTreeMap<ClockId, Vec<NodeId>> = BTreeMap::new();
+    for index in 0..draft.properties.len() {
+        let property = draft.properties[index].clone();
+        let edges = edges_back(draft, summaries, property.condition);
+        if edges > 0 {
+            let passed = passed.entry(property.clock).or_default();
+            while passed.len() < edges {
+                let next = add_passed(draft, property.clock, passed.last().copied(), property.loc);
+                passed.push(next);
+            }
+            let condition = (property.condition, passed[edges - 1]);
+            draft.properties[index].condition = waiting(draft, property.directive, condition, property.loc);
+        }
+    }
+    name_registers(draft, passed.into_values().flatten(), outputs);
+}
+
+/// How many edges back a node looks.
+fn edges_back(draft: &Draft, summaries: &[Summary], node: NodeId) -> usize {
+    let mut level = BTreeSet::from([node]);
+    // Past values of each other have no end.
+    for edges in 0..draft.pasts.len() {
+        level = pasts_behind(draft, summaries, level);
+        if level.is_empty() {
+            return edges;
+        }
+    }
+    draft.pasts.len()
+}
+
+/// What the past values are of that these nodes are computed from within a cycle.
+fn pasts_behind(draft: &Draft, summaries: &[Summary], nodes: BTreeSet<NodeId>) -> BTreeSet<NodeId> {
+    let of: BTreeMap<NodeId, NodeId> = draft.pasts.iter().map(|((of, _), past)| (*past, *of)).collect();
+    let (mut found, mut seen) = (BTreeSet::new(), nodes.clone());
+    let mut open: Vec<NodeId> = nodes.into_iter().collect();
+    while let Some(node) = open.pop() {
+        found.extend(of.get(&node));
+        summary::operands(draft, summaries, node, &mut |operand| {
+            if seen.insert(operand) {
+                open.push(operand);
+            }
+        });
+    }
+    found
+}
+
+/// A register that is high once one more edge has passed since power-on or a reset than `before` it.
+fn add_passed(draft: &mut Draft, clock: ClockId, before: Option<NodeId>, loc: Loc) -> NodeId {
+    let next = before.unwrap_or_else(|| draft.add(Op::Const(Bits::new(1, 1)), 1, Shape::Plain, loc));
+    let node = add_register(draft, clock, (1, Shape::Plain), loc);
+    let register = draft.registers.last_mut().expect("just added");
+    register.reset = Some((Init::Same(Bits::zero(1)), loc));
+    register.initial = Some((Bits::zero(1), loc));
+    register.next = Some((next, loc));
+    node
+}
+
+/// The condition, where so many edges have passed; else what an assertion or a cover says nothing by.
+fn waiting(draft: &mut Draft, directive: Directive, (condition, passed): (NodeId, NodeId), loc: Loc) -> NodeId {
+    let shape = draft.node(condition).shape;
+    let mut add = |op, shape| draft.add(op, 1, shape, loc);
+    let (op, mut guard) = match directive {
+        Directive::Cover => (Binary::And, passed),
+        Directive::Assert | Directive::Assume => (Binary::Or, add(Op::Unary(Unary::Not, passed), Shape::Plain)),
+    };
+    if let Shape::Grid(_, columns) = shape {
+        guard = add(Op::Broadcast { of: guard, axis: 0 }, Shape::Row(columns));
+    }
+    if !shape.is_plain() {
+        guard = add(Op::Broadcast { of: guard, axis: 0 }, shape);
+    }
+    add(Op::Binary(op, guard, condition), shape)
+}
+
+/// `count_past`, `past` of what has no name, and `has_past`; with a number where a name is taken.
+fn name_registers(draft: &mut Draft, passed: impl Iterator<Item = NodeId>, outputs: &[(String, NodeId)]) {
+    let mut taken: BTreeSet<String> = draft.nodes.iter().filter_map(|node| node.name.clone()).collect();
+    taken.extend(draft.inputs.iter().map(|input| input.name.clone()));
+    taken.extend(outputs.iter().map(|(path, _)| crate::module::port_name("", path)));
+    taken.extend(draft.memories.iter().map(|draft| draft.memory.name.clone()));
+    taken.extend(draft.instances.iter().map(|instance| instance.name.clone()));
+    let mut pasts: Vec<(NodeId, NodeId)> = draft.pasts.iter().map(|((of, _), past)| (*past, *of)).collect();
+    // In order of declaration, so that the past of a past finds a name.
+    pasts.sort_unstable();
+    let passed = passed.map(|node| (node, None));
+    for (node, of) in pasts.into_iter().map(|(past, of)| (past, Some(of))).chain(passed) {
+        let name = match of {
+            None => "has_past".to_owned(),
+            Some(of) => draft.node(of).name.as_ref().map_or("past".to_owned(), |name| format!("{name}_past")),
+        };
+        let mut numbered = (2..).map(|number| format!("{name}_{number}"));
+        let free = if taken.contains(&name) { numbered.find(|name| !taken.contains(name)) } else { Some(name) };
+        let free = free.expect("there are names without end");
+        taken.insert(free.clone());
+        draft.node_mut(node).name = Some(free);
+    }
+}

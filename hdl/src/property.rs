@@ -1,0 +1,81 @@
+//! What is stated of a circuit: what must hold, what its inputs promise, what is to happen at some time.
+
+use crate::draft::Draft;
+use crate::elaboration;
+use crate::ir::{Directive, Property};
+use crate::loc::Loc;
+use crate::module::Module;
+use crate::operand::IntoSignal;
+use crate::problem::Problem;
+use crate::select::condition;
+use crate::signal::Signal;
+
+/// Statements hold at every edge of the module's clock while its reset is low, in every lane. Where one looks at a [past value](Module::past),
+/// it waits until there is one. A simulation checks them; Verilog states them to simulators and to formal tools, and synthesizers do not see them.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// block! {
+///     /// Counts what is taken.
+///     pub struct Taken { pub most: u64 }
+///     in TakenIn { take: bit(), restart: bit() }
+///     out(self) TakenOut { taken: up_to(self.most) }
+/// }
+///
+/// impl Taken {
+///     fn build(&self, m: Module, i: TakenIn) -> TakenOut {
+///         let taken = m.reg("taken", up_to(self.most)).reset(0);
+///         net!(full = taken.eq(self.most));
+///         taken.when(i.restart, 0).when(i.take, taken + 1);
+///         m.assume(i.take.implies(!full | i.restart), "nothing is taken when all is");
+///         m.assert(taken.le(self.most), "no more is taken than there is");
+///         m.assert(m.past(i.restart).implies(taken.eq(0)), "a restart gives all back");
+///         m.cover("all is taken", m.rose(full));
+///         TakenOut { taken: *taken }
+///     }
+/// }
+/// # elaborate(&Taken { most: 5 }).unwrap();
+/// ```
+impl Module {
+    /// States that `holds` does at every edge while the reset is low; where it does not, the circuit is wrong, and a simulation stops.
+    #[track_caller]
+    pub fn assert(self, holds: impl IntoSignal, message: &str) {
+        self.state(Directive::Assert, condition(holds.into(), "assert"), message);
+    }
+
+    /// As [`Module::assert`], of what the block is given: where it does not hold, the stimulus is wrong. A formal tool looks only at inputs of
+    /// which it holds.
+    #[track_caller]
+    pub fn assume(self, holds: impl IntoSignal, message: &str) {
+        self.state(Directive::Assume, condition(holds.into(), "assume"), message);
+    }
+
+    /// States that `happens` is high at some edge while the reset is low. A simulation counts how often, of which a test asks by the cover's name;
+    /// a formal tool looks for a way.
+    #[track_caller]
+    pub fn cover(self, name: &str, happens: impl IntoSignal) {
+        self.state(Directive::Cover, condition(happens.into(), "cover"), name);
+    }
+
+    #[track_caller]
+    fn state(self, directive: Directive, condition: Signal, message: &str) {
+        let (loc, condition) = (Loc::caller(), condition.id());
+        elaboration::with(|e| {
+            let draft = e.draft();
+            let clock = draft.use_clock(self.clock);
+            let problem = (directive == Directive::Cover).then(|| second_cover(draft, message, loc)).flatten();
+            draft.properties.push(Property { directive, clock, condition, message: message.to_owned(), loc });
+            problem.into_iter().for_each(|problem| e.report(problem));
+        });
+    }
+}
+
+/// A test asks for a cover by its name.
+fn second_cover(draft: &Draft, name: &str, loc: Loc) -> Option<Problem> {
+    let mut covers = draft.properties.iter().filter(|property| property.directive == Directive::Cover);
+    let first = covers.find(|cover| cover.message == name)?;
+    let problem = Problem::new(loc, format!("a second cover is called `{name}`"));
+    Some(
+        problem.note("the first one stands", first.loc).help("give each a name of its own: a test asks for it by that"),
+    )
+}

@@ -1,0 +1,76 @@
+//! Numbers that are shown in the radix they are written in.
+
+use crate::bits::Bits;
+use crate::operand::{Literal, Operand, Value};
+
+/// The radix that a constant is shown in.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
+pub enum Radix {
+    /// As its use suggests: a count in decimal, a mask in hexadecimal.
+    #[default]
+    Any,
+    /// Hexadecimal.
+    Hex,
+    /// Binary.
+    Binary,
+}
+
+/// A number and its radix. Made by [`hex`] and [`binary`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Written {
+    value: u64,
+    radix: Radix,
+}
+
+/// A number that Verilog shows in hexadecimal, as Rust does not say how one was written: `address.eq(hex(0x3f))` is `address == 8'h3f`.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// block! {
+///     /// Finds a pattern.
+///     pub struct Finder;
+///     in FinderIn { x: bits(8) }
+///     out FinderOut { found: bit(), kept: bits(8) }
+/// }
+///
+/// impl Finder {
+///     fn build(&self, m: Module, i: FinderIn) -> FinderOut {
+///         let kept = m.reg("kept", 8).reset(binary(0b101));
+///         kept.when(i.x.gt(100), i.x);
+///         FinderOut { found: i.x.eq(hex(0x3f)), kept: *kept }
+///     }
+/// }
+///
+/// let text = &tilewright_gen::verilog(&elaborate(&Finder)?)[0].text;
+/// for line in ["found = x == 8'h3f", "kept <= 8'b00000101", "x > 8'd100"] {
+///     assert!(text.contains(line), "{text}");
+/// }
+/// # Ok::<(), Problems>(())
+/// ```
+pub fn hex(value: u64) -> Written {
+    Written { value, radix: Radix::Hex }
+}
+
+/// A number that Verilog shows in binary, as [`hex`] does in hexadecimal.
+pub fn binary(value: u64) -> Written {
+    Written { value, radix: Radix::Binary }
+}
+
+impl Operand for Written {
+    fn operand(self) -> Value {
+        Value::Literal(Literal::Integer(self.value.into(), self.radix))
+    }
+}
+
+impl Bits {
+    /// The same value, shown in that radix where Verilog has it as a constant. Values are equal whatever they are shown in.
+    pub fn shown_in(mut self, radix: Radix) -> Bits {
+        self.radix = radix;
+        self
+    }
+
+    /// The radix that it is shown in.
+    pub fn radix(&self) -> Radix {
+        self.radix
+    }
+}

@@ -1,0 +1,106 @@
+//! A stream that is taken before it is made: what a loop of blocks begins with.
+
+use crate::bundle::Fields;
+use crate::data::{Data, Layout};
+use crate::loc::Loc;
+use crate::module::{Module, port_name};
+use crate::signal::Signal;
+use crate::stream::Stream;
+use crate::width::bit;
+use crate::wire::Wire;
+use std::ops::Deref;
+
+/// A stream declared before its sender, made by [`Module::stream_wire`]. It reads as the stream; [`drive`](StreamWire::drive) must be
+/// called exactly once.
+#[derive(Debug, Clone, Copy)]
+#[must_use]
+pub struct StreamWire<P = Signal> {
+    stream: Stream<P>,
+    /// Of `valid`; those of the payload's fields follow.
+    index: usize,
+}
+
+impl<P> Deref for StreamWire<P> {
+    type Target = Stream<P>;
+
+    fn deref(&self) -> &Stream<P> {
+        &self.stream
+    }
+}
+
+impl Module {
+    /// A stream that is taken before it is described, as what a block sends comes back to it. Its payload is declared as that of a
+    /// [`stream`](crate::stream()), and its nets are named as those of a port. In the loop both directions need a register: a queue, or
+    /// a slice that cuts both.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # block! {
+    /// #     /// Holds a number.
+    /// #     struct Slot { full: bool }
+    /// #     in SlotIn { into: stream(8) }
+    /// #     out SlotOut { out: stream(8) }
+    /// # }
+    /// # impl Slot {
+    /// #     fn build(&self, m: Module, i: SlotIn) -> SlotOut {
+    /// #         let full = m.reg("full", bit()).reset(self.full);
+    /// #         let held = m.reg("held", 8).reset(0);
+    /// #         let (out, sent) = m.offer(full, *held);
+    /// #         let into = i.into.take_when(!full);
+    /// #         held.when(into.taken, *into);
+    /// #         full.when(into.taken, 1).when(sent, 0);
+    /// #         SlotOut { out }
+    /// #     }
+    /// # }
+    /// # block! {
+    /// #     /// A number that goes round, one more each time.
+    /// #     struct Ring;
+    /// #     out RingOut { number: bits(8) }
+    /// # }
+    /// # impl Ring {
+    /// #     fn build(&self, m: Module, (): ()) -> RingOut {
+    /// let again = m.stream_wire("again", 8);
+    /// let first = m.instance("u_first", &Slot { full: false }, SlotIn { into: again.value() }).out;
+    /// let second = m.instance("u_second", &Slot { full: true }, SlotIn { into: first }).out;
+    /// again.drive(second.with(*second + 1));
+    /// #         RingOut { number: again.payload }
+    /// #     }
+    /// # }
+    /// # let mut sim = tilewright_sim::Simulation::of(&Ring)?;
+    /// # sim.reset();
+    /// # sim.run(10);
+    /// # assert_eq!(sim.get_u64(sim.o.number), 6);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    #[track_caller]
+    pub fn stream_wire<L: Layout>(self, name: &str, payload: L) -> StreamWire<L::Value> {
+        let loc = Loc::caller();
+        let valid = self.net(&port_name(name, "valid"), bit(), loc);
+        let payload = payload.layout().map_fields("", &mut |path, width| {
+            let path = if path.is_empty() { "payload" } else { path };
+            self.net(&port_name(name, path), *width, loc).signal
+        });
+        StreamWire { stream: self.offer(valid.value(), payload).0, index: valid.index }
+    }
+}
+
+impl<P: Data> StreamWire<P> {
+    /// The stream, to be taken.
+    pub fn value(&self) -> Stream<P> {
+        self.stream.clone()
+    }
+
+    /// Says which stream it is, and takes that.
+    #[track_caller]
+    pub fn drive(&self, stream: Stream<P>) {
+        let fields = |stream: &Stream<P>| [vec![stream.valid], signals(&stream.payload)].concat();
+        for (i, (signal, driver)) in fields(&self.stream).into_iter().zip(fields(&stream)).enumerate() {
+            Wire { signal, index: self.index + i }.drive(driver);
+        }
+        stream.take_when(self.stream.ready);
+    }
+}
+
+fn signals<P: Data>(payload: &P) -> Vec<Signal> {
+    payload.leaves().into_iter().map(|(_, signal)| signal).collect()
+}

@@ -1,0 +1,87 @@
+//! What rustc says where a description does not compile: each message names what to write.
+
+use std::path::PathBuf;
+use std::process::Command;
+use std::time::SystemTime;
+
+/// A description with mistakes that no library can report, as it does not compile.
+const WRONG: &str = r"
+use tilewright_hdl::*;
+bundle! { pub struct Pair<T> { pub x: T, pub y: T } }
+pub fn build(m: Module, a: Signal, pair: Pair) {
+    let words = m.memory(TEXT, 4, 8, ReadUnderWrite::Old);
+    words.write(1, a, a);
+    let _ = a[3];
+    let _ = a[0..4];
+    let _ = a * 2.5;
+    let _ = a + pair;
+    let _: Signal = mux(true, a, a);
+    m.reg(TEXT, a);
+}
+const TEXT: &str = stringify!(words);
+";
+
+#[test]
+fn rustc_says_what_to_write() {
+    let said = compile(WRONG);
+    for (line, message, remedy) in [
+        ("words.write(1, a, a);", "a `{integer}` is no signal", "that always holds is `lit(1, 1)`"),
+        ("let _ = a[3];", "a signal is not indexed by `[..]`", "one bit is `.bit(3)`"),
+        ("let _ = a[0..4];", "a signal is not indexed by `[..]`", "bits 0 to 3 are `.slice(0..4)`"),
+        ("let _ = a * 2.5;", "a `{float}` is neither a signal nor a number", "an integer"),
+        ("let _ = a + pair;", "a `Pair` is neither a signal nor a number", "of a record, name a field"),
+        ("mux(true, a, a);", "a `bool` is no signal", "that always holds is `lit(1, 1)`"),
+        ("m.reg(TEXT, a);", "`tilewright_hdl::Signal` is no width", "a width is a number of bits"),
+    ] {
+        let found =
+            said.split("\n\n").any(|error| error.contains(message) && error.contains(remedy) && error.contains(line));
+        assert!(found, "nothing says `{message}` and `{remedy}` of `{line}`:\n{said}");
+    }
+}
+
+/// The same without the mistakes compiles, so that nothing else is wrong with it.
+#[test]
+fn what_it_names_compiles() {
+    let right = WRONG
+        .replace("words.write(1, a, a)", "words.write(lit(1, 1), a, a)")
+        .replace("a[3]", "a.bit(3)")
+        .replace("a[0..4]", "a.slice(0..4)")
+        .replace("a * 2.5", "a * 2")
+        .replace("a + pair", "a + pair.x")
+        .replace("mux(true,", "mux(lit(1, 1),")
+        .replace("m.reg(TEXT, a);", "let _ = m.reg(TEXT, a.width());");
+    assert_eq!(compile(&right), "");
+}
+
+/// What rustc says of a crate with this text.
+fn compile(text: &str) -> String {
+    let folder = tempfile::tempdir().unwrap();
+    let source = folder.path().join("wrong.rs");
+    std::fs::write(&source, text).unwrap();
+    // The tests of this crate stand beside the library that they are linked with.
+    let beside: PathBuf = std::env::current_exe().unwrap().parent().unwrap().to_owned();
+    let rustc = std::env::var_os("RUSTC").unwrap_or("rustc".into());
+    let output = Command::new(rustc)
+        .args(["--edition", "2024", "--crate-type", "lib", "--emit", "metadata", "--cap-lints", "allow"])
+        .arg("--extern")
+        .arg(format!("tilewright_hdl={}", library(&beside).display()))
+        .arg("-L")
+        .arg(format!("dependency={}", beside.display()))
+        .arg("--out-dir")
+        .arg(folder.path())
+        .arg(&source)
+        .output()
+        .unwrap();
+    String::from_utf8_lossy(&output.stderr).into_owned()
+}
+
+/// The newest of the libraries that were built for tests.
+fn library(beside: &std::path::Path) -> PathBuf {
+    let files = std::fs::read_dir(beside).unwrap().map(|entry| entry.unwrap().path());
+    let is_library = |path: &PathBuf| {
+        let name = path.file_name().unwrap().to_string_lossy().into_owned();
+        name.starts_with("libtilewright_hdl-") && name.ends_with(".rlib")
+    };
+    let built = |path: &PathBuf| path.metadata().and_then(|file| file.modified()).unwrap_or(SystemTime::UNIX_EPOCH);
+    files.filter(is_library).max_by_key(built).expect("the library is built before its tests")
+}

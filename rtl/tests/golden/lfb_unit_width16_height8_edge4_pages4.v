@@ -1,0 +1,191 @@
+// lfb_unit_width16_height8_edge4_pages4
+//
+// A virtual local frame buffer: a full screen in the pages of a part of its memory.
+//
+// Parameters  LfbUnit { patches: Patches { screen: Screen { width: 16, height: 8 }, edge: 4 }, pages: 4 }
+// Latency     an access every 3 or 4 clocks; 2 clocks of the merger from the scan counter to the word
+// Source      VC-1, section 3.3, local frame buffer (VC1-LFB, VC1-ACC, VC1-SCAN, VC1-CLR1)
+// Described   rtl/src/lfb/unit.rs:111
+`default_nettype none
+
+module lfb_unit_width16_height8_edge4_pages4 (
+    input  wire        pe_clk,
+    input  wire        pe_rst,
+    input  wire        merge_clk,
+    input  wire        merge_rst,
+    // A pixel that the processor draws.
+    input  wire        request_valid, // There is one.
+    input  wire [3:0]  request_x,     // Counted from the left.
+    input  wire [2:0]  request_y,     // Counted from the top.
+    input  wire [47:0] request_word,  // Depth above colour.
+    // A patch table entry that the processor clears.
+    input  wire        clear_valid,   // There is one.
+    input  wire [2:0]  clear_patch,   // Its number.
+    input  wire        swap,          // For one clock, when idle or in overflow: exchange the buffers.
+    input  wire        resume,        // For one clock: try the held request again.
+    // From the global frame buffer unit.
+    input  wire        scan_restart,  // For one clock: every scan counter takes its preset.
+    // The counters, the read-out and the merging units advance by a pixel; where it is low they hold.
+    input  wire        scan_enable,
+    // Where a restart puts the scan counter; a constant, `ScanCounter::preset`.
+    input  wire [3:0]  preset_x,      // Counted from the left.
+    input  wire [2:0]  preset_y,      // Counted from the top.
+    output wire        ready,         // A request is accepted at this edge.
+    output wire        clear_ready,   // A clear is accepted at this edge. If a request is too, the clear comes first.
+    output wire        overflow,      // A request is held, because its patch has no page and all pages are taken.
+    output wire [2:0]  pages_used,    // How many pages of the front buffer are taken.
+    output wire        idle,          // No request is under way.
+    output wire [47:0] word           // The pixel sent to the merging unit.
+);
+
+    reg front;                                                   // rtl/src/lfb/unit.rs:111
+    (* ASYNC_REG = "TRUE" *) reg merge_front_meta;               // rtl/src/lfb/unit.rs:113
+    (* ASYNC_REG = "TRUE" *) reg merge_front;                    // rtl/src/lfb/unit.rs:113
+    (* ASYNC_REG = "TRUE" *) reg known_front_meta;               // rtl/src/lfb/unit.rs:114
+    (* ASYNC_REG = "TRUE" *) reg known_front;                    // rtl/src/lfb/unit.rs:114
+    reg sought_armed;                                            // rtl/src/lfb/unit.rs:123
+    reg [3:0] sought_offset;                                     // rtl/src/lfb/unit.rs:125
+    reg sought_buffer;                                           // rtl/src/lfb/unit.rs:126
+    reg [3:0] wanted_offset;                                     // rtl/src/lfb/unit.rs:137
+    reg [47:0] wanted_word;                                      // rtl/src/lfb/unit.rs:138
+
+    wire [3:0] u_scan_counter_pixel_x;                           // rtl/src/lfb/unit.rs:121
+    wire [2:0] u_scan_counter_pixel_y;                           // rtl/src/lfb/unit.rs:121
+    wire u_scan_counter_armed;                                   // rtl/src/lfb/unit.rs:121
+    wire u_patch_table_idle;                                     // rtl/src/lfb/unit.rs:136
+    wire u_patch_table_found;                                    // rtl/src/lfb/unit.rs:136
+    wire [1:0] u_patch_table_page;                               // rtl/src/lfb/unit.rs:136
+    wire u_patch_table_scan_entry_resident;                      // rtl/src/lfb/unit.rs:136
+    wire [1:0] u_patch_table_scan_entry_page;                    // rtl/src/lfb/unit.rs:136
+    wire u_image_memory_ready;                                   // rtl/src/lfb/unit.rs:145
+    wire u_image_memory_idle;                                    // rtl/src/lfb/unit.rs:145
+
+    wire settled = known_front == front;                         // rtl/src/lfb/unit.rs:115
+    wire back = !merge_front;                                    // rtl/src/lfb/unit.rs:116
+    wire [3:0] u_patch_table_scan_patch_product = {3'd0, u_scan_counter_pixel_y[2]} * 4'd4; // rtl/src/lfb/patches.rs:90
+    wire [3:0] u_patch_table_look_up_patch_product = {3'd0, request_y[2]} * 4'd4; // rtl/src/lfb/patches.rs:90
+    wire wanted_offset_enable = request_valid & ready;           // rtl/src/lfb/unit.rs:130
+    wire resident = sought_armed & u_patch_table_scan_entry_resident & (sought_buffer == back); // rtl/src/lfb/unit.rs:141
+    assign idle = u_patch_table_idle & u_image_memory_idle;      // rtl/src/lfb/unit.rs:146
+
+    scan_counter_width16_height8 u_scan_counter (                // rtl/src/lfb/unit.rs:121
+        .clk          (merge_clk),
+        .rst          (merge_rst),
+        .scan_restart (scan_restart),
+        .scan_enable  (scan_enable),
+        .preset_x     (preset_x),
+        .preset_y     (preset_y),
+        .pixel_x      (u_scan_counter_pixel_x),
+        .pixel_y      (u_scan_counter_pixel_y),
+        .armed        (u_scan_counter_armed)
+    );
+
+    patch_table_patches8_pages4 u_patch_table (                  // rtl/src/lfb/unit.rs:136
+        .pe_clk              (pe_clk),
+        .pe_rst              (pe_rst),
+        .merge_clk           (merge_clk),
+        .look_up_valid       (request_valid),
+        .look_up_patch       (u_patch_table_look_up_patch_product[2:0] + {1'd0, request_x[3:2]}),
+        .clear_valid         (clear_valid),
+        .clear_patch         (clear_patch),
+        .front               (front),
+        .settled             (settled),
+        .restart             (swap),
+        .resume              (resume),
+        .scan_enable         (scan_enable),
+        .scan_patch          (u_patch_table_scan_patch_product[2:0] + {1'd0, u_scan_counter_pixel_x[3:2]}),
+        .scan_buffer         (back),
+        .overflow            (overflow),
+        .idle                (u_patch_table_idle),
+        .pages_used          (pages_used),
+        .found               (u_patch_table_found),
+        .page                (u_patch_table_page),
+        .scan_entry_resident (u_patch_table_scan_entry_resident),
+        .scan_entry_page     (u_patch_table_scan_entry_page),
+        .look_up_ready       (ready),
+        .clear_ready         (clear_ready)
+    );
+
+    image_memory_pages4_page_pixels16 u_image_memory (           // rtl/src/lfb/unit.rs:145
+        .pe_clk        (pe_clk),
+        .pe_rst        (pe_rst),
+        .merge_clk     (merge_clk),
+        .merge_rst     (merge_rst),
+        .draw_valid    (u_patch_table_found),
+        .draw_page     (u_patch_table_page),
+        .draw_offset   (wanted_offset),
+        .draw_word     (wanted_word),
+        .front         (front),
+        .send_enable   (scan_enable),
+        .send_resident (resident),
+        .send_page     (u_patch_table_scan_entry_page),
+        .send_offset   (sought_offset),
+        .send_buffer   (back),
+        .ready         (u_image_memory_ready),
+        .idle          (u_image_memory_idle),
+        .sent          (word)
+    );
+
+    always @(posedge merge_clk) begin
+        if (scan_enable) begin
+            sought_offset <= {u_scan_counter_pixel_y[1:0], u_scan_counter_pixel_x[1:0]};
+            sought_buffer <= back;
+        end
+    end
+
+    always @(posedge pe_clk) begin
+        if (wanted_offset_enable) begin
+            wanted_offset <= {request_y[1:0], request_x[1:0]};
+            wanted_word <= request_word;
+        end
+    end
+
+    always @(posedge pe_clk) begin
+        if (pe_rst) begin
+            front <= 1'b0;
+            known_front_meta <= 1'b0;
+            known_front <= 1'b0;
+        end else begin
+            if (swap) front <= !front;
+            known_front_meta <= merge_front;
+            known_front <= known_front_meta;
+        end
+    end
+
+    always @(posedge merge_clk) begin
+        if (merge_rst) begin
+            merge_front_meta <= 1'b0;
+            merge_front <= 1'b0;
+            sought_armed <= 1'b0;
+        end else begin
+            merge_front_meta <= front;
+            merge_front <= merge_front_meta;
+            if (scan_restart) sought_armed <= 1'b0;
+            else if (scan_enable) sought_armed <= u_scan_counter_armed;
+        end
+    end
+
+`ifdef FORMAL
+    always @(posedge pe_clk) begin
+        if (!pe_rst) assert (!swap | (overflow | idle));             // rtl/src/lfb/unit.rs:147
+        if (!pe_rst) assert (!swap | settled);                       // rtl/src/lfb/unit.rs:148
+    end
+`else
+`ifndef SYNTHESIS
+    always @(posedge pe_clk) begin
+        if (!pe_rst && !(!swap | (overflow | idle))) begin           // rtl/src/lfb/unit.rs:147
+            $display("FAIL: time %0t: %m: the buffers are swapped when idle or in overflow", $time);
+            $stop;
+        end
+        if (!pe_rst && !(!swap | settled)) begin                     // rtl/src/lfb/unit.rs:148
+            $display("FAIL: time %0t: %m: the buffers are not swapped again before the merger has followed", $time);
+            $stop;
+        end
+    end
+`endif
+`endif
+
+    wire _unused_ok = &{1'b0, u_patch_table_scan_patch_product[3],
+            u_patch_table_look_up_patch_product[3], u_image_memory_ready};
+endmodule
+`default_nettype wire

@@ -1,0 +1,45 @@
+// page_id_generator_pages4
+//
+// Names the next free page of an image memory: 0, 1, 2 ..
+//
+// Parameters  PageIdGenerator { pages: 4 }
+// Latency     1 clock
+// Source      VC-1, section 3.3, page ID generator (VC1-PIG)
+// Described   rtl/src/lfb/page_id_generator.rs:42
+`default_nettype none
+
+module page_id_generator_pages4 (
+    input  wire       clk,
+    input  wire       rst,
+    input  wire       restart,   // All pages are free again; wins over `take`.
+    input  wire       take,      // The next free page is taken.
+    output wire [1:0] page,      // The next free page, unless all are taken.
+    output reg  [2:0] used,      // How many pages are taken.
+    output wire       exhausted  // All pages are taken.
+);
+
+    assign exhausted = used == 3'd4;                             // rtl/src/lfb/page_id_generator.rs:43
+    assign page = used[1:0];                                     // rtl/src/lfb/page_id_generator.rs:46
+
+    always @(posedge clk) begin
+        if (rst) used <= 3'd0;
+        else if (restart) used <= 3'd0;
+        else if (take) used <= used + 3'd1;
+    end
+
+`ifdef FORMAL
+    always @(posedge clk) begin
+        if (!rst) assert (!take | !exhausted);                       // rtl/src/lfb/page_id_generator.rs:44
+    end
+`else
+`ifndef SYNTHESIS
+    always @(posedge clk) begin
+        if (!rst && !(!take | !exhausted)) begin                     // rtl/src/lfb/page_id_generator.rs:44
+            $display("FAIL: time %0t: %m: a page is taken only while one is free", $time);
+            $stop;
+        end
+    end
+`endif
+`endif
+endmodule
+`default_nettype wire

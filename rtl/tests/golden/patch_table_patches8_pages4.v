@@ -1,0 +1,141 @@
+// patch_table_patches8_pages4
+//
+// Gives each patch of the screen a page of image memory on its first access, for the buffer
+// in front and for the one behind.
+//
+// Parameters  PatchTable { patches: 8, pages: 4 }
+// Latency     3 clocks for a patch that has a page, else 4
+// Source      VC-1, section 3.3, patch table (VC1-PT, VC1-ACC)
+// Described   rtl/src/lfb/patch_table.rs:101
+`default_nettype none
+
+module patch_table_patches8_pages4 (
+    input  wire       pe_clk,
+    input  wire       pe_rst,
+    input  wire       merge_clk,
+    // A request for the page of a patch.
+    input  wire       look_up_valid,
+    input  wire [2:0] look_up_patch,       // Its number.
+    // A request to clear an entry. If a look-up is accepted at the same edge, the clear comes first.
+    input  wire       clear_valid,
+    input  wire [2:0] clear_patch,         // Its number.
+    input  wire       front,               // The front buffer, 0 or 1.
+    input  wire       settled,             // The scan has left the front buffer.
+    input  wire       restart,             // All pages are free again.
+    input  wire       resume,              // The held look-up is tried again.
+    // A patch of which the scan wants the page.
+    input  wire       scan_enable,         // The scan advances; where it is low the entry stays.
+    input  wire [2:0] scan_patch,          // Its number.
+    input  wire       scan_buffer,         // The buffer to look into.
+    output wire       overflow,            // A look-up is held, because all pages are taken.
+    output wire       idle,                // No look-up is under way.
+    output wire [2:0] pages_used,          // How many pages are taken.
+    output wire       found,               // The look-up ends with this clock.
+    output reg  [1:0] page,                // The page it found.
+    // The entry that the scan asked for one clock before.
+    output wire       scan_entry_resident, // The page existence flag.
+    output wire [1:0] scan_entry_page,     // The page ID.
+    output wire       look_up_ready,
+    output wire       clear_ready
+);
+
+    localparam [2:0] STAGE1_IDLE     = 3'd0;
+    localparam [2:0] STAGE1_READ     = 3'd1;
+    localparam [2:0] STAGE1_EXAMINE  = 3'd2;
+    localparam [2:0] STAGE1_ALLOCATE = 3'd3;
+    localparam [2:0] STAGE1_FOUND    = 3'd4;
+    localparam [2:0] STAGE1_OVERFLOW = 3'd5;
+
+    reg [2:0] stage1;                                            // rtl/src/lfb/patch_table.rs:101
+    reg [1:0] clearing;                                          // rtl/src/lfb/patch_table.rs:102
+    reg [2:0] patch;                                             // rtl/src/lfb/patch_table.rs:109
+
+    (* no_rw_check *)
+    reg [2:0] entries [0:15];                                    // rtl/src/lfb/patch_table.rs:113
+    reg [2:0] entry;                                             // rtl/src/lfb/patch_table.rs:116
+    reg [2:0] scan_entry;                                        // rtl/src/lfb/patch_table.rs:133
+
+    initial begin : entries_contents
+        integer i;
+        for (i = 0; i < 16; i = i + 1) entries[i] = 3'd0;
+    end
+
+    wire [1:0] u_page_id_generator_page;                         // rtl/src/lfb/patch_table.rs:120
+    wire u_page_id_generator_exhausted;                          // rtl/src/lfb/patch_table.rs:120
+
+    wire can_accept = (stage1 == STAGE1_IDLE) | (stage1 == STAGE1_FOUND); // rtl/src/lfb/patch_table.rs:105
+    assign look_up_ready = can_accept;                           // rtl/src/lfb/patch_table.rs:106
+    wire table_free = (clearing == 2'd0) & settled;              // rtl/src/lfb/patch_table.rs:104
+    assign clear_ready = table_free & (can_accept | (stage1 == STAGE1_OVERFLOW)); // rtl/src/lfb/patch_table.rs:107
+    wire look_up_taken = look_up_valid & can_accept;             // rtl/src/lfb/patch_table.rs:106
+    wire clear_taken = clear_valid & clear_ready;                // rtl/src/lfb/patch_table.rs:107
+    wire [3:0] address = {clear_taken ? clear_patch : patch, front}; // rtl/src/lfb/patch_table.rs:114
+    wire read = (stage1 == STAGE1_READ) & table_free;            // rtl/src/lfb/patch_table.rs:115
+    wire entry_resident = entry[2];                              // rtl/src/lfb/patch_table.rs:116
+    wire [1:0] entry_page = entry[1:0];                          // rtl/src/lfb/patch_table.rs:116
+    wire allocate = stage1 == STAGE1_ALLOCATE;                   // rtl/src/lfb/patch_table.rs:118
+    assign scan_entry_resident = scan_entry[2];                  // rtl/src/lfb/patch_table.rs:133
+    assign scan_entry_page = scan_entry[1:0];                    // rtl/src/lfb/patch_table.rs:133
+    assign overflow = stage1 == STAGE1_OVERFLOW;                 // rtl/src/lfb/patch_table.rs:134
+    assign idle = stage1 == STAGE1_IDLE;                         // rtl/src/lfb/patch_table.rs:134
+    assign found = stage1 == STAGE1_FOUND;                       // rtl/src/lfb/patch_table.rs:134
+
+    page_id_generator_pages4 u_page_id_generator (               // rtl/src/lfb/patch_table.rs:120
+        .clk       (pe_clk),
+        .rst       (pe_rst),
+        .restart   (restart),
+        .take      (allocate),
+        .page      (u_page_id_generator_page),
+        .used      (pages_used),
+        .exhausted (u_page_id_generator_exhausted)
+    );
+
+    always @(posedge pe_clk) begin
+        if (allocate | clear_taken) entries[address] <= {allocate, page};
+        if (read) entry <= entries[address];
+    end
+
+    always @(posedge merge_clk) begin
+        if (scan_enable) scan_entry <= entries[{scan_patch, scan_buffer}];
+    end
+
+    always @(posedge pe_clk) begin
+        if (look_up_taken) patch <= look_up_patch;
+    end
+
+    always @(posedge pe_clk) begin
+        if (stage1 == STAGE1_EXAMINE) begin
+            if (entry_resident) page <= entry_page;
+            else page <= u_page_id_generator_page;
+        end
+    end
+
+    always @(posedge pe_clk) begin
+        if (pe_rst) begin
+            stage1 <= STAGE1_IDLE;
+            clearing <= 2'd0;
+        end else begin
+            case (stage1)
+                STAGE1_IDLE: if (look_up_taken) stage1 <= STAGE1_READ;
+                STAGE1_READ: if (read) stage1 <= STAGE1_EXAMINE;
+                STAGE1_EXAMINE: begin
+                    if (entry_resident) stage1 <= STAGE1_FOUND;
+                    else if (u_page_id_generator_exhausted) stage1 <= STAGE1_OVERFLOW;
+                    else stage1 <= STAGE1_ALLOCATE;
+                end
+                STAGE1_ALLOCATE: stage1 <= STAGE1_FOUND;
+                STAGE1_FOUND: begin
+                    if (look_up_taken) stage1 <= STAGE1_READ;
+                    else stage1 <= STAGE1_IDLE;
+                end
+                default: begin // STAGE1_OVERFLOW
+                    if (resume) stage1 <= STAGE1_READ;
+                    else stage1 <= STAGE1_OVERFLOW;
+                end
+            endcase
+            if (clear_taken) clearing <= 2'd2;
+            else if (clearing != 2'd0) clearing <= clearing - 2'd1;
+        end
+    end
+endmodule
+`default_nettype wire

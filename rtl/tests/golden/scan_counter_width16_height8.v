@@ -1,0 +1,66 @@
+// scan_counter_width16_height8
+//
+// Counts the pixels of the screen in raster order, freely, from a preset on.
+//
+// Parameters  ScanCounter { screen: Screen { width: 16, height: 8 } }
+// Latency     1 clock
+// Source      VC-1, section 3.3, scan counter (VC1-SCAN)
+// Described   rtl/src/lfb/scan_counter.rs:68
+`default_nettype none
+
+module scan_counter_width16_height8 (
+    input  wire       clk,
+    input  wire       rst,
+    // From the global frame buffer.
+    input  wire       scan_restart, // For one clock: every scan counter takes its preset.
+    // The counters, the read-out and the merging units advance by a pixel; where it is low they hold.
+    input  wire       scan_enable,
+    // Where a restart puts the counter; a constant.
+    input  wire [3:0] preset_x,     // Counted from the left.
+    input  wire [2:0] preset_y,     // Counted from the top.
+    // The pixel to send.
+    output wire [3:0] pixel_x,      // Counted from the left.
+    output wire [2:0] pixel_y,      // Counted from the top.
+    output wire       armed         // The pixel belongs to the whole frame after the restart.
+);
+
+    localparam [1:0] PASS_BEFORE = 2'd0;
+    localparam [1:0] PASS_FRAME  = 2'd1;
+    localparam [1:0] PASS_AFTER  = 2'd2;
+
+    reg [3:0] x;                                                 // rtl/src/lfb/scan_counter.rs:68
+    reg [2:0] y;                                                 // rtl/src/lfb/scan_counter.rs:69
+    reg [1:0] pass;                                              // rtl/src/lfb/scan_counter.rs:70
+
+    wire line_end = scan_enable & (x == 4'd15);                  // rtl/src/lfb/scan_counter.rs:71
+    wire last_line = y == 3'd7;                                  // rtl/src/lfb/scan_counter.rs:72
+    wire frame_end = line_end & last_line;                       // rtl/src/lfb/scan_counter.rs:73
+    wire at_start = (preset_x == 4'd0) & (preset_y == 3'd0);     // rtl/src/lfb/scan_counter.rs:77
+    assign armed = pass == PASS_FRAME;                           // rtl/src/lfb/scan_counter.rs:80
+
+    always @(posedge clk) begin
+        if (rst) begin
+            x <= 4'd0;
+            y <= 3'd0;
+            pass <= PASS_AFTER;
+        end else begin
+            if (scan_restart) x <= preset_x;
+            else if (line_end) x <= 4'd0;
+            else if (scan_enable) x <= x + 4'd1;
+            if (scan_restart) y <= preset_y;
+            else if (frame_end) y <= 3'd0;
+            else if (line_end) y <= y + 3'd1;
+            if (scan_restart) begin
+                if (at_start) pass <= PASS_FRAME;
+                else pass <= PASS_BEFORE;
+            end else if (frame_end) begin
+                if (pass == PASS_BEFORE) pass <= PASS_FRAME;
+                else pass <= PASS_AFTER;
+            end
+        end
+    end
+
+    assign pixel_x = x;
+    assign pixel_y = y;
+endmodule
+`default_nettype wire

@@ -1,0 +1,107 @@
+//! Polygon set-up in integers: three or more screen vertices become packets of 3 to 8 edges.
+//!
+//! Source: facts E0 and A3 (MPG-RP: convex polygons as edge equations, and linear functions for what varies over them). A polygon
+//! that is convex, and whose vertices lie in one plane, is one packet; any other is a fan of triangles.
+
+use crate::packet::*;
+use crate::setup::{edge, pixel_bounds, planes, set_up, signed_area2};
+use crate::size::Size;
+
+/// Sets a polygon up for a screen of `size` pixels: in one packet if it can be, in none if there is nothing to draw.
+///
+/// Vertices are as [`set_up`] takes them, in either direction round the polygon; each may stand in a line with its neighbours, or
+/// repeat one. A polygon of three is what [`set_up`] makes of it. Of more:
+///
+/// - The packet has the planes of depth and colour through the first proper triangle of its fan, that is, of the triangles
+///   (0, 1, 2), (0, 2, 3) and so on.
+/// - If another vertex leaves one of them by more than one unit, or its plane has no value that a vertex could have there, or if the
+///   polygon is not convex, it is cut into that fan.
+/// - If it has more than [`MOST_EDGES`] edges, it is cut into packets that have as many, all with vertex 0.
+///
+/// Packets of one polygon share no pixel, unless its fan folds over itself.
+///
+/// ```
+/// use tilewright_scenes::{ScreenVertex, Size, set_up_polygon};
+///
+/// let size = Size::new(64, 64).unwrap();
+/// let at = |x: i32, y: i32, z| ScreenVertex { x: 16 * x, y: 16 * y, z, rgb: [90; 3] };
+/// // A square in one plane, and one of which a corner is bent out of it.
+/// let flat = set_up_polygon(&[at(0, 0, 100), at(8, 0, 200), at(8, 8, 400), at(0, 8, 300)], size);
+/// assert_eq!(flat.iter().map(|packet| packet.edges.len()).collect::<Vec<_>>(), [4]);
+/// let bent = set_up_polygon(&[at(0, 0, 100), at(8, 0, 200), at(8, 8, 400), at(0, 8, 302)], size);
+/// assert_eq!(bent.iter().map(|packet| packet.edges.len()).collect::<Vec<_>>(), [3, 3]);
+/// ```
+pub fn set_up_polygon(vertices: &[ScreenVertex], size: Size) -> Vec<Polygon> {
+    let round = positive(vertices);
+    match flat(&round).filter(|_| vertices.len() > 3 && is_convex(&round)) {
+        None => fan(vertices).filter_map(|triangle| set_up(&triangle, size)).map(Polygon::from).collect(),
+        Some((corners, proper)) => {
+            let planes = planes(corners, proper);
+            parts(&round).filter_map(|part| packet(&part, planes, size)).collect()
+        }
+    }
+}
+
+/// The vertices from the same first one, in the order that makes the area positive.
+fn positive(vertices: &[ScreenVertex]) -> Vec<ScreenVertex> {
+    let mut round = vertices.to_vec();
+    if fan(vertices).map(|triangle| signed_area2(&triangle)).sum::<i64>() < 0 {
+        round[1..].reverse();
+    }
+    round
+}
+
+/// A convex polygon in parts of up to [`MOST_EDGES`] vertices.
+fn parts(round: &[ScreenVertex]) -> impl Iterator<Item = Vec<ScreenVertex>> {
+    (1..round.len() - 1).step_by(MOST_EDGES - 2).map(|first| {
+        let last = (first + MOST_EDGES - 1).min(round.len());
+        round[..1].iter().chain(&round[first..last]).copied().collect()
+    })
+}
+
+/// The packet of a convex polygon that runs as positive areas do; `None` if it has no area, or no pixel centre along one of the axes.
+fn packet(round: &[ScreenVertex], (z, rgb): (Plane, [Plane; 3]), size: Size) -> Option<Polygon> {
+    let area2 = fan(round).map(|triangle| signed_area2(&triangle)).sum();
+    let bounds = pixel_bounds(round, size).filter(|_| area2 > 0)?;
+    let edges = sides(round).map(|(p, q)| edge(p, q)).collect();
+    Some(Polygon { edges, z, rgb, bounds, area2, polygon: 0 })
+}
+
+/// The triangles (0, 1, 2), (0, 2, 3) and so on.
+fn fan(vertices: &[ScreenVertex]) -> impl Iterator<Item = [ScreenVertex; 3]> {
+    vertices.windows(2).skip(1).map(|pair| [vertices[0], pair[0], pair[1]])
+}
+
+/// The sides that have a length.
+fn sides(round: &[ScreenVertex]) -> impl Iterator<Item = (ScreenVertex, ScreenVertex)> {
+    let next = round.iter().cycle().skip(1);
+    round.iter().zip(next).map(|(&p, &q)| (p, q)).filter(|(p, q)| (p.x, p.y) != (q.x, q.y))
+}
+
+/// Whether no vertex is outside a side.
+fn is_convex(round: &[ScreenVertex]) -> bool {
+    sides(round).all(|(p, q)| round.iter().all(|&v| signed_area2(&[p, q, v]) >= 0))
+}
+
+/// The first proper triangle and its doubled area, if the planes through it have, at each vertex, values that a vertex may have and
+/// that differ from its own by at most one unit.
+fn flat(round: &[ScreenVertex]) -> Option<([ScreenVertex; 3], i64)> {
+    let with_area = fan(round).map(|triangle| (triangle, signed_area2(&triangle)));
+    let (corners, area2) = with_area.into_iter().find(|(_, area2)| *area2 > 0)?;
+    let is_near = |v: &ScreenVertex| {
+        let weights = weights(&corners, v);
+        // Times the area, so that they are exact; below 2^60.
+        let is_near = |of: fn(&ScreenVertex, usize) -> i64, i: usize, least: i64, greatest: i64| {
+            let exact: i64 = weights.iter().zip(&corners).map(|(weight, corner)| weight * of(corner, i)).sum();
+            (exact - of(v, i) * area2).abs() <= area2 && (least * area2..=greatest * area2).contains(&exact)
+        };
+        is_near(|v, _| v.z.into(), 0, NEAREST_VERTEX.into(), FARTHEST_VERTEX.into())
+            && (0..3).all(|i| is_near(|v, i| v.rgb[i].into(), i, 0, 255))
+    };
+    round.iter().all(is_near).then_some((corners, area2))
+}
+
+/// What part each corner has in a plane's value at a point, in parts of the doubled area.
+fn weights([a, b, c]: &[ScreenVertex; 3], v: &ScreenVertex) -> [i64; 3] {
+    [[v, b, c], [a, v, c], [a, b, v]].map(|triangle| signed_area2(&triangle.map(|corner| *corner)))
+}

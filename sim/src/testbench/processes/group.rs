@@ -1,0 +1,159 @@
+//! Processes that run side by side: tuples and lists of them.
+
+use std::future::{Future, poll_fn};
+use std::pin::Pin;
+use std::task::{Context, Poll};
+
+use super::{Testbench, Turn};
+
+/// What runs beside others: a future, as an `async` block is, or a [`monitor`].
+#[diagnostic::on_unimplemented(
+    message = "a `{Self}` is no process",
+    note = "a process is an `async` block, what methods such as `t.send_all(..)` give, or a `monitor` of one"
+)]
+pub trait Process {
+    /// What it gives when it ends.
+    type Output;
+    #[doc(hidden)]
+    type Future: Future;
+    #[doc(hidden)]
+    const IS_MONITOR: bool;
+
+    #[doc(hidden)]
+    fn future(self) -> Self::Future;
+
+    /// What it gives, of what its future gave, if that has ended.
+    #[doc(hidden)]
+    fn output(gave: Option<<Self::Future as Future>::Output>) -> Self::Output;
+}
+
+impl<F: Future> Process for F {
+    type Output = F::Output;
+    type Future = F;
+    const IS_MONITOR: bool = false;
+
+    fn future(self) -> F {
+        self
+    }
+
+    fn output(gave: Option<F::Output>) -> F::Output {
+        gave.expect("a run goes on until each process has ended")
+    }
+}
+
+/// A process that watches the others and need not end; made by [`monitor`].
+#[derive(Debug)]
+pub struct Monitor<F>(F);
+
+/// The process as one whose end nobody waits for: it watches for as long as others run. See [`Testbench`] for an example.
+pub fn monitor<F: Future>(process: F) -> Monitor<F> {
+    Monitor(process)
+}
+
+impl<F: Future> Process for Monitor<F> {
+    type Output = ();
+    type Future = F;
+    const IS_MONITOR: bool = true;
+
+    fn future(self) -> F {
+        self.0
+    }
+
+    fn output(_: Option<F::Output>) {}
+}
+
+/// A process on its way.
+#[doc(hidden)]
+pub struct Member<P: Process> {
+    turn: Turn,
+    /// Until it has ended.
+    future: Option<Pin<Box<P::Future>>>,
+    gave: Option<<P::Future as Future>::Output>,
+}
+
+impl<P: Process> Member<P> {
+    fn new(testbench: &Testbench, process: P) -> Member<P> {
+        let mut shared = testbench.shared.borrow_mut();
+        shared.processes += 1;
+        let turn = Turn { number: shared.processes, is_monitor: P::IS_MONITOR };
+        Member { turn, future: Some(Box::pin(process.future())), gave: None }
+    }
+
+    /// Gives it its turn; says whether others need not go on for it.
+    fn go_on(&mut self, testbench: &Testbench, context: &mut Context) -> bool {
+        let Some(future) = &mut self.future else { return true };
+        let outer = testbench.shared.borrow().running;
+        let is_monitor = self.turn.is_monitor || outer.is_some_and(|outer| outer.is_monitor);
+        testbench.shared.borrow_mut().running = Some(Turn { is_monitor, ..self.turn });
+        if let Poll::Ready(output) = future.as_mut().poll(context) {
+            (self.future, self.gave) = (None, Some(output));
+        }
+        testbench.shared.borrow_mut().running = outer;
+        self.future.is_none() || self.turn.is_monitor
+    }
+
+    fn output(self) -> P::Output {
+        P::output(self.gave)
+    }
+}
+
+impl Testbench<'_> {
+    /// Processes of one kind as one, which gives what each of them gave; for as many receivers, say, as a block has outputs.
+    pub fn all<F: Future>(&self, processes: impl IntoIterator<Item = F>) -> impl Future<Output = Vec<F::Output>> {
+        let mut members: Vec<Member<F>> = processes.into_iter().map(|process| Member::new(self, process)).collect();
+        poll_fn(move |context| {
+            let going = members.iter_mut().filter_map(|member| (!member.go_on(self, context)).then_some(())).count();
+            if going > 0 {
+                return Poll::Pending;
+            }
+            Poll::Ready(std::mem::take(&mut members).into_iter().map(Member::output).collect())
+        })
+    }
+}
+
+/// What [`Testbench::run`] takes: a tuple of up to eight processes.
+#[diagnostic::on_unimplemented(
+    message = "a `{Self}` is no group of processes",
+    note = "`run` takes a tuple, as `t.run((producer, consumer))`; a list is made one process by `t.all(..)`, and one alone is `(process,)`"
+)]
+pub trait Processes {
+    /// What each of them gives.
+    type Output;
+    #[doc(hidden)]
+    type Members;
+
+    #[doc(hidden)]
+    fn members(self, testbench: &Testbench) -> Self::Members;
+
+    /// Gives each its turn; says whether none has to go on.
+    #[doc(hidden)]
+    fn go_on(members: &mut Self::Members, testbench: &Testbench, context: &mut Context) -> bool;
+
+    #[doc(hidden)]
+    fn outputs(members: Self::Members) -> Self::Output;
+}
+
+macro_rules! tuples {
+    ($(($($process:ident)+))+) => {$(
+        #[allow(non_snake_case, reason = "a member has the name of its type")]
+        impl<$($process: Process),+> Processes for ($($process,)+) {
+            type Output = ($($process::Output,)+);
+            type Members = ($(Member<$process>,)+);
+
+            fn members(self, testbench: &Testbench) -> Self::Members {
+                let ($($process,)+) = self;
+                ($(Member::new(testbench, $process),)+)
+            }
+
+            fn go_on(($($process,)+): &mut Self::Members, testbench: &Testbench, context: &mut Context) -> bool {
+                // All have their turn, also after one that has to go on.
+                [$($process.go_on(testbench, context)),+].into_iter().all(|is_over| is_over)
+            }
+
+            fn outputs(($($process,)+): Self::Members) -> Self::Output {
+                ($($process.output(),)+)
+            }
+        }
+    )+};
+}
+tuples! { (A) (A B) (A B C) (A B C D) (A B C D E) (A B C D E F) (A B C D E F G) (A B C D E F G H) }

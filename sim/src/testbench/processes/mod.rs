@@ -1,0 +1,235 @@
+//! Processes side by side: the drivers, receivers and monitors of one test, each written as plain sequential code.
+//!
+//! A process is an `async` block; that it waits for an edge is an `.await`. At an instant every process that waits for it goes on, sees
+//! all values from before the edge, settled, and says what its inputs are to be after it, as a register does. So it does not matter
+//! which goes on first.
+
+mod group;
+mod pauses;
+mod run;
+mod streams;
+mod wait;
+
+pub use group::{Monitor, Process, Processes, monitor};
+pub use pauses::Pauses;
+
+use std::cell::RefCell;
+use std::rc::Rc;
+
+use tilewright_hdl::{Bits, Bundle, Loc};
+
+use crate::testbench::port::{IntoValue, Port};
+use crate::testbench::running::Running;
+use crate::testbench::simulation::Simulation;
+use wait::Waiting;
+
+/// A simulation in the hands of several processes, made by [`Simulation::testbench`].
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # use tilewright_sim::{Pauses, Simulation, monitor};
+/// # block! {
+/// #     /// Adds one to each word.
+/// #     struct Increment;
+/// #     in IncrementIn { words: stream(8) }
+/// #     out IncrementOut { sums: stream(8) }
+/// # }
+/// # impl Increment {
+/// #     fn build(&self, m: Module, i: IncrementIn) -> IncrementOut {
+/// #         let full = m.reg("full", bit()).reset(0);
+/// #         let sum = m.reg("sum", 8);
+/// #         let (sums, sent) = m.offer(full, sum.value());
+/// #         let words = i.words.take_when(!full | sent);
+/// #         sum.when(words.taken, *words + 1);
+/// #         full.when(words.taken, 1).when(sent, 0);
+/// #         IncrementOut { sums }
+/// #     }
+/// # }
+/// let mut sim = Simulation::of(&Increment)?;
+/// sim.reset();
+/// let (words, sums) = (sim.i.words, sim.o.sums);
+/// let t = sim.testbench();
+/// let producer = async {
+///     for word in 1..=9 {
+///         t.send(words, word).await;
+///     }
+/// };
+/// let consumer = async {
+///     let mut seen = Vec::new();
+///     while seen.len() < 9 {
+///         t.wait(2).await; // it is slow
+///         seen.push(t.receive(sums).await);
+///     }
+///     seen
+/// };
+/// let checker = async {
+///     loop {
+///         t.step().await;
+///         assert_ne!(t.get_u64(sums.payload), 1, "at {} ps", t.time());
+///     }
+/// };
+/// let ((), seen, ()) = t.run((producer, consumer, monitor(checker)));
+/// assert_eq!(seen, [2, 3, 4, 5, 6, 7, 8, 9, 10]);
+///
+/// // Or with what is there already: words with pauses that a seed draws, and what is to come.
+/// t.run((
+///     t.send_all(words, 1..=9, Pauses::percent(30, 1)),
+///     t.expect_all(sums, 2..=10, Pauses::percent(50, 2)),
+///     monitor(t.holds(sums)),
+/// ));
+/// # Ok::<(), tilewright_sim::Error>(())
+/// ```
+#[derive(Clone)]
+pub struct Testbench<'s> {
+    shared: Rc<RefCell<Shared<'s>>>,
+    /// The clock whose edges are meant; where there is none, those of every clock.
+    clock: Option<usize>,
+}
+
+/// What all processes share.
+struct Shared<'s> {
+    circuit: &'s mut Running,
+    /// How many instants may pass until all have ended.
+    limit: u64,
+    /// How often all processes had a turn: at the start, and at each instant since.
+    turns: u64,
+    /// The instant at which the processes have their turn, unless it is the start: its time, and the clocks that rise.
+    instant: Option<u64>,
+    rising: Vec<usize>,
+    /// The process that has its turn.
+    running: Option<Turn>,
+    /// How many processes there were.
+    processes: u32,
+    /// What inputs are to be after the edge.
+    sets: Vec<Set>,
+    /// What the processes wait for that had their turn.
+    waiting: Vec<Waiting>,
+}
+
+/// A process that has its turn.
+#[derive(Clone, Copy)]
+struct Turn {
+    number: u32,
+    /// Nobody waits for its end.
+    is_monitor: bool,
+}
+
+/// What an input is to be.
+struct Set {
+    port: Port,
+    value: Bits,
+    process: u32,
+    loc: Loc,
+}
+
+impl<I: Bundle, O: Bundle> Simulation<I, O> {
+    /// The simulation for several processes, such as a driver, a receiver and a monitor; see [`Testbench`].
+    pub fn testbench(&mut self) -> Testbench<'_> {
+        let shared = Shared {
+            circuit: &mut self.circuit,
+            limit: 100_000,
+            turns: 0,
+            instant: None,
+            rising: Vec::new(),
+            running: None,
+            processes: 0,
+            sets: Vec::new(),
+            waiting: Vec::new(),
+        };
+        Testbench { shared: Rc::new(RefCell::new(shared)), clock: None }
+    }
+}
+
+impl<'s> Testbench<'s> {
+    /// The same testbench, whose steps are the edges of a clock, or of one of that name. Without it they are those of every clock.
+    ///
+    /// # Panics
+    ///
+    /// There is no such clock.
+    #[track_caller]
+    pub fn on(&self, clock: impl AsRef<str>) -> Testbench<'s> {
+        match self.shared.borrow().circuit.clock(clock.as_ref()) {
+            Ok(clock) => Testbench { shared: self.shared.clone(), clock: Some(clock) },
+            Err(unknown) => panic!("{unknown}"),
+        }
+    }
+
+    /// Lets processes run for so many instants until it gives up; 100,000 unless this says otherwise.
+    pub fn limit(&self, instants: u64) {
+        self.shared.borrow_mut().limit = instants;
+    }
+
+    /// Sets an input. It changes after the edge, once every process had its turn; outside of processes, at once.
+    ///
+    /// # Panics
+    ///
+    /// The value does not fit, the port is an output, or another process sets it at this edge.
+    #[track_caller]
+    pub fn set(&self, port: Port, value: impl IntoValue) {
+        self.set_at(port, value, Loc::caller());
+    }
+
+    /// The value of a port before the edge, settled.
+    #[track_caller]
+    pub fn get(&self, port: Port) -> Bits {
+        self.shared.borrow_mut().circuit.get(port, 0)
+    }
+
+    /// As [`Testbench::get`], for a port of up to 64 bits.
+    ///
+    /// # Panics
+    ///
+    /// The port is wider.
+    #[track_caller]
+    pub fn get_u64(&self, port: Port) -> u64 {
+        self.shared.borrow_mut().circuit.narrow(port, 0)
+    }
+
+    /// The time in picoseconds of the edge at which the process goes on; outside of processes, that of the last instant.
+    pub fn time(&self) -> u64 {
+        self.shared.borrow().now()
+    }
+
+    /// What `look` sees if an input were that value at this moment, which it is not: which outputs follow it within the clock.
+    ///
+    /// # Panics
+    ///
+    /// The value does not fit, or the port is an output.
+    #[track_caller]
+    pub fn suppose<R>(&self, port: Port, value: impl IntoValue, look: impl FnOnce() -> R) -> R {
+        let before = self.get(port);
+        self.shared.borrow_mut().circuit.set(port, value);
+        let seen = look();
+        self.shared.borrow_mut().circuit.set(port, before);
+        seen
+    }
+
+    #[track_caller]
+    fn set_at(&self, port: Port, value: impl IntoValue, loc: Loc) {
+        let mut shared = self.shared.borrow_mut();
+        let Some(Turn { number: process, .. }) = shared.running else { return shared.circuit.set(port, value) };
+        let set = Set { port, value: shared.circuit.fitting(port, value), process, loc };
+        let Some(before) = shared.sets.iter().position(|set| set.port == port) else { return shared.sets.push(set) };
+        let first = &shared.sets[before];
+        assert!(
+            first.process == process,
+            "input `{}` is set by two processes at one edge, at {} and at {loc}: leave it to one of them",
+            shared.circuit.declared(port).name,
+            first.loc,
+        );
+        shared.sets[before] = set;
+    }
+}
+
+impl Shared<'_> {
+    /// The time of this turn.
+    fn now(&self) -> u64 {
+        self.instant.unwrap_or(self.circuit.timeline.time)
+    }
+}
+
+impl std::fmt::Debug for Testbench<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+        f.debug_struct("Testbench").field("time", &self.time()).finish_non_exhaustive()
+    }
+}

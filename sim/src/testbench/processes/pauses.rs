@@ -1,0 +1,50 @@
+//! Pauses that chance draws.
+
+/// How often a sender or a receiver pauses before a word, drawn from a seed: the same seed pauses at the same words.
+///
+/// ```
+/// # use tilewright_sim::Pauses;
+/// let [mut some, mut none] = [Pauses::percent(50, 7), Pauses::NONE];
+/// let drawn: Vec<u32> = (0..6).map(|_| some.next_length()).collect();
+/// assert_eq!(drawn, [2, 2, 3, 0, 4, 1]);
+/// assert_eq!(none.next_length(), 0);
+/// ```
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Pauses {
+    percent: u64,
+    state: u64,
+}
+
+impl Pauses {
+    /// A word a clock.
+    pub const NONE: Pauses = Pauses { percent: 0, state: 1 };
+
+    /// In each clock, a pause with that probability, from 0 to 99 percent.
+    ///
+    /// # Panics
+    ///
+    /// With 100 percent nothing would ever go over.
+    #[track_caller]
+    pub const fn percent(percent: u64, seed: u64) -> Pauses {
+        assert!(percent < 100, "pauses of 100 percent or more let nothing through: from 0 to 99");
+        // Small seeds far apart, and none that xorshift stays at.
+        Pauses { percent, state: seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1 }
+    }
+
+    /// How many clocks the next pause takes.
+    pub fn next_length(&mut self) -> u32 {
+        let mut clocks = 0;
+        while self.percent > 0 && self.draw() % 100 < self.percent {
+            clocks += 1;
+        }
+        clocks
+    }
+
+    /// The next number (xorshift).
+    fn draw(&mut self) -> u64 {
+        self.state ^= self.state << 13;
+        self.state ^= self.state >> 7;
+        self.state ^= self.state << 17;
+        self.state
+    }
+}

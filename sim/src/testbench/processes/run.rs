@@ -1,0 +1,73 @@
+//! The run of several processes: a turn for each at every instant.
+
+use std::task::{Context, Waker};
+
+use tilewright_hdl::Loc;
+
+use super::{Processes, Testbench};
+use crate::testbench::run::done;
+
+impl Testbench<'_> {
+    /// Runs processes side by side until each has ended, monitors excepted, and gives what each gave.
+    ///
+    /// All begin at once; what they set before they first wait is so before the next edge. From then on each goes on at the edges that
+    /// it waits for. The instant at which the last one ends happens.
+    ///
+    /// # Panics
+    ///
+    /// They have not ended within the [limit](Testbench::limit): the message says what each of them waits for. Or a process panics, or
+    /// as [`Simulation::step`](crate::Simulation::step).
+    #[track_caller]
+    pub fn run<P: Processes>(&self, processes: P) -> P::Output {
+        let loc = Loc::caller();
+        assert!(self.shared.borrow().running.is_none(), "a process calls `run`, at {loc}: give all processes to one");
+        let mut members = processes.members(self);
+        // Nothing wakes a process but time, so all have a turn at each instant.
+        let mut context = Context::from_waker(Waker::noop());
+        let mut go_on = || P::go_on(&mut members, self, &mut context);
+        let mut has_ended = go_on();
+        self.drive_sets();
+        let limit = self.shared.borrow().limit;
+        for instant in 0.. {
+            if has_ended {
+                break;
+            }
+            assert!(instant < limit, "{}", self.stuck(limit, loc));
+            self.shared.borrow_mut().next_turn();
+            has_ended = go_on();
+            done(self.shared.borrow_mut().circuit.try_step());
+            self.drive_sets();
+        }
+        self.shared.borrow_mut().instant = None;
+        P::outputs(members)
+    }
+
+    /// Inputs become what the processes said.
+    fn drive_sets(&self) {
+        let mut shared = self.shared.borrow_mut();
+        for set in std::mem::take(&mut shared.sets) {
+            shared.circuit.set(set.port, set.value);
+        }
+    }
+
+    /// What each process waits for.
+    fn stuck(&self, limit: u64, loc: Loc) -> String {
+        let shared = self.shared.borrow();
+        let mut text = format!("the processes of the run at {loc} have not ended after {limit} instants:");
+        for waiting in &shared.waiting {
+            text += &format!("\n{}", waiting.text(shared.circuit));
+        }
+        text + "\nif they need longer, say so with `.limit(instants)`"
+    }
+}
+
+impl super::Shared<'_> {
+    /// The processes are about to have their turn before the next instant.
+    fn next_turn(&mut self) {
+        self.turns += 1;
+        self.waiting.clear();
+        self.instant = self.circuit.timeline.next_time();
+        // Without clocks the step that follows says so.
+        self.circuit.timeline.rising_at(self.instant.unwrap_or(0), &mut self.rising);
+    }
+}

@@ -1,0 +1,212 @@
+//! What a process does with a stream: it sends, receives, compares and watches.
+
+use std::fmt::Debug;
+use std::future::Future;
+
+use tilewright_hdl::{Fields, Loc, Stream, Visited};
+
+use super::{Pauses, Testbench};
+use crate::testbench::port::Port;
+
+impl Testbench<'_> {
+    /// Sends a word to the block: shows it until the block takes it. Two one after another go over in two clocks.
+    ///
+    /// # Panics
+    ///
+    /// A value does not fit, or a list is not as long as that of the ports.
+    #[track_caller]
+    pub fn send<P: Fields<Port>>(&self, stream: Stream<P, Port>, word: P::With<u64>) -> impl Future<Output = ()> {
+        let loc = Loc::caller();
+        async move { self.send_at(&stream, &word, loc).await }
+    }
+
+    /// Receives a word from the block: takes the first that it shows.
+    ///
+    /// # Panics
+    ///
+    /// A value does not fit 64 bits.
+    #[track_caller]
+    pub fn receive<P: Fields<Port>>(&self, stream: Stream<P, Port>) -> impl Future<Output = P::With<u64>> {
+        let loc = Loc::caller();
+        async move { self.receive_at(&stream, loc).await }
+    }
+
+    /// Sends words, one a clock but for the pauses.
+    ///
+    /// # Panics
+    ///
+    /// As [`Testbench::send`].
+    #[track_caller]
+    pub fn send_all<P: Fields<Port>>(
+        &self,
+        stream: Stream<P, Port>,
+        words: impl IntoIterator<Item = P::With<u64>>,
+        mut pauses: Pauses,
+    ) -> impl Future<Output = ()> {
+        let loc = Loc::caller();
+        async move {
+            for word in words {
+                self.wait_at(pauses.next_length().into(), loc).await;
+                self.send_at(&stream, &word, loc).await;
+            }
+        }
+    }
+
+    /// Receives so many words, one a clock but for the pauses.
+    ///
+    /// # Panics
+    ///
+    /// As [`Testbench::receive`].
+    #[track_caller]
+    pub fn receive_all<P: Fields<Port>>(
+        &self,
+        stream: Stream<P, Port>,
+        count: usize,
+        mut pauses: Pauses,
+    ) -> impl Future<Output = Vec<P::With<u64>>> {
+        let loc = Loc::caller();
+        async move {
+            let mut words = Vec::with_capacity(count);
+            for _ in 0..count {
+                self.wait_at(pauses.next_length().into(), loc).await;
+                words.push(self.receive_at(&stream, loc).await);
+            }
+            words
+        }
+    }
+
+    /// Receives these words, one a clock but for the pauses.
+    ///
+    /// # Panics
+    ///
+    /// A word is another one; the message says which. Or as [`Testbench::receive`].
+    #[track_caller]
+    pub fn expect_all<P: Fields<Port>>(
+        &self,
+        stream: Stream<P, Port>,
+        expected: impl IntoIterator<Item = P::With<u64>>,
+        mut pauses: Pauses,
+    ) -> impl Future<Output = ()>
+    where
+        P::With<u64>: Debug + PartialEq,
+    {
+        let loc = Loc::caller();
+        async move {
+            for (number, expected) in expected.into_iter().enumerate() {
+                self.wait_at(pauses.next_length().into(), loc).await;
+                let word = self.receive_at(&stream, loc).await;
+                assert!(
+                    word == expected,
+                    "word {number} of `{}`, at {} ps, is {word:?}, and not {expected:?}\n  --> {loc}",
+                    self.name(&stream),
+                    self.time(),
+                );
+            }
+        }
+    }
+
+    /// Waits for so many edges, at none of which the block shows a word: nothing is doubled at the end.
+    ///
+    /// # Panics
+    ///
+    /// It shows one.
+    #[track_caller]
+    pub fn expect_silence<P: Fields<Port>>(&self, stream: Stream<P, Port>, edges: u64) -> impl Future<Output = ()>
+    where
+        P::With<u64>: Debug,
+    {
+        let loc = Loc::caller();
+        async move {
+            for _ in 0..edges {
+                self.wait_at(1, loc).await;
+                if let Some(word) = self.shown(&stream) {
+                    panic!(
+                        "`{}` shows one more word, {word:?}, at {} ps\n  --> {loc}",
+                        self.name(&stream),
+                        self.time()
+                    );
+                }
+            }
+        }
+    }
+
+    /// Watches for ever that a word that the block shows stays until it is taken: give it to [`monitor`](crate::monitor).
+    ///
+    /// # Panics
+    ///
+    /// It is taken back or changes.
+    #[track_caller]
+    pub fn holds<P: Fields<Port>>(&self, stream: Stream<P, Port>) -> impl Future<Output = ()>
+    where
+        P::With<u64>: Debug + PartialEq,
+    {
+        let loc = Loc::caller();
+        async move {
+            let mut waits: Option<P::With<u64>> = None;
+            loop {
+                self.wait_at(1, loc).await;
+                let shown = self.shown(&stream);
+                assert!(
+                    waits.is_none() || waits == shown,
+                    "`{}` showed {waits:?} and, before it was taken, at {} ps, shows {shown:?}\n  --> {loc}",
+                    self.name(&stream),
+                    self.time(),
+                );
+                waits = shown.filter(|_| self.get_u64(stream.ready) == 0);
+            }
+        }
+    }
+
+    /// The word that a stream shows before the edge, if it shows one.
+    #[track_caller]
+    pub fn shown<P: Fields<Port>>(&self, stream: &Stream<P, Port>) -> Option<P::With<u64>> {
+        (self.get_u64(stream.valid) == 1).then(|| stream.payload.map(|port| self.number(*port)))
+    }
+
+    async fn send_at<P: Fields<Port>>(&self, stream: &Stream<P, Port>, word: &P::With<u64>, loc: Loc) {
+        let (ports, values) = (leaves(&stream.payload), leaves(word));
+        assert!(
+            ports.len() == values.len(),
+            "a word with {} values is sent to `{}`, which takes {}\n  --> {loc}",
+            values.len(),
+            self.name(stream),
+            ports.len()
+        );
+        self.set_at(stream.valid, 1, loc);
+        ports.iter().zip(values).for_each(|(port, value)| self.set_at(*port, value, loc));
+        self.until_at(stream.ready.into(), loc).await;
+        // A word that is not valid is none: a block that reads it nevertheless fails its test.
+        self.set_at(stream.valid, 0, loc);
+        ports.iter().for_each(|port| self.set_at(*port, 0, loc));
+    }
+
+    async fn receive_at<P: Fields<Port>>(&self, stream: &Stream<P, Port>, loc: Loc) -> P::With<u64> {
+        self.set_at(stream.ready, 1, loc);
+        self.until_at(stream.valid.into(), loc).await;
+        self.set_at(stream.ready, 0, loc);
+        stream.payload.map(|port| self.number(*port))
+    }
+
+    #[track_caller]
+    fn number(&self, port: Port) -> u64 {
+        self.shared.borrow_mut().circuit.number(port, 0)
+    }
+
+    /// The stream's name for messages.
+    fn name<P>(&self, stream: &Stream<P, Port>) -> String {
+        let shared = self.shared.borrow();
+        let valid = &shared.circuit.declared(stream.valid).name;
+        valid.strip_suffix("_valid").unwrap_or(valid).to_owned()
+    }
+}
+
+/// The leaves of a record, in order.
+fn leaves<T: tilewright_hdl::Leaf, F: Fields<T>>(record: &F) -> Vec<T> {
+    let mut leaves = Vec::new();
+    record.visit(&mut |part| {
+        if let Visited::Leaf(leaf) | Visited::Back(leaf) = part {
+            leaves.push(leaf.clone());
+        }
+    });
+    leaves
+}

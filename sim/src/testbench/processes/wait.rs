@@ -1,0 +1,127 @@
+//! Waiting: for edges, and for the edge at which something is so.
+
+use std::future::Future;
+use std::pin::Pin;
+use std::task::{Context, Poll};
+
+use tilewright_hdl::Loc;
+
+use super::Testbench;
+use crate::engine::until::Until;
+use crate::testbench::condition::Condition;
+use crate::testbench::running::Running;
+
+/// A process that waits, for the message that says why nothing goes on.
+pub(super) struct Waiting {
+    what: What,
+    /// Since when, in picoseconds.
+    since: u64,
+    loc: Loc,
+}
+
+/// What is waited for, to be said.
+#[derive(Clone, Copy)]
+enum What {
+    Edges(u64),
+    Condition(Condition),
+}
+
+/// What is waited for.
+enum Goal {
+    /// So many edges.
+    Edges(u64),
+    /// The edge at which this holds, which is made of that.
+    Until(Until, Condition),
+}
+
+impl Waiting {
+    /// A sentence and the line.
+    pub fn text(&self, circuit: &Running) -> String {
+        let what = match self.what {
+            What::Edges(1) => "an edge".to_owned(),
+            What::Edges(left) => format!("{left} edges"),
+            What::Condition(condition) => circuit.condition_text(condition),
+        };
+        format!("one waits since {} ps for {what}\n  --> {}", self.since, self.loc)
+    }
+}
+
+/// A wait that has begun, or not yet.
+struct Wait<'t, 's> {
+    testbench: &'t Testbench<'s>,
+    goal: Goal,
+    /// The turn in which it began, and the time then.
+    began: Option<(u64, u64)>,
+    loc: Loc,
+}
+
+impl<'s> Testbench<'s> {
+    /// Waits for the next edge.
+    #[track_caller]
+    pub fn step(&self) -> impl Future<Output = ()> {
+        self.begin(Goal::Edges(1), Loc::caller())
+    }
+
+    /// Waits for so many edges.
+    #[track_caller]
+    pub fn wait(&self, edges: u64) -> impl Future<Output = ()> {
+        self.begin(Goal::Edges(edges), Loc::caller())
+    }
+
+    /// Waits for the first edge, from the next one on, before which a condition holds: `t.until(done)`, `t.until(count.is_at_least(5))`.
+    ///
+    /// # Panics
+    ///
+    /// The number of the condition does not fit into its port, or a port of several bits is not compared with one.
+    #[track_caller]
+    pub fn until(&self, condition: impl Into<Condition>) -> impl Future<Output = ()> {
+        self.until_at(condition.into(), Loc::caller())
+    }
+
+    /// As [`Testbench::wait`], from that line.
+    pub(super) fn wait_at(&self, edges: u64, loc: Loc) -> impl Future<Output = ()> {
+        self.begin(Goal::Edges(edges), loc)
+    }
+
+    /// As [`Testbench::until`], from that line.
+    #[track_caller]
+    pub(super) fn until_at(&self, condition: Condition, loc: Loc) -> impl Future<Output = ()> {
+        let until = self.shared.borrow().circuit.until(condition);
+        self.begin(Goal::Until(until, condition), loc)
+    }
+
+    fn begin(&self, goal: Goal, loc: Loc) -> Wait<'_, 's> {
+        Wait { testbench: self, goal, began: None, loc }
+    }
+}
+
+impl Future for Wait<'_, '_> {
+    type Output = ();
+
+    fn poll(mut self: Pin<&mut Self>, _: &mut Context) -> Poll<()> {
+        let testbench = self.testbench;
+        let mut shared = testbench.shared.borrow_mut();
+        let now = (shared.turns, shared.now());
+        let (turn, since) = *self.began.get_or_insert(now);
+        // It does not end at the edge at which it began.
+        let rises = turn != shared.turns && testbench.clock.is_none_or(|clock| shared.rising.contains(&clock));
+        let is_over = match &mut self.goal {
+            Goal::Edges(left) => {
+                *left = left.saturating_sub(rises.into());
+                *left == 0
+            }
+            Goal::Until(until, _) => rises && until.holds(shared.circuit.engine.read(until.value)),
+        };
+        if is_over {
+            return Poll::Ready(());
+        }
+        if shared.running.is_some_and(|turn| !turn.is_monitor) {
+            let what = match &self.goal {
+                Goal::Edges(left) => What::Edges(*left),
+                Goal::Until(_, condition) => What::Condition(*condition),
+            };
+            shared.waiting.push(Waiting { what, since, loc: self.loc });
+        }
+        Poll::Pending
+    }
+}

@@ -1,0 +1,111 @@
+//! The blocks that mutants are made of.
+
+use super::suite::{BLOCKS, Crate, RTL};
+use tilewright_blocks::{
+    Arbiter, Counter, DualClockFifo, Fifo, Fork, Lfsr, Narrow, RegisterSlice, ShiftRegister, Slice, Storage, Turns,
+    Widen,
+};
+use tilewright_hdl::{Block, Clock, Design, Period, elaborate};
+use tilewright_mutants::{Mutant, mutants};
+use tilewright_rtl::catalog::{ENTRIES, Entry};
+
+/// A block in one size, with the mutants of its own module that keep the rules of circuits.
+pub struct Subject {
+    /// The block's name in the catalogue, or that of its module.
+    pub name: String,
+    /// The crate whose tests have to find the mutants.
+    pub of: Crate,
+    /// The path of the tests of the block, such as `lfb::unit::`; nothing if all of the crate are.
+    pub tests: String,
+    /// The block itself.
+    pub design: Design,
+    /// Its mutants.
+    pub mutants: Vec<Mutant>,
+}
+
+impl Subject {
+    fn new(name: &str, of: Crate, tests: String, design: Design) -> Subject {
+        let all = mutants(design.top());
+        let mut subject = Subject { name: name.to_owned(), of, tests, design, mutants: Vec::new() };
+        subject.mutants = all.into_iter().filter(|mutant| subject.with(mutant).is_some()).collect();
+        subject
+    }
+
+    /// The design with a mutant in the place of its top, unless that breaks a rule.
+    pub fn with(&self, mutant: &Mutant) -> Option<Design> {
+        let mut modules = self.design.modules().to_vec();
+        *modules.last_mut()? = mutant.module.clone();
+        Design::new(modules).ok()
+    }
+}
+
+/// Every block of the catalogue in its default size, then each of `blocks`.
+pub fn subjects() -> Vec<Subject> {
+    let entry = |entry: &Entry| {
+        let values = entry.values([]).expect("nothing is set");
+        let design = entry.design(&values).expect("every default goes together");
+        let tests = tests_in(design.top().loc.file());
+        Subject::new(entry.name, RTL, tests, design)
+    };
+    ENTRIES.iter().map(entry).chain(blocks()).collect()
+}
+
+/// The path of the tests in a file of `rtl`, or in files below it.
+fn tests_in(file: &str) -> String {
+    let file = file.strip_prefix("rtl/src/").expect("the catalogue's blocks are in `rtl`");
+    let path = file.trim_end_matches(".rs").trim_end_matches("/mod");
+    format!("{}::", path.replace('/', "::"))
+}
+
+/// The blocks of the library, each in the variants that are circuits of their own.
+fn blocks() -> Vec<Subject> {
+    let clocks = [Clock::new("write", Period::ns(4)), Clock::new("read", Period::ns(6))];
+    let slices = [Slice::Forward, Slice::Backward, Slice::Both].map(|cuts| subject(&RegisterSlice { width: 8, cuts }));
+    let others = [
+        subject(&Fifo::new(5, 8, Storage::Registers)),
+        subject(&Fifo::new(5, 8, Storage::BlockRam)),
+        subject(&DualClockFifo::new(4, 8, clocks[0], clocks[1])),
+        subject(&Fork::new(3, 8)),
+        subject(&Arbiter::new(3, 8, Turns::RoundRobin)),
+        subject(&Arbiter::new(3, 8, Turns::Priority)),
+        subject(&Narrow::new(3, 8)),
+        subject(&Widen::new(3, 8)),
+        subject(&Counter::new(10)),
+        subject(&ShiftRegister::new(6)),
+        subject(&Lfsr::new(8)),
+    ];
+    slices.into_iter().chain(others).collect()
+}
+
+fn subject<B: Block>(block: &B) -> Subject {
+    let design = elaborate(block).expect("the library's blocks can be built");
+    let name = design.top().name.clone();
+    Subject::new(&name, BLOCKS, String::new(), design)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use tilewright_mutants::mutated;
+
+    #[test]
+    fn every_block_has_mutants_that_are_found_again_by_their_sentences() {
+        for subject in subjects() {
+            let mut sentences: Vec<String> = subject.mutants.iter().map(Mutant::to_string).collect();
+            assert!(sentences.len() >= 4, "{} has {} mutants", subject.name, sentences.len());
+            let middle = sentences.len() / 2;
+            let again =
+                mutated(&subject.design, &sentences[middle]).expect("the sentence names a mutant of the design");
+            assert_eq!(format!("{:?}", again.top()), format!("{:?}", subject.mutants[middle].module));
+            sentences.sort_unstable();
+            sentences.dedup();
+            assert_eq!(sentences.len(), subject.mutants.len(), "two mutants of {} have one sentence", subject.name);
+        }
+    }
+
+    #[test]
+    fn the_tests_of_a_block_are_in_its_file() {
+        assert_eq!(tests_in("rtl/src/lfb/unit.rs"), "lfb::unit::");
+        assert_eq!(tests_in("rtl/src/vc1/mod.rs"), "vc1::");
+    }
+}
