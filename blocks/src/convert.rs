@@ -63,6 +63,19 @@ block! {
     /// ```
     ///
     /// Latency 1 clock from the last part, a part a clock. No `valid` waits for `ready`; `ready` of `into` passes that of `out`.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # use tilewright_blocks::{StreamIn, Widen};
+    /// # let example = tilewright_sim::traced(|m| {
+    /// let count = m.reg("count", 4).reset(1);
+    /// let (into, sent) = m.offer(lit(1, 1), *count);
+    /// count.when(sent, count + 1);
+    /// let word = m.instance("u_widen", &Widen::new(2, 4), StreamIn { into }).out.take_when(1);
+    /// net!(words = mux(word.taken, *word, 0));
+    /// # });
+    /// assert_eq!(example.values("words"), [0, 0, 0x21, 0, 0x43, 0]);
+    /// ```
     pub struct Widen {
         parts: u32,
         width: u32,

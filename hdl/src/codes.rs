@@ -161,6 +161,22 @@ impl Signal {
     /// That there are no others is asserted by itself, where it can be relied on from the first edge on: where all that the signal takes its value from is a code of
     /// the description, or begins with a reset or power-on value. A register without one holds anything at first, as does what a memory read, and an input has no meaning
     /// while its `valid` is low; of those [`is_code`](Signal::is_code) says when: `m.assert(i.valid.implies(i.opcode.is_code()), ..)`.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// codes! { enum Alu { Load, Add, Double } }
+    ///
+    /// let operation = lit(2, 1).code::<Alu>();
+    /// let (sum, operand) = (lit(8, 40), lit(8, 2));
+    /// let result = operation.choose(|operation| match operation {
+    ///     Alu::Load => operand,
+    ///     Alu::Add => sum + operand,
+    ///     Alu::Double => sum << 1,
+    /// });
+    /// m.assert(result.eq(42), "Rust says when a code is forgotten");
+    /// # });
+    /// ```
     #[track_caller]
     pub fn choose<C: Codes, V: Data, A: Fits<V>>(self, of: impl Fn(C) -> A) -> V {
         let subject = self.read_as(Kind::Code(C::NAMES), "choose");

@@ -9,6 +9,23 @@ use std::marker::PhantomData;
 use std::ops::Deref;
 
 /// A register that holds a state. Made by [`Module::fsm`](crate::Module::fsm).
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let example = tilewright_sim::traced(|m| {
+/// codes! { enum Pump { Fill, Drain } }
+///
+/// let pump = m.fsm("pump", Pump::Fill);
+/// let level = m.reg("level", 4).reset(0);
+/// level.when(pump.is(Pump::Fill), level + 2).otherwise(level - 1);
+/// pump.next(|pump| match pump {
+///     Pump::Fill => when(level.ge(2), Pump::Drain),
+///     Pump::Drain => when(level.eq(2), Pump::Fill),
+/// });
+/// # });
+/// assert_eq!(example.values("pump"), [0, 0, 1, 1, 1, 0, 0]);
+/// assert_eq!(example.values("level"), [0, 2, 4, 3, 2, 1, 3]);
+/// ```
 #[derive(Debug)]
 #[must_use]
 pub struct StateReg<S> {
@@ -41,11 +58,35 @@ impl<S> Operand for StateReg<S> {
 
 impl<S: Codes + Operand> StateReg<S> {
     /// The code of the present state.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// codes! { enum Pump { Fill, Drain } }
+    ///
+    /// let pump = m.fsm("pump", Pump::Fill);
+    /// pump.next(|_| goto(Pump::Drain));
+    /// let state: Signal = pump.value(); // for an output, or a record
+    /// m.assert(state.eq(Pump::Fill) | state.eq(Pump::Drain), "one of its codes");
+    /// # });
+    /// ```
     pub fn value(self) -> Signal {
         self.register.signal
     }
 
     /// 1 bit: the machine is in `state`.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// codes! { enum Pump { Fill, Drain } }
+    ///
+    /// let pump = m.fsm("pump", Pump::Fill);
+    /// pump.next(|_| goto(Pump::Drain));
+    /// let valve_is_open = !pump.is(Pump::Drain);
+    /// m.assert(valve_is_open.eq(pump.is(Pump::Fill)), "a condition like any other");
+    /// # });
+    /// ```
     #[track_caller]
     pub fn is(self, state: S) -> Signal {
         self.register.signal.is(state)
@@ -115,12 +156,51 @@ impl<S: Codes + Operand> StateReg<S> {
     }
 
     /// The number that `of` gives for the present state, in `width` bits.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # let example = tilewright_sim::traced(|m| {
+    /// codes! { enum Scan { Idle, Front, Back } }
+    ///
+    /// let scan = m.fsm("scan", Scan::Idle);
+    /// scan.next(|scan| match scan {
+    ///     Scan::Idle => goto(Scan::Front),
+    ///     Scan::Front => goto(Scan::Back),
+    ///     Scan::Back => hold(),
+    /// });
+    /// net!(porch = scan.constants(6, |scan| match scan {
+    ///     Scan::Idle => 0,
+    ///     Scan::Front => 16,
+    ///     Scan::Back => 48,
+    /// }));
+    /// # });
+    /// assert_eq!(example.values("porch"), [0, 16, 48, 48]);
+    /// ```
     #[track_caller]
     pub fn constants(self, width: u32, of: impl Fn(S) -> u64) -> Signal {
         self.choose(&crate::select::constants(width, S::ALL.iter().map(|state| of(*state))))
     }
 
     /// The signal that `of` gives for the present state; all of one width.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # let example = tilewright_sim::traced(|m| {
+    /// codes! { enum Run { Up, Down } }
+    ///
+    /// let run = m.fsm("run", Run::Up);
+    /// run.next(|run| match run {
+    ///     Run::Up => goto(Run::Down),
+    ///     Run::Down => hold(),
+    /// });
+    /// let count = m.reg("count", 4).reset(5);
+    /// count.next(run.pick(|run| match run {
+    ///     Run::Up => count + 1,
+    ///     Run::Down => count - 1,
+    /// }));
+    /// # });
+    /// assert_eq!(example.values("count"), [5, 6, 5, 4]);
+    /// ```
     #[track_caller]
     pub fn pick(self, of: impl Fn(S) -> Signal) -> Signal {
         let values: Vec<_> = S::ALL.iter().map(|state| of(*state)).collect();
@@ -216,6 +296,24 @@ impl Goes {
 }
 
 /// Where a machine goes from a state.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let example = tilewright_sim::traced(|m| {
+/// codes! { enum Door { Shut, Open, Locked } }
+///
+/// let (push, turn) = (lit(1, 1), lit(1, 0));
+/// let door = m.fsm("door", Door::Shut);
+/// // What several states share is a function or, as here, a value that is made where it is wanted.
+/// let shuts = || when(push, Door::Shut);
+/// door.next(|door| match door {
+///     Door::Shut => when(turn, Door::Locked).or_when(push, Door::Open),
+///     Door::Open => shuts(),
+///     Door::Locked => shuts().or_else(Door::Locked),
+/// });
+/// # });
+/// assert_eq!(example.values("door"), [0, 1, 0, 1]);
+/// ```
 #[must_use]
 pub struct Transition<S> {
     arms: Vec<(Signal, S)>,
@@ -223,28 +321,103 @@ pub struct Transition<S> {
 }
 
 /// To `state` at the next edge, whatever happens.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let example = tilewright_sim::traced(|m| {
+/// codes! { enum Step { Fetch, Execute } }
+///
+/// let step = m.fsm("step", Step::Fetch);
+/// step.next(|step| match step {
+///     Step::Fetch => goto(Step::Execute),
+///     Step::Execute => goto(Step::Fetch),
+/// });
+/// # });
+/// assert_eq!(example.values("step"), [0, 1, 0, 1]);
+/// ```
 pub fn goto<S>(state: S) -> Transition<S> {
     Transition { arms: Vec::new(), last: Some(state) }
 }
 
 /// Stay.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let example = tilewright_sim::traced(|m| {
+/// codes! { enum Run { Runs, Halted } }
+///
+/// let run = m.fsm("run", Run::Runs);
+/// run.next(|run| match run {
+///     Run::Runs => goto(Run::Halted),
+///     Run::Halted => hold(), // until a reset
+/// });
+/// # });
+/// assert_eq!(example.values("run"), [0, 1, 1, 1]);
+/// ```
 pub fn hold<S>() -> Transition<S> {
     Transition { arms: Vec::new(), last: None }
 }
 
 /// To `state` if `condition`, else stay; [`or_when`](Transition::or_when) and [`or_else`](Transition::or_else) go on.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let example = tilewright_sim::traced(|m| {
+/// codes! { enum Start { Waits, Runs } }
+///
+/// let count = m.reg("count", 4).reset(0);
+/// count.next(count + 1);
+/// let start = m.fsm("start", Start::Waits);
+/// start.next(|start| match start {
+///     Start::Waits => when(count.eq(2), Start::Runs),
+///     Start::Runs => hold(),
+/// });
+/// # });
+/// assert_eq!(example.values("start"), [0, 0, 0, 1, 1]);
+/// ```
 pub fn when<S>(condition: impl IntoSignal, state: S) -> Transition<S> {
     Transition { arms: vec![(condition.into(), state)], last: None }
 }
 
 impl<S> Transition<S> {
     /// Else, to `state` if `condition`.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # let example = tilewright_sim::traced(|m| {
+    /// codes! { enum Lift { Stands, Rises, Sinks } }
+    ///
+    /// let (floor, wanted) = (m.reg("floor", 3).reset(2), lit(3, 4));
+    /// let lift = m.fsm("lift", Lift::Stands);
+    /// floor.when(lift.is(Lift::Rises) & floor.ne(wanted), floor + 1);
+    /// lift.next(|_| when(wanted.gt(floor), Lift::Rises).or_when(wanted.lt(floor), Lift::Sinks).or_else(Lift::Stands));
+    /// # });
+    /// assert_eq!(example.values("floor"), [2, 2, 3, 4, 4]);
+    /// assert_eq!(example.values("lift"), [0, 1, 1, 1, 0]);
+    /// ```
     pub fn or_when(mut self, condition: impl IntoSignal, state: S) -> Transition<S> {
         self.arms.push((condition.into(), state));
         self
     }
 
     /// Else, to `state`.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # let example = tilewright_sim::traced(|m| {
+    /// codes! { enum Line { Idle, Start, Data } }
+    ///
+    /// let level = m.reg("level", 1).reset(0);
+    /// level.next(1);
+    /// let line = m.fsm("line", Line::Idle);
+    /// line.next(|line| match line {
+    ///     Line::Idle => when(!*level, Line::Start),
+    ///     Line::Start => when(!*level, Line::Data).or_else(Line::Idle), // without it, it would stay
+    ///     Line::Data => hold(),
+    /// });
+    /// # });
+    /// assert_eq!(example.values("line"), [0, 1, 0, 0]);
+    /// ```
     pub fn or_else(self, state: S) -> Transition<S> {
         Transition { last: Some(state), ..self }
     }

@@ -11,6 +11,21 @@ use crate::signal::{Signal, bits_text};
 use std::fmt;
 
 /// Anything that can be read as an unsigned value.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # tilewright_sim::example(|m| {
+/// fn twice(value: Signal, more: impl Operand) -> Signal {
+///     (value << 1) + more
+/// }
+///
+/// let count = m.reg("count", 8).reset(20);
+/// count.next(count);
+/// m.assert(twice(*count, 2).eq(42), "a number, which takes the width of what it meets");
+/// m.assert(twice(*count, count).eq(60), "a register, a wire or a signal");
+/// m.assert(twice(*count, true).eq(41) & twice(*count, Bits::new(8, 1)).eq(41), "a `bool`, a value of that width");
+/// # });
+/// ```
 #[diagnostic::on_unimplemented(
     message = "a `{Self}` is neither a signal nor a number",
     note = "a signal, a register, an integer, a `bool`, a `Bits` and a code of an enum can stand here; of a record, name a field"

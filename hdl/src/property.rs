@@ -38,6 +38,18 @@ use crate::signal::Signal;
 /// ```
 impl Module {
     /// States that `holds` does at every edge while the reset is low; where it does not, the circuit is wrong, and a simulation stops.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # let example = tilewright_sim::traced(|m| {
+    /// let used = m.reg("used", up_to(12)).reset(0);
+    /// let take = used.lt(12);
+    /// used.when(take, used + 1);
+    /// m.assert(take.implies(used.ne(12)), "a page is taken only while one is free");
+    /// # });
+    /// // A run that got here would have ended at the first edge where it did not hold, with that message.
+    /// assert_eq!(example.values("used"), [0, 1, 2, 3]);
+    /// ```
     #[track_caller]
     pub fn assert(self, holds: impl IntoSignal, message: &str) {
         self.state(Directive::Assert, condition(holds.into(), "assert"), message);

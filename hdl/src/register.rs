@@ -17,6 +17,18 @@ use std::ops::Deref;
 /// At an edge of its clock it takes the [`reset`](Reg::reset) value if its clock's reset is high and it has one; else
 /// the next value if it is enabled; else it keeps what it holds. A clear of its own, beside the reset, is the first condition of its chain:
 /// `count.when(i.clear, 0).when(i.take, count + 1)`.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let example = tilewright_sim::traced(|m| {
+/// let count = m.reg("count", 4).reset(3);
+/// let is_even = !count.bit(0); // what it holds now, ..
+/// count.next(count + 1); // .. and what it holds from the next edge on
+/// let _ = is_even.named("is_even");
+/// # });
+/// assert_eq!(example.values("count"), [3, 4, 5, 6]);
+/// assert_eq!(example.values("is_even"), [0, 1, 0, 1]);
+/// ```
 #[derive(Debug, Clone, Copy)]
 #[must_use]
 pub struct Reg<V = Signal> {

@@ -95,6 +95,17 @@ impl<P: Data> Stream<P> {
 
     /// The stream with its payload's fields side by side in one signal, the first most significant; so are the lanes of a field, lane 0 in the
     /// lowest bits.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// bundle! { struct Job<T> { page: T, last: T } }
+    ///
+    /// let (jobs, _) = m.offer(lit(1, 1), Job { page: lit(4, 0xa), last: lit(1, 1) });
+    /// let words = jobs.packed();
+    /// m.assert(words.take_when(1).eq(0b1010_1), "for what carries words and knows no records");
+    /// # });
+    /// ```
     #[track_caller]
     pub fn packed(&self) -> Stream {
         self.with(record::pack_any(&self.payload, self.valid.shape))

@@ -70,6 +70,17 @@ fn sentences(violations: &[Violation]) -> String {
 }
 
 /// An assertion or assumption that does not hold at an edge of its clock.
+///
+/// ```
+/// # use tilewright_sim::{Simulation, for_examples::Counter};
+/// let mut sim = Simulation::of(&Counter)?;
+/// sim.set(sim.i.enable, 1);
+/// let error = sim.try_run(1000).unwrap_err().to_string();
+/// assert!(error.starts_with("assertion failed in `counter` in cycle 200 of `clk`, at 2010000 ps: it counts"));
+/// // The values are those before the edge, which does not happen.
+/// assert_eq!(sim.get(sim.o.count), 200);
+/// # Ok::<(), tilewright_sim::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Violation {
     /// Its message.

@@ -52,7 +52,7 @@ impl Example {
 #[track_caller]
 pub fn example(build: fn(Module)) {
     let design = Example { build }.design();
-    assert!(!design.top().asserts.is_empty(), "the example asserts nothing");
+    assert!(!design.top().properties.is_empty(), "the example asserts nothing");
     simulation(&design).run(CLOCKS);
 }
 
