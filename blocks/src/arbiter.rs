@@ -37,6 +37,20 @@ block! {
     /// ```
     ///
     /// Latency 0, a word a clock. A word that is shown stays, though one of a higher priority comes. No `valid` waits for `ready`.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # use tilewright_blocks::{StreamBlocks, Turns};
+    /// # let example = tilewright_sim::traced(|m| {
+    /// let count = m.reg("count", 2).reset(0);
+    /// count.next(count + 1);
+    /// let (often, _) = m.offer(lit(1, 1), lit(8, 2));
+    /// let (seldom, _) = m.offer(count.eq(2), lit(8, 1));
+    /// let word = m.arbiter("u_arbiter", Turns::Priority, [seldom, often]).take_when(1);
+    /// net!(sent = *word);
+    /// # });
+    /// assert_eq!(example.values("sent"), [2, 2, 1, 2, 2, 2, 1]);
+    /// ```
     pub struct Arbiter {
         senders: u32,
         width: u32,
@@ -57,7 +71,7 @@ impl Arbiter {
     /// # use tilewright_hdl::*;
     /// use tilewright_blocks::{Arbiter, Turns};
     ///
-    /// assert_eq!(Arbiter::new(4, 8, Turns::RoundRobin).name(), "round_robin_arbiter_senders4_width8");
+    /// assert_eq!(Arbiter::new(4, 8, Turns::RoundRobin).name(), "arbiter_senders4_width8_turns_round_robin");
     /// ```
     ///
     /// # Panics

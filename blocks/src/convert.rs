@@ -12,6 +12,17 @@ block! {
     /// ```
     ///
     /// Latency 0, a part a clock. No `valid` waits for `ready`; `ready` of `into` is that of `out` at the last part.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # use tilewright_blocks::{Narrow, StreamIn};
+    /// # let example = tilewright_sim::traced(|m| {
+    /// let (into, _) = m.offer(lit(1, 1), lit(12, 0xabc));
+    /// let out = m.instance("u_narrow", &Narrow::new(3, 4), StreamIn { into }).out;
+    /// net!(part = *out.take_when(1));
+    /// # });
+    /// assert_eq!(example.values("part"), [0xc, 0xb, 0xa, 0xc]);
+    /// ```
     pub struct Narrow {
         parts: u32,
         width: u32,

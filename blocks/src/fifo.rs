@@ -44,6 +44,19 @@ block! {
     ///             '---------------'
     ///          free ^   used   ^ oldest
     /// ```
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # use tilewright_blocks::{Fifo, Storage, StreamIn};
+    /// # let example = tilewright_sim::traced(|m| {
+    /// let count = m.reg("count", 4).reset(0);
+    /// let (into, sent) = m.offer(lit(1, 1), *count);
+    /// count.when(sent, count + 1);
+    /// let queue = Fifo::new(3, 4, Storage::Registers);
+    /// m.instance("u_queue", &queue, StreamIn { into }).out.take_when(0);
+    /// # });
+    /// assert_eq!(example.values("count"), [0, 1, 2, 3, 3, 3]); // it is full
+    /// ```
     pub struct Fifo {
         depth: u32,
         width: u32,

@@ -46,6 +46,15 @@ block! {
     /// ```
     ///
     /// Latency 1 clock; the period is 2 to the width, less one.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # use tilewright_blocks::{Lfsr, LfsrIn};
+    /// # tilewright_sim::example(|m| {
+    /// let lfsr = m.instance("u_lfsr", &Lfsr::new(16), LfsrIn { enable: lit(1, 1) });
+    /// m.assert(lfsr.number.ne(0), "from 0 it would not get away");
+    /// # });
+    /// ```
     pub struct Lfsr {
         width: u32,
     }

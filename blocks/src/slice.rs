@@ -50,6 +50,19 @@ block! {
     /// Puts registers on one direction of a stream, or on both, and lets a word pass each clock.
     ///
     /// They cut long paths; see [`Slice`] for the three kinds and their latencies.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # use tilewright_blocks::{RegisterSlice, Slice, StreamIn};
+    /// # let example = tilewright_sim::traced(|m| {
+    /// let count = m.reg("count", 4).reset(0);
+    /// let (into, sent) = m.offer(lit(1, 1), *count);
+    /// count.when(sent, count + 1);
+    /// let skid = RegisterSlice { width: 4, cuts: Slice::Both };
+    /// m.instance("u_skid", &skid, StreamIn { into }).out.take_when(0);
+    /// # });
+    /// assert_eq!(example.values("count"), [0, 1, 2, 2, 2]); // it has room for two words
+    /// ```
     pub struct RegisterSlice {
         /// The width of the payload.
         pub width: u32,
