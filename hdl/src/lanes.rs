@@ -17,6 +17,10 @@ use crate::width::{Count, Width};
 
 /// The signals, records of signals or streams as the lanes of a row; rows as the rows of a grid. All are of one shape and width.
 ///
+/// # Panics
+///
+/// There are none.
+///
 /// ```
 /// # use tilewright_hdl::*;
 /// # tilewright_sim::example(|m| {
@@ -25,10 +29,6 @@ use crate::width::{Count, Width};
 /// m.assert(stack([sides, sides]).rows().last().lane(0).eq(3), "rows become a grid");
 /// # });
 /// ```
-///
-/// # Panics
-///
-/// There are none.
 #[track_caller]
 pub fn stack<B: Fields<Signal>>(values: impl IntoIterator<Item = B>) -> B::With<Signal> {
     let loc = Loc::caller();
@@ -141,6 +141,10 @@ fn row_of_constants(width: Width, of: impl Fn(u32) -> u64) -> Signal {
 
 /// Lane 0 of each row, then lane 1 of each, and so on: of two rows of four, one of eight.
 ///
+/// # Panics
+///
+/// There are none.
+///
 /// ```
 /// # use tilewright_hdl::*;
 /// # tilewright_sim::example(|m| {
@@ -149,10 +153,6 @@ fn row_of_constants(width: Width, of: impl Fn(u32) -> u64) -> Signal {
 /// m.assert(interleave([even, odd]).pack().eq(0x3210), "0, 1, 2, 3");
 /// # });
 /// ```
-///
-/// # Panics
-///
-/// There are none.
 #[track_caller]
 pub fn interleave(rows: impl IntoIterator<Item = Signal>) -> Signal {
     let loc = Loc::caller();
@@ -410,74 +410,17 @@ macro_rules! of_all_lanes {
 
 of_all_lanes! {
     /// Bitwise and of all lanes.
-    ///
-    /// ```
-    /// # use tilewright_hdl::*;
-    /// # tilewright_sim::example(|m| {
-    /// let masks = stack([lit(4, 0b0111), lit(4, 0b1101)]);
-    /// m.assert(masks.and_all().eq(0b0101), "bit by bit, a word as wide as a lane");
-    /// # });
-    /// ```
     and_all;
     /// Bitwise or of all lanes.
-    ///
-    /// ```
-    /// # use tilewright_hdl::*;
-    /// # tilewright_sim::example(|m| {
-    /// let busy = stack([lit(1, 0), lit(1, 1), lit(1, 0)]);
-    /// m.assert(busy.or_all(), "of lanes of one bit it is a condition: some unit is busy");
-    /// # });
-    /// ```
     or_all;
     /// Bitwise exclusive or of all lanes.
-    ///
-    /// ```
-    /// # use tilewright_hdl::*;
-    /// # tilewright_sim::example(|m| {
-    /// let words = stack([lit(4, 0b0111), lit(4, 0b1101), lit(4, 0b0001)]);
-    /// m.assert(words.xor_all().eq(0b1011), "a checksum");
-    /// # });
-    /// ```
     xor_all;
     /// The sum of all lanes, modulo 2 to the width.
-    ///
-    /// ```
-    /// # use tilewright_hdl::*;
-    /// # tilewright_sim::example(|m| {
-    /// let hits = constants(bits(1).of(grid(4, 4)), |lane| (lane % 3 == 0).into());
-    /// m.assert(hits.zext(5).sum().eq(6), "lanes of one bit are counted when they are wide enough for the count");
-    /// # });
-    /// ```
     sum;
     /// The smallest of all lanes; of signed ones in two's complement.
-    ///
-    /// ```
-    /// # use tilewright_hdl::*;
-    /// # tilewright_sim::example(|m| {
-    /// let depths = constants(bits(8).of(grid(2, 2)), |lane| [9, 3, 250, 7][lane as usize]);
-    /// m.assert(depths.minimum().eq(3), "of numbers, ..");
-    /// m.assert(depths.signed().minimum().eq(-6), ".. and of the same bits in two's complement");
-    /// # });
-    /// ```
     minimum;
     /// The largest of all lanes; of signed ones in two's complement.
-    ///
-    /// ```
-    /// # use tilewright_hdl::*;
-    /// # tilewright_sim::example(|m| {
-    /// let depths = constants(bits(8).of(row(4)), |lane| [9, 3, 250, 7][lane as usize]);
-    /// m.assert(depths.maximum().eq(250) & depths.signed().maximum().eq(9), "250 is -6 where it is signed");
-    /// # });
-    /// ```
     maximum;
     /// All lanes side by side in one word, lane 0 in the lowest bits, a grid row by row.
-    ///
-    /// ```
-    /// # use tilewright_hdl::*;
-    /// # tilewright_sim::example(|m| {
-    /// let cells = constants(bits(4).of(grid(2, 2)), |lane| lane.into());
-    /// m.assert(cells.pack().eq(0x3210), "as `unpack(grid(2, 2))` cuts it");
-    /// # });
-    /// ```
     pack;
 }

@@ -229,13 +229,26 @@ impl Reg {
     /// else it keeps what it holds. The first condition that holds wins, as in `if`, `else if`, which is what Verilog has.
     ///
     /// ```
-    /// # use tilewright_hdl::*;
-    /// # let example = tilewright_sim::traced(|m| {
-    /// let used = m.reg("used", 8).reset(7);
-    /// let (restart, take) = (used.eq(9), lit(1, 1));
-    /// used.when(restart, 0).when(take, used + 1);
-    /// # });
-    /// assert_eq!(example.values("used"), [7, 8, 9, 0, 1]); // at 9 both hold
+    /// # use tilewright_hdl::{Block, Module, Width, bit, bundle, elaborate};
+    /// # bundle! {
+    /// #     /// When it counts.
+    /// #     pub struct CountIn<T> { pub restart: T, pub take: T }
+    /// #     /// What it has counted.
+    /// #     pub struct CountOut<T> { pub used: T }
+    /// # }
+    /// # #[derive(Debug, Clone, PartialEq, Eq, Hash)]
+    /// # struct Count;
+    /// # impl Block for Count {
+    /// #     type In = CountIn;
+    /// #     type Out = CountOut;
+    /// #     fn inputs(&self) -> CountIn<Width> { CountIn { restart: bit(), take: bit() } }
+    /// #     fn build(&self, m: Module, i: CountIn) -> CountOut {
+    /// let used = m.reg("used", 8).reset(0);
+    /// used.when(i.restart, 0).when(i.take, used + 1);
+    /// #         CountOut { used: used.value() }
+    /// #     }
+    /// # }
+    /// # elaborate(&Count).unwrap();
     /// ```
     #[track_caller]
     pub fn when(self, condition: impl IntoSignal, value: impl Operand) -> Updates {

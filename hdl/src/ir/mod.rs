@@ -701,6 +701,10 @@ impl Node {
 impl Design {
     /// The design of these modules, children before the modules that instantiate them; the top is the last.
     ///
+    /// # Errors
+    ///
+    /// Every rule that the modules break, each at the place that the part in question was described.
+    ///
     /// ```
     /// # use tilewright_hdl::*;
     /// # let design = tilewright_sim::shown! { |_, i| in { word: bits(8) } out { sum: bits(8) }
@@ -719,10 +723,6 @@ impl Design {
     /// modules[0].outputs[0].node = ir::NodeId(99);
     /// assert!(Design::new(modules).is_err());
     /// ```
-    ///
-    /// # Errors
-    ///
-    /// Every rule that the modules break, each at the place that the part in question was described.
     #[track_caller]
     pub fn new(modules: Vec<Module>) -> Result<Design, Problems> {
         let problems = validate::validate(&modules);

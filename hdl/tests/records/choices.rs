@@ -225,13 +225,14 @@ block! {
     /// Chooses by something that makes no difference.
     struct Indifferent;
     in IndifferentIn { phase: one_of::<Phase>(), level: bits(8).signed() }
-    out IndifferentOut { level: bits(8) }
+    out IndifferentOut { raised: bits(8) }
 }
 
 impl Indifferent {
-    fn build(&self, _: Module, i: IndifferentIn) -> IndifferentOut {
+    fn build(&self, m: Module, i: IndifferentIn) -> IndifferentOut {
+        m.ignore(&i.phase);
         let level: Signal = i.phase.choose(|_: Phase| i.level.bits());
-        IndifferentOut { level: level + 1 }
+        IndifferentOut { raised: level + 1 }
     }
 }
 
@@ -239,5 +240,5 @@ impl Indifferent {
 fn a_choice_is_of_the_kind_of_its_values_though_they_are_all_one() {
     let mut sim = Simulation::of(&Indifferent).unwrap();
     sim.set(sim.i.level, -3);
-    assert_eq!(sim.get_u64(sim.o.level), 254);
+    assert_eq!(sim.get_u64(sim.o.raised), 254);
 }

@@ -81,16 +81,18 @@ impl GfbSequencer {
         let longest = drain.max(self.overhead).max(SCAN_LATENCY);
         let clocks_left = m.reg("clocks_left", below(longest)).reset(0);
         net!(part_ends = clocks_left.eq(0));
-        net!(overhead_ends = round.is(Round::Overhead) & part_ends);
+        net!(last_pixel = x.eq(width - 1));
+        net!(last_line_ends = part_ends & y.eq(height - 1));
         let moves = round.next(|part| match part {
             Round::Idle => when(i.start, Round::Prime),
             Round::Prime => when(part_ends, Round::Line),
-            Round::Line => when(x.eq(width - 1), Round::Overhead),
-            Round::Overhead => when(overhead_ends & y.eq(height - 1), Round::Drain).or_when(part_ends, Round::Line),
+            Round::Line => when(last_pixel, Round::Overhead),
+            Round::Overhead => when(last_line_ends, Round::Drain).or_when(part_ends, Round::Line),
             Round::Drain => when(part_ends, Round::Idle),
         });
         net!(begins = moves.leaves(Round::Idle));
         net!(line_ends = moves.leaves(Round::Line));
+        net!(overhead_ends = round.is(Round::Overhead) & part_ends);
         net!(scan_ends = moves.enters(Round::Drain));
         net!(ends = moves.leaves(Round::Drain));
         x.when(line_ends, 0).when(round.is(Round::Line), x + 1);

@@ -35,18 +35,20 @@ module gfb_sequencer_width16_height8_units4_overhead20 (
     reg [3:0] x;                                                 // rtl/src/gfb/sequencer.rs:79
     reg [2:0] y;                                                 // rtl/src/gfb/sequencer.rs:80
     reg [4:0] clocks_left;                                       // rtl/src/gfb/sequencer.rs:82
-    reg [4:0] until_stored;                                      // rtl/src/gfb/sequencer.rs:106
+    reg [4:0] until_stored;                                      // rtl/src/gfb/sequencer.rs:108
 
     wire part_ends = clocks_left == 5'd0;                        // rtl/src/gfb/sequencer.rs:83
-    wire begins = start & (round == ROUND_IDLE);                 // rtl/src/gfb/sequencer.rs:84
-    wire line_ends = (round == ROUND_LINE) & (x == 4'd15);       // rtl/src/gfb/sequencer.rs:85
-    wire overhead_ends = (round == ROUND_OVERHEAD) & part_ends;  // rtl/src/gfb/sequencer.rs:86
-    wire scan_ends = overhead_ends & (y == 3'd7);                // rtl/src/gfb/sequencer.rs:87
-    assign ends = (round == ROUND_DRAIN) & part_ends;            // rtl/src/gfb/sequencer.rs:88
-    wire enable = (round == ROUND_PRIME) | (round == ROUND_LINE) | (round == ROUND_DRAIN); // rtl/src/gfb/sequencer.rs:102
-    assign stores = enable & (until_stored == 5'd0);             // rtl/src/gfb/sequencer.rs:107
-    wire counts = (round == ROUND_LINE) | (round == ROUND_OVERHEAD) | (round == ROUND_DRAIN); // rtl/src/gfb/sequencer.rs:113
-    assign busy = round != ROUND_IDLE;                           // rtl/src/gfb/sequencer.rs:117
+    wire last_pixel = x == 4'd15;                                // rtl/src/gfb/sequencer.rs:84
+    wire last_line_ends = part_ends & (y == 3'd7);               // rtl/src/gfb/sequencer.rs:85
+    wire begins = (round == ROUND_IDLE) & start;                 // rtl/src/gfb/sequencer.rs:93
+    wire line_ends = (round == ROUND_LINE) & last_pixel;         // rtl/src/gfb/sequencer.rs:94
+    wire overhead_ends = (round == ROUND_OVERHEAD) & part_ends;  // rtl/src/gfb/sequencer.rs:95
+    wire scan_ends = (round == ROUND_OVERHEAD) & last_line_ends; // rtl/src/gfb/sequencer.rs:96
+    assign ends = (round == ROUND_DRAIN) & part_ends;            // rtl/src/gfb/sequencer.rs:97
+    wire enable = (round == ROUND_PRIME) | (round == ROUND_LINE) | (round == ROUND_DRAIN); // rtl/src/gfb/sequencer.rs:104
+    assign stores = enable & (until_stored == 5'd0);             // rtl/src/gfb/sequencer.rs:109
+    wire counts = (round == ROUND_LINE) | (round == ROUND_OVERHEAD) | (round == ROUND_DRAIN); // rtl/src/gfb/sequencer.rs:115
+    assign busy = round != ROUND_IDLE;                           // rtl/src/gfb/sequencer.rs:119
 
     always @(posedge clk) begin
         if (rst) begin
@@ -60,15 +62,15 @@ module gfb_sequencer_width16_height8_units4_overhead20 (
             clocks <= 9'd0;
         end else begin
             case (round)
-                ROUND_IDLE: if (begins) round <= ROUND_PRIME;
+                ROUND_IDLE: if (start) round <= ROUND_PRIME;
                 ROUND_PRIME: if (part_ends) round <= ROUND_LINE;
-                ROUND_LINE: if (line_ends) round <= ROUND_OVERHEAD;
+                ROUND_LINE: if (last_pixel) round <= ROUND_OVERHEAD;
                 ROUND_OVERHEAD: begin
-                    if (scan_ends) round <= ROUND_DRAIN;
+                    if (last_line_ends) round <= ROUND_DRAIN;
                     else if (part_ends) round <= ROUND_LINE;
                 end
                 default: begin // ROUND_DRAIN
-                    if (ends) round <= ROUND_IDLE;
+                    if (part_ends) round <= ROUND_IDLE;
                     else round <= ROUND_DRAIN;
                 end
             endcase

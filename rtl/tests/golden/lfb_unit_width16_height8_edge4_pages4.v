@@ -167,18 +167,18 @@ module lfb_unit_width16_height8_edge4_pages4 (
 
 `ifdef FORMAL
     always @(posedge pe_clk) begin
-        if (!pe_rst) assert (!swap | (overflow | idle));             // rtl/src/lfb/unit.rs:147
-        if (!pe_rst) assert (!swap | settled);                       // rtl/src/lfb/unit.rs:148
+        if (!pe_rst) assume (!swap | (overflow | idle));             // rtl/src/lfb/unit.rs:147
+        if (!pe_rst) assume (!swap | settled);                       // rtl/src/lfb/unit.rs:148
     end
 `else
 `ifndef SYNTHESIS
     always @(posedge pe_clk) begin
         if (!pe_rst && !(!swap | (overflow | idle))) begin           // rtl/src/lfb/unit.rs:147
-            $display("FAIL: time %0t: %m: the buffers are swapped when idle or in overflow", $time);
+            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the buffers are swapped when idle or in overflow", $time);
             $stop;
         end
         if (!pe_rst && !(!swap | settled)) begin                     // rtl/src/lfb/unit.rs:148
-            $display("FAIL: time %0t: %m: the buffers are not swapped again before the merger has followed", $time);
+            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the buffers are not swapped again before the merger has followed", $time);
             $stop;
         end
     end

@@ -18,28 +18,58 @@ module page_id_generator_pages4 (
     output wire       exhausted  // All pages are taken.
 );
 
+    reg restart_past;                                            // rtl/src/lfb/page_id_generator.rs:46
+    reg exhausted_past;                                          // rtl/src/lfb/page_id_generator.rs:47
+    reg has_past;                                                // rtl/src/lfb/page_id_generator.rs:46
+
     assign exhausted = used == 3'd4;                             // rtl/src/lfb/page_id_generator.rs:43
-    assign page = used[1:0];                                     // rtl/src/lfb/page_id_generator.rs:46
+    assign page = used[1:0];                                     // rtl/src/lfb/page_id_generator.rs:48
+
+    initial has_past = 1'b0;
 
     always @(posedge clk) begin
-        if (rst) used <= 3'd0;
-        else if (restart) used <= 3'd0;
-        else if (take) used <= used + 3'd1;
+        restart_past <= restart;
+        exhausted_past <= exhausted;
+    end
+
+    always @(posedge clk) begin
+        if (rst) begin
+            used <= 3'd0;
+            has_past <= 1'b0;
+        end else begin
+            if (restart) used <= 3'd0;
+            else if (take) used <= used + 3'd1;
+            has_past <= 1'b1;
+        end
     end
 
 `ifdef FORMAL
     always @(posedge clk) begin
         if (!rst) assert (!take | !exhausted);                       // rtl/src/lfb/page_id_generator.rs:44
+        if (!rst) assert (!has_past | (!restart_past | (used == 3'd0))); // rtl/src/lfb/page_id_generator.rs:46
+        if (!rst) cover (has_past & (exhausted & !exhausted_past));  // rtl/src/lfb/page_id_generator.rs:47
     end
 `else
 `ifndef SYNTHESIS
+    reg is_covered;
+    initial is_covered = 1'b0;
     always @(posedge clk) begin
         if (!rst && !(!take | !exhausted)) begin                     // rtl/src/lfb/page_id_generator.rs:44
             $display("FAIL: time %0t: %m: a page is taken only while one is free", $time);
             $stop;
         end
+        if (!rst && !(!has_past | (!restart_past | (used == 3'd0)))) begin // rtl/src/lfb/page_id_generator.rs:46
+            $display("FAIL: time %0t: %m: a restart frees all pages", $time);
+            $stop;
+        end
+        if (!rst && (has_past & (exhausted & !exhausted_past)) && !is_covered) begin // rtl/src/lfb/page_id_generator.rs:47
+            $display("COVER: time %0t: %m: all pages are taken", $time);
+            is_covered <= 1'b1;
+        end
     end
 `endif
 `endif
+
+    wire _unused_ok = &{1'b0, restart_past, exhausted_past, has_past};
 endmodule
 `default_nettype wire

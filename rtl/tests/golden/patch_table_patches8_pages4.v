@@ -53,7 +53,7 @@ module patch_table_patches8_pages4 (
     (* no_rw_check *)
     reg [2:0] entries [0:15];                                    // rtl/src/lfb/patch_table.rs:113
     reg [2:0] entry;                                             // rtl/src/lfb/patch_table.rs:116
-    reg [2:0] scan_entry;                                        // rtl/src/lfb/patch_table.rs:133
+    reg [2:0] scan_entry;                                        // rtl/src/lfb/patch_table.rs:135
 
     initial begin : entries_contents
         integer i;
@@ -74,11 +74,11 @@ module patch_table_patches8_pages4 (
     wire entry_resident = entry[2];                              // rtl/src/lfb/patch_table.rs:116
     wire [1:0] entry_page = entry[1:0];                          // rtl/src/lfb/patch_table.rs:116
     wire allocate = stage1 == STAGE1_ALLOCATE;                   // rtl/src/lfb/patch_table.rs:118
-    assign scan_entry_resident = scan_entry[2];                  // rtl/src/lfb/patch_table.rs:133
-    assign scan_entry_page = scan_entry[1:0];                    // rtl/src/lfb/patch_table.rs:133
-    assign overflow = stage1 == STAGE1_OVERFLOW;                 // rtl/src/lfb/patch_table.rs:134
-    assign idle = stage1 == STAGE1_IDLE;                         // rtl/src/lfb/patch_table.rs:134
-    assign found = stage1 == STAGE1_FOUND;                       // rtl/src/lfb/patch_table.rs:134
+    assign scan_entry_resident = scan_entry[2];                  // rtl/src/lfb/patch_table.rs:135
+    assign scan_entry_page = scan_entry[1:0];                    // rtl/src/lfb/patch_table.rs:135
+    assign overflow = stage1 == STAGE1_OVERFLOW;                 // rtl/src/lfb/patch_table.rs:136
+    assign idle = stage1 == STAGE1_IDLE;                         // rtl/src/lfb/patch_table.rs:136
+    assign found = stage1 == STAGE1_FOUND;                       // rtl/src/lfb/patch_table.rs:136
 
     page_id_generator_pages4 u_page_id_generator (               // rtl/src/lfb/patch_table.rs:120
         .clk       (pe_clk),
@@ -137,5 +137,22 @@ module patch_table_patches8_pages4 (
             else if (clearing != 2'd0) clearing <= clearing - 2'd1;
         end
     end
+
+`ifdef FORMAL
+    always @(posedge pe_clk) begin
+        if (!pe_rst) cover ((stage1 == STAGE1_EXAMINE) & (!entry_resident & u_page_id_generator_exhausted)); // rtl/src/lfb/patch_table.rs:130
+    end
+`else
+`ifndef SYNTHESIS
+    reg is_covered;
+    initial is_covered = 1'b0;
+    always @(posedge pe_clk) begin
+        if (!pe_rst && ((stage1 == STAGE1_EXAMINE) & (!entry_resident & u_page_id_generator_exhausted)) && !is_covered) begin // rtl/src/lfb/patch_table.rs:130
+            $display("COVER: time %0t: %m: a look-up finds no free page", $time);
+            is_covered <= 1'b1;
+        end
+    end
+`endif
+`endif
 endmodule
 `default_nettype wire

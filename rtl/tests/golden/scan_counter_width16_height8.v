@@ -31,18 +31,27 @@ module scan_counter_width16_height8 (
     reg [3:0] x;                                                 // rtl/src/lfb/scan_counter.rs:68
     reg [2:0] y;                                                 // rtl/src/lfb/scan_counter.rs:69
     reg [1:0] pass;                                              // rtl/src/lfb/scan_counter.rs:70
+    reg [1:0] pass_past;                                         // rtl/src/lfb/scan_counter.rs:80
+    reg has_past;                                                // rtl/src/lfb/scan_counter.rs:80
 
     wire line_end = scan_enable & (x == 4'd15);                  // rtl/src/lfb/scan_counter.rs:71
     wire last_line = y == 3'd7;                                  // rtl/src/lfb/scan_counter.rs:72
     wire frame_end = line_end & last_line;                       // rtl/src/lfb/scan_counter.rs:73
     wire at_start = (preset_x == 4'd0) & (preset_y == 3'd0);     // rtl/src/lfb/scan_counter.rs:77
-    assign armed = pass == PASS_FRAME;                           // rtl/src/lfb/scan_counter.rs:80
+    assign armed = pass == PASS_FRAME;                           // rtl/src/lfb/scan_counter.rs:81
+
+    initial has_past = 1'b0;
+
+    always @(posedge clk) begin
+        pass_past <= pass;
+    end
 
     always @(posedge clk) begin
         if (rst) begin
             x <= 4'd0;
             y <= 3'd0;
             pass <= PASS_AFTER;
+            has_past <= 1'b0;
         end else begin
             if (scan_restart) x <= preset_x;
             else if (line_end) x <= 4'd0;
@@ -57,10 +66,30 @@ module scan_counter_width16_height8 (
                 if (pass == PASS_BEFORE) pass <= PASS_FRAME;
                 else pass <= PASS_AFTER;
             end
+            has_past <= 1'b1;
         end
     end
 
     assign pixel_x = x;
     assign pixel_y = y;
+
+`ifdef FORMAL
+    always @(posedge clk) begin
+        if (!rst) cover (has_past & ((pass_past == PASS_FRAME) & (pass == PASS_AFTER))); // rtl/src/lfb/scan_counter.rs:80
+    end
+`else
+`ifndef SYNTHESIS
+    reg is_covered;
+    initial is_covered = 1'b0;
+    always @(posedge clk) begin
+        if (!rst && (has_past & ((pass_past == PASS_FRAME) & (pass == PASS_AFTER))) && !is_covered) begin // rtl/src/lfb/scan_counter.rs:80
+            $display("COVER: time %0t: %m: a whole frame is sent", $time);
+            is_covered <= 1'b1;
+        end
+    end
+`endif
+`endif
+
+    wire _unused_ok = &{1'b0, pass_past, has_past};
 endmodule
 `default_nettype wire
