@@ -389,6 +389,17 @@ of_a_row! {
     /// ```
     fn reversed() -> Signal;
     /// The lane of a row whose number `index` is; zero beyond the last.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let count = m.reg("count", 3).reset(0);
+    /// count.next(count + 1);
+    /// let square = constants(bits(4).of(row(4)), |lane| u64::from(lane * lane)).pick(count);
+    /// m.assert(count.lt(4).implies(square.zext(6).eq(*count * *count)), "a table in logic");
+    /// m.assert(count.ge(4).implies(square.eq(0)), "there are no lanes 4 to 7");
+    /// # });
+    /// ```
     fn pick(index: impl IntoSignal) -> Signal;
 }
 
