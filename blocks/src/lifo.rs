@@ -18,6 +18,18 @@ block! {
     ///
     /// A stream keeps to what it shows, so what comes in while a word is shown goes out after that. Where a tree is walked, whose nodes come
     /// back in place of their parent, it takes turns between two branches, and has to hold twice the nodes of one.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # use tilewright_blocks::{Lifo, StreamIn};
+    /// # let example = tilewright_sim::traced(|m| {
+    /// let count = m.reg("count", 4).reset(0);
+    /// let (into, sent) = m.offer(lit(1, 1), *count);
+    /// count.when(sent, count + 1);
+    /// m.instance("u_stack", &Lifo::new(3, 4), StreamIn { into }).out.take_when(0);
+    /// # });
+    /// assert_eq!(example.values("count"), [0, 1, 2, 3, 4, 4]); // three, and the one that is shown
+    /// ```
     pub struct Lifo {
         depth: u32,
         width: u32,

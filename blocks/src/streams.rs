@@ -62,6 +62,19 @@ pub trait StreamBlocks {
     fn block_ram_fifo<P: Data>(self, name: &str, depth: u32, stream: Stream<P>) -> Stream<P>;
 
     /// The stream through a stack of that many words, and the one that it shows: [`Lifo`].
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # use tilewright_blocks::StreamBlocks;
+    /// # let example = tilewright_sim::traced(|m| {
+    /// let count = m.reg("count", 4).reset(0);
+    /// let (numbers, sent) = m.offer(count.lt(3), *count);
+    /// count.when(sent, count + 1);
+    /// let number = m.lifo("u_stack", 4, numbers).take_when(count.eq(3));
+    /// net!(out = mux(number.taken, *number, 15));
+    /// # });
+    /// assert_eq!(example.values("out"), [15, 15, 15, 0, 2, 1]); // 0 is shown from the first on, and what is shown stays
+    /// ```
     #[track_caller]
     fn lifo<P: Data>(self, name: &str, depth: u32, stream: Stream<P>) -> Stream<P>;
 

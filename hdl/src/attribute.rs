@@ -15,6 +15,16 @@ use crate::wire::is_here;
 impl Reg {
     /// An attribute for synthesizers, of this register: `.attribute("keep", "true")` is Verilog's `(* keep = "true" *)`. The registers of a synchronizer have
     /// `ASYNC_REG` by themselves.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # let design = tilewright_sim::shown! { |m, i| in { word: bits(8) } out { late: bits(8) }
+    /// let late = m.reg("late", 8).attribute("keep", "true");
+    /// late.next(i.word);
+    /// #     ShownOut { late: *late }
+    /// # };
+    /// assert!(tilewright_gen::verilog(&design)[0].text.contains("(* keep = \"true\" *)"));
+    /// ```
     #[track_caller]
     pub fn attribute(self, name: &str, value: &str) -> Reg {
         let loc = Loc::caller();
@@ -27,6 +37,18 @@ impl Reg {
 
 impl<B: Bundle> Reg<B> {
     /// An attribute for synthesizers, of the register of each field.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// bundle! { struct Pair<T> { low: T, high: T } }
+    ///
+    /// # let design = tilewright_sim::shown! { |m, i| in { word: bits(8) } out { late: bits(8) }
+    /// let pair = m.reg("pair", Pair { low: bits(4), high: bits(4) }).attribute("keep", "true");
+    /// pair.next(Pair { low: i.word.part(0, 4), high: i.word.part(4, 4) });
+    /// #     ShownOut { late: pair.pack() }
+    /// # };
+    /// assert!(design.top().registers.iter().all(|register| register.attributes.len() == 1));
+    /// ```
     #[track_caller]
     pub fn attribute(self, name: &str, value: &str) -> Reg<B> {
         for register in self.fields() {

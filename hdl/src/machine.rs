@@ -216,6 +216,22 @@ impl<S: Codes + Operand> StateReg<S> {
 }
 
 /// Where a machine goes at the next edge: made by [`StateReg::next`], for what is to happen then.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let example = tilewright_sim::traced(|m| {
+/// codes! { enum Step { Fetch, Execute } }
+///
+/// let step = m.fsm("step", Step::Fetch);
+/// let moves = step.next(|step| match step {
+///     Step::Fetch => goto(Step::Execute),
+///     Step::Execute => goto(Step::Fetch),
+/// });
+/// let executed = m.reg("executed", 4).reset(0);
+/// executed.when(moves.leaves(Step::Execute), executed + 1);
+/// # });
+/// assert_eq!(example.values("executed"), [0, 0, 1, 1, 2]);
+/// ```
 #[derive(Debug, Clone)]
 pub struct Moves<S> {
     machine: StateReg<S>,
@@ -231,12 +247,45 @@ struct Exit<S> {
 
 impl<S: Codes + Operand> Moves<S> {
     /// 1 bit: the machine is in `state`, and goes to another one.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # let example = tilewright_sim::traced(|m| {
+    /// codes! { enum Start { Waits, Runs } }
+    ///
+    /// let count = m.reg("count", 4).reset(0);
+    /// count.next(count + 1);
+    /// let start = m.fsm("start", Start::Waits);
+    /// let moves = start.next(|start| match start {
+    ///     Start::Waits => when(count.eq(2), Start::Runs),
+    ///     Start::Runs => hold(),
+    /// });
+    /// net!(begins = moves.leaves(Start::Waits));
+    /// # });
+    /// assert_eq!(example.values("begins"), [0, 0, 1, 0, 0]); // in the clock before it runs
+    /// ```
     #[track_caller]
     pub fn leaves(&self, state: S) -> Signal {
         self.from(state, |to| to.code() != state.code()).unwrap_or_else(|| lit(1, 0))
     }
 
     /// 1 bit: the machine is in another state, and goes to `state`.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # let example = tilewright_sim::traced(|m| {
+    /// codes! { enum Light { Red, Green, Amber } }
+    ///
+    /// let light = m.fsm("light", Light::Red);
+    /// let moves = light.next(|light| match light {
+    ///     Light::Red => goto(Light::Green),
+    ///     Light::Green => goto(Light::Amber),
+    ///     Light::Amber => goto(Light::Red),
+    /// });
+    /// net!(stops = moves.enters(Light::Red));
+    /// # });
+    /// assert_eq!(example.values("stops"), [0, 0, 1, 0, 0, 1]);
+    /// ```
     #[track_caller]
     pub fn enters(&self, state: S) -> Signal {
         let mut enters = None;
@@ -252,6 +301,21 @@ impl<S: Codes + Operand> Moves<S> {
     }
 
     /// 1 bit: the machine is in `state`, and goes to `to`, which may be the same.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # let example = tilewright_sim::traced(|m| {
+    /// codes! { enum Run { Runs, Halted } }
+    ///
+    /// let run = m.fsm("run", Run::Runs);
+    /// let moves = run.next(|run| match run {
+    ///     Run::Runs => goto(Run::Halted),
+    ///     Run::Halted => hold(),
+    /// });
+    /// net!(stays = moves.goes(Run::Halted, Run::Halted));
+    /// # });
+    /// assert_eq!(example.values("stays"), [0, 1, 1]);
+    /// ```
     #[track_caller]
     pub fn goes(&self, state: S, to: S) -> Signal {
         self.from(state, |next| next.code() == to.code()).unwrap_or_else(|| lit(1, 0))

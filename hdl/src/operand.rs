@@ -36,6 +36,20 @@ pub trait Operand {
 }
 
 /// What is read as a signal, and no number: a signal, a register, a wire.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # tilewright_sim::example(|m| {
+/// fn both(a: impl IntoSignal, b: impl IntoSignal) -> Signal {
+///     let (a, b): (Signal, Signal) = (a.into(), b.into());
+///     a & b
+/// }
+///
+/// let half = m.reg("half", 1).reset(0);
+/// half.next(!*half);
+/// m.assert(!both(half, !*half), "a register and a signal");
+/// # });
+/// ```
 #[diagnostic::on_unimplemented(
     message = "a `{Self}` is no signal",
     label = "a signal is wanted here",

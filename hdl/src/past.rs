@@ -19,6 +19,15 @@ use std::collections::{BTreeMap, BTreeSet};
 /// register without a reset, as [`Module::pipe`] makes them.
 impl Module {
     /// The value at the edge of this module's clock before, of a signal or of each field of a record. Equal signals share their register.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let count = m.reg("count", 8).reset(0);
+    /// count.next(count + 3);
+    /// m.assert(count.eq(m.past(*count) + 3), "says nothing of the first edge, as there is no past");
+    /// # });
+    /// ```
     #[track_caller]
     pub fn past<B: Fields<Signal>>(self, value: B) -> B::With<Signal> {
         let loc = Loc::caller();
@@ -32,6 +41,15 @@ impl Module {
     }
 
     /// 1 bit: `signal`, 1 bit, is high and was low at the edge before.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let count = m.reg("count", 4).reset(0);
+    /// count.next(count + 1);
+    /// m.assert(m.rose(count.msb()).eq(count.eq(8)), "once, where the top bit comes");
+    /// # });
+    /// ```
     #[track_caller]
     pub fn rose(self, signal: impl IntoSignal) -> Signal {
         let signal = condition(signal.into(), "rose");
@@ -39,6 +57,15 @@ impl Module {
     }
 
     /// 1 bit: `signal`, 1 bit, is low and was high at the edge before.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let count = m.reg("count", 4).reset(0);
+    /// count.next(count + 1);
+    /// m.assert(m.fell(count.msb()).eq(count.eq(0)), "where it wraps");
+    /// # });
+    /// ```
     #[track_caller]
     pub fn fell(self, signal: impl IntoSignal) -> Signal {
         let signal = condition(signal.into(), "fell");
@@ -46,6 +73,17 @@ impl Module {
     }
 
     /// 1 bit: `signal` is what it was at the edge before.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let half = m.reg("half", 1).reset(0);
+    /// half.next(!*half);
+    /// let count = m.reg("count", 8).reset(0);
+    /// count.when(*half, count + 1);
+    /// m.assert(m.stable(count).eq(!m.past(*half)), "it changes where it was enabled, and nowhere else");
+    /// # });
+    /// ```
     #[track_caller]
     pub fn stable(self, signal: impl IntoSignal) -> Signal {
         let signal = signal.into();

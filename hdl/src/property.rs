@@ -57,6 +57,19 @@ impl Module {
 
     /// As [`Module::assert`], of what the block is given: where it does not hold, the stimulus is wrong. A formal tool looks only at inputs of
     /// which it holds.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # let design = tilewright_sim::shown! { |m, i| in { take: bit(), free: below(12) } out { page: below(12) }
+    /// m.assume(i.take.implies(i.free.lt(12)), "of 12 pages");
+    /// #     ShownOut { page: i.free }
+    /// # };
+    /// let mut sim = tilewright_sim::Simulation::from_design(&design).unwrap();
+    /// let (take, free) = (sim.port("take").unwrap(), sim.port("free").unwrap());
+    /// sim.set(take, 1);
+    /// sim.set(free, 13);
+    /// assert!(sim.try_step().unwrap_err().to_string().contains("of 12 pages"));
+    /// ```
     #[track_caller]
     pub fn assume(self, holds: impl IntoSignal, message: &str) {
         self.state(Directive::Assume, condition(holds.into(), "assume"), message);
@@ -64,6 +77,19 @@ impl Module {
 
     /// States that `happens` is high at some edge while the reset is low. A simulation counts how often, of which a test asks by the cover's name;
     /// a formal tool looks for a way.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # let design = tilewright_sim::shown! { |m, i| in { enable: bit() } out { count: bits(2) }
+    /// let count = m.reg("count", 2).reset(0);
+    /// count.when(i.enable, count + 1);
+    /// m.cover("it is full", count.all_ones());
+    /// #     ShownOut { count: *count }
+    /// # };
+    /// let mut sim = tilewright_sim::Simulation::from_design(&design).unwrap();
+    /// sim.run(10);
+    /// assert_eq!(sim.covered("it is full").unwrap(), 0); // the test never enables it
+    /// ```
     #[track_caller]
     pub fn cover(self, name: &str, happens: impl IntoSignal) {
         self.state(Directive::Cover, condition(happens.into(), "cover"), name);

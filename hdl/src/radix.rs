@@ -4,6 +4,11 @@ use crate::bits::Bits;
 use crate::operand::{Literal, Operand, Value};
 
 /// The radix that a constant is shown in.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// assert_eq!(Bits::new(8, 5).radix(), Radix::Any);
+/// ```
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
 pub enum Radix {
     /// As its use suggests: a count in decimal, a mask in hexadecimal.
@@ -16,6 +21,12 @@ pub enum Radix {
 }
 
 /// A number and its radix. Made by [`hex`] and [`binary`].
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// let mask: Written = hex(0xf0);
+/// assert_ne!(mask, binary(0xf0)); // the same number, written in another way
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Written {
     value: u64,
@@ -52,6 +63,15 @@ pub fn hex(value: u64) -> Written {
 }
 
 /// A number that Verilog shows in binary, as [`hex`] does in hexadecimal.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let design = tilewright_sim::shown! { |_, i| in { word: bits(8) } out { masked: bits(8) }
+/// let masked = i.word & binary(0b1010);
+/// #     ShownOut { masked }
+/// # };
+/// assert!(tilewright_gen::verilog(&design)[0].text.contains("8'b00001010"));
+/// ```
 pub fn binary(value: u64) -> Written {
     Written { value, radix: Radix::Binary }
 }
@@ -64,12 +84,23 @@ impl Operand for Written {
 
 impl Bits {
     /// The same value, shown in that radix where Verilog has it as a constant. Values are equal whatever they are shown in.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// let mask = Bits::new(8, 10).shown_in(Radix::Binary);
+    /// assert_eq!((mask.radix(), mask == Bits::new(8, 10)), (Radix::Binary, true));
+    /// ```
     pub fn shown_in(mut self, radix: Radix) -> Bits {
         self.radix = radix;
         self
     }
 
     /// The radix that it is shown in.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// assert_eq!(Bits::new(8, 10).shown_in(Radix::Hex).radix(), Radix::Hex);
+    /// ```
     pub fn radix(&self) -> Radix {
         self.radix
     }

@@ -172,6 +172,16 @@ impl<B: Block> Script<B> {
 
     /// From the next row on the receiver of an outgoing stream is ready, or is not; it is not at first. The stream is told by its path in
     /// the block's outputs, as `out` or `out.1`.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # use tilewright_sim::for_examples::{Increment, IncrementIn};
+    /// let mut script = Script::new(&Increment, Period::ns(10));
+    /// script.ready("sums", true);
+    /// script.clock(&IncrementIn { words: Stream::of(1, 7) });
+    /// let inputs: Vec<_> = script.finish("a word").events.into_iter().map(|event| event.input).collect();
+    /// assert_eq!(inputs, ["sums_ready", "words_valid", "words_payload"]);
+    /// ```
     pub fn ready(&mut self, stream: &str, is_ready: bool) {
         let input = port_name("", &format!("{stream}.ready"));
         self.events.push(Event { at_ps: self.at_ps, input, value: Bits::new(1, is_ready.into()) });

@@ -7,6 +7,12 @@ use std::fmt;
 
 /// The clocks from every input of a module to every output that it has a part in, not through enables: the registers and synchronous
 /// reads between. See [`Design::latencies`].
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// let latency = ir::Latency { clocks: 1, enable: Some("advances".to_owned()) };
+/// assert_eq!(latency.to_string(), "1 clock with `advances`");
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Latency {
     /// How many.

@@ -626,9 +626,8 @@ pub struct Instance {
 /// m.assert(i.take.implies(!i.empty), "nothing is taken of what is empty");
 /// #     ShownOut { taken: i.take }
 /// # };
-/// // Of a module that is simulated by itself, it is on a clock of its own.
-/// let (top, assert) = (design.top(), &design.top().properties[0]);
-/// assert_eq!((top.width(assert.condition), &*assert.message), (1, "nothing is taken of what is empty"));
+/// let (top, property) = (design.top(), &design.top().properties[0]);
+/// assert_eq!((top.width(property.condition), &*property.message), (1, "nothing is taken of what is empty"));
 /// ```
 #[derive(Debug, Clone)]
 pub struct Property {
@@ -645,6 +644,17 @@ pub struct Property {
 }
 
 /// What a [`Property`] states of its condition.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let design = tilewright_sim::shown! { |m, i| in { take: bit(), empty: bit() } out { taken: bit() }
+/// m.assume(i.take.implies(!i.empty), "nothing is taken of what is empty");
+/// m.cover("something is taken", i.take);
+/// #     ShownOut { taken: i.take }
+/// # };
+/// let directives: Vec<_> = design.top().properties.iter().map(|property| property.directive).collect();
+/// assert_eq!(directives, [ir::Directive::Assume, ir::Directive::Cover]);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Directive {
     /// It always holds; if not, the circuit is wrong.
@@ -656,6 +666,17 @@ pub enum Directive {
 }
 
 /// An attribute for synthesizers, as Verilog's `(* ram_style = "block" *)`.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let design = tilewright_sim::shown! { |m, i| in { word: bits(8) } out { late: bits(8) }
+/// let late = m.reg("late", 8).attribute("keep", "true");
+/// late.next(i.word);
+/// #     ShownOut { late: *late }
+/// # };
+/// let keep = ir::Attribute { name: "keep".to_owned(), value: "true".to_owned() };
+/// assert_eq!(design.top().registers[0].attributes, [keep]);
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Attribute {
     /// The name, a plain identifier.

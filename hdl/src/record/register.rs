@@ -77,6 +77,18 @@ impl<B: Bundle> Reg<B> {
     }
 
     /// The values at power-on: a record of numbers, or 0 for all.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # let example = tilewright_sim::traced(|m| {
+    /// bundle! { struct Point<T> { x: T, y: T } }
+    ///
+    /// let point = m.reg("point", Point { x: bits(4), y: bits(4) }).initial(Point { x: 3, y: 9 });
+    /// point.next(Point { x: point.x + 1, y: point.y });
+    /// # });
+    /// assert_eq!(example.values("point_x"), [3, 4, 5]);
+    /// assert_eq!(example.values("point_y"), [9, 9, 9]);
+    /// ```
     #[track_caller]
     pub fn initial(self, values: impl Fits<B>) -> Reg<B> {
         for (register, value) in self.fields().into_iter().zip(self.values(values, "initial")) {

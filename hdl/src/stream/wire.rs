@@ -12,6 +12,16 @@ use std::ops::Deref;
 
 /// A stream declared before its sender, made by [`Module::stream_wire`]. It reads as the stream; [`drive`](StreamWire::drive) must be
 /// called exactly once.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # tilewright_sim::example(|m| {
+/// let words = m.stream_wire("words", 8);
+/// let word = words.take_when(1); // taken here, ..
+/// words.drive(m.offer(lit(1, 1), lit(8, 7)).0); // .. made there
+/// m.assert(word.taken & word.eq(7), "as if it had been the other way round");
+/// # });
+/// ```
 #[derive(Debug, Clone, Copy)]
 #[must_use]
 pub struct StreamWire<P = Signal> {
@@ -86,11 +96,32 @@ impl Module {
 
 impl<P: Data> StreamWire<P> {
     /// The stream, to be taken.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let words = m.stream_wire("words", 8);
+    /// let word = words.value().with(words.payload + 1).take_when(1);
+    /// words.drive(m.offer(lit(1, 1), lit(8, 7)).0);
+    /// m.assert(word.eq(8), "a `Stream`, for what asks for one");
+    /// # });
+    /// ```
     pub fn value(&self) -> Stream<P> {
         self.stream.clone()
     }
 
     /// Says which stream it is, and takes that.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let words = m.stream_wire("words", 8);
+    /// let (sent, takes) = m.offer(lit(1, 1), lit(8, 7));
+    /// words.drive(sent);
+    /// let _ = words.take_when(0);
+    /// m.assert(!takes, "its `ready` is that of whoever takes the wire");
+    /// # });
+    /// ```
     #[track_caller]
     pub fn drive(&self, stream: Stream<P>) {
         let fields = |stream: &Stream<P>| [vec![stream.valid], signals(&stream.payload)].concat();

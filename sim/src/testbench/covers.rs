@@ -10,6 +10,21 @@ use super::running::Running;
 use super::simulation::Simulation;
 
 /// A cover of a running circuit, in one instance.
+///
+/// ```
+/// use tilewright_hdl::*;
+///
+/// # let design = tilewright_sim::shown! { |m, i| in { enable: bit() } out { count: bits(2) }
+/// let count = m.reg("count", 2).reset(0);
+/// count.when(i.enable, count + 1);
+/// m.cover("it stands at 0", count.eq(0));
+/// #     ShownOut { count: *count }
+/// # };
+/// let mut sim = tilewright_sim::Simulation::from_design(&design).unwrap();
+/// sim.run(10);
+/// let covered = &sim.covers()[0];
+/// assert_eq!((&*covered.path, covered.count), ("it stands at 0", 10));
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Covered {
     /// Its name behind the instance's path: `u_table.a page is taken`.
@@ -116,11 +131,25 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     }
 
     /// All covers, in order of declaration, with how often each was hit.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// assert!(sim.covers().is_empty()); // it states none
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     pub fn covers(&mut self) -> Vec<Covered> {
         self.circuit.covers(0)
     }
 
     /// The covers that were never hit.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// assert!(sim.uncovered().is_empty()); // where there are none, all are covered
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     pub fn uncovered(&mut self) -> Vec<String> {
         self.covers().into_iter().filter(|cover| cover.count == 0).map(|cover| cover.path).collect()
     }
@@ -128,6 +157,21 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
 
 impl<I: Bundle, O: Bundle> Batch<I, O> {
     /// At how many edges a cover of that name was hit in a run.
+    ///
+    /// ```
+    /// use tilewright_hdl::*;
+    ///
+    /// # let design = tilewright_sim::shown! { |m, i| in { enable: bit() } out { count: bits(2) }
+    /// let count = m.reg("count", 2).reset(0);
+    /// count.when(i.enable, count + 1);
+    /// m.cover("it stands at 0", count.eq(0));
+    /// #     ShownOut { count: *count }
+    /// # };
+    /// let mut batch = tilewright_sim::Batch::from_design(&design, 2).unwrap();
+    /// batch.set(batch.port("enable").unwrap(), 1, 1);
+    /// batch.run(8);
+    /// assert_eq!([0, 1].map(|run| batch.covered("it stands at 0", run).unwrap()), [8, 2]);
+    /// ```
     ///
     /// # Errors
     ///

@@ -55,3 +55,28 @@ impl Products {
         ProductsOut { products, squares: i.lanes * i.lanes }
     }
 }
+
+block! {
+    /// Adds one to each word.
+    pub struct Increment;
+    in IncrementIn {
+        /// What comes in.
+        words: stream(8),
+    }
+    out IncrementOut {
+        /// One more.
+        sums: stream(8),
+    }
+}
+
+impl Increment {
+    fn build(&self, m: Module, i: IncrementIn) -> IncrementOut {
+        let full = m.reg("full", bit()).reset(0);
+        let sum = m.reg("sum", 8);
+        let (sums, sent) = m.offer(full, *sum);
+        let words = i.words.take_when(!full | sent);
+        sum.when(words.taken, *words + 1);
+        full.when(words.taken, 1).when(sent, 0);
+        IncrementOut { sums }
+    }
+}

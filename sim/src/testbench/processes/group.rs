@@ -7,6 +7,23 @@ use std::task::{Context, Poll};
 use super::{Testbench, Turn};
 
 /// What runs beside others: a future, as an `async` block is, or a [`monitor`].
+///
+/// ```
+/// # use tilewright_sim::{Simulation, for_examples::Counter};
+/// let mut sim = Simulation::of(&Counter)?;
+/// use tilewright_sim::monitor;
+///
+/// let (count, t) = (sim.o.count, sim.testbench());
+/// let watches = async {
+///     loop {
+///         t.step().await;
+///         assert_eq!(t.get_u64(count), 0);
+///     }
+/// };
+/// t.run((t.wait(10), monitor(watches))); // both are
+/// assert_eq!(t.time(), 100_000);
+/// # Ok::<(), tilewright_sim::Error>(())
+/// ```
 #[diagnostic::on_unimplemented(
     message = "a `{Self}` is no process",
     note = "a process is an `async` block, what methods such as `t.send_all(..)` give, or a `monitor` of one"
@@ -42,10 +59,38 @@ impl<F: Future> Process for F {
 }
 
 /// A process that watches the others and need not end; made by [`monitor`].
+///
+/// ```
+/// # use tilewright_sim::{Simulation, for_examples::Counter};
+/// let mut sim = Simulation::of(&Counter)?;
+/// use tilewright_sim::monitor;
+///
+/// let t = sim.testbench();
+/// t.run((t.wait(3), monitor(t.wait(1000)))); // it is not waited for
+/// assert_eq!(t.time(), 30_000);
+/// # Ok::<(), tilewright_sim::Error>(())
+/// ```
 #[derive(Debug)]
 pub struct Monitor<F>(F);
 
 /// The process as one whose end nobody waits for: it watches for as long as others run. See [`Testbench`] for an example.
+///
+/// ```
+/// # use tilewright_sim::{Simulation, for_examples::Counter};
+/// let mut sim = Simulation::of(&Counter)?;
+/// use tilewright_sim::monitor;
+///
+/// let (enable, count, t) = (sim.i.enable, sim.o.count, sim.testbench());
+/// let never_wraps = async {
+///     loop {
+///         t.step().await;
+///         assert!(t.get_u64(count) < 100);
+///     }
+/// };
+/// t.set(enable, 1);
+/// t.run((t.until(count.is(50)), monitor(never_wraps)));
+/// # Ok::<(), tilewright_sim::Error>(())
+/// ```
 pub fn monitor<F: Future>(process: F) -> Monitor<F> {
     Monitor(process)
 }
@@ -99,6 +144,21 @@ impl<P: Process> Member<P> {
 
 impl Testbench<'_> {
     /// Processes of one kind as one, which gives what each of them gave; for as many receivers, say, as a block has outputs.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// let t = sim.testbench();
+    /// let waits = (1..=3).map(|edges| {
+    ///     let t = &t;
+    ///     async move {
+    ///         t.wait(edges).await;
+    ///         t.time()
+    ///     }
+    /// });
+    /// assert_eq!(t.run((t.all(waits),)).0, [10_000, 20_000, 30_000]);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     pub fn all<F: Future>(&self, processes: impl IntoIterator<Item = F>) -> impl Future<Output = Vec<F::Output>> {
         let mut members: Vec<Member<F>> = processes.into_iter().map(|process| Member::new(self, process)).collect();
         poll_fn(move |context| {
@@ -112,6 +172,15 @@ impl Testbench<'_> {
 }
 
 /// What [`Testbench::run`] takes: a tuple of up to eight processes.
+///
+/// ```
+/// # use tilewright_sim::{Simulation, for_examples::Counter};
+/// let mut sim = Simulation::of(&Counter)?;
+/// let t = sim.testbench();
+/// let ((), six) = t.run((t.wait(2), async { 6 })); // a tuple gives a tuple
+/// assert_eq!(six, 6);
+/// # Ok::<(), tilewright_sim::Error>(())
+/// ```
 #[diagnostic::on_unimplemented(
     message = "a `{Self}` is no group of processes",
     note = "`run` takes a tuple, as `t.run((producer, consumer))`; a list is made one process by `t.all(..)`, and one alone is `(process,)`"

@@ -124,6 +124,18 @@ struct Set {
 
 impl<I: Bundle, O: Bundle> Simulation<I, O> {
     /// The simulation for several processes, such as a driver, a receiver and a monitor; see [`Testbench`].
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// let (enable, count, t) = (sim.i.enable, sim.o.count, sim.testbench());
+    /// t.run((async {
+    ///     t.set(enable, 1);
+    ///     t.wait(5).await;
+    ///     assert_eq!(t.get_u64(count), 4); // just before the fifth edge
+    /// },));
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     pub fn testbench(&mut self) -> Testbench<'_> {
         let shared = Shared {
             circuit: &mut self.circuit,
@@ -143,6 +155,15 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
 impl<'s> Testbench<'s> {
     /// The same testbench, whose steps are the edges of a clock, or of one of that name. Without it they are those of every clock.
     ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// let t = sim.testbench();
+    /// t.run((t.on("clk").wait(3),));
+    /// assert_eq!(t.time(), 30_000);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    ///
     /// # Panics
     ///
     /// There is no such clock.
@@ -155,11 +176,34 @@ impl<'s> Testbench<'s> {
     }
 
     /// Lets processes run for so many instants until it gives up; 100,000 unless this says otherwise.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// let t = sim.testbench();
+    /// t.limit(10);
+    /// t.run((t.wait(10),)); // one more would be a panic that says what waits
+    /// assert_eq!(t.time(), 100_000);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     pub fn limit(&self, instants: u64) {
         self.shared.borrow_mut().limit = instants;
     }
 
     /// Sets an input. It changes after the edge, once every process had its turn; outside of processes, at once.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// let (enable, count, t) = (sim.i.enable, sim.o.count, sim.testbench());
+    /// t.run((async {
+    ///     t.step().await;
+    ///     t.set(enable, 1); // after the first edge
+    ///     t.wait(2).await;
+    ///     assert_eq!(t.get_u64(count), 1);
+    /// },));
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     ///
     /// # Panics
     ///
@@ -170,12 +214,30 @@ impl<'s> Testbench<'s> {
     }
 
     /// The value of a port before the edge, settled.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// let (count, t) = (sim.o.count, sim.testbench());
+    /// assert_eq!(t.get(count).to_string(), "8'h00");
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     #[track_caller]
     pub fn get(&self, port: Port) -> Bits {
         self.shared.borrow_mut().circuit.get(port, 0)
     }
 
     /// As [`Testbench::get`], for a port of up to 64 bits.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// let (enable, square, t) = (sim.i.enable, sim.o.square, sim.testbench());
+    /// t.set(enable, 1);
+    /// t.run((t.wait(4),));
+    /// assert_eq!(t.get_u64(square), 16);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     ///
     /// # Panics
     ///
@@ -186,11 +248,31 @@ impl<'s> Testbench<'s> {
     }
 
     /// The time in picoseconds of the edge at which the process goes on; outside of processes, that of the last instant.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// let t = sim.testbench();
+    /// t.run((async {
+    ///     t.step().await;
+    ///     assert_eq!(t.time(), 10_000);
+    /// },));
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     pub fn time(&self) -> u64 {
         self.shared.borrow().now()
     }
 
     /// What `look` sees if an input were that value at this moment, which it is not: which outputs follow it within the clock.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// let (enable, count, t) = (sim.i.enable, sim.o.count, sim.testbench());
+    /// let now = t.get_u64(count);
+    /// assert_eq!(t.suppose(enable, 1, || t.get_u64(count)), now); // it comes from a register
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     ///
     /// # Panics
     ///

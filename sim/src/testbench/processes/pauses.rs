@@ -21,6 +21,17 @@ impl Pauses {
 
     /// In each clock, a pause with that probability, from 0 to 99 percent.
     ///
+    /// ```
+    /// use tilewright_sim::Pauses;
+    ///
+    /// let lengths = |seed| {
+    ///     let mut pauses = Pauses::percent(50, seed);
+    ///     [(); 8].map(|()| pauses.next_length())
+    /// };
+    /// assert_eq!(lengths(7), lengths(7));
+    /// assert_ne!(lengths(7), lengths(8));
+    /// ```
+    ///
     /// # Panics
     ///
     /// With 100 percent nothing would ever go over.
@@ -32,6 +43,14 @@ impl Pauses {
     }
 
     /// How many clocks the next pause takes.
+    ///
+    /// ```
+    /// use tilewright_sim::Pauses;
+    ///
+    /// let mut pauses = Pauses::percent(50, 7);
+    /// let clocks: u32 = (0..1000).map(|_| pauses.next_length()).sum();
+    /// assert!((800..1200).contains(&clocks)); // in each second clock, it goes on
+    /// ```
     pub fn next_length(&mut self) -> u32 {
         let mut clocks = 0;
         while self.percent > 0 && self.draw() % 100 < self.percent {

@@ -13,6 +13,20 @@ impl Testbench<'_> {
     /// All begin at once; what they set before they first wait is so before the next edge. From then on each goes on at the edges that
     /// it waits for. The instant at which the last one ends happens.
     ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// let (enable, count, t) = (sim.i.enable, sim.o.count, sim.testbench());
+    /// let drives = async {
+    ///     t.set(enable, 1);
+    ///     t.wait(3).await;
+    ///     t.set(enable, 0);
+    /// };
+    /// let ((), ()) = t.run((drives, t.wait(10)));
+    /// assert_eq!(t.get_u64(count), 3);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    ///
     /// # Panics
     ///
     /// They have not ended within the [limit](Testbench::limit): the message says what each of them waits for. Or a process panics, or

@@ -11,6 +11,17 @@ use crate::testbench::port::Port;
 impl Testbench<'_> {
     /// Sends a word to the block: shows it until the block takes it. Two one after another go over in two clocks.
     ///
+    /// ```
+    /// # use tilewright_sim::{Pauses, Simulation, for_examples::Increment};
+    /// # let mut sim = Simulation::of(&Increment)?;
+    /// # sim.reset();
+    /// # let start = sim.time();
+    /// let (words, sums, t) = (sim.i.words, sim.o.sums, sim.testbench());
+    /// t.run((t.send(words, 7), t.expect_all(sums, [8], Pauses::NONE)));
+    /// assert_eq!(t.time(), start + 20_000);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    ///
     /// # Panics
     ///
     /// A value does not fit, or a list is not as long as that of the ports.
@@ -22,6 +33,17 @@ impl Testbench<'_> {
 
     /// Receives a word from the block: takes the first that it shows.
     ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Increment};
+    /// # let mut sim = Simulation::of(&Increment)?;
+    /// # sim.reset();
+    /// # let start = sim.time();
+    /// let (words, sums, t) = (sim.i.words, sim.o.sums, sim.testbench());
+    /// let (seen, ()) = t.run((t.receive(sums), t.send(words, 7)));
+    /// assert_eq!(seen, 8);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    ///
     /// # Panics
     ///
     /// A value does not fit 64 bits.
@@ -32,6 +54,16 @@ impl Testbench<'_> {
     }
 
     /// Sends words, one a clock but for the pauses.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Pauses, Simulation, for_examples::Increment};
+    /// # let mut sim = Simulation::of(&Increment)?;
+    /// # sim.reset();
+    /// # let start = sim.time();
+    /// let (words, sums, t) = (sim.i.words, sim.o.sums, sim.testbench());
+    /// t.run((t.send_all(words, [1, 2, 3], Pauses::NONE), t.expect_all(sums, [2, 3, 4], Pauses::NONE)));
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     ///
     /// # Panics
     ///
@@ -53,6 +85,17 @@ impl Testbench<'_> {
     }
 
     /// Receives so many words, one a clock but for the pauses.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Pauses, Simulation, for_examples::Increment};
+    /// # let mut sim = Simulation::of(&Increment)?;
+    /// # sim.reset();
+    /// # let start = sim.time();
+    /// let (words, sums, t) = (sim.i.words, sim.o.sums, sim.testbench());
+    /// let ((), seen) = t.run((t.send_all(words, [1, 2, 3], Pauses::NONE), t.receive_all(sums, 3, Pauses::percent(50, 1))));
+    /// assert_eq!(seen, [2, 3, 4]);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     ///
     /// # Panics
     ///
@@ -76,6 +119,17 @@ impl Testbench<'_> {
     }
 
     /// Receives these words, one a clock but for the pauses.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Pauses, Simulation, for_examples::Increment};
+    /// # let mut sim = Simulation::of(&Increment)?;
+    /// # sim.reset();
+    /// # let start = sim.time();
+    /// let (words, sums, t) = (sim.i.words, sim.o.sums, sim.testbench());
+    /// // The receiver pauses, and misses nothing.
+    /// t.run((t.send_all(words, 1..=9, Pauses::NONE), t.expect_all(sums, 2..=10, Pauses::percent(50, 2))));
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     ///
     /// # Panics
     ///
@@ -107,6 +161,17 @@ impl Testbench<'_> {
 
     /// Waits for so many edges, at none of which the block shows a word: nothing is doubled at the end.
     ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Increment};
+    /// # let mut sim = Simulation::of(&Increment)?;
+    /// # sim.reset();
+    /// # let start = sim.time();
+    /// let (words, sums, t) = (sim.i.words, sim.o.sums, sim.testbench());
+    /// t.run((t.send(words, 7), t.receive(sums)));
+    /// t.run((t.expect_silence(sums, 10),));
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    ///
     /// # Panics
     ///
     /// It shows one.
@@ -131,6 +196,20 @@ impl Testbench<'_> {
     }
 
     /// Watches for ever that a word that the block shows stays until it is taken: give it to [`monitor`](crate::monitor).
+    ///
+    /// ```
+    /// # use tilewright_sim::{Pauses, Simulation, for_examples::Increment, monitor};
+    /// # let mut sim = Simulation::of(&Increment)?;
+    /// # sim.reset();
+    /// # let start = sim.time();
+    /// let (words, sums, t) = (sim.i.words, sim.o.sums, sim.testbench());
+    /// t.run((
+    ///     t.send_all(words, 1..=9, Pauses::NONE),
+    ///     t.expect_all(sums, 2..=10, Pauses::percent(50, 2)),
+    ///     monitor(t.holds(sums)),
+    /// ));
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     ///
     /// # Panics
     ///
@@ -158,6 +237,18 @@ impl Testbench<'_> {
     }
 
     /// The word that a stream shows before the edge, if it shows one.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Increment};
+    /// # let mut sim = Simulation::of(&Increment)?;
+    /// # sim.reset();
+    /// # let start = sim.time();
+    /// let (words, sums, t) = (sim.i.words, sim.o.sums, sim.testbench());
+    /// assert_eq!(t.shown(&sums), None);
+    /// t.run((t.send(words, 7),));
+    /// assert_eq!(t.shown(&sums), Some(8)); // nobody takes it
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     #[track_caller]
     pub fn shown<P: Fields<Port>>(&self, stream: &Stream<P, Port>) -> Option<P::With<u64>> {
         (self.get_u64(stream.valid) == 1).then(|| stream.payload.map(|port| self.number(*port)))

@@ -57,18 +57,49 @@ struct Wait<'t, 's> {
 
 impl<'s> Testbench<'s> {
     /// Waits for the next edge.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// let t = sim.testbench();
+    /// t.run((async {
+    ///     t.step().await;
+    ///     t.step().await;
+    /// },));
+    /// assert_eq!(t.time(), 20_000);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     #[track_caller]
     pub fn step(&self) -> impl Future<Output = ()> {
         self.begin(Goal::Edges(1), Loc::caller())
     }
 
     /// Waits for so many edges.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// let t = sim.testbench();
+    /// t.run((t.wait(3), t.wait(5)));
+    /// assert_eq!(t.time(), 50_000);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     #[track_caller]
     pub fn wait(&self, edges: u64) -> impl Future<Output = ()> {
         self.begin(Goal::Edges(edges), Loc::caller())
     }
 
     /// Waits for the first edge, from the next one on, before which a condition holds: `t.until(done)`, `t.until(count.is_at_least(5))`.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// let (enable, count, t) = (sim.i.enable, sim.o.count, sim.testbench());
+    /// t.set(enable, 1);
+    /// t.run((t.until(count.is_at_least(5)),));
+    /// assert_eq!(t.time(), 60_000); // before the sixth edge it is 5
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     ///
     /// # Panics
     ///
