@@ -100,8 +100,8 @@ fn items(text: &str, exported: &BTreeSet<String>, is_open: bool) -> Vec<Item> {
     let is_public = |name: &str| is_open || exported.contains(name);
     let (mut items, mut documentation) = (Vec::new(), Vec::new());
     let (mut in_attribute, mut hidden, mut is_exported) = (false, false, false);
-    // Whether methods of what is around are public, and whether it is a trait.
-    let (mut around, mut in_trait) = (false, false);
+    // Whether methods of what is around are public, and whether it is a trait, or a macro with items in it.
+    let (mut around, mut in_trait, mut in_macro) = (false, false, false);
     for (number, line) in text.lines().enumerate().take_while(|(_, line)| !line.starts_with("#[cfg(test)]")) {
         let code = line.trim_start();
         if code.starts_with("///") {
@@ -114,12 +114,16 @@ fn items(text: &str, exported: &BTreeSet<String>, is_open: bool) -> Vec<Item> {
             is_exported |= code == "#[macro_export]";
             continue;
         }
+        if !line.starts_with(' ') {
+            in_macro = ["block! {", "bundle! {", "codes! {"].contains(&line) || (in_macro && line.is_empty());
+        }
         if line.starts_with("impl") {
             around = implemented(line).is_some_and(is_public);
             in_trait = false;
         }
         if let Some(name) = declared(code, in_trait && line.starts_with("    fn ")) {
-            let shown = if line.starts_with(' ') { around } else { is_exported || is_public(name) };
+            let is_inner = line.starts_with(' ') && !in_macro;
+            let shown = if is_inner { around } else { is_exported || is_public(name) };
             if shown && !hidden && !documentation.is_empty() {
                 let has_example = has_example(&documentation);
                 items.push(Item { line: number + 1, name: name.to_owned(), has_example });
