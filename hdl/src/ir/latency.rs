@@ -55,10 +55,10 @@ impl Design {
     /// ```
     pub fn latencies(&self) -> Vec<Option<Latency>> {
         let mut delays: Vec<Vec<Delay>> = Vec::new();
-        for module in &self.modules {
+        for module in self.modules() {
             delays.push(output_delays(module, &delays));
         }
-        self.modules.iter().zip(&delays).map(|(module, delays)| latency(module, delays)).collect()
+        self.modules().iter().zip(&delays).map(|(module, delays)| latency(module, delays)).collect()
     }
 }
 

@@ -21,6 +21,7 @@ mod running;
 mod simulation;
 mod timeline;
 mod trace;
+mod values;
 
 pub use attach::Probe;
 pub use batch::Batch;

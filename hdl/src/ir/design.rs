@@ -1,0 +1,153 @@
+//! A whole circuit.
+
+use super::{Module, ModuleId, validate};
+use crate::problem::Problems;
+
+/// A whole circuit, which keeps every rule of this module: its readers need not ask.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let design = tilewright_sim::shown! { |m, i| in { enable: bit() } out { count: bits(8) }
+/// let count = m.reg("count", 8).reset(0);
+/// count.when(i.enable, count + 1);
+/// #     ShownOut { count: *count }
+/// # };
+/// // How many bits of state it has.
+/// let bits = |module: &ir::Module| module.registers.iter().map(|register| module.width(register.node)).sum::<u32>();
+/// assert_eq!(design.modules().iter().map(bits).sum::<u32>(), 8);
+/// ```
+#[derive(Debug, Clone)]
+pub struct Design {
+    modules: Vec<Module>,
+}
+
+impl Design {
+    /// The design of these modules, children before the modules that instantiate them; the top is the last.
+    ///
+    /// # Errors
+    ///
+    /// Every rule that the modules break, each at the place that the part in question was described.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # let design = tilewright_sim::shown! { |_, i| in { word: bits(8) } out { sum: bits(8) }
+    /// let sum = i.word + 1;
+    /// #     ShownOut { sum }
+    /// # };
+    /// // The one of the sum becomes a two.
+    /// let mut modules = design.into_modules();
+    /// for node in &mut modules[0].nodes {
+    ///     if let ir::Op::Const(value) = &mut node.op {
+    ///         *value = Bits::new(8, 2);
+    ///     }
+    /// }
+    /// assert!(Design::new(modules.clone()).is_ok());
+    /// // An output of a node that there is not.
+    /// modules[0].outputs[0].node = ir::NodeId(99);
+    /// assert!(Design::new(modules).is_err());
+    /// ```
+    #[track_caller]
+    pub fn new(modules: Vec<Module>) -> Result<Design, Problems> {
+        let problems = validate::validate(&modules);
+        if problems.is_empty() { Ok(Design { modules }) } else { Err(Problems(problems)) }
+    }
+
+    /// The modules, children before the modules that instantiate them; the top is the last.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # block! {
+    /// #     struct Halver;
+    /// #     in HalverIn { word: bits(8) }
+    /// #     out HalverOut { half: bits(8) }
+    /// # }
+    /// # impl Halver {
+    /// #     fn build(&self, _: Module, i: HalverIn) -> HalverOut {
+    /// #         HalverOut { half: i.word >> 1 }
+    /// #     }
+    /// # }
+    /// # block! {
+    /// #     struct Chain;
+    /// #     in ChainIn { word: bits(8) }
+    /// #     out ChainOut { quarter: bits(8) }
+    /// # }
+    /// # impl Chain {
+    /// #     fn build(&self, m: Module, i: ChainIn) -> ChainOut {
+    /// let half = m.instance("u_half", &Halver, HalverIn { word: i.word }).half;
+    /// let quarter = m.instance("u_quarter", &Halver, HalverIn { word: half }).half;
+    /// #         ChainOut { quarter }
+    /// #     }
+    /// # }
+    /// # let design = elaborate(&Chain)?;
+    /// // Two instances of one module.
+    /// assert_eq!(design.modules().iter().map(|module| &*module.name).collect::<Vec<_>>(), ["halver", "chain"]);
+    /// # Ok::<(), Problems>(())
+    /// ```
+    pub fn modules(&self) -> &[Module] {
+        &self.modules
+    }
+
+    /// The modules, to be edited; [`Design::new`] makes a design of them again.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # let design = tilewright_sim::shown! { |m, i| in { word: bits(8) } out { late: bits(8) }
+    /// let late = m.pipe("late", i.word);
+    /// #     ShownOut { late }
+    /// # };
+    /// let mut modules = design.into_modules();
+    /// modules[0].name = "delay".to_owned();
+    /// assert_eq!(Design::new(modules).unwrap().top().name, "delay");
+    /// ```
+    pub fn into_modules(self) -> Vec<Module> {
+        self.modules
+    }
+
+    /// The module that is not instantiated by another.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # let design = tilewright_sim::shown! { |m, i| in { word: bits(8) } out { late: bits(8) }
+    /// let late = m.pipe("late", i.word);
+    /// #     ShownOut { late }
+    /// # };
+    /// assert_eq!(design.top().inputs[0].name, "word"); // what a simulation sets
+    /// ```
+    pub fn top(&self) -> &Module {
+        self.modules.last().expect("a design has a top module")
+    }
+
+    /// The module of that id.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # block! {
+    /// #     struct Halver;
+    /// #     in HalverIn { word: bits(8) }
+    /// #     out HalverOut { half: bits(8) }
+    /// # }
+    /// # impl Halver {
+    /// #     fn build(&self, _: Module, i: HalverIn) -> HalverOut {
+    /// #         HalverOut { half: i.word >> 1 }
+    /// #     }
+    /// # }
+    /// # block! {
+    /// #     struct Outer;
+    /// #     in OuterIn { word: bits(8) }
+    /// #     out OuterOut { half: bits(8) }
+    /// # }
+    /// # impl Outer {
+    /// #     fn build(&self, m: Module, i: OuterIn) -> OuterOut {
+    /// let HalverOut { half } = m.instance("u_half", &Halver, HalverIn { word: i.word });
+    /// #         OuterOut { half }
+    /// #     }
+    /// # }
+    /// # let design = elaborate(&Outer)?;
+    /// let instance = &design.top().instances[0];
+    /// assert_eq!(design.module(instance.module).name, "halver");
+    /// # Ok::<(), Problems>(())
+    /// ```
+    pub fn module(&self, id: ModuleId) -> &Module {
+        &self.modules[id.0 as usize]
+    }
+}

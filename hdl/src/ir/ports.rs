@@ -1,0 +1,88 @@
+//! Clocks, inputs and outputs of a module.
+
+use super::{ClockId, Kind, NodeId};
+use crate::clock::Period;
+
+/// A clock port of a module, and the reset that goes with it.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let design = tilewright_sim::shown! { |m, i| in { word: bits(8) } out { late: bits(8) }
+/// let late = m.pipe("late", i.word);
+/// #     ShownOut { late }
+/// # };
+/// let clock = &design.top().clocks[0];
+/// assert_eq!((&*clock.port, clock.name), ("clk", None));
+/// assert_eq!(clock.reset, None); // a register of a pipeline has no reset, so the module has no port for it
+/// ```
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Clock {
+    /// The clock port's name in Verilog: `clk` for the default clock, `NAME_clk` for a named one.
+    pub port: String,
+    /// The reset port's name, `rst` or `NAME_rst`; `None` if nothing on this clock has a reset.
+    pub reset: Option<String>,
+    /// `None` for the default clock of a module that takes whatever clock its instance is given. At the top of a
+    /// design every clock has a period.
+    pub period: Option<Period>,
+    /// `None` for the default clock, otherwise the clock's name.
+    pub name: Option<&'static str>,
+}
+
+/// An input port.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// bundle! { struct Pixel<T> { z: T, rgb: T } }
+/// # block! {
+/// #     struct Shown;
+/// in ShownIn { left: Pixel { z: bits(16), rgb: bits(24) } }
+/// #     out ShownOut { depth: bits(16) }
+/// # }
+/// # impl Shown {
+/// #     fn build(&self, m: Module, i: ShownIn) -> ShownOut {
+/// #         m.ignore(&i.left.rgb);
+/// #         ShownOut { depth: i.left.z }
+/// #     }
+/// # }
+/// # let design = elaborate(&Shown)?;
+///
+/// let port = &design.top().inputs[1];
+/// assert_eq!((&*port.name, &*port.path), ("left_rgb", "left.rgb"));
+/// # Ok::<(), Problems>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct Input {
+    /// The port's name: the path of the bundle's fields joined by `_`.
+    pub name: String,
+    /// The path in the bundle, such as `left.z`.
+    pub path: String,
+    /// The [`Op::Input`] node.
+    pub node: NodeId,
+    /// The clock that its values are synchronous to; `None` in a module without clocks.
+    pub clock: Option<ClockId>,
+}
+
+/// An output port.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let design = tilewright_sim::shown! { |_, i| in { word: bits(8) } out { same: bits(8).signed() }
+/// let same = i.word.signed();
+/// #     ShownOut { same }
+/// # };
+/// // No operation, but read in another way.
+/// let (top, output) = (design.top(), &design.top().outputs[0]);
+/// assert_eq!(output.node, top.inputs[0].node);
+/// assert_eq!((output.kind, top.node(output.node).kind), (ir::Kind::Signed, ir::Kind::Number));
+/// ```
+#[derive(Debug, Clone)]
+pub struct Output {
+    /// The port's name: the path of the bundle's fields joined by `_`.
+    pub name: String,
+    /// The path in the bundle, such as `pixel.z`.
+    pub path: String,
+    /// What drives it.
+    pub node: NodeId,
+    /// What its bits stand for, whatever those of its driver do.
+    pub kind: Kind,
+}

@@ -1,0 +1,83 @@
+//! Registers, and what they hold at first.
+
+use super::{Attribute, ClockId, NodeId};
+use crate::bits::Bits;
+
+/// What the lanes of a register hold after a reset.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # block! {
+/// #     struct Shown;
+/// #     out ShownOut { next: _ }
+/// # }
+/// # impl Shown {
+/// #     fn build(&self, m: Module, _: ()) -> ShownOut {
+/// let ring = m.reg("ring", bits(4).of(row(3))).reset_each([7, 8, 9]);
+/// ring.next(ring.previous(ring.last()));
+/// #         ShownOut { next: *ring }
+/// #     }
+/// # }
+/// # let design = elaborate(&Shown)?;
+/// let reset = design.top().registers[0].reset.as_ref();
+/// assert_eq!(reset, Some(&ir::Init::Each([7, 8, 9].map(|value| Bits::new(4, value)).into())));
+/// # Ok::<(), Problems>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub enum Init {
+    /// The same in every lane; of a plain register always so.
+    Same(Bits),
+    /// A value for each lane, in row-major order.
+    Each(Vec<Bits>),
+}
+
+impl Init {
+    /// The value of one lane, counted in row-major order.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// let zeros = ir::Init::Same(Bits::zero(8));
+    /// assert_eq!(zeros.lane(100), &Bits::zero(8)); // of as many lanes as there may be
+    /// ```
+    pub fn lane(&self, lane: u32) -> &Bits {
+        match self {
+            Init::Same(value) => value,
+            Init::Each(values) => &values[lane as usize],
+        }
+    }
+}
+
+/// A register, in each of its lanes. At an edge of its clock: `reset` if that clock's reset is high and there is a reset value; else `next`
+/// if `enable` is absent or high; else unchanged.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let design = tilewright_sim::shown! { |m, i| in { enable: bit() } out { count: bits(8) }
+/// let count = m.reg("count", 8).reset(5);
+/// count.enable(i.enable).next(count + 1);
+/// #     ShownOut { count: *count }
+/// # };
+/// let (top, register) = (design.top(), &design.top().registers[0]);
+/// assert_eq!(register.enable, Some(top.inputs[0].node));
+/// assert_eq!(register.reset.as_ref().unwrap().lane(0), &Bits::new(8, 5));
+/// ```
+#[derive(Debug, Clone)]
+pub struct Register {
+    /// The [`Op::Register`] node, which has the name, the width, the shape and the place.
+    pub node: NodeId,
+    /// Its clock.
+    pub clock: ClockId,
+    /// The value after a reset; `None` for a register that a reset does not touch.
+    pub reset: Option<Init>,
+    /// The value at power-on, the same in each lane; `None` if nothing may be relied on.
+    pub initial: Option<Bits>,
+    /// 1 bit, of the register's shape: whether it takes `next`; `None` means always.
+    pub enable: Option<NodeId>,
+    /// The value it takes.
+    pub next: NodeId,
+    /// Whether it is one of the two registers of a synchronizer, which a synthesizer is to keep as they are and close
+    /// together: `ASYNC_REG` in Verilog.
+    pub is_synchronizer: bool,
+    /// For synthesizers.
+    pub attributes: Vec<Attribute>,
+}

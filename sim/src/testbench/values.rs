@@ -1,0 +1,281 @@
+//! Inputs and outputs of a simulation: one, a list, a bundle at a time.
+
+use tilewright_hdl::{Bits, Bundle, Leaf};
+
+use crate::testbench::port::{IntoValue, Port};
+use crate::testbench::simulation::{Simulation, in_step};
+
+impl<I: Bundle, O: Bundle> Simulation<I, O> {
+    /// Sets an input from now on. Several inputs may be set in any order; nothing happens before the next step.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// sim.set(sim.i.enable, true);
+    /// sim.step();
+    /// sim.set(sim.i.enable, 0);
+    /// sim.run(5);
+    /// assert_eq!(sim.get(sim.o.count), 1);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    ///
+    /// # Panics
+    ///
+    /// The value does not fit, or the port is an output.
+    #[track_caller]
+    #[inline]
+    pub fn set(&mut self, port: Port, value: impl IntoValue) {
+        self.circuit.set(port, value);
+    }
+
+    /// Sets a list of inputs, one of the fields of the bundle, each to the value at its place.
+    ///
+    /// ```
+    /// # use tilewright_hdl::{Block, Module, Width, bits, bundle};
+    /// # bundle! {
+    /// #     /// What is multiplied.
+    /// #     pub struct DotIn<T> { pub left: Vec<T>, pub right: Vec<T> }
+    /// #     /// The products.
+    /// #     pub struct DotOut<T> { pub products: Vec<T> }
+    /// # }
+    /// # #[derive(Debug, Clone, PartialEq, Eq, Hash)]
+    /// # struct Dot;
+    /// # impl Block for Dot {
+    /// #     type In = DotIn;
+    /// #     type Out = DotOut;
+    /// #     fn inputs(&self) -> DotIn<Width> { DotIn { left: vec![bits(8); 3], right: vec![bits(8); 3] } }
+    /// #     fn build(&self, _: Module, i: DotIn) -> DotOut {
+    /// #         DotOut { products: i.left.iter().zip(&i.right).map(|(left, right)| left.times(*right)).collect() }
+    /// #     }
+    /// # }
+    /// # let mut sim = tilewright_sim::Simulation::of(&Dot)?;
+    /// sim.set_list(|i| &i.left, [1, 2, 3]);
+    /// sim.set_list(|i| &i.right, [10, 10, 5]);
+    /// assert_eq!(sim.get_list(|o| &o.products), [10, 20, 15]);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    ///
+    /// # Panics
+    ///
+    /// There are more or fewer values than inputs; or as [`Simulation::set`].
+    #[track_caller]
+    pub fn set_list<V: IntoValue>(
+        &mut self,
+        list: impl FnOnce(&I::Of<Port>) -> &[Port],
+        values: impl IntoIterator<Item = V>,
+    ) {
+        let circuit = &mut self.circuit;
+        in_step(list(&self.i), values, |port, value| circuit.set(port, value));
+    }
+
+    /// The values of a list of outputs, one of the fields of the bundle, settled, as numbers.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Products};
+    /// let mut sim = Simulation::of(&Products)?;
+    /// sim.set_list(|i| &i.left, [1, 2, 3]);
+    /// sim.set_list(|i| &i.right, [200; 3]);
+    /// assert_eq!(sim.get_list(|o| &o.products), [200, 400, 600]);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    ///
+    /// # Panics
+    ///
+    /// One of them is wider than 64 bits.
+    #[track_caller]
+    pub fn get_list(&mut self, list: impl FnOnce(&O::Of<Port>) -> &[Port]) -> Vec<u64> {
+        let circuit = &mut self.circuit;
+        list(&self.o).iter().map(|port| circuit.narrow(*port, 0)).collect()
+    }
+
+    /// Sets an input that has lanes, a value for each; a grid row by row.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Products};
+    /// let mut sim = Simulation::of(&Products)?;
+    /// sim.set_lanes(sim.i.lanes, [1, 2, 3, 200]);
+    /// assert_eq!(sim.lanes(sim.o.squares), [1, 4, 9, 40_000]);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    ///
+    /// # Panics
+    ///
+    /// There are more or fewer values than lanes; or as [`Simulation::set`].
+    #[track_caller]
+    pub fn set_lanes<V: IntoValue>(&mut self, port: Port, values: impl IntoIterator<Item = V>) {
+        self.circuit.set_lanes(port, values);
+    }
+
+    /// The lanes of a port, settled, as numbers; a grid row by row. A plain port has one.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Products};
+    /// let mut sim = Simulation::of(&Products)?;
+    /// sim.set(sim.i.lanes, 0x04_03_02_01);
+    /// assert_eq!(sim.lanes(sim.i.lanes), [1, 2, 3, 4]); // lane 0 is in the lowest bits
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    ///
+    /// # Panics
+    ///
+    /// They are wider than 64 bits.
+    #[track_caller]
+    pub fn lanes(&mut self, port: Port) -> Vec<u64> {
+        self.circuit.lanes(port)
+    }
+
+    /// The value of a port, settled: an output as it follows from the state and the inputs of this moment.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// sim.set(sim.i.enable, 1);
+    /// sim.run(5);
+    /// assert_eq!(sim.get(sim.o.count).to_string(), "8'h05");
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    #[track_caller]
+    #[inline]
+    pub fn get(&mut self, port: Port) -> Bits {
+        self.circuit.get(port, 0)
+    }
+
+    /// As [`Simulation::get`], for a port of up to 64 bits.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// sim.set(sim.i.enable, 1);
+    /// sim.run(5);
+    /// assert_eq!(sim.get_u64(sim.o.count) * 3, 15);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    ///
+    /// # Panics
+    ///
+    /// The port is wider.
+    #[track_caller]
+    #[inline]
+    pub fn get_u64(&mut self, port: Port) -> u64 {
+        self.circuit.narrow(port, 0)
+    }
+
+    /// Sets every input of the input bundle; [`Simulation::drive_bits`] takes values wider than 64 bits. The `ready` of a stream in it is an
+    /// output, and its value means nothing here.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// # use tilewright_sim::for_examples::CounterIn;
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// sim.drive(CounterIn { enable: 1 });
+    /// sim.run(5);
+    /// assert_eq!(sim.get(sim.o.count), 5);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    ///
+    /// # Panics
+    ///
+    /// A value does not fit, or a list is not as long as the block's.
+    #[track_caller]
+    pub fn drive(&mut self, values: I::Of<u64>) {
+        self.drive_each(&values);
+    }
+
+    /// Sets every input.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// # use tilewright_hdl::Bits;
+    /// # use tilewright_sim::for_examples::CounterIn;
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// sim.drive_bits(CounterIn { enable: Bits::ones(1) });
+    /// sim.run(5);
+    /// assert_eq!(sim.get(sim.o.count), 5);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    ///
+    /// # Panics
+    ///
+    /// A value has another width than its port, or a list is not as long as the block's.
+    #[track_caller]
+    pub fn drive_bits(&mut self, values: I::Of<Bits>) {
+        self.drive_each(&values);
+    }
+
+    #[track_caller]
+    fn drive_each<V: IntoValue + Leaf>(&mut self, values: &I::Of<V>) {
+        let circuit = &mut self.circuit;
+        self.inputs.pair::<I, V>(&self.i, values, |port, value| circuit.set(port, value.clone()));
+    }
+
+    /// Every output, settled.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// sim.set(sim.i.enable, 1);
+    /// sim.run(5);
+    /// let outputs = sim.read();
+    /// assert_eq!((outputs.count.width(), outputs.square.to_u64()), (8, Some(25)));
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    pub fn read(&mut self) -> O::Of<Bits> {
+        self.read_run(0)
+    }
+
+    pub(crate) fn read_run(&mut self, run: u32) -> O::Of<Bits> {
+        let circuit = &mut self.circuit;
+        O::convert_leaves(&self.o, &mut |port: &Port| circuit.get(*port, run))
+    }
+
+    /// Every output as a number, settled; easy to compare with an expected bundle.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// # use tilewright_sim::for_examples::CounterOut;
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// sim.set(sim.i.enable, 1);
+    /// sim.run(5);
+    /// assert_eq!(sim.read_u64(), CounterOut { count: 5, square: 25 });
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    ///
+    /// # Panics
+    ///
+    /// An output is wider than 64 bits and does not fit.
+    #[track_caller]
+    pub fn read_u64(&mut self) -> O::Of<u64> {
+        self.read_run_u64(0)
+    }
+
+    #[track_caller]
+    pub(crate) fn read_run_u64(&mut self, run: u32) -> O::Of<u64> {
+        let circuit = &mut self.circuit;
+        O::convert_leaves(&self.o, &mut |port: &Port| circuit.number(*port, run))
+    }
+
+    /// Drives one bundle of inputs after another, an instant each, and gives the outputs settled before each edge.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// # use tilewright_sim::for_examples::CounterIn;
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// let outputs = sim.stream([1, 1, 0, 1].map(|enable| CounterIn { enable }));
+    /// assert_eq!(outputs.iter().map(|output| output.count).collect::<Vec<_>>(), [0, 1, 2, 2]);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    ///
+    /// # Panics
+    ///
+    /// As [`Simulation::drive`], [`Simulation::read_u64`] and [`Simulation::step`].
+    #[track_caller]
+    pub fn stream(&mut self, inputs: impl IntoIterator<Item = I::Of<u64>>) -> Vec<O::Of<u64>> {
+        let mut outputs = Vec::new();
+        for bundle in inputs {
+            self.drive(bundle);
+            outputs.push(self.read_u64());
+            self.step();
+        }
+        outputs
+    }
+}
