@@ -1,6 +1,6 @@
 //! Numbers of what a design and its modules consist of.
 
-/// A module's place in [`Design::modules`].
+/// A module's place in [`Design::modules`](super::Design::modules).
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -13,7 +13,7 @@
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct ModuleId(pub u32);
 
-/// A node's place in [`Module::nodes`].
+/// A node's place in [`Module::nodes`](super::Module::nodes).
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -29,7 +29,7 @@ pub struct ModuleId(pub u32);
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct NodeId(pub u32);
 
-/// A clock's place in [`Module::clocks`].
+/// A clock's place in [`Module::clocks`](super::Module::clocks).
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -44,7 +44,7 @@ pub struct NodeId(pub u32);
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct ClockId(pub u32);
 
-/// A register's place in [`Module::registers`].
+/// A register's place in [`Module::registers`](super::Module::registers).
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -59,7 +59,7 @@ pub struct ClockId(pub u32);
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct RegisterId(pub u32);
 
-/// A memory's place in [`Module::memories`].
+/// A memory's place in [`Module::memories`](super::Module::memories).
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -73,7 +73,7 @@ pub struct RegisterId(pub u32);
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct MemoryId(pub u32);
 
-/// An instance's place in [`Module::instances`].
+/// An instance's place in [`Module::instances`](super::Module::instances).
 ///
 /// ```
 /// # use tilewright_hdl::*;

@@ -116,7 +116,7 @@ pub struct ReadPort {
     /// 1 bit, plain or of the memory's shape: a synchronous port keeps its data where this is low; `None` means always
     /// reading.
     pub enable: Option<NodeId>,
-    /// The [`Op::Read`] node, of the memory's shape.
+    /// The [`Op::Read`](super::Op::Read) node, of the memory's shape.
     pub node: NodeId,
 }
 

@@ -56,7 +56,7 @@ pub struct Input {
     pub name: String,
     /// The path in the bundle, such as `left.z`.
     pub path: String,
-    /// The [`Op::Input`] node.
+    /// The [`Op::Input`](super::Op::Input) node.
     pub node: NodeId,
     /// The clock that its values are synchronous to; `None` in a module without clocks.
     pub clock: Option<ClockId>,

@@ -63,7 +63,7 @@ impl Init {
 /// ```
 #[derive(Debug, Clone)]
 pub struct Register {
-    /// The [`Op::Register`] node, which has the name, the width, the shape and the place.
+    /// The [`Op::Register`](super::Op::Register) node, which has the name, the width, the shape and the place.
     pub node: NodeId,
     /// Its clock.
     pub clock: ClockId,
