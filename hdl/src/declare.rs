@@ -180,24 +180,6 @@ macro_rules! block {
         }
     };
     (@ports $of:tt [$($done:tt)*] [
-        $(#[$($said:tt)*])* $port:ident: stream($record:ident { $($fields:tt)* }) $(.on($clock:expr))? $(, $($more:tt)*)?
-    ] $($state:tt)*) => {
-        $crate::block! {
-            @ports $of [$($done)* {
-                [$([$($said)*])*] $port [$crate::Stream<$record<T>, T>] [$crate::stream($record { $($fields)* }) $(.on($clock))?]
-            }]
-            [$($($more)*)?] $($state)*
-        }
-    };
-    (@ports $of:tt [$($done:tt)*] [
-        $(#[$($said:tt)*])* $port:ident: stream($width:expr) $(.on($clock:expr))? $(, $($more:tt)*)?
-    ] $($state:tt)*) => {
-        $crate::block! {
-            @ports $of [$($done)* {[$([$($said)*])*] $port [$crate::Stream<T, T>] [$crate::stream($width) $(.on($clock))?]}]
-            [$($($more)*)?] $($state)*
-        }
-    };
-    (@ports $of:tt [$($done:tt)*] [
         $(#[$($said:tt)*])* $port:ident: [$record:ident = $widths:expr; $count:expr] $(, $($more:tt)*)?
     ] $($state:tt)*) => {
         $crate::block! {

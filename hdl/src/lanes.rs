@@ -9,6 +9,7 @@ use crate::ir::{Kind, Op, Shape};
 use crate::loc::Loc;
 use crate::operand::{IntoSignal, Operand};
 use crate::problem::Problem;
+use crate::record::from_leaves;
 use crate::shaping::{level_all, sound_shape};
 use crate::signal::{Signal, bits_text};
 use crate::stream::{backwards, stack_ready};
@@ -50,8 +51,7 @@ pub fn stack<B: Fields<Signal>>(values: impl IntoIterator<Item = B>) -> B::With<
         let lanes: Vec<Signal> = by_lane.iter().map(|lane| lane[leaf].1).collect();
         stacked.push(if is_ready { stack_ready(&lanes) } else { stack_signals(lanes) });
     }
-    let mut stacked = stacked.into_iter();
-    first.map(|_| stacked.next().expect("a row for each leaf"))
+    from_leaves(first, stacked)
 }
 
 #[track_caller]
@@ -115,8 +115,7 @@ pub fn constants<L: Layout>(layout: L, of: impl Fn(u32) -> <L::Value as Data>::L
     for (field, (_, width)) in layout.leaves().into_iter().enumerate() {
         fields.push(row_of_constants(width, |lane| of(lane).leaves()[field].1));
     }
-    let mut fields = fields.into_iter();
-    layout.map(|_| fields.next().expect("a row for each field"))
+    from_leaves(&layout, fields)
 }
 
 #[track_caller]

@@ -13,7 +13,7 @@ use crate::machine::StateReg;
 use crate::memory::Mem;
 use crate::operand::{IntoSignal, Operand};
 use crate::problem::Problem;
-use crate::record::word;
+use crate::record::{from_leaves, word};
 use crate::register::Reg;
 use crate::select::condition;
 use crate::shaping::sound_shape;
@@ -173,8 +173,7 @@ impl Module {
             register.next(signal);
             registers.push(register.value());
         }
-        let mut registers = registers.into_iter();
-        value.map(|_| registers.next().expect("a register for each field"))
+        from_leaves(&value, registers)
     }
 
     /// A net of that width that is read before it is driven; of a record of widths, a net for each field.

@@ -8,6 +8,7 @@ use crate::ir::{Binary, ClockId, Directive, Init, NodeId, Op, RegisterId, Shape,
 use crate::loc::Loc;
 use crate::module::Module;
 use crate::operand::IntoSignal;
+use crate::record::from_leaves;
 use crate::select::condition;
 use crate::signal::Signal;
 use crate::summary::{self, Summary};
@@ -36,8 +37,7 @@ impl Module {
         for (_, signal) in value.leaves() {
             pasts.push(self.past_of(signal, loc));
         }
-        let mut pasts = pasts.into_iter();
-        value.map(|_| pasts.next().expect("a past for each field"))
+        from_leaves(&value, pasts)
     }
 
     /// 1 bit: `signal`, 1 bit, is high and was low at the edge before.
@@ -119,10 +119,11 @@ pub(crate) fn wait_for_pasts(draft: &mut Draft, summaries: &[Summary], outputs: 
     if draft.pasts.is_empty() {
         return;
     }
+    let pasts: Pasts = draft.pasts.iter().map(|((of, _), past)| (*past, *of)).collect();
     let mut passed: BTreeMap<ClockId, Vec<NodeId>> = BTreeMap::new();
     for index in 0..draft.properties.len() {
         let property = draft.properties[index].clone();
-        let edges = edges_back(draft, summaries, property.condition);
+        let edges = edges_back(draft, summaries, &pasts, property.condition);
         if edges > 0 {
             let passed = passed.entry(property.clock).or_default();
             while passed.len() < edges {
@@ -136,26 +137,28 @@ pub(crate) fn wait_for_pasts(draft: &mut Draft, summaries: &[Summary], outputs: 
     name_registers(draft, passed.into_values().flatten(), outputs);
 }
 
+/// What each past value is of.
+type Pasts = BTreeMap<NodeId, NodeId>;
+
 /// How many edges back a node looks.
-fn edges_back(draft: &Draft, summaries: &[Summary], node: NodeId) -> usize {
+fn edges_back(draft: &Draft, summaries: &[Summary], pasts: &Pasts, node: NodeId) -> usize {
     let mut level = BTreeSet::from([node]);
     // Past values of each other have no end.
-    for edges in 0..draft.pasts.len() {
-        level = pasts_behind(draft, summaries, level);
+    for edges in 0..pasts.len() {
+        level = pasts_behind(draft, summaries, pasts, level);
         if level.is_empty() {
             return edges;
         }
     }
-    draft.pasts.len()
+    pasts.len()
 }
 
 /// What the past values are of that these nodes are computed from within a cycle.
-fn pasts_behind(draft: &Draft, summaries: &[Summary], nodes: BTreeSet<NodeId>) -> BTreeSet<NodeId> {
-    let of: BTreeMap<NodeId, NodeId> = draft.pasts.iter().map(|((of, _), past)| (*past, *of)).collect();
+fn pasts_behind(draft: &Draft, summaries: &[Summary], pasts: &Pasts, nodes: BTreeSet<NodeId>) -> BTreeSet<NodeId> {
     let (mut found, mut seen) = (BTreeSet::new(), nodes.clone());
     let mut open: Vec<NodeId> = nodes.into_iter().collect();
     while let Some(node) = open.pop() {
-        found.extend(of.get(&node));
+        found.extend(pasts.get(&node));
         summary::operands(draft, summaries, node, &mut |operand| {
             if seen.insert(operand) {
                 open.push(operand);

@@ -10,6 +10,7 @@ use crate::loc::Loc;
 use crate::operand::{IntoSignal, Literal, Value};
 use crate::problem::Problem;
 use crate::radix::Radix;
+use crate::record::from_leaves;
 use crate::shaping::{level, level_all};
 use crate::signal::{Signal, bits_text};
 use crate::width::{IntoWidth, index_width};
@@ -203,7 +204,7 @@ pub fn mux<V: Data>(select: impl IntoSignal, on_true: impl Fits<V>, on_false: im
         let op = Op::Mux { select: select.id(), on_true: on_true.id(), on_false: on_false.id() };
         chosen.push(Signal::make(op, on_true.width, on_true.shape).kept_as(on_true.kind));
     }
-    shaped(&shape, chosen)
+    from_leaves(&shape, chosen)
 }
 
 /// The value of the first arm whose condition holds, else `default`: signals, numbers, or records, of which each field is
@@ -242,7 +243,7 @@ pub fn select<V: Data, A: Fits<V>>(arms: impl IntoIterator<Item = (Signal, A)>, 
         let arms = nodes.zip(values).collect();
         chosen.push(Signal::make(Op::Select { arms, default }, width, lanes).kept_as(kind));
     }
-    shaped(&shape, chosen)
+    from_leaves(&shape, chosen)
 }
 
 /// The value of the arm whose key equals `subject`, else `default`: signals, numbers, or records, of which each field is
@@ -314,7 +315,7 @@ fn by_value<V: Data>(subject: Signal, keys: &[Bits], values: Vec<Given<V>>, of: 
         };
         chosen.push(Signal::make(op, width, lanes).kept_as(kind));
     }
-    shaped(&shape, chosen)
+    from_leaves(&shape, chosen)
 }
 
 /// The node that stands most often among these, as itself or as the same constant; of as many, the last.
@@ -358,10 +359,4 @@ fn fields<V: Data>(arms: Vec<Given<V>>, of: &str) -> (V::Like<Value>, Vec<Vec<Va
         }
     }
     (shape, fields)
-}
-
-/// The record of what is chosen for each field.
-fn shaped<F: Fields<Value>>(shape: &F, chosen: Vec<Signal>) -> F::With<Signal> {
-    let mut chosen = chosen.into_iter();
-    shape.map(|_| chosen.next().expect("a choice for each field"))
 }

@@ -264,5 +264,5 @@ pub fn any_stage<B: Bundle>(record: &B) -> B {
     for (_, signal) in record.leaves() {
         same.push(signal.any_stage());
     }
-    from_leaves(record, same.into_iter())
+    from_leaves(record, same)
 }

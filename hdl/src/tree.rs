@@ -6,6 +6,7 @@ use crate::ir::Shape;
 use crate::loc::Loc;
 use crate::module::Module;
 use crate::problem::Problem;
+use crate::record::from_leaves;
 use crate::signal::Signal;
 
 /// All lanes of a row, or of a record of rows, combined by a function that is associative, as the nearest of many is: neighbours first, lower
@@ -94,7 +95,7 @@ fn paired<B: Fields<Signal, With<Signal> = B> + Clone>(level: &B, combine: &impl
     for ((_, combined), (_, before)) in combined.leaves().into_iter().zip(level.leaves()) {
         lengthened.push(combined.take_or(lanes / 2 + 1, |i| i, before.last()));
     }
-    filled(&combined, lengthened)
+    from_leaves(&combined, lengthened)
 }
 
 #[track_caller]
@@ -103,7 +104,7 @@ fn every_second<B: Fields<Signal, With<Signal> = B>>(level: &B, count: u32, from
     for (_, signal) in level.leaves() {
         taken.push(signal.take(count, |i| 2 * i + from));
     }
-    filled(level, taken)
+    from_leaves(level, taken)
 }
 
 #[track_caller]
@@ -112,11 +113,5 @@ fn first<B: Fields<Signal, With<Signal> = B>>(level: &B) -> B {
     for (_, signal) in level.leaves() {
         lanes.push(signal.lane(0));
     }
-    filled(level, lanes)
-}
-
-/// A record like this one, of these signals.
-fn filled<B: Fields<Signal, With<Signal> = B>>(like: &B, signals: Vec<Signal>) -> B {
-    let mut signals = signals.into_iter();
-    like.map(|_| signals.next().expect("a signal for each leaf"))
+    from_leaves(level, lanes)
 }

@@ -8,7 +8,7 @@ mod wire;
 pub use register::RecordUpdates;
 
 use crate::bits::Bits;
-use crate::bundle::{Bundle, Fields};
+use crate::bundle::{Bundle, Fields, Leaf};
 use crate::data::Data;
 use crate::elaboration;
 use crate::ir::{NodeId, Op, Shape};
@@ -90,9 +90,10 @@ fn name_word(fields: &[NodeId], name: &str) {
     });
 }
 
-/// The record of these signals, in order of declaration.
-pub(crate) fn from_leaves<V: Data>(like: &V, mut signals: impl Iterator<Item = Signal>) -> V {
-    like.map_fields("", &mut |_, _| signals.next().expect("a signal for each field"))
+/// The record of these values, one for each field of another, in order of declaration.
+pub(crate) fn from_leaves<T: Leaf, F: Fields<T>, U: Leaf>(like: &F, values: impl IntoIterator<Item = U>) -> F::With<U> {
+    let mut values = values.into_iter();
+    like.map(|_| values.next().expect("a value for each field"))
 }
 
 #[doc(hidden)]

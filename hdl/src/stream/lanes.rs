@@ -5,6 +5,7 @@ use crate::elaboration::{self, Elaboration};
 use crate::ir::Shape;
 use crate::lanes::stack;
 use crate::loc::Loc;
+use crate::record::from_leaves;
 use crate::signal::Signal;
 use crate::stream::{Origin, Stream, take, untaken};
 
@@ -58,9 +59,7 @@ impl<P: Data> Stream<P> {
                 let is_grid = matches!(signal.shape, Shape::Grid(..));
                 fields.push(if is_grid { signal.rows().lane(lane) } else { signal.lane(lane) });
             }
-            let mut fields = fields.into_iter();
-            let payload = self.payload.map(|_| fields.next().expect("a lane of each field"));
-            streams.push(Stream { valid, ready, payload });
+            streams.push(Stream { valid, ready, payload: from_leaves(&self.payload, fields) });
         }
         take(self.ready, stack(streams.iter().map(|stream| stream.ready)), loc);
         streams
