@@ -1,7 +1,7 @@
 //! From a planned function to a function of machine code.
 
 use cranelift_codegen::ir::condcodes::IntCC;
-use cranelift_codegen::ir::{InstBuilder, MemFlagsData, Value, types};
+use cranelift_codegen::ir::{BlockArg, InstBuilder, MemFlagsData, Value, types};
 
 use super::builder::FunctionBuilder;
 use super::function::{Function, Sink};
@@ -298,26 +298,41 @@ impl<'a, 'b, 'c> Emitter<'a, 'b, 'c> {
         let vectors = (from.lanes as usize * from.bytes()).div_ceil(16);
         let flags = MemFlagsData::trusted();
         let count = Count { limit: vectors as i64 * 16, step: 16, descends: false };
-        self.count(count, |emitter, at| {
+        self.count(count, &[], |emitter, at, _| {
             let at = emitter.builder.ins().iadd(emitter.state, at);
             let vector = emitter.builder.ins().load(types::I8X16, flags, at, offset(from.offset));
             emitter.builder.ins().store(flags, vector, at, offset(to.offset));
+            Vec::new()
         });
     }
 
-    /// A loop: `body` gets each number of the count.
-    pub(super) fn count(&mut self, count: Count, body: impl FnOnce(&mut Self, Value)) {
-        let block = self.builder.create_block();
-        let done = self.builder.create_block();
+    /// A loop: `body` gets each number of the count, and what it gave for the one before, `start` at first. Gives what it gave
+    /// for the last.
+    pub(super) fn count(
+        &mut self,
+        count: Count,
+        start: &[Value],
+        body: impl FnOnce(&mut Self, Value, Vec<Value>) -> Vec<Value>,
+    ) -> Vec<Value> {
+        let (block, done) = (self.builder.create_block(), self.builder.create_block());
         self.builder.append_block_param(block, types::I64);
-        let start = count.start(self.builder);
-        self.builder.ins().jump(block, &[start.into()]);
+        let mut carried = Vec::with_capacity(start.len());
+        for &value in start {
+            let kind = self.builder.func.dfg.value_type(value);
+            carried.push(self.builder.append_block_param(block, kind));
+        }
+        let arguments = |first: Value, rest: &[Value]| -> Vec<BlockArg> {
+            [first].iter().chain(rest).map(|&value| BlockArg::from(value)).collect()
+        };
+        let first = count.start(self.builder);
+        self.builder.ins().jump(block, &arguments(first, start));
         self.builder.switch_to_block(block);
         let at = self.builder.block_params(block)[0];
-        body(self, at);
+        let carried = body(self, at, carried);
         let (next, more) = count.next(self.builder, at);
-        self.builder.ins().brif(more, block, &[next.into()], done, &[]);
+        self.builder.ins().brif(more, block, &arguments(next, &carried), done, &[]);
         self.builder.switch_to_block(done);
+        carried
     }
 }
 

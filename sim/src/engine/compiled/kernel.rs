@@ -5,7 +5,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use cranelift_codegen::ir::{BlockArg, BlockCall, InstBuilder, JumpTableData, Value, types};
+use cranelift_codegen::ir::{BlockCall, InstBuilder, JumpTableData, Value, types};
 use tilewright_hdl::ir::Reduction;
 
 use super::emitter::{Count, Emitter};
@@ -215,29 +215,23 @@ impl Emitter<'_, '_, '_> {
         sums: &mut Vec<Sum>,
         body: impl FnOnce(&mut Self, &mut Strip, &mut Vec<Sum>, Value),
     ) {
-        let (block, done) = (self.builder.create_block(), self.builder.create_block());
-        self.builder.append_block_param(block, types::I64);
-        let mut start: Vec<BlockArg> = vec![count.start(self.builder).into()];
+        let mut start = Vec::new();
         for sum in sums.iter_mut() {
             let width = self.function.cell(sum.id).width;
             let before = sum.so_far.take().unwrap_or_else(|| strip.lanes.neutral(self.builder, sum.by, width));
-            let parts = before.parts.iter().map(|&part| {
-                start.push(part.into());
-                let kind = self.builder.func.dfg.value_type(part);
-                self.builder.append_block_param(block, kind)
-            });
-            sum.so_far = Some(strip.lanes.shape(width, parts.collect()));
+            start.extend_from_slice(&before.parts);
+            sum.so_far = Some(before);
         }
-        self.builder.ins().jump(block, &start);
-        self.builder.switch_to_block(block);
-        let at = self.builder.block_params(block)[0];
-        body(self, strip, sums, at);
-        let (next, more) = count.next(self.builder, at);
-        let mut again: Vec<BlockArg> = vec![next.into()];
-        let so_far = sums.iter().filter_map(|sum| sum.so_far.as_ref());
-        again.extend(so_far.flat_map(|vector| vector.parts.iter().map(|&part| BlockArg::from(part))));
-        self.builder.ins().brif(more, block, &again, done, &[]);
-        self.builder.switch_to_block(done);
+        self.count(count, &start, |emitter, at, carried| {
+            let mut carried = carried.into_iter();
+            for sum in sums.iter_mut() {
+                let before = sum.so_far.as_ref().expect("it has begun");
+                let parts = carried.by_ref().take(before.parts.len()).collect();
+                sum.so_far = Some(strip.lanes.shape(before.width, parts));
+            }
+            body(emitter, strip, sums, at);
+            sums.iter().filter_map(|sum| sum.so_far.as_ref()).flat_map(|vector| vector.parts.clone()).collect()
+        });
     }
 
     /// Each result, clean.
