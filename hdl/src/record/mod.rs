@@ -40,7 +40,7 @@ pub fn named<B: Bundle>(record: &B, name: &str) -> B {
     for (path, signal) in fields {
         nets.push(signal.named(&port_name(name, &path)));
     }
-    from_leaves(record, nets.into_iter())
+    from_leaves(record, nets)
 }
 
 /// As [`pack`], of anything that a stream carries; of nothing a zero. A field with lanes that the word does not have is packed itself.
