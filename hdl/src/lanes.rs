@@ -86,7 +86,7 @@ fn stack_signals(mut parts: Vec<Signal>) -> Signal {
 }
 
 /// A constant for each lane, as `constants(bits(8).of(row(4)), |lane| 3 * lane as u64)`. The lanes of a grid are counted row by row.
-/// Of a record of widths, a record for each lane.
+/// Of a record of widths, a record for each lane. What is signed, or a code, is given by its bits.
 ///
 /// ```
 /// # use tilewright_hdl::{Block, Fields, Module, Width, below, bundle, constants, elaborate, row};
@@ -128,14 +128,15 @@ fn row_of_constants(width: Width, of: impl Fn(u32) -> u64) -> Signal {
         let parts = values.iter().map(|value| value.id_at(loc)).collect();
         Signal::make_at(Op::Stack { parts, axis: 0 }, bits, Shape::Row(values.len() as u32), loc)
     };
-    match shape {
+    let lanes = match shape {
         Shape::Plain => values[0],
         Shape::Row(_) => row(&values),
         Shape::Grid(_, columns) => {
             let parts = values.chunks(columns as usize).map(|values| row(values).node).collect();
             Signal::make_at(Op::Stack { parts, axis: 0 }, bits, shape, loc)
         }
-    }
+    };
+    lanes.kept_as(width.kind)
 }
 
 /// Lane 0 of each row, then lane 1 of each, and so on: of two rows of four, one of eight.

@@ -7,6 +7,7 @@ pub mod lfb;
 pub mod merger;
 pub mod parameter;
 mod prelude;
+pub mod quadtree;
 pub mod scan;
 pub mod vc1;
 pub mod word;

@@ -1,0 +1,91 @@
+//! The video controller: reads the video buffers as one picture, interleaved along both axes (MPG-ARCH, MPG-SPR).
+//!
+//! ```text
+//!            .---------------.   x div p, y div q    .----------------.   p words
+//! show ----->| column, line, |---------------------->| video buffers  |==========> pixels
+//!            | matrix row    |--- y mod q: which --->| of a row       |
+//!            '---------------'                       '----------------'
+//! ```
+//!
+//! Pixel (x, y) is in the buffer of video processor (x mod p, y mod q), at (x div p, y div q); so p pixels that lie side by side are at one
+//! address of p buffers, and come at once. A line ends with the group that holds its last pixel.
+//!
+//! Latency and throughput: 2 clocks from `start` to the first group, then one a clock, if each is taken at once.
+
+use super::format::Format;
+use super::video_buffer::Scan;
+use crate::prelude::*;
+
+block! {
+    /// Reads the picture from the video buffers, line by line.
+    pub struct VideoController {
+        /// The generator that it is a part of.
+        pub format: Format,
+    }
+    latency = "2 clocks from `start` to the first pixels, then p pixels a clock";
+    source = "sparse-raster quadtree generator, figure 1 (MPG-ARCH, MPG-SPR)";
+    in(self) VideoControllerIn {
+        /// What to show.
+        show: pub struct Show {
+            /// For one clock, while no picture is read: read one.
+            start: bit(),
+            /// Empty the buffers on the way; constant while a picture is read.
+            clear: bit(),
+            /// The colour where nothing was drawn.
+            background: bits(24),
+        },
+        /// The words sent by the video buffers, row by row of the matrix.
+        words: bits(WORD).of(row(self.format.matrix().processors())),
+    }
+    out(self) VideoControllerOut {
+        /// To each video buffer.
+        scan: Scan = self.scan(),
+        /// Pixels side by side; the last group of a line may have some that are beyond its end.
+        pixels: stream(bits(WORD).of(row(self.format.matrix().columns()))),
+        /// A picture is read.
+        busy: bit(),
+    }
+}
+
+impl VideoController {
+    pub(super) fn scan(&self) -> Scan<Width> {
+        let each = row(self.format.matrix().processors());
+        let at = |count: u32| below(count).of(each);
+        Scan { enable: bit().of(each), x: at(self.format.columns()), y: at(self.format.rows()), clear: bit().of(each) }
+    }
+
+    fn build(&self, m: Module, i: VideoControllerIn) -> VideoControllerOut {
+        let (matrix, screen) = (self.format.matrix(), self.format.screen());
+        let (p, q, each) = (matrix.columns(), matrix.rows(), row(matrix.processors()));
+        let reading = m.reg("reading", bit()).reset(0);
+        let column = m.reg("column", below(self.format.columns())).reset(0);
+        let line = m.reg("line", below(screen.height)).reset(0);
+        let arrived = m.reg("arrived", bit()).reset(0);
+
+        // A group is asked for in each clock in which the one before can go.
+        let words = i.words.pack().unpack(grid(q, p));
+        let matrix_row = if q == 1 { lit(1, 0) } else { line.trunc(below(q)) };
+        let arrived_row = m.wire("arrived_row", matrix_row.width());
+        let blank = cat![lit(24, 0xff_ffff), i.show.background];
+        let group = words.rows().pick(*arrived_row);
+        let (pixels, sent) = m.offer(*arrived, mux(group.all_ones(), blank, group));
+        net!(asks = reading & (!arrived | sent));
+        net!(line_ends = column.eq(self.format.columns() - 1));
+        net!(ends = line_ends & line.eq(screen.height - 1));
+        arrived_row.drive(m.pipe_when(asks, "asked_row", matrix_row));
+        reading.when(i.show.start, 1).when(asks & ends, 0);
+        column.when(i.show.start | (asks & line_ends), 0).when(asks, column + 1);
+        line.when(i.show.start, 0).when(asks & line_ends, line + 1);
+        arrived.when(asks, 1).when(sent, 0);
+        m.assume(i.show.start.implies(!reading & !arrived), "a picture is asked for when none is read");
+
+        let row_of = constants(bits(matrix_row.width()).of(each), |lane| (lane / p).into());
+        let scan = Scan {
+            enable: asks & row_of.eq(matrix_row),
+            x: column.of(each),
+            y: (line >> q.trailing_zeros()).trunc(below(self.format.rows())).of(each),
+            clear: i.show.clear.of(each),
+        };
+        VideoControllerOut { scan, pixels, busy: reading | arrived }
+    }
+}

@@ -1,0 +1,304 @@
+//! The sizes of a generator, and the records that its blocks hand on: packets, and the windows of polygons.
+
+use crate::prelude::*;
+
+/// Linear functions of a polygon beside its edges: depth, red, green and blue (k_p of MPG-EQ5).
+pub const PLANES: u32 = 4;
+/// Bits of each such function, which is added modulo 2^40: depth is in bits 39..16, a colour in bits 23..16 (facts E0).
+pub const PLANE: u32 = 40;
+/// Bits of an edge function's slopes, signed.
+pub const SLOPE: u32 = 17;
+/// Bits of an edge function, signed.
+pub const EDGE: u32 = 32;
+/// Bits of a position on the screen in pixels, and of a distance there, both signed: twice the widest screen.
+pub const DISTANCE: u32 = 13;
+/// The greatest screen, in pixels along each side.
+const SIDE: u32 = 2048;
+
+/// The matrix of video processors: each has every `columns`-th pixel of every `rows`-th line (MPG-SPR).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Matrix {
+    columns: u32,
+    rows: u32,
+}
+
+impl Matrix {
+    /// The most video processors along a side: k = 4 of the paper.
+    pub const MAX_SIDE: u32 = 16;
+
+    /// A matrix of p x q video processors.
+    ///
+    /// # Errors
+    ///
+    /// A side is none of 1, 2, 4, 8 and 16.
+    pub fn new(columns: u32, rows: u32) -> Result<Matrix, ParameterError> {
+        if [columns, rows].iter().all(|side| side.is_power_of_two() && *side <= Matrix::MAX_SIDE) {
+            return Ok(Matrix { columns, rows });
+        }
+        Err(ParameterError(format!(
+            "a matrix of {columns}x{rows} video processors: each side has to be 1, 2, 4, 8 or 16"
+        )))
+    }
+
+    /// p, side by side.
+    pub fn columns(self) -> u32 {
+        self.columns
+    }
+
+    /// q, one below the other.
+    pub fn rows(self) -> u32 {
+        self.rows
+    }
+
+    /// p q of them.
+    pub fn processors(self) -> u32 {
+        self.columns * self.rows
+    }
+}
+
+/// What a generator is built for; every block of it is made for one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Format {
+    screen: Screen,
+    matrix: Matrix,
+    edges: u32,
+    aperture: u32,
+}
+
+impl Format {
+    /// The most edges of a polygon.
+    pub const MAX_EDGES: u32 = 8;
+    /// The greatest aperture.
+    pub const MAX_APERTURE: u32 = 8;
+
+    /// A generator for a screen, with a matrix of video processors, that draws convex polygons of 3 to so many edges.
+    ///
+    /// # Errors
+    ///
+    /// The edges are fewer than 3 or more than 8.
+    pub fn new(screen: Screen, matrix: Matrix, edges: u32) -> Result<Format, ParameterError> {
+        let most = Format::MAX_EDGES;
+        if (3..=most).contains(&edges) {
+            return Ok(Format { screen, matrix, edges, aperture: 0 });
+        }
+        Err(ParameterError(format!("polygons of up to {edges} edges: a generator is built for up to 3 to {most}")))
+    }
+
+    /// The same with windows that are tested as so many pixels wider and higher than their samples: the aperture of the filter,
+    /// a = b of MPG-WIN. At 0 a window of one sample is that pixel, and is drawn if it passes.
+    ///
+    /// # Errors
+    ///
+    /// It is odd, or above 8.
+    pub fn with_aperture(self, aperture: u32) -> Result<Format, ParameterError> {
+        if aperture.is_multiple_of(2) && aperture <= Format::MAX_APERTURE {
+            return Ok(Format { aperture, ..self });
+        }
+        Err(ParameterError(format!("an aperture of {aperture} pixels: it has to be even, and from 0 to 8")))
+    }
+
+    /// The screen.
+    pub fn screen(&self) -> Screen {
+        self.screen
+    }
+
+    /// The matrix of video processors.
+    pub fn matrix(&self) -> Matrix {
+        self.matrix
+    }
+
+    /// The most edges of a polygon.
+    pub fn edges(&self) -> u32 {
+        self.edges
+    }
+
+    /// The aperture in pixels.
+    pub fn aperture(&self) -> u32 {
+        self.aperture
+    }
+
+    /// The pixels of a video processor in a line of the screen.
+    pub fn columns(&self) -> u32 {
+        self.screen.width.div_ceil(self.matrix.columns)
+    }
+
+    /// The lines of the screen in which a video processor has pixels.
+    pub fn rows(&self) -> u32 {
+        self.screen.height.div_ceil(self.matrix.rows)
+    }
+
+    /// n: a video processor's pixels are within 2^n x 2^n, which is divided n times; at least once.
+    pub fn levels(&self) -> u32 {
+        self.columns().max(self.rows()).next_power_of_two().trailing_zeros().max(1)
+    }
+
+    /// The widths of a packet.
+    pub fn packet(&self) -> Packet<Width> {
+        let edge = || row(self.edges());
+        let plane = || bits(PLANE).of(row(PLANES));
+        Packet {
+            last_edge: below(Format::MAX_EDGES),
+            edges: EdgeFunction {
+                a: bits(SLOPE).signed().of(edge()),
+                b: bits(SLOPE).signed().of(edge()),
+                c: bits(EDGE).signed().of(edge()),
+            },
+            planes: Plane { x: plane(), y: plane(), origin: plane() },
+            bounds: Bounds { left: below(SIDE), top: below(SIDE), right: below(SIDE), bottom: below(SIDE) },
+        }
+    }
+
+    /// The widths of a place: where the samples of a video processor begin and end.
+    pub fn place(&self) -> Bounds<Width> {
+        let distance = bits(DISTANCE).signed();
+        Bounds { left: distance, top: distance, right: distance, bottom: distance }
+    }
+
+    /// The place of the video processor in that column and row of the matrix; its numbers are signed, in two's complement.
+    pub fn place_of(&self, column: u32, row: u32) -> Bounds<u64> {
+        let (half, last) = (i64::from(self.aperture / 2), (1 << self.levels()) - 1);
+        let signed = |value: i64| value as u64 & ((1 << DISTANCE) - 1);
+        let ends = |offset: u32, spacing: u32| {
+            (signed(i64::from(offset) - half), signed(i64::from(offset + last * spacing) + half))
+        };
+        let (left, right) = ends(column, self.matrix.columns);
+        let (top, bottom) = ends(row, self.matrix.rows);
+        Bounds { left, top, right, bottom }
+    }
+
+    /// The widths of a window with its polygon.
+    pub fn work(&self) -> Work<Width> {
+        let edges = row(self.edges());
+        let fall = |spacing: u32| bits(SLOPE - 1 + spacing.trailing_zeros()).of(edges);
+        let planes = || bits(PLANE).of(row(PLANES));
+        Work {
+            polygon: Polygon {
+                last_edge: below(Format::MAX_EDGES),
+                fall_x: fall(self.matrix.columns),
+                fall_y: fall(self.matrix.rows),
+                right: bit().of(edges),
+                lower: bit().of(edges),
+                plane_x: planes(),
+                plane_y: planes(),
+            },
+            window: Window {
+                size: up_to(self.levels()),
+                x: bits(self.levels()),
+                y: bits(self.levels()),
+                edges: bits(EDGE).signed().of(edges),
+                bounds: self.place(),
+                planes: planes(),
+            },
+        }
+    }
+}
+
+bundle! {
+    /// Edge functions `a x + b y + c` of whole pixels, 0 or more inside: a row (facts E0, the reduced form).
+    pub struct EdgeFunction<T> {
+        /// What a pixel to the right adds.
+        pub a: T,
+        /// What a line down adds.
+        pub b: T,
+        /// The value at the upper left pixel.
+        pub c: T,
+    }
+
+    /// Linear functions of whole pixels, modulo 2^40: a row of depth, red, green, blue.
+    pub struct Plane<T> {
+        /// What a pixel to the right adds.
+        pub x: T,
+        /// What a line down adds.
+        pub y: T,
+        /// The value at the upper left pixel, with half a unit for rounding.
+        pub origin: T,
+    }
+
+    /// Four bounds of a rectangle in pixels.
+    pub struct Bounds<T> {
+        /// The leftmost column.
+        pub left: T,
+        /// The uppermost line.
+        pub top: T,
+        /// The rightmost column.
+        pub right: T,
+        /// The lowest line.
+        pub bottom: T,
+    }
+
+    /// A convex polygon, as the geometry processor sends it to all video processors.
+    pub struct Packet<T> {
+        /// The number of its edges, less one.
+        pub last_edge: T,
+        /// Its edges; those beyond the last mean nothing.
+        pub edges: EdgeFunction<T>,
+        /// What varies over it.
+        pub planes: Plane<T>,
+        /// The pixels whose centres lie within its vertices along each axis.
+        pub bounds: Bounds<T>,
+    }
+
+    /// What all windows of a polygon share, for the samples of one video processor.
+    pub struct Polygon<T> {
+        /// The number of its edges, less one.
+        pub last_edge: T,
+        /// What each edge function loses over a sample along x, on the way from where it is greatest.
+        pub fall_x: T,
+        /// The same along y.
+        pub fall_y: T,
+        /// Whether each edge function is greatest at the right side of a window.
+        pub right: T,
+        /// Whether each edge function is greatest at the lower side of a window.
+        pub lower: T,
+        /// What a sample to the right adds to each plane.
+        pub plane_x: T,
+        /// What a sample down adds to each plane.
+        pub plane_y: T,
+    }
+
+    /// A square window of samples, with what belongs to its place.
+    pub struct Window<T> {
+        /// The binary logarithm of its side in samples: n less the level.
+        pub size: T,
+        /// Its leftmost sample.
+        pub x: T,
+        /// Its uppermost sample.
+        pub y: T,
+        /// The greatest value in it of each edge function.
+        pub edges: T,
+        /// How far it reaches, in pixels, over each bound of the polygon towards the inside; negative: not at all.
+        pub bounds: Bounds<T>,
+        /// The value of each plane at its upper left sample.
+        pub planes: T,
+    }
+
+    /// A window, and the polygon that may cover it.
+    pub struct Work<T> {
+        /// The polygon.
+        pub polygon: Polygon<T>,
+        /// The window.
+        pub window: Window<T>,
+    }
+}
+
+impl Bounds {
+    /// Those of a quarter: less by the spacing of its samples at the side where the quarter is not.
+    pub(super) fn quarter(&self, number: Signal, size: Signal, matrix: Matrix) -> Bounds {
+        let reaches = |bound: Signal, is_there: Signal, spacing: u32| {
+            bound - mux(is_there, 0, lit(DISTANCE, spacing.into()) << size).signed()
+        };
+        let (right, lower) = (number.bit(0), number.bit(1));
+        Bounds {
+            left: reaches(self.left, right, matrix.columns),
+            top: reaches(self.top, lower, matrix.rows),
+            right: reaches(self.right, !right, matrix.columns),
+            bottom: reaches(self.bottom, !lower, matrix.rows),
+        }
+    }
+
+    /// Whether something lies beyond one of four bounds, by how far it reaches over each.
+    pub(super) fn is_beyond(&self) -> Signal {
+        let Bounds { left, top, right, bottom } = *self;
+        left.is_negative() | top.is_negative() | right.is_negative() | bottom.is_negative()
+    }
+}

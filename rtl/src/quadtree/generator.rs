@@ -1,0 +1,152 @@
+//! The generator as a whole, behind its geometry processor (MPG-ARCH).
+//!
+//! ```text
+//!                        .-- video processor (0, 0) --.
+//!          .-------.     +-- video processor (1, 0) --+      .------------.
+//! packets  | queue |====>|            ..              |----->| controller |===> pixels
+//!          '-------'     '-- video processor (p-1,q-1)'      '------------'
+//!                broadcast                          words
+//! ```
+//!
+//! Each packet goes to all video processors, to each when its queue has room; the next one follows when all have it. So the matrix
+//! waits for the geometry processor only when a queue is empty, and the geometry processor for the matrix only when one is full.
+//!
+//! # Protocol
+//!
+//! | who | does | when |
+//! |---|---|---|
+//! | geometry processor | sends polygons | at any time but from `swap` until it is seen |
+//! | host | swaps the banks | `idle`, and no picture is read: what was drawn is shown from now on |
+//! | host | reads the picture, and clears it | after the swap, while the next one is drawn |
+//!
+//! A bank has to be read with `clear` before it is drawn again.
+
+use tilewright_blocks::StreamBlocks;
+
+use super::controller::{Show, VideoController, VideoControllerIn};
+use super::coverage_test::Test;
+use super::format::{Format, Packet};
+use super::processor::{Queues, VideoProcessor, VideoProcessorIn};
+use super::raster::Form;
+use super::tally::Tally;
+use crate::prelude::*;
+
+block! {
+    /// The matrix of video processors of a sparse-raster quadtree generator, with its video controller.
+    pub struct QuadtreeGenerator {
+        processor: VideoProcessor,
+    }
+    latency = "depends on the windows that the polygons cover";
+    source = "sparse-raster quadtree generator, figure 1 (MPG-ARCH, MPG-LIM)";
+    in(self) QuadtreeGeneratorIn {
+        /// Polygons.
+        packets: stream(Packet = self.format().packet()),
+        /// Depth alone decides, and of equal depths the first drawn stays; constant while a picture is drawn.
+        strict: bit(),
+        /// For one clock, when idle and while no picture is read: exchange the banks.
+        swap: bit(),
+        /// What to show.
+        show: Show = VideoController { format: self.format() }.inputs().show,
+        /// Of which unit the counters are wanted.
+        probe: pub struct Probe {
+            /// The video processor, counted row by row.
+            processor: below(self.format().matrix().processors()),
+            /// 0 for the set-up, and the level for the raster processor's.
+            unit: up_to(self.format().levels()),
+        },
+    }
+    out(self) QuadtreeGeneratorOut {
+        /// Pixels side by side, line by line; those beyond the end of a line mean nothing.
+        pixels: stream(bits(WORD).of(row(self.format().matrix().columns()))),
+        /// No polygon is under way.
+        idle: bit(),
+        /// A picture is read.
+        showing: bit(),
+        /// The counters asked for.
+        tally: Tally = Tally::widths(),
+        /// The fragments of the video processor asked for.
+        fragments: bits(32),
+        /// What the broadcast did: packets that all have, and clocks in which one waited for room.
+        broadcast: Tally = Tally::widths(),
+    }
+}
+
+impl QuadtreeGenerator {
+    /// A generator of such video processors.
+    ///
+    /// # Errors
+    ///
+    /// A queue holds nothing.
+    pub fn new(format: Format, form: Form, test: Test, queues: Queues) -> Result<QuadtreeGenerator, ParameterError> {
+        let Queues { broadcast, packets, windows } = queues;
+        for (queue, name) in [(broadcast, "broadcast"), (packets, "packet"), (windows, "window")] {
+            if !(1..=Queues::MOST).contains(&queue) {
+                let most = Queues::MOST;
+                return Err(ParameterError(format!("a {name} queue of {queue}: it has to hold from 1 to {most}")));
+            }
+        }
+        Ok(QuadtreeGenerator { processor: VideoProcessor { format, form, test, queues } })
+    }
+
+    /// What it is built for.
+    pub fn format(&self) -> Format {
+        self.processor.format
+    }
+
+    /// Each of its video processors.
+    pub fn processor(&self) -> &VideoProcessor {
+        &self.processor
+    }
+
+    fn build(&self, m: Module, i: QuadtreeGeneratorIn) -> QuadtreeGeneratorOut {
+        let format = self.format();
+        let matrix = format.matrix();
+        let each = row(matrix.processors());
+        let back = m.reg("back", bit()).reset(0);
+        back.when(i.swap, !back);
+
+        // The broadcast: those that have the packet already wait for the others.
+        let packets = m.fifo("u_queue", self.processor.queues.broadcast, i.packets);
+        let has = m.reg("has", bit().of(each)).reset(0);
+        let packet = packets.payload.map(|field| match field.shape() {
+            Shape::Plain => field.of(each),
+            _ => field.to_rows(matrix.processors()),
+        });
+        let (copies, sent) = m.offer(packets.valid & !has, packet);
+        net!(all_have = (has | sent).and_all());
+        let gone = packets.take_when(all_have);
+        has.when(gone.taken, 0).when(sent, 1);
+        net!(waits = packets.valid & !all_have);
+        let broadcast = Tally { busy: gone.taken, stalled: waits, results: gone.taken };
+        let broadcast = Tally::count(m, "broadcast", broadcast);
+
+        let scan = m.wire("scan", VideoController { format }.scan());
+        let places = format.place().map(|width| width.of(each));
+        let p = matrix.columns();
+        let processors = m.array("u_processor", matrix.processors(), &self.processor, |_| VideoProcessorIn {
+            packets: copies,
+            place: constants(places, |lane| format.place_of(lane % p, lane / p)),
+            strict: i.strict,
+            back: *back,
+            scan: *scan,
+        });
+        let control = VideoControllerIn { show: i.show, words: processors.word };
+        let control = m.instance("u_controller", &VideoController { format }, control);
+        scan.drive(control.scan);
+
+        net!(idle = !packets.valid & processors.idle.and_all());
+        m.assume(i.swap.implies(idle & !control.busy), "the banks are swapped when nothing is drawn or read");
+        let counted = |unit: &Tally| unit.map(|count| count.pick(i.probe.processor));
+        let tallies: Vec<Tally> = processors.tally.iter().map(counted).collect();
+        let units = (1..).zip(tallies[1..].iter().copied());
+        let tally = case(i.probe.unit, units, tallies[0]);
+        QuadtreeGeneratorOut {
+            pixels: control.pixels,
+            idle,
+            showing: control.busy,
+            tally,
+            fragments: processors.fragments.pick(i.probe.processor),
+            broadcast,
+        }
+    }
+}

@@ -1,0 +1,85 @@
+//! The pixel processor: a window of one sample becomes a fragment (MPG-ARCH, facts E0).
+//!
+//! ```text
+//! leaves ===>[ exact test ]-->[ z || rgb ]--> fragment
+//! ```
+//!
+//! With an aperture the windows of one sample are wider than their pixel, and those that the polygon does not cover are dropped
+//! here: the edge functions and the distances to the bounds are taken back to the pixel's centre first. Without one they are exact already.
+//!
+//! Latency 1 clock; a fragment a clock.
+
+use super::format::{EDGE, Format, Work};
+use super::lanes::numbers;
+use crate::prelude::*;
+
+block! {
+    /// Makes fragments of windows of one sample.
+    pub struct PixelProcessor {
+        /// The generator that it is a part of.
+        pub format: Format,
+    }
+    source = "sparse-raster quadtree generator, figure 1 (MPG-ARCH, MPG-LIM)";
+    in(self) PixelProcessorIn {
+        /// Windows of one sample; each is taken at once.
+        leaves: stream(Work = self.format.work()),
+    }
+    out(self) PixelProcessorOut {
+        /// A pixel of the polygon.
+        fragment: pub struct Fragment {
+            /// There is one.
+            valid: bit(),
+            /// Its column among those of the video processor.
+            x: below(self.format.columns()),
+            /// Its line among those of the video processor.
+            y: below(self.format.rows()),
+            /// Depth above colour.
+            word: bits(WORD),
+        },
+        /// Fragments since the reset, modulo 2^32.
+        fragments: bits(32),
+    }
+}
+
+impl PixelProcessor {
+    fn build(&self, m: Module, i: PixelProcessorIn) -> PixelProcessorOut {
+        m.ignore(&i.leaves); // without an aperture, the edges are not looked at
+        let leaf = i.leaves.take_when(1);
+        let window = leaf.window;
+        let part = |plane: u32, low: u32, width: u32| window.planes.lane(plane).part(low, width);
+        let colour = |plane: u32| part(plane, 16, 8);
+        net!(word = cat![part(0, 16, 24), colour(1), colour(2), colour(3)]);
+        net!(covered = self.covers(&leaf));
+        let valid = m.reg("fragment_valid", bit()).reset(0);
+        valid.next(leaf.taken & covered);
+        let fragment = Fragment {
+            valid: *valid,
+            x: m.pipe_when(leaf.taken, "fragment_x", window.x.trunc(below(self.format.columns()))),
+            y: m.pipe_when(leaf.taken, "fragment_y", window.y.trunc(below(self.format.rows()))),
+            word: m.pipe_when(leaf.taken, "fragment_word", word),
+        };
+        let fragments = m.reg("fragments", 32).reset(0);
+        fragments.when(valid, fragments + 1);
+        m.assert(i.leaves.valid.implies(window.size.eq(0)), "the windows are divided down to one sample");
+        PixelProcessorOut { fragment, fragments: *fragments }
+    }
+
+    /// Whether the polygon covers the pixel of a leaf.
+    fn covers(&self, leaf: &Work) -> Signal {
+        let half = self.format.aperture() / 2;
+        if half == 0 {
+            return lit(1, 1);
+        }
+        // The spacing of samples is no longer wanted: what an edge function falls over a pixel.
+        let (polygon, window, matrix) = (&leaf.polygon, &leaf.window, self.format.matrix());
+        let fall = |fall: Signal, spacing: u32| {
+            let over_aperture = (fall.zext(EDGE) * u64::from(half)).trunc(EDGE);
+            (over_aperture >> spacing.trailing_zeros()).signed()
+        };
+        let margin = fall(polygon.fall_x, matrix.columns()) + fall(polygon.fall_y, matrix.rows());
+        net!(is_edge = numbers(polygon.last_edge.width(), self.format.edges()).le(polygon.last_edge));
+        net!(outside = (is_edge & (window.edges - margin).is_negative()).or_all());
+        net!(beyond = window.bounds.map(|reach| *reach - half).is_beyond());
+        !outside & !beyond
+    }
+}

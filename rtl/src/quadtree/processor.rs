@@ -1,0 +1,94 @@
+//! A video processor: everything between the broadcast polygons and the pixels of its sparse raster (MPG-ARCH, MPG-SPR).
+//!
+//! ```text
+//! packets ==>[ queue ]==>[ set-up ]==>[ raster processor ]==>[ pixel processor ]-->[ video buffer ]--> word
+//!                                                                                        ^
+//!                                                                           scan --------'
+//! ```
+
+use tilewright_blocks::StreamBlocks;
+
+use super::coverage_test::Test;
+use super::format::{Bounds, Format, Packet};
+use super::pixel::{PixelProcessor, PixelProcessorIn};
+use super::raster::{Form, RasterProcessor, RasterProcessorIn};
+use super::set_up::{SetUp, SetUpIn};
+use super::tally::Tally;
+use super::video_buffer::{Scan, VideoBuffer, VideoBufferIn};
+use crate::prelude::*;
+
+/// What the queues of a generator hold; each at least one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Queues {
+    /// Packets, where they come in from the geometry processor.
+    pub broadcast: u32,
+    /// Packets, before each video processor.
+    pub packets: u32,
+    /// Windows, before each unit of a pipe or tree.
+    pub windows: u32,
+}
+
+impl Queues {
+    /// The most that a queue holds.
+    pub const MOST: u32 = 4096;
+}
+
+block! {
+    /// Draws the pixels of polygons that are its own: every p-th of every q-th line.
+    pub struct VideoProcessor {
+        /// The generator that it is a part of.
+        pub format: Format,
+        /// What its raster processor is put together from.
+        pub form: Form,
+        /// How the edges are tested.
+        pub test: Test,
+        /// What the queues hold.
+        pub queues: Queues,
+    }
+    latency = "depends on the windows that the polygon covers";
+    source = "sparse-raster quadtree generator, figure 1 (MPG-ARCH, MPG-SPR)";
+    in(self) VideoProcessorIn {
+        /// Polygons.
+        packets: stream(Packet = self.format.packet()),
+        /// The outermost pixels of this video processor, with half the aperture beyond them; constants, [`Format::place_of`].
+        place: Bounds = self.format.place(),
+        /// Depth alone decides, and of equal depths the first drawn stays.
+        strict: bit(),
+        /// The bank that is drawn.
+        back: bit(),
+        /// A pixel of the other bank to send.
+        scan: Scan = VideoBuffer { format: self.format }.inputs().scan,
+    }
+    out(self) VideoProcessorOut {
+        /// The word sent.
+        word: bits(WORD),
+        /// Nothing is under way.
+        idle: bit(),
+        /// What the set-up did, and the raster processor on each level.
+        tally: [Tally = Tally::widths(); self.format.levels() + 1],
+        /// Fragments since the reset, modulo 2^32.
+        fragments: bits(32),
+    }
+}
+
+impl VideoProcessor {
+    fn build(&self, m: Module, i: VideoProcessorIn) -> VideoProcessorOut {
+        let VideoProcessor { format, test, queues, .. } = *self;
+        let packets = m.fifo("u_queue", queues.packets, i.packets);
+        let set_up = m.instance("u_set_up", &SetUp { format }, SetUpIn { packets, place: i.place });
+
+        let raster = RasterProcessor { format, form: self.form.clone(), test, queue: queues.windows };
+        let raster = m.instance("u_raster", &raster, RasterProcessorIn { roots: set_up.roots });
+        let pixel = PixelProcessorIn { leaves: raster.leaves };
+        let pixel = m.instance("u_pixel", &PixelProcessor { format }, pixel);
+        let buffer = VideoBufferIn { draw: pixel.fragment, strict: i.strict, back: i.back, scan: i.scan };
+        let buffer = m.instance("u_buffer", &VideoBuffer { format }, buffer);
+
+        // A fragment is in the pixel processor for a clock, and in the buffer for another.
+        let drawn = m.reg("drawn", bit()).reset(0);
+        drawn.next(pixel.fragment.valid);
+        let idle = set_up.idle & raster.idle & !pixel.fragment.valid & !drawn;
+        let tally = [set_up.tally].into_iter().chain(raster.tally).collect();
+        VideoProcessorOut { word: buffer.word, idle, tally, fragments: pixel.fragments }
+    }
+}

@@ -1,0 +1,211 @@
+//! The raster processor: its form, and the units that it is put together from (MPG-RP).
+//!
+//! ```text
+//! roots ===>[ stack, pipe or tree of some levels ]===>[ another ]===> .. ===> leaves
+//! ```
+//!
+//! The paper's general mix is a set-up unit, s stacks, a pipeline of p stages and a quadtree of t levels. Here parts of any of the three
+//! forms follow one another, and divide the levels among them; the set-up stands before them.
+
+use std::fmt;
+
+use super::coverage_test::Test;
+use super::format::{Format, Work};
+use super::pipe::{Pipe, PipeIn, PipeOut};
+use super::stack::{Stack, StackIn, StackOut};
+use super::tally::Tally;
+use super::tree::{Tree, TreeIn, TreeOut};
+use crate::prelude::*;
+
+/// A part of a raster processor, with the levels that it divides.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Part {
+    /// One unit and a stack.
+    Stack(u32),
+    /// A unit for each level.
+    Pipe(u32),
+    /// The quarters of a window side by side: 1, 5, 21 or 85 units for 1 to [`Part::MOST_TREE_LEVELS`] levels.
+    Tree(u32),
+}
+
+impl Part {
+    /// The most levels of a tree.
+    pub const MOST_TREE_LEVELS: u32 = 4;
+
+    /// The levels that it divides.
+    pub fn levels(self) -> u32 {
+        match self {
+            Part::Stack(levels) | Part::Pipe(levels) | Part::Tree(levels) => levels,
+        }
+    }
+
+    /// The same of so many levels.
+    fn with_levels(self, levels: u32) -> Part {
+        match self {
+            Part::Stack(_) => Part::Stack(levels),
+            Part::Pipe(_) => Part::Pipe(levels),
+            Part::Tree(_) => Part::Tree(levels),
+        }
+    }
+
+    fn word(self) -> &'static str {
+        match self {
+            Part::Stack(_) => "stack",
+            Part::Pipe(_) => "pipe",
+            Part::Tree(_) => "tree",
+        }
+    }
+}
+
+/// What a raster processor is put together from, in the order of a window's way: as text `stack:2+pipe:4+tree:1`, or `pipe` alone for
+/// all levels that there are.
+#[derive(Clone, PartialEq, Eq, Hash)]
+pub struct Form(Vec<Part>);
+
+impl Form {
+    /// The form of those parts, for a generator of that format.
+    ///
+    /// # Errors
+    ///
+    /// The parts do not divide as many levels as there are; one divides none; a tree divides more than 4.
+    pub fn new(parts: Vec<Part>, format: &Format) -> Result<Form, ParameterError> {
+        let form = Form(parts);
+        let levels: u32 = form.0.iter().map(|part| part.levels()).sum();
+        let problem = if levels != format.levels() {
+            let Screen { width, height } = format.screen();
+            let (p, q) = (format.matrix().columns(), format.matrix().rows());
+            let has = format.levels();
+            format!("it divides {levels} levels; {width}x{height} pixels on a matrix of {p}x{q} have {has}")
+        } else if form.0.iter().any(|part| part.levels() == 0) {
+            "each part has to divide at least one level".to_owned()
+        } else if form.0.iter().any(|part| matches!(part, Part::Tree(levels) if *levels > Part::MOST_TREE_LEVELS)) {
+            format!("a tree divides {} levels at most, and has 85 units then", Part::MOST_TREE_LEVELS)
+        } else {
+            return Ok(form);
+        };
+        Err(ParameterError(format!("the form `{form}`: {problem}")))
+    }
+
+    /// Its parts.
+    pub fn parts(&self) -> &[Part] {
+        &self.0
+    }
+}
+
+impl Form {
+    /// A form in words: `stack`, `pipe:3+tree:1` or `stack:2+pipe`. One part may leave its levels out, and has those that are left.
+    ///
+    /// # Errors
+    ///
+    /// It is no such text, or as in [`Form::new`].
+    pub fn parse(text: &str, format: &Format) -> Result<Form, ParameterError> {
+        let problem = |problem: &str| {
+            let help =
+                "a form is made of `stack`, `pipe` and `tree`, each with its levels, as in `stack:2+pipe:3+tree:1`";
+            ParameterError(format!("the form `{text}`: {problem}; {help}"))
+        };
+        let mut parts = Vec::new();
+        let mut open = None;
+        for word in text.split('+') {
+            let (word, levels) = word.split_once(':').map_or((word, None), |(word, levels)| (word, Some(levels)));
+            let levels = match levels.map(str::parse) {
+                Some(Ok(levels)) if levels <= format.levels() => levels,
+                Some(_) => return Err(problem(&format!("levels are a number from 1 to {}", format.levels()))),
+                None if open.replace(parts.len()).is_some() => {
+                    return Err(problem("only one part can have the levels that are left"));
+                }
+                None => 0,
+            };
+            parts.push(match word {
+                "stack" => Part::Stack(levels),
+                "pipe" => Part::Pipe(levels),
+                "tree" => Part::Tree(levels),
+                _ => return Err(problem(&format!("there is no part `{word}`"))),
+            });
+        }
+        if let Some(open) = open {
+            let given: u32 = parts.iter().map(|part| part.levels()).sum();
+            parts[open] = parts[open].with_levels(format.levels().saturating_sub(given));
+        }
+        Form::new(parts, format)
+    }
+}
+
+impl fmt::Display for Form {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (number, part) in self.0.iter().enumerate() {
+            let plus = if number > 0 { "+" } else { "" };
+            write!(f, "{plus}{}:{}", part.word(), part.levels())?;
+        }
+        Ok(())
+    }
+}
+
+/// As its text, with which the modules of a form are named.
+impl fmt::Debug for Form {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let words: Vec<String> = self.0.iter().map(|part| format!("{}{}", part.word(), part.levels())).collect();
+        write!(f, "{:?}", words.join("_"))
+    }
+}
+
+block! {
+    /// Finds the pixels of a polygon: divides the window of all samples until windows have one.
+    pub struct RasterProcessor {
+        /// The generator that it is a part of.
+        pub format: Format,
+        /// What it is put together from.
+        pub form: Form,
+        /// How the edges are tested.
+        pub test: Test,
+        /// The windows that the queue before each unit of a pipe or tree holds.
+        pub queue: u32,
+    }
+    latency = "depends on the windows that the polygon covers";
+    source = "sparse-raster quadtree generator, figure 1 (MPG-RP)";
+    in(self) RasterProcessorIn {
+        /// The window of all samples, for each polygon.
+        roots: stream(Work = self.format.work()),
+    }
+    out(self) RasterProcessorOut {
+        /// Windows of one sample.
+        leaves: stream(Work = self.format.work()),
+        /// No window is held.
+        idle: bit(),
+        /// What was done on each level, from the first.
+        tally: [Tally = Tally::widths(); self.format.levels()],
+    }
+}
+
+impl RasterProcessor {
+    fn build(&self, m: Module, i: RasterProcessorIn) -> RasterProcessorOut {
+        let RasterProcessor { format, test, queue, .. } = *self;
+        let (mut works, mut from) = (i.roots, format.levels());
+        let (mut idle, mut tally) = (lit(1, 1), Vec::new());
+        for (number, &part) in self.form.parts().iter().enumerate() {
+            let name = format!("u_{}{number}", part.word());
+            let divided = match part {
+                Part::Stack(levels) => {
+                    let stack = Stack { format, test, from, levels };
+                    let StackOut { leaves, idle, tally } = m.instance(&name, &stack, StackIn { works });
+                    (leaves, idle, tally)
+                }
+                Part::Pipe(levels) => {
+                    let pipe = Pipe { format, test, from, levels, queue };
+                    let PipeOut { leaves, idle, tally } = m.instance(&name, &pipe, PipeIn { works });
+                    (leaves, idle, tally)
+                }
+                Part::Tree(levels) => {
+                    let tree = Tree { format, test, from, levels, queue };
+                    let TreeOut { leaves, idle, tally } = m.instance(&name, &tree, TreeIn { works });
+                    (leaves, idle, tally)
+                }
+            };
+            works = divided.0;
+            idle &= divided.1;
+            tally.extend(divided.2);
+            from -= part.levels();
+        }
+        RasterProcessorOut { leaves: works, idle, tally }
+    }
+}

@@ -1,0 +1,119 @@
+//! The set-up of a video processor: a polygon of the whole screen becomes one of its own samples (MPG-RP, MPG-SPR).
+//!
+//! ```text
+//! packets ===> an edge and a plane a clock --> x at the place where the --> + --> roots
+//!                                              function is greatest
+//! ```
+//!
+//! The samples of video processor (i, j) are the pixels (p X + i, q Y + j). Its offset and spacing are folded into the functions: a slope of
+//! a pixel becomes one of p or q pixels, and the values are those for the window of all samples, the root of the quadtree: the greatest value of
+//! an edge function, how far the window reaches over each bound, and the planes at its upper left sample. The aperture makes the
+//! window wider by half of it on each side, and is folded in there, too (MPG-WIN).
+//!
+//! Latency and throughput: a packet takes as many clocks as it has edges, but at least 4, one for each plane. The root goes with the
+//! last of them, and waits for its receiver.
+
+use super::format::{Bounds, DISTANCE, EDGE, Format, Matrix, PLANE, PLANES, Packet, Polygon, SLOPE, Window, Work};
+use super::lanes::{lane_by_lane, numbers};
+use super::tally::Tally;
+use crate::prelude::*;
+
+block! {
+    /// Makes of a polygon the root window of one video processor.
+    pub struct SetUp {
+        /// The generator that it is a part of.
+        pub format: Format,
+    }
+    latency = "a polygon takes a clock for each edge, but at least 4";
+    source = "sparse-raster quadtree generator, figure 1 (MPG-RP, MPG-SPR, MPG-WIN)";
+    in(self) SetUpIn {
+        /// Polygons.
+        packets: stream(Packet = self.format.packet()),
+        /// The outermost pixels of this video processor, with half the aperture beyond them; constants, [`Format::place_of`].
+        place: Bounds = self.format.place(),
+    }
+    out(self) SetUpOut {
+        /// The window of all samples, for each polygon.
+        roots: stream(Work = self.format.work()),
+        /// There is no polygon.
+        idle: bit(),
+        /// What was done.
+        tally: Tally = Tally::widths(),
+    }
+}
+
+impl SetUp {
+    fn build(&self, m: Module, i: SetUpIn) -> SetUpOut {
+        let (matrix, place) = (self.format.matrix(), i.place);
+        let step = m.reg("step", below(Format::MAX_EDGES)).reset(0);
+        let Packet { last_edge, edges, planes, bounds } = i.packets.payload;
+        net!(works = i.packets.valid);
+        net!(is_last = step.ge(last_edge) & step.ge(PLANES - 1));
+
+        // An edge: its value in the corner where it is greatest, and its falls. Those beyond the last are 0, inside everywhere.
+        net!(a = edges.a.pick(*step));
+        net!(b = edges.b.pick(*step));
+        net!(right = !a.is_negative());
+        net!(lower = !b.is_negative());
+        let along = |slope: Signal, end: Signal| slope.times(end).sext(EDGE);
+        let at_x = along(a, mux(right, place.right, place.left));
+        let at_y = along(b, mux(lower, place.bottom, place.top));
+        net!(value = edges.c.pick(*step) + at_x + at_y);
+        net!(is_edge = numbers(last_edge.width(), self.format.edges()).le(last_edge));
+        let edge = |name: &str, value: Signal| {
+            let row = lane_by_lane(m, name, self.format.edges(), works, *step, value).row;
+            mux(is_edge, row, 0)
+        };
+        let fall = |slope: Signal, spacing: u32| {
+            let size = mux(slope.is_negative(), -slope, slope).bits().trunc(SLOPE - 1);
+            times_power_of_two(size.zext(SLOPE - 1 + spacing.trailing_zeros()), spacing)
+        };
+
+        // A plane: its value at the first sample, and what a sample adds.
+        let offset = |end: Signal| (end + self.format.aperture() / 2).bits().trunc(below(Matrix::MAX_SIDE));
+        let (column, line) = (offset(place.left), offset(place.top));
+        net!(plane_x = planes.x.pick(*step));
+        net!(plane_y = planes.y.pick(*step));
+        let times = |plane: Signal, offset: Signal| plane.times(offset).trunc(PLANE);
+        net!(plane = planes.origin.pick(*step) + times(plane_x, column) + times(plane_y, line));
+        let plane_row = |name: &str, value: Signal| lane_by_lane(m, name, PLANES, works, *step, value).row;
+
+        let reaches = |end: Signal, bound: Signal| end - bound.zext(DISTANCE).signed();
+        let root = Work {
+            polygon: Polygon {
+                last_edge,
+                fall_x: edge("fall_x", fall(a, matrix.columns())),
+                fall_y: edge("fall_y", fall(b, matrix.rows())),
+                right: edge("rights", right),
+                lower: edge("lowers", lower),
+                plane_x: plane_row("plane_xs", times_power_of_two(plane_x, matrix.columns())),
+                plane_y: plane_row("plane_ys", times_power_of_two(plane_y, matrix.rows())),
+            },
+            window: Window {
+                size: lit(up_to(self.format.levels()), self.format.levels().into()),
+                x: lit(self.format.levels(), 0),
+                y: lit(self.format.levels(), 0),
+                edges: edge("edges", value.bits()).signed(),
+                bounds: Bounds {
+                    left: reaches(place.right, bounds.left),
+                    top: reaches(place.bottom, bounds.top),
+                    right: -reaches(place.left, bounds.right),
+                    bottom: -reaches(place.top, bounds.bottom),
+                },
+                planes: plane_row("planes", plane),
+            },
+        };
+        let (roots, sent) = m.offer(works & is_last, root);
+        i.packets.take_when(is_last & roots.ready);
+        step.when(sent, 0).when(works & !is_last, step + 1);
+
+        net!(waits = works & is_last & !sent);
+        let tally = Tally::count(m, "set_up", Tally { busy: works & !waits, stalled: waits, results: sent });
+        SetUpOut { roots, idle: !works, tally }
+    }
+}
+
+/// Shifted left by the logarithm of a power of two.
+fn times_power_of_two(value: Signal, power: u32) -> Signal {
+    value << power.trailing_zeros()
+}

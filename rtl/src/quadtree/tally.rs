@@ -1,0 +1,38 @@
+//! What a unit counts of itself.
+
+use crate::prelude::*;
+
+bundle! {
+    /// What a unit did, in clocks since its reset and modulo 2^32. A clock in which it waits for work is not counted.
+    pub struct Tally<T> {
+        /// Clocks in which it worked.
+        pub busy: T,
+        /// Clocks in which it had a result that was not taken.
+        pub stalled: T,
+        /// Results.
+        pub results: T,
+    }
+}
+
+impl Tally<Width> {
+    /// The widths of the three counters.
+    pub fn widths() -> Tally<Width> {
+        Tally { busy: bits(32), stalled: bits(32), results: bits(32) }
+    }
+}
+
+impl Tally {
+    /// Counts the clocks in which each of the three is high.
+    pub(super) fn count(m: Module, name: &str, is: Tally) -> Tally {
+        let counter = |what: &str, is: Signal| {
+            let count = m.reg(&format!("{name}_{what}"), 32).reset(0);
+            count.when(is, count + 1);
+            *count
+        };
+        Tally {
+            busy: counter("busy", is.busy),
+            stalled: counter("stalled", is.stalled),
+            results: counter("results", is.results),
+        }
+    }
+}

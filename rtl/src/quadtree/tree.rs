@@ -1,0 +1,69 @@
+//! The raster processor's form with most hardware: the quarters of a window are divided side by side (MPG-RP, MPG-TREE).
+//!
+//! ```text
+//!                               .-- 0 -->[ tree ]--.
+//!         .-------.   .------.  +-- 1 -->[ tree ]--+
+//! works =>| queue |==>| test |=>|                  |==> leaves
+//!         '-------'   '------'  +-- 2 -->[ tree ]--+
+//!                               '-- 3 -->[ tree ]--'
+//! ```
+//!
+//! A tree of one level is its unit alone. Windows of one place always take the same way, so they stay in the order of their polygons.
+//!
+//! Latency and throughput: those of the first unit, unless the leaves, which come one after another, take longer.
+
+use tilewright_blocks::{StreamBlocks, Turns};
+
+use super::coverage_test::{CoverageTest, CoverageTestIn, CoverageTestOut, Test};
+use super::format::{Format, Work};
+use super::tally::Tally;
+use crate::prelude::*;
+
+block! {
+    /// Divides windows, and their quarters side by side.
+    pub struct Tree {
+        /// The generator that it is a part of.
+        pub format: Format,
+        /// How the edges are tested.
+        pub test: Test,
+        /// The size of the windows that come in: the binary logarithm of their side.
+        pub from: u32,
+        /// How often they are divided.
+        pub levels: u32,
+        /// The windows that the queue before each unit holds.
+        pub queue: u32,
+    }
+    latency = "the quarters of a window are divided at the same time";
+    source = "sparse-raster quadtree generator, figure 1 (MPG-RP, MPG-TREE)";
+    in(self) TreeIn {
+        /// Windows with their polygons.
+        works: stream(Work = self.format.work()),
+    }
+    out(self) TreeOut {
+        /// What is left of them when they are divided.
+        leaves: stream(Work = self.format.work()),
+        /// No window is held.
+        idle: bit(),
+        /// What was done on each level, by all units of it.
+        tally: [Tally = Tally::widths(); self.levels],
+    }
+}
+
+impl Tree {
+    fn build(&self, m: Module, i: TreeIn) -> TreeOut {
+        let Tree { format, test, from, levels, queue } = *self;
+        let works = m.fifo("u_queue", queue, i.works);
+        let unit = CoverageTest { format, test, from, sizes: 1 };
+        let CoverageTestOut { children, idle, mut tally } = m.instance("u_test", &unit, CoverageTestIn { works });
+        if levels == 1 {
+            return TreeOut { leaves: children, idle, tally };
+        }
+        let quarter = |work: &Work| cat![work.window.y.bit(from - 1), work.window.x.bit(from - 1)];
+        let quarters: [_; 4] = m.split_by(children, quarter);
+        let tree = Tree { from: from - 1, levels: levels - 1, ..*self };
+        let branches = m.array("u_branch", 4, &tree, |_| TreeIn { works: stack(quarters) });
+        tally.extend(branches.tally.iter().map(|unit| unit.map(|count| count.sum())));
+        let leaves = m.arbiter("u_arbiter", Turns::RoundRobin, branches.leaves.lanes());
+        TreeOut { leaves, idle: idle & branches.idle.and_all(), tally }
+    }
+}

@@ -1,0 +1,97 @@
+//! The video buffer of a video processor: its pixels of two frames, one that is drawn and one that is shown (MPG-ARCH).
+//!
+//! ```text
+//!           .-- bank 0 --.
+//! draw ---->|  a read,   |      nearer: write
+//!           |  a write   |
+//! scan ---->|-- bank 1 --|----> word
+//!           |            |      cleared: write
+//!           '------------'
+//! ```
+//!
+//! Each bank has one read and one write a clock, whose address is that of the clock before. In the bank that is drawn the read word is
+//! compared with the fragment, and the smaller one is kept, which is the nearer (facts E0); strictly, a fragment is kept if its
+//! depth alone is smaller, so that of equal ones the first stays. In the other bank the read word is sent, and [`empty`] is written where
+//! the picture is cleared for the next frame.
+//!
+//! Latency 2 clocks to draw, 1 to send; a fragment a clock, a word a clock.
+
+use super::format::Format;
+use super::pixel::Fragment;
+use crate::prelude::*;
+
+block! {
+    /// Holds the pixels of a video processor in two banks: keeps the nearer word in one, and sends those of the other.
+    pub struct VideoBuffer {
+        /// The generator that it is a part of.
+        pub format: Format,
+    }
+    latency = "2 clocks to draw, 1 clock to send";
+    source = "sparse-raster quadtree generator, figure 1 (MPG-ARCH)";
+    in(self) VideoBufferIn {
+        /// A pixel to draw.
+        draw: Fragment = Fragment {
+            valid: bit(),
+            x: below(self.format.columns()),
+            y: below(self.format.rows()),
+            word: bits(WORD),
+        },
+        /// Depth alone decides, and of equal depths the first drawn stays.
+        strict: bit(),
+        /// The bank that is drawn.
+        back: bit(),
+        /// A pixel of the other bank to send.
+        scan: pub struct Scan {
+            /// There is one; where it is low the word sent stays.
+            enable: bit(),
+            /// Its column among those of the video processor.
+            x: below(self.format.columns()),
+            /// Its line among those of the video processor.
+            y: below(self.format.rows()),
+            /// It is emptied.
+            clear: bit(),
+        },
+    }
+    out VideoBufferOut {
+        /// The word sent.
+        word: bits(WORD),
+    }
+}
+
+impl VideoBuffer {
+    fn build(&self, m: Module, i: VideoBufferIn) -> VideoBufferOut {
+        let address = |x: Signal, y: Signal| cat![y, x];
+        net!(drawn = address(i.draw.x, i.draw.y));
+        net!(shown = address(i.scan.x, i.scan.y));
+        let depth = self.format.rows() << below(self.format.columns()).bits();
+        let word = m.pipe_when(i.draw.valid, "drawn_word", i.draw.word);
+        let sent_of = m.pipe_when(i.scan.enable, "sent_of", !i.back);
+
+        let words = [0, 1].map(|number| {
+            let bank = m.memory(&format!("bank{number}"), depth, WORD, ReadUnderWrite::Any).fill(empty());
+            let name = |what: &str| format!("{what}{number}");
+            let is_back = i.back.eq(number).named(&name("is_back"));
+            let reads = mux(is_back, i.draw.valid, i.scan.enable).named(&name("reads"));
+            let at = mux(is_back, drawn, shown).named(&name("address"));
+            let read = bank.read_when(reads, at);
+
+            // What is written into that place a clock later; if that is read at the same edge, it is passed on.
+            let writes = m.reg(&name("writes"), bit()).reset(0);
+            writes.next(mux(is_back, i.draw.valid, i.scan.enable & i.scan.clear));
+            let draws = m.pipe_when(reads, &name("draws"), is_back);
+            let place = m.pipe_when(reads, &name("place"), at);
+            let passes = m.reg(&name("passes"), bit());
+            let passed = m.reg(&name("passed"), WORD);
+            let old = mux(passes, passed, read).named(&name("old"));
+            let depth_of = |word: Signal| word.slice(24..WORD);
+            let is_nearer = mux(i.strict, depth_of(word).lt(depth_of(old)), word.lt(old));
+            let written = mux(draws, word, !lit(WORD, 0));
+            let write = (writes & (!draws | is_nearer)).named(&name("write"));
+            bank.write(write, place, written);
+            passes.enable(reads).next(write & place.eq(at));
+            passed.enable(reads).next(written);
+            old
+        });
+        VideoBufferOut { word: mux(sent_of, words[1], words[0]) }
+    }
+}
