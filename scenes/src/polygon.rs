@@ -9,8 +9,8 @@ use crate::size::Size;
 
 /// Sets a polygon up for a screen of `size` pixels: in one packet if it can be, in none if there is nothing to draw.
 ///
-/// Vertices are as [`set_up`] takes them, in either direction round the polygon; each may stand in a line with its neighbours, or
-/// repeat one. A polygon of three is what [`set_up`] makes of it. Of more:
+/// Vertices are as [`set_up`](crate::set_up) takes them, in either direction round the polygon; each may stand in a line with its
+/// neighbours, or repeat one. A polygon of three is what `set_up` makes of it. Of more:
 ///
 /// - The packet has the planes of depth and colour through the first proper triangle of its fan, that is, of the triangles
 ///   (0, 1, 2), (0, 2, 3) and so on.

@@ -11,7 +11,7 @@ use std::f64::consts::PI;
 /// The most polygons per t_e: four tests on level 1, and one more for the window that passes (MPG-PMAX).
 pub const MAX_PERFORMANCE: f64 = 0.2;
 
-/// Processing elements of a full quadtree of levels 1 to m, one for each window: what has the same greatest performance (MPG-TREE).
+/// Processing elements of a full quadtree of levels 1 to `m`, below 32, one for each window: what has the same greatest performance (MPG-TREE).
 ///
 /// ```
 /// assert_eq!(tilewright_machines::quadtree::full_tree(10), 1_398_100);

@@ -41,7 +41,8 @@ impl Matrix {
     /// assert_eq!(Matrix::square(4, 10).mono(), Matrix::square(0, 10));
     /// ```
     pub fn mono(&self) -> Matrix {
-        let added = self.p.max(self.q).max(1).next_power_of_two().trailing_zeros();
+        let side = u64::from(self.p.max(self.q).max(1));
+        let added = side.next_power_of_two().trailing_zeros();
         Matrix { p: 1, q: 1, levels: self.levels + added, aperture: self.aperture }
     }
 
@@ -147,5 +148,7 @@ mod tests {
         }
         let wide = Matrix { p: 5, q: 3, levels: 6, aperture: (2, 4) };
         assert_eq!(wide.mono(), Matrix { p: 1, q: 1, levels: 9, aperture: (2, 4) });
+        // More than there can be, but no reason to panic.
+        assert_eq!(Matrix::square(40, 10).mono().levels, 32);
     }
 }

@@ -81,8 +81,8 @@ fn stages_are_clocks_of_windows() {
     }
 }
 
-/// MPG-EQ1 bounds what is counted, but for 1 % of small polygons' upper windows: the screen ends in the middle of a gap between
-/// windows, and polygons that lie on the screen as a whole are less often in that part of it.
+/// MPG-EQ1 bounds what is counted, but that small polygons have up to 1 % more of the upper windows of large matrices: one of the gaps
+/// between windows lies at the border of the screen, and polygons that are on the screen as a whole are there less often.
 #[test]
 fn windows_are_within_their_bounds() {
     for Point { matrix, sample, windows, bounds, .. } in
