@@ -1,6 +1,7 @@
 //! Whole rendering machines: programs, hardware, a scene, a frame.
 
 mod error;
+pub mod quadtree;
 mod run;
 pub mod vc1;
 

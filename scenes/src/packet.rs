@@ -65,7 +65,8 @@ pub struct Plane {
     pub origin: u64,
 }
 
-/// A rectangle of pixels; all four bounds belong to it.
+/// A rectangle of pixels; all four bounds belong to it. Of a polygon between the centres of two neighbouring columns it holds none:
+/// then `left` is `right + 1`; and so with rows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct PixelBox {
     /// Leftmost column.
@@ -79,6 +80,11 @@ pub struct PixelBox {
 }
 
 impl PixelBox {
+    /// Whether no pixel is in the box.
+    pub fn is_empty(&self) -> bool {
+        self.left > self.right || self.top > self.bottom
+    }
+
     /// Whether pixel (x, y) is in the box.
     pub fn contains(&self, x: u32, y: u32) -> bool {
         (self.left..=self.right).contains(&x) && (self.top..=self.bottom).contains(&y)

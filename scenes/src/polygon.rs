@@ -4,13 +4,13 @@
 //! that is convex, and whose vertices lie in one plane, is one packet; any other is a fan of triangles.
 
 use crate::packet::*;
-use crate::setup::{edge, pixel_bounds, planes, set_up, signed_area2};
+use crate::setup::{bounds_of_any_size, edge, pixel_bounds, planes, signed_area2, triangle};
 use crate::size::Size;
 
 /// Sets a polygon up for a screen of `size` pixels: in one packet if it can be, in none if there is nothing to draw.
 ///
-/// Vertices are as [`set_up`] takes them, in either direction round the polygon; each may stand in a line with its neighbours, or
-/// repeat one. A polygon of three is what [`set_up`] makes of it. Of more:
+/// Vertices are as [`set_up`](crate::set_up) takes them, in either direction round the polygon; each may stand in a line with its
+/// neighbours, or repeat one. A polygon of three is what `set_up` makes of it. Of more:
 ///
 /// - The packet has the planes of depth and colour through the first proper triangle of its fan, that is, of the triangles
 ///   (0, 1, 2), (0, 2, 3) and so on.
@@ -32,12 +32,37 @@ use crate::size::Size;
 /// assert_eq!(bent.iter().map(|packet| packet.edges.len()).collect::<Vec<_>>(), [3, 3]);
 /// ```
 pub fn set_up_polygon(vertices: &[ScreenVertex], size: Size) -> Vec<Polygon> {
+    packets(vertices, |part| pixel_bounds(part, size))
+}
+
+/// As [`set_up_polygon`], but of a polygon that is too small or too thin to enclose a pixel centre, too: its bounds then are empty
+/// ([`PixelBox::is_empty`]). There is nothing of it to draw, but what looks for its pixels has its work with it.
+///
+/// None are a polygon without area, and one before the screen's first centre along an axis, or behind its last.
+///
+/// ```
+/// use tilewright_scenes::{ScreenVertex, Size, set_up_polygon, set_up_polygon_of_any_size};
+///
+/// let size = Size::new(64, 64).unwrap();
+/// // Between the centres of columns 2 and 3, which are at 40 and 56 sixteenths.
+/// let thin = [(41, 0), (55, 0), (55, 100), (41, 100)].map(|(x, y)| ScreenVertex { x, y, z: 1, rgb: [0; 3] });
+/// assert!(set_up_polygon(&thin, size).is_empty());
+/// let packets = set_up_polygon_of_any_size(&thin, size);
+/// let bounds = packets[0].bounds;
+/// assert_eq!((bounds.left, bounds.right, bounds.top, bounds.bottom), (3, 2, 0, 5));
+/// ```
+pub fn set_up_polygon_of_any_size(vertices: &[ScreenVertex], size: Size) -> Vec<Polygon> {
+    packets(vertices, |part| bounds_of_any_size(part, size))
+}
+
+/// The packets of those parts of a polygon that have bounds.
+fn packets(vertices: &[ScreenVertex], bounds: impl Fn(&[ScreenVertex]) -> Option<PixelBox>) -> Vec<Polygon> {
     let round = positive(vertices);
     match flat(&round).filter(|_| vertices.len() > 3 && is_convex(&round)) {
-        None => fan(vertices).filter_map(|triangle| set_up(&triangle, size)).map(Polygon::from).collect(),
+        None => fan(vertices).filter_map(|part| triangle(&part, bounds(&part)?)).map(Polygon::from).collect(),
         Some((corners, proper)) => {
             let planes = planes(corners, proper);
-            parts(&round).filter_map(|part| packet(&part, planes, size)).collect()
+            parts(&round).filter_map(|part| packet(&part, planes, bounds(&part)?)).collect()
         }
     }
 }
@@ -59,12 +84,11 @@ fn parts(round: &[ScreenVertex]) -> impl Iterator<Item = Vec<ScreenVertex>> {
     })
 }
 
-/// The packet of a convex polygon that runs as positive areas do; `None` if it has no area, or no pixel centre along one of the axes.
-fn packet(round: &[ScreenVertex], (z, rgb): (Plane, [Plane; 3]), size: Size) -> Option<Polygon> {
+/// The packet of a convex polygon that runs as positive areas do; `None` if it has no area.
+fn packet(round: &[ScreenVertex], (z, rgb): (Plane, [Plane; 3]), bounds: PixelBox) -> Option<Polygon> {
     let area2 = fan(round).map(|triangle| signed_area2(&triangle)).sum();
-    let bounds = pixel_bounds(round, size).filter(|_| area2 > 0)?;
     let edges = sides(round).map(|(p, q)| edge(p, q)).collect();
-    Some(Polygon { edges, z, rgb, bounds, area2, polygon: 0 })
+    (area2 > 0).then_some(Polygon { edges, z, rgb, bounds, area2, polygon: 0 })
 }
 
 /// The triangles (0, 1, 2), (0, 2, 3) and so on.

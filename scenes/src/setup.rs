@@ -15,6 +15,11 @@ use crate::size::Size;
 /// Vertices are in 1/16 pixel and must lie in the guard band (16 bits signed) with depths between [`NEAREST_VERTEX`] and
 /// [`FARTHEST_VERTEX`]; [`crate::project`] sees to both.
 pub fn set_up(vertices: &[ScreenVertex; 3], size: Size) -> Option<Triangle> {
+    triangle(vertices, pixel_bounds(vertices, size)?)
+}
+
+/// The packet of a triangle within `bounds`; `None` if it has no area.
+pub(crate) fn triangle(vertices: &[ScreenVertex; 3], bounds: PixelBox) -> Option<Triangle> {
     let [v0, mut v1, mut v2] = *vertices;
     let mut area2 = signed_area2(vertices);
     if area2 == 0 {
@@ -23,7 +28,6 @@ pub fn set_up(vertices: &[ScreenVertex; 3], size: Size) -> Option<Triangle> {
     if area2 < 0 {
         (v1, v2, area2) = (v2, v1, -area2);
     }
-    let bounds = pixel_bounds(vertices, size)?;
     let edges = [edge(v0, v1), edge(v1, v2), edge(v2, v0)];
     let (z, rgb) = planes([v0, v1, v2], area2);
     Some(Triangle { edges, z, rgb, bounds, area2, polygon: 0 })
@@ -37,19 +41,26 @@ pub fn signed_area2(v: &[ScreenVertex; 3]) -> i64 {
 
 /// The pixels of the screen whose centres lie between the vertices along both axes, or `None` if there are none.
 pub fn pixel_bounds(v: &[ScreenVertex], size: Size) -> Option<PixelBox> {
+    bounds_of_any_size(v, size).filter(|bounds| !bounds.is_empty())
+}
+
+/// As [`pixel_bounds`], but empty along an axis where the vertices lie between two neighbouring centres of the screen. `None` if they
+/// lie before its first centre or behind its last.
+pub(crate) fn bounds_of_any_size(v: &[ScreenVertex], size: Size) -> Option<PixelBox> {
     let (left, right) = centres_between(v.iter().map(|v| v.x), size.width())?;
     let (top, bottom) = centres_between(v.iter().map(|v| v.y), size.height())?;
     Some(PixelBox { left, top, right, bottom })
 }
 
-/// First and last pixel of a row of `side` pixels whose centres (16*i + 8) lie between the least and the greatest position.
+/// First and last pixel of a row of `side` pixels whose centres (16*i + 8) lie between the least and the greatest position; the first
+/// is the last and 1 if both positions lie between two neighbours.
 fn centres_between(positions: impl Iterator<Item = i32> + Clone, side: u32) -> Option<(u32, u32)> {
     let (least, greatest) = (positions.clone().min()?, positions.max()?);
     let half = i64::from(SUBPIXELS / 2);
     let sub = i64::from(SUBPIXELS);
     let first = (i64::from(least) - half + sub - 1).div_euclid(sub).max(0);
     let last = (i64::from(greatest) - half).div_euclid(sub).min(i64::from(side) - 1);
-    (first <= last).then_some((first as u32, last as u32))
+    (first < i64::from(side) && last >= 0).then_some((first as u32, last as u32))
 }
 
 /// The reduced edge function from `p` to `q` (DES-EDGE).

@@ -4,7 +4,10 @@ mod oracle;
 
 use proptest::prelude::*;
 use tilewright_scenes::packet::{FARTHEST_VERTEX, MOST_EDGES, NEAREST_VERTEX};
-use tilewright_scenes::{Polygon, ScreenVertex, Size, frame, golden, set_up, set_up_polygon, signed_area2};
+use tilewright_scenes::{
+    PixelBox, Polygon, ScreenVertex, Size, frame, golden, set_up, set_up_polygon, set_up_polygon_of_any_size,
+    signed_area2,
+};
 
 const SIDE: u32 = 40;
 
@@ -167,6 +170,49 @@ proptest! {
         let expected: Vec<Polygon> = set_up(&vertices, screen()).map(Polygon::from).into_iter().collect();
         prop_assert_eq!(set_up_polygon(&vertices, screen()), expected);
     }
+
+    /// Those that enclose no centre come on top of the others, in empty bounds that no neighbour's centre is between.
+    #[test]
+    fn of_any_size_are_those_with_centres_and_empty_ones(vertices in proptest::collection::vec(small(), 3..7)) {
+        let all = set_up_polygon_of_any_size(&vertices, screen());
+        for PixelBox { left, top, right, bottom } in all.iter().map(|packet| packet.bounds) {
+            prop_assert!(left < SIDE && left <= right + 1 && right < SIDE, "{} to {}", left, right);
+            prop_assert!(top < SIDE && top <= bottom + 1 && bottom < SIDE, "{} to {}", top, bottom);
+        }
+        let (empty, full): (Vec<_>, Vec<_>) = all.into_iter().partition(|packet| packet.bounds.is_empty());
+        prop_assert_eq!(full, set_up_polygon(&vertices, screen()));
+        prop_assert!(pixels().all(|(x, y)| times(&empty, x, y) == 0));
+    }
+}
+
+/// Vertices of polygons of a pixel or so, on the screen and at its borders.
+fn small() -> impl Strategy<Value = ScreenVertex> {
+    let border = 16 * SIDE as i32;
+    let position = || prop_oneof![300..320, -24..12, border - 12..border + 24];
+    (position(), position(), 1..3u32).prop_map(|(x, y, z)| ScreenVertex { x, y, z, rgb: [0; 3] })
+}
+
+#[test]
+fn bounds_between_centres_are_empty_along_that_axis() {
+    let bounds = |x: [i32; 2], y: [i32; 2]| {
+        let at = |x, y| ScreenVertex { x, y, z: 1, rgb: [0; 3] };
+        let corners = [at(x[0], y[0]), at(x[1], y[0]), at(x[1], y[1]), at(x[0], y[1])];
+        let packets = set_up_polygon_of_any_size(&corners, screen());
+        packets.iter().map(|packet| packet.bounds).collect::<Vec<_>>()
+    };
+    let only = |left, right, top, bottom| vec![PixelBox { left, top, right, bottom }];
+    // Centres are at 8, 24, 40, 56 .. 632.
+    assert_eq!(bounds([25, 39], [25, 39]), only(2, 1, 2, 1));
+    assert_eq!(bounds([24, 39], [25, 40]), only(1, 1, 2, 2));
+    assert_eq!(bounds([9, 57], [25, 39]), only(1, 3, 2, 1));
+    assert_eq!(bounds([9, 57], [30, 30]), [], "no area");
+    // Before the first centre and behind the last there is nothing between two centres of the screen.
+    assert_eq!(bounds([0, 7], [25, 39]), []);
+    assert_eq!(bounds([0, 8], [25, 39]), only(0, 0, 2, 1));
+    assert_eq!(bounds([633, 640], [25, 39]), []);
+    assert_eq!(bounds([632, 640], [25, 39]), only(39, 39, 2, 1));
+    assert_eq!(bounds([25, 39], [-90, -80]), []);
+    assert_eq!(bounds([25, 39], [700, 710]), []);
 }
 
 fn at(x: i32, y: i32, z: u32) -> ScreenVertex {

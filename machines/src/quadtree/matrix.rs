@@ -1,0 +1,154 @@
+//! A matrix of video processors: its sizes, and those of its windows.
+//!
+//! Source: MPG-WIN, MPG-EQ2, MPG-SPR.
+
+use serde::Serialize;
+use tilewright_rtl::parameter::ParameterError;
+use tilewright_scenes::MAX_SIDE;
+
+/// A matrix of `p` x `q` video processors. Processor (i, j) has the pixels (pX + i, qY + j), X and Y below 2^n (MPG-SPR).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+pub struct Matrix {
+    /// Processors in a row, p.
+    pub p: u32,
+    /// Rows of processors, q.
+    pub q: u32,
+    /// Levels of division, n: 2^n x 2^n pixels are a processor's.
+    pub levels: u32,
+    /// Width and height of the filter's aperture in pixels, a and b; a formula takes any, the count of windows even ones.
+    pub aperture: (u32, u32),
+}
+
+impl Matrix {
+    /// 2^k x 2^k processors for 2^m x 2^m pixels, with an aperture of 2x2. The paper has k = 0 to 4 and m = 10.
+    ///
+    /// ```
+    /// use tilewright_machines::quadtree::Matrix;
+    ///
+    /// assert_eq!(Matrix::square(2, 10), Matrix { p: 4, q: 4, levels: 8, aperture: (2, 2) });
+    /// ```
+    pub fn square(k: u32, m: u32) -> Matrix {
+        let side = 1_u32.checked_shl(k).unwrap_or(u32::MAX);
+        Matrix { p: side, q: side, levels: m.saturating_sub(k), aperture: (2, 2) }
+    }
+
+    /// One processor for the same pixels: what efficiencies compare with. Of another than a square matrix of a power of two it has
+    /// the smallest square that contains its pixels.
+    ///
+    /// ```
+    /// use tilewright_machines::quadtree::Matrix;
+    ///
+    /// assert_eq!(Matrix::square(4, 10).mono(), Matrix::square(0, 10));
+    /// ```
+    pub fn mono(&self) -> Matrix {
+        let side = u64::from(self.p.max(self.q).max(1));
+        let added = side.next_power_of_two().trailing_zeros();
+        Matrix { p: 1, q: 1, levels: self.levels + added, aperture: self.aperture }
+    }
+
+    /// Processors, pq.
+    pub fn processors(&self) -> u64 {
+        u64::from(self.p) * u64::from(self.q)
+    }
+
+    /// Stages of all processors if each is a pipeline with a stage a level: n pq.
+    pub fn stages(&self) -> u64 {
+        u64::from(self.levels) * self.processors()
+    }
+
+    /// From a window of `level`, 0 to n, to its neighbour, in pixels along x and y (MPG-WIN).
+    ///
+    /// ```
+    /// use tilewright_machines::quadtree::Matrix;
+    ///
+    /// let matrix = Matrix::square(2, 10);
+    /// assert_eq!([7, 8].map(|level| matrix.spacing(level)), [(8, 8), (4, 4)]);
+    /// assert_eq!([7, 8].map(|level| matrix.window(level)), [(6, 6), (2, 2)]);
+    /// ```
+    pub fn spacing(&self, level: u32) -> (u32, u32) {
+        let samples = 1 << (self.levels - level);
+        (self.p * samples, self.q * samples)
+    }
+
+    /// Width and height of a window of `level`, 0 to n, in pixels: from its first sample to its last, and the aperture (MPG-WIN).
+    pub fn window(&self, level: u32) -> (u32, u32) {
+        let (x, y) = self.spacing(level);
+        (x - self.p + self.aperture.0, y - self.q + self.aperture.1)
+    }
+
+    /// Checks that windows can be counted: there are processors and levels, the pixels are at most 2048x2048, the aperture is even.
+    ///
+    /// # Errors
+    /// It says which rule is broken.
+    ///
+    /// ```
+    /// use tilewright_machines::quadtree::Matrix;
+    ///
+    /// assert!(Matrix::square(4, 10).check().is_ok());
+    /// let problem = Matrix { aperture: (2, 3), ..Matrix::square(1, 10) }.check().unwrap_err();
+    /// assert_eq!(problem.to_string(), "an aperture of 2x3 pixels: its sides have to be even, from 0 to 2048");
+    /// ```
+    pub fn check(&self) -> Result<(), ParameterError> {
+        let Matrix { p, q, levels, aperture: (a, b) } = *self;
+        let side = |processors: u32| u64::from(processors) << levels.min(32);
+        let is_side = |aperture: u32| aperture.is_multiple_of(2) && aperture <= MAX_SIDE;
+        let problem = if p == 0 || q == 0 {
+            format!("a matrix of {p}x{q} video processors: it has to have at least 1x1")
+        } else if levels == 0 {
+            "a matrix whose windows are divided 0 times: it has to have at least 1 level".to_owned()
+        } else if side(p).max(side(q)) > MAX_SIDE.into() {
+            format!(
+                "a matrix of {p}x{q} video processors of {levels} levels, which is {}x{} pixels: they may be up to \
+                 {MAX_SIDE}x{MAX_SIDE}",
+                side(p),
+                side(q)
+            )
+        } else if !is_side(a) || !is_side(b) {
+            format!("an aperture of {a}x{b} pixels: its sides have to be even, from 0 to {MAX_SIDE}")
+        } else {
+            return Ok(());
+        };
+        Err(ParameterError(problem))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_impossible_matrix_has_its_sentence() {
+        let sentence = |matrix: Matrix| matrix.check().expect_err("impossible").to_string();
+        let possible = Matrix::square(1, 10);
+        assert_eq!(
+            sentence(Matrix { q: 0, ..possible }),
+            "a matrix of 2x0 video processors: it has to have at least 1x1"
+        );
+        assert_eq!(
+            sentence(Matrix { levels: 0, ..possible }),
+            "a matrix whose windows are divided 0 times: it has to have at least 1 level"
+        );
+        assert_eq!(
+            sentence(Matrix { p: 3, levels: 10, ..possible }),
+            "a matrix of 3x2 video processors of 10 levels, which is 3072x2048 pixels: they may be up to 2048x2048"
+        );
+        assert_eq!(
+            sentence(Matrix { aperture: (1, 2), ..possible }),
+            "an aperture of 1x2 pixels: its sides have to be even, from 0 to 2048"
+        );
+        assert!(sentence(Matrix { levels: u32::MAX, ..possible }).ends_with("they may be up to 2048x2048"));
+        assert!(Matrix { p: 5, q: 8, levels: 8, aperture: (0, 4) }.check().is_ok());
+    }
+
+    /// A processor for the same pixels has as many levels as the whole matrix.
+    #[test]
+    fn one_processor_has_the_pixels_of_the_matrix() {
+        for k in 0..5 {
+            assert_eq!(Matrix::square(k, 10).mono(), Matrix::square(0, 10));
+        }
+        let wide = Matrix { p: 5, q: 3, levels: 6, aperture: (2, 4) };
+        assert_eq!(wide.mono(), Matrix { p: 1, q: 1, levels: 9, aperture: (2, 4) });
+        // More than there can be, but no reason to panic.
+        assert_eq!(Matrix::square(40, 10).mono().levels, 32);
+    }
+}

@@ -1,0 +1,112 @@
+//! Sums over the rectangles of a sample, in integers, and the means that follow.
+
+use super::super::matrix::Matrix;
+use super::super::stages::Stages;
+use super::super::windows::Search;
+use super::{Costs, EDGES, PARAMETERS, TestUnit};
+use serde::Serialize;
+use tilewright_scenes::Polygon;
+use tilewright_scenes::packet::SUBPIXELS;
+
+/// A mean over rectangles, and how far it may be off.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Mean {
+    /// The mean.
+    pub mean: f64,
+    /// Its standard error; 0 of a single rectangle.
+    pub error: f64,
+}
+
+/// A number of each rectangle, summed.
+#[derive(Clone, Copy, Default)]
+struct Sum {
+    of_values: u128,
+    of_squares: u128,
+}
+
+impl Sum {
+    fn add(&mut self, other: Sum) {
+        self.of_values += other.of_values;
+        self.of_squares += other.of_squares;
+    }
+
+    /// Over `count` rectangles, in parts of `unit`.
+    fn mean(self, count: u64, unit: f64) -> Mean {
+        let (values, squares, count) = (self.of_values as f64, self.of_squares as f64, count as f64);
+        let mean = values / count;
+        let variance = (squares / count - mean * mean).max(0.0);
+        Mean { mean: mean / unit, error: (variance / (count - 1.0).max(1.0)).sqrt() / unit }
+    }
+}
+
+impl From<u64> for Sum {
+    fn from(value: u64) -> Sum {
+        let value = u128::from(value);
+        Sum { of_values: value, of_squares: value * value }
+    }
+}
+
+/// What a matrix' processors together have counted.
+pub(super) struct Tally {
+    polygons: u64,
+    doubled_areas: u64,
+    /// By level, from 0 to n.
+    windows: Vec<Sum>,
+    fragments: Sum,
+    /// Clocks by level, from 1 to n.
+    busy: Vec<u64>,
+}
+
+impl Tally {
+    pub(super) fn none(levels: u32) -> Tally {
+        let levels = levels as usize;
+        let windows = vec![Sum::default(); levels + 1];
+        Tally { polygons: 0, doubled_areas: 0, windows, fragments: Sum::default(), busy: vec![0; levels] }
+    }
+
+    /// Counts what the processors do with a rectangle.
+    pub(super) fn count(&mut self, search: &Search, packet: &Polygon) {
+        let windows = search.all_windows(packet);
+        self.polygons += 1;
+        self.doubled_areas += packet.area2.unsigned_abs();
+        self.windows.iter_mut().zip(&windows.passed).for_each(|(sum, &passed)| sum.add(passed.into()));
+        self.fragments.add(windows.fragments.into());
+        let busy = windows.busy(Costs::new(TestUnit::Serial, EDGES, PARAMETERS));
+        self.busy.iter_mut().zip(busy).for_each(|(sum, clocks)| *sum += clocks);
+    }
+
+    /// Adds what another thread has counted.
+    pub(super) fn add(&mut self, other: &Tally) {
+        self.polygons += other.polygons;
+        self.doubled_areas += other.doubled_areas;
+        self.windows.iter_mut().zip(&other.windows).for_each(|(sum, &windows)| sum.add(windows));
+        self.fragments.add(other.fragments);
+        self.busy.iter_mut().zip(&other.busy).for_each(|(sum, clocks)| *sum += clocks);
+    }
+
+    /// The rectangles' mean area in pixels.
+    pub(super) fn area(&self) -> f64 {
+        self.doubled_areas as f64 / (self.polygons as f64 * f64::from(2 * SUBPIXELS * SUBPIXELS))
+    }
+
+    /// Windows of each level, from 0 to n, in one processor.
+    pub(super) fn windows(&self, matrix: &Matrix) -> Vec<Mean> {
+        self.windows.iter().map(|sum| self.mean(*sum, matrix)).collect()
+    }
+
+    /// Covered pixels in one processor.
+    pub(super) fn fragments(&self, matrix: &Matrix) -> Mean {
+        self.mean(self.fragments, matrix)
+    }
+
+    fn mean(&self, sum: Sum, matrix: &Matrix) -> Mean {
+        sum.mean(self.polygons, matrix.processors() as f64)
+    }
+
+    /// The times of each level in one processor, in tests of a serial unit.
+    pub(super) fn stages(&self, matrix: &Matrix) -> Stages {
+        let tests = Costs::new(TestUnit::Serial, EDGES, PARAMETERS).test * matrix.processors();
+        let unit = self.polygons as f64 * tests as f64;
+        Stages::new(self.busy.iter().map(|clocks| *clocks as f64 / unit).collect())
+    }
+}

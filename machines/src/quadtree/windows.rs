@@ -1,0 +1,212 @@
+//! How many windows a packet generates in a video processor: the plain model of what the hardware counts.
+//!
+//! Source: MPG-WIN, MPG-EQ5; facts B and E2 (the test of edges and of bounds). A window of level l is a square of 2^(n-l) x 2^(n-l)
+//! samples of the processor's raster; its extent are the pixels from its first sample to its last, and half of the aperture on
+//! each side. It passes if each edge function is at least 0 somewhere in the extent, and if the extent meets the packet's
+//! bounds along both axes. Products are formed directly, with no increments, so that it can be checked by reading.
+
+use super::matrix::Matrix;
+use serde::Serialize;
+use std::ops::AddAssign;
+use tilewright_rtl::parameter::ParameterError;
+use tilewright_scenes::{Edge, Packet, PixelBox};
+
+/// What coverage-test units have to do with an edge.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum TestUnit {
+    /// One adder: a test takes a clock for each edge.
+    Serial,
+    /// An adder for each edge: a test takes one clock.
+    Parallel,
+}
+
+/// What tests and windows cost, in clocks (MPG-EQ5).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+pub struct Costs {
+    /// A coverage test of one subwindow, t_e.
+    pub test: u64,
+    /// Each window that passes, t_e kp/ke: a clock for each parameter of the surface.
+    pub window: u64,
+}
+
+impl Costs {
+    /// Those of a polygon of ke `edges` and kp `parameters`; depth and three colours are 4.
+    ///
+    /// ```
+    /// use tilewright_machines::quadtree::{Costs, TestUnit};
+    ///
+    /// assert_eq!(Costs::new(TestUnit::Serial, 4, 4), Costs { test: 4, window: 4 });
+    /// assert_eq!(Costs::new(TestUnit::Parallel, 4, 4), Costs { test: 1, window: 4 });
+    /// ```
+    pub fn new(unit: TestUnit, edges: u64, parameters: u64) -> Costs {
+        let test = match unit {
+            TestUnit::Serial => edges,
+            TestUnit::Parallel => 1,
+        };
+        Costs { test, window: parameters }
+    }
+}
+
+/// Windows that have been counted, of one packet in one processor or of many.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Windows {
+    /// Windows that passed, by level from 0 to n; the root passes without a test.
+    pub passed: Vec<u64>,
+    /// Pixels that are covered: windows of level n that pass the exact test, without an aperture.
+    pub fragments: u64,
+}
+
+impl Windows {
+    /// None yet, of a matrix of so many `levels`.
+    pub fn none(levels: u32) -> Windows {
+        Windows { passed: vec![0; levels as usize + 1], fragments: 0 }
+    }
+
+    /// Coverage tests of each level, from level 1 to n: four for each window of the level above.
+    pub fn tests(&self) -> impl Iterator<Item = u64> {
+        self.passed.iter().rev().skip(1).rev().map(|windows| 4 * windows)
+    }
+
+    /// Busy clocks of each level, from level 1 to n: its tests, and the windows that pass (MPG-EQ5).
+    pub fn busy(&self, costs: Costs) -> impl Iterator<Item = u64> {
+        self.tests().zip(&self.passed[1..]).map(move |(tests, passed)| tests * costs.test + passed * costs.window)
+    }
+}
+
+impl AddAssign<&Windows> for Windows {
+    fn add_assign(&mut self, other: &Windows) {
+        self.passed.iter_mut().zip(&other.passed).for_each(|(sum, windows)| *sum += windows);
+        self.fragments += other.fragments;
+    }
+}
+
+/// The recursive search of a matrix' processors for the pixels of packets.
+///
+/// ```
+/// use tilewright_machines::quadtree::{Costs, Matrix, Search, TestUnit};
+/// use tilewright_scenes::{ScreenVertex, Size, set_up};
+///
+/// // The upper left half of the square of pixels 2 to 5, in the processor of even columns and rows of 8x8 pixels.
+/// let at = |x: i32, y: i32| ScreenVertex { x: 16 * x, y: 16 * y, z: 1, rgb: [0; 3] };
+/// let packet = set_up(&[at(2, 2), at(6, 2), at(2, 6)], Size::new(8, 8)?).unwrap();
+/// let search = Search::new(Matrix { p: 2, q: 2, levels: 2, aperture: (0, 0) })?;
+/// let windows = search.windows(&packet, (0, 0));
+/// // Three of the four quarters, and of each one sample: pixels (2, 2), (4, 2) and (2, 4).
+/// assert_eq!((windows.passed.as_slice(), windows.fragments), (&[1, 3, 3][..], 3));
+/// assert_eq!(windows.tests().collect::<Vec<_>>(), [4, 12]);
+/// let busy = windows.busy(Costs::new(TestUnit::Serial, 3, 4));
+/// assert_eq!(busy.collect::<Vec<_>>(), [4 * 3 + 3 * 4, 12 * 3 + 3 * 4]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Search {
+    matrix: Matrix,
+}
+
+impl Search {
+    /// The search of a matrix' processors.
+    ///
+    /// # Errors
+    /// As [`Matrix::check`].
+    pub fn new(matrix: Matrix) -> Result<Search, ParameterError> {
+        matrix.check().map(|()| Search { matrix })
+    }
+
+    /// The matrix.
+    pub fn matrix(&self) -> &Matrix {
+        &self.matrix
+    }
+
+    /// All processors, row by row.
+    pub fn processors(&self) -> impl Iterator<Item = (u32, u32)> + use<> {
+        let Matrix { p, q, .. } = self.matrix;
+        (0..q).flat_map(move |j| (0..p).map(move |i| (i, j)))
+    }
+
+    /// The windows of `packet` in processor (i, j), i below p and j below q.
+    pub fn windows<E: AsRef<[Edge]>>(&self, packet: &Packet<E>, processor: (u32, u32)) -> Windows {
+        let mut windows = Windows::none(self.matrix.levels);
+        self.add_windows(packet, processor, &mut windows);
+        windows
+    }
+
+    /// The windows of `packet` in all processors together.
+    pub fn all_windows<E: AsRef<[Edge]>>(&self, packet: &Packet<E>) -> Windows {
+        let mut windows = Windows::none(self.matrix.levels);
+        self.processors().for_each(|processor| self.add_windows(packet, processor, &mut windows));
+        windows
+    }
+
+    fn add_windows<E: AsRef<[Edge]>>(&self, packet: &Packet<E>, (i, j): (u32, u32), counted: &mut Windows) {
+        let division = Division { matrix: &self.matrix, edges: packet.edges.as_ref(), bounds: packet.bounds };
+        division.divide(0, i.into(), j.into(), counted);
+    }
+}
+
+/// The division of one packet's windows.
+struct Division<'a> {
+    matrix: &'a Matrix,
+    edges: &'a [Edge],
+    bounds: PixelBox,
+}
+
+impl Division<'_> {
+    /// Counts a window of `level`, which has passed and whose first sample is pixel (x, y), and what is in it.
+    fn divide(&self, level: u32, x: i64, y: i64, counted: &mut Windows) {
+        counted.passed[level as usize] += 1;
+        if level == self.matrix.levels {
+            counted.fragments += u64::from(self.passes(Extent { x, y, width: 0, height: 0, aperture: (0, 0) }));
+            return;
+        }
+        let (width, height) = self.matrix.spacing(level + 1);
+        for (dx, dy) in [(0, 0), (width, 0), (0, height), (width, height)] {
+            let (x, y) = (x + i64::from(dx), y + i64::from(dy));
+            let samples = (i64::from(width - self.matrix.p), i64::from(height - self.matrix.q));
+            if self.passes(Extent { x, y, width: samples.0, height: samples.1, aperture: self.matrix.aperture }) {
+                self.divide(level + 1, x, y, counted);
+            }
+        }
+    }
+
+    /// The coverage test: whether no edge, and none of the bounds, has the whole extent outside.
+    fn passes(&self, extent: Extent) -> bool {
+        extent.meets(self.bounds) && self.edges.iter().all(|edge| extent.greatest(edge) >= 0)
+    }
+}
+
+/// The pixels of a window.
+#[derive(Clone, Copy)]
+struct Extent {
+    /// The first sample's.
+    x: i64,
+    y: i64,
+    /// To the last sample's.
+    width: i64,
+    height: i64,
+    /// Half of it is outside of the samples on each side.
+    aperture: (u32, u32),
+}
+
+impl Extent {
+    /// The greatest value of an edge function over the extent: at the corner that the signs of its steps choose.
+    fn greatest(&self, edge: &Edge) -> i64 {
+        let (a, b) = (i64::from(edge.a), i64::from(edge.b));
+        let at_corner = a * self.x + a.max(0) * self.width + b * self.y + b.max(0) * self.height + i64::from(edge.c);
+        at_corner + (a.abs() * i64::from(self.aperture.0) + b.abs() * i64::from(self.aperture.1)) / 2
+    }
+
+    /// Whether the extent meets the bounds along both axes. Empty bounds are a line between two pixels, which an extent that has
+    /// both of them meets.
+    fn meets(&self, bounds: PixelBox) -> bool {
+        let meets = |first: i64, length: i64, aperture: u32, least: u32, greatest: u32| {
+            let grown = i64::from(aperture / 2);
+            first + length + grown >= least.into() && first - grown <= greatest.into()
+        };
+        meets(self.x, self.width, self.aperture.0, bounds.left, bounds.right)
+            && meets(self.y, self.height, self.aperture.1, bounds.top, bounds.bottom)
+    }
+}
+
+#[cfg(test)]
+mod tests;
