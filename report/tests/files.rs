@@ -125,9 +125,8 @@ fn texts<'a>(value: &'a Value, found: &mut Vec<&'a str>) {
 #[test]
 fn the_number_that_differs_is_on_the_page() {
     let curve = |wrong: f64| (0..40).map(move |x| (format!("x = {x}"), if x == 30 { wrong } else { 500.0 }));
-    let statement = Statement::new("F1", "All are equal.", Rule::Equals)
-        .formula(curve(612.5))
-        .found(Origin::rtl([]), curve(643.5));
+    let statement =
+        Statement::new("F1", "All are equal.", Rule::Equals).formula(curve(612.5)).found(Origin::rtl([]), curve(643.5));
     let table = Verdicts::new("verdicts", "Statements").state(statement);
     let page =
         Page::new("Many", Provenance::new("program", "1.2.3", "program")).section(Section::new("One").part(table));
