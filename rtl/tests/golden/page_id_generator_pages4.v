@@ -45,7 +45,7 @@ module page_id_generator_pages4 (
 
 `ifdef FORMAL
     always @(posedge clk) begin
-        if (!rst) assert (!take | !exhausted);                       // rtl/src/lfb/page_id_generator.rs:44
+        if (!rst) assume (!take | !exhausted);                       // rtl/src/lfb/page_id_generator.rs:44
         if (!rst) assert (!has_past | (!restart_past | (used == 3'd0))); // rtl/src/lfb/page_id_generator.rs:46
         if (!rst) cover (has_past & (exhausted & !exhausted_past));  // rtl/src/lfb/page_id_generator.rs:47
     end
@@ -55,7 +55,7 @@ module page_id_generator_pages4 (
     initial is_covered = 1'b0;
     always @(posedge clk) begin
         if (!rst && !(!take | !exhausted)) begin                     // rtl/src/lfb/page_id_generator.rs:44
-            $display("FAIL: time %0t: %m: a page is taken only while one is free", $time);
+            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a page is taken only while one is free", $time);
             $stop;
         end
         if (!rst && !(!has_past | (!restart_past | (used == 3'd0)))) begin // rtl/src/lfb/page_id_generator.rs:46
