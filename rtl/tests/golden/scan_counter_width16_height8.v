@@ -65,13 +65,13 @@ module scan_counter_width16_height8 (
     assign pixel_x = x;
     assign pixel_y = y;
 
+`ifndef SYNTHESIS
 `ifdef FORMAL
     always @(posedge clk) begin
         if (!rst) cover (frame_end & (pass == PASS_FRAME));          // rtl/src/lfb/scan_counter.rs:83
         if (!rst) assert (pass <= PASS_AFTER);                       // rtl/src/lfb/scan_counter.rs:78
     end
 `else
-`ifndef SYNTHESIS
     reg is_covered;
     initial is_covered = 1'b0;
     always @(posedge clk) begin
