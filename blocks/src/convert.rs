@@ -1,6 +1,6 @@
 //! Streams of another width.
 
-use crate::ports::{StreamIn, StreamOut};
+use crate::ports::{StreamIn, StreamOut, state_that_it_stays};
 use tilewright_hdl::{Module, below, bit, bits, block, case, concat, mux, stream};
 
 block! {
@@ -129,6 +129,7 @@ impl Widen {
         }
         part.when(into.taken, mux(at_end, 0, part + 1));
         full.when(into.taken & at_end, 1).when(sent, 0);
+        state_that_it_stays(m, &out);
         StreamOut { out }
     }
 }

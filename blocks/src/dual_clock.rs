@@ -1,6 +1,6 @@
 //! A queue from one clock to another.
 
-use crate::ports::{StreamIn, StreamOut};
+use crate::ports::{StreamIn, StreamOut, state_that_it_stays};
 use tilewright_hdl::ir::About;
 use tilewright_hdl::{Block, Clock, Module, ReadUnderWrite, Signal, Width, bit, bits, concat, net, stream};
 
@@ -126,7 +126,9 @@ impl Block for DualClockFifo {
         net!(filled = gray(next_oldest).ne(seen_free));
         shown.next(filled);
         let word = words.on(self.read).read_when(filled, next_oldest.trunc(address));
-        StreamOut { out: out.with(word) }
+        let out = out.with(word);
+        state_that_it_stays(read, &out);
+        StreamOut { out }
     }
 
     fn about(&self) -> About {

@@ -10,7 +10,7 @@
 //! It has a word a clock, and `out` shows the oldest word before it is taken (first word falls through). Latency 1 clock in
 //! registers or distributed memory, 2 in a block RAM, whose read takes one. No path within a clock from any port to another.
 
-use crate::ports::{StreamIn, StreamOut};
+use crate::ports::{StreamIn, StreamOut, state_that_it_stays};
 use tilewright_hdl::{Module, ReadUnderWrite, Reg, bit, bits, block, mux, net, stream, up_to};
 
 /// What the words of a [`Fifo`] are kept in.
@@ -115,7 +115,7 @@ impl Fifo {
         oldest.when(sent, after(oldest));
         used.when(into.taken & !sent, used + 1).when(sent & !into.taken, used - 1);
         m.assert(used.le(self.depth), "no more is held than there is room for");
-        m.assert(m.past(out.valid & !sent).implies(out.valid), "what is shown stays until it is taken");
+        state_that_it_stays(m, &out);
         m.cover("it is full", m.rose(used.eq(self.depth)));
         m.cover("it is emptied", m.rose(used.eq(0)));
         StreamOut { out }

@@ -59,6 +59,13 @@
 //! | [`Arbiter`] | several streams to one, by turns or by priority | 0 | from `ready` to `valid` |
 //! | [`Narrow`] | parts of words | 0 | from `ready` to `valid` |
 //! | [`Widen`] | words of parts | 1 from the last | from `into` to `out` |
+//! | [`Divider`], [`SquareRoot`], [`SineCosine`] | quotients, roots and points of a circle | a clock for each bit | from `into` to `out` |
+//! | [`Ram`] | a memory that is written byte by byte | 1 | any |
+//! | [`DualClockRam`] | the same, written on one clock and read on another | 1 read clock | any |
+//! | [`VectorRegisters`] | registers that are written lane by lane | 0 to read | from what is written to what is read |
+//! | [`Multiplier`], [`Shifter`] | pipelines with an enable | a clock for each stage | any |
+//! | [`Crc`], [`Quadrature`] | a check of a message, the position of a knob | 1, 2 | any |
+//! | [`PowerOnReset`], [`Ticks`] | a reset after power-on, an enable in each so many clocks | 1 | any |
 //! | [`Counter`], [`ShiftRegister`], [`Lfsr`] | what their names say | 1 | from inputs to outputs, but for [`Counter`]'s `wraps` |
 //! | [`one_hot`], [`index_of`], [`first`], [`first_index`] | functions of signals | 0 | |
 
@@ -66,27 +73,47 @@ mod arbiter;
 pub mod catalog;
 mod convert;
 mod counter;
+mod crc;
+mod divider;
 mod dual_clock;
 mod encode;
 mod fifo;
 mod fork;
 mod lfsr;
 mod lifo;
+mod multiplier;
 mod ports;
+mod quadrature;
+mod ram;
 mod shift;
+mod shifter;
+mod sine;
 mod slice;
+mod square_root;
+mod start;
 mod streams;
+mod vector_registers;
 
 pub use arbiter::{Arbiter, ArbiterIn, Turns};
 pub use convert::{Narrow, Widen};
 pub use counter::{Counter, CounterIn, CounterOut};
+pub use crc::{BitOrder, Crc, CrcIn, CrcOut};
+pub use divider::{Divider, DividerIn, DividerOut, Operands, Quotient};
 pub use dual_clock::DualClockFifo;
 pub use encode::{first, first_index, index_of, one_hot};
 pub use fifo::{Fifo, Storage};
 pub use fork::{Fork, ForkOut};
 pub use lfsr::{Lfsr, LfsrIn, LfsrOut};
 pub use lifo::Lifo;
+pub use multiplier::{Multiplier, MultiplierIn, MultiplierOut};
 pub use ports::{StreamIn, StreamOut};
+pub use quadrature::{Quadrature, QuadratureIn, QuadratureOut, Turn};
+pub use ram::{DualClockRam, DualClockRamIn, DualClockRamOut, Ram, RamIn, RamOut};
 pub use shift::{ShiftRegister, ShiftRegisterIn, ShiftRegisterOut};
+pub use shifter::{Shifter, ShifterIn, ShifterOut, Shifting};
+pub use sine::{OnCircle, SineCosine, SineCosineOut};
 pub use slice::{RegisterSlice, Slice};
+pub use square_root::{Root, SquareRoot, SquareRootOut};
+pub use start::{PowerOnReset, PowerOnResetIn, PowerOnResetOut, Ticks, TicksIn, TicksOut};
 pub use streams::StreamBlocks;
+pub use vector_registers::{VectorRegisters, VectorRegistersIn, VectorRegistersOut};

@@ -1,6 +1,6 @@
 //! A stack.
 
-use crate::ports::{StreamIn, StreamOut};
+use crate::ports::{StreamIn, StreamOut, state_that_it_stays};
 use tilewright_hdl::{Module, ReadUnderWrite, bit, bits, block, mux, net, stream, up_to};
 
 block! {
@@ -74,6 +74,7 @@ impl Lifo {
         shown.when(moves, into.taken | pops);
         let newest = words.read_async((used - 1).trunc(words.address_width()));
         held.when(moves, mux(into.taken, *into, newest));
+        state_that_it_stays(m, &out);
         StreamOut { out }
     }
 }

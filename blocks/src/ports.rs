@@ -1,6 +1,6 @@
 //! The ports of a block with a stream in and a stream out.
 
-use tilewright_hdl::{Stream, bundle};
+use tilewright_hdl::{Module, Stream, bundle};
 
 bundle! {
     /// A stream in. The payload is a word, of which [`StreamBlocks`](crate::StreamBlocks) makes a record.
@@ -36,5 +36,53 @@ bundle! {
     pub struct StreamOut<T> {
         /// What goes out.
         pub out: Stream<T, T>,
+    }
+}
+
+/// States the rule of streams of one whose `valid` and payload come from registers: what is shown stays until it is taken.
+pub(crate) fn state_that_it_stays(m: Module, out: &Stream) {
+    let waits = m.past(out.valid & !out.ready);
+    m.assert(waits.implies(out.valid & m.stable(out.payload)), "what is shown stays until it is taken");
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use tilewright_hdl::{bit, bits, block};
+    use tilewright_sim::Simulation;
+
+    block! {
+        /// Shows what it is told to, whether it was taken or not.
+        struct Careless;
+        in CarelessIn { valid: bit(), word: bits(4) }
+        out CarelessOut { out: stream(bits(4)) }
+    }
+
+    impl Careless {
+        fn build(&self, m: Module, i: CarelessIn) -> CarelessOut {
+            let (valid, word) = (m.pipe("full", i.valid), m.pipe("held", i.word));
+            let (out, _) = m.offer(valid, word);
+            state_that_it_stays(m, &out);
+            CarelessOut { out }
+        }
+    }
+
+    /// Whether the rule holds while these words are shown and are taken.
+    fn holds(shown: [(u64, u64, u64); 3]) -> bool {
+        let mut sim = Simulation::of(&Careless).unwrap();
+        sim.reset();
+        shown.into_iter().all(|(valid, word, ready)| {
+            sim.drive(CarelessIn { valid, word });
+            sim.set(sim.o.out.ready, ready);
+            sim.try_step().is_ok()
+        }) && sim.try_step().is_ok()
+    }
+
+    #[test]
+    fn what_is_shown_may_change_only_when_it_is_taken() {
+        assert!(holds([(1, 5, 0), (1, 5, 0), (1, 5, 0)]), "it waits");
+        assert!(holds([(1, 5, 0), (1, 7, 1), (0, 0, 1)]), "it is taken");
+        assert!(!holds([(1, 5, 0), (0, 5, 0), (0, 5, 0)]), "it is taken back");
+        assert!(!holds([(1, 5, 0), (1, 6, 0), (1, 6, 0)]), "it is exchanged");
     }
 }

@@ -1,6 +1,6 @@
 //! Register slices: registers on one direction of a stream, or on both.
 
-use crate::ports::{StreamIn, StreamOut};
+use crate::ports::{StreamIn, StreamOut, state_that_it_stays};
 use tilewright_hdl::{Module, bit, bits, block, mux, stream};
 
 /// Which paths a [`RegisterSlice`] cuts.
@@ -87,6 +87,7 @@ impl RegisterSlice {
                 let into = i.into.take_when(!full | out.ready);
                 held.when(into.taken, *into);
                 full.when(into.taken, 1).when(sent, 0);
+                state_that_it_stays(m, &out);
                 StreamOut { out }
             }
             Slice::Backward => {
@@ -106,7 +107,7 @@ impl RegisterSlice {
                 full.when(moves, spare_full | into.valid);
                 spare.when(into.taken, *into);
                 spare_full.when(moves, 0).when(into.taken, 1);
-                m.assert(m.past(!moves).implies(full & m.stable(held)), "what is shown stays until it is taken");
+                state_that_it_stays(m, &out);
                 m.cover("both registers are full", m.rose(spare_full));
                 StreamOut { out }
             }

@@ -2,7 +2,8 @@
 
 use tilewright_blocks::*;
 use tilewright_gen::{VerilogFile, testbench, tools, verilog};
-use tilewright_hdl::{Block, Clock, Design, Period, elaborate};
+use tilewright_hdl::ir::{Kind, Module, NodeId};
+use tilewright_hdl::{Block, Clock, Design, Period, below, elaborate};
 use tilewright_sim::Simulation;
 
 fn designed<B: Block>(block: B) -> (String, Design) {
@@ -37,6 +38,22 @@ fn blocks() -> Vec<(String, Design)> {
     for depth in [2, 16] {
         blocks.push(designed(DualClockFifo::new(depth, 8, clocks.0, clocks.1)));
     }
+    for depth in [4, 5] {
+        blocks.push(designed(Ram::new(depth, 3)));
+        blocks.push(designed(DualClockRam::new(depth, 2, clocks.0, clocks.1)));
+        blocks.push(designed(VectorRegisters::new(depth, 2, 5)));
+    }
+    blocks.push(designed(Multiplier::new(6, 1)));
+    blocks.push(designed(Multiplier::new(6, 3)));
+    blocks.push(designed(Shifter::new(9)));
+    blocks.push(designed(Divider::new(5)));
+    blocks.push(designed(SquareRoot::new(3)));
+    blocks.push(designed(SineCosine::new(8)));
+    blocks.push(designed(Crc::new(16, 0x1021, 0xffff, BitOrder::MostFirst)));
+    blocks.push(designed(Crc::new(5, 0x05, 0x1f, BitOrder::LeastFirst)));
+    blocks.push(designed(Quadrature::new(4)));
+    blocks.push(designed(PowerOnReset::new(3)));
+    blocks.push(designed(Ticks::new(5)));
     blocks
 }
 
@@ -49,6 +66,17 @@ fn no_linter_complains_of_any_block() {
     let wrong: Vec<String> =
         wrong.iter().map(|(&place, problems)| format!("{}: {problems}", blocks[place].0)).collect();
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// A number for an input: a code of its enum, or, if it may be an address, one that the memory has.
+fn allowed(module: &Module, input: NodeId, number: u64) -> u64 {
+    let node = module.node(input);
+    let number = number & (u64::MAX >> (64 - node.width.min(56)));
+    match (node.kind, module.memories.first()) {
+        (Kind::Code(names), _) => number % names.codes.len() as u64,
+        (_, Some(memory)) if below(memory.depth).bits() == node.width => number % u64::from(memory.depth),
+        _ => number,
+    }
 }
 
 /// Inputs as chance has them; both simulators start every memory with zeros.
@@ -65,9 +93,13 @@ fn icarus_repeats_every_block() {
                 chance ^= chance << 13;
                 chance ^= chance >> 7;
                 chance ^= chance << 17;
-                let width = design.top().node(input.node).width;
                 let port = sim.port(&input.name).unwrap();
-                sim.set(port, chance >> 8 & (u64::MAX >> (64 - width.min(56))));
+                sim.set(port, allowed(design.top(), input.node, chance >> 8));
+            }
+            // What is read of a word that another clock writes may be anything.
+            if let (Ok(to), Ok(from)) = (sim.peek("to"), sim.port("from")) {
+                let depth = u64::from(design.top().memories[0].depth);
+                sim.set(from, (to.to_u64().unwrap() + 1) % depth);
             }
             sim.step();
         }

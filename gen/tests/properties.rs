@@ -79,6 +79,44 @@ fn a_code_that_only_a_statement_names_is_declared() {
     }
 }
 
+block! {
+    /// States something of registers, of which it reads one elsewhere, too.
+    pub struct Apart;
+    in ApartIn {
+        /// Looked at by statements.
+        x: bit(),
+        /// Of its past there is a net.
+        y: bit(),
+    }
+    out ApartOut {
+        /// Not `y`.
+        z: bit(),
+    }
+}
+
+impl Apart {
+    fn build(&self, m: Module, i: ApartIn) -> ApartOut {
+        let held = m.reg("held", 1).reset(0);
+        held.next(i.x);
+        m.assert(m.past(i.x).eq(held), "it is held");
+        net!(late = m.past(i.y) & !i.y);
+        m.cover("y was high", late);
+        ApartOut { z: !i.y }
+    }
+}
+
+#[test]
+fn a_synthesizer_does_not_see_registers_that_only_statements_look_at() {
+    let files = verilog(&elaborate(&Apart).unwrap());
+    tools::lint(&files).unwrap_or_else(|problems| panic!("{problems}\n{}", files[0].text));
+    let (seen, stated) = files[0].text.split_once("`ifndef SYNTHESIS").unwrap();
+    for register in ["reg held;", "reg x_past;", "reg has_past;"] {
+        assert!(!seen.contains(register) && stated.contains(register), "{register}\n{}", files[0].text);
+    }
+    assert!(seen.contains("reg y_past;") && seen.contains("wire late = y_past"), "{}", files[0].text);
+    assert!(!stated.contains("held["), "what is not there is not tied\n{}", files[0].text);
+}
+
 /// The Verilog, and the testbench that gives it this stimulus and expects what follows from it.
 fn run(stimulus: &[(u64, [u64; 3])]) -> (Vec<VerilogFile>, VerilogFile) {
     let design = elaborate(&Looking).unwrap();

@@ -114,9 +114,11 @@ async fn far_end_receives(t: &Testbench<'_>, tx: Port, clocks_per_bit: u64) -> u
     byte
 }
 
-/// Runs it; a test does so too.
-pub fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let mut sim = Simulation::of(&Uart { clocks_per_bit: 32 })?;
+/// Runs it; a test does so too, and has its Verilog do the same.
+pub fn run() -> Result<(Design, Recording), Box<dyn std::error::Error>> {
+    let uart = Uart { clocks_per_bit: 32 };
+    let mut sim = Simulation::of(&uart)?;
+    let recording = sim.recording();
     sim.set(sim.i.rx, 1);
     sim.reset();
     let (i, o) = (sim.i, sim.o);
@@ -168,7 +170,12 @@ pub fn main() -> Result<(), Box<dyn std::error::Error>> {
     let (received, ()) = t.run((far_end_talks, monitor(counts)));
     assert_eq!((received, framing_errors, overruns), (0x33, 1, 1));
 
-    let files = tilewright_gen::verilog(&elaborate(&Uart { clocks_per_bit: 32 })?);
+    Ok((elaborate(&uart)?, recording.take()))
+}
+
+/// Runs it, and prints its Verilog.
+pub fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let files = tilewright_gen::verilog(&run()?.0);
     files.iter().for_each(|file| print!("{}", file.text));
     Ok(())
 }

@@ -1,10 +1,11 @@
 //! Blocks: parameters in a plain struct, and a function from an input bundle to an output bundle.
 
-use crate::bundle::{Bundle, Fields};
+use crate::bundle::Bundle;
 use crate::check;
 use crate::clock::Period;
 use crate::draft::Draft;
 use crate::elaboration;
+use crate::fields::Fields;
 use crate::finish;
 use crate::ir::{About, Design, Input, ModuleId, Op};
 use crate::limits::DEEPEST;

@@ -1,8 +1,9 @@
 //! What signals and records of signals have in common: they are declared by their widths, and are given values.
 
 use crate::bits::Bits;
-use crate::bundle::{Bundle, Fields, Leaf};
+use crate::bundle::Bundle;
 use crate::elaboration;
+use crate::fields::{Fields, Leaf};
 use crate::ir::{Kind, Names};
 use crate::loc::Loc;
 use crate::operand::{Literal, Operand, Value};

@@ -2,7 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use crate::bundle::{Bundle, Fields, join};
+use crate::bundle::{Bundle, join};
+use crate::fields::Fields;
 use crate::ir::About;
 use crate::module::Module;
 use crate::signal::Signal;

@@ -1,9 +1,10 @@
 //! Instances and instance arrays.
 
 use crate::block::{Block, Elaborated, elaborate_module};
-use crate::bundle::{Bundle, Fields};
+use crate::bundle::Bundle;
 use crate::clock::Clock;
 use crate::elaboration::{self, Elaboration};
+use crate::fields::Fields;
 use crate::ir::{self, ClockId, Instance, InstanceId, Kind, ModuleId, NodeId, Op, Shape};
 use crate::loc::Loc;
 use crate::module::Module;

@@ -1,9 +1,9 @@
 //! What leads from one shape to another: signals put together as lanes, and what a row and a grid have.
 
 use crate::along::Along;
-use crate::bundle::Fields;
 use crate::data::{Data, Layout};
 use crate::elaboration;
+use crate::fields::Fields;
 use crate::index::Index;
 use crate::ir::{Kind, Op, Shape};
 use crate::loc::Loc;

@@ -1,11 +1,11 @@
 //! The module under construction, as a block's `build` sees it.
 
-use crate::bundle::Fields;
 use crate::clock::Clock;
 use crate::codes::{Codes, one_of};
 use crate::data::Layout;
 use crate::draft::{DraftMemory, DraftRegister, DraftWire, Synchronizer, UNDRIVEN};
 use crate::elaboration::{self, Elaboration};
+use crate::fields::Fields;
 use crate::ir::{Contents, Memory, NodeId, Op, ReadUnderWrite, RegisterId};
 use crate::limits::{WIDEST, sound_width};
 use crate::loc::Loc;

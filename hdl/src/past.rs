@@ -1,9 +1,9 @@
 //! Past values, and what is stated of them.
 
 use crate::bits::Bits;
-use crate::bundle::Fields;
 use crate::draft::{Draft, DraftRegister};
 use crate::elaboration;
+use crate::fields::Fields;
 use crate::ir::{Binary, ClockId, Directive, Init, NodeId, Op, RegisterId, Shape, Unary};
 use crate::loc::Loc;
 use crate::module::Module;

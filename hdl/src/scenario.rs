@@ -2,8 +2,9 @@
 
 use crate::bits::Bits;
 use crate::block::Block;
-use crate::bundle::{Bundle, Fields};
+use crate::bundle::Bundle;
 use crate::clock::Period;
+use crate::fields::Fields;
 use crate::loc::Loc;
 use crate::module::port_name;
 use crate::stream::backwards;

@@ -1,9 +1,9 @@
 //! Choices and concatenations: `mux`, `select`, `case`, `cat!`, literals.
 
 use crate::bits::Bits;
-use crate::bundle::Fields;
 use crate::data::{Data, Fits, Given};
 use crate::elaboration;
+use crate::fields::Fields;
 use crate::ir::{Kind, NodeId, Op, Shape};
 use crate::limits::sound_width;
 use crate::loc::Loc;

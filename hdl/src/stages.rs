@@ -1,9 +1,10 @@
 //! Pipelines of records: stages that are alike, with a register for each field after each of them. What a stage holds does not meet
 //! what another one does, as that is of another record.
 
-use crate::bundle::{Bundle, Fields};
+use crate::bundle::Bundle;
 use crate::data::Data;
 use crate::elaboration::draft;
+use crate::fields::Fields;
 use crate::ir::{NodeId, Op};
 use crate::loc::Loc;
 use crate::module::{Module, port_name};

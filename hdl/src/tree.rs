@@ -1,7 +1,7 @@
 //! Trees: all lanes of a row combined two by two, in as many levels as the logarithm of their number.
 
-use crate::bundle::Fields;
 use crate::elaboration;
+use crate::fields::Fields;
 use crate::ir::Shape;
 use crate::loc::Loc;
 use crate::module::Module;

@@ -17,6 +17,8 @@ mod uart;
 #[path = "../examples/windows.rs"]
 mod windows;
 
+use tilewright_gen::{testbench, tools, verilog};
+
 #[test]
 fn the_counter_runs() {
     counter::main().unwrap();
@@ -50,6 +52,14 @@ fn the_processor_runs() {
 #[test]
 fn the_bytes_go_over_the_line() {
     uart::main().unwrap();
+}
+
+#[test]
+fn the_verilog_of_the_line_does_the_same() {
+    let (design, recording) = uart::run().unwrap();
+    let files = verilog(&design);
+    tools::lint(&files).unwrap();
+    let _ = tools::replay_in_icarus(&files, &testbench(&design, &recording)).unwrap();
 }
 
 #[test]

@@ -1,5 +1,7 @@
 //! The blocks of the library by name, with their parameters and scenarios.
 
+mod memories;
+mod numbers;
 mod small;
 mod streams;
 
@@ -30,4 +32,16 @@ pub const ENTRIES: &[Entry] = &[
     small::COUNTER,
     small::SHIFT_REGISTER,
     small::LFSR,
+    small::QUADRATURE,
+    small::POWER_ON_RESET,
+    small::TICKS,
+    memories::RAM,
+    memories::DUAL_CLOCK_RAM,
+    memories::VECTOR_REGISTERS,
+    numbers::MULTIPLIER,
+    numbers::SHIFTER,
+    numbers::DIVIDER,
+    numbers::SQUARE_ROOT,
+    numbers::SINE_COSINE,
+    numbers::CRC,
 ];

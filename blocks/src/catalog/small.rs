@@ -1,6 +1,9 @@
 //! The entries of blocks without streams.
 
-use crate::{Counter, CounterIn, Lfsr, LfsrIn, ShiftRegister, ShiftRegisterIn};
+use crate::{
+    Counter, CounterIn, Lfsr, LfsrIn, PowerOnReset, PowerOnResetIn, Quadrature, QuadratureIn, ShiftRegister,
+    ShiftRegisterIn, Ticks, TicksIn,
+};
 use tilewright_hdl::catalog::{Entry, Parameter, Values};
 use tilewright_hdl::{DEFAULT_PERIOD, Scenario, Script, elaborate};
 
@@ -26,6 +29,30 @@ pub(super) const LFSR: Entry = Entry {
     parameters: &[Parameter { name: "width", default: 4, min: 2, max: 32, meaning: "bits of a number" }],
     design: |values| Ok(elaborate(&lfsr(values))?),
     scenario: |values| Ok(some_numbers(&lfsr(values))),
+};
+
+pub(super) const QUADRATURE: Entry = Entry {
+    name: "quadrature",
+    summary: "counts the steps of a knob or a motor",
+    parameters: &[Parameter { name: "width", default: 4, min: 2, max: 32, meaning: "bits of the position" }],
+    design: |values| Ok(elaborate(&quadrature(values))?),
+    scenario: |values| Ok(there_and_back(&quadrature(values))),
+};
+
+pub(super) const POWER_ON_RESET: Entry = Entry {
+    name: "power-on-reset",
+    summary: "holds the reset of everything else for some clocks",
+    parameters: &[Parameter { name: "clocks", default: 3, min: 1, max: 1 << 32, meaning: "how long it does" }],
+    design: |values| Ok(elaborate(&power_on_reset(values))?),
+    scenario: |values| Ok(two_resets(&power_on_reset(values))),
+};
+
+pub(super) const TICKS: Entry = Entry {
+    name: "ticks",
+    summary: "is high for one clock of so many",
+    parameters: &[Parameter { name: "every", default: 3, min: 2, max: 1 << 32, meaning: "of how many clocks" }],
+    design: |values| Ok(elaborate(&ticks(values))?),
+    scenario: |values| Ok(ticks_and_a_restart(&ticks(values))),
 };
 
 fn counter(values: &Values) -> Counter {
@@ -67,4 +94,41 @@ fn some_numbers(lfsr: &Lfsr) -> Scenario {
     script.hold(&LfsrIn { enable: 0 }, 2);
     script.hold(&LfsrIn { enable: 1 }, 8);
     script.finish("sixteen numbers, with a pause among them; of 4 bits the last is the first again")
+}
+
+fn quadrature(values: &Values) -> Quadrature {
+    Quadrature::new(values.get_u32("width"))
+}
+
+fn there_and_back(quadrature: &Quadrature) -> Scenario {
+    let mut script = Script::new(quadrature, DEFAULT_PERIOD);
+    for (a, b) in [(1, 0), (1, 1), (0, 1), (0, 1), (1, 1), (1, 0), (0, 0), (0, 1), (1, 1)] {
+        script.clock(&QuadratureIn { a, b });
+    }
+    script.wait(2);
+    script.finish("three steps up, and five down, beyond 0")
+}
+
+fn power_on_reset(values: &Values) -> PowerOnReset {
+    PowerOnReset::new(values.get("clocks"))
+}
+
+fn two_resets(reset: &PowerOnReset) -> Scenario {
+    let mut script = Script::new(reset, DEFAULT_PERIOD);
+    script.hold(&PowerOnResetIn { again: 0 }, 5);
+    script.clock(&PowerOnResetIn { again: 1 });
+    script.hold(&PowerOnResetIn { again: 0 }, 5);
+    script.finish("the reset after power-on, and one that is asked for")
+}
+
+fn ticks(values: &Values) -> Ticks {
+    Ticks::new(values.get("every"))
+}
+
+fn ticks_and_a_restart(ticks: &Ticks) -> Scenario {
+    let mut script = Script::new(ticks, DEFAULT_PERIOD);
+    script.hold(&TicksIn { restart: 0 }, 5);
+    script.clock(&TicksIn { restart: 1 });
+    script.hold(&TicksIn { restart: 0 }, 6);
+    script.finish("ticks, and others after a restart")
 }

@@ -107,6 +107,46 @@ fn a_full_queue_takes_nothing() {
     assert_eq!(taken, 4);
 }
 
+/// Wherever both sides are, they are empty and free together again.
+#[test]
+fn a_reset_empties_the_queue() {
+    for ((write, read), words, taken) in PERIODS
+        .into_iter()
+        .flat_map(|periods| (0..6).flat_map(move |words| (0..=words).map(move |taken| (periods, words, taken))))
+    {
+        let case = format!("{words} words, {taken} taken, periods of {write} and {read} ps");
+        let mut sim = queue(write, read);
+        let (valid, free, shown, ready) = (sim.i.into.valid, sim.i.into.ready, sim.o.out.valid, sim.o.out.ready);
+        for word in 0..words {
+            edges_until(&mut sim, free, "write");
+            pulse(&mut sim, valid, "write");
+            if word < taken {
+                edges_until(&mut sim, shown, "read");
+                pulse(&mut sim, ready, "read");
+            }
+            if word >= taken + 3 {
+                break;
+            }
+        }
+        sim.reset();
+        for _ in 0..20 {
+            assert_eq!((sim.get_u64(shown), sim.get_u64(free)), (0, 1), "{case}");
+            sim.step();
+        }
+        for word in 0..4 {
+            assert_eq!(sim.get_u64(free), 1, "{case}");
+            sim.set(sim.i.into.payload, 10 + word);
+            pulse(&mut sim, valid, "write");
+        }
+        assert_eq!(sim.get_u64(free), 0, "{case}");
+        for word in 0..4 {
+            edges_until(&mut sim, shown, "read");
+            assert_eq!(sim.get_u64(sim.o.out.payload), 10 + word, "{case}");
+            pulse(&mut sim, ready, "read");
+        }
+    }
+}
+
 #[test]
 #[should_panic(expected = "a dual-clock FIFO of 6 words: Gray code needs a power of two from 2 on")]
 fn a_depth_that_gray_code_has_not() {

@@ -183,6 +183,30 @@ fn turns() {
     );
 }
 
+/// Wherever the turns are, and whatever registers hold at power-on.
+#[test]
+fn a_reset_begins_the_turns_again() {
+    for (seed, words, ready) in
+        (0..8).flat_map(|seed| (0..4).flat_map(move |words| [(seed, words, 0), (seed, words, 1)]))
+    {
+        let mut sim = Simulation::of(&Arbiter::new(3, 8, Turns::RoundRobin)).unwrap().seeded(seed);
+        sim.reset();
+        for (sender, into) in sim.i.into.clone().into_iter().enumerate() {
+            sim.set(into.valid, 1);
+            sim.set(into.payload, sender as u64);
+        }
+        sim.set(sim.o.out.ready, 1);
+        sim.run(words);
+        sim.set(sim.o.out.ready, ready);
+        sim.step();
+        sim.reset();
+        assert_eq!(sim.get_u64(sim.o.out.payload), 0, "seed {seed}, after {words} words, ready {ready}");
+        sim.set(sim.o.out.ready, 1);
+        sim.step();
+        assert_eq!(sim.get_u64(sim.o.out.payload), 1, "seed {seed}, after {words} words, ready {ready}");
+    }
+}
+
 #[test]
 fn priority() {
     arbiter(

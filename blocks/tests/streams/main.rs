@@ -3,6 +3,7 @@
 mod clocks;
 mod crossing;
 mod exact;
+mod numbers;
 mod property;
 mod property_tests;
 mod quadtree;

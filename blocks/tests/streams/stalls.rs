@@ -33,7 +33,7 @@ fn result<B: Block>(
 }
 
 /// What a block of one stream in and one out makes of the words, of which so many come out.
-fn passed<B: Block<In = StreamIn, Out = StreamOut>>(
+pub fn passed<B: Block<In = StreamIn, Out = StreamOut>>(
     block: &B,
     words: &[u64],
     count: usize,

@@ -30,6 +30,7 @@ mod reduction;
 mod registers;
 mod scope;
 mod state;
+mod stated;
 mod statement;
 mod states;
 mod text;

@@ -23,7 +23,7 @@ pub fn print(printer: &mut Printer, latency: Option<&Latency>) -> String {
     // They may be all that mentions a code.
     let properties = printer.properties(&properties);
     body.section(printer.states.declarations());
-    body.section(printer.register_declarations());
+    body.section(printer.register_declarations(false));
     body.section(memories);
     body.section(contents);
     body.section(printer.output_nets());
@@ -116,10 +116,11 @@ impl Printer<'_> {
         mark(synchronizes.into_iter().chain(attributes.iter().map(attribute)).collect())
     }
 
-    fn register_declarations(&self) -> Vec<String> {
+    /// The declarations of the registers that stand with the statements, or of the others.
+    pub fn register_declarations(&self, stated: bool) -> Vec<String> {
         let module = self.module;
-        let inner = module.registers.iter().map(|register| register.node);
-        let inner = inner.filter(|&id| !self.is_port(id) && module.shape(id).is_plain());
+        let inner = self.plain_registers(stated).into_iter().map(|index| module.registers[index].node);
+        let inner = inner.filter(|&id| !self.is_port(id));
         let declare = |id: NodeId| {
             let mark = self.attributes(id);
             let declaration = format!("{mark}reg {}{};", range(module.width(id)), self.name(id));
@@ -189,7 +190,8 @@ impl Printer<'_> {
             return false;
         }
         match node.op {
-            Op::Input(_) | Op::Register(_) | Op::Output(..) => true,
+            Op::Register(register) => !self.stated[register.0 as usize],
+            Op::Input(_) | Op::Output(..) => true,
             Op::Read(memory, port) => {
                 let read = &self.module.memories[memory.0 as usize].reads[port as usize];
                 read.node == id && (read.clock.is_some() || self.plan.is_net(id))

@@ -8,6 +8,7 @@ use super::part::Index;
 use super::plan::Plan;
 use super::reads::{ReadNames, name_reads};
 use super::scope::Names;
+use super::stated::stated;
 use super::states::StateNames;
 use super::usage::Usage;
 use tilewright_hdl::ir::{ClockId, Design, Module, NodeId};
@@ -28,6 +29,8 @@ pub struct Printer<'a> {
     pub lanes: GroupNames,
     /// For each register what it is reset to, if that differs between its lanes.
     pub resets: &'a [Option<NodeId>],
+    /// For each register whether it stands with the statements.
+    pub stated: Vec<bool>,
     /// The group whose scope is being printed.
     pub here: Option<usize>,
     /// The lane that the text at hand is about, by axis.
@@ -47,8 +50,9 @@ impl<'a> Printer<'a> {
         let states = StateNames::new(module, &mut taken);
         let lanes = GroupNames::new(design, module, &groups, &ports, &mut names, &mut taken);
         let usage = Usage::new(module.nodes.len());
+        let stated = stated(module, &plan, resets);
         let (here, at) = (None, Vec::new());
-        Printer { design, module, plan, taken, names, reads, states, groups, lanes, resets, here, at, usage }
+        Printer { design, module, plan, taken, names, reads, states, groups, lanes, resets, stated, here, at, usage }
     }
 
     /// The name of a node that has one.

@@ -9,7 +9,7 @@ use super::text::format_text;
 use tilewright_hdl::ir::{ClockId, Directive, NodeId, Op, Property, Unary};
 
 impl Printer<'_> {
-    /// These properties for a formal tool, and for a simulation. What they read counts as unread: a tool for synthesis
+    /// These properties for a formal tool, and for a simulation, with the registers that nothing else reads. What they read counts as unread: a tool for synthesis
     /// finds nothing that reads it.
     pub fn properties(&mut self, properties: &[usize]) -> Vec<String> {
         let module = self.module;
@@ -20,12 +20,14 @@ impl Printer<'_> {
         let properties: Vec<&Property> = properties.iter().map(|&index| &module.properties[index]).collect();
         let hits: Vec<Option<String>> = properties.iter().map(|property| self.hit(property)).collect();
         let clocks = || (0..module.clocks.len() as u32).map(ClockId);
-        let mut out = vec!["`ifdef FORMAL".to_string()];
+        let mut out = vec!["`ifndef SYNTHESIS".to_string()];
+        out.extend(self.stated_registers());
+        out.push("`ifdef FORMAL".to_string());
         for clock in clocks() {
             let body = properties.iter().filter(|it| it.clock == clock).map(|property| self.formal(property)).collect();
             out.extend(self.at_edge(clock, body));
         }
-        out.extend(["`else".to_string(), "`ifndef SYNTHESIS".to_string()]);
+        out.push("`else".to_string());
         for hit in hits.iter().flatten() {
             out.extend([format!("reg {hit};"), format!("initial {hit} = 1'b0;")]);
         }
@@ -36,6 +38,18 @@ impl Printer<'_> {
         }
         out.extend(["`endif".to_string(), "`endif".to_string()]);
         self.usage = read;
+        out
+    }
+
+    /// The registers that nothing but statements look at.
+    fn stated_registers(&mut self) -> Vec<String> {
+        let registers = self.plain_registers(true);
+        if registers.is_empty() || self.here.is_some() {
+            return Vec::new();
+        }
+        let mut out = self.register_declarations(true);
+        out.push(String::new());
+        out.extend(self.register_blocks(&registers));
         out
     }
 

@@ -32,10 +32,15 @@ fn after(first: (String, Vec<Statement>), mut body: Vec<Statement>) -> Statement
 impl Printer<'_> {
     /// The always blocks of the registers without lanes.
     pub fn registers(&mut self) -> Vec<String> {
+        let plain = self.plain_registers(false);
+        self.register_blocks(&plain)
+    }
+
+    /// The registers without lanes that stand with the statements, or the others.
+    pub fn plain_registers(&self, stated: bool) -> Vec<usize> {
         let registers = self.module.registers.iter().enumerate();
         let plain = registers.filter(|(_, register)| self.module.shape(register.node).is_plain());
-        let plain: Vec<usize> = plain.map(|(index, _)| index).collect();
-        self.register_blocks(&plain)
+        plain.map(|(index, _)| index).filter(|&index| self.stated[index] == stated).collect()
     }
 
     /// What these registers have at power-on, and their always blocks, first those without reset.

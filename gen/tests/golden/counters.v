@@ -38,12 +38,12 @@ module counters (
                     else count <= count + 8'd1;
                 end
             end
+            `ifndef SYNTHESIS
             `ifdef FORMAL
             always @(posedge clk) begin
                 if (!rst) assert (!done | (count >= limits[i * 8 +: 8]));    // gen/tests/lanes/mod.rs:34
             end
             `else
-            `ifndef SYNTHESIS
             always @(posedge clk) begin
                 if (!rst && !(!done | (count >= limits[i * 8 +: 8]))) begin  // gen/tests/lanes/mod.rs:34
                     $display("FAIL: time %0t: %m: done at the limit", $time);

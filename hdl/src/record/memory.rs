@@ -1,10 +1,11 @@
 //! Memories of records: one memory, in whose words the fields stand side by side.
 
 use crate::bits::Bits;
-use crate::bundle::{Bundle, Fields};
+use crate::bundle::Bundle;
 use crate::clock::Clock;
 use crate::data::{Fits, number_of_field};
 use crate::elaboration;
+use crate::fields::Fields;
 use crate::ir::Op;
 use crate::loc::Loc;
 use crate::memory::Mem;

@@ -8,9 +8,10 @@ mod wire;
 pub use register::RecordUpdates;
 
 use crate::bits::Bits;
-use crate::bundle::{Bundle, Fields, Leaf};
+use crate::bundle::Bundle;
 use crate::data::Data;
 use crate::elaboration;
+use crate::fields::{Fields, Leaf};
 use crate::ir::{NodeId, Op, Shape};
 use crate::limits::{WIDEST, sound_width};
 use crate::loc::Loc;

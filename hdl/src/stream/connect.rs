@@ -1,9 +1,9 @@
 //! How a stream's `ready` finds its way back: a net that whoever takes the stream drives.
 
-use crate::bundle::{Fields, Leaf, Visited};
 use crate::clock::Clock;
 use crate::draft::{Draft, DraftWire, UNDRIVEN};
 use crate::elaboration::{self, Elaboration};
+use crate::fields::{Fields, Leaf, Visited};
 use crate::ir::{Input, InstanceId, Kind, NodeId, Op, Shape};
 use crate::loc::Loc;
 use crate::module::{Module, port_name};

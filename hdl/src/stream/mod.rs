@@ -10,9 +10,10 @@ pub(crate) use lanes::stack_ready;
 pub use offer::Taken;
 pub use wire::StreamWire;
 
-use crate::bundle::{Fields, Leaf, Visited, join};
+use crate::bundle::join;
 use crate::clock::Clock;
 use crate::data::{Data, Layout};
+use crate::fields::{Fields, Leaf, Visited};
 use crate::width::{Width, bit};
 use std::ops::Deref;
 

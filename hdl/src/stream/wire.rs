@@ -1,7 +1,7 @@
 //! A stream that is taken before it is made: what a loop of blocks begins with.
 
-use crate::bundle::Fields;
 use crate::data::{Data, Layout};
+use crate::fields::Fields;
 use crate::loc::Loc;
 use crate::module::{Module, port_name};
 use crate::signal::Signal;

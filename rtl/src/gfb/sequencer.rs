@@ -134,7 +134,18 @@ mod tests {
         let sequencer = GfbSequencer { screen: Screen { width: 3, height: 2 }, units: 1, overhead: 2 };
         let mut sim = Simulation::of(&sequencer).unwrap().seeded(7);
         sim.reset();
-        let wave = sim.record(["scan_restart", "scan_enable", "round", "feed", "stores", "store", "ends", "clocks"]);
+        let wave = sim.record([
+            "scan_restart",
+            "scan_enable",
+            "round",
+            "clocks_left",
+            "feed",
+            "until_stored",
+            "stores",
+            "store",
+            "ends",
+            "clocks",
+        ]);
         sim.set(sim.i.start, 1);
         sim.step();
         sim.set(sim.i.start, 0);
@@ -145,7 +156,9 @@ mod tests {
             scan_restart |~~~~~~\____________________________________________________________________________________
             scan_enable  |______/~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~\_____________/~~~~~~~~~~~~~~~~~~~~\______________
             round        | Idle | Prime       | Line               | Overhead    | Line               | Overhead    |
+            clocks_left  | 0    | 1    | 0                         | 1    | 0                         | 1    | 0    |
             feed         | 0           | 1    | 2    | 3    | 4    | 5                  | 6    | 7    | 0           |
+            until_stored | 0    | 6    | 5    | 4    | 3    | 2    | 1                  | 0                         |
             stores       |______________________________________________________________/~~~~~~~~~~~~~\______________
             store        | 0                                                                   | 1    | 2           |
             ends         |___________________________________________________________________________________________
@@ -155,7 +168,9 @@ mod tests {
             scan_restart |___________________________________
             scan_enable  |~~~~~~~~~~~~~~~~~~~~~~~~~~~\_______
             round        | Drain                     | Idle |
+            clocks_left  | 3    | 2    | 1    | 0           |
             feed         | 0    | 1    | 2    | 3    | 4    |
+            until_stored | 0                                |
             stores       |~~~~~~~~~~~~~~~~~~~~~~~~~~~\_______
             store        | 2    | 3    | 4    | 5    | 6    |
             ends         |____________________/~~~~~~\_______

@@ -83,7 +83,7 @@ impl ImageMemory {
         let stage = front.fsm("stage2", Stage2::Idle);
         net!(can_accept = stage.is(Stage2::Idle) | stage.is(Stage2::Write));
         net!(accept = i.draw.valid & can_accept);
-        front.assert(i.draw.valid.implies(can_accept), "the second stage ends before the first has a page again");
+        front.assume(i.draw.valid.implies(can_accept), "the second stage ends before the first has a page again");
         stage.next(|state| match state {
             Stage2::Idle => when(accept, Stage2::Read),
             Stage2::Read => goto(Stage2::Compare),

@@ -41,7 +41,7 @@ impl PageIdGenerator {
     fn build(&self, m: Module, i: PageIdGeneratorIn) -> PageIdGeneratorOut {
         let used = m.reg("used", up_to(self.pages)).reset(0);
         net!(exhausted = used.eq(self.pages));
-        m.assert(i.take.implies(!exhausted), "a page is taken only while one is free");
+        m.assume(i.take.implies(!exhausted), "a page is taken only while one is free");
         used.when(i.restart, 0).when(i.take, used + 1);
         m.assert(m.past(i.restart).implies(used.eq(0)), "a restart frees all pages");
         m.cover("all pages are taken", m.rose(exhausted));
@@ -102,6 +102,7 @@ mod tests {
             sim.reset();
             let all: Vec<u64> = (0..pages.into()).rev().collect();
             let mut free = all.clone();
+            let (mut was_exhausted, mut exhaustions) = (true, 0);
             for (restart, take) in steps {
                 let take = take && !free.is_empty();
                 sim.drive(PageIdGeneratorIn { restart: restart.into(), take: take.into() });
@@ -110,6 +111,8 @@ mod tests {
                 if let Some(first) = free.last() {
                     prop_assert_eq!(page, *first);
                 }
+                exhaustions += u64::from(free.is_empty() && !was_exhausted);
+                was_exhausted = free.is_empty();
                 sim.step();
                 if restart {
                     free.clone_from(&all);
@@ -117,6 +120,7 @@ mod tests {
                     free.pop();
                 }
             }
+            prop_assert_eq!(sim.covered("all pages are taken").unwrap(), exhaustions);
         }
     }
 }

@@ -75,8 +75,11 @@ impl ScanCounter {
         x.when(restart, i.preset.x).when(line_end, 0).when(enable, x + 1);
         y.when(restart, i.preset.y).when(frame_end, 0).when(line_end, y + 1);
         net!(at_start = i.preset.x.eq(0) & i.preset.y.eq(0));
-        pass.when(restart, mux(at_start, Pass::Frame, Pass::Before))
-            .when(frame_end, mux(pass.is(Pass::Before), Pass::Frame, Pass::After));
+        let following: Signal = pass.choose(|pass| match pass {
+            Pass::Before => Pass::Frame,
+            Pass::Frame | Pass::After => Pass::After,
+        });
+        pass.when(restart, mux(at_start, Pass::Frame, Pass::Before)).when(frame_end, following);
         m.cover("a whole frame is sent", frame_end & pass.is(Pass::Frame));
         ScanCounterOut { pixel: Position { x: *x, y: *y }, armed: pass.is(Pass::Frame) }
     }
@@ -191,7 +194,7 @@ mod tests {
             let frame = u64::from(width * height);
             let mut sim = Simulation::of(&ScanCounter { screen }).unwrap().seeded(seed);
             sim.reset();
-            let (mut restarted, mut until_first, mut advanced) = (false, 0, 0);
+            let (mut restarted, mut until_first, mut advanced, mut frames) = (false, 0, 0, 0);
             for (restart, enable, position) in steps {
                 let preset = ScanCounter::preset(screen, position);
                 let scan = ScanControl { restart: restart.into(), enable: enable.into() };
@@ -201,6 +204,7 @@ mod tests {
                 prop_assert_eq!((pixel.x, pixel.y), (number % u64::from(width), number / u64::from(width)));
                 let in_frame = (until_first..until_first + frame).contains(&advanced);
                 prop_assert_eq!(armed == 1, restarted && in_frame);
+                frames += u64::from(restarted && in_frame && enable && number == frame - 1);
                 sim.step();
                 if restart {
                     (restarted, until_first, advanced) = (true, u64::from(4 * position) % frame, 0);
@@ -208,6 +212,7 @@ mod tests {
                     advanced += 1;
                 }
             }
+            prop_assert_eq!(sim.covered("a whole frame is sent").unwrap(), frames);
         }
     }
 }

@@ -86,12 +86,12 @@ module gfb_unit_width16_height8_units4_overhead20 (
     assign view_read_word = read_word;
     assign view_first_round = first_round;
 
+`ifndef SYNTHESIS
 `ifdef FORMAL
     always @(posedge clk) begin
         if (!rst) assume (!(host_swap | host_start) | !view_busy);   // rtl/src/gfb/unit.rs:109
     end
 `else
-`ifndef SYNTHESIS
     always @(posedge clk) begin
         if (!rst && !(!(host_swap | host_start) | !view_busy)) begin // rtl/src/gfb/unit.rs:109
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the banks are swapped and a round is started between rounds", $time);

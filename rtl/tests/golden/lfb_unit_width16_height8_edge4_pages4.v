@@ -165,13 +165,13 @@ module lfb_unit_width16_height8_edge4_pages4 (
         end
     end
 
+`ifndef SYNTHESIS
 `ifdef FORMAL
     always @(posedge pe_clk) begin
         if (!pe_rst) assume (!swap | (overflow | idle));             // rtl/src/lfb/unit.rs:147
         if (!pe_rst) assume (!swap | settled);                       // rtl/src/lfb/unit.rs:148
     end
 `else
-`ifndef SYNTHESIS
     always @(posedge pe_clk) begin
         if (!pe_rst && !(!swap | (overflow | idle))) begin           // rtl/src/lfb/unit.rs:147
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the buffers are swapped when idle or in overflow", $time);

@@ -18,12 +18,19 @@ module page_id_generator_pages4 (
     output wire       exhausted  // All pages are taken.
 );
 
+    assign exhausted = used == 3'd4;                             // rtl/src/lfb/page_id_generator.rs:43
+    assign page = used[1:0];                                     // rtl/src/lfb/page_id_generator.rs:48
+
+    always @(posedge clk) begin
+        if (rst) used <= 3'd0;
+        else if (restart) used <= 3'd0;
+        else if (take) used <= used + 3'd1;
+    end
+
+`ifndef SYNTHESIS
     reg restart_past;                                            // rtl/src/lfb/page_id_generator.rs:46
     reg exhausted_past;                                          // rtl/src/lfb/page_id_generator.rs:47
     reg has_past;                                                // rtl/src/lfb/page_id_generator.rs:46
-
-    assign exhausted = used == 3'd4;                             // rtl/src/lfb/page_id_generator.rs:43
-    assign page = used[1:0];                                     // rtl/src/lfb/page_id_generator.rs:48
 
     initial has_past = 1'b0;
 
@@ -33,29 +40,22 @@ module page_id_generator_pages4 (
     end
 
     always @(posedge clk) begin
-        if (rst) begin
-            used <= 3'd0;
-            has_past <= 1'b0;
-        end else begin
-            if (restart) used <= 3'd0;
-            else if (take) used <= used + 3'd1;
-            has_past <= 1'b1;
-        end
+        if (rst) has_past <= 1'b0;
+        else has_past <= 1'b1;
     end
 
 `ifdef FORMAL
     always @(posedge clk) begin
-        if (!rst) assert (!take | !exhausted);                       // rtl/src/lfb/page_id_generator.rs:44
+        if (!rst) assume (!take | !exhausted);                       // rtl/src/lfb/page_id_generator.rs:44
         if (!rst) assert (!has_past | (!restart_past | (used == 3'd0))); // rtl/src/lfb/page_id_generator.rs:46
         if (!rst) cover (has_past & (exhausted & !exhausted_past));  // rtl/src/lfb/page_id_generator.rs:47
     end
 `else
-`ifndef SYNTHESIS
     reg is_covered;
     initial is_covered = 1'b0;
     always @(posedge clk) begin
         if (!rst && !(!take | !exhausted)) begin                     // rtl/src/lfb/page_id_generator.rs:44
-            $display("FAIL: time %0t: %m: a page is taken only while one is free", $time);
+            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a page is taken only while one is free", $time);
             $stop;
         end
         if (!rst && !(!has_past | (!restart_past | (used == 3'd0)))) begin // rtl/src/lfb/page_id_generator.rs:46
@@ -69,7 +69,5 @@ module page_id_generator_pages4 (
     end
 `endif
 `endif
-
-    wire _unused_ok = &{1'b0, restart_past, exhausted_past, has_past};
 endmodule
 `default_nettype wire

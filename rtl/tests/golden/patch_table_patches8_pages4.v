@@ -138,12 +138,12 @@ module patch_table_patches8_pages4 (
         end
     end
 
+`ifndef SYNTHESIS
 `ifdef FORMAL
     always @(posedge pe_clk) begin
         if (!pe_rst) cover ((stage1 == STAGE1_EXAMINE) & (!entry_resident & u_page_id_generator_exhausted)); // rtl/src/lfb/patch_table.rs:130
     end
 `else
-`ifndef SYNTHESIS
     reg is_covered;
     initial is_covered = 1'b0;
     always @(posedge pe_clk) begin

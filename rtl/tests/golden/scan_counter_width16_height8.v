@@ -36,7 +36,7 @@ module scan_counter_width16_height8 (
     wire last_line = y == 3'd7;                                  // rtl/src/lfb/scan_counter.rs:72
     wire frame_end = line_end & last_line;                       // rtl/src/lfb/scan_counter.rs:73
     wire at_start = (preset_x == 4'd0) & (preset_y == 3'd0);     // rtl/src/lfb/scan_counter.rs:77
-    assign armed = pass == PASS_FRAME;                           // rtl/src/lfb/scan_counter.rs:81
+    assign armed = pass == PASS_FRAME;                           // rtl/src/lfb/scan_counter.rs:84
 
     always @(posedge clk) begin
         if (rst) begin
@@ -54,8 +54,10 @@ module scan_counter_width16_height8 (
                 if (at_start) pass <= PASS_FRAME;
                 else pass <= PASS_BEFORE;
             end else if (frame_end) begin
-                if (pass == PASS_BEFORE) pass <= PASS_FRAME;
-                else pass <= PASS_AFTER;
+                case (pass)
+                    PASS_BEFORE: pass <= PASS_FRAME;
+                    default: pass <= PASS_AFTER;
+                endcase
             end
         end
     end
@@ -63,18 +65,23 @@ module scan_counter_width16_height8 (
     assign pixel_x = x;
     assign pixel_y = y;
 
+`ifndef SYNTHESIS
 `ifdef FORMAL
     always @(posedge clk) begin
-        if (!rst) cover (frame_end & (pass == PASS_FRAME));          // rtl/src/lfb/scan_counter.rs:80
+        if (!rst) cover (frame_end & (pass == PASS_FRAME));          // rtl/src/lfb/scan_counter.rs:83
+        if (!rst) assert (pass <= PASS_AFTER);                       // rtl/src/lfb/scan_counter.rs:78
     end
 `else
-`ifndef SYNTHESIS
     reg is_covered;
     initial is_covered = 1'b0;
     always @(posedge clk) begin
-        if (!rst && (frame_end & (pass == PASS_FRAME)) && !is_covered) begin // rtl/src/lfb/scan_counter.rs:80
+        if (!rst && (frame_end & (pass == PASS_FRAME)) && !is_covered) begin // rtl/src/lfb/scan_counter.rs:83
             $display("COVER: time %0t: %m: a whole frame is sent", $time);
             is_covered <= 1'b1;
+        end
+        if (!rst && !(pass <= PASS_AFTER)) begin                     // rtl/src/lfb/scan_counter.rs:78
+            $display("FAIL: time %0t: %m: `pass` is a code of `Pass`", $time);
+            $stop;
         end
     end
 `endif

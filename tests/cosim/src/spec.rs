@@ -188,6 +188,8 @@ pub enum Make {
     PowerOn { initial: Pattern, reset: Option<Pattern>, next: Pick },
     /// A memory of words in parts.
     InParts(InParts),
+    /// An instance of a declared block with ports of records, or an array of it.
+    Declared(Declared),
     /// A condition that may fail: a value is never this one.
     Never(Pick, Pattern),
     /// An instance of an earlier part.
@@ -241,6 +243,21 @@ pub struct InParts {
     pub asynchronous: bool,
     /// The enables, where it is written, what, and where it is read.
     pub ports: [Pick; 4],
+}
+
+/// A block that is declared with ports of records, and what is given to it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Declared {
+    /// The widths of the two fields of its records.
+    pub widths: [u32; 2],
+    /// How many records its list has.
+    pub list: u32,
+    /// The lanes, each with a constant record of its own; 0 for one instance alone.
+    pub lanes: u32,
+    /// The seed of those constants.
+    pub numbers: u64,
+    /// When it takes a record, what is added, the record, and the list.
+    pub picks: [Pick; 4],
 }
 
 /// Operators of one operand.

@@ -191,6 +191,12 @@ fn in_parts() -> impl Strategy<Value = InParts> {
         .prop_map(|(parts, width, depth, asynchronous, ports)| InParts { parts, width, depth, asynchronous, ports })
 }
 
+fn declared() -> impl Strategy<Value = Declared> {
+    let lanes = prop_oneof![Just(0), 1..6u32];
+    ([width(), width()], 1..4u32, lanes, any::<u64>(), picks())
+        .prop_map(|(widths, list, lanes, numbers, picks)| Declared { widths, list, lanes, numbers, picks })
+}
+
 fn object() -> impl Strategy<Value = Make> {
     let register = prop_oneof![
         2 => (width(), of(pattern()), of(control()), pick()).prop_map(|(width, reset, enable, next)| Make::Register {
@@ -213,6 +219,7 @@ fn object() -> impl Strategy<Value = Make> {
         1 => coded().prop_map(Make::Coded),
         1 => (pattern(), of(pattern()), pick()).prop_map(|(initial, reset, next)| Make::PowerOn { initial, reset, next }),
         1 => in_parts().prop_map(Make::InParts),
+        1 => declared().prop_map(Make::Declared),
         2 => lane_work().prop_map(Make::Lanes),
         2 => (any::<bool>(), pick()).prop_map(|(synchronize, of)| Make::Cross { synchronize, of }),
         3 => (part_pick(), vec(pick(), 0..5)).prop_map(|(part, inputs)| Make::Instance { part, inputs }),

@@ -1,14 +1,18 @@
 //! Edits of how a value is computed.
 
-use crate::same::{exclusive, is_neutral};
-use crate::site::{Sites, always, near, not, used};
+use crate::same::{exclusive, is_guard, is_neutral};
+use crate::site::{Sites, always, near, not, observed};
 use tilewright_hdl::ir::{Affine, Binary, Module, NodeId, Op, Reduction, Relation, Shift, Unary};
 
-/// Adds the mutants in which one value that is used is computed otherwise.
+/// Adds the mutants in which one value that can be observed is computed otherwise.
 pub(crate) fn edit(sites: &mut Sites) {
-    let used = used(sites.module);
-    for id in (0..sites.module.nodes.len() as u32).map(NodeId).filter(|id| used[id.0 as usize]) {
-        Value { id, sites }.edit();
+    let (module, observed) = (sites.module, observed(sites.module));
+    for id in (0..module.nodes.len() as u32).map(NodeId).filter(|id| observed[id.0 as usize]) {
+        let mut waits = false;
+        module.node(id).op.for_each_operand(|operand| waits |= is_guard(module, operand));
+        if !waits {
+            Value { id, sites }.edit();
+        }
     }
 }
 

@@ -1,6 +1,7 @@
-//! Edits of registers, memories, instances, outputs and assertions.
+//! Edits of registers, memories, instances, outputs and assumptions.
 
-use crate::site::{Sites, always, beside, near, near_init, not};
+use crate::same::is_guard;
+use crate::site::{Sites, always, beside, near, near_init, not, observed};
 use tilewright_hdl::ir::{Contents, Directive, Module, Node, NodeId, Op, ReadUnderWrite};
 
 /// Adds the mutants in which a part of the schematic is another.
@@ -12,8 +13,9 @@ pub(crate) fn edit(sites: &mut Sites) {
 }
 
 fn registers(sites: &mut Sites) {
-    let module = sites.module;
-    for (i, register) in module.registers.iter().enumerate() {
+    let (module, observed) = (sites.module, observed(sites.module));
+    let described = |node: NodeId| observed[node.0 as usize] && !is_guard(module, node);
+    for (i, register) in module.registers.iter().enumerate().filter(|(_, register)| described(register.node)) {
         let (name, loc) = (module.register_name(register), module.node(register.node).loc);
         if let Some(reset) = &register.reset {
             sites.add(name, loc, "reset dropped", |module| module.registers[i].reset = None);
@@ -117,7 +119,7 @@ fn instances(sites: &mut Sites) {
     }
 }
 
-/// Outputs exchanged or inverted, assertions dropped.
+/// Outputs exchanged or inverted, assumptions dropped.
 fn ends(sites: &mut Sites) {
     let module = sites.module;
     for (i, output) in module.outputs.iter().enumerate() {
@@ -133,10 +135,10 @@ fn ends(sites: &mut Sites) {
             });
         }
     }
-    let asserts = module.properties.iter().enumerate().filter(|(_, it)| it.directive == Directive::Assert);
-    for (i, assert) in asserts {
-        sites.add("an assertion", assert.loc, "dropped", |module| {
-            module.properties[i].condition = always(module, assert.condition, true);
+    let assumes = module.properties.iter().enumerate().filter(|(_, it)| it.directive == Directive::Assume);
+    for (i, assume) in assumes {
+        sites.add("an assumption", assume.loc, "dropped", |module| {
+            module.properties[i].condition = always(module, assume.condition, true);
         });
     }
 }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 use tilewright_hdl::Bits;
-use tilewright_hdl::ir::{Binary, Module, NodeId, Op, Relation, Unary};
+use tilewright_hdl::ir::{Binary, Init, Module, NodeId, Op, Relation, Unary};
 
 /// Whether the operator gives its other operand where one is this.
 pub(crate) fn is_neutral(module: &Module, operator: Binary, operand: NodeId) -> bool {
@@ -11,6 +11,15 @@ pub(crate) fn is_neutral(module: &Module, operator: Binary, operand: NodeId) -> 
         _ => Bits::zero(module.width(operand)),
     };
     constant(module, operand) == Some(neutral)
+}
+
+/// Whether a register says that edges have passed: 0 at power-on and after a reset, and then 1. It is not described, but made for
+/// a statement about past values, as is the gate by which that waits for it.
+pub(crate) fn is_guard(module: &Module, id: NodeId) -> bool {
+    let Op::Register(register) = module.node(id).op else { return false };
+    let register = &module.registers[register.0 as usize];
+    let begins_with_0 = register.initial == Some(Bits::zero(1)) && register.reset == Some(Init::Same(Bits::zero(1)));
+    begins_with_0 && (constant(module, register.next) == Some(Bits::ones(1)) || is_guard(module, register.next))
 }
 
 /// The value of a constant, as it is or inverted.

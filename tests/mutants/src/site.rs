@@ -1,9 +1,10 @@
 //! What of a module is edited, and the mutants found so far.
 
+use crate::same::is_guard;
 use crate::{Mutant, block};
 use tilewright_hdl::Bits;
 use tilewright_hdl::Loc;
-use tilewright_hdl::ir::{Init, Module, Node, NodeId, Op, Unary};
+use tilewright_hdl::ir::{Directive, Init, Module, Node, NodeId, Op, Unary};
 
 /// A module that mutants are made of.
 pub(crate) struct Sites<'a> {
@@ -31,23 +32,36 @@ impl<'a> Sites<'a> {
     }
 }
 
-/// Whether something uses the node, for each node of the module.
-pub(crate) fn used(module: &Module) -> Vec<bool> {
-    let mut used = vec![false; module.nodes.len()];
+/// Whether what can be observed depends on the node, for each node of the module: an output, an instance, what the inputs are assumed to
+/// be, or the count of a cover. What only assertions look at is left out: they hold in a block that is right, whatever it is given, so no
+/// test could tell one that says less.
+pub(crate) fn observed(module: &Module) -> Vec<bool> {
+    let mut observed = vec![false; module.nodes.len()];
     let mut left: Vec<NodeId> = module.outputs.iter().map(|output| output.node).collect();
-    left.extend(module.registers.iter().flat_map(|register| register.enable.into_iter().chain([register.next])));
-    for memory in &module.memories {
-        left.extend(memory.reads.iter().flat_map(|read| read.enable.into_iter().chain([read.address])));
-        left.extend(memory.writes.iter().flat_map(|write| [write.enable, write.address, write.data]));
-    }
     left.extend(module.instances.iter().flat_map(|instance| instance.inputs.iter().copied()));
-    left.extend(module.properties.iter().map(|property| property.condition));
+    let stated = module.properties.iter().filter(|property| property.directive != Directive::Assert);
+    left.extend(stated.map(|property| property.condition));
     while let Some(id) = left.pop() {
-        if !std::mem::replace(&mut used[id.0 as usize], true) {
-            module.node(id).op.for_each_operand(|operand| left.push(operand));
+        if std::mem::replace(&mut observed[id.0 as usize], true) {
+            continue;
+        }
+        let op = &module.node(id).op;
+        op.for_each_operand(|operand| left.push(operand));
+        match *op {
+            Op::Register(register) if !is_guard(module, id) => {
+                let register = &module.registers[register.0 as usize];
+                left.extend(register.enable.into_iter().chain([register.next]));
+            }
+            Op::Read(memory, port) => {
+                let memory = &module.memories[memory.0 as usize];
+                let read = &memory.reads[port as usize];
+                left.extend(read.enable.into_iter().chain([read.address]));
+                left.extend(memory.writes.iter().flat_map(|write| [write.enable, write.address, write.data]));
+            }
+            _ => {}
         }
     }
-    used
+    observed
 }
 
 /// A new node of the shape and place of another.

@@ -22,7 +22,8 @@ impl Least {
         let word = m.pipe("word_before", i.word);
         net!(less = word.lt(old));
         memory.write(less, count.value(), word);
-        m.assert(i.restart.implies(!i.take), "it is restarted while nothing is taken");
+        m.assume(i.restart.implies(!i.take), "it is restarted while nothing is taken");
+        m.assert(m.past(i.restart).implies(count.eq(0)), "no edit: it holds whatever the inputs are");
         LeastOut { least: mux(less, word, lit(8, 7)), count: count.value() }
     }
 }
@@ -89,9 +90,42 @@ fn every_part_of_a_block_has_its_edits() {
         "words: filled with one more",
         "words: filled with one less",
         "words: filled with highest bit inverted",
-        "an assertion: dropped",
+        "an assumption: dropped",
     ];
     assert_eq!(edits(&mutants(&circuit())), expected);
+}
+
+block! {
+    /// Covers what looks back.
+    struct Covered;
+    latency = "0 clocks";
+    in CoveredIn { x: bit() }
+    out CoveredOut { y: bit() }
+}
+
+impl Covered {
+    fn build(&self, m: Module, i: CoveredIn) -> CoveredOut {
+        m.cover("it rises", m.rose(i.x));
+        CoveredOut { y: !i.x }
+    }
+}
+
+/// The register that says that there is a past is none of the description.
+#[test]
+fn what_a_cover_waits_by_has_no_edits() {
+    let expected = [
+        "!: inversion dropped",
+        "!: inversion dropped",
+        "&: And becomes Or",
+        "&: And becomes Xor",
+        "&: the left operand alone",
+        "&: the right operand alone",
+        "output y: inverted",
+        "x_past: register bypassed",
+    ];
+    let mut edits = edits(&mutants(elaborate(&Covered).unwrap().top()));
+    edits.sort_unstable();
+    assert_eq!(edits, expected);
 }
 
 #[test]

@@ -65,6 +65,52 @@ fn a_pixel_takes_3_clocks_and_the_smaller_word_stays() {
     assert_eq!([[0, 2, 5], [0, 1, 5], [0, 0, 5]].map(|place| take(&mut sim, place)), [60, 80, EMPTY]);
 }
 
+/// What is read, and what is found of it, is held until the next pixel.
+#[test]
+fn an_access_clock_by_clock() {
+    let mut sim = Simulation::of(&ImageMemory { pages: 3, page_pixels: 16 }).unwrap().seeded(1);
+    sim.reset();
+    sim.step_clock("pe", 1);
+    let wave = sim.record(["draw_valid", "ready", "stage2", "drawn_address", "drawn_word", "old_word", "nearer"]);
+    draw(&mut sim, [2, 5, 70]);
+    draw(&mut sim, [2, 5, 80]);
+    draw(&mut sim, [2, 5, 60]);
+    clocks(&mut sim, 5);
+    wave.expect(
+        r"
+        pe_clk        |~~~~~~~\______/~~~~~~~\______/~~~~~~~~~~~~~~~~~~~~~~\______/~~~~~~~\______/~~~~~~~\______/
+        merge_clk     |~~~~~~~\____________________________________/~~~~~~~~~~~~~~~~~~~~~~~~~~~~~\_______________
+        draw_valid    |~~~~~~~~~~~~~~\____________________________________________/~~~~~~~~~~~~~~\_______________
+        ready         |~~~~~~~~~~~~~~\____________________________________________/~~~~~~~~~~~~~~\_______________
+        stage2        | Idle         | Read         | Compare                     | Write        | Read         |
+        drawn_address | 35           | 4a                                                                       |
+        drawn_word    | 820e34dffaf9 | 46                                                        | 50           |
+        old_word      | 22eb81209a1e                | ffffffffffff                                              |
+        nearer        |~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
+
+        pe_clk        |~~~~~~~\_____________________/~~~~~~~\______/~~~~~~~\______/~~~~~~~\_____________________/
+        merge_clk     |______________/~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~\_____________________/~~~~~~~~~~~~~~~
+        draw_valid    |_____________________________/~~~~~~~~~~~~~~\_____________________________________________
+        ready         |_____________________________/~~~~~~~~~~~~~~\_____________________________________________
+        stage2        | Compare                     | Write        | Read         | Compare                     |
+        drawn_address | 4a                                                                                      |
+        drawn_word    | 50                                         | 3c                                         |
+        old_word      | 46                                                                                      |
+        nearer        |~~~~~~~~~~~~~~~~~~~~~~~~~~~~~\____________________________________________________________
+
+        pe_clk        |~~~~~~~\______/~~~~~~~\______/~~~~~~~\______/
+        merge_clk     |~~~~~~~~~~~~~~~~~~~~~~\_____________________/
+        draw_valid    |_____________________________________________
+        ready         |~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
+        stage2        | Write        | Idle                        |
+        drawn_address | 4a                                         |
+        drawn_word    | 3c                                         |
+        old_word      | 46                                         |
+        nearer        |~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
+        ",
+    );
+}
+
 #[test]
 fn what_is_sent_is_cleared_and_the_other_buffer_is_not() {
     let mut sim = memory();

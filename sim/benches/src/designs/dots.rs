@@ -1,41 +1,28 @@
 //! Products of pairs, and their sum: a block of many ports.
 
-use tilewright_hdl::{Block, Module, Width, bits, bundle};
+use tilewright_hdl::{Module, bits, block};
 
-bundle! {
-    /// The inputs of [`Dots`].
-    pub struct DotsIn<T> {
+block! {
+    /// Multiplies pairs of bytes.
+    pub struct Dots {
+        /// How many pairs, at least 1.
+        pub pairs: u32,
+    }
+    in(self) DotsIn {
         /// One of each pair.
-        pub left: Vec<T>,
+        left: [bits(8); self.pairs],
         /// The other.
-        pub right: Vec<T>,
+        right: [bits(8); self.pairs],
     }
-
-    /// The outputs of [`Dots`].
-    pub struct DotsOut<T> {
+    out(self) DotsOut {
         /// Of the clock before.
-        pub products: Vec<T>,
+        products: [bits(16); self.pairs],
         /// Of the products.
-        pub sum: T,
+        sum: bits(32),
     }
 }
 
-/// Multiplies pairs of bytes.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct Dots {
-    /// How many pairs, at least 1.
-    pub pairs: u32,
-}
-
-impl Block for Dots {
-    type In = DotsIn;
-    type Out = DotsOut;
-
-    fn inputs(&self) -> DotsIn<Width> {
-        let side = || vec![bits(8); self.pairs as usize];
-        DotsIn { left: side(), right: side() }
-    }
-
+impl Dots {
     fn build(&self, m: Module, i: DotsIn) -> DotsOut {
         let products: Vec<_> = i.left.iter().zip(&i.right).map(|(left, right)| left.times(*right)).collect();
         let products = m.pipe("product", products);

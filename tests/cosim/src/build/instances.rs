@@ -20,7 +20,7 @@ impl Builder<'_> {
     }
 
     /// A name that nothing inside of the instance has: the part's number is above those of the parts below it.
-    fn instance_name(&mut self, number: usize) -> String {
+    pub fn instance_name(&mut self, number: usize) -> String {
         let name = format!("u{}_{number}", self.block.index);
         self.namer.remember(&name);
         name

@@ -1,5 +1,6 @@
 //! Random designs as hardware.
 
+mod declared;
 mod expression;
 mod instances;
 mod lanes;
@@ -292,6 +293,7 @@ impl<'a> Builder<'a> {
             Make::Coded(coded) => self.coded(d, number, coded),
             Make::PowerOn { initial, reset, next } => self.power_on(d, number, *initial, *reset, *next),
             Make::InParts(parts) => self.parts(d, number, parts),
+            Make::Declared(declared) => self.declared(d, number, declared),
             Make::Never(pick, pattern) => {
                 let signal = self.pick(d, *pick);
                 self.on(d).assert(signal.ne(pattern.bits(signal.width())), "a value is never this one");

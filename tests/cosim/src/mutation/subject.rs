@@ -2,8 +2,9 @@
 
 use super::suite::{BLOCKS, Crate, RTL};
 use tilewright_blocks::{
-    Arbiter, Counter, DualClockFifo, Fifo, Fork, Lfsr, Narrow, RegisterSlice, ShiftRegister, Slice, Storage, Turns,
-    Widen,
+    Arbiter, BitOrder, Counter, Crc, Divider, DualClockFifo, DualClockRam, Fifo, Fork, Lfsr, Multiplier, Narrow,
+    PowerOnReset, Quadrature, Ram, RegisterSlice, ShiftRegister, Shifter, SineCosine, Slice, SquareRoot, Storage,
+    Ticks, Turns, VectorRegisters, Widen,
 };
 use tilewright_hdl::{Block, Clock, Design, Period, elaborate};
 use tilewright_mutants::{Mutant, mutants};
@@ -73,6 +74,18 @@ fn blocks() -> Vec<Subject> {
         subject(&Counter::new(10)),
         subject(&ShiftRegister::new(6)),
         subject(&Lfsr::new(8)),
+        subject(&Quadrature::new(4)),
+        subject(&PowerOnReset::new(3)),
+        subject(&Ticks::new(5)),
+        subject(&Ram::new(5, 2)),
+        subject(&DualClockRam::new(5, 2, clocks[0], clocks[1])),
+        subject(&VectorRegisters::new(5, 2, 4)),
+        subject(&Multiplier::new(6, 3)),
+        subject(&Shifter::new(8)),
+        subject(&Divider::new(4)),
+        subject(&SquareRoot::new(3)),
+        subject(&SineCosine::new(6)),
+        subject(&Crc::new(16, 0x1021, 0xffff, BitOrder::MostFirst)),
     ];
     slices.into_iter().chain(others).collect()
 }

@@ -58,6 +58,7 @@ fn resized(mut part: Part, size: Size) -> Part {
             Make::Register { width, .. } | Make::Chain { width, .. } => *width = size.fit(*width),
             Make::Lanes(work) => work.width = size.fit(work.width),
             Make::Records(records) => records.widths.iter_mut().for_each(|width| *width = size.fit(*width)),
+            Make::Declared(declared) => declared.widths = declared.widths.map(|width| size.fit(width)),
             _ => {}
         }
     }

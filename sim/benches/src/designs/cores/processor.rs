@@ -1,54 +1,40 @@
 //! A processor of RV32I without fences, system calls and control registers: an instruction every clock.
 
-use tilewright_hdl::{
-    Bits, Block, Module, ReadUnderWrite, Signal, Width, bit, bits, bundle, case, cat, lit, mux, net, select,
-};
+use tilewright_hdl::{Bits, Module, ReadUnderWrite, Signal, bit, bits, block, case, cat, lit, mux, net, select};
 
 use super::program::program;
 
 /// Words of the data memory.
 const WORDS: u32 = 1024;
 
-bundle! {
-    /// The inputs of [`Processor`].
-    pub struct ProcessorIn<T> {
+block! {
+    /// One of the processors.
+    pub struct Processor;
+    in ProcessorIn {
         /// It starts at address 0 when this goes low.
-        pub rst: T,
+        rst: bit(),
         /// What it reads at addresses from 2^31 on.
-        pub word: T,
+        word: bits(32),
     }
-
-    /// The outputs of [`Processor`]: what it does in this clock, and a sum over all clocks before.
-    pub struct ProcessorOut<T> {
+    out ProcessorOut {
         /// The address of the instruction.
-        pub pc: T,
+        pc: bits(32),
         /// The instruction.
-        pub instruction: T,
+        instruction: bits(32),
         /// What a register takes.
-        pub result: T,
+        result: bits(32),
         /// Of a load or store.
-        pub address: T,
+        address: bits(32),
         /// Which bytes are stored.
-        pub stores: T,
+        stores: bits(4),
         /// What is stored.
-        pub data: T,
+        data: bits(32),
         /// Of all results and addresses.
-        pub sum: T,
+        sum: bits(32),
     }
 }
 
-/// One of the processors.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct Processor;
-
-impl Block for Processor {
-    type In = ProcessorIn;
-    type Out = ProcessorOut;
-
-    fn inputs(&self) -> ProcessorIn<Width> {
-        ProcessorIn { rst: bit(), word: bits(32) }
-    }
-
+impl Processor {
     fn build(&self, m: Module, i: ProcessorIn) -> ProcessorOut {
         let words = program();
         let pc = m.reg("pc", 32);
@@ -114,10 +100,6 @@ impl Block for Processor {
         let sum = m.reg("sum", 32);
         sum.next(mux(i.rst, 0, sum.rotate_left(1) + (result ^ address)));
         ProcessorOut { pc: pc.value(), instruction, result, address, stores, data, sum: sum.value() }
-    }
-
-    fn name(&self) -> String {
-        "core_processor".to_owned()
     }
 }
 

@@ -1,7 +1,7 @@
 //! A virtual local frame buffer that draws patches at random, and is scanned at the same time.
 
 use tilewright_hdl::{
-    Bits, Block, Mem, Module, ReadUnderWrite, Signal, Width, bit, bits, bundle, cat, index_width, lit, mux, net, up_to,
+    Bits, Mem, Module, ReadUnderWrite, Signal, bit, bits, block, cat, index_width, lit, mux, net, up_to,
 };
 
 use super::Pixel;
@@ -12,39 +12,27 @@ const EDGE: u32 = 4;
 /// The width of a patch's page number; page 0 is none.
 const PAGE: u32 = 13;
 
-bundle! {
-    /// The inputs of [`FrameBuffer`].
-    pub struct FrameBufferIn<T> {
-        pub rst: T,
-        pub seed: T,
-        pub start_x: T,
+block! {
+    /// A patch table, which gives patches their pages as they are drawn into, and the image memory of those pages: a quarter as many
+    /// as patches.
+    pub struct FrameBuffer {
+        /// Patches in a row of the screen, from 5.
+        pub columns: u32,
+        /// Rows of patches, from 2.
+        pub rows: u32,
     }
-
-    /// The outputs of [`FrameBuffer`].
-    pub struct FrameBufferOut<T> {
+    in(self) FrameBufferIn {
+        rst: bit(),
+        seed: bits(32),
+        start_x: bits(self.x_width()),
+    }
+    out FrameBufferOut {
         /// What the scan finds, a pixel every clock.
-        pub pixel: Pixel<T>,
+        pixel: Pixel = _,
     }
 }
 
-/// A patch table, which gives patches their pages as they are drawn into, and the image memory of those pages: a quarter as many
-/// as patches.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct FrameBuffer {
-    /// Patches in a row of the screen, from 5.
-    pub columns: u32,
-    /// Rows of patches, from 2.
-    pub rows: u32,
-}
-
-impl Block for FrameBuffer {
-    type In = FrameBufferIn;
-    type Out = FrameBufferOut;
-
-    fn inputs(&self) -> FrameBufferIn<Width> {
-        FrameBufferIn { rst: bit(), seed: bits(32), start_x: bits(self.x_width()) }
-    }
-
+impl FrameBuffer {
     fn build(&self, m: Module, i: FrameBufferIn) -> FrameBufferOut {
         let table = m.memory("patch_table", self.patches(), PAGE, ReadUnderWrite::Old).fill(Bits::zero(PAGE));
         let image = m.memory("image", self.pages() * EDGE * EDGE, 48, ReadUnderWrite::Old).fill(Bits::zero(48));
@@ -52,12 +40,6 @@ impl Block for FrameBuffer {
         FrameBufferOut { pixel: self.scan(m, &i, table, image) }
     }
 
-    fn name(&self) -> String {
-        format!("pim_frame_buffer_{}x{}", self.columns, self.rows)
-    }
-}
-
-impl FrameBuffer {
     /// The width of the screen in pixels.
     pub fn width(&self) -> u32 {
         EDGE * self.columns

@@ -1,34 +1,22 @@
 //! Of two pixels the nearer, in four stages.
 
-use tilewright_hdl::{Block, Module, Width, bundle, mux};
+use tilewright_hdl::{Module, block, mux};
 
 use super::{Pixel, pixel};
 
-bundle! {
-    /// The inputs of [`Merger`].
-    pub struct MergerIn<T> {
-        pub left: Pixel<T>,
-        pub right: Pixel<T>,
+block! {
+    /// Takes the pixels, compares the halves of their depths, decides, chooses. Of two that are equally deep the right one.
+    pub struct Merger;
+    in MergerIn {
+        left: Pixel = pixel(),
+        right: Pixel = pixel(),
     }
-
-    /// The outputs of [`Merger`].
-    pub struct MergerOut<T> {
-        pub nearer: Pixel<T>,
+    out MergerOut {
+        nearer: Pixel = pixel(),
     }
 }
 
-/// Takes the pixels, compares the halves of their depths, decides, chooses. Of two that are equally deep the right one.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct Merger;
-
-impl Block for Merger {
-    type In = MergerIn;
-    type Out = MergerOut;
-
-    fn inputs(&self) -> MergerIn<Width> {
-        MergerIn { left: pixel(), right: pixel() }
-    }
-
+impl Merger {
     fn build(&self, m: Module, i: MergerIn) -> MergerOut {
         let (left, right) = (m.pipe("left1", i.left), m.pipe("right1", i.right));
         let [left_high, right_high] = [left, right].map(|pixel| pixel.z.slice(12..24));
@@ -44,9 +32,5 @@ impl Block for Merger {
         let (left, right) = (m.pipe("left3", left), m.pipe("right3", right));
         let chosen = mux(take_left, left, right);
         MergerOut { nearer: m.pipe("nearer", Pixel { valid: left.valid | right.valid, ..chosen }) }
-    }
-
-    fn name(&self) -> String {
-        "pim_merger".to_owned()
     }
 }

@@ -3,9 +3,7 @@
 //! A window is a square of `2^level` pixels. Every clock its four quarters are tested against the three edges: each is outside,
 //! covered, or to be divided again. The unit goes down into the first of the latter; the others wait on a stack.
 
-use tilewright_hdl::{
-    Bits, Block, Module, ReadUnderWrite, Reg, Signal, Width, bit, bits, bundle, cat, concat, lit, mux, net, select,
-};
+use tilewright_hdl::{Bits, Module, ReadUnderWrite, Reg, Signal, bit, bits, block, cat, concat, lit, mux, net, select};
 
 use crate::word::xorshift;
 
@@ -15,23 +13,18 @@ const VALUE: u32 = 20;
 const TOP_LEVEL: u64 = 10;
 const EDGES: u64 = 3;
 
-bundle! {
-    /// The inputs of [`Unit`].
-    pub struct UnitIn<T> {
-        pub rst: T,
-        pub seed: T,
+block! {
+    /// A unit with a source of random triangles.
+    pub struct Unit;
+    in UnitIn {
+        rst: bit(),
+        seed: bits(32),
     }
-
-    /// The outputs of [`Unit`].
-    pub struct UnitOut<T> {
+    out UnitOut {
         /// Of all that was found so far.
-        pub hash: T,
+        hash: bits(32),
     }
 }
-
-/// A unit with a source of random triangles.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct Unit;
 
 /// An edge of the triangle: a x + b y + value, which is negative outside.
 #[derive(Clone, Copy)]
@@ -66,14 +59,7 @@ impl Edge {
     }
 }
 
-impl Block for Unit {
-    type In = UnitIn;
-    type Out = UnitOut;
-
-    fn inputs(&self) -> UnitIn<Width> {
-        UnitIn { rst: bit(), seed: bits(32) }
-    }
-
+impl Unit {
     fn build(&self, m: Module, i: UnitIn) -> UnitOut {
         let rst = i.rst;
         let random = m.reg("random", 32);
@@ -153,9 +139,5 @@ impl Block for Unit {
         let seen = cat![found, divided, *level, *y, *x];
         hash.enable(rst | busy).next(mux(rst, 0, hash.rotate_left(1) + seen));
         UnitOut { hash: hash.value() }
-    }
-
-    fn name(&self) -> String {
-        "qt_unit".to_owned()
     }
 }

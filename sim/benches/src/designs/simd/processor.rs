@@ -1,39 +1,27 @@
 //! A processor of the array: an accumulator, 256 bytes, and a flag that says whether it takes part.
 
-use tilewright_hdl::{Bits, Block, Module, ReadUnderWrite, Width, bit, bits, bundle, case, lit, mux, net};
+use tilewright_hdl::{Bits, Module, ReadUnderWrite, bit, bits, block, case, lit, mux, net};
 
 use super::instruction::{Instruction, Opcode};
 
-bundle! {
-    /// The inputs of [`Processor`].
-    pub struct ProcessorIn<T> {
-        pub rst: T,
-        pub instruction: Instruction<T>,
+block! {
+    /// One of the processors.
+    pub struct Processor;
+    in ProcessorIn {
+        rst: bit(),
+        instruction: Instruction = Instruction::widths(),
         /// The term of the plane that depends on the column.
-        pub column: T,
+        column: bits(8),
         /// The term of the plane that depends on the row.
-        pub row: T,
+        row: bits(8),
     }
-
-    /// The outputs of [`Processor`].
-    pub struct ProcessorOut<T> {
+    out ProcessorOut {
         /// The accumulator, or 0 if it does not take part.
-        pub contribution: T,
+        contribution: bits(8),
     }
 }
 
-/// One of the processors.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct Processor;
-
-impl Block for Processor {
-    type In = ProcessorIn;
-    type Out = ProcessorOut;
-
-    fn inputs(&self) -> ProcessorIn<Width> {
-        ProcessorIn { rst: bit(), instruction: Instruction::widths(), column: bits(8), row: bits(8) }
-    }
-
+impl Processor {
     fn build(&self, m: Module, i: ProcessorIn) -> ProcessorOut {
         let Instruction { read_address, opcode, write_address, constant } = i.instruction;
         let memory = m.memory("memory", 256, 8, ReadUnderWrite::Old).fill(Bits::zero(8));
@@ -67,9 +55,5 @@ impl Block for Processor {
 
         memory.write(active & opcode.eq(Opcode::Store as u64), write_address, a);
         ProcessorOut { contribution: mux(active, *a, 0) }
-    }
-
-    fn name(&self) -> String {
-        "simd_processor".to_owned()
     }
 }

@@ -1,7 +1,7 @@
 //! Stands for the host: has frame after frame merged, and reads them for a checksum.
 
-use tilewright_hdl::{Block, Module, Width, below, bit, bits, bundle, codes, goto, lit, mux, net, when};
-use tilewright_rtl::gfb;
+use tilewright_hdl::{Module, below, bit, bits, block, codes, goto, lit, mux, net, when};
+use tilewright_rtl::gfb::Host as GfbHost;
 use tilewright_rtl::parameter::Screen;
 use tilewright_rtl::vc1::SWAP_CLOCKS;
 use tilewright_rtl::word::WORD;
@@ -24,46 +24,34 @@ codes! {
     }
 }
 
-bundle! {
-    /// The inputs of [`Host`].
-    pub struct HostIn<T> {
+block! {
+    /// The host of a machine with that screen.
+    pub struct Host {
+        pub screen: Screen,
+    }
+    in HostIn {
         /// All painters wait for the swap.
-        pub drawn: T,
+        drawn: bit(),
         /// All painters have swapped.
-        pub swapped: T,
+        swapped: bit(),
         /// Of all painters; steady while they wait.
-        pub hash: T,
+        hash: bits(32),
         /// The pixel at the address of the clock before.
-        pub read_word: T,
+        read_word: bits(WORD),
         /// A round is under way.
-        pub busy: T,
+        busy: bit(),
     }
-
-    /// The outputs of [`Host`].
-    pub struct HostOut<T> {
+    out HostOut {
         /// The painters are to swap their buffers.
-        pub request: T,
+        request: bit(),
         /// To the global frame buffer.
-        pub gfb: gfb::Host<T>,
+        gfb: GfbHost = _,
         /// Of all frames that were read, and of the painters.
-        pub csum: T,
+        csum: bits(32),
     }
 }
 
-/// The host of a machine with that screen.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct Host {
-    pub screen: Screen,
-}
-
-impl Block for Host {
-    type In = HostIn;
-    type Out = HostOut;
-
-    fn inputs(&self) -> HostIn<Width> {
-        HostIn { drawn: bit(), swapped: bit(), hash: bits(32), read_word: bits(WORD), busy: bit() }
-    }
-
+impl Host {
     fn build(&self, m: Module, i: HostIn) -> HostOut {
         let phase = m.fsm("phase", Phase::Wait);
         let settling = m.reg("settling", below(SWAP_CLOCKS)).reset(0);
@@ -99,7 +87,7 @@ impl Block for Host {
         request.next(phase.is(Phase::Swap) & !i.swapped);
         HostOut {
             request: request.value(),
-            gfb: gfb::Host {
+            gfb: GfbHost {
                 start: phase.is(Phase::Start),
                 swap: phase.is(Phase::Show),
                 read_address: address.value(),
@@ -107,9 +95,5 @@ impl Block for Host {
             },
             csum: csum.value(),
         }
-    }
-
-    fn name(&self) -> String {
-        "vc1_host".to_owned()
     }
 }

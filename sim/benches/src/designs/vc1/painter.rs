@@ -1,6 +1,6 @@
 //! Stands for a processing element and its program: draws patches at random places, a pixel now and then.
 
-use tilewright_hdl::{Block, Module, Reg, Width, bit, bits, bundle, cat, codes, index_width, lit, mux, net, when};
+use tilewright_hdl::{Module, Reg, bit, bits, block, cat, codes, index_width, lit, mux, net, when};
 use tilewright_rtl::lfb::{Clear, Patches, Request};
 use tilewright_rtl::vc1::ProcessorIn;
 use tilewright_rtl::word::WORD;
@@ -21,50 +21,38 @@ codes! {
     }
 }
 
-bundle! {
-    /// The inputs of [`Painter`].
-    pub struct PainterIn<T> {
+block! {
+    /// A painter on a screen of these patches, of 4x4 pixels.
+    pub struct Painter {
+        pub patches: Patches,
+        /// Patches for a frame.
+        pub painted: u32,
+    }
+    in PainterIn {
         /// Of the random generator.
-        pub seed: T,
+        seed: bits(32),
         /// The local frame buffer takes the pixel at this edge.
-        pub ready: T,
+        ready: bit(),
         /// The local frame buffer clears the entry at this edge.
-        pub clear_ready: T,
+        clear_ready: bit(),
         /// Nothing is under way in the local frame buffer.
-        pub idle: T,
+        idle: bit(),
         /// The host wants the buffers swapped; until it has seen that they are.
-        pub swap: T,
+        swap: bit(),
     }
-
-    /// The outputs of [`Painter`].
-    pub struct PainterOut<T> {
+    out PainterOut {
         /// To the local frame buffer.
-        pub vc1: ProcessorIn<T>,
+        vc1: ProcessorIn = _,
         /// Waits for the swap.
-        pub drawn: T,
+        drawn: bit(),
         /// Has swapped, and waits for the host to see it.
-        pub swapped: T,
+        swapped: bit(),
         /// Of what was drawn, and when.
-        pub hash: T,
+        hash: bits(32),
     }
 }
 
-/// A painter on a screen of these patches, of 4x4 pixels.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct Painter {
-    pub patches: Patches,
-    /// Patches for a frame.
-    pub painted: u32,
-}
-
-impl Block for Painter {
-    type In = PainterIn;
-    type Out = PainterOut;
-
-    fn inputs(&self) -> PainterIn<Width> {
-        PainterIn { seed: bits(32), ready: bit(), clear_ready: bit(), idle: bit(), swap: bit() }
-    }
-
+impl Painter {
     fn build(&self, m: Module, i: PainterIn) -> PainterOut {
         let phase = m.fsm("phase", Phase::Clear);
         let seeded = m.reg("seeded", 1).reset(0);
@@ -119,9 +107,5 @@ impl Block for Painter {
             swapped: phase.is(Phase::Swapped),
             hash: hash.value(),
         }
-    }
-
-    fn name(&self) -> String {
-        "vc1_painter".to_owned()
     }
 }

@@ -36,12 +36,44 @@ pub(super) fn lookup(
 pub(super) fn rotation(circuit: &Circuit, parts: &[ValueId]) -> Option<Kind> {
     let &[upper, lower] = parts else { return None };
     match (&circuit[upper].kind, &circuit[lower].kind) {
-        (&Kind::Slice(of, 0), &Kind::Slice(other, low)) => {
+        (&Kind::Slice(of, 0), &Kind::Slice(other, low)) if of == other => {
             let width = circuit[of].width;
-            let widths = (circuit[upper].width, circuit[lower].width);
-            let is_whole = of == other && widths == (low, width - low);
+            let is_whole = (circuit[upper].width, circuit[lower].width) == (low, width - low);
             (is_whole && matches!(width, 8 | 16 | 32 | 64)).then_some(Kind::Rotate(of, width - low))
         }
         _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use tilewright_hdl::{Module, bits, block, cat, elaborate};
+
+    use crate::{EngineKind, Simulation};
+
+    block! {
+        /// Parts of two values side by side, of which one is narrower than the part begins at.
+        struct Beside;
+        in BesideIn { narrow: bits(5), wide: bits(32) }
+        out BesideOut { both: bits(8) }
+    }
+
+    impl Beside {
+        fn build(&self, m: Module, i: BesideIn) -> BesideOut {
+            let both = m.reg("both", 8).reset(0);
+            both.next(cat![i.narrow.trunc(3), i.wide.part(20, 5)]);
+            BesideOut { both: *both }
+        }
+    }
+
+    #[test]
+    fn parts_of_two_values_are_no_rotation() {
+        let mut sim = Simulation::from_design(&elaborate(&Beside).unwrap()).unwrap().on(EngineKind::Compiled);
+        let port = |name| sim.port(name).unwrap();
+        let (narrow, wide, both) = (port("narrow"), port("wide"), port("both"));
+        sim.set(narrow, 0b10110);
+        sim.set(wide, 0b01001 << 20);
+        sim.step();
+        assert_eq!(sim.get_u64(both), 0b110_01001);
     }
 }

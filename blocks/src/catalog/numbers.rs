@@ -1,0 +1,149 @@
+//! The entries of what computes with numbers.
+
+use crate::{
+    BitOrder, Crc, CrcIn, Divider, DividerIn, Multiplier, MultiplierIn, Operands, Shifter, ShifterIn, Shifting,
+    SineCosine, SquareRoot, StreamIn,
+};
+use tilewright_hdl::catalog::{Entry, Parameter, Values};
+use tilewright_hdl::{Codes, DEFAULT_PERIOD, Scenario, Script, Stream, elaborate};
+
+pub(super) const MULTIPLIER: Entry = Entry {
+    name: "multiplier",
+    summary: "multiplies two numbers in several stages",
+    parameters: &[
+        Parameter { name: "digits", default: 4, min: 4, max: 16, meaning: "bits of a factor that a stage takes" },
+        Parameter { name: "stages", default: 2, min: 1, max: 16, meaning: "clocks that it takes" },
+    ],
+    design: |values| Ok(elaborate(&multiplier(values))?),
+    scenario: |values| Ok(some_products(&multiplier(values))),
+};
+
+pub(super) const SHIFTER: Entry = Entry {
+    name: "shifter",
+    summary: "shifts a word by any number of places, in stages",
+    parameters: &[Parameter { name: "width", default: 8, min: 4, max: 64, meaning: "bits of a word" }],
+    design: |values| Ok(elaborate(&shifter(values))?),
+    scenario: |values| Ok(every_kind(&shifter(values))),
+};
+
+pub(super) const DIVIDER: Entry = Entry {
+    name: "divider",
+    summary: "divides the numbers of a stream",
+    parameters: &[Parameter { name: "width", default: 4, min: 4, max: 64, meaning: "bits of a number, and stages" }],
+    design: |values| Ok(elaborate(&divider(values))?),
+    scenario: |values| Ok(some_quotients(&divider(values), values.get("width"))),
+};
+
+pub(super) const SQUARE_ROOT: Entry = Entry {
+    name: "square-root",
+    summary: "draws the square roots of a stream",
+    parameters: &[Parameter { name: "width", default: 3, min: 2, max: 32, meaning: "bits of a root, and stages" }],
+    design: |values| Ok(elaborate(&square_root(values))?),
+    scenario: |values| Ok(some_roots(&square_root(values), values.get("width"))),
+};
+
+pub(super) const SINE_COSINE: Entry = Entry {
+    name: "sine-cosine",
+    summary: "gives the points of a circle at the angles of a stream",
+    parameters: &[Parameter { name: "width", default: 8, min: 4, max: 24, meaning: "bits of an angle, and stages" }],
+    design: |values| Ok(elaborate(&sine_cosine(values))?),
+    scenario: |values| Ok(the_quarters(&sine_cosine(values), values.get("width"))),
+};
+
+pub(super) const CRC: Entry = Entry {
+    name: "crc",
+    summary: "makes the CRC-32 of Ethernet of a message",
+    parameters: &[],
+    design: |_| Ok(elaborate(&crc())?),
+    scenario: |_| Ok(a_message(&crc())),
+};
+
+fn multiplier(values: &Values) -> Multiplier {
+    let (digits, stages) = (values.get_u32("digits"), values.get_u32("stages"));
+    Multiplier::new(digits * stages, stages)
+}
+
+fn some_products(multiplier: &Multiplier) -> Scenario {
+    let mut script = Script::new(multiplier, DEFAULT_PERIOD);
+    for (left, right) in [(3, 5), (15, 15), (7, 9)] {
+        script.clock(&MultiplierIn { enable: 1, left, right });
+    }
+    script.hold(&MultiplierIn { enable: 0, left: 2, right: 2 }, 2);
+    script.hold(&MultiplierIn { enable: 1, left: 0, right: 0 }, 4);
+    script.finish("three products, one after another, with a pause in which all stages hold")
+}
+
+fn shifter(values: &Values) -> Shifter {
+    Shifter::new(values.get_u32("width"))
+}
+
+fn every_kind(shifter: &Shifter) -> Scenario {
+    let mut script = Script::new(shifter, DEFAULT_PERIOD);
+    for kind in Shifting::ALL {
+        for places in 0..4 {
+            script.clock(&ShifterIn { enable: 1, word: 9, places, kind: kind.code() });
+        }
+    }
+    script.hold(&ShifterIn { enable: 1, word: 0, places: 0, kind: 0 }, 6);
+    script.finish("9 is shifted to the left, to the right, and to the right with its sign, each by 0 to 3 places")
+}
+
+fn divider(values: &Values) -> Divider {
+    Divider::new(values.get_u32("width"))
+}
+
+fn some_quotients(divider: &Divider, clocks: u64) -> Scenario {
+    let mut script = Script::new(divider, DEFAULT_PERIOD);
+    let operands = |valid, dividend, divisor| DividerIn { operands: Stream::of(valid, Operands { dividend, divisor }) };
+    script.ready("results", true);
+    for (dividend, divisor) in [(14, 4), (15, 1), (9, 0), (3, 7)] {
+        script.clock(&operands(1, dividend, divisor));
+    }
+    script.hold(&operands(0, 0, 0), clocks + 2);
+    script.finish("four divisions, one after another, the third by 0")
+}
+
+fn square_root(values: &Values) -> SquareRoot {
+    SquareRoot::new(values.get_u32("width"))
+}
+
+/// These words one after another, and then nothing until all are through.
+fn each<B: tilewright_hdl::Block<In = StreamIn>>(script: &mut Script<B>, words: [u64; 4], clocks: u64) {
+    for word in words {
+        script.clock(&StreamIn { into: Stream::of(1, word) });
+    }
+    script.hold(&StreamIn { into: Stream::of(0, 0) }, clocks + 2);
+}
+
+fn some_roots(root: &SquareRoot, clocks: u64) -> Scenario {
+    let mut script = Script::new(root, DEFAULT_PERIOD);
+    script.ready("roots", true);
+    each(&mut script, [0, 9, 10, 15], clocks);
+    script.finish("the roots of 0, 9, 10 and 15, one after another")
+}
+
+fn sine_cosine(values: &Values) -> SineCosine {
+    SineCosine::new(values.get_u32("width"))
+}
+
+fn the_quarters(sine: &SineCosine, width: u64) -> Scenario {
+    let mut script = Script::new(sine, DEFAULT_PERIOD);
+    script.ready("points", true);
+    each(&mut script, [0, 1, 2, 3].map(|quarter| quarter << (width - 2)), width);
+    script.finish("east, north, west and south, one after another")
+}
+
+fn crc() -> Crc {
+    Crc::new(32, 0x04c1_1db7, 0xffff_ffff, BitOrder::LeastFirst)
+}
+
+fn a_message(crc: &Crc) -> Scenario {
+    let mut script = Script::new(crc, DEFAULT_PERIOD);
+    for byte in b"123456789" {
+        script.clock(&CrcIn { restart: 0, take: 1, data: u64::from(*byte) });
+    }
+    script.hold(&CrcIn { restart: 0, take: 0, data: 0 }, 2);
+    script.clock(&CrcIn { restart: 1, take: 0, data: 0 });
+    script.wait(1);
+    script.finish("the digits from 1 to 9, whose check is the complement of cbf43926; then the next message begins")
+}

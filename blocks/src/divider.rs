@@ -1,0 +1,113 @@
+//! A divider, a bit of the quotient a stage.
+
+use tilewright_hdl::{Module, bits, block, bundle, cat, lit, mux};
+
+bundle! {
+    /// A division under way.
+    struct Dividing<T> {
+        /// Above the digits of the quotient that are known those of the dividend that are left.
+        digits: T,
+        remainder: T,
+        divisor: T,
+    }
+}
+
+block! {
+    /// Divides numbers, with a stage for each bit of the quotient.
+    ///
+    /// ```text
+    /// operands ===>| compare, subtract |[1]===>| .. |[2]===> .. [width]===> results
+    /// ```
+    ///
+    /// Latency a clock for each bit, a quotient a clock. By 0 the quotient is all ones, and the remainder the dividend.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # use tilewright_blocks::{Divider, DividerIn, Operands};
+    /// # let example = tilewright_sim::traced(|m| {
+    /// let (operands, _) = m.offer(lit(1, 1), Operands { dividend: lit(4, 14), divisor: lit(4, 4) });
+    /// let result = m.instance("u_divider", &Divider::new(4), DividerIn { operands }).results.take_when(1);
+    /// m.assert(result.taken.implies(result.quotient.eq(3) & result.remainder.eq(2)), "14 = 3 * 4 + 2");
+    /// net!(taken = result.taken);
+    /// # });
+    /// assert_eq!(example.values("taken"), [0, 0, 0, 0, 1, 1]);
+    /// ```
+    pub struct Divider {
+        width: u32,
+    }
+    latency(self) = format!("{} clocks", self.width);
+    in(self) DividerIn {
+        /// What is divided.
+        operands: stream(Operands { dividend: bits(self.width), divisor: bits(self.width) }),
+    }
+    out(self) DividerOut {
+        /// What comes of it.
+        results: stream(Quotient { quotient: bits(self.width), remainder: bits(self.width) }),
+    }
+}
+
+bundle! {
+    /// What a [`Divider`] divides.
+    ///
+    /// ```
+    /// # use tilewright_blocks::Operands;
+    /// let third = Operands { dividend: 100, divisor: 3 };
+    /// assert_eq!(third.dividend / third.divisor, 33);
+    /// ```
+    pub struct Operands<T> {
+        /// What is divided.
+        pub dividend: T,
+        /// By what.
+        pub divisor: T,
+    }
+
+    /// What comes of a division.
+    ///
+    /// ```
+    /// # use tilewright_blocks::Quotient;
+    /// let third = Quotient { quotient: 33, remainder: 1 };
+    /// assert_eq!(third.quotient * 3 + third.remainder, 100);
+    /// ```
+    pub struct Quotient<T> {
+        /// How often the divisor goes into the dividend.
+        pub quotient: T,
+        /// What is left.
+        pub remainder: T,
+    }
+}
+
+impl Divider {
+    /// A divider of numbers of so many bits.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// use tilewright_blocks::Divider;
+    ///
+    /// assert_eq!(Divider::new(16).name(), "divider_width16");
+    /// ```
+    ///
+    /// # Panics
+    ///
+    /// There are less than two.
+    #[track_caller]
+    pub fn new(width: u32) -> Divider {
+        assert!(width > 1, "a divider of {width} bits: it has 2 or more");
+        Divider { width }
+    }
+
+    fn build(&self, m: Module, i: DividerIn) -> DividerOut {
+        let Operands { dividend, divisor } = i.operands.payload;
+        let start = Dividing { digits: dividend, remainder: lit(self.width, 0), divisor };
+        let divided = m.stream_stages(self.width, i.operands.with(start), |_, part| {
+            let rest = cat![part.remainder, part.digits.msb()];
+            let divisor = part.divisor.zext(self.width + 1);
+            let fits = rest.ge(divisor);
+            Dividing {
+                digits: cat![part.digits.trunc(self.width - 1), fits],
+                remainder: mux(fits, rest - divisor, rest).trunc(self.width),
+                ..part
+            }
+        });
+        DividerOut { results: divided.with(Quotient { quotient: divided.digits, remainder: divided.remainder }) }
+    }
+}

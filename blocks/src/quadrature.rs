@@ -1,0 +1,101 @@
+//! The position of a knob or a motor.
+
+use tilewright_hdl::{Module, bit, bits, block, case, cat, codes, one_of};
+
+codes! {
+    /// A step that a [`Quadrature`] decoder sees.
+    ///
+    /// ```
+    /// use tilewright_blocks::Turn;
+    /// use tilewright_hdl::Codes;
+    ///
+    /// assert_eq!(Turn::Up.name(), "Up");
+    /// ```
+    pub enum Turn {
+        /// None.
+        Still,
+        /// `a` leads.
+        Up,
+        /// `b` leads.
+        Down,
+    }
+}
+
+block! {
+    /// Counts the steps of an encoder with two lines, one of which leads the other by a quarter of a step.
+    ///
+    /// ```text
+    ///      __    __                    __    __
+    /// a __/  \__/  \__   up       a  _/  \__/  \_   down
+    ///       __    __                __    __
+    /// b ___/  \__/  \_            b /  \__/  \__
+    /// ```
+    ///
+    /// Latency 1 clock to `turn`, 2 clocks to `position`. Each change of a line is a step; where both change at once, none is
+    /// counted. The lines come from synchronizers, if they are from outside.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # use tilewright_blocks::{Quadrature, QuadratureIn};
+    /// # let example = tilewright_sim::traced(|m| {
+    /// let code = m.reg("code", 2).reset(0);
+    /// code.next(cat![code.bit(0), !code.bit(1)]); // 00, 01, 11, 10: `b` leads
+    /// let lines = QuadratureIn { a: code.bit(1), b: code.bit(0) };
+    /// net!(position = m.instance("u_knob", &Quadrature::new(8), lines).position);
+    /// # });
+    /// assert_eq!(example.values("position"), [0, 0, 0, 0xff, 0xfe, 0xfd]); // 0, -1, -2 ..
+    /// ```
+    pub struct Quadrature {
+        width: u32,
+    }
+    latency = "2 clocks";
+    in QuadratureIn {
+        /// A line.
+        a: bit(),
+        /// The other one.
+        b: bit(),
+    }
+    out(self) QuadratureOut {
+        /// Where it is, signed; from 0 on.
+        position: bits(self.width).signed(),
+        /// The step that it made.
+        turn: one_of::<Turn>(),
+    }
+}
+
+impl Quadrature {
+    /// A position of so many bits.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// use tilewright_blocks::Quadrature;
+    ///
+    /// assert_eq!(Quadrature::new(16).name(), "quadrature_width16");
+    /// ```
+    ///
+    /// # Panics
+    ///
+    /// There are less than two: a sign, and a number.
+    #[track_caller]
+    pub fn new(width: u32) -> Quadrature {
+        assert!(width > 1, "a position of {width} bits: it has 2 or more");
+        Quadrature { width }
+    }
+
+    fn build(&self, m: Module, i: QuadratureIn) -> QuadratureOut {
+        let now = cat![i.a, i.b];
+        let last = m.reg("last", 2).reset(0);
+        last.next(now);
+        let up = [0b00_10, 0b10_11, 0b11_01, 0b01_00].map(|change| (change, Turn::Up));
+        let down = [0b00_01, 0b01_11, 0b11_10, 0b10_00].map(|change| (change, Turn::Down));
+        let turn = m.reg("turn", one_of::<Turn>()).reset(Turn::Still);
+        turn.next(case(cat![last, now], up.into_iter().chain(down), Turn::Still));
+        let position = m.reg("position", bits(self.width).signed()).reset(0);
+        position.next(turn.choose(|turn| match turn {
+            Turn::Still => *position,
+            Turn::Up => position + 1,
+            Turn::Down => position - 1,
+        }));
+        QuadratureOut { position: *position, turn: *turn }
+    }
+}

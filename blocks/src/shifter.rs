@@ -1,0 +1,103 @@
+//! A shifter in stages.
+
+use tilewright_hdl::{Module, Signal, below, bit, bits, block, bundle, codes, mux, one_of};
+
+codes! {
+    /// What a [`Shifter`] does.
+    ///
+    /// ```
+    /// use tilewright_blocks::Shifting;
+    /// use tilewright_hdl::Codes;
+    ///
+    /// assert_eq!(Shifting::ALL.len(), 3);
+    /// ```
+    pub enum Shifting {
+        /// To the left; zeros come in.
+        Left,
+        /// To the right; zeros come in.
+        Right,
+        /// To the right; the sign comes in.
+        Arithmetic,
+    }
+}
+
+bundle! {
+    /// What is shifted, and what is left of it to do.
+    struct Shifted<T> { word: T, places: T, kind: T }
+}
+
+block! {
+    /// Shifts a word by any number of places, in as many stages as that number has bits.
+    ///
+    /// ```text
+    ///          .-----.   .-----.   .-----.
+    ///  word ==>| 0,1 |[1]| 0,2 |[2]| 0,4 |[ ]==> shifted
+    ///          '-----'   '-----'   '-----'
+    /// ```
+    ///
+    /// Latency as many clocks, a word a clock with `enable`.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # use tilewright_blocks::{Shifter, ShifterIn, Shifting};
+    /// # let example = tilewright_sim::traced(|m| {
+    /// let kind = lit(2, Shifting::Arithmetic.code()).code::<Shifting>();
+    /// let shift = ShifterIn { enable: lit(1, 1), word: lit(8, 0b1001_0000), places: lit(3, 3), kind };
+    /// net!(shifted = m.instance("u_shift", &Shifter::new(8), shift).shifted);
+    /// # });
+    /// assert_eq!(example.values("shifted"), [0, 0, 0, 0b1111_0010]);
+    /// ```
+    pub struct Shifter {
+        width: u32,
+    }
+    in(self) ShifterIn {
+        /// All stages move.
+        enable: bit(),
+        /// What is shifted.
+        word: bits(self.width),
+        /// By how many places.
+        places: below(self.width),
+        /// Which way.
+        kind: one_of::<Shifting>(),
+    }
+    out(self) ShifterOut {
+        /// The word, shifted.
+        shifted: bits(self.width),
+    }
+}
+
+impl Shifter {
+    /// A shifter of words of so many bits.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// use tilewright_blocks::Shifter;
+    ///
+    /// assert_eq!(Shifter::new(32).name(), "shifter_width32");
+    /// ```
+    ///
+    /// # Panics
+    ///
+    /// There are less than two, which have no places to go.
+    #[track_caller]
+    pub fn new(width: u32) -> Shifter {
+        assert!(width > 1, "a shifter of {width} bits has nothing to shift: it has 2 or more");
+        Shifter { width }
+    }
+
+    fn build(&self, m: Module, i: ShifterIn) -> ShifterOut {
+        m.assume(i.enable.implies(i.kind.is_code()), "what enters says which way");
+        let shift = |stage: u32, part: Shifted| {
+            let places = 1 << (stage - 1);
+            let word: Signal = part.kind.choose(|kind| match kind {
+                Shifting::Left => part.word << places,
+                Shifting::Right => part.word >> places,
+                Shifting::Arithmetic => (part.word.signed() >> places).bits(),
+            });
+            Shifted { word: mux(part.places.bit(stage - 1), word, part.word), ..part }
+        };
+        let stages = i.places.width();
+        let last = m.stages(stages - 1, i.enable, Shifted { word: i.word, places: i.places, kind: i.kind }, shift);
+        ShifterOut { shifted: m.pipe_when(i.enable, "shifted", shift(stages, last).word) }
+    }
+}

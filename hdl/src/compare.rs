@@ -1,0 +1,110 @@
+//! Comparisons, signed where what is compared is.
+
+use crate::ir::{Kind, Op, Relation};
+use crate::operand::Operand;
+use crate::shaping::level;
+use crate::signal::Signal;
+
+impl Signal {
+    #[track_caller]
+    pub(crate) fn compare(self, relation: Relation, right: Signal) -> Signal {
+        let signed = self.kind == Kind::Signed;
+        let [left, right] = level([self, right], relation.method());
+        Signal::make(Op::Compare { relation, signed, operands: [left.id(), right.id()] }, 1, left.shape)
+    }
+
+    #[track_caller]
+    fn relate(self, relation: Relation, right: impl Operand) -> Signal {
+        let left =
+            if matches!(relation, Relation::Eq | Relation::Ne) { self } else { self.computable(relation.method()) };
+        let right = right.operand().with_width_of(left, relation.method());
+        left.compare(relation, right)
+    }
+
+    /// 1 bit: equal.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let count = m.reg("count", 2).reset(0);
+    /// count.when(count.eq(2), 0).otherwise(count + 1);
+    /// m.assert(!count.eq(3), "a number takes the width of the signal, here 2 bits");
+    /// # });
+    /// ```
+    #[track_caller]
+    pub fn eq(self, right: impl Operand) -> Signal {
+        self.relate(Relation::Eq, right)
+    }
+
+    /// 1 bit: not equal.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let left = m.reg("left", 4).reset(9);
+    /// left.when(left.ne(0), left - 1);
+    /// m.assert(left.ne(0).eq(left.any_one()), "not 0 is: some bit is one");
+    /// # });
+    /// ```
+    #[track_caller]
+    pub fn ne(self, right: impl Operand) -> Signal {
+        self.relate(Relation::Ne, right)
+    }
+
+    /// 1 bit: less than, in two's complement if both are signed.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// m.assert(lit(4, 0b0111).lt(0b1000), "7 < 8");
+    /// m.assert(lit(4, 0b1000).signed().lt(7), "-8 < 7");
+    /// # });
+    /// ```
+    #[track_caller]
+    pub fn lt(self, right: impl Operand) -> Signal {
+        self.relate(Relation::Lt, right)
+    }
+
+    /// 1 bit: less than or equal, in two's complement if both are signed.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let count = m.reg("count", 4).reset(0);
+    /// count.when(count.lt(12), count + 1);
+    /// m.assert(count.le(12), "it counts up to 12, with that");
+    /// # });
+    /// ```
+    #[track_caller]
+    pub fn le(self, right: impl Operand) -> Signal {
+        self.relate(Relation::Le, right)
+    }
+
+    /// 1 bit: greater than, in two's complement if both are signed.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// m.assert(lit(8, 255).gt(1), "255 > 1");
+    /// m.assert(!lit(8, 255).signed().gt(1), "-1 is not");
+    /// # });
+    /// ```
+    #[track_caller]
+    pub fn gt(self, right: impl Operand) -> Signal {
+        self.relate(Relation::Gt, right)
+    }
+
+    /// 1 bit: greater than or equal, in two's complement if both are signed.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let sum = lit(8, 200).add_carry(lit(8, 100));
+    /// m.assert(sum.ge(256), "300, in the 9 bits that a sum with its carry has");
+    /// # });
+    /// ```
+    #[track_caller]
+    pub fn ge(self, right: impl Operand) -> Signal {
+        self.relate(Relation::Ge, right)
+    }
+}

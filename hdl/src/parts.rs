@@ -1,0 +1,189 @@
+//! Some of a signal's bits, and more of them: whatever changes a width.
+
+use crate::elaboration;
+use crate::ir::{Kind, Op};
+use crate::limits::WIDEST;
+use crate::loc::Loc;
+use crate::problem::Problem;
+use crate::signal::{Signal, bits_text};
+use crate::width::IntoWidth;
+use std::ops::Range;
+
+impl Signal {
+    /// Bit `index`, counted from the least significant.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let flags = lit(4, 0b0100);
+    /// m.assert(flags.bit(2) & !flags.bit(3), "a condition as it is, 1 bit");
+    /// # });
+    /// ```
+    #[track_caller]
+    pub fn bit(self, index: u32) -> Signal {
+        self.slice(index..index + 1)
+    }
+
+    /// The most significant bit.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let timer = m.reg("timer", 5).reset(9);
+    /// timer.when(!timer.msb(), timer - 1);
+    /// m.assert(timer.msb().implies(timer.all_ones()), "below 0 the top bit ends it, and no comparator is needed");
+    /// # });
+    /// ```
+    #[track_caller]
+    pub fn msb(self) -> Signal {
+        self.bit(self.width - 1)
+    }
+
+    /// The bits of `range`, lowest first and the end not included: `z.slice(0..12)` is Verilog's `z[11:0]`.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let word = lit(12, 0xabc);
+    /// m.assert(word.slice(4..12).eq(0xab), "8 bits");
+    /// m.assert(cat!(word.slice(4..12), word.slice(0..4)).eq(word), "ranges that meet leave nothing out");
+    /// # });
+    /// ```
+    #[track_caller]
+    pub fn slice(self, range: Range<u32>) -> Signal {
+        if range.start >= range.end || range.end > self.width {
+            return self.bits().bad_width(
+                format!("the slice {}..{} is outside of", range.start, range.end),
+                range.end.saturating_sub(range.start).max(1),
+                format!("a slice is `low..high` with low < high <= {}", self.width),
+            );
+        }
+        if range == (0..self.width) {
+            return self.bits();
+        }
+        Signal::make(Op::Slice { of: self.id(), low: range.start }, range.end - range.start, self.shape)
+    }
+
+    /// The lowest `width` bits: a number of them, or as in `used.trunc(below(pages))`.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let used = lit(up_to(12), 12);
+    /// m.assert(used.trunc(2).eq(0), "the upper bits are lost");
+    /// m.assert(lit(8, 0xfe).signed().trunc(4).eq(-2), "what is signed stays so");
+    /// # });
+    /// ```
+    #[track_caller]
+    pub fn trunc(self, width: impl IntoWidth) -> Signal {
+        let width = width.into_width().bits;
+        if width == 0 || width > self.width {
+            return self.bad_width(
+                format!("`.trunc({width})` cannot cut"),
+                width.max(1),
+                "`.zext(n)` and `.sext(n)` widen".to_owned(),
+            );
+        }
+        if width == self.width {
+            return self;
+        }
+        let kind = if self.kind == Kind::Signed { Kind::Signed } else { Kind::Number };
+        self.slice(0..width).kept_as(kind)
+    }
+
+    /// Widened with zeros to `width` bits.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let page = lit(4, 11);
+    /// let address = page.zext(16) << 8;
+    /// m.assert(address.eq(0xb00), "room first, as a shift keeps the width");
+    /// # });
+    /// ```
+    #[track_caller]
+    pub fn zext(self, width: impl IntoWidth) -> Signal {
+        self.extend(width.into_width().bits, false)
+    }
+
+    /// Widened with copies of the most significant bit to `width` bits.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let step = lit(4, 0b1110);
+    /// m.assert(step.sext(8).eq(0xfe), "-2 in 4 bits is -2 in 8");
+    /// m.assert(step.sext(8).signed().eq(-2), "and read so where it is signed");
+    /// # });
+    /// ```
+    #[track_caller]
+    pub fn sext(self, width: impl IntoWidth) -> Signal {
+        self.extend(width.into_width().bits, true)
+    }
+
+    #[track_caller]
+    pub(crate) fn extend(self, width: u32, signed: bool) -> Signal {
+        if width < self.width {
+            let name = if signed { "sext" } else { "zext" };
+            return self.bad_width(
+                format!("`.{name}({width})` cannot widen"),
+                width.max(1),
+                "`.trunc(n)` and slices cut".to_owned(),
+            );
+        }
+        if width == self.width {
+            return self;
+        }
+        if self.kind == Kind::Signed && !signed {
+            return self.bad_width(
+                format!("`.zext({width})` would lose the sign of"),
+                width,
+                "`.sext(n)` widens what is signed; `.bits()` reads it as unsigned".to_owned(),
+            );
+        }
+        if width > WIDEST {
+            let name = if signed { "sext" } else { "zext" };
+            let what = format!("`.{name}({width})` makes more than {WIDEST} bits of");
+            return self.bad_width(what, 1, "widen less".to_owned());
+        }
+        let kind = if self.kind == Kind::Signed { Kind::Signed } else { Kind::Number };
+        Signal::make(Op::Extend { of: self.id(), signed }, width, self.shape).kept_as(kind)
+    }
+
+    #[track_caller]
+    fn bad_width(self, what: String, width: u32, help: String) -> Signal {
+        let (loc, id) = (Loc::caller(), self.id());
+        elaboration::with(|e| {
+            let draft = e.draft();
+            let (name, place) = (draft.describe(id), draft.node(id).loc);
+            let message = format!("{what} `{name}`, which has {}", bits_text(self.width));
+            e.report_instead_of(&[id], Problem::new(loc, message).note(format!("`{name}` is made"), place).help(help));
+            Signal::zero_in(e, width, self.shape, self.kind, loc)
+        })
+    }
+
+    /// The signal side by side with itself, `times` times.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// let enable = lit(1, 1);
+    /// m.assert((lit(8, 0xa5) & enable.repeat(8)).eq(0xa5), "a mask of one bit");
+    /// m.assert(lit(4, 0x5).repeat(3).eq(0x555), "12 bits");
+    /// # });
+    /// ```
+    #[track_caller]
+    pub fn repeat(self, times: u32) -> Signal {
+        if times == 0 {
+            return self.bad_width("`.repeat(0)` leaves nothing of".to_owned(), 1, "repeat at least once".to_owned());
+        }
+        if times == 1 {
+            return self;
+        }
+        let Some(width) = self.width.checked_mul(times).filter(|width| *width <= WIDEST) else {
+            let what = format!("`.repeat({times})` makes more than {WIDEST} bits of");
+            return self.bad_width(what, 1, "repeat less often".to_owned());
+        };
+        Signal::make(Op::Repeat(self.id(), times), width, self.shape)
+    }
+}

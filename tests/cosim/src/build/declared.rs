@@ -1,0 +1,89 @@
+//! Steps that are instances of a block declared by `block!`, with records and lists of records for ports, alone and in arrays whose lanes get
+//! constant records.
+
+use super::records::Pair;
+use super::{Builder, Kind};
+use crate::spec::*;
+use crate::stimulus::Numbers;
+use tilewright_hdl::*;
+
+block! {
+    /// Holds a record, and mixes it with those of a list.
+    pub struct Mixer {
+        low: u32,
+        high: u32,
+        list: u32,
+    }
+    in(self) MixerIn {
+        /// What it takes.
+        pair: Pair = self.pair(),
+        /// What it is mixed with.
+        list: [Pair = self.pair(); self.list],
+        /// When, and what is added.
+        control: pub struct Control {
+            /// It takes.
+            takes: bit(),
+            /// What is added to the lower field.
+            adds: bits(self.low),
+        },
+    }
+    out(self) MixerOut {
+        /// What it holds.
+        held: Pair = self.pair(),
+        /// The list, mixed.
+        mixed: [Pair] = _,
+        /// All of it has some bit.
+        any: _,
+    }
+}
+
+impl Mixer {
+    fn pair(&self) -> Pair<Width> {
+        Pair { low: bits(self.low), high: bits(self.high) }
+    }
+
+    fn build(&self, m: Module, i: MixerIn) -> MixerOut {
+        let held = m.reg("held", self.pair()).reset(0);
+        let mixed: Vec<Pair> =
+            i.list.iter().map(|pair| Pair { low: pair.low ^ held.low, high: pair.high & !held.high }).collect();
+        held.when(i.control.takes, Pair { low: i.pair.low + i.control.adds, ..i.pair });
+        let any = mixed.iter().fold(held.low.any_one(), |any, pair| any & pair.low.ne(0) | pair.high.all_ones());
+        MixerOut { held: held.value(), mixed, any }
+    }
+}
+
+impl Builder<'_> {
+    pub fn declared(&mut self, d: usize, number: usize, declared: &Declared) {
+        let Declared { widths: [low, high], list, lanes, numbers, picks: [takes, adds, pair, others] } = *declared;
+        let mixer = Mixer { low, high, list };
+        let mut pair_of = |pick: Pick| Pair {
+            low: self.pick_fit(d, pick, low),
+            high: self.pick_fit(d, Pick(pick.0.wrapping_add(1)), high),
+        };
+        let pair = pair_of(pair);
+        let list = (0..list as u16).map(|place| pair_of(Pick(others.0.wrapping_add(2 * place)))).collect();
+        let control = Control { takes: self.pick_fit(d, takes, 1), adds: self.pick_fit(d, adds, low) };
+        if lanes == 0 {
+            let name = self.instance_name(number);
+            let MixerOut { held, mixed, any } = self.on(d).instance(&name, &mixer, MixerIn { pair, list, control });
+            let fields = mixed.into_iter().chain([held]).flat_map(|pair| [pair.low, pair.high]);
+            fields.chain([any]).for_each(|signal| self.push(d, signal));
+            return;
+        }
+        let number_of =
+            |lane: u32, width: u32| Numbers(numbers.wrapping_add(lane.into())).bits(width.min(64)).limbs()[0];
+        let layout = mixer.pair().map(|width| width.of(row(lanes)));
+        let own = constants(layout, |lane| Pair { low: number_of(lane, low), high: number_of(!lane, high) });
+        let name = self.namer.draw(&format!("u{}_{number}", self.block.index), Kind::Inner);
+        let module = self.on(d);
+        let out = module.array(&name, lanes, &mixer, |mixers| {
+            // What a lane holds goes on to the next one, for those that take nothing of their own.
+            let held = Pair { low: mixers.held.low.previous(pair.low), high: mixers.held.high.previous(pair.high) };
+            MixerIn { pair: mux(own.low.bit(0), own, held), list: list.clone(), control }
+        });
+        for lanes in out.mixed.into_iter().chain([out.held]).flat_map(|pair| [pair.low, pair.high]).chain([out.any]) {
+            self.push(d, lanes.xor_all());
+            self.rows[d].push(lanes);
+        }
+    }
+}
