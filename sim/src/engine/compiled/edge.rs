@@ -65,7 +65,7 @@ impl Compiled {
         let (code, changed) = (ready.code, ready.changes);
         self.looked = false;
         let edges = count - self.call(code, count);
-        self.pending = self.pending.with(changed);
+        self.change(changed);
         Some(Done { edges, changed })
     }
 
@@ -73,19 +73,25 @@ impl Compiled {
     /// else in every cycle, so it is short, and part of its code.
     #[inline]
     pub(in crate::engine) fn quick_edge(&mut self) -> bool {
-        if self.looked
-            && let Some(is_done) = self.edge_after_look()
-        {
-            return is_done;
-        }
-        let Some(ready) = &mut self.ready else { return false };
-        if ready.count == 0 || !ready.is_only || self.held_changed {
-            return false;
-        }
+        let code = match (std::mem::take(&mut self.looked), self.again) {
+            (true, Some(code)) => code,
+            (true, None) => return self.edge_after_look(),
+            (false, _) => match self.begin_edge() {
+                Some(code) => code,
+                None => return false,
+            },
+        };
+        self.call(code, 1) == 0
+    }
+
+    /// What to call for an edge of the only clock, which is to be done then, if that is known.
+    #[inline]
+    pub(super) fn begin_edge(&mut self) -> Option<Code> {
+        let ready = self.ready.as_mut().filter(|ready| ready.count > 0 && ready.is_only && !self.held_changed)?;
         ready.count -= 1;
         let (code, changes) = (ready.code, ready.changes);
-        self.pending = self.pending.with(changes);
-        self.call(code, 1) == 0
+        self.change(changes);
+        Some(code)
     }
 
     /// So many edges of these clocks, after a look at what to call for them.
@@ -108,7 +114,7 @@ impl Compiled {
             self.make_ready(index, code);
             left = self.call(code, count);
         }
-        self.pending = self.pending.with(changed);
+        self.change(changed);
         Done { edges: count - left, changed }
     }
 
@@ -121,13 +127,14 @@ impl Compiled {
             edge.quiet += count;
         }
         let (is_only, changes) = (self.resets.len() == 1, edge.changes);
-        let after_look = self.looks.after(index);
+        let after_look = self.rest_of(index);
         self.ready = Some(Ready { clock, is_only, edge: index, code, changes, count, after_look });
     }
 
     /// It has to be found out again what to call.
     #[cold]
     pub(super) fn unready(&mut self) {
+        self.again = None;
         if let Some(Ready { edge, count, .. }) = self.ready.take() {
             // Those that have not been.
             let quiet = &mut self.edges[edge].quiet;
@@ -192,6 +199,11 @@ impl Compiled {
         let code = self.make_edge(&rising, &resets, &held);
         self.edges[index].special = Some(code);
         code
+    }
+
+    /// The inputs that functions are made for, if they have long been as they are at this edge: by their version.
+    pub(super) fn held_version(&self, index: usize) -> Option<u64> {
+        self.is_special(index).then_some(self.inputs_version)
     }
 
     /// Whether an edge has a function for the inputs as they are.

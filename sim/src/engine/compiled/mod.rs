@@ -58,7 +58,7 @@ use strips::Strips;
 pub use target::Unsupported;
 use until::Stopping;
 pub(crate) use view::Slot;
-use view::View;
+use view::{NO_VIEW, View};
 
 /// The state of a running circuit and the code that runs it.
 pub(crate) struct Compiled {
@@ -100,6 +100,10 @@ pub(crate) struct Compiled {
     looks: Looks,
     /// Somebody has looked at something that is computed since the last edge.
     looked: bool,
+    /// A view that is certainly up to date, or none: what is looked at most is asked for by this alone.
+    fresh: u32,
+    /// What is to be called for the next edge, if nothing happens until then but that somebody looks.
+    again: Option<Code>,
     stopping: Vec<Stopping>,
     rows: Vec<Rows>,
     /// What has changed since views were last marked stale.
@@ -161,6 +165,8 @@ impl Compiled {
             views: Vec::new(),
             looks: Looks::default(),
             looked: false,
+            fresh: NO_VIEW,
+            again: None,
             stopping: Vec::new(),
             rows: Vec::new(),
             pending: Triggers::NONE,
@@ -233,7 +239,7 @@ impl Engine for Compiled {
     }
 
     fn number(&mut self, id: ValueId, lane: u32) -> u64 {
-        if let Some(number) = self.quick_get(id) {
+        if let Some(number) = self.quick_get(self.slot(id)) {
             return number;
         }
         match self.place(id) {
@@ -273,7 +279,7 @@ impl Engine for Compiled {
     fn set_word(&mut self, memory: u32, lane: u32, address: u32, limbs: &[u64]) {
         let at = self.memories[memory as usize];
         self.banks[at.bank].put_word(at.at(lane, address), at.words.word, at.width, &at.standing(limbs));
-        self.pending = Triggers::ALL;
+        self.change(Triggers::ALL);
     }
 
     fn set_reset(&mut self, clock: usize, high: bool) {

@@ -25,6 +25,13 @@ pub(super) struct Prepared {
     pub is_always_asked: bool,
 }
 
+/// How often a function does what it does.
+#[derive(Debug, Clone, Copy)]
+enum Times {
+    Argument,
+    Once,
+}
+
 impl Prepared {
     /// Where it leaves what it shows, in order.
     pub fn shown(&self) -> impl Iterator<Item = Place> {
@@ -62,6 +69,15 @@ impl Compiled {
     /// Makes a function that does what these functions say, one after the other, so many times; it ends where something
     /// does not hold, and says how many times are left.
     pub(super) fn compile(&mut self, parts: &[Prepared]) -> Code {
+        self.compile_times(parts, Times::Argument)
+    }
+
+    /// As [`Compiled::compile`], once: it must be called for one time.
+    pub(super) fn compile_once(&mut self, parts: &[Prepared]) -> Code {
+        self.compile_times(parts, Times::Once)
+    }
+
+    fn compile_times(&mut self, parts: &[Prepared], times: Times) -> Code {
         let memories = self.memories.as_slice();
         let (strips, unchecked) = (&self.layout.strips, self.unchecked);
         let jit = &mut self.jit;
@@ -118,8 +134,16 @@ impl Compiled {
                     builder.switch_to_block(next);
                 }
             }
-            let left = builder.ins().iadd_imm_s(left, -1);
-            builder.ins().brif(left, body, &[left.into()], done, &[left.into()]);
+            match times {
+                Times::Argument => {
+                    let left = builder.ins().iadd_imm_s(left, -1);
+                    builder.ins().brif(left, body, &[left.into()], done, &[left.into()]);
+                }
+                Times::Once => {
+                    let left = builder.ins().iconst(types::I64, 0);
+                    builder.ins().jump(done, &[left.into()]);
+                }
+            }
             builder.switch_to_block(done);
             let left = builder.block_params(done)[0];
             builder.ins().return_(&[left]);
