@@ -125,6 +125,11 @@ impl Started {
         self.compiled.get_mut()?.quick_get(slot)
     }
 
+    /// As [`Started::quick_get`], brought up to date.
+    pub fn refreshed(&mut self, slot: Slot) -> Option<u64> {
+        self.compiled.get_mut()?.refreshed(slot)
+    }
+
     /// Puts another engine in its place.
     #[cfg(test)]
     pub fn replace(&mut self, engine: Box<dyn Engine>) {

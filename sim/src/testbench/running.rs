@@ -207,10 +207,11 @@ impl Running {
 
     #[inline(never)]
     fn other_bits(&mut self, port: Port, run: u32) -> Bits {
-        let value = self.wired(port).value;
-        let bits = self.lane(value, run);
-        self.find(port);
-        bits
+        let &Wired { value, width, .. } = self.wired(port);
+        match self.refreshed(port) {
+            Some(number) => Bits::new(width, number),
+            None => self.lane(value, run),
+        }
     }
 
     /// A port of up to 64 bits in one run.
@@ -227,10 +228,17 @@ impl Running {
     #[inline(never)]
     fn other_narrow(&mut self, port: Port, run: u32) -> u64 {
         let &Wired { value, width, .. } = self.wired(port);
+        if let Some(number) = self.refreshed(port) {
+            return number;
+        }
         assert!(width <= 64, "`{}` is wider than 64 bits: use `get`", self.declared(port).name);
-        let number = self.engine.number(value, run);
+        self.engine.number(value, run)
+    }
+
+    /// A port that stands in a slot, brought up to date.
+    fn refreshed(&mut self, port: Port) -> Option<u64> {
         self.find(port);
-        number
+        self.engine.refreshed(self.wired(port).slot)
     }
 
     /// Finds out where the engine has a port, which may be another place than before.

@@ -44,7 +44,7 @@ use crate::engine::program::{Kind, Program, Triggers, ValueId};
 use crate::engine::until::Until;
 use crate::engine::{Difference, Done, Engine, Failed, one_by_one, renew_each};
 use bank::Bank;
-use edge::{Edge, Ready};
+use edge::{Edge, Quick, Ready};
 use emitter::MemoryAt;
 pub(super) use explain::explain;
 use function::Maker;
@@ -82,8 +82,11 @@ pub(crate) struct Compiled {
     edges: Vec<Edge>,
     /// The one that was last asked for, and whether it checks assertions, while resets are as they were then.
     latest: Option<(usize, bool)>,
-    /// The next edges, if they are of one clock.
+    /// The next edges, if they are of one clock; and for how many of them.
     ready: Option<Ready>,
+    ready_for: u64,
+    /// What is ready, if it is for the only clock and nothing has to be looked at before.
+    quick: Option<Quick>,
     /// The inputs that a function may be made for, and how many functions still may.
     inputs: Vec<ValueId>,
     special: u32,
@@ -159,6 +162,8 @@ impl Compiled {
             edges: Vec::new(),
             latest: None,
             ready: None,
+            ready_for: 0,
+            quick: None,
             unchecked,
             checked: true,
             checks: Vec::new(),
@@ -239,7 +244,7 @@ impl Engine for Compiled {
     }
 
     fn number(&mut self, id: ValueId, lane: u32) -> u64 {
-        if let Some(number) = self.quick_get(self.slot(id)) {
+        if let Some(number) = self.refreshed(self.slot(id)) {
             return number;
         }
         match self.place(id) {

@@ -79,7 +79,7 @@ impl Compiled {
 
     fn compile_times(&mut self, parts: &[Prepared], times: Times) -> Code {
         let memories = self.memories.as_slice();
-        let (strips, unchecked) = (&self.layout.strips, self.unchecked);
+        let (strips, unchecked, places) = (&self.layout.strips, self.unchecked, &self.places);
         let jit = &mut self.jit;
         let pieces = parts.iter().map(|part| match part.pieces.as_slice() {
             [_] => Vec::new(),
@@ -109,11 +109,17 @@ impl Compiled {
             builder.ins().jump(body, &[count.into()]);
             builder.switch_to_block(body);
             let left = builder.block_params(body)[0];
+            // The registers of the circuit that the part before has changed.
+            let mut changed = Vec::new();
             for (part, pieces) in parts.iter().zip(&pieces) {
+                let before = std::mem::take(&mut changed);
                 let held = match pieces.as_slice() {
                     [] => {
                         let mut emitter = part.emitter(memories, strips, builder, state);
+                        before.into_iter().for_each(|(state, scalar)| emitter.scalars.define(state, scalar));
                         emitter.steps(&part.pieces[0]);
+                        changed = emitter.changed();
+                        changed.retain(|(state, _)| places[state.index()].is_some());
                         emitter.end()
                     }
                     pieces => {

@@ -118,6 +118,15 @@ impl Compiled {
         self.state.limbs().get(slot.at as usize).map(Cell::get)
     }
 
+    /// The number in a slot of this engine, brought up to date, if it stands somewhere.
+    #[inline]
+    pub(in crate::engine) fn refreshed(&mut self, slot: Slot) -> Option<u64> {
+        if let Source::View(view) = slot.source {
+            self.refresh(view as usize);
+        }
+        self.state.limbs().get(slot.at as usize).map(Cell::get)
+    }
+
     /// Sets an input that stands in a slot of this engine; `false`, and nothing is done, if it is none. There is no call in it,
     /// nor anything that can fail, so that it takes no room on the stack.
     #[inline]
@@ -178,6 +187,7 @@ impl Compiled {
         }
         if is_held {
             self.held_changed = true;
+            self.quick = None;
         }
     }
 
