@@ -137,28 +137,26 @@ impl Started {
         self.other = OnceCell::from(engine);
     }
 
-    /// Makes the engine, if there is none yet.
+    /// Makes the engine.
     #[cold]
     fn begin(&self) {
-        match self.kind() {
-            EngineKind::Compiled => drop(self.compiled.get_or_init(|| self.make_compiled())),
-            kind => drop(self.other.get_or_init(|| self.make_other(kind))),
-        }
-    }
-
-    fn make_compiled(&self) -> Box<Compiled> {
-        Box::new(Compiled::new(self.program.clone(), &self.seeds).expect("it was asked before"))
-    }
-
-    fn make_other(&self, kind: EngineKind) -> Box<dyn Engine> {
         let program = || self.program.clone();
         let reference = || reference::Engine::new(program(), &self.seeds);
-        match kind {
+        let compiled = || Box::new(Compiled::new(program(), &self.seeds).expect("it was asked before"));
+        let other: Box<dyn Engine> = match self.kind() {
+            EngineKind::Compiled => {
+                self.compiled.get_or_init(compiled);
+                return;
+            }
             EngineKind::Reference => Box::new(reference()),
             EngineKind::Interpreter => Box::new(interpreter::Engine::new(program(), &self.seeds)),
-            EngineKind::Compiled => self.make_compiled(),
-            EngineKind::Both => Box::new(Lockstep::new(program(), reference(), self.make_compiled())),
-        }
+            EngineKind::Both => Box::new(Lockstep::new(program(), reference(), compiled())),
+        };
+        self.other.get_or_init(|| other);
+    }
+
+    fn is_made(&self) -> bool {
+        self.compiled.get().is_some() || self.other.get().is_some()
     }
 }
 
@@ -166,7 +164,7 @@ impl Deref for Started {
     type Target = dyn Engine;
 
     fn deref(&self) -> &Self::Target {
-        if self.compiled.get().is_none() && self.other.get().is_none() {
+        if !self.is_made() {
             self.begin();
         }
         match self.compiled.get() {
@@ -179,7 +177,7 @@ impl Deref for Started {
 impl DerefMut for Started {
     #[inline]
     fn deref_mut(&mut self) -> &mut Self::Target {
-        if self.compiled.get().is_none() && self.other.get().is_none() {
+        if !self.is_made() {
             self.begin();
         }
         match self.compiled.get_mut() {

@@ -43,9 +43,8 @@ pub(super) struct Rest {
 impl Compiled {
     /// The functions for an edge between looks, if there are some.
     pub(super) fn rest_of(&self, edge: usize) -> Option<Rest> {
-        self.looks
-            .rest
-            .filter(|rest| rest.edge == edge && (rest.held.is_none() || rest.held == self.held_version(edge)))
+        let is_valid = |rest: &Rest| rest.edge == edge && (rest.held.is_none() || rest.held == self.held_version(edge));
+        self.looks.rest.filter(is_valid)
     }
 
     /// An edge of the only clock after somebody looked at something that is computed; whether it was done.
