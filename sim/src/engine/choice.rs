@@ -61,36 +61,24 @@ pub(crate) struct Started {
     refused: Option<String>,
     /// Of each run.
     pub seeds: Vec<u64>,
-    made: OnceCell<Made>,
-}
-
-/// An engine. The compiled one is told from the others: what a testbench asks of it in every cycle is done in less time
-/// than it takes to find out at run time which engine it is.
-enum Made {
-    Compiled(Box<Compiled>),
-    Other(Box<dyn Engine>),
-}
-
-impl Made {
-    #[inline]
-    fn engine(&mut self) -> &mut (dyn Engine + 'static) {
-        match self {
-            Made::Compiled(engine) => &mut **engine,
-            Made::Other(engine) => &mut **engine,
-        }
-    }
+    /// The engine, if it is the compiled one, which is told from the others: what a testbench asks of it in every cycle is done in
+    /// less time than it takes to find out at run time which engine it is.
+    compiled: OnceCell<Box<Compiled>>,
+    /// The engine, if it is another one.
+    other: OnceCell<Box<dyn Engine>>,
 }
 
 impl Started {
     /// The circuit at its start on this engine, or on the interpreter where code cannot be generated.
     pub fn new(program: Arc<Program>, chosen: EngineKind, seeds: Vec<u64>) -> Started {
         let refused = EngineKind::Compiled.refused();
-        Started { program, chosen, refused, seeds, made: OnceCell::new() }
+        Started { program, chosen, refused, seeds, compiled: OnceCell::new(), other: OnceCell::new() }
     }
 
     /// The circuit at its start, with another engine or other seeds.
     pub fn again(&self, chosen: EngineKind, seeds: Vec<u64>) -> Started {
-        Started { program: self.program.clone(), chosen, refused: self.refused.clone(), seeds, made: OnceCell::new() }
+        let (program, refused) = (self.program.clone(), self.refused.clone());
+        Started { program, chosen, refused, seeds, compiled: OnceCell::new(), other: OnceCell::new() }
     }
 
     /// As on a machine that no code can be generated for, for that reason.
@@ -117,60 +105,58 @@ impl Started {
     /// An edge of the only clock, if that is quickly done; whether it was.
     #[inline]
     pub fn quick_edge(&mut self) -> bool {
-        match self.made.get_mut() {
-            Some(Made::Compiled(engine)) => engine.quick_edge(),
-            _ => false,
-        }
+        self.compiled.get_mut().is_some_and(|engine| engine.quick_edge())
     }
 
     /// Sets an input that stands in that slot, if that is quickly done; whether it was.
     #[inline]
     pub fn quick_set(&mut self, slot: Slot, number: u64, triggers: Triggers) -> bool {
-        match self.made.get_mut() {
-            Some(Made::Compiled(engine)) => engine.quick_set(slot, number, triggers),
-            _ => false,
-        }
+        self.compiled.get_mut().is_some_and(|engine| engine.quick_set(slot, number, triggers))
     }
 
-    /// Where an input stands for [`Started::quick_set`], as long as this engine runs.
+    /// Where a value stands for [`Started::quick_set`] and [`Started::quick_get`], as long as this engine runs.
     pub fn slot(&mut self, id: ValueId) -> Slot {
-        match self.made.get_mut() {
-            Some(Made::Compiled(engine)) => engine.slot(id),
-            _ => Slot::NONE,
-        }
+        self.compiled.get().map_or(Slot::NONE, |engine| engine.slot(id))
     }
 
-    /// A number of one lane, if it stands somewhere as it is now.
+    /// The number in that slot, if it stands there as it is now.
     #[inline]
-    pub fn quick_get(&mut self, id: ValueId) -> Option<u64> {
-        match self.made.get_mut() {
-            Some(Made::Compiled(engine)) => engine.quick_get(id),
-            _ => None,
-        }
+    pub fn quick_get(&mut self, slot: Slot) -> Option<u64> {
+        self.compiled.get_mut()?.quick_get(slot)
+    }
+
+    /// As [`Started::quick_get`], brought up to date.
+    pub fn refreshed(&mut self, slot: Slot) -> Option<u64> {
+        self.compiled.get_mut()?.refreshed(slot)
     }
 
     /// Puts another engine in its place.
     #[cfg(test)]
     pub fn replace(&mut self, engine: Box<dyn Engine>) {
-        self.made = OnceCell::from(Made::Other(engine));
+        self.compiled = OnceCell::new();
+        self.other = OnceCell::from(engine);
     }
 
+    /// Makes the engine.
     #[cold]
-    fn begin(&mut self) {
-        self.made = OnceCell::from(self.make());
+    fn begin(&self) {
+        let program = || self.program.clone();
+        let reference = || reference::Engine::new(program(), &self.seeds);
+        let compiled = || Box::new(Compiled::new(program(), &self.seeds).expect("it was asked before"));
+        let other: Box<dyn Engine> = match self.kind() {
+            EngineKind::Compiled => {
+                self.compiled.get_or_init(compiled);
+                return;
+            }
+            EngineKind::Reference => Box::new(reference()),
+            EngineKind::Interpreter => Box::new(interpreter::Engine::new(program(), &self.seeds)),
+            EngineKind::Both => Box::new(Lockstep::new(program(), reference(), compiled())),
+        };
+        self.other.get_or_init(|| other);
     }
 
-    fn make(&self) -> Made {
-        let reference = || reference::Engine::new(self.program.clone(), &self.seeds);
-        let compiled = || Box::new(Compiled::new(self.program.clone(), &self.seeds).expect("it was asked before"));
-        match self.kind() {
-            EngineKind::Reference => Made::Other(Box::new(reference())),
-            EngineKind::Interpreter => {
-                Made::Other(Box::new(interpreter::Engine::new(self.program.clone(), &self.seeds)))
-            }
-            EngineKind::Compiled => Made::Compiled(compiled()),
-            EngineKind::Both => Made::Other(Box::new(Lockstep::new(self.program.clone(), reference(), compiled()))),
-        }
+    fn is_made(&self) -> bool {
+        self.compiled.get().is_some() || self.other.get().is_some()
     }
 }
 
@@ -178,9 +164,12 @@ impl Deref for Started {
     type Target = dyn Engine;
 
     fn deref(&self) -> &Self::Target {
-        match self.made.get_or_init(|| self.make()) {
-            Made::Compiled(engine) => &**engine,
-            Made::Other(engine) => &**engine,
+        if !self.is_made() {
+            self.begin();
+        }
+        match self.compiled.get() {
+            Some(engine) => &**engine,
+            None => &**self.other.get().expect("it is made by now"),
         }
     }
 }
@@ -188,9 +177,12 @@ impl Deref for Started {
 impl DerefMut for Started {
     #[inline]
     fn deref_mut(&mut self) -> &mut Self::Target {
-        if self.made.get().is_none() {
+        if !self.is_made() {
             self.begin();
         }
-        self.made.get_mut().expect("it is made by now").engine()
+        match self.compiled.get_mut() {
+            Some(engine) => &mut **engine,
+            None => &mut **self.other.get_mut().expect("it is made by now"),
+        }
     }
 }

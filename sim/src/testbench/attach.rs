@@ -157,7 +157,7 @@ impl Running {
     #[track_caller]
     pub fn recording(&mut self, run: u32) -> Recorder {
         let seed = self.engine.seeds[run as usize];
-        assert!(self.timeline.time == 0, "a recording starts before the first step");
+        assert!(self.timeline.time() == 0, "a recording starts before the first step");
         assert!(seed == 0, "a recording starts from zeros, not from seed {seed}");
         let recorder = Recorder::of(run, self.poked.clone());
         self.recorded.push(run);

@@ -79,7 +79,7 @@ impl Running {
             return Err(self.violated(failed, until));
         }
         self.may_have_changed(done.changed);
-        self.timeline.advance(until, &self.rising);
+        self.timeline.advance(&self.rising);
         Ok(())
     }
 
@@ -89,7 +89,7 @@ impl Running {
         if self.program.clocks.len() != 1 || self.observers.len() != 1 {
             return Ok(0);
         }
-        let until = self.timeline.time + self.program.clocks[0].period;
+        let until = self.timeline.time() + self.program.clocks[0].period;
         self.timeline.rising_at(until, &mut self.rising);
         let mut observers = std::mem::take(&mut self.observers);
         let done = observers[0].rows(&mut self.view(until), n);
@@ -150,7 +150,7 @@ impl Running {
     #[cold]
     pub fn stopped(&mut self) -> Error {
         let failed = self.engine.check(&[0]);
-        self.violated(failed, self.timeline.time + self.program.clocks[0].period)
+        self.violated(failed, self.timeline.time() + self.program.clocks[0].period)
     }
 
     /// Every instant up to and including that time.
@@ -200,7 +200,7 @@ impl Running {
         View {
             program: &self.program,
             engine: &mut *self.engine,
-            since: self.timeline.time,
+            since: self.timeline.time(),
             until,
             rising: &self.rising,
             resets: &self.resets,

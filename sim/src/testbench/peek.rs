@@ -94,7 +94,7 @@ impl Running {
     #[track_caller]
     pub fn poke_word(&mut self, path: &str, run: u32, address: u32, value: impl IntoValue) -> Result<(), UnknownName> {
         let (memory, lane) = self.memory(path, run, address)?;
-        let is_start = self.timeline.time == 0;
+        let is_start = self.timeline.time() == 0;
         assert!(
             is_start || !self.recorded.contains(&run),
             "`{path}` is poked after the first step of a recording, which could not be repeated: poke before that, or write through the ports"

@@ -219,7 +219,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     /// # Ok::<(), tilewright_sim::Error>(())
     /// ```
     pub fn time(&self) -> u64 {
-        self.circuit.timeline.time
+        self.circuit.timeline.time()
     }
 
     /// How many times a clock, or one of that name, has risen.

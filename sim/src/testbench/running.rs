@@ -41,7 +41,7 @@ struct Wired {
     triggers: Triggers,
     /// It can be set to a smaller number at once: 0 for an output, and for an input of more than 64 bits.
     end: u64,
-    /// Where the engine has it, once it was set: to ask for it each time takes longer than the rest.
+    /// Where the engine has it, once it was set or looked at: to ask for it each time takes longer than the rest.
     slot: Slot,
 }
 
@@ -77,14 +77,14 @@ impl Running {
 
     #[track_caller]
     pub fn seed(&mut self, seeds: Vec<u64>) {
-        assert!(self.timeline.time == 0, "a seed can only be given before the first step");
+        assert!(self.timeline.time() == 0, "a seed can only be given before the first step");
         assert!(self.observers.is_empty(), "give the seed before attaching a trace");
         self.restart(self.engine.again(self.engine.chosen(), seeds));
     }
 
     #[track_caller]
     pub fn put_on(&mut self, kind: EngineKind) {
-        assert!(self.timeline.time == 0, "an engine can only be chosen before the first step");
+        assert!(self.timeline.time() == 0, "an engine can only be chosen before the first step");
         assert!(self.observers.is_empty(), "choose the engine before attaching a trace");
         self.restart(self.engine.again(kind, self.engine.seeds.clone()));
     }
@@ -152,9 +152,9 @@ impl Running {
 
     #[cold]
     fn write_limb(&mut self, port: Port, limb: u64) -> bool {
-        let Wired { value, triggers, slot, .. } = &mut self.ports[port.index as usize];
-        self.engine.write_number(*value, limb, *triggers);
-        *slot = self.engine.slot(*value);
+        let Wired { value, triggers, .. } = self.ports[port.index as usize];
+        self.engine.write_number(value, limb, triggers);
+        self.find(port);
         true
     }
 
@@ -198,8 +198,17 @@ impl Running {
     #[track_caller]
     #[inline]
     pub fn get(&mut self, port: Port, run: u32) -> Bits {
+        let &Wired { width, slot, .. } = self.wired(port);
+        match self.engine.quick_get(slot) {
+            Some(number) => Bits::new(width, number),
+            None => self.other_bits(port, run),
+        }
+    }
+
+    #[inline(never)]
+    fn other_bits(&mut self, port: Port, run: u32) -> Bits {
         let &Wired { value, width, .. } = self.wired(port);
-        match self.engine.quick_get(value) {
+        match self.refreshed(port) {
             Some(number) => Bits::new(width, number),
             None => self.lane(value, run),
         }
@@ -209,31 +218,49 @@ impl Running {
     #[track_caller]
     #[inline]
     pub fn narrow(&mut self, port: Port, run: u32) -> u64 {
-        let &Wired { value, width, .. } = self.wired(port);
-        match self.engine.quick_get(value) {
+        match self.engine.quick_get(self.wired(port).slot) {
             Some(number) => number,
-            None => {
-                assert!(width <= 64, "`{}` is wider than 64 bits: use `get`", self.declared(port).name);
-                self.engine.number(value, run)
-            }
+            None => self.other_narrow(port, run),
         }
+    }
+
+    #[track_caller]
+    #[inline(never)]
+    fn other_narrow(&mut self, port: Port, run: u32) -> u64 {
+        let &Wired { value, width, .. } = self.wired(port);
+        if let Some(number) = self.refreshed(port) {
+            return number;
+        }
+        assert!(width <= 64, "`{}` is wider than 64 bits: use `get`", self.declared(port).name);
+        self.engine.number(value, run)
+    }
+
+    /// A port that stands in a slot, brought up to date.
+    fn refreshed(&mut self, port: Port) -> Option<u64> {
+        self.find(port);
+        self.engine.refreshed(self.wired(port).slot)
+    }
+
+    /// Finds out where the engine has a port, which may be another place than before.
+    fn find(&mut self, port: Port) {
+        let wired = &mut self.ports[port.index as usize];
+        wired.slot = self.engine.slot(wired.value);
     }
 
     /// The number that a port is in one run, however wide it is.
     #[track_caller]
     #[inline]
     pub fn number(&mut self, port: Port, run: u32) -> u64 {
-        let value = self.wired(port).value;
-        match self.engine.quick_get(value) {
+        match self.engine.quick_get(self.wired(port).slot) {
             Some(number) => number,
-            None => self.number_of(port, run),
+            None => self.other_number(port, run),
         }
     }
 
     #[track_caller]
-    #[cold]
-    fn number_of(&mut self, port: Port, run: u32) -> u64 {
-        let number = self.lane(self.wired(port).value, run).to_u64();
+    #[inline(never)]
+    fn other_number(&mut self, port: Port, run: u32) -> u64 {
+        let number = self.other_bits(port, run).to_u64();
         number.unwrap_or_else(|| panic!("output `{}` does not fit 64 bits: use `read`", self.declared(port).path))
     }
 

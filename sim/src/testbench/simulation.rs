@@ -271,7 +271,7 @@ impl<I: Bundle, O: Bundle> fmt::Debug for Simulation<I, O> {
         let top = &self.circuit.program.hierarchy.scopes[0].name;
         f.debug_struct("Simulation")
             .field("top", top)
-            .field("time", &self.circuit.timeline.time)
+            .field("time", &self.circuit.timeline.time())
             .finish_non_exhaustive()
     }
 }

@@ -8,44 +8,48 @@ use crate::engine::program::Program;
 /// The state of all clocks.
 #[derive(Debug, Clone)]
 pub(crate) struct Timeline {
-    /// Now: the time of the last instant, in picoseconds.
-    pub time: u64,
     clocks: Vec<Ticks>,
 }
 
-/// The state of a clock.
+/// The state of a clock. All else follows from how often it has risen, so that an edge is a matter of one number.
 #[derive(Debug, Clone, Copy)]
 struct Ticks {
     period: u64,
-    /// When it rises next.
-    next: u64,
-    /// How often it has risen.
     cycles: u64,
 }
 
 impl Ticks {
-    #[inline]
-    fn advance(&mut self, edges: u64) {
-        self.next += edges * self.period;
-        self.cycles += edges;
+    /// When it rose last; 0 if it has not.
+    fn last(&self) -> u64 {
+        self.cycles * self.period
+    }
+
+    /// When it rises next.
+    fn next(&self) -> u64 {
+        self.last() + self.period
     }
 }
 
 impl Timeline {
     pub fn new(program: &Program) -> Timeline {
-        let ticks = |period| Ticks { period, next: period, cycles: 0 };
-        Timeline { time: 0, clocks: program.clocks.iter().map(|clock| ticks(clock.period)).collect() }
+        let ticks = |period| Ticks { period, cycles: 0 };
+        Timeline { clocks: program.clocks.iter().map(|clock| ticks(clock.period)).collect() }
+    }
+
+    /// Now: the time of the last instant, in picoseconds.
+    pub fn time(&self) -> u64 {
+        self.clocks.iter().map(Ticks::last).max().unwrap_or(0)
     }
 
     /// The time of the next instant; `None` without clocks.
     pub fn next_time(&self) -> Option<u64> {
-        self.clocks.iter().map(|ticks| ticks.next).min()
+        self.clocks.iter().map(Ticks::next).min()
     }
 
     /// The clocks that rise at `time`, into `rising`.
     pub fn rising_at(&self, time: u64, rising: &mut Vec<usize>) {
         rising.clear();
-        rising.extend((0..self.clocks.len()).filter(|&clock| self.clocks[clock].next == time));
+        rising.extend((0..self.clocks.len()).filter(|&clock| self.clocks[clock].next() == time));
     }
 
     /// How many edges a clock has had.
@@ -56,14 +60,11 @@ impl Timeline {
     /// So many edges of the only clock are done.
     #[inline]
     pub fn repeat(&mut self, edges: u64) {
-        let ticks = &mut self.clocks[0];
-        ticks.advance(edges);
-        self.time += edges * ticks.period;
+        self.clocks[0].cycles += edges;
     }
 
     /// The edges of `rising` are done.
-    pub fn advance(&mut self, time: u64, rising: &[usize]) {
-        self.time = time;
-        rising.iter().for_each(|&clock| self.clocks[clock].advance(1));
+    pub fn advance(&mut self, rising: &[usize]) {
+        rising.iter().for_each(|&clock| self.clocks[clock].cycles += 1);
     }
 }

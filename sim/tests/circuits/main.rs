@@ -9,6 +9,7 @@ mod engines;
 mod every_engine;
 mod lanes_by_name;
 mod looking;
+mod looking_on;
 mod nested;
 mod shapes;
 mod store;

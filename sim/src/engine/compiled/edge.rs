@@ -47,25 +47,30 @@ pub(super) struct Ready {
     pub edge: usize,
     code: Code,
     pub changes: Triggers,
-    /// For how many edges.
-    count: u64,
     /// What is to be called for an edge after a look.
     pub after_look: Option<Rest>,
+}
+
+/// What is ready for an edge of the only clock, which may be called at once.
+#[derive(Clone, Copy)]
+pub(super) struct Quick {
+    code: Code,
+    changes: Triggers,
 }
 
 impl Compiled {
     /// So many edges of these clocks, if it is known what to call for them.
     #[inline]
     pub(super) fn ready_edges(&mut self, rising: &[usize], count: u64) -> Option<Done> {
-        let (Some(ready), &[clock]) = (&mut self.ready, rising) else { return None };
-        if clock != ready.clock || count > ready.count || self.held_changed {
+        let (Some(ready), &[clock]) = (&self.ready, rising) else { return None };
+        if clock != ready.clock || count > self.ready_for || self.held_changed {
             return None;
         }
-        ready.count -= count;
         let (code, changed) = (ready.code, ready.changes);
+        self.spend(count);
         self.looked = false;
         let edges = count - self.call(code, count);
-        self.pending = self.pending.with(changed);
+        self.change(changed);
         Some(Done { edges, changed })
     }
 
@@ -73,19 +78,33 @@ impl Compiled {
     /// else in every cycle, so it is short, and part of its code.
     #[inline]
     pub(in crate::engine) fn quick_edge(&mut self) -> bool {
-        if self.looked
-            && let Some(is_done) = self.edge_after_look()
-        {
-            return is_done;
-        }
-        let Some(ready) = &mut self.ready else { return false };
-        if ready.count == 0 || !ready.is_only || self.held_changed {
-            return false;
-        }
-        ready.count -= 1;
-        let (code, changes) = (ready.code, ready.changes);
-        self.pending = self.pending.with(changes);
+        let code = match (std::mem::take(&mut self.looked), self.again) {
+            (true, Some(code)) => code,
+            (true, None) => return self.edge_after_look(),
+            (false, _) => match self.begin_edge() {
+                Some(code) => code,
+                None => return false,
+            },
+        };
         self.call(code, 1) == 0
+    }
+
+    /// What to call for an edge of the only clock, which is to be done then, if that is known.
+    #[inline]
+    pub(super) fn begin_edge(&mut self) -> Option<Code> {
+        let Quick { code, changes } = self.quick?;
+        self.spend(1);
+        self.change(changes);
+        Some(code)
+    }
+
+    /// So many edges are done of those that it is known for what to call.
+    #[inline]
+    fn spend(&mut self, edges: u64) {
+        self.ready_for -= edges;
+        if self.ready_for == 0 {
+            self.quick = None;
+        }
     }
 
     /// So many edges of these clocks, after a look at what to call for them.
@@ -108,7 +127,7 @@ impl Compiled {
             self.make_ready(index, code);
             left = self.call(code, count);
         }
-        self.pending = self.pending.with(changed);
+        self.change(changed);
         Done { edges: count - left, changed }
     }
 
@@ -121,17 +140,21 @@ impl Compiled {
             edge.quiet += count;
         }
         let (is_only, changes) = (self.resets.len() == 1, edge.changes);
-        let after_look = self.looks.after(index);
-        self.ready = Some(Ready { clock, is_only, edge: index, code, changes, count, after_look });
+        let after_look = self.rest_of(index);
+        self.ready = Some(Ready { clock, is_only, edge: index, code, changes, after_look });
+        self.ready_for = count;
+        self.quick = (is_only && count > 0).then_some(Quick { code, changes });
     }
 
     /// It has to be found out again what to call.
     #[cold]
     pub(super) fn unready(&mut self) {
-        if let Some(Ready { edge, count, .. }) = self.ready.take() {
+        self.again = None;
+        self.quick = None;
+        if let Some(Ready { edge, .. }) = self.ready.take() {
             // Those that have not been.
             let quiet = &mut self.edges[edge].quiet;
-            *quiet = quiet.saturating_sub(count);
+            *quiet = quiet.saturating_sub(self.ready_for);
         }
     }
 
@@ -192,6 +215,11 @@ impl Compiled {
         let code = self.make_edge(&rising, &resets, &held);
         self.edges[index].special = Some(code);
         code
+    }
+
+    /// The inputs that functions are made for, if they have long been as they are at this edge: by their version.
+    pub(super) fn held_version(&self, index: usize) -> Option<u64> {
+        self.is_special(index).then_some(self.inputs_version)
     }
 
     /// Whether an edge has a function for the inputs as they are.

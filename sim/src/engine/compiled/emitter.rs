@@ -7,7 +7,7 @@ use super::builder::FunctionBuilder;
 use super::function::{Function, Sink};
 use super::layout::{Layout, Place, Words};
 use super::plan::Plan;
-use super::scalar::Scalars;
+use super::scalar::{Scalar, Scalars};
 use super::sequence::Step;
 use super::strips::Strips;
 use crate::engine::program::{Kind, ValueId};
@@ -107,6 +107,8 @@ pub(super) struct Emitter<'a, 'b, 'c> {
     pub(super) scalars: Scalars,
     /// The next id that no cell has.
     fresh: u32,
+    /// The registers of one lane that have changed, each with what it took.
+    changed: Vec<(ValueId, ValueId)>,
 }
 
 impl<'a, 'b, 'c> Emitter<'a, 'b, 'c> {
@@ -120,7 +122,15 @@ impl<'a, 'b, 'c> Emitter<'a, 'b, 'c> {
         state: Value,
     ) -> Self {
         let fresh = function.circuit().len() as u32;
-        Emitter { function, plan, addresses, memories, strips, builder, state, scalars: Scalars::default(), fresh }
+        let (scalars, changed) = (Scalars::default(), Vec::new());
+        Emitter { function, plan, addresses, memories, strips, builder, state, scalars, fresh, changed }
+    }
+
+    /// The registers of up to 64 bits that have changed, as they are now in registers of the machine: what follows need not wait
+    /// until they come back from memory.
+    pub fn changed(&self) -> Vec<(ValueId, Scalar)> {
+        let scalar = |&(state, value): &(ValueId, ValueId)| Some((state, self.scalars.get(value)?.clone()));
+        self.changed.iter().filter_map(scalar).filter(|(_, scalar)| scalar.width <= 64).collect()
     }
 
     /// Emits these steps.
@@ -267,6 +277,7 @@ impl<'a, 'b, 'c> Emitter<'a, 'b, 'c> {
                 };
                 let place = self.addresses.of(state);
                 self.store_single(value, place, self.state, place.offset);
+                self.changed.push((state, value));
             }
             Sink::Write { memory, enable, address, data } => self.write(memory, enable, address, data),
             Sink::Row { row, at, value } => {

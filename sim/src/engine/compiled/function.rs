@@ -170,6 +170,25 @@ impl<'a> Maker<'a> {
         self.function.rewriter.state(1, width)
     }
 
+    /// State of the function's own, for each of these values one that is like it.
+    pub fn own(&mut self, values: &[ValueId]) -> Vec<ValueId> {
+        let circuit = &self.program.circuit;
+        values.iter().map(|&id| self.function.rewriter.state(circuit[id].lanes, circuit[id].width)).collect()
+    }
+
+    /// Leaves values in state of its own.
+    pub fn leave(&mut self, values: &[ValueId], own: &[ValueId]) {
+        for (&id, &state) in values.iter().zip(own) {
+            let next = self.take(id);
+            self.function.sinks.push(Sink::Register { state, next, enable: None });
+        }
+    }
+
+    /// What a value of the function is.
+    pub fn kind(&self, id: ValueId) -> &Kind {
+        &self.function.cell(id).kind
+    }
+
     /// These values are known.
     pub fn hold(mut self, held: &Held) -> Self {
         for &(id, ref bits) in held {

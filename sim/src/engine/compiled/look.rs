@@ -1,131 +1,168 @@
 //! A testbench that looks every clock: what it looked at has been computed from the same state that the edge after it
-//! starts from, so that edge can do with the rest; and as it is likely to look again, that follows in the same function.
+//! starts from. So a *look* computes what is looked at and what that edge changes, side by side; the edge itself has only to
+//! put that in its place; and as the testbench is likely to look again, the next look follows in the same function.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 use super::Compiled;
-use super::function::Held;
+use super::function::{Held, Maker};
 use super::jit::Code;
 use super::layout::Place;
 use super::prepare::Prepared;
 use super::view::View;
 use crate::engine::program::{Circuit, Kind, Triggers, ValueId};
 
+/// Up to how many values that an edge needs are left by a look, whatever it looks at. Where there are more, only those are that it
+/// computes anyway.
+const FEW: usize = 64;
+
 /// What is known of looks between edges.
 #[derive(Default)]
 pub(super) struct Looks {
-    /// How many edges had one before them; it is not counted further once there is a function, or can be none.
+    /// How many edges had one before them while there was no function for such edges.
     count: u64,
     /// How many had one at what that function does not show.
     others: u64,
     rest: Option<Rest>,
 }
 
-/// A function for what is left to do at an edge after a view has run, and for that view after it.
+/// Functions for edges between looks at the same.
 #[derive(Clone, Copy)]
 pub(super) struct Rest {
-    /// The view, and the edge, by index.
-    view: usize,
+    /// The view that shows what is looked at, by index.
+    view: u32,
+    /// The edge, by index, and the inputs that they were made for, if they were made for some.
     edge: usize,
+    held: Option<u64>,
+    /// The look: leaves all that the view shows, and what the edge needs.
+    look: Code,
+    /// What is left to do at an edge after a look, and another look.
     code: Code,
 }
 
-impl Looks {
-    /// The function for an edge after a look, if there is one.
-    pub fn after(&self, edge: usize) -> Option<Rest> {
-        self.rest.filter(|rest| rest.edge == edge)
-    }
-}
-
 impl Compiled {
-    /// An edge of the only clock where nothing has changed since somebody looked at something that is computed; whether it was
-    /// done, if there is a function for it.
+    /// The functions for an edge between looks, if there are some.
+    pub(super) fn rest_of(&self, edge: usize) -> Option<Rest> {
+        let is_valid = |rest: &Rest| rest.edge == edge && (rest.held.is_none() || rest.held == self.held_version(edge));
+        self.looks.rest.filter(is_valid)
+    }
+
+    /// An edge of the only clock after somebody looked at something that is computed; whether it was done.
     #[inline(never)]
-    pub(super) fn edge_after_look(&mut self) -> Option<bool> {
-        self.looked = false;
-        let ready = self.ready.as_ref()?;
-        if self.pending != Triggers::NONE || !ready.is_only {
-            return None;
+    pub(super) fn edge_after_look(&mut self) -> bool {
+        let rest = self.rest_after_look();
+        let is_done = self.begin_edge().is_some_and(|code| self.call(code, 1) == 0);
+        if is_done && let Some(rest) = rest {
+            self.mark();
+            self.call(rest.look, 1);
+            self.views[rest.view as usize].stale = false;
+            self.fresh = rest.view;
+            self.again = Some(rest.code);
         }
+        is_done
+    }
+
+    /// The functions for the coming edge, which is one after a look, if somebody is likely to look again at what they show.
+    /// Otherwise, counts the edge, and makes functions when there have been some.
+    fn rest_after_look(&mut self) -> Option<Rest> {
+        let ready = self.ready.as_ref().filter(|ready| ready.is_only && self.pending == Triggers::NONE)?;
         let (edge, changes) = (ready.edge, ready.changes);
         let Some(rest) = ready.after_look else {
-            self.count_look(edge);
+            // For another edge there are none: it is one of a reset.
+            if self.looks.rest.is_none_or(|rest| rest.edge == edge) {
+                self.looks.count += 1;
+                self.remake_rest_after(self.looks.count, edge);
+            }
             return None;
         };
-        if self.views[rest.view].stale {
+        let is_other = |(index, view): (u32, &View)| index != rest.view && !view.stale && view.triggers.meet(changes);
+        if (0..).zip(&self.views).any(is_other) {
+            self.looks.others += 1;
+            self.remake_rest_after(self.looks.others, edge);
             return None;
         }
-        let is_done = self.call(rest.code, 1) == 0;
-        if is_done && self.views.len() > 1 {
-            self.mark_others(rest, changes);
-        }
-        Some(is_done)
-    }
-
-    /// Counts an edge after a look; makes the function for such edges when there have been some.
-    fn count_look(&mut self, edge: usize) {
-        self.looks.count = self.looks.count.saturating_add(1);
-        if self.looks.count == self.program.passes.looks_after {
-            self.remake_rest(edge);
-        }
+        Some(rest)
     }
 
     #[cold]
-    fn remake_rest(&mut self, edge: usize) {
-        self.looks.others = 0;
-        self.looks.rest = self.make_rest(edge);
-        self.unready();
-    }
-
-    /// Marks what changes at an edge after which only one view has run.
-    fn mark_others(&mut self, rest: Rest, changes: Triggers) {
-        let changes_other = |(index, view): &(usize, &View)| *index != rest.view && view.triggers.meet(changes);
-        if self.views.iter().enumerate().filter(changes_other).any(|(_, view)| !view.stale) {
-            self.mark_fresh(rest, changes);
+    fn remake_rest_after(&mut self, looks: u64, edge: usize) {
+        if looks >= self.program.passes.looks_after {
+            self.looks = Looks { count: 0, others: 0, rest: Some(self.make_rest(edge)) };
+            self.unready();
         }
     }
 
-    /// Marks them where some are not yet; counts the edge, which was one after a look at more than its function shows, and
-    /// makes another function when there have been some.
-    #[cold]
-    fn mark_fresh(&mut self, rest: Rest, changes: Triggers) {
-        self.looks.others += 1;
-        if self.looks.others >= self.program.passes.looks_after {
-            self.remake_rest(rest.edge);
-        }
-        for (index, view) in self.views.iter_mut().enumerate() {
-            view.stale |= index != rest.view && view.triggers.meet(changes);
-        }
-    }
-
-    /// Has a view of all that was looked at also leave what an edge needs of the same, and makes the function for the rest
-    /// of that edge.
-    fn make_rest(&mut self, edge: usize) -> Option<Rest> {
-        let fresh: Vec<&View> = self.views.iter().filter(|view| !view.stale).collect();
-        let triggers = fresh.iter().fold(Triggers::NONE, |all, view| all.with(view.triggers));
-        let shown: Vec<ValueId> = fresh.iter().flat_map(|view| &view.shown).copied().collect();
+    /// Makes functions for looks at all that is up to date.
+    fn make_rest(&mut self, edge: usize) -> Rest {
+        let view = self.view_of_fresh();
+        let held = self.held_version(edge);
+        let known = if held.is_some() { self.held_inputs() } else { Held::default() };
         let (rising, resets) = self.edges[edge].clocks();
-        let left = self.left_to(&shown, &rising, &resets);
-        if left.is_empty() {
-            return None;
+        let mut values = self.views[view as usize].shown.clone();
+        let left = self.left_by_look(&values, &known, &rising, &resets);
+        values.extend(left.iter().filter(|id| self.shown[id.index()].is_none_or(|(of, _)| of != view as usize)));
+        let places: Vec<Place> = values.iter().map(|id| self.place_for_look(view, *id)).collect();
+        let at = |id: &ValueId| places[values.iter().position(|value| value == id).expect("it is among them")];
+        let left_at: Vec<Place> = left.iter().map(at).collect();
+        let look = self.prepare_look(&known, &values, &places);
+        let mut parts = self.prepare_rest((&rising, &resets), &known, &left, &left_at);
+        let look_code = self.compile_once(std::slice::from_ref(&look));
+        parts.push(look);
+        Rest { view, edge, held, look: look_code, code: self.compile_once(&parts) }
+    }
+
+    /// A view of all that is shown by views which are up to date.
+    fn view_of_fresh(&mut self) -> u32 {
+        let is_fresh = |(_, view): &(u32, &View)| !view.stale && !view.shown.is_empty();
+        let fresh: Vec<(u32, &View)> = (0..).zip(&self.views).filter(is_fresh).collect();
+        if let [(only, _)] = *fresh {
+            return only;
         }
-        let mut all = shown.clone();
-        all.extend(left.iter().filter(|id| !shown.contains(id)));
-        let prepared = self.prepare_view(&all);
+        let triggers = fresh.iter().fold(Triggers::NONE, |all, (_, view)| all.with(view.triggers));
+        let shown: Vec<ValueId> = fresh.iter().flat_map(|(_, view)| &view.shown).copied().collect();
+        let prepared = self.prepare_view(&shown);
         let code = self.compile(std::slice::from_ref(&prepared));
-        let view = self.add_view(code, triggers, &shown, &prepared);
-        let at: BTreeMap<ValueId, Place> = all.into_iter().zip(prepared.shown()).collect();
-        let places: Vec<Place> = left.iter().map(|id| at[id]).collect();
-        let mut parts = self.prepare_rest((&rising, &resets), &Held::default(), &left, &places);
-        parts.push(prepared);
-        Some(Rest { view, edge, code: self.compile(&parts) })
+        self.add_view(code, triggers, &shown, &prepared) as u32
+    }
+
+    /// What a look leaves besides what is `shown`: what an edge needs first of what is computed before it.
+    fn left_by_look(&self, shown: &[ValueId], held: &Held, rising: &[usize], resets: &[bool]) -> Vec<ValueId> {
+        let mut maker = Maker::new(&self.program).hold(held);
+        let mut is_computed = |id: ValueId| {
+            let value = maker.take(id);
+            !matches!(maker.kind(value), Kind::Const(_) | Kind::State)
+        };
+        let sampled = self.sampled(rising, resets);
+        let all = border(&self.program.circuit, &sampled, &sampled);
+        let left = if all.len() <= FEW { all } else { border(&self.program.circuit, shown, &sampled) };
+        left.into_iter().filter(|id| is_computed(*id)).collect()
+    }
+
+    /// Where a look leaves a value: where the view does, if it shows it.
+    fn place_for_look(&mut self, view: u32, id: ValueId) -> Place {
+        match self.shown[id.index()] {
+            Some((of, place)) if of == view as usize => place,
+            _ => self.layout.place(1, self.program.circuit[id].width),
+        }
+    }
+
+    /// A function that leaves values at these places.
+    fn prepare_look(&mut self, held: &Held, values: &[ValueId], places: &[Place]) -> Prepared {
+        let mut maker = Maker::new(&self.program);
+        let own = maker.own(values);
+        let mut maker = maker.hold(held);
+        maker.leave(values, &own);
+        self.prepare(&maker.finish().0, places)
+    }
+
+    /// The values that an edge samples.
+    fn sampled(&self, rising: &[usize], resets: &[bool]) -> Vec<ValueId> {
+        rising.iter().flat_map(|&clock| self.program.sampled(clock, !resets[clock])).collect()
     }
 
     /// What an edge needs first of what is computed for `shown` before it.
     pub(super) fn left_to(&self, shown: &[ValueId], rising: &[usize], resets: &[bool]) -> Vec<ValueId> {
-        let program = &self.program;
-        let sampled: Vec<ValueId> = rising.iter().flat_map(|&clock| program.sampled(clock, !resets[clock])).collect();
-        border(&program.circuit, shown, &sampled)
+        border(&self.program.circuit, shown, &self.sampled(rising, resets))
     }
 
     /// Prepares the functions for an edge to which values that were computed before it are state, at these places.

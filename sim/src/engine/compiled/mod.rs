@@ -44,7 +44,7 @@ use crate::engine::program::{Kind, Program, Triggers, ValueId};
 use crate::engine::until::Until;
 use crate::engine::{Difference, Done, Engine, Failed, one_by_one, renew_each};
 use bank::Bank;
-use edge::{Edge, Ready};
+use edge::{Edge, Quick, Ready};
 use emitter::MemoryAt;
 pub(super) use explain::explain;
 use function::Maker;
@@ -58,7 +58,7 @@ use strips::Strips;
 pub use target::Unsupported;
 use until::Stopping;
 pub(crate) use view::Slot;
-use view::View;
+use view::{NO_VIEW, View};
 
 /// The state of a running circuit and the code that runs it.
 pub(crate) struct Compiled {
@@ -82,8 +82,11 @@ pub(crate) struct Compiled {
     edges: Vec<Edge>,
     /// The one that was last asked for, and whether it checks assertions, while resets are as they were then.
     latest: Option<(usize, bool)>,
-    /// The next edges, if they are of one clock.
+    /// The next edges, if they are of one clock; and for how many of them.
     ready: Option<Ready>,
+    ready_for: u64,
+    /// What is ready, if it is for the only clock and nothing has to be looked at before.
+    quick: Option<Quick>,
     /// The inputs that a function may be made for, and how many functions still may.
     inputs: Vec<ValueId>,
     special: u32,
@@ -100,6 +103,10 @@ pub(crate) struct Compiled {
     looks: Looks,
     /// Somebody has looked at something that is computed since the last edge.
     looked: bool,
+    /// A view that is certainly up to date, or none: what is looked at most is asked for by this alone.
+    fresh: u32,
+    /// What is to be called for the next edge, if nothing happens until then but that somebody looks.
+    again: Option<Code>,
     stopping: Vec<Stopping>,
     rows: Vec<Rows>,
     /// What has changed since views were last marked stale.
@@ -155,12 +162,16 @@ impl Compiled {
             edges: Vec::new(),
             latest: None,
             ready: None,
+            ready_for: 0,
+            quick: None,
             unchecked,
             checked: true,
             checks: Vec::new(),
             views: Vec::new(),
             looks: Looks::default(),
             looked: false,
+            fresh: NO_VIEW,
+            again: None,
             stopping: Vec::new(),
             rows: Vec::new(),
             pending: Triggers::NONE,
@@ -233,7 +244,7 @@ impl Engine for Compiled {
     }
 
     fn number(&mut self, id: ValueId, lane: u32) -> u64 {
-        if let Some(number) = self.quick_get(id) {
+        if let Some(number) = self.refreshed(self.slot(id)) {
             return number;
         }
         match self.place(id) {
@@ -273,7 +284,7 @@ impl Engine for Compiled {
     fn set_word(&mut self, memory: u32, lane: u32, address: u32, limbs: &[u64]) {
         let at = self.memories[memory as usize];
         self.banks[at.bank].put_word(at.at(lane, address), at.words.word, at.width, &at.standing(limbs));
-        self.pending = Triggers::ALL;
+        self.change(Triggers::ALL);
     }
 
     fn set_reset(&mut self, clock: usize, high: bool) {

@@ -25,6 +25,13 @@ pub(super) struct Prepared {
     pub is_always_asked: bool,
 }
 
+/// How often a function does what it does.
+#[derive(Debug, Clone, Copy)]
+enum Times {
+    Argument,
+    Once,
+}
+
 impl Prepared {
     /// Where it leaves what it shows, in order.
     pub fn shown(&self) -> impl Iterator<Item = Place> {
@@ -62,8 +69,17 @@ impl Compiled {
     /// Makes a function that does what these functions say, one after the other, so many times; it ends where something
     /// does not hold, and says how many times are left.
     pub(super) fn compile(&mut self, parts: &[Prepared]) -> Code {
+        self.compile_times(parts, Times::Argument)
+    }
+
+    /// As [`Compiled::compile`], once: it must be called for one time.
+    pub(super) fn compile_once(&mut self, parts: &[Prepared]) -> Code {
+        self.compile_times(parts, Times::Once)
+    }
+
+    fn compile_times(&mut self, parts: &[Prepared], times: Times) -> Code {
         let memories = self.memories.as_slice();
-        let (strips, unchecked) = (&self.layout.strips, self.unchecked);
+        let (strips, unchecked, places) = (&self.layout.strips, self.unchecked, &self.places);
         let jit = &mut self.jit;
         let pieces = parts.iter().map(|part| match part.pieces.as_slice() {
             [_] => Vec::new(),
@@ -93,11 +109,17 @@ impl Compiled {
             builder.ins().jump(body, &[count.into()]);
             builder.switch_to_block(body);
             let left = builder.block_params(body)[0];
+            // The registers of the circuit that the part before has changed.
+            let mut changed = Vec::new();
             for (part, pieces) in parts.iter().zip(&pieces) {
+                let before = std::mem::take(&mut changed);
                 let held = match pieces.as_slice() {
                     [] => {
                         let mut emitter = part.emitter(memories, strips, builder, state);
+                        before.into_iter().for_each(|(state, scalar)| emitter.scalars.define(state, scalar));
                         emitter.steps(&part.pieces[0]);
+                        changed = emitter.changed();
+                        changed.retain(|(state, _)| places[state.index()].is_some());
                         emitter.end()
                     }
                     pieces => {
@@ -118,8 +140,16 @@ impl Compiled {
                     builder.switch_to_block(next);
                 }
             }
-            let left = builder.ins().iadd_imm_s(left, -1);
-            builder.ins().brif(left, body, &[left.into()], done, &[left.into()]);
+            match times {
+                Times::Argument => {
+                    let left = builder.ins().iadd_imm_s(left, -1);
+                    builder.ins().brif(left, body, &[left.into()], done, &[left.into()]);
+                }
+                Times::Once => {
+                    let left = builder.ins().iconst(types::I64, 0);
+                    builder.ins().jump(done, &[left.into()]);
+                }
+            }
             builder.switch_to_block(done);
             let left = builder.block_params(done)[0];
             builder.ins().return_(&[left]);

@@ -72,7 +72,7 @@ impl Compiled {
         let changed = self.edges[edge].changes;
         self.edges[edge].pass(edges);
         if edges > 0 {
-            self.pending = self.pending.with(changed);
+            self.change(changed);
         }
         let changed = if edges > 0 { changed } else { Triggers::NONE };
         Some((Done { edges, changed }, &self.rows[index].store.limbs()[..edges as usize * limbs]))

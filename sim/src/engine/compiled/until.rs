@@ -29,7 +29,7 @@ impl Compiled {
         let edge = self.edge(rising);
         let edges = count - self.call_until(edge, count, until);
         self.edges[edge].pass(edges);
-        self.pending = self.pending.with(self.edges[edge].changes);
+        self.change(self.edges[edge].changes);
         edges
     }
 

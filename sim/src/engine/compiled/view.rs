@@ -21,6 +21,9 @@ pub(super) struct View {
     pub shown: Vec<ValueId>,
 }
 
+/// The index of no view.
+pub(super) const NO_VIEW: u32 = u32::MAX;
+
 /// Where a value is that has one lane and up to 64 bits, and so stands as its limb.
 #[derive(Clone, Copy)]
 pub(crate) struct Slot {
@@ -98,24 +101,28 @@ impl Compiled {
         if std::mem::take(&mut shows.stale) {
             let code = shows.code;
             self.call(code, 1);
+            self.again = None;
         }
+        self.fresh = view as u32;
     }
 
-    /// Whether what a function shows is up to date.
+    /// The number in a slot of this engine, if it stands there as it is now.
     #[inline]
-    pub(super) fn is_fresh(&self, view: usize) -> bool {
-        self.pending == Triggers::NONE && !self.views[view].stale
-    }
-
-    /// A number of one lane, if it stands somewhere as it is now.
-    #[inline]
-    pub(in crate::engine) fn quick_get(&mut self, id: ValueId) -> Option<u64> {
-        let slot = self.slots[id.index()];
+    pub(in crate::engine) fn quick_get(&mut self, slot: Slot) -> Option<u64> {
         if let Source::View(view) = slot.source {
-            if !self.is_fresh(view as usize) {
+            if view != self.fresh {
                 return None;
             }
             self.looked = true;
+        }
+        self.state.limbs().get(slot.at as usize).map(Cell::get)
+    }
+
+    /// The number in a slot of this engine, brought up to date, if it stands somewhere.
+    #[inline]
+    pub(in crate::engine) fn refreshed(&mut self, slot: Slot) -> Option<u64> {
+        if let Source::View(view) = slot.source {
+            self.refresh(view as usize);
         }
         self.state.limbs().get(slot.at as usize).map(Cell::get)
     }
@@ -176,16 +183,25 @@ impl Compiled {
     #[inline]
     pub(super) fn input_changed(&mut self, triggers: Triggers, is_held: bool) {
         if !triggers.within(self.pending) {
-            self.pending = self.pending.with(triggers);
+            self.change(triggers);
         }
         if is_held {
             self.held_changed = true;
+            self.quick = None;
         }
+    }
+
+    /// Notes what has changed.
+    #[inline]
+    pub(super) fn change(&mut self, triggers: Triggers) {
+        self.pending = self.pending.with(triggers);
+        self.fresh = NO_VIEW;
+        self.again = None;
     }
 
     /// Marks what pending changes make stale.
     #[inline]
-    fn mark(&mut self) {
+    pub(super) fn mark(&mut self) {
         let pending = std::mem::replace(&mut self.pending, Triggers::NONE);
         if pending != Triggers::NONE {
             for view in &mut self.views {

@@ -306,7 +306,7 @@ impl<'s> Testbench<'s> {
 impl Shared<'_> {
     /// The time of this turn.
     fn now(&self) -> u64 {
-        self.instant.unwrap_or(self.circuit.timeline.time)
+        self.instant.unwrap_or(self.circuit.timeline.time())
     }
 }
 
