@@ -24,4 +24,4 @@ pub use matrix::Matrix;
 pub use rectangles::Rectangles;
 pub use stages::{Figures, Stages};
 pub use study::{Mean, Point, Sample, Study};
-pub use windows::{Costs, Search, TestUnit, Windows};
+pub use windows::{Costs, Search, TestUnit, Window, Windows};
