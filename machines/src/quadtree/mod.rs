@@ -9,10 +9,13 @@
 //! Rectangles -> packets -> Search -> windows counted, clocks counted -------'
 //! ```
 //!
+//! [`model`] has the clocks of a running matrix, packet by packet, as the hardware has them but without it, and what coupling by queues costs.
+//!
 //! Source: the Russian paper on matrix-pipeline image generators, facts A2 and A3 (MPG).
 
 mod formulas;
 mod matrix;
+pub mod model;
 mod random;
 mod rectangles;
 mod stages;
