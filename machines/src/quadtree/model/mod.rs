@@ -17,6 +17,7 @@
 //! | `processor` | a video processor |
 //! | `record` | what a run is in numbers |
 //! | `simulated` | the same of the hardware |
+//! | `sweep` | what queues of some depths lose |
 
 mod division;
 mod line;
@@ -24,6 +25,7 @@ mod processor;
 mod queue;
 mod record;
 mod simulated;
+mod sweep;
 mod tree;
 
 use super::matrix::Matrix;
@@ -42,6 +44,7 @@ use tilewright_rtl::quadtree::raster::Form;
 
 pub use record::{Counts, Packets, Processor, Run, Visit};
 pub use simulated::Simulated;
+pub use sweep::{Coupling, Sweep, SweepPoint};
 
 /// Packets between two reports of progress.
 const PACKETS_AT_ONCE: usize = 256;
