@@ -3,6 +3,7 @@
 mod error;
 pub mod quadtree;
 mod run;
+mod threads;
 pub mod vc1;
 
 pub use error::Error;

@@ -9,10 +9,13 @@
 //! Rectangles -> packets -> Search -> windows counted, clocks counted -------'
 //! ```
 //!
+//! [`model`] has the clocks of a running matrix, packet by packet, as the hardware has them but without it, and what coupling by queues costs.
+//!
 //! Source: the Russian paper on matrix-pipeline image generators, facts A2 and A3 (MPG).
 
 mod formulas;
 mod matrix;
+pub mod model;
 mod random;
 mod rectangles;
 mod stages;
@@ -24,4 +27,4 @@ pub use matrix::Matrix;
 pub use rectangles::Rectangles;
 pub use stages::{Figures, Stages};
 pub use study::{Mean, Point, Sample, Study};
-pub use windows::{Costs, Search, TestUnit, Windows};
+pub use windows::{Costs, Search, TestUnit, Window, Windows};

@@ -12,11 +12,8 @@ use super::rectangles::Rectangles;
 use super::stages::{Figures, Stages};
 use super::windows::{Costs, Search, TestUnit};
 use crate::run::Watch;
+use crate::threads::{all_threads, on_threads};
 use serde::Serialize;
-use std::num::NonZeroUsize;
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::mpsc;
-use std::thread;
 use tally::Tally;
 use tilewright_rtl::parameter::ParameterError;
 use tilewright_scenes::Size;
@@ -39,6 +36,21 @@ pub struct Sample {
     pub area: f64,
     /// How many there are, at least 1.
     pub polygons: u64,
+}
+
+impl Sample {
+    /// The rectangles, on a screen of 2^m x 2^m pixels.
+    pub(super) fn rectangles(&self, m: u32, seed: u64) -> Result<Rectangles, ParameterError> {
+        let side = 1_u32.checked_shl(m).unwrap_or(u32::MAX);
+        let screen = Size::new(side, side).map_err(|error| ParameterError(error.to_string()))?;
+        match self.polygons {
+            0 => Err(ParameterError(format!(
+                "a sample of 0 rectangles of {} pixels: it has to have at least 1",
+                self.area
+            ))),
+            _ => Rectangles::new(screen, self.area, RATIO, seed),
+        }
+    }
 }
 
 /// What to count: rectangles of some areas, on square matrices of some sizes.
@@ -83,35 +95,25 @@ impl Study {
     /// # Errors
     /// There is no such matrix or no such rectangle, or a sample is empty; nothing has been counted then.
     pub fn run(&self, watch: &mut Watch) -> Result<Option<Vec<Point>>, ParameterError> {
-        self.run_on(thread::available_parallelism().map_or(1, NonZeroUsize::get), watch)
+        self.run_on(all_threads(), watch)
     }
 
     fn run_on(&self, threads: usize, watch: &mut Watch) -> Result<Option<Vec<Point>>, ParameterError> {
         let work = Work { searches: self.searches()?, rectangles: self.rectangles()?, parts: self.parts() };
         let mut tallies: Vec<Vec<Tally>> = self.samples.iter().map(|_| work.nothing()).collect();
         let mut missing = work.parts.len();
-        let (next, cancel) = (AtomicUsize::new(0), watch.cancel);
-        let is_cancelled = || cancel.is_some_and(|flag| flag.load(Ordering::Relaxed));
-        let next_part = || work.parts.get(next.fetch_add(1, Ordering::Relaxed)).filter(|_| !is_cancelled());
-        let (sender, receiver) = mpsc::channel();
-        thread::scope(|scope| {
-            for _ in 0..threads {
-                let (sender, work, next_part) = (sender.clone(), &work, &next_part);
-                scope.spawn(move || {
-                    while let Some(part) = next_part() {
-                        // Who receives lives as long as this scope.
-                        let _ = sender.send((part.sample, work.count(part)));
-                    }
-                });
-            }
-            // The channel ends with the last thread.
-            drop(sender);
-            for (sample, counted) in receiver {
-                tallies[sample].iter_mut().zip(&counted).for_each(|(sum, tally)| sum.add(tally));
+        let cancel = watch.cancel;
+        on_threads(
+            threads,
+            &work.parts,
+            cancel,
+            |part| work.count(part),
+            |number, counted| {
+                tallies[work.parts[number].sample].iter_mut().zip(&counted).for_each(|(sum, tally)| sum.add(tally));
                 missing -= 1;
                 watch.report("counting windows", 1.0 - missing as f64 / work.parts.len() as f64);
-            }
-        });
+            },
+        );
         Ok((missing == 0).then(|| self.points(&work.searches, &tallies)))
     }
 
@@ -123,16 +125,7 @@ impl Study {
     }
 
     fn rectangles(&self) -> Result<Vec<Rectangles>, ParameterError> {
-        let side = 1_u32.checked_shl(self.m).unwrap_or(u32::MAX);
-        let screen = Size::new(side, side).map_err(|error| ParameterError(error.to_string()))?;
-        let of_sample = |sample: &Sample| match sample.polygons {
-            0 => Err(ParameterError(format!(
-                "a sample of 0 rectangles of {} pixels: it has to have at least 1",
-                sample.area
-            ))),
-            _ => Rectangles::new(screen, sample.area, RATIO, self.seed),
-        };
-        self.samples.iter().map(of_sample).collect()
+        self.samples.iter().map(|sample| sample.rectangles(self.m, self.seed)).collect()
     }
 
     fn parts(&self) -> Vec<Part> {

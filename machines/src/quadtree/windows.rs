@@ -127,51 +127,84 @@ impl Search {
     /// The windows of `packet` in processor (i, j), i below p and j below q.
     pub fn windows<E: AsRef<[Edge]>>(&self, packet: &Packet<E>, processor: (u32, u32)) -> Windows {
         let mut windows = Windows::none(self.matrix.levels);
-        self.add_windows(packet, processor, &mut windows);
+        self.add_windows(packet, self.root(processor), &mut windows);
         windows
     }
 
     /// The windows of `packet` in all processors together.
     pub fn all_windows<E: AsRef<[Edge]>>(&self, packet: &Packet<E>) -> Windows {
         let mut windows = Windows::none(self.matrix.levels);
-        self.processors().for_each(|processor| self.add_windows(packet, processor, &mut windows));
+        self.processors().for_each(|processor| self.add_windows(packet, self.root(processor), &mut windows));
         windows
     }
 
-    fn add_windows<E: AsRef<[Edge]>>(&self, packet: &Packet<E>, (i, j): (u32, u32), counted: &mut Windows) {
-        let division = Division { matrix: &self.matrix, edges: packet.edges.as_ref(), bounds: packet.bounds };
-        division.divide(0, i.into(), j.into(), counted);
+    /// The window of all samples of processor (i, j), i below p and j below q: level 0, which passes without a test.
+    pub fn root(&self, (i, j): (u32, u32)) -> Window {
+        Window { level: 0, x: i, y: j }
+    }
+
+    /// The quarters of a window that pass: upper left, upper right, lower left, lower right, in the order in which the hardware
+    /// tests them. One of the last level has none.
+    ///
+    /// ```
+    /// use tilewright_machines::quadtree::{Matrix, Search, Window};
+    /// use tilewright_scenes::{ScreenVertex, Size, set_up};
+    ///
+    /// let at = |x: i32, y: i32| ScreenVertex { x: 16 * x, y: 16 * y, z: 1, rgb: [0; 3] };
+    /// let packet = set_up(&[at(4, 0), at(8, 0), at(4, 4)], Size::new(8, 8)?).unwrap();
+    /// let search = Search::new(Matrix { p: 1, q: 1, levels: 3, aperture: (0, 0) })?;
+    /// let upper_right = Window { level: 1, x: 4, y: 0 };
+    /// assert_eq!(search.quarters(&packet, search.root((0, 0))), [None, Some(upper_right), None, None]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn quarters<E: AsRef<[Edge]>>(&self, packet: &Packet<E>, window: Window) -> [Option<Window>; 4] {
+        let level = window.level + 1;
+        if level > self.matrix.levels {
+            return [None; 4];
+        }
+        let (width, height) = self.matrix.spacing(level);
+        let samples = (i64::from(width - self.matrix.p), i64::from(height - self.matrix.q));
+        [(0, 0), (width, 0), (0, height), (width, height)].map(|(dx, dy)| {
+            let quarter = Window { level, x: window.x + dx, y: window.y + dy };
+            passes(packet, &quarter.extent(samples, self.matrix.aperture)).then_some(quarter)
+        })
+    }
+
+    /// Whether the pixel of a window of the last level is covered: the exact test, without an aperture.
+    pub fn covers<E: AsRef<[Edge]>>(&self, packet: &Packet<E>, window: Window) -> bool {
+        passes(packet, &window.extent((0, 0), (0, 0)))
+    }
+
+    fn add_windows<E: AsRef<[Edge]>>(&self, packet: &Packet<E>, window: Window, counted: &mut Windows) {
+        counted.passed[window.level as usize] += 1;
+        if window.level == self.matrix.levels {
+            counted.fragments += u64::from(self.covers(packet, window));
+        }
+        for quarter in self.quarters(packet, window).into_iter().flatten() {
+            self.add_windows(packet, quarter, counted);
+        }
     }
 }
 
-/// The division of one packet's windows.
-struct Division<'a> {
-    matrix: &'a Matrix,
-    edges: &'a [Edge],
-    bounds: PixelBox,
+/// The coverage test: whether no edge, and none of the bounds, has the whole extent outside.
+fn passes<E: AsRef<[Edge]>>(packet: &Packet<E>, extent: &Extent) -> bool {
+    extent.meets(packet.bounds) && packet.edges.as_ref().iter().all(|edge| extent.greatest(edge) >= 0)
 }
 
-impl Division<'_> {
-    /// Counts a window of `level`, which has passed and whose first sample is pixel (x, y), and what is in it.
-    fn divide(&self, level: u32, x: i64, y: i64, counted: &mut Windows) {
-        counted.passed[level as usize] += 1;
-        if level == self.matrix.levels {
-            counted.fragments += u64::from(self.passes(Extent { x, y, width: 0, height: 0, aperture: (0, 0) }));
-            return;
-        }
-        let (width, height) = self.matrix.spacing(level + 1);
-        for (dx, dy) in [(0, 0), (width, 0), (0, height), (width, height)] {
-            let (x, y) = (x + i64::from(dx), y + i64::from(dy));
-            let samples = (i64::from(width - self.matrix.p), i64::from(height - self.matrix.q));
-            if self.passes(Extent { x, y, width: samples.0, height: samples.1, aperture: self.matrix.aperture }) {
-                self.divide(level + 1, x, y, counted);
-            }
-        }
-    }
+/// A window of a processor's raster.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+pub struct Window {
+    /// How often the raster has been divided for it, from 0 to n.
+    pub level: u32,
+    /// The column of its first sample's pixel.
+    pub x: u32,
+    /// The row of its first sample's pixel.
+    pub y: u32,
+}
 
-    /// The coverage test: whether no edge, and none of the bounds, has the whole extent outside.
-    fn passes(&self, extent: Extent) -> bool {
-        extent.meets(self.bounds) && self.edges.iter().all(|edge| extent.greatest(edge) >= 0)
+impl Window {
+    fn extent(self, (width, height): (i64, i64), aperture: (u32, u32)) -> Extent {
+        Extent { x: self.x.into(), y: self.y.into(), width, height, aperture }
     }
 }
 

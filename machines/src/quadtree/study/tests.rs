@@ -3,7 +3,7 @@
 use super::super::windows::Windows;
 use super::*;
 use crate::quadtree::random::Random;
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, Ordering};
 use tilewright_scenes::{PixelBox, Polygon};
 
 fn study(samples: &[(f64, u64)]) -> Study {

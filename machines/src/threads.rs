@@ -1,0 +1,43 @@
+//! Work that is cut into jobs, on all processors of the computer.
+
+use std::num::NonZeroUsize;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::mpsc;
+use std::thread;
+
+/// As many threads as the computer has processors for.
+pub(crate) fn all_threads() -> usize {
+    thread::available_parallelism().map_or(1, NonZeroUsize::get)
+}
+
+/// Does `work` on each job, on so many threads; `done` gets the number of each job and its result as it comes, in any order. Once
+/// the flag is raised no job is begun.
+pub(crate) fn on_threads<J: Sync, R: Send>(
+    threads: usize,
+    jobs: &[J],
+    cancel: Option<&AtomicBool>,
+    work: impl Fn(&J) -> R + Sync,
+    mut done: impl FnMut(usize, R),
+) {
+    let next = AtomicUsize::new(0);
+    let is_cancelled = || cancel.is_some_and(|flag| flag.load(Ordering::Relaxed));
+    let next_job = || {
+        let number = next.fetch_add(1, Ordering::Relaxed);
+        jobs.get(number).filter(|_| !is_cancelled()).map(|job| (number, job))
+    };
+    let (sender, receiver) = mpsc::channel();
+    thread::scope(|scope| {
+        for _ in 0..threads {
+            let (sender, work, next_job) = (sender.clone(), &work, &next_job);
+            scope.spawn(move || {
+                while let Some((number, job)) = next_job() {
+                    // Who receives lives as long as this scope.
+                    let _ = sender.send((number, work(job)));
+                }
+            });
+        }
+        // The channel ends with the last thread.
+        drop(sender);
+        receiver.iter().for_each(|(number, result)| done(number, result));
+    });
+}
