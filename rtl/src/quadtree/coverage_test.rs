@@ -145,3 +145,6 @@ fn greatest([value, fall_x, fall_y, right, lower]: [Signal; 5], number: Signal, 
     };
     value - fall(fall_x, right, number.bit(0)) - fall(fall_y, lower, number.bit(1))
 }
+
+#[cfg(test)]
+mod tests;

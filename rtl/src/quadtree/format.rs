@@ -292,7 +292,7 @@ bundle! {
         pub x: T,
         /// Its uppermost sample.
         pub y: T,
-        /// The greatest value in it of each edge function.
+        /// The greatest value in it of each edge function; those beyond the polygon's last mean nothing.
         pub edges: T,
         /// How far it reaches, in pixels, over each bound of the polygon towards the inside; negative: not at all.
         pub bounds: Bounds<T>,

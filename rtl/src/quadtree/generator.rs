@@ -150,3 +150,6 @@ impl QuadtreeGenerator {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -40,5 +40,7 @@ pub mod raster;
 pub mod set_up;
 pub mod stack;
 pub mod tally;
+#[cfg(test)]
+mod testing;
 pub mod tree;
 pub mod video_buffer;

@@ -85,3 +85,6 @@ impl PixelProcessor {
         !outside & !beyond
     }
 }
+
+#[cfg(test)]
+mod tests;

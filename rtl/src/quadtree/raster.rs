@@ -192,3 +192,6 @@ impl RasterProcessor {
         DividerOut { parts: works, idle, tally }
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -118,3 +118,6 @@ impl SetUp {
 fn times_power_of_two(value: Signal, power: u32) -> Signal {
     value << power.trailing_zeros()
 }
+
+#[cfg(test)]
+mod tests;

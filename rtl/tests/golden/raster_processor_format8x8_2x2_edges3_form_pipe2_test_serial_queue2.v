@@ -28,7 +28,8 @@ module raster_processor_format8x8_2x2_edges3_form_pipe2_test_serial_queue2 (
     input  wire [1:0]   works_window_size,          // The binary logarithm of its side in samples: n less the level.
     input  wire [1:0]   works_window_x,             // Its leftmost sample.
     input  wire [1:0]   works_window_y,             // Its uppermost sample.
-    input  wire [95:0]  works_window_edges,         // The greatest value in it of each edge function.
+    // The greatest value in it of each edge function; those beyond the polygon's last mean nothing.
+    input  wire [95:0]  works_window_edges,
     // How far it reaches, in pixels, over each bound of the polygon towards the inside; negative: not at all.
     input  wire [12:0]  works_window_bounds_left,   // The leftmost column.
     input  wire [12:0]  works_window_bounds_top,    // The uppermost line.
@@ -53,7 +54,8 @@ module raster_processor_format8x8_2x2_edges3_form_pipe2_test_serial_queue2 (
     output wire [1:0]   parts_window_size,          // The binary logarithm of its side in samples: n less the level.
     output wire [1:0]   parts_window_x,             // Its leftmost sample.
     output wire [1:0]   parts_window_y,             // Its uppermost sample.
-    output wire [95:0]  parts_window_edges,         // The greatest value in it of each edge function.
+    // The greatest value in it of each edge function; those beyond the polygon's last mean nothing.
+    output wire [95:0]  parts_window_edges,
     // How far it reaches, in pixels, over each bound of the polygon towards the inside; negative: not at all.
     output wire [12:0]  parts_window_bounds_left,   // The leftmost column.
     output wire [12:0]  parts_window_bounds_top,    // The uppermost line.

@@ -50,7 +50,8 @@ module set_up_format8x8_2x2_edges3 (
     output wire [1:0]   roots_window_size,          // The binary logarithm of its side in samples: n less the level.
     output wire [1:0]   roots_window_x,             // Its leftmost sample.
     output wire [1:0]   roots_window_y,             // Its uppermost sample.
-    output wire [95:0]  roots_window_edges,         // The greatest value in it of each edge function.
+    // The greatest value in it of each edge function; those beyond the polygon's last mean nothing.
+    output wire [95:0]  roots_window_edges,
     // How far it reaches, in pixels, over each bound of the polygon towards the inside; negative: not at all.
     output wire [12:0]  roots_window_bounds_left,   // The leftmost column.
     output wire [12:0]  roots_window_bounds_top,    // The uppermost line.

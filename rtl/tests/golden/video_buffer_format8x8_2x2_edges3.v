@@ -6,7 +6,7 @@
 // Parameters  VideoBuffer { format: "8x8_2x2_edges3" }
 // Latency     2 clocks to draw, 1 clock to send
 // Source      sparse-raster quadtree generator, figure 1 (MPG-ARCH)
-// Described   rtl/src/quadtree/video_buffer.rs:64
+// Described   rtl/src/quadtree/video_buffer.rs:65
 `default_nettype none
 
 module video_buffer_format8x8_2x2_edges3 (
@@ -20,7 +20,7 @@ module video_buffer_format8x8_2x2_edges3 (
     input  wire        strict,      // Depth alone decides, and of equal depths the first drawn stays.
     input  wire        back,        // The bank that is drawn.
     // A pixel of the other bank to send.
-    input  wire        scan_enable, // There is one; where it is low the word sent stays.
+    input  wire        scan_enable, // There is one; where it is low the word sent stays, until the banks are exchanged.
     input  wire [1:0]  scan_x,      // Its column among those of the video processor.
     input  wire [1:0]  scan_y,      // Its line among those of the video processor.
     input  wire        scan_clear,  // It is emptied.
@@ -57,8 +57,8 @@ module video_buffer_format8x8_2x2_edges3 (
         for (i = 0; i < 16; i = i + 1) bank1[i] = 48'hffffffffffff;
     end
 
-    wire [3:0] drawn = {draw_y, draw_x};                         // rtl/src/quadtree/video_buffer.rs:64
-    wire [3:0] shown = {scan_y, scan_x};                         // rtl/src/quadtree/video_buffer.rs:65
+    wire [3:0] drawn = {draw_y, draw_x};                         // rtl/src/quadtree/video_buffer.rs:65
+    wire [3:0] shown = {scan_y, scan_x};                         // rtl/src/quadtree/video_buffer.rs:66
     wire is_back0 = !back;                                       // rtl/src/quadtree/video_buffer.rs:73
     wire reads0 = is_back0 ? draw_valid : scan_enable;           // rtl/src/quadtree/video_buffer.rs:74
     wire [3:0] address0 = is_back0 ? drawn : shown;              // rtl/src/quadtree/video_buffer.rs:75

@@ -18,7 +18,8 @@ module video_controller_format8x8_2x2_edges3 (
     input  wire [191:0] words,           // The words sent by the video buffers, row by row of the matrix.
     input  wire         pixels_ready,
     // To each video buffer.
-    output wire [3:0]   scan_enable,     // There is one; where it is low the word sent stays.
+    // There is one; where it is low the word sent stays, until the banks are exchanged.
+    output wire [3:0]   scan_enable,
     output wire [7:0]   scan_x,          // Its column among those of the video processor.
     output wire [7:0]   scan_y,          // Its line among those of the video processor.
     output wire [3:0]   scan_clear,      // It is emptied.

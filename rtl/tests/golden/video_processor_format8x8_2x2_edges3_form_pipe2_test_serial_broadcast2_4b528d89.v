@@ -35,7 +35,8 @@ module video_processor_format8x8_2x2_edges3_form_pipe2_test_serial_broadcast2_4b
     input  wire         strict,                // Depth alone decides, and of equal depths the first drawn stays.
     input  wire         back,                  // The bank that is drawn.
     // A pixel of the other bank to send.
-    input  wire         scan_enable,           // There is one; where it is low the word sent stays.
+    // There is one; where it is low the word sent stays, until the banks are exchanged.
+    input  wire         scan_enable,
     input  wire [1:0]   scan_x,                // Its column among those of the video processor.
     input  wire [1:0]   scan_y,                // Its line among those of the video processor.
     input  wire         scan_clear,            // It is emptied.
