@@ -60,7 +60,7 @@ fn a_second_start_is_an_error() {
 
 /// A word that tells where it is, or an empty one.
 fn word(x: u64, y: u64) -> u64 {
-    if (x + 3 * y) % 5 == 0 { (1 << 48) - 1 } else { x << 12 | y }
+    if (x + 3 * y).is_multiple_of(5) { (1 << 48) - 1 } else { x << 12 | y }
 }
 
 proptest! {
