@@ -141,7 +141,9 @@ fn record_ports(sim: &mut Simulation, scenario: &Scenario) -> Result<tilewright_
     check_length(sim, scenario, "a wave in text")?;
     let program = sim.program();
     let ports = program.inputs.iter().chain(&program.outputs);
-    let probes: Vec<Probe> = ports.map(|port| Probe::Path(port.name.clone())).collect();
+    // A port that has lanes is shown lane by lane.
+    let path = |name: &str, lanes: u32| if lanes > 1 { format!("{name}[*]") } else { name.to_owned() };
+    let probes: Vec<Probe> = ports.map(|port| Probe::Path(path(&port.name, port.lanes))).collect();
     Ok(sim.record(probes))
 }
 

@@ -4,7 +4,7 @@ use crate::bits::Bits;
 use crate::block::Block;
 use crate::bundle::Bundle;
 use crate::clock::Period;
-use crate::fields::Fields;
+use crate::fields::{Fields, Leaf};
 use crate::loc::Loc;
 use crate::module::port_name;
 use crate::stream::backwards;
@@ -70,7 +70,7 @@ pub struct Script<B: Block> {
     period: u64,
     /// The time of the next row: a quarter of a period after an edge.
     at_ps: u64,
-    last: Vec<u64>,
+    last: Vec<Bits>,
     events: Vec<Event>,
 }
 
@@ -85,7 +85,7 @@ impl<B: Block> Script<B> {
     /// ```
     pub fn new(block: &B, period: Period) -> Script<B> {
         let widths = block.inputs();
-        let last = vec![0; widths.leaves().len()];
+        let last = widths.leaves().iter().map(|(_, width)| Bits::zero(all_lanes(*width))).collect();
         let period = period.picoseconds();
         Script { widths, period, at_ps: period / 4, last, events: Vec::new() }
     }
@@ -135,16 +135,47 @@ impl<B: Block> Script<B> {
     /// A list of inputs is not as long as the block's.
     #[track_caller]
     pub fn clock(&mut self, inputs: &<B::In as Bundle>::Of<u64>) {
+        self.row(inputs, |width, value| Bits::new(width, *value), Loc::caller());
+    }
+
+    /// As [`Script::clock`], with values wider than 64 bits.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # block! {
+    /// #     struct Keep;
+    /// #     in KeepIn { words: bits(50).of(row(2)) }
+    /// #     out KeepOut { kept: bits(50).of(row(2)) }
+    /// # }
+    /// # impl Keep {
+    /// #     fn build(&self, m: Module, i: KeepIn) -> KeepOut {
+    /// #         KeepOut { kept: m.pipe("kept", i.words) }
+    /// #     }
+    /// # }
+    /// let mut script = Script::new(&Keep, Period::ns(10));
+    /// script.clock_bits(&KeepIn { words: Bits::ones(100) });
+    /// assert_eq!(script.finish("two lanes").events[0].value, Bits::ones(100));
+    /// ```
+    ///
+    /// # Panics
+    ///
+    /// As [`Script::clock`].
+    #[track_caller]
+    pub fn clock_bits(&mut self, inputs: &<B::In as Bundle>::Of<Bits>) {
+        self.row(inputs, |_, value| value.clone(), Loc::caller());
+    }
+
+    fn row<V: Leaf>(&mut self, inputs: &<B::In as Bundle>::Of<V>, bits: impl Fn(u32, &V) -> Bits, loc: Loc) {
         let (widths, values, back) = (self.widths.leaves(), inputs.leaves(), backwards(inputs));
         if let Some(uneven) = uneven(&values, &widths) {
-            let (Uneven { has, needs, .. }, loc) = (&uneven, Loc::caller());
+            let Uneven { has, needs, .. } = &uneven;
             panic!("input{uneven} is a list of {needs}, but a list of {has} is given, at {loc}");
         }
-        for ((((path, value), (_, width)), last), back) in values.into_iter().zip(widths).zip(&mut self.last).zip(back)
-        {
-            if value != *last && !back {
-                let input = port_name("", &path);
-                self.events.push(Event { at_ps: self.at_ps, input, value: Bits::new(width.bits(), value) });
+        let rows = values.into_iter().zip(widths).zip(&mut self.last).zip(back);
+        for ((((path, value), (_, width)), last), _) in rows.filter(|(_, back)| !back) {
+            let value = bits(all_lanes(width), &value);
+            if value != *last {
+                self.events.push(Event { at_ps: self.at_ps, input: port_name("", &path), value: value.clone() });
                 *last = value;
             }
         }
@@ -217,4 +248,9 @@ impl<B: Block> Script<B> {
     pub fn finish(self, about: &'static str) -> Scenario {
         Scenario { about, events: self.events, end_ps: self.at_ps }
     }
+}
+
+/// The bits of a port: those of all its lanes.
+fn all_lanes(width: Width) -> u32 {
+    width.bits() * width.shape().lanes()
 }

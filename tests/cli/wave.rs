@@ -93,3 +93,12 @@ fn the_run_ends_with_the_waveform() {
     let whole = text("");
     assert!(text("-o x.vcd --to 100ns").starts_with(&whole));
 }
+
+#[test]
+fn a_port_of_lanes_is_shown_lane_by_lane() {
+    let text = Folder::new().stdout("wave coverage-test --ascii");
+    for name in ["works_valid ", "works_polygon_right[0] ", "works_polygon_right[2] ", "parts_window_planes[3] "] {
+        assert!(text.lines().any(|line| line.starts_with(name)), "{name}: {text}");
+    }
+    assert!(!text.contains("works_polygon_right "), "{text}");
+}

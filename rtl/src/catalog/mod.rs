@@ -3,12 +3,13 @@
 mod gfb;
 mod lfb;
 mod merger;
+mod quadtree;
 mod shared;
 mod vc1;
 
 pub use tilewright_hdl::catalog::{CatalogError, Entry, Parameter, Values};
 
-/// Every block: the whole, then its parts in the order of the data's way through it.
+/// Every block: each machine as a whole, then its parts in the order of the data's way through it.
 pub const ENTRIES: &[Entry] = &[
     vc1::VC1,
     lfb::LFB_UNIT,
@@ -20,6 +21,17 @@ pub const ENTRIES: &[Entry] = &[
     merger::IMAGE_MERGER,
     gfb::GFB_UNIT,
     gfb::GFB_SEQUENCER,
+    quadtree::QUADTREE_GENERATOR,
+    quadtree::VIDEO_PROCESSOR,
+    quadtree::SET_UP,
+    quadtree::RASTER_PROCESSOR,
+    quadtree::QUADTREE_STACK,
+    quadtree::QUADTREE_PIPE,
+    quadtree::QUADTREE_TREE,
+    quadtree::COVERAGE_TEST,
+    quadtree::PIXEL_PROCESSOR,
+    quadtree::VIDEO_BUFFER,
+    quadtree::VIDEO_CONTROLLER,
 ];
 
 /// The entry of that name.

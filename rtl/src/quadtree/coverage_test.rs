@@ -3,7 +3,7 @@
 //! ```text
 //! works ===>[held]--> window of a quarter ---> [ < 0 ? ]--> covered?   no: the next quarter
 //!              |                                               | yes
-//!              '----> planes of the quarter, one a clock ------'==========> children
+//!              '----> planes of the quarter, one a clock ------'==========> parts
 //! ```
 //!
 //! A quarter passes if each edge function is 0 or more where it is greatest in it, and it overlaps the rectangle of pixels around the
@@ -15,6 +15,7 @@
 //! passes, whose planes one adder moves to its upper left sample. The quarters come one after another, and wait for their receiver; the next
 //! window is taken with the last clock of the one before.
 
+use super::divider::{DividerIn, DividerOut};
 use super::format::{Format, PLANES, Window, Work};
 use super::lanes::lane_by_lane;
 use super::tally::Tally;
@@ -46,26 +47,20 @@ block! {
         Test::Parallel => "a window takes a clock for each quarter, and 4 more for each that passes",
     };
     source = "sparse-raster quadtree generator, equation 5 (MPG-EQ5, MPG-WIN)";
-    in(self) CoverageTestIn {
-        /// Windows with their polygons.
-        works: stream(Work = self.format.work()),
-    }
-    out(self) CoverageTestOut {
-        /// Their quarters.
-        children: stream(Work = self.format.work()),
-        /// No window is held.
+    in(self) = DividerIn { works: stream(self.format.work()) };
+    out(self) = DividerOut {
+        parts: stream(self.format.work()),
         idle: bit(),
-        /// What was done, for each size of windows.
-        tally: [Tally = Tally::widths(); self.sizes],
-    }
+        tally: vec![Tally::widths(); self.sizes as usize],
+    };
 }
 
 impl CoverageTest {
-    fn build(&self, m: Module, i: CoverageTestIn) -> CoverageTestOut {
+    fn build(&self, m: Module, i: DividerIn) -> DividerOut {
         let busy = m.reg("busy", bit()).reset(0);
         let held = m.reg("held", self.format.work());
         let number = m.reg("number", 2).reset(0);
-        let covered = m.reg("covered", bit()).reset(0);
+        let moves = m.reg("moves", bit()).reset(0);
         let step = m.reg("step", below(Format::MAX_EDGES)).reset(0);
         let Work { polygon, window } = *held;
         let size = match self.sizes {
@@ -74,7 +69,7 @@ impl CoverageTest {
         };
 
         // The test of a quarter.
-        net!(tests = busy & !covered);
+        net!(tests = busy & !moves);
         let Tested { edges, is_outside, is_last } = self.edges(m, tests, *step, *number, size, &held);
         let bounds = window.bounds.quarter(*number, size, self.format.matrix());
         net!(misses = is_outside | bounds.is_beyond());
@@ -82,16 +77,15 @@ impl CoverageTest {
         net!(fails = tests & is_last & misses);
 
         // The planes of one that passes; it goes with the last of them.
-        net!(moves = *covered);
         let moved = |plane: Signal, is_beside: Signal, add: Signal| plane + mux(is_beside, add << size, 0);
         let right = moved(window.planes.pick(*step), number.bit(0), polygon.plane_x.pick(*step));
         net!(plane = moved(right, number.bit(1), polygon.plane_y.pick(*step)));
-        let planes = lane_by_lane(m, "planes", PLANES, moves, *step, plane).row;
+        let planes = lane_by_lane(m, "planes", PLANES, *moves, *step, plane).row;
         net!(ready = moves & step.eq(PLANES - 1));
         let place = |at: Signal, is_beside: Signal| at | (is_beside.zext(self.format.levels()) << size);
         let (x, y) = (place(window.x, number.bit(0)), place(window.y, number.bit(1)));
-        let child = Work { polygon, window: Window { size, x, y, edges, bounds, planes } };
-        let (children, sent) = m.offer(ready, child);
+        let quarter = Work { polygon, window: Window { size, x, y, edges, bounds, planes } };
+        let (parts, sent) = m.offer(ready, quarter);
 
         net!(ends_quarter = fails | sent);
         net!(ends = ends_quarter & number.all_ones());
@@ -99,7 +93,7 @@ impl CoverageTest {
         busy.when(next.taken, 1).when(ends, 0);
         held.when(next.taken, *next);
         number.when(ends_quarter, number + 1);
-        covered.when(passes, 1).when(sent, 0);
+        moves.when(passes, 1).when(sent, 0);
         step.when(passes | ends_quarter, 0).when(busy & !ready, step + 1);
 
         net!(waits = ready & !sent);
@@ -108,7 +102,7 @@ impl CoverageTest {
             let is = Tally { busy: busy & !waits & here, stalled: waits & here, results: sent & here };
             Tally::count(m, &format!("size{}", self.from - level), is)
         });
-        CoverageTestOut { children, idle: !busy & !i.works.valid, tally: tally.collect() }
+        DividerOut { parts, idle: !busy & !i.works.valid, tally: tally.collect() }
     }
 
     /// The edge functions of a quarter, while `tests` is high.
@@ -121,11 +115,11 @@ impl CoverageTest {
                 Tested { edges, is_outside: edges.is_negative().or_all(), is_last: lit(1, 1) }
             }
             Test::Serial => {
-                net!(edge = greatest(all.map(|row| row.pick(step)), number, size));
-                let edges = lane_by_lane(m, "edges", self.format.edges(), tests, step, edge.bits()).kept.signed();
+                net!(value = greatest(all.map(|row| row.pick(step)), number, size));
+                let edges = lane_by_lane(m, "edges", self.format.edges(), tests, step, value.bits()).kept.signed();
                 net!(is_last = step.eq(polygon.last_edge));
                 let outside = m.reg("outside", bit()).reset(0);
-                net!(is_outside = outside | edge.is_negative());
+                net!(is_outside = outside | value.is_negative());
                 outside.when(tests, is_outside & !is_last);
                 Tested { edges, is_outside, is_last }
             }
@@ -151,3 +145,6 @@ fn greatest([value, fall_x, fall_y, right, lower]: [Signal; 5], number: Signal, 
     };
     value - fall(fall_x, right, number.bit(0)) - fall(fall_y, lower, number.bit(1))
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,5 +1,7 @@
 //! The sizes of a generator, and the records that its blocks hand on: packets, and the windows of polygons.
 
+use std::fmt;
+
 use crate::prelude::*;
 
 /// Linear functions of a polygon beside its edges: depth, red, green and blue (k_p of MPG-EQ5).
@@ -8,10 +10,10 @@ pub const PLANES: u32 = 4;
 pub const PLANE: u32 = 40;
 /// Bits of an edge function's slopes, signed.
 pub const SLOPE: u32 = 17;
-/// Bits of an edge function, signed.
-pub const EDGE: u32 = 32;
+/// Bits of an edge function on the screen, signed.
+const EDGE: u32 = 32;
 /// Bits of a position on the screen in pixels, and of a distance there, both signed: twice the widest screen.
-pub const DISTANCE: u32 = 13;
+const DISTANCE: u32 = 13;
 /// The greatest screen, in pixels along each side.
 const SIDE: u32 = 2048;
 
@@ -57,7 +59,7 @@ impl Matrix {
 }
 
 /// What a generator is built for; every block of it is made for one.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Format {
     screen: Screen,
     matrix: Matrix,
@@ -132,6 +134,23 @@ impl Format {
         self.columns().max(self.rows()).next_power_of_two().trailing_zeros().max(1)
     }
 
+    /// Bits of an edge function in a window, signed.
+    pub fn edge_bits(&self) -> u32 {
+        EDGE + self.excess()
+    }
+
+    /// Bits of a distance in pixels, signed.
+    pub fn distance_bits(&self) -> u32 {
+        DISTANCE + self.excess()
+    }
+
+    /// By how many bits the square window of all samples is wider or higher than the greatest screen: where a video processor has far more
+    /// columns than lines, or the other way about.
+    fn excess(&self) -> u32 {
+        let spacing = self.matrix.columns.max(self.matrix.rows);
+        (self.levels() + spacing.trailing_zeros()).saturating_sub(SIDE.trailing_zeros())
+    }
+
     /// The widths of a packet.
     pub fn packet(&self) -> Packet<Width> {
         let edge = || row(self.edges());
@@ -150,14 +169,14 @@ impl Format {
 
     /// The widths of a place: where the samples of a video processor begin and end.
     pub fn place(&self) -> Bounds<Width> {
-        let distance = bits(DISTANCE).signed();
+        let distance = bits(self.distance_bits()).signed();
         Bounds { left: distance, top: distance, right: distance, bottom: distance }
     }
 
     /// The place of the video processor in that column and row of the matrix; its numbers are signed, in two's complement.
     pub fn place_of(&self, column: u32, row: u32) -> Bounds<u64> {
         let (half, last) = (i64::from(self.aperture / 2), (1 << self.levels()) - 1);
-        let signed = |value: i64| value as u64 & ((1 << DISTANCE) - 1);
+        let signed = |value: i64| value as u64 & ((1 << self.distance_bits()) - 1);
         let ends = |offset: u32, spacing: u32| {
             (signed(i64::from(offset) - half), signed(i64::from(offset + last * spacing) + half))
         };
@@ -185,11 +204,20 @@ impl Format {
                 size: up_to(self.levels()),
                 x: bits(self.levels()),
                 y: bits(self.levels()),
-                edges: bits(EDGE).signed().of(edges),
+                edges: bits(self.edge_bits()).signed().of(edges),
                 bounds: self.place(),
                 planes: planes(),
             },
         }
+    }
+}
+
+/// In words, with which the modules of a generator are named.
+impl fmt::Debug for Format {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Format { screen: Screen { width, height }, matrix: Matrix { columns, rows }, edges, aperture } = self;
+        let aperture = if *aperture > 0 { format!("_aperture{aperture}") } else { String::new() };
+        write!(f, "{:?}", format!("{width}x{height}_{columns}x{rows}_edges{edges}{aperture}"))
     }
 }
 
@@ -264,7 +292,7 @@ bundle! {
         pub x: T,
         /// Its uppermost sample.
         pub y: T,
-        /// The greatest value in it of each edge function.
+        /// The greatest value in it of each edge function; those beyond the polygon's last mean nothing.
         pub edges: T,
         /// How far it reaches, in pixels, over each bound of the polygon towards the inside; negative: not at all.
         pub bounds: Bounds<T>,
@@ -285,7 +313,7 @@ impl Bounds {
     /// Those of a quarter: less by the spacing of its samples at the side where the quarter is not.
     pub(super) fn quarter(&self, number: Signal, size: Signal, matrix: Matrix) -> Bounds {
         let reaches = |bound: Signal, is_there: Signal, spacing: u32| {
-            bound - mux(is_there, 0, lit(DISTANCE, spacing.into()) << size).signed()
+            bound - mux(is_there, 0, lit(bound.width(), spacing.into()) << size).signed()
         };
         let (right, lower) = (number.bit(0), number.bit(1));
         Bounds {

@@ -34,9 +34,9 @@ use crate::prelude::*;
 block! {
     /// The matrix of video processors of a sparse-raster quadtree generator, with its video controller.
     pub struct QuadtreeGenerator {
-        processor: VideoProcessor,
+        video_processor: VideoProcessor,
     }
-    latency = "depends on the windows that the polygons cover";
+    latency = "the clocks of the slowest video processor; 2 clocks from `start` to the first pixels";
     source = "sparse-raster quadtree generator, figure 1 (MPG-ARCH, MPG-LIM)";
     in(self) QuadtreeGeneratorIn {
         /// Polygons.
@@ -85,17 +85,17 @@ impl QuadtreeGenerator {
                 return Err(ParameterError(format!("a {name} queue of {queue}: it has to hold from 1 to {most}")));
             }
         }
-        Ok(QuadtreeGenerator { processor: VideoProcessor { format, form, test, queues } })
+        Ok(QuadtreeGenerator { video_processor: VideoProcessor { format, form, test, queues } })
     }
 
     /// What it is built for.
     pub fn format(&self) -> Format {
-        self.processor.format
+        self.video_processor.format
     }
 
     /// Each of its video processors.
     pub fn processor(&self) -> &VideoProcessor {
-        &self.processor
+        &self.video_processor
     }
 
     fn build(&self, m: Module, i: QuadtreeGeneratorIn) -> QuadtreeGeneratorOut {
@@ -106,7 +106,7 @@ impl QuadtreeGenerator {
         back.when(i.swap, !back);
 
         // The broadcast: those that have the packet already wait for the others.
-        let packets = m.fifo("u_queue", self.processor.queues.broadcast, i.packets);
+        let packets = m.fifo("u_queue", self.video_processor.queues.broadcast, i.packets);
         let has = m.reg("has", bit().of(each)).reset(0);
         let packet = packets.payload.map(|field| match field.shape() {
             Shape::Plain => field.of(each),
@@ -123,7 +123,7 @@ impl QuadtreeGenerator {
         let scan = m.wire("scan", VideoController { format }.scan());
         let places = format.place().map(|width| width.of(each));
         let p = matrix.columns();
-        let processors = m.array("u_processor", matrix.processors(), &self.processor, |_| VideoProcessorIn {
+        let processors = m.array("u_processor", matrix.processors(), &self.video_processor, |_| VideoProcessorIn {
             packets: copies,
             place: constants(places, |lane| format.place_of(lane % p, lane / p)),
             strict: i.strict,
@@ -150,3 +150,6 @@ impl QuadtreeGenerator {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -18,7 +18,7 @@
 //! | [`format`] | the sizes, and the records: packets, windows, polygons |
 //! | [`set_up`] | a polygon of the screen becomes one of the samples |
 //! | [`coverage_test`] | the unit that tests quarters |
-//! | [`stack`], [`pipe`], [`tree`], [`raster`] | raster processors made of such units |
+//! | [`divider`], [`stack`], [`pipe`], [`tree`], [`raster`] | raster processors made of such units |
 //! | [`pixel`], [`video_buffer`] | fragments, and the pixels that are kept |
 //! | [`processor`], [`controller`], [`generator`] | a video processor, what reads the picture, the whole |
 //! | [`tally`] | what units count of themselves |
@@ -28,9 +28,11 @@
 
 pub mod controller;
 pub mod coverage_test;
+pub mod divider;
 pub mod format;
 pub mod generator;
 mod lanes;
+pub(crate) mod model;
 pub mod pipe;
 pub mod pixel;
 pub mod processor;
@@ -38,5 +40,7 @@ pub mod raster;
 pub mod set_up;
 pub mod stack;
 pub mod tally;
+#[cfg(test)]
+mod testing;
 pub mod tree;
 pub mod video_buffer;

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //!         .-------.   .------.   .-------.   .------.
-//! works =>| queue |==>| test |==>| queue |==>| test |==> .. ==> leaves
+//! works =>| queue |==>| test |==>| queue |==>| test |==> .. ==> parts
 //!         '-------'   '------'   '-------'   '------'
 //! ```
 //!
@@ -11,8 +11,9 @@
 
 use tilewright_blocks::StreamBlocks;
 
-use super::coverage_test::{CoverageTest, CoverageTestIn, Test};
-use super::format::{Format, Work};
+use super::coverage_test::{CoverageTest, Test};
+use super::divider::{DividerIn, DividerOut};
+use super::format::Format;
 use super::tally::Tally;
 use crate::prelude::*;
 
@@ -30,34 +31,28 @@ block! {
         /// The windows that the queue before each unit holds.
         pub queue: u32,
     }
-    latency = "the units of all levels work at the same time";
+    latency = "the clocks of the slowest level, as the units of all work at the same time";
     source = "sparse-raster quadtree generator, equation 9 (MPG-RP, MPG-EQ9)";
-    in(self) PipeIn {
-        /// Windows with their polygons.
-        works: stream(Work = self.format.work()),
-    }
-    out(self) PipeOut {
-        /// What is left of them when they are divided.
-        leaves: stream(Work = self.format.work()),
-        /// No window is held.
+    in(self) = DividerIn { works: stream(self.format.work()) };
+    out(self) = DividerOut {
+        parts: stream(self.format.work()),
         idle: bit(),
-        /// What was done on each level.
-        tally: [Tally = Tally::widths(); self.levels],
-    }
+        tally: vec![Tally::widths(); self.levels as usize],
+    };
 }
 
 impl Pipe {
-    fn build(&self, m: Module, i: PipeIn) -> PipeOut {
+    fn build(&self, m: Module, i: DividerIn) -> DividerOut {
         let Pipe { format, test, from, levels, queue } = *self;
         let (mut works, mut idle, mut tally) = (i.works, lit(1, 1), Vec::new());
         for level in 0..levels {
             works = m.fifo(&format!("u_queue{level}"), queue, works);
             let unit = CoverageTest { format, test, from: from - level, sizes: 1 };
-            let tested = m.instance(&format!("u_test{level}"), &unit, CoverageTestIn { works });
-            works = tested.children;
+            let tested = m.instance(&format!("u_test{level}"), &unit, DividerIn { works });
+            works = tested.parts;
             idle &= tested.idle;
             tally.extend(tested.tally);
         }
-        PipeOut { leaves: works, idle, tally }
+        DividerOut { parts: works, idle, tally }
     }
 }

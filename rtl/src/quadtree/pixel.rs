@@ -9,7 +9,7 @@
 //!
 //! Latency 1 clock; a fragment a clock.
 
-use super::format::{EDGE, Format, Work};
+use super::format::{Format, Work};
 use super::lanes::numbers;
 use crate::prelude::*;
 
@@ -19,6 +19,7 @@ block! {
         /// The generator that it is a part of.
         pub format: Format,
     }
+    latency = "1 clock to the fragment, and a fragment a clock";
     source = "sparse-raster quadtree generator, figure 1 (MPG-ARCH, MPG-LIM)";
     in(self) PixelProcessorIn {
         /// Windows of one sample; each is taken at once.
@@ -73,7 +74,8 @@ impl PixelProcessor {
         // The spacing of samples is no longer wanted: what an edge function falls over a pixel.
         let (polygon, window, matrix) = (&leaf.polygon, &leaf.window, self.format.matrix());
         let fall = |fall: Signal, spacing: u32| {
-            let over_aperture = (fall.zext(EDGE) * u64::from(half)).trunc(EDGE);
+            let bits = self.format.edge_bits();
+            let over_aperture = (fall.zext(bits) * u64::from(half)).trunc(bits);
             (over_aperture >> spacing.trailing_zeros()).signed()
         };
         let margin = fall(polygon.fall_x, matrix.columns()) + fall(polygon.fall_y, matrix.rows());
@@ -83,3 +85,6 @@ impl PixelProcessor {
         !outside & !beyond
     }
 }
+
+#[cfg(test)]
+mod tests;

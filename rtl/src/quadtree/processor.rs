@@ -9,9 +9,10 @@
 use tilewright_blocks::StreamBlocks;
 
 use super::coverage_test::Test;
+use super::divider::DividerIn;
 use super::format::{Bounds, Format, Packet};
 use super::pixel::{PixelProcessor, PixelProcessorIn};
-use super::raster::{Form, RasterProcessor, RasterProcessorIn};
+use super::raster::{Form, RasterProcessor};
 use super::set_up::{SetUp, SetUpIn};
 use super::tally::Tally;
 use super::video_buffer::{Scan, VideoBuffer, VideoBufferIn};
@@ -45,7 +46,7 @@ block! {
         /// What the queues hold.
         pub queues: Queues,
     }
-    latency = "depends on the windows that the polygon covers";
+    latency = "a polygon takes a clock for each edge, but at least 4, and those of the windows that it covers";
     source = "sparse-raster quadtree generator, figure 1 (MPG-ARCH, MPG-SPR)";
     in(self) VideoProcessorIn {
         /// Polygons.
@@ -78,8 +79,8 @@ impl VideoProcessor {
         let set_up = m.instance("u_set_up", &SetUp { format }, SetUpIn { packets, place: i.place });
 
         let raster = RasterProcessor { format, form: self.form.clone(), test, queue: queues.windows };
-        let raster = m.instance("u_raster", &raster, RasterProcessorIn { roots: set_up.roots });
-        let pixel = PixelProcessorIn { leaves: raster.leaves };
+        let raster = m.instance("u_raster", &raster, DividerIn { works: set_up.roots });
+        let pixel = PixelProcessorIn { leaves: raster.parts };
         let pixel = m.instance("u_pixel", &PixelProcessor { format }, pixel);
         let buffer = VideoBufferIn { draw: pixel.fragment, strict: i.strict, back: i.back, scan: i.scan };
         let buffer = m.instance("u_buffer", &VideoBuffer { format }, buffer);

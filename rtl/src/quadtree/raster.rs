@@ -1,7 +1,7 @@
 //! The raster processor: its form, and the units that it is put together from (MPG-RP).
 //!
 //! ```text
-//! roots ===>[ stack, pipe or tree of some levels ]===>[ another ]===> .. ===> leaves
+//! works ===>[ stack, pipe or tree of some levels ]===>[ another ]===> .. ===> parts
 //! ```
 //!
 //! The paper's general mix is a set-up unit, s stacks, a pipeline of p stages and a quadtree of t levels. Here parts of any of the three
@@ -10,11 +10,12 @@
 use std::fmt;
 
 use super::coverage_test::Test;
-use super::format::{Format, Work};
-use super::pipe::{Pipe, PipeIn, PipeOut};
-use super::stack::{Stack, StackIn, StackOut};
+use super::divider::{DividerIn, DividerOut};
+use super::format::Format;
+use super::pipe::Pipe;
+use super::stack::Stack;
 use super::tally::Tally;
-use super::tree::{Tree, TreeIn, TreeOut};
+use super::tree::Tree;
 use crate::prelude::*;
 
 /// A part of a raster processor, with the levels that it divides.
@@ -161,51 +162,36 @@ block! {
         /// The windows that the queue before each unit of a pipe or tree holds.
         pub queue: u32,
     }
-    latency = "depends on the windows that the polygon covers";
+    latency = "the clocks of the windows that the polygon covers, in its slowest part";
     source = "sparse-raster quadtree generator, figure 1 (MPG-RP)";
-    in(self) RasterProcessorIn {
-        /// The window of all samples, for each polygon.
-        roots: stream(Work = self.format.work()),
-    }
-    out(self) RasterProcessorOut {
-        /// Windows of one sample.
-        leaves: stream(Work = self.format.work()),
-        /// No window is held.
+    in(self) = DividerIn { works: stream(self.format.work()) };
+    out(self) = DividerOut {
+        parts: stream(self.format.work()),
         idle: bit(),
-        /// What was done on each level, from the first.
-        tally: [Tally = Tally::widths(); self.format.levels()],
-    }
+        tally: vec![Tally::widths(); self.format.levels() as usize],
+    };
 }
 
 impl RasterProcessor {
-    fn build(&self, m: Module, i: RasterProcessorIn) -> RasterProcessorOut {
+    fn build(&self, m: Module, i: DividerIn) -> DividerOut {
         let RasterProcessor { format, test, queue, .. } = *self;
-        let (mut works, mut from) = (i.roots, format.levels());
+        let (mut works, mut from) = (i.works, format.levels());
         let (mut idle, mut tally) = (lit(1, 1), Vec::new());
         for (number, &part) in self.form.parts().iter().enumerate() {
-            let name = format!("u_{}{number}", part.word());
+            let (name, i) = (format!("u_{}{number}", part.word()), DividerIn { works });
             let divided = match part {
-                Part::Stack(levels) => {
-                    let stack = Stack { format, test, from, levels };
-                    let StackOut { leaves, idle, tally } = m.instance(&name, &stack, StackIn { works });
-                    (leaves, idle, tally)
-                }
-                Part::Pipe(levels) => {
-                    let pipe = Pipe { format, test, from, levels, queue };
-                    let PipeOut { leaves, idle, tally } = m.instance(&name, &pipe, PipeIn { works });
-                    (leaves, idle, tally)
-                }
-                Part::Tree(levels) => {
-                    let tree = Tree { format, test, from, levels, queue };
-                    let TreeOut { leaves, idle, tally } = m.instance(&name, &tree, TreeIn { works });
-                    (leaves, idle, tally)
-                }
+                Part::Stack(levels) => m.instance(&name, &Stack { format, test, from, levels }, i),
+                Part::Pipe(levels) => m.instance(&name, &Pipe { format, test, from, levels, queue }, i),
+                Part::Tree(levels) => m.instance(&name, &Tree { format, test, from, levels, queue }, i),
             };
-            works = divided.0;
-            idle &= divided.1;
-            tally.extend(divided.2);
+            works = divided.parts;
+            idle &= divided.idle;
+            tally.extend(divided.tally);
             from -= part.levels();
         }
-        RasterProcessorOut { leaves: works, idle, tally }
+        DividerOut { parts: works, idle, tally }
     }
 }
+
+#[cfg(test)]
+mod tests;

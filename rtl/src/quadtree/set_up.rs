@@ -13,7 +13,7 @@
 //! Latency and throughput: a packet takes as many clocks as it has edges, but at least 4, one for each plane. The root goes with the
 //! last of them, and waits for its receiver.
 
-use super::format::{Bounds, DISTANCE, EDGE, Format, Matrix, PLANE, PLANES, Packet, Polygon, SLOPE, Window, Work};
+use super::format::{Bounds, Format, Matrix, PLANE, PLANES, Packet, Polygon, SLOPE, Window, Work};
 use super::lanes::{lane_by_lane, numbers};
 use super::tally::Tally;
 use crate::prelude::*;
@@ -47,7 +47,7 @@ impl SetUp {
         let (matrix, place) = (self.format.matrix(), i.place);
         let step = m.reg("step", below(Format::MAX_EDGES)).reset(0);
         let Packet { last_edge, edges, planes, bounds } = i.packets.payload;
-        net!(works = i.packets.valid);
+        let works = i.packets.valid;
         net!(is_last = step.ge(last_edge) & step.ge(PLANES - 1));
 
         // An edge: its value in the corner where it is greatest, and its falls. Those beyond the last are 0, inside everywhere.
@@ -55,10 +55,11 @@ impl SetUp {
         net!(b = edges.b.pick(*step));
         net!(right = !a.is_negative());
         net!(lower = !b.is_negative());
-        let along = |slope: Signal, end: Signal| slope.times(end).sext(EDGE);
+        let bits = self.format.edge_bits();
+        let along = |slope: Signal, end: Signal| slope.times(end).sext(bits);
         let at_x = along(a, mux(right, place.right, place.left));
         let at_y = along(b, mux(lower, place.bottom, place.top));
-        net!(value = edges.c.pick(*step) + at_x + at_y);
+        net!(value = edges.c.pick(*step).sext(bits) + at_x + at_y);
         net!(is_edge = numbers(last_edge.width(), self.format.edges()).le(last_edge));
         let edge = |name: &str, value: Signal| {
             let row = lane_by_lane(m, name, self.format.edges(), works, *step, value).row;
@@ -78,7 +79,7 @@ impl SetUp {
         net!(plane = planes.origin.pick(*step) + times(plane_x, column) + times(plane_y, line));
         let plane_row = |name: &str, value: Signal| lane_by_lane(m, name, PLANES, works, *step, value).row;
 
-        let reaches = |end: Signal, bound: Signal| end - bound.zext(DISTANCE).signed();
+        let reaches = |end: Signal, bound: Signal| end - bound.zext(end.width()).signed();
         let root = Work {
             polygon: Polygon {
                 last_edge,
@@ -117,3 +118,6 @@ impl SetUp {
 fn times_power_of_two(value: Signal, power: u32) -> Signal {
     value << power.trailing_zeros()
 }
+
+#[cfg(test)]
+mod tests;

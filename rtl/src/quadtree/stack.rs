@@ -2,7 +2,7 @@
 //!
 //! ```text
 //!            .-----------.      .------.
-//! works ====>| [windows] |=====>| test |==+===> leaves
+//! works ====>| [windows] |=====>| test |==+===> parts
 //!            '-----------'      '------'  |
 //!                  ^ last in, first out   |
 //!                  '======================'
@@ -14,7 +14,8 @@
 //!
 //! Latency and throughput: those of the unit, which never waits while there are windows to divide (MPG-EQ6).
 
-use super::coverage_test::{CoverageTest, CoverageTestIn, Test};
+use super::coverage_test::{CoverageTest, Test};
+use super::divider::{DividerIn, DividerOut};
 use super::format::{Format, Work};
 use super::tally::Tally;
 use crate::prelude::*;
@@ -31,44 +32,38 @@ block! {
         /// How often they are divided.
         pub levels: u32,
     }
-    latency = "one unit tests all windows of a polygon, one after another";
+    latency = "the clocks of all windows of a polygon, one after another";
     source = "sparse-raster quadtree generator, equation 6 (MPG-RP, MPG-EQ6)";
-    in(self) StackIn {
-        /// Windows with their polygons.
-        works: stream(Work = self.format.work()),
-    }
-    out(self) StackOut {
-        /// What is left of them when they are divided.
-        leaves: stream(Work = self.format.work()),
-        /// No window is held.
+    in(self) = DividerIn { works: stream(self.format.work()) };
+    out(self) = DividerOut {
+        parts: stream(self.format.work()),
         idle: bit(),
-        /// What was done on each level.
-        tally: [Tally = Tally::widths(); self.levels],
-    }
+        tally: vec![Tally::widths(); self.levels as usize],
+    };
 }
 
 impl Stack {
-    fn build(&self, m: Module, i: StackIn) -> StackOut {
+    fn build(&self, m: Module, i: DividerIn) -> DividerOut {
         let Stack { format, test, from, levels } = *self;
         let next = m.stream_wire("next", format.work());
         let unit = CoverageTest { format, test, from, sizes: levels };
-        let tested = m.instance("u_test", &unit, CoverageTestIn { works: next.value() });
+        let tested = m.instance("u_test", &unit, DividerIn { works: next.value() });
 
-        // A quarter is a leaf, or is divided again.
-        let child = &tested.children;
-        net!(is_leaf = child.window.size.eq(from - levels));
-        let (leaves, _) = m.offer(child.valid & is_leaf, child.payload);
-        child.take_when(!is_leaf | leaves.ready);
-        net!(comes_back = child.valid & !is_leaf);
+        // A quarter is divided to the end, or once more.
+        let part = &tested.parts;
+        net!(is_done = part.window.size.eq(from - levels));
+        let (parts, _) = m.offer(part.valid & is_done, part.payload);
+        part.take_when(!is_done | parts.ready);
+        net!(comes_back = part.valid & !is_done);
 
         // What is divided next: the newest window. Of what it offers the unit takes what is there when it is free.
         let depth = (3 * (levels - 1)).max(1);
-        let word = child.with(child.window).packed();
+        let word = part.with(part.window).packed();
         let windows = m.memory("windows", depth, word.width(), ReadUnderWrite::Any);
         let used = m.reg("used", up_to(depth)).reset(0);
-        let newest = child.with(windows.read_async((used - 1).trunc(windows.address_width()))).unpacked(&child.window);
+        let newest = part.with(windows.read_async((used - 1).trunc(windows.address_width()))).unpacked(&part.window);
         net!(is_empty = used.eq(0));
-        let again = Work { polygon: child.polygon, window: mux(comes_back, child.window, newest.payload) };
+        let again = Work { polygon: part.polygon, window: mux(comes_back, part.window, newest.payload) };
         net!(is_new = is_empty & !comes_back);
         let (offered, taken) = m.offer(!is_new | i.works.valid, mux(is_new, i.works.payload, again));
         i.works.take_when(is_new & offered.ready);
@@ -80,6 +75,6 @@ impl Stack {
         used.when(pushes, used + 1).when(pops, used - 1);
         m.assert(pushes.implies(used.ne(depth)), "of each size three windows are held at most");
         m.cover("the stack is full", m.rose(used.eq(depth)));
-        StackOut { leaves, idle: tested.idle, tally: tested.tally }
+        DividerOut { parts, idle: tested.idle, tally: tested.tally }
     }
 }

@@ -3,18 +3,19 @@
 //! ```text
 //!                               .-- 0 -->[ tree ]--.
 //!         .-------.   .------.  +-- 1 -->[ tree ]--+
-//! works =>| queue |==>| test |=>|                  |==> leaves
+//! works =>| queue |==>| test |=>|                  |==> parts
 //!         '-------'   '------'  +-- 2 -->[ tree ]--+
 //!                               '-- 3 -->[ tree ]--'
 //! ```
 //!
 //! A tree of one level is its unit alone. Windows of one place always take the same way, so they stay in the order of their polygons.
 //!
-//! Latency and throughput: those of the first unit, unless the leaves, which come one after another, take longer.
+//! Latency and throughput: those of the first unit, unless the parts, which come one after another, take longer.
 
 use tilewright_blocks::{StreamBlocks, Turns};
 
-use super::coverage_test::{CoverageTest, CoverageTestIn, CoverageTestOut, Test};
+use super::coverage_test::{CoverageTest, Test};
+use super::divider::{DividerIn, DividerOut};
 use super::format::{Format, Work};
 use super::tally::Tally;
 use crate::prelude::*;
@@ -33,37 +34,31 @@ block! {
         /// The windows that the queue before each unit holds.
         pub queue: u32,
     }
-    latency = "the quarters of a window are divided at the same time";
+    latency = "the clocks of the slowest unit, as the quarters of a window are divided at the same time";
     source = "sparse-raster quadtree generator, figure 1 (MPG-RP, MPG-TREE)";
-    in(self) TreeIn {
-        /// Windows with their polygons.
-        works: stream(Work = self.format.work()),
-    }
-    out(self) TreeOut {
-        /// What is left of them when they are divided.
-        leaves: stream(Work = self.format.work()),
-        /// No window is held.
+    in(self) = DividerIn { works: stream(self.format.work()) };
+    out(self) = DividerOut {
+        parts: stream(self.format.work()),
         idle: bit(),
-        /// What was done on each level, by all units of it.
-        tally: [Tally = Tally::widths(); self.levels],
-    }
+        tally: vec![Tally::widths(); self.levels as usize],
+    };
 }
 
 impl Tree {
-    fn build(&self, m: Module, i: TreeIn) -> TreeOut {
+    fn build(&self, m: Module, i: DividerIn) -> DividerOut {
         let Tree { format, test, from, levels, queue } = *self;
         let works = m.fifo("u_queue", queue, i.works);
         let unit = CoverageTest { format, test, from, sizes: 1 };
-        let CoverageTestOut { children, idle, mut tally } = m.instance("u_test", &unit, CoverageTestIn { works });
+        let DividerOut { parts, idle, mut tally } = m.instance("u_test", &unit, DividerIn { works });
         if levels == 1 {
-            return TreeOut { leaves: children, idle, tally };
+            return DividerOut { parts, idle, tally };
         }
         let quarter = |work: &Work| cat![work.window.y.bit(from - 1), work.window.x.bit(from - 1)];
-        let quarters: [_; 4] = m.split_by(children, quarter);
+        let quarters: [_; 4] = m.split_by(parts, quarter);
         let tree = Tree { from: from - 1, levels: levels - 1, ..*self };
-        let branches = m.array("u_branch", 4, &tree, |_| TreeIn { works: stack(quarters) });
+        let branches = m.array("u_branch", 4, &tree, |_| DividerIn { works: stack(quarters) });
         tally.extend(branches.tally.iter().map(|unit| unit.map(|count| count.sum())));
-        let leaves = m.arbiter("u_arbiter", Turns::RoundRobin, branches.leaves.lanes());
-        TreeOut { leaves, idle: idle & branches.idle.and_all(), tally }
+        let parts = m.arbiter("u_arbiter", Turns::RoundRobin, branches.parts.lanes());
+        DividerOut { parts, idle: idle & branches.idle.and_all(), tally }
     }
 }

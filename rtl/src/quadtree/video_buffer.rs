@@ -42,7 +42,7 @@ block! {
         back: bit(),
         /// A pixel of the other bank to send.
         scan: pub struct Scan {
-            /// There is one; where it is low the word sent stays.
+            /// There is one; where it is low the word sent stays, until the banks are exchanged.
             enable: bit(),
             /// Its column among those of the video processor.
             x: below(self.format.columns()),
@@ -60,10 +60,10 @@ block! {
 
 impl VideoBuffer {
     fn build(&self, m: Module, i: VideoBufferIn) -> VideoBufferOut {
-        let address = |x: Signal, y: Signal| cat![y, x];
+        let depth = self.format.rows() << below(self.format.columns()).bits();
+        let address = |x: Signal, y: Signal| cat![y, x].trunc(below(depth));
         net!(drawn = address(i.draw.x, i.draw.y));
         net!(shown = address(i.scan.x, i.scan.y));
-        let depth = self.format.rows() << below(self.format.columns()).bits();
         let word = m.pipe_when(i.draw.valid, "drawn_word", i.draw.word);
         let sent_of = m.pipe_when(i.scan.enable, "sent_of", !i.back);
 
@@ -95,3 +95,6 @@ impl VideoBuffer {
         VideoBufferOut { word: mux(sent_of, words[1], words[0]) }
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -3,10 +3,10 @@
 use std::fmt::Debug;
 use std::future::Future;
 
-use tilewright_hdl::{Fields, Loc, Stream, Visited};
+use tilewright_hdl::{Bits, Fields, Leaf, Loc, Stream, Visited};
 
 use super::{Pauses, Testbench};
-use crate::testbench::port::Port;
+use crate::testbench::port::{IntoValue, Port};
 
 impl Testbench<'_> {
     /// Sends a word to the block: shows it until the block takes it. Two one after another go over in two clocks.
@@ -28,7 +28,29 @@ impl Testbench<'_> {
     #[track_caller]
     pub fn send<P: Fields<Port>>(&self, stream: Stream<P, Port>, word: P::With<u64>) -> impl Future<Output = ()> {
         let loc = Loc::caller();
-        async move { self.send_at(&stream, &word, loc).await }
+        async move { self.send_at::<P, u64>(&stream, &word, loc).await }
+    }
+
+    /// As [`Testbench::send`], of a word whose values are wider than 64 bits.
+    ///
+    /// ```
+    /// # use tilewright_hdl::Bits;
+    /// # use tilewright_sim::{Simulation, for_examples::Increment};
+    /// # let mut sim = Simulation::of(&Increment)?;
+    /// # sim.reset();
+    /// let (words, sums, t) = (sim.i.words, sim.o.sums, sim.testbench());
+    /// let (seen, ()) = t.run((t.receive_bits(sums), t.send_bits(words, Bits::new(8, 7))));
+    /// assert_eq!(seen, Bits::new(8, 8));
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    ///
+    /// # Panics
+    ///
+    /// As [`Testbench::send`].
+    #[track_caller]
+    pub fn send_bits<P: Fields<Port>>(&self, stream: Stream<P, Port>, word: P::With<Bits>) -> impl Future<Output = ()> {
+        let loc = Loc::caller();
+        async move { self.send_at::<P, Bits>(&stream, &word, loc).await }
     }
 
     /// Receives a word from the block: takes the first that it shows.
@@ -51,6 +73,26 @@ impl Testbench<'_> {
     pub fn receive<P: Fields<Port>>(&self, stream: Stream<P, Port>) -> impl Future<Output = P::With<u64>> {
         let loc = Loc::caller();
         async move { self.receive_at(&stream, loc).await }
+    }
+
+    /// As [`Testbench::receive`], of a word whose values are wider than 64 bits.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Increment};
+    /// # let mut sim = Simulation::of(&Increment)?;
+    /// # sim.reset();
+    /// let (words, sums, t) = (sim.i.words, sim.o.sums, sim.testbench());
+    /// let (seen, ()) = t.run((t.receive_bits(sums), t.send(words, 7)));
+    /// assert_eq!(seen.to_string(), "8'h08");
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    #[track_caller]
+    pub fn receive_bits<P: Fields<Port>>(&self, stream: Stream<P, Port>) -> impl Future<Output = P::With<Bits>> {
+        let loc = Loc::caller();
+        async move {
+            self.take_at(&stream, loc).await;
+            stream.payload.map(|port| self.get(*port))
+        }
     }
 
     /// Sends words, one a clock but for the pauses.
@@ -79,7 +121,7 @@ impl Testbench<'_> {
         async move {
             for word in words {
                 self.wait_at(pauses.next_length().into(), loc).await;
-                self.send_at(&stream, &word, loc).await;
+                self.send_at::<P, u64>(&stream, &word, loc).await;
             }
         }
     }
@@ -219,20 +261,50 @@ impl Testbench<'_> {
     where
         P::With<u64>: Debug + PartialEq,
     {
-        let loc = Loc::caller();
-        async move {
-            let mut waits: Option<P::With<u64>> = None;
-            loop {
-                self.wait_at(1, loc).await;
-                let shown = self.shown(&stream);
-                assert!(
-                    waits.is_none() || waits == shown,
-                    "`{}` showed {waits:?} and, before it was taken, at {} ps, shows {shown:?}\n  --> {loc}",
-                    self.name(&stream),
-                    self.time(),
-                );
-                waits = shown.filter(|_| self.get_u64(stream.ready) == 0);
-            }
+        self.holds_as(stream, |port| self.number(*port), Loc::caller())
+    }
+
+    /// As [`Testbench::holds`], for words whose values are wider than 64 bits.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Pauses, Simulation, for_examples::Increment, monitor};
+    /// # let mut sim = Simulation::of(&Increment)?;
+    /// # sim.reset();
+    /// let (words, sums, t) = (sim.i.words, sim.o.sums, sim.testbench());
+    /// t.run((
+    ///     t.send_all(words, 1..=9, Pauses::NONE),
+    ///     t.expect_all(sums, 2..=10, Pauses::percent(50, 2)),
+    ///     monitor(t.holds_bits(sums)),
+    /// ));
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    ///
+    /// # Panics
+    ///
+    /// As [`Testbench::holds`].
+    #[track_caller]
+    pub fn holds_bits<P: Fields<Port>>(&self, stream: Stream<P, Port>) -> impl Future<Output = ()>
+    where
+        P::With<Bits>: Debug + PartialEq,
+    {
+        self.holds_as(stream, |port| self.get(*port), Loc::caller())
+    }
+
+    async fn holds_as<P: Fields<Port>, V: Leaf>(&self, stream: Stream<P, Port>, value: impl Fn(&Port) -> V, loc: Loc)
+    where
+        P::With<V>: Debug + PartialEq,
+    {
+        let mut waits: Option<P::With<V>> = None;
+        loop {
+            self.wait_at(1, loc).await;
+            let shown = (self.get_u64(stream.valid) == 1).then(|| stream.payload.map(&value));
+            assert!(
+                waits.is_none() || waits == shown,
+                "`{}` showed {waits:?} and, before it was taken, at {} ps, shows {shown:?}\n  --> {loc}",
+                self.name(&stream),
+                self.time(),
+            );
+            waits = shown.filter(|_| self.get_u64(stream.ready) == 0);
         }
     }
 
@@ -254,7 +326,11 @@ impl Testbench<'_> {
         (self.get_u64(stream.valid) == 1).then(|| stream.payload.map(|port| self.number(*port)))
     }
 
-    async fn send_at<P: Fields<Port>>(&self, stream: &Stream<P, Port>, word: &P::With<u64>, loc: Loc) {
+    async fn send_at<P, V>(&self, stream: &Stream<P, Port>, word: &P::With<V>, loc: Loc)
+    where
+        P: Fields<Port>,
+        V: IntoValue + Leaf,
+    {
         let (ports, values) = (leaves(&stream.payload), leaves(word));
         assert!(
             ports.len() == values.len(),
@@ -272,10 +348,15 @@ impl Testbench<'_> {
     }
 
     async fn receive_at<P: Fields<Port>>(&self, stream: &Stream<P, Port>, loc: Loc) -> P::With<u64> {
+        self.take_at(stream, loc).await;
+        stream.payload.map(|port| self.number(*port))
+    }
+
+    /// Waits for a word, and takes it; before the edge its payload is to be read.
+    async fn take_at<P: Fields<Port>>(&self, stream: &Stream<P, Port>, loc: Loc) {
         self.set_at(stream.ready, 1, loc);
         self.until_at(stream.valid.into(), loc).await;
         self.set_at(stream.ready, 0, loc);
-        stream.payload.map(|port| self.number(*port))
     }
 
     #[track_caller]
@@ -292,7 +373,7 @@ impl Testbench<'_> {
 }
 
 /// The leaves of a record, in order.
-fn leaves<T: tilewright_hdl::Leaf, F: Fields<T>>(record: &F) -> Vec<T> {
+fn leaves<T: Leaf, F: Fields<T>>(record: &F) -> Vec<T> {
     let mut leaves = Vec::new();
     record.visit(&mut |part| {
         if let Visited::Leaf(leaf) | Visited::Back(leaf) = part {

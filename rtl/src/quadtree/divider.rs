@@ -1,0 +1,23 @@
+//! The ports of what divides windows: a raster processor, and each of its parts (MPG-RP).
+
+use super::format::Work;
+use super::tally::Tally;
+use crate::prelude::*;
+
+bundle! {
+    /// What is to be divided.
+    pub struct DividerIn<T> {
+        /// Windows with their polygons.
+        pub works: Stream<Work<T>, T>,
+    }
+
+    /// What is left.
+    pub struct DividerOut<T> {
+        /// Their parts that the polygon may cover; divided to the end, the leaves.
+        pub parts: Stream<Work<T>, T>,
+        /// No window is held.
+        pub idle: T,
+        /// What was done on each level, from the first.
+        pub tally: Vec<Tally<T>>,
+    }
+}

@@ -1,0 +1,96 @@
+// pixel_processor_format8x8_2x2_edges3
+//
+// Makes fragments of windows of one sample.
+//
+// Parameters  PixelProcessor { format: "8x8_2x2_edges3" }
+// Latency     1 clock to the fragment, and a fragment a clock
+// Source      sparse-raster quadtree generator, figure 1 (MPG-ARCH, MPG-LIM)
+// Described   rtl/src/quadtree/pixel.rs:48
+`default_nettype none
+
+module pixel_processor_format8x8_2x2_edges3 (
+    input  wire         clk,
+    input  wire         rst,
+    // Windows of one sample; each is taken at once.
+    input  wire         leaves_valid,
+    // The polygon.
+    input  wire [2:0]   leaves_polygon_last_edge,    // The number of its edges, less one.
+    // What each edge function loses over a sample along x, on the way from where it is greatest.
+    input  wire [50:0]  leaves_polygon_fall_x,
+    input  wire [50:0]  leaves_polygon_fall_y,       // The same along y.
+    // Whether each edge function is greatest at the right side of a window.
+    input  wire [2:0]   leaves_polygon_right,
+    // Whether each edge function is greatest at the lower side of a window.
+    input  wire [2:0]   leaves_polygon_lower,
+    input  wire [159:0] leaves_polygon_plane_x,      // What a sample to the right adds to each plane.
+    input  wire [159:0] leaves_polygon_plane_y,      // What a sample down adds to each plane.
+    // The window.
+    input  wire [1:0]   leaves_window_size,          // The binary logarithm of its side in samples: n less the level.
+    input  wire [1:0]   leaves_window_x,             // Its leftmost sample.
+    input  wire [1:0]   leaves_window_y,             // Its uppermost sample.
+    // The greatest value in it of each edge function; those beyond the polygon's last mean nothing.
+    input  wire [95:0]  leaves_window_edges,
+    // How far it reaches, in pixels, over each bound of the polygon towards the inside; negative: not at all.
+    input  wire [12:0]  leaves_window_bounds_left,   // The leftmost column.
+    input  wire [12:0]  leaves_window_bounds_top,    // The uppermost line.
+    input  wire [12:0]  leaves_window_bounds_right,  // The rightmost column.
+    input  wire [12:0]  leaves_window_bounds_bottom, // The lowest line.
+    input  wire [159:0] leaves_window_planes,        // The value of each plane at its upper left sample.
+    // A pixel of the polygon.
+    output reg          fragment_valid,              // There is one.
+    output reg  [1:0]   fragment_x,                  // Its column among those of the video processor.
+    output reg  [1:0]   fragment_y,                  // Its line among those of the video processor.
+    output reg  [47:0]  fragment_word,               // Depth above colour.
+    output reg  [31:0]  fragments,                   // Fragments since the reset, modulo 2^32.
+    output wire         leaves_ready
+);
+
+    wire [47:0] word;                                            // rtl/src/quadtree/pixel.rs:52
+    assign leaves_ready = 1'b1;                                  // rtl/src/quadtree/pixel.rs:48
+    wire covered = 1'b1;                                         // rtl/src/quadtree/pixel.rs:53
+
+    assign word = {leaves_window_planes[39:16], leaves_window_planes[63:56], leaves_window_planes[103:96], leaves_window_planes[143:136]}; // rtl/src/quadtree/pixel.rs:52
+
+    always @(posedge clk) begin
+        if (leaves_valid) begin
+            fragment_x <= leaves_window_x;
+            fragment_y <= leaves_window_y;
+            fragment_word <= word;
+        end
+    end
+
+    always @(posedge clk) begin
+        if (rst) begin
+            fragment_valid <= 1'b0;
+            fragments <= 32'd0;
+        end else begin
+            fragment_valid <= leaves_valid;
+            if (fragment_valid) fragments <= fragments + 32'd1;
+        end
+    end
+
+`ifdef FORMAL
+    always @(posedge clk) begin
+        if (!rst) assert (!leaves_valid | (leaves_window_size == 2'd0)); // rtl/src/quadtree/pixel.rs:64
+    end
+`else
+`ifndef SYNTHESIS
+    always @(posedge clk) begin
+        if (!rst && !(!leaves_valid | (leaves_window_size == 2'd0))) begin // rtl/src/quadtree/pixel.rs:64
+            $display("FAIL: time %0t: %m: the windows are divided down to one sample", $time);
+            $stop;
+        end
+    end
+`endif
+`endif
+
+    wire _unused_ok = &{1'b0, leaves_polygon_last_edge, leaves_window_size, leaves_window_bounds_left,
+            leaves_window_bounds_top, leaves_window_bounds_right,
+            leaves_window_bounds_bottom, covered, leaves_polygon_fall_x,
+            leaves_polygon_fall_y, leaves_polygon_right, leaves_polygon_lower,
+            leaves_polygon_plane_x, leaves_polygon_plane_y, leaves_window_edges,
+            leaves_window_planes[159:144], leaves_window_planes[135:104],
+            leaves_window_planes[95:64], leaves_window_planes[55:40],
+            leaves_window_planes[15:0]};
+endmodule
+`default_nettype wire

@@ -1,0 +1,362 @@
+// quadtree_generator_format8x8_2x2_edges3_form_pipe2_test_serial_584f30ed
+//
+// The matrix of video processors of a sparse-raster quadtree generator, with its video
+// controller.
+//
+// Parameters  QuadtreeGenerator { video_processor: VideoProcessor { format: "8x8_2x2_edges3", form: "pipe2", test: Serial, queues: Queues { broadcast: 2, packets: 2, windows: 2 } } }
+// Latency     the clocks of the slowest video processor; 2 clocks from `start` to the first pixels
+// Source      sparse-raster quadtree generator, figure 1 (MPG-ARCH, MPG-LIM)
+// Described   rtl/src/quadtree/generator.rs:105
+`default_nettype none
+
+module quadtree_generator_format8x8_2x2_edges3_form_pipe2_test_serial_584f30ed (
+    input  wire         clk,
+    input  wire         rst,
+    // Polygons.
+    input  wire         packets_valid,
+    input  wire [2:0]   packets_last_edge,     // The number of its edges, less one.
+    // Its edges; those beyond the last mean nothing.
+    input  wire [50:0]  packets_edges_a,       // What a pixel to the right adds.
+    input  wire [50:0]  packets_edges_b,       // What a line down adds.
+    input  wire [95:0]  packets_edges_c,       // The value at the upper left pixel.
+    // What varies over it.
+    input  wire [159:0] packets_planes_x,      // What a pixel to the right adds.
+    input  wire [159:0] packets_planes_y,      // What a line down adds.
+    input  wire [159:0] packets_planes_origin, // The value at the upper left pixel, with half a unit for rounding.
+    // The pixels whose centres lie within its vertices along each axis.
+    input  wire [10:0]  packets_bounds_left,   // The leftmost column.
+    input  wire [10:0]  packets_bounds_top,    // The uppermost line.
+    input  wire [10:0]  packets_bounds_right,  // The rightmost column.
+    input  wire [10:0]  packets_bounds_bottom, // The lowest line.
+    // Depth alone decides, and of equal depths the first drawn stays; constant while a picture is drawn.
+    input  wire         strict,
+    // For one clock, when idle and while no picture is read: exchange the banks.
+    input  wire         swap,
+    // What to show.
+    input  wire         show_start,            // For one clock, while no picture is read: read one.
+    input  wire         show_clear,            // Empty the buffers on the way; constant while a picture is read.
+    input  wire [23:0]  show_background,       // The colour where nothing was drawn.
+    // Of which unit the counters are wanted.
+    input  wire [1:0]   probe_processor,       // The video processor, counted row by row.
+    input  wire [1:0]   probe_unit,            // 0 for the set-up, and the level for the raster processor's.
+    input  wire         pixels_ready,
+    // Pixels side by side, line by line; those beyond the end of a line mean nothing.
+    output wire         pixels_valid,
+    output wire [95:0]  pixels_payload,
+    output wire         idle,                  // No polygon is under way.
+    output wire         showing,               // A picture is read.
+    // The counters asked for.
+    output reg  [31:0]  tally_busy,            // Clocks in which it worked.
+    output reg  [31:0]  tally_stalled,         // Clocks in which it had a result that was not taken.
+    output reg  [31:0]  tally_results,         // Results.
+    output wire [31:0]  fragments,             // The fragments of the video processor asked for.
+    // What the broadcast did: packets that all have, and clocks in which one waited for room.
+    output reg  [31:0]  broadcast_busy,        // Clocks in which it worked.
+    output reg  [31:0]  broadcast_stalled,     // Clocks in which it had a result that was not taken.
+    output reg  [31:0]  broadcast_results,     // Results.
+    output wire         packets_ready
+);
+
+    reg back;                                                    // rtl/src/quadtree/generator.rs:105
+
+    wire u_queue_out_valid;                                      // rtl/src/quadtree/generator.rs:109
+    wire [724:0] u_queue_out_payload;                            // rtl/src/quadtree/generator.rs:109
+    wire [3:0] u_controller_scan_enable;                         // rtl/src/quadtree/generator.rs:134
+    wire [7:0] u_controller_scan_x;                              // rtl/src/quadtree/generator.rs:134
+    wire [7:0] u_controller_scan_y;                              // rtl/src/quadtree/generator.rs:134
+    wire [3:0] u_controller_scan_clear;                          // rtl/src/quadtree/generator.rs:134
+
+    wire all_have;                                               // rtl/src/quadtree/generator.rs:116
+    wire u_processor_idle_all;                                   // rtl/src/quadtree/generator.rs:137
+    wire [31:0] tally_busy_picked_3;                             // rtl/src/quadtree/generator.rs:139
+    wire [31:0] tally_stalled_picked_3;                          // rtl/src/quadtree/generator.rs:139
+    wire [31:0] tally_results_picked_3;                          // rtl/src/quadtree/generator.rs:139
+    wire [31:0] tally_busy_picked;                               // rtl/src/quadtree/generator.rs:139
+    wire [31:0] tally_stalled_picked;                            // rtl/src/quadtree/generator.rs:139
+    wire [31:0] tally_results_picked;                            // rtl/src/quadtree/generator.rs:139
+    wire [31:0] tally_busy_picked_2;                             // rtl/src/quadtree/generator.rs:139
+    wire [31:0] tally_stalled_picked_2;                          // rtl/src/quadtree/generator.rs:139
+    wire [31:0] tally_results_picked_2;                          // rtl/src/quadtree/generator.rs:139
+    wire [191:0] u_controller_words;                             // rtl/src/quadtree/generator.rs:126
+    wire [50:0] u_processor_packets_edges_a_part = u_queue_out_payload[721:671]; // rtl/src/quadtree/generator.rs:109
+    wire [50:0] u_processor_packets_edges_b_part = u_queue_out_payload[670:620]; // rtl/src/quadtree/generator.rs:109
+    wire [95:0] u_processor_packets_edges_c_part = u_queue_out_payload[619:524]; // rtl/src/quadtree/generator.rs:109
+    wire [159:0] u_processor_packets_planes_x_part = u_queue_out_payload[523:364]; // rtl/src/quadtree/generator.rs:109
+    wire [159:0] u_processor_packets_planes_y_part = u_queue_out_payload[363:204]; // rtl/src/quadtree/generator.rs:109
+    wire [159:0] u_processor_packets_planes_origin_part = u_queue_out_payload[203:44]; // rtl/src/quadtree/generator.rs:109
+    wire has_and = u_queue_out_valid & all_have;                 // rtl/src/quadtree/generator.rs:117
+    wire waits = u_queue_out_valid & !all_have;                  // rtl/src/quadtree/generator.rs:119
+    assign idle = !u_queue_out_valid & u_processor_idle_all;     // rtl/src/quadtree/generator.rs:137
+    always @* begin
+        case (probe_unit)
+            2'd1: tally_busy = tally_busy_picked;
+            2'd2: tally_busy = tally_busy_picked_2;
+            default: tally_busy = tally_busy_picked_3;
+        endcase
+    end
+    always @* begin
+        case (probe_unit)
+            2'd1: tally_stalled = tally_stalled_picked;
+            2'd2: tally_stalled = tally_stalled_picked_2;
+            default: tally_stalled = tally_stalled_picked_3;
+        endcase
+    end
+    always @* begin
+        case (probe_unit)
+            2'd1: tally_results = tally_results_picked;
+            2'd2: tally_results = tally_results_picked_2;
+            default: tally_results = tally_results_picked_3;
+        endcase
+    end
+
+    genvar i;
+    genvar j;
+
+    generate
+        for (i = 0; i < 4; i = i + 1) begin : u_processor            // rtl/src/quadtree/generator.rs:126
+            wire [47:0] word;
+            wire lane_idle;
+            wire [31:0] tally_0_busy;
+            wire [31:0] tally_0_stalled;
+            wire [31:0] tally_0_results;
+            wire [31:0] tally_1_busy;
+            wire [31:0] tally_1_stalled;
+            wire [31:0] tally_1_results;
+            wire [31:0] tally_2_busy;
+            wire [31:0] tally_2_stalled;
+            wire [31:0] tally_2_results;
+            wire [31:0] lane_fragments;
+            wire lane_packets_ready;
+            reg has;
+            wire all_have_and_2 = u_queue_out_valid & !has;
+            wire all_have_and = all_have_and_2 & lane_packets_ready;
+            wire all_have_or = has | all_have_and;
+            wire scan_enable = u_controller_scan_enable[i];
+            wire [1:0] scan_x = u_controller_scan_x[i * 2 +: 2];
+            wire [1:0] scan_y = u_controller_scan_y[i * 2 +: 2];
+            wire scan_clear = u_controller_scan_clear[i];
+            localparam [31:0] place_left = i % 2;
+            localparam [31:0] place_top = i / 2;
+            localparam [31:0] place_right = 6 + (i % 2);
+            localparam [31:0] place_bottom = 6 + (i / 2);
+            wire [50:0] u_processor_packets_edges_a;
+            for (j = 0; j < 3; j = j + 1) begin : u_processor_packets_edges_a_of
+                assign u_processor_packets_edges_a[j * 17 +: 17] = u_processor_packets_edges_a_part[j * 17 +: 17];
+            end
+            wire [50:0] u_processor_packets_edges_b;
+            for (j = 0; j < 3; j = j + 1) begin : u_processor_packets_edges_b_of
+                assign u_processor_packets_edges_b[j * 17 +: 17] = u_processor_packets_edges_b_part[j * 17 +: 17];
+            end
+            wire [95:0] u_processor_packets_edges_c;
+            for (j = 0; j < 3; j = j + 1) begin : u_processor_packets_edges_c_of
+                assign u_processor_packets_edges_c[j * 32 +: 32] = u_processor_packets_edges_c_part[j * 32 +: 32];
+            end
+            wire [159:0] u_processor_packets_planes_x;
+            for (j = 0; j < 4; j = j + 1) begin : u_processor_packets_planes_x_of
+                assign u_processor_packets_planes_x[j * 40 +: 40] = u_processor_packets_planes_x_part[j * 40 +: 40];
+            end
+            wire [159:0] u_processor_packets_planes_y;
+            for (j = 0; j < 4; j = j + 1) begin : u_processor_packets_planes_y_of
+                assign u_processor_packets_planes_y[j * 40 +: 40] = u_processor_packets_planes_y_part[j * 40 +: 40];
+            end
+            wire [159:0] u_processor_packets_planes_origin;
+            for (j = 0; j < 4; j = j + 1) begin : u_processor_packets_planes_origin_of
+                assign u_processor_packets_planes_origin[j * 40 +: 40] = u_processor_packets_planes_origin_part[j * 40 +: 40];
+            end
+
+            video_processor_format8x8_2x2_edges3_form_pipe2_test_serial_broadcast2_4b528d89 lane (
+                .clk                   (clk),
+                .rst                   (rst),
+                .packets_valid         (all_have_and_2),
+                .packets_last_edge     (u_queue_out_payload[724:722]),
+                .packets_edges_a       (u_processor_packets_edges_a),
+                .packets_edges_b       (u_processor_packets_edges_b),
+                .packets_edges_c       (u_processor_packets_edges_c),
+                .packets_planes_x      (u_processor_packets_planes_x),
+                .packets_planes_y      (u_processor_packets_planes_y),
+                .packets_planes_origin (u_processor_packets_planes_origin),
+                .packets_bounds_left   (u_queue_out_payload[43:33]),
+                .packets_bounds_top    (u_queue_out_payload[32:22]),
+                .packets_bounds_right  (u_queue_out_payload[21:11]),
+                .packets_bounds_bottom (u_queue_out_payload[10:0]),
+                .place_left            (place_left[12:0]),
+                .place_top             (place_top[12:0]),
+                .place_right           (place_right[12:0]),
+                .place_bottom          (place_bottom[12:0]),
+                .strict                (strict),
+                .back                  (back),
+                .scan_enable           (scan_enable),
+                .scan_x                (scan_x),
+                .scan_y                (scan_y),
+                .scan_clear            (scan_clear),
+                .word                  (word),
+                .idle                  (lane_idle),
+                .tally_0_busy          (tally_0_busy),
+                .tally_0_stalled       (tally_0_stalled),
+                .tally_0_results       (tally_0_results),
+                .tally_1_busy          (tally_1_busy),
+                .tally_1_stalled       (tally_1_stalled),
+                .tally_1_results       (tally_1_results),
+                .tally_2_busy          (tally_2_busy),
+                .tally_2_stalled       (tally_2_stalled),
+                .tally_2_results       (tally_2_results),
+                .fragments             (lane_fragments),
+                .packets_ready         (lane_packets_ready)
+            );
+
+            always @(posedge clk) begin
+                if (rst) has <= 1'b0;
+                else if (has_and) has <= 1'b0;
+                else if (all_have_and) has <= 1'b1;
+            end
+        end
+    endgenerate
+
+    fifo_depth2_width725_storage_registers u_queue (             // rtl/src/quadtree/generator.rs:109
+        .clk          (clk),
+        .rst          (rst),
+        .into_valid   (packets_valid),
+        .into_payload ({packets_last_edge, packets_edges_a, packets_edges_b, packets_edges_c, packets_planes_x, packets_planes_y, packets_planes_origin, packets_bounds_left, packets_bounds_top, packets_bounds_right, packets_bounds_bottom}),
+        .out_ready    (all_have),
+        .out_valid    (u_queue_out_valid),
+        .out_payload  (u_queue_out_payload),
+        .into_ready   (packets_ready)
+    );
+
+    video_controller_format8x8_2x2_edges3 u_controller (         // rtl/src/quadtree/generator.rs:134
+        .clk             (clk),
+        .rst             (rst),
+        .show_start      (show_start),
+        .show_clear      (show_clear),
+        .show_background (show_background),
+        .words           (u_controller_words),
+        .pixels_ready    (pixels_ready),
+        .scan_enable     (u_controller_scan_enable),
+        .scan_x          (u_controller_scan_x),
+        .scan_y          (u_controller_scan_y),
+        .scan_clear      (u_controller_scan_clear),
+        .pixels_valid    (pixels_valid),
+        .pixels_payload  (pixels_payload),
+        .busy            (showing)
+    );
+
+    wire [3:0] all_have_lanes;
+    generate
+        for (i = 0; i < 4; i = i + 1) begin : all_have_of
+            assign all_have_lanes[i] = u_processor[i].all_have_or;
+        end
+    endgenerate
+    assign all_have = &all_have_lanes;                           // rtl/src/quadtree/generator.rs:116
+    wire [3:0] u_processor_idle_all_lanes;
+    generate
+        for (i = 0; i < 4; i = i + 1) begin : u_processor_idle_all_of
+            assign u_processor_idle_all_lanes[i] = u_processor[i].lane_idle;
+        end
+    endgenerate
+    assign u_processor_idle_all = &u_processor_idle_all_lanes;   // rtl/src/quadtree/generator.rs:137
+    wire [127:0] tally_busy_picked_3_lanes;
+    generate
+        for (i = 0; i < 4; i = i + 1) begin : tally_busy_picked_3_of
+            assign tally_busy_picked_3_lanes[i * 32 +: 32] = u_processor[i].tally_0_busy;
+        end
+    endgenerate
+    assign tally_busy_picked_3 = tally_busy_picked_3_lanes[probe_processor * 32 +: 32]; // rtl/src/quadtree/generator.rs:139
+    wire [127:0] tally_stalled_picked_3_lanes;
+    generate
+        for (i = 0; i < 4; i = i + 1) begin : tally_stalled_picked_3_of
+            assign tally_stalled_picked_3_lanes[i * 32 +: 32] = u_processor[i].tally_0_stalled;
+        end
+    endgenerate
+    assign tally_stalled_picked_3 = tally_stalled_picked_3_lanes[probe_processor * 32 +: 32]; // rtl/src/quadtree/generator.rs:139
+    wire [127:0] tally_results_picked_3_lanes;
+    generate
+        for (i = 0; i < 4; i = i + 1) begin : tally_results_picked_3_of
+            assign tally_results_picked_3_lanes[i * 32 +: 32] = u_processor[i].tally_0_results;
+        end
+    endgenerate
+    assign tally_results_picked_3 = tally_results_picked_3_lanes[probe_processor * 32 +: 32]; // rtl/src/quadtree/generator.rs:139
+    wire [127:0] tally_busy_picked_lanes;
+    generate
+        for (i = 0; i < 4; i = i + 1) begin : tally_busy_picked_of
+            assign tally_busy_picked_lanes[i * 32 +: 32] = u_processor[i].tally_1_busy;
+        end
+    endgenerate
+    assign tally_busy_picked = tally_busy_picked_lanes[probe_processor * 32 +: 32]; // rtl/src/quadtree/generator.rs:139
+    wire [127:0] tally_stalled_picked_lanes;
+    generate
+        for (i = 0; i < 4; i = i + 1) begin : tally_stalled_picked_of
+            assign tally_stalled_picked_lanes[i * 32 +: 32] = u_processor[i].tally_1_stalled;
+        end
+    endgenerate
+    assign tally_stalled_picked = tally_stalled_picked_lanes[probe_processor * 32 +: 32]; // rtl/src/quadtree/generator.rs:139
+    wire [127:0] tally_results_picked_lanes;
+    generate
+        for (i = 0; i < 4; i = i + 1) begin : tally_results_picked_of
+            assign tally_results_picked_lanes[i * 32 +: 32] = u_processor[i].tally_1_results;
+        end
+    endgenerate
+    assign tally_results_picked = tally_results_picked_lanes[probe_processor * 32 +: 32]; // rtl/src/quadtree/generator.rs:139
+    wire [127:0] tally_busy_picked_2_lanes;
+    generate
+        for (i = 0; i < 4; i = i + 1) begin : tally_busy_picked_2_of
+            assign tally_busy_picked_2_lanes[i * 32 +: 32] = u_processor[i].tally_2_busy;
+        end
+    endgenerate
+    assign tally_busy_picked_2 = tally_busy_picked_2_lanes[probe_processor * 32 +: 32]; // rtl/src/quadtree/generator.rs:139
+    wire [127:0] tally_stalled_picked_2_lanes;
+    generate
+        for (i = 0; i < 4; i = i + 1) begin : tally_stalled_picked_2_of
+            assign tally_stalled_picked_2_lanes[i * 32 +: 32] = u_processor[i].tally_2_stalled;
+        end
+    endgenerate
+    assign tally_stalled_picked_2 = tally_stalled_picked_2_lanes[probe_processor * 32 +: 32]; // rtl/src/quadtree/generator.rs:139
+    wire [127:0] tally_results_picked_2_lanes;
+    generate
+        for (i = 0; i < 4; i = i + 1) begin : tally_results_picked_2_of
+            assign tally_results_picked_2_lanes[i * 32 +: 32] = u_processor[i].tally_2_results;
+        end
+    endgenerate
+    assign tally_results_picked_2 = tally_results_picked_2_lanes[probe_processor * 32 +: 32]; // rtl/src/quadtree/generator.rs:139
+    wire [127:0] fragments_lanes;
+    generate
+        for (i = 0; i < 4; i = i + 1) begin : fragments_of
+            assign fragments_lanes[i * 32 +: 32] = u_processor[i].lane_fragments;
+        end
+    endgenerate
+    assign fragments = fragments_lanes[probe_processor * 32 +: 32]; // rtl/src/quadtree/generator.rs:148
+    generate
+        for (i = 0; i < 4; i = i + 1) begin : u_controller_words_of
+            assign u_controller_words[i * 48 +: 48] = u_processor[i].word;
+        end
+    endgenerate
+
+    always @(posedge clk) begin
+        if (rst) begin
+            back <= 1'b0;
+            broadcast_busy <= 32'd0;
+            broadcast_stalled <= 32'd0;
+            broadcast_results <= 32'd0;
+        end else begin
+            if (swap) back <= !back;
+            if (has_and) broadcast_busy <= broadcast_busy + 32'd1;
+            if (waits) broadcast_stalled <= broadcast_stalled + 32'd1;
+            if (has_and) broadcast_results <= broadcast_results + 32'd1;
+        end
+    end
+
+`ifdef FORMAL
+    always @(posedge clk) begin
+        if (!rst) assume (!swap | (idle & !showing));                // rtl/src/quadtree/generator.rs:138
+    end
+`else
+`ifndef SYNTHESIS
+    always @(posedge clk) begin
+        if (!rst && !(!swap | (idle & !showing))) begin              // rtl/src/quadtree/generator.rs:138
+            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the banks are swapped when nothing is drawn or read", $time);
+            $stop;
+        end
+    end
+`endif
+`endif
+endmodule
+`default_nettype wire

@@ -1,0 +1,124 @@
+// raster_processor_format8x8_2x2_edges3_form_pipe2_test_serial_queue2
+//
+// Finds the pixels of a polygon: divides the window of all samples until windows have one.
+//
+// Parameters  RasterProcessor { format: "8x8_2x2_edges3", form: "pipe2", test: Serial, queue: 2 }
+// Latency     the clocks of the windows that the polygon covers, in its slowest part
+// Source      sparse-raster quadtree generator, figure 1 (MPG-RP)
+// Described   rtl/src/quadtree/raster.rs:179
+`default_nettype none
+
+module raster_processor_format8x8_2x2_edges3_form_pipe2_test_serial_queue2 (
+    input  wire         clk,
+    input  wire         rst,
+    // Windows with their polygons.
+    input  wire         works_valid,
+    // The polygon.
+    input  wire [2:0]   works_polygon_last_edge,    // The number of its edges, less one.
+    // What each edge function loses over a sample along x, on the way from where it is greatest.
+    input  wire [50:0]  works_polygon_fall_x,
+    input  wire [50:0]  works_polygon_fall_y,       // The same along y.
+    // Whether each edge function is greatest at the right side of a window.
+    input  wire [2:0]   works_polygon_right,
+    // Whether each edge function is greatest at the lower side of a window.
+    input  wire [2:0]   works_polygon_lower,
+    input  wire [159:0] works_polygon_plane_x,      // What a sample to the right adds to each plane.
+    input  wire [159:0] works_polygon_plane_y,      // What a sample down adds to each plane.
+    // The window.
+    input  wire [1:0]   works_window_size,          // The binary logarithm of its side in samples: n less the level.
+    input  wire [1:0]   works_window_x,             // Its leftmost sample.
+    input  wire [1:0]   works_window_y,             // Its uppermost sample.
+    // The greatest value in it of each edge function; those beyond the polygon's last mean nothing.
+    input  wire [95:0]  works_window_edges,
+    // How far it reaches, in pixels, over each bound of the polygon towards the inside; negative: not at all.
+    input  wire [12:0]  works_window_bounds_left,   // The leftmost column.
+    input  wire [12:0]  works_window_bounds_top,    // The uppermost line.
+    input  wire [12:0]  works_window_bounds_right,  // The rightmost column.
+    input  wire [12:0]  works_window_bounds_bottom, // The lowest line.
+    input  wire [159:0] works_window_planes,        // The value of each plane at its upper left sample.
+    input  wire         parts_ready,
+    // Their parts that the polygon may cover; divided to the end, the leaves.
+    output wire         parts_valid,
+    // The polygon.
+    output wire [2:0]   parts_polygon_last_edge,    // The number of its edges, less one.
+    // What each edge function loses over a sample along x, on the way from where it is greatest.
+    output wire [50:0]  parts_polygon_fall_x,
+    output wire [50:0]  parts_polygon_fall_y,       // The same along y.
+    // Whether each edge function is greatest at the right side of a window.
+    output wire [2:0]   parts_polygon_right,
+    // Whether each edge function is greatest at the lower side of a window.
+    output wire [2:0]   parts_polygon_lower,
+    output wire [159:0] parts_polygon_plane_x,      // What a sample to the right adds to each plane.
+    output wire [159:0] parts_polygon_plane_y,      // What a sample down adds to each plane.
+    // The window.
+    output wire [1:0]   parts_window_size,          // The binary logarithm of its side in samples: n less the level.
+    output wire [1:0]   parts_window_x,             // Its leftmost sample.
+    output wire [1:0]   parts_window_y,             // Its uppermost sample.
+    // The greatest value in it of each edge function; those beyond the polygon's last mean nothing.
+    output wire [95:0]  parts_window_edges,
+    // How far it reaches, in pixels, over each bound of the polygon towards the inside; negative: not at all.
+    output wire [12:0]  parts_window_bounds_left,   // The leftmost column.
+    output wire [12:0]  parts_window_bounds_top,    // The uppermost line.
+    output wire [12:0]  parts_window_bounds_right,  // The rightmost column.
+    output wire [12:0]  parts_window_bounds_bottom, // The lowest line.
+    output wire [159:0] parts_window_planes,        // The value of each plane at its upper left sample.
+    output wire         idle,                       // No window is held.
+    // What was done on each level, from the first.
+    output wire [31:0]  tally_0_busy,               // Clocks in which it worked.
+    output wire [31:0]  tally_0_stalled,            // Clocks in which it had a result that was not taken.
+    output wire [31:0]  tally_0_results,            // Results.
+    output wire [31:0]  tally_1_busy,
+    output wire [31:0]  tally_1_stalled,
+    output wire [31:0]  tally_1_results,
+    output wire         works_ready
+);
+
+    pipe_format8x8_2x2_edges3_test_serial_from2_levels2_queue2 u_pipe0 ( // rtl/src/quadtree/raster.rs:184
+        .clk                        (clk),
+        .rst                        (rst),
+        .works_valid                (works_valid),
+        .works_polygon_last_edge    (works_polygon_last_edge),
+        .works_polygon_fall_x       (works_polygon_fall_x),
+        .works_polygon_fall_y       (works_polygon_fall_y),
+        .works_polygon_right        (works_polygon_right),
+        .works_polygon_lower        (works_polygon_lower),
+        .works_polygon_plane_x      (works_polygon_plane_x),
+        .works_polygon_plane_y      (works_polygon_plane_y),
+        .works_window_size          (works_window_size),
+        .works_window_x             (works_window_x),
+        .works_window_y             (works_window_y),
+        .works_window_edges         (works_window_edges),
+        .works_window_bounds_left   (works_window_bounds_left),
+        .works_window_bounds_top    (works_window_bounds_top),
+        .works_window_bounds_right  (works_window_bounds_right),
+        .works_window_bounds_bottom (works_window_bounds_bottom),
+        .works_window_planes        (works_window_planes),
+        .parts_ready                (parts_ready),
+        .parts_valid                (parts_valid),
+        .parts_polygon_last_edge    (parts_polygon_last_edge),
+        .parts_polygon_fall_x       (parts_polygon_fall_x),
+        .parts_polygon_fall_y       (parts_polygon_fall_y),
+        .parts_polygon_right        (parts_polygon_right),
+        .parts_polygon_lower        (parts_polygon_lower),
+        .parts_polygon_plane_x      (parts_polygon_plane_x),
+        .parts_polygon_plane_y      (parts_polygon_plane_y),
+        .parts_window_size          (parts_window_size),
+        .parts_window_x             (parts_window_x),
+        .parts_window_y             (parts_window_y),
+        .parts_window_edges         (parts_window_edges),
+        .parts_window_bounds_left   (parts_window_bounds_left),
+        .parts_window_bounds_top    (parts_window_bounds_top),
+        .parts_window_bounds_right  (parts_window_bounds_right),
+        .parts_window_bounds_bottom (parts_window_bounds_bottom),
+        .parts_window_planes        (parts_window_planes),
+        .idle                       (idle),
+        .tally_0_busy               (tally_0_busy),
+        .tally_0_stalled            (tally_0_stalled),
+        .tally_0_results            (tally_0_results),
+        .tally_1_busy               (tally_1_busy),
+        .tally_1_stalled            (tally_1_stalled),
+        .tally_1_results            (tally_1_results),
+        .works_ready                (works_ready)
+    );
+endmodule
+`default_nettype wire

@@ -1,0 +1,313 @@
+// stack_format8x8_2x2_edges3_test_serial_from2_levels2
+//
+// Divides windows down to a size, with one unit and a stack.
+//
+// Parameters  Stack { format: "8x8_2x2_edges3", test: Serial, from: 2, levels: 2 }
+// Latency     the clocks of all windows of a polygon, one after another
+// Source      sparse-raster quadtree generator, equation 6 (MPG-RP, MPG-EQ6)
+// Described   rtl/src/quadtree/stack.rs:48
+`default_nettype none
+
+module stack_format8x8_2x2_edges3_test_serial_from2_levels2 (
+    input  wire         clk,
+    input  wire         rst,
+    // Windows with their polygons.
+    input  wire         works_valid,
+    // The polygon.
+    input  wire [2:0]   works_polygon_last_edge,    // The number of its edges, less one.
+    // What each edge function loses over a sample along x, on the way from where it is greatest.
+    input  wire [50:0]  works_polygon_fall_x,
+    input  wire [50:0]  works_polygon_fall_y,       // The same along y.
+    // Whether each edge function is greatest at the right side of a window.
+    input  wire [2:0]   works_polygon_right,
+    // Whether each edge function is greatest at the lower side of a window.
+    input  wire [2:0]   works_polygon_lower,
+    input  wire [159:0] works_polygon_plane_x,      // What a sample to the right adds to each plane.
+    input  wire [159:0] works_polygon_plane_y,      // What a sample down adds to each plane.
+    // The window.
+    input  wire [1:0]   works_window_size,          // The binary logarithm of its side in samples: n less the level.
+    input  wire [1:0]   works_window_x,             // Its leftmost sample.
+    input  wire [1:0]   works_window_y,             // Its uppermost sample.
+    // The greatest value in it of each edge function; those beyond the polygon's last mean nothing.
+    input  wire [95:0]  works_window_edges,
+    // How far it reaches, in pixels, over each bound of the polygon towards the inside; negative: not at all.
+    input  wire [12:0]  works_window_bounds_left,   // The leftmost column.
+    input  wire [12:0]  works_window_bounds_top,    // The uppermost line.
+    input  wire [12:0]  works_window_bounds_right,  // The rightmost column.
+    input  wire [12:0]  works_window_bounds_bottom, // The lowest line.
+    input  wire [159:0] works_window_planes,        // The value of each plane at its upper left sample.
+    input  wire         parts_ready,
+    // Their parts that the polygon may cover; divided to the end, the leaves.
+    output wire         parts_valid,
+    // The polygon.
+    output wire [2:0]   parts_polygon_last_edge,    // The number of its edges, less one.
+    // What each edge function loses over a sample along x, on the way from where it is greatest.
+    output wire [50:0]  parts_polygon_fall_x,
+    output wire [50:0]  parts_polygon_fall_y,       // The same along y.
+    // Whether each edge function is greatest at the right side of a window.
+    output wire [2:0]   parts_polygon_right,
+    // Whether each edge function is greatest at the lower side of a window.
+    output wire [2:0]   parts_polygon_lower,
+    output wire [159:0] parts_polygon_plane_x,      // What a sample to the right adds to each plane.
+    output wire [159:0] parts_polygon_plane_y,      // What a sample down adds to each plane.
+    // The window.
+    output wire [1:0]   parts_window_size,          // The binary logarithm of its side in samples: n less the level.
+    output wire [1:0]   parts_window_x,             // Its leftmost sample.
+    output wire [1:0]   parts_window_y,             // Its uppermost sample.
+    // The greatest value in it of each edge function; those beyond the polygon's last mean nothing.
+    output wire [95:0]  parts_window_edges,
+    // How far it reaches, in pixels, over each bound of the polygon towards the inside; negative: not at all.
+    output wire [12:0]  parts_window_bounds_left,   // The leftmost column.
+    output wire [12:0]  parts_window_bounds_top,    // The uppermost line.
+    output wire [12:0]  parts_window_bounds_right,  // The rightmost column.
+    output wire [12:0]  parts_window_bounds_bottom, // The lowest line.
+    output wire [159:0] parts_window_planes,        // The value of each plane at its upper left sample.
+    output wire         idle,                       // No window is held.
+    // What was done on each level, from the first.
+    output wire [31:0]  tally_0_busy,               // Clocks in which it worked.
+    output wire [31:0]  tally_0_stalled,            // Clocks in which it had a result that was not taken.
+    output wire [31:0]  tally_0_results,            // Results.
+    output wire [31:0]  tally_1_busy,
+    output wire [31:0]  tally_1_stalled,
+    output wire [31:0]  tally_1_results,
+    output wire         works_ready
+);
+
+    reg [1:0] used;                                              // rtl/src/quadtree/stack.rs:63
+    reg past;                                                    // rtl/src/quadtree/stack.rs:77
+    reg has_past;                                                // rtl/src/quadtree/stack.rs:77
+
+    (* no_rw_check *)
+    reg [313:0] windows [0:2];                                   // rtl/src/quadtree/stack.rs:62
+
+    wire u_test_parts_valid;                                     // rtl/src/quadtree/stack.rs:50
+    wire u_test_works_ready;                                     // rtl/src/quadtree/stack.rs:50
+
+    wire [50:0] u_test_works_polygon_fall_x;                     // rtl/src/quadtree/stack.rs:48
+    wire [50:0] u_test_works_polygon_fall_y;                     // rtl/src/quadtree/stack.rs:48
+    wire [2:0] u_test_works_polygon_right;                       // rtl/src/quadtree/stack.rs:48
+    wire [2:0] u_test_works_polygon_lower;                       // rtl/src/quadtree/stack.rs:48
+    wire [159:0] u_test_works_polygon_plane_x;                   // rtl/src/quadtree/stack.rs:48
+    wire [159:0] u_test_works_polygon_plane_y;                   // rtl/src/quadtree/stack.rs:48
+    wire [95:0] u_test_works_window_edges;                       // rtl/src/quadtree/stack.rs:48
+    wire [159:0] u_test_works_window_planes;                     // rtl/src/quadtree/stack.rs:48
+    wire is_empty = used == 2'd0;                                // rtl/src/quadtree/stack.rs:65
+    wire is_done = parts_window_size == 2'd0;                    // rtl/src/quadtree/stack.rs:54
+    wire comes_back = u_test_parts_valid & !is_done;             // rtl/src/quadtree/stack.rs:57
+    wire is_new = is_empty & !comes_back;                        // rtl/src/quadtree/stack.rs:67
+    assign works_ready = is_new & u_test_works_ready;            // rtl/src/quadtree/stack.rs:69
+    wire next_valid = !is_new | works_valid;                     // rtl/src/quadtree/stack.rs:48
+    wire [2:0] next_polygon_last_edge = is_new ? works_polygon_last_edge : parts_polygon_last_edge; // rtl/src/quadtree/stack.rs:48
+    wire [1:0] windows_read_address = used - 2'd1;               // rtl/src/quadtree/stack.rs:64
+    wire [313:0] windows_word = (windows_read_address < 2'd3) ? windows[windows_read_address] : 314'd0; // rtl/src/quadtree/stack.rs:64
+    wire [1:0] next_window_size_choice = comes_back ? parts_window_size : windows_word[313:312]; // rtl/src/quadtree/stack.rs:66
+    wire [1:0] next_window_size = is_new ? works_window_size : next_window_size_choice; // rtl/src/quadtree/stack.rs:48
+    wire [1:0] next_window_x_choice = comes_back ? parts_window_x : windows_word[311:310]; // rtl/src/quadtree/stack.rs:66
+    wire [1:0] next_window_x = is_new ? works_window_x : next_window_x_choice; // rtl/src/quadtree/stack.rs:48
+    wire [1:0] next_window_y_choice = comes_back ? parts_window_y : windows_word[309:308]; // rtl/src/quadtree/stack.rs:66
+    wire [1:0] next_window_y = is_new ? works_window_y : next_window_y_choice; // rtl/src/quadtree/stack.rs:48
+    wire [95:0] next_window_edges_part = windows_word[307:212];  // rtl/src/quadtree/stack.rs:64
+    wire [12:0] next_window_bounds_left_choice = comes_back ? parts_window_bounds_left : windows_word[211:199]; // rtl/src/quadtree/stack.rs:66
+    wire [12:0] next_window_bounds_left = is_new ? works_window_bounds_left : next_window_bounds_left_choice; // rtl/src/quadtree/stack.rs:48
+    wire [12:0] next_window_bounds_top_choice = comes_back ? parts_window_bounds_top : windows_word[198:186]; // rtl/src/quadtree/stack.rs:66
+    wire [12:0] next_window_bounds_top = is_new ? works_window_bounds_top : next_window_bounds_top_choice; // rtl/src/quadtree/stack.rs:48
+    wire [12:0] next_window_bounds_right_choice = comes_back ? parts_window_bounds_right : windows_word[185:173]; // rtl/src/quadtree/stack.rs:66
+    wire [12:0] next_window_bounds_right = is_new ? works_window_bounds_right : next_window_bounds_right_choice; // rtl/src/quadtree/stack.rs:48
+    wire [12:0] next_window_bounds_bottom_choice = comes_back ? parts_window_bounds_bottom : windows_word[172:160]; // rtl/src/quadtree/stack.rs:66
+    wire [12:0] next_window_bounds_bottom = is_new ? works_window_bounds_bottom : next_window_bounds_bottom_choice; // rtl/src/quadtree/stack.rs:48
+    wire [159:0] next_window_planes_part = windows_word[159:0];  // rtl/src/quadtree/stack.rs:64
+    assign parts_valid = u_test_parts_valid & is_done;           // rtl/src/quadtree/stack.rs:55
+    wire pushes_and = next_valid & u_test_works_ready;           // rtl/src/quadtree/stack.rs:68
+    wire pushes = comes_back & !pushes_and;                      // rtl/src/quadtree/stack.rs:72
+    wire pops = pushes_and & !comes_back & !is_empty;            // rtl/src/quadtree/stack.rs:73
+    wire past_next = used == 2'd3;                               // rtl/src/quadtree/stack.rs:77
+
+    genvar i;
+
+    generate
+        for (i = 0; i < 3; i = i + 1) begin : next_polygon_fall_x_row
+            wire [16:0] next_polygon_fall_x = is_new ? works_polygon_fall_x[i * 17 +: 17] : parts_polygon_fall_x[i * 17 +: 17];
+        end
+    endgenerate
+
+    generate
+        for (i = 0; i < 3; i = i + 1) begin : next_polygon_fall_y_row
+            wire [16:0] next_polygon_fall_y = is_new ? works_polygon_fall_y[i * 17 +: 17] : parts_polygon_fall_y[i * 17 +: 17];
+        end
+    endgenerate
+
+    generate
+        for (i = 0; i < 3; i = i + 1) begin : next_polygon_right_row
+            wire next_polygon_right = is_new ? works_polygon_right[i] : parts_polygon_right[i];
+        end
+    endgenerate
+
+    generate
+        for (i = 0; i < 3; i = i + 1) begin : next_polygon_lower_row
+            wire next_polygon_lower = is_new ? works_polygon_lower[i] : parts_polygon_lower[i];
+        end
+    endgenerate
+
+    generate
+        for (i = 0; i < 4; i = i + 1) begin : next_polygon_plane_x_row
+            wire [39:0] next_polygon_plane_x = is_new ? works_polygon_plane_x[i * 40 +: 40] : parts_polygon_plane_x[i * 40 +: 40];
+        end
+    endgenerate
+
+    generate
+        for (i = 0; i < 4; i = i + 1) begin : next_polygon_plane_y_row
+            wire [39:0] next_polygon_plane_y = is_new ? works_polygon_plane_y[i * 40 +: 40] : parts_polygon_plane_y[i * 40 +: 40];
+        end
+    endgenerate
+
+    generate
+        for (i = 0; i < 3; i = i + 1) begin : next_window_edges_row
+            wire [31:0] next_window_edges_choice = comes_back ? parts_window_edges[i * 32 +: 32] : next_window_edges_part[i * 32 +: 32];
+            wire [31:0] next_window_edges = is_new ? works_window_edges[i * 32 +: 32] : next_window_edges_choice;
+        end
+    endgenerate
+
+    generate
+        for (i = 0; i < 4; i = i + 1) begin : next_window_planes_row
+            wire [39:0] next_window_planes_choice = comes_back ? parts_window_planes[i * 40 +: 40] : next_window_planes_part[i * 40 +: 40];
+            wire [39:0] next_window_planes = is_new ? works_window_planes[i * 40 +: 40] : next_window_planes_choice;
+        end
+    endgenerate
+
+    coverage_test_format8x8_2x2_edges3_test_serial_from2_sizes2 u_test ( // rtl/src/quadtree/stack.rs:50
+        .clk                        (clk),
+        .rst                        (rst),
+        .works_valid                (next_valid),
+        .works_polygon_last_edge    (next_polygon_last_edge),
+        .works_polygon_fall_x       (u_test_works_polygon_fall_x),
+        .works_polygon_fall_y       (u_test_works_polygon_fall_y),
+        .works_polygon_right        (u_test_works_polygon_right),
+        .works_polygon_lower        (u_test_works_polygon_lower),
+        .works_polygon_plane_x      (u_test_works_polygon_plane_x),
+        .works_polygon_plane_y      (u_test_works_polygon_plane_y),
+        .works_window_size          (next_window_size),
+        .works_window_x             (next_window_x),
+        .works_window_y             (next_window_y),
+        .works_window_edges         (u_test_works_window_edges),
+        .works_window_bounds_left   (next_window_bounds_left),
+        .works_window_bounds_top    (next_window_bounds_top),
+        .works_window_bounds_right  (next_window_bounds_right),
+        .works_window_bounds_bottom (next_window_bounds_bottom),
+        .works_window_planes        (u_test_works_window_planes),
+        .parts_ready                (!is_done | parts_ready),
+        .parts_valid                (u_test_parts_valid),
+        .parts_polygon_last_edge    (parts_polygon_last_edge),
+        .parts_polygon_fall_x       (parts_polygon_fall_x),
+        .parts_polygon_fall_y       (parts_polygon_fall_y),
+        .parts_polygon_right        (parts_polygon_right),
+        .parts_polygon_lower        (parts_polygon_lower),
+        .parts_polygon_plane_x      (parts_polygon_plane_x),
+        .parts_polygon_plane_y      (parts_polygon_plane_y),
+        .parts_window_size          (parts_window_size),
+        .parts_window_x             (parts_window_x),
+        .parts_window_y             (parts_window_y),
+        .parts_window_edges         (parts_window_edges),
+        .parts_window_bounds_left   (parts_window_bounds_left),
+        .parts_window_bounds_top    (parts_window_bounds_top),
+        .parts_window_bounds_right  (parts_window_bounds_right),
+        .parts_window_bounds_bottom (parts_window_bounds_bottom),
+        .parts_window_planes        (parts_window_planes),
+        .idle                       (idle),
+        .tally_0_busy               (tally_0_busy),
+        .tally_0_stalled            (tally_0_stalled),
+        .tally_0_results            (tally_0_results),
+        .tally_1_busy               (tally_1_busy),
+        .tally_1_stalled            (tally_1_stalled),
+        .tally_1_results            (tally_1_results),
+        .works_ready                (u_test_works_ready)
+    );
+
+    generate
+        for (i = 0; i < 3; i = i + 1) begin : u_test_works_polygon_fall_x_of
+            assign u_test_works_polygon_fall_x[i * 17 +: 17] = next_polygon_fall_x_row[i].next_polygon_fall_x;
+        end
+    endgenerate
+    generate
+        for (i = 0; i < 3; i = i + 1) begin : u_test_works_polygon_fall_y_of
+            assign u_test_works_polygon_fall_y[i * 17 +: 17] = next_polygon_fall_y_row[i].next_polygon_fall_y;
+        end
+    endgenerate
+    generate
+        for (i = 0; i < 3; i = i + 1) begin : u_test_works_polygon_right_of
+            assign u_test_works_polygon_right[i] = next_polygon_right_row[i].next_polygon_right;
+        end
+    endgenerate
+    generate
+        for (i = 0; i < 3; i = i + 1) begin : u_test_works_polygon_lower_of
+            assign u_test_works_polygon_lower[i] = next_polygon_lower_row[i].next_polygon_lower;
+        end
+    endgenerate
+    generate
+        for (i = 0; i < 4; i = i + 1) begin : u_test_works_polygon_plane_x_of
+            assign u_test_works_polygon_plane_x[i * 40 +: 40] = next_polygon_plane_x_row[i].next_polygon_plane_x;
+        end
+    endgenerate
+    generate
+        for (i = 0; i < 4; i = i + 1) begin : u_test_works_polygon_plane_y_of
+            assign u_test_works_polygon_plane_y[i * 40 +: 40] = next_polygon_plane_y_row[i].next_polygon_plane_y;
+        end
+    endgenerate
+    generate
+        for (i = 0; i < 3; i = i + 1) begin : u_test_works_window_edges_of
+            assign u_test_works_window_edges[i * 32 +: 32] = next_window_edges_row[i].next_window_edges;
+        end
+    endgenerate
+    generate
+        for (i = 0; i < 4; i = i + 1) begin : u_test_works_window_planes_of
+            assign u_test_works_window_planes[i * 40 +: 40] = next_window_planes_row[i].next_window_planes;
+        end
+    endgenerate
+
+    always @(posedge clk) begin
+        if (pushes) begin
+            windows[used] <= {parts_window_size, parts_window_x, parts_window_y, parts_window_edges, parts_window_bounds_left, parts_window_bounds_top, parts_window_bounds_right, parts_window_bounds_bottom, parts_window_planes};
+        end
+    end
+
+    initial has_past = 1'b0;
+
+    always @(posedge clk) begin
+        past <= past_next;
+    end
+
+    always @(posedge clk) begin
+        if (rst) begin
+            used <= 2'd0;
+            has_past <= 1'b0;
+        end else begin
+            if (pushes) used <= used + 2'd1;
+            else if (pops) used <= used - 2'd1;
+            has_past <= 1'b1;
+        end
+    end
+
+`ifdef FORMAL
+    always @(posedge clk) begin
+        if (!rst) assert (!pushes | (used != 2'd3));                 // rtl/src/quadtree/stack.rs:76
+        if (!rst) cover (has_past & (past_next & !past));            // rtl/src/quadtree/stack.rs:77
+    end
+`else
+`ifndef SYNTHESIS
+    reg is_covered;
+    initial is_covered = 1'b0;
+    always @(posedge clk) begin
+        if (!rst && !(!pushes | (used != 2'd3))) begin               // rtl/src/quadtree/stack.rs:76
+            $display("FAIL: time %0t: %m: of each size three windows are held at most", $time);
+            $stop;
+        end
+        if (!rst && (has_past & (past_next & !past)) && !is_covered) begin // rtl/src/quadtree/stack.rs:77
+            $display("COVER: time %0t: %m: the stack is full", $time);
+            is_covered <= 1'b1;
+        end
+    end
+`endif
+`endif
+
+    wire _unused_ok = &{1'b0, past, has_past};
+endmodule
+`default_nettype wire
