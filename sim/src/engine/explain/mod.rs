@@ -59,8 +59,10 @@ pub fn explain(design: &Design, passes: &Passes) -> Vec<Explained> {
     front(Pass::Fold, |some, all| some.fold = all.fold);
     front(Pass::Uniform, |some, all| some.uniform = all.uniform);
     front(Pass::Lift, |some, all| some.lift = all.lift);
-    let program = fields::split(&compile(design, passes)).program;
-    add(Pass::Fields, Text::of(&tidy(program.clone())).program());
+    let whole = compile(design, passes);
+    let program = fields::split(&whole).program;
+    let is_split = program.circuit.len() > whole.circuit.len();
+    add(Pass::Fields, Text::of(&if is_split { tidy(program.clone()) } else { whole }).program());
     for (pass, text) in compiled::explain(&program) {
         add(pass, text);
     }
