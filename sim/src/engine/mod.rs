@@ -3,6 +3,7 @@
 mod choice;
 mod compiled;
 mod explain;
+mod fields;
 mod interpreter;
 mod lockstep;
 mod passes;

@@ -25,6 +25,8 @@ pub struct Passes {
     pub uniform: bool,
     /// Lanes that are computed alike, but were written one by one, are computed together.
     pub lift: bool,
+    /// Words wider than a register of the machine are split into the fields that they are made of.
+    pub fields: bool,
     /// Work on an array is postponed to one loop.
     pub postpone: bool,
     /// A choice by one value for all lanes becomes a branch around the loop.
@@ -57,6 +59,7 @@ impl Default for Passes {
             share: true,
             uniform: true,
             lift: true,
+            fields: true,
             postpone: true,
             branch: true,
             lookups: true,
@@ -87,6 +90,7 @@ impl Passes {
             share: false,
             uniform: false,
             lift: false,
+            fields: false,
             postpone: false,
             branch: false,
             lookups: false,

@@ -7,6 +7,7 @@ mod build;
 mod engine;
 mod engines;
 mod every_engine;
+mod fields;
 mod lanes_by_name;
 mod looking;
 mod looking_on;

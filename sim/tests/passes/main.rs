@@ -1,5 +1,6 @@
 //! What each pass makes of a small circuit, in lines to read: a pass that does nothing any more fails here.
 
+mod fields;
 mod front;
 mod functions;
 mod late;

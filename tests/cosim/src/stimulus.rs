@@ -86,7 +86,7 @@ pub struct Run {
 /// All passes but one, or none at all; code for held inputs and functions that are cut early, no memory near.
 pub(crate) fn passes(seed: u64) -> Passes {
     let mut passes = Passes { held_after: 3, looks_after: 2, longest: 20, near: 0, ..Passes::default() };
-    match seed % 11 {
+    match seed % 12 {
         0 => passes = Passes::none(),
         1 => passes.siblings = false,
         2 => passes.fold = false,
@@ -97,6 +97,7 @@ pub(crate) fn passes(seed: u64) -> Passes {
         7 => passes.branch = false,
         8 => passes.lookups = false,
         9 => passes.side_by_side = false,
+        10 => passes.fields = false,
         _ => passes.blanks = false,
     }
     passes

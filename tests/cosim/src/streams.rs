@@ -3,7 +3,7 @@
 use crate::spec::Stimulus;
 use proptest::prelude::*;
 use tilewright_blocks::{Fifo, Slice, Storage, StreamBlocks, StreamIn, StreamOut, Turns};
-use tilewright_hdl::{Design, Module, Problems, Stream, bits, block, elaborate, stack, stream};
+use tilewright_hdl::{Design, Module, Problems, Stream, bits, block, bundle, elaborate, stack, stream};
 
 /// A network, and what is done to it.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
@@ -40,6 +40,20 @@ pub enum Step {
     Array(u32),
     /// Odd words once more from the start, increased, through a stack.
     Again(u32),
+    /// A record made of each word, with a row in it, through a queue and a stack of so many.
+    Record {
+        /// Their words.
+        depth: u32,
+        /// The queue is in a block RAM.
+        block_ram: bool,
+    },
+    /// The same through an array of two queues.
+    Records(u32),
+}
+
+bundle! {
+    /// What is made of a word.
+    struct Record<T> { lanes: T, word: T, odd: T }
 }
 
 /// Random networks.
@@ -54,10 +68,12 @@ pub fn designs() -> impl Strategy<Value = Spec> {
             .prop_map(|(depth, turns)| Step::Split(depth, turns)),
         (1u32..4).prop_map(Step::Parts),
         depth.clone().prop_map(Step::Array),
-        depth.prop_map(Step::Again),
+        depth.clone().prop_map(Step::Again),
+        (depth.clone(), any::<bool>()).prop_map(|(depth, block_ram)| Step::Record { depth, block_ram }),
+        depth.prop_map(Step::Records),
     ];
     let stimulus = (10..60u8, any::<u64>()).prop_map(|(steps, seed)| Stimulus { steps, seed });
-    (prop_oneof![2u32..12, 60u32..70], prop::collection::vec(step, 1..6), stimulus)
+    (prop_oneof![2u32..12, 15u32..30, 60u32..70], prop::collection::vec(step, 1..6), stimulus)
         .prop_map(|(width, steps, stimulus)| Spec { width, steps, stimulus })
 }
 
@@ -129,6 +145,35 @@ impl Step {
                 again.drive(m.lifo(&part("lifo"), depth, odd.with(*odd + 1)));
                 even
             }
+            Step::Record { depth, block_ram } => {
+                let records = to_records(words);
+                let records = match block_ram {
+                    false => m.fifo(name, depth, records),
+                    true => m.block_ram_fifo(name, depth, records),
+                };
+                to_words(m.slice(&part("slice"), Slice::Both, m.lifo(&part("lifo"), depth, records)))
+            }
+            Step::Records(depth) => {
+                let records = to_records(words);
+                let packed = records.packed();
+                let fifo = Fifo::new(depth, packed.width(), Storage::Registers);
+                let parts: [_; 2] = m.split_by(packed, |word| word.bit(0));
+                let rows = m.array(&part("fifo"), 2, &fifo, |_| StreamIn { into: stack(parts) });
+                let all = m.arbiter(name, Turns::RoundRobin, rows.out.lanes());
+                to_words(all.unpacked(&*records))
+            }
         }
     }
+}
+
+/// Records whose fields are computed of words.
+fn to_records(words: Stream) -> Stream<Record> {
+    let lanes = stack([*words, !*words, *words + 1]);
+    words.with(Record { lanes, word: *words, odd: words.bit(0) })
+}
+
+/// Words that all fields are in.
+fn to_words(records: Stream<Record>) -> Stream {
+    let all = (records.lanes.xor_all() ^ records.word) + records.odd.zext(records.word.width());
+    records.with(all)
 }

@@ -13,12 +13,8 @@ use crate::engine::program::{Axis, Cell, Kind, Program, ValueId};
 ///
 /// It is not one that [`crate::engine::program::compile`] makes of a valid circuit.
 pub(super) fn check(program: &Program) {
-    for (id, cell) in program.circuit.cells() {
-        let is_computed =
-            |operand: ValueId| operand < id || (operand.index() < program.circuit.len() && program.is_state(operand));
-        cell.kind.for_each_operand(|operand| {
-            assert!(is_computed(operand), "a circuit uses a value before it is computed: {cell:?}");
-        });
+    check_order(program);
+    for (_, cell) in program.circuit.cells() {
         let fits = Shapes(program).fit(cell);
         assert!(fits, "the operands of an operation do not have the shapes that it takes: {cell:?}");
     }
@@ -46,6 +42,19 @@ pub(super) fn check(program: &Program) {
     }
     for assert in &program.asserts {
         assert!(program.circuit[assert.condition].width == 1, "an assertion is of more than one bit: {assert:?}");
+    }
+}
+
+/// Checks that no value is computed of itself.
+fn check_order(program: &Program) {
+    let circuit = &program.circuit;
+    let mut order = vec![0; circuit.len()];
+    circuit.needed(circuit.ids()).into_iter().enumerate().for_each(|(at, id)| order[id.index()] = at);
+    for (id, cell) in circuit.cells() {
+        cell.kind.for_each_operand(|operand| {
+            let is_computed = order[operand.index()] < order[id.index()];
+            assert!(is_computed, "a circuit uses a value before it is computed: {cell:?}");
+        });
     }
 }
 

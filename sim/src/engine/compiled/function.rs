@@ -90,7 +90,7 @@ pub(super) type Became = FxHashMap<ValueId, ValueId>;
 /// What is known of a program's state while a function runs.
 pub(super) type Held = Vec<(ValueId, Bits)>;
 
-/// A circuit and its sinks. State has the ids that it has in the program.
+/// A circuit and its sinks. State comes first, in the order that it has in the program.
 #[derive(Debug, Clone)]
 pub(super) struct Function {
     pub rewriter: Rewriter,
@@ -136,7 +136,7 @@ impl Function {
 
 /// Gives a new circuit the state of another one, which comes first there.
 fn state(circuit: &Circuit, rewriter: &mut Rewriter) -> Became {
-    let state = circuit.cells().take_while(|(_, cell)| cell.kind == Kind::State);
+    let state = circuit.cells().filter(|(_, cell)| cell.kind == Kind::State);
     state.map(|(id, cell)| (id, rewriter.state(cell.lanes, cell.width))).collect()
 }
 
@@ -252,7 +252,8 @@ impl<'a> Maker<'a> {
             for &index in &program.clocks[clock].registers {
                 let register = &program.registers[index as usize];
                 let (next, enable) = (self.take(register.next), register.enable.map(|enable| self.take(enable)));
-                self.function.sinks.push(Sink::Register { state: register.value, next, enable });
+                let state = self.became[&register.value];
+                self.function.sinks.push(Sink::Register { state, next, enable });
             }
             for &(memory, port) in &program.clocks[clock].reads {
                 let sink = self.synchronous_read(memory, port, rising);
@@ -313,7 +314,7 @@ impl<'a> Maker<'a> {
                 next = self.add(Kind::Mux { select, on_true: inverted, on_false: next }, lanes, width);
             }
         }
-        Sink::Register { state: read.value, next, enable }
+        Sink::Register { state: self.became[&read.value], next, enable }
     }
 }
 

@@ -173,8 +173,11 @@ impl Compiled {
         given: &[ValueId],
         places: &[Place],
     ) -> Vec<Prepared> {
-        let functions = self.edge_functions(rising, resets, held, given);
-        functions.iter().map(|function| self.prepare(function, places)).collect()
+        // What has turned out to be state itself stands where the edge changes it: to the edge, it is no other value.
+        let is_apart = |(_, place): &(&ValueId, &Place)| !self.places.contains(&Some(**place));
+        let (given, places): (Vec<ValueId>, Vec<Place>) = given.iter().zip(places).filter(is_apart).unzip();
+        let functions = self.edge_functions(rising, resets, held, &given);
+        functions.iter().map(|function| self.prepare(function, &places)).collect()
     }
 }
 

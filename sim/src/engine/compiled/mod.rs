@@ -20,6 +20,7 @@ mod look;
 mod lower;
 mod memory;
 mod pages;
+mod parts;
 mod passes;
 mod plan;
 mod prepare;
@@ -38,8 +39,7 @@ mod words;
 use std::cell::Cell;
 use std::sync::Arc;
 
-use tilewright_hdl::limbs_for;
-
+use crate::engine::fields::{self, Fields, Parts};
 use crate::engine::program::{Kind, Program, Triggers, ValueId};
 use crate::engine::until::Until;
 use crate::engine::{Difference, Done, Engine, Failed, one_by_one, renew_each};
@@ -62,7 +62,10 @@ use view::{NO_VIEW, View};
 
 /// The state of a running circuit and the code that runs it.
 pub(crate) struct Compiled {
+    /// The circuit, with wide words split.
     program: Arc<Program>,
+    /// Where their parts are.
+    parts: Parts,
     jit: Jit,
     /// State and what functions store.
     state: Store,
@@ -139,7 +142,9 @@ impl Compiled {
     /// The machine is not one that code can be generated for.
     pub fn new(program: Arc<Program>, seeds: &[u64]) -> Result<Compiled, Unsupported> {
         let jit = Jit::new()?;
+        let (declared, Fields { program, parts }) = (&program, fields::split(&program));
         demands::check(&program);
+        let program = Arc::new(program);
         let mut layout = Layout::new(Strips::of(&program));
         let mut places = vec![None; program.circuit.len()];
         for (id, cell) in program.circuit.cells().filter(|(_, cell)| cell.kind == Kind::State) {
@@ -182,9 +187,10 @@ impl Compiled {
             inputs_version: 0,
             held_changed: false,
             mirror: vec![0; program.schedule.storage],
-            program: program.clone(),
+            program,
+            parts,
         };
-        crate::engine::start::start(&program, seeds, &mut engine);
+        crate::engine::start::start(declared, seeds, &mut engine);
         Ok(engine)
     }
 
@@ -275,15 +281,11 @@ impl Engine for Compiled {
     }
 
     fn word(&self, memory: u32, lane: u32, address: u32) -> Vec<u64> {
-        let at = self.memories[memory as usize];
-        let mut limbs = vec![0; limbs_for(at.width)];
-        self.banks[at.bank].get_word(at.at(lane, address), at.words.word, at.width, &mut limbs);
-        at.standing(&limbs)
+        self.word_of_parts(memory, lane, address)
     }
 
     fn set_word(&mut self, memory: u32, lane: u32, address: u32, limbs: &[u64]) {
-        let at = self.memories[memory as usize];
-        self.banks[at.bank].put_word(at.at(lane, address), at.words.word, at.width, &at.standing(limbs));
+        self.set_word_in_parts(memory, lane, address, limbs);
         self.change(Triggers::ALL);
     }
 

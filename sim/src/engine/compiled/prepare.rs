@@ -57,7 +57,7 @@ impl Compiled {
     pub(super) fn prepare(&mut self, function: &Function, given: &[Place]) -> Prepared {
         let Planned { function, plan, pieces } =
             passes::plan(function, &self.layout.strips, &self.memories, &self.program.passes, &mut |_| {});
-        let state = self.places.iter().map_while(|place| *place).chain(given.iter().copied());
+        let state = self.places.iter().filter_map(|place| *place).chain(given.iter().copied());
         let addresses = Addresses::new(&function, &plan, state, &mut self.layout);
         self.state.grow(self.layout.size);
         for &table in &addresses.tables {

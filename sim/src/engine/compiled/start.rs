@@ -4,15 +4,16 @@ use std::ops::Range;
 
 use super::Compiled;
 use crate::engine::program::ValueId;
-use crate::engine::start::State;
 
-impl State for Compiled {
-    fn set(&mut self, id: ValueId, lanes: Range<u32>, limbs: &[u64]) {
+impl Compiled {
+    /// The value that each of these lanes of a register, or of read data, has in code.
+    pub(super) fn set_whole(&mut self, id: ValueId, lanes: Range<u32>, limbs: &[u64]) {
         let place = self.places[id.index()].expect("what has a start is state");
         self.state.repeat_word(place.lane(lanes.start), place.bytes(), place.width, limbs, lanes.len());
     }
 
-    fn set_words(&mut self, memory: u32, lanes: Range<u32>, addresses: Range<u32>, limbs: &[u64]) {
+    /// The word that each of these lanes of a memory has in code at each of these addresses.
+    pub(super) fn set_whole_words(&mut self, memory: u32, lanes: Range<u32>, addresses: Range<u32>, limbs: &[u64]) {
         let at = self.memories[memory as usize];
         // All is zero so far.
         let limbs = &at.standing(limbs);

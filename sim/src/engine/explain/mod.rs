@@ -6,8 +6,8 @@ mod text;
 
 use tilewright_hdl::ir::Design;
 
-use super::program::{compile, flat};
-use super::{Passes, compiled};
+use super::program::{compile, flat, tidy};
+use super::{Passes, compiled, fields};
 #[cfg(test)]
 pub(super) use operation::operation;
 pub use pass::Pass;
@@ -59,7 +59,10 @@ pub fn explain(design: &Design, passes: &Passes) -> Vec<Explained> {
     front(Pass::Fold, |some, all| some.fold = all.fold);
     front(Pass::Uniform, |some, all| some.uniform = all.uniform);
     front(Pass::Lift, |some, all| some.lift = all.lift);
-    let program = compile(design, passes);
+    let whole = compile(design, passes);
+    let program = fields::split(&whole).program;
+    let is_split = program.circuit.len() > whole.circuit.len();
+    add(Pass::Fields, Text::of(&if is_split { tidy(program.clone()) } else { whole }).program());
     for (pass, text) in compiled::explain(&program) {
         add(pass, text);
     }

@@ -21,6 +21,8 @@ pub enum Pass {
     Uniform,
     /// Lanes that are computed alike, but were written one by one, are computed together.
     Lift,
+    /// Words wider than a register of the machine are split into the fields that they are made of.
+    Fields,
     /// What one edge of a clock does.
     Edge,
     /// The same, where all inputs of up to 8 bits are held at 0.
@@ -44,13 +46,14 @@ impl Pass {
     /// let by_name = |name: &str| Pass::ALL.into_iter().find(|pass| pass.name() == name);
     /// assert_eq!(by_name("fold"), Some(Pass::Fold));
     /// ```
-    pub const ALL: [Pass; 12] = [
+    pub const ALL: [Pass; 13] = [
         Pass::Flatten,
         Pass::Siblings,
         Pass::Share,
         Pass::Fold,
         Pass::Uniform,
         Pass::Lift,
+        Pass::Fields,
         Pass::Edge,
         Pass::Hold,
         Pass::Lower,
@@ -74,6 +77,7 @@ impl Pass {
             Pass::Fold => "fold",
             Pass::Uniform => "uniform",
             Pass::Lift => "lift",
+            Pass::Fields => "fields",
             Pass::Edge => "edge",
             Pass::Hold => "hold",
             Pass::Lower => "lower",
@@ -98,6 +102,9 @@ impl Pass {
             Pass::Fold => "Constants are computed, and operations that do nothing are left out.",
             Pass::Uniform => "What is the same in all lanes, or in all rows, is computed once.",
             Pass::Lift => "Lanes that are computed alike, but were written one by one, are computed together.",
+            Pass::Fields => {
+                "Words wider than a register of the machine are split into the fields that they are made of."
+            }
             Pass::Edge => "What one edge of each clock does.",
             Pass::Hold => "The same, where all inputs of up to 8 bits are held at 0.",
             Pass::Lower => "Operations that the machine has take the place of those that it has not.",

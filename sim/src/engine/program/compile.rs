@@ -27,17 +27,23 @@ pub fn compile_lanes(design: &Design, lanes: u32, passes: &Passes) -> Program {
     assert!((1..=most).contains(&lanes), "a program of this design has from 1 to {most} lanes, not {lanes}");
     let mut unrolled = Unrolled::default();
     loop {
-        let mut flat = flatten::flatten(design, lanes, &unrolled, passes);
+        let flat = flatten::flatten(design, lanes, &unrolled, passes);
         let cycles = cycles::cycles(&flat.program.circuit);
         if cycles.is_empty() {
-            rewrite::simplify(&mut flat.program);
-            schedule::schedule(&mut flat.program);
-            return flat.program;
+            return tidy(flat.program);
         }
         let before = unrolled.clone();
         unroll(design, &flat, &cycles, &mut unrolled);
         assert!(unrolled != before, "a design has no combinational cycle but through lanes");
     }
+}
+
+/// Rewrites a program, and brings its values into order.
+pub(crate) fn tidy(program: Program) -> Program {
+    let mut program = program;
+    rewrite::simplify(&mut program);
+    schedule::schedule(&mut program);
+    program
 }
 
 /// A design made flat, and nothing more: values are in no particular order.

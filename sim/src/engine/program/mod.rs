@@ -27,10 +27,11 @@ use tilewright_hdl::ir::{Contents, Init, ReadUnderWrite};
 use tilewright_hdl::{Bits, Loc, limbs_for};
 
 pub use circuit::{Cell, Circuit, ValueId};
-pub(crate) use compile::flat;
 pub use compile::{compile, compile_lanes, most_lanes};
+pub(crate) use compile::{flat, tidy};
 pub use hierarchy::Hierarchy;
 pub use kind::{Axis, Kind};
+pub(crate) use schedule::assign_to_clocks;
 
 /// What can make a segment's results stale: a bit for each clock's state and for each clock's inputs.
 ///

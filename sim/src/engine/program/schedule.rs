@@ -43,9 +43,15 @@ pub(super) fn schedule(program: &mut Program) {
     program.schedule = schedule;
 }
 
-/// Enters into each clock what happens at its edges.
-pub(super) fn assign_to_clocks(program: &mut Program) {
+/// Enters into each clock what happens at its edges, and nothing else.
+pub(crate) fn assign_to_clocks(program: &mut Program) {
     let clocks = &mut program.clocks;
+    for clock in clocks.iter_mut() {
+        clock.registers.clear();
+        clock.asserts.clear();
+        clock.reads.clear();
+        clock.writes.clear();
+    }
     for (index, register) in program.registers.iter().enumerate() {
         clocks[register.clock as usize].registers.push(index as u32);
     }

@@ -1,0 +1,76 @@
+//! Words that are split, as others know them: whole.
+
+use std::ops::Range;
+
+use tilewright_hdl::{Bits, limbs_for};
+
+use super::Compiled;
+use crate::engine::fields::Part;
+use crate::engine::program::ValueId;
+use crate::engine::start::State;
+
+impl Compiled {
+    /// A word of a memory of the description.
+    pub(super) fn word_of_parts(&self, memory: u32, lane: u32, address: u32) -> Vec<u64> {
+        let mut word: Option<Bits> = None;
+        for &Part { of, piece } in &self.parts.memories[memory as usize] {
+            for within in 0..piece.lanes {
+                let part = self.stored(of, lane * piece.lanes + within, address);
+                let part = Bits::from_limbs(piece.each(), &part);
+                word = Some(word.map_or(part.clone(), |low| part.concat(&low)));
+            }
+        }
+        word.expect("a word has a part").limbs().to_vec()
+    }
+
+    /// Replaces a word of a memory of the description.
+    pub(super) fn set_word_in_parts(&mut self, memory: u32, lane: u32, address: u32, limbs: &[u64]) {
+        for part in self.parts.memories[memory as usize].clone() {
+            for (lane, limbs) in lanes(part, lane..lane + 1, limbs) {
+                let at = self.memories[part.of as usize];
+                let stored = at.standing(&limbs);
+                self.banks[at.bank].put_word(at.at(lane.start, address), at.words.word, at.width, &stored);
+            }
+        }
+    }
+
+    /// A word of a memory that code has.
+    fn stored(&self, memory: u32, lane: u32, address: u32) -> Vec<u64> {
+        let at = self.memories[memory as usize];
+        let mut limbs = vec![0; limbs_for(at.width)];
+        self.banks[at.bank].get_word(at.at(lane, address), at.words.word, at.width, &mut limbs);
+        at.standing(&limbs)
+    }
+}
+
+impl State for Compiled {
+    fn set(&mut self, id: ValueId, range: Range<u32>, limbs: &[u64]) {
+        let Some(parts) = self.parts.registers.get(&id).cloned() else { return self.set_whole(id, range, limbs) };
+        for part in parts {
+            for (range, limbs) in lanes(part, range.clone(), limbs) {
+                self.set_whole(part.of, range, &limbs);
+            }
+        }
+    }
+
+    fn set_words(&mut self, memory: u32, range: Range<u32>, addresses: Range<u32>, limbs: &[u64]) {
+        for part in self.parts.memories[memory as usize].clone() {
+            for (range, limbs) in lanes(part, range.clone(), limbs) {
+                self.set_whole_words(part.of, range, addresses.clone(), &limbs);
+            }
+        }
+    }
+}
+
+/// The lanes of a part for these lanes of words that are all the same, with what they hold.
+fn lanes<T>(part: Part<T>, words: Range<u32>, limbs: &[u64]) -> Vec<(Range<u32>, Vec<u64>)> {
+    let piece = part.piece;
+    let word = Bits::from_limbs(limbs.len() as u32 * 64, limbs);
+    let of_lane = |lane| piece.of_lane(lane, &word).limbs().to_vec();
+    if piece.lanes == 1 {
+        return vec![(words, of_lane(0))];
+    }
+    let each: Vec<Vec<u64>> = (0..piece.lanes).map(of_lane).collect();
+    let all = words.flat_map(|word| (0..).zip(&each).map(move |(lane, limbs)| (word * piece.lanes + lane, limbs)));
+    all.map(|(lane, limbs)| (lane..lane + 1, limbs.clone())).collect()
+}

@@ -1,0 +1,151 @@
+//! Words that the compiled engine splits into fields: on it and on the reference engine side by side, all is as if they
+//! were whole.
+
+use tilewright_hdl::{
+    Bits, Block, Module, ReadUnderWrite, Signal, Width, bit, bits, bundle, cat, concat, elaborate, lit, mux, row,
+};
+use tilewright_sim::{EngineKind, Passes, Simulation};
+
+bundle! {
+    pub struct CellIn<T> { pub x: T, pub go: T, pub at: T }
+    pub struct CellOut<T> { pub y: T, pub word: T }
+}
+
+/// Words of two rows and a few fields on their way through a register without a reset, one with, a choice and two memories.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+struct Cell {
+    policy: ReadUnderWrite,
+}
+
+const WIDTH: u32 = 3 * 24 + 6 * 16 + 33 + 7 + 1;
+
+/// The fields of a word, combined.
+fn fold(word: Signal) -> Signal {
+    let row3 = word.part(WIDTH - 72, 72).unpack(row(3)).xor_all().zext(64);
+    let row6 = word.part(41, 96).unpack(row(6)).xor_all().zext(64);
+    // Lanes of it two by two, and one alone.
+    let pairs = word.part(41, 96).unpack(row(3)).xor_all().zext(64);
+    let lane = word.part(41 + 32, 16).zext(64);
+    row3 ^ (row6 << 7)
+        ^ pairs
+        ^ (lane << 3)
+        ^ word.part(8, 33).zext(64)
+        ^ word.part(0, 8).zext(64)
+        ^ word.bit(0).zext(64)
+}
+
+impl Block for Cell {
+    type In = CellIn;
+    type Out = CellOut;
+
+    fn inputs(&self) -> CellIn<Width> {
+        CellIn { x: bits(33), go: bit(), at: bits(3) }
+    }
+
+    fn build(&self, m: Module, i: CellIn) -> CellOut {
+        let state = m.reg("state", bits(24).of(row(3))).reset(1);
+        state.next(state.rotate_left(5) + i.x.trunc(24));
+        let six = i.x.trunc(16) ^ tilewright_hdl::constants(bits(16).of(row(6)), |lane| u64::from(lane) * 77);
+        let word = cat!(state.pack(), six.pack(), i.x, i.x.part(3, 7), i.go);
+        let start = (0..WIDTH / 5).fold(Bits::new(1, 1), |all, n| all.concat(&Bits::new(5, u64::from(n) * 7 % 32)));
+        let start = start.resize(WIDTH);
+
+        let kept = m.reg("kept", WIDTH).enable(i.go);
+        kept.next(word);
+        let other = m.reg("other", WIDTH).reset(start.clone());
+        let words = m.memory("words", 5, WIDTH, self.policy).fill(start.clone());
+        let more = m.memory("more", 8, WIDTH, self.policy);
+        other.next(mux(i.x.bit(2), kept.value(), mux(i.x.bit(1), words.read_async(i.at), start)));
+        words.write(i.x.bit(0), i.at, mux(i.x.bit(4), word, other.value()));
+        more.write(i.go, i.at, other.value());
+        let read = more.read_when(i.x.bit(5), i.x.part(7, 3));
+        let found = words.read(i.at);
+        let y = [kept.value(), other.value(), read, found]
+            .map(fold)
+            .into_iter()
+            .reduce(|all, one| all.rotate_left(9) ^ one);
+        // A word that is shown whole, and one that is used whole.
+        let sum = m.reg("sum", 100).reset(0);
+        sum.next(concat(&[sum.part(0, 50), sum.part(50, 50)]) + lit(100, 3));
+        CellOut { y: y.expect("there are four") ^ sum.part(30, 64), word: mux(i.go, read, kept.value()) }
+    }
+}
+
+bundle! {
+    pub struct TopIn<T> { pub x: T, pub go: T, pub at: T }
+    pub struct TopOut<T> { pub y: T, pub last: T }
+}
+
+/// One of them, or an array.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+struct Top {
+    cells: u32,
+    policy: ReadUnderWrite,
+}
+
+impl Block for Top {
+    type In = TopIn;
+    type Out = TopOut;
+
+    fn inputs(&self) -> TopIn<Width> {
+        TopIn { x: bits(33), go: bit(), at: bits(3) }
+    }
+
+    fn build(&self, m: Module, i: TopIn) -> TopOut {
+        let cells = m.array("u_cell", self.cells, &Cell { policy: self.policy }, |a| {
+            let x = a.y.previous(i.x.zext(64)).trunc(33) ^ i.x;
+            CellIn { x, go: i.go, at: i.at ^ x.part(9, 3) }
+        });
+        TopOut { y: cells.y.xor_all(), last: cells.word.last() }
+    }
+}
+
+fn top(cells: u32, policy: ReadUnderWrite) -> tilewright_hdl::Design {
+    elaborate(&Top { cells, policy }).unwrap()
+}
+
+fn drive(sim: &mut Simulation, steps: u64) {
+    let [x, go, at] = ["x", "go", "at"].map(|name| sim.port(name).unwrap());
+    for n in 0..steps {
+        sim.set(x, Bits::new(33, n.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 31));
+        sim.set(go, (n / 3) & 1);
+        sim.set(at, (n * 5 / 4) & 7);
+        sim.step();
+    }
+}
+
+#[test]
+fn split_words_are_the_same_on_both_engines() {
+    for (cells, policy) in [(1, ReadUnderWrite::Any), (1, ReadUnderWrite::Old), (9, ReadUnderWrite::Any)] {
+        for seed in [0, 5] {
+            let passes = Passes { looks_after: 3, held_after: 7, ..Passes::default() };
+            let mut sim =
+                Simulation::with_passes(&top(cells, policy), &passes).unwrap().on(EngineKind::Both).seeded(seed);
+            drive(&mut sim, 40);
+            sim.reset();
+            drive(&mut sim, 40);
+        }
+    }
+}
+
+#[test]
+fn words_are_looked_at_and_replaced_whole() {
+    let design = top(3, ReadUnderWrite::Old);
+    let mut sims = [EngineKind::Reference, EngineKind::Compiled].map(|kind| {
+        let mut sim = Simulation::from_design(&design).unwrap().on(kind).seeded(9);
+        let start = sim.peek_memory("u_cell[1].more", 3).unwrap();
+        sim.poke_memory("u_cell[1].words", 2, start.clone()).unwrap();
+        assert_eq!(sim.peek_memory("u_cell[1].words", 2).unwrap(), start);
+        drive(&mut sim, 20);
+        sim
+    });
+    for name in ["u_cell[0].kept", "u_cell[1].other", "u_cell[2].more_read", "u_cell[2].sum", "y", "last"] {
+        let [whole, split] = sims.each_mut().map(|sim| sim.peek(name).unwrap());
+        assert!(!whole.is_zero(), "{name}");
+        assert_eq!(whole, split, "{name}");
+    }
+    for address in 0..5 {
+        let [whole, split] = sims.each_ref().map(|sim| sim.peek_memory("u_cell[1].words", address).unwrap());
+        assert_eq!(whole, split, "{address}");
+    }
+}
