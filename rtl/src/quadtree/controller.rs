@@ -59,7 +59,7 @@ impl VideoController {
         let (p, q, each) = (matrix.columns(), matrix.rows(), row(matrix.processors()));
         let reading = m.reg("reading", bit()).reset(0);
         let column = m.reg("column", below(self.format.columns())).reset(0);
-        let line = m.reg("line", below(screen.height)).reset(0);
+        let line = m.reg("line", below(screen.height.max(q))).reset(0);
         let arrived = m.reg("arrived", bit()).reset(0);
 
         // A group is asked for in each clock in which the one before can go.

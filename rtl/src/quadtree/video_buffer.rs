@@ -63,7 +63,8 @@ impl VideoBuffer {
         let address = |x: Signal, y: Signal| cat![y, x];
         net!(drawn = address(i.draw.x, i.draw.y));
         net!(shown = address(i.scan.x, i.scan.y));
-        let depth = self.format.rows() << below(self.format.columns()).bits();
+        // A single line still has an address of a bit.
+        let depth = self.format.rows().max(2) << below(self.format.columns()).bits();
         let word = m.pipe_when(i.draw.valid, "drawn_word", i.draw.word);
         let sent_of = m.pipe_when(i.scan.enable, "sent_of", !i.back);
 
