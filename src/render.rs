@@ -20,7 +20,7 @@ use tilewright_scenes::{Frame, Scene};
 Examples:
   tilewright render teapot --machine vc1 -o frame.png
   tilewright render teapot --processors 4 --size 160x120 --json
-  tilewright render teapot --machine quadtree --size 64x48 --matrix 8x8 --form pipe:1+stack --test serial
+  tilewright render teapot --machine quadtree --size 32x24 --matrix 8x8 --form pipe:1+stack --test serial
   tilewright render teapot --size 64x48 --processors 2 --vcd run.vcd --scope 'u_gfb.*' --from 10us --to 20us
 
 Exit code 1 means that the frame differs from the golden image, or that with --engine both the engines differ. The report names the first pixel that does, and beside the frame

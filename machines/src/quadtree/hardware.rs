@@ -36,7 +36,7 @@ impl Hardware {
 
     /// Puts a packet at the port.
     pub fn present(&mut self, packet: &Polygon) {
-        let port = self.sim.i.packets.payload.clone();
+        let port = self.sim.i.packets.payload;
         // What is beyond the last edge means nothing.
         let room = self.edges;
         let edges = |of: fn(&Edge) -> i32| packet.edges.iter().map(of).chain(std::iter::repeat(0)).take(room);
@@ -116,7 +116,7 @@ impl Hardware {
         self.sim.set(self.sim.i.probe.processor, processor);
         let units = (0..=self.levels).map(|unit| {
             self.sim.set(self.sim.i.probe.unit, unit);
-            let tally = self.sim.o.tally.clone();
+            let tally = self.sim.o.tally;
             let [busy, stalled, windows] =
                 [tally.busy, tally.stalled, tally.results].map(|port| self.sim.get_u64(port) as u32);
             UnitCounts { busy, stalled, windows }

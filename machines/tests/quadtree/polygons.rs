@@ -19,7 +19,7 @@ impl Random {
     /// A number of 0 to `count`, that excluded.
     pub fn below(&mut self, count: u32) -> i32 {
         self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        ((self.0 >> 32) * u64::from(count) >> 32) as i32
+        (((self.0 >> 32) * u64::from(count)) >> 32) as i32
     }
 
     /// The packets of a convex polygon of 3 to 8 corners on an ellipse whose half axes are below `radius` pixels; planar in depth, as
