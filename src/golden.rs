@@ -1,13 +1,14 @@
 //! `tilewright golden`: the software rasterizer's image of a scene, which every machine has to match.
 
-use crate::scene::SceneArguments;
+use crate::scene::{SceneArguments, triangles};
 use crate::shell::output::Output;
 use crate::shell::place::check_distinct;
 use crate::shell::{Exit, Failure, Progress, interrupt, terminal};
 use clap::Args;
 use serde::Serialize;
+use std::ops::ControlFlow;
 use std::path::PathBuf;
-use tilewright_scenes::{Frame, Projection, golden};
+use tilewright_scenes::{Frame, golden};
 
 /// Renders a scene with the plain software rasterizer: the golden image
 #[derive(Args)]
@@ -41,10 +42,12 @@ struct Report {
 impl Golden {
     /// Writes the picture and reports.
     pub fn run(self) -> Result<Exit, Failure> {
-        let (scene, projection) = self.scene.load()?;
+        let scene = self.scene.load()?;
+        let projection = triangles(&scene)?;
         check_distinct(&[&self.output], &Vec::from_iter(scene.files.iter().map(PathBuf::as_path)))?;
         let output = Output::at(&self.output)?;
-        let frame = draw(&projection, scene.background)?;
+        let frame =
+            draw(|watch| golden::render_watched(projection.size, &projection.triangles, scene.background, watch))?;
         output.write(&frame.to_png())?;
         let report = Report {
             format: 1,
@@ -67,13 +70,13 @@ impl Golden {
     }
 }
 
-/// The software rasterizer's frame.
+/// The software rasterizer's frame, as `render` makes it: it is given what to tell of its progress, which may break it off.
 ///
 /// # Errors
 /// Ctrl-C.
-pub fn draw(projection: &Projection, background: [u8; 3]) -> Result<Frame, Failure> {
+pub fn draw(render: impl FnOnce(&mut dyn FnMut(f64) -> ControlFlow<()>) -> Option<Frame>) -> Result<Frame, Failure> {
     let progress = Progress::new();
-    let frame = golden::render_watched(projection.size, &projection.triangles, background, |drawn| {
+    let frame = render(&mut |drawn| {
         progress.show("golden image", drawn);
         interrupt::go_on()
     });

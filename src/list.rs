@@ -1,7 +1,7 @@
 //! `tilewright list`: what there is to render, to run and to print.
 
 use crate::block::entries;
-use crate::machine::Machine;
+use crate::machine::{Machine, MachineOption};
 use crate::shell::{Exit, Failure, terminal};
 use clap::{Args, ValueEnum};
 use serde::Serialize;
@@ -34,6 +34,7 @@ struct MachineItem {
     name: &'static str,
     summary: &'static str,
     source: &'static str,
+    options: Vec<MachineOption>,
 }
 
 #[derive(Serialize)]
@@ -79,7 +80,12 @@ impl List {
 }
 
 fn machine(machine: Machine) -> MachineItem {
-    MachineItem { name: machine.name(), summary: machine.summary(), source: machine.source() }
+    MachineItem {
+        name: machine.name(),
+        summary: machine.summary(),
+        source: machine.source(),
+        options: machine.options(),
+    }
 }
 
 fn scene(name: &'static str) -> Option<SceneItem> {
@@ -115,8 +121,11 @@ fn write_table(text: &mut String, lists: &Lists) -> std::fmt::Result {
     let names = lists.machines.iter().map(|it| it.name).chain(lists.scenes.iter().map(|it| it.name));
     let wide = names.chain(lists.blocks.iter().map(|it| it.name)).map(str::len).max().unwrap_or(0);
     writeln!(text, "Machines (tilewright render SCENE --machine NAME)")?;
-    for MachineItem { name, summary, source } in &lists.machines {
+    for MachineItem { name, summary, source, options } in &lists.machines {
         writeln!(text, "  {name:wide$}  {summary}\n  {:wide$}  {source}", "")?;
+        for MachineOption { option, meaning } in options {
+            writeln!(text, "  {:wide$}  {option:19} {meaning}", "")?;
+        }
     }
     writeln!(text, "\nScenes (tilewright render NAME), or the path of an .obj or a .toml file")?;
     for SceneItem { name, polygons, size: [width, height] } in &lists.scenes {

@@ -1,11 +1,20 @@
-//! The machines that there are.
+//! The machines that there are, and the options of each.
 
-use clap::ValueEnum;
+mod job;
+mod quadtree;
+mod vc1;
+
+use crate::shell::{Exit, Failure};
+use clap::{Args, ValueEnum};
+use serde::Serialize;
+
+pub use job::{Job, Run};
 
 /// A machine by its name on the command line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum Machine {
     Vc1,
+    Quadtree,
 }
 
 impl Machine {
@@ -13,6 +22,7 @@ impl Machine {
     pub fn name(self) -> &'static str {
         match self {
             Machine::Vc1 => "vc1",
+            Machine::Quadtree => "quadtree",
         }
     }
 
@@ -20,6 +30,9 @@ impl Machine {
     pub fn summary(self) -> &'static str {
         match self {
             Machine::Vc1 => "processing elements draw into virtual local frame buffers, which are merged by depth",
+            Machine::Quadtree => {
+                "video processors find the pixels of polygons, each on a sparse raster, by dividing windows"
+            }
         }
     }
 
@@ -27,6 +40,69 @@ impl Machine {
     pub fn source(self) -> &'static str {
         match self {
             Machine::Vc1 => "Nishimura and Kunii, VC-1: A Scalable Graphics Computer with Virtual Local Frame Buffers",
+            Machine::Quadtree => "a Russian paper on matrix-pipeline image generators of sparse rasters and quadtrees",
         }
     }
+
+    /// The options of `render` that it alone has.
+    pub fn options(self) -> Vec<MachineOption> {
+        match self {
+            Machine::Vc1 => options::<vc1::Vc1Options>(),
+            Machine::Quadtree => options::<quadtree::QuadtreeOptions>(),
+        }
+    }
+}
+
+/// An option of `render`, as its help shows it.
+#[derive(Serialize)]
+pub struct MachineOption {
+    /// With what is given to it, such as `--patch EDGE`.
+    pub option: String,
+    pub meaning: String,
+}
+
+fn options<A: Args>() -> Vec<MachineOption> {
+    let command = A::augment_args(clap::Command::new("render"));
+    let option = |it: &clap::Arg| {
+        let name = format!("--{}", it.get_long().unwrap_or_default());
+        let takes_values = it.get_action().takes_values();
+        let values = it.get_value_names().unwrap_or_default().iter().filter(|_| takes_values).map(|name| name.as_str());
+        MachineOption {
+            option: std::iter::once(name.as_str()).chain(values).collect::<Vec<_>>().join(" "),
+            meaning: it.get_help().map(ToString::to_string).unwrap_or_default(),
+        }
+    };
+    command.get_arguments().map(option).collect()
+}
+
+/// The options of all machines.
+#[derive(Args)]
+pub struct MachineArguments {
+    #[command(flatten)]
+    pub vc1: vc1::Vc1Options,
+    #[command(flatten)]
+    pub quadtree: quadtree::QuadtreeOptions,
+}
+
+impl MachineArguments {
+    /// That each option given is one of that machine.
+    ///
+    /// # Errors
+    /// One is another machine's.
+    pub fn check(&self, machine: Machine) -> Result<(), Failure> {
+        let given = [(Machine::Vc1, self.vc1.given()), (Machine::Quadtree, self.quadtree.given())];
+        let strange = given.into_iter().filter(|(of, _)| *of != machine).find_map(|(of, it)| Some((of, it?)));
+        strange.map_or(Ok(()), |(of, option)| {
+            let (of, machine) = (of.name(), machine.name());
+            let sentence = format!(
+                "{option} is an option of {of}, and the machine is {machine}: leave it out, or pass --machine {of}"
+            );
+            Err(Failure::new(Exit::BadInput, sentence))
+        })
+    }
+}
+
+/// The name of the first option that is given.
+fn first_given<const N: usize>(options: [(&'static str, bool); N]) -> Option<&'static str> {
+    options.into_iter().find(|(_, is_given)| *is_given).map(|(name, _)| name)
 }

@@ -1,21 +1,18 @@
 //! `tilewright render`: a frame from a machine's hardware, its cycle report, and the comparison with the golden image.
 
-use crate::engine::{EngineArguments, tell_fallback};
-use crate::machine::Machine;
-use crate::number::number;
+use crate::engine::EngineArguments;
+use crate::machine::{Job, Machine, MachineArguments, Run};
 use crate::scene::SceneArguments;
 use crate::shell::output::{Output, Waveform};
 use crate::shell::place::{beside, check_distinct};
 use crate::shell::text::legible;
-use crate::shell::{Exit, Failure, Progress, interrupt, terminal};
+use crate::shell::{Exit, Failure, terminal};
 use crate::trace::TraceOptions;
 use crate::verdict::{Golden, Verdict};
 use clap::Args;
-use clap::builder::{PossibleValuesParser, TypedValueParser};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
-use tilewright_machines::{Watch, vc1};
-use tilewright_scenes::{Frame, MAX_SIDE, Projection, Scene};
+use tilewright_scenes::{Frame, Scene};
 
 /// Renders a scene on a machine, clock by clock, and compares the frame with the golden image
 #[derive(Args)]
@@ -23,6 +20,7 @@ use tilewright_scenes::{Frame, MAX_SIDE, Projection, Scene};
 Examples:
   tilewright render teapot --machine vc1 -o frame.png
   tilewright render teapot --processors 4 --size 160x120 --json
+  tilewright render teapot --machine quadtree --size 32x24 --matrix 8x8 --form pipe:1+stack --test serial
   tilewright render teapot --size 64x48 --processors 2 --vcd run.vcd --scope 'u_gfb.*' --from 10us --to 20us
 
 Exit code 1 means that the frame differs from the golden image, or that with --engine both the engines differ. The report names the first pixel that does, and beside the frame
@@ -37,17 +35,6 @@ pub struct Render {
     /// The frame, a PNG file; `-` is standard output
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
-    /// Processing elements
-    #[arg(long, value_name = "N", default_value_t = 16,
-          value_parser = number(1..=vc1::Config::MAX_PROCESSORS))]
-    processors: u32,
-    /// The edge of a patch in pixels
-    #[arg(long, value_name = "EDGE", default_value = "4",
-          value_parser = PossibleValuesParser::new(["4", "8", "16"]).map(|edge| edge.parse::<u32>().unwrap_or_default()))]
-    patch: u32,
-    /// Pages of image memory in each local frame buffer [default: those of 65536 pixels, or the whole screen]
-    #[arg(long, value_name = "N", value_parser = number(1..=MOST_PAGES))]
-    pages: Option<u32>,
     /// Compare the colours with this picture instead of the software rasterizer's frame
     #[arg(long, value_name = "FILE")]
     golden: Option<PathBuf>,
@@ -60,15 +47,17 @@ pub struct Render {
     #[arg(long, value_name = "FILE")]
     vcd: Option<PathBuf>,
     #[command(flatten)]
+    options: MachineArguments,
+    #[command(flatten)]
     filters: TraceOptions,
 }
 
 #[derive(Serialize)]
-struct Report<'a> {
+struct Report<'a, R> {
     format: u32,
     scene: &'a str,
     machine: &'static str,
-    report: &'a vc1::Report,
+    report: &'a R,
     golden: &'a Verdict,
 }
 
@@ -76,12 +65,21 @@ impl Render {
     /// Renders, compares, writes the files and reports.
     pub fn run(self) -> Result<Exit, Failure> {
         self.filters.check(self.vcd.as_deref(), "--vcd")?;
-        let (scene, projection) = self.scene.load()?;
+        self.options.check(self.machine)?;
+        let scene = self.scene.load()?;
+        match self.machine {
+            Machine::Vc1 => self.render(&scene, &self.options.vc1.job(&scene)?),
+            Machine::Quadtree => self.render(&scene, &self.options.quadtree.job(&scene)?),
+        }
+    }
+
+    fn render(&self, scene: &Scene, job: &impl Job) -> Result<Exit, Failure> {
         self.check_distinct(&scene.files)?;
         let output = self.output.as_deref().map(Output::at).transpose()?;
         let waveform = self.vcd.as_deref().map(Waveform::at).transpose()?;
-        let golden = Golden::new(self.golden.as_deref(), &scene, &projection)?;
-        let (frame, report) = self.simulate(&scene, &projection, waveform.as_ref())?;
+        let golden = Golden::new(self.golden.as_deref(), job.size(), || job.golden())?;
+        let run = Run { engine: self.engine, filters: &self.filters, waveform: waveform.as_ref() };
+        let (frame, report) = job.render(&run)?;
         let verdict = golden.judge(&frame);
         if let (Some(output), Some(path)) = (output, &self.output) {
             output.write(&frame.to_png())?;
@@ -111,46 +109,7 @@ impl Render {
         let read = scene.iter().chain(&self.golden).map(PathBuf::as_path);
         check_distinct(&Vec::from_iter(written), &Vec::from_iter(read))
     }
-
-    fn simulate(
-        &self,
-        scene: &Scene,
-        projection: &Projection,
-        waveform: Option<&Waveform>,
-    ) -> Result<(Frame, vc1::Report), Failure> {
-        let Machine::Vc1 = self.machine;
-        let config = vc1::Config {
-            processors: self.processors,
-            patch: self.patch,
-            pages: self.pages,
-            ..vc1::Config::new(projection.size)
-        };
-        let mut machine = vc1::Machine::new(config)?.on(self.engine.kind());
-        tell_fallback(machine.simulation());
-        if let Some(waveform) = waveform {
-            self.filters.attach(waveform, machine.simulation())?;
-        }
-        let progress = Progress::new();
-        let mut show = |it: tilewright_machines::Progress| {
-            progress.show(it.phase, it.fraction);
-            // The machine looks at the flag itself, next.
-            interrupt::asked();
-        };
-        let mut watch = Watch { progress: Some(&mut show), cancel: Some(interrupt::flag()) };
-        let ended = machine.render(projection, scene.background, &mut watch).map_err(Failure::from);
-        drop(progress);
-        if let Ok((_, report)) = &ended {
-            self.filters.warn_if_empty(report.phases.iter().map(|phase| phase.picoseconds).sum());
-        }
-        if let Some(waveform) = waveform.filter(|_| Failure::leaves_a_waveform(&ended)) {
-            waveform.tell_written();
-        }
-        ended
-    }
 }
-
-/// The most pages that could be of use: the patches of the largest screen.
-const MOST_PAGES: u32 = (MAX_SIDE / 4) * (MAX_SIDE / 4);
 
 /// What the difference picture's name ends in instead of the frame's `png`.
 const DIFFERENCE: &str = "difference.png";

@@ -3,7 +3,7 @@
 use crate::shell::{Failure, terminal};
 use clap::Args;
 use std::ffi::OsString;
-use tilewright_scenes::{Projection, Scene, Size};
+use tilewright_scenes::{Polygons, Projection, Scene, Size, project_polygons};
 
 /// A scene on a screen.
 #[derive(Args)]
@@ -17,17 +17,37 @@ pub struct SceneArguments {
 }
 
 impl SceneArguments {
-    /// Loads the scene and sets its triangles up; passes on what was odd about its files.
+    /// Loads the scene.
     ///
     /// # Errors
     /// The scene's, naming file and line.
-    pub fn load(&self) -> Result<(Scene, Projection), Failure> {
-        let scene = Scene::load_sized(&self.scene, self.size)?;
-        let projection = scene.project()?;
-        let warnings = scene.warnings.iter().cloned().chain(projection.warning());
-        warnings.for_each(|warning| terminal::warn(&warning));
-        Ok((scene, projection))
+    pub fn load(&self) -> Result<Scene, Failure> {
+        Ok(Scene::load_sized(&self.scene, self.size)?)
     }
+}
+
+/// Sets the triangles of a scene up; passes on what was odd about its files, and if nothing of it is to be seen.
+///
+/// # Errors
+/// The scene's camera or lights are no good, or nothing is in front of the camera.
+pub fn triangles(scene: &Scene) -> Result<Projection, Failure> {
+    let projection = scene.project()?;
+    warn(scene, projection.warning());
+    Ok(projection)
+}
+
+/// Sets the faces of a scene up, as [`triangles`] does its triangles.
+///
+/// # Errors
+/// As [`triangles`].
+pub fn polygons(scene: &Scene) -> Result<Polygons, Failure> {
+    let polygons = project_polygons(scene, scene.size)?;
+    warn(scene, polygons.warning());
+    Ok(polygons)
+}
+
+fn warn(scene: &Scene, warning: Option<String>) {
+    scene.warnings.iter().chain(&warning).for_each(|warning| terminal::warn(warning));
 }
 
 fn size(text: &str) -> Result<Size, String> {

@@ -1,11 +1,10 @@
 //! Whether a frame is the golden image.
 
-use crate::golden;
 use crate::shell::Failure;
 use serde::Serialize;
 use std::fmt;
 use std::path::Path;
-use tilewright_scenes::{Comparison, Frame, Projection, Scene, SceneError, compare, compare_colours};
+use tilewright_scenes::{Comparison, Frame, SceneError, Size, compare, compare_colours};
 
 /// What a frame is compared with.
 pub enum Golden {
@@ -16,26 +15,26 @@ pub enum Golden {
 }
 
 impl Golden {
-    /// The picture in that file, or without one the software rasterizer's frame.
+    /// The picture in that file, or without one the software rasterizer's frame, which `draw` makes.
     ///
     /// # Errors
-    /// The file cannot be read, or is of another size than the frame; Ctrl-C.
-    pub fn new(file: Option<&Path>, scene: &Scene, projection: &Projection) -> Result<Golden, Failure> {
-        Ok(match file {
-            Some(path) => {
-                let picture = Frame::read_png(path)?;
-                if picture.size() != projection.size {
-                    return Err(SceneError::File {
-                        path: path.to_owned(),
-                        problem: format!("holds {} pixels, the frame {}", picture.size(), projection.size),
-                        remedy: format!("pass --size {}, or name another picture", picture.size()),
-                    }
-                    .into());
-                }
-                Golden::Picture(picture)
+    /// The file cannot be read, or is of another size than the frame; those of `draw`.
+    pub fn new(
+        file: Option<&Path>,
+        size: Size,
+        draw: impl FnOnce() -> Result<Frame, Failure>,
+    ) -> Result<Golden, Failure> {
+        let Some(path) = file else { return draw().map(Golden::Rendered) };
+        let picture = Frame::read_png(path)?;
+        if picture.size() != size {
+            return Err(SceneError::File {
+                path: path.to_owned(),
+                problem: format!("holds {} pixels, the frame {size}", picture.size()),
+                remedy: format!("pass --size {}, or name another picture", picture.size()),
             }
-            None => Golden::Rendered(golden::draw(projection, scene.background)?),
-        })
+            .into());
+        }
+        Ok(Golden::Picture(picture))
     }
 
     /// Compares a frame.

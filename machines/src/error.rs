@@ -33,3 +33,13 @@ pub enum Error {
     #[error(transparent)]
     Simulation(#[from] tilewright_sim::Error),
 }
+
+impl Error {
+    /// What came of a run and of its traces, which have been ended after it.
+    pub(crate) fn of_both<T>(ran: Result<T, Error>, traced: Result<(), tilewright_sim::Error>) -> Result<T, Error> {
+        match (ran, traced) {
+            (Err(run), Err(trace)) => Err(Error::Untraced { run: Box::new(run), trace }),
+            (ran, traced) => ran.and_then(|done| Ok(traced.map(|()| done)?)),
+        }
+    }
+}

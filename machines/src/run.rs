@@ -2,6 +2,11 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use crate::error::Error;
+
+/// Clocks between two reports of progress, and between two looks at the cancellation flag.
+pub(crate) const PROGRESS_CLOCKS: u64 = 1024;
+
 /// How far a frame is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Progress {
@@ -27,7 +32,12 @@ impl Watch<'_> {
         }
     }
 
-    pub(crate) fn cancelled(&self) -> bool {
-        self.cancel.is_some_and(|flag| flag.load(Ordering::Relaxed))
+    /// Reports, and stops the run, which is at that simulated time, if the caller wants it.
+    pub(crate) fn go_on(&mut self, phase: &'static str, fraction: f64, time: u64) -> Result<(), Error> {
+        self.report(phase, fraction);
+        match self.cancel.is_some_and(|flag| flag.load(Ordering::Relaxed)) {
+            true => Err(Error::Cancelled { phase, time }),
+            false => Ok(()),
+        }
     }
 }

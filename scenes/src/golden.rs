@@ -42,7 +42,7 @@ fn plane_at(plane: &Plane, x: u32, y: u32, bits: u32) -> u64 {
 /// matter.
 pub fn render<E: AsRef<[Edge]>>(size: Size, packets: &[Packet<E>], background: [u8; 3]) -> Frame {
     let mut frame = Frame::blank(size, background);
-    packets.iter().for_each(|packet| draw(&mut frame, packet));
+    packets.iter().for_each(|packet| draw(&mut frame, packet, least));
     frame
 }
 
@@ -52,37 +52,58 @@ pub fn render_watched<E: AsRef<[Edge]>>(
     size: Size,
     packets: &[Packet<E>],
     background: [u8; 3],
-    mut watch: impl FnMut(f64) -> ControlFlow<()>,
+    watch: impl FnMut(f64) -> ControlFlow<()>,
 ) -> Option<Frame> {
-    let mut frame = Frame::blank(size, background);
-    for (done, packet) in packets.iter().enumerate() {
-        if watch(done as f64 / packets.len() as f64).is_break() {
-            return None;
-        }
-        draw(&mut frame, packet);
-    }
-    Some(frame)
-}
-
-fn draw<E: AsRef<[Edge]>>(frame: &mut Frame, packet: &Packet<E>) {
-    each_fragment(frame.size(), packet, |pixel, fragment| {
-        let kept = &mut frame.words[pixel];
-        *kept = (*kept).min(fragment);
-    });
+    draw_watched(Frame::blank(size, background), packets, least, watch)
 }
 
 /// Renders packets with the strict rule: depth alone decides, and of equal depths the first submitted stays (facts E0).
 pub fn render_strict<E: AsRef<[Edge]>>(size: Size, packets: &[Packet<E>], background: [u8; 3]) -> Frame {
     let mut frame = Frame::blank(size, background);
-    for packet in packets {
-        each_fragment(size, packet, |pixel, fragment| {
-            let kept = &mut frame.words[pixel];
-            if depth_of(fragment) < depth_of(*kept) {
-                *kept = fragment;
-            }
-        });
-    }
+    packets.iter().for_each(|packet| draw(&mut frame, packet, nearest));
     frame
+}
+
+/// As [`render_strict`], watched as in [`render_watched`].
+pub fn render_strict_watched<E: AsRef<[Edge]>>(
+    size: Size,
+    packets: &[Packet<E>],
+    background: [u8; 3],
+    watch: impl FnMut(f64) -> ControlFlow<()>,
+) -> Option<Frame> {
+    draw_watched(Frame::blank(size, background), packets, nearest, watch)
+}
+
+/// What a pixel keeps of its word and a fragment: the smaller.
+fn least(kept: u64, fragment: u64) -> u64 {
+    kept.min(fragment)
+}
+
+/// What a pixel keeps of its word and a later fragment by the strict rule.
+fn nearest(kept: u64, fragment: u64) -> u64 {
+    if depth_of(fragment) < depth_of(kept) { fragment } else { kept }
+}
+
+fn draw_watched<E: AsRef<[Edge]>>(
+    mut frame: Frame,
+    packets: &[Packet<E>],
+    keep: impl Fn(u64, u64) -> u64 + Copy,
+    mut watch: impl FnMut(f64) -> ControlFlow<()>,
+) -> Option<Frame> {
+    for (done, packet) in packets.iter().enumerate() {
+        if watch(done as f64 / packets.len() as f64).is_break() {
+            return None;
+        }
+        draw(&mut frame, packet, keep);
+    }
+    Some(frame)
+}
+
+fn draw<E: AsRef<[Edge]>>(frame: &mut Frame, packet: &Packet<E>, keep: impl Fn(u64, u64) -> u64) {
+    each_fragment(frame.size(), packet, |pixel, fragment| {
+        let kept = &mut frame.words[pixel];
+        *kept = keep(*kept, fragment);
+    });
 }
 
 /// How often exact depth ties decide a frame (facts E0: to be counted per scene).

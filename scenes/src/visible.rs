@@ -1,15 +1,28 @@
 //! Whether a picture shows anything, said before it is rendered.
 
-use crate::packet::Triangle;
-use crate::project::Projection;
+use crate::packet::{Edge, Packet};
+use crate::project::{Counts, Polygons, Projection};
 
 impl Projection {
     /// A sentence if no triangle covers a pixel, so that the picture would hold the background alone; `None` if one does.
     pub fn warning(&self) -> Option<String> {
-        if self.triangles.iter().any(covers_a_pixel) {
+        self.counts.warning(&self.triangles)
+    }
+}
+
+impl Polygons {
+    /// A sentence if no polygon covers a pixel, so that the picture would hold the background alone; `None` if one does.
+    pub fn warning(&self) -> Option<String> {
+        self.counts.warning(&self.polygons)
+    }
+}
+
+impl Counts {
+    fn warning<E: AsRef<[Edge]>>(&self, packets: &[Packet<E>]) -> Option<String> {
+        if packets.iter().any(covers_a_pixel) {
             return None;
         }
-        let c = self.counts;
+        let c = self;
         let polygons = match c.polygons {
             1 => "1 polygon".to_owned(),
             several => format!("{several} polygons"),
@@ -30,7 +43,7 @@ impl Projection {
     }
 }
 
-fn covers_a_pixel(triangle: &Triangle) -> bool {
-    let b = triangle.bounds;
-    (b.top..=b.bottom).any(|y| (b.left..=b.right).any(|x| triangle.covers(x, y)))
+fn covers_a_pixel<E: AsRef<[Edge]>>(packet: &Packet<E>) -> bool {
+    let b = packet.bounds;
+    (b.top..=b.bottom).any(|y| (b.left..=b.right).any(|x| packet.covers(x, y)))
 }

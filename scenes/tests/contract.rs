@@ -5,7 +5,7 @@ mod oracle;
 use proptest::prelude::*;
 use std::ops::ControlFlow;
 use tilewright_scenes::packet::{EMPTY, FARTHEST_VERTEX, NEAREST_VERTEX};
-use tilewright_scenes::{Frame, ScreenVertex, Size, Triangle, frame, golden, set_up};
+use tilewright_scenes::{Frame, Plane, ScreenVertex, Size, Triangle, frame, golden, set_up};
 
 const SIDE: u32 = 40;
 
@@ -225,6 +225,17 @@ fn rendering_can_be_watched_and_stopped() {
         if done == 0.0 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
     });
     assert_eq!(stopped, None);
+
+    // The second of two at one depth is darker.
+    let twice = [[90; 3], [7_u64; 3]].map(|rgb| Triangle { rgb: rgb.map(flat), ..triangles[0].clone() });
+    let strict = golden::render_strict_watched(screen(), &twice, [1; 3], |_| ControlFlow::Continue(()));
+    assert_eq!(strict, Some(golden::render_strict(screen(), &twice, [1; 3])));
+    assert_ne!(strict, golden::render_watched(screen(), &twice, [1; 3], |_| ControlFlow::Continue(())));
+}
+
+/// The plane of a channel that is the same everywhere.
+fn flat(channel: u64) -> Plane {
+    Plane { x: 0, y: 0, origin: channel << 16 }
 }
 
 /// Packets against the numbers of the reference script (`setup` at the end of `check_facts.py`). A row of the file: three vertices

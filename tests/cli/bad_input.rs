@@ -26,6 +26,46 @@ const CASES: &[(&str, &[&str])] = &[
     ("render teapot --size 64x48 --pages 3", &["ran out of its 3 image memory pages", "pass --pages"]),
     ("render teapot --machine vc2", &["'vc2'", "'vc1'"]),
     (
+        "render teapot --machine quadtree --processors 4",
+        &[
+            "error: --processors is an option of vc1, and the machine is quadtree: leave it out, or pass --machine vc1\n",
+        ],
+    ),
+    (
+        "render teapot --strict",
+        &[
+            "error: --strict is an option of quadtree, and the machine is vc1: leave it out, or pass --machine quadtree\n",
+        ],
+    ),
+    (
+        "render teapot --machine quadtree --matrix 3x3",
+        &["'3x3' for '--matrix <PxQ>': a matrix of 3x3 video processors: each side has to be 1, 2, 4, 8 or 16"],
+    ),
+    (
+        "render teapot --machine quadtree --matrix 4",
+        &["'4' for '--matrix <PxQ>': give the video processors", "such as 4x4"],
+    ),
+    (
+        "render teapot --machine quadtree --form pipe:3",
+        &["error: the form `pipe:3`: it divides 3 levels; 640x480 pixels on a matrix of 4x4 have 8\n"],
+    ),
+    (
+        "render teapot --machine quadtree --form heap",
+        &[
+            "error: the form `heap`: there is no part `heap`; a form is made of `stack`, `pipe` and `tree`, each with its levels",
+        ],
+    ),
+    ("render teapot --machine quadtree --form tree", &["the form `tree:8`: a tree divides 4 levels at most"]),
+    ("render teapot --machine quadtree --test fast", &["'fast' for '--test <TEST>'", "serial, parallel"]),
+    (
+        "render teapot --machine quadtree --aperture 3",
+        &["error: an aperture of 3 pixels: it has to be even, and from 0 to 8\n"],
+    ),
+    (
+        "render teapot --machine quadtree --window-queue 0",
+        &["'0' for '--window-queue <N>': give a whole number from 1 to 4096"],
+    ),
+    (
         "render teapot --engine fast",
         &["invalid value 'fast' for '--engine <ENGINE>'", "reference, interpreter, compiled, both"],
     ),

@@ -29,6 +29,8 @@ fn assert_alike(line: &str) {
 #[test]
 fn a_frame_is_the_same_on_every_engine() {
     assert_alike("render triangle.obj --size 16x12 --processors 2 -o frame.png --vcd run.vcd --json");
+    let quadtree = "--machine quadtree --matrix 1x1 --form stack";
+    assert_alike(&format!("render triangle.obj --size 4x3 {quadtree} -o frame.png --vcd run.vcd --json"));
 }
 
 #[test]

@@ -61,10 +61,11 @@ fn an_interrupted_scenario_leaves_a_waveform_that_opens() {
 
 #[test]
 fn an_interrupted_frame_leaves_a_waveform_that_opens_and_no_picture() {
-    for (signal, code) in STOPS {
+    let machines = ["--processors 2", "--machine quadtree --matrix 1x2 --form stack", "--processors 2"];
+    for ((signal, code), machine) in STOPS.into_iter().zip(machines) {
         let folder = Folder::new();
-        let line = "render teapot --processors 2 --vcd run.vcd -o frame.png";
-        let run = interrupted(&folder, line, "run.vcd", signal);
+        let line = format!("render teapot {machine} --vcd run.vcd -o frame.png");
+        let run = interrupted(&folder, &line, "run.vcd", signal);
         assert_eq!((run.code, run.stdout.as_str()), (Some(code), ""), "{signal}: {run:?}");
         assert!(run.stderr.contains("error: the run was interrupted at "), "{signal}: {run:?}");
         assert!(Waveform::read(&folder.path("run.vcd")).times.len() > 100);

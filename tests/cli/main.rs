@@ -11,6 +11,7 @@ mod interruption;
 mod limits;
 mod output;
 mod places;
+mod quadtree;
 mod render;
 mod standard_output;
 mod terminal;

@@ -1,30 +1,42 @@
 //! The sparse-raster quadtree generator: p x q video processors, each of which looks for the pixels of a polygon on a raster of its
 //! own, of every p-th column and every q-th row, by recursive division into windows.
 //!
-//! Here is what the paper says of it in formulas, and the plain model that counts what the paper estimates:
+//! [`Machine`] is the hardware of `tilewright-rtl` with its host: packets become a frame, and a [`Report`] of windows and clocks. Beside it
+//! stands what the paper says in formulas, and the plain model that counts what the paper estimates:
 //!
 //! ```text
 //! Matrix, Shape -- formulas ------> windows of a level, clocks of a stage --.
 //!                                                                             >-- Stages -> performance, load, efficiency
-//! Rectangles -> packets -> Search -> windows counted, clocks counted -------'
+//! Rectangles -> packets -> Search -> windows counted, clocks counted -------+
+//! scenes, packets -> Machine --> frame, windows and clocks of the hardware -'
 //! ```
 //!
 //! [`model`] has the clocks of a running matrix, packet by packet, as the hardware has them but without it, and what coupling by queues costs.
 //!
 //! Source: the Russian paper on matrix-pipeline image generators, facts A2 and A3 (MPG).
 
+mod config;
+mod counters;
 mod formulas;
+mod hardware;
+mod host;
+mod machine;
 mod matrix;
 pub mod model;
 mod random;
 mod rectangles;
+mod report;
 mod stages;
 mod study;
 mod windows;
 
+pub use config::{Built, Config};
 pub use formulas::{MAX_PERFORMANCE, Shape, full_tree};
+pub use machine::Machine;
 pub use matrix::Matrix;
 pub use rectangles::Rectangles;
+pub use report::{Phase, ProcessorReport, Report, Spread, Stage, UnitReport};
 pub use stages::{Figures, Stages};
 pub use study::{Mean, Point, Sample, Study};
+pub use tilewright_rtl::quadtree::processor::Queues;
 pub use windows::{Costs, Search, TestUnit, Window, Windows};

@@ -7,6 +7,7 @@
 
 use super::matrix::Matrix;
 use serde::Serialize;
+use std::fmt;
 use std::ops::AddAssign;
 use tilewright_rtl::parameter::ParameterError;
 use tilewright_scenes::{Edge, Packet, PixelBox};
@@ -19,6 +20,15 @@ pub enum TestUnit {
     Serial,
     /// An adder for each edge: a test takes one clock.
     Parallel,
+}
+
+impl fmt::Display for TestUnit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            TestUnit::Serial => "serial",
+            TestUnit::Parallel => "parallel",
+        })
+    }
 }
 
 /// What tests and windows cost, in clocks (MPG-EQ5).

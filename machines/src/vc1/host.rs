@@ -12,10 +12,7 @@ use super::job::Job;
 use super::processor::Processor;
 use super::report::{Phase, Report};
 use crate::error::Error;
-use crate::run::Watch;
-
-/// Clocks between two reports of progress, and between two looks at the cancellation flag.
-const PROGRESS_CLOCKS: u64 = 1024;
+use crate::run::{PROGRESS_CLOCKS, Watch};
 
 /// Clocks of the merger until a swap of the local frame buffers has come through the synchronizer to its side.
 const SWAP_CROSSING: u64 = 2;
@@ -136,10 +133,6 @@ impl<'a, 'w> Host<'a, 'w> {
 
     /// Tells the caller how far the phase is, and stops if the caller wants it.
     fn progress(&mut self, fraction: f64) -> Result<(), Error> {
-        self.watch.report(self.current, fraction);
-        match self.watch.cancelled() {
-            true => Err(Error::Cancelled { phase: self.current, time: self.hardware.now().time }),
-            false => Ok(()),
-        }
+        self.watch.go_on(self.current, fraction, self.hardware.now().time)
     }
 }

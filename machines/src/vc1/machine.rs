@@ -59,10 +59,7 @@ impl Machine {
         watch: &mut Watch,
     ) -> Result<(Frame, Report), Error> {
         let rendered = self.run(projection, background, watch);
-        match (rendered, self.hardware.sim.finish()) {
-            (Err(run), Err(trace)) => Err(Error::Untraced { run: Box::new(run), trace }),
-            (rendered, traced) => rendered.and_then(|rendered| Ok(traced.map(|()| rendered)?)),
-        }
+        Error::of_both(rendered, self.hardware.sim.finish())
     }
 
     fn run(

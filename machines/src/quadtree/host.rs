@@ -1,0 +1,104 @@
+//! The host's program, the geometry processor's last step among it: sends the packets, swaps the banks, reads the picture.
+//!
+//! Source: MPG-ARCH, and the protocol of [`tilewright_rtl::quadtree::generator`].
+
+use tilewright_scenes::{Polygon, Size};
+use tilewright_sim::Port;
+
+use super::hardware::Hardware;
+use super::report::{Phase, Report};
+use crate::error::Error;
+use crate::run::{PROGRESS_CLOCKS, Watch};
+
+/// The host during a frame.
+pub(crate) struct Host<'a, 'w> {
+    hardware: &'a mut Hardware,
+    watch: &'a mut Watch<'w>,
+    /// The phases that are over.
+    pub phases: Vec<Phase>,
+    /// The phase that runs.
+    current: &'static str,
+    /// The clock at which the caller is told of the progress next.
+    next: u64,
+}
+
+impl<'a, 'w> Host<'a, 'w> {
+    pub fn new(hardware: &'a mut Hardware, watch: &'a mut Watch<'w>) -> Host<'a, 'w> {
+        Host { hardware, watch, phases: Vec::new(), current: "", next: 0 }
+    }
+
+    /// Sends the packets, and waits until all pixels are drawn.
+    pub fn draw(&mut self, packets: &[Polygon]) -> Result<(), Error> {
+        self.phase(Report::DRAWING, |host| {
+            let ready = host.hardware.sim.i.packets.ready;
+            for (number, packet) in packets.iter().enumerate() {
+                let done = number as f64 / packets.len() as f64;
+                host.hardware.present(packet);
+                host.wait_for(ready, done)?;
+                host.step(done)?;
+            }
+            host.hardware.withdraw();
+            host.wait_for(host.hardware.sim.o.idle, 1.0)
+        })
+    }
+
+    /// Swaps the banks and reads what was drawn, line by line from the upper left.
+    pub fn read_out(&mut self, size: Size, background: [u8; 3]) -> Result<Vec<u64>, Error> {
+        self.phase(Report::READ_OUT, |host| {
+            host.hardware.swap()?;
+            host.hardware.show(background)?;
+            let (pixels, width) = (size.pixels(), size.width() as usize);
+            let showing = host.hardware.sim.o.showing;
+            let mut words = Vec::with_capacity(pixels);
+            // Groups of pixels that lie side by side; the last of a line may reach beyond its end.
+            let mut line = 0;
+            while host.hardware.is_high(showing) {
+                if let Some(mut group) = host.hardware.words() {
+                    group.truncate(width - line);
+                    line = (line + group.len()) % width;
+                    words.append(&mut group);
+                }
+                host.step(words.len() as f64 / pixels as f64)?;
+            }
+            Ok(words)
+        })
+    }
+
+    /// Waits until a flag is high, if it is not; `done` is how much of the phase is done.
+    fn wait_for(&mut self, flag: Port, done: f64) -> Result<(), Error> {
+        while !self.hardware.is_high(flag) {
+            self.hardware.run_until(flag, PROGRESS_CLOCKS)?;
+            self.progress(done)?;
+        }
+        Ok(())
+    }
+
+    /// Goes through a clock.
+    fn step(&mut self, done: f64) -> Result<(), Error> {
+        self.hardware.step()?;
+        self.progress(done)
+    }
+
+    /// Does a phase and notes what it took.
+    fn phase<T>(&mut self, name: &'static str, body: impl FnOnce(&mut Self) -> Result<T, Error>) -> Result<T, Error> {
+        self.current = name;
+        let (clocks, time) = (self.hardware.clocks(), self.hardware.sim.time());
+        self.next = clocks;
+        self.progress(0.0)?;
+        let result = body(self)?;
+        self.watch.report(name, 1.0);
+        let (clocks, picoseconds) = (self.hardware.clocks() - clocks, self.hardware.sim.time() - time);
+        self.phases.push(Phase { name, clocks, picoseconds });
+        Ok(result)
+    }
+
+    /// Tells the caller now and then how far the phase is, and stops if the caller wants it.
+    fn progress(&mut self, done: f64) -> Result<(), Error> {
+        let now = self.hardware.clocks();
+        if now < self.next {
+            return Ok(());
+        }
+        self.next = now + PROGRESS_CLOCKS;
+        self.watch.go_on(self.current, done, self.hardware.sim.time())
+    }
+}

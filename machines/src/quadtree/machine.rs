@@ -1,0 +1,146 @@
+//! A generator as a whole: built for a configuration, it renders frames and reports.
+
+use tilewright_rtl::parameter::ParameterError;
+use tilewright_rtl::quadtree::generator::{QuadtreeGeneratorIn, QuadtreeGeneratorOut};
+use tilewright_scenes::{Frame, Polygon};
+use tilewright_sim::{EngineKind, Simulation};
+
+use super::config::Config;
+use super::counters::Counters;
+use super::hardware::Hardware;
+use super::host::Host;
+use super::report::Report;
+use crate::error::Error;
+use crate::run::Watch;
+
+/// A generator of p x q video processors, and its host.
+///
+/// ```
+/// use tilewright_machines::{Watch, quadtree};
+/// use tilewright_scenes::{Scene, Size, golden, project_polygons};
+///
+/// let (scene, size) = (Scene::builtin("teapot").expect("a built-in scene"), Size::new(16, 12)?);
+/// let packets = project_polygons(&scene, size)?.polygons;
+/// let mut machine = quadtree::Machine::new(quadtree::Config::for_packets(size, &packets))?;
+/// let (frame, report) = machine.render(&packets, scene.background, &mut Watch::default())?;
+/// assert_eq!(frame, golden::render(size, &packets, scene.background));
+/// println!("{report}");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub struct Machine {
+    config: Config,
+    hardware: Hardware,
+    state: State,
+}
+
+/// What was with the machine last.
+enum State {
+    /// Nothing.
+    New,
+    /// A frame, which ended with those counters.
+    Idle(Counters),
+    /// A frame that did not end: parts of it are in the pictures.
+    BrokenOff,
+}
+
+impl Machine {
+    /// Builds the machine.
+    ///
+    /// # Errors
+    /// [`Error::Parameter`] if there is no such machine.
+    pub fn new(config: Config) -> Result<Machine, Error> {
+        let hardware = Hardware::new(&config.generator()?)?;
+        Ok(Machine { config, hardware, state: State::New })
+    }
+
+    /// The same machine on that engine of the simulator; the compiled one is the default.
+    ///
+    /// # Panics
+    /// A trace is attached.
+    #[track_caller]
+    pub fn on(mut self, engine: EngineKind) -> Machine {
+        self.hardware.sim = self.hardware.sim.on(engine);
+        self
+    }
+
+    /// The simulated hardware, to attach traces to. [`Machine::render`] ends them, also where it fails.
+    pub fn simulation(&mut self) -> &mut Simulation<QuadtreeGeneratorIn, QuadtreeGeneratorOut> {
+        &mut self.hardware.sim
+    }
+
+    /// Renders a frame: the picture as the video controller reads it, and the report. Further frames may follow in the same machine.
+    ///
+    /// # Errors
+    /// [`Error::Parameter`] if a packet is not for this machine; [`Error::Cancelled`]; [`Error::Simulation`]; [`Error::Untraced`].
+    pub fn render(
+        &mut self,
+        packets: &[Polygon],
+        background: [u8; 3],
+        watch: &mut Watch,
+    ) -> Result<(Frame, Report), Error> {
+        for (number, packet) in packets.iter().enumerate() {
+            self.check(number, packet)?;
+        }
+        let state = std::mem::replace(&mut self.state, State::BrokenOff);
+        let rendered = self.run(state, packets, background, watch);
+        Error::of_both(rendered, self.hardware.sim.finish())
+    }
+
+    fn run(
+        &mut self,
+        state: State,
+        packets: &[Polygon],
+        background: [u8; 3],
+        watch: &mut Watch,
+    ) -> Result<(Frame, Report), Error> {
+        let size = self.config.size;
+        let before = match state {
+            State::Idle(counters) => counters,
+            State::New => self.reset()?,
+            State::BrokenOff => {
+                let counters = self.reset()?;
+                // Both banks are emptied by reading them.
+                let mut host = Host::new(&mut self.hardware, watch);
+                host.read_out(size, background)?;
+                host.read_out(size, background)?;
+                counters
+            }
+        };
+        let mut host = Host::new(&mut self.hardware, watch);
+        host.draw(packets)?;
+        let words = host.read_out(size, background)?;
+        let phases = host.phases;
+
+        let frame = Frame::from_words(size, words).expect("a word of 48 bits was read for each pixel");
+        let now = self.hardware.counters();
+        let (each, waited) = (now.each_since(&before), now.broadcast_stalls_since(&before));
+        let report =
+            Report::new(self.config.built()?, &self.config.parsed_form()?, packets.len(), each, waited, phases);
+        self.state = State::Idle(now);
+        Ok((frame, report))
+    }
+
+    fn reset(&mut self) -> Result<Counters, Error> {
+        self.hardware.reset(self.config.strict)?;
+        Ok(self.hardware.counters())
+    }
+
+    /// Checks that the hardware has room for a packet.
+    fn check(&self, number: usize, packet: &Polygon) -> Result<(), ParameterError> {
+        let (edges, most, size) = (packet.edges.len(), self.config.edges, self.config.size);
+        let bounds = packet.bounds;
+        let is_slope = |slope: i32| (-(1 << 16)..1 << 16).contains(&slope);
+        let problem = if !(3..=most as usize).contains(&edges) {
+            format!(
+                "it has {edges} edges, and the machine is built for 3 to {most}: build it with `edges` of that number"
+            )
+        } else if bounds.right.max(bounds.left) >= size.width() || bounds.bottom.max(bounds.top) >= size.height() {
+            format!("it reaches beyond the machine's {size} pixels: set it up for that size")
+        } else if !packet.edges.iter().all(|edge| is_slope(edge.a) && is_slope(edge.b)) {
+            "an edge is steeper than 17 bits: set it up from vertices of 16 bits".to_owned()
+        } else {
+            return Ok(());
+        };
+        Err(ParameterError(format!("packet {number} cannot be drawn: {problem}")))
+    }
+}

@@ -1,0 +1,83 @@
+//! A frame to render, on any machine.
+
+use crate::engine::{EngineArguments, tell_fallback};
+use crate::shell::output::Waveform;
+use crate::shell::{Failure, Progress, interrupt};
+use crate::trace::TraceOptions;
+use serde::Serialize;
+use std::fmt::Display;
+use tilewright_hdl::Bundle;
+use tilewright_machines::Watch;
+use tilewright_scenes::{Frame, Size};
+use tilewright_sim::{EngineKind, Simulation};
+
+/// What is drawn, and the machine that it is drawn by.
+pub trait Job {
+    /// What the machine says of a frame.
+    type Report: Serialize + Display;
+
+    /// The size of the frame.
+    fn size(&self) -> Size;
+
+    /// The software rasterizer's frame of the same packets.
+    ///
+    /// # Errors
+    /// Ctrl-C.
+    fn golden(&self) -> Result<Frame, Failure>;
+
+    /// Builds the machine and renders.
+    ///
+    /// # Errors
+    /// The machine cannot be built, or cannot render this; Ctrl-C; a waveform cannot be written.
+    fn render(&self, run: &Run) -> Result<(Frame, Self::Report), Failure>;
+}
+
+/// How a machine is run.
+pub struct Run<'a> {
+    pub engine: EngineArguments,
+    pub filters: &'a TraceOptions,
+    pub waveform: Option<&'a Waveform>,
+}
+
+impl Run<'_> {
+    /// What runs the hardware.
+    pub fn engine(&self) -> EngineKind {
+        self.engine.kind()
+    }
+
+    /// Attaches the waveform, if one is asked for, to a machine that has been put on its engine.
+    ///
+    /// # Errors
+    /// A filter matches nothing, or the waveform cannot be written.
+    pub fn attach<I: Bundle, O: Bundle>(&self, sim: &mut Simulation<I, O>) -> Result<(), Failure> {
+        tell_fallback(sim);
+        self.waveform.map_or(Ok(()), |waveform| self.filters.attach(waveform, sim).map(|_| ()))
+    }
+
+    /// Renders with a line of progress, which Ctrl-C breaks off; `picoseconds` is the simulated time of what came of it.
+    ///
+    /// # Errors
+    /// Those of the run.
+    pub fn watch<T>(
+        &self,
+        render: impl FnOnce(&mut Watch) -> Result<T, tilewright_machines::Error>,
+        picoseconds: impl FnOnce(&T) -> u64,
+    ) -> Result<T, Failure> {
+        let progress = Progress::new();
+        let mut show = |it: tilewright_machines::Progress| {
+            progress.show(it.phase, it.fraction);
+            // The machine looks at the flag itself, next.
+            interrupt::asked();
+        };
+        let mut watch = Watch { progress: Some(&mut show), cancel: Some(interrupt::flag()) };
+        let ended = render(&mut watch).map_err(Failure::from);
+        drop(progress);
+        if let Ok(done) = &ended {
+            self.filters.warn_if_empty(picoseconds(done));
+        }
+        if let Some(waveform) = self.waveform.filter(|_| Failure::leaves_a_waveform(&ended)) {
+            waveform.tell_written();
+        }
+        ended
+    }
+}

@@ -1,0 +1,136 @@
+//! `--machine quadtree`.
+
+use super::first_given;
+use super::job::{Job, Run};
+use crate::golden;
+use crate::number::number;
+use crate::scene::polygons;
+use crate::shell::Failure;
+use clap::{Args, ValueEnum};
+use tilewright_machines::quadtree::{Config, Machine, Queues, Report, TestUnit};
+use tilewright_rtl::quadtree::format::Matrix;
+use tilewright_scenes::golden::{render_strict_watched, render_watched};
+use tilewright_scenes::{Frame, Polygons, Scene, Size};
+
+/// Its options.
+#[derive(Args)]
+#[command(next_help_heading = "Options of --machine quadtree")]
+pub struct QuadtreeOptions {
+    /// Video processors side by side and one below the other, each 1, 2, 4, 8 or 16 [default: 4x4]
+    #[arg(long, value_name = "PxQ", value_parser = matrix)]
+    matrix: Option<(u32, u32)>,
+    /// What divides the windows: parts of `stack`, `pipe` and `tree`, each with its levels, as in stack:2+pipe:3+tree:1; one part may leave them out and has the rest [default: pipe]
+    #[arg(long, value_name = "FORM")]
+    form: Option<String>,
+    /// How the edges of a window are tested [default: parallel]
+    #[arg(long, value_enum, value_name = "TEST")]
+    test: Option<Test>,
+    /// Packets that the queue before the broadcast holds [default: 2]
+    #[arg(long, value_name = "N", value_parser = number(1..=Queues::MOST))]
+    broadcast_queue: Option<u32>,
+    /// Packets that the queue of each video processor holds [default: 4]
+    #[arg(long, value_name = "N", value_parser = number(1..=Queues::MOST))]
+    packet_queue: Option<u32>,
+    /// Windows that the queue before each unit of a pipe or tree holds [default: 2]
+    #[arg(long, value_name = "N", value_parser = number(1..=Queues::MOST))]
+    window_queue: Option<u32>,
+    /// Pixels by which windows are tested wider than their samples, even, 0 to 8 [default: 0]
+    #[arg(long, value_name = "PIXELS")]
+    aperture: Option<u32>,
+    /// Let depth alone decide, and of equal depths the first drawn stay, here and in the golden image
+    #[arg(long)]
+    strict: bool,
+}
+
+/// A way to test the edges of a window.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Test {
+    /// One after another, by one adder
+    Serial,
+    /// All at once, by an adder each
+    Parallel,
+}
+
+/// A matrix such as `4x4`.
+fn matrix(text: &str) -> Result<(u32, u32), String> {
+    let sides = text.split_once('x').and_then(|(p, q)| Some((p.parse().ok()?, q.parse().ok()?)));
+    let (p, q) = sides.ok_or("give the video processors side by side and one below the other, such as 4x4")?;
+    Matrix::new(p, q).map(|_| (p, q)).map_err(|error| error.to_string())
+}
+
+impl QuadtreeOptions {
+    /// One that is given, if any is.
+    pub fn given(&self) -> Option<&'static str> {
+        let QuadtreeOptions { matrix, form, test, broadcast_queue, packet_queue, window_queue, aperture, strict } =
+            self;
+        first_given([
+            ("--matrix", matrix.is_some()),
+            ("--form", form.is_some()),
+            ("--test", test.is_some()),
+            ("--broadcast-queue", broadcast_queue.is_some()),
+            ("--packet-queue", packet_queue.is_some()),
+            ("--window-queue", window_queue.is_some()),
+            ("--aperture", aperture.is_some()),
+            ("--strict", *strict),
+        ])
+    }
+
+    /// A scene for the machine.
+    ///
+    /// # Errors
+    /// The scene cannot be set up, or there is no such machine.
+    pub fn job(&self, scene: &Scene) -> Result<QuadtreeJob, Failure> {
+        let scene_polygons = polygons(scene)?;
+        let usual = Config::for_packets(scene_polygons.size, &scene_polygons.polygons);
+        let config = Config {
+            matrix: self.matrix.unwrap_or(usual.matrix),
+            form: self.form.clone().unwrap_or(usual.form),
+            test: self.test.map_or(usual.test, |test| match test {
+                Test::Serial => TestUnit::Serial,
+                Test::Parallel => TestUnit::Parallel,
+            }),
+            queues: Queues {
+                broadcast: self.broadcast_queue.unwrap_or(usual.queues.broadcast),
+                packets: self.packet_queue.unwrap_or(usual.queues.packets),
+                windows: self.window_queue.unwrap_or(usual.queues.windows),
+            },
+            aperture: self.aperture.unwrap_or(usual.aperture),
+            strict: self.strict,
+            ..usual
+        };
+        config.generator().map_err(tilewright_machines::Error::from)?;
+        Ok(QuadtreeJob { config, polygons: scene_polygons, background: scene.background })
+    }
+}
+
+/// A scene in polygons, and the machine for it.
+pub struct QuadtreeJob {
+    config: Config,
+    polygons: Polygons,
+    background: [u8; 3],
+}
+
+impl Job for QuadtreeJob {
+    type Report = Report;
+
+    fn size(&self) -> Size {
+        self.polygons.size
+    }
+
+    fn golden(&self) -> Result<Frame, Failure> {
+        let Polygons { size, polygons, .. } = &self.polygons;
+        golden::draw(|watch| match self.config.strict {
+            true => render_strict_watched(*size, polygons, self.background, watch),
+            false => render_watched(*size, polygons, self.background, watch),
+        })
+    }
+
+    fn render(&self, run: &Run) -> Result<(Frame, Report), Failure> {
+        let mut machine = Machine::new(self.config.clone())?.on(run.engine());
+        run.attach(machine.simulation())?;
+        run.watch(
+            |watch| machine.render(&self.polygons.polygons, self.background, watch),
+            |(_, report)| report.phases.iter().map(|phase| phase.picoseconds).sum(),
+        )
+    }
+}

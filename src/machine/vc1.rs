@@ -1,0 +1,89 @@
+//! `--machine vc1`.
+
+use super::first_given;
+use super::job::{Job, Run};
+use crate::golden;
+use crate::number::number;
+use crate::scene::triangles;
+use crate::shell::Failure;
+use clap::Args;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use tilewright_machines::vc1::{Config, Machine, Report};
+use tilewright_scenes::golden::render_watched;
+use tilewright_scenes::{Frame, MAX_SIDE, Projection, Scene, Size};
+
+/// Its options.
+#[derive(Args)]
+#[command(next_help_heading = "Options of --machine vc1")]
+pub struct Vc1Options {
+    /// Processing elements [default: 16]
+    #[arg(long, value_name = "N", value_parser = number(1..=Config::MAX_PROCESSORS))]
+    processors: Option<u32>,
+    /// The edge of a patch in pixels [default: 4]
+    #[arg(long, value_name = "EDGE",
+          value_parser = PossibleValuesParser::new(["4", "8", "16"]).map(|edge| edge.parse::<u32>().unwrap_or_default()))]
+    patch: Option<u32>,
+    /// Pages of image memory in each local frame buffer [default: those of 65536 pixels, or the whole screen]
+    #[arg(long, value_name = "N", value_parser = number(1..=MOST_PAGES))]
+    pages: Option<u32>,
+}
+
+/// The most pages that could be of use: the patches of the largest screen.
+const MOST_PAGES: u32 = (MAX_SIDE / 4) * (MAX_SIDE / 4);
+
+impl Vc1Options {
+    /// One that is given, if any is.
+    pub fn given(&self) -> Option<&'static str> {
+        let Vc1Options { processors, patch, pages } = self;
+        first_given([
+            ("--processors", processors.is_some()),
+            ("--patch", patch.is_some()),
+            ("--pages", pages.is_some()),
+        ])
+    }
+
+    /// A scene for the machine.
+    ///
+    /// # Errors
+    /// The scene cannot be set up.
+    pub fn job(&self, scene: &Scene) -> Result<Vc1Job, Failure> {
+        let projection = triangles(scene)?;
+        let usual = Config::new(projection.size);
+        let config = Config {
+            processors: self.processors.unwrap_or(usual.processors),
+            patch: self.patch.unwrap_or(usual.patch),
+            pages: self.pages,
+            ..usual
+        };
+        Ok(Vc1Job { config, projection, background: scene.background })
+    }
+}
+
+/// A scene in triangles, and the machine for it.
+pub struct Vc1Job {
+    config: Config,
+    projection: Projection,
+    background: [u8; 3],
+}
+
+impl Job for Vc1Job {
+    type Report = Report;
+
+    fn size(&self) -> Size {
+        self.projection.size
+    }
+
+    fn golden(&self) -> Result<Frame, Failure> {
+        let Projection { size, triangles, .. } = &self.projection;
+        golden::draw(|watch| render_watched(*size, triangles, self.background, watch))
+    }
+
+    fn render(&self, run: &Run) -> Result<(Frame, Report), Failure> {
+        let mut machine = Machine::new(self.config)?.on(run.engine());
+        run.attach(machine.simulation())?;
+        run.watch(
+            |watch| machine.render(&self.projection, self.background, watch),
+            |(_, report)| report.phases.iter().map(|phase| phase.picoseconds).sum(),
+        )
+    }
+}
