@@ -4,9 +4,10 @@ set -euo pipefail
 cd "$(dirname "$0")"
 
 # Each program with the Debian package that has it: Verilog simulators and linters, what they call in turn (Verilator a C++ compiler and
-# make, Yosys vcd2fst to read a VCD), and the C++ compiler for the fastest models. Without one the tests that need it say `skipped` and
-# its name; with CI set they fail.
-tools=(verilator:verilator iverilog:iverilog yosys:yosys clang:clang g++:g++ make:make vcd2fst:gtkwave python3:python3 pip3:python3-pip)
+# make, Yosys vcd2fst to read a VCD), the C++ compiler for the fastest models, and a browser to look at reports with. Without one the tests
+# that need it say `skipped` and its name; with CI set they fail.
+tools=(verilator:verilator iverilog:iverilog yosys:yosys clang:clang g++:g++ make:make vcd2fst:gtkwave python3:python3 pip3:python3-pip
+    chromium:chromium)
 as_root_on_debian() { command -v apt-get >/dev/null && [ "$(id -u)" = 0 ]; }
 
 missing=() packages=()

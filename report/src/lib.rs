@@ -1,0 +1,28 @@
+#![doc = include_str!("../README.md")]
+
+pub mod browser;
+mod chart;
+mod csv;
+mod heat_map;
+mod html;
+mod number;
+mod origin;
+mod page;
+mod picture;
+mod plot;
+mod problem;
+mod provenance;
+mod statement;
+mod table;
+mod verdict;
+
+pub use chart::{Axis, Chart, Series};
+pub use heat_map::HeatMap;
+pub use origin::Origin;
+pub use page::{File, Page, Part, Section};
+pub use picture::Picture;
+pub use problem::Problems;
+pub use provenance::Provenance;
+pub use statement::{Statement, Verdicts};
+pub use table::{Cell, Table};
+pub use verdict::{Difference, Point, Rule, Verdict};

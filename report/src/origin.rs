@@ -1,0 +1,100 @@
+//! Where a number comes from.
+
+use serde::Serialize;
+
+/// Where numbers come from. It stands beside each of them on a page, and decides their column in a CSV file and their mark in a chart,
+/// so that nothing that a formula gave can pass for a measurement. What is measured names its seeds.
+///
+/// ```
+/// use tilewright_report::Origin;
+///
+/// let origin = Origin::rtl([1, 2]);
+/// assert_eq!((origin.name(), origin.seeds(), origin.is_measured()), ("RTL", &[1, 2][..], true));
+/// assert!(!Origin::Formula.is_measured());
+/// ```
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(tag = "kind", rename_all = "lowercase")]
+pub enum Origin {
+    /// The paper's formula, evaluated here.
+    Formula,
+    /// Measured on a transaction-level model.
+    Model {
+        /// Seeds of the random inputs; none where nothing is random.
+        seeds: Vec<u64>,
+    },
+    /// Measured on the hardware, clock by clock.
+    Rtl {
+        /// Seeds of the random inputs; none where nothing is random.
+        seeds: Vec<u64>,
+    },
+    /// Read in the paper.
+    Paper,
+}
+
+impl Origin {
+    /// The origins' names, in the order of a CSV file's columns.
+    pub(crate) const NAMES: [&str; 4] = ["formula", "transaction model", "RTL", "paper"];
+
+    /// A measurement on a transaction-level model.
+    ///
+    /// ```
+    /// assert_eq!(tilewright_report::Origin::model([7]).name(), "transaction model");
+    /// ```
+    pub fn model(seeds: impl Into<Vec<u64>>) -> Origin {
+        Origin::Model { seeds: seeds.into() }
+    }
+
+    /// A measurement on the hardware.
+    ///
+    /// ```
+    /// assert!(tilewright_report::Origin::rtl([]).is_measured()); // of something that has no seed
+    /// ```
+    pub fn rtl(seeds: impl Into<Vec<u64>>) -> Origin {
+        Origin::Rtl { seeds: seeds.into() }
+    }
+
+    /// Its name on the page.
+    ///
+    /// ```
+    /// assert_eq!(tilewright_report::Origin::Formula.name(), "formula");
+    /// ```
+    pub fn name(&self) -> &'static str {
+        Origin::NAMES[self.column()]
+    }
+
+    /// Which of the columns is its own.
+    pub(crate) fn column(&self) -> usize {
+        match self {
+            Origin::Formula => 0,
+            Origin::Model { .. } => 1,
+            Origin::Rtl { .. } => 2,
+            Origin::Paper => 3,
+        }
+    }
+
+    /// The seeds of what was measured.
+    ///
+    /// ```
+    /// assert!(tilewright_report::Origin::Paper.seeds().is_empty());
+    /// ```
+    pub fn seeds(&self) -> &[u64] {
+        match self {
+            Origin::Paper | Origin::Formula => &[],
+            Origin::Model { seeds } | Origin::Rtl { seeds } => seeds,
+        }
+    }
+
+    /// The seeds as a CSV cell.
+    pub(crate) fn seeds_in_words(&self) -> String {
+        self.seeds().iter().map(u64::to_string).collect::<Vec<_>>().join(" ")
+    }
+
+    /// Whether a machine or a model of it ran for this.
+    ///
+    /// ```
+    /// assert!(tilewright_report::Origin::model([7]).is_measured());
+    /// ```
+    pub fn is_measured(&self) -> bool {
+        matches!(self, Origin::Model { .. } | Origin::Rtl { .. })
+    }
+}

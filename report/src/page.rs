@@ -1,0 +1,264 @@
+//! A report: sections made of parts, and the files it becomes.
+
+use crate::chart::Chart;
+use crate::heat_map::HeatMap;
+use crate::html;
+use crate::picture::Picture;
+use crate::problem::{Problems, problems};
+use crate::provenance::Provenance;
+use crate::statement::Verdicts;
+use crate::table::Table;
+use serde::Serialize;
+
+/// A report: a title, an introduction, sections, and where it comes from.
+///
+/// ```
+/// use tilewright_report::{Origin, Page, Provenance, Rule, Section, Statement, Verdicts};
+///
+/// let provenance = Provenance::new("tilewright", "0.1.0", "tilewright reproduce vc1 -o report/");
+/// let statement = Statement::new("VC1-TM", "T_m in merge clocks", Rule::Equals).paper([316_864.0]).found(Origin::rtl([]), [316_864.0]);
+/// let page = Page::new("The VC-1", provenance)
+///     .paragraph("What the paper says, and what its hardware does here.")
+///     .section(Section::new("Statements").part(Verdicts::new("statements", "Statements of the paper").state(statement)));
+///
+/// let names: Vec<String> = page.files().unwrap().into_iter().map(|file| file.name).collect();
+/// assert_eq!(names, ["index.html", "report.json", "statements.csv"]);
+/// assert_eq!(page.count(), [1, 0, 0]); // statements that hold, differ, cannot be compared
+/// ```
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Page {
+    pub(crate) title: String,
+    pub(crate) introduction: Vec<String>,
+    pub(crate) sections: Vec<Section>,
+    pub(crate) provenance: Provenance,
+}
+
+/// All of a report as JSON: how many statements hold, and so on; then the page.
+#[derive(Serialize)]
+struct Report<'a> {
+    holds: usize,
+    differs: usize,
+    cannot_be_compared: usize,
+    #[serde(flatten)]
+    page: &'a Page,
+}
+
+/// A part of a page with a title of its own.
+///
+/// ```
+/// use tilewright_report::{Section, Table};
+///
+/// let forms = Table::new("forms", "The three forms", ["form"]).row(["stack".into()]);
+/// assert_eq!(Section::new("Forms").paragraph("There are three.").part(forms).title, "Forms");
+/// ```
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Section {
+    /// Its title.
+    pub title: String,
+    pub(crate) parts: Vec<Part>,
+}
+
+/// What a section is made of. Each kind becomes one by `into()`.
+///
+/// ```
+/// use tilewright_report::{Part, Table};
+///
+/// let part: Part = Table::new("forms", "The three forms", ["form"]).into();
+/// assert!(matches!(part, Part::Table(_)));
+/// ```
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(tag = "kind", content = "part", rename_all = "kebab-case")]
+pub enum Part {
+    /// A paragraph.
+    Paragraph(String),
+    /// Statements of a paper with their verdicts.
+    Verdicts(Verdicts),
+    /// Curves and points.
+    Chart(Chart),
+    /// A picture.
+    Picture(Picture),
+    /// Numbers of a grid.
+    HeatMap(HeatMap),
+    /// A table.
+    Table(Table),
+}
+
+/// A file of a report.
+///
+/// ```
+/// use tilewright_report::{Page, Provenance};
+///
+/// let page = Page::new("Nothing yet", Provenance::new("tilewright", "0.1.0", "tilewright list"));
+/// let file = page.files().unwrap().remove(0);
+/// assert_eq!(file.name, "index.html");
+/// assert!(file.bytes.starts_with(b"<!DOCTYPE html>"));
+/// ```
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct File {
+    /// Its name, without a folder.
+    pub name: String,
+    /// What is in it.
+    pub bytes: Vec<u8>,
+}
+
+impl Page {
+    /// A page without sections.
+    ///
+    /// ```
+    /// use tilewright_report::{Page, Provenance};
+    ///
+    /// let page = Page::new("The VC-1", Provenance::new("tilewright", "0.1.0", "tilewright list"));
+    /// assert_eq!(page.files().unwrap().len(), 2); // the page, and all of it as JSON
+    /// ```
+    pub fn new(title: impl Into<String>, provenance: Provenance) -> Page {
+        Page { title: title.into(), introduction: Vec::new(), sections: Vec::new(), provenance }
+    }
+
+    /// Adds a paragraph to the introduction.
+    ///
+    /// ```
+    /// use tilewright_report::{Page, Provenance};
+    ///
+    /// let page = Page::new("The VC-1", Provenance::new("tilewright", "0.1.0", "tilewright list")).paragraph("Six 1 & 1/2.");
+    /// let html = String::from_utf8(page.files().unwrap().remove(0).bytes).unwrap();
+    /// assert!(html.contains("Six 1 &amp; 1/2."));
+    /// ```
+    pub fn paragraph(mut self, text: impl Into<String>) -> Page {
+        self.introduction.push(text.into());
+        self
+    }
+
+    /// Adds a section.
+    ///
+    /// ```
+    /// use tilewright_report::{Page, Provenance, Section};
+    ///
+    /// let page = Page::new("The VC-1", Provenance::new("tilewright", "0.1.0", "tilewright list"));
+    /// assert_eq!(page.section(Section::new("Statements")).count(), [0, 0, 0]);
+    /// ```
+    pub fn section(mut self, section: Section) -> Page {
+        self.sections.push(section);
+        self
+    }
+
+    /// How many of all statements hold, differ, and cannot be compared.
+    ///
+    /// ```
+    /// use tilewright_report::{Page, Provenance};
+    ///
+    /// assert_eq!(Page::new("None", Provenance::new("tilewright", "0.1.0", "tilewright list")).count(), [0, 0, 0]);
+    /// ```
+    pub fn count(&self) -> [usize; 3] {
+        let mut sum = [0; 3];
+        for part in self.parts() {
+            if let Part::Verdicts(verdicts) = part {
+                sum.iter_mut().zip(verdicts.count()).for_each(|(sum, count)| *sum += count);
+            }
+        }
+        sum
+    }
+
+    pub(crate) fn parts(&self) -> impl Iterator<Item = &Part> {
+        self.sections.iter().flat_map(|section| &section.parts)
+    }
+
+    /// The report as files: `index.html`, which needs none of the others; `report.json` with all numbers; and of each part its data as
+    /// `ID.csv` or its picture as `ID.png`. The same report gives the same bytes.
+    ///
+    /// # Errors
+    /// All that is wrong with its parts: names that are no file names or are there twice, rows of different lengths, pictures that
+    /// are not PNG.
+    ///
+    /// ```
+    /// use tilewright_report::{Page, Picture, Provenance, Section};
+    ///
+    /// let page = Page::new("A picture", Provenance::new("tilewright", "0.1.0", "tilewright list"))
+    ///     .section(Section::new("Frame").part(Picture::new("frame", "The frame", "a teapot", b"GIF89a".to_vec())));
+    /// let wrong = page.files().unwrap_err().to_string();
+    /// assert_eq!(wrong, "the picture `frame` is not a PNG file: give it the bytes of one");
+    /// ```
+    pub fn files(&self) -> Result<Vec<File>, Problems> {
+        problems(self)?;
+        let [holds, differs, cannot_be_compared] = self.count();
+        let all = Report { holds, differs, cannot_be_compared, page: self };
+        let json = serde_json::to_string_pretty(&all).expect("a page is numbers and texts");
+        let file = |name: &str, bytes: Vec<u8>| File { name: name.to_owned(), bytes };
+        let mut files = vec![
+            file("index.html", html::document(self).into_string().into_bytes()),
+            file("report.json", (json + "\n").into_bytes()),
+        ];
+        files.extend(self.parts().filter_map(Part::file));
+        Ok(files)
+    }
+}
+
+impl Section {
+    /// A section without parts.
+    ///
+    /// ```
+    /// assert_eq!(tilewright_report::Section::new("Statements").title, "Statements");
+    /// ```
+    pub fn new(title: impl Into<String>) -> Section {
+        Section { title: title.into(), parts: Vec::new() }
+    }
+
+    /// Adds a paragraph.
+    ///
+    /// ```
+    /// assert_eq!(tilewright_report::Section::new("Forms").paragraph("There are three.").title, "Forms");
+    /// ```
+    pub fn paragraph(self, text: impl Into<String>) -> Section {
+        self.part(Part::Paragraph(text.into()))
+    }
+
+    /// Adds a part.
+    ///
+    /// ```
+    /// use tilewright_report::{Section, Verdicts};
+    ///
+    /// assert_eq!(Section::new("Statements").part(Verdicts::new("statements", "Statements of the paper")).title, "Statements");
+    /// ```
+    pub fn part(mut self, part: impl Into<Part>) -> Section {
+        self.parts.push(part.into());
+        self
+    }
+}
+
+macro_rules! parts {
+    ($($kind:ident),*) => {
+        $(impl From<$kind> for Part {
+            fn from(part: $kind) -> Part {
+                Part::$kind(part)
+            }
+        })*
+    };
+}
+parts!(Verdicts, Chart, Picture, HeatMap, Table);
+
+impl Part {
+    /// What it is called in a problem, and its name in addresses and files.
+    pub(crate) fn name(&self) -> Option<(&'static str, &str)> {
+        match self {
+            Part::Paragraph(_) => None,
+            Part::Verdicts(verdicts) => Some(("table of verdicts", &verdicts.id)),
+            Part::Chart(chart) => Some(("chart", &chart.id)),
+            Part::Picture(picture) => Some(("picture", &picture.id)),
+            Part::HeatMap(map) => Some(("heat map", &map.id)),
+            Part::Table(table) => Some(("table", &table.id)),
+        }
+    }
+
+    /// Its data as a file.
+    pub(crate) fn file(&self) -> Option<File> {
+        let (_, id) = self.name()?;
+        let (kind, bytes) = match self {
+            Part::Paragraph(_) => return None,
+            Part::Verdicts(verdicts) => ("csv", verdicts.csv()),
+            Part::Chart(chart) => ("csv", chart.csv_text().into_bytes()),
+            Part::Picture(picture) => ("png", picture.png.clone()),
+            Part::HeatMap(map) => ("csv", map.csv_text().into_bytes()),
+            Part::Table(table) => ("csv", table.csv_text().into_bytes()),
+        };
+        Some(File { name: format!("{id}.{kind}"), bytes })
+    }
+}

@@ -1,0 +1,107 @@
+//! What a chart is painted with, and the marks of points.
+
+use super::svg::{Svg, TENTHS};
+use crate::origin::Origin;
+use plotters::element::{DynElement, IntoDynElement};
+use plotters::prelude::*;
+use plotters_backend::BackendColor;
+
+/// What something is painted with: a class of the style sheet.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Paint {
+    Axis,
+    Grid,
+    FineGrid,
+    /// A number along an axis.
+    Tick,
+    /// What an axis shows.
+    Label,
+    /// The line of a formula.
+    Curve,
+    /// A line that joins points for the eye.
+    Thread,
+    /// The name of a series, at the end of its curve.
+    Name,
+    /// A mark with what is behind it inside.
+    Hollow,
+    Filled,
+    Cross,
+}
+
+const CLASSES: [(Paint, &str); 11] = [
+    (Paint::Axis, "axis"),
+    (Paint::Grid, "grid"),
+    (Paint::FineGrid, "fine"),
+    (Paint::Tick, "tick"),
+    (Paint::Label, "label"),
+    (Paint::Curve, "curve"),
+    (Paint::Thread, "thread"),
+    (Paint::Name, "name"),
+    (Paint::Hollow, "hollow"),
+    (Paint::Filled, "filled"),
+    (Paint::Cross, "cross"),
+];
+
+/// How many looks (colour, dashes, shape) a series can have; one more looks as the first.
+pub const LOOKS: usize = 6;
+
+impl Paint {
+    /// `plotters` knows colours alone, so it is given the paint as one, with the number of a series' name.
+    pub fn colour(self, number: usize) -> RGBColor {
+        let index = CLASSES.iter().position(|(paint, _)| *paint == self).unwrap_or(0);
+        RGBColor(index as u8, (number % LOOKS) as u8, 0)
+    }
+
+    pub fn line(self, number: usize) -> ShapeStyle {
+        self.colour(number).stroke_width(1)
+    }
+
+    /// The size is for `plotters`, which leaves room for text.
+    pub fn text<'a>(self, number: usize) -> TextStyle<'a> {
+        ("sans-serif", 13 * TENTHS).with_color(self.colour(number)).into_text_style(&(0, 0))
+    }
+}
+
+/// The classes of what `plotters` gives as a colour: the paint's, and for series the look's.
+pub fn classes(colour: BackendColor) -> String {
+    let (index, look, _) = colour.rgb;
+    let (paint, class) = CLASSES[usize::from(index).min(CLASSES.len() - 1)];
+    match paint {
+        Paint::Axis | Paint::Grid | Paint::FineGrid | Paint::Tick | Paint::Label => class.to_owned(),
+        _ => format!("{class} look{look}"),
+    }
+}
+
+/// The mark of a point: by its shape the series' name, by its paint the origin. A formula's points have none.
+pub fn mark(number: usize, origin: &Origin, at: (f64, f64)) -> Vec<DynElement<'static, Svg, (f64, f64)>> {
+    let polygon = |paint: Paint| {
+        let shape = Polygon::new(outline(number), paint.colour(number));
+        vec![(EmptyElement::at(at) + shape).into_dyn()]
+    };
+    match origin {
+        Origin::Formula => vec![],
+        Origin::Model { .. } => polygon(Paint::Hollow),
+        Origin::Rtl { .. } => polygon(Paint::Filled),
+        Origin::Paper => CROSS
+            .map(|stroke| {
+                let stroke = PathElement::new(stroke.to_vec(), Paint::Cross.line(number));
+                (EmptyElement::at(at) + stroke).into_dyn()
+            })
+            .into(),
+    }
+}
+
+/// The strokes of a cross, in tenths around its centre.
+pub const CROSS: [[(i32, i32); 2]; 2] = [[(-45, -45), (45, 45)], [(-45, 45), (45, -45)]];
+
+/// The shape of a series' marks, in tenths around its centre: circle, square, triangle, diamond, triangle on its tip, pentagon.
+pub fn outline(number: usize) -> Vec<(i32, i32)> {
+    let (corners, radius, turn) =
+        [(20, 38.0, 0.0), (4, 46.0, 0.125), (3, 50.0, 0.0), (4, 50.0, 0.0), (3, 50.0, 0.5), (5, 46.0, 0.0)]
+            [number % LOOKS];
+    let corner = |index: i32| {
+        let angle = std::f64::consts::TAU * (f64::from(index) / f64::from(corners) + turn);
+        ((radius * angle.sin()).round() as i32, (-radius * angle.cos()).round() as i32)
+    };
+    (0..corners).map(corner).collect()
+}

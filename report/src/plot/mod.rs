@@ -1,0 +1,153 @@
+//! Draws charts. `plotters` lays them out, with axes and grid; here are its scales, marks, and the SVG that it draws into.
+
+mod label;
+mod legend;
+mod mark;
+mod scale;
+mod svg;
+
+pub use legend::legend;
+
+use crate::chart::{Chart, Series};
+use crate::origin::Origin;
+use label::Label;
+use mark::{Paint, mark};
+use maud::{Markup, PreEscaped, html};
+use plotters::chart::ChartContext;
+use plotters::coord::Shift;
+use plotters::prelude::*;
+use plotters::style::text_anchor::{HPos, Pos, VPos};
+use plotters_backend::DrawingErrorKind;
+use scale::Scale;
+use std::cell::RefCell;
+use std::convert::Infallible;
+use std::rc::Rc;
+use svg::{Svg, TENTHS};
+
+/// How large a chart is drawn, in CSS pixels. Text does not shrink with a picture, so there is one for narrow screens.
+#[derive(Debug, Clone, Copy)]
+pub struct Format {
+    class: &'static str,
+    width: u32,
+    height: u32,
+    /// About how many labels are along an axis.
+    labels: (usize, usize),
+}
+
+/// A chart as wide as the text.
+pub const WIDE: Format = Format { class: "wide", width: 720, height: 420, labels: (8, 10) };
+/// A chart for a telephone.
+pub const NARROW: Format = Format { class: "narrow", width: 350, height: 320, labels: (4, 6) };
+
+/// A chart as an SVG element of that format.
+pub fn svg(chart: &Chart, format: Format) -> Markup {
+    let elements = Rc::default();
+    let Ok(()) = drawn(chart, format, Rc::clone(&elements)).map_err(|error| match error {
+        DrawingAreaErrorKind::BackendError(DrawingErrorKind::DrawingError(never)) => never,
+        // A font or a locked picture is in no way involved.
+        other => unreachable!("{other}"),
+    });
+    html! {
+        svg.chart.(format.class) viewBox={ "0 0 " (format.width) " " (format.height) } role="img" aria-label=(chart.alt()) {
+            (PreEscaped(elements.take()))
+        }
+    }
+}
+
+/// What can be drawn of a series.
+struct Shown<'a> {
+    /// Of the series' name.
+    number: usize,
+    series: &'a Series,
+    points: Vec<(f64, f64)>,
+}
+
+/// The series of a chart with those of their points that have a place on its axes.
+fn shown(chart: &Chart) -> Vec<Shown<'_>> {
+    let names = chart.names();
+    let number = |series: &Series| names.iter().position(|name| *name == series.name).unwrap_or(0);
+    let drawable = |(x, y): &(f64, f64)| chart.x.shows(*x) && chart.y.shows(*y);
+    let points = |series: &Series| series.points.iter().copied().filter(drawable).collect();
+    chart.series.iter().map(|series| Shown { number: number(series), series, points: points(series) }).collect()
+}
+
+type Area = DrawingArea<Svg, Shift>;
+type Plot<'a> = ChartContext<'a, Svg, Cartesian2d<Scale, Scale>>;
+type Drawn = Result<(), DrawingAreaErrorKind<Infallible>>;
+
+fn drawn(chart: &Chart, format: Format, elements: Rc<RefCell<String>>) -> Drawn {
+    let shown = shown(chart);
+    let labels = label::labels(chart, &shown);
+    let root = Svg::new(elements, (format.width, format.height)).into_drawing_area();
+    let mut plot = axes(&root, chart, format, &shown, labels.iter().map(Label::width).max())?;
+    // Lines first, so that no mark is hidden by one.
+    for Shown { number, series, points } in &shown {
+        if let Some(paint) = line(chart, series) {
+            plot.draw_series(LineSeries::new(points.iter().copied(), paint.line(*number)))?;
+        }
+    }
+    for Shown { number, series, points } in &shown {
+        plot.draw_series(points.iter().flat_map(|point| mark(*number, &series.origin, *point)))?;
+    }
+    names(&root, &plot, &labels)?;
+    root.present()
+}
+
+/// The grid and the axes with their labels, that of the vertical one on top. `right` is the room for names at the ends of curves, in
+/// tenths.
+fn axes<'a>(
+    root: &'a Area,
+    chart: &Chart,
+    format: Format,
+    shown: &[Shown],
+    right: Option<i32>,
+) -> Result<Plot<'a>, DrawingAreaErrorKind<Infallible>> {
+    let all = || shown.iter().flat_map(|it| &it.points);
+    let x = Scale::around(all().map(|point| point.0), chart.x.logarithmic);
+    let y = Scale::around(all().map(|point| point.1), chart.y.logarithmic);
+    // Fine lines are those of 2 to 9 between two powers of ten.
+    let fine = |logarithmic| if logarithmic { 10 } else { 1 };
+    let mut plot = ChartBuilder::on(root)
+        .margin_top(26 * TENTHS)
+        .margin_right(right.unwrap_or(0).max(12 * TENTHS))
+        .x_label_area_size(44 * TENTHS)
+        .y_label_area_size(y.label_width(format.labels.1))
+        .build_cartesian_2d(x, y)?;
+    plot.configure_mesh()
+        .axis_style(Paint::Axis.line(0))
+        .bold_line_style(Paint::Grid.line(0))
+        .light_line_style(Paint::FineGrid.line(0))
+        .x_labels(format.labels.0)
+        .y_labels(format.labels.1)
+        .x_max_light_lines(fine(chart.x.logarithmic))
+        .y_max_light_lines(fine(chart.y.logarithmic))
+        .set_all_tick_mark_size(4 * TENTHS)
+        .label_style(Paint::Tick.text(0))
+        .axis_desc_style(Paint::Label.text(0))
+        .x_desc(chart.x.label.as_str())
+        .draw()?;
+    root.draw(&Text::new(chart.y.label.as_str(), (0, 4 * TENTHS), Paint::Label.text(0)))?;
+    Ok(plot)
+}
+
+/// The line through the points of a series, if it has one.
+fn line(chart: &Chart, series: &Series) -> Option<Paint> {
+    let has_curve = || chart.series.iter().any(|it| it.name == series.name && it.origin == Origin::Formula);
+    match series.origin {
+        Origin::Formula => Some(Paint::Curve),
+        // Without a curve of their own, points are joined for the eye.
+        Origin::Model { .. } | Origin::Rtl { .. } => (!has_curve()).then_some(Paint::Thread),
+        Origin::Paper => None,
+    }
+}
+
+/// Names beside the ends of their curves.
+fn names(root: &Area, plot: &Plot, labels: &[Label]) -> Drawn {
+    let ends: Vec<(i32, i32)> = labels.iter().map(|label| plot.backend_coord(&label.point)).collect();
+    let heights = label::apart(&ends.iter().map(|end| end.1).collect::<Vec<_>>());
+    for ((label, end), height) in labels.iter().zip(ends).zip(heights) {
+        let style = Paint::Name.text(label.number).pos(Pos::new(HPos::Left, VPos::Center));
+        root.draw(&Text::new(label.text, (end.0 + 8 * TENTHS, height), style))?;
+    }
+    Ok(())
+}
