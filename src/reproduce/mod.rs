@@ -5,7 +5,7 @@ mod quadtree;
 use crate::shell::output::{Folder, Output, write_all};
 use crate::shell::place::{is_standard_output, shown};
 use crate::shell::{Exit, Failure, Progress, interrupt, terminal};
-use clap::{Args, ValueEnum};
+use clap::{Args, ValueEnum, value_parser};
 use serde::Serialize;
 use std::path::PathBuf;
 use tilewright_machines::Watch;
@@ -16,6 +16,7 @@ use tilewright_report::Page;
 #[command(after_help = "\
 Examples:
   tilewright reproduce quadtree -o report/
+  tilewright reproduce quadtree -o report/ --polygons 100
   tilewright reproduce quadtree -o report/ --seed 7 --json
 
 The page, index.html, needs no other file and no network. Beside it is every figure as CSV, and all of it as report.json. The same
@@ -29,6 +30,9 @@ pub struct Reproduce {
     /// What the random polygons follow from
     #[arg(long, value_name = "NUMBER", default_value_t = 1)]
     seed: u64,
+    /// At most so many random polygons of each area: a quick look, with wider scatter
+    #[arg(long, value_name = "NUMBER", value_parser = value_parser!(u64).range(1..))]
+    polygons: Option<u64>,
     /// Print the report as JSON
     #[arg(long)]
     json: bool,
@@ -39,6 +43,14 @@ pub struct Reproduce {
 enum Paper {
     /// The sparse-raster quadtree generator
     Quadtree,
+}
+
+/// How much is measured, and of what.
+#[derive(Clone, Copy)]
+struct Effort {
+    seed: u64,
+    /// The most polygons of an area.
+    polygons: Option<u64>,
 }
 
 #[derive(Serialize)]
@@ -90,8 +102,9 @@ impl Reproduce {
             interrupt::asked();
         };
         let mut watch = Watch { progress: Some(&mut show), cancel: Some(interrupt::flag()) };
+        let effort = Effort { seed: self.seed, polygons: self.polygons };
         let page = match self.machine {
-            Paper::Quadtree => quadtree::page(self.seed, &mut watch)?,
+            Paper::Quadtree => quadtree::page(effort, &mut watch)?,
         };
         page.ok_or_else(|| Failure::new(interrupt::exit(), "interrupted while the machine was measured"))
     }

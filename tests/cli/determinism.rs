@@ -2,12 +2,13 @@
 
 use crate::harness::Folder;
 
-const LINES: [&str; 5] = [
+const LINES: [&str; 6] = [
     "render pyramid.obj --size 32x24 --processors 2 -o frame.png --vcd run.vcd --json",
     "golden ter1k --size 64x48 -o golden.png",
     "wave gfb-unit -o gfb.vcd --ascii",
     "verilog gfb-unit -o . --testbench",
     "list --json",
+    "reproduce quadtree -o . --polygons 3",
 ];
 
 #[test]

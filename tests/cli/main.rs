@@ -12,6 +12,7 @@ mod limits;
 mod output;
 mod places;
 mod render;
+mod reproduce;
 mod standard_output;
 mod terminal;
 mod verilog;

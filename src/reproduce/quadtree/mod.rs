@@ -3,25 +3,25 @@
 mod curves;
 mod statements;
 
+use super::Effort;
 use crate::shell::Failure;
 use tilewright_machines::quadtree::{Figures, Matrix, Point, Sample, Shape, Study};
 use tilewright_machines::{Error, Watch};
 use tilewright_report::{Page, Provenance, Section};
 
 /// Measures and makes the page; `None` if it was interrupted.
-pub fn page(seed: u64, watch: &mut Watch) -> Result<Option<Page>, Failure> {
-    let study = study(seed);
+pub fn page(effort: Effort, watch: &mut Watch) -> Result<Option<Page>, Failure> {
+    let (seed, study) = (effort.seed, study(effort));
     let Some(points) = study.run(watch).map_err(Error::from)? else { return Ok(None) };
     let counted = Counted { points, seed };
 
-    let provenance =
-        Provenance::new("tilewright", env!("CARGO_PKG_VERSION"), "tilewright reproduce quadtree -o report/")
-            .seeds([seed])
-            .parameter("screen", "1024x1024", "m = 10, as in the paper")
-            .parameter("matrices", "2ᵏ x 2ᵏ processors, k = 0 to 4", "as in the paper")
-            .parameter("aperture", "2x2 pixels", "as in the paper")
-            .parameter("polygons", "rectangles of 5:1 at random angles and places", "L = 1.514, as in the paper")
-            .parameter("coverage test", "an edge a clock: t_e = 4 clocks, k_p/k_e = 1", "as in the paper");
+    let provenance = Provenance::new("tilewright", env!("CARGO_PKG_VERSION"), command(effort))
+        .seeds([seed])
+        .parameter("screen", "1024x1024", "m = 10, as in the paper")
+        .parameter("matrices", "2ᵏ x 2ᵏ processors, k = 0 to 4", "as in the paper")
+        .parameter("aperture", "2x2 pixels", "as in the paper")
+        .parameter("polygons", "rectangles of 5:1 at random angles and places", "L = 1.514, as in the paper")
+        .parameter("coverage test", "an edge a clock: t_e = 4 clocks, k_p/k_e = 1", "as in the paper");
     let page = Page::new("A sparse-raster quadtree generator", provenance)
         .paragraph(
             "A matrix of p x q video processors draws a screen together: each has every p-th pixel of every q-th line, and finds those that a \
@@ -40,12 +40,20 @@ pub fn page(seed: u64, watch: &mut Watch) -> Result<Option<Page>, Failure> {
     Ok(Some(page))
 }
 
+/// What makes the same page.
+fn command(Effort { seed, polygons }: Effort) -> String {
+    let polygons = polygons.map_or(String::new(), |most| format!(" --polygons {most}"));
+    format!("tilewright reproduce quadtree -o report/ --seed {seed}{polygons}")
+}
+
 /// The paper's study, with the areas at which it says that something turns.
-fn study(seed: u64) -> Study {
+fn study(Effort { seed, polygons }: Effort) -> Study {
     let mut study = Study::paper(seed);
     let turning = [1.8, 23.3, 157.0].map(|area| Sample { area, polygons: 8_000 });
     study.samples.extend(turning);
     study.samples.sort_by(|a, b| a.area.total_cmp(&b.area));
+    let most = polygons.unwrap_or(u64::MAX);
+    study.samples.iter_mut().for_each(|sample| sample.polygons = sample.polygons.min(most));
     study
 }
 
