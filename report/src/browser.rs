@@ -16,8 +16,9 @@ const BROWSERS: [&str; 3] = ["chromium", "chromium-browser", "google-chrome"];
 /// The longest that a browser may take.
 const PATIENCE: Duration = Duration::from_secs(120);
 
-/// All that is wrong with a page, a sentence for each, at each of [`WIDTHS`], in the light and in the dark: what the browser's console says, a
-/// page wider than the window, pictures that are not loaded, a background that is not light or dark when it should be.
+/// All that is wrong with a page, a sentence for each, at each of [`WIDTHS`], in the light and in the dark: what the browser's
+/// console says, a page wider than the window, pictures that are not loaded, anything loaded from elsewhere, a background that is
+/// not light or dark when it should be.
 ///
 /// Without Chromium it says `skipped: chromium is not installed` and gives `None`.
 ///

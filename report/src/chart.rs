@@ -209,11 +209,15 @@ impl Chart {
     }
 
     pub(crate) fn html(&self) -> Markup {
-        let missing = self.not_drawn();
+        let not_drawn = match self.not_drawn() {
+            0 => None,
+            1 => Some("One point has no place on these axes, and is not drawn.".to_owned()),
+            several => Some(format!("{several} points have no place on these axes, and are not drawn.")),
+        };
         html! {
             (plot::svg(self, plot::WIDE)) (plot::svg(self, plot::NARROW))
             (plot::legend(self))
-            @if missing > 0 { p.missing { "Not drawn, for want of a place on these axes: " (missing) (if missing == 1 { " point." } else { " points." }) } }
+            @if let Some(not_drawn) = not_drawn { p.missing { (not_drawn) } }
             details {
                 summary { "Numbers" }
                 div.scroll tabindex="0" role="region" aria-label={ "Numbers of " (self.title) } { (self.table()) }
@@ -226,13 +230,23 @@ impl Chart {
             (0..4).filter(|column| self.series.iter().any(|series| series.origin.column() == *column)).collect();
         html! {
             table.data {
-                thead { tr { th scope="col" { "Series" } th.number scope="col" { (self.x.label) } @for column in &used { th.number scope="col" { (Origin::NAMES[*column]) } } } }
+                thead {
+                    tr {
+                        th scope="col" { "Series" }
+                        th.number scope="col" { (self.x.label) }
+                        @for column in &used { th.number scope="col" { (Origin::NAMES[*column]) } }
+                    }
+                }
                 tbody {
                     @for row in self.rows() {
                         tr {
                             th scope="row" { (row.name) }
                             td.number { (shown(row.x)) }
-                            @for column in &used { td.number { @if let Some((value, origin)) = row.values[*column] { span title=(in_full(origin)) { (shown(value)) } } } }
+                            @for value in used.iter().map(|column| row.values[*column]) {
+                                td.number {
+                                    @if let Some((value, origin)) = value { span title=(in_full(origin)) { (shown(value)) } }
+                                }
+                            }
                         }
                     }
                 }

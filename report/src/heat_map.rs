@@ -102,22 +102,31 @@ impl HeatMap {
         let is_written = columns <= 8 && rows <= 16;
         let longest = self.rows.iter().flatten().map(|value| shown(*value).chars().count()).max().unwrap_or(1);
         let size = (CELL as f64 * 0.9 / (0.6 * longest as f64)).min(13.0);
-        html! {
-            svg.heat.dense[columns > 32] viewBox={ "0 0 " (columns * CELL) " " (rows * CELL) } style={ "--columns:" (columns) ";font-size:" (format!("{size:.1}px")) } role="img" aria-label=(self.alt()) {
-                @for (y, row) in self.rows.iter().enumerate() {
-                    @for (x, value) in row.iter().enumerate() {
-                        @if value.is_finite() {
-                            g.high[share(*value) > 50.0] {
-                                rect x=(x * CELL) y=(y * CELL) width=(CELL) height=(CELL) style={ "--share:" (format!("{:.1}", share(*value))) "%" } {
-                                    title { "row " (y) ", column " (x) ": " (shown(*value)) " " (self.unit) }
-                                }
-                                @if is_written { text x=(x * CELL + CELL / 2) y=(y * CELL + CELL / 2) dy="0.35em" text-anchor="middle" { (shown(*value)) } }
-                            }
-                        }
+        let style = format!("--columns:{columns};font-size:{size:.1}px");
+        let cell = |y: usize, x: usize, value: f64| {
+            let (share, text) = (share(value), shown(value));
+            html! {
+                g.high[share > 50.0] {
+                    rect x=(x * CELL) y=(y * CELL) width=(CELL) height=(CELL) style={ "--share:" (format!("{share:.1}%")) } {
+                        title { "row " (y) ", column " (x) ": " (text) " " (self.unit) }
+                    }
+                    @if is_written {
+                        text x=(x * CELL + CELL / 2) y=(y * CELL + CELL / 2) dy="0.35em" text-anchor="middle" { (text) }
                     }
                 }
             }
-            p.scale { span { (shown(low)) } span.ramp aria-hidden="true" {} span { (shown(high)) " " (self.unit) } span.origin { (in_full(&self.origin)) } }
+        };
+        let (width, height) = (columns * CELL, rows * CELL);
+        html! {
+            svg.heat.dense[columns > 32] viewBox={ "0 0 " (width) " " (height) } style=(style) role="img" aria-label=(self.alt()) {
+                @for (y, row) in self.rows.iter().enumerate() {
+                    @for (x, value) in row.iter().enumerate().filter(|(_, value)| value.is_finite()) { (cell(y, x, *value)) }
+                }
+            }
+            p.scale {
+                span { (shown(low)) } span.ramp aria-hidden="true" {} span { (shown(high)) " " (self.unit) }
+                span.origin { (in_full(&self.origin)) }
+            }
         }
     }
 

@@ -34,12 +34,13 @@ pub fn document(page: &Page) -> Markup {
 /// How many statements hold, in words.
 fn summary(page: &Page) -> Markup {
     let [holds, differs, unknown] = page.count();
+    let verb = |count, one, several| if count == 1 { one } else { several };
     html! {
         @if holds + differs + unknown > 0 {
             ul.summary aria-label="Verdicts" {
-                @for (count, class, text) in [(holds, "holds", "hold"), (differs, "differs", "differ"), (unknown, "unknown", "cannot be compared")] {
-                    li.(class) { strong { (count) } " " (if count == 1 && text != "cannot be compared" { format!("{text}s") } else { text.to_owned() }) }
-                }
+                li.holds { strong { (holds) } " " (verb(holds, "holds", "hold")) }
+                li.differs { strong { (differs) } " " (verb(differs, "differs", "differ")) }
+                li.unknown { strong { (unknown) } " cannot be compared" }
             }
         }
     }

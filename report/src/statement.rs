@@ -156,15 +156,20 @@ impl Statement {
     }
 
     fn html(&self) -> Markup {
+        let verdict = self.verdict();
+        let named = match &verdict {
+            Verdict::Differs { at, .. } => at.as_slice(),
+            _ => &[],
+        };
         html! {
             tr role="row" {
                 th role="rowheader" scope="row" {
                     span.fact { (self.fact) } " " span.statement { (self.text) }
                     span.rule { "Rule: " (self.rule_in_words()) }
                 }
-                td role="cell" data-label="Reference" { (numbers(&self.reference, &self.unit)) }
-                td role="cell" data-label="Found here" { (numbers(&self.found, &self.unit)) }
-                td role="cell" data-label="Verdict" { (in_table(&self.verdict())) }
+                td role="cell" data-label="Reference" { (numbers(&self.reference, &self.unit, named)) }
+                td role="cell" data-label="Found here" { (numbers(&self.found, &self.unit, named)) }
+                td role="cell" data-label="Verdict" { (in_table(&verdict)) }
             }
         }
     }
@@ -218,32 +223,39 @@ impl Serialize for Statement {
 
 /// The verdict with its colour and its sign, of which it needs neither.
 fn in_table(verdict: &Verdict) -> Markup {
-    let (class, sign, words, before, more) = match verdict {
-        Verdict::Holds => ("holds", "✓", "holds".to_owned(), "", ""),
-        // Its number and unit stay on one line.
+    let (class, sign, words, more) = match verdict {
+        Verdict::Holds => ("holds", "✓", "holds".to_owned(), String::new()),
         Verdict::Differs { by, at } => {
-            ("differs", "≠", format!("differs {by}").replace(" %", "\u{a0}%"), "at ", at.as_str())
+            let place = match at.as_slice() {
+                [] => String::new(),
+                [only] => format!("at {only}"),
+                several => format!("from {}", several.join(" to ")),
+            };
+            // Its number and unit stay on one line.
+            ("differs", "≠", format!("differs {by}").replace(" %", "\u{a0}%"), place)
         }
-        Verdict::CannotBeCompared { why } => ("unknown", "–", "cannot be compared".to_owned(), "", why.as_str()),
+        Verdict::CannotBeCompared { why } => ("unknown", "–", "cannot be compared".to_owned(), why.clone()),
     };
     html! {
         div {
             span.verdict.(class) { span aria-hidden="true" { (sign) } " " (words) }
-            @if !more.is_empty() { span.detail { (before) (more) } }
+            @if !more.is_empty() { span.detail { (more) } }
         }
     }
 }
 
-/// How many numbers a cell of the table shows; the CSV file has all.
+/// How many numbers a cell of the table shows, besides those that a verdict names; the CSV file has all.
 const SHOWN: usize = 6;
 
-fn numbers(numbers: &Option<Numbers>, unit: &str) -> Markup {
+fn numbers(numbers: &Option<Numbers>, unit: &str, named: &[String]) -> Markup {
     let Some(Numbers { origin, points }) = numbers else { return html! { span { "–" } } };
-    let left = points.len().saturating_sub(SHOWN);
+    let is_shown = |(index, point): &(usize, &Point)| *index < SHOWN || named.contains(&point.at);
+    let shown_points: Vec<&Point> = points.iter().enumerate().filter(is_shown).map(|(_, point)| point).collect();
+    let left = points.len() - shown_points.len();
     html! {
         div {
             ul.numbers {
-                @for point in points.iter().take(SHOWN) {
+                @for point in shown_points {
                     li { @if !point.at.is_empty() { span.at { (point.at) } " " } span { (shown(point.value)) } }
                 }
             }

@@ -103,8 +103,8 @@ pub enum Verdict {
     Differs {
         /// How far the worst number is off.
         by: Difference,
-        /// Where that is; empty if there is one number.
-        at: String,
+        /// Where that is: one place, or for a rule of growth the two between which it is. None if there is one number.
+        at: Vec<String>,
     },
     /// There is nothing that the rule could be asked of.
     CannotBeCompared {
@@ -167,7 +167,7 @@ impl fmt::Display for Verdict {
         match self {
             Verdict::Holds => write!(f, "holds"),
             Verdict::Differs { by, at } if at.is_empty() => write!(f, "differs {by}"),
-            Verdict::Differs { by, at } => write!(f, "differs {by} ({at})"),
+            Verdict::Differs { by, at } => write!(f, "differs {by} ({})", at.join(" to ")),
             Verdict::CannotBeCompared { why } => write!(f, "cannot be compared: {why}"),
         }
     }
@@ -210,7 +210,7 @@ impl Rule {
     }
 
     /// What does not keep the rule, with its place.
-    fn distances(&self, reference: &[Point], found: &[Point]) -> Result<Vec<(Difference, String)>, String> {
+    fn distances(&self, reference: &[Point], found: &[Point]) -> Result<Vec<(Difference, Vec<String>)>, String> {
         let (reference, found) = (finite(reference)?, finite(found)?);
         let for_all = match reference {
             [] => return Err("there is nothing to compare with".to_owned()),
@@ -224,7 +224,8 @@ impl Rule {
         for Point { at, value } in found {
             let same = || reference.iter().find(|point| point.at == *at).map(|point| point.value);
             let wanted = for_all.or_else(same).ok_or_else(|| format!("there is nothing to compare with at {at}"))?;
-            differences.extend(self.distance(wanted, *value).map(|difference| (difference, at.clone())));
+            let place = || (!at.is_empty()).then(|| at.clone()).into_iter().collect();
+            differences.extend(self.distance(wanted, *value).map(|difference| (difference, place())));
         }
         Ok(differences)
     }
@@ -250,12 +251,13 @@ impl Rule {
 }
 
 /// The steps from number to number that are not as they should be.
-fn steps(found: &[Point], is_kept: fn(f64, f64) -> bool) -> Result<Vec<(Difference, String)>, String> {
+fn steps(found: &[Point], is_kept: fn(f64, f64) -> bool) -> Result<Vec<(Difference, Vec<String>)>, String> {
     if finite(found)?.len() < 2 {
         return Err("one number alone neither grows nor falls".to_owned());
     }
     let wrong = found.windows(2).filter(|pair| !is_kept(pair[0].value, pair[1].value));
-    Ok(wrong.map(|pair| (step(pair[0].value, pair[1].value), format!("{} to {}", pair[0].at, pair[1].at))).collect())
+    let places = |pair: &[Point]| pair.iter().map(|point| point.at.clone()).collect();
+    Ok(wrong.map(|pair| (step(pair[0].value, pair[1].value), places(pair))).collect())
 }
 
 fn step(before: f64, value: f64) -> Difference {

@@ -2,6 +2,7 @@
 
 mod sample;
 
+use std::process::Command;
 use tilewright_report::browser::complaints;
 
 #[test]
@@ -54,4 +55,25 @@ fn an_empty_page_is_seen() {
         "at 1280 pixels, light: the page is dark",
     ];
     assert_eq!(found, expected);
+}
+
+/// Runs one of these tests where no program is found: whether it passed, and what it said.
+fn without_programs(ci: Option<&str>) -> (bool, String) {
+    let mut test = Command::new(std::env::current_exe().unwrap());
+    test.args(["an_empty_page_is_seen", "--exact", "--nocapture"]).env("PATH", "").env_remove("CI");
+    let output = test.envs(ci.map(|value| ("CI", value))).output().unwrap();
+    let said = [output.stdout, output.stderr].concat();
+    (output.status.success(), String::from_utf8_lossy(&said).into_owned())
+}
+
+#[test]
+fn without_a_browser_the_checks_are_skipped() {
+    let (passed, said) = without_programs(None);
+    assert!(passed && said.contains("skipped: chromium is not installed"), "{said}");
+}
+
+#[test]
+fn without_a_browser_the_checks_fail_in_ci() {
+    let (passed, said) = without_programs(Some("1"));
+    assert!(!passed && said.contains("chromium is not installed, and CI is set"), "{said}");
 }

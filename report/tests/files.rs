@@ -121,6 +121,24 @@ fn texts<'a>(value: &'a Value, found: &mut Vec<&'a str>) {
     }
 }
 
+/// A cell of a table shows few of many numbers, but those that a verdict speaks of.
+#[test]
+fn the_number_that_differs_is_on_the_page() {
+    let curve = |wrong: f64| (0..40).map(move |x| (format!("x = {x}"), if x == 30 { wrong } else { 500.0 }));
+    let statement =
+        Statement::new("F1", "All are equal.", Rule::Equals).formula(curve(612.5)).found(Origin::rtl([]), curve(643.5));
+    let table = Verdicts::new("verdicts", "Statements").state(statement);
+    let page =
+        Page::new("Many", Provenance::new("program", "1.2.3", "program")).section(Section::new("One").part(table));
+    let files = page.files().unwrap();
+    let html = file(&files, "index.html");
+    assert!(
+        html.contains("and 33 more") && html.contains("612.5") && html.contains("643.5") && html.contains("at x = 30"),
+        "{html}"
+    );
+    assert!(!html.contains("x = 31"));
+}
+
 #[test]
 fn the_page_loads_nothing() {
     let files = sample::page().files().unwrap();
