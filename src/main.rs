@@ -11,6 +11,7 @@ mod machine;
 mod number;
 mod player;
 mod render;
+mod reproduce;
 mod save_file;
 mod scene;
 mod shell;
@@ -60,6 +61,7 @@ enum Command {
     Golden(golden::Golden),
     Wave(wave::Wave),
     Verilog(verilog::Verilog),
+    Reproduce(reproduce::Reproduce),
     Bench(bench::Bench),
     Explain(explain::Explain),
     List(list::List),
@@ -73,6 +75,7 @@ impl Command {
             Command::Golden(it) => it.run(),
             Command::Wave(it) => it.run(),
             Command::Verilog(it) => it.run(),
+            Command::Reproduce(it) => it.run(),
             Command::Bench(it) => it.run(),
             Command::Explain(it) => it.run(),
             Command::List(it) => it.run(),

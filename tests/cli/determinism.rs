@@ -9,6 +9,7 @@ const LINES: [&str; 6] = [
     "wave gfb-unit -o gfb.vcd --ascii",
     "verilog gfb-unit -o . --testbench",
     "list --json",
+    "reproduce quadtree -o . --polygons 3",
 ];
 
 #[test]

@@ -13,6 +13,7 @@ mod output;
 mod places;
 mod quadtree;
 mod render;
+mod reproduce;
 mod standard_output;
 mod terminal;
 mod verilog;

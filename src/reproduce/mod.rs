@@ -1,0 +1,111 @@
+//! `tilewright reproduce`: the tables and figures of a paper, beside what was measured here.
+
+mod quadtree;
+
+use crate::shell::output::{Folder, Output, write_all};
+use crate::shell::place::{is_standard_output, shown};
+use crate::shell::{Exit, Failure, Progress, interrupt, terminal};
+use clap::{Args, ValueEnum, value_parser};
+use serde::Serialize;
+use std::path::PathBuf;
+use tilewright_machines::Watch;
+use tilewright_report::Page;
+
+/// Measures what a paper says of its machine, and writes a page with its figures, statements and verdicts
+#[derive(Args)]
+#[command(after_help = "\
+Examples:
+  tilewright reproduce quadtree -o report/
+  tilewright reproduce quadtree -o report/ --polygons 100
+  tilewright reproduce quadtree -o report/ --seed 7 --json
+
+The page, index.html, needs no other file and no network. Beside it is every figure as CSV, and all of it as report.json. The same
+command writes the same bytes each time.")]
+pub struct Reproduce {
+    /// Whose paper
+    machine: Paper,
+    /// The folder for the report, which is made if it is not there; all files are written, or none
+    #[arg(short, long, value_name = "FOLDER")]
+    output: PathBuf,
+    /// What the random polygons follow from
+    #[arg(long, value_name = "NUMBER", default_value_t = 1)]
+    seed: u64,
+    /// At most so many random polygons of each area: a quick look, with wider scatter
+    #[arg(long, value_name = "NUMBER", value_parser = value_parser!(u64).range(1..))]
+    polygons: Option<u64>,
+    /// Print the report as JSON
+    #[arg(long)]
+    json: bool,
+}
+
+/// The papers that can be reproduced.
+#[derive(Clone, Copy, ValueEnum)]
+enum Paper {
+    /// The sparse-raster quadtree generator
+    Quadtree,
+}
+
+/// How much is measured, and of what.
+#[derive(Clone, Copy)]
+struct Effort {
+    seed: u64,
+    /// The most polygons of an area.
+    polygons: Option<u64>,
+}
+
+#[derive(Serialize)]
+struct Report {
+    format: u32,
+    /// Statements of the paper that hold, differ, and cannot be compared.
+    holds: usize,
+    differs: usize,
+    cannot_be_compared: usize,
+    files: Vec<String>,
+}
+
+impl Reproduce {
+    /// Measures, and writes the page and its data.
+    pub fn run(self) -> Result<Exit, Failure> {
+        if is_standard_output(&self.output) {
+            let sentence = "-o -: standard output takes one file, and this writes several: name a folder";
+            return Err(Failure::new(Exit::BadInput, sentence));
+        }
+        let folder = Folder::make(&self.output)?;
+        let page = self.page()?;
+        let files = page.files().expect("the parts of the page have names of their own");
+        let outputs: Result<Vec<Output>, _> =
+            files.iter().map(|file| Output::at(&self.output.join(&file.name))).collect();
+        write_all(outputs?.into_iter().zip(files.iter().map(|file| file.bytes.as_slice())))?;
+        folder.keep();
+
+        let [holds, differs, cannot_be_compared] = page.count();
+        match self.json {
+            true => terminal::print_json(&Report {
+                format: 1,
+                holds,
+                differs,
+                cannot_be_compared,
+                files: files.iter().map(|file| shown(&self.output.join(&file.name))).collect(),
+            })?,
+            false => terminal::report(&format!(
+                "{holds} statements of the paper hold, {differs} differ, {cannot_be_compared} cannot be compared\n"
+            ))?,
+        }
+        Ok(Exit::Done)
+    }
+
+    fn page(&self) -> Result<Page, Failure> {
+        let progress = Progress::new();
+        let mut show = |it: tilewright_machines::Progress| {
+            progress.show(it.phase, it.fraction);
+            // The measurement looks at the flag itself, next.
+            interrupt::asked();
+        };
+        let mut watch = Watch { progress: Some(&mut show), cancel: Some(interrupt::flag()) };
+        let effort = Effort { seed: self.seed, polygons: self.polygons };
+        let page = match self.machine {
+            Paper::Quadtree => quadtree::page(effort, &mut watch)?,
+        };
+        page.ok_or_else(|| Failure::new(interrupt::exit(), "interrupted while the machine was measured"))
+    }
+}

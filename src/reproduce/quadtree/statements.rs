@@ -1,0 +1,283 @@
+//! What the paper states of its machine, each with the rule by which it is judged.
+
+use super::{Counted, by_formula, matrix, shape};
+use tilewright_machines::quadtree::{Figures, Point, full_tree};
+use tilewright_report::{Origin, Rule, Statement, Verdicts};
+
+/// All statements, in the order of the paper.
+pub fn verdicts(counted: &Counted) -> Verdicts {
+    let table = Verdicts::new("statements", "Statements of the paper, each by the rule beneath it");
+    let statements = [windows(counted), sizes(), stacks(counted), pipelines(counted)];
+    statements.into_iter().flatten().fold(table, Verdicts::state)
+}
+
+/// The areas at which a processor of the matrix has one window of the last level, as the paper prints them.
+const TURNING: [f64; 3] = [1.8, 23.3, 157.0];
+/// The matrices that the paper draws.
+const SIZES: [u32; 4] = [1, 2, 3, 4];
+
+fn at_k(k: u32) -> String {
+    format!("k = {k}")
+}
+
+fn with(what: &str) -> String {
+    what.to_owned()
+}
+
+impl Counted {
+    fn origin(&self) -> Origin {
+        Origin::model([self.seed])
+    }
+
+    /// A figure's quantity at an area, for each matrix.
+    fn by_matrix(&self, area: f64, of: fn(&Figures) -> f64) -> impl Iterator<Item = (String, f64)> {
+        SIZES.map(|k| (at_k(k), of(&self.at(k, area).figures))).into_iter()
+    }
+
+    /// A figure's quantity of a matrix, for each area.
+    fn by_area(&self, k: u32, of: fn(&Figures) -> f64) -> impl Iterator<Item = (String, f64)> {
+        self.of(k).map(move |point| (format!("S = {}", point.sample.area), of(&point.figures)))
+    }
+}
+
+/// The windows of the levels of a point.
+fn by_level(point: &Point) -> impl Iterator<Item = (String, f64)> {
+    (1..=point.matrix.levels).map(|level| (format!("level {level}"), point.windows[level as usize].mean))
+}
+
+/// Equations 1 to 4, and figure 3.
+fn windows(counted: &Counted) -> Vec<Statement> {
+    let everywhere = |of: fn(&Point, usize) -> f64| {
+        SIZES.into_iter().flat_map(move |k| {
+            counted.of(k).flat_map(move |point| {
+                let place = move |level: u32| format!("k = {k}, S = {}, level {level}", point.sample.area);
+                (1..=point.matrix.levels).map(move |level| (place(level), of(point, level as usize)))
+            })
+        })
+    };
+    let turning = |k: u32| matrix(k).turning_area(shape(1.0).form).expect("there is such an area from k = 1 on");
+    let mut statements = vec![
+        Statement::new(
+            "MPG-EQ1",
+            "On each level there are no more windows than the area of the filtered polygon, on the mean.",
+            Rule::AtMost,
+        )
+        .unit("windows")
+        .formula(everywhere(|point, level| point.bounds[level]))
+        .found(counted.origin(), everywhere(|point, level| point.windows[level].mean)),
+        Statement::new(
+            "MPG-EQ4",
+            "At an area S_k there is one window of the last level.",
+            Rule::Within { percent: 1.0 },
+        )
+        .unit("pixels")
+        .paper([2, 3, 4].map(at_k).into_iter().zip(TURNING))
+        .found(Origin::Formula, [2, 3, 4].map(|k| (at_k(k), turning(k)))),
+        Statement::new("MPG-EQ4", "At S_k one window of the last level is counted.", Rule::Within { percent: 8.0 })
+            .unit("windows")
+            .paper([1.0])
+            .found(
+                counted.origin(),
+                [2, 3, 4].into_iter().zip(TURNING).map(|(k, area)| {
+                    let point = counted.at(k, area);
+                    (at_k(k), point.windows[point.matrix.levels as usize].mean)
+                }),
+            ),
+        Statement::new(
+            "MPG-F3A",
+            "For k = 1 there is at least one window of every level, whatever the area.",
+            Rule::AtLeast,
+        )
+        .unit("windows")
+        .paper([1.0])
+        .found(
+            counted.origin(),
+            counted.of(1).flat_map(|point| {
+                by_level(point).map(|(level, windows)| (format!("S = {}, {level}", point.sample.area), windows))
+            }),
+        ),
+    ];
+    statements.extend([1.0, 100.0, 1e5].map(|area| {
+        let text = format!("For k = 1 no level has fewer windows than the one before: S = {area}.");
+        Statement::new("MPG-F3A", text, Rule::NeverDecreases { with: with("the level") })
+            .unit("windows")
+            .found(counted.origin(), by_level(counted.at(1, area)))
+    }));
+    statements.extend([(3, 2.0), (4, 10.0)].map(|(k, area)| {
+        let text = format!(
+            "For k > 1 and areas far below S_k each level has fewer windows than the one before: k = {k}, S = {area}."
+        );
+        Statement::new("MPG-F3B", text, Rule::Decreases { with: with("the level") })
+            .unit("windows")
+            .found(counted.origin(), by_level(counted.at(k, area)))
+    }));
+    statements
+}
+
+/// Figure 4.
+fn sizes() -> Vec<Statement> {
+    let size = |k: u32, level: u32| {
+        let (window, spacing) = (matrix(k).window(level).0, matrix(k).spacing(level).0);
+        f64::from(window) / f64::from(spacing)
+    };
+    let of =
+        |k: u32| (1..=matrix(k).levels).rev().map(move |level| (format!("k = {k}, level {level}"), size(k, level)));
+    vec![
+        Statement::new("MPG-EQ2", "Relative window sizes are those of equation 2.", Rule::Equals)
+            .formula(SIZES.into_iter().flat_map(|k| {
+                (1..=matrix(k).levels)
+                    .rev()
+                    .map(move |level| (format!("k = {k}, level {level}"), matrix(k).relative_window(level).0))
+            }))
+            .found(Origin::model([]), SIZES.into_iter().flat_map(of)),
+        Statement::new("MPG-F4", "For k > 1 windows are smaller than their spacing.", Rule::AtMost)
+            .paper([1.0])
+            .found(Origin::model([]), [2, 3, 4].into_iter().flat_map(of)),
+        Statement::new(
+            "MPG-F4",
+            "They come nearer to it from the last level to the first: k = 4.",
+            Rule::Increases { with: with("the spacing") },
+        )
+        .found(Origin::model([]), of(4)),
+    ]
+}
+
+/// Figure 5.
+fn stacks(counted: &Counted) -> Vec<Statement> {
+    let origin = || counted.origin();
+    let mut statements = vec![
+        Statement::new(
+            "MPG-F5A",
+            "A matrix of stacks is the faster, the larger it is: S = 1.",
+            Rule::Increases { with: with("k") },
+        )
+        .found(origin(), counted.by_matrix(1.0, |it| it.p_s)),
+        Statement::new(
+            "MPG-F5A",
+            "It is the faster, the smaller the polygons are: k = 4.",
+            Rule::NeverIncreases { with: with("S") },
+        )
+        .found(origin(), counted.by_area(4, |it| it.p_s)),
+        Statement::new(
+            "MPG-F5B",
+            "Its efficiency falls with the size of the matrix: S = 100.",
+            Rule::Decreases { with: with("k") },
+        )
+        .found(origin(), counted.by_matrix(100.0, |it| it.q_a)),
+        Statement::new(
+            "MPG-F5B",
+            "Its efficiency falls with the area: k = 4.",
+            Rule::NeverDecreases { with: with("S") },
+        )
+        .found(origin(), counted.by_area(4, |it| it.q_a)),
+    ];
+    statements.push(
+        Statement::new(
+            "MPG-EQ5",
+            "The clocks counted are those of equation 5 and the paper's windows: Q_a at S = 100.",
+            Rule::Within { percent: 5.0 },
+        )
+        .formula(SIZES.map(|k| (at_k(k), by_formula(k, 100.0).q_a)))
+        .found(origin(), counted.by_matrix(100.0, |it| it.q_a)),
+    );
+    statements
+}
+
+/// Figure 6.
+fn pipelines(counted: &Counted) -> Vec<Statement> {
+    let origin = || counted.origin();
+    let growth = |area: f64| {
+        let mono = counted.at(0, area).figures.p_p;
+        SIZES.map(move |k| (at_k(k), counted.at(k, area).figures.p_p / mono))
+    };
+    let proportional = || SIZES.map(|k| (at_k(k), 4_f64.powi(k as i32)));
+    let whole_tree = |k: u32| full_tree(10) as f64 / (matrix(k).levels as f64 * matrix(k).processors() as f64);
+    vec![
+        Statement::new(
+            "MPG-F6A",
+            "For large polygons performance grows with the number of processors: S = 100 000.",
+            Rule::Within { percent: 10.0 },
+        )
+        .unit("times one processor")
+        .paper(proportional())
+        .found(origin(), growth(1e5)),
+        Statement::new("MPG-F6A", "At S = 1000 it still grows almost in proportion.", Rule::Within { percent: 10.0 })
+            .unit("times one processor")
+            .paper(proportional())
+            .found(origin(), growth(1e3)),
+        Statement::new(
+            "MPG-CAP",
+            "For small polygons it is P_max, one polygon in five tests: S = 1.",
+            Rule::Within { percent: 2.0 },
+        )
+        .unit("P_max")
+        .paper([1.0])
+        .found(origin(), [3, 4].map(|k| (at_k(k), counted.at(k, 1.0).figures.p_p))),
+        Statement::new(
+            "MPG-3Z",
+            "For small polygons the first stage limits a pipeline, for large ones the last: k = 4.",
+            Rule::Equals,
+        )
+        .unit("level")
+        .paper([("S = 1", 1.0), ("S = 100000", 6.0)])
+        .found(
+            origin(),
+            [1.0, 1e5].map(|area| {
+                let slowest = counted.at(4, area).stages.slowest().map_or(0, |(level, _)| level);
+                (format!("S = {area}"), f64::from(slowest))
+            }),
+        ),
+        Statement::new(
+            "MPG-F6B",
+            "Near S_k the load of the pipelines is greatest, and almost 100 %: at S_k.",
+            Rule::Within { percent: 5.0 },
+        )
+        .paper([1.0])
+        .found(
+            origin(),
+            [2, 3, 4].into_iter().zip(TURNING).map(|(k, area)| (at_k(k), counted.at(k, area).figures.r_p)),
+        ),
+        Statement::new(
+            "MPG-F6B",
+            "Near S_k the load is almost 100 %: greatest load of all areas.",
+            Rule::Within { percent: 5.0 },
+        )
+        .paper([1.0])
+        .found(
+            origin(),
+            [2, 3, 4].map(|k| (at_k(k), counted.by_area(k, |it| it.r_p).map(|(_, load)| load).fold(0.0, f64::max))),
+        ),
+        Statement::new("MPG-F6B", "The load grows with the matrix: S = 200.", Rule::Increases { with: with("k") })
+            .found(origin(), counted.by_matrix(200.0, |it| it.r_p)),
+        Statement::new("MPG-F6B", "The load grows with the matrix: S = 1.", Rule::Increases { with: with("k") })
+            .found(origin(), counted.by_matrix(1.0, |it| it.r_p)),
+        Statement::new(
+            "MPG-F6B",
+            "The load of a matrix is above that of one processor, for all areas: k = 4.",
+            Rule::AtLeast,
+        )
+        .unit("times one processor’s")
+        .paper([1.0])
+        .found(
+            origin(),
+            counted.of(4).map(|point| {
+                let area = point.sample.area;
+                (format!("S = {area}"), point.figures.r_p / counted.at(0, area).figures.r_p)
+            }),
+        ),
+        Statement::new("MPG-QP", "Pipelines are less efficient than stacks: k = 4.", Rule::AtMost)
+            .unit("times the stacks’")
+            .paper([1.0])
+            .found(origin(), counted.by_area(4, |it| it.q_p / it.q_a)),
+        Statement::new(
+            "MPG-TREE",
+            "A full quadtree has the same greatest performance with some thousand times as many units.",
+            Rule::WithinFactor { factor: 2.0 },
+        )
+        .unit("times the units")
+        .paper([1000.0])
+        .found(Origin::Formula, [(at_k(4), whole_tree(4))]),
+        Statement::new("MPG-TREE", "That is so for areas from 1 to some bound.", Rule::AtMost)
+            .cannot_be_compared("the bound is illegible in the print; S_k is the likeliest reading"),
+    ]
+}
