@@ -11,7 +11,10 @@
 //! registers or distributed memory, 2 in a block RAM, whose read takes one. No path within a clock from any port to another.
 
 use crate::ports::{StreamIn, StreamOut, state_that_it_stays};
-use tilewright_hdl::{Module, ReadUnderWrite, Reg, bit, bits, block, mux, net, stream, up_to};
+use tilewright_hdl::{Module, ReadUnderWrite, Reg, Signal, Stream, Taken, bit, bits, block, mux, net, stream, up_to};
+
+/// So many words in registers move on when one is taken; more are kept where they came in, as a choice among them is less than moving all.
+const MOST_SHIFTED: u32 = 2;
 
 /// What the words of a [`Fifo`] are kept in.
 ///
@@ -27,7 +30,7 @@ use tilewright_hdl::{Module, ReadUnderWrite, Reg, bit, bits, block, mux, net, st
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Storage {
-    /// Registers, or the distributed memory of an FPGA: read in the same clock.
+    /// Registers if there are one or two, else the distributed memory of an FPGA: read in the same clock.
     Registers,
     /// A block RAM, which is read at an edge.
     BlockRam,
@@ -90,17 +93,43 @@ impl Fifo {
     }
 
     fn build(&self, m: Module, i: StreamIn) -> StreamOut {
+        let used = m.reg("used", up_to(self.depth)).reset(0);
+        let into = i.into.take_when(used.ne(self.depth));
+        let (out, sent) = match self.storage {
+            Storage::Registers if self.depth <= MOST_SHIFTED => self.shifted(m, used, &into),
+            _ => self.addressed(m, used, &into),
+        };
+        used.when(into.taken & !sent, used + 1).when(sent & !into.taken, used - 1);
+        m.assert(used.le(self.depth), "no more is held than there is room for");
+        state_that_it_stays(m, &out);
+        m.cover("it is full", m.rose(used.eq(self.depth)));
+        m.cover("it is emptied", m.rose(used.eq(0)));
+        StreamOut { out }
+    }
+
+    /// The words in registers, the oldest in the first: each moves on when that is taken. What is shown needs no choice.
+    fn shifted(&self, m: Module, used: Reg, into: &Taken<Signal>) -> (Stream, Signal) {
+        let words: Vec<Reg> = (0..self.depth).map(|place| m.reg(&format!("word{place}"), self.width)).collect();
+        let (out, sent) = m.offer(used.ne(0), *words[0]);
+        for (place, word) in (0..self.depth).zip(&words) {
+            let arrives = into.taken & mux(sent, used.eq(place + 1), used.eq(place));
+            let word = word.when(arrives, **into);
+            if let Some(behind) = words.get(place as usize + 1) {
+                word.when(sent, *behind);
+            }
+        }
+        (out, sent)
+    }
+
+    /// The words in a memory, each where it came in.
+    fn addressed(&self, m: Module, used: Reg, into: &Taken<Signal>) -> (Stream, Signal) {
         let words = m.memory("words", self.depth, self.width, ReadUnderWrite::Any);
         let address = words.address_width();
-        let used = m.reg("used", up_to(self.depth)).reset(0);
         let free = m.reg("free", address).reset(0);
         let oldest = m.reg("oldest", address).reset(0);
         let after = |pointer: Reg| mux(pointer.eq(self.depth - 1), 0, pointer + 1);
-
-        let into = i.into.take_when(used.ne(self.depth));
-        words.write(into.taken, free, *into);
+        words.write(into.taken, free, **into);
         free.when(into.taken, after(free));
-
         let (out, sent) = match self.storage {
             Storage::Registers => m.offer(used.ne(0), words.read_async(oldest)),
             Storage::BlockRam => {
@@ -113,11 +142,6 @@ impl Fifo {
             }
         };
         oldest.when(sent, after(oldest));
-        used.when(into.taken & !sent, used + 1).when(sent & !into.taken, used - 1);
-        m.assert(used.le(self.depth), "no more is held than there is room for");
-        state_that_it_stays(m, &out);
-        m.cover("it is full", m.rose(used.eq(self.depth)));
-        m.cover("it is emptied", m.rose(used.eq(0)));
-        StreamOut { out }
+        (out, sent)
     }
 }

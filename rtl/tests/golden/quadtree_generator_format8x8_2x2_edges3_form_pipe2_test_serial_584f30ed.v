@@ -344,12 +344,12 @@ module quadtree_generator_format8x8_2x2_edges3_form_pipe2_test_serial_584f30ed (
         end
     end
 
+`ifndef SYNTHESIS
 `ifdef FORMAL
     always @(posedge clk) begin
         if (!rst) assume (!swap | (idle & !showing));                // rtl/src/quadtree/generator.rs:138
     end
 `else
-`ifndef SYNTHESIS
     always @(posedge clk) begin
         if (!rst && !(!swap | (idle & !showing))) begin              // rtl/src/quadtree/generator.rs:138
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the banks are swapped when nothing is drawn or read", $time);

@@ -74,8 +74,6 @@ module stack_format8x8_2x2_edges3_test_serial_from2_levels2 (
 );
 
     reg [1:0] used;                                              // rtl/src/quadtree/stack.rs:63
-    reg past;                                                    // rtl/src/quadtree/stack.rs:77
-    reg has_past;                                                // rtl/src/quadtree/stack.rs:77
 
     (* no_rw_check *)
     reg [313:0] windows [0:2];                                   // rtl/src/quadtree/stack.rs:62
@@ -269,6 +267,16 @@ module stack_format8x8_2x2_edges3_test_serial_from2_levels2 (
         end
     end
 
+    always @(posedge clk) begin
+        if (rst) used <= 2'd0;
+        else if (pushes) used <= used + 2'd1;
+        else if (pops) used <= used - 2'd1;
+    end
+
+`ifndef SYNTHESIS
+    reg past;                                                    // rtl/src/quadtree/stack.rs:77
+    reg has_past;                                                // rtl/src/quadtree/stack.rs:77
+
     initial has_past = 1'b0;
 
     always @(posedge clk) begin
@@ -276,14 +284,8 @@ module stack_format8x8_2x2_edges3_test_serial_from2_levels2 (
     end
 
     always @(posedge clk) begin
-        if (rst) begin
-            used <= 2'd0;
-            has_past <= 1'b0;
-        end else begin
-            if (pushes) used <= used + 2'd1;
-            else if (pops) used <= used - 2'd1;
-            has_past <= 1'b1;
-        end
+        if (rst) has_past <= 1'b0;
+        else has_past <= 1'b1;
     end
 
 `ifdef FORMAL
@@ -292,7 +294,6 @@ module stack_format8x8_2x2_edges3_test_serial_from2_levels2 (
         if (!rst) cover (has_past & (past_next & !past));            // rtl/src/quadtree/stack.rs:77
     end
 `else
-`ifndef SYNTHESIS
     reg is_covered;
     initial is_covered = 1'b0;
     always @(posedge clk) begin
@@ -308,6 +309,6 @@ module stack_format8x8_2x2_edges3_test_serial_from2_levels2 (
 `endif
 `endif
 
-    wire _unused_ok = &{1'b0, past, has_past};
+    wire _unused_ok = &{1'b0, past_next};
 endmodule
 `default_nettype wire

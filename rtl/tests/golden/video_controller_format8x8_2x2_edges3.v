@@ -102,12 +102,12 @@ module video_controller_format8x8_2x2_edges3 (
 
     assign pixels_valid = arrived;
 
+`ifndef SYNTHESIS
 `ifdef FORMAL
     always @(posedge clk) begin
         if (!rst) assume (!show_start | (!reading & !arrived));      // rtl/src/quadtree/controller.rs:80
     end
 `else
-`ifndef SYNTHESIS
     always @(posedge clk) begin
         if (!rst && !(!show_start | (!reading & !arrived))) begin    // rtl/src/quadtree/controller.rs:80
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a picture is asked for when none is read", $time);

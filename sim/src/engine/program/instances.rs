@@ -25,7 +25,9 @@ const NODES_A_PORT: usize = 3;
 impl Flatten<'_> {
     /// Enters all instances; siblings together.
     pub(super) fn instances(&mut self, body: &Body, module: &Module) -> Vec<Children> {
-        let groups = if self.flat.program.passes.siblings { siblings(self.design, module) } else { HashMap::new() };
+        // In an array there are lanes enough, and those of siblings would lie apart.
+        let is_worth_it = self.flat.program.passes.siblings && (body.lanes as usize) < SIBLINGS;
+        let groups = if is_worth_it { siblings(self.design, module) } else { HashMap::new() };
         let mut children: Vec<Option<Children>> = vec![None; module.instances.len()];
         for index in 0..module.instances.len() {
             if children[index].is_some() {

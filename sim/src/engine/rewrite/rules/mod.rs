@@ -14,6 +14,7 @@ mod same;
 mod taken;
 #[cfg(test)]
 mod tests;
+mod wide;
 
 use super::{Rewrite, Rewriter};
 use crate::engine::program::Cell;
@@ -23,7 +24,7 @@ type Rule = fn(&mut Rewriter, &Cell) -> Option<Rewrite>;
 /// Rules that hold always: engines do not know what they remove.
 const ALWAYS: [Rule; 1] = [names::name];
 /// Rules that compute constants, and leave out operations that do nothing.
-const FOLD: [Rule; 8] = [
+const FOLD: [Rule; 10] = [
     constants::fold,
     choices::select,
     choices::case,
@@ -32,6 +33,8 @@ const FOLD: [Rule; 8] = [
     same::operands,
     taken::lane,
     reduce::of_reduced,
+    wide::lane,
+    wide::slice,
 ];
 
 /// What the first rule that has something to say makes of an operation.

@@ -171,6 +171,28 @@ fn lanes_that_are_taken() {
 }
 
 #[test]
+fn wide_words_taken_apart() {
+    let mut c = Circuit::new();
+    let [high, low] = [40, 32].map(|width| c.rewriter.state(4, width));
+    let word = c.rewriter.add(Kind::Concat(vec![high, low]), 4, 72);
+    let slice = |c: &mut Circuit, of, at, lanes, width| c.rewriter.add(Kind::Slice(of, at), lanes, width);
+    assert_eq!((slice(&mut c, word, 32, 4, 40), slice(&mut c, word, 0, 4, 32)), (high, low));
+    let within = slice(&mut c, word, 35, 4, 9);
+    assert_eq!(c.rewriter.circuit()[within].kind, Kind::Slice(high, 3));
+    let across = slice(&mut c, word, 30, 4, 4);
+    assert_eq!(c.rewriter.circuit()[across].kind, Kind::Slice(word, 30));
+
+    let axis = Axis::last(4);
+    let lane = c.rewriter.add(Kind::Lane { of: word, axis, index: 2 }, 1, 72);
+    let of_high = slice(&mut c, lane, 32, 1, 40);
+    assert_eq!(c.rewriter.circuit()[of_high].kind, Kind::Lane { of: high, axis, index: 2 });
+    // A word that fits a register of the machine stays as it is.
+    let short = c.rewriter.add(Kind::Concat(vec![low, low]), 4, 64);
+    let of_short = slice(&mut c, short, 0, 4, 32);
+    assert_eq!(c.rewriter.circuit()[of_short].kind, Kind::Slice(short, 0));
+}
+
+#[test]
 fn what_is_the_same_in_all_lanes() {
     let mut c = Circuit::new();
     let (a, b, x) = (c.a, c.b, c.x);
