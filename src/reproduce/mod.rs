@@ -15,11 +15,10 @@ use tilewright_report::Page;
 #[derive(Args)]
 #[command(after_help = "\
 Examples:
-  tilewright reproduce quadtree -o report/
-  tilewright reproduce quadtree -o report/ --polygons 100
-  tilewright reproduce quadtree -o report/ --seed 7 --json
+  tilewright reproduce quadtree -o report/ --polygons 20
+  tilewright reproduce quadtree -o report/ --polygons 20 --seed 7 --json
 
-The page, index.html, needs no other file and no network. Beside it is every figure as CSV, and all of it as report.json. The same
+Without --polygons there are as many as the figures need, for half a minute of work. The page, index.html, needs no other file and no network. Beside it is every figure as CSV, and all of it as report.json. The same
 command writes the same bytes each time.")]
 pub struct Reproduce {
     /// Whose paper
