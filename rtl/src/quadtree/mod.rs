@@ -15,7 +15,7 @@
 //!
 //! | file | what is in it |
 //! |---|---|
-//! | [`format`] | the sizes, and the records: packets, windows, polygons |
+//! | [`mod@format`] | the sizes, and the records: packets, windows, polygons |
 //! | [`set_up`] | a polygon of the screen becomes one of the samples |
 //! | [`coverage_test`] | the unit that tests quarters |
 //! | [`divider`], [`stack`], [`pipe`], [`tree`], [`raster`] | raster processors made of such units |
