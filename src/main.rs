@@ -18,6 +18,7 @@ mod shell;
 mod trace;
 mod verdict;
 mod verilog;
+mod watch;
 mod wave;
 
 use clap::{Parser, Subcommand};

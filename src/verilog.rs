@@ -2,8 +2,7 @@
 
 use crate::block::{BlockArguments, simulation};
 use crate::player::{check_length, play};
-use crate::shell::output::{Folder, Output, quoted, write_all};
-use crate::shell::place::{is_standard_output, shown};
+use crate::shell::output::{Folder, quoted};
 use crate::shell::{Exit, Failure, terminal};
 use clap::Args;
 use serde::Serialize;
@@ -54,10 +53,7 @@ struct Report<'a> {
 impl Verilog {
     /// Writes the files and reports them.
     pub fn run(self) -> Result<Exit, Failure> {
-        if is_standard_output(&self.output) {
-            let sentence = "-o -: standard output takes one file, and this writes several: name a folder";
-            return Err(Failure::new(Exit::BadInput, sentence));
-        }
+        Folder::check(&self.output)?;
         let (entry, values) = self.block.find()?;
         let folder = Folder::make(&self.output)?;
         let design = entry.design(&values)?;
@@ -69,10 +65,7 @@ impl Verilog {
             files.push(testbench(&design, &recording));
         }
         let commands = if self.testbench { simulators(&self.output, &files) } else { Vec::new() };
-        let outputs: Result<Vec<Output>, _> =
-            files.iter().map(|file| Output::at(&self.output.join(&file.name))).collect();
-        write_all(outputs?.into_iter().zip(files.iter().map(|file| file.text.as_bytes())))?;
-        folder.keep();
+        let written = folder.fill(files.iter().map(|file| (file.name.as_str(), file.text.as_bytes())))?;
         if self.json {
             terminal::print_json(&Report {
                 format: 1,
@@ -80,7 +73,7 @@ impl Verilog {
                 parameters: values.iter().collect(),
                 top: &design.top().name,
                 cycles,
-                files: files.iter().map(|file| shown(&self.output.join(&file.name))).collect(),
+                files: written,
                 commands,
             })?;
         } else {

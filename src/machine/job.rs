@@ -1,9 +1,10 @@
 //! A frame to render, on any machine.
 
 use crate::engine::{EngineArguments, tell_fallback};
+use crate::shell::Failure;
 use crate::shell::output::Waveform;
-use crate::shell::{Failure, Progress, interrupt};
 use crate::trace::TraceOptions;
+use crate::watch::watched;
 use serde::Serialize;
 use std::fmt::Display;
 use tilewright_hdl::Bundle;
@@ -63,15 +64,7 @@ impl Run<'_> {
         render: impl FnOnce(&mut Watch) -> Result<T, tilewright_machines::Error>,
         picoseconds: impl FnOnce(&T) -> u64,
     ) -> Result<T, Failure> {
-        let progress = Progress::new();
-        let mut show = |it: tilewright_machines::Progress| {
-            progress.show(it.phase, it.fraction);
-            // The machine looks at the flag itself, next.
-            interrupt::asked();
-        };
-        let mut watch = Watch { progress: Some(&mut show), cancel: Some(interrupt::flag()) };
-        let ended = render(&mut watch).map_err(Failure::from);
-        drop(progress);
+        let ended = watched(render).map_err(Failure::from);
         if let Ok(done) = &ended {
             self.filters.warn_if_empty(picoseconds(done));
         }

@@ -2,13 +2,12 @@
 
 mod quadtree;
 
-use crate::shell::output::{Folder, Output, write_all};
-use crate::shell::place::{is_standard_output, shown};
-use crate::shell::{Exit, Failure, Progress, interrupt, terminal};
+use crate::shell::output::Folder;
+use crate::shell::{Exit, Failure, interrupt, terminal};
+use crate::watch::watched;
 use clap::{Args, ValueEnum, value_parser};
 use serde::Serialize;
 use std::path::PathBuf;
-use tilewright_machines::Watch;
 use tilewright_report::Page;
 
 /// Measures what a paper says of its machine, and writes a page with its figures, statements and verdicts
@@ -65,27 +64,15 @@ struct Report {
 impl Reproduce {
     /// Measures, and writes the page and its data.
     pub fn run(self) -> Result<Exit, Failure> {
-        if is_standard_output(&self.output) {
-            let sentence = "-o -: standard output takes one file, and this writes several: name a folder";
-            return Err(Failure::new(Exit::BadInput, sentence));
-        }
+        Folder::check(&self.output)?;
         let folder = Folder::make(&self.output)?;
         let page = self.page()?;
         let files = page.files().expect("the parts of the page have names of their own");
-        let outputs: Result<Vec<Output>, _> =
-            files.iter().map(|file| Output::at(&self.output.join(&file.name))).collect();
-        write_all(outputs?.into_iter().zip(files.iter().map(|file| file.bytes.as_slice())))?;
-        folder.keep();
+        let written = folder.fill(files.iter().map(|file| (file.name.as_str(), file.bytes.as_slice())))?;
 
         let [holds, differs, cannot_be_compared] = page.count();
         match self.json {
-            true => terminal::print_json(&Report {
-                format: 1,
-                holds,
-                differs,
-                cannot_be_compared,
-                files: files.iter().map(|file| shown(&self.output.join(&file.name))).collect(),
-            })?,
+            true => terminal::print_json(&Report { format: 1, holds, differs, cannot_be_compared, files: written })?,
             false => terminal::report(&format!(
                 "{holds} statements of the paper hold, {differs} differ, {cannot_be_compared} cannot be compared\n"
             ))?,
@@ -94,17 +81,10 @@ impl Reproduce {
     }
 
     fn page(&self) -> Result<Page, Failure> {
-        let progress = Progress::new();
-        let mut show = |it: tilewright_machines::Progress| {
-            progress.show(it.phase, it.fraction);
-            // The measurement looks at the flag itself, next.
-            interrupt::asked();
-        };
-        let mut watch = Watch { progress: Some(&mut show), cancel: Some(interrupt::flag()) };
         let effort = Effort { seed: self.seed, polygons: self.polygons };
-        let page = match self.machine {
-            Paper::Quadtree => quadtree::page(effort, &mut watch)?,
-        };
+        let page = watched(|watch| match self.machine {
+            Paper::Quadtree => quadtree::page(effort, watch),
+        })?;
         page.ok_or_else(|| Failure::new(interrupt::exit(), "interrupted while the machine was measured"))
     }
 }

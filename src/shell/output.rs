@@ -154,24 +154,49 @@ fn taken() -> Result<File, Failure> {
 
 /// A folder for outputs, which is made with those above it; what was made goes away again unless it is kept.
 pub struct Folder {
+    path: PathBuf,
     made: Vec<PathBuf>,
 }
 
 impl Folder {
+    /// Refuses standard output where several files are written.
+    ///
+    /// # Errors
+    /// It is standard output.
+    pub fn check(path: &Path) -> Result<(), Failure> {
+        match is_standard_output(path) {
+            true => {
+                let sentence = "-o -: standard output takes one file, and this writes several: name a folder";
+                Err(Failure::new(Exit::BadInput, sentence))
+            }
+            false => Ok(()),
+        }
+    }
+
     /// Makes a folder and those above it, unless they are there.
     ///
     /// # Errors
     /// It cannot be made.
     pub fn make(path: &Path) -> Result<Folder, Failure> {
         let missing = path.ancestors().take_while(|folder| !folder.as_os_str().is_empty() && !folder.exists());
-        let folder = Folder { made: missing.map(Path::to_owned).collect() };
+        let folder = Folder { path: path.to_owned(), made: missing.map(Path::to_owned).collect() };
         fs::create_dir_all(path).map_err(|error| SceneError::unwritable(path, &error))?;
         Ok(folder)
     }
 
-    /// Leaves the folder where it is.
-    pub fn keep(mut self) {
+    /// Writes files into the folder, all or none, and leaves it where it is; gives their paths.
+    ///
+    /// # Errors
+    /// One cannot be written.
+    pub fn fill<'a>(
+        mut self,
+        files: impl IntoIterator<Item = (&'a str, &'a [u8])> + Clone,
+    ) -> Result<Vec<String>, Failure> {
+        let paths: Vec<PathBuf> = files.clone().into_iter().map(|(name, _)| self.path.join(name)).collect();
+        let outputs: Result<Vec<Output>, _> = paths.iter().map(|path| Output::at(path)).collect();
+        write_all(outputs?.into_iter().zip(files.into_iter().map(|(_, bytes)| bytes)))?;
         self.made.clear();
+        Ok(paths.iter().map(|path| shown(path)).collect())
     }
 }
 

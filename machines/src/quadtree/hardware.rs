@@ -1,17 +1,19 @@
 //! The hardware of a generator in simulation, as its host sees it: packets at the port, the picture, the counters.
 
 use tilewright_rtl::quadtree::generator::{QuadtreeGenerator, QuadtreeGeneratorIn, QuadtreeGeneratorOut};
+use tilewright_rtl::quadtree::tally::Tally;
 use tilewright_scenes::{Edge, Plane, Polygon};
 use tilewright_sim::{Port, Simulation};
 
-use super::counters::{Counters, ProcessorCounts, UnitCounts};
+use super::counters::Counters;
+use super::model::{Counts, Processor};
 use crate::error::Error;
 
 /// The running hardware.
 pub(crate) struct Hardware {
     pub sim: Simulation<QuadtreeGeneratorIn, QuadtreeGeneratorOut>,
     /// The edges that a packet has room for.
-    edges: usize,
+    pub edges: usize,
     processors: u32,
     levels: u32,
 }
@@ -109,19 +111,21 @@ impl Hardware {
     /// What all units have counted since the reset, modulo 2^32.
     pub fn counters(&mut self) -> Counters {
         let processors = (0..self.processors).map(|processor| self.counters_of(processor)).collect();
-        Counters { processors, broadcast_stalls: self.sim.get_u64(self.sim.o.broadcast.stalled) as u32 }
+        Counters { processors, broadcast: self.counts(self.sim.o.broadcast) }
     }
 
-    fn counters_of(&mut self, processor: u32) -> ProcessorCounts {
+    /// The same of a video processor.
+    pub fn counters_of(&mut self, processor: u32) -> Processor {
         self.sim.set(self.sim.i.probe.processor, processor);
         let units = (0..=self.levels).map(|unit| {
             self.sim.set(self.sim.i.probe.unit, unit);
-            let tally = self.sim.o.tally;
-            let [busy, stalled, windows] =
-                [tally.busy, tally.stalled, tally.results].map(|port| self.sim.get_u64(port) as u32);
-            UnitCounts { busy, stalled, windows }
+            self.counts(self.sim.o.tally)
         });
-        let units = units.collect();
-        ProcessorCounts { units, fragments: self.sim.get_u64(self.sim.o.fragments) as u32 }
+        Processor { units: units.collect(), fragments: self.sim.get_u64(self.sim.o.fragments) }
+    }
+
+    fn counts(&mut self, tally: Tally<Port>) -> Counts {
+        let [busy, stalled, results] = [tally.busy, tally.stalled, tally.results].map(|port| self.sim.get_u64(port));
+        Counts { busy, stalled, results }
     }
 }

@@ -1,11 +1,9 @@
 //! Figures 3 to 6 of the paper: curves of its formulas, and points that were counted.
 
-use super::{Counted, areas, matrix, shape};
-use tilewright_machines::quadtree::{Figures, Point};
+use super::{Counted, SIZES, areas, built_size, matrix, shape};
+use tilewright_machines::quadtree::Figures;
 use tilewright_report::{Axis, Chart, Origin, Section, Series};
 
-/// Of the matrices that the paper draws.
-const SIZES: std::ops::RangeInclusive<u32> = 1..=4;
 const AREA: &str = "area S, pixels";
 
 /// Figure 3: the windows of each level, a chart for each matrix.
@@ -14,7 +12,7 @@ pub fn windows(counted: &Counted) -> Section {
         "On the first levels a polygon is in one window, on the last ones in as many as it has pixels there. The lines are the paper's upper \
          bound of the mean, equation 1; the points are means over rectangles that lie on the screen as a whole.",
     );
-    SIZES.fold(section, |section, k| {
+    SIZES.into_iter().fold(section, |section, k| {
         let matrix = matrix(k);
         let title = format!("Windows per polygon in each of {} processors (k = {k})", matrix.processors());
         let chart = Chart::new(format!("windows-{k}"), title, Axis::log(AREA), Axis::log("windows per polygon"));
@@ -22,11 +20,7 @@ pub fn windows(counted: &Counted) -> Section {
             let name = format!("level {level}");
             let bound = areas().map(|area| (area, matrix.windows_of(shape(area), level)));
             let found = counted.of(k).map(|point| (point.area, point.windows[level as usize].mean));
-            chart.series(Series::new(&name, Origin::Formula, bound)).series(Series::new(
-                &name,
-                Origin::model([counted.seed]),
-                found,
-            ))
+            beside(chart, &name, bound, Origin::model([counted.seed]), found)
         }))
     })
 }
@@ -35,19 +29,11 @@ pub fn windows(counted: &Counted) -> Section {
 pub fn window_sizes() -> Section {
     let chart =
         Chart::new("window-sizes", "Relative size of windows, a_i", Axis::linear("level i"), Axis::linear("a_i"));
-    let chart = SIZES.fold(chart, |chart, k| {
+    let chart = SIZES.into_iter().fold(chart, |chart, k| {
         let matrix = matrix(k);
         let by_formula = (1..=matrix.levels).map(|level| (f64::from(level), matrix.relative_window(level).0));
-        let as_built = (1..=matrix.levels).map(|level| {
-            let (window, spacing) = (matrix.window(level).0, matrix.spacing(level).0);
-            (f64::from(level), f64::from(window) / f64::from(spacing))
-        });
-        let name = format!("k = {k}");
-        chart.series(Series::new(&name, Origin::Formula, by_formula)).series(Series::new(
-            &name,
-            Origin::model([]),
-            as_built,
-        ))
+        let as_built = (1..=matrix.levels).map(|level| (f64::from(level), built_size(k, level)));
+        beside(chart, &format!("k = {k}"), by_formula, Origin::model([]), as_built)
     });
     Section::new("Figure 4: relative window sizes")
         .paragraph(
@@ -77,13 +63,19 @@ fn figure(counted: &Counted, id: &str, title: &str, logarithmic: bool, of: fn(&F
     let y = if logarithmic { Axis::log(title) } else { Axis::linear(title) };
     let chart = Chart::new(id, title, Axis::log(AREA), y);
     (0..=4).fold(chart, |chart, k| {
-        let name = format!("k = {k}");
         let by_formula = areas().map(|area| (area, of(&super::by_formula(k, area))));
-        let found = counted.of(k).map(|point: &Point| (point.area, of(&point.figures)));
-        chart.series(Series::new(&name, Origin::Formula, by_formula)).series(Series::new(
-            &name,
-            Origin::model([counted.seed]),
-            found,
-        ))
+        let found = counted.of(k).map(|point| (point.area, of(&point.figures)));
+        beside(chart, &format!("k = {k}"), by_formula, Origin::model([counted.seed]), found)
     })
+}
+
+/// The chart with a curve by formula, and what was found beside it.
+fn beside(
+    chart: Chart,
+    name: &str,
+    by_formula: impl Iterator<Item = (f64, f64)>,
+    origin: Origin,
+    found: impl Iterator<Item = (f64, f64)>,
+) -> Chart {
+    chart.series(Series::new(name, Origin::Formula, by_formula)).series(Series::new(name, origin, found))
 }

@@ -9,6 +9,11 @@ use tilewright_machines::quadtree::{Figures, Matrix, Point, Sample, Shape, Study
 use tilewright_machines::{Error, Watch};
 use tilewright_report::{Page, Provenance, Section};
 
+/// The matrices of more than one processor that the paper draws: each k.
+const SIZES: [u32; 4] = [1, 2, 3, 4];
+/// The areas at which a processor of the matrix of k = 2, 3 and 4 has one window of the last level, as the paper prints them.
+const TURNING: [f64; 3] = [1.8, 23.3, 157.0];
+
 /// Measures and makes the page; `None` if it was interrupted.
 pub fn page(effort: Effort, watch: &mut Watch) -> Result<Option<Page>, Failure> {
     let (seed, study) = (effort.seed, study(effort));
@@ -49,7 +54,7 @@ fn command(Effort { seed, polygons }: Effort) -> String {
 /// The paper's study, with the areas at which it says that something turns.
 fn study(Effort { seed, polygons }: Effort) -> Study {
     let mut study = Study::paper(seed);
-    let turning = [1.8, 23.3, 157.0].map(|area| Sample { area, polygons: 8_000 });
+    let turning = TURNING.map(|area| Sample { area, polygons: 8_000 });
     study.samples.extend(turning);
     study.samples.sort_by(|a, b| a.area.total_cmp(&b.area));
     let most = polygons.unwrap_or(u64::MAX);
@@ -78,6 +83,11 @@ impl Counted {
 /// The matrix of 2^k x 2^k of the paper.
 fn matrix(k: u32) -> Matrix {
     Matrix::square(k, 10)
+}
+
+/// The width of the windows of a level as the coverage tests have them, in parts of their spacing.
+fn built_size(k: u32, level: u32) -> f64 {
+    f64::from(matrix(k).window(level).0) / f64::from(matrix(k).spacing(level).0)
 }
 
 /// The paper's rectangle of that area.

@@ -1,6 +1,6 @@
 //! What the paper states of its machine, each with the rule by which it is judged.
 
-use super::{Counted, by_formula, matrix, shape};
+use super::{Counted, SIZES, TURNING, built_size, by_formula, matrix, shape};
 use tilewright_machines::quadtree::{Figures, Point, full_tree};
 use tilewright_report::{Origin, Rule, Statement, Verdicts};
 
@@ -10,11 +10,6 @@ pub fn verdicts(counted: &Counted) -> Verdicts {
     let statements = [windows(counted), sizes(), stacks(counted), pipelines(counted)];
     statements.into_iter().flatten().fold(table, Verdicts::state)
 }
-
-/// The areas at which a processor of the matrix has one window of the last level, as the paper prints them.
-const TURNING: [f64; 3] = [1.8, 23.3, 157.0];
-/// The matrices that the paper draws.
-const SIZES: [u32; 4] = [1, 2, 3, 4];
 
 fn at_k(k: u32) -> String {
     format!("k = {k}")
@@ -116,12 +111,9 @@ fn windows(counted: &Counted) -> Vec<Statement> {
 
 /// Figure 4.
 fn sizes() -> Vec<Statement> {
-    let size = |k: u32, level: u32| {
-        let (window, spacing) = (matrix(k).window(level).0, matrix(k).spacing(level).0);
-        f64::from(window) / f64::from(spacing)
+    let of = |k: u32| {
+        (1..=matrix(k).levels).rev().map(move |level| (format!("k = {k}, level {level}"), built_size(k, level)))
     };
-    let of =
-        |k: u32| (1..=matrix(k).levels).rev().map(move |level| (format!("k = {k}, level {level}"), size(k, level)));
     vec![
         Statement::new("MPG-EQ2", "Relative window sizes are those of equation 2.", Rule::Equals)
             .formula(SIZES.into_iter().flat_map(|k| {

@@ -1,16 +1,13 @@
 //! The hardware in simulation, for the same record as the model's.
 
-use super::record::{Counts, Packets, Processor, Run};
+use super::record::{Packets, Run};
 use crate::error::Error;
-use crate::run::Watch;
-use std::sync::atomic::Ordering;
+use crate::quadtree::counters::Counters;
+use crate::quadtree::hardware::Hardware;
+use crate::run::{PROGRESS_CLOCKS, Watch};
 use tilewright_rtl::parameter::ParameterError;
-use tilewright_rtl::quadtree::generator::{QuadtreeGenerator, QuadtreeGeneratorIn, QuadtreeGeneratorOut};
-use tilewright_scenes::{Edge, Plane, Polygon};
-use tilewright_sim::Simulation;
+use tilewright_rtl::quadtree::generator::QuadtreeGenerator;
 
-/// Clocks between two looks at the flag that breaks a run off, and two reports of progress.
-const CLOCKS_AT_ONCE: u64 = 1024;
 /// What progress and errors call the run.
 const PHASE: &str = "simulating";
 
@@ -35,12 +32,7 @@ const PHASE: &str = "simulating";
 /// assert_eq!(Some(simulated), Model::new(&generator)?.run(packets, &mut watch));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub struct Simulated {
-    sim: Simulation<QuadtreeGeneratorIn, QuadtreeGeneratorOut>,
-    edges: usize,
-    processors: u32,
-    levels: u32,
-}
+pub struct Simulated(pub(super) Hardware);
 
 impl Simulated {
     /// The simulation of a generator.
@@ -48,9 +40,7 @@ impl Simulated {
     /// # Errors
     /// It could not be made.
     pub fn new(generator: &QuadtreeGenerator) -> Result<Simulated, Error> {
-        let format = generator.format();
-        let (edges, processors, levels) = (format.edges() as usize, format.matrix().processors(), format.levels());
-        Ok(Simulated { sim: Simulation::of(generator)?, edges, processors, levels })
+        Hardware::new(generator).map(Simulated)
     }
 
     /// What the generator does with packets, from its reset until it is idle.
@@ -69,106 +59,48 @@ impl Simulated {
         mut see: impl FnMut(&mut Simulated, u64),
     ) -> Result<Run, Error> {
         self.check(packets)?;
-        self.sim.set(self.sim.i.packets.valid, false);
-        self.sim.try_reset()?;
+        self.0.reset(false)?;
+        let (ready, idle) = (self.0.sim.i.packets.ready, self.0.sim.o.idle);
         let mut taken = Vec::with_capacity(packets.polygons.len());
         let mut clock = 0;
         let mut step = |this: &mut Simulated, done: usize| {
             see(this, clock);
-            this.sim.try_step()?;
+            this.0.step()?;
             clock += 1;
-            this.go_on(clock, done as f64 / packets.polygons.len().max(1) as f64, watch)?;
+            if clock.is_multiple_of(PROGRESS_CLOCKS) {
+                watch.go_on(PHASE, done as f64 / packets.polygons.len().max(1) as f64, this.0.sim.time())?;
+            }
             Ok::<u64, Error>(clock)
         };
         for (number, polygon) in packets.polygons.iter().enumerate() {
             for _ in 0..packets.pause(number) {
                 step(self, number)?;
             }
-            self.offer(polygon);
+            self.0.present(polygon);
             let mut is_ready = false;
             while !is_ready {
-                is_ready = self.sim.get_u64(self.sim.i.packets.ready) == 1;
+                is_ready = self.0.is_high(ready);
                 let next = step(self, number)?;
                 if is_ready {
                     taken.push(next - 1);
                 }
             }
-            self.sim.set(self.sim.i.packets.valid, false);
+            self.0.withdraw();
         }
-        while self.sim.get_u64(self.sim.o.idle) == 0 {
+        while !self.0.is_high(idle) {
             step(self, packets.polygons.len())?;
         }
-        Ok(self.record(taken, clock))
+        let Counters { processors, broadcast } = self.0.counters();
+        Ok(Run { taken, clocks: clock, broadcast, processors })
     }
 
     fn check(&self, packets: Packets) -> Result<(), ParameterError> {
         match packets.polygons.iter().map(|polygon| polygon.edges.len()).max() {
-            Some(edges) if edges > self.edges => Err(ParameterError(format!(
+            Some(edges) if edges > self.0.edges => Err(ParameterError(format!(
                 "a polygon of {edges} edges: this generator is built for polygons of up to {}",
-                self.edges
+                self.0.edges
             ))),
             _ => Ok(()),
         }
-    }
-
-    fn go_on(&self, clock: u64, done: f64, watch: &mut Watch) -> Result<(), Error> {
-        if clock.is_multiple_of(CLOCKS_AT_ONCE) {
-            watch.report(PHASE, done);
-            if watch.cancel.is_some_and(|flag| flag.load(Ordering::Relaxed)) {
-                return Err(Error::Cancelled { phase: PHASE, time: self.sim.time() });
-            }
-        }
-        Ok(())
-    }
-
-    /// Puts a packet at the port.
-    fn offer(&mut self, polygon: &Polygon) {
-        let port = self.sim.i.packets;
-        let packet = port.payload;
-        // Those beyond the last mean nothing.
-        let lanes = |of: fn(&Edge) -> i32| polygon.edges.iter().map(of).chain(std::iter::repeat(0)).take(self.edges);
-        for (row, values) in [
-            (packet.edges.a, lanes(|edge| edge.a)),
-            (packet.edges.b, lanes(|edge| edge.b)),
-            (packet.edges.c, lanes(|edge| edge.c)),
-        ] {
-            self.sim.set_lanes(row, values);
-        }
-        self.sim.set(packet.last_edge, polygon.edges.len() - 1);
-        let [red, green, blue] = &polygon.rgb;
-        let planes = |of: fn(&Plane) -> u64| [&polygon.z, red, green, blue].map(of);
-        self.sim.set_lanes(packet.planes.x, planes(|plane| plane.x));
-        self.sim.set_lanes(packet.planes.y, planes(|plane| plane.y));
-        self.sim.set_lanes(packet.planes.origin, planes(|plane| plane.origin));
-        self.sim.set(packet.bounds.left, polygon.bounds.left);
-        self.sim.set(packet.bounds.top, polygon.bounds.top);
-        self.sim.set(packet.bounds.right, polygon.bounds.right);
-        self.sim.set(packet.bounds.bottom, polygon.bounds.bottom);
-        self.sim.set(port.valid, true);
-    }
-
-    fn record(&mut self, taken: Vec<u64>, clocks: u64) -> Run {
-        let broadcast = self.sim.o.broadcast;
-        let [busy, stalled, results] =
-            [broadcast.busy, broadcast.stalled, broadcast.results].map(|p| self.sim.get_u64(p));
-        let processors = (0..self.processors).map(|processor| Processor {
-            units: self.counts(processor),
-            fragments: self.sim.get_u64(self.sim.o.fragments),
-        });
-        let processors = processors.collect();
-        Run { taken, clocks, broadcast: Counts { busy, stalled, results }, processors }
-    }
-
-    /// What the set-up and the levels of a video processor have counted so far.
-    pub(super) fn counts(&mut self, processor: u32) -> Vec<Counts> {
-        self.sim.set(self.sim.i.probe.processor, processor);
-        let tally = self.sim.o.tally;
-        let units = (0..=self.levels).map(|unit| {
-            self.sim.set(self.sim.i.probe.unit, unit);
-            let [busy, stalled, results] =
-                [tally.busy, tally.stalled, tally.results].map(|port| self.sim.get_u64(port));
-            Counts { busy, stalled, results }
-        });
-        units.collect()
     }
 }

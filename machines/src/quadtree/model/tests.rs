@@ -125,7 +125,7 @@ fn agrees(small: &Small) {
     let mut simulated = Simulated::new(&small.generator).expect("it is sound");
     let mut differs = None;
     let in_hardware = simulated.run_seen(small.packets(), &mut watch, |simulated, clock| {
-        let counts = simulated.counts(small.seen).into_iter();
+        let counts = simulated.0.counters_of(small.seen).units.into_iter();
         for (unit, counted) in (0..).zip(counts.map(|counts| (counts.busy + counts.stalled, counts.results))) {
             let expected = before(&visits[small.seen as usize], unit, clock);
             if counted != expected && differs.is_none() {
