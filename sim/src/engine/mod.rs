@@ -6,6 +6,7 @@ mod explain;
 mod fields;
 mod interpreter;
 mod lockstep;
+mod pack;
 mod passes;
 pub mod program;
 mod reference;

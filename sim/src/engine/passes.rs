@@ -27,6 +27,8 @@ pub struct Passes {
     pub lift: bool,
     /// Words wider than a register of the machine are split into the fields that they are made of.
     pub fields: bool,
+    /// From how many lanes on what has one bit in each is computed in words of as many lanes as the machine has bits.
+    pub pack_from: u32,
     /// Work on an array is postponed to one loop.
     pub postpone: bool,
     /// A choice by one value for all lanes becomes a branch around the loop.
@@ -60,6 +62,7 @@ impl Default for Passes {
             uniform: true,
             lift: true,
             fields: true,
+            pack_from: 128,
             postpone: true,
             branch: true,
             lookups: true,
@@ -91,6 +94,7 @@ impl Passes {
             uniform: false,
             lift: false,
             fields: false,
+            pack_from: u32::MAX,
             postpone: false,
             branch: false,
             lookups: false,

@@ -12,6 +12,7 @@ mod lanes_by_name;
 mod looking;
 mod looking_on;
 mod nested;
+mod packed;
 mod shapes;
 mod store;
 mod vcd_rows;

@@ -4,6 +4,7 @@ mod fields;
 mod front;
 mod functions;
 mod late;
+mod pack;
 
 use tilewright_hdl::{Block, elaborate};
 use tilewright_sim::{Pass, Passes, explain};

@@ -85,8 +85,8 @@ pub struct Run {
 
 /// All passes but one, or none at all; code for held inputs and functions that are cut early, no memory near.
 pub(crate) fn passes(seed: u64) -> Passes {
-    let mut passes = Passes { held_after: 3, looks_after: 2, longest: 20, near: 0, ..Passes::default() };
-    match seed % 12 {
+    let mut passes = Passes { held_after: 3, looks_after: 2, longest: 20, near: 0, pack_from: 8, ..Passes::default() };
+    match seed % 13 {
         0 => passes = Passes::none(),
         1 => passes.siblings = false,
         2 => passes.fold = false,
@@ -98,6 +98,7 @@ pub(crate) fn passes(seed: u64) -> Passes {
         8 => passes.lookups = false,
         9 => passes.side_by_side = false,
         10 => passes.fields = false,
+        11 => passes.pack_from = u32::MAX,
         _ => passes.blanks = false,
     }
     passes

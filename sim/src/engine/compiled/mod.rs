@@ -40,6 +40,7 @@ use std::cell::Cell;
 use std::sync::Arc;
 
 use crate::engine::fields::{self, Fields, Parts};
+use crate::engine::pack::{self, Packed, Places};
 use crate::engine::program::{Kind, Program, Triggers, ValueId};
 use crate::engine::until::Until;
 use crate::engine::{Difference, Done, Engine, Failed, one_by_one, renew_each};
@@ -62,10 +63,12 @@ use view::{NO_VIEW, View};
 
 /// The state of a running circuit and the code that runs it.
 pub(crate) struct Compiled {
-    /// The circuit, with wide words split.
+    /// The circuit, with wide words split and single bits packed.
     program: Arc<Program>,
     /// Where their parts are.
     parts: Parts,
+    /// Where the bits are.
+    bits: Places,
     jit: Jit,
     /// State and what functions store.
     state: Store,
@@ -143,6 +146,7 @@ impl Compiled {
     pub fn new(program: Arc<Program>, seeds: &[u64]) -> Result<Compiled, Unsupported> {
         let jit = Jit::new()?;
         let (declared, Fields { program, parts }) = (&program, fields::split(&program));
+        let Packed { program, places: bits } = pack::pack(program);
         demands::check(&program);
         let program = Arc::new(program);
         let mut layout = Layout::new(Strips::of(&program));
@@ -189,6 +193,7 @@ impl Compiled {
             mirror: vec![0; program.schedule.storage],
             program,
             parts,
+            bits,
         };
         crate::engine::start::start(declared, seeds, &mut engine);
         Ok(engine)

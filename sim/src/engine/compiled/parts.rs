@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use tilewright_hdl::{Bits, limbs_for};
+use tilewright_hdl::{Bits, limbs_for, top_mask};
 
 use super::Compiled;
 use crate::engine::fields::Part;
@@ -27,28 +27,64 @@ impl Compiled {
     pub(super) fn set_word_in_parts(&mut self, memory: u32, lane: u32, address: u32, limbs: &[u64]) {
         for part in self.parts.memories[memory as usize].clone() {
             for (lane, limbs) in lanes(part, lane..lane + 1, limbs) {
-                let at = self.memories[part.of as usize];
-                let stored = at.standing(&limbs);
-                self.banks[at.bank].put_word(at.at(lane.start, address), at.words.word, at.width, &stored);
+                self.store(part.of, lane.start, address, &limbs);
             }
         }
     }
 
-    /// A word of a memory that code has.
+    /// A lane's word of a memory that code has.
     fn stored(&self, memory: u32, lane: u32, address: u32) -> Vec<u64> {
+        match self.bits.memories.get(&memory) {
+            Some(&lanes) => vec![self.whole(memory, lane / lanes, address)[0] >> (lane % lanes) & 1],
+            None => self.whole(memory, lane, address),
+        }
+    }
+
+    /// Replaces a lane's word of a memory that code has.
+    fn store(&mut self, memory: u32, lane: u32, address: u32, limbs: &[u64]) {
+        match self.bits.memories.get(&memory) {
+            Some(&lanes) => self.set_bits(memory, lane..lane + 1, lanes, address, limbs[0]),
+            None => self.set_whole_word(memory, lane, address, limbs),
+        }
+    }
+
+    /// Gives the lanes of a memory, some of which are packed in each word, that bit.
+    fn set_bits(&mut self, memory: u32, range: Range<u32>, lanes: u32, address: u32, bit: u64) {
+        for (word, mask) in words(range, lanes) {
+            let old = self.whole(memory, word, address)[0];
+            self.set_whole_word(memory, word, address, &[old & !mask | mask & bit.wrapping_neg()]);
+        }
+    }
+
+    fn whole(&self, memory: u32, lane: u32, address: u32) -> Vec<u64> {
         let at = self.memories[memory as usize];
         let mut limbs = vec![0; limbs_for(at.width)];
         self.banks[at.bank].get_word(at.at(lane, address), at.words.word, at.width, &mut limbs);
         at.standing(&limbs)
     }
+
+    fn set_whole_word(&mut self, memory: u32, lane: u32, address: u32, limbs: &[u64]) {
+        let at = self.memories[memory as usize];
+        self.banks[at.bank].put_word(at.at(lane, address), at.words.word, at.width, &at.standing(limbs));
+    }
+
+    /// The value that these lanes of a register have that code has, or that reads have.
+    fn set_lanes(&mut self, id: ValueId, range: Range<u32>, limbs: &[u64]) {
+        let Some(&(packed, lanes)) = self.bits.states.get(&id) else { return self.set_whole(id, range, limbs) };
+        let place = self.places[packed.index()].expect("what has a start is state");
+        for (word, mask) in words(range, lanes) {
+            let set = self.state.number(place, word) & !mask | mask & limbs[0].wrapping_neg();
+            self.state.put_word(place.lane(word), place.bytes(), place.width, &[set]);
+        }
+    }
 }
 
 impl State for Compiled {
     fn set(&mut self, id: ValueId, range: Range<u32>, limbs: &[u64]) {
-        let Some(parts) = self.parts.registers.get(&id).cloned() else { return self.set_whole(id, range, limbs) };
+        let Some(parts) = self.parts.registers.get(&id).cloned() else { return self.set_lanes(id, range, limbs) };
         for part in parts {
             for (range, limbs) in lanes(part, range.clone(), limbs) {
-                self.set_whole(part.of, range, &limbs);
+                self.set_lanes(part.of, range, &limbs);
             }
         }
     }
@@ -56,10 +92,24 @@ impl State for Compiled {
     fn set_words(&mut self, memory: u32, range: Range<u32>, addresses: Range<u32>, limbs: &[u64]) {
         for part in self.parts.memories[memory as usize].clone() {
             for (range, limbs) in lanes(part, range.clone(), limbs) {
-                self.set_whole_words(part.of, range, addresses.clone(), &limbs);
+                match self.bits.memories.get(&part.of) {
+                    None => self.set_whole_words(part.of, range, addresses.clone(), &limbs),
+                    Some(&lanes) => addresses
+                        .clone()
+                        .for_each(|address| self.set_bits(part.of, range.clone(), lanes, address, limbs[0])),
+                }
             }
         }
     }
+}
+
+/// The words in which these lanes are packed, so many in each, with the bits that are theirs.
+fn words(range: Range<u32>, lanes: u32) -> impl Iterator<Item = (u32, u64)> {
+    (range.start / lanes..range.end.div_ceil(lanes)).map(move |word| {
+        let first = range.start.saturating_sub(word * lanes);
+        let end = (range.end - word * lanes).min(lanes);
+        (word, top_mask(end) & u64::MAX << first)
+    })
 }
 
 /// The lanes of a part for these lanes of words that are all the same, with what they hold.

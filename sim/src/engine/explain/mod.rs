@@ -6,8 +6,8 @@ mod text;
 
 use tilewright_hdl::ir::Design;
 
-use super::program::{compile, flat, tidy};
-use super::{Passes, compiled, fields};
+use super::program::{Program, compile, flat, tidy};
+use super::{Passes, compiled, fields, pack};
 #[cfg(test)]
 pub(super) use operation::operation;
 pub use pass::Pass;
@@ -61,8 +61,14 @@ pub fn explain(design: &Design, passes: &Passes) -> Vec<Explained> {
     front(Pass::Lift, |some, all| some.lift = all.lift);
     let whole = compile(design, passes);
     let program = fields::split(&whole).program;
-    let is_split = program.circuit.len() > whole.circuit.len();
-    add(Pass::Fields, Text::of(&if is_split { tidy(program.clone()) } else { whole }).program());
+    let mut changed = |pass, before: Program, after: &Program| {
+        let is_other = after.circuit.len() > before.circuit.len();
+        add(pass, Text::of(&if is_other { tidy(after.clone()) } else { before }).program());
+    };
+    changed(Pass::Fields, whole, &program);
+    let split = program.clone();
+    let program = pack::pack(program).program;
+    changed(Pass::Pack, split, &program);
     for (pass, text) in compiled::explain(&program) {
         add(pass, text);
     }

@@ -23,6 +23,8 @@ pub enum Pass {
     Lift,
     /// Words wider than a register of the machine are split into the fields that they are made of.
     Fields,
+    /// Lanes of one bit are packed in words.
+    Pack,
     /// What one edge of a clock does.
     Edge,
     /// The same, where all inputs of up to 8 bits are held at 0.
@@ -46,7 +48,7 @@ impl Pass {
     /// let by_name = |name: &str| Pass::ALL.into_iter().find(|pass| pass.name() == name);
     /// assert_eq!(by_name("fold"), Some(Pass::Fold));
     /// ```
-    pub const ALL: [Pass; 13] = [
+    pub const ALL: [Pass; 14] = [
         Pass::Flatten,
         Pass::Siblings,
         Pass::Share,
@@ -54,6 +56,7 @@ impl Pass {
         Pass::Uniform,
         Pass::Lift,
         Pass::Fields,
+        Pass::Pack,
         Pass::Edge,
         Pass::Hold,
         Pass::Lower,
@@ -78,6 +81,7 @@ impl Pass {
             Pass::Uniform => "uniform",
             Pass::Lift => "lift",
             Pass::Fields => "fields",
+            Pass::Pack => "pack",
             Pass::Edge => "edge",
             Pass::Hold => "hold",
             Pass::Lower => "lower",
@@ -105,6 +109,7 @@ impl Pass {
             Pass::Fields => {
                 "Words wider than a register of the machine are split into the fields that they are made of."
             }
+            Pass::Pack => "The bits of lanes that have one each are packed in words of the machine.",
             Pass::Edge => "What one edge of each clock does.",
             Pass::Hold => "The same, where all inputs of up to 8 bits are held at 0.",
             Pass::Lower => "Operations that the machine has take the place of those that it has not.",

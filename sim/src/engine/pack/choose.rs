@@ -1,0 +1,248 @@
+//! Which lanes are packed, and how many in a word.
+//!
+//! Values that are computed from each other by logic are packed together or not at all. It is worth it where few lanes are
+//! packed or unpacked on the way in and out, as that is done lane by lane.
+
+use rustc_hash::FxHashMap;
+use tilewright_hdl::ir::ReadUnderWrite;
+
+use super::making::{Making, making, repeated};
+use crate::engine::program::{Axis, Cell, Circuit, Kind, Memory, Program, ValueId};
+
+/// The lanes that words may have, the most first.
+const WORDS: [u32; 4] = [64, 32, 16, 8];
+/// Lanes that are computed at once without being packed.
+const AT_ONCE: i64 = 16;
+/// What it costs to pack or unpack a lane, in lanes that are computed one by one.
+const LANE_BY_LANE: i64 = 2;
+/// The gain where words of so many lanes cannot be.
+const NEVER: i64 = i64::MIN >> 32;
+
+/// What is packed, with the lanes in a word.
+#[derive(Debug, Default)]
+pub(super) struct Choice {
+    pub values: FxHashMap<ValueId, u32>,
+    pub memories: FxHashMap<u32, u32>,
+}
+
+/// Chooses among values of so many lanes and more.
+pub(super) fn choose(program: &Program, from: u32) -> Choice {
+    let groups = Groups::of(program, from);
+    let mut choice = Choice::default();
+    let mut members: FxHashMap<usize, Vec<usize>> = FxHashMap::default();
+    for node in 0..groups.above.len() {
+        if groups.is_packable[node] {
+            let group = groups.root(node);
+            members.entry(group).or_default().push(node);
+        }
+    }
+    let mut members: Vec<Vec<usize>> = members.into_values().collect();
+    members.sort();
+    for nodes in members {
+        let gain = |&lanes: &u32| groups.gain(&nodes, lanes);
+        let best = WORDS.into_iter().rev().max_by_key(gain).expect("there are words");
+        if gain(&best) > 0 {
+            for node in nodes {
+                match node.checked_sub(program.circuit.len()) {
+                    None => choice.values.insert(ValueId(node as u32), best),
+                    Some(memory) => choice.memories.insert(memory as u32, best),
+                };
+            }
+        }
+    }
+    choice
+}
+
+/// Values, and after them memories, in groups.
+struct Groups<'a> {
+    program: &'a Program,
+    /// Per value, and per memory: it can be packed.
+    is_packable: Vec<bool>,
+    /// Per value and per memory: another one of its group, nearer to its root.
+    above: Vec<usize>,
+    /// Per value: an edge needs it.
+    is_needed: Vec<bool>,
+    /// Per value that can be packed: what an edge needs of those that take it; itself, if that is no value.
+    takers: Vec<Vec<ValueId>>,
+}
+
+impl<'a> Groups<'a> {
+    fn of(program: &'a Program, from: u32) -> Groups<'a> {
+        let count = program.circuit.len();
+        let mut groups = Groups {
+            program,
+            is_packable: packable(program, from),
+            above: (0..count + program.memories.len()).collect(),
+            is_needed: vec![false; count],
+            takers: vec![Vec::new(); count],
+        };
+        groups.link();
+        groups.look();
+        groups
+    }
+
+    fn is_packable(&self, id: ValueId) -> bool {
+        self.is_packable[id.index()]
+    }
+
+    /// The place of a memory among values and memories.
+    fn node(&self, memory: u32) -> usize {
+        self.program.circuit.len() + memory as usize
+    }
+
+    fn root(&self, mut node: usize) -> usize {
+        while self.above[node] != node {
+            node = self.above[node];
+        }
+        node
+    }
+
+    /// Makes one group of those of two values or memories, if both can be packed.
+    fn join(&mut self, a: usize, b: usize) {
+        if self.is_packable[a] && self.is_packable[b] {
+            let (a, b) = (self.root(a), self.root(b));
+            self.above[a.max(b)] = a.min(b);
+        }
+    }
+
+    /// Makes the groups.
+    fn link(&mut self) {
+        let Program { circuit, registers, memories, .. } = self.program;
+        for (id, cell) in circuit.cells() {
+            match cell.kind {
+                Kind::Read { memory, .. } => self.join(id.index(), self.node(memory)),
+                _ if cell.kind.is_elementwise() || matches!(cell.kind, Kind::Alias(_)) => {
+                    cell.kind.for_each_operand(|operand| self.join(id.index(), operand.index()));
+                }
+                _ => {}
+            }
+        }
+        for register in registers {
+            let value = register.value.index();
+            [Some(register.next), register.enable].iter().flatten().for_each(|id| self.join(value, id.index()));
+        }
+        for (index, memory) in (0..).zip(memories) {
+            let read = memory.reads.iter().map(|read| read.value);
+            let written = memory.writes.iter().flat_map(|write| [write.data, write.enable]);
+            read.chain(written).for_each(|id| self.join(self.node(index), id.index()));
+        }
+    }
+
+    /// Sees who takes what can be packed.
+    fn look(&mut self) {
+        let program = self.program;
+        let roots: Vec<ValueId> = (0..program.clocks.len()).flat_map(|clock| program.sampled(clock, true)).collect();
+        for id in program.circuit.needed(roots) {
+            self.is_needed[id.index()] = true;
+            program.circuit[id].kind.for_each_operand(|operand| {
+                if self.is_packable[operand.index()] {
+                    self.takers[operand.index()].push(id);
+                }
+            });
+        }
+        let conditions = program.asserts.iter().map(|assert| assert.condition);
+        let memories = (0..).zip(&program.memories).filter(|(index, _)| !self.is_packable[self.node(*index)]);
+        let ports = memories.flat_map(|(_, memory)| {
+            let writes = memory.writes.iter().flat_map(|write| [write.enable, write.address, write.data]);
+            writes.chain(memory.reads.iter().flat_map(|read| [Some(read.address), read.enable].into_iter().flatten()))
+        });
+        let registers = program.registers.iter().filter(|register| !self.is_packable(register.value));
+        let registers = registers.flat_map(|register| [Some(register.next), register.enable].into_iter().flatten());
+        let takes: Vec<ValueId> = conditions.chain(ports).chain(registers).filter(|id| self.is_packable(*id)).collect();
+        takes.into_iter().for_each(|id| self.takers[id.index()].push(id));
+    }
+
+    /// What is gained by packing a group, in lanes that are not computed.
+    fn gain(&self, nodes: &[usize], lanes: u32) -> i64 {
+        nodes.iter().map(|&node| self.gain_of(node, lanes)).sum()
+    }
+
+    fn gain_of(&self, node: usize, lanes: u32) -> i64 {
+        let circuit = &self.program.circuit;
+        if let Some(memory) = node.checked_sub(circuit.len()) {
+            let memory = &self.program.memories[memory];
+            let mut ports =
+                memory.writes.iter().map(|write| write.address).chain(
+                    memory.reads.iter().flat_map(|read| [Some(read.address), read.enable].into_iter().flatten()),
+                );
+            let is_same = |id: ValueId| repeated(circuit, id, lanes).is_some() || circuit.constant(id).is_some();
+            let fits = memory.lanes.is_multiple_of(lanes) && ports.all(is_same);
+            return if fits { i64::from(memory.lanes) / AT_ONCE } else { NEVER };
+        }
+        let (id, all) = (ValueId(node as u32), i64::from(circuit[ValueId(node as u32)].lanes));
+        let made = match making(circuit, id, lanes) {
+            // What is only looked at is packed if that is for nothing.
+            Some(_) if !self.is_needed[node] => i64::from(self.packed_operands(id, lanes) == 0),
+            None if matches!(circuit[id].kind, Kind::Read { .. }) => NEVER,
+            None if !self.is_needed[node] => 0,
+            Some(_) => all / AT_ONCE - self.packed_operands(id, lanes),
+            None if all % i64::from(lanes) == 0 => -LANE_BY_LANE * all,
+            None => NEVER,
+        };
+        let is_unpacked = self.takers[node].iter().any(|&by| !self.takes_words(by, id, lanes));
+        made - if is_unpacked { LANE_BY_LANE * all } else { 0 }
+    }
+
+    /// What it costs to pack the operands of an operation that are of no group.
+    fn packed_operands(&self, id: ValueId, lanes: u32) -> i64 {
+        let (circuit, mut cost) = (&self.program.circuit, 0);
+        circuit[id].kind.for_each_operand(|operand| {
+            let cell = &circuit[operand];
+            let is_word = cell.width > 1
+                || matches!(making(circuit, operand, lanes), Some(Making::Constant | Making::Repeated { .. }));
+            if !self.is_packable(operand) && !is_word {
+                cost += LANE_BY_LANE * i64::from(cell.lanes);
+            }
+        });
+        cost
+    }
+
+    /// Whether what takes a value can take its words.
+    fn takes_words(&self, by: ValueId, of: ValueId, lanes: u32) -> bool {
+        let circuit = &self.program.circuit;
+        match circuit[by].kind {
+            _ if by == of => false,
+            Kind::Pack { axis: Axis { count, inner: 1 }, .. } | Kind::Reduce { axis: Axis { count, inner: 1 }, .. } => {
+                count.is_multiple_of(lanes)
+            }
+            // Few lanes are left of many.
+            Kind::Lane { .. } => true,
+            _ => self.is_packable(by) && making(circuit, by, lanes).is_some(),
+        }
+    }
+}
+
+/// Per value, and then per memory: whether its lanes, one bit each, can be packed.
+fn packable(program: &Program, from: u32) -> Vec<bool> {
+    let circuit = &program.circuit;
+    let memories: Vec<bool> = program.memories.iter().map(|memory| is_packable_memory(circuit, memory, from)).collect();
+    let read = program.memories.iter().zip(&memories).filter(|(_, is_packable)| **is_packable);
+    let mut is_state = vec![false; circuit.len()];
+    read.flat_map(|(memory, _)| &memory.reads).for_each(|read| is_state[read.value.index()] = true);
+    program.registers.iter().for_each(|register| is_state[register.value.index()] = true);
+    let is_packable = |(id, cell): (ValueId, &Cell)| {
+        cell.width == 1
+            && cell.lanes >= from
+            && match cell.kind {
+                Kind::State => is_state[id.index()],
+                Kind::Read { memory, .. } => memories[memory as usize],
+                // Who needs it repeats it in each word.
+                Kind::Const(_) | Kind::Broadcast { axis: Axis { inner: 1, .. }, .. } => false,
+                _ => true,
+            }
+    };
+    circuit.cells().map(is_packable).chain(memories.iter().copied()).collect()
+}
+
+/// Whether a memory has one bit a lane, the same address for all of them, and one write at most. Where a read that is made with
+/// the write gives anything, only lanes that are written may show so.
+fn is_packable_memory(circuit: &Circuit, memory: &Memory, from: u32) -> bool {
+    let is_same = |id: ValueId| repeated(circuit, id, 1).is_some() || circuit.constant(id).is_some();
+    let is_written_alike = memory.writes.iter().all(|write| is_same(write.enable));
+    memory.width == 1
+        && memory.lanes >= from
+        && memory.writes.len() <= 1
+        && memory.writes.iter().all(|write| is_same(write.address))
+        && memory.reads.iter().all(|read| is_same(read.address) && read.enable.is_none_or(is_same))
+        && (is_written_alike || memory.reads.is_empty() || memory.policy == ReadUnderWrite::Old)
+}

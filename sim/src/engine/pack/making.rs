@@ -1,0 +1,70 @@
+//! How the words of a value come about, if its lanes are packed.
+
+use tilewright_hdl::ir::Binary;
+
+use crate::engine::program::{Axis, Circuit, Kind, ValueId};
+
+/// How words come about.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Making {
+    /// The bits of a word are all alike.
+    Constant,
+    /// They are state, or the words of a memory.
+    Kept,
+    /// By logic, from the words of the operands.
+    Logic,
+    /// By the same operation on words of the operands, along an axis that counts words where it counted lanes.
+    Moved,
+    /// Each lane of this value is all bits of so many words.
+    Repeated { of: ValueId, words: u32 },
+    /// They are the parts of a wider value.
+    Parts,
+}
+
+/// How the words of a value come about, of so many lanes each; none if it is computed lane by lane, and packed then.
+pub(super) fn making(circuit: &Circuit, id: ValueId, lanes: u32) -> Option<Making> {
+    let cell = &circuit[id];
+    if !cell.lanes.is_multiple_of(lanes) {
+        return None;
+    }
+    let is_whole = |axis: Axis| axis.inner.is_multiple_of(lanes);
+    match &cell.kind {
+        Kind::Const(_) => Some(Making::Constant),
+        Kind::State => Some(Making::Kept),
+        Kind::Read { address, .. } => {
+            let is_same = repeated(circuit, *address, lanes).is_some() || circuit.constant(*address).is_some();
+            is_same.then_some(Making::Kept)
+        }
+        Kind::Case { subject, .. } => repeated(circuit, *subject, lanes).map(|_| Making::Logic),
+        kind if is_logic(circuit, kind) => Some(Making::Logic),
+        Kind::Broadcast { axis, .. } if is_whole(*axis) => Some(Making::Moved),
+        Kind::Broadcast { .. } => repeated(circuit, id, lanes).map(|(of, words)| Making::Repeated { of, words }),
+        Kind::Stack { inner, .. } => inner.is_multiple_of(lanes).then_some(Making::Moved),
+        Kind::Map { axis, .. }
+        | Kind::Interleave { axis, .. }
+        | Kind::Lane { axis, .. }
+        | Kind::Reduce { axis, .. } => is_whole(*axis).then_some(Making::Moved),
+        Kind::Unpack { axis: Axis { count, inner: 1 }, .. } => count.is_multiple_of(lanes).then_some(Making::Parts),
+        _ => None,
+    }
+}
+
+/// Whether each bit of the result follows from the same bit of operands of one bit.
+fn is_logic(circuit: &Circuit, kind: &Kind) -> bool {
+    match kind {
+        Kind::Alias(_) | Kind::Unary(..) | Kind::Mux { .. } | Kind::Select { .. } => true,
+        Kind::Binary(op, ..) => !matches!(op, Binary::Mul | Binary::MulSigned),
+        Kind::Compare(_, _, a, _) => circuit[*a].width == 1,
+        _ => false,
+    }
+}
+
+/// What a value is the same as in all lanes of a word, and how many words each lane of that stands for.
+pub(super) fn repeated(circuit: &Circuit, id: ValueId, lanes: u32) -> Option<(ValueId, u32)> {
+    match circuit[id].kind {
+        Kind::Broadcast { of, axis: Axis { count, inner: 1 } } if count.is_multiple_of(lanes) => {
+            Some((of, count / lanes))
+        }
+        _ => None,
+    }
+}
