@@ -24,6 +24,7 @@ The designs, with a size for N:
   flatN      the same, each unit a module of its own, so that nothing is replicated
   coreN      N processors of RV32I, each with a program that sorts words
   simdN      N x N processors under one instruction
+  pxplN      N x N processors of one bit under one instruction, fed by a serial tree; N is a power of two
   systolicN  N x N cells that multiply matrices
   vc1xN      a VC-1 with N processors that draw at random, frame after frame; vc1xN@WxH has another screen than 640x480
 

@@ -6,7 +6,7 @@ use std::str::FromStr;
 use tilewright_hdl::{Design, Problems, elaborate};
 use tilewright_rtl::parameter::Screen;
 
-use crate::designs::{Core, Pim, Qt, Simd, Systolic, Vc1Frames};
+use crate::designs::{Core, Pim, Pxpl, Qt, Simd, Systolic, Vc1Frames};
 
 /// A kind of design; a size makes it a [`Subject`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -21,6 +21,8 @@ pub enum Family {
     Core,
     /// [`Simd`]; its size is the number of processors in a row.
     Simd,
+    /// [`Pxpl`]; its size is the number of processors in a row, a power of two.
+    Pxpl,
     /// [`Systolic`]; its size is the side of its grid.
     Systolic,
     /// [`Vc1Frames`]; its size is the number of processors.
@@ -29,8 +31,16 @@ pub enum Family {
 
 impl Family {
     /// Every family.
-    pub const ALL: [Family; 7] =
-        [Family::Pim, Family::Qt, Family::Flat, Family::Core, Family::Simd, Family::Systolic, Family::Vc1];
+    pub const ALL: [Family; 8] = [
+        Family::Pim,
+        Family::Qt,
+        Family::Flat,
+        Family::Core,
+        Family::Simd,
+        Family::Pxpl,
+        Family::Systolic,
+        Family::Vc1,
+    ];
 
     /// Its name, which stands before the size.
     pub fn name(self) -> &'static str {
@@ -40,6 +50,7 @@ impl Family {
             Family::Flat => "flat",
             Family::Core => "core",
             Family::Simd => "simd",
+            Family::Pxpl => "pxpl",
             Family::Systolic => "systolic",
             Family::Vc1 => "vc1x",
         }
@@ -50,6 +61,7 @@ impl Family {
         match self {
             Family::Pim | Family::Qt => 1..=4096,
             Family::Flat | Family::Core | Family::Simd | Family::Systolic | Family::Vc1 => 1..=256,
+            Family::Pxpl => 8..=256,
         }
     }
 
@@ -88,7 +100,7 @@ pub const USUAL: [Subject; 6] = [
 ];
 
 /// Checksums that several simulators agree on: the subject, cycles, checksum.
-const KNOWN: [(&str, u64, u32); 25] = [
+const KNOWN: [(&str, u64, u32); 32] = [
     ("pim16", 1000, 0xcce1_f33c),
     ("pim16", 20_000, 0x0b77_df9a),
     ("pim16", 300_000, 0xd0c8_a649),
@@ -112,6 +124,13 @@ const KNOWN: [(&str, u64, u32); 25] = [
     ("simd128", 1000, 0x2108_7b77),
     ("simd128", 5000, 0x01c6_1c8f),
     ("simd128", 20_000, 0xd3bb_bba6),
+    ("pxpl16", 1000, 0x0110_0744),
+    ("pxpl16", 5000, 0xcc48_36b7),
+    ("pxpl16", 20_000, 0xf336_0f9f),
+    ("pxpl32", 1000, 0x0092_ee68),
+    ("pxpl32", 20_000, 0x662b_4b09),
+    ("pxpl128", 1000, 0xfe42_ad78),
+    ("pxpl128", 20_000, 0xb887_e3ed),
     ("vc1x3@32x16", 200_000, 0x5415_1b3b),
     ("vc1x16@160x120", 200_000, 0x2e82_4dfa),
 ];
@@ -140,6 +159,7 @@ impl Subject {
             Family::Qt | Family::Flat => elaborate(&Qt { units: size, apart: self.family == Family::Flat }),
             Family::Core => elaborate(&Core { processors: size }),
             Family::Simd => elaborate(&Simd { edge: size }),
+            Family::Pxpl => elaborate(&Pxpl { edge: size }),
             Family::Systolic => elaborate(&Systolic { size }),
             Family::Vc1 => elaborate(&self.vc1()),
         }
@@ -163,6 +183,10 @@ impl Subject {
             Family::Simd => vec![
                 written("simd", include_str!("../verilog/simd.v"), "EDGE"),
                 written("simd_arr", include_str!("../verilog/simd_arr.v"), "EDGE"),
+            ],
+            Family::Pxpl => vec![
+                written("pxpl", include_str!("../verilog/pxpl.v"), "EDGE"),
+                written("pxpl_planes", include_str!("../verilog/pxpl_planes.v"), "EDGE"),
             ],
             Family::Core | Family::Systolic | Family::Vc1 => Vec::new(),
         }
@@ -206,6 +230,9 @@ impl FromStr for Subject {
         let size = design[name.len()..].parse().ok().filter(|size| family.sizes().contains(size));
         let (least, most) = family.sizes().into_inner();
         let mut subject = family.of_size(size.ok_or_else(|| format!("the size of {name} is from {least} to {most}"))?);
+        if family == Family::Pxpl && !subject.size.is_power_of_two() {
+            return Err(format!("the size of {name} is a power of two, such as {name}16"));
+        }
         if let Some(screen) = screen {
             subject.screen = parse_screen(screen).filter(|_| family == Family::Vc1).ok_or_else(no_screen)?;
         }
@@ -246,10 +273,12 @@ mod tests {
             assert_eq!(name.parse::<Subject>().unwrap().to_string(), name);
         }
         let wrong = [
-            ("pin16", "pimN, qtN, flatN, coreN, simdN, systolicN, vc1xN"),
+            ("pin16", "pimN, qtN, flatN, coreN, simdN, pxplN, systolicN, vc1xN"),
             ("", "pimN"),
             ("qt", "from 1"),
             ("simd257", "to 256"),
+            ("pxpl4", "from 8"),
+            ("pxpl24", "a power of two, such as pxpl16"),
             ("qt1*0", "from 1 to 64, as in qt1*16"),
             ("qt1*", "behind a `*`"),
             ("vc1x1*2", "vc1x has no input"),

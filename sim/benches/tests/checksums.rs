@@ -63,6 +63,13 @@ fn simd() {
 }
 
 #[test]
+fn pxpl() {
+    check("pxpl16", 20_000);
+    check("pxpl32", 20_000);
+    check("pxpl128", 20_000);
+}
+
+#[test]
 fn vc1() {
     check("vc1x3@32x16", 200_000);
 }

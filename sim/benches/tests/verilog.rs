@@ -1,6 +1,6 @@
 //! What is printed of the designs, and what was written by hand, in the tools that take Verilog.
 
-use tilewright_benches::designs::{Core, Pim, Qt, Simd, Vc1Frames};
+use tilewright_benches::designs::{Core, Pim, Pxpl, Qt, Simd, Vc1Frames};
 use tilewright_benches::{HandWritten, RESET_CYCLES, Subject, reset};
 use tilewright_gen::tools::{lint, replay_in_icarus};
 use tilewright_gen::{VerilogFile, testbench, verilog};
@@ -9,12 +9,12 @@ use tilewright_rtl::parameter::Screen;
 use tilewright_sim::Simulation;
 
 /// Small designs; a small screen, as Yosys takes its time over what memories hold at the start.
-fn small() -> [Design; 5] {
+fn small() -> [Design; 6] {
     let pim = elaborate(&Pim { stages: 2, columns: 7, rows: 5 });
     let vc1 = elaborate(&Vc1Frames::new(Screen { width: 12, height: 8 }, 2).unwrap());
     let core = elaborate(&Core { processors: 2 });
-    [pim, elaborate(&Qt { units: 2, apart: false }), core, elaborate(&Simd { edge: 3 }), vc1]
-        .map(|design| design.unwrap())
+    let qt = elaborate(&Qt { units: 2, apart: false });
+    [pim, qt, core, elaborate(&Simd { edge: 3 }), elaborate(&Pxpl { edge: 8 }), vc1].map(|design| design.unwrap())
 }
 
 #[test]
@@ -38,7 +38,7 @@ fn icarus_repeats_what_is_printed() {
 
 #[test]
 fn what_is_written_by_hand_has_the_known_checksums() {
-    for name in ["pim16", "qt16", "simd16"] {
+    for name in ["pim16", "qt16", "simd16", "pxpl16"] {
         let subject: Subject = name.parse().unwrap();
         let (cycles, checksum) = subject.known().next().unwrap();
         let all = subject.hand_written();

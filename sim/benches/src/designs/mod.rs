@@ -3,6 +3,7 @@
 mod cores;
 mod dots;
 mod pim;
+mod pxpl;
 mod qt;
 mod simd;
 mod systolic;
@@ -11,6 +12,7 @@ mod vc1;
 pub use cores::{Core, Processor, ProcessorIn, ProcessorOut};
 pub use dots::{Dots, DotsIn, DotsOut};
 pub use pim::Pim;
+pub use pxpl::Pxpl;
 pub use qt::Qt;
 pub use simd::Simd;
 pub use systolic::Systolic;

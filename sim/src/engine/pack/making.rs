@@ -52,7 +52,8 @@ pub(super) fn making(circuit: &Circuit, id: ValueId, lanes: u32) -> Option<Makin
 /// Whether each bit of the result follows from the same bit of operands of one bit.
 fn is_logic(circuit: &Circuit, kind: &Kind) -> bool {
     match kind {
-        Kind::Alias(_) | Kind::Unary(..) | Kind::Mux { .. } | Kind::Select { .. } => true,
+        Kind::Alias(_) | Kind::Mux { .. } | Kind::Select { .. } => true,
+        Kind::Unary(_, of) => circuit[*of].width == 1,
         Kind::Binary(op, ..) => !matches!(op, Binary::Mul | Binary::MulSigned),
         Kind::Compare(_, _, a, _) => circuit[*a].width == 1,
         _ => false,

@@ -1,0 +1,85 @@
+//! A processor of one bit, with 208 bits of memory.
+
+use tilewright_hdl::{Bits, Module, ReadUnderWrite, bit, bits, block, codes, mux, net, one_of};
+
+/// Bits of memory.
+pub const BITS: u32 = 208;
+
+codes! {
+    /// What all processors do in a clock; S is the bit of x + y, M the one that is read.
+    pub enum Operation {
+        /// Nothing.
+        Nothing,
+        /// Writes S.
+        Store,
+        /// Writes the sum of S and M, with a carry.
+        Add,
+        /// Those where S, a sign, is 0 stay enabled.
+        KeepPositive,
+        /// All are enabled.
+        Everybody,
+        /// Compares S with M.
+        Compare,
+        /// Those where S was the less stay enabled.
+        KeepLess,
+        /// Writes M.
+        Copy,
+    }
+}
+
+block! {
+    /// One of the processors.
+    pub struct Pixel;
+    in PixelIn {
+        rst: bit(),
+        /// It is the first bit of a word.
+        first: bit(),
+        operation: one_of::<Operation>(),
+        /// The address that is read.
+        read: bits(8),
+        /// The address that is written.
+        write: bits(8),
+        x: bit(),
+        y: bit(),
+    }
+    out PixelOut {
+        /// What it computed, or 0 if it is not enabled.
+        result: bit(),
+        enable: bit(),
+    }
+}
+
+impl Pixel {
+    fn build(&self, m: Module, i: PixelIn) -> PixelOut {
+        let memory = m.memory("memory", BITS, bit(), ReadUnderWrite::Old).fill(Bits::zero(1));
+        let [sum_carry, carry, less, enable] = ["sum_carry", "carry", "less", "enable"].map(|name| m.reg(name, bit()));
+        let majority = |a, b, c| (a & b) | (a & c) | (b & c);
+        net!(sum_carried = sum_carry & !i.first);
+        net!(sum = i.x ^ i.y ^ sum_carried);
+        net!(word = memory.read_async(i.read));
+        net!(carried = carry & !i.first);
+        let is = |operation| i.operation.is(operation);
+        net!(
+            value = i.operation.choose(|operation| match operation {
+                Operation::Add => sum ^ word ^ carried,
+                Operation::Copy => word,
+                _ => sum,
+            })
+        );
+
+        sum_carry.when(i.rst, 0).otherwise(majority(i.x, i.y, sum_carried));
+        carry.when(i.rst, 0).when(is(Operation::Add), majority(sum, word, carried));
+        let so_far = mux(sum.ne(word), word, less & !i.first);
+        less.when(i.rst, 0).when(is(Operation::Compare), so_far);
+        enable
+            .when(i.rst, 1)
+            .when(is(Operation::KeepPositive), enable & !sum)
+            .when(is(Operation::Everybody), 1)
+            .when(is(Operation::KeepLess), enable & less);
+        let writes = is(Operation::Store) | is(Operation::Add) | is(Operation::Copy);
+        memory.write(writes & enable & !i.rst, i.write, value);
+        let result = m.reg("result", bit());
+        result.when(i.rst, 0).otherwise(value & enable);
+        PixelOut { result: *result, enable: *enable }
+    }
+}
