@@ -69,7 +69,7 @@ impl Square {
         });
         let wide = m.reg("wide", bits(2).of(shape)).reset(0);
         wide.next(*wide + 1);
-        held.when(i.x.bit(5), processors.y ^ wide.any()).when(i.x.bit(6), processors.word ^ i.x.bit(1));
+        held.when(i.x.bit(5), processors.y ^ wide.any_one()).when(i.x.bit(6), processors.word ^ i.x.bit(1));
         m.assert(held.le(lit(1, 1).of(shape)).rows().and_all().and_all(), "a bit is 1 at most");
         let counts = m.reg("counts", bits(8).of(row(self.rows))).reset(0);
         counts.next(*counts + (processors.y.columns().last().zext(8) + 1));
