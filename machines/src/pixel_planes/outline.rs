@@ -1,0 +1,166 @@
+//! The real extent of a primitive, and which squares of a grid it is binned to.
+//!
+//! Source: PP5-HVB (bounding box) and PP5-HV (whole columns of regions). Extents are those of the vertices, not of the pixels drawn: the
+//! formulas hold of them exactly, on the mean over all places.
+//!
+//! Positions are in 1/32 pixel. No centre of a pixel lies on a border of regions, so a region of which a polygon draws a pixel meets its
+//! extent. A line has, in each column, the pixel that its own point is in, so that its extent needs no width; but where that point is on a
+//! border between two pixels the fill rule may give it the upper one, or of a steep line the left one. Half of 1/16 pixel up or left
+//! of its place, a line is on no border.
+
+use std::ops::RangeInclusive;
+use tilewright_scenes::ScreenVertex;
+use tilewright_scenes::packet::SUBPIXELS;
+
+/// Units of an outline in a pixel.
+const UNITS: i64 = 2 * SUBPIXELS as i64;
+
+/// How the squares of a primitive are found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Binner {
+    /// All that the box round its vertices meets (PP5-HVB).
+    Box,
+    /// Of each column of squares that a line meets, those that it passes if it goes on to both sides of the column: at most two. Of a
+    /// line of more than 45 degrees, rows instead of columns (PP5-HV). Polygons are binned as by [`Binner::Box`].
+    Columns,
+    /// Of each column of squares, those between its least and greatest place in the column: none but what it meets.
+    Tight,
+}
+
+impl Binner {
+    /// All of them.
+    pub const ALL: [Binner; 3] = [Binner::Box, Binner::Columns, Binner::Tight];
+}
+
+/// A convex polygon, or a line, by its vertices.
+///
+/// ```
+/// use tilewright_machines::pixel_planes::{Binner, Outline, Regions};
+/// use tilewright_scenes::{ScreenVertex, Size};
+///
+/// // A flat line from one corner of a screen of 4x2 regions to the opposite one.
+/// let at = |x: i32, y: i32| ScreenVertex { x: 16 * x, y: 16 * y, z: 1, rgb: [0; 3] };
+/// let line = Outline::of(&[at(1, 1), at(510, 254)]);
+/// let regions = Regions::new(Size::new(512, 256)?, 128)?;
+/// assert_eq!(regions.of(&line, Binner::Box).len(), 8);
+/// assert_eq!(regions.of(&line, Binner::Columns), [0, 1, 6, 7]);
+/// assert_eq!(regions.of(&line, Binner::Tight), [0, 1, 6, 7]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Outline {
+    /// In 1/32 pixel.
+    corners: Vec<Place>,
+}
+
+type Place = (i64, i64);
+
+/// Columns of a grid, counted from the left border of the screen, each with rows: or, transposed, rows with columns.
+pub(super) type Spans = Vec<(i64, RangeInclusive<i64>)>;
+
+impl Outline {
+    /// The outline of a line's two ends, or of the corners of a convex polygon, as [`tilewright_scenes::Polygons::vertices`] has them.
+    pub fn of(vertices: &[ScreenVertex]) -> Outline {
+        let corners = vertices.iter().map(|v| (2 * i64::from(v.x), 2 * i64::from(v.y)));
+        let mut outline = Outline { corners: corners.collect() };
+        if outline.is_line() {
+            let is_flat = outline.is_flat();
+            outline.corners.iter_mut().for_each(|place| if is_flat { place.1 -= 1 } else { place.0 -= 1 });
+        }
+        outline
+    }
+
+    fn is_line(&self) -> bool {
+        self.corners.len() == 2
+    }
+
+    /// Whether it is no longer along y than along x.
+    fn is_flat(&self) -> bool {
+        let length = |of: fn(&Place) -> i64| {
+            let (least, greatest) = self.range(of);
+            greatest - least
+        };
+        length(|place| place.0) >= length(|place| place.1)
+    }
+
+    /// The least and the greatest position along an axis.
+    fn range(&self, of: impl Fn(&Place) -> i64) -> (i64, i64) {
+        let positions = self.corners.iter().map(of);
+        positions.fold((i64::MAX, i64::MIN), |(least, greatest), at| (least.min(at), greatest.max(at)))
+    }
+
+    /// Rows of squares of `side` pixels by column, or columns by row if `true` is beside them.
+    pub(super) fn spans(&self, binner: Binner, side: u32) -> (Spans, bool) {
+        let unit = UNITS * i64::from(side);
+        match binner {
+            Binner::Columns if self.is_line() => {
+                let is_steep = !self.is_flat();
+                let line = if is_steep { self.transposed() } else { self.clone() };
+                (line.whole_columns(unit), is_steep)
+            }
+            Binner::Box | Binner::Columns => (self.whole_box(unit), false),
+            Binner::Tight => (self.tight(unit), false),
+        }
+    }
+
+    fn transposed(&self) -> Outline {
+        Outline { corners: self.corners.iter().map(|&(x, y)| (y, x)).collect() }
+    }
+
+    /// The columns of squares of `unit` that it meets.
+    fn columns(&self, unit: i64) -> RangeInclusive<i64> {
+        let (least, greatest) = self.range(|place| place.0);
+        least.div_euclid(unit)..=greatest.div_euclid(unit)
+    }
+
+    fn whole_box(&self, unit: i64) -> Spans {
+        let (least, greatest) = self.range(|place| place.1);
+        let rows = least.div_euclid(unit)..=greatest.div_euclid(unit);
+        self.columns(unit).map(|column| (column, rows.clone())).collect()
+    }
+
+    fn whole_columns(&self, unit: i64) -> Spans {
+        let side = Side::between(self.corners[0], self.corners[1]);
+        let rows = |column| side.rows_between(column * unit, (column + 1) * unit, unit);
+        self.columns(unit).map(|column| (column, rows(column))).collect()
+    }
+
+    fn tight(&self, unit: i64) -> Spans {
+        let next = self.corners.iter().cycle().skip(1);
+        let sides: Vec<Side> = self.corners.iter().zip(next).map(|(&p, &q)| Side::between(p, q)).collect();
+        let rows = |column: i64| {
+            let (left, right) = (column * unit, (column + 1) * unit);
+            let met = sides.iter().filter(|side| side.from.0 <= right && left <= side.to.0);
+            let rows = met.map(|side| side.rows_between(left.max(side.from.0), right.min(side.to.0), unit));
+            rows.reduce(|all, rows| *all.start().min(rows.start())..=*all.end().max(rows.end()))
+        };
+        self.columns(unit).filter_map(|column| Some((column, rows(column)?))).collect()
+    }
+}
+
+/// A side of an outline, from left to right.
+struct Side {
+    from: Place,
+    to: Place,
+}
+
+impl Side {
+    fn between(p: Place, q: Place) -> Side {
+        if p.0 <= q.0 { Side { from: p, to: q } } else { Side { from: q, to: p } }
+    }
+
+    /// The rows of squares of `unit` that the side, or its continuation, passes from x = `left` to x = `right`; an upright one is as long
+    /// as it is.
+    fn rows_between(&self, left: i64, right: i64, unit: i64) -> RangeInclusive<i64> {
+        let (dx, dy) = (self.to.0 - self.from.0, self.to.1 - self.from.1);
+        let (first, last) = match dx {
+            0 => (self.from.1.div_euclid(unit), self.to.1.div_euclid(unit)),
+            // Exact: numerator and denominator are below 2^40.
+            _ => {
+                let row = |x: i64| (self.from.1 * dx + (x - self.from.0) * dy).div_euclid(dx * unit);
+                (row(left), row(right))
+            }
+        };
+        first.min(last)..=first.max(last)
+    }
+}
