@@ -3,17 +3,13 @@
 //! Source: PP5-HVB (bounding box) and PP5-HV (whole columns of regions). Extents are those of the vertices, not of the pixels drawn: the
 //! formulas hold of them exactly, on the mean over all places.
 //!
-//! Positions are in 1/32 pixel. No centre of a pixel lies on a border of regions, so a region of which a polygon draws a pixel meets its
-//! extent. A line has, in each column, the pixel that its own point is in, so that its extent needs no width; but where that point is on a
-//! border between two pixels the fill rule may give it the upper one, or of a steep line the left one. Half of 1/16 pixel up or left
-//! of its place, a line is on no border.
+//! No centre of a pixel lies on a border of squares, so a square in which a polygon has a pixel meets its extent. A line has, in each column, the
+//! pixel that its own point is in, so that its extent needs no width. But where that point is on the border of two pixels the fill rule may
+//! give it the upper one, or of a steep line the left one: there the border of squares belongs to the upper, or left, one, too.
 
 use std::ops::RangeInclusive;
 use tilewright_scenes::ScreenVertex;
 use tilewright_scenes::packet::SUBPIXELS;
-
-/// Units of an outline in a pixel.
-const UNITS: i64 = 2 * SUBPIXELS as i64;
 
 /// How the squares of a primitive are found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -23,7 +19,8 @@ pub enum Binner {
     /// Of each column of squares that a line meets, those that it passes if it goes on to both sides of the column: at most two. Of a
     /// line of more than 45 degrees, rows instead of columns (PP5-HV). Polygons are binned as by [`Binner::Box`].
     Columns,
-    /// Of each column of squares, those between its least and greatest place in the column: none but what it meets.
+    /// Of each column of squares, those between its least and greatest place in the column: none but what it meets. Of a line of more than 45
+    /// degrees, rows instead of columns.
     Tight,
 }
 
@@ -49,23 +46,25 @@ impl Binner {
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Outline {
-    /// In 1/32 pixel.
+    /// In 1/16 pixel.
     corners: Vec<Place>,
+    /// Along x and y: what stands on a border is in the square before it.
+    before: (bool, bool),
 }
 
 type Place = (i64, i64);
 
-/// Columns of a grid, counted from the left border of the screen, each with rows: or, transposed, rows with columns.
+/// Columns of squares, counted from the left border of the screen, each with rows: or, transposed, rows with columns.
 pub(super) type Spans = Vec<(i64, RangeInclusive<i64>)>;
 
 impl Outline {
     /// The outline of a line's two ends, or of the corners of a convex polygon, as [`tilewright_scenes::Polygons::vertices`] has them.
     pub fn of(vertices: &[ScreenVertex]) -> Outline {
-        let corners = vertices.iter().map(|v| (2 * i64::from(v.x), 2 * i64::from(v.y)));
-        let mut outline = Outline { corners: corners.collect() };
+        let corners = vertices.iter().map(|v| (i64::from(v.x), i64::from(v.y))).collect();
+        let mut outline = Outline { corners, before: (false, false) };
         if outline.is_line() {
             let is_flat = outline.is_flat();
-            outline.corners.iter_mut().for_each(|place| if is_flat { place.1 -= 1 } else { place.0 -= 1 });
+            outline.before = (!is_flat, is_flat);
         }
         outline
     }
@@ -76,11 +75,8 @@ impl Outline {
 
     /// Whether it is no longer along y than along x.
     fn is_flat(&self) -> bool {
-        let length = |of: fn(&Place) -> i64| {
-            let (least, greatest) = self.range(of);
-            greatest - least
-        };
-        length(|place| place.0) >= length(|place| place.1)
+        let length = |(least, greatest): (i64, i64)| greatest - least;
+        length(self.range(|place| place.0)) >= length(self.range(|place| place.1))
     }
 
     /// The least and the greatest position along an axis.
@@ -91,37 +87,41 @@ impl Outline {
 
     /// Rows of squares of `side` pixels by column, or columns by row if `true` is beside them.
     pub(super) fn spans(&self, binner: Binner, side: u32) -> (Spans, bool) {
-        let unit = UNITS * i64::from(side);
+        let unit = i64::from(SUBPIXELS) * i64::from(side);
+        if self.is_line() && !self.is_flat() {
+            (self.transposed().lanes(binner, unit), true)
+        } else {
+            (self.lanes(binner, unit), false)
+        }
+    }
+
+    fn lanes(&self, binner: Binner, unit: i64) -> Spans {
         match binner {
-            Binner::Columns if self.is_line() => {
-                let is_steep = !self.is_flat();
-                let line = if is_steep { self.transposed() } else { self.clone() };
-                (line.whole_columns(unit), is_steep)
-            }
-            Binner::Box | Binner::Columns => (self.whole_box(unit), false),
-            Binner::Tight => (self.tight(unit), false),
+            Binner::Columns if self.is_line() => self.whole_columns(unit),
+            Binner::Box | Binner::Columns => self.whole_box(unit),
+            Binner::Tight => self.tight(unit),
         }
     }
 
     fn transposed(&self) -> Outline {
-        Outline { corners: self.corners.iter().map(|&(x, y)| (y, x)).collect() }
+        let corners = self.corners.iter().map(|&(x, y)| (y, x)).collect();
+        Outline { corners, before: (self.before.1, self.before.0) }
     }
 
     /// The columns of squares of `unit` that it meets.
     fn columns(&self, unit: i64) -> RangeInclusive<i64> {
         let (least, greatest) = self.range(|place| place.0);
-        least.div_euclid(unit)..=greatest.div_euclid(unit)
+        square(least, unit, self.before.0)..=square(greatest, unit, self.before.0)
     }
 
     fn whole_box(&self, unit: i64) -> Spans {
-        let (least, greatest) = self.range(|place| place.1);
-        let rows = least.div_euclid(unit)..=greatest.div_euclid(unit);
+        let rows = self.transposed().columns(unit);
         self.columns(unit).map(|column| (column, rows.clone())).collect()
     }
 
     fn whole_columns(&self, unit: i64) -> Spans {
         let side = Side::between(self.corners[0], self.corners[1]);
-        let rows = |column| side.rows_between(column * unit, (column + 1) * unit, unit);
+        let rows = |column| side.rows(column * unit, (column + 1) * unit, unit, self.before.1);
         self.columns(unit).map(|column| (column, rows(column))).collect()
     }
 
@@ -131,11 +131,16 @@ impl Outline {
         let rows = |column: i64| {
             let (left, right) = (column * unit, (column + 1) * unit);
             let met = sides.iter().filter(|side| side.from.0 <= right && left <= side.to.0);
-            let rows = met.map(|side| side.rows_between(left.max(side.from.0), right.min(side.to.0), unit));
+            let rows = met.map(|side| side.rows(left.max(side.from.0), right.min(side.to.0), unit, self.before.1));
             rows.reduce(|all, rows| *all.start().min(rows.start())..=*all.end().max(rows.end()))
         };
         self.columns(unit).filter_map(|column| Some((column, rows(column)?))).collect()
     }
+}
+
+/// The number of the square of `unit` that a position is in: on a border the one after it, or the one `before`.
+fn square(position: i64, unit: i64, before: bool) -> i64 {
+    (position - i64::from(before)).div_euclid(unit)
 }
 
 /// A side of an outline, from left to right.
@@ -151,13 +156,13 @@ impl Side {
 
     /// The rows of squares of `unit` that the side, or its continuation, passes from x = `left` to x = `right`; an upright one is as long
     /// as it is.
-    fn rows_between(&self, left: i64, right: i64, unit: i64) -> RangeInclusive<i64> {
+    fn rows(&self, left: i64, right: i64, unit: i64, before: bool) -> RangeInclusive<i64> {
         let (dx, dy) = (self.to.0 - self.from.0, self.to.1 - self.from.1);
         let (first, last) = match dx {
-            0 => (self.from.1.div_euclid(unit), self.to.1.div_euclid(unit)),
-            // Exact: numerator and denominator are below 2^40.
+            0 => (square(self.from.1, unit, before), square(self.to.1, unit, before)),
+            // In parts of dx, so exact; below 2^40.
             _ => {
-                let row = |x: i64| (self.from.1 * dx + (x - self.from.0) * dy).div_euclid(dx * unit);
+                let row = |x: i64| square(self.from.1 * dx + (x - self.from.0) * dy, dx * unit, before);
                 (row(left), row(right))
             }
         };
