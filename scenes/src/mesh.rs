@@ -96,6 +96,16 @@ impl Mesh {
 
     /// The same mesh with these lines.
     ///
+    /// ```
+    /// use tilewright_scenes::{MeshLine, builtin::teapot};
+    ///
+    /// // Lines from one vertex of the teapot to the next.
+    /// let line = |i| MeshLine { positions: [i, i + 1], colour: [1.0; 3] };
+    /// let mesh = teapot::mesh(2).with_lines((0..20).map(line).collect())?;
+    /// assert_eq!((mesh.triangles().len(), mesh.lines().len()), (256, 20));
+    /// # Ok::<(), tilewright_scenes::SceneError>(())
+    /// ```
+    ///
     /// # Errors
     /// [`SceneError::Invalid`] if an index is out of range, or a colour is outside 0 to 1.
     pub fn with_lines(self, lines: Vec<MeshLine>) -> Result<Mesh, SceneError> {

@@ -5,7 +5,7 @@
 //!
 //! No centre of a pixel lies on a border of squares, so a square in which a polygon has a pixel meets its extent. A line has, in each column, the
 //! pixel that its own point is in, so that its extent needs no width. But where that point is on the border of two pixels the fill rule may
-//! give it the upper one, or of a steep line the left one: there the border of squares belongs to the upper, or left, one, too.
+//! give it the upper one, or of a steep line the left one: so a border of squares belongs to those above and to the left of it.
 
 use std::ops::RangeInclusive;
 use tilewright_scenes::ScreenVertex;
@@ -48,8 +48,6 @@ impl Binner {
 pub struct Outline {
     /// In 1/16 pixel.
     corners: Vec<Place>,
-    /// Along x and y: what stands on a border is in the square before it.
-    before: (bool, bool),
 }
 
 type Place = (i64, i64);
@@ -60,13 +58,7 @@ pub(super) type Spans = Vec<(i64, RangeInclusive<i64>)>;
 impl Outline {
     /// The outline of a line's two ends, or of the corners of a convex polygon, as [`tilewright_scenes::Polygons::vertices`] has them.
     pub fn of(vertices: &[ScreenVertex]) -> Outline {
-        let corners = vertices.iter().map(|v| (i64::from(v.x), i64::from(v.y))).collect();
-        let mut outline = Outline { corners, before: (false, false) };
-        if outline.is_line() {
-            let is_flat = outline.is_flat();
-            outline.before = (!is_flat, is_flat);
-        }
-        outline
+        Outline { corners: vertices.iter().map(|v| (i64::from(v.x), i64::from(v.y))).collect() }
     }
 
     fn is_line(&self) -> bool {
@@ -104,14 +96,13 @@ impl Outline {
     }
 
     fn transposed(&self) -> Outline {
-        let corners = self.corners.iter().map(|&(x, y)| (y, x)).collect();
-        Outline { corners, before: (self.before.1, self.before.0) }
+        Outline { corners: self.corners.iter().map(|&(x, y)| (y, x)).collect() }
     }
 
     /// The columns of squares of `unit` that it meets.
     fn columns(&self, unit: i64) -> RangeInclusive<i64> {
         let (least, greatest) = self.range(|place| place.0);
-        square(least, unit, self.before.0)..=square(greatest, unit, self.before.0)
+        square(least, unit, self.is_line())..=square(greatest, unit, self.is_line())
     }
 
     fn whole_box(&self, unit: i64) -> Spans {
@@ -121,7 +112,7 @@ impl Outline {
 
     fn whole_columns(&self, unit: i64) -> Spans {
         let side = Side::between(self.corners[0], self.corners[1]);
-        let rows = |column| side.rows(column * unit, (column + 1) * unit, unit, self.before.1);
+        let rows = |column| side.rows(column * unit, (column + 1) * unit, unit, self.is_line());
         self.columns(unit).map(|column| (column, rows(column))).collect()
     }
 
@@ -131,14 +122,14 @@ impl Outline {
         let rows = |column: i64| {
             let (left, right) = (column * unit, (column + 1) * unit);
             let met = sides.iter().filter(|side| side.from.0 <= right && left <= side.to.0);
-            let rows = met.map(|side| side.rows(left.max(side.from.0), right.min(side.to.0), unit, self.before.1));
+            let rows = met.map(|side| side.rows(left.max(side.from.0), right.min(side.to.0), unit, self.is_line()));
             rows.reduce(|all, rows| *all.start().min(rows.start())..=*all.end().max(rows.end()))
         };
         self.columns(unit).filter_map(|column| Some((column, rows(column)?))).collect()
     }
 }
 
-/// The number of the square of `unit` that a position is in: on a border the one after it, or the one `before`.
+/// The number of the square of `unit` that a position is in: on a border the one after it, or of a line the one `before`.
 fn square(position: i64, unit: i64, before: bool) -> i64 {
     (position - i64::from(before)).div_euclid(unit)
 }

@@ -15,8 +15,6 @@ use tilewright_scenes::{MAX_SIDE, PixelBox, ScreenVertex, Size};
 /// use tilewright_machines::pixel_planes::Regions;
 /// use tilewright_scenes::{PixelBox, Size};
 ///
-/// // The paper's screen.
-/// assert_eq!(Regions::new(Size::new(1280, 1024)?, 128)?.count(), 80);
 /// let regions = Regions::new(Size::VGA, 128)?;
 /// assert_eq!((regions.columns(), regions.rows(), regions.count()), (5, 4, 20));
 /// assert_eq!(regions.pixels(19), PixelBox { left: 512, top: 384, right: 639, bottom: 479 });
@@ -47,6 +45,17 @@ impl Regions {
                 "regions of {side}x{side} pixels: they have to be of 1 to {MAX_SIDE} a side"
             ))),
         }
+    }
+
+    /// The paper's: 1280x1024 pixels in regions of 128x128 (PP5-ARCH).
+    ///
+    /// ```
+    /// use tilewright_machines::pixel_planes::Regions;
+    ///
+    /// assert_eq!(Regions::paper().count(), 80);
+    /// ```
+    pub fn paper() -> Regions {
+        Regions { size: Size::new(1280, 1024).expect("in range"), side: 128 }
     }
 
     /// The screen.

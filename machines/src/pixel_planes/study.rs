@@ -11,7 +11,6 @@ use crate::run::Watch;
 use crate::threads::{all_threads, on_threads};
 use serde::Serialize;
 use tilewright_rtl::parameter::ParameterError;
-use tilewright_scenes::Size;
 
 /// What is counted of which vectors.
 ///
@@ -19,7 +18,7 @@ use tilewright_scenes::Size;
 /// use tilewright_machines::Watch;
 /// use tilewright_machines::pixel_planes::Study;
 ///
-/// let study = Study { lengths: vec![50.0], angles: vec![45.0], vectors: 2000, ..Study::paper(1)? };
+/// let study = Study { lengths: vec![50.0], angles: vec![45.0], vectors: 2000, ..Study::paper(1) };
 /// let points = study.run(&mut Watch::default())?.expect("nobody breaks it off");
 /// let counted = points[0].counted.by_box;
 /// assert!((counted.mean - 1.629).abs() < 4.0 * counted.error);
@@ -68,20 +67,16 @@ pub struct Point {
 }
 
 impl Study {
-    /// The screen of the paper, 1280x1024 in regions of 128x128 (PP5-ARCH), and its vectors of 50 pixels at 45 degrees among others. A few
-    /// seconds of one processor, in a release build.
-    ///
-    /// # Errors
-    /// None: the numbers are sound.
-    pub fn paper(seed: u64) -> Result<Study, ParameterError> {
-        let size = Size::new(1280, 1024).map_err(|error| ParameterError(error.to_string()))?;
-        Ok(Study {
-            regions: Regions::new(size, 128)?,
+    /// The screen of the paper, and its vectors of 50 pixels at 45 degrees among others. A few seconds of one processor, in a release
+    /// build.
+    pub fn paper(seed: u64) -> Study {
+        Study {
+            regions: Regions::paper(),
             lengths: vec![10.0, 25.0, 50.0, 100.0, 128.0, 200.0, 400.0],
             angles: (0..=6).map(|step| 15.0 * f64::from(step)).collect(),
             vectors: 200_000,
             seed,
-        })
+        }
     }
 
     /// Counts, on all processors of the computer: the points of the first length by angle, then those of the next. `None` if it was

@@ -16,13 +16,11 @@ use tilewright_scenes::{ScreenVertex, angle};
 ///
 /// ```
 /// use tilewright_machines::pixel_planes::{Regions, Vectors};
-/// use tilewright_scenes::Size;
 ///
-/// let regions = Regions::new(Size::new(1280, 1024)?, 128)?;
-/// let vectors = Vectors::new(regions, 50.0, Some(90.0), 1)?;
+/// let vectors = Vectors::new(Regions::paper(), 50.0, Some(90.0), 1)?;
 /// let [from, to] = vectors.ends(0);
 /// assert_eq!((to.x - from.x, to.y - from.y), (0, 50 * 16));
-/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// # Ok::<(), tilewright_rtl::parameter::ParameterError>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Vectors {
@@ -99,14 +97,9 @@ impl Vectors {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use tilewright_scenes::Size;
-
-    fn regions() -> Regions {
-        Regions::new(Size::new(1280, 1024).expect("in range"), 128).expect("in range")
-    }
 
     fn vectors(length: f64, angle: Option<f64>) -> Vectors {
-        Vectors::new(regions(), length, angle, 5).expect("they fit")
+        Vectors::new(Regions::paper(), length, angle, 5).expect("they fit")
     }
 
     #[test]
@@ -165,7 +158,7 @@ mod tests {
     #[test]
     fn their_numbers_and_seeds_make_them() {
         let of = |seed| {
-            let vectors = Vectors::new(regions(), 50.0, None, seed).expect("they fit");
+            let vectors = Vectors::new(Regions::paper(), 50.0, None, seed).expect("they fit");
             (0..100).map(|index| vectors.ends(index)).collect::<Vec<_>>()
         };
         assert_eq!(of(1), of(1));
@@ -174,15 +167,16 @@ mod tests {
 
     #[test]
     fn vectors_that_do_not_fit_are_a_sentence() {
-        let refused = |length, angle| Vectors::new(regions(), length, angle, 1).expect_err("too long").to_string();
+        let refused =
+            |length, angle| Vectors::new(Regions::paper(), length, angle, 1).expect_err("too long").to_string();
         assert_eq!(
             refused(641.0, Some(90.0)),
             "vectors of 641 pixels on a screen of 1280x1024 in regions of 128x128: they have to fit with a region around them, and one \
              more to move in: take shorter ones or a larger screen"
         );
         assert!(
-            Vectors::new(regions(), 640.0, Some(90.0), 1).is_ok()
-                && Vectors::new(regions(), 641.0, Some(0.0), 1).is_ok()
+            Vectors::new(Regions::paper(), 640.0, Some(90.0), 1).is_ok()
+                && Vectors::new(Regions::paper(), 641.0, Some(0.0), 1).is_ok()
         );
         for (length, angle) in
             [(700.0, None), (-1.0, None), (f64::NAN, Some(0.0)), (f64::INFINITY, Some(3.0)), (1.0, Some(f64::NAN))]

@@ -10,6 +10,10 @@ const STEP: u32 = 15;
 const REACH: [f64; 2] = [0.25, 1.0];
 
 /// A vector for each 15 degrees of longitude and latitude, and one at each pole: 266 lines, coloured by their direction.
+///
+/// ```
+/// assert_eq!(tilewright_scenes::builtin::star::mesh().lines().len(), 266);
+/// ```
 pub fn mesh() -> Mesh {
     let mut positions = Vec::new();
     let mut lines = Vec::new();

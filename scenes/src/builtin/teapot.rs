@@ -49,6 +49,10 @@ pub fn mesh(n: u32) -> Mesh {
 }
 
 /// The teapot as [`mesh`] has it, with n x n faces of two triangles in each patch.
+///
+/// ```
+/// assert_eq!(tilewright_scenes::builtin::teapot::faces(4).faces().count(), 32 * 16);
+/// ```
 pub fn faces(n: u32) -> Mesh {
     let mesh = mesh(n);
     let count = mesh.triangles().len() / 2;

@@ -11,10 +11,6 @@ fn loads(bins: &[Vec<u32>]) -> Vec<u64> {
     bins.iter().map(|bin| bin.len() as u64).collect()
 }
 
-fn paper() -> Regions {
-    Regions::new(Size::new(1280, 1024).expect("in range"), 128).expect("in range")
-}
-
 /// A square of so many pixels a side, with its corner at a pixel.
 fn square(x: i32, y: i32, side: i32) -> [ScreenVertex; 4] {
     [(0, 0), (side, 0), (side, side), (0, side)].map(|(dx, dy)| ScreenVertex {
@@ -28,7 +24,7 @@ fn square(x: i32, y: i32, side: i32) -> [ScreenVertex; 4] {
 /// Three small squares in the middle of each region: P_w = P/B.
 #[test]
 fn the_least_load_is_reached_where_each_primitive_is_in_one_region() {
-    let regions = paper();
+    let regions = Regions::paper();
     let corners = (0..3 * regions.count()).map(|i| regions.pixels(i % regions.count()));
     let squares: Vec<_> = corners.map(|pixels| square(pixels.left as i32 + 60, pixels.top as i32 + 60, 8)).collect();
     let allocation = allocate(&loads(&regions.bins(&squares, Binner::Box)), 16, |size| 94 * size);
@@ -41,7 +37,7 @@ fn the_least_load_is_reached_where_each_primitive_is_in_one_region() {
 /// Every primitive covers the screen: P_w = P R/B, 80 times as much.
 #[test]
 fn the_greatest_load_is_reached_where_all_cover_the_screen() {
-    let regions = paper();
+    let regions = Regions::paper();
     let squares = vec![square(-40, -40, 1400); 240];
     for binner in Binner::ALL {
         let allocation = allocate(&loads(&regions.bins(&squares, binner)), 16, |size| 94 * size);

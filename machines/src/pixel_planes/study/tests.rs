@@ -4,7 +4,7 @@ use super::*;
 use std::sync::atomic::AtomicBool;
 
 fn study(lengths: &[f64], angles: &[f64], vectors: u64) -> Study {
-    Study { lengths: lengths.to_vec(), angles: angles.to_vec(), vectors, ..Study::paper(3).expect("sound") }
+    Study { lengths: lengths.to_vec(), angles: angles.to_vec(), vectors, ..Study::paper(3) }
 }
 
 fn points(study: &Study) -> Vec<Point> {
