@@ -49,7 +49,7 @@ impl Counts {
     /// ```
     pub fn of_each_kind(&self) -> String {
         let number = |count: u32, what: &str| if count == 1 { format!("1 {what}") } else { format!("{count} {what}s") };
-        match (self.polygons - self.lines, self.lines) {
+        match (self.polygons.saturating_sub(self.lines), self.lines) {
             (polygons, 0) => number(polygons, "polygon"),
             (0, lines) => number(lines, "line"),
             (polygons, lines) => format!("{} and {}", number(polygons, "polygon"), number(lines, "line")),

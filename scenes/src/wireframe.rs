@@ -38,10 +38,9 @@ impl Mesh {
     /// ```
     /// use tilewright_scenes::builtin::teapot;
     ///
-    /// // The halves of a patch's squares are faces of their own, with a side between them.
-    /// let mesh = teapot::mesh(1);
-    /// let wireframe = mesh.wireframe();
-    /// assert_eq!((wireframe.triangles().len(), wireframe.lines().len()), (0, 88));
+    /// // 512 faces of four sides, which nearly all of them share with others.
+    /// let wireframe = teapot::faces(4).wireframe();
+    /// assert_eq!((wireframe.triangles().len(), wireframe.lines().len()), (0, 1040));
     /// ```
     pub fn wireframe(&self) -> Mesh {
         let mut sides = Sides::default();

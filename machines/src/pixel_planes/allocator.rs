@@ -31,7 +31,7 @@ pub struct Renderer {
 /// let allocation = allocate(&[10, 70, 0, 40, 20], 2, |size| 5 + 94 * size);
 /// assert_eq!(allocation.renderers[0], Renderer { regions: vec![1, 2], primitives: 70, busy: 2 * 5 + 94 * 70 });
 /// assert_eq!(allocation.renderers[1].regions, [3, 4, 0]);
-/// assert_eq!((allocation.worst_load(), allocation.time()), (70, 2 * 5 + 94 * 70));
+/// assert_eq!((allocation.worst_load(), allocation.time()), (70, 3 * 5 + 94 * 70));
 /// ```
 ///
 /// # Panics

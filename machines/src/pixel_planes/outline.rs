@@ -35,13 +35,14 @@ impl Binner {
 /// use tilewright_machines::pixel_planes::{Binner, Outline, Regions};
 /// use tilewright_scenes::{ScreenVertex, Size};
 ///
-/// // A flat line from one corner of a screen of 4x2 regions to the opposite one.
+/// // A long and a short line on a screen of 4x2 regions.
 /// let at = |x: i32, y: i32| ScreenVertex { x: 16 * x, y: 16 * y, z: 1, rgb: [0; 3] };
-/// let line = Outline::of(&[at(1, 1), at(510, 254)]);
+/// let (long, short) = (Outline::of(&[at(1, 1), at(510, 200)]), Outline::of(&[at(300, 100), at(330, 120)]));
 /// let regions = Regions::new(Size::new(512, 256)?, 128)?;
-/// assert_eq!(regions.of(&line, Binner::Box).len(), 8);
-/// assert_eq!(regions.of(&line, Binner::Columns), [0, 1, 6, 7]);
-/// assert_eq!(regions.of(&line, Binner::Tight), [0, 1, 6, 7]);
+/// let of = |line| Binner::ALL.map(|binner| regions.of(line, binner));
+/// assert_eq!(of(&long), [vec![0, 1, 2, 3, 4, 5, 6, 7], vec![0, 1, 2, 6, 7], vec![0, 1, 2, 6, 7]]);
+/// // It goes on to the region below, in its column.
+/// assert_eq!(of(&short), [vec![2], vec![2, 6], vec![2]]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
