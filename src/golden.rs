@@ -16,6 +16,7 @@ use tilewright_scenes::{Frame, golden};
 Examples:
   tilewright golden teapot -o golden.png
   tilewright golden teapot --quiet -o - > golden.png
+  tilewright golden wireframe -o lines.png
   tilewright golden ter1k --size 320x240 -o small.png --json")]
 pub struct Golden {
     #[command(flatten)]
@@ -33,7 +34,9 @@ struct Report {
     format: u32,
     scene: String,
     size: [u32; 2],
+    /// With the lines.
     polygons: u32,
+    lines: u32,
     packets: usize,
     /// Of all words, depth and colour; 16 hexadecimal digits.
     checksum: String,
@@ -54,17 +57,16 @@ impl Golden {
             scene: scene.name,
             size: [frame.size().width(), frame.size().height()],
             polygons: projection.counts.polygons,
+            lines: projection.counts.lines,
             packets: projection.triangles.len(),
             checksum: format!("{:016x}", frame.checksum()),
         };
         if self.json {
             terminal::print_json(&report)?;
         } else {
-            let Report { scene, polygons, packets, checksum, .. } = report;
-            let size = projection.size;
-            terminal::report(&format!(
-                "{scene}: {polygons} polygons, {packets} packets, {size} pixels, checksum {checksum}\n"
-            ))?;
+            let Report { scene, packets, checksum, .. } = report;
+            let (polygons, size) = (projection.counts.of_each_kind(), projection.size);
+            terminal::report(&format!("{scene}: {polygons}, {packets} packets, {size} pixels, checksum {checksum}\n"))?;
         }
         Ok(Exit::Done)
     }

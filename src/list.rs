@@ -41,6 +41,7 @@ struct MachineItem {
 struct SceneItem {
     name: &'static str,
     polygons: usize,
+    lines: usize,
     size: [u32; 2],
 }
 
@@ -90,7 +91,8 @@ fn machine(machine: Machine) -> MachineItem {
 
 fn scene(name: &'static str) -> Option<SceneItem> {
     let scene = Scene::builtin(name)?;
-    Some(SceneItem { name, polygons: scene.mesh.triangles().len(), size: [scene.size.width(), scene.size.height()] })
+    let (polygons, lines) = (scene.mesh.triangles().len(), scene.mesh.lines().len());
+    Some(SceneItem { name, polygons, lines, size: [scene.size.width(), scene.size.height()] })
 }
 
 fn block(entry: &Entry) -> Result<BlockItem, CatalogError> {
@@ -128,8 +130,9 @@ fn write_table(text: &mut String, lists: &Lists) -> std::fmt::Result {
         }
     }
     writeln!(text, "\nScenes (tilewright render NAME), or the path of an .obj or a .toml file")?;
-    for SceneItem { name, polygons, size: [width, height] } in &lists.scenes {
-        writeln!(text, "  {name:wide$}  {polygons:>6} polygons, {width}x{height} pixels")?;
+    for SceneItem { name, polygons, lines, size: [width, height] } in &lists.scenes {
+        let (count, what) = if *polygons == 0 { (lines, "lines") } else { (polygons, "polygons") };
+        writeln!(text, "  {name:wide$}  {count:>6} {what}, {width}x{height} pixels")?;
     }
     writeln!(text, "\nBlocks (tilewright wave NAME, tilewright verilog NAME), each with its scenario and parameters")?;
     for BlockItem { name, summary, scenario, parameters } in &lists.blocks {

@@ -20,6 +20,7 @@ use tilewright_scenes::{Frame, Scene};
 Examples:
   tilewright render teapot --machine vc1 -o frame.png
   tilewright render teapot --processors 4 --size 160x120 --json
+  tilewright render star --machine quadtree --size 64x48
   tilewright render teapot --machine quadtree --size 32x24 --matrix 8x8 --form pipe:1+stack --test serial
   tilewright render teapot --size 64x48 --processors 2 --vcd run.vcd --scope 'u_gfb.*' --from 10us --to 20us
 

@@ -50,7 +50,7 @@ fn merge_clocks(config: &Config) -> u64 {
 
 #[test]
 fn every_number_of_processors_and_every_patch_draws_the_golden_frame() {
-    for scene in ["teapot", "ter1k"] {
+    for scene in ["teapot", "ter1k", "star"] {
         let projection = on_screen(scene, 80, 60);
         for (processors, patch) in [(1, 8), (2, 16), (3, 4), (4, 4), (8, 8), (16, 4), (16, 16)] {
             let config = Config { processors, patch, costs: HASTY, ..Config::new(projection.size) };

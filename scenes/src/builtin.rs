@@ -1,7 +1,8 @@
-//! The built-in scenes: those of the VC-1 paper, with exactly its polygon counts (facts D, VC1-SCENE).
+//! The built-in scenes: those of the VC-1 paper, with exactly its polygon counts (facts D, VC1-SCENE), and two of lines.
 //!
 //! Cameras are the ones of facts D; light and background are ours.
 
+pub mod star;
 pub mod teapot;
 pub mod terrain;
 
@@ -13,7 +14,7 @@ use crate::size::Size;
 use glam::{DVec3, dvec3};
 
 /// The built-in scenes' names.
-pub const NAMES: [&str; 3] = ["teapot", "ter1k", "ter250"];
+pub const NAMES: [&str; 5] = ["teapot", "ter1k", "ter250", "wireframe", "star"];
 
 /// A built-in scene, or `None` if there is none of that name.
 pub fn scene(name: &str) -> Option<Scene> {
@@ -21,6 +22,8 @@ pub fn scene(name: &str) -> Option<Scene> {
         "teapot" => (teapot::mesh(8), teapot_camera()),
         "ter1k" => (terrain::mesh(4), terrain_camera()),
         "ter250" => (terrain::mesh(1), terrain_camera()),
+        "wireframe" => (teapot::faces(4).wireframe(), teapot_camera()),
+        "star" => (star::mesh(), star_camera()),
         _ => return None,
     };
     Some(with_defaults(name, mesh, camera))
@@ -65,6 +68,10 @@ pub(crate) fn default_lighting(camera: &Camera) -> Lighting {
 
 fn teapot_camera() -> Camera {
     Camera { eye: dvec3(0.0, -9.5, 5.2), target: dvec3(0.2, 0.0, 1.45), up: DVec3::Z, fov: 30.0 }
+}
+
+fn star_camera() -> Camera {
+    Camera { eye: dvec3(2.1, -3.4, 1.5), target: DVec3::ZERO, up: DVec3::Z, fov: 28.0 }
 }
 
 /// 62 km out and 38 km up from the middle of the map, which is 79.75 km square and lies on the plane z = 0.

@@ -1,4 +1,4 @@
-//! Clipping in view space: a triangle against the near plane and, where it leaves the guard band, against that.
+//! Clipping in view space: a polygon or a line against the near plane and, where it leaves the guard band, against that.
 //!
 //! Source: facts E0 (vertices are 16 bits of 1/16 pixel, so the front end clips); the method is Sutherland and Hodgman's, 1974.
 //! An edge is always cut from its inner end to its outer one, so two triangles that share it get the same new vertex.
@@ -42,6 +42,17 @@ impl ClipPlane {
         }
         kept
     }
+
+    /// The part of a line inside the plane; `None` if there is none.
+    pub(crate) fn clip_line(&self, [p, q]: [ViewVertex; 2]) -> Option<[ViewVertex; 2]> {
+        let (d, e) = (self.inside_by(p.at), self.inside_by(q.at));
+        match (d >= 0.0, e >= 0.0) {
+            (true, true) => Some([p, q]),
+            (true, false) => Some([p, cut(p, d, q, e)]),
+            (false, true) => Some([cut(q, e, p, d), q]),
+            (false, false) => None,
+        }
+    }
 }
 
 /// Where the edge from `inner` (inside by d) to `outer` (by e, negative) meets the plane.
@@ -71,6 +82,10 @@ mod tests {
         // Half of one edge is inside, and a quarter of the other.
         let cuts = [vertex([4.0, 0.0, 2.0], [0.75, 0.5, 0.25]), vertex([0.0, 4.0, 2.0], [0.75, 0.0, 0.625])];
         assert_eq!(plane.clip(&[inner, outer[0], outer[1]]), [inner, cuts[0], cuts[1]]);
+        assert_eq!(plane.clip_line([inner, outer[0]]), Some([inner, cuts[0]]));
+        assert_eq!(plane.clip_line([outer[1], inner]), Some([cuts[1], inner]));
+        assert_eq!(plane.clip_line([inner, cuts[0]]), Some([inner, cuts[0]]));
+        assert_eq!(plane.clip_line(outer), None);
     }
 
     proptest! {

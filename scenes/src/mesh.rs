@@ -1,4 +1,4 @@
-//! Triangle meshes: positions, normals and a diffuse colour per triangle.
+//! Meshes: positions, normals, triangles and lines, each with a colour.
 //!
 //! Numbers are f64 (glam's `DVec3`): its operations here are + - * / and square root alone, which IEEE 754 fixes to the last
 //! bit, and 53 bits leave the snapping to 1/16 pixel and the 24-bit depth far from rounding noise.
@@ -18,12 +18,22 @@ pub struct MeshTriangle {
     pub diffuse: [f64; 3],
 }
 
-/// A mesh whose indices and numbers have been checked. Triangles keep their order: it is the order of submission.
+/// A line of a mesh, as indices into its positions. No light falls on it, as it has no side to turn to one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MeshLine {
+    /// Where it begins and ends.
+    pub positions: [u32; 2],
+    /// Red, green and blue, each 0 to 1.
+    pub colour: [f64; 3],
+}
+
+/// A mesh whose indices and numbers have been checked. Triangles keep their order, and then lines theirs: it is the order of submission.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mesh {
     positions: Vec<DVec3>,
     normals: Vec<DVec3>,
     triangles: Vec<MeshTriangle>,
+    lines: Vec<MeshLine>,
     /// How many triangles each face consists of; none if each is a face of its own.
     faces: Vec<u32>,
 }
@@ -47,15 +57,8 @@ impl Mesh {
         if triangles.is_empty() {
             return Err(SceneError::invalid("the mesh has no triangle", "give at least one"));
         }
-        let vectors = [("position", &positions), ("normal", &normals)];
-        for (what, list) in vectors {
-            if let Some(i) = list.iter().position(|&v| !representable(v)) {
-                return Err(SceneError::invalid(
-                    format!("{what} {i} of the mesh is {}", list[i]),
-                    "give finite numbers below 1e100",
-                ));
-            }
-        }
+        check_vectors("position", &positions)?;
+        check_vectors("normal", &normals)?;
         for (i, t) in triangles.iter().enumerate() {
             let in_range = |indices: [u32; 3], count: usize| indices.iter().all(|&index| (index as usize) < count);
             if !in_range(t.positions, positions.len()) || !in_range(t.normals, normals.len()) {
@@ -64,14 +67,59 @@ impl Mesh {
                     format!("use indices below {} and {}", positions.len(), normals.len()),
                 ));
             }
-            if !t.diffuse.iter().all(|c| (0.0..=1.0).contains(c)) {
+            check_colour("triangle", i, t.diffuse)?;
+        }
+        Ok(Mesh { positions, normals, triangles, lines: Vec::new(), faces: Vec::new() })
+    }
+
+    /// A mesh of lines alone; positions in any unit of length.
+    ///
+    /// ```
+    /// use glam::{DVec3, dvec3};
+    /// use tilewright_scenes::{Mesh, MeshLine};
+    ///
+    /// let line = MeshLine { positions: [0, 1], colour: [1.0, 0.5, 0.0] };
+    /// assert_eq!(Mesh::of_lines(vec![DVec3::ZERO, DVec3::X], vec![line])?.lines(), [line]);
+    /// # Ok::<(), tilewright_scenes::SceneError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`SceneError::Invalid`] if there is no line, or as [`Mesh::with_lines`].
+    pub fn of_lines(positions: Vec<DVec3>, lines: Vec<MeshLine>) -> Result<Mesh, SceneError> {
+        if lines.is_empty() {
+            return Err(SceneError::invalid("the mesh has no line", "give at least one"));
+        }
+        check_vectors("position", &positions)?;
+        let mesh = Mesh { positions, normals: Vec::new(), triangles: Vec::new(), lines: Vec::new(), faces: Vec::new() };
+        mesh.with_lines(lines)
+    }
+
+    /// The same mesh with these lines.
+    ///
+    /// ```
+    /// use tilewright_scenes::{MeshLine, builtin::teapot};
+    ///
+    /// // Lines from one vertex of the teapot to the next.
+    /// let line = |i| MeshLine { positions: [i, i + 1], colour: [1.0; 3] };
+    /// let mesh = teapot::mesh(2).with_lines((0..20).map(line).collect())?;
+    /// assert_eq!((mesh.triangles().len(), mesh.lines().len()), (256, 20));
+    /// # Ok::<(), tilewright_scenes::SceneError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`SceneError::Invalid`] if an index is out of range, or a colour is outside 0 to 1.
+    pub fn with_lines(self, lines: Vec<MeshLine>) -> Result<Mesh, SceneError> {
+        for (i, line) in lines.iter().enumerate() {
+            let count = self.positions.len();
+            if line.positions.iter().any(|&index| index as usize >= count) {
                 return Err(SceneError::invalid(
-                    format!("triangle {i} of the mesh has the colour {:?}", t.diffuse),
-                    "give three numbers from 0 to 1",
+                    format!("line {i} of the mesh names a vertex that does not exist"),
+                    format!("use indices below {count}"),
                 ));
             }
+            check_colour("line", i, line.colour)?;
         }
-        Ok(Mesh { positions, normals, triangles, faces: Vec::new() })
+        Ok(Mesh { lines, ..self })
     }
 
     /// The same mesh, of which so many triangles at a time are a face: a fan, whose triangles have their first corner in common, and
@@ -102,6 +150,12 @@ impl Mesh {
         Ok(mesh)
     }
 
+    /// Its positions, with these lines and no triangle.
+    pub(crate) fn with_lines_alone(&self, lines: Vec<MeshLine>) -> Mesh {
+        let positions = self.positions.clone();
+        Mesh { positions, normals: Vec::new(), triangles: Vec::new(), lines, faces: Vec::new() }
+    }
+
     /// Vertex positions.
     pub fn positions(&self) -> &[DVec3] {
         &self.positions
@@ -112,9 +166,14 @@ impl Mesh {
         &self.normals
     }
 
-    /// Triangles in order of submission; at least one.
+    /// Triangles in order of submission; at least one, unless there are lines.
     pub fn triangles(&self) -> &[MeshTriangle] {
         &self.triangles
+    }
+
+    /// Lines in order of submission, after the triangles.
+    pub fn lines(&self) -> &[MeshLine] {
+        &self.lines
     }
 
     /// The triangles of each face, in order of submission.
@@ -128,9 +187,10 @@ impl Mesh {
         })
     }
 
-    /// The box round the vertices that triangles use.
+    /// The box round the vertices that triangles and lines use.
     pub fn bounding_box(&self) -> BoundingBox {
-        let corners = self.triangles.iter().flat_map(|t| t.positions);
+        let ends = self.lines.iter().flat_map(|line| line.positions);
+        let corners = self.triangles.iter().flat_map(|t| t.positions).chain(ends);
         let empty = BoundingBox { min: DVec3::INFINITY, max: DVec3::NEG_INFINITY };
         corners.fold(empty, |bounds, corner| {
             let p = self.positions[corner as usize];
@@ -152,7 +212,31 @@ impl Mesh {
             indices.for_each(|&index| sum.add(index.into()));
             t.diffuse.iter().for_each(|c| sum.add(c.to_bits()));
         }
+        for line in &self.lines {
+            line.positions.iter().for_each(|&index| sum.add(index.into()));
+            line.colour.iter().for_each(|c| sum.add(c.to_bits()));
+        }
         sum.value()
+    }
+}
+
+fn check_vectors(what: &str, vectors: &[DVec3]) -> Result<(), SceneError> {
+    match vectors.iter().position(|&v| !representable(v)) {
+        None => Ok(()),
+        Some(i) => Err(SceneError::invalid(
+            format!("{what} {i} of the mesh is {}", vectors[i]),
+            "give finite numbers below 1e100",
+        )),
+    }
+}
+
+fn check_colour(what: &str, i: usize, colour: [f64; 3]) -> Result<(), SceneError> {
+    match colour.iter().all(|c| (0.0..=1.0).contains(c)) {
+        true => Ok(()),
+        false => Err(SceneError::invalid(
+            format!("{what} {i} of the mesh has the colour {colour:?}"),
+            "give three numbers from 0 to 1",
+        )),
     }
 }
 
@@ -233,6 +317,17 @@ mod tests {
         for (sentence, expected) in cases {
             assert_eq!(sentence, expected);
         }
+        let line = |positions, colour| vec![MeshLine { positions, colour }];
+        let refused = |lines| Mesh::of_lines(CORNERS.to_vec(), lines).expect_err("the lines are unsound").to_string();
+        assert_eq!(refused(Vec::new()), "the mesh has no line: give at least one");
+        assert_eq!(
+            refused(line([0, 4], [1.0; 3])),
+            "line 0 of the mesh names a vertex that does not exist: use indices below 4"
+        );
+        assert_eq!(
+            refused(line([0, 3], [-1.0; 3])),
+            "line 0 of the mesh has the colour [-1.0, -1.0, -1.0]: give three numbers from 0 to 1"
+        );
         assert!(Mesh::new(CORNERS.to_vec(), normals.to_vec(), vec![sound]).is_ok());
     }
 
@@ -255,7 +350,7 @@ mod tests {
     }
 
     #[test]
-    fn the_box_is_round_what_triangles_use() {
+    fn the_box_is_round_what_triangles_and_lines_use() {
         let mesh = |triangles: &[[u32; 3]]| {
             Mesh::new(CORNERS.to_vec(), vec![DVec3::Z], triangles.iter().copied().map(triangle).collect())
         };
@@ -263,6 +358,9 @@ mod tests {
         assert_eq!(bounds(&[[0, 1, 2]]), BoundingBox { min: DVec3::ZERO, max: dvec3(1.0, 1.0, 0.0) });
         let all = BoundingBox { min: dvec3(-3.0, 0.0, 0.0), max: dvec3(1.0, 5.0, 0.5) };
         assert_eq!(bounds(&[[0, 1, 2], [1, 2, 3]]), all);
+        let line = MeshLine { positions: [3, 0], colour: [0.5; 3] };
+        let lines = mesh(&[[0, 1, 2]]).and_then(|mesh| mesh.with_lines(vec![line])).expect("a sound mesh");
+        assert_eq!(lines.bounding_box(), all);
     }
 
     #[test]

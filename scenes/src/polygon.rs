@@ -32,6 +32,11 @@ use crate::size::Size;
 /// assert_eq!(bent.iter().map(|packet| packet.edges.len()).collect::<Vec<_>>(), [3, 3]);
 /// ```
 pub fn set_up_polygon(vertices: &[ScreenVertex], size: Size) -> Vec<Polygon> {
+    set_up_parts(vertices, size).into_iter().map(|(_, packet)| packet).collect()
+}
+
+/// As [`set_up_polygon`], each packet with the vertices that it was set up from.
+pub(crate) fn set_up_parts(vertices: &[ScreenVertex], size: Size) -> Vec<(Vec<ScreenVertex>, Polygon)> {
     packets(vertices, |part| pixel_bounds(part, size))
 }
 
@@ -52,17 +57,24 @@ pub fn set_up_polygon(vertices: &[ScreenVertex], size: Size) -> Vec<Polygon> {
 /// assert_eq!((bounds.left, bounds.right, bounds.top, bounds.bottom), (3, 2, 0, 5));
 /// ```
 pub fn set_up_polygon_of_any_size(vertices: &[ScreenVertex], size: Size) -> Vec<Polygon> {
-    packets(vertices, |part| bounds_of_any_size(part, size))
+    packets(vertices, |part| bounds_of_any_size(part, size)).into_iter().map(|(_, packet)| packet).collect()
 }
 
-/// The packets of those parts of a polygon that have bounds.
-fn packets(vertices: &[ScreenVertex], bounds: impl Fn(&[ScreenVertex]) -> Option<PixelBox>) -> Vec<Polygon> {
+/// The packets of those parts of a polygon that have bounds, each with the vertices of its part.
+fn packets(
+    vertices: &[ScreenVertex],
+    bounds: impl Fn(&[ScreenVertex]) -> Option<PixelBox>,
+) -> Vec<(Vec<ScreenVertex>, Polygon)> {
     let round = positive(vertices);
     match flat(&round).filter(|_| vertices.len() > 3 && is_convex(&round)) {
-        None => fan(vertices).filter_map(|part| triangle(&part, bounds(&part)?)).map(Polygon::from).collect(),
+        None => {
+            let packet = |part: &[ScreenVertex; 3]| triangle(part, bounds(part)?).map(Polygon::from);
+            fan(vertices).filter_map(|part| Some((part.to_vec(), packet(&part)?))).collect()
+        }
         Some((corners, proper)) => {
             let planes = planes(corners, proper);
-            parts(&round).filter_map(|part| packet(&part, planes, bounds(&part)?)).collect()
+            let packet = |part: &[ScreenVertex]| packet(part, planes, bounds(part)?);
+            parts(&round).filter_map(|part| packet(&part).map(|packet| (part, packet))).collect()
         }
     }
 }

@@ -4,14 +4,14 @@ use crate::packet::{Edge, Packet};
 use crate::project::{Counts, Polygons, Projection};
 
 impl Projection {
-    /// A sentence if no triangle covers a pixel, so that the picture would hold the background alone; `None` if one does.
+    /// A sentence if no triangle and no line covers a pixel, so that the picture would hold the background alone; `None` if one does.
     pub fn warning(&self) -> Option<String> {
         self.counts.warning(&self.triangles)
     }
 }
 
 impl Polygons {
-    /// A sentence if no polygon covers a pixel, so that the picture would hold the background alone; `None` if one does.
+    /// A sentence if no polygon and no line covers a pixel, so that the picture would hold the background alone; `None` if one does.
     pub fn warning(&self) -> Option<String> {
         self.counts.warning(&self.polygons)
     }
@@ -23,10 +23,6 @@ impl Counts {
             return None;
         }
         let c = self;
-        let polygons = match c.polygons {
-            1 => "1 polygon".to_owned(),
-            several => format!("{several} polygons"),
-        };
         let fates = [
             (c.behind, "behind the camera"),
             (c.off_screen, "outside the picture"),
@@ -37,9 +33,27 @@ impl Counts {
             format!("{count} {verb} {fate}")
         });
         Some(format!(
-            "nothing is drawn: of {polygons}, {}: correct the eye, the target or the fov of the camera",
+            "nothing is drawn: of {}, {}: correct the eye, the target or the fov of the camera",
+            c.of_each_kind(),
             fates.collect::<Vec<_>>().join(", ")
         ))
+    }
+
+    /// How many polygons and lines there are, such as `3 polygons and 1 line`.
+    ///
+    /// ```
+    /// use tilewright_scenes::Counts;
+    ///
+    /// assert_eq!(Counts { polygons: 3, ..Counts::default() }.of_each_kind(), "3 polygons");
+    /// assert_eq!(Counts { polygons: 3, lines: 2, ..Counts::default() }.of_each_kind(), "1 polygon and 2 lines");
+    /// ```
+    pub fn of_each_kind(&self) -> String {
+        let number = |count: u32, what: &str| if count == 1 { format!("1 {what}") } else { format!("{count} {what}s") };
+        match (self.polygons.saturating_sub(self.lines), self.lines) {
+            (polygons, 0) => number(polygons, "polygon"),
+            (0, lines) => number(lines, "line"),
+            (polygons, lines) => format!("{} and {}", number(polygons, "polygon"), number(lines, "line")),
+        }
     }
 }
 

@@ -46,12 +46,14 @@ fn obj_line() -> impl Strategy<Value = String> {
         (-9.0..9.0f64, -9.0..9.0f64, -9.0..9.0f64).prop_map(|(x, y, z)| format!("v {x} {y} {z}\n")),
         Just("f -1 -2 -3\n".to_owned()),
         Just("f -3 -1 -2 -4 -5\n".to_owned()),
+        Just("l -3 -1 -2/1 -3\n".to_owned()),
+        Just("l -2 -1 -4 -4\n".to_owned()),
     ];
     prop_oneof![1 => free, 30 => sound]
 }
 
 fn toml_line() -> impl Strategy<Value = String> {
-    let key = "(mesh|size|background|ambient|camera|light|camera.eye|camera.fov|camera.up|camera.target|\\[camera\\]|\\[\\[light\\]\\]|toward|intensity|[a-z]{1,3})";
+    let key = "(mesh|wireframe|size|background|ambient|camera|light|camera.eye|camera.fov|camera.up|camera.target|\\[camera\\]|\\[\\[light\\]\\]|toward|intensity|[a-z]{1,3})";
     let number = prop_oneof![
         (-9i64..3000).prop_map(|i| i.to_string()),
         any::<f64>().prop_map(|x| format!("{x:?}")),
@@ -61,6 +63,7 @@ fn toml_line() -> impl Strategy<Value = String> {
         number.clone(),
         proptest::collection::vec(number, 2..4).prop_map(|list| format!("[{}]", list.join(", "))),
         "'[ -~é]{0,5}'",
+        Just("true".to_owned()),
         Just("{ eye = [1, 2, 3], fov = 1e-300 }".to_owned()),
         Just("[{ toward = [1, 0, 0], intensity = 1 }]".to_owned()),
     ];

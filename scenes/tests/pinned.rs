@@ -4,7 +4,7 @@
 //! New values are printed by `cargo run --release -p tilewright-scenes --example measure`, which also leaves the pictures in the
 //! folder for temporary files: look at them before you pin them.
 
-use tilewright_scenes::{Counts, Scene, golden};
+use tilewright_scenes::{Counts, Scene, golden, project_polygons};
 
 struct Pinned {
     name: &'static str,
@@ -17,6 +17,8 @@ fn check(pinned: &Pinned) {
     let scene = Scene::builtin(pinned.name).expect("a built-in scene");
     let projection = scene.project().expect("a built-in scene projects");
     let frame = golden::render(scene.size, &projection.triangles, scene.background);
+    let polygons = project_polygons(&scene, scene.size).expect("as triangles do").polygons;
+    assert_eq!(frame, golden::render(scene.size, &polygons, scene.background), "{}: as polygons", pinned.name);
     assert_eq!(projection.counts, pinned.counts, "{}", pinned.name);
     assert_eq!(scene.mesh.checksum(), pinned.mesh, "{}: the mesh", pinned.name);
     assert_eq!(frame.checksum(), pinned.frame, "{}: the frame", pinned.name);
@@ -56,5 +58,25 @@ fn ter250() {
             between_centres: 27_744,
             ..Counts::default()
         },
+    });
+}
+
+#[test]
+fn wireframe() {
+    check(&Pinned {
+        name: "wireframe",
+        mesh: 0x82b7_6b7e_0835_1b9c,
+        frame: 0x0369_ad85_7078_af60,
+        counts: Counts { polygons: 1040, lines: 1040, drawn: 1040, ..Counts::default() },
+    });
+}
+
+#[test]
+fn star() {
+    check(&Pinned {
+        name: "star",
+        mesh: 0xb302_9b56_5de4_47b1,
+        frame: 0x76e2_904f_b35b_ec42,
+        counts: Counts { polygons: 266, lines: 266, drawn: 266, ..Counts::default() },
     });
 }

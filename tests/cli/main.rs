@@ -9,6 +9,7 @@ mod explain;
 mod harness;
 mod interruption;
 mod limits;
+mod lines;
 mod output;
 mod places;
 mod quadtree;

@@ -22,7 +22,7 @@ fn content_of_files_does_not_steer_the_terminal() {
     }
     let folder = Folder::with(&[("a\u{9b}31m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")]);
     let line = "golden a\u{9b}31m.obj --size 8x8 -o x.png";
-    assert!(folder.stdout(line).starts_with("a\\u{9b}31m: 1 polygons"));
+    assert!(folder.stdout(line).starts_with("a\\u{9b}31m: 1 polygon, 1 packets"));
     let json = folder.stdout(&format!("{line} --json"));
     assert!(!json.contains('\u{9b}') && json.contains(r#""scene": "a\u009b31m""#), "{json}");
 }

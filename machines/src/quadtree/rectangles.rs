@@ -3,7 +3,7 @@
 //! Source: facts D and MPG-L (5:1, at random place and angle). Each is a function of the seed and its number, made with + - * / and
 //! square roots alone, so that all machines and any number of threads have the same ones.
 
-use super::random::Random;
+use crate::random::Random;
 use tilewright_rtl::parameter::ParameterError;
 use tilewright_scenes::packet::{FARTHEST_VERTEX, NEAREST_VERTEX, SUBPIXELS};
 use tilewright_scenes::{Polygon, ScreenVertex, Size, angle, set_up_polygon_of_any_size};

@@ -11,14 +11,13 @@ use super::matrix::Matrix;
 use super::rectangles::Rectangles;
 use super::stages::{Figures, Stages};
 use super::windows::{Costs, Search, TestUnit};
+use crate::mean::Mean;
 use crate::run::Watch;
 use crate::threads::{all_threads, on_threads};
 use serde::Serialize;
 use tally::Tally;
 use tilewright_rtl::parameter::ParameterError;
 use tilewright_scenes::Size;
-
-pub use tally::Mean;
 
 /// Edges of a rectangle, ke.
 const EDGES: u64 = 4;

@@ -4,6 +4,19 @@ use crate::polygons::{BACKGROUND, random, render, scene, size};
 use tilewright_machines::quadtree::{Config, Queues, TestUnit};
 use tilewright_scenes::{Polygon, compare, golden};
 
+/// Lines are packets of four edges, most of them thin and slanting.
+#[test]
+fn lines_are_the_golden_ones() {
+    for (name, size) in [("star", size(61, 47)), ("wireframe", size(80, 60))] {
+        let packets = scene(name, size);
+        assert!(packets.len() > 200 && packets.iter().all(|packet| packet.edges.len() == 4));
+        let usual = Config::for_packets(size, &packets);
+        let lines = |form: &str, test, strict| Config { form: form.to_owned(), test, strict, ..usual.clone() };
+        assert_golden(&lines("pipe", TestUnit::Parallel, false), &packets);
+        assert_golden(&lines("tree:1+stack", TestUnit::Serial, true), &packets);
+    }
+}
+
 /// Queues of one place each.
 const SHORT: Queues = Queues { broadcast: 1, packets: 1, windows: 1 };
 

@@ -48,6 +48,17 @@ pub fn mesh(n: u32) -> Mesh {
     Mesh::new(positions, normals, triangles).expect("the built-in data is sound")
 }
 
+/// The teapot as [`mesh`] has it, with n x n faces of two triangles in each patch.
+///
+/// ```
+/// assert_eq!(tilewright_scenes::builtin::teapot::faces(4).faces().count(), 32 * 16);
+/// ```
+pub fn faces(n: u32) -> Mesh {
+    let mesh = mesh(n);
+    let count = mesh.triangles().len() / 2;
+    mesh.with_faces(vec![2; count]).expect("the halves of a square have a corner in common")
+}
+
 /// The control points of every patch, in units of 10^-5.
 fn patches() -> Vec<[[Exact; 4]; 4]> {
     let mut points: Vec<Exact> = Vec::new();

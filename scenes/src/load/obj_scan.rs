@@ -15,8 +15,10 @@ use std::path::Path;
 pub(super) struct Scan {
     pub(super) positions: Vec<DVec3>,
     pub(super) normals: Vec<DVec3>,
-    /// Faces in order; at least one.
+    /// Faces in order; at least one, unless there are lines.
     pub(super) faces: Vec<Face>,
+    /// Polylines in order.
+    pub(super) lines: Vec<Polyline>,
     /// Different `mtllib` operands with the lines of their first use, in order.
     pub(super) libraries: Vec<(usize, String)>,
     /// Different `usemtl` names with the lines of their first use, in order.
@@ -32,20 +34,26 @@ pub(super) struct Face {
     pub(super) corners: Vec<Corner>,
 }
 
+/// A polyline: its material by index in [`Scan::materials`], and at least two vertices, counted from 0.
+#[derive(Debug)]
+pub(super) struct Polyline {
+    pub(super) material: Option<usize>,
+    pub(super) vertices: Vec<u32>,
+}
+
 /// One corner of a face: vertex and normal, counted from 0.
 pub(super) type Corner = (u32, Option<u32>);
 
-/// The most corners of a face: cutting a face takes up to their square in time.
+/// The most corners of a face: cutting a face takes up to their square in time. And of a line, for simplicity.
 const MOST_CORNERS: usize = 16_384;
 
-/// Statements that say nothing about triangles or their colours.
-const IGNORED: [&str; 17] = [
+/// Statements that say nothing about faces and lines or their colours.
+const IGNORED: [&str; 16] = [
     "o",
     "g",
     "s",
     "mg",
     "p",
-    "l",
     "vp",
     "lod",
     "bevel",
@@ -83,6 +91,7 @@ pub(super) fn scan(path: &Path, text: &str) -> Result<Scan, SceneError> {
                 let corners = face(at, &words, &scan)?;
                 scan.faces.push(Face { line, material, corners });
             }
+            "l" => scan.lines.push(Polyline { material, vertices: polyline(at, &words, &scan)? }),
             "usemtl" | "mtllib" if operand.is_empty() => {
                 return Err(at.error(format!("`{keyword}` without a name"), "give the name after it"));
             }
@@ -101,16 +110,16 @@ pub(super) fn scan(path: &Path, text: &str) -> Result<Scan, SceneError> {
             other => {
                 return Err(at.error(
                     format!("unknown statement {}", quote(other)),
-                    "an OBJ file of polygons has v, vn, vt, f, o, g, s, usemtl and mtllib; remove the line or export polygons",
+                    "an OBJ file of polygons and lines has v, vn, vt, f, l, o, g, s, usemtl and mtllib; remove the line or export polygons",
                 ));
             }
         }
     }
-    if scan.faces.is_empty() {
+    if scan.faces.is_empty() && scan.lines.is_empty() {
         return Err(SceneError::File {
             path: path.to_owned(),
-            problem: "holds no face".to_owned(),
-            remedy: "export the mesh with its polygons (lines that begin with `f`)".to_owned(),
+            problem: "holds no face and no polyline".to_owned(),
+            remedy: "export the mesh with its polygons (lines that begin with `f`) or polylines (with `l`)".to_owned(),
         });
     }
     Ok(scan)
@@ -128,52 +137,102 @@ fn vertex(at: At, words: &[&str]) -> Result<DVec3, SceneError> {
 }
 
 fn face(at: At, words: &[&str], seen: &Scan) -> Result<Vec<Corner>, SceneError> {
-    if words.len() < 3 {
-        return Err(at.error(format!("a face with {} corners", words.len()), "give at least three"));
-    }
-    if words.len() > MOST_CORNERS {
-        return Err(at.error(format!("a face with more than {MOST_CORNERS} corners"), "cut it"));
-    }
+    check_count(at, "a face", words.len(), 3, "three")?;
     words.iter().map(|word| corner(at, word, seen)).collect()
 }
 
+fn polyline(at: At, words: &[&str], seen: &Scan) -> Result<Vec<u32>, SceneError> {
+    check_count(at, "a polyline", words.len(), 2, "two")?;
+    words.iter().map(|word| polyline_corner(at, word, seen)).collect()
+}
+
+fn check_count(at: At, what: &str, corners: usize, least: usize, least_word: &str) -> Result<(), SceneError> {
+    if corners < least {
+        let corners = if corners == 1 { "1 corner".to_owned() } else { format!("{corners} corners") };
+        return Err(at.error(format!("{what} with {corners}"), format!("give at least {least_word}")));
+    }
+    if corners > MOST_CORNERS {
+        return Err(at.error(format!("{what} with more than {MOST_CORNERS} corners"), "cut it"));
+    }
+    Ok(())
+}
+
+/// What a corner belongs to, for errors.
+#[derive(Clone, Copy)]
+struct Owner {
+    name: &'static str,
+    forms: &'static str,
+}
+
+const FACE: Owner = Owner { name: "face", forms: "v, v/vt, v//vn or v/vt/vn" };
+const POLYLINE: Owner = Owner { name: "polyline", forms: "v or v/vt" };
+
 /// `v`, `v/vt`, `v//vn` or `v/vt/vn`.
 fn corner(at: At, word: &str, seen: &Scan) -> Result<Corner, SceneError> {
+    let read = Reader { at, word, of: FACE };
     let mut parts = word.split('/');
-    let vertex = index(at, word, parts.next().unwrap_or_default(), "vertex", seen.positions.len())?;
-    match parts.next() {
-        None | Some("") => {}
-        Some(texture) => {
-            index(at, word, texture, "texture coordinate", seen.textures)?;
-        }
-    }
+    let vertex = read.vertex(&mut parts, seen)?;
     let normal = match parts.next() {
         None | Some("") => None,
-        Some(normal) => Some(index(at, word, normal, "normal", seen.normals.len())?),
+        Some(normal) => Some(read.index(normal, "normal", seen.normals.len())?),
     };
-    if parts.next().is_some() {
-        return Err(malformed(at, word));
-    }
+    read.end(parts)?;
     Ok((vertex, normal))
 }
 
-/// An index counted from 0; in the file it counts from 1, and a negative one counts back from the last element so far.
-fn index(at: At, word: &str, part: &str, what: &str, count: usize) -> Result<u32, SceneError> {
-    let number: i64 = part.parse().map_err(|_| malformed(at, word))?;
-    let from_one = if number < 0 { count as i64 + 1 + number } else { number };
-    if (1..=count as i64).contains(&from_one) {
-        return Ok(from_one as u32 - 1);
-    }
-    let what_if = if number == 0 { ", and counting begins at 1" } else { "" };
-    Err(at.error(
-        format!("the corner {} names {what} {number}, but {count} are defined above{what_if}", quote(word)),
-        "correct the index, or move the definition above the face",
-    ))
+/// `v` or `v/vt`.
+fn polyline_corner(at: At, word: &str, seen: &Scan) -> Result<u32, SceneError> {
+    let read = Reader { at, word, of: POLYLINE };
+    let mut parts = word.split('/');
+    let vertex = read.vertex(&mut parts, seen)?;
+    read.end(parts)?;
+    Ok(vertex)
 }
 
-fn malformed(at: At, word: &str) -> SceneError {
-    at.error(
-        format!("the corner {} of a face is malformed", quote(word)),
-        "write v, v/vt, v//vn or v/vt/vn with whole numbers",
-    )
+/// What reads a corner, and says what is wrong with it.
+struct Reader<'a> {
+    at: At<'a>,
+    word: &'a str,
+    of: Owner,
+}
+
+impl Reader<'_> {
+    /// The vertex, which a texture coordinate may follow.
+    fn vertex<'w>(&self, parts: &mut impl Iterator<Item = &'w str>, seen: &Scan) -> Result<u32, SceneError> {
+        let vertex = self.index(parts.next().unwrap_or_default(), "vertex", seen.positions.len())?;
+        match parts.next() {
+            None | Some("") => {}
+            Some(texture) => {
+                self.index(texture, "texture coordinate", seen.textures)?;
+            }
+        }
+        Ok(vertex)
+    }
+
+    /// An index counted from 0; in the file it counts from 1, and a negative one counts back from the last element so far.
+    fn index(&self, part: &str, what: &str, count: usize) -> Result<u32, SceneError> {
+        let number: i64 = part.parse().map_err(|_| self.malformed())?;
+        let from_one = if number < 0 { count as i64 + 1 + number } else { number };
+        if (1..=count as i64).contains(&from_one) {
+            return Ok(from_one as u32 - 1);
+        }
+        let what_if = if number == 0 { ", and counting begins at 1" } else { "" };
+        Err(self.at.error(
+            format!("the corner {} names {what} {number}, but {count} are defined above{what_if}", quote(self.word)),
+            format!("correct the index, or move the definition above the {}", self.of.name),
+        ))
+    }
+
+    /// That nothing follows.
+    fn end<'w>(&self, mut parts: impl Iterator<Item = &'w str>) -> Result<(), SceneError> {
+        parts.next().map_or(Ok(()), |_| Err(self.malformed()))
+    }
+
+    fn malformed(&self) -> SceneError {
+        let Owner { name, forms } = self.of;
+        self.at.error(
+            format!("the corner {} of a {name} is malformed", quote(self.word)),
+            format!("write {forms} with whole numbers"),
+        )
+    }
 }

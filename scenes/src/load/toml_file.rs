@@ -11,9 +11,9 @@ use crate::error::SceneError;
 use crate::input::{self, read_lines};
 use crate::light::Light;
 use crate::mesh::representable;
-use crate::project::nothing_in_front;
 use crate::quote::{brief, quote, shown};
 use crate::scene::Scene;
+use crate::screen::nothing_in_front;
 use crate::size::Size;
 use glam::DVec3;
 use serde::Deserialize;
@@ -25,6 +25,8 @@ use toml::Spanned;
 #[serde(deny_unknown_fields)]
 struct SceneTable {
     mesh: Spanned<String>,
+    #[serde(default)]
+    wireframe: bool,
     size: Option<Spanned<Vector<i64, 2>>>,
     background: Option<Spanned<Vector<i64, 3>>>,
     ambient: Option<Spanned<f64>>,
@@ -143,9 +145,10 @@ impl Source<'_> {
         let size = asked.or(own);
         let name = table.mesh.as_ref();
         let mut scene = match builtin::scene(name) {
+            Some(scene) if table.wireframe => Scene { mesh: scene.mesh.wireframe(), ..scene },
             Some(scene) => scene,
             None => {
-                let Loaded { mesh, files, warnings } = self.mesh(&table.mesh)?;
+                let Loaded { mesh, files, warnings } = self.mesh(&table.mesh, table.wireframe)?;
                 let camera = &table.camera.0;
                 // What these are good for is checked with the rest of the camera.
                 let up = camera.up.as_ref().map_or(OBJ_UP, |up| DVec3::from_array(up.as_ref().0));
@@ -160,7 +163,7 @@ impl Source<'_> {
         Ok(scene)
     }
 
-    fn mesh(&self, name: &Spanned<String>) -> Result<Loaded, SceneError> {
+    fn mesh(&self, name: &Spanned<String>, wireframe: bool) -> Result<Loaded, SceneError> {
         let file = Path::new(name.as_ref());
         if !file.extension().is_some_and(|e| e.eq_ignore_ascii_case("obj")) {
             let all = builtin::NAMES.join(", ");
@@ -181,7 +184,7 @@ impl Source<'_> {
                 "the path is relative to the scene file's folder; correct it",
             ));
         }
-        obj::load(&path)
+        obj::load(&path, wireframe)
     }
 
     fn size(&self, size: &Spanned<Vector<i64, 2>>) -> Result<Size, SceneError> {
@@ -250,6 +253,7 @@ impl Source<'_> {
         let (problem, remedy) = match message.rsplit_once(", expected ") {
             Some((problem, "i64")) => (problem, "write a whole number".to_owned()),
             Some((problem, "f64")) => (problem, "write a number".to_owned()),
+            Some((problem, "a boolean")) => (problem, "write true or false".to_owned()),
             Some((problem, expected)) => (problem, format!("write {}", brief(expected, MESSAGE))),
             None if message.starts_with("missing field") => (message, "add it".to_owned()),
             None => (message, "correct the TOML".to_owned()),

@@ -132,8 +132,16 @@ fn a_sliver_that_misses_every_centre_is_a_warning_too() {
 
 #[test]
 fn a_warning_counts_every_fate() {
-    let counts =
-        Counts { polygons: 31, behind: 1, off_screen: 2, degenerate: 4, between_centres: 8, drawn: 16, split: 0 };
+    let counts = Counts {
+        polygons: 31,
+        lines: 0,
+        behind: 1,
+        off_screen: 2,
+        degenerate: 4,
+        between_centres: 8,
+        drawn: 16,
+        split: 0,
+    };
     let size = Size::new(64, 64).unwrap();
     let projection = Projection { size, triangles: Vec::new(), vertices: Vec::new(), counts };
     assert_eq!(

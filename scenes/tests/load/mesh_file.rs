@@ -131,15 +131,19 @@ fn malformed_meshes_are_refused_with_their_line() {
         (
             "unknown",
             "v 0 0 0\nface 1 2 3\n",
-            "mesh.obj:2: unknown statement `face`: an OBJ file of polygons has v, vn, vt, f, o, g, s, usemtl and mtllib; remove the line or export polygons",
+            "mesh.obj:2: unknown statement `face`: an OBJ file of polygons and lines has v, vn, vt, f, l, o, g, s, usemtl and mtllib; remove the line or export polygons",
         ),
         ("usemtl", "usemtl\n", "mesh.obj:1: `usemtl` without a name: give the name after it"),
         (
             "empty",
             "v 0 0 0\n",
-            "mesh.obj: holds no face: export the mesh with its polygons (lines that begin with `f`)",
+            "mesh.obj: holds no face and no polyline: export the mesh with its polygons (lines that begin with `f`) or polylines (with `l`)",
         ),
-        ("nothing", "", "mesh.obj: holds no face: export the mesh with its polygons (lines that begin with `f`)"),
+        (
+            "nothing",
+            "",
+            "mesh.obj: holds no face and no polyline: export the mesh with its polygons (lines that begin with `f`) or polylines (with `l`)",
+        ),
     ];
     for (name, text, sentence) in cases {
         assert_eq!(obj_error(name, text), sentence, "{name}");
@@ -151,7 +155,7 @@ fn a_mesh_without_any_area_is_refused() {
     let flat = "v 0 1 0\nv 1 2 0\nv 2 3 0\nf 1 2 3\nf 1 1 2\n";
     assert_eq!(
         obj_error("flat", flat),
-        "mesh.obj: holds no face with an area, so nothing would be drawn: give at least one face three corners that are not in a line"
+        "mesh.obj: holds no face with an area and no line with a length, so nothing would be drawn: give a face three corners that are not in a line, or a polyline two that differ"
     );
     let mixed = folder("mixed_area", &[("mesh.obj", &format!("{flat}v 0 0 0\nf 1 2 4\n"))]);
     assert_eq!(load(&mixed.join("mesh.obj")).unwrap().mesh.triangles().len(), 3);

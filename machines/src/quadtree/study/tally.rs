@@ -4,47 +4,9 @@ use super::super::matrix::Matrix;
 use super::super::stages::Stages;
 use super::super::windows::Search;
 use super::{Costs, EDGES, PARAMETERS, TestUnit};
-use serde::Serialize;
+use crate::mean::{Mean, Sum};
 use tilewright_scenes::Polygon;
 use tilewright_scenes::packet::SUBPIXELS;
-
-/// A mean over rectangles, and how far it may be off.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Mean {
-    /// The mean.
-    pub mean: f64,
-    /// Its standard error; 0 of a single rectangle.
-    pub error: f64,
-}
-
-/// A number of each rectangle, summed.
-#[derive(Clone, Copy, Default)]
-struct Sum {
-    of_values: u128,
-    of_squares: u128,
-}
-
-impl Sum {
-    fn add(&mut self, other: Sum) {
-        self.of_values += other.of_values;
-        self.of_squares += other.of_squares;
-    }
-
-    /// Over `count` rectangles, in parts of `unit`.
-    fn mean(self, count: u64, unit: f64) -> Mean {
-        let (values, squares, count) = (self.of_values as f64, self.of_squares as f64, count as f64);
-        let mean = values / count;
-        let variance = (squares / count - mean * mean).max(0.0);
-        Mean { mean: mean / unit, error: (variance / (count - 1.0).max(1.0)).sqrt() / unit }
-    }
-}
-
-impl From<u64> for Sum {
-    fn from(value: u64) -> Sum {
-        let value = u128::from(value);
-        Sum { of_values: value, of_squares: value * value }
-    }
-}
 
 /// What a matrix' processors together have counted.
 pub(super) struct Tally {

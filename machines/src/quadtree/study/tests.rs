@@ -2,7 +2,7 @@
 
 use super::super::windows::Windows;
 use super::*;
-use crate::quadtree::random::Random;
+use crate::random::Random;
 use std::sync::atomic::{AtomicBool, Ordering};
 use tilewright_scenes::{PixelBox, Polygon};
 

@@ -1,0 +1,189 @@
+//! How many regions a vector falls in, how much a renderer has to do, and how long it takes: the paper's formulas.
+//!
+//! Source: PP5-UT to PP5-UTV, as facts A0 restore them. The formula of the bounding box has fallen out of the paper's text; only
+//! `(1 + L cos t/S)(1 + L sin t/S)` gives its 1.63 for vectors of 50 pixels at 45 degrees, and then 94 clocks a vector its 239 ns.
+
+use serde::Serialize;
+use tilewright_scenes::angle;
+
+/// The clock period of a renderer in ns (PP5-UT: 40 MHz).
+pub const PERIOD: f64 = 25.0;
+
+/// The clocks of a renderer for a vector: the only whole number that gives the paper's 239 ns (PP5-UTV).
+pub const VECTOR_CYCLES: u64 = 94;
+
+/// The length and the direction of a vector.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Shape {
+    /// Length in pixels, L.
+    pub length: f64,
+    /// Degrees from the x axis, theta.
+    pub angle: f64,
+}
+
+impl Shape {
+    /// Regions of `side` x `side` pixels that the vector's bounding box meets, on the mean over all places (PP5-HVB).
+    ///
+    /// ```
+    /// use tilewright_machines::pixel_planes::Shape;
+    ///
+    /// let vector = Shape { length: 50.0, angle: 45.0 };
+    /// assert_eq!(format!("{:.2}", vector.by_box(128)), "1.63");
+    /// ```
+    pub fn by_box(&self, side: u32) -> f64 {
+        let (x, y) = self.spans(side);
+        (1.0 + x) * (1.0 + y)
+    }
+
+    /// Regions that the vector is binned to if each column of regions that it meets has those that it passes when it goes on to both
+    /// sides of the column, on the mean over all places; rows instead of columns if it is steeper than 45 degrees (PP5-HV). Of
+    /// a vector that is shorter than a column, more than by its box; as long as one, as many.
+    ///
+    /// ```
+    /// use tilewright_machines::pixel_planes::Shape;
+    ///
+    /// // The paper gives 1.63 for this, which is the number of the bounding box.
+    /// assert_eq!(format!("{:.2}", Shape { length: 50.0, angle: 45.0 }.by_columns(128)), "2.55");
+    /// // L cos t = S.
+    /// let equal = Shape { length: 160.0, angle: 36.86989764584402 };
+    /// assert!((equal.by_columns(128) - equal.by_box(128)).abs() < 1e-12);
+    /// ```
+    pub fn by_columns(&self, side: u32) -> f64 {
+        let (x, y) = self.spans(side);
+        let (long, short) = (x.max(y), x.min(y));
+        let tangent = if long == 0.0 { 0.0 } else { short / long };
+        (1.0 + long) * (1.0 + tangent)
+    }
+
+    /// Regions that the vector itself meets, on the mean over all places: one, and one more for each border that it crosses (facts
+    /// A0, PP5-HVB).
+    ///
+    /// ```
+    /// use tilewright_machines::pixel_planes::Shape;
+    ///
+    /// assert_eq!(format!("{:.2}", Shape { length: 50.0, angle: 45.0 }.tight(128)), "1.55");
+    /// // Of a level vector all three are 1 + L/S (PP5-HV0).
+    /// let level = Shape { length: 64.0, angle: 0.0 };
+    /// assert_eq!([level.by_box(128), level.by_columns(128), level.tight(128)], [1.5; 3]);
+    /// ```
+    pub fn tight(&self, side: u32) -> f64 {
+        let (x, y) = self.spans(side);
+        1.0 + x + y
+    }
+
+    /// Its extents along x and y, in regions.
+    fn spans(&self, side: u32) -> (f64, f64) {
+        let (sine, cosine) = angle::sin_cos(self.angle);
+        let span = |part: f64| self.length * part.abs() / f64::from(side);
+        (span(cosine), span(sine))
+    }
+}
+
+/// The primitives of the renderer with the heaviest load, P_w, at least: each of `primitives` is in one region, and `renderers` have
+/// equally many (PP5-PW).
+///
+/// With as many times more primitives as a vector falls in regions, this is the load in perfect balance (PP5-PWV).
+///
+/// ```
+/// use tilewright_machines::pixel_planes::{Shape, least_load};
+///
+/// let regions = Shape { length: 50.0, angle: 45.0 }.by_box(128);
+/// assert_eq!(format!("{:.0}", least_load(regions * 16_000.0, 16)), "1629");
+/// ```
+pub fn least_load(primitives: f64, renderers: usize) -> f64 {
+    primitives / renderers as f64
+}
+
+/// P_w at most, by the paper: each primitive is in each of `regions`, and each renderer has `regions / renderers` of them (PP5-PW).
+///
+/// ```
+/// use tilewright_machines::pixel_planes::{greatest_load, least_load};
+///
+/// // Apart by a factor of R, 80 on the paper's screen.
+/// assert_eq!(greatest_load(1000.0, 80, 16) / least_load(1000.0, 16), 80.0);
+/// ```
+pub fn greatest_load(primitives: f64, regions: usize, renderers: usize) -> f64 {
+    primitives * regions as f64 / renderers as f64
+}
+
+/// P_w at most, where the renderers do not divide the regions: one of them has the next whole number of regions (facts E3).
+///
+/// ```
+/// use tilewright_machines::pixel_planes::greatest_load_of_whole_regions;
+///
+/// // 640x480 pixels have 20 regions: four of 16 renderers take a second one.
+/// assert_eq!(greatest_load_of_whole_regions(1000, 20, 16), 2000);
+/// ```
+pub fn greatest_load_of_whole_regions(primitives: u64, regions: usize, renderers: usize) -> u64 {
+    primitives * regions.div_ceil(renderers) as u64
+}
+
+/// The time of a frame, in the unit of `period`: `cycles` for each of the `load` primitives of the renderer with the heaviest load, which
+/// never waits for one (PP5-UT).
+///
+/// ```
+/// use tilewright_machines::pixel_planes::{PERIOD, Shape, VECTOR_CYCLES, least_load, update_time};
+///
+/// // A vector on 16 renderers (PP5-UTV).
+/// let load = least_load(Shape { length: 50.0, angle: 45.0 }.by_box(128), 16);
+/// assert_eq!(format!("{:.0} ns", update_time(VECTOR_CYCLES, load, PERIOD)), "239 ns");
+/// ```
+pub fn update_time(cycles: u64, load: f64, period: f64) -> f64 {
+    cycles as f64 * load * period
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn shape() -> impl Strategy<Value = Shape> {
+        (0.0..2000.0f64, prop_oneof![-400.0..400.0f64, (-8..8).prop_map(|i| 45.0 * f64::from(i))])
+            .prop_map(|(length, angle)| Shape { length, angle })
+    }
+
+    /// PP5-UTV: "V * 239 ns", with 1.63 as printed and as it is.
+    #[test]
+    fn only_94_clocks_give_239_ns() {
+        for regions in [1.63, Shape { length: 50.0, angle: 45.0 }.by_box(128)] {
+            let gives = |cycles: &u64| update_time(*cycles, least_load(regions, 16), PERIOD).round() == 239.0;
+            assert_eq!((1..1000).filter(gives).collect::<Vec<u64>>(), [VECTOR_CYCLES]);
+        }
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+
+        /// PP5-HV: pessimistic exactly where the long side is shorter than a region; the vector itself has no more than either has.
+        #[test]
+        fn boxes_and_columns_change_places_at_the_side_of_a_region(shape in shape(), side in 1..300u32) {
+            let (by_box, by_columns) = (shape.by_box(side), shape.by_columns(side));
+            let (sine, cosine) = shape.angle.to_radians().sin_cos();
+            let long = shape.length * sine.abs().max(cosine.abs()) / f64::from(side);
+            let noise = 1e-9 * by_box;
+            let is_right = if long < 1.0 { by_columns >= by_box - noise } else { by_columns <= by_box + noise };
+            prop_assert!(is_right, "{} and {}", by_columns, by_box);
+            prop_assert!(shape.tight(side) <= by_box.min(by_columns) + noise);
+        }
+
+        /// PP5-HV0, and the swap of axes.
+        #[test]
+        fn axes_can_be_swapped(shape in shape(), side in 1..300u32) {
+            let turned = Shape { angle: 90.0 - shape.angle, ..shape };
+            let all = |shape: &Shape| [shape.by_box(side), shape.by_columns(side), shape.tight(side)];
+            prop_assert!(all(&shape).iter().zip(all(&turned)).all(|(one, other)| (one - other).abs() < 1e-9 * one));
+            let level = 1.0 + shape.length / f64::from(side);
+            prop_assert_eq!(all(&Shape { angle: 90.0, ..shape }), [level; 3]);
+        }
+
+        /// The two greatest loads are one where renderers divide regions, and the one of whole regions is never less.
+        #[test]
+        fn whole_regions_are_never_less(primitives in 0..1000u64, renderers in 1..40usize, each in 1..9usize, rest in 0..40usize) {
+            let whole = greatest_load_of_whole_regions(primitives, each * renderers, renderers);
+            prop_assert_eq!(whole as f64, greatest_load(primitives as f64, each * renderers, renderers));
+            let regions = each * renderers + rest;
+            let whole = greatest_load_of_whole_regions(primitives, regions, renderers);
+            prop_assert!(whole as f64 >= greatest_load(primitives as f64, regions, renderers) - 1e-9);
+        }
+    }
+}

@@ -1,0 +1,146 @@
+//! How many regions a vector is binned to, counted over random vectors, beside the formulas.
+//!
+//! Source: PP5-HVB, PP5-HV, PP5-HV0. What is counted are bins of [`Regions::of`]; formulas stand beside them and are in no count.
+
+use super::formulas::Shape;
+use super::outline::{Binner, Outline};
+use super::regions::Regions;
+use super::vectors::Vectors;
+use crate::mean::{Mean, Sum};
+use crate::run::Watch;
+use crate::threads::{all_threads, on_threads};
+use serde::Serialize;
+use tilewright_rtl::parameter::ParameterError;
+
+/// What is counted of which vectors.
+///
+/// ```
+/// use tilewright_machines::Watch;
+/// use tilewright_machines::pixel_planes::Study;
+///
+/// let study = Study { lengths: vec![50.0], angles: vec![45.0], vectors: 2000, ..Study::paper(1) };
+/// let points = study.run(&mut Watch::default())?.expect("nobody breaks it off");
+/// let counted = points[0].counted.by_box;
+/// assert!((counted.mean - 1.629).abs() < 4.0 * counted.error);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Study {
+    /// The screen.
+    pub regions: Regions,
+    /// Lengths in pixels.
+    pub lengths: Vec<f64>,
+    /// Angles in degrees.
+    pub angles: Vec<f64>,
+    /// Vectors of each length and angle, at least 1.
+    pub vectors: u64,
+    /// What they follow from.
+    pub seed: u64,
+}
+
+/// A number of regions by each [`Binner`].
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Bins<T> {
+    /// By the bounding box (PP5-HVB).
+    pub by_box: T,
+    /// By whole columns (PP5-HV).
+    pub by_columns: T,
+    /// By the vector itself.
+    pub tight: T,
+}
+
+impl<T> Bins<T> {
+    fn of(mut number: impl FnMut(Binner) -> T) -> Bins<T> {
+        Bins { by_box: number(Binner::Box), by_columns: number(Binner::Columns), tight: number(Binner::Tight) }
+    }
+}
+
+/// Vectors of one length and angle.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Point {
+    /// The vectors.
+    pub shape: Shape,
+    /// Regions of a vector, counted.
+    pub counted: Bins<Mean>,
+    /// Regions of a vector by the formulas.
+    pub by_formula: Bins<f64>,
+}
+
+impl Study {
+    /// The screen of the paper, and its vectors of 50 pixels at 45 degrees among others. A few seconds of one processor, in a release
+    /// build.
+    pub fn paper(seed: u64) -> Study {
+        Study {
+            regions: Regions::paper(),
+            lengths: vec![10.0, 25.0, 50.0, 100.0, 128.0, 200.0, 400.0],
+            angles: (0..=6).map(|step| 15.0 * f64::from(step)).collect(),
+            vectors: 200_000,
+            seed,
+        }
+    }
+
+    /// Counts, on all processors of the computer: the points of the first length by angle, then those of the next. `None` if it was
+    /// broken off.
+    ///
+    /// # Errors
+    /// Vectors do not fit on the screen, or there are none; nothing has been counted then.
+    pub fn run(&self, watch: &mut Watch) -> Result<Option<Vec<Point>>, ParameterError> {
+        self.run_on(all_threads(), watch)
+    }
+
+    fn run_on(&self, threads: usize, watch: &mut Watch) -> Result<Option<Vec<Point>>, ParameterError> {
+        let jobs = self.jobs()?;
+        let mut points = vec![None; jobs.len()];
+        let (mut done, cancel) = (0, watch.cancel);
+        on_threads(
+            threads,
+            &jobs,
+            cancel,
+            |(shape, vectors)| self.point(*shape, vectors),
+            |number, point| {
+                points[number] = Some(point);
+                done += 1;
+                watch.report("counting regions", f64::from(done) / jobs.len() as f64);
+            },
+        );
+        Ok(points.into_iter().collect())
+    }
+
+    fn jobs(&self) -> Result<Vec<(Shape, Vectors)>, ParameterError> {
+        if self.vectors == 0 {
+            return Err(ParameterError("a study of 0 vectors: it has to have at least 1".to_owned()));
+        }
+        let shapes =
+            self.lengths.iter().flat_map(|&length| self.angles.iter().map(move |&angle| Shape { length, angle }));
+        let job = |shape: Shape| {
+            let vectors = Vectors::new(self.regions, shape.length, Some(shape.angle), self.seed)?;
+            Ok((shape, vectors))
+        };
+        shapes.map(job).collect()
+    }
+
+    fn point(&self, shape: Shape, vectors: &Vectors) -> Point {
+        let mut sums = Bins::of(|_| Sum::default());
+        for index in 0..self.vectors {
+            let outline = Outline::of(&vectors.ends(index));
+            let count = Bins::of(|binner| Sum::from(self.regions.of(&outline, binner).len() as u64));
+            sums.by_box.add(count.by_box);
+            sums.by_columns.add(count.by_columns);
+            sums.tight.add(count.tight);
+        }
+        let mean = |sum: Sum| sum.mean(self.vectors, 1.0);
+        let side = self.regions.side();
+        Point {
+            shape,
+            counted: Bins { by_box: mean(sums.by_box), by_columns: mean(sums.by_columns), tight: mean(sums.tight) },
+            by_formula: Bins {
+                by_box: shape.by_box(side),
+                by_columns: shape.by_columns(side),
+                tight: shape.tight(side),
+            },
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;
