@@ -29,7 +29,7 @@ pub const ENTRIES: &[Entry] = &[
     quadtree::QUADTREE_PIPE,
     quadtree::QUADTREE_TREE,
     quadtree::COVERAGE_TEST,
-    quadtree::PIXEL_PROCESSOR,
+    quadtree::QUADTREE_PIXEL,
     quadtree::VIDEO_BUFFER,
     quadtree::VIDEO_CONTROLLER,
 ];
