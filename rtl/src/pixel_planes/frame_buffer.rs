@@ -13,16 +13,16 @@
 //! Latency 1 clock from a line's last plane to the memory; a plane a clock. A line that is read comes 1 clock later.
 
 use super::backing_store::BitPlane;
-use super::fields;
+use super::{REGION_BITS, fields, side};
 use crate::prelude::*;
 
 block! {
     /// Puts regions together to a picture.
     pub struct FrameBuffer {
         /// The picture's size.
-        pub screen: Screen,
-        /// Pixels in a line of a region, and lines; a power of two.
-        pub side: u32,
+        screen: Screen,
+        /// Pixels in a line of a region, and lines.
+        side: u32,
     }
     latency = "1 clock from a line's last plane to the memory, 1 clock to read";
     source = "Pixel-planes 5, section I.3.2.1 (PP5-ARCH)";
@@ -46,6 +46,27 @@ block! {
 }
 
 impl FrameBuffer {
+    /// A frame buffer for a screen in regions of that side, a power of two from 2 to 256.
+    ///
+    /// # Errors
+    ///
+    /// There is no region of that side, or there are more than have a number.
+    pub fn new(screen: Screen, pixels: u32) -> Result<FrameBuffer, ParameterError> {
+        let frame = FrameBuffer { screen, side: side(pixels)? };
+        if frame.regions() <= 1 << REGION_BITS {
+            return Ok(frame);
+        }
+        let (regions, most) = (frame.regions(), 1 << REGION_BITS);
+        Err(ParameterError(format!(
+            "a screen of {regions} regions: there are numbers for {most}; larger regions are fewer"
+        )))
+    }
+
+    /// Pixels in a line of a region, and lines.
+    pub fn side(&self) -> u32 {
+        self.side
+    }
+
     /// Regions side by side.
     pub fn columns(&self) -> u32 {
         self.screen.width.div_ceil(self.side)

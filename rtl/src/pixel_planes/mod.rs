@@ -30,7 +30,7 @@
 //!
 //! All sums are exact modulo powers of two, so bit-serial evaluation gives the integers of the contract bit for bit (facts E0).
 
-use crate::prelude::{Clock, ParameterError, Period};
+use crate::prelude::{ParameterError, Period};
 
 pub mod allocator;
 pub mod backing_store;
@@ -47,8 +47,8 @@ pub mod renderer;
 #[cfg(test)]
 mod testing;
 
-/// The clock of a renderer: 40 MHz (PP5-UT).
-pub const CLOCK: Clock = Clock::new("clk", Period::ns(25));
+/// The clock's period: 40 MHz (PP5-UT).
+pub const PERIOD: Period = Period::ns(25);
 
 /// Pixels along a side of a region in the machine that was built (PP5-ARCH).
 pub const SIDE: u32 = 128;
@@ -56,14 +56,16 @@ pub const SIDE: u32 = 128;
 /// The bits of a region's number: as many regions of 8 x 8 pixels as the largest screen has, 2048 x 2048 pixels.
 pub const REGION_BITS: u32 = 16;
 
-/// A side for which there is hardware.
+/// A number of pixels along a side of a region for which there is hardware.
 ///
 /// # Errors
 ///
-/// It is no power of two from 8 to 256.
-pub fn side(side: u32) -> Result<u32, ParameterError> {
-    if side.is_power_of_two() && (8..=256).contains(&side) {
-        return Ok(side);
+/// It is no power of two from 2 to 256.
+pub fn side(pixels: u32) -> Result<u32, ParameterError> {
+    if pixels.is_power_of_two() && (2..=256).contains(&pixels) {
+        return Ok(pixels);
     }
-    Err(ParameterError(format!("a region of {side} x {side} pixels: its side has to be a power of two from 8 to 256")))
+    Err(ParameterError(format!(
+        "a region of {pixels} x {pixels} pixels: its side has to be a power of two from 2 to 256"
+    )))
 }

@@ -50,22 +50,27 @@ impl Renderer {
     /// The most instructions that its queue holds.
     pub const MOST: u32 = 4096;
 
-    /// A renderer of that side, which is a power of two from 8 to 256, with a queue of so many instructions.
+    /// A renderer of regions of that side, a power of two from 2 to 256, with a queue of so many instructions.
     ///
     /// # Errors
     ///
     /// There is no such renderer.
-    pub fn new(side_of_region: u32, queue: u32) -> Result<Renderer, ParameterError> {
+    pub fn new(pixels: u32, queue: u32) -> Result<Renderer, ParameterError> {
         if !(1..=Renderer::MOST).contains(&queue) {
             let most = Renderer::MOST;
             return Err(ParameterError(format!("a queue of {queue} instructions: it has to hold from 1 to {most}")));
         }
-        Ok(Renderer { side: side(side_of_region)?, queue })
+        Ok(Renderer { side: side(pixels)?, queue })
     }
 
     /// Pixels in a line of a region, and lines.
     pub fn side(&self) -> u32 {
         self.side
+    }
+
+    /// Instructions that its queue holds.
+    pub fn queue(&self) -> u32 {
+        self.queue
     }
 
     fn build(&self, m: Module, i: RendererIn) -> RendererOut {

@@ -3,7 +3,7 @@
 use proptest::prelude::*;
 use tilewright_sim::{Pauses, Simulation, monitor};
 
-use super::super::CLOCK;
+use super::super::PERIOD;
 use super::super::instruction::Operation;
 use super::super::linear_tree::Coefficients;
 use super::super::model::Model;
@@ -123,7 +123,8 @@ proptest! {
     /// Whatever overlaps, memory and flags are as if each instruction began when the one before has ended.
     #[test]
     fn instructions_do_what_they_do_one_after_another(
-        program in prop::collection::vec(instructions(8), 1..60),
+        (side, program) in prop::sample::select(vec![2, 4, 8])
+            .prop_flat_map(|side| (Just(side), prop::collection::vec(instructions(side), 1..60))),
         manner in manners(),
     ) {
         // In the end the flags are in the memory, too.
@@ -133,9 +134,9 @@ proptest! {
         let enable = Instruction { skip: 7, ..constant(Operation::EvaluateEnabled, 207) };
         let flags = vec![constant(Operation::FillFlagged, 206), enable];
         let program = [filled(), program, flags, all_memory()].concat();
-        let mut model = Model::new(8);
+        let mut model = Model::new(side);
         program.iter().for_each(|instruction| model.run(instruction));
-        prop_assert_eq!(sent(8, &program, manner), model.saved);
+        prop_assert_eq!(sent(side, &program, manner), model.saved);
     }
 }
 
@@ -207,7 +208,7 @@ proptest! {
 /// Facts E3: the next region is drawn while one is sent, S bits a clock; only its save waits.
 #[test]
 fn a_region_is_sent_in_48_clocks_a_line_while_the_next_is_drawn() {
-    let mut sim = Simulation::at(&Renderer::new(8, 4).unwrap(), CLOCK.period).unwrap();
+    let mut sim = Simulation::at(&Renderer::new(8, 4).unwrap(), PERIOD).unwrap();
     sim.reset();
     let (i, o) = (sim.i, sim.o);
     sim.set(i.side_by_side, 1);
@@ -238,11 +239,12 @@ fn a_region_is_sent_in_48_clocks_a_line_while_the_next_is_drawn() {
 #[test]
 fn there_is_no_renderer_of_any_other_side() {
     let complaint = |side, queue| Renderer::new(side, queue).unwrap_err().to_string();
-    assert_eq!(complaint(12, 8), "a region of 12 x 12 pixels: its side has to be a power of two from 8 to 256");
-    assert_eq!(complaint(4, 8), "a region of 4 x 4 pixels: its side has to be a power of two from 8 to 256");
-    assert_eq!(complaint(512, 8), "a region of 512 x 512 pixels: its side has to be a power of two from 8 to 256");
+    for side in [0, 1, 12, 512] {
+        let sentence = format!("a region of {side} x {side} pixels: its side has to be a power of two from 2 to 256");
+        assert_eq!(complaint(side, 8), sentence);
+    }
     assert_eq!(complaint(8, 0), "a queue of 0 instructions: it has to hold from 1 to 4096");
-    for side in [8, 16, 32, 64, 128, 256] {
+    for side in (1..9).map(|level| 1 << level) {
         assert_eq!(elaborate(&Renderer::new(side, 8).unwrap()).unwrap().modules().len(), 6);
     }
 }
