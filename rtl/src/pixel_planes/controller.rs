@@ -93,14 +93,14 @@ impl ImageGenerationController {
         let waiting = m.reg("waiting", Order::widths());
 
         // When the next instruction is taken.
-        net!(ahead = Order::clocks(*memory.left) + mux(waits, Order::clocks(waiting.instruction.length), 0));
+        net!(ahead = Order::clocks(*memory.left) + mux(waits, Order::clocks(waiting.length), 0));
         net!(ends_in_time = ahead.le(Order::clocks(i.instructions.skip) + 1));
         net!(tree_may = tree.ends & (!decoded.on_memory | ends_in_time));
         net!(memory_may = (!waits | memory.ends) & (tree.ends | !tree.on_memory()) & (!decoded.saves | i.store_free));
         net!(both_end = tree.ends & memory.ends & !waits);
         net!(may = mux(decoded.on_tree, tree_may, memory_may) & (i.side_by_side | both_end));
         let next = i.instructions.take_when(may);
-        let order = Order { instruction: *next, microcode: decoded };
+        let order = Order::of(&next, decoded);
 
         // Where it goes.
         net!(tree_begins = next.taken & decoded.on_tree);

@@ -77,7 +77,6 @@ impl Renderer {
         let Renderer { side, queue } = *self;
         let pixels = grid(side, side);
         let instructions = m.fifo("u_queue", queue, i.instructions);
-        net!(has_none = !instructions.valid);
         let store_free = m.wire("store_free", bit());
         let control =
             ImageGenerationControllerIn { instructions, side_by_side: i.side_by_side, store_free: *store_free };
@@ -93,7 +92,7 @@ impl Renderer {
         let store = BackingStoreIn { save: controller.save, number, word: pixel.word };
         let store = m.instance("u_store", &BackingStore { side }, store);
         store_free.drive(store.free);
-        RendererOut { planes: store.planes, idle: controller.idle & has_none }
+        RendererOut { planes: store.planes, idle: controller.idle }
     }
 }
 

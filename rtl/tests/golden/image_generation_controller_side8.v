@@ -83,47 +83,39 @@ module image_generation_controller_side8 (
     // not mentioned: localparam [2:0] ENABLING_REPLACE  = 3'd3;
     // not mentioned: localparam [2:0] ENABLING_RESTRICT = 3'd4;
 
-    reg tree_microcode_on_tree;                                  // rtl/src/pixel_planes/controller/slot.rs:48
-    reg tree_microcode_on_memory;                                // rtl/src/pixel_planes/controller/slot.rs:48
-    reg [1:0] tree_microcode_source;                             // rtl/src/pixel_planes/controller/slot.rs:48
-    reg tree_microcode_adds;                                     // rtl/src/pixel_planes/controller/slot.rs:48
-    reg tree_microcode_begins;                                   // rtl/src/pixel_planes/controller/slot.rs:48
-    reg [1:0] tree_microcode_mask;                               // rtl/src/pixel_planes/controller/slot.rs:48
-    reg tree_microcode_compares;                                 // rtl/src/pixel_planes/controller/slot.rs:48
-    reg tree_microcode_gates;                                    // rtl/src/pixel_planes/controller/slot.rs:48
-    reg [2:0] tree_microcode_enabling;                           // rtl/src/pixel_planes/controller/slot.rs:48
-    reg tree_microcode_captures;                                 // rtl/src/pixel_planes/controller/slot.rs:48
-    reg tree_microcode_saves;                                    // rtl/src/pixel_planes/controller/slot.rs:48
-    reg [6:0] tree_length;                                       // rtl/src/pixel_planes/controller/slot.rs:48
-    reg [7:0] tree_left;                                         // rtl/src/pixel_planes/controller/slot.rs:49
-    reg [39:0] tree_bits;                                        // rtl/src/pixel_planes/controller/slot.rs:51
-    reg [7:0] tree_read;                                         // rtl/src/pixel_planes/controller/slot.rs:57
-    reg [7:0] tree_write;                                        // rtl/src/pixel_planes/controller/slot.rs:58
-    reg memory_microcode_on_tree;                                // rtl/src/pixel_planes/controller/slot.rs:48
-    reg memory_microcode_on_memory;                              // rtl/src/pixel_planes/controller/slot.rs:48
-    reg [1:0] memory_microcode_source;                           // rtl/src/pixel_planes/controller/slot.rs:48
-    reg memory_microcode_adds;                                   // rtl/src/pixel_planes/controller/slot.rs:48
-    reg memory_microcode_begins;                                 // rtl/src/pixel_planes/controller/slot.rs:48
-    reg [1:0] memory_microcode_mask;                             // rtl/src/pixel_planes/controller/slot.rs:48
-    reg memory_microcode_compares;                               // rtl/src/pixel_planes/controller/slot.rs:48
-    reg memory_microcode_gates;                                  // rtl/src/pixel_planes/controller/slot.rs:48
-    reg [2:0] memory_microcode_enabling;                         // rtl/src/pixel_planes/controller/slot.rs:48
-    reg memory_microcode_captures;                               // rtl/src/pixel_planes/controller/slot.rs:48
-    reg memory_microcode_saves;                                  // rtl/src/pixel_planes/controller/slot.rs:48
-    reg [6:0] memory_length;                                     // rtl/src/pixel_planes/controller/slot.rs:48
-    reg [7:0] memory_left;                                       // rtl/src/pixel_planes/controller/slot.rs:49
-    reg [39:0] memory_bits;                                      // rtl/src/pixel_planes/controller/slot.rs:51
-    reg [7:0] memory_read;                                       // rtl/src/pixel_planes/controller/slot.rs:57
-    reg [7:0] memory_write;                                      // rtl/src/pixel_planes/controller/slot.rs:58
+    reg tree_microcode_on_tree;                                  // rtl/src/pixel_planes/controller/slot.rs:54
+    reg tree_microcode_on_memory;                                // rtl/src/pixel_planes/controller/slot.rs:54
+    reg [1:0] tree_microcode_source;                             // rtl/src/pixel_planes/controller/slot.rs:54
+    reg tree_microcode_adds;                                     // rtl/src/pixel_planes/controller/slot.rs:54
+    reg tree_microcode_begins;                                   // rtl/src/pixel_planes/controller/slot.rs:54
+    reg [1:0] tree_microcode_mask;                               // rtl/src/pixel_planes/controller/slot.rs:54
+    reg tree_microcode_compares;                                 // rtl/src/pixel_planes/controller/slot.rs:54
+    reg tree_microcode_gates;                                    // rtl/src/pixel_planes/controller/slot.rs:54
+    reg [2:0] tree_microcode_enabling;                           // rtl/src/pixel_planes/controller/slot.rs:54
+    reg tree_microcode_captures;                                 // rtl/src/pixel_planes/controller/slot.rs:54
+    reg tree_microcode_saves;                                    // rtl/src/pixel_planes/controller/slot.rs:54
+    reg [6:0] tree_length;                                       // rtl/src/pixel_planes/controller/slot.rs:54
+    reg [7:0] tree_left;                                         // rtl/src/pixel_planes/controller/slot.rs:55
+    reg [39:0] tree_bits;                                        // rtl/src/pixel_planes/controller/slot.rs:57
+    reg [7:0] tree_read;                                         // rtl/src/pixel_planes/controller/slot.rs:63
+    reg [7:0] tree_write;                                        // rtl/src/pixel_planes/controller/slot.rs:64
+    reg memory_microcode_on_tree;                                // rtl/src/pixel_planes/controller/slot.rs:54
+    reg memory_microcode_on_memory;                              // rtl/src/pixel_planes/controller/slot.rs:54
+    reg [1:0] memory_microcode_source;                           // rtl/src/pixel_planes/controller/slot.rs:54
+    reg memory_microcode_adds;                                   // rtl/src/pixel_planes/controller/slot.rs:54
+    reg memory_microcode_begins;                                 // rtl/src/pixel_planes/controller/slot.rs:54
+    reg [1:0] memory_microcode_mask;                             // rtl/src/pixel_planes/controller/slot.rs:54
+    reg memory_microcode_compares;                               // rtl/src/pixel_planes/controller/slot.rs:54
+    reg memory_microcode_gates;                                  // rtl/src/pixel_planes/controller/slot.rs:54
+    reg [2:0] memory_microcode_enabling;                         // rtl/src/pixel_planes/controller/slot.rs:54
+    reg memory_microcode_captures;                               // rtl/src/pixel_planes/controller/slot.rs:54
+    reg memory_microcode_saves;                                  // rtl/src/pixel_planes/controller/slot.rs:54
+    reg [6:0] memory_length;                                     // rtl/src/pixel_planes/controller/slot.rs:54
+    reg [7:0] memory_left;                                       // rtl/src/pixel_planes/controller/slot.rs:55
+    reg [39:0] memory_bits;                                      // rtl/src/pixel_planes/controller/slot.rs:57
+    reg [7:0] memory_read;                                       // rtl/src/pixel_planes/controller/slot.rs:63
+    reg [7:0] memory_write;                                      // rtl/src/pixel_planes/controller/slot.rs:64
     reg waits;                                                   // rtl/src/pixel_planes/controller.rs:92
-    reg [4:0] waiting_instruction_operation;                     // rtl/src/pixel_planes/controller.rs:93
-    reg [5:0] waiting_instruction_skip;                          // rtl/src/pixel_planes/controller.rs:93
-    reg [6:0] waiting_instruction_length;                        // rtl/src/pixel_planes/controller.rs:93
-    reg [7:0] waiting_instruction_read;                          // rtl/src/pixel_planes/controller.rs:93
-    reg [7:0] waiting_instruction_write;                         // rtl/src/pixel_planes/controller.rs:93
-    reg [39:0] waiting_instruction_coefficients_a;               // rtl/src/pixel_planes/controller.rs:93
-    reg [39:0] waiting_instruction_coefficients_b;               // rtl/src/pixel_planes/controller.rs:93
-    reg [39:0] waiting_instruction_coefficients_c;               // rtl/src/pixel_planes/controller.rs:93
     reg waiting_microcode_on_tree;                               // rtl/src/pixel_planes/controller.rs:93
     reg waiting_microcode_on_memory;                             // rtl/src/pixel_planes/controller.rs:93
     reg [1:0] waiting_microcode_source;                          // rtl/src/pixel_planes/controller.rs:93
@@ -135,8 +127,13 @@ module image_generation_controller_side8 (
     reg [2:0] waiting_microcode_enabling;                        // rtl/src/pixel_planes/controller.rs:93
     reg waiting_microcode_captures;                              // rtl/src/pixel_planes/controller.rs:93
     reg waiting_microcode_saves;                                 // rtl/src/pixel_planes/controller.rs:93
-    reg [39:0] a;                                                // rtl/src/pixel_planes/controller/slot.rs:107
-    reg [39:0] b;                                                // rtl/src/pixel_planes/controller/slot.rs:107
+    reg [5:0] waiting_skip;                                      // rtl/src/pixel_planes/controller.rs:93
+    reg [6:0] waiting_length;                                    // rtl/src/pixel_planes/controller.rs:93
+    reg [7:0] waiting_read;                                      // rtl/src/pixel_planes/controller.rs:93
+    reg [7:0] waiting_write;                                     // rtl/src/pixel_planes/controller.rs:93
+    reg [39:0] waiting_constant;                                 // rtl/src/pixel_planes/controller.rs:93
+    reg [39:0] a;                                                // rtl/src/pixel_planes/controller/slot.rs:112
+    reg [39:0] b;                                                // rtl/src/pixel_planes/controller/slot.rs:112
     reg [1:0] sent1_control_source;                              // rtl/src/pixel_planes/controller.rs:144
     reg sent1_control_constant;                                  // rtl/src/pixel_planes/controller.rs:144
     reg sent1_control_adds;                                      // rtl/src/pixel_planes/controller.rs:144
@@ -236,12 +233,12 @@ module image_generation_controller_side8 (
 
     wire [14:0] decoded = (instructions_operation < 5'd18) ? microcode[instructions_operation] : 15'd0; // rtl/src/pixel_planes/controller.rs:90
     wire decoded_on_tree = decoded[14];                          // rtl/src/pixel_planes/controller.rs:90
-    wire tree_ends = tree_left <= 8'd1;                          // rtl/src/pixel_planes/controller/slot.rs:55
+    wire tree_ends = tree_left <= 8'd1;                          // rtl/src/pixel_planes/controller/slot.rs:61
     wire decoded_on_memory = decoded[13];                        // rtl/src/pixel_planes/controller.rs:90
-    wire [7:0] ahead = memory_left + (waits ? {1'd0, waiting_instruction_length} : 8'd0); // rtl/src/pixel_planes/controller.rs:96
+    wire [7:0] ahead = memory_left + (waits ? {1'd0, waiting_length} : 8'd0); // rtl/src/pixel_planes/controller.rs:96
     wire ends_in_time = ahead <= ({2'd0, instructions_skip} + 8'd1); // rtl/src/pixel_planes/controller.rs:97
     wire tree_may = tree_ends & (!decoded_on_memory | ends_in_time); // rtl/src/pixel_planes/controller.rs:98
-    wire memory_ends = memory_left <= 8'd1;                      // rtl/src/pixel_planes/controller/slot.rs:55
+    wire memory_ends = memory_left <= 8'd1;                      // rtl/src/pixel_planes/controller/slot.rs:61
     wire memory_may_or = tree_ends | !((tree_left != 8'd0) & tree_microcode_on_memory); // rtl/src/pixel_planes/controller.rs:99
     wire memory_may_and = (!waits | memory_ends) & memory_may_or; // rtl/src/pixel_planes/controller.rs:99
     wire decoded_saves = decoded[0];                             // rtl/src/pixel_planes/controller.rs:90
@@ -257,20 +254,20 @@ module image_generation_controller_side8 (
     wire decoded_gates = decoded[5];                             // rtl/src/pixel_planes/controller.rs:90
     wire [2:0] decoded_enabling = decoded[4:2];                  // rtl/src/pixel_planes/controller.rs:90
     wire decoded_captures = decoded[1];                          // rtl/src/pixel_planes/controller.rs:90
-    wire tree_is_word = (tree_left != 8'd0) & (tree_left <= {1'd0, tree_length}); // rtl/src/pixel_planes/controller/slot.rs:56
-    assign coefficients_c = tree_bits[0];                        // rtl/src/pixel_planes/controller/slot.rs:60
-    wire memory_is_word = (memory_left != 8'd0) & (memory_left <= {1'd0, memory_length}); // rtl/src/pixel_planes/controller/slot.rs:56
+    wire tree_is_word = (tree_left != 8'd0) & (tree_left <= {1'd0, tree_length}); // rtl/src/pixel_planes/controller/slot.rs:62
+    assign coefficients_c = tree_bits[0];                        // rtl/src/pixel_planes/controller/slot.rs:66
+    wire memory_is_word = (memory_left != 8'd0) & (memory_left <= {1'd0, memory_length}); // rtl/src/pixel_planes/controller/slot.rs:62
     wire instructions_taken = instructions_valid & may;          // rtl/src/pixel_planes/controller.rs:102
     wire tree_begins = instructions_taken & decoded_on_tree;     // rtl/src/pixel_planes/controller.rs:106
     wire for_memory = instructions_taken & !decoded_on_tree;     // rtl/src/pixel_planes/controller.rs:107
     wire must_wait = for_memory & (waits | !memory_ends);        // rtl/src/pixel_planes/controller.rs:108
     wire memory_begins = memory_ends & (waits | for_memory);     // rtl/src/pixel_planes/controller.rs:111
-    wire [6:0] memory_length_choice = waits ? waiting_instruction_length : instructions_length; // rtl/src/pixel_planes/controller.rs:113
-    wire [7:0] memory_left_extended = {2'd0, waits ? waiting_instruction_skip : instructions_skip}; // rtl/src/pixel_planes/controller/slot.rs:24
-    assign coefficients_a = a[0];                                // rtl/src/pixel_planes/controller/slot.rs:109
-    assign coefficients_b = b[0];                                // rtl/src/pixel_planes/controller/slot.rs:109
+    wire [6:0] memory_length_choice = waits ? waiting_length : instructions_length; // rtl/src/pixel_planes/controller.rs:113
+    wire [7:0] memory_left_extended = {2'd0, waits ? waiting_skip : instructions_skip}; // rtl/src/pixel_planes/controller/slot.rs:30
+    assign coefficients_a = a[0];                                // rtl/src/pixel_planes/controller/slot.rs:114
+    assign coefficients_b = b[0];                                // rtl/src/pixel_planes/controller/slot.rs:114
     wire asserted_and = (tree_left != 8'd0) & tree_microcode_on_memory & tree_is_word; // rtl/src/pixel_planes/controller.rs:123
-    wire sent1_control_enabling_and = tree_is_word & (tree_left == 8'd1); // rtl/src/pixel_planes/controller/slot.rs:88
+    wire sent1_control_enabling_and = tree_is_word & (tree_left == 8'd1); // rtl/src/pixel_planes/controller/slot.rs:93
     wire assumed_and = (instructions_length != 7'd0) & (instructions_length <= 7'd64); // rtl/src/pixel_planes/controller.rs:155
     wire assumed_or = !decoded_saves | (instructions_length == 7'd48); // rtl/src/pixel_planes/controller.rs:156
     wire assumed_at_least = ({2'd0, instructions_skip} + {1'd0, instructions_length}) >= 8'd3; // rtl/src/pixel_planes/controller.rs:158
@@ -288,36 +285,22 @@ module image_generation_controller_side8 (
         if (tree_begins) tree_write <= instructions_write;
         else if (tree_is_word) tree_write <= tree_write + 8'd1;
         if (memory_begins) begin
-            if (waits) memory_bits <= waiting_instruction_coefficients_c;
+            if (waits) memory_bits <= waiting_constant;
             else memory_bits <= instructions_coefficients_c;
         end else begin
             memory_bits <= {memory_bits[39], memory_bits[39:1]};
         end
         if (memory_begins) begin
-            if (waits) memory_read <= waiting_instruction_read;
+            if (waits) memory_read <= waiting_read;
             else memory_read <= instructions_read;
         end else if (memory_is_word) begin
             memory_read <= memory_read + 8'd1;
         end
         if (memory_begins) begin
-            if (waits) memory_write <= waiting_instruction_write;
+            if (waits) memory_write <= waiting_write;
             else memory_write <= instructions_write;
         end else if (memory_is_word) begin
             memory_write <= memory_write + 8'd1;
-        end
-        if (must_wait) waiting_instruction_operation <= instructions_operation;
-        if (must_wait) waiting_instruction_skip <= instructions_skip;
-        if (must_wait) waiting_instruction_length <= instructions_length;
-        if (must_wait) waiting_instruction_read <= instructions_read;
-        if (must_wait) waiting_instruction_write <= instructions_write;
-        if (must_wait) begin
-            waiting_instruction_coefficients_a <= instructions_coefficients_a;
-        end
-        if (must_wait) begin
-            waiting_instruction_coefficients_b <= instructions_coefficients_b;
-        end
-        if (must_wait) begin
-            waiting_instruction_coefficients_c <= instructions_coefficients_c;
         end
         if (must_wait) waiting_microcode_on_tree <= decoded_on_tree;
         if (must_wait) waiting_microcode_on_memory <= decoded_on_memory;
@@ -330,6 +313,11 @@ module image_generation_controller_side8 (
         if (must_wait) waiting_microcode_enabling <= decoded_enabling;
         if (must_wait) waiting_microcode_captures <= decoded_captures;
         if (must_wait) waiting_microcode_saves <= decoded_saves;
+        if (must_wait) waiting_skip <= instructions_skip;
+        if (must_wait) waiting_length <= instructions_length;
+        if (must_wait) waiting_read <= instructions_read;
+        if (must_wait) waiting_write <= instructions_write;
+        if (must_wait) waiting_constant <= instructions_coefficients_c;
         if (tree_begins) a <= instructions_coefficients_a;
         else a <= {a[39], a[39:1]};
         if (tree_begins) b <= instructions_coefficients_b;
@@ -664,8 +652,6 @@ module image_generation_controller_side8 (
 
     wire _unused_ok = &{1'b0, tree_microcode_on_tree, tree_microcode_saves, memory_microcode_on_tree,
             memory_microcode_on_memory, memory_microcode_enabling, memory_microcode_captures,
-            waiting_instruction_operation, waiting_instruction_coefficients_a,
-            waiting_instruction_coefficients_b, asserted_and, assumed_and, assumed_or,
-            assumed_at_least, assumed_or_2};
+            asserted_and, assumed_and, assumed_or, assumed_at_least, assumed_or_2};
 endmodule
 `default_nettype wire

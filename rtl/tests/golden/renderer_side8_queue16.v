@@ -38,38 +38,35 @@ module renderer_side8_queue16 (
 
     wire u_queue_out_valid;                                      // rtl/src/pixel_planes/renderer.rs:79
     wire [153:0] u_queue_out_payload;                            // rtl/src/pixel_planes/renderer.rs:79
-    wire u_controller_coefficients_a;                            // rtl/src/pixel_planes/renderer.rs:84
-    wire u_controller_coefficients_b;                            // rtl/src/pixel_planes/renderer.rs:84
-    wire u_controller_coefficients_c;                            // rtl/src/pixel_planes/renderer.rs:84
-    wire u_controller_first;                                     // rtl/src/pixel_planes/renderer.rs:84
-    wire [1:0] u_controller_control_source;                      // rtl/src/pixel_planes/renderer.rs:84
-    wire u_controller_control_constant;                          // rtl/src/pixel_planes/renderer.rs:84
-    wire u_controller_control_adds;                              // rtl/src/pixel_planes/renderer.rs:84
-    wire u_controller_control_first;                             // rtl/src/pixel_planes/renderer.rs:84
-    wire [1:0] u_controller_control_mask;                        // rtl/src/pixel_planes/renderer.rs:84
-    wire u_controller_control_compares;                          // rtl/src/pixel_planes/renderer.rs:84
-    wire u_controller_control_gates;                             // rtl/src/pixel_planes/renderer.rs:84
-    wire [2:0] u_controller_control_enabling;                    // rtl/src/pixel_planes/renderer.rs:84
-    wire u_controller_control_captures;                          // rtl/src/pixel_planes/renderer.rs:84
-    wire [7:0] u_controller_control_read;                        // rtl/src/pixel_planes/renderer.rs:84
-    wire [7:0] u_controller_control_write;                       // rtl/src/pixel_planes/renderer.rs:84
-    wire u_controller_save_claim;                                // rtl/src/pixel_planes/renderer.rs:84
-    wire [15:0] u_controller_save_region;                        // rtl/src/pixel_planes/renderer.rs:84
-    wire u_controller_save_plane;                                // rtl/src/pixel_planes/renderer.rs:84
-    wire u_controller_idle;                                      // rtl/src/pixel_planes/renderer.rs:84
-    wire u_controller_instructions_ready;                        // rtl/src/pixel_planes/renderer.rs:84
-    wire [63:0] u_tree_value;                                    // rtl/src/pixel_planes/renderer.rs:87
-    wire store_free;                                             // rtl/src/pixel_planes/renderer.rs:81
+    wire u_controller_coefficients_a;                            // rtl/src/pixel_planes/renderer.rs:83
+    wire u_controller_coefficients_b;                            // rtl/src/pixel_planes/renderer.rs:83
+    wire u_controller_coefficients_c;                            // rtl/src/pixel_planes/renderer.rs:83
+    wire u_controller_first;                                     // rtl/src/pixel_planes/renderer.rs:83
+    wire [1:0] u_controller_control_source;                      // rtl/src/pixel_planes/renderer.rs:83
+    wire u_controller_control_constant;                          // rtl/src/pixel_planes/renderer.rs:83
+    wire u_controller_control_adds;                              // rtl/src/pixel_planes/renderer.rs:83
+    wire u_controller_control_first;                             // rtl/src/pixel_planes/renderer.rs:83
+    wire [1:0] u_controller_control_mask;                        // rtl/src/pixel_planes/renderer.rs:83
+    wire u_controller_control_compares;                          // rtl/src/pixel_planes/renderer.rs:83
+    wire u_controller_control_gates;                             // rtl/src/pixel_planes/renderer.rs:83
+    wire [2:0] u_controller_control_enabling;                    // rtl/src/pixel_planes/renderer.rs:83
+    wire u_controller_control_captures;                          // rtl/src/pixel_planes/renderer.rs:83
+    wire [7:0] u_controller_control_read;                        // rtl/src/pixel_planes/renderer.rs:83
+    wire [7:0] u_controller_control_write;                       // rtl/src/pixel_planes/renderer.rs:83
+    wire u_controller_save_claim;                                // rtl/src/pixel_planes/renderer.rs:83
+    wire [15:0] u_controller_save_region;                        // rtl/src/pixel_planes/renderer.rs:83
+    wire u_controller_save_plane;                                // rtl/src/pixel_planes/renderer.rs:83
+    wire u_controller_instructions_ready;                        // rtl/src/pixel_planes/renderer.rs:83
+    wire [63:0] u_tree_value;                                    // rtl/src/pixel_planes/renderer.rs:86
+    wire store_free;                                             // rtl/src/pixel_planes/renderer.rs:80
 
-    wire [63:0] u_store_word;                                    // rtl/src/pixel_planes/renderer.rs:90
-    wire has_none = !u_queue_out_valid;                          // rtl/src/pixel_planes/renderer.rs:80
-    assign idle = u_controller_idle & has_none;                  // rtl/src/pixel_planes/renderer.rs:96
+    wire [63:0] u_store_word;                                    // rtl/src/pixel_planes/renderer.rs:89
 
     genvar i;
     genvar j;
 
     generate
-        for (i = 0; i < 8; i = i + 1) begin : u_pixel                // rtl/src/pixel_planes/renderer.rs:90
+        for (i = 0; i < 8; i = i + 1) begin : u_pixel                // rtl/src/pixel_planes/renderer.rs:89
             for (j = 0; j < 8; j = j + 1) begin : col
                 wire word;
 
@@ -105,7 +102,7 @@ module renderer_side8_queue16 (
         .into_ready   (instructions_ready)
     );
 
-    image_generation_controller_side8 u_controller (             // rtl/src/pixel_planes/renderer.rs:84
+    image_generation_controller_side8 u_controller (             // rtl/src/pixel_planes/renderer.rs:83
         .clk                         (clk),
         .rst                         (rst),
         .instructions_valid          (u_queue_out_valid),
@@ -137,11 +134,11 @@ module renderer_side8_queue16 (
         .save_claim                  (u_controller_save_claim),
         .save_region                 (u_controller_save_region),
         .save_plane                  (u_controller_save_plane),
-        .idle                        (u_controller_idle),
+        .idle                        (idle),
         .instructions_ready          (u_controller_instructions_ready)
     );
 
-    linear_tree_side8 u_tree (                                   // rtl/src/pixel_planes/renderer.rs:87
+    linear_tree_side8 u_tree (                                   // rtl/src/pixel_planes/renderer.rs:86
         .clk            (clk),
         .rst            (rst),
         .coefficients_a (u_controller_coefficients_a),
@@ -151,7 +148,7 @@ module renderer_side8_queue16 (
         .value          (u_tree_value)
     );
 
-    backing_store_side8 u_store (                                // rtl/src/pixel_planes/renderer.rs:94
+    backing_store_side8 u_store (                                // rtl/src/pixel_planes/renderer.rs:93
         .clk           (clk),
         .rst           (rst),
         .save_claim    (u_controller_save_claim),

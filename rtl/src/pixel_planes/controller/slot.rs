@@ -5,20 +5,26 @@ use super::super::pixel::{Control, Enabling, Mask};
 use crate::prelude::*;
 
 bundle! {
-    /// An instruction with what it means.
-    pub struct Order<T> { pub instruction: Instruction<T>, pub microcode: Microcode<T> }
+    /// What a slot is to do.
+    pub struct Order<T> { pub microcode: Microcode<T>, pub skip: T, pub length: T, pub read: T, pub write: T, pub constant: T }
 
-    /// What a slot knows of its instruction.
+    /// What a slot knows of its order.
     struct Held<T> { microcode: Microcode<T>, length: T }
 }
 
 impl Order<Width> {
     pub fn widths() -> Order<Width> {
-        Order { instruction: Instruction::widths(), microcode: Microcode::widths() }
+        let Instruction { skip, length, read, write, coefficients, .. } = Instruction::widths();
+        Order { microcode: Microcode::widths(), skip, length, read, write, constant: coefficients.c }
     }
 }
 
 impl Order {
+    pub fn of(instruction: &Instruction, microcode: Microcode) -> Order {
+        let Instruction { skip, length, read, write, coefficients, .. } = *instruction;
+        Order { microcode, skip, length, read, write, constant: coefficients.c }
+    }
+
     /// The number of clocks that it is, in as many bits as those of two words have.
     pub fn clocks(number: Signal) -> Signal {
         number.zext(up_to(2 * Instruction::<u64>::LONGEST))
@@ -37,18 +43,18 @@ pub struct Slot {
     read: Reg,
     write: Reg,
     bits: Reg,
-    /// A bit of the coefficient `c`.
+    /// A bit of the constant, which is the coefficient `c` of an expression.
     pub constant: Signal,
 }
 
 impl Slot {
     pub fn new(m: Module, name: &str) -> Slot {
-        let widths = Instruction::widths();
+        let widths = Order::widths();
         let named = |what: &str| format!("{name}_{what}");
-        let held = m.reg(name, Held { microcode: Microcode::widths(), length: widths.length }).reset(0);
+        let held = m.reg(name, Held { microcode: widths.microcode, length: widths.length }).reset(0);
         let left = m.reg(&named("left"), up_to(2 * Instruction::<u64>::LONGEST)).reset(0);
         let is_word = left.ne(0) & left.le(Order::clocks(held.length));
-        let bits = m.reg(&named("bits"), widths.coefficients.c);
+        let bits = m.reg(&named("bits"), widths.constant);
         Slot {
             held,
             left,
@@ -63,13 +69,12 @@ impl Slot {
 
     /// Takes an order at an edge where `begins` is high; else it goes on.
     pub fn begin(&self, begins: Signal, order: Order) {
-        let Order { instruction, microcode } = order;
-        self.held.when(begins, Held { microcode, length: instruction.length });
-        let clocks = Order::clocks(instruction.skip) + Order::clocks(instruction.length);
+        self.held.when(begins, Held { microcode: order.microcode, length: order.length });
+        let clocks = Order::clocks(order.skip) + Order::clocks(order.length);
         self.left.when(begins, clocks).when(self.left.ne(0), self.left - 1);
-        self.read.when(begins, instruction.read).when(self.is_word, self.read + 1);
-        self.write.when(begins, instruction.write).when(self.is_word, self.write + 1);
-        shift(self.bits, begins, instruction.coefficients.c);
+        self.read.when(begins, order.read).when(self.is_word, self.read + 1);
+        self.write.when(begins, order.write).when(self.is_word, self.write + 1);
+        shift(self.bits, begins, order.constant);
     }
 
     /// It needs the memory now, or will.
