@@ -3,12 +3,14 @@
 use proptest::prelude::*;
 use tilewright_sim::{Pauses, Simulation, monitor};
 
-use super::super::PERIOD;
 use super::super::instruction::Operation;
 use super::super::linear_tree::Coefficients;
 use super::super::model::Model;
-use super::super::programs::{clear, flat, flat_least, flat_strict, save, smooth_least, smooth_strict};
+use super::super::programs::{
+    Expression, Surface, clear, flat, flat_least, flat_strict, save, smooth_least, smooth_strict,
+};
 use super::super::testing::{Primitive, primitives};
+use super::super::{PERIOD, SIDE};
 use super::*;
 
 /// How both sides behave.
@@ -54,11 +56,12 @@ fn sent(side: u32, instructions: &[Instruction<u64>], manner: Manner) -> Vec<(u6
             for line in 0..side {
                 for plane in 0..48 {
                     t.wait(pauses.next_length().into()).await;
-                    let sent = t.receive(o.planes).await;
-                    assert_eq!([sent.line, sent.plane], [line.into(), plane]);
-                    region = sent.region;
+                    let sent = t.receive_bits(o.planes).await;
+                    let [sent_line, sent_plane, number] = [&sent.line, &sent.plane, &sent.region].map(Bits::to_u64);
+                    assert_eq!([sent_line, sent_plane], [Some(line.into()), Some(plane)]);
+                    region = number.unwrap();
                     for x in 0..side {
-                        words[(line * side + x) as usize] |= (sent.bits >> x & 1) << plane;
+                        words[(line * side + x) as usize] |= u64::from(sent.bits.bit(x)) << plane;
                     }
                 }
             }
@@ -68,7 +71,7 @@ fn sent(side: u32, instructions: &[Instruction<u64>], manner: Manner) -> Vec<(u6
         t.expect_silence(o.planes, 60).await;
         received
     };
-    t.run((send, receive, monitor(t.holds(o.planes)))).1
+    t.run((send, receive, monitor(t.holds_bits(o.planes)))).1
 }
 
 /// Instructions that a renderer of that side takes, on a small part of the memory, so that they meet each other's words.
@@ -203,6 +206,29 @@ proptest! {
         }
         prop_assert_eq!(sent(side, &program, manner), expected);
     }
+}
+
+/// The machine's own size, with triangles that cover a good part of it.
+#[test]
+fn a_region_of_128_x_128_pixels_is_what_the_contract_says() {
+    let edge = |a, b, c| Coefficients { a, b, c };
+    let plane = |a, b, c: i64| Coefficients { a, b, c: c << 16 };
+    let primitive = |edges: [Expression; 3], depth| Primitive {
+        edges: edges.to_vec(),
+        surface: Surface { z: depth, rgb: [plane(90_000, 0, 9), plane(0, 80_000, 7), plane(-40_000, 30_000, 99)] },
+        rgb: 0,
+    };
+    let primitives = [
+        primitive([edge(1, 0, -3), edge(0, 1, -5), edge(-1, -2, 250)], plane(1 << 16, 0, 1000)),
+        primitive([edge(-1, 0, 120), edge(0, -1, 125), edge(300, 200, -40_000)], plane(-(1 << 16), 0, 1140)),
+    ];
+    let program = primitives.iter().flat_map(|primitive| smooth_least(SIDE, &primitive.edges, &primitive.surface));
+    let program = [clear(0x20_40_60), program.collect(), save(5)].concat();
+    let words = drawn(SIDE, 0x20_40_60, RULES[4], &primitives);
+    let far = words.iter().filter(|word| **word >> 24 == 0xff_ffff).count();
+    assert!((2000..8000).contains(&far), "{far} pixels are of the background");
+    let manner = Manner { side_by_side: true, queue: 16, pauses: [0, 0], seed: 1 };
+    assert_eq!(sent(SIDE, &program, manner), [(5, words)]);
 }
 
 /// Facts E3: the next region is drawn while one is sent, S bits a clock; only its save waits.
