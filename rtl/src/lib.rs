@@ -6,6 +6,7 @@ pub mod gfb;
 pub mod lfb;
 pub mod merger;
 pub mod parameter;
+pub mod pixel_planes;
 mod prelude;
 pub mod quadtree;
 pub mod scan;

@@ -3,6 +3,7 @@
 mod gfb;
 mod lfb;
 mod merger;
+mod pixel_planes;
 mod quadtree;
 mod shared;
 mod vc1;
@@ -29,9 +30,16 @@ pub const ENTRIES: &[Entry] = &[
     quadtree::QUADTREE_PIPE,
     quadtree::QUADTREE_TREE,
     quadtree::COVERAGE_TEST,
-    quadtree::PIXEL_PROCESSOR,
+    quadtree::QUADTREE_PIXEL,
     quadtree::VIDEO_BUFFER,
     quadtree::VIDEO_CONTROLLER,
+    pixel_planes::RENDERER,
+    pixel_planes::IMAGE_GENERATION_CONTROLLER,
+    pixel_planes::LINEAR_TREE,
+    pixel_planes::PIXEL_PROCESSOR,
+    pixel_planes::BACKING_STORE,
+    pixel_planes::REGION_ALLOCATOR,
+    pixel_planes::FRAME_BUFFER,
 ];
 
 /// The entry of that name.

@@ -115,8 +115,8 @@ pub(super) const COVERAGE_TEST: Entry = Entry {
     scenario: |values| Ok(test_quarters(&coverage_test(values)?)),
 };
 
-pub(super) const PIXEL_PROCESSOR: Entry = Entry {
-    name: "pixel-processor",
+pub(super) const QUADTREE_PIXEL: Entry = Entry {
+    name: "quadtree-pixel",
     summary: "makes fragments of windows of one sample",
     parameters: &[WIDTH, HEIGHT, COLUMNS, ROWS, EDGES, APERTURE],
     design: |values| Ok(elaborate(&PixelProcessor { format: format(values)? })?),

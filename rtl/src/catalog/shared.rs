@@ -1,5 +1,7 @@
 //! What several entries share.
 
+use tilewright_hdl::{Bits, Block, Bundle, Width};
+
 use super::Parameter;
 
 /// The word that is behind every other: an empty pixel.
@@ -15,3 +17,8 @@ pub(super) const PAGES: Parameter =
     Parameter { name: "pages", default: 4, min: 2, max: 1 << 18, meaning: "pages of image memory in a buffer" };
 pub(super) const UNITS: Parameter =
     Parameter { name: "units", default: 4, min: 1, max: 256, meaning: "merging units in the chain" };
+
+/// Inputs of a block that are all 0.
+pub(super) fn idle<B: Block>(block: &B) -> <B::In as Bundle>::Of<Bits> {
+    B::In::convert_leaves(&block.inputs(), &mut |width: &Width| Bits::zero(width.bits() * width.shape().lanes()))
+}

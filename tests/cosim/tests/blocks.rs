@@ -6,15 +6,16 @@ use tilewright_gen::{VerilogFile, tools};
 use tilewright_hdl::Design;
 use tilewright_hdl::catalog::Entry;
 
-/// Small sizes that are no powers of two: addresses that a memory does not have.
-const UNEVEN: &[(&str, u64)] = &[("width", 9), ("height", 5), ("units", 2), ("overhead", 3)];
+/// Small sizes that are no powers of two, so that there are addresses that a memory does not have; and a larger one where it has to be a power of two.
+const OTHER: &[(&str, u64)] =
+    &[("width", 9), ("height", 5), ("units", 2), ("overhead", 3), ("renderers", 5), ("side", 16)];
 
 /// Those of the machines, and those that any design uses.
 fn entries() -> impl Iterator<Item = &'static Entry> {
     tilewright_rtl::catalog::ENTRIES.iter().chain(tilewright_blocks::catalog::ENTRIES)
 }
 
-/// Each block by name, with its defaults, and with uneven sizes if it has sizes.
+/// Each block by name, with its defaults, and with other sizes if it has sizes.
 fn blocks() -> Vec<(String, Design, Run)> {
     let block = |entry: &Entry, set: Vec<(&str, u64)>| {
         let values = entry.values(set).unwrap();
@@ -26,13 +27,13 @@ fn blocks() -> Vec<(String, Design, Run)> {
     };
     let mut blocks = Vec::new();
     let has = |entry: &Entry, name: &str| entry.parameters.iter().any(|parameter| parameter.name == name);
-    for (name, _) in UNEVEN {
+    for (name, _) in OTHER {
         assert!(entries().any(|entry| has(entry, name)), "no block has a {name}");
     }
     for entry in entries() {
-        let uneven: Vec<_> = UNEVEN.iter().copied().filter(|(name, _)| has(entry, name)).collect();
+        let other: Vec<_> = OTHER.iter().copied().filter(|(name, _)| has(entry, name)).collect();
         blocks.push(block(entry, Vec::new()));
-        blocks.extend((!uneven.is_empty()).then(|| block(entry, uneven)));
+        blocks.extend((!other.is_empty()).then(|| block(entry, other)));
     }
     blocks
 }

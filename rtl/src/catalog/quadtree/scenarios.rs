@@ -1,8 +1,9 @@
 //! Each scenario has the same polygon, of which a triangle is left where no more than three edges are asked for; on 8x8 pixels it covers
 //! those with x + y <= 6. A scenario does not look at what the block answers, so what has to wait is held for as long as it is known to.
 
-use tilewright_hdl::{Bits, Block, Bundle, DEFAULT_PERIOD, Fields, Scenario, Script, Stream, Width};
+use tilewright_hdl::{Bits, Block, DEFAULT_PERIOD, Fields, Scenario, Script, Stream};
 
+use super::super::shared::idle;
 use crate::parameter::Screen;
 use crate::quadtree::controller::{Show, VideoController, VideoControllerIn};
 use crate::quadtree::coverage_test::{CoverageTest, Test};
@@ -45,11 +46,6 @@ fn beyond(format: &Format) -> Convex {
 /// The samples of the first video processor.
 fn first(format: Format) -> Raster {
     Raster { format, column: 0, row: 0 }
-}
-
-/// Inputs of a block that are all 0.
-fn idle<B: Block>(block: &B) -> <B::In as Bundle>::Of<Bits> {
-    B::In::convert_leaves(&block.inputs(), &mut |width: &Width| Bits::zero(width.bits() * width.shape().lanes()))
 }
 
 fn yes() -> Bits {

@@ -1,0 +1,118 @@
+//! The entries of Pixel-planes 5's renderer and its parts.
+
+mod scenarios;
+
+use tilewright_hdl::elaborate_at;
+
+use self::scenarios::{
+    a_region, a_triangle, four_free, one_after_another, two_expressions, two_lines, write_add_and_compare,
+};
+use super::shared::{HEIGHT, WIDTH};
+use super::{Entry, Parameter, Values};
+use crate::parameter::{ParameterError, Screen};
+use crate::pixel_planes::allocator::RegionAllocator;
+use crate::pixel_planes::backing_store::BackingStore;
+use crate::pixel_planes::controller::ImageGenerationController;
+use crate::pixel_planes::frame_buffer::FrameBuffer;
+use crate::pixel_planes::linear_tree::LinearTree;
+use crate::pixel_planes::pixel::PixelProcessor;
+use crate::pixel_planes::renderer::Renderer;
+use crate::pixel_planes::{PERIOD, side};
+
+const SIDE: Parameter = Parameter {
+    name: "side",
+    default: 8,
+    min: 2,
+    max: 256,
+    meaning: "pixels in a line of a region, and lines, a power of two",
+};
+const INSTRUCTIONS: Parameter = Parameter {
+    name: "queue",
+    default: 16,
+    min: 1,
+    max: Renderer::MOST as u64,
+    meaning: "instructions that its queue holds",
+};
+const RENDERERS: Parameter =
+    Parameter { name: "renderers", default: 4, min: 1, max: 64, meaning: "renderers that draw regions" };
+
+pub(super) const RENDERER: Entry = Entry {
+    name: "renderer",
+    summary: "draws regions of the screen: pixels that compute, one instruction for all",
+    parameters: &[SIDE, INSTRUCTIONS],
+    design: |values| Ok(elaborate_at(&renderer(values)?, PERIOD)?),
+    scenario: |values| Ok(a_triangle(&renderer(values)?)),
+};
+
+pub(super) const IMAGE_GENERATION_CONTROLLER: Entry = Entry {
+    name: "image-generation-controller",
+    summary: "takes instructions, and controls the linear tree and all pixels",
+    parameters: &[SIDE],
+    design: |values| Ok(elaborate_at(&controller(values)?, PERIOD)?),
+    scenario: |values| Ok(one_after_another(&controller(values)?)),
+};
+
+pub(super) const LINEAR_TREE: Entry = Entry {
+    name: "linear-tree",
+    summary: "evaluates A x + B y + C at all pixels, a bit a clock",
+    parameters: &[SIDE],
+    design: |values| Ok(elaborate_at(&linear_tree(values)?, PERIOD)?),
+    scenario: |values| Ok(two_expressions(&linear_tree(values)?)),
+};
+
+pub(super) const PIXEL_PROCESSOR: Entry = Entry {
+    name: "pixel-processor",
+    summary: "a full adder of one bit, two flags and 208 bits of memory",
+    parameters: &[],
+    design: |_| Ok(elaborate_at(&PixelProcessor, PERIOD)?),
+    scenario: |_| Ok(write_add_and_compare()),
+};
+
+pub(super) const BACKING_STORE: Entry = Entry {
+    name: "backing-store",
+    summary: "holds a finished region, and sends it line by line while the next one is drawn",
+    parameters: &[SIDE],
+    design: |values| Ok(elaborate_at(&backing_store(values)?, PERIOD)?),
+    scenario: |values| Ok(a_region(&backing_store(values)?)),
+};
+
+pub(super) const REGION_ALLOCATOR: Entry = Entry {
+    name: "region-allocator",
+    summary: "gives the next region to the first renderer that is free",
+    parameters: &[RENDERERS],
+    design: |values| Ok(elaborate_at(&allocator(values), PERIOD)?),
+    scenario: |values| Ok(four_free(&allocator(values))),
+};
+
+pub(super) const FRAME_BUFFER: Entry = Entry {
+    name: "frame-buffer",
+    summary: "puts regions together to a picture",
+    parameters: &[WIDTH, HEIGHT, SIDE],
+    design: |values| Ok(elaborate_at(&frame_buffer(values)?, PERIOD)?),
+    scenario: |values| Ok(two_lines(&frame_buffer(values)?)),
+};
+
+fn renderer(values: &Values) -> Result<Renderer, ParameterError> {
+    Renderer::new(values.get_u32("side"), values.get_u32("queue"))
+}
+
+fn controller(values: &Values) -> Result<ImageGenerationController, ParameterError> {
+    Ok(ImageGenerationController { side: side(values.get_u32("side"))? })
+}
+
+fn linear_tree(values: &Values) -> Result<LinearTree, ParameterError> {
+    Ok(LinearTree { side: side(values.get_u32("side"))? })
+}
+
+fn backing_store(values: &Values) -> Result<BackingStore, ParameterError> {
+    Ok(BackingStore { side: side(values.get_u32("side"))? })
+}
+
+fn allocator(values: &Values) -> RegionAllocator {
+    RegionAllocator { renderers: values.get_u32("renderers") }
+}
+
+fn frame_buffer(values: &Values) -> Result<FrameBuffer, ParameterError> {
+    let screen = Screen::new(values.get_u32("width"), values.get_u32("height"))?;
+    FrameBuffer::new(screen, values.get_u32("side"))
+}

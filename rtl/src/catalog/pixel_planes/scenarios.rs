@@ -1,0 +1,189 @@
+//! Scenarios of Pixel-planes 5's blocks. A scenario does not look at what the block answers, so what has to wait is held for as long as it is
+//! known to.
+
+use tilewright_hdl::{Bits, Codes, Scenario, Script, Stream};
+
+use super::super::shared::idle;
+use crate::pixel_planes::PERIOD;
+use crate::pixel_planes::allocator::{RegionAllocator, RegionAllocatorIn};
+use crate::pixel_planes::backing_store::{BackingStore, BackingStoreIn, BitPlane};
+use crate::pixel_planes::controller::{ImageGenerationController, ImageGenerationControllerIn, Save};
+use crate::pixel_planes::fields::WORD;
+use crate::pixel_planes::frame_buffer::{FrameBuffer, FrameBufferIn, ReadLine};
+use crate::pixel_planes::instruction::Instruction;
+use crate::pixel_planes::linear_tree::{Coefficients, LinearTree, LinearTreeIn};
+use crate::pixel_planes::pixel::{Control, Mask, PixelProcessor, PixelProcessorIn, Source};
+use crate::pixel_planes::programs::{Expression, Surface, clear, flat_strict, save, smooth_least};
+use crate::pixel_planes::renderer::{Renderer, RendererIn};
+
+/// The edges of a triangle that leaves out a margin at the left and upper sides of the region, and what is below its diagonal.
+fn triangle(side: u32) -> [Expression; 3] {
+    let side = i64::from(side);
+    [
+        Coefficients { a: 1, b: 0, c: -side / 8 },
+        Coefficients { a: 0, b: 1, c: -side / 8 },
+        Coefficients { a: -1, b: -1, c: side },
+    ]
+}
+
+/// Deeper to the right, and brighter downwards.
+fn surface() -> Surface {
+    let grey = Coefficients { a: 0, b: 8 << 16, c: 0x40 << 16 };
+    Surface { z: Coefficients { a: 1 << 16, b: 0, c: 1000 << 16 }, rgb: [grey; 3] }
+}
+
+/// Clocks of an instruction, when each begins as the one before ends.
+fn clocks(instruction: &Instruction<u64>) -> u64 {
+    instruction.skip + instruction.length
+}
+
+pub(super) fn a_triangle(renderer: &Renderer) -> Scenario {
+    let side = renderer.side();
+    let program = [clear(0x10_20_30), smooth_least(side, &triangle(side), &surface()), save(3)].concat();
+    let instructions =
+        |valid, instruction| RendererIn { instructions: Stream::of(valid, instruction), side_by_side: 1 };
+    let mut script = Script::new(renderer, PERIOD);
+    script.ready("planes", true);
+    let fits = program.len() <= renderer.queue() as usize;
+    for &instruction in &program {
+        script.clock(&instructions(1, instruction));
+        if !fits {
+            script.clock(&instructions(0, instruction));
+            script.wait(clocks(&instruction));
+        }
+    }
+    script.clock(&instructions(0, program[0]));
+    // Of a large region the first lines are enough.
+    script.wait(program.iter().map(clocks).sum::<u64>() + 30 + u64::from(WORD.bits * side.min(8)));
+    script.finish("a region is cleared, a triangle with planes of colour is drawn in it, and it is saved and sent")
+}
+
+pub(super) fn one_after_another(controller: &ImageGenerationController) -> Scenario {
+    let side = controller.side;
+    let program = flat_strict(side, &triangle(side), &surface().z, 0x80_40_20);
+    let inputs = |valid, instruction, side_by_side| ImageGenerationControllerIn {
+        instructions: Stream::of(valid, instruction),
+        side_by_side,
+        store_free: 1,
+    };
+    let mut script = Script::new(controller, PERIOD);
+    let mut before = 1;
+    for &instruction in &program {
+        script.hold(&inputs(1, instruction, 0), before);
+        before = clocks(&instruction);
+    }
+    // Side by side: while the last one is busy with the memory, the tree has the first edge of the next primitive.
+    script.clock(&inputs(1, program[0], 1));
+    script.clock(&inputs(0, program[0], 1));
+    script.wait(before + 2 * u64::from(side.trailing_zeros()));
+    script.finish("a primitive's instructions, one at a time; then the first of the next one, beside the last")
+}
+
+pub(super) fn two_expressions(tree: &LinearTree) -> Scenario {
+    let bits = (2 * tree.levels()).max(4);
+    let mut script = Script::new(tree, PERIOD);
+    for expression in [[1, 0, 0], [u64::MAX, 2, 1]] {
+        for bit in 0..bits {
+            let [a, b, c] = expression.map(|number| number >> bit & 1);
+            script.clock(&LinearTreeIn { coefficients: Coefficients { a, b, c }, first: u64::from(bit == 0) });
+        }
+    }
+    script.clock(&LinearTreeIn { coefficients: Coefficients { a: 0, b: 0, c: 0 }, first: 0 });
+    script.wait(u64::from(tree.latency()));
+    script.finish("x, and right behind it -x + 2 y + 1, the least significant bit first")
+}
+
+pub(super) fn write_add_and_compare() -> Scenario {
+    let idle = Control {
+        source: Source::Constant.code(),
+        constant: 0,
+        adds: 0,
+        first: 0,
+        mask: Mask::Nobody.code(),
+        compares: 0,
+        gates: 0,
+        enabling: 0,
+        captures: 0,
+        read: 0,
+        write: 0,
+    };
+    let writes = Control { mask: Mask::Everybody.code(), ..idle };
+    let words = [
+        (writes, 5),
+        (Control { adds: 1, ..writes }, 7),
+        (Control { compares: 1, ..idle }, 11),
+        (Control { mask: Mask::Flagged.code(), ..idle }, 11),
+    ];
+    let mut script = Script::new(&PixelProcessor, PERIOD);
+    for (control, word) in words {
+        for bit in 0..4 {
+            let control =
+                Control { constant: word >> bit & 1, first: u64::from(bit == 0), read: bit, write: bit, ..control };
+            script.clock(&PixelProcessorIn { control, expression: 0 });
+        }
+    }
+    script.clock(&PixelProcessorIn { control: idle, expression: 0 });
+    script.wait(1);
+    script.finish("5 is written and 7 added; 11 is less than 12, so it is written in its place")
+}
+
+pub(super) fn a_region(store: &BackingStore) -> Scenario {
+    let quiet = idle(store);
+    let bit = |high: bool| Bits::new(1, high.into());
+    let word = |number: u32| {
+        let pixels = (0..store.side * store.side).map(|pixel| bit((pixel + number).is_multiple_of(3)));
+        pixels.reduce(|low, high| high.concat(&low)).expect("a pixel at least")
+    };
+    let save = |claim, plane| Save { claim: bit(claim), region: Bits::new(16, 7), plane: bit(plane) };
+    let mut script = Script::new(store, PERIOD);
+    script.ready("planes", true);
+    script.clock_bits(&BackingStoreIn { save: save(true, false), ..quiet.clone() });
+    for number in 0..WORD.bits {
+        let plane = Bits::new(6, number.into());
+        script.clock_bits(&BackingStoreIn { save: save(false, true), number: plane, word: word(number) });
+    }
+    script.clock_bits(&quiet);
+    script.wait(10);
+    script.ready("planes", false);
+    script.wait(5);
+    script.ready("planes", true);
+    script.wait(u64::from(WORD.bits * store.side.min(8)));
+    script.finish("a region comes plane by plane and goes line by line; its receiver stops for 5 clocks")
+}
+
+pub(super) fn four_free(allocator: &RegionAllocator) -> Scenario {
+    let mut script = Script::new(allocator, PERIOD);
+    let all = u64::MAX >> (64 - allocator.renderers);
+    // Whoever has got a region is no longer free.
+    for given in 0..allocator.renderers.min(4) {
+        let regions = Stream::of(1, 100 + u64::from(given));
+        script.clock(&RegionAllocatorIn { regions, free: all >> given << given });
+    }
+    script.hold(&RegionAllocatorIn { regions: Stream::of(1, 200), free: 0 }, 2);
+    script.clock(&RegionAllocatorIn { regions: Stream::of(1, 200), free: all & !(all >> 1) });
+    script.clock(&RegionAllocatorIn { regions: Stream::of(0, 0), free: 0 });
+    script.finish("renderers that are free get regions, the lowest first; then one waits until the last is free")
+}
+
+pub(super) fn two_lines(frame: &FrameBuffer) -> Scenario {
+    let mut script = Script::new(frame, PERIOD);
+    let quiet = FrameBufferIn {
+        planes: Stream::of(0, BitPlane { region: 0, line: 0, plane: 0, bits: 0 }),
+        read: ReadLine { enable: 0, region: 0, line: 0 },
+    };
+    let last = u64::from(frame.side() - 1);
+    for (line, word) in [(0, 0x1234u64), (last, 0x8000_0000_0001)] {
+        for plane in 0..u64::from(WORD.bits) {
+            // The same word at all pixels of the line, which are 64 at most here.
+            let bits = if word >> plane & 1 == 1 { u64::MAX >> (64 - frame.side().min(64)) } else { 0 };
+            let planes = Stream::of(1, BitPlane { region: 0, line, plane, bits });
+            script.clock(&FrameBufferIn { planes, ..quiet });
+        }
+    }
+    for line in [0, last] {
+        script.clock(&FrameBufferIn { read: ReadLine { enable: 1, region: 0, line }, ..quiet });
+    }
+    script.clock(&quiet);
+    script.wait(1);
+    script.finish("the first and the last line of a region come plane by plane, and are read")
+}

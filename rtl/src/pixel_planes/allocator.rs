@@ -1,0 +1,55 @@
+//! The region allocator: each region goes to the first renderer that is free (PP5-ARCH, facts E3).
+//!
+//! ```text
+//!            .-------.    .-----------------------.
+//! regions ==>| next  |--->| lowest of those free  |---> given, a bit each renderer
+//!            '-------'    '-----------------------'
+//!                                    ^
+//! wanted, a bit each renderer -------'
+//! ```
+//!
+//! The host gives the regions in order of decreasing load, so that small ones fill the gaps at the end of a frame. A renderer that is free gets
+//! the next one at once; so whoever is free first is served first, and of those free in one clock the lowest, then the others, a clock
+//! each.
+//!
+//! Latency none; a region a clock.
+
+use tilewright_blocks::first;
+
+use super::REGION_BITS;
+use crate::prelude::*;
+
+block! {
+    /// Gives the next region to the first renderer that is free.
+    pub struct RegionAllocator {
+        /// How many renderers there are.
+        pub renderers: u32,
+    }
+    latency = "none; a region a clock";
+    source = "Pixel-planes 5, section I.3.2.1 (PP5-ARCH)";
+    in(self) RegionAllocatorIn {
+        /// The numbers of the regions, the one with most primitives first.
+        regions: stream(bits(REGION_BITS)),
+        /// The renderers that are free.
+        free: bit().of(row(self.renderers)),
+    }
+    out(self) RegionAllocatorOut {
+        /// The renderer that gets the region in this clock, if one does.
+        given: bit().of(row(self.renderers)),
+        /// That region.
+        region: bits(REGION_BITS),
+    }
+}
+
+impl RegionAllocator {
+    fn build(&self, m: Module, i: RegionAllocatorIn) -> RegionAllocatorOut {
+        let region = i.regions.take_when(i.free.or_all());
+        let chosen = first(i.free.pack()).unpack(row(self.renderers));
+        let given = chosen & region.taken;
+        m.assert(given.or_all().eq(region.taken), "a region that is taken goes to a renderer");
+        RegionAllocatorOut { given, region: *region }
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,107 @@
+//! The backing store of a renderer: holds a finished region, and sends it while the next one is drawn (PP5-ARCH, facts E3).
+//!
+//! ```text
+//!                   48 planes of S x S bits
+//! words of pixels  .-----------------------.   S bits of a line   .--------.
+//! ================>| [ plane ][ plane ] .. |--------------------->| choice |==> planes, a line after another
+//!  a plane a clock '-----------------------'      of each line    '--------'
+//! ```
+//!
+//! A region comes plane by plane, in 48 clocks, and goes line by line: the 48 planes of a line one after another, the least significant
+//! first, S bits a clock. With S = 128 at 40 MHz that is 5.12 Gbit/s, in 48 S = 6144 clocks a region.
+//!
+//! Latency and throughput: 2 clocks from the last plane that comes to the first that goes, then one a clock, if each is taken at once.
+
+use super::controller::Save;
+use super::{REGION_BITS, fields};
+use crate::prelude::*;
+
+block! {
+    /// Holds a finished region, and sends it line by line while the next one is drawn.
+    pub struct BackingStore {
+        /// Pixels in a line of a region, and lines; a power of two.
+        pub side: u32,
+    }
+    latency(self) = format!("2 clocks from the last plane; a region is sent in {} clocks", fields::WORD.bits * self.side);
+    source = "Pixel-planes 5, section I.3.2.1 (PP5-ARCH)";
+    in(self) BackingStoreIn {
+        /// What the controller says.
+        save: Save = Save { claim: bit(), region: bits(REGION_BITS), plane: bit() },
+        /// The number of the plane that comes.
+        number: below(fields::WORD.bits),
+        /// Its bits, a row for each line.
+        word: bit().of(grid(self.side, self.side)),
+    }
+    out(self) BackingStoreOut {
+        /// It can take a region.
+        free: bit(),
+        /// The region.
+        planes: stream(BitPlane = BitPlane::widths(self.side)),
+    }
+}
+
+bundle! {
+    /// One bit of each pixel of a line.
+    pub struct BitPlane<T> {
+        /// The number of the region.
+        pub region: T,
+        /// The line of the region.
+        pub line: T,
+        /// The bit of the visibility word.
+        pub plane: T,
+        /// A bit of each pixel, from the left.
+        pub bits: T,
+    }
+}
+
+impl BitPlane<Width> {
+    /// The widths of its fields in a region of that side.
+    pub fn widths(side: u32) -> BitPlane<Width> {
+        BitPlane {
+            region: bits(REGION_BITS),
+            line: below(side),
+            plane: below(fields::WORD.bits),
+            bits: bit().of(row(side)),
+        }
+    }
+}
+
+impl BackingStore {
+    fn build(&self, m: Module, i: BackingStoreIn) -> BackingStoreOut {
+        let last_plane = fields::WORD.bits - 1;
+        let free = m.reg("free", bit()).reset(1);
+        let region = m.reg("region", REGION_BITS);
+        region.when(i.save.claim, i.save.region);
+        let bits = m.memory("bits", fields::WORD.bits, bit().of(grid(self.side, self.side)), ReadUnderWrite::Any);
+        bits.write(i.save.plane, i.number, i.word);
+        net!(complete = i.save.plane & i.number.eq(last_plane));
+
+        // A plane of a line is read in each clock in which the one before can go.
+        let reading = m.reg("reading", bit()).reset(0);
+        let plane = m.reg("plane", below(fields::WORD.bits)).reset(0);
+        let line = m.reg("line", below(self.side)).reset(0);
+        let arrived = m.reg("arrived", bit()).reset(0);
+        let reads = m.wire("reads", bit());
+        let read = bits.read_when(reads, plane);
+        let (read_plane, read_line) =
+            (m.pipe_when(reads, "read_plane", *plane), m.pipe_when(reads, "read_line", *line));
+        let sent_bits = read.rows().pick(read_line);
+        let payload = BitPlane { region: *region, line: read_line, plane: read_plane, bits: sent_bits };
+        let (planes, sent) = m.offer(*arrived, payload);
+        reads.drive(reading & (!arrived | sent));
+        net!(line_ends = plane.eq(last_plane));
+        net!(ends = line_ends & line.eq(self.side - 1));
+        reading.when(complete, 1).when(reads & ends, 0);
+        plane.when(reads & line_ends, 0).when(reads, plane + 1);
+        line.when(reads & line_ends, line + 1);
+        arrived.when(reads, 1).when(sent, 0);
+        free.when(i.save.claim, 0).when(sent & !reading, 1);
+
+        m.assume(i.save.claim.implies(free), "a region comes when the one before is gone");
+        m.assume(i.save.plane.implies(!free & !reading & !arrived), "planes come of a region that was announced");
+        BackingStoreOut { free: *free, planes }
+    }
+}
+
+#[cfg(test)]
+mod tests;

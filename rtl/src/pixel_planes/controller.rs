@@ -1,0 +1,164 @@
+//! The image generation controller: takes instructions, sends coefficients bit by bit and says to all pixels what to do (PP5-UT, facts E3).
+//!
+//! ```text
+//!                  .---------.               .-----------------.  a, b, c, a bit a clock, first
+//!                  |         |-------------->| tree slot       |------------------------------> tree
+//! instructions ===>| [micro- |               | coefficients >> |----.
+//!                  |   code] |               '-----------------'    |  control of pixels
+//!                  |         |               .-----------------.    +--->[ 2 log2 S clocks ]--> pixels
+//!                  |         |--->[waiting]->| memory slot     |----'
+//!                  '---------'               | constant >>     |
+//!                                            '-----------------'
+//! ```
+//!
+//! What needs the tree, or changes `enable`, goes to the one slot, what needs only the memory to the other; so the memory still writes what a
+//! primitive leaves while the tree has the next one's edges. One more instruction may wait for the memory, as what a primitive leaves is
+//! often two. Instructions are taken in order, at most one a clock, and begin right behind the one before:
+//!
+//! | an instruction | is taken when |
+//! |---|---|
+//! | on the tree | the tree slot ends in this clock, and what the memory has to do will before the word, if that needs the memory, too |
+//! | on the memory | nothing waits, or the memory slot ends in this clock; and what the tree slot has needs no memory, or ends, too |
+//! | any, one at a time | both slots end in this clock |
+//!
+//! Coefficients are loaded at the edge at which an instruction begins, so the array never waits while the queue has an instruction (PP5-UT).
+//!
+//! Latency 1 clock from an instruction to its first bits, which go to the tree; the control of pixels is as late as the expression.
+
+use self::slot::{Order, Slot};
+use super::instruction::{Instruction, Microcode, Operation};
+use super::linear_tree::{Coefficients, LinearTree};
+use super::pixel::{Control, Source};
+use super::{REGION_BITS, fields};
+use crate::prelude::*;
+
+mod slot;
+
+block! {
+    /// Takes the instructions of a renderer, and controls its tree and its pixels.
+    pub struct ImageGenerationController {
+        /// Pixels in a line of a region, and lines; a power of two.
+        pub side: u32,
+    }
+    latency(self) = format!(
+        "1 clock to the coefficients' bits, {} to the control of pixels; the next instruction begins with the last bit",
+        1 + self.tree().latency(),
+    );
+    source = "Pixel-planes 5, section I.3.2.1 (PP5-UT)";
+    in(self) ImageGenerationControllerIn {
+        /// What to do.
+        instructions: stream(Instruction = Instruction::widths()),
+        /// Tree and memory may each have an instruction; while it is low, one begins when the one before has ended.
+        side_by_side: bit(),
+        /// The backing store can take a region.
+        store_free: bit(),
+    }
+    out(self) ImageGenerationControllerOut {
+        /// To the tree.
+        coefficients: Coefficients = Coefficients { a: bit(), b: bit(), c: bit() },
+        /// They are the first bits of an expression.
+        first: bit(),
+        /// To the pixels.
+        control: Control = Control::widths(),
+        /// To the backing store.
+        save: pub struct Save {
+            /// A region is about to be saved: the store is no longer free.
+            claim: bit(),
+            /// The number of that region.
+            region: bits(REGION_BITS),
+            /// The bit that the pixels read is one of the region's; its number is the address that is written.
+            plane: bit(),
+        },
+        /// Nothing is under way but in the pixels.
+        idle: bit(),
+    }
+}
+
+bundle! {
+    /// What goes to the pixels, and with it to the backing store.
+    struct Sent<T> { control: Control<T>, plane: T }
+}
+
+impl ImageGenerationController {
+    fn tree(&self) -> LinearTree {
+        LinearTree { side: self.side }
+    }
+
+    fn build(&self, m: Module, i: ImageGenerationControllerIn) -> ImageGenerationControllerOut {
+        let microcode = m.memory("microcode", Operation::ALL.len() as u32, Microcode::widths(), ReadUnderWrite::Any);
+        let microcode = microcode.words(Operation::ALL.iter().map(|operation| operation.microcode()));
+        net!(decoded = microcode.read_async(i.instructions.operation.bits()));
+        let (tree, memory) = (Slot::new(m, "tree"), Slot::new(m, "memory"));
+        let waits = m.reg("waits", bit()).reset(0);
+        let waiting = m.reg("waiting", Order::widths());
+
+        // When the next instruction is taken.
+        net!(ahead = Order::clocks(*memory.left) + mux(waits, Order::clocks(waiting.length), 0));
+        net!(ends_in_time = ahead.le(Order::clocks(i.instructions.skip) + 1));
+        net!(tree_may = tree.ends & (!decoded.on_memory | ends_in_time));
+        net!(memory_may = (!waits | memory.ends) & (tree.ends | !tree.on_memory()) & (!decoded.saves | i.store_free));
+        net!(both_end = tree.ends & memory.ends & !waits);
+        net!(may = mux(decoded.on_tree, tree_may, memory_may) & (i.side_by_side | both_end));
+        let next = i.instructions.take_when(may);
+        let order = Order::of(&next, decoded);
+
+        // Where it goes.
+        net!(tree_begins = next.taken & decoded.on_tree);
+        net!(for_memory = next.taken & !decoded.on_tree);
+        net!(must_wait = for_memory & (waits | !memory.ends));
+        waits.when(must_wait, 1).when(memory.ends, 0);
+        waiting.when(must_wait, order);
+        net!(memory_begins = memory.ends & (waits | for_memory));
+        tree.begin(tree_begins, order);
+        memory.begin(memory_begins, mux(waits, waiting, order));
+
+        // Coefficients go to the tree, a bit a clock.
+        let Coefficients { a, b, c } = next.coefficients;
+        let [a, b] =
+            [("a", a), ("b", b)].map(|(name, coefficient)| slot::bit_by_bit(m, name, tree_begins, coefficient));
+        let first = m.reg("first", bit()).reset(0);
+        first.next(tree_begins & decoded.source.is(Source::Expression));
+
+        // Both slots control the pixels, one of them their memory.
+        m.assert(!(tree.on_memory() & tree.is_word & memory.is_word), "of two instructions one has the memory");
+        let of_tree = tree.control();
+        let of_memory = mux(memory.is_word, memory.control(), of_tree);
+        let control = Control { enabling: of_tree.enabling, captures: of_tree.captures, ..of_memory };
+        let sent = Sent { control, plane: memory.is_word & memory.saves() };
+        let Sent { control, plane } = self.later(m, sent);
+
+        self.state_what_instructions_are(m, &next, &decoded);
+        let save = Save { claim: next.taken & decoded.saves, region: c.trunc(REGION_BITS), plane };
+        ImageGenerationControllerOut {
+            coefficients: Coefficients { a, b, c: tree.constant },
+            first: *first,
+            control,
+            save,
+            idle: !next.valid & tree.left.eq(0) & memory.left.eq(0),
+        }
+    }
+
+    /// The same, as much later as the tree is with an expression.
+    fn later(&self, m: Module, sent: Sent) -> Sent {
+        (1..=self.tree().latency()).fold(sent, |sent, clock| {
+            let register = m.reg(&format!("sent{clock}"), Sent { control: Control::widths(), plane: bit() }).reset(0);
+            register.next(sent);
+            register.value()
+        })
+    }
+
+    fn state_what_instructions_are(&self, m: Module, next: &Taken<Instruction>, code: &Microcode) {
+        let is_expression = code.source.is(Source::Expression);
+        let clocks = Order::clocks(next.skip) + Order::clocks(next.length);
+        let state = |holds: Signal, message| m.assume(next.taken.implies(holds), message);
+        state(next.operation.is_code(), "what comes is an operation");
+        state(next.length.ne(0) & next.length.le(Instruction::<u64>::LONGEST), "a word has 1 to 64 bits");
+        state(code.saves.implies(next.length.eq(fields::WORD.bits)), "a whole word is saved");
+        let levels = self.tree().levels();
+        state(is_expression.implies(clocks.ge(levels)), "an expression has as many bits as each tree has levels");
+        state(is_expression | next.skip.eq(0), "only of an expression bits are skipped");
+    }
+}
+
+#[cfg(test)]
+mod tests;

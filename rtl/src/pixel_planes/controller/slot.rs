@@ -1,0 +1,119 @@
+//! Where an instruction is while its bits are sent.
+
+use super::super::instruction::{Instruction, Microcode};
+use super::super::pixel::{Control, Enabling, Mask};
+use crate::prelude::*;
+
+bundle! {
+    /// What a slot is to do.
+    pub struct Order<T> { pub microcode: Microcode<T>, pub skip: T, pub length: T, pub read: T, pub write: T, pub constant: T }
+
+    /// What a slot knows of its order.
+    struct Held<T> { microcode: Microcode<T>, length: T }
+}
+
+impl Order<Width> {
+    pub fn widths() -> Order<Width> {
+        let Instruction { skip, length, read, write, coefficients, .. } = Instruction::widths();
+        Order { microcode: Microcode::widths(), skip, length, read, write, constant: coefficients.c }
+    }
+}
+
+impl Order {
+    pub fn of(instruction: &Instruction, microcode: Microcode) -> Order {
+        let Instruction { skip, length, read, write, coefficients, .. } = *instruction;
+        Order { microcode, skip, length, read, write, constant: coefficients.c }
+    }
+
+    /// The number of clocks that it is, in as many bits as those of two words have.
+    pub fn clocks(number: Signal) -> Signal {
+        number.zext(up_to(2 * Instruction::<u64>::LONGEST))
+    }
+}
+
+/// An instruction, bit by bit.
+pub struct Slot {
+    held: Reg<Held>,
+    /// Bits to send, with this one.
+    pub left: Reg,
+    /// There is none to send, or the last.
+    pub ends: Signal,
+    /// This is one of the word.
+    pub is_word: Signal,
+    read: Reg,
+    write: Reg,
+    bits: Reg,
+    /// A bit of the constant, which is the coefficient `c` of an expression.
+    pub constant: Signal,
+}
+
+impl Slot {
+    pub fn new(m: Module, name: &str) -> Slot {
+        let widths = Order::widths();
+        let named = |what: &str| format!("{name}_{what}");
+        let held = m.reg(name, Held { microcode: widths.microcode, length: widths.length }).reset(0);
+        let left = m.reg(&named("left"), up_to(2 * Instruction::<u64>::LONGEST)).reset(0);
+        let is_word = left.ne(0) & left.le(Order::clocks(held.length));
+        let bits = m.reg(&named("bits"), widths.constant);
+        Slot {
+            held,
+            left,
+            ends: left.le(1).named(&named("ends")),
+            is_word: is_word.named(&named("is_word")),
+            read: m.reg(&named("read"), widths.read),
+            write: m.reg(&named("write"), widths.write),
+            bits,
+            constant: bits.bit(0),
+        }
+    }
+
+    /// Takes an order at an edge where `begins` is high; else it goes on.
+    pub fn begin(&self, begins: Signal, order: Order) {
+        self.held.when(begins, Held { microcode: order.microcode, length: order.length });
+        let clocks = Order::clocks(order.skip) + Order::clocks(order.length);
+        self.left.when(begins, clocks).when(self.left.ne(0), self.left - 1);
+        self.read.when(begins, order.read).when(self.is_word, self.read + 1);
+        self.write.when(begins, order.write).when(self.is_word, self.write + 1);
+        shift(self.bits, begins, order.constant);
+    }
+
+    /// It needs the memory now, or will.
+    pub fn on_memory(&self) -> Signal {
+        self.left.ne(0) & self.held.microcode.on_memory
+    }
+
+    /// What is read goes to the backing store.
+    pub fn saves(&self) -> Signal {
+        self.held.microcode.saves
+    }
+
+    /// What the pixels do.
+    pub fn control(&self) -> Control {
+        let code = self.held.microcode;
+        let is_last = self.is_word & self.left.eq(1);
+        Control {
+            source: code.source,
+            constant: self.constant,
+            adds: self.is_word & code.adds,
+            first: code.begins & self.left.eq(Order::clocks(self.held.length)),
+            mask: mux(self.is_word, code.mask, Mask::Nobody),
+            compares: self.is_word & code.compares,
+            gates: code.gates,
+            enabling: mux(is_last, code.enabling, Enabling::Keep),
+            captures: is_last & code.captures,
+            read: *self.read,
+            write: *self.write,
+        }
+    }
+}
+
+/// Sends the number that comes with `begins` bit by bit, from the least significant on, and then its sign for ever.
+pub fn bit_by_bit(m: Module, name: &str, begins: Signal, number: Signal) -> Signal {
+    let bits = m.reg(name, number.width());
+    shift(bits, begins, number);
+    bits.bit(0)
+}
+
+fn shift(bits: Reg, begins: Signal, number: Signal) {
+    bits.when(begins, number).otherwise((bits.signed() >> 1).bits());
+}

@@ -1,0 +1,216 @@
+//! The controller clock by clock, the clocks of a primitive, and what it does not take.
+
+use tilewright_sim::Simulation;
+
+use super::super::programs::{Expression, Surface, flat, flat_least, flat_strict, save, smooth_least, smooth_strict};
+use super::*;
+
+type Controller = Simulation<ImageGenerationControllerIn, ImageGenerationControllerOut>;
+
+fn started(side: u32) -> Controller {
+    let mut sim = Simulation::of(&ImageGenerationController { side }).unwrap();
+    sim.reset();
+    sim.set(sim.i.store_free, 1);
+    sim.set(sim.i.side_by_side, 1);
+    sim
+}
+
+fn instruction(operation: Operation, skip: u64, length: u64, write: u64) -> Instruction<u64> {
+    let coefficients = Coefficients { a: 0, b: 0, c: 0b0101 };
+    Instruction { operation: operation.code(), skip, length, read: 9, write, coefficients }
+}
+
+/// Shows instructions one after another, for so many clocks; gives the clocks in which they are taken.
+fn run(sim: &mut Controller, instructions: &[Instruction<u64>], clocks: u64) -> Vec<u64> {
+    let (i, mut taken) = (sim.i, Vec::new());
+    for clock in 0..clocks {
+        let next = instructions.get(taken.len());
+        sim.set(i.instructions.valid, u64::from(next.is_some()));
+        if let Some(next) = next {
+            let leaves = [next.operation, next.skip, next.length, next.read, next.write];
+            let Coefficients { a, b, c } = next.coefficients;
+            let p = i.instructions.payload;
+            let ports = [p.operation, p.skip, p.length, p.read, p.write];
+            ports.into_iter().zip(leaves).for_each(|(port, value)| sim.set(port, value));
+            [(p.coefficients.a, a), (p.coefficients.b, b), (p.coefficients.c, c)]
+                .into_iter()
+                .for_each(|(port, value)| sim.set(port, value));
+            if sim.get_u64(i.instructions.ready) == 1 {
+                taken.push(clock);
+            }
+        }
+        sim.step();
+    }
+    taken
+}
+
+#[test]
+fn the_control_of_pixels_comes_with_the_expression() {
+    let mut sim = started(2);
+    let signals = [
+        "instructions_valid",
+        "instructions_ready",
+        "first",
+        "coefficients_c",
+        "tree_left",
+        "memory_left",
+        "control_mask",
+        "control_write",
+        "control_first",
+        "control_enabling",
+    ];
+    let wave = sim.record(signals);
+    let program = [
+        instruction(Operation::Add, 1, 3, 20),
+        instruction(Operation::Fill, 0, 3, 30),
+        // Its two lower bits need no memory.
+        instruction(Operation::TestLast, 2, 1, 0),
+    ];
+    run(&mut sim, &program, 14);
+    wave.expect(
+        r"
+        clk                |~~~~~\____/~~~~~\____/~~~~~\____/~~~~~\____/~~~~~\____/~~~~~\____/~~~~~\____/~~~~~\____/
+        instructions_valid |~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~\______________________
+        instructions_ready |~~~~~~~~~~\________________________________/~~~~~~~~~~~~~~~~~~~~~\______________________
+        first              |__________/~~~~~~~~~~\___________________________________________/~~~~~~~~~~\___________
+        coefficients_c     |__________/~~~~~~~~~~\__________/~~~~~~~~~~\_____________________/~~~~~~~~~~\___________
+        tree_left          | 0        | 4        | 3        | 2        | 1        | 0        | 3        | 2        |
+        memory_left        | 0                                                    | 3        | 2        | 1        |
+        control_mask       | Nobody                                    | Enabled                        | Everyb.. |
+        control_write      | 0                              | 14                  | 15       | 16       | 1e       |
+        control_first      |___________________________________________/~~~~~~~~~~\_________________________________
+        control_enabling   | Keep                                                                                  |
+
+        clk                |~~~~~\____/~~~~~\____/~~~~~\____/~~~~~\____/~~~~~\____/~~~~~\____/
+        instructions_valid |__________________________________________________________________
+        instructions_ready |~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
+        first              |__________________________________________________________________
+        coefficients_c     |~~~~~~~~~~\_______________________________________________________
+        tree_left          | 1        | 0                                                    |
+        memory_left        | 0                                                               |
+        control_mask       | Everybody           | Nobody                                    |
+        control_write      | 1f       | 20       | 0        | 1                              |
+        control_first      |__________________________________________________________________
+        control_enabling   | Keep                | Restrict | Keep                           |
+        ",
+    );
+}
+
+#[test]
+fn one_at_a_time_each_begins_with_the_last_bit_of_the_one_before() {
+    let mut sim = started(2);
+    sim.set(sim.i.side_by_side, 0);
+    let program = [
+        instruction(Operation::Test, 4, 1, 0),
+        instruction(Operation::Fill, 0, 3, 30),
+        instruction(Operation::Evaluate, 5, 2, 0),
+        instruction(Operation::Copy, 0, 64, 64),
+        instruction(Operation::Enable, 0, 1, 0),
+    ];
+    assert_eq!(run(&mut sim, &program, 80), [0, 5, 8, 15, 79]);
+}
+
+#[test]
+fn side_by_side_only_what_meets_waits() {
+    let taken = |program: &[Instruction<u64>]| run(&mut started(2), program, 100);
+    let copy = instruction(Operation::CopyFlagged, 0, 40, 64);
+    // A test does not; a word of memory, and what captures into the flag that the copy looks at, begins with the copy's last bit.
+    assert_eq!(taken(&[copy, instruction(Operation::Test, 9, 1, 0)]), [0, 1]);
+    assert_eq!(taken(&[copy, instruction(Operation::Evaluate, 16, 8, 0)]), [0, 24]);
+    assert_eq!(taken(&[copy, instruction(Operation::TestLast, 9, 1, 0)]), [0, 31]);
+    assert_eq!(taken(&[copy, instruction(Operation::Flag, 0, 1, 0)]), [0, 40]);
+    assert_eq!(taken(&[copy, instruction(Operation::Enable, 0, 1, 0)]), [0, 1]);
+    // What comes behind a word on its way to the memory waits for its end.
+    assert_eq!(taken(&[instruction(Operation::Evaluate, 16, 8, 0), copy]), [0, 24]);
+    assert_eq!(taken(&[instruction(Operation::TestLast, 9, 1, 0), copy]), [0, 10]);
+    assert_eq!(taken(&[instruction(Operation::Test, 9, 1, 0), copy]), [0, 1]);
+}
+
+#[test]
+fn a_region_is_saved_when_the_store_is_free() {
+    let mut sim = started(8);
+    sim.set(sim.i.store_free, 0);
+    let program = save(77);
+    assert_eq!(run(&mut sim, &program, 9), []);
+    assert_eq!(sim.get_u64(sim.o.save.claim), 0);
+    sim.set(sim.i.store_free, 1);
+    assert_eq!([sim.get_u64(sim.o.save.claim), sim.get_u64(sim.o.save.region)], [1, 77]);
+    // The planes come when the pixels have read them: 2 log2 S clocks after the controller says so.
+    let planes: Vec<u64> = (0..60)
+        .map(|clock| {
+            let taken = run(&mut sim, &program[..usize::from(clock == 0)], 1);
+            assert_eq!(taken.len(), usize::from(clock == 0));
+            sim.get_u64(sim.o.save.plane)
+        })
+        .collect();
+    let [idle, busy] = [0, 1].map(|plane| move |count: usize| vec![plane; count]);
+    assert_eq!(planes, [idle(6), busy(48), idle(6)].concat());
+}
+
+/// Clocks from the first instruction of a primitive to that of the next, when many of a kind come (PP5-UT).
+fn clocks(program: &[Instruction<u64>], side_by_side: u64) -> u64 {
+    const MANY: usize = 6;
+    let mut sim = started(128);
+    sim.set(sim.i.side_by_side, side_by_side);
+    let taken = run(&mut sim, &vec![program.to_vec(); MANY].concat(), 2000);
+    assert_eq!(taken.len(), MANY * program.len());
+    let begins: Vec<u64> = taken.iter().step_by(program.len()).copied().collect();
+    let [.., before, last] = begins[..] else { unreachable!("many") };
+    assert_eq!(last - before, before - begins[MANY - 3], "it has settled");
+    last - before
+}
+
+/// Edges through the region, whose values there are numbers of so many bits.
+fn edges(count: u32, bits: u32) -> Vec<Expression> {
+    let c = -1 << (bits - 4);
+    (0..count).map(|_| Coefficients { a: 1 << (bits - 9), b: -1 << (bits - 9), c }).collect()
+}
+
+/// Facts E3: vectors of four edges of 15 bits, triangles of three of 16, on 128 x 128 pixels.
+#[test]
+fn a_primitive_takes_the_clocks_of_its_edges_and_planes() {
+    const SIDE: u32 = 128;
+    let plane = Coefficients { a: 70_000, b: -50_000, c: 1 << 30 };
+    let surface = Surface { z: plane, rgb: [plane; 3] };
+    let (vector, triangle) = (edges(4, 15), edges(3, 16));
+    let both = |program: &[Instruction<u64>]| [clocks(program, 0), clocks(program, 1)];
+    assert_eq!(both(&flat(SIDE, &vector, 0xff)), [60 + 24, 61]);
+    assert_eq!(both(&flat_strict(SIDE, &vector, &plane, 0xff)), [60 + 40 + 24 + 24, 102]);
+    assert_eq!(both(&flat_least(SIDE, &vector, &plane, 0xff)), [60 + 24 + 40 + 48, 102]);
+    assert_eq!(both(&smooth_strict(SIDE, &triangle, &surface)), [48 + 40 + 72 + 24, 161]);
+    assert_eq!(both(&smooth_least(SIDE, &triangle, &surface)), [48 + 72 + 40 + 48, 161]);
+}
+
+fn taken_wrongly(wrong: Instruction<u64>) {
+    run(&mut started(16), &[wrong], 2);
+}
+
+#[test]
+#[should_panic(expected = "an expression has as many bits as each tree has levels")]
+fn a_short_expression_is_an_error() {
+    taken_wrongly(instruction(Operation::Evaluate, 0, 3, 0));
+}
+
+#[test]
+#[should_panic(expected = "a word has 1 to 64 bits")]
+fn an_empty_word_is_an_error() {
+    taken_wrongly(instruction(Operation::Fill, 0, 0, 0));
+}
+
+#[test]
+#[should_panic(expected = "only of an expression bits are skipped")]
+fn what_skips_without_an_expression_is_an_error() {
+    taken_wrongly(instruction(Operation::Copy, 1, 8, 0));
+}
+
+#[test]
+#[should_panic(expected = "a whole word is saved")]
+fn a_part_of_a_word_that_is_saved_is_an_error() {
+    taken_wrongly(instruction(Operation::Save, 0, 24, 0));
+}
+
+#[test]
+#[should_panic(expected = "what comes is an operation")]
+fn a_code_that_is_no_operation_is_an_error() {
+    taken_wrongly(Instruction { operation: 31, ..instruction(Operation::Fill, 0, 1, 0) });
+}

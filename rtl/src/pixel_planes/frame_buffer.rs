@@ -1,0 +1,101 @@
+//! The frame buffer: puts the regions that renderers send together to a picture (PP5-ARCH, facts E3).
+//!
+//! ```text
+//!            .---------------.  48th plane   .------------------.
+//! planes ===>| words of S    |-------------->| S words at       |----> words
+//!            | pixels >>     |               | region, line     |
+//!            '---------------'               '------------------'
+//! ```
+//!
+//! The 48 planes of a line come one after another, the least significant first, and shift into the words of its S pixels; with the last they are
+//! written. Regions count from the left, then from the top; those at the right and lower edge may reach beyond the screen.
+//!
+//! Latency 1 clock from a line's last plane to the memory; a plane a clock. A line that is read comes 1 clock later.
+
+use super::backing_store::BitPlane;
+use super::{REGION_BITS, fields, side};
+use crate::prelude::*;
+
+block! {
+    /// Puts regions together to a picture.
+    pub struct FrameBuffer {
+        /// The picture's size.
+        screen: Screen,
+        /// Pixels in a line of a region, and lines.
+        side: u32,
+    }
+    latency = "1 clock from a line's last plane to the memory, 1 clock to read";
+    source = "Pixel-planes 5, section I.3.2.1 (PP5-ARCH)";
+    in(self) FrameBufferIn {
+        /// Lines of regions, plane by plane; each is taken at once.
+        planes: stream(BitPlane = BitPlane::widths(self.side)),
+        /// A line of a region to read.
+        read: pub struct ReadLine {
+            /// There is one; where it is low the words stay.
+            enable: bit(),
+            /// The number of the region.
+            region: below(self.regions()),
+            /// Its line.
+            line: below(self.side),
+        },
+    }
+    out(self) FrameBufferOut {
+        /// The words of that line's pixels.
+        words: bits(WORD).of(row(self.side)),
+    }
+}
+
+impl FrameBuffer {
+    /// A frame buffer for a screen in regions of that side, a power of two from 2 to 256.
+    ///
+    /// # Errors
+    ///
+    /// There is no region of that side, or there are more than have a number.
+    pub fn new(screen: Screen, pixels: u32) -> Result<FrameBuffer, ParameterError> {
+        let frame = FrameBuffer { screen, side: side(pixels)? };
+        if frame.regions() <= 1 << REGION_BITS {
+            return Ok(frame);
+        }
+        let (regions, most) = (frame.regions(), 1 << REGION_BITS);
+        Err(ParameterError(format!(
+            "a screen of {regions} regions: there are numbers for {most}; larger regions are fewer"
+        )))
+    }
+
+    /// Pixels in a line of a region, and lines.
+    pub fn side(&self) -> u32 {
+        self.side
+    }
+
+    /// Regions side by side.
+    pub fn columns(&self) -> u32 {
+        self.screen.width.div_ceil(self.side)
+    }
+
+    /// Regions of the screen.
+    pub fn regions(&self) -> u32 {
+        self.columns() * self.screen.height.div_ceil(self.side)
+    }
+
+    fn build(&self, m: Module, i: FrameBufferIn) -> FrameBufferOut {
+        let last_plane = fields::WORD.bits - 1;
+        let plane = i.planes.take_when(1);
+        let so_far = m.reg("so_far", bits(last_plane).of(row(self.side)));
+        net!(word = cat![plane.bits, so_far]);
+        so_far.when(plane.taken, word.slice(1..WORD));
+
+        let lines = m.memory("lines", self.regions() * self.side, bits(WORD).of(row(self.side)), ReadUnderWrite::Any);
+        let address = |region: Signal, line: Signal| cat![region, line].trunc(lines.address_width());
+        let region = plane.region.trunc(below(self.regions()));
+        lines.write(plane.taken & plane.plane.eq(last_plane), address(region, plane.line), word);
+
+        let next = m.reg("next", below(fields::WORD.bits)).reset(0);
+        next.when(plane.taken, mux(next.eq(last_plane), 0, next + 1));
+        m.assume(plane.valid.implies(plane.plane.eq(next)), "the planes of a line come one after another");
+        m.assume(plane.valid.implies(plane.region.lt(self.regions())), "the region is one of the screen");
+        FrameBufferOut { words: lines.read_when(i.read.enable, address(i.read.region, i.read.line)) }
+    }
+}
+
+#[cfg(test)]
+mod tests;

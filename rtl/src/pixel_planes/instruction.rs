@@ -1,0 +1,232 @@
+//! The instructions of a renderer, and what each operation means to pixels: the microcode (facts E3).
+//!
+//! An instruction works on a word of `length` bits, a bit a clock. With an expression, `skip` bits of it come first that nobody looks at, such
+//! as a fraction, or all of an edge below its sign:
+//!
+//! ```text
+//! bits of the expression      0 1 2 3 ..       skip                skip + length - 1
+//! the tree is taken           |-------------------|-----------------------------|
+//! the memory is taken                             |-----------------------------|   read, read + 1, ..  write, write + 1, ..
+//! ```
+//!
+//! So the memory is free for the instruction before while an expression's lower bits are on their way, and an expression is never interrupted. A
+//! test looks at a sign, which is a word of one bit.
+
+use super::linear_tree::Coefficients;
+use super::pixel::{Enabling, Mask, PixelProcessor, Source};
+use crate::prelude::*;
+
+codes! {
+    /// What an instruction does.
+    pub enum Operation {
+        /// All pixels are enabled.
+        Enable,
+        /// None is.
+        Disable,
+        /// Enabled are those where the expression is 0 or more: the first edge.
+        TestFirst,
+        /// Enabled stay those where it is 0 or more.
+        Test,
+        /// The same, and the flag is set where the pixel stays enabled: the last edge.
+        TestLast,
+        /// The flag is set where the pixel is enabled.
+        Flag,
+        /// The expression is written at all pixels.
+        Evaluate,
+        /// The expression is written where the pixel is enabled.
+        EvaluateEnabled,
+        /// The expression is written where the flag is set.
+        EvaluateFlagged,
+        /// The expression is added to a word of memory where the pixel is enabled.
+        Add,
+        /// The expression is written at all pixels, and the flag is set where the pixel is enabled and the expression less than a word of memory.
+        Compare,
+        /// The same, of a greater word whose lower part was compared before.
+        CompareOn,
+        /// The flag is set where a constant is less than a word of memory.
+        CompareConstant,
+        /// The constant is written at all pixels.
+        Fill,
+        /// The constant is written where the flag is set.
+        FillFlagged,
+        /// A word of memory is written to another place, at all pixels.
+        Copy,
+        /// A word of memory is written to another place where the flag is set.
+        CopyFlagged,
+        /// A word of 48 bits is sent to the backing store, as that of the region whose number the constant is.
+        Save,
+    }
+}
+
+bundle! {
+    /// An instruction.
+    pub struct Instruction<T> {
+        /// What is done: an [`Operation`].
+        pub operation: T,
+        /// Bits of the expression that come before the word; 0 without one.
+        pub skip: T,
+        /// Bits of the word: 1 to [`Instruction::LONGEST`].
+        pub length: T,
+        /// Where the word that is read begins.
+        pub read: T,
+        /// Where the word that is written begins.
+        pub write: T,
+        /// Of the expression, in two's complement, relative to the region; `c` is the constant where there is no expression. Longer words are
+        /// of the same sign.
+        pub coefficients: Coefficients<T>,
+    }
+}
+
+impl<T> Instruction<T> {
+    /// Bits of a coefficient.
+    pub const COEFFICIENT: u32 = 40;
+    /// The most bits of a word, or skipped before it.
+    pub const LONGEST: u32 = 64;
+}
+
+impl Instruction<Width> {
+    /// The widths of its fields.
+    pub fn widths() -> Instruction<Width> {
+        let coefficient = bits(Instruction::<u64>::COEFFICIENT);
+        Instruction {
+            operation: one_of::<Operation>(),
+            skip: below(Instruction::<u64>::LONGEST),
+            length: up_to(Instruction::<u64>::LONGEST),
+            read: below(PixelProcessor::BITS),
+            write: below(PixelProcessor::BITS),
+            coefficients: Coefficients { a: coefficient, b: coefficient, c: coefficient },
+        }
+    }
+}
+
+bundle! {
+    /// What an operation means: a word of the microcode.
+    pub struct Microcode<T> {
+        /// It is one of the tree's, or changes `enable`: instructions of this kind follow one another.
+        pub on_tree: T,
+        /// It reads or writes memory or flag, in the clocks of its word.
+        pub on_memory: T,
+        /// Where its bits come from: a [`Source`].
+        pub source: T,
+        /// They are added to the word that is read.
+        pub adds: T,
+        /// Carry and flag begin anew with the word.
+        pub begins: T,
+        /// Who writes: a [`Mask`].
+        pub mask: T,
+        /// The flag tells where the bits are less than the word that is read.
+        pub compares: T,
+        /// That holds only where the pixel is enabled.
+        pub gates: T,
+        /// What the word's last bit does to `enable`: an [`Enabling`].
+        pub enabling: T,
+        /// With that bit the flag becomes what `enable` becomes.
+        pub captures: T,
+        /// The word that is read goes to the backing store.
+        pub saves: T,
+    }
+}
+
+impl Microcode<Width> {
+    /// The widths of its fields.
+    pub fn widths() -> Microcode<Width> {
+        Microcode {
+            on_tree: bit(),
+            on_memory: bit(),
+            source: one_of::<Source>(),
+            adds: bit(),
+            begins: bit(),
+            mask: one_of::<Mask>(),
+            compares: bit(),
+            gates: bit(),
+            enabling: one_of::<Enabling>(),
+            captures: bit(),
+            saves: bit(),
+        }
+    }
+}
+
+impl Operation {
+    /// Its microcode.
+    pub fn microcode(self) -> Microcode<u64> {
+        match self {
+            Operation::Enable => enabling(Source::Constant, Enabling::Set),
+            Operation::Disable => enabling(Source::Constant, Enabling::Clear),
+            Operation::TestFirst => enabling(Source::Expression, Enabling::Replace),
+            Operation::Test => enabling(Source::Expression, Enabling::Restrict),
+            Operation::TestLast => capturing(enabling(Source::Expression, Enabling::Restrict)),
+            Operation::Flag => capturing(enabling(Source::Constant, Enabling::Keep)),
+            Operation::Evaluate => evaluating(Mask::Everybody),
+            Operation::EvaluateEnabled => evaluating(Mask::Enabled),
+            Operation::EvaluateFlagged => evaluating(Mask::Flagged),
+            Operation::Add => Microcode { adds: 1, begins: 1, ..evaluating(Mask::Enabled) },
+            Operation::Compare => Microcode { begins: 1, ..Operation::CompareOn.microcode() },
+            Operation::CompareOn => Microcode { compares: 1, gates: 1, ..evaluating(Mask::Everybody) },
+            Operation::CompareConstant => {
+                Microcode { compares: 1, begins: 1, ..writing(Source::Constant, Mask::Nobody) }
+            }
+            Operation::Fill => writing(Source::Constant, Mask::Everybody),
+            Operation::FillFlagged => writing(Source::Constant, Mask::Flagged),
+            Operation::Copy => writing(Source::Memory, Mask::Everybody),
+            Operation::CopyFlagged => writing(Source::Memory, Mask::Flagged),
+            Operation::Save => Microcode { saves: 1, ..writing(Source::Memory, Mask::Nobody) },
+        }
+    }
+}
+
+/// Of the memory alone.
+fn writing(source: Source, mask: Mask) -> Microcode<u64> {
+    Microcode {
+        on_tree: 0,
+        on_memory: 1,
+        source: source.code(),
+        adds: 0,
+        begins: 0,
+        mask: mask.code(),
+        compares: 0,
+        gates: 0,
+        enabling: Enabling::Keep.code(),
+        captures: 0,
+        saves: 0,
+    }
+}
+
+/// Of tree and memory side by side.
+fn evaluating(mask: Mask) -> Microcode<u64> {
+    Microcode { on_tree: 1, ..writing(Source::Expression, mask) }
+}
+
+/// Of `enable` alone.
+fn enabling(source: Source, enabling: Enabling) -> Microcode<u64> {
+    Microcode { on_tree: 1, on_memory: 0, enabling: enabling.code(), ..writing(source, Mask::Nobody) }
+}
+
+/// The same, and the flag becomes what `enable` becomes.
+fn capturing(microcode: Microcode<u64>) -> Microcode<u64> {
+    Microcode { on_memory: 1, captures: 1, ..microcode }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What the controller relies on: instructions on the tree follow one another, and so do those on the memory, but not one of each.
+    #[test]
+    fn what_two_instructions_share_keeps_them_in_order() {
+        for operation in Operation::ALL {
+            let code = operation.microcode();
+            let name = operation.name();
+            let looks_at_enable = code.mask == Mask::Enabled.code() || code.gates == 1 || code.captures == 1;
+            let enables = code.enabling != Enabling::Keep.code();
+            let evaluates = code.source == Source::Expression.code();
+            assert!(
+                code.on_tree == 1 || !(looks_at_enable || enables || evaluates),
+                "{name} meets what changes enable"
+            );
+            let looks_at_flag = code.mask == Mask::Flagged.code() || code.compares == 1 || code.captures == 1;
+            let uses_memory = code.mask != Mask::Nobody.code() || code.adds == 1 || code.saves == 1;
+            assert_eq!(code.on_memory == 1, looks_at_flag || uses_memory, "{name} meets what changes memory or flag");
+            assert!(code.on_tree == 1 || code.on_memory == 1, "{name} is nowhere");
+        }
+    }
+}

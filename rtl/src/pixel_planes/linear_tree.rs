@@ -1,0 +1,136 @@
+//! The linear-expression tree: A x + B y + C at each pixel, a bit a clock, least significant bit first (PP5-ARCH, facts E3).
+//!
+//! ```text
+//!                  x tree: log2 S levels                  y tree: log2 S levels
+//!
+//!           .--[reg]---------> left half           .--[reg]------> upper half
+//! c ------->+                             ... ---->+
+//!           '--[+ a][reg]----> right half          '--[+ b][reg]-> lower half
+//!
+//! a ---[log2 S - 1 clocks]--- to all levels of the x tree; b, log2 S clocks later, to those of the y tree
+//! ```
+//!
+//! A node of the x tree has the sum for a span of columns, at its first one. Its left child passes that on, its right child adds half the span
+//! times A: A, shifted by as many places as the level is above the leaves. A level is a clock later than the one above it, so those
+//! shifts and delays together are the same for all levels, and one line brings a bit of A to all of them. The y tree goes on in the same way
+//! with the lines of each column.
+//!
+//! All is exact modulo 2 to the number of bits that are sent, so signs and fractions are those of the integers (facts E0).
+//!
+//! Latency 2 log2 S clocks; a bit of each pixel a clock, and expressions right behind one another.
+
+use crate::prelude::*;
+
+block! {
+    /// Evaluates a linear expression at every pixel of a square.
+    pub struct LinearTree {
+        /// Pixels in a line, and lines; a power of two, from 2 to 256.
+        pub side: u32,
+    }
+    latency(self) = format!("{} clocks from a coefficient's bit to the expression's at each pixel", self.latency());
+    source = "Pixel-planes 5, section I.3.2.1 (PP5-ARCH)";
+    in(self) LinearTreeIn {
+        /// A bit of each coefficient, beginning with the least significant.
+        coefficients: pub struct Coefficients {
+            /// Of what is added from a column to the next.
+            a: bit(),
+            /// Of what is added from a line to the next.
+            b: bit(),
+            /// Of the value at column 0 of line 0.
+            c: bit(),
+        },
+        /// These are the first bits of an expression. It has at least log2 `side` bits.
+        first: bit(),
+    }
+    out(self) LinearTreeOut {
+        /// A bit of the expression at each pixel, a row for each line.
+        value: bit().of(grid(self.side, self.side)),
+    }
+}
+
+impl LinearTree {
+    /// Levels of each of the two trees.
+    pub fn levels(&self) -> u32 {
+        self.side.trailing_zeros()
+    }
+
+    /// Clocks from a coefficient's bit to the expression's: a clock a level.
+    pub fn latency(&self) -> u32 {
+        2 * self.levels()
+    }
+
+    fn build(&self, m: Module, i: LinearTreeIn) -> LinearTreeOut {
+        let (side, levels) = (self.side, self.levels());
+        let Coefficients { a, b, c } = i.coefficients;
+        let first = delays(m, "first", self.latency() - 1, i.first);
+        let (x_first, y_first) = first.split_at(levels as usize);
+        let x = Axis { name: "x", coefficient: delayed(m, "a", levels - 1, a), first: x_first };
+        let y = Axis { name: "y", coefficient: delayed(m, "b", self.latency() - 1, b), first: y_first };
+        let columns = (0..levels).fold(c.of(row(1)), |sums, level| {
+            let parents = sums.take(2 << level, |column| column / 2);
+            x.children(m, level, parents, is_right(2 << level))
+        });
+        let value = (0..levels).fold(columns.to_rows(1), |sums, level| {
+            let parents = sums.rows().take(2 << level, |line| line / 2);
+            y.children(m, level, parents, is_right(2 << level).to_columns(side))
+        });
+        LinearTreeOut { value }
+    }
+}
+
+/// Which of the nodes of a level are right children.
+fn is_right(nodes: u32) -> Signal {
+    constants(bit().of(row(nodes)), |node| u64::from(node % 2))
+}
+
+/// The bit, and what it was so many clocks ago, one clock after another.
+fn delays(m: Module, name: &str, clocks: u32, now: Signal) -> Vec<Signal> {
+    let mut delays = vec![now];
+    for clock in 1..=clocks {
+        let delayed = m.reg(&format!("{name}{clock}"), bit()).reset(0);
+        delayed.next(delays[clock as usize - 1]);
+        delays.push(*delayed);
+    }
+    delays
+}
+
+/// The bit so many clocks ago.
+fn delayed(m: Module, name: &str, clocks: u32, now: Signal) -> Signal {
+    delays(m, name, clocks, now)[clocks as usize]
+}
+
+/// A coefficient on its way to the levels of a tree.
+struct Axis<'a> {
+    name: &'static str,
+    /// Its bits, so late that they have the lowest level's weight, and with them that of all others.
+    coefficient: Signal,
+    /// Whether a new expression begins, at each level.
+    first: &'a [Signal],
+}
+
+impl Axis<'_> {
+    /// The sums of a level's nodes, a clock later: those of their parents, and of right children with the coefficient.
+    fn children(&self, m: Module, level: u32, parents: Signal, is_right: Signal) -> Signal {
+        let named = |what: &str| format!("{}_{what}{level}", self.name);
+        let adds = is_right & self.weighted(m, level);
+        let carry = m.reg(&named("carry"), bit().of(parents.shape()));
+        let carried = carry & !self.first[level as usize];
+        carry.next((parents & adds) | (carried & (parents | adds)));
+        m.pipe(&named("sum"), parents ^ adds ^ carried)
+    }
+
+    /// The coefficient as a level adds it. From the beginning of an expression until the coefficient's first bit comes there are zeros, as of a
+    /// shift.
+    fn weighted(&self, m: Module, level: u32) -> Signal {
+        let (first, comes) = (self.first[level as usize], self.first[self.first.len() - 1]);
+        if level as usize + 1 == self.first.len() {
+            return self.coefficient;
+        }
+        let has_come = m.reg(&format!("{}_has_come{level}", self.name), bit()).reset(0);
+        has_come.when(first, 0).when(comes, 1);
+        self.coefficient & (comes | (has_come & !first))
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,97 @@
+//! The tree clock by clock, for all small coefficients, and at random.
+
+use proptest::prelude::*;
+use tilewright_sim::Simulation;
+
+use super::*;
+
+/// An expression, and how many of its bits are sent.
+#[derive(Debug, Clone, Copy)]
+struct Sent {
+    coefficients: [u64; 3],
+    bits: u32,
+    /// Clocks in which something is sent that belongs to no expression.
+    pause: u32,
+}
+
+/// Sends expressions one after another, and compares each pixel's bits with a x + b y + c.
+fn expect_sums(side: u32, all: &[Sent]) {
+    let tree = LinearTree { side };
+    let mut sim = Simulation::of(&tree).unwrap().seeded(u64::from(side));
+    sim.reset();
+    let clocks = all.iter().flat_map(|sent| (0..sent.bits + sent.pause).map(move |clock| (*sent, clock)));
+    let clocks: Vec<(Sent, u32)> = clocks.collect();
+    for time in 0..clocks.len() + tree.latency() as usize {
+        if let Some(&(Sent { coefficients, bits, .. }, clock)) = clocks.get(time) {
+            let [a, b, c] = coefficients.map(|number| if clock < bits { number >> clock & 1 } else { 1 });
+            sim.drive(LinearTreeIn { coefficients: Coefficients { a, b, c }, first: u64::from(clock == 0) });
+        }
+        if let Some(&(Sent { coefficients: [a, b, c], bits, .. }, clock)) = time
+            .checked_sub(tree.latency() as usize)
+            .map(|sent| &clocks[sent])
+            .filter(|(sent, clock)| *clock < sent.bits)
+        {
+            let at = |x: u64, y: u64| a.wrapping_mul(x).wrapping_add(b.wrapping_mul(y)).wrapping_add(c) >> clock & 1;
+            let side = u64::from(side);
+            let expected: Vec<u64> = (0..side * side).map(|pixel| at(pixel % side, pixel / side)).collect();
+            assert_eq!(sim.lanes(sim.o.value), expected, "bit {clock} of {bits} of {a} x + {b} y + {c}");
+        }
+        sim.step();
+    }
+}
+
+#[test]
+fn each_level_takes_a_clock() {
+    let mut sim = Simulation::of(&LinearTree { side: 2 }).unwrap();
+    sim.reset();
+    let wave = sim.record(["first", "coefficients_a", "coefficients_c", "value[0][0]", "value[0][1]"]);
+    // 3 x + 5, and right behind it -x - 1, 4 bits each.
+    for (a, c) in [(3, 5), (15, 15), (0, 0)] {
+        for clock in 0..4 {
+            let coefficients = Coefficients { a: a >> clock & 1, b: 0, c: c >> clock & 1 };
+            sim.drive(LinearTreeIn { coefficients, first: u64::from(clock == 0) });
+            sim.step();
+        }
+    }
+    wave.expect(
+        r"
+        clk            |~\_/~\_/~\_/~\_/~\_/~\_/~\_/~\_/~\_/~\_/~\_/~\_/
+        first          |~~~\___________/~~~\___________/~~~\____________
+        coefficients_a |~~~~~~~\_______/~~~~~~~~~~~~~~~\________________
+        coefficients_c |~~~\___/~~~\___/~~~~~~~~~~~~~~~\________________
+        value[0][0]    |_______/~~~\___/~~~\___/~~~~~~~~~~~~~~~\________
+        value[0][1]    |___________________/~~~\___/~~~~~~~~~~~\________
+        ",
+    );
+}
+
+#[test]
+fn it_gives_all_sums_of_small_coefficients_on_2x2_and_4x4_pixels() {
+    for (side, widths) in [(2, 1..5), (4, 2..5)] {
+        for bits in widths {
+            let numbers = 0..1u64 << (3 * bits);
+            let sent = |all: u64| {
+                let part = |place: u32| all >> (place * bits) & ((1 << bits) - 1);
+                Sent { coefficients: [part(0), part(1), part(2)], bits, pause: 0 }
+            };
+            expect_sums(side, &numbers.map(sent).collect::<Vec<_>>());
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 24, failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// Of any length from log2 S on, right behind one another or with pauses.
+    #[test]
+    fn it_gives_the_sums_of_any_coefficients(
+        (side, all) in (0..5u32).prop_flat_map(|level| {
+            let levels = level + 1;
+            let sent = (any::<[u64; 3]>(), levels..65, prop_oneof![Just(0), 0..9u32])
+                .prop_map(|(coefficients, bits, pause)| Sent { coefficients, bits, pause });
+            (Just(1 << levels), prop::collection::vec(sent, 1..8))
+        }),
+    ) {
+        expect_sums(side, &all);
+    }
+}

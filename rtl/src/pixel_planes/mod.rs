@@ -1,0 +1,71 @@
+//! The renderer of Pixel-planes 5: an array of pixels that compute, each with a bit of adder and 208 bits of memory (facts A0, E3).
+//!
+//! ```text
+//!                  .------------------------------ renderer ------------------------------.
+//!                  |                         A, B, C, a bit a clock                       |
+//! instructions ===>|[queue]==>[ controller ]------------------>[ linear tree ]            |
+//!                  |             |   ^                               | A x + B y + C       |
+//!                  |     control |   | free                          v at each pixel      |
+//!                  |             '---|--------------> S x S pixel processors              |
+//!                  |                 |                               | 48 bit planes       |
+//!                  |                 '-------------------[ backing store ]================|==> bit planes
+//!                  '----------------------------------------------------------------------'      of lines
+//! ```
+//!
+//! A renderer draws a region of S x S pixels of the screen, and then another one. All coefficients are relative to the region: whoever makes
+//! them has `c` at the region's upper left pixel, `c + a x0 + b y0`, so the hardware knows no place on the screen.
+//!
+//! | file | what is in it |
+//! |---|---|
+//! | [`linear_tree`] | A x + B y + C at all pixels |
+//! | [`pixel`] | a pixel's adder, flags and memory |
+//! | [`instruction`] | the instructions, and the microcode of each operation |
+//! | [`controller`] | what takes instructions and controls tree and pixels |
+//! | [`backing_store`] | a finished region, sent while the next one is drawn |
+//! | [`renderer`] | all of these |
+//! | [`allocator`] | which renderer draws a region |
+//! | [`frame_buffer`] | puts regions together to a picture |
+//! | [`fields`] | what is where in a pixel's memory |
+//! | [`programs`] | the instructions that draw triangles, polygons and vectors |
+//!
+//! All sums are exact modulo powers of two, so bit-serial evaluation gives the integers of the contract bit for bit (facts E0).
+
+use crate::prelude::{ParameterError, Period};
+
+pub mod allocator;
+pub mod backing_store;
+pub mod controller;
+pub mod fields;
+pub mod frame_buffer;
+pub mod instruction;
+pub mod linear_tree;
+#[cfg(test)]
+mod model;
+pub mod pixel;
+pub mod programs;
+pub mod renderer;
+#[cfg(test)]
+mod testing;
+
+/// The clock's period: 40 MHz (PP5-UT).
+pub const PERIOD: Period = Period::ns(25);
+
+/// Pixels along a side of a region in the machine that was built (PP5-ARCH).
+pub const SIDE: u32 = 128;
+
+/// The bits of a region's number: as many regions of 8 x 8 pixels as the largest screen has, 2048 x 2048 pixels.
+pub const REGION_BITS: u32 = 16;
+
+/// A number of pixels along a side of a region for which there is hardware.
+///
+/// # Errors
+///
+/// It is no power of two from 2 to 256.
+pub fn side(pixels: u32) -> Result<u32, ParameterError> {
+    if pixels.is_power_of_two() && (2..=256).contains(&pixels) {
+        return Ok(pixels);
+    }
+    Err(ParameterError(format!(
+        "a region of {pixels} x {pixels} pixels: its side has to be a power of two from 2 to 256"
+    )))
+}

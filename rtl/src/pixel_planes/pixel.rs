@@ -1,0 +1,181 @@
+//! The pixel processor: a full adder of one bit, two flags, and 208 bits of memory (PP5-ARCH, facts E3).
+//!
+//! ```text
+//!                              .--[ carry ]<--.
+//! expression --.               v              |
+//! constant ----+--> operand -->(+)------------+--> result --> [ memory ] write address, where the mask is high
+//! word --------'               ^                                  |
+//!     ^                        '------- word, where it adds       | read address
+//!     '-----------------------------------------------------------'
+//!
+//! enable: the pixel is inside all edges so far      flag: what is new is less than what is kept
+//! ```
+//!
+//! All processors do the same in each clock, on a bit of their own; only the flags differ. A word is worked on from its least significant bit,
+//! so of two words that are compared the last bit in which they differ decides.
+//!
+//! There are two flags so that what a primitive leaves, where `flag` is set, can be written while the edges of the next one change
+//! `enable`.
+//!
+//! Latency 1 clock to memory and flags; one read and one write a clock, each at an address that all processors share.
+
+use crate::prelude::*;
+
+codes! {
+    /// Where the bit comes from that a processor works on.
+    pub enum Source {
+        /// The linear-expression tree.
+        Expression,
+        /// Its memory, at the read address.
+        Memory,
+        /// The controller: the same for all.
+        Constant,
+    }
+}
+
+codes! {
+    /// Which processors write their memory.
+    pub enum Mask {
+        /// None.
+        Nobody,
+        /// All.
+        Everybody,
+        /// Those that are enabled.
+        Enabled,
+        /// Those whose flag is set.
+        Flagged,
+    }
+}
+
+codes! {
+    /// What becomes of the enable flags.
+    pub enum Enabling {
+        /// They stay.
+        Keep,
+        /// All are set.
+        Set,
+        /// All are cleared.
+        Clear,
+        /// They are set where the expression's bit, a sign, is 0.
+        Replace,
+        /// They stay set where it is 0.
+        Restrict,
+    }
+}
+
+bundle! {
+    /// What all processors do in a clock. All zeros: nothing.
+    pub struct Control<T> {
+        /// Where the bit comes from: a [`Source`].
+        pub source: T,
+        /// The bit, if it is a constant.
+        pub constant: T,
+        /// The bit read, and the carry, are added to it.
+        pub adds: T,
+        /// It is the first bit of a word: carry and flag begin anew.
+        pub first: T,
+        /// Who writes the result: a [`Mask`].
+        pub mask: T,
+        /// The flag is set where the words are less than the ones in memory, so far.
+        pub compares: T,
+        /// That holds only where the processor is enabled.
+        pub gates: T,
+        /// What becomes of the enable flags: an [`Enabling`].
+        pub enabling: T,
+        /// The flag becomes what the enable flag becomes.
+        pub captures: T,
+        /// The address that is read.
+        pub read: T,
+        /// The address that is written.
+        pub write: T,
+    }
+}
+
+impl Control<Width> {
+    /// The widths of its fields.
+    pub fn widths() -> Control<Width> {
+        Control {
+            source: one_of::<Source>(),
+            constant: bit(),
+            adds: bit(),
+            first: bit(),
+            mask: one_of::<Mask>(),
+            compares: bit(),
+            gates: bit(),
+            enabling: one_of::<Enabling>(),
+            captures: bit(),
+            read: below(PixelProcessor::BITS),
+            write: below(PixelProcessor::BITS),
+        }
+    }
+}
+
+block! {
+    /// Computes a bit of a pixel a clock.
+    pub struct PixelProcessor;
+    latency = "1 clock to the memory and the flags";
+    source = "Pixel-planes 5, section I.3.2.1 (PP5-ARCH)";
+    in PixelProcessorIn {
+        /// What all processors do.
+        control: Control = Control::widths(),
+        /// A bit of the expression at this pixel.
+        expression: bit(),
+    }
+    out PixelProcessorOut {
+        /// The bit that is read.
+        word: bit(),
+    }
+}
+
+impl PixelProcessor {
+    /// Bits of memory.
+    pub const BITS: u32 = 208;
+
+    fn build(&self, m: Module, i: PixelProcessorIn) -> PixelProcessorOut {
+        let c = i.control;
+        let memory = m.memory("memory", PixelProcessor::BITS, bit(), ReadUnderWrite::Any);
+        net!(word = memory.read_async(c.read));
+        net!(
+            operand = c.source.choose(|source| match source {
+                Source::Expression => i.expression,
+                Source::Memory => word,
+                Source::Constant => c.constant,
+            })
+        );
+
+        let carry = m.reg("carry", bit()).reset(0);
+        net!(carried = carry & !c.first);
+        carry.when(c.adds, (operand & word) | (carried & (operand | word)));
+        net!(result = operand ^ (c.adds & (word ^ carried)));
+
+        let enable = m.reg("enable", bit()).reset(0);
+        net!(
+            enabled = c.enabling.choose(|enabling| match enabling {
+                Enabling::Keep => *enable,
+                Enabling::Set => lit(1, 1),
+                Enabling::Clear => lit(1, 0),
+                Enabling::Replace => !i.expression,
+                Enabling::Restrict => enable & !i.expression,
+            })
+        );
+        enable.next(enabled);
+
+        let flag = m.reg("flag", bit()).reset(0);
+        net!(is_less = mux(operand.eq(word), flag & !c.first, word));
+        flag.when(c.captures, enabled).when(c.compares, is_less & (enable | !c.gates));
+
+        net!(
+            writes = c.mask.choose(|mask| match mask {
+                Mask::Nobody => lit(1, 0),
+                Mask::Everybody => lit(1, 1),
+                Mask::Enabled => *enable,
+                Mask::Flagged => *flag,
+            })
+        );
+        memory.write(writes, c.write, result);
+        PixelProcessorOut { word }
+    }
+}
+
+#[cfg(test)]
+mod tests;

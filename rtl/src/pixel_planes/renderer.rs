@@ -1,0 +1,100 @@
+//! The renderer: S x S pixels that compute under one instruction stream, and the region that they drew before (PP5-ARCH, PP5-UT).
+//!
+//! ```text
+//! instructions ==>[ queue ]==>[ controller ]--->[ linear tree ]--.
+//!                                   |   ^                        v
+//!                                   |   '-- free --.   [ pixel processors ]
+//!                                   |              |             | word
+//!                                   '-- save -->[ backing store ]<'
+//!                                                      '=========================> planes
+//! ```
+//!
+//! Latency and throughput: those of the instructions, one after another; a primitive takes the clocks that its program does
+//! ([`programs`](super::programs)), as long as the queue has its instructions in time.
+
+use tilewright_blocks::StreamBlocks;
+
+use super::backing_store::{BackingStore, BackingStoreIn, BitPlane};
+use super::controller::{ImageGenerationController, ImageGenerationControllerIn};
+use super::instruction::Instruction;
+use super::linear_tree::{LinearTree, LinearTreeIn};
+use super::pixel::{PixelProcessor, PixelProcessorIn};
+use super::{fields, side};
+use crate::prelude::*;
+
+block! {
+    /// Draws regions of the screen, one after another.
+    pub struct Renderer {
+        /// Pixels in a line of a region, and lines.
+        side: u32,
+        /// Instructions that its queue holds.
+        queue: u32,
+    }
+    latency = "a primitive takes the clocks of its instructions, a region that is sent 48 clocks a line";
+    source = "Pixel-planes 5, section I.3.2.1 (PP5-ARCH, PP5-UT)";
+    in RendererIn {
+        /// What to do; all coefficients are relative to the region.
+        instructions: stream(Instruction = Instruction::widths()),
+        /// Tree and memory may each have an instruction; while it is low, one begins when the one before has ended.
+        side_by_side: bit(),
+    }
+    out(self) RendererOut {
+        /// Finished regions, S bits a clock.
+        planes: stream(BitPlane = BitPlane::widths(self.side)),
+        /// Every instruction has ended, but in the pixels, which are 2 log2 S clocks behind: it can be given another region.
+        idle: bit(),
+    }
+}
+
+impl Renderer {
+    /// The most instructions that its queue holds.
+    pub const MOST: u32 = 4096;
+
+    /// A renderer of regions of that side, a power of two from 2 to 256, with a queue of so many instructions.
+    ///
+    /// # Errors
+    ///
+    /// There is no such renderer.
+    pub fn new(pixels: u32, queue: u32) -> Result<Renderer, ParameterError> {
+        if !(1..=Renderer::MOST).contains(&queue) {
+            let most = Renderer::MOST;
+            return Err(ParameterError(format!("a queue of {queue} instructions: it has to hold from 1 to {most}")));
+        }
+        Ok(Renderer { side: side(pixels)?, queue })
+    }
+
+    /// Pixels in a line of a region, and lines.
+    pub fn side(&self) -> u32 {
+        self.side
+    }
+
+    /// Instructions that its queue holds.
+    pub fn queue(&self) -> u32 {
+        self.queue
+    }
+
+    fn build(&self, m: Module, i: RendererIn) -> RendererOut {
+        let Renderer { side, queue } = *self;
+        let pixels = grid(side, side);
+        let instructions = m.fifo("u_queue", queue, i.instructions);
+        let store_free = m.wire("store_free", bit());
+        let control =
+            ImageGenerationControllerIn { instructions, side_by_side: i.side_by_side, store_free: *store_free };
+        let controller = m.instance("u_controller", &ImageGenerationController { side }, control);
+
+        let tree = LinearTreeIn { coefficients: controller.coefficients, first: controller.first };
+        let tree = m.instance("u_tree", &LinearTree { side }, tree);
+        let control = controller.control.map(|field| field.of(pixels));
+        let pixel = PixelProcessorIn { control, expression: tree.value };
+        let pixel = m.array("u_pixel", pixels, &PixelProcessor, |_| pixel);
+
+        let number = controller.control.write.trunc(below(fields::WORD.bits));
+        let store = BackingStoreIn { save: controller.save, number, word: pixel.word };
+        let store = m.instance("u_store", &BackingStore { side }, store);
+        store_free.drive(store.free);
+        RendererOut { planes: store.planes, idle: controller.idle }
+    }
+}
+
+#[cfg(test)]
+mod tests;

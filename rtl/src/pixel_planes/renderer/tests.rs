@@ -1,0 +1,276 @@
+//! The renderer against what its instructions mean, and against the contract of geometry.
+
+use proptest::prelude::*;
+use tilewright_sim::{Pauses, Simulation, monitor};
+
+use super::super::instruction::Operation;
+use super::super::linear_tree::Coefficients;
+use super::super::model::Model;
+use super::super::programs::{
+    Expression, Surface, clear, flat, flat_least, flat_strict, save, smooth_least, smooth_strict,
+};
+use super::super::testing::{Primitive, primitives};
+use super::super::{PERIOD, SIDE};
+use super::*;
+
+/// How both sides behave.
+#[derive(Debug, Clone, Copy)]
+struct Manner {
+    side_by_side: bool,
+    queue: u32,
+    /// How often sender and receiver pause, in percent.
+    pauses: [u64; 2],
+    seed: u64,
+}
+
+fn manners() -> impl Strategy<Value = Manner> {
+    let percent = || prop_oneof![Just(0), 1..60u64];
+    (any::<bool>(), 1..6u32, [percent(), percent()], any::<u64>())
+        .prop_map(|(side_by_side, queue, pauses, seed)| Manner { side_by_side, queue, pauses, seed })
+}
+
+/// Runs instructions in a renderer; gives the regions that it sends, each with the words of its pixels line by line.
+fn sent(side: u32, instructions: &[Instruction<u64>], manner: Manner) -> Vec<(u64, Vec<u64>)> {
+    let renderer = Renderer::new(side, manner.queue).unwrap();
+    let mut sim = Simulation::of(&renderer).unwrap().seeded(manner.seed);
+    sim.reset();
+    sim.set(sim.i.side_by_side, u64::from(manner.side_by_side));
+    let is_save = |instruction: &&Instruction<u64>| instruction.operation == Operation::Save.code();
+    let regions = instructions.iter().filter(is_save).count();
+    let (i, o) = (sim.i, sim.o);
+    let t = sim.testbench();
+    t.limit(1_000_000);
+    let send = async {
+        let mut pauses = Pauses::percent(manner.pauses[0], manner.seed);
+        for instruction in instructions {
+            t.wait(pauses.next_length().into()).await;
+            t.send(i.instructions, *instruction).await;
+        }
+    };
+    let receive = async {
+        let mut pauses = Pauses::percent(manner.pauses[1], manner.seed.wrapping_add(1));
+        let mut received = Vec::new();
+        for _ in 0..regions {
+            let mut words = vec![0; (side * side) as usize];
+            let mut region = 0;
+            for line in 0..side {
+                for plane in 0..48 {
+                    t.wait(pauses.next_length().into()).await;
+                    let sent = t.receive_bits(o.planes).await;
+                    let [sent_line, sent_plane, number] = [&sent.line, &sent.plane, &sent.region].map(Bits::to_u64);
+                    assert_eq!([sent_line, sent_plane], [Some(line.into()), Some(plane)]);
+                    region = number.unwrap();
+                    for x in 0..side {
+                        words[(line * side + x) as usize] |= u64::from(sent.bits.bit(x)) << plane;
+                    }
+                }
+            }
+            received.push((region, words));
+        }
+        t.until(o.idle).await;
+        t.expect_silence(o.planes, 60).await;
+        received
+    };
+    t.run((send, receive, monitor(t.holds_bits(o.planes)))).1
+}
+
+/// Instructions that a renderer of that side takes, on a small part of the memory, so that they meet each other's words.
+fn instructions(side: u32) -> impl Strategy<Value = Instruction<u64>> {
+    const LAST: usize = Operation::ALL.len() - 1;
+    let levels = u64::from(side.trailing_zeros());
+    let length = prop_oneof![4 => 1..12u64, 1 => 1..65u64];
+    let address = || prop_oneof![1..24u64, Just(100)];
+    let coefficient = || prop_oneof![0..1u64 << 40, 0..64u64, (0..64u64).prop_map(|number| (1 << 40) - 1 - number)];
+    let coefficients = prop::array::uniform3(coefficient());
+    (0..LAST, 0..20u64, length, address(), address(), coefficients).prop_map(
+        move |(operation, skip, length, read, write, [a, b, c])| {
+            let operation = Operation::ALL[operation];
+            let on_expression = operation.microcode().source == super::super::pixel::Source::Expression.code();
+            let is_alone = matches!(operation, Operation::Enable | Operation::Disable | Operation::Flag);
+            let length = if is_alone { 1 } else { length };
+            let skip = if on_expression { skip.max(levels.saturating_sub(length)) } else { 0 };
+            // Words that overlap are worked on bit by bit: then what is read of them is what was written just before.
+            let write = if read.abs_diff(write) < length { read } else { write };
+            let coefficients = Coefficients { a, b, c };
+            Instruction { operation: operation.code(), skip, length, read, write, coefficients }
+        },
+    )
+}
+
+/// Gives every bit of memory a value, as it has any at first.
+fn filled() -> Vec<Instruction<u64>> {
+    let words = [(0, 64), (64, 64), (128, 64), (192, 16)].into_iter();
+    let fill = |(write, length)| Instruction {
+        operation: Operation::Fill.code(),
+        skip: 0,
+        length,
+        read: 0,
+        write,
+        coefficients: Coefficients { a: 0, b: 0, c: 0x5a_0ff0_1234 },
+    };
+    words.map(fill).collect()
+}
+
+/// Sends all of the memory.
+fn all_memory() -> Vec<Instruction<u64>> {
+    let parts = [0, 48, 96, 144, 160];
+    parts
+        .into_iter()
+        .flat_map(|read| save(read as u32).into_iter().map(move |part| Instruction { read, ..part }))
+        .collect()
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 16, failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// Whatever overlaps, memory and flags are as if each instruction began when the one before has ended.
+    #[test]
+    fn instructions_do_what_they_do_one_after_another(
+        (side, program) in prop::sample::select(vec![2, 4, 8])
+            .prop_flat_map(|side| (Just(side), prop::collection::vec(instructions(side), 1..60))),
+        manner in manners(),
+    ) {
+        // In the end the flags are in the memory, too.
+        let constant = |operation: Operation, write| Instruction {
+            operation: operation.code(), skip: 0, length: 1, read: 0, write, coefficients: Coefficients { a: 0, b: 0, c: 1 },
+        };
+        let enable = Instruction { skip: 7, ..constant(Operation::EvaluateEnabled, 207) };
+        let flags = vec![constant(Operation::FillFlagged, 206), enable];
+        let program = [filled(), program, flags, all_memory()].concat();
+        let mut model = Model::new(side);
+        program.iter().for_each(|instruction| model.run(instruction));
+        prop_assert_eq!(sent(side, &program, manner), model.saved);
+    }
+}
+
+/// A rule, the program that keeps it, and what a pixel keeps by it of its word and a fragment's.
+#[derive(Debug, Clone, Copy)]
+struct Rule {
+    program: fn(u32, &Primitive) -> Vec<Instruction<u64>>,
+    word: fn(&Primitive, u32, u32) -> u64,
+    keeps: fn(u64, u64) -> u64,
+}
+
+fn nearest(kept: u64, new: u64) -> u64 {
+    if new >> 24 < kept >> 24 { new } else { kept }
+}
+
+const RULES: [Rule; 5] = [
+    Rule {
+        program: |side, p| flat(side, &p.edges, p.rgb),
+        word: |p, _, _| u64::from(p.rgb),
+        keeps: |kept, new| kept >> 24 << 24 | new,
+    },
+    Rule {
+        program: |side, p| flat_strict(side, &p.edges, &p.surface.z, p.rgb),
+        word: Primitive::flat_word,
+        keeps: nearest,
+    },
+    Rule {
+        program: |side, p| flat_least(side, &p.edges, &p.surface.z, p.rgb),
+        word: Primitive::flat_word,
+        keeps: u64::min,
+    },
+    Rule { program: |side, p| smooth_strict(side, &p.edges, &p.surface), word: Primitive::smooth_word, keeps: nearest },
+    Rule { program: |side, p| smooth_least(side, &p.edges, &p.surface), word: Primitive::smooth_word, keeps: u64::min },
+];
+
+/// The words of a region by the contract: a plain loop over pixels.
+fn drawn(side: u32, background: u32, rule: Rule, primitives: &[Primitive]) -> Vec<u64> {
+    let pixels = (0..side).flat_map(|y| (0..side).map(move |x| (x, y)));
+    let word = |(x, y)| {
+        let fragments = primitives.iter().filter(|p| p.covers(x, y)).map(|p| (rule.word)(p, x, y));
+        fragments.fold(0xff_ffff << 24 | u64::from(background), rule.keeps)
+    };
+    pixels.map(word).collect()
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 20, failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// Regions one after another, each read while the next is drawn.
+    #[test]
+    fn a_region_is_what_the_contract_says(
+        (side, regions) in prop_oneof![Just(8u32), Just(16)]
+            .prop_flat_map(|side| (Just(side), prop::collection::vec(prop::collection::vec(primitives(side), 0..8), 1..4))),
+        rule in prop::sample::select(RULES.to_vec()),
+        manner in manners(),
+    ) {
+        let mut program = Vec::new();
+        let mut expected = Vec::new();
+        for (number, primitives) in (40..).zip(&regions) {
+            program.extend(clear(0x10_20_30));
+            program.extend(primitives.iter().flat_map(|primitive| (rule.program)(side, primitive)));
+            program.extend(save(number));
+            expected.push((number.into(), drawn(side, 0x10_20_30, rule, primitives)));
+        }
+        prop_assert_eq!(sent(side, &program, manner), expected);
+    }
+}
+
+/// The machine's own size, with triangles that cover a good part of it.
+#[test]
+fn a_region_of_128_x_128_pixels_is_what_the_contract_says() {
+    let edge = |a, b, c| Coefficients { a, b, c };
+    let plane = |a, b, c: i64| Coefficients { a, b, c: c << 16 };
+    let primitive = |edges: [Expression; 3], depth| Primitive {
+        edges: edges.to_vec(),
+        surface: Surface { z: depth, rgb: [plane(90_000, 0, 9), plane(0, 80_000, 7), plane(-40_000, 30_000, 99)] },
+        rgb: 0,
+    };
+    let primitives = [
+        primitive([edge(1, 0, -3), edge(0, 1, -5), edge(-1, -2, 250)], plane(1 << 16, 0, 1000)),
+        primitive([edge(-1, 0, 120), edge(0, -1, 125), edge(300, 200, -40_000)], plane(-(1 << 16), 0, 1140)),
+    ];
+    let program = primitives.iter().flat_map(|primitive| smooth_least(SIDE, &primitive.edges, &primitive.surface));
+    let program = [clear(0x20_40_60), program.collect(), save(5)].concat();
+    let words = drawn(SIDE, 0x20_40_60, RULES[4], &primitives);
+    let far = words.iter().filter(|word| **word >> 24 == 0xff_ffff).count();
+    assert!((2000..8000).contains(&far), "{far} pixels are of the background");
+    let manner = Manner { side_by_side: true, queue: 16, pauses: [0, 0], seed: 1 };
+    assert_eq!(sent(SIDE, &program, manner), [(5, words)]);
+}
+
+/// Facts E3: the next region is drawn while one is sent, S bits a clock; only its save waits.
+#[test]
+fn a_region_is_sent_in_48_clocks_a_line_while_the_next_is_drawn() {
+    let mut sim = Simulation::at(&Renderer::new(8, 4).unwrap(), PERIOD).unwrap();
+    sim.reset();
+    let (i, o) = (sim.i, sim.o);
+    sim.set(i.side_by_side, 1);
+    sim.set(o.planes.ready, 1);
+    let t = sim.testbench();
+    let send = async {
+        for instruction in [clear(1), save(1), clear(2), save(2)].concat() {
+            t.send(i.instructions, instruction).await;
+        }
+    };
+    let watch = async {
+        let mut clocks = Vec::new();
+        for _ in 0..2 * 48 * 8 {
+            t.receive(o.planes).await;
+            clocks.push(t.time() / 25_000);
+        }
+        clocks
+    };
+    let ((), clocks) = t.run((send, watch));
+    let region = 48 * 8;
+    let is_without_pause = |clocks: &[u64]| clocks.last().unwrap() - clocks[0] == region - 1;
+    assert!(clocks.chunks(region as usize).all(is_without_pause));
+    // Between them the store is free, the planes of the second region are read, and come through the pixels' pipeline; its clear was long done.
+    let between = clocks[region as usize] - clocks[region as usize - 1];
+    assert_eq!(between, 1 + 48 + u64::from(LinearTree { side: 8 }.latency()) + 2);
+}
+
+#[test]
+fn there_is_no_renderer_of_any_other_side() {
+    let complaint = |side, queue| Renderer::new(side, queue).unwrap_err().to_string();
+    for side in [0, 1, 12, 512] {
+        let sentence = format!("a region of {side} x {side} pixels: its side has to be a power of two from 2 to 256");
+        assert_eq!(complaint(side, 8), sentence);
+    }
+    assert_eq!(complaint(8, 0), "a queue of 0 instructions: it has to hold from 1 to 4096");
+    for side in (1..9).map(|level| 1 << level) {
+        assert_eq!(elaborate(&Renderer::new(side, 8).unwrap()).unwrap().modules().len(), 6);
+    }
+}

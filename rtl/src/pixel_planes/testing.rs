@@ -1,0 +1,92 @@
+//! What the tests of programs and renderers share: primitives by the contract's formulas alone (facts E0).
+
+use proptest::prelude::*;
+
+use super::linear_tree::Coefficients;
+use super::programs::{Expression, Surface};
+
+/// A polygon relative to a region.
+#[derive(Debug, Clone)]
+pub(super) struct Primitive {
+    pub edges: Vec<Expression>,
+    pub surface: Surface,
+    /// Its colour where it has no planes of colour.
+    pub rgb: u32,
+}
+
+/// The value of an expression at a pixel.
+pub(super) fn at(expression: &Expression, x: u32, y: u32) -> i64 {
+    expression.a * i64::from(x) + expression.b * i64::from(y) + expression.c
+}
+
+impl Primitive {
+    pub fn covers(&self, x: u32, y: u32) -> bool {
+        self.edges.iter().all(|edge| at(edge, x, y) >= 0)
+    }
+
+    pub fn depth(&self, x: u32, y: u32) -> u64 {
+        (at(&self.surface.z, x, y) as u64 >> 16) & 0xff_ffff
+    }
+
+    /// Its word with planes of colour.
+    pub fn smooth_word(&self, x: u32, y: u32) -> u64 {
+        let channel = |plane: &Expression| (at(plane, x, y) as u64 >> 16) & 0xff;
+        let rgb = self.surface.rgb.iter().map(channel).reduce(|high, low| high << 8 | low);
+        self.depth(x, y) << 24 | rgb.expect("three channels")
+    }
+
+    /// Its word in one colour.
+    pub fn flat_word(&self, x: u32, y: u32) -> u64 {
+        self.depth(x, y) << 24 | u64::from(self.rgb)
+    }
+}
+
+/// The reduced edge from a point to another, in 1/16 pixel, which is inside to the right of it as one looks along it, y downward (DES-EDGE).
+fn edge([x0, y0]: [i64; 2], [x1, y1]: [i64; 2]) -> Expression {
+    let (dx, dy) = (x1 - x0, y1 - y0);
+    let (a, b) = (-dy, dx);
+    let counts = dy < 0 || dy == 0 && dx > 0;
+    let c = -(a * x0 + b * y0);
+    Coefficients { a, b, c: (8 * (a + b) + c - i64::from(!counts)).div_euclid(16) }
+}
+
+/// Triangles that go through a region of that side, or miss it; some of their vertices are at the ends of the guard band.
+pub(super) fn primitives(side: u32) -> impl Strategy<Value = Primitive> {
+    let near = 16 * i64::from(side);
+    let place = move || prop_oneof![6 => -near / 2..near * 3 / 2, 1 => Just(-32_768), 1 => Just(32_767i64)];
+    let vertices = prop::array::uniform3(prop::array::uniform2(place()));
+    // Planes that differ little from one primitive to the next, so that words meet, and any.
+    let plane = || {
+        let near = (-70_000..70_000i64, -70_000..70_000i64, 0..1i64 << 20).prop_map(|(a, b, c)| [a, b, c]);
+        let coarse = prop::array::uniform3(prop_oneof![Just(0), Just(1i64 << 16), Just(3i64 << 16)]);
+        let any = prop::array::uniform3(0..1i64 << 40);
+        prop_oneof![3 => coarse, 2 => near, 1 => any].prop_map(|[a, b, c]| Coefficients { a, b, c })
+    };
+    // A region anywhere on the largest screen.
+    let region = prop::array::uniform2(0..2048 / i64::from(side));
+    let planes = (plane(), prop::array::uniform3(plane()));
+    let rgb = prop_oneof![Just(0x10_20_30), 0..1u32 << 24];
+    (vertices, planes, rgb, region, prop::bool::weighted(0.1)).prop_map(
+        move |(vertices, (z, rgb_planes), rgb, region, far)| {
+            // The same vertices on the screen, which the guard band ends.
+            let on_screen = |[x, y]: [i64; 2]| {
+                let [left, top] = region.map(|number| number * near);
+                [left + x, top + y].map(|place| place.clamp(-32_768, 32_767))
+            };
+            let mut vertices = vertices.map(on_screen);
+            if far {
+                vertices[0] = [-32_768, 32_767];
+            }
+            let [[x0, y0], [x1, y1], [x2, y2]] = vertices;
+            if (x1 - x0) * (y2 - y0) - (x2 - x0) * (y1 - y0) < 0 {
+                vertices.swap(1, 2);
+            }
+            let edges = (0..3).map(|number| {
+                let Coefficients { a, b, c } = edge(vertices[number], vertices[(number + 1) % 3]);
+                let [left, top] = region.map(|number| number * i64::from(side));
+                Coefficients { a, b, c: c + a * left + b * top }
+            });
+            Primitive { edges: edges.collect(), surface: Surface { z, rgb: rgb_planes }, rgb }
+        },
+    )
+}

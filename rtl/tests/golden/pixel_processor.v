@@ -1,0 +1,99 @@
+// pixel_processor
+//
+// Computes a bit of a pixel a clock.
+//
+// Parameters  PixelProcessor
+// Latency     1 clock to the memory and the flags
+// Source      Pixel-planes 5, section I.3.2.1 (PP5-ARCH)
+// Described   rtl/src/pixel_planes/pixel.rs:136
+`default_nettype none
+
+module pixel_processor (
+    input  wire       clk,
+    input  wire       rst,
+    // What all processors do.
+    input  wire [1:0] control_source,   // Where the bit comes from: a `Source`.
+    input  wire       control_constant, // The bit, if it is a constant.
+    input  wire       control_adds,     // The bit read, and the carry, are added to it.
+    input  wire       control_first,    // It is the first bit of a word: carry and flag begin anew.
+    input  wire [1:0] control_mask,     // Who writes the result: a `Mask`.
+    input  wire       control_compares, // The flag is set where the words are less than the ones in memory, so far.
+    input  wire       control_gates,    // That holds only where the processor is enabled.
+    input  wire [2:0] control_enabling, // What becomes of the enable flags: an `Enabling`.
+    input  wire       control_captures, // The flag becomes what the enable flag becomes.
+    input  wire [7:0] control_read,     // The address that is read.
+    input  wire [7:0] control_write,    // The address that is written.
+    input  wire       expression,       // A bit of the expression at this pixel.
+    output wire       word              // The bit that is read.
+);
+
+    localparam [1:0] SOURCE_EXPRESSION = 2'd0;
+    localparam [1:0] SOURCE_MEMORY     = 2'd1;
+    // not mentioned: localparam [1:0] SOURCE_CONSTANT   = 2'd2;
+    localparam [1:0] MASK_NOBODY    = 2'd0;
+    localparam [1:0] MASK_EVERYBODY = 2'd1;
+    localparam [1:0] MASK_ENABLED   = 2'd2;
+    // not mentioned: localparam [1:0] MASK_FLAGGED   = 2'd3;
+    localparam [2:0] ENABLING_KEEP     = 3'd0;
+    localparam [2:0] ENABLING_SET      = 3'd1;
+    localparam [2:0] ENABLING_CLEAR    = 3'd2;
+    localparam [2:0] ENABLING_REPLACE  = 3'd3;
+    // not mentioned: localparam [2:0] ENABLING_RESTRICT = 3'd4;
+
+    reg carry;                                                   // rtl/src/pixel_planes/pixel.rs:146
+    reg enable;                                                  // rtl/src/pixel_planes/pixel.rs:151
+    reg flag;                                                    // rtl/src/pixel_planes/pixel.rs:163
+
+    (* no_rw_check *)
+    reg memory [0:207];                                          // rtl/src/pixel_planes/pixel.rs:136
+
+    assign word = (control_read < 8'd208) ? memory[control_read] : 1'b0; // rtl/src/pixel_planes/pixel.rs:137
+    reg operand;                                                 // rtl/src/pixel_planes/pixel.rs:138
+    always @* begin
+        case (control_source)
+            SOURCE_EXPRESSION: operand = expression;
+            SOURCE_MEMORY: operand = word;
+            default: operand = control_constant; // SOURCE_CONSTANT
+        endcase
+    end
+    wire carried = carry & !control_first;                       // rtl/src/pixel_planes/pixel.rs:147
+    wire result = operand ^ (control_adds & (word ^ carried));   // rtl/src/pixel_planes/pixel.rs:149
+    reg enabled;                                                 // rtl/src/pixel_planes/pixel.rs:152
+    always @* begin
+        case (control_enabling)
+            ENABLING_KEEP: enabled = enable;
+            ENABLING_SET: enabled = 1'b1;
+            ENABLING_CLEAR: enabled = 1'b0;
+            ENABLING_REPLACE: enabled = !expression;
+            default: enabled = enable & !expression; // ENABLING_RESTRICT
+        endcase
+    end
+    wire is_less = (operand == word) ? (flag & !control_first) : word; // rtl/src/pixel_planes/pixel.rs:164
+    reg writes;                                                  // rtl/src/pixel_planes/pixel.rs:167
+    always @* begin
+        case (control_mask)
+            MASK_NOBODY: writes = 1'b0;
+            MASK_EVERYBODY: writes = 1'b1;
+            MASK_ENABLED: writes = enable;
+            default: writes = flag; // MASK_FLAGGED
+        endcase
+    end
+
+    always @(posedge clk) begin
+        if (writes) memory[control_write] <= result;
+    end
+
+    always @(posedge clk) begin
+        if (rst) begin
+            carry <= 1'b0;
+            enable <= 1'b0;
+            flag <= 1'b0;
+        end else begin
+            if (control_adds) carry <= (operand & word) | (carried & (operand | word));
+            enable <= enabled;
+            if (control_captures) flag <= enabled;
+            else if (control_compares) flag <= is_less & (enable | !control_gates);
+        end
+    end
+endmodule
+`default_nettype wire
