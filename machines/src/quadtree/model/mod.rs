@@ -17,6 +17,8 @@
 //! | `processor` | a video processor |
 //! | `record` | what a run is in numbers |
 //! | `simulated` | the same of the hardware |
+//! | `square` | the paper's generators |
+//! | `trials` | the paper's figures from counters, of the model and of the hardware |
 //! | `sweep` | what queues of some depths lose |
 
 mod division;
@@ -25,8 +27,10 @@ mod processor;
 mod queue;
 mod record;
 mod simulated;
+mod square;
 mod sweep;
 mod tree;
+mod trials;
 
 use super::matrix::Matrix;
 use super::windows::{Search, TestUnit};
@@ -45,6 +49,7 @@ use tilewright_rtl::quadtree::raster::Form;
 pub use record::{Counts, Packets, Processor, Run, Visit};
 pub use simulated::Simulated;
 pub use sweep::{Coupling, Sweep, SweepPoint};
+pub use trials::{Measured, OnHardware, Outcome, Trial, Trials};
 
 /// Packets between two reports of progress.
 const PACKETS_AT_ONCE: usize = 256;
