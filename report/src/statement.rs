@@ -314,6 +314,19 @@ impl Verdicts {
         self
     }
 
+    /// Adds several.
+    ///
+    /// ```
+    /// use tilewright_report::{Rule, Statement, Verdicts};
+    ///
+    /// let asked = ["A", "B"].map(|fact| Statement::new(fact, "Nobody asked", Rule::Equals));
+    /// assert_eq!(Verdicts::new("table", "Statements").states(asked).count(), [0, 0, 2]);
+    /// ```
+    pub fn states(mut self, statements: impl IntoIterator<Item = Statement>) -> Verdicts {
+        self.statements.extend(statements);
+        self
+    }
+
     /// How many statements hold, differ, and cannot be compared.
     ///
     /// ```

@@ -74,7 +74,7 @@ impl Reproduce {
         match self.json {
             true => terminal::print_json(&Report { format: 1, holds, differs, cannot_be_compared, files: written })?,
             false => terminal::report(&format!(
-                "{holds} statements of the paper hold, {differs} differ, {cannot_be_compared} cannot be compared\n"
+                "{holds} statements hold, {differs} differ, {cannot_be_compared} cannot be compared\n"
             ))?,
         }
         Ok(Exit::Done)
