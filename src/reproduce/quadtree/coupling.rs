@@ -5,9 +5,6 @@ use super::curves::figure;
 use super::found::{Coupled, Found};
 use tilewright_report::{Axis, Chart, Section, Series};
 
-/// Forms as the sweep names them, and as the page does.
-const FORMS: [(&str, &str); 2] = [("pipe", "pipelines"), ("stack", "stacks")];
-
 /// As it ran, beside the formulas, which know no waits; then the loss.
 pub fn section(found: &Found) -> Section {
     let section = Section::new("As it runs: waits, and depth of queues")
@@ -23,25 +20,43 @@ pub fn section(found: &Found) -> Section {
              would on the mean, if none had to wait for another. It has two parts: what deeper queues win back, and that one processor has more \
              to do than another, which no queue does.",
         );
-    FORMS.into_iter().fold(section, |section, (form, name)| {
-        section.part(by_matrix(&found.coupled, form, name)).part(by_area(&found.coupled, form, name))
-    })
+    section
+        .part(by_matrix(&found.coupled, "stack", "stacks"))
+        .part(by_area(&found.coupled))
+        .paragraph(
+            "A pipeline takes packets in without such queues: its stages and the queues of windows between them hold several. There the \
+             depth is that of the queues of windows, and the loss the part of the clocks in which its slowest level has nothing to do.",
+        )
+        .part(by_matrix(&found.coupled, "pipe", "pipelines"))
+        .part(by_windows(&found.coupled))
 }
+
+/// The area at which matrices are compared.
+const AREA: f64 = 100.0;
 
 fn by_matrix(coupled: &Coupled, form: &str, name: &str) -> Chart {
-    let title = format!("Loss of {name} by depth, rectangles of 100 pixels");
-    (0..=4).fold(loss(format!("loss-{name}"), title), |chart, k| {
-        chart.series(Series::new(format!("k = {k}"), coupled.origin(), coupled.loss(k, form, 100.0)))
+    let title = format!("Loss of {name} by depth of packet queues, rectangles of {AREA} pixels");
+    (0..=4).fold(chart(format!("loss-{name}"), title, PACKETS), |chart, k| {
+        chart.series(Series::new(format!("k = {k}"), coupled.origin(), coupled.loss(k, form, AREA)))
     })
 }
 
-fn by_area(coupled: &Coupled, form: &str, name: &str) -> Chart {
-    let title = format!("Loss of 16 x 16 {name} by depth");
-    coupled.areas().into_iter().fold(loss(format!("loss-{name}-by-area"), title), |chart, area| {
-        chart.series(Series::new(format!("S = {area}"), coupled.origin(), coupled.loss(4, form, area)))
+fn by_area(coupled: &Coupled) -> Chart {
+    let title = "Loss of 16 x 16 stacks by depth of packet queues".to_owned();
+    coupled.areas().into_iter().fold(chart("loss-by-area".to_owned(), title, PACKETS), |chart, area| {
+        chart.series(Series::new(format!("S = {area}"), coupled.origin(), coupled.loss(4, "stack", area)))
     })
 }
 
-fn loss(id: String, title: String) -> Chart {
-    Chart::new(id, title, Axis::log("packets in each queue"), Axis::linear("loss"))
+fn by_windows(coupled: &Coupled) -> Chart {
+    let title = format!("Idle part of the slowest level by depth of window queues, rectangles of {AREA} pixels");
+    (0..=4).fold(chart("idle-pipelines".to_owned(), title, "windows in each queue"), |chart, k| {
+        chart.series(Series::new(format!("k = {k}"), coupled.origin(), coupled.idling(k)))
+    })
+}
+
+const PACKETS: &str = "packets in each queue";
+
+fn chart(id: String, title: String, depth: &str) -> Chart {
+    Chart::new(id, title, Axis::log(depth), Axis::linear("loss"))
 }

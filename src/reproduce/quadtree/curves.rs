@@ -1,7 +1,7 @@
 //! Figures 3 to 6 of the paper: curves of its formulas, and points that were counted.
 
 use super::found::Found;
-use super::{SIZES, areas, built_size, by_formula, matrix, shape};
+use super::{SIZES, areas, by_formula, matrix, shape};
 use tilewright_machines::quadtree::Figures;
 use tilewright_machines::quadtree::model::Measured;
 use tilewright_report::{Axis, Chart, Origin, Section, Series};
@@ -30,19 +30,24 @@ pub fn windows(found: &Found) -> Section {
 }
 
 /// Figure 4: how large windows are, in parts of their spacing.
-pub fn window_sizes() -> Section {
+pub fn window_sizes(found: &Found) -> Section {
     let chart =
         Chart::new("window-sizes", "Relative size of windows, a_i", Axis::linear("level i"), Axis::linear("a_i"));
-    let chart = SIZES.into_iter().fold(chart, |chart, k| {
-        let matrix = matrix(k);
-        let by_formula = (1..=matrix.levels).map(|level| (f64::from(level), matrix.relative_window(level).0));
-        let as_built = (1..=matrix.levels).map(|level| (f64::from(level), built_size(k, level)));
-        beside(chart, &format!("k = {k}"), by_formula, Origin::model([]), as_built)
+    let chart = found.window_sizes.iter().fold(chart, |chart, sizes| {
+        let (matrix, name) = (sizes.matrix, format!("k = {}", sizes.matrix.p.ilog2()));
+        let by_level =
+            |sizes: &[f64]| (1..).zip(sizes).map(|(level, size)| (f64::from(level), *size)).collect::<Vec<_>>();
+        let by_formula: Vec<f64> = (1..=matrix.levels).map(|level| matrix.relative_window(level).0).collect();
+        chart
+            .series(Series::new(&name, Origin::Formula, by_level(&by_formula)))
+            .series(Series::new(&name, Origin::model([]), by_level(&sizes.model)))
+            .series(Series::new(&name, Origin::rtl([]), by_level(&sizes.hardware)))
     });
     Section::new("Figure 4: relative window sizes")
         .paragraph(
             "With an aperture of 2 the windows of the last level are smaller than their spacing if k > 1: a small polygon can fall between \
-             them. The points are sizes in whole pixels as the coverage tests have them, over the spacing.",
+             them. The points are measured: a square of a quarter of a pixel walks along a line, and the counters say how many windows it \
+             is in.",
         )
         .part(chart)
 }
@@ -110,15 +115,4 @@ fn measured(
         found.ran.rtl(),
         found.ran.on_hardware(k, &of),
     ))
-}
-
-/// The chart with a curve by formula, and what was found beside it.
-fn beside(
-    chart: Chart,
-    name: &str,
-    by_formula: impl Iterator<Item = (f64, f64)>,
-    origin: Origin,
-    found: impl Iterator<Item = (f64, f64)>,
-) -> Chart {
-    chart.series(Series::new(name, Origin::Formula, by_formula)).series(Series::new(name, origin, found))
 }

@@ -1,16 +1,18 @@
 //! What was found: counted, run, coupled, drawn.
 
+use super::SIZES;
 use super::frames::{self, Drawn};
 use crate::reproduce::Effort;
 use crate::shell::Failure;
 use tilewright_machines::quadtree::Point;
-use tilewright_machines::quadtree::model::{Measured, Outcome, SweepPoint};
+use tilewright_machines::quadtree::model::{Measured, Outcome, SweepPoint, WindowSizes};
 use tilewright_machines::{Error, Watch};
 use tilewright_report::Origin;
 
 /// All that the page is made of.
 pub struct Found {
     pub counted: Counted,
+    pub window_sizes: Vec<WindowSizes>,
     pub ran: Ran,
     pub coupled: Coupled,
     pub frames: Vec<Drawn>,
@@ -21,13 +23,16 @@ impl Found {
     pub fn all(effort: Effort, watch: &mut Watch) -> Result<Option<Found>, Failure> {
         let seed = effort.seed;
         let Some(points) = effort.study().run(watch).map_err(Error::from)? else { return Ok(None) };
+        let Some(window_sizes) = WindowSizes::measure(10, &SIZES, watch)? else { return Ok(None) };
         let Some(outcomes) = effort.trials().run(watch)? else { return Ok(None) };
-        let Some(sweep) = effort.sweep().run(watch).map_err(Error::from)? else { return Ok(None) };
+        let Some(by_packets) = effort.sweep().run(watch).map_err(Error::from)? else { return Ok(None) };
+        let Some(by_windows) = effort.window_sweep().run(watch).map_err(Error::from)? else { return Ok(None) };
         let frames = frames::drawn(effort, watch)?;
         Ok(Some(Found {
             counted: Counted { points, seed },
+            window_sizes,
             ran: Ran { outcomes, seed },
-            coupled: Coupled { points: sweep, seed },
+            coupled: Coupled { by_packets, by_windows, seed },
             frames,
         }))
     }
@@ -98,7 +103,8 @@ impl Ran {
 
 /// What queues of some depths lose.
 pub struct Coupled {
-    points: Vec<SweepPoint>,
+    by_packets: Vec<SweepPoint>,
+    by_windows: Vec<SweepPoint>,
     seed: u64,
 }
 
@@ -109,7 +115,7 @@ impl Coupled {
 
     /// The areas, each once.
     pub fn areas(&self) -> Vec<f64> {
-        let mut areas: Vec<f64> = self.points.iter().map(|point| point.sample.area).collect();
+        let mut areas: Vec<f64> = self.by_packets.iter().map(|point| point.sample.area).collect();
         areas.dedup();
         areas
     }
@@ -117,7 +123,17 @@ impl Coupled {
     /// The part that a matrix loses, by the depth of its packet queues.
     pub fn loss(&self, k: u32, form: &str, area: f64) -> Vec<(f64, f64)> {
         let is_it = |it: &&SweepPoint| it.matrix.p == 1 << k && it.form == form && it.sample.area == area;
-        let by_depth = self.points.iter().filter(is_it).flat_map(|point| &point.by_depth);
+        let by_depth = self.by_packets.iter().filter(is_it).flat_map(|point| &point.by_depth);
         by_depth.map(|it| (f64::from(it.packets), it.loss)).collect()
+    }
+
+    /// The part of the clocks in which the slowest level of the pipes does not work, on the mean, by the depth of their window queues.
+    pub fn idling(&self, k: u32) -> Vec<(f64, f64)> {
+        let points = self.by_windows.iter().filter(|it| it.matrix.p == 1 << k);
+        let idling = |point: &SweepPoint| {
+            let slowest = point.by_depth[0].load.iter().skip(1).copied().fold(0.0, f64::max);
+            (f64::from(point.windows), 1.0 - slowest)
+        };
+        points.map(idling).collect()
     }
 }

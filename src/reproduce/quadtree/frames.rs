@@ -25,7 +25,7 @@ pub struct Drawn {
 
 /// Draws all frames.
 pub fn drawn(effort: Effort, watch: &mut Watch) -> Result<Vec<Drawn>, Failure> {
-    effort.frames().into_iter().map(|(scene, side)| draw(scene, side, effort.frame_size(), watch)).collect()
+    effort.frames().iter().map(|&(scene, side)| draw(scene, side, effort.frame_size(), watch)).collect()
 }
 
 fn draw(name: &'static str, side: u32, size: Size, watch: &mut Watch) -> Result<Drawn, Failure> {
@@ -88,15 +88,15 @@ pub fn section(frames: &[Drawn]) -> Section {
          clocks is counted by the hardware itself.",
     );
     frames.iter().enumerate().fold(section, |section, (number, drawn)| {
-        let section = section.part(picture(drawn)).part(busy(drawn));
-        // The levels of 256 processors are no picture.
+        let section = section.part(picture(drawn));
+        // The pattern and the levels of 256 processors are no picture.
         match number {
-            0 => section.part(owners(drawn)).part(stages(drawn, "busy", |it| it.busy)).part(stages(
+            0 => section.part(owners(drawn)).part(busy(drawn)).part(stages(drawn, "busy", |it| it.busy)).part(stages(
                 drawn,
                 "stalled",
                 |it| it.stalled,
             )),
-            _ => section,
+            _ => section.part(busy(drawn)),
         }
     })
 }
@@ -121,12 +121,15 @@ fn picture(drawn: &Drawn) -> Picture {
 /// How large the part of a frame is that shows who drew which pixel.
 const PART: (u32, u32) = (40, 30);
 
-/// The middle of the frame: a colour for each video processor.
+/// The part of the frame around its first pixel: a colour for each video processor.
 fn owners(drawn: &Drawn) -> Picture {
     let (size, (p, q)) = (drawn.frame.size(), (drawn.report.machine.p, drawn.report.machine.q));
     let (width, height) = (PART.0.min(size.width()), PART.1.min(size.height()));
-    let (left, top) = ((size.width() - width) / 2, (size.height() - height) / 2);
     let nothing = tilewright_scenes::frame::blank(drawn.background);
+    let first = drawn.frame.words.iter().position(|word| *word != nothing).unwrap_or(0) as u32;
+    let (x, y) = (first % size.width(), first / size.width());
+    let left = x.saturating_sub(width / 2).min(size.width() - width);
+    let top = y.saturating_sub(height / 6).min(size.height() - height);
     let owner = |x: u32, y: u32| match drawn.frame.word(x, y) == nothing {
         true => [24, 24, 24],
         false => colour(x % p, y % q, (p, q)),
@@ -135,7 +138,7 @@ fn owners(drawn: &Drawn) -> Picture {
     let words = words.map(|(x, y)| tilewright_scenes::frame::word(0, owner(x, y))).collect();
     let size = Size::new(width, height).expect("in range");
     let part = Frame::from_words(size, words).expect("a word for each pixel");
-    let title = format!("Who drew which pixel: the middle of {}", drawn.scene);
+    let title = format!("Who drew which pixel: the top of {}", drawn.scene);
     let alt = format!("a pattern of {p} x {q} colours where there are polygons");
     Picture::new(drawn.id("owners"), title, alt, part.to_png()).note(format!(
         "A colour for each of {p}x{q} video processors; dark is where no polygon is. The video controller reads a pixel from the buffer of the \

@@ -44,7 +44,7 @@ pub fn page(effort: Effort, watch: &mut Watch) -> Result<Option<Page>, Failure> 
         )
         .section(Section::new("Statements").part(statements::verdicts(&found)))
         .section(curves::windows(&found))
-        .section(curves::window_sizes())
+        .section(curves::window_sizes(&found))
         .section(curves::stacks(&found))
         .section(curves::pipelines(&found))
         .section(coupling::section(&found))
@@ -62,11 +62,6 @@ fn command(Effort { seed, polygons }: Effort) -> String {
 /// The matrix of 2^k x 2^k of the paper.
 fn matrix(k: u32) -> Matrix {
     Matrix::square(k, 10)
-}
-
-/// The width of the windows of a level as the coverage tests have them, in parts of their spacing.
-fn built_size(k: u32, level: u32) -> f64 {
-    f64::from(matrix(k).window(level).0) / f64::from(matrix(k).spacing(level).0)
 }
 
 /// The paper's rectangle of that area.

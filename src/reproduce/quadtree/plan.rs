@@ -9,8 +9,8 @@ use tilewright_scenes::{Polygons, Size};
 /// Rectangles of each area of the turning points: counted, and run.
 const AT_TURNING: [(f64, u64, u64); 3] =
     [(TURNING[0], 8_000, 1000), (TURNING[1], 8_000, 500), (TURNING[2], 8_000, 300)];
-/// The areas that a quick look gives to the hardware, which takes longest.
-const QUICK_AREAS: [f64; 2] = [1.0, 100.0];
+/// The area that a quick look gives to the hardware, which takes longest.
+const QUICK_AREA: f64 = 1.0;
 
 impl Effort {
     fn is_quick(&self) -> bool {
@@ -38,7 +38,7 @@ impl Effort {
         trials.trials.sort_by(|a, b| a.sample.area.total_cmp(&b.sample.area));
         for trial in &mut trials.trials {
             trial.sample = self.reduced(trial.sample);
-            trial.on_hardware &= !self.is_quick() || QUICK_AREAS.contains(&trial.sample.area);
+            trial.on_hardware &= !self.is_quick() || trial.sample.area == QUICK_AREA;
         }
         trials
     }
@@ -50,9 +50,17 @@ impl Effort {
         sweep
     }
 
+    /// The runs of pipes whose queues of windows have many depths, before each of which one packet has room.
+    pub fn window_sweep(&self) -> Sweep {
+        let samples = vec![self.reduced(Sample { area: 100.0, polygons: 1000 })];
+        let forms = vec!["pipe".to_owned()];
+        Sweep { forms, packets: vec![1], windows: vec![1, 2, 4, 8, 16, 32, 64], samples, ..Sweep::paper(self.seed) }
+    }
+
     /// The frames: scenes, and sides of the matrix.
-    pub fn frames(&self) -> [(&'static str, u32); 3] {
-        [("teapot", 4), ("ter1k", 4), ("teapot", 16)]
+    pub fn frames(&self) -> &'static [(&'static str, u32)] {
+        let all = &[("teapot", 4), ("ter1k", 4), ("teapot", 16)];
+        if self.is_quick() { &all[..1] } else { all }
     }
 
     /// Their size.

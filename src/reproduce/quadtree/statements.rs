@@ -1,13 +1,15 @@
 //! What the paper states of its machine, each with the rule by which it is judged.
 
 use super::found::{Counted, Coupled, Found, Ran};
-use super::{SIZES, TURNING, built_size, by_formula, matrix, shape};
+use super::{SIZES, TURNING, by_formula, matrix, shape};
+use tilewright_machines::quadtree::model::WindowSizes;
 use tilewright_machines::quadtree::{Figures, Point, full_tree};
 use tilewright_report::{Origin, Rule, Statement, Verdicts};
 
 /// All statements, in the order of the paper.
-pub fn verdicts(Found { counted, ran, coupled, .. }: &Found) -> Verdicts {
-    let statements = [windows(counted), sizes(), stacks(counted), pipelines(counted), as_run(ran), queues(coupled)];
+pub fn verdicts(Found { counted, window_sizes, ran, coupled, .. }: &Found) -> Verdicts {
+    let statements =
+        [windows(counted), sizes(window_sizes), stacks(counted), pipelines(counted), as_run(ran), queues(coupled)];
     Verdicts::new("statements", "Statements of the paper, each by the rule beneath it")
         .states(statements.into_iter().flatten())
 }
@@ -107,27 +109,29 @@ fn windows(counted: &Counted) -> Vec<Statement> {
 }
 
 /// Figure 4.
-fn sizes() -> Vec<Statement> {
-    let of = |k: u32| {
-        (1..=matrix(k).levels).rev().map(move |level| (format!("k = {k}, level {level}"), built_size(k, level)))
+fn sizes(found: &[WindowSizes]) -> Vec<Statement> {
+    let at = |k: u32, level: u32| format!("k = {k}, level {level}");
+    let of = |WindowSizes { matrix, hardware, .. }: &WindowSizes| {
+        let of_level = |level| (at(matrix.p.ilog2(), level), hardware[level as usize - 1]);
+        (1..=matrix.levels).rev().map(of_level).collect::<Vec<_>>()
+    };
+    let by_formula = |WindowSizes { matrix, .. }: &WindowSizes| {
+        let of_level = |level| (at(matrix.p.ilog2(), level), matrix.relative_window(level).0);
+        (1..=matrix.levels).rev().map(of_level).collect::<Vec<_>>()
     };
     vec![
         Statement::new("MPG-EQ2", "Relative window sizes are those of equation 2.", Rule::Equals)
-            .formula(SIZES.into_iter().flat_map(|k| {
-                (1..=matrix(k).levels)
-                    .rev()
-                    .map(move |level| (format!("k = {k}, level {level}"), matrix(k).relative_window(level).0))
-            }))
-            .found(Origin::model([]), SIZES.into_iter().flat_map(of)),
+            .formula(found.iter().flat_map(by_formula))
+            .found(Origin::rtl([]), found.iter().flat_map(of)),
         Statement::new("MPG-F4", "For k > 1 windows are smaller than their spacing.", Rule::AtMost)
             .paper([1.0])
-            .found(Origin::model([]), [2, 3, 4].into_iter().flat_map(of)),
+            .found(Origin::rtl([]), found.iter().filter(|it| it.matrix.p > 2).flat_map(of)),
         Statement::new(
             "MPG-F4",
             "They come nearer to it from the last level to the first: k = 4.",
             Rule::Increases { with: with("the spacing") },
         )
-        .found(Origin::model([]), of(4)),
+        .found(Origin::rtl([]), found.iter().filter(|it| it.matrix.p == 16).flat_map(of)),
     ]
 }
 
@@ -311,13 +315,13 @@ fn queues(coupled: &Coupled) -> Vec<Statement> {
         loosely("stack", "stacks", 1.0, "one packet"),
         Statement::new(
             "MPG-LIM",
-            "Deeper queues lose less: pipelines, k = 4, S = 100.",
+            "Deeper queues lose no more: pipelines, k = 4, S = 100.",
             Rule::NeverIncreases { with: with("the depth") },
         )
         .found(coupled.origin(), coupled.loss(4, "pipe", 100.0).into_iter().map(by_depth)),
         Statement::new(
             "MPG-LIM",
-            "Deeper queues lose less: stacks, k = 4, S = 100.",
+            "Deeper queues lose no more: stacks, k = 4, S = 100.",
             Rule::NeverIncreases { with: with("the depth") },
         )
         .found(coupled.origin(), coupled.loss(4, "stack", 100.0).into_iter().map(by_depth)),
