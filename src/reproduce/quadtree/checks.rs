@@ -2,7 +2,7 @@
 
 use super::found::Found;
 use tilewright_machines::quadtree::model::OnHardware;
-use tilewright_report::{Rule, Section, Statement, Verdicts};
+use tilewright_report::{Cell, Rule, Section, Statement, Table, Verdicts};
 
 /// The section of the checks.
 pub fn section(found: &Found) -> Section {
@@ -13,6 +13,19 @@ pub fn section(found: &Found) -> Section {
              rectangles, and {numbers} counters and clocks were compared one by one."
         ))
         .part(verdicts(found))
+        .part(samples(found))
+}
+
+/// How many rectangles there are of each area.
+fn samples(found: &Found) -> Table {
+    let columns = ["area S, pixels", "plain count", "transaction model", "RTL"];
+    let table = Table::new("samples", "Random rectangles of each area", columns);
+    found.ran.outcomes.iter().filter(|it| it.matrix.p == 1).fold(table, |table, ran| {
+        let counted = &found.counted.at(0, ran.sample.area).sample;
+        let on_hardware = if ran.hardware.is_some() { ran.sample.polygons } else { 0 };
+        let numbers = [counted.polygons, ran.sample.polygons, on_hardware].map(|polygons| polygons as f64);
+        table.row([counted.area].into_iter().chain(numbers).map(Cell::from))
+    })
 }
 
 fn verdicts(found: &Found) -> Verdicts {

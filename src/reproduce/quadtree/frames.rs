@@ -176,3 +176,18 @@ fn stages(drawn: &Drawn, what: &str, of: fn(&UnitReport) -> u64) -> HeatMap {
          matrix.",
     )
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeSet;
+
+    #[test]
+    fn each_processor_has_a_colour_of_its_own() {
+        let colours =
+            |p: u32, q: u32| (0..p).flat_map(|i| (0..q).map(move |j| colour(i, j, (p, q)))).collect::<BTreeSet<_>>();
+        for (p, q) in [(1, 1), (4, 4), (2, 8), (16, 16)] {
+            assert_eq!(colours(p, q).len() as u32, p * q);
+        }
+    }
+}
