@@ -64,7 +64,8 @@ impl Axis {
 pub struct Series {
     /// What it is a curve of.
     pub name: String,
-    /// Where its numbers come from: formulas are lines, a model's points are hollow, the hardware's filled, a paper's crosses.
+    /// Where its numbers come from: formulas are lines, plain counts plus signs, a transaction-level model's points hollow, the
+    /// hardware's filled and small, so that both are seen where they agree, a paper's crosses.
     pub origin: Origin,
     /// The points.
     pub points: Vec<(f64, f64)>,
@@ -92,7 +93,7 @@ impl Series {
 ///     .series(Series::new("k = 1", Origin::Formula, [(1.0, 0.9), (10.0, 0.95)]))
 ///     .series(Series::new("k = 1", Origin::rtl([7]), [(10.0, 0.93)]))
 ///     .note("Rectangles of 5:1 at random angles.");
-/// assert_eq!(chart.csv_text().lines().nth(2), Some("k = 1,10,0.95,,0.93,,,7"));
+/// assert_eq!(chart.csv_text().lines().nth(2), Some("k = 1,10,0.95,,,0.93,,,,7"));
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Chart {
@@ -111,7 +112,7 @@ impl Chart {
     /// use tilewright_report::{Axis, Chart};
     ///
     /// let chart = Chart::new("load", "Load", Axis::log("area"), Axis::linear("load"));
-    /// assert_eq!(chart.csv_text(), "series,area,formula,transaction model,RTL,paper,transaction model seeds,RTL seeds\n");
+    /// assert_eq!(chart.csv_text(), "series,area,formula,plain count,transaction model,RTL,paper,plain count seeds,transaction model seeds,RTL seeds\n");
     /// ```
     pub fn new(id: impl Into<String>, title: impl Into<String>, x: Axis, y: Axis) -> Chart {
         Chart { id: id.into(), title: title.into(), note: String::new(), x, y, series: Vec::new() }
@@ -136,7 +137,7 @@ impl Chart {
     ///
     /// let chart = Chart::new("load", "Load", Axis::log("area"), Axis::linear("load"));
     /// let chart = chart.series(Series::new("k = 1", Origin::Formula, [(1.0, 0.9)]));
-    /// assert_eq!(chart.csv_text().lines().nth(1), Some("k = 1,1,0.9,,,,,"));
+    /// assert_eq!(chart.csv_text().lines().nth(1), Some("k = 1,1,0.9,,,,,,,"));
     /// ```
     pub fn series(mut self, series: Series) -> Chart {
         self.series.push(series);
@@ -150,18 +151,18 @@ impl Chart {
     ///
     /// let chart = Chart::new("load", "Load", Axis::log("area"), Axis::linear("load"));
     /// let chart = chart.series(Series::new("k = 1", Origin::model([3, 4]), [(1.0, 0.9)]));
-    /// assert_eq!(chart.csv_text().lines().nth(1), Some("k = 1,1,,0.9,,,3 4,"));
+    /// assert_eq!(chart.csv_text().lines().nth(1), Some("k = 1,1,,,0.9,,,,3 4,"));
     /// ```
     pub fn csv_text(&self) -> String {
         let mut names = vec!["series".to_owned(), self.x.label.clone()];
         names.extend(Origin::NAMES.map(str::to_owned));
-        names.extend(Origin::NAMES[MEASURED].iter().map(|name| format!("{name} seeds")));
+        names.extend(Origin::NAMES[Origin::MEASURED].iter().map(|name| format!("{name} seeds")));
         let rows = self.rows().into_iter().map(|row| {
             let mut cells = vec![row.name.to_owned(), csv::cell(row.x)];
             cells.extend(row.values.iter().map(|value| value.map_or(String::new(), |(value, _)| csv::cell(value))));
             let seeds =
                 |value: &Option<(f64, &Origin)>| value.map_or(String::new(), |(_, origin)| origin.seeds_in_words());
-            cells.extend(row.values[MEASURED].iter().map(seeds));
+            cells.extend(row.values[Origin::MEASURED].iter().map(seeds));
             cells
         });
         String::from_utf8_lossy(&csv::csv([names].into_iter().chain(rows))).into_owned()
@@ -181,7 +182,7 @@ impl Chart {
                         .position(|row| row.x.total_cmp(&x).is_eq() && row.values[column].is_none());
                     let row = free.map_or(rows.len(), |index| first + index);
                     if row == rows.len() {
-                        rows.push(Row { name, x, values: [None; 4] });
+                        rows.push(Row { name, x, values: [None; 5] });
                     }
                     rows[row].values[column] = Some((y, &series.origin));
                 }
@@ -226,8 +227,9 @@ impl Chart {
     }
 
     fn table(&self) -> Markup {
-        let used: Vec<usize> =
-            (0..4).filter(|column| self.series.iter().any(|series| series.origin.column() == *column)).collect();
+        let used: Vec<usize> = (0..Origin::NAMES.len())
+            .filter(|column| self.series.iter().any(|series| series.origin.column() == *column))
+            .collect();
         html! {
             table.data {
                 thead {
@@ -261,12 +263,9 @@ impl Chart {
     }
 }
 
-/// The columns of what is measured.
-const MEASURED: std::ops::Range<usize> = 1..3;
-
 /// The values at one x.
 struct Row<'a> {
     name: &'a str,
     x: f64,
-    values: [Option<(f64, &'a Origin)>; 4],
+    values: [Option<(f64, &'a Origin)>; 5],
 }

@@ -176,6 +176,7 @@ impl Statement {
 
     /// A row for each place.
     fn rows(&self) -> Vec<Vec<String>> {
+        let verdict = self.verdict().to_string();
         let row = |at: &str| {
             // A number without a place counts for all.
             let value = |numbers: &Option<Numbers>| {
@@ -192,7 +193,7 @@ impl Statement {
             row.extend(value(&self.reference));
             row.extend(value(&self.found));
             row.push(self.found.as_ref().map_or(String::new(), |found| found.origin.seeds_in_words()));
-            row.push(self.verdict().to_string());
+            row.push(verdict.clone());
             row
         };
         let places = [&self.found, &self.reference]
@@ -311,6 +312,19 @@ impl Verdicts {
     /// ```
     pub fn state(mut self, statement: Statement) -> Verdicts {
         self.statements.push(statement);
+        self
+    }
+
+    /// Adds several.
+    ///
+    /// ```
+    /// use tilewright_report::{Rule, Statement, Verdicts};
+    ///
+    /// let asked = ["A", "B"].map(|fact| Statement::new(fact, "Nobody asked", Rule::Equals));
+    /// assert_eq!(Verdicts::new("table", "Statements").states(asked).count(), [0, 0, 2]);
+    /// ```
+    pub fn states(mut self, statements: impl IntoIterator<Item = Statement>) -> Verdicts {
+        self.statements.extend(statements);
         self
     }
 

@@ -60,6 +60,8 @@ pub enum Rule {
     },
     /// Exactly the reference.
     Equals,
+    /// Exactly 0, with no reference: of what must not be, such as pixels that differ.
+    Zero,
     /// The reference or less.
     AtMost,
     /// The reference or more.
@@ -174,7 +176,7 @@ impl fmt::Display for Verdict {
 }
 
 impl Rule {
-    /// Compares what was found with a reference; a rule of growth needs none.
+    /// Compares what was found with a reference; [`Rule::Zero`] and a rule of growth need none.
     ///
     /// ```
     /// use tilewright_report::Rule;
@@ -186,6 +188,7 @@ impl Rule {
         let differences = match self.trend() {
             _ if found.is_empty() => Err("nothing was found".to_owned()),
             Some(is_kept) => steps(found, is_kept),
+            None if *self == Rule::Zero => Rule::Equals.distances(&[0.0.into()], found),
             None => self.distances(reference, found),
         };
         match differences {
@@ -279,6 +282,7 @@ pub(crate) fn in_words(rule: &Rule, reference: &str) -> String {
         Rule::Within { percent } => format!("within {percent} % of {reference}"),
         Rule::WithinFactor { factor } => format!("within a factor of {factor} of {reference}"),
         Rule::Equals => format!("exactly {reference}"),
+        Rule::Zero => "exactly 0".to_owned(),
         Rule::AtMost => format!("at most {reference}"),
         Rule::AtLeast => format!("at least {reference}"),
         Rule::Increases { with } => format!("increases with {with}, at each step"),

@@ -49,6 +49,14 @@ fn within_a_factor_of_the_reference() {
 }
 
 #[test]
+fn nothing_of_what_must_not_be() {
+    assert_eq!(Rule::Zero.judge(&[], &points([("teapot", 0.0), ("terrain", 0.0)])).to_string(), "holds");
+    let one = points([("teapot", 0.0), ("terrain", 3.0)]);
+    assert_eq!(Rule::Zero.judge(&[], &one).to_string(), "differs by 3 from 0 (terrain)");
+    assert_eq!(Rule::Zero.judge(&[], &[]).to_string(), "cannot be compared: nothing was found");
+}
+
+#[test]
 fn the_reference_itself_or_a_bound() {
     let cases = [
         (Rule::Equals, 316_864.0, "holds"),

@@ -11,7 +11,8 @@
 //! scenes, packets -> Machine --> frame, windows and clocks of the hardware -'
 //! ```
 //!
-//! [`model`] has the clocks of a running matrix, packet by packet, as the hardware has them but without it, and what coupling by queues costs.
+//! [`model`] has the clocks of a running matrix, packet by packet, as the hardware has them but without it; what coupling by queues costs; and
+//! the same figures from the counters of the model and of the hardware.
 //!
 //! Source: the Russian paper on matrix-pipeline image generators, facts A2 and A3 (MPG).
 

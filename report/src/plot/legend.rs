@@ -1,6 +1,6 @@
 //! The legend: which shape and dashes are which series, and which kind of mark is which origin.
 
-use super::mark::{CROSS, LOOKS, outline};
+use super::mark::{CROSS, LOOKS, PLUS, inside, outline};
 use super::svg::points;
 use crate::chart::Chart;
 use crate::origin::Origin;
@@ -33,17 +33,20 @@ fn of_name<'a>(chart: &'a Chart, name: &str) -> Vec<&'a Origin> {
 
 /// A line and a mark as they are in the chart.
 fn sample(look: &str, origins: &[&Origin], number: usize) -> Markup {
-    let has = |wanted: fn(&Origin) -> bool| origins.iter().any(|origin| wanted(origin));
-    let is_formula = has(|origin| *origin == Origin::Formula);
-    let is_measured = has(Origin::is_measured);
-    let is_filled = has(|origin| matches!(origin, Origin::Rtl { .. }));
+    let is_formula = origins.contains(&&Origin::Formula);
+    let [is_count, is_model, is_rtl] = [1, 2, 3].map(|column| origins.iter().any(|origin| origin.column() == column));
+    // A name is known by the shape of its marks, which strokes would hide.
+    let strokes = match (is_model || is_rtl, is_count, origins.contains(&&Origin::Paper)) {
+        (false, true, _) => &PLUS[..],
+        (false, false, true) => &CROSS,
+        _ => &[],
+    };
     html! {
         svg.sample viewBox="-15 -7 30 14" aria-hidden="true" {
             @if is_formula { polyline class={ "curve " (look) } points="-15,0 15,0" {} }
-            @if is_measured { polygon class={ (if is_filled { "filled " } else { "hollow " }) (look) } points=(points(outline(number))) {} }
-            @if !is_measured && has(|origin| *origin == Origin::Paper) {
-                @for stroke in CROSS { polyline class={ "cross " (look) } points=(points(stroke)) {} }
-            }
+            @if is_model { polygon class={ "hollow " (look) } points=(points(outline(number))) {} }
+            @if is_rtl { polygon class={ "filled " (look) } points=(points(inside(number))) {} }
+            @for stroke in strokes { polyline class={ "cross " (look) } points=(points(stroke.iter().copied())) {} }
         }
     }
 }

@@ -74,25 +74,33 @@ pub fn classes(colour: BackendColor) -> String {
 
 /// The mark of a point: by its shape the series' name, by its paint the origin. A formula's points have none.
 pub fn mark(number: usize, origin: &Origin, at: (f64, f64)) -> Vec<DynElement<'static, Svg, (f64, f64)>> {
-    let polygon = |paint: Paint| {
-        let shape = Polygon::new(outline(number), paint.colour(number));
+    let polygon = |paint: Paint, outline: Vec<(i32, i32)>| {
+        let shape = Polygon::new(outline, paint.colour(number));
         vec![(EmptyElement::at(at) + shape).into_dyn()]
+    };
+    let strokes = |strokes: [[(i32, i32); 2]; 2]| {
+        let stroke = |stroke: [(i32, i32); 2]| PathElement::new(stroke.to_vec(), Paint::Cross.line(number));
+        strokes.map(|it| (EmptyElement::at(at) + stroke(it)).into_dyn()).into()
     };
     match origin {
         Origin::Formula => vec![],
-        Origin::Model { .. } => polygon(Paint::Hollow),
-        Origin::Rtl { .. } => polygon(Paint::Filled),
-        Origin::Paper => CROSS
-            .map(|stroke| {
-                let stroke = PathElement::new(stroke.to_vec(), Paint::Cross.line(number));
-                (EmptyElement::at(at) + stroke).into_dyn()
-            })
-            .into(),
+        Origin::Count { .. } => strokes(PLUS),
+        Origin::Model { .. } => polygon(Paint::Hollow, outline(number)),
+        Origin::Rtl { .. } => polygon(Paint::Filled, inside(number)),
+        Origin::Paper => strokes(CROSS),
     }
 }
 
 /// The strokes of a cross, in tenths around its centre.
 pub const CROSS: [[(i32, i32); 2]; 2] = [[(-45, -45), (45, 45)], [(-45, 45), (45, -45)]];
+
+/// The strokes of a plus sign, likewise.
+pub const PLUS: [[(i32, i32); 2]; 2] = [[(-45, 0), (45, 0)], [(0, -45), (0, 45)]];
+
+/// A mark that leaves the outline around it free.
+pub fn inside(number: usize) -> Vec<(i32, i32)> {
+    outline(number).into_iter().map(|(x, y)| (x * 5 / 8, y * 5 / 8)).collect()
+}
 
 /// The shape of a series' marks, in tenths around its centre: circle, square, triangle, diamond, triangle on its tip, pentagon.
 pub fn outline(number: usize) -> Vec<(i32, i32)> {

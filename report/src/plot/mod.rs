@@ -136,7 +136,7 @@ fn line(chart: &Chart, series: &Series) -> Option<Paint> {
     match series.origin {
         Origin::Formula => Some(Paint::Curve),
         // Without a curve of their own, points are joined for the eye.
-        Origin::Model { .. } | Origin::Rtl { .. } => (!has_curve()).then_some(Paint::Thread),
+        Origin::Count { .. } | Origin::Model { .. } | Origin::Rtl { .. } => (!has_curve()).then_some(Paint::Thread),
         Origin::Paper => None,
     }
 }

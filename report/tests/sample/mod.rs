@@ -16,7 +16,7 @@ pub fn page() -> Page {
     Page::new("Every part of a report page", provenance)
         .paragraph(
             "This page shows what a report is made of, with formulas of the sparse-raster quadtree paper. Nothing ran for it: \
-             what is marked as RTL or transaction model is made up from the formulas, to show how it looks.",
+             what is marked as RTL, transaction model or plain count is made up from the formulas, to show how it looks.",
         )
         .section(Section::new("Statements of the paper").part(verdicts()))
         .section(
@@ -55,6 +55,7 @@ fn windows() -> Chart {
         let below = |share: f64| move |area: f64| (area, windows_of(k, area) * share);
         chart = chart
             .series(Series::new(&name, Origin::Formula, curve))
+            .series(Series::new(&name, Origin::count([1]), areas(15).map(below(0.98))))
             .series(Series::new(&name, Origin::model([1, 2, 3]), areas(10).map(below(0.97))))
             .series(Series::new(&name, Origin::rtl([1, 2, 3]), areas(5).map(below(0.96))));
         if let Some(area) = [1.8, 23.3, 157.0].get((k - 2) as usize) {

@@ -1,81 +1,118 @@
 //! Figures 3 to 6 of the paper: curves of its formulas, and points that were counted.
 
-use super::{Counted, SIZES, areas, built_size, matrix, shape};
+use super::found::Found;
+use super::{SIZES, areas, by_formula, matrix, shape};
 use tilewright_machines::quadtree::Figures;
+use tilewright_machines::quadtree::model::Measured;
 use tilewright_report::{Axis, Chart, Origin, Section, Series};
 
 const AREA: &str = "area S, pixels";
 
 /// Figure 3: the windows of each level, a chart for each matrix.
-pub fn windows(counted: &Counted) -> Section {
-    let section = Section::new("Figure 3: windows of each level").paragraph(
-        "On the first levels a polygon is in one window, on the last ones in as many as it has pixels there. The lines are the paper's upper \
-         bound of the mean, equation 1; the points are means over rectangles that lie on the screen as a whole.",
-    );
+pub fn windows(found: &Found) -> Section {
+    let section = Section::new("Figure 3: windows of each level").paragraph(format!(
+        "On the first levels a polygon is in one window, on the last ones in as many as it has pixels there. The lines are the paper’s upper \
+         bound of the mean, equation 1; the points are means over rectangles that lie on the screen as a whole. As their corners are snapped \
+         to 1/16 pixel, the mean area of those that are counted is off by up to {:.2} %.",
+        100.0 * found.counted.snapping()
+    ));
     SIZES.into_iter().fold(section, |section, k| {
         let matrix = matrix(k);
         let title = format!("Windows per polygon in each of {} processors (k = {k})", matrix.processors());
         let chart = Chart::new(format!("windows-{k}"), title, Axis::log(AREA), Axis::log("windows per polygon"));
-        section.part((1..=matrix.levels).fold(chart, |chart, level| {
-            let name = format!("level {level}");
-            let bound = areas().map(|area| (area, matrix.windows_of(shape(area), level)));
-            let found = counted.of(k).map(|point| (point.area, point.windows[level as usize].mean));
-            beside(chart, &name, bound, Origin::model([counted.seed]), found)
+        section.part((1..=matrix.levels).fold(chart, |chart, number| {
+            let (name, level) = (format!("level {number}"), number as usize);
+            let counted = found.counted.of(k).map(|point| (point.sample.area, point.windows[level].mean)).collect();
+            let bound = |area| matrix.windows_of(shape(area), number);
+            measured(found, chart, k, &name, bound, Some(counted), |it| it.windows[level])
         }))
     })
 }
 
 /// Figure 4: how large windows are, in parts of their spacing.
-pub fn window_sizes() -> Section {
+pub fn window_sizes(found: &Found) -> Section {
     let chart =
         Chart::new("window-sizes", "Relative size of windows, a_i", Axis::linear("level i"), Axis::linear("a_i"));
-    let chart = SIZES.into_iter().fold(chart, |chart, k| {
-        let matrix = matrix(k);
-        let by_formula = (1..=matrix.levels).map(|level| (f64::from(level), matrix.relative_window(level).0));
-        let as_built = (1..=matrix.levels).map(|level| (f64::from(level), built_size(k, level)));
-        beside(chart, &format!("k = {k}"), by_formula, Origin::model([]), as_built)
+    let chart = found.window_sizes.iter().fold(chart, |chart, sizes| {
+        let (matrix, name) = (sizes.matrix, format!("k = {}", sizes.matrix.p.ilog2()));
+        let by_level =
+            |sizes: &[f64]| (1..).zip(sizes).map(|(level, size)| (f64::from(level), *size)).collect::<Vec<_>>();
+        let by_formula: Vec<f64> = (1..=matrix.levels).map(|level| matrix.relative_window(level).0).collect();
+        chart
+            .series(Series::new(&name, Origin::Formula, by_level(&by_formula)))
+            .series(Series::new(&name, Origin::model([]), by_level(&sizes.model)))
+            .series(Series::new(&name, Origin::rtl([]), by_level(&sizes.hardware)))
     });
     Section::new("Figure 4: relative window sizes")
         .paragraph(
             "With an aperture of 2 the windows of the last level are smaller than their spacing if k > 1: a small polygon can fall between \
-             them. The points are sizes in whole pixels as the coverage tests have them, over the spacing.",
+             them. The points are measured: a square of a quarter of a pixel walks along a line, and the counters say how many windows it \
+             is in.",
         )
         .part(chart)
 }
 
 /// Figure 5: the matrix of processors with stacks.
-pub fn stacks(counted: &Counted) -> Section {
+pub fn stacks(found: &Found) -> Section {
     Section::new("Figure 5: processors with stacks")
-        .part(figure(counted, "stack-performance", "Performance p_s, in parts of P_max", true, |it| it.p_s))
-        .part(figure(counted, "stack-efficiency", "Efficiency Q_a", false, |it| it.q_a))
+        .part(of_clocks(found, "stack-performance", "Performance p_s, in parts of P_max", true, |it| it.p_s))
+        .part(of_clocks(found, "stack-efficiency", "Efficiency Q_a", false, |it| it.q_a))
 }
 
 /// Figure 6: the matrix of pipelines.
-pub fn pipelines(counted: &Counted) -> Section {
+pub fn pipelines(found: &Found) -> Section {
     Section::new("Figure 6: pipelines")
-        .part(figure(counted, "pipeline-performance", "Performance p_p, in parts of P_max", true, |it| it.p_p))
-        .part(figure(counted, "pipeline-load", "Load R_p", false, |it| it.r_p))
-        .part(figure(counted, "pipeline-efficiency", "Efficiency Q_p", false, |it| it.q_p))
+        .part(of_clocks(found, "pipeline-performance", "Performance p_p, in parts of P_max", true, |it| it.p_p))
+        .part(of_clocks(found, "pipeline-load", "Load R_p", false, |it| it.r_p))
+        .part(of_clocks(found, "pipeline-efficiency", "Efficiency Q_p", false, |it| it.q_p))
 }
 
-/// A quantity of all matrices over the area: by formula, and from clocks counted.
-fn figure(counted: &Counted, id: &str, title: &str, logarithmic: bool, of: fn(&Figures) -> f64) -> Chart {
+/// What follows of the busy clocks of the levels, whoever has counted them.
+fn of_clocks(found: &Found, id: &str, title: &str, logarithmic: bool, of: fn(&Figures) -> f64) -> Chart {
+    figure(found, (id, title, logarithmic), of, Some(of), move |it| of(&it.figures))
+}
+
+/// A quantity of all matrices over the area: by formula, counted if it can be, and as machines have it.
+pub fn figure(
+    found: &Found,
+    (id, title, logarithmic): (&str, &str, bool),
+    formula: fn(&Figures) -> f64,
+    count: Option<fn(&Figures) -> f64>,
+    of: impl Fn(&Measured) -> f64,
+) -> Chart {
     let y = if logarithmic { Axis::log(title) } else { Axis::linear(title) };
     let chart = Chart::new(id, title, Axis::log(AREA), y);
     (0..=4).fold(chart, |chart, k| {
-        let by_formula = areas().map(|area| (area, of(&super::by_formula(k, area))));
-        let found = counted.of(k).map(|point| (point.area, of(&point.figures)));
-        beside(chart, &format!("k = {k}"), by_formula, Origin::model([counted.seed]), found)
+        let counted = |of: fn(&Figures) -> f64| {
+            found.counted.of(k).map(|point| (point.sample.area, of(&point.figures))).collect::<Vec<_>>()
+        };
+        let curve = |area| formula(&by_formula(k, area));
+        measured(found, chart, k, &format!("k = {k}"), curve, count.map(counted), &of)
     })
 }
 
-/// The chart with a curve by formula, and what was found beside it.
-fn beside(
+/// The chart with a curve by formula, also at the areas of all points, and what was counted and measured beside it.
+fn measured(
+    found: &Found,
     chart: Chart,
+    k: u32,
     name: &str,
-    by_formula: impl Iterator<Item = (f64, f64)>,
-    origin: Origin,
-    found: impl Iterator<Item = (f64, f64)>,
+    formula: impl Fn(f64) -> f64,
+    counted: Option<Vec<(f64, f64)>>,
+    of: impl Fn(&Measured) -> f64,
 ) -> Chart {
-    chart.series(Series::new(name, Origin::Formula, by_formula)).series(Series::new(name, origin, found))
+    let mut everywhere: Vec<f64> = areas().chain(found.counted.areas()).collect();
+    everywhere.sort_by(f64::total_cmp);
+    everywhere.dedup();
+    let curve = everywhere.into_iter().map(|area| (area, formula(area)));
+    let chart = chart.series(Series::new(name, Origin::Formula, curve));
+    let chart = match counted {
+        Some(points) => chart.series(Series::new(name, found.counted.origin(), points)),
+        None => chart,
+    };
+    chart.series(Series::new(name, found.ran.model(), found.ran.on_model(k, &of))).series(Series::new(
+        name,
+        found.ran.rtl(),
+        found.ran.on_hardware(k, &of),
+    ))
 }

@@ -1,12 +1,18 @@
 //! The page of the sparse-raster quadtree generator: figures 3 to 6 of its paper, and what it states (facts A2, A3, B).
 
+mod checks;
+mod coupling;
 mod curves;
+mod found;
+mod frames;
+mod plan;
 mod statements;
 
 use super::Effort;
 use crate::shell::Failure;
-use tilewright_machines::quadtree::{Figures, Matrix, Point, Sample, Shape, Study};
-use tilewright_machines::{Error, Watch};
+use found::Found;
+use tilewright_machines::Watch;
+use tilewright_machines::quadtree::{Figures, Matrix, Shape};
 use tilewright_report::{Page, Provenance, Section};
 
 /// The matrices of more than one processor that the paper draws: each k.
@@ -16,12 +22,9 @@ const TURNING: [f64; 3] = [1.8, 23.3, 157.0];
 
 /// Measures and makes the page; `None` if it was interrupted.
 pub fn page(effort: Effort, watch: &mut Watch) -> Result<Option<Page>, Failure> {
-    let (seed, study) = (effort.seed, study(effort));
-    let Some(points) = study.run(watch).map_err(Error::from)? else { return Ok(None) };
-    let counted = Counted { points, seed };
-
+    let Some(found) = Found::all(effort, watch)? else { return Ok(None) };
     let provenance = Provenance::new("tilewright", env!("CARGO_PKG_VERSION"), command(effort))
-        .seeds([seed])
+        .seeds([effort.seed])
         .parameter("screen", "1024x1024", "m = 10, as in the paper")
         .parameter("matrices", "2ᵏ x 2ᵏ processors, k = 0 to 4", "as in the paper")
         .parameter("aperture", "2x2 pixels", "as in the paper")
@@ -34,14 +37,19 @@ pub fn page(effort: Effort, watch: &mut Watch) -> Result<Option<Page>, Failure> 
              how fast such a matrix is, and how well its processors are used.",
         )
         .paragraph(
-            "Here the estimates stand beside counts. The formulas are those of the paper, restored where the print is damaged. The \
-             transaction model counts the windows and clocks of random rectangles.",
+            "Here the estimates stand beside what three programs find with random rectangles. A plain count goes through the windows of many \
+             polygons, and knows no time but the cost of a test. The transaction model has the clocks of a running matrix without its circuit. \
+             RTL is the circuit itself, simulated clock by clock, with the transaction model’s rectangles. The formulas are those of the \
+             paper, restored where the print is damaged.",
         )
-        .section(Section::new("Statements").part(statements::verdicts(&counted)))
-        .section(curves::windows(&counted))
-        .section(curves::window_sizes())
-        .section(curves::stacks(&counted))
-        .section(curves::pipelines(&counted));
+        .section(Section::new("Statements").part(statements::verdicts(&found)))
+        .section(curves::windows(&found))
+        .section(curves::window_sizes(&found))
+        .section(curves::stacks(&found))
+        .section(curves::pipelines(&found))
+        .section(coupling::section(&found))
+        .section(frames::section(&found.frames))
+        .section(checks::section(&found));
     Ok(Some(page))
 }
 
@@ -51,43 +59,9 @@ fn command(Effort { seed, polygons }: Effort) -> String {
     format!("tilewright reproduce quadtree -o report/ --seed {seed}{polygons}")
 }
 
-/// The paper's study, with the areas at which it says that something turns.
-fn study(Effort { seed, polygons }: Effort) -> Study {
-    let mut study = Study::paper(seed);
-    let turning = TURNING.map(|area| Sample { area, polygons: 8_000 });
-    study.samples.extend(turning);
-    study.samples.sort_by(|a, b| a.area.total_cmp(&b.area));
-    let most = polygons.unwrap_or(u64::MAX);
-    study.samples.iter_mut().for_each(|sample| sample.polygons = sample.polygons.min(most));
-    study
-}
-
-/// What was counted, and from which seed.
-struct Counted {
-    points: Vec<Point>,
-    seed: u64,
-}
-
-impl Counted {
-    /// The points of the matrix of 2^k x 2^k, by area.
-    fn of(&self, k: u32) -> impl Iterator<Item = &Point> {
-        self.points.iter().filter(move |point| point.matrix.p == 1 << k)
-    }
-
-    /// The point of a matrix and an area.
-    fn at(&self, k: u32, area: f64) -> &Point {
-        self.of(k).find(|point| point.sample.area == area).expect("the study has that area")
-    }
-}
-
 /// The matrix of 2^k x 2^k of the paper.
 fn matrix(k: u32) -> Matrix {
     Matrix::square(k, 10)
-}
-
-/// The width of the windows of a level as the coverage tests have them, in parts of their spacing.
-fn built_size(k: u32, level: u32) -> f64 {
-    f64::from(matrix(k).window(level).0) / f64::from(matrix(k).spacing(level).0)
 }
 
 /// The paper's rectangle of that area.

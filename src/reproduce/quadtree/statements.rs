@@ -1,14 +1,17 @@
 //! What the paper states of its machine, each with the rule by which it is judged.
 
-use super::{Counted, SIZES, TURNING, built_size, by_formula, matrix, shape};
+use super::found::{Counted, Coupled, Found, Ran};
+use super::{SIZES, TURNING, by_formula, matrix, shape};
+use tilewright_machines::quadtree::model::WindowSizes;
 use tilewright_machines::quadtree::{Figures, Point, full_tree};
 use tilewright_report::{Origin, Rule, Statement, Verdicts};
 
 /// All statements, in the order of the paper.
-pub fn verdicts(counted: &Counted) -> Verdicts {
-    let table = Verdicts::new("statements", "Statements of the paper, each by the rule beneath it");
-    let statements = [windows(counted), sizes(), stacks(counted), pipelines(counted)];
-    statements.into_iter().flatten().fold(table, Verdicts::state)
+pub fn verdicts(Found { counted, window_sizes, ran, coupled, .. }: &Found) -> Verdicts {
+    let statements =
+        [windows(counted), sizes(window_sizes), stacks(counted), pipelines(counted), as_run(ran), queues(coupled)];
+    Verdicts::new("statements", "Statements of the paper, each by the rule beneath it")
+        .states(statements.into_iter().flatten())
 }
 
 fn at_k(k: u32) -> String {
@@ -20,10 +23,6 @@ fn with(what: &str) -> String {
 }
 
 impl Counted {
-    fn origin(&self) -> Origin {
-        Origin::model([self.seed])
-    }
-
     /// A figure's quantity at an area, for each matrix.
     fn by_matrix(&self, area: f64, of: fn(&Figures) -> f64) -> impl Iterator<Item = (String, f64)> {
         SIZES.map(|k| (at_k(k), of(&self.at(k, area).figures))).into_iter()
@@ -110,27 +109,29 @@ fn windows(counted: &Counted) -> Vec<Statement> {
 }
 
 /// Figure 4.
-fn sizes() -> Vec<Statement> {
-    let of = |k: u32| {
-        (1..=matrix(k).levels).rev().map(move |level| (format!("k = {k}, level {level}"), built_size(k, level)))
+fn sizes(found: &[WindowSizes]) -> Vec<Statement> {
+    let at = |k: u32, level: u32| format!("k = {k}, level {level}");
+    let of = |WindowSizes { matrix, hardware, .. }: &WindowSizes| {
+        let of_level = |level| (at(matrix.p.ilog2(), level), hardware[level as usize - 1]);
+        (1..=matrix.levels).rev().map(of_level).collect::<Vec<_>>()
+    };
+    let by_formula = |WindowSizes { matrix, .. }: &WindowSizes| {
+        let of_level = |level| (at(matrix.p.ilog2(), level), matrix.relative_window(level).0);
+        (1..=matrix.levels).rev().map(of_level).collect::<Vec<_>>()
     };
     vec![
         Statement::new("MPG-EQ2", "Relative window sizes are those of equation 2.", Rule::Equals)
-            .formula(SIZES.into_iter().flat_map(|k| {
-                (1..=matrix(k).levels)
-                    .rev()
-                    .map(move |level| (format!("k = {k}, level {level}"), matrix(k).relative_window(level).0))
-            }))
-            .found(Origin::model([]), SIZES.into_iter().flat_map(of)),
+            .formula(found.iter().flat_map(by_formula))
+            .found(Origin::rtl([]), found.iter().flat_map(of)),
         Statement::new("MPG-F4", "For k > 1 windows are smaller than their spacing.", Rule::AtMost)
             .paper([1.0])
-            .found(Origin::model([]), [2, 3, 4].into_iter().flat_map(of)),
+            .found(Origin::rtl([]), found.iter().filter(|it| it.matrix.p > 2).flat_map(of)),
         Statement::new(
             "MPG-F4",
             "They come nearer to it from the last level to the first: k = 4.",
             Rule::Increases { with: with("the spacing") },
         )
-        .found(Origin::model([]), of(4)),
+        .found(Origin::rtl([]), found.iter().filter(|it| it.matrix.p == 16).flat_map(of)),
     ]
 }
 
@@ -271,5 +272,58 @@ fn pipelines(counted: &Counted) -> Vec<Statement> {
         .found(Origin::Formula, [(at_k(4), whole_tree(4))]),
         Statement::new("MPG-TREE", "That is so for areas from 1 to some bound.", Rule::AtMost)
             .cannot_be_compared("the bound is illegible in the print; S_k is the likeliest reading"),
+    ]
+}
+
+/// What the figures say of matrices that run.
+fn as_run(ran: &Ran) -> Vec<Statement> {
+    let fastest = |k: u32| ran.on_hardware(k, |it| it.pipes_ran).into_iter().find(|(area, _)| *area == 1.0);
+    vec![
+        Statement::new(
+            "MPG-CAP",
+            "For small polygons the pipelines’ performance is P_max: as they ran, with all waits, S = 1.",
+            Rule::Within { percent: 5.0 },
+        )
+        .unit("P_max")
+        .paper([1.0])
+        .found(ran.rtl(), [3, 4].into_iter().filter_map(|k| Some((at_k(k), fastest(k)?.1)))),
+    ]
+}
+
+/// The paper's assumption of a loose coupling.
+fn queues(coupled: &Coupled) -> Vec<Statement> {
+    let kept = |form: &'static str, depth: f64| {
+        let of = move |area: f64| {
+            let at = format!("S = {area}");
+            coupled.loss(4, form, area).into_iter().find(|it| it.0 == depth).map(|(_, loss)| (at, 1.0 - loss))
+        };
+        coupled.areas().into_iter().filter_map(of)
+    };
+    let loosely = |form: &'static str, name: &str, depth: f64, packets: &str| {
+        let text =
+            format!("FIFOs couple the processors so loosely that none waits: {name}, queues of {packets}, k = 4.");
+        Statement::new("MPG-LIM", text, Rule::Within { percent: 5.0 })
+            .unit("of the speed without waits")
+            .paper([1.0])
+            .found(coupled.origin(), kept(form, depth))
+    };
+    let by_depth = |(depth, loss): (f64, f64)| (format!("{depth} packets"), loss);
+    vec![
+        loosely("pipe", "pipelines", 64.0, "64 packets"),
+        loosely("stack", "stacks", 64.0, "64 packets"),
+        loosely("pipe", "pipelines", 1.0, "one packet"),
+        loosely("stack", "stacks", 1.0, "one packet"),
+        Statement::new(
+            "MPG-LIM",
+            "Deeper queues lose no more: pipelines, k = 4, S = 100.",
+            Rule::NeverIncreases { with: with("the depth") },
+        )
+        .found(coupled.origin(), coupled.loss(4, "pipe", 100.0).into_iter().map(by_depth)),
+        Statement::new(
+            "MPG-LIM",
+            "Deeper queues lose no more: stacks, k = 4, S = 100.",
+            Rule::NeverIncreases { with: with("the depth") },
+        )
+        .found(coupled.origin(), coupled.loss(4, "stack", 100.0).into_iter().map(by_depth)),
     ]
 }

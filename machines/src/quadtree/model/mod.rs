@@ -17,6 +17,9 @@
 //! | `processor` | a video processor |
 //! | `record` | what a run is in numbers |
 //! | `simulated` | the same of the hardware |
+//! | `square` | the paper's generators |
+//! | `trials` | the paper's figures from counters, of the model and of the hardware |
+//! | `window_sizes` | how wide windows are, from counters |
 //! | `sweep` | what queues of some depths lose |
 
 mod division;
@@ -25,8 +28,11 @@ mod processor;
 mod queue;
 mod record;
 mod simulated;
+mod square;
 mod sweep;
 mod tree;
+mod trials;
+mod window_sizes;
 
 use super::matrix::Matrix;
 use super::windows::{Search, TestUnit};
@@ -45,6 +51,8 @@ use tilewright_rtl::quadtree::raster::Form;
 pub use record::{Counts, Packets, Processor, Run, Visit};
 pub use simulated::Simulated;
 pub use sweep::{Coupling, Sweep, SweepPoint};
+pub use trials::{Measured, OnHardware, Outcome, Trial, Trials};
+pub use window_sizes::WindowSizes;
 
 /// Packets between two reports of progress.
 const PACKETS_AT_ONCE: usize = 256;

@@ -1,5 +1,6 @@
 //! What a generator did with packets: the same of the model and of the hardware, so that they can be compared.
 
+use crate::quadtree::stages::Stages;
 use crate::quadtree::windows::Window;
 use serde::Serialize;
 use std::ops::AddAssign;
@@ -94,11 +95,46 @@ impl Run {
         self.mean(|counts| counts.stalled)
     }
 
+    /// Windows of each level, from 0 to n, that a packet has in a video processor, on the mean.
+    pub fn windows(&self) -> Vec<f64> {
+        let all = (self.taken.len() * self.processors.len()) as f64;
+        self.sums(|counts| counts.results).map(|sum| sum as f64 / all).collect()
+    }
+
+    /// The time of work on a packet on each level, from 1 to n, in a video processor, on the mean: t_i of MPG-EQ5, in t_e of so many
+    /// clocks.
+    pub fn stages(&self, test: u32) -> Stages {
+        let all = self.taken.len() as f64 * (u64::from(test) * self.processors.len() as u64) as f64;
+        Stages::new(self.sums(|counts| counts.busy).skip(1).map(|sum| sum as f64 / all).collect())
+    }
+
+    /// How many numbers are not those of another run: the clocks, the clock of each packet, and all counters.
+    pub fn differences(&self, other: &Run) -> u64 {
+        let (mut one, mut other) = (self.numbers(), other.numbers());
+        std::iter::from_fn(|| match (one.next(), other.next()) {
+            (None, None) => None,
+            (one, other) => Some(u64::from(one != other)),
+        })
+        .sum()
+    }
+
+    /// All of its numbers, packets last, so that one more or less of these is one difference.
+    pub(super) fn numbers(&self) -> impl Iterator<Item = u64> {
+        let of = |Counts { busy, stalled, results }: &Counts| [*busy, *stalled, *results];
+        let of_processor = move |it: &Processor| it.units.iter().flat_map(of).chain([it.fragments]).collect::<Vec<_>>();
+        let processors = self.processors.iter().flat_map(of_processor);
+        [self.clocks].into_iter().chain(of(&self.broadcast)).chain(processors).chain(self.taken.iter().copied())
+    }
+
     fn mean(&self, of: fn(&Counts) -> u64) -> Vec<f64> {
         let all = self.clocks as f64 * self.processors.len() as f64;
+        self.sums(of).map(|sum| sum as f64 / all).collect()
+    }
+
+    /// Of each unit, over all video processors.
+    fn sums(&self, of: fn(&Counts) -> u64) -> impl Iterator<Item = u64> {
         let units = self.processors.first().map_or(0, |processor| processor.units.len());
-        let sum = |unit: usize| self.processors.iter().map(|processor| of(&processor.units[unit])).sum::<u64>();
-        (0..units).map(|unit| sum(unit) as f64 / all).collect()
+        (0..units).map(move |unit| self.processors.iter().map(|processor| of(&processor.units[unit])).sum())
     }
 }
 

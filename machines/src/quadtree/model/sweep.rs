@@ -6,6 +6,7 @@
 
 use super::Model;
 use super::record::{Packets, Run};
+use super::square::{BROADCAST, EDGES, square};
 use crate::quadtree::formulas::MAX_PERFORMANCE;
 use crate::quadtree::matrix::Matrix;
 use crate::quadtree::study::Sample;
@@ -13,18 +14,9 @@ use crate::run::Watch;
 use crate::threads::{all_threads, on_threads};
 use serde::Serialize;
 use std::sync::atomic::AtomicBool;
-use tilewright_rtl::parameter::{ParameterError, Screen};
-use tilewright_rtl::quadtree::coverage_test::Test;
-use tilewright_rtl::quadtree::format::{self, Format};
-use tilewright_rtl::quadtree::generator::QuadtreeGenerator;
+use tilewright_rtl::parameter::ParameterError;
 use tilewright_rtl::quadtree::processor::Queues;
-use tilewright_rtl::quadtree::raster::Form;
 use tilewright_scenes::Polygon;
-
-/// Edges of a rectangle, ke: a serial test takes as many clocks, which are the paper's t_e.
-const EDGES: u32 = 4;
-/// Packets that the queue of the broadcast holds; it changes nothing where the geometry processor always has the next one.
-const BROADCAST: u32 = 2;
 
 /// Runs of the model: rectangles of some areas, on square matrices of some sizes, with queues of some depths. The test units are serial,
 /// and a packet is offered in each clock.
@@ -51,7 +43,7 @@ pub struct Sweep {
     pub sizes: Vec<u32>,
     /// Width and height of the aperture in pixels, even.
     pub aperture: u32,
-    /// The forms of raster processors, as in [`Form::parse`].
+    /// The forms of raster processors, as in [`Form::parse`](tilewright_rtl::quadtree::raster::Form::parse).
     pub forms: Vec<String>,
     /// Depths of the packet queue before each video processor.
     pub packets: Vec<u32>,
@@ -131,10 +123,7 @@ impl Sweep {
     }
 
     fn model(&self, k: u32, form: &str, queues: Queues) -> Result<Model, ParameterError> {
-        let [side, processors] = [self.m, k].map(|power| 1_u32.checked_shl(power).unwrap_or(u32::MAX));
-        let format = Format::new(Screen::new(side, side)?, format::Matrix::new(processors, processors)?, EDGES)?;
-        let format = format.with_aperture(self.aperture)?;
-        Model::new(&QuadtreeGenerator::new(format, Form::parse(form, &format)?, Test::Serial, queues)?)
+        Model::new(&square((self.m, k), self.aperture, form, queues)?)
     }
 }
 

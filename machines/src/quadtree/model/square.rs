@@ -1,0 +1,26 @@
+//! The paper's generators: square matrices on a square screen, for rectangles, with serial test units.
+
+use tilewright_rtl::parameter::{ParameterError, Screen};
+use tilewright_rtl::quadtree::coverage_test::Test;
+use tilewright_rtl::quadtree::format::{Format, Matrix};
+use tilewright_rtl::quadtree::generator::QuadtreeGenerator;
+use tilewright_rtl::quadtree::processor::Queues;
+use tilewright_rtl::quadtree::raster::Form;
+
+/// Edges of a rectangle, ke: a serial test takes as many clocks, which are the paper's t_e.
+pub(super) const EDGES: u32 = 4;
+/// Packets that the queue of the broadcast holds; it changes nothing where the geometry processor always has the next one.
+pub(super) const BROADCAST: u32 = 2;
+
+/// 2^k x 2^k video processors for 2^m x 2^m pixels.
+pub(super) fn square(
+    (m, k): (u32, u32),
+    aperture: u32,
+    form: &str,
+    queues: Queues,
+) -> Result<QuadtreeGenerator, ParameterError> {
+    let [side, processors] = [m, k].map(|power| 1_u32.checked_shl(power).unwrap_or(u32::MAX));
+    let format = Format::new(Screen::new(side, side)?, Matrix::new(processors, processors)?, EDGES)?;
+    let format = format.with_aperture(aperture)?;
+    QuadtreeGenerator::new(format, Form::parse(form, &format)?, Test::Serial, queues)
+}

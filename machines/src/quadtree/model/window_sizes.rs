@@ -1,0 +1,134 @@
+//! How wide windows are, found out from outside: small squares walk along the first line of the screen, and the counters say how many
+//! windows each is in.
+//!
+//! Source: MPG-WIN, MPG-EQ2, figure 4. A window is met by the squares on its first pixel to its last, which is one more than it is wide.
+
+use super::record::{Packets, Run};
+use super::simulated::Simulated;
+use super::square::{BROADCAST, square};
+use super::{Model, matrix_of};
+use crate::error::Error;
+use crate::quadtree::matrix::Matrix;
+use crate::run::Watch;
+use crate::threads::{all_threads, on_threads};
+use serde::Serialize;
+use std::sync::atomic::AtomicBool;
+use tilewright_rtl::parameter::ParameterError;
+use tilewright_rtl::quadtree::processor::Queues;
+use tilewright_scenes::packet::SUBPIXELS;
+use tilewright_scenes::{Polygon, ScreenVertex, Size, set_up_polygon_of_any_size};
+
+/// The paper's aperture.
+const APERTURE: u32 = 2;
+
+/// Widths of windows in parts of their spacing, by level from 1 to n.
+///
+/// ```
+/// use tilewright_machines::{Watch, quadtree::model::WindowSizes};
+///
+/// let all = WindowSizes::measure(5, &[1, 2], &mut Watch::default())?.expect("nobody breaks it off");
+/// // Two by two processors have windows as wide as their spacing; of four by four the last ones are half as wide.
+/// assert_eq!(all[0].hardware, [1.0; 4]);
+/// assert_eq!((&all[1].model, &all[1].hardware), (&vec![0.875, 0.75, 0.5], &vec![0.875, 0.75, 0.5]));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct WindowSizes {
+    /// The matrix.
+    pub matrix: Matrix,
+    /// As the transaction-level model's counters have it.
+    pub model: Vec<f64>,
+    /// As the hardware's have it.
+    pub hardware: Vec<f64>,
+}
+
+impl WindowSizes {
+    /// Those of matrices of 2^k x 2^k processors, k from 1 on, on screens of 2^m x 2^m pixels, with an aperture of 2, on all processors of
+    /// the computer. `None` if it was broken off.
+    ///
+    /// # Errors
+    /// There is no such generator, or k is 0; an assertion of the hardware does not hold.
+    pub fn measure(m: u32, sizes: &[u32], watch: &mut Watch) -> Result<Option<Vec<WindowSizes>>, Error> {
+        let (cancel, mut done) = (watch.cancel, 0);
+        let mut results: Vec<Option<Result<WindowSizes, Error>>> = sizes.iter().map(|_| None).collect();
+        on_threads(
+            all_threads(),
+            sizes,
+            cancel,
+            |k| WindowSizes::of(m, *k, cancel),
+            |number, result| {
+                results[number] = Some(result);
+                done += 1;
+                watch.report("measuring windows", done as f64 / sizes.len() as f64);
+            },
+        );
+        match results.into_iter().collect::<Option<Result<Vec<WindowSizes>, Error>>>() {
+            None | Some(Err(Error::Cancelled { .. })) => Ok(None),
+            Some(all) => all.map(Some),
+        }
+    }
+
+    fn of(m: u32, k: u32, cancel: Option<&AtomicBool>) -> Result<WindowSizes, Error> {
+        if k == 0 {
+            let problem = "windows of one processor lap over each other: measure those of 2^k x 2^k, k from 1 on";
+            return Err(ParameterError(problem.to_owned()).into());
+        }
+        let queues = Queues { broadcast: BROADCAST, packets: 1, windows: 1 };
+        let generator = square((m, k), APERTURE, "pipe", queues)?;
+        let matrix = matrix_of(&generator.format());
+        let squares = squares(1 << m)?;
+        let (packets, mut watch) = (Packets::at_once(&squares), Watch { progress: None, cancel });
+        let hardware = Simulated::new(&generator)?.run(packets, &mut watch)?;
+        let cancelled = Error::Cancelled { phase: "simulating", time: 0 };
+        let model = Model::new(&generator)?.run(packets, &mut watch).ok_or(cancelled)?;
+        Ok(WindowSizes { matrix, model: widths(&matrix, &model), hardware: widths(&matrix, &hardware) })
+    }
+}
+
+/// A square in the middle of each pixel of the first line, from a quarter of it to three quarters: half the line is a whole number of
+/// spacings on every level.
+fn squares(side: u32) -> Result<Vec<Polygon>, ParameterError> {
+    let size = Size::new(side, side).map_err(|error| ParameterError(error.to_string()))?;
+    let squares = (side / 4..side / 4 * 3).flat_map(|column| {
+        let (x, middle) = (column as i32 * SUBPIXELS, SUBPIXELS / 2);
+        let corner = |dx: i32, dy: i32| ScreenVertex { x: x + middle + dx, y: middle + dy, z: 1, rgb: [0; 3] };
+        set_up_polygon_of_any_size(&[corner(-2, -2), corner(2, -2), corner(2, 2), corner(-2, 2)], size)
+    });
+    Ok(squares.collect())
+}
+
+/// What the first processor's counters say, whose windows of the first line alone are met.
+fn widths(matrix: &Matrix, run: &Run) -> Vec<f64> {
+    let of_level = |level: u32| {
+        let spacing = f64::from(matrix.spacing(level).0);
+        let met = run.processors[0].units[level as usize].results as f64;
+        let windows = run.taken.len() as f64 / spacing;
+        (met / windows - 1.0) / spacing
+    };
+    (1..=matrix.levels).map(of_level).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::sync::atomic::AtomicBool;
+
+    /// Exactly those of the definition: all numbers are small, and divided by powers of two alone.
+    #[test]
+    fn they_are_those_of_the_paper() {
+        let all = WindowSizes::measure(6, &[1, 2, 3], &mut Watch::default()).expect("possible").expect("done");
+        for WindowSizes { matrix, model, hardware } in all {
+            let paper: Vec<f64> = (1..=matrix.levels).map(|level| matrix.relative_window(level).0).collect();
+            assert_eq!((&model, &hardware), (&paper, &paper));
+        }
+    }
+
+    #[test]
+    fn it_can_be_broken_off_and_knows_what_it_cannot_measure() {
+        let cancel = AtomicBool::new(true);
+        let mut watch = Watch { progress: None, cancel: Some(&cancel) };
+        assert!(WindowSizes::measure(6, &[1], &mut watch).expect("possible").is_none());
+        let problem = WindowSizes::measure(6, &[0], &mut Watch::default()).expect_err("impossible");
+        assert!(problem.to_string().starts_with("windows of one processor lap over each other"), "{problem}");
+    }
+}

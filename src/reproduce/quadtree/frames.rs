@@ -1,0 +1,193 @@
+//! Frames that the hardware has drawn: pictures, who drew which pixel, and how busy it was.
+
+use super::plan::config;
+use crate::golden;
+use crate::reproduce::Effort;
+use crate::scene::polygons;
+use crate::shell::Failure;
+use tilewright_machines::Watch;
+use tilewright_machines::quadtree::{Machine, ProcessorReport, Report, Search, UnitReport};
+use tilewright_report::{HeatMap, Origin, Picture, Rule, Section, Statement};
+use tilewright_scenes::golden::render_watched;
+use tilewright_scenes::{Frame, Polygons, Scene, Size, compare};
+
+/// A frame of the hardware.
+pub struct Drawn {
+    scene: &'static str,
+    frame: Frame,
+    report: Report,
+    background: [u8; 3],
+    /// Pixels that are not those of the golden image.
+    differing: u64,
+    /// Video processors that did not draw as many pixels as the polygons have in their raster.
+    strayed: u64,
+}
+
+/// Draws all frames.
+pub fn drawn(effort: Effort, watch: &mut Watch) -> Result<Vec<Drawn>, Failure> {
+    effort.frames().iter().map(|&(scene, side)| draw(scene, side, effort.frame_size(), watch)).collect()
+}
+
+fn draw(name: &'static str, side: u32, size: Size, watch: &mut Watch) -> Result<Drawn, Failure> {
+    let scene = Scene::builtin(name).expect("a built-in scene");
+    let scene = Scene { size, ..scene };
+    let polygons = polygons(&scene)?;
+    let config = config(&polygons, side);
+    let search = Search::new(config.windows().map_err(tilewright_machines::Error::from)?);
+    let search = search.map_err(tilewright_machines::Error::from)?;
+    let (frame, report) = Machine::new(config)?.render(&polygons.polygons, scene.background, watch)?;
+    let golden = golden::draw(|watch| render_watched(size, &polygons.polygons, scene.background, watch))?;
+    Ok(Drawn {
+        scene: name,
+        differing: compare(&frame, &golden).differing,
+        strayed: strayed(&report, &search, &polygons),
+        background: scene.background,
+        frame,
+        report,
+    })
+}
+
+fn strayed(report: &Report, search: &Search, polygons: &Polygons) -> u64 {
+    let counted = |place| polygons.polygons.iter().map(|polygon| search.windows(polygon, place).fragments).sum::<u64>();
+    let wrong = search.processors().zip(&report.processors).filter(|(place, it)| it.fragments != counted(*place));
+    wrong.count() as u64
+}
+
+impl Drawn {
+    fn place(&self) -> String {
+        format!("{}, {}x{} processors", self.scene, self.report.machine.p, self.report.machine.q)
+    }
+
+    /// Its name in files.
+    fn id(&self, kind: &str) -> String {
+        format!("{}-{}-{kind}", self.scene, self.report.machine.p)
+    }
+}
+
+/// That frames are right.
+pub fn checks(frames: &[Drawn]) -> [Statement; 2] {
+    let of = |of: fn(&Drawn) -> u64| frames.iter().map(move |it| (it.place(), of(it) as f64));
+    [
+        Statement::new("MPG-ARCH", "Each frame of the hardware is the golden image, depth and colour.", Rule::Zero)
+            .unit("pixels that differ")
+            .found(Origin::rtl([]), of(|it| it.differing)),
+        Statement::new(
+            "MPG-SPR",
+            "Each video processor draws as many pixels as the polygons have on its every p-th column and q-th row.",
+            Rule::Zero,
+        )
+        .unit("processors that do not")
+        .found(Origin::rtl([]), of(|it| it.strayed)),
+    ]
+}
+
+/// The section of the frames.
+pub fn section(frames: &[Drawn]) -> Section {
+    let section = Section::new("Frames").paragraph(
+        "Scenes as the hardware drew them, clock by clock: processors with pipelines, whose tests have an adder for each edge. What is said of \
+         clocks is counted by the hardware itself.",
+    );
+    frames.iter().enumerate().fold(section, |section, (number, drawn)| {
+        let section = section.part(picture(drawn));
+        // The pattern and the levels of 256 processors are no picture.
+        match number {
+            0 => section.part(owners(drawn)).part(busy(drawn)).part(stages(drawn, "busy", |it| it.busy)).part(stages(
+                drawn,
+                "stalled",
+                |it| it.stalled,
+            )),
+            _ => section.part(busy(drawn)),
+        }
+    })
+}
+
+fn picture(drawn: &Drawn) -> Picture {
+    let Drawn { scene, report, differing, .. } = drawn;
+    let verdict = match differing {
+        0 => "Identical to the golden image, depth and colour.".to_owned(),
+        _ => format!("NOT the golden image: {differing} pixels differ."),
+    };
+    let title = format!("{scene}, drawn by {}x{} processors", report.machine.p, report.machine.q);
+    let alt = format!("the scene {scene}, {} pixels", drawn.frame.size());
+    Picture::new(drawn.id("frame"), title, alt, drawn.frame.to_png()).note(format!(
+        "{verdict} {} polygons in {} clocks, {:.1} for each; the load of the processors is {:.1} % balanced.",
+        report.packets,
+        report.drawing_clocks(),
+        report.clocks_per_packet(),
+        100.0 * report.balance()
+    ))
+}
+
+/// How large the part of a frame is that shows who drew which pixel.
+const PART: (u32, u32) = (40, 30);
+
+/// The part of the frame around its first pixel: a colour for each video processor.
+fn owners(drawn: &Drawn) -> Picture {
+    let (size, (p, q)) = (drawn.frame.size(), (drawn.report.machine.p, drawn.report.machine.q));
+    let (width, height) = (PART.0.min(size.width()), PART.1.min(size.height()));
+    let nothing = tilewright_scenes::frame::blank(drawn.background);
+    let first = drawn.frame.words.iter().position(|word| *word != nothing).unwrap_or(0) as u32;
+    let (x, y) = (first % size.width(), first / size.width());
+    let left = x.saturating_sub(width / 2).min(size.width() - width);
+    let top = y.saturating_sub(height / 6).min(size.height() - height);
+    let owner = |x: u32, y: u32| match drawn.frame.word(x, y) == nothing {
+        true => [24, 24, 24],
+        false => colour(x % p, y % q, (p, q)),
+    };
+    let words = (0..height).flat_map(|y| (0..width).map(move |x| (left + x, top + y)));
+    let words = words.map(|(x, y)| tilewright_scenes::frame::word(0, owner(x, y))).collect();
+    let size = Size::new(width, height).expect("in range");
+    let part = Frame::from_words(size, words).expect("a word for each pixel");
+    let title = format!("Who drew which pixel: the top of {}", drawn.scene);
+    let alt = format!("a pattern of {p} x {q} colours where there are polygons");
+    Picture::new(drawn.id("owners"), title, alt, part.to_png()).note(format!(
+        "A colour for each of {p}x{q} video processors; dark is where no polygon is. The video controller reads a pixel from the buffer of the \
+         processor that drew it, so the place says who that was; the checks below have that each drew as many as it should."
+    ))
+}
+
+/// Hues along a row of the matrix, from light to dark along a column.
+fn colour(i: u32, j: u32, (p, q): (u32, u32)) -> [u8; 3] {
+    let turn = 6.0 * f64::from(i) / f64::from(p);
+    let light = 255.0 * (1.0 - 0.65 * f64::from(j) / f64::from(q));
+    [0.0, 4.0, 2.0].map(|shift: f64| {
+        let distance = ((turn + shift).rem_euclid(6.0) - 3.0).abs();
+        (light * (0.15 + 0.85 * (distance - 1.0).clamp(0.0, 1.0))) as u8
+    })
+}
+
+/// Busy clocks of each video processor, as they stand in the matrix.
+fn busy(drawn: &Drawn) -> HeatMap {
+    let clocks = |it: &ProcessorReport| it.units.iter().skip(1).map(|unit| unit.busy).sum::<u64>() as f64;
+    let rows = drawn.report.processors.chunks(drawn.report.machine.p as usize);
+    let rows = rows.map(|row| row.iter().map(clocks).collect());
+    let title = format!("Busy clocks of each video processor: {}", drawn.place());
+    HeatMap::new(drawn.id("load"), title, "clocks", Origin::rtl([]), rows)
+        .note("All levels together, as the processors stand in the matrix.")
+}
+
+/// A number of each stage and each video processor.
+fn stages(drawn: &Drawn, what: &str, of: fn(&UnitReport) -> u64) -> HeatMap {
+    let levels = drawn.report.machine.levels as usize;
+    let row = |level: usize| drawn.report.processors.iter().map(|it| of(&it.units[level]) as f64).collect();
+    let title = format!("{} clocks of each stage: {}", if what == "busy" { "Busy" } else { "Stalled" }, drawn.place());
+    HeatMap::new(drawn.id(what), title, "clocks", Origin::rtl([]), (0..=levels).map(row)).note(
+        "From top to bottom the set-up and the levels, from the first to the last; from left to right the video processors, row by row of the \
+         matrix.",
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeSet;
+
+    #[test]
+    fn each_processor_has_a_colour_of_its_own() {
+        let colours =
+            |p: u32, q: u32| (0..p).flat_map(|i| (0..q).map(move |j| colour(i, j, (p, q)))).collect::<BTreeSet<_>>();
+        for (p, q) in [(1, 1), (4, 4), (2, 8), (16, 16)] {
+            assert_eq!(colours(p, q).len() as u32, p * q);
+        }
+    }
+}

@@ -1,0 +1,76 @@
+//! What is run for the page, and how much of it: all that the figures need, or a quick look.
+
+use super::TURNING;
+use crate::reproduce::Effort;
+use tilewright_machines::quadtree::model::{Sweep, Trial, Trials};
+use tilewright_machines::quadtree::{Config, Sample, Study, TestUnit};
+use tilewright_scenes::{Polygons, Size};
+
+/// Rectangles of each area of the turning points: counted, and run.
+const AT_TURNING: [(f64, u64, u64); 3] =
+    [(TURNING[0], 8_000, 1000), (TURNING[1], 8_000, 500), (TURNING[2], 8_000, 300)];
+/// The area that a quick look gives to the hardware, which takes longest.
+const QUICK_AREA: f64 = 1.0;
+
+impl Effort {
+    fn is_quick(&self) -> bool {
+        self.polygons.is_some()
+    }
+
+    fn reduced(&self, sample: Sample) -> Sample {
+        Sample { polygons: sample.polygons.min(self.polygons.unwrap_or(u64::MAX)), ..sample }
+    }
+
+    /// The count of the paper's figures, with the areas at which it says that something turns.
+    pub fn study(&self) -> Study {
+        let mut study = Study::paper(self.seed);
+        study.samples.extend(AT_TURNING.map(|(area, polygons, _)| Sample { area, polygons }));
+        study.samples.sort_by(|a, b| a.area.total_cmp(&b.area));
+        study.samples.iter_mut().for_each(|sample| *sample = self.reduced(*sample));
+        study
+    }
+
+    /// The runs of the figures, of the same areas.
+    pub fn trials(&self) -> Trials {
+        let mut trials = Trials::paper(self.seed);
+        let turning = |(area, _, polygons)| Trial { sample: Sample { area, polygons }, on_hardware: true };
+        trials.trials.extend(AT_TURNING.map(turning));
+        trials.trials.sort_by(|a, b| a.sample.area.total_cmp(&b.sample.area));
+        for trial in &mut trials.trials {
+            trial.sample = self.reduced(trial.sample);
+            trial.on_hardware &= !self.is_quick() || trial.sample.area == QUICK_AREA;
+        }
+        trials
+    }
+
+    /// The runs of queues of many depths.
+    pub fn sweep(&self) -> Sweep {
+        let mut sweep = Sweep::paper(self.seed);
+        sweep.samples.iter_mut().for_each(|sample| *sample = self.reduced(*sample));
+        sweep
+    }
+
+    /// The runs of pipes whose queues of windows have many depths, before each of which one packet has room.
+    pub fn window_sweep(&self) -> Sweep {
+        let samples = vec![self.reduced(Sample { area: 100.0, polygons: 1000 })];
+        let forms = vec!["pipe".to_owned()];
+        Sweep { forms, packets: vec![1], windows: vec![1, 2, 4, 8, 16, 32, 64], samples, ..Sweep::paper(self.seed) }
+    }
+
+    /// The frames: scenes, and sides of the matrix.
+    pub fn frames(&self) -> &'static [(&'static str, u32)] {
+        let all = &[("teapot", 4), ("ter1k", 4), ("teapot", 16)];
+        if self.is_quick() { &all[..1] } else { all }
+    }
+
+    /// Their size.
+    pub fn frame_size(&self) -> Size {
+        let quick = Size::new(64, 48).expect("in range");
+        if self.is_quick() { quick } else { Size::VGA }
+    }
+}
+
+/// The generator of a frame: pipes, with the window's tests side by side.
+pub fn config(polygons: &Polygons, side: u32) -> Config {
+    Config { matrix: (side, side), test: TestUnit::Parallel, ..Config::for_packets(polygons.size, &polygons.polygons) }
+}
