@@ -129,9 +129,21 @@ fn bits_of_lanes() {
 }
 
 #[test]
-fn more_lanes_than_a_vector_holds() {
-    let text = clean(vec![modules::far_pick()]);
+fn more_lanes_than_a_vector_or_an_array_holds() {
+    let text = clean(vec![modules::far_pick(1700)]);
     assert!(text.contains("begin : picked_by_bit10"), "{text}");
+    let text = clean(vec![modules::far_pick(300)]);
+    assert!(text.contains("begin : picked_by_bit8"), "{text}");
+}
+
+/// A LUT and a multiplexer of two LUTs hold a bit of three lanes; a multiplier and a shifter would be 847 LUTs.
+#[test]
+fn a_pick_is_a_multiplexer() {
+    let files = print(vec![modules::pick_of_three()]);
+    if let Some(cells) = tools::cells(&files, tools::Target::Ecp5).unwrap() {
+        assert_eq!(cells.keys().filter(|cell| cell.starts_with("MULT")).count(), 0, "{cells:?}");
+        assert!(cells["LUT4"] <= 3 * 40, "{cells:?}");
+    }
 }
 
 #[test]

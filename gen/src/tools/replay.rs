@@ -89,7 +89,7 @@ fn verdict(tool: &str, succeeded: bool, output: String) -> Result<Checked, Probl
 }
 
 /// Replays a dump (VCD or FST) against the Verilog in Yosys and compares every signal that is in both: inputs are
-/// driven from the dump, the rest must follow.
+/// driven from the dump, the rest must follow. An input that is a row has to be there as one vector, lane 0 lowest.
 ///
 /// `scope` is the top module's scope in the dump, such as `tb.dut`; `clocks` are the names of its clocks in it.
 ///

@@ -1,4 +1,7 @@
-//! A lane that a signal says: the lanes are copied into a vector, as no scope can be chosen at run time.
+//! A lane that a signal says. No scope can be chosen at run time, so the lanes are copied into an array of nets, which is indexed.
+//!
+//! A part of a vector, `lanes[index * 40 +: 40]`, is taken where 40 is a power of two and the vector is there, or there are many lanes.
+//! Otherwise Yosys makes a multiplier and a shifter to any bit of it, with three to ten times the cells of a multiplexer.
 
 use super::fold::lower::WIDEST_VECTOR;
 use super::layout::range;
@@ -10,6 +13,9 @@ use super::scope::Scope;
 use tilewright_hdl::ir::{NodeId, Op};
 use tilewright_hdl::{Bits, index_width};
 
+/// An array of more nets than this is avoided: Yosys takes time that grows with the square of their number.
+const LONGEST_ARRAY: u32 = 256;
+
 impl Printer<'_> {
     /// The lane of `of` that `index` says, zero beyond the last; `target` is the net that takes it.
     pub fn pick(&mut self, id: NodeId, target: &str, of: NodeId, axis: u32, index: NodeId) -> Vec<String> {
@@ -18,15 +24,16 @@ impl Printer<'_> {
             // A vector of one bit is none.
             let only = self.at_with(axis, Index::one(0));
             (Vec::new(), self.at(only, |printer| printer.value(of)))
-        } else if u64::from(lanes) * u64::from(width) > WIDEST_VECTOR {
-            self.choose(id, of, axis, index)
+        } else if let Some(vector) = self.vector_of(of, axis) {
+            (Vec::new(), self.lane_of(&vector, width, index, lanes))
+        } else if lanes <= LONGEST_ARRAY {
+            let (out, array) = self.copied(id, of, axis, lanes);
+            (out, format!("{array}[{}]", self.fitting(index, index_width(lanes.into()))))
+        } else if width.is_power_of_two() && u64::from(lanes) * u64::from(width) <= WIDEST_VECTOR {
+            let (out, vector) = self.side_by_side(id, of, axis);
+            (out, self.lane_of(&vector, width, index, lanes))
         } else {
-            let (out, vector) = self.vector_of(id, of, axis);
-            let lane = match width {
-                1 => format!("{vector}[{}]", self.fitting(index, index_width(lanes.into()))),
-                _ => format!("{vector}[{} * {width} +: {width}]", self.fitting(index, index_width(lanes.into()))),
-            };
-            (out, lane)
+            self.choose(id, of, axis, index)
         };
         let index_bits = self.module.width(index);
         let value = if index_bits < 32 && 1u64 << index_bits <= u64::from(lanes) {
@@ -40,28 +47,62 @@ impl Printer<'_> {
         out
     }
 
-    /// The lanes side by side, and the text that makes them so, if they are not.
-    fn vector_of(&mut self, id: NodeId, of: NodeId, axis: u32) -> (Vec<String>, String) {
-        if let Op::Unpack { of: vector, axis: same } = self.module.node(of).op
-            && (same, self.plan.form(of)) == (axis, Form::Inline)
-            && matches!(self.plan.form(vector), Form::Declared | Form::Net | Form::Block)
-        {
-            let width = self.module.width(vector);
-            return (Vec::new(), self.part(vector, 0, width));
-        }
-        let (name, depth) = (self.name(id).to_string(), self.at.len());
+    /// The vector that has the lanes side by side, if there is one from which a part of their width can be taken.
+    fn vector_of(&mut self, of: NodeId, axis: u32) -> Option<String> {
+        let Op::Unpack { of: vector, axis: same } = self.module.node(of).op else { return None };
+        let is_there = matches!(self.plan.form(vector), Form::Declared | Form::Net | Form::Block);
+        let is_whole = (same, self.plan.form(of)) == (axis, Form::Inline);
+        let width = self.module.width(vector);
+        (is_there && is_whole && self.module.width(of).is_power_of_two()).then(|| self.part(vector, 0, width))
+    }
+
+    /// The lane of a vector that an index says.
+    fn lane_of(&mut self, vector: &str, width: u32, index: NodeId, lanes: u32) -> String {
+        let index = self.fitting(index, index_width(lanes.into()));
+        if width == 1 { format!("{vector}[{index}]") } else { format!("{vector}[{index} * {width} +: {width}]") }
+    }
+
+    /// An array of nets, one a lane, and the text that makes it.
+    fn copied(&mut self, id: NodeId, of: NodeId, axis: u32, lanes: u32) -> (Vec<String>, String) {
+        let width = self.module.width(of);
+        let array = self.label(&format!("{}_lanes", self.name(id)));
+        let declared = match width {
+            1 => format!("wire {}{array};", range(lanes)),
+            _ => format!("wire {}{array} [0:{}];", range(width), lanes - 1),
+        };
+        let out = self.each_lane(id, of, axis, declared, |i| format!("{array}[{i}]"));
+        (out, array)
+    }
+
+    /// A vector of the lanes side by side, and the text that makes it.
+    fn side_by_side(&mut self, id: NodeId, of: NodeId, axis: u32) -> (Vec<String>, String) {
         let (lanes, width) = (self.module.shape(of).extent(axis), self.module.width(of));
-        let (vector, i) = (self.label(&format!("{name}_lanes")), self.loop_variable(depth));
-        let value = self.at(self.at_with(axis, Index::all(&i)), |printer| printer.value(of));
-        let scope = self.label(&format!("{name}_of"));
-        let head = format!("{} begin : {scope}", self.for_lanes(depth, lanes));
-        let to = match width {
+        let vector = self.label(&format!("{}_lanes", self.name(id)));
+        let declared = format!("wire {}{vector};", range(lanes * width));
+        let out = self.each_lane(id, of, axis, declared, |i| match width {
             1 => format!("{vector}[{i}]"),
             _ => format!("{vector}[{i} * {width} +: {width}]"),
-        };
-        let mut out = vec![format!("wire {}{vector};", range(lanes * width))];
-        out.extend(self.generated(head, vec![format!("assign {to} = {value};")]));
+        });
         (out, vector)
+    }
+
+    /// What is declared, with an assignment of each lane to its place there.
+    fn each_lane(
+        &mut self,
+        id: NodeId,
+        of: NodeId,
+        axis: u32,
+        declared: String,
+        place: impl Fn(&str) -> String,
+    ) -> Vec<String> {
+        let (depth, lanes) = (self.at.len(), self.module.shape(of).extent(axis));
+        let i = self.loop_variable(depth);
+        let value = self.at(self.at_with(axis, Index::all(&i)), |printer| printer.value(of));
+        let scope = self.label(&format!("{}_of", self.name(id)));
+        let head = format!("{} begin : {scope}", self.for_lanes(depth, lanes));
+        let mut out = vec![declared];
+        out.extend(self.generated(head, vec![format!("assign {} = {value};", place(&i))]));
+        out
     }
 
     /// The lowest bits of an index, as many as count the lanes.

@@ -62,30 +62,30 @@ module picks (
     generate
         for (i = 0; i < 4; i = i + 1) begin : of_columns_picked_row
             wire [3:0] of_columns_picked;
-            wire [11:0] of_columns_picked_lanes;
+            wire [3:0] of_columns_picked_lanes [0:2];
             for (j = 0; j < 3; j = j + 1) begin : of_columns_picked_of
-                assign of_columns_picked_lanes[j * 4 +: 4] = cells[j].col[i].texel;
+                assign of_columns_picked_lanes[j] = cells[j].col[i].texel;
             end
-            assign of_columns_picked = (rows[i * 2 +: 2] < 2'd3) ? of_columns_picked_lanes[rows[i * 2 +: 2] * 4 +: 4] : 4'd0;
+            assign of_columns_picked = (rows[i * 2 +: 2] < 2'd3) ? of_columns_picked_lanes[rows[i * 2 +: 2]] : 4'd0;
         end
     endgenerate
 
     assign of_port = (which < 3'd5) ? words[which * 8 +: 8] : 8'd0; // gen/tests/lanes/mod.rs:69
-    wire [39:0] of_row_lanes;
+    wire [7:0] of_row_lanes [0:4];
     generate
         for (i = 0; i < 5; i = i + 1) begin : of_row_of
-            assign of_row_lanes[i * 8 +: 8] = held_row[i].held;
+            assign of_row_lanes[i] = held_row[i].held;
         end
     endgenerate
-    assign of_row = (which < 3'd5) ? of_row_lanes[which * 8 +: 8] : 8'd0; // gen/tests/lanes/mod.rs:69
+    assign of_row = (which < 3'd5) ? of_row_lanes[which] : 8'd0; // gen/tests/lanes/mod.rs:69
     assign of_bits = (place < 8'd6) ? bits[place[2:0]] : 1'b0;   // gen/tests/lanes/mod.rs:69
-    wire [31:0] prime_picked_lanes;
+    wire [7:0] prime_picked_lanes [0:3];
     generate
         for (i = 0; i < 4; i = i + 1) begin : prime_picked_of
-            assign prime_picked_lanes[i * 8 +: 8] = prime_listed_row[i].prime_listed;
+            assign prime_picked_lanes[i] = prime_listed_row[i].prime_listed;
         end
     endgenerate
-    assign prime_picked = prime_picked_lanes[prime_part * 8 +: 8]; // gen/tests/lanes/mod.rs:79
+    assign prime_picked = prime_picked_lanes[prime_part];        // gen/tests/lanes/mod.rs:79
     assign prime = prime_picked + held_row[0].held;              // gen/tests/lanes/mod.rs:80
     generate
         for (i = 0; i < 4; i = i + 1) begin : of_columns_of

@@ -208,15 +208,24 @@ pub fn constants() -> Module {
     b.module.clone()
 }
 
-/// More lanes to pick from than a vector holds.
-pub fn far_pick() -> Module {
+/// So many lanes to pick from.
+pub fn far_pick(lanes: u32) -> Module {
     let b = &mut Build::new("far_pick");
     let (seed, which) = (b.input("seed", 40, Shape::Plain), b.input("which", 12, Shape::Plain));
-    let lanes = b.broadcast(seed, 0, 1700);
+    let lanes = b.broadcast(seed, 0, lanes);
     let chain = b.delayed("chain", lanes);
     let next = b.previous(chain, 0, seed);
     b.next(chain, None, next);
     let picked = b.pick(chain, 0, which);
+    b.output("picked", picked);
+    b.module.clone()
+}
+
+/// One of three lanes of 40 bits.
+pub fn pick_of_three() -> Module {
+    let b = &mut Build::new("pick_of_three");
+    let (lanes, which) = (b.input("lanes", 40, Shape::Row(3)), b.input("which", 2, Shape::Plain));
+    let picked = b.pick(lanes, 0, which);
     b.output("picked", picked);
     b.module.clone()
 }

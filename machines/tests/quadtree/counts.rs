@@ -1,13 +1,10 @@
 //! What the hardware counts is what the plain model counts, and its clocks are those of the paper's cost model.
 
-use crate::polygons::{BACKGROUND, machine, random, render, size};
-use tilewright_machines::Watch;
+use crate::polygons::{BOTH, random, render, size};
 use tilewright_machines::quadtree::{
     Config, Costs, Queues, Rectangles, Report, Search, Stages, TestUnit, UnitReport, Windows,
 };
 use tilewright_scenes::Polygon;
-
-const BOTH: [TestUnit; 2] = [TestUnit::Serial, TestUnit::Parallel];
 
 /// Queues in which hardly anything has to wait.
 const DEEP: Queues = Queues { broadcast: 2, packets: 16, windows: 32 };
@@ -56,58 +53,6 @@ fn assert_cost_model(polygons: usize, form: &str, matrix: (u32, u32)) {
 fn busy_clocks_and_windows_are_those_of_the_cost_model() {
     assert_cost_model(150, "pipe", (1, 1));
     assert_cost_model(150, "stack:2+pipe:1+tree:1", (2, 2));
-}
-
-/// 10,000 polygons: `cargo test --release -p tilewright-machines --test quadtree -- --ignored`.
-#[test]
-#[ignore = "takes minutes in the profile of tests"]
-fn busy_clocks_of_10_000_polygons_are_those_of_the_cost_model() {
-    assert_cost_model(11_000, "pipe", (2, 2));
-    assert_cost_model(11_000, "stack", (1, 1));
-}
-
-/// The same of each polygon by itself, in all frames of one machine; with an aperture.
-#[test]
-fn busy_clocks_of_single_polygons_are_those_of_the_cost_model() {
-    let size = size(32, 32);
-    let packets = random(6, 60, size, 8);
-    for test in BOTH {
-        let config = Config {
-            matrix: (4, 4),
-            form: "stack".to_owned(),
-            test,
-            aperture: 2,
-            ..Config::for_packets(size, &packets)
-        };
-        let mut machine = machine(&config);
-        for packet in packets.chunks(1) {
-            let (_, report) = machine.render(packet, BACKGROUND, &mut Watch::default()).expect("renders");
-            assert_counts(&config, packet, &report);
-        }
-    }
-}
-
-/// MPG-PMAX: five tests a polygon, four for the root and one, of kp = ke clocks, for the window that passes.
-#[test]
-fn small_polygons_come_every_five_tests() {
-    let size = size(32, 32);
-    let packets: Vec<Polygon> = (0..300)
-        .map(|number| Rectangles::new(size, 1.0, 5.0, 7).expect("possible").polygon(number))
-        .filter(|packet| !packet.bounds.is_empty())
-        .collect();
-    assert!(packets.len() >= 80 && packets.iter().all(|packet| packet.edges.len() == 4), "{}", packets.len());
-    let config = Config { matrix: (1, 1), test: TestUnit::Serial, queues: DEEP, ..Config::for_packets(size, &packets) };
-    let one = |packet: &Polygon| expected(&config, std::slice::from_ref(packet))[0].0.iter().all(|it| it.0 == 1);
-    let packets: Vec<Polygon> = packets.into_iter().filter(one).take(60).collect();
-    assert_eq!(packets.len(), 60);
-    let mut machine = machine(&config);
-    let mut clocks = |packets: &[Polygon]| {
-        let (_, report) = machine.render(packets, BACKGROUND, &mut Watch::default()).expect("renders");
-        report.drawing_clocks()
-    };
-    // Both end with the same polygons, and so alike.
-    let few = clocks(&packets[40..]);
-    assert_eq!(clocks(&packets) - few, 40 * 5 * 4);
 }
 
 /// MPG-EQ9 and MPG-EQ10: where queues are deep, the slowest level is all but always busy, and the mean load is R_p.

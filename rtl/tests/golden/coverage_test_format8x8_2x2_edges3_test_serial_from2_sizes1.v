@@ -239,13 +239,13 @@ module coverage_test_format8x8_2x2_edges3_test_serial_from2_sizes1 (
         end
     endgenerate
 
-    wire [95:0] value_picked_lanes;
+    wire [31:0] value_picked_lanes [0:2];
     generate
         for (i = 0; i < 3; i = i + 1) begin : value_picked_of
-            assign value_picked_lanes[i * 32 +: 32] = held_window_edges_row[i].held_window_edges;
+            assign value_picked_lanes[i] = held_window_edges_row[i].held_window_edges;
         end
     endgenerate
-    assign value_picked = (step < 3'd3) ? value_picked_lanes[step[1:0] * 32 +: 32] : 32'd0; // rtl/src/quadtree/coverage_test.rs:118
+    assign value_picked = (step < 3'd3) ? value_picked_lanes[step[1:0]] : 32'd0; // rtl/src/quadtree/coverage_test.rs:118
     wire [2:0] value_picked_2_lanes;
     generate
         for (i = 0; i < 3; i = i + 1) begin : value_picked_2_of
@@ -253,13 +253,13 @@ module coverage_test_format8x8_2x2_edges3_test_serial_from2_sizes1 (
         end
     endgenerate
     assign value_picked_2 = (step < 3'd3) ? value_picked_2_lanes[step[1:0]] : 1'b0; // rtl/src/quadtree/coverage_test.rs:118
-    wire [50:0] value_picked_3_lanes;
+    wire [16:0] value_picked_3_lanes [0:2];
     generate
         for (i = 0; i < 3; i = i + 1) begin : value_picked_3_of
-            assign value_picked_3_lanes[i * 17 +: 17] = held_polygon_fall_x_row[i].held_polygon_fall_x;
+            assign value_picked_3_lanes[i] = held_polygon_fall_x_row[i].held_polygon_fall_x;
         end
     endgenerate
-    assign value_picked_3 = (step < 3'd3) ? value_picked_3_lanes[step[1:0] * 17 +: 17] : 17'd0; // rtl/src/quadtree/coverage_test.rs:118
+    assign value_picked_3 = (step < 3'd3) ? value_picked_3_lanes[step[1:0]] : 17'd0; // rtl/src/quadtree/coverage_test.rs:118
     wire [2:0] value_picked_4_lanes;
     generate
         for (i = 0; i < 3; i = i + 1) begin : value_picked_4_of
@@ -267,34 +267,34 @@ module coverage_test_format8x8_2x2_edges3_test_serial_from2_sizes1 (
         end
     endgenerate
     assign value_picked_4 = (step < 3'd3) ? value_picked_4_lanes[step[1:0]] : 1'b0; // rtl/src/quadtree/coverage_test.rs:118
-    wire [50:0] value_picked_5_lanes;
+    wire [16:0] value_picked_5_lanes [0:2];
     generate
         for (i = 0; i < 3; i = i + 1) begin : value_picked_5_of
-            assign value_picked_5_lanes[i * 17 +: 17] = held_polygon_fall_y_row[i].held_polygon_fall_y;
+            assign value_picked_5_lanes[i] = held_polygon_fall_y_row[i].held_polygon_fall_y;
         end
     endgenerate
-    assign value_picked_5 = (step < 3'd3) ? value_picked_5_lanes[step[1:0] * 17 +: 17] : 17'd0; // rtl/src/quadtree/coverage_test.rs:118
-    wire [159:0] plane_picked_lanes;
+    assign value_picked_5 = (step < 3'd3) ? value_picked_5_lanes[step[1:0]] : 17'd0; // rtl/src/quadtree/coverage_test.rs:118
+    wire [39:0] plane_picked_lanes [0:3];
     generate
         for (i = 0; i < 4; i = i + 1) begin : plane_picked_of
-            assign plane_picked_lanes[i * 40 +: 40] = held_window_planes_row[i].held_window_planes;
+            assign plane_picked_lanes[i] = held_window_planes_row[i].held_window_planes;
         end
     endgenerate
-    assign plane_picked = (step < 3'd4) ? plane_picked_lanes[step[1:0] * 40 +: 40] : 40'd0; // rtl/src/quadtree/coverage_test.rs:81
-    wire [159:0] plane_picked_2_lanes;
+    assign plane_picked = (step < 3'd4) ? plane_picked_lanes[step[1:0]] : 40'd0; // rtl/src/quadtree/coverage_test.rs:81
+    wire [39:0] plane_picked_2_lanes [0:3];
     generate
         for (i = 0; i < 4; i = i + 1) begin : plane_picked_2_of
-            assign plane_picked_2_lanes[i * 40 +: 40] = held_polygon_plane_x_row[i].held_polygon_plane_x;
+            assign plane_picked_2_lanes[i] = held_polygon_plane_x_row[i].held_polygon_plane_x;
         end
     endgenerate
-    assign plane_picked_2 = (step < 3'd4) ? plane_picked_2_lanes[step[1:0] * 40 +: 40] : 40'd0; // rtl/src/quadtree/coverage_test.rs:81
-    wire [159:0] plane_picked_3_lanes;
+    assign plane_picked_2 = (step < 3'd4) ? plane_picked_2_lanes[step[1:0]] : 40'd0; // rtl/src/quadtree/coverage_test.rs:81
+    wire [39:0] plane_picked_3_lanes [0:3];
     generate
         for (i = 0; i < 4; i = i + 1) begin : plane_picked_3_of
-            assign plane_picked_3_lanes[i * 40 +: 40] = held_polygon_plane_y_row[i].held_polygon_plane_y;
+            assign plane_picked_3_lanes[i] = held_polygon_plane_y_row[i].held_polygon_plane_y;
         end
     endgenerate
-    assign plane_picked_3 = (step < 3'd4) ? plane_picked_3_lanes[step[1:0] * 40 +: 40] : 40'd0; // rtl/src/quadtree/coverage_test.rs:82
+    assign plane_picked_3 = (step < 3'd4) ? plane_picked_3_lanes[step[1:0]] : 40'd0; // rtl/src/quadtree/coverage_test.rs:82
     generate
         for (i = 0; i < 3; i = i + 1) begin : parts_polygon_fall_x_of
             assign parts_polygon_fall_x[i * 17 +: 17] = held_polygon_fall_x_row[i].held_polygon_fall_x;

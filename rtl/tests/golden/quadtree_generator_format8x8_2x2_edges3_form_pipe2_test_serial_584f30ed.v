@@ -254,76 +254,76 @@ module quadtree_generator_format8x8_2x2_edges3_form_pipe2_test_serial_584f30ed (
         end
     endgenerate
     assign u_processor_idle_all = &u_processor_idle_all_lanes;   // rtl/src/quadtree/generator.rs:137
-    wire [127:0] tally_busy_picked_3_lanes;
+    wire [31:0] tally_busy_picked_3_lanes [0:3];
     generate
         for (i = 0; i < 4; i = i + 1) begin : tally_busy_picked_3_of
-            assign tally_busy_picked_3_lanes[i * 32 +: 32] = u_processor[i].tally_0_busy;
+            assign tally_busy_picked_3_lanes[i] = u_processor[i].tally_0_busy;
         end
     endgenerate
-    assign tally_busy_picked_3 = tally_busy_picked_3_lanes[probe_processor * 32 +: 32]; // rtl/src/quadtree/generator.rs:139
-    wire [127:0] tally_stalled_picked_3_lanes;
+    assign tally_busy_picked_3 = tally_busy_picked_3_lanes[probe_processor]; // rtl/src/quadtree/generator.rs:139
+    wire [31:0] tally_stalled_picked_3_lanes [0:3];
     generate
         for (i = 0; i < 4; i = i + 1) begin : tally_stalled_picked_3_of
-            assign tally_stalled_picked_3_lanes[i * 32 +: 32] = u_processor[i].tally_0_stalled;
+            assign tally_stalled_picked_3_lanes[i] = u_processor[i].tally_0_stalled;
         end
     endgenerate
-    assign tally_stalled_picked_3 = tally_stalled_picked_3_lanes[probe_processor * 32 +: 32]; // rtl/src/quadtree/generator.rs:139
-    wire [127:0] tally_results_picked_3_lanes;
+    assign tally_stalled_picked_3 = tally_stalled_picked_3_lanes[probe_processor]; // rtl/src/quadtree/generator.rs:139
+    wire [31:0] tally_results_picked_3_lanes [0:3];
     generate
         for (i = 0; i < 4; i = i + 1) begin : tally_results_picked_3_of
-            assign tally_results_picked_3_lanes[i * 32 +: 32] = u_processor[i].tally_0_results;
+            assign tally_results_picked_3_lanes[i] = u_processor[i].tally_0_results;
         end
     endgenerate
-    assign tally_results_picked_3 = tally_results_picked_3_lanes[probe_processor * 32 +: 32]; // rtl/src/quadtree/generator.rs:139
-    wire [127:0] tally_busy_picked_lanes;
+    assign tally_results_picked_3 = tally_results_picked_3_lanes[probe_processor]; // rtl/src/quadtree/generator.rs:139
+    wire [31:0] tally_busy_picked_lanes [0:3];
     generate
         for (i = 0; i < 4; i = i + 1) begin : tally_busy_picked_of
-            assign tally_busy_picked_lanes[i * 32 +: 32] = u_processor[i].tally_1_busy;
+            assign tally_busy_picked_lanes[i] = u_processor[i].tally_1_busy;
         end
     endgenerate
-    assign tally_busy_picked = tally_busy_picked_lanes[probe_processor * 32 +: 32]; // rtl/src/quadtree/generator.rs:139
-    wire [127:0] tally_stalled_picked_lanes;
+    assign tally_busy_picked = tally_busy_picked_lanes[probe_processor]; // rtl/src/quadtree/generator.rs:139
+    wire [31:0] tally_stalled_picked_lanes [0:3];
     generate
         for (i = 0; i < 4; i = i + 1) begin : tally_stalled_picked_of
-            assign tally_stalled_picked_lanes[i * 32 +: 32] = u_processor[i].tally_1_stalled;
+            assign tally_stalled_picked_lanes[i] = u_processor[i].tally_1_stalled;
         end
     endgenerate
-    assign tally_stalled_picked = tally_stalled_picked_lanes[probe_processor * 32 +: 32]; // rtl/src/quadtree/generator.rs:139
-    wire [127:0] tally_results_picked_lanes;
+    assign tally_stalled_picked = tally_stalled_picked_lanes[probe_processor]; // rtl/src/quadtree/generator.rs:139
+    wire [31:0] tally_results_picked_lanes [0:3];
     generate
         for (i = 0; i < 4; i = i + 1) begin : tally_results_picked_of
-            assign tally_results_picked_lanes[i * 32 +: 32] = u_processor[i].tally_1_results;
+            assign tally_results_picked_lanes[i] = u_processor[i].tally_1_results;
         end
     endgenerate
-    assign tally_results_picked = tally_results_picked_lanes[probe_processor * 32 +: 32]; // rtl/src/quadtree/generator.rs:139
-    wire [127:0] tally_busy_picked_2_lanes;
+    assign tally_results_picked = tally_results_picked_lanes[probe_processor]; // rtl/src/quadtree/generator.rs:139
+    wire [31:0] tally_busy_picked_2_lanes [0:3];
     generate
         for (i = 0; i < 4; i = i + 1) begin : tally_busy_picked_2_of
-            assign tally_busy_picked_2_lanes[i * 32 +: 32] = u_processor[i].tally_2_busy;
+            assign tally_busy_picked_2_lanes[i] = u_processor[i].tally_2_busy;
         end
     endgenerate
-    assign tally_busy_picked_2 = tally_busy_picked_2_lanes[probe_processor * 32 +: 32]; // rtl/src/quadtree/generator.rs:139
-    wire [127:0] tally_stalled_picked_2_lanes;
+    assign tally_busy_picked_2 = tally_busy_picked_2_lanes[probe_processor]; // rtl/src/quadtree/generator.rs:139
+    wire [31:0] tally_stalled_picked_2_lanes [0:3];
     generate
         for (i = 0; i < 4; i = i + 1) begin : tally_stalled_picked_2_of
-            assign tally_stalled_picked_2_lanes[i * 32 +: 32] = u_processor[i].tally_2_stalled;
+            assign tally_stalled_picked_2_lanes[i] = u_processor[i].tally_2_stalled;
         end
     endgenerate
-    assign tally_stalled_picked_2 = tally_stalled_picked_2_lanes[probe_processor * 32 +: 32]; // rtl/src/quadtree/generator.rs:139
-    wire [127:0] tally_results_picked_2_lanes;
+    assign tally_stalled_picked_2 = tally_stalled_picked_2_lanes[probe_processor]; // rtl/src/quadtree/generator.rs:139
+    wire [31:0] tally_results_picked_2_lanes [0:3];
     generate
         for (i = 0; i < 4; i = i + 1) begin : tally_results_picked_2_of
-            assign tally_results_picked_2_lanes[i * 32 +: 32] = u_processor[i].tally_2_results;
+            assign tally_results_picked_2_lanes[i] = u_processor[i].tally_2_results;
         end
     endgenerate
-    assign tally_results_picked_2 = tally_results_picked_2_lanes[probe_processor * 32 +: 32]; // rtl/src/quadtree/generator.rs:139
-    wire [127:0] fragments_lanes;
+    assign tally_results_picked_2 = tally_results_picked_2_lanes[probe_processor]; // rtl/src/quadtree/generator.rs:139
+    wire [31:0] fragments_lanes [0:3];
     generate
         for (i = 0; i < 4; i = i + 1) begin : fragments_of
-            assign fragments_lanes[i * 32 +: 32] = u_processor[i].lane_fragments;
+            assign fragments_lanes[i] = u_processor[i].lane_fragments;
         end
     endgenerate
-    assign fragments = fragments_lanes[probe_processor * 32 +: 32]; // rtl/src/quadtree/generator.rs:148
+    assign fragments = fragments_lanes[probe_processor];         // rtl/src/quadtree/generator.rs:148
     generate
         for (i = 0; i < 4; i = i + 1) begin : u_controller_words_of
             assign u_controller_words[i * 48 +: 48] = u_processor[i].word;

@@ -184,12 +184,42 @@ module set_up_format8x8_2x2_edges3 (
         end
     endgenerate
 
-    assign a = (step < 3'd3) ? packets_edges_a[step[1:0] * 17 +: 17] : 17'd0; // rtl/src/quadtree/set_up.rs:54
-    assign b = (step < 3'd3) ? packets_edges_b[step[1:0] * 17 +: 17] : 17'd0; // rtl/src/quadtree/set_up.rs:55
+    wire [16:0] a_lanes [0:2];
+    generate
+        for (i = 0; i < 3; i = i + 1) begin : a_of
+            assign a_lanes[i] = packets_edges_a[i * 17 +: 17];
+        end
+    endgenerate
+    assign a = (step < 3'd3) ? a_lanes[step[1:0]] : 17'd0;       // rtl/src/quadtree/set_up.rs:54
+    wire [16:0] b_lanes [0:2];
+    generate
+        for (i = 0; i < 3; i = i + 1) begin : b_of
+            assign b_lanes[i] = packets_edges_b[i * 17 +: 17];
+        end
+    endgenerate
+    assign b = (step < 3'd3) ? b_lanes[step[1:0]] : 17'd0;       // rtl/src/quadtree/set_up.rs:55
     assign value_picked = (step < 3'd3) ? packets_edges_c[step[1:0] * 32 +: 32] : 32'd0; // rtl/src/quadtree/set_up.rs:62
-    assign plane_x = (step < 3'd4) ? packets_planes_x[step[1:0] * 40 +: 40] : 40'd0; // rtl/src/quadtree/set_up.rs:76
-    assign plane_y = (step < 3'd4) ? packets_planes_y[step[1:0] * 40 +: 40] : 40'd0; // rtl/src/quadtree/set_up.rs:77
-    assign plane_picked = (step < 3'd4) ? packets_planes_origin[step[1:0] * 40 +: 40] : 40'd0; // rtl/src/quadtree/set_up.rs:79
+    wire [39:0] plane_x_lanes [0:3];
+    generate
+        for (i = 0; i < 4; i = i + 1) begin : plane_x_of
+            assign plane_x_lanes[i] = packets_planes_x[i * 40 +: 40];
+        end
+    endgenerate
+    assign plane_x = (step < 3'd4) ? plane_x_lanes[step[1:0]] : 40'd0; // rtl/src/quadtree/set_up.rs:76
+    wire [39:0] plane_y_lanes [0:3];
+    generate
+        for (i = 0; i < 4; i = i + 1) begin : plane_y_of
+            assign plane_y_lanes[i] = packets_planes_y[i * 40 +: 40];
+        end
+    endgenerate
+    assign plane_y = (step < 3'd4) ? plane_y_lanes[step[1:0]] : 40'd0; // rtl/src/quadtree/set_up.rs:77
+    wire [39:0] plane_picked_lanes [0:3];
+    generate
+        for (i = 0; i < 4; i = i + 1) begin : plane_picked_of
+            assign plane_picked_lanes[i] = packets_planes_origin[i * 40 +: 40];
+        end
+    endgenerate
+    assign plane_picked = (step < 3'd4) ? plane_picked_lanes[step[1:0]] : 40'd0; // rtl/src/quadtree/set_up.rs:79
     generate
         for (i = 0; i < 3; i = i + 1) begin : roots_polygon_fall_x_of
             assign roots_polygon_fall_x[i * 17 +: 17] = fall_x_row[i].roots_polygon_fall_x_choice;

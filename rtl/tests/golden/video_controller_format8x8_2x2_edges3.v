@@ -51,11 +51,11 @@ module video_controller_format8x8_2x2_edges3 (
     generate
         for (i = 0; i < 2; i = i + 1) begin : pixels_payload_picked_row
             wire [47:0] pixels_payload_picked;
-            wire [95:0] pixels_payload_picked_lanes;
+            wire [47:0] pixels_payload_picked_lanes [0:1];
             for (j = 0; j < 2; j = j + 1) begin : pixels_payload_picked_of
-                assign pixels_payload_picked_lanes[j * 48 +: 48] = words[(j * 2 + i) * 48 +: 48];
+                assign pixels_payload_picked_lanes[j] = words[(j * 2 + i) * 48 +: 48];
             end
-            assign pixels_payload_picked = pixels_payload_picked_lanes[arrived_row * 48 +: 48];
+            assign pixels_payload_picked = pixels_payload_picked_lanes[arrived_row];
             wire [47:0] pixels_payload_choice = (&pixels_payload_picked) ? {24'hffffff, show_background} : pixels_payload_picked;
         end
     endgenerate

@@ -16,6 +16,7 @@ pub mod build;
 pub mod campaign;
 pub mod check;
 pub mod drawn;
+mod dump;
 mod edit;
 pub mod fuzz;
 pub mod many;

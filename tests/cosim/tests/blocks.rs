@@ -1,5 +1,6 @@
 //! The scenario of every block of the catalogues, repeated by Icarus, Verilator and Yosys.
 
+use std::collections::BTreeMap;
 use tilewright_cosim::batch::{self, Tool};
 use tilewright_cosim::check::Run;
 use tilewright_gen::{VerilogFile, tools};
@@ -70,18 +71,19 @@ fn verilator_repeats_every_scenario() {
     replayed_by(Tool::Verilator);
 }
 
-/// Yosys does not find an input that is dumped lane by lane: those designs are left to the others.
-fn has_plain_inputs(design: &Design) -> bool {
-    let top = design.top();
-    top.inputs.iter().all(|input| top.node(input.node).shape.is_plain())
+/// Each block by name, in uneven sizes if it has sizes: Yosys looks at every bit of every signal, which takes minutes for all.
+fn blocks_in_one_size() -> impl Iterator<Item = (String, Design, Run)> {
+    let mut last: BTreeMap<String, (String, Design, Run)> = BTreeMap::new();
+    for block in blocks() {
+        let name = block.0.split(' ').next().expect("a block has a name").to_owned();
+        last.insert(name, block);
+    }
+    last.into_values()
 }
 
-/// A read that meets a write of its word gives any word. The video buffer does not look at that, but Yosys compares it.
 #[test]
 fn yosys_agrees_with_every_dump() {
-    let differences = blocks()
-        .into_iter()
-        .filter(|(name, design, _)| has_plain_inputs(design) && !name.starts_with("video-buffer"))
+    let differences = blocks_in_one_size()
         .filter_map(|(name, design, run)| run.check_dump(&design).err().map(|problems| format!("{name}:\n{problems}")));
     let differences: Vec<String> = differences.collect();
     assert!(differences.is_empty(), "{}", differences.join("\n"));
