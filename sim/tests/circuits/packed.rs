@@ -46,7 +46,7 @@ block! {
     /// A grid of them, whose bits are moved, combined and looked at.
     struct Square { rows: u32, columns: u32, policy: ReadUnderWrite }
     in(self) SquareIn { x: bits(7), go: bit(), mask: one_of::<Mask>(), at: bits(3), all: bits(self.columns) }
-    out(self) SquareOut { y: bits(self.columns), any: bit(), odd: bit(), sum: bits(8), last: bit().of(row(self.columns)) }
+    out(self) SquareOut { y: bits(self.columns), any: bit(), odd: bit(), sum: bits(8), last: bit().of(row(self.columns)), picked: bit().of(row(self.columns)) }
 }
 
 impl Square {
@@ -79,6 +79,7 @@ impl Square {
             odd: held.columns().xor_all().xor_all(),
             sum: counts.sum().trunc(8),
             last: held.rows().lane(self.rows - 1),
+            picked: held.rows().pick(i.at),
         }
     }
 }

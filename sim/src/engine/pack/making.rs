@@ -15,6 +15,8 @@ pub(super) enum Making {
     Logic,
     /// By the same operation on words of the operands, along an axis that counts words where it counted lanes.
     Moved,
+    /// By choosing among words, for all lanes of a word alike.
+    Picked,
     /// Each lane of this value is all bits of so many words.
     Repeated { of: ValueId, words: u32 },
     /// They are the parts of a wider value.
@@ -44,6 +46,10 @@ pub(super) fn making(circuit: &Circuit, id: ValueId, lanes: u32) -> Option<Makin
         | Kind::Interleave { axis, .. }
         | Kind::Lane { axis, .. }
         | Kind::Reduce { axis, .. } => is_whole(*axis).then_some(Making::Moved),
+        Kind::Pick { axis, index, .. } if is_whole(*axis) => {
+            let is_same = repeated(circuit, *index, lanes).is_some() || circuit.constant(*index).is_some();
+            is_same.then_some(Making::Picked)
+        }
         Kind::Unpack { axis: Axis { count, inner: 1 }, .. } => count.is_multiple_of(lanes).then_some(Making::Parts),
         _ => None,
     }

@@ -163,6 +163,11 @@ impl<'a> Words<'a> {
                 kind.rewrite(|operand| *operand = self.of(*operand, lanes));
                 shorten(&mut kind, lanes);
             }
+            Some(Making::Picked) => {
+                let Kind::Pick { of, axis, index } = &mut kind else { unreachable!("only a pick is picked") };
+                (*of, *index) = (self.of(*of, lanes), self.same(*index, lanes).expect("it is the same in each word"));
+                axis.inner /= lanes;
+            }
             Some(Making::Logic) => return self.logic(id, kind, lanes),
         }
         self.push(id, kind, words, lanes)
