@@ -1,6 +1,7 @@
 //! The machines that there are, and the options of each.
 
 mod job;
+mod pixel_planes;
 mod quadtree;
 mod vc1;
 
@@ -15,6 +16,8 @@ pub use job::{Job, Run};
 pub enum Machine {
     Vc1,
     Quadtree,
+    #[value(name = "pixel-planes-5")]
+    PixelPlanes,
 }
 
 impl Machine {
@@ -23,6 +26,7 @@ impl Machine {
         match self {
             Machine::Vc1 => "vc1",
             Machine::Quadtree => "quadtree",
+            Machine::PixelPlanes => "pixel-planes-5",
         }
     }
 
@@ -33,6 +37,9 @@ impl Machine {
             Machine::Quadtree => {
                 "video processors find the pixels of polygons, each on a sparse raster, by dividing windows"
             }
+            Machine::PixelPlanes => {
+                "renderers draw the screen's regions, each an array of pixels that compute under one instruction"
+            }
         }
     }
 
@@ -41,6 +48,7 @@ impl Machine {
         match self {
             Machine::Vc1 => "Nishimura and Kunii, VC-1: A Scalable Graphics Computer with Virtual Local Frame Buffers",
             Machine::Quadtree => "a Russian paper on matrix-pipeline image generators of sparse rasters and quadtrees",
+            Machine::PixelPlanes => "the chapter on renderer performance of a paper on Pixel-planes 5",
         }
     }
 
@@ -48,13 +56,14 @@ impl Machine {
     pub fn options(self) -> Vec<MachineOption> {
         match self {
             Machine::Vc1 => options::<vc1::Vc1Options>(),
-            Machine::Quadtree => options::<quadtree::QuadtreeOptions>(),
+            Machine::Quadtree => [options::<quadtree::QuadtreeOptions>(), options::<OrderOptions>()].concat(),
+            Machine::PixelPlanes => [options::<pixel_planes::PixelPlanesOptions>(), options::<OrderOptions>()].concat(),
         }
     }
 }
 
 /// An option of `render`, as its help shows it.
-#[derive(Serialize)]
+#[derive(Clone, Serialize)]
 pub struct MachineOption {
     /// With what is given to it, such as `--patch EDGE`.
     pub option: String,
@@ -82,6 +91,19 @@ pub struct MachineArguments {
     pub vc1: vc1::Vc1Options,
     #[command(flatten)]
     pub quadtree: quadtree::QuadtreeOptions,
+    #[command(flatten)]
+    pub pixel_planes: pixel_planes::PixelPlanesOptions,
+    #[command(flatten)]
+    pub order: OrderOptions,
+}
+
+/// Which of two pixels of equal depth is seen, where a machine draws in the order of submission.
+#[derive(Args)]
+#[command(next_help_heading = "Options of --machine quadtree and --machine pixel-planes-5")]
+pub struct OrderOptions {
+    /// Let depth alone decide, and of equal depths the first drawn stay, here and in the golden image
+    #[arg(long)]
+    pub strict: bool,
 }
 
 impl MachineArguments {
@@ -90,12 +112,18 @@ impl MachineArguments {
     /// # Errors
     /// One is another machine's.
     pub fn check(&self, machine: Machine) -> Result<(), Failure> {
-        let given = [(Machine::Vc1, self.vc1.given()), (Machine::Quadtree, self.quadtree.given())];
-        let strange = given.into_iter().filter(|(of, _)| *of != machine).find_map(|(of, it)| Some((of, it?)));
+        let given = [
+            (Machine::Vc1, self.vc1.given()),
+            (Machine::Quadtree, self.quadtree.given()),
+            (Machine::PixelPlanes, self.pixel_planes.given()),
+        ];
+        let strange = given.into_iter().filter(|(of, _)| *of != machine).find_map(|(of, it)| Some((of.name(), it?)));
+        let strict = ("quadtree and pixel-planes-5", "--strict");
+        let strange = strange.or((machine == Machine::Vc1 && self.order.strict).then_some(strict));
         strange.map_or(Ok(()), |(of, option)| {
-            let (of, machine) = (of.name(), machine.name());
+            let (machine, other) = (machine.name(), of.split(' ').next().unwrap_or(of));
             let sentence = format!(
-                "{option} is an option of {of}, and the machine is {machine}: leave it out, or pass --machine {of}"
+                "{option} is an option of {of}, and the machine is {machine}: leave it out, or pass --machine {other}"
             );
             Err(Failure::new(Exit::BadInput, sentence))
         })

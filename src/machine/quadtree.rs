@@ -37,9 +37,6 @@ pub struct QuadtreeOptions {
     /// Pixels by which windows are tested wider than their samples, even, 0 to 8 [default: 0]
     #[arg(long, value_name = "PIXELS")]
     aperture: Option<u32>,
-    /// Let depth alone decide, and of equal depths the first drawn stay, here and in the golden image
-    #[arg(long)]
-    strict: bool,
 }
 
 /// A way to test the edges of a window.
@@ -61,8 +58,7 @@ fn matrix(text: &str) -> Result<(u32, u32), String> {
 impl QuadtreeOptions {
     /// One that is given, if any is.
     pub fn given(&self) -> Option<&'static str> {
-        let QuadtreeOptions { matrix, form, test, broadcast_queue, packet_queue, window_queue, aperture, strict } =
-            self;
+        let QuadtreeOptions { matrix, form, test, broadcast_queue, packet_queue, window_queue, aperture } = self;
         first_given([
             ("--matrix", matrix.is_some()),
             ("--form", form.is_some()),
@@ -71,7 +67,6 @@ impl QuadtreeOptions {
             ("--packet-queue", packet_queue.is_some()),
             ("--window-queue", window_queue.is_some()),
             ("--aperture", aperture.is_some()),
-            ("--strict", *strict),
         ])
     }
 
@@ -79,7 +74,7 @@ impl QuadtreeOptions {
     ///
     /// # Errors
     /// The scene cannot be set up, or there is no such machine.
-    pub fn job(&self, scene: &Scene) -> Result<QuadtreeJob, Failure> {
+    pub fn job(&self, scene: &Scene, strict: bool) -> Result<QuadtreeJob, Failure> {
         let scene_polygons = polygons(scene)?;
         let usual = Config::for_packets(scene_polygons.size, &scene_polygons.polygons);
         let config = Config {
@@ -95,7 +90,7 @@ impl QuadtreeOptions {
                 windows: self.window_queue.unwrap_or(usual.queues.windows),
             },
             aperture: self.aperture.unwrap_or(usual.aperture),
-            strict: self.strict,
+            strict,
             ..usual
         };
         config.generator().map_err(tilewright_machines::Error::from)?;

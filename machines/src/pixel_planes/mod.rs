@@ -1,27 +1,36 @@
 //! Pixel-planes 5: renderers, each an array of 128x128 pixel processors, that take the screen's regions one after another.
 //!
 //! Here is what of it is not hardware: which regions a primitive is binned to, which renderer takes which region, and what the paper says of
-//! both in formulas.
+//! both in formulas; and the machine as a whole, which draws scenes with the hardware.
 //!
 //! ```text
 //! primitives -> Outline -- Binner --> bins of Regions -- allocate --> Allocation: the regions of each renderer, P_w
+//! bins ----> Bin: instructions --> Machine: renderers and frame buffer in simulation --> Frame, Report
 //! Vectors ---------------> Study: regions a vector, counted, beside those by Shape's formulas
 //! ```
 //!
 //! Source: "Renderer performance" of the Pixel-planes 5 paper, facts A0 (PP5).
 
 mod allocator;
+mod bin;
+mod config;
 mod formulas;
+mod hardware;
+mod machine;
 mod outline;
 mod regions;
+mod report;
 mod study;
 mod vectors;
 
 pub use allocator::{Allocation, Renderer, allocate};
+pub use config::{Built, Config};
 pub use formulas::{
     PERIOD, Shape, VECTOR_CYCLES, greatest_load, greatest_load_of_whole_regions, least_load, update_time,
 };
+pub use machine::Machine;
 pub use outline::{Binner, Outline};
 pub use regions::Regions;
+pub use report::{RegionReport, RendererReport, Report};
 pub use study::{Bins, Point, Study};
 pub use vectors::Vectors;

@@ -1,0 +1,109 @@
+//! The sizes of a machine, and what its pixels keep.
+
+use serde::Serialize;
+use tilewright_rtl::parameter::{ParameterError, Screen};
+use tilewright_rtl::pixel_planes::frame_buffer::FrameBuffer;
+use tilewright_rtl::pixel_planes::renderer::Renderer;
+use tilewright_rtl::pixel_planes::{self, SIDE};
+use tilewright_scenes::Size;
+
+use super::regions::Regions;
+
+/// What a machine is built for.
+///
+/// ```
+/// use tilewright_machines::pixel_planes::Config;
+/// use tilewright_scenes::Size;
+///
+/// let config = Config { renderers: 4, side: 64, ..Config::new(Size::VGA) };
+/// assert_eq!(config.regions()?.count(), 10 * 8);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Config {
+    /// The screen in pixels.
+    pub size: Size,
+    /// Renderers, B: 1 to [`Config::MOST_RENDERERS`].
+    pub renderers: u32,
+    /// Pixels along a side of a region, S: a power of two from 8 to 256.
+    pub side: u32,
+    /// Instructions that the queue of each renderer holds.
+    pub queue: u32,
+    /// Depth alone decides, and of equal depths the first drawn stays, as in
+    /// [`golden::render_strict`](tilewright_scenes::golden::render_strict).
+    pub strict: bool,
+    /// The tree may have the next primitive's edges while the memory has what the one before leaves.
+    pub side_by_side: bool,
+}
+
+impl Config {
+    /// The most renderers.
+    pub const MOST_RENDERERS: u32 = 32;
+    /// The smallest region's side in pixels.
+    pub const SMALLEST_SIDE: u32 = 8;
+
+    /// 16 renderers with regions of 128 x 128 pixels (PP5-ARCH, PP5-UTV), for a screen of that size.
+    pub fn new(size: Size) -> Config {
+        Config { size, renderers: 16, side: SIDE, queue: 64, strict: false, side_by_side: true }
+    }
+
+    /// The screen's regions.
+    ///
+    /// # Errors
+    /// There are none of that side.
+    pub fn regions(&self) -> Result<Regions, ParameterError> {
+        if self.side < Config::SMALLEST_SIDE {
+            let (side, least) = (self.side, Config::SMALLEST_SIDE);
+            return Err(ParameterError(format!(
+                "regions of {side}x{side} pixels: the machine's are of {least} to 256 a side"
+            )));
+        }
+        Regions::new(self.size, pixel_planes::side(self.side)?)
+    }
+
+    /// The hardware of each renderer.
+    ///
+    /// # Errors
+    /// There is no such region or queue, or no such number of renderers.
+    pub fn renderer(&self) -> Result<Renderer, ParameterError> {
+        if !(1..=Config::MOST_RENDERERS).contains(&self.renderers) {
+            let (asked, most) = (self.renderers, Config::MOST_RENDERERS);
+            return Err(ParameterError(format!("{asked} renderers: a machine has from 1 to {most}")));
+        }
+        self.regions()?;
+        Renderer::new(self.side, self.queue)
+    }
+
+    /// The hardware that puts regions together.
+    ///
+    /// # Errors
+    /// As [`Config::regions`].
+    pub fn frame_buffer(&self) -> Result<FrameBuffer, ParameterError> {
+        FrameBuffer::new(Screen::new(self.size.width(), self.size.height())?, self.side)
+    }
+
+    /// As a report shows it.
+    pub(crate) fn built(&self) -> Built {
+        let Config { size, renderers, side, queue, strict, side_by_side } = *self;
+        Built { width: size.width(), height: size.height(), renderers, side, queue, strict, side_by_side }
+    }
+}
+
+/// A configuration as a report shows it.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Built {
+    /// Pixels in a row.
+    pub width: u32,
+    /// Rows.
+    pub height: u32,
+    /// Renderers.
+    pub renderers: u32,
+    /// Pixels along a side of a region.
+    pub side: u32,
+    /// Instructions that the queue of each renderer holds.
+    pub queue: u32,
+    /// Whether of equal depths the first drawn stays.
+    pub strict: bool,
+    /// Whether tree and memory may work on two instructions.
+    pub side_by_side: bool,
+}

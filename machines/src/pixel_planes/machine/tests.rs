@@ -1,0 +1,71 @@
+//! Frames of small machines, beside the golden image.
+
+use tilewright_scenes::golden::{render, render_strict};
+use tilewright_scenes::{Scene, Size, compare, project_polygons};
+
+use super::*;
+use crate::pixel_planes::allocate;
+
+/// A scene's frame and report, which is that of the golden rasterizer.
+fn drawn(name: &str, size: (u32, u32), config: impl Fn(Config) -> Config) -> Report {
+    let scene = Scene::builtin(name).expect("a built-in scene");
+    let polygons = project_polygons(&scene, Size::new(size.0, size.1).expect("in range")).expect("in front");
+    let config = config(Config::new(polygons.size));
+    let golden = match config.strict {
+        true => render_strict(polygons.size, &polygons.polygons, scene.background),
+        false => render(polygons.size, &polygons.polygons, scene.background),
+    };
+    let machine = Machine::new(config).expect("it can be built");
+    let (frame, report) = machine.render(&polygons, scene.background, &mut Watch::default()).expect("nobody stops it");
+    let comparison = compare(&frame, &golden);
+    assert_eq!(comparison.differing, 0, "{name} {size:?}: {comparison:?}");
+    report
+}
+
+#[test]
+fn frames_are_golden_for_all_numbers_of_renderers_and_sizes_of_regions() {
+    for (renderers, side, size) in [(1, 32, (40, 30)), (3, 16, (40, 30)), (5, 8, (23, 17)), (2, 64, (40, 30))] {
+        for strict in [false, true] {
+            for side_by_side in [false, true] {
+                drawn("teapot", size, |it| Config { renderers, side, strict, side_by_side, ..it });
+            }
+        }
+    }
+    drawn("wireframe", (40, 30), |it| Config { renderers: 2, side: 16, ..it });
+}
+
+#[test]
+fn regions_are_given_as_the_plain_allocator_gives_them() {
+    let report = drawn("star", (64, 48), |it| Config { renderers: 3, side: 16, ..it });
+    let mut bins = vec![(0, 0); report.regions.len()];
+    report.regions.iter().for_each(|it| bins[it.region] = (it.primitives, it.clocks));
+    // Renderers get their first region in clocks of their own, which decides nothing here.
+    let sizes: Vec<u64> = bins.iter().map(|(size, _)| *size).collect();
+    let mut by_size: Vec<(u64, u64)> = bins.clone();
+    by_size.sort_unstable();
+    by_size.dedup_by_key(|(size, _)| *size);
+    assert_eq!(report.regions.iter().map(|it| it.primitives).sum::<u64>(), sizes.iter().sum());
+    assert!(report.regions.windows(2).all(|pair| pair[0].primitives >= pair[1].primitives), "the fullest bins first");
+    let mut free = [0; 3];
+    for it in &report.regions {
+        let first = (0..3).min_by_key(|&renderer| free[renderer]).expect("there are three");
+        assert_eq!(it.renderer, first, "{it:?}");
+        assert!(it.begun >= free[first]);
+        free[first] = it.begun + it.clocks;
+    }
+    assert_eq!(report.drawn, free.into_iter().max().expect("there are three"));
+    assert_eq!(report.worst_load(), report.renderers.iter().map(|it| it.primitives).max().expect("there are three"));
+    let least = report.binned().div_ceil(3);
+    assert!((least..=report.binned()).contains(&report.worst_load()));
+    assert_eq!(allocate(&sizes, 1, |size| size).worst_load(), report.binned());
+}
+
+#[test]
+fn a_machine_that_cannot_be_is_refused() {
+    let refused = |config: Config| Machine::new(config).expect_err("it is refused").to_string();
+    let usual = Config::new(Size::VGA);
+    assert!(refused(Config { renderers: 33, ..usual.clone() }).contains("from 1 to 32"));
+    assert!(refused(Config { side: 48, ..usual.clone() }).contains("power of two"));
+    assert!(refused(Config { side: 4, ..usual.clone() }).contains("8 to 256"));
+    assert!(refused(Config { queue: 0, ..usual }).contains("from 1 to 4096"));
+}

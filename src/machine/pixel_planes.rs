@@ -1,0 +1,97 @@
+//! `--machine pixel-planes-5`.
+
+use super::first_given;
+use super::job::{Job, Run};
+use crate::golden;
+use crate::number::number;
+use crate::scene::polygons;
+use crate::shell::{Exit, Failure};
+use clap::Args;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use tilewright_machines::pixel_planes::{Config, Machine, Report};
+use tilewright_scenes::golden::{render_strict_watched, render_watched};
+use tilewright_scenes::{Frame, Polygons, Scene, Size};
+
+/// Its options.
+#[derive(Args)]
+#[command(next_help_heading = "Options of --machine pixel-planes-5")]
+pub struct PixelPlanesOptions {
+    /// Renderers [default: 16]
+    #[arg(long, value_name = "N", value_parser = number(1..=Config::MOST_RENDERERS))]
+    renderers: Option<u32>,
+    /// Pixels along the side of a region [default: 128]
+    #[arg(long, value_name = "PIXELS",
+          value_parser = PossibleValuesParser::new(["8", "16", "32", "64", "128", "256"]).map(|side| side.parse::<u32>().unwrap_or_default()))]
+    region: Option<u32>,
+    /// Have tree and memory work on one instruction at a time
+    #[arg(long)]
+    one_at_a_time: bool,
+}
+
+impl PixelPlanesOptions {
+    /// One that is given, if any is.
+    pub fn given(&self) -> Option<&'static str> {
+        let PixelPlanesOptions { renderers, region, one_at_a_time } = self;
+        first_given([
+            ("--renderers", renderers.is_some()),
+            ("--region", region.is_some()),
+            ("--one-at-a-time", *one_at_a_time),
+        ])
+    }
+
+    /// A scene for the machine.
+    ///
+    /// # Errors
+    /// The scene cannot be set up, or there is no such machine.
+    pub fn job(&self, scene: &Scene, strict: bool) -> Result<PixelPlanesJob, Failure> {
+        let scene_polygons = polygons(scene)?;
+        let usual = Config::new(scene_polygons.size);
+        let config = Config {
+            renderers: self.renderers.unwrap_or(usual.renderers),
+            side: self.region.unwrap_or(usual.side),
+            side_by_side: !self.one_at_a_time,
+            strict,
+            ..usual
+        };
+        Ok(PixelPlanesJob {
+            machine: Machine::new(config)?,
+            strict,
+            polygons: scene_polygons,
+            background: scene.background,
+        })
+    }
+}
+
+/// A scene in polygons, and the machine for it.
+pub struct PixelPlanesJob {
+    machine: Machine,
+    strict: bool,
+    polygons: Polygons,
+    background: [u8; 3],
+}
+
+impl Job for PixelPlanesJob {
+    type Report = Report;
+
+    fn size(&self) -> Size {
+        self.polygons.size
+    }
+
+    fn golden(&self) -> Result<Frame, Failure> {
+        let Polygons { size, polygons, .. } = &self.polygons;
+        golden::draw(|watch| match self.strict {
+            true => render_strict_watched(*size, polygons, self.background, watch),
+            false => render_watched(*size, polygons, self.background, watch),
+        })
+    }
+
+    fn render(&self, run: &Run) -> Result<(Frame, Report), Failure> {
+        if run.waveform.is_some() {
+            let sentence = "each renderer of pixel-planes-5 is a simulation of its own, so there is no waveform of a frame: \
+                            leave out --vcd, and see `tilewright wave renderer`";
+            return Err(Failure::new(Exit::BadInput, sentence));
+        }
+        let machine = self.machine.clone().on(run.engine());
+        run.watch(|watch| machine.render(&self.polygons, self.background, watch), |(_, report)| report.picoseconds())
+    }
+}
