@@ -36,27 +36,29 @@ const AREA: f64 = 100.0;
 
 fn by_matrix(coupled: &Coupled, form: &str, name: &str) -> Chart {
     let title = format!("Loss of {name} by depth of packet queues, rectangles of {AREA} pixels");
-    (0..=4).fold(chart(format!("loss-{name}"), title, PACKETS), |chart, k| {
+    (0..=4).fold(chart(format!("loss-{name}"), title, PACKETS, LOSS), |chart, k| {
         chart.series(Series::new(format!("k = {k}"), coupled.origin(), coupled.loss(k, form, AREA)))
     })
 }
 
 fn by_area(coupled: &Coupled) -> Chart {
     let title = "Loss of 16 x 16 stacks by depth of packet queues".to_owned();
-    coupled.areas().into_iter().fold(chart("loss-by-area".to_owned(), title, PACKETS), |chart, area| {
+    coupled.areas().into_iter().fold(chart("loss-by-area".to_owned(), title, PACKETS, LOSS), |chart, area| {
         chart.series(Series::new(format!("S = {area}"), coupled.origin(), coupled.loss(4, "stack", area)))
     })
 }
 
 fn by_windows(coupled: &Coupled) -> Chart {
     let title = format!("Idle part of the slowest level by depth of window queues, rectangles of {AREA} pixels");
-    (0..=4).fold(chart("idle-pipelines".to_owned(), title, "windows in each queue"), |chart, k| {
-        chart.series(Series::new(format!("k = {k}"), coupled.origin(), coupled.idling(k)))
-    })
+    (0..=4).fold(
+        chart("idle-pipelines".to_owned(), title, "windows in each queue", "idle part of the clocks"),
+        |chart, k| chart.series(Series::new(format!("k = {k}"), coupled.origin(), coupled.idling(k))),
+    )
 }
 
 const PACKETS: &str = "packets in each queue";
+const LOSS: &str = "loss, part of the clocks";
 
-fn chart(id: String, title: String, depth: &str) -> Chart {
-    Chart::new(id, title, Axis::log(depth), Axis::linear("loss"))
+fn chart(id: String, title: String, depth: &str, what: &str) -> Chart {
+    Chart::new(id, title, Axis::log(depth), Axis::linear(what))
 }

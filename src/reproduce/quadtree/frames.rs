@@ -181,6 +181,34 @@ fn stages(drawn: &Drawn, what: &str, of: fn(&UnitReport) -> u64) -> HeatMap {
 mod tests {
     use super::*;
     use std::collections::BTreeSet;
+    use tilewright_scenes::project_polygons;
+
+    /// A frame is right, and is not if it is compared with another.
+    #[test]
+    fn wrong_frames_and_stray_pixels_are_found() -> Result<(), Box<dyn std::error::Error>> {
+        let scene = Scene { size: Size::new(16, 12)?, ..Scene::builtin("teapot").ok_or("a built-in scene")? };
+        let polygons = project_polygons(&scene, scene.size)?;
+        let config = config(&polygons, 2);
+        let search = Search::new(config.windows()?)?;
+        let mut machine = Machine::new(config)?;
+        let (_, mut report) = machine.render(&polygons.polygons, scene.background, &mut Watch::default())?;
+        assert_eq!(strayed(&report, &search, &polygons), 0);
+        report.processors[1].fragments += 1;
+        assert_eq!(strayed(&report, &search, &polygons), 1);
+
+        let drawn = |differing, strayed| Drawn {
+            scene: "teapot",
+            frame: Frame::blank(scene.size, scene.background),
+            report: report.clone(),
+            background: scene.background,
+            differing,
+            strayed,
+        };
+        let verdicts = |drawn: Drawn| checks(&[drawn]).map(|check| check.verdict().to_string());
+        assert_eq!(verdicts(drawn(0, 0)), ["holds", "holds"]);
+        assert!(verdicts(drawn(3, 1)).iter().all(|verdict| verdict.starts_with("differs")));
+        Ok(())
+    }
 
     #[test]
     fn each_processor_has_a_colour_of_its_own() {

@@ -307,7 +307,7 @@ fn queues(coupled: &Coupled) -> Vec<Statement> {
             .paper([1.0])
             .found(coupled.origin(), kept(form, depth))
     };
-    let by_depth = |(depth, loss): (f64, f64)| (format!("{depth} packets"), loss);
+    let by_depth = |(depth, loss): (f64, f64)| (format!("depth {depth}"), loss);
     vec![
         loosely("pipe", "pipelines", 64.0, "64 packets"),
         loosely("stack", "stacks", 64.0, "64 packets"),
