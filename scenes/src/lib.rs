@@ -32,7 +32,7 @@ pub use compare::{Comparison, Difference, compare, compare_colours};
 pub use error::SceneError;
 pub use frame::Frame;
 pub use light::{Light, Lighting};
-pub use line::{HALF_WIDTH, line_corners, set_up_line};
+pub use line::{line_corners, set_up_line};
 pub use mesh::{BoundingBox, Mesh, MeshLine, MeshTriangle, smooth_normals};
 pub use output::{Place, WholeFile, behind_links, write_whole};
 pub use packet::{Edge, Packet, PixelBox, Plane, Polygon, ScreenVertex, Triangle};

@@ -19,13 +19,12 @@ use crate::polygon::set_up_polygon;
 use crate::size::Size;
 
 /// Half the width of a line along its minor axis, in 1/16 pixel.
-pub const HALF_WIDTH: i32 = SUBPIXELS / 2;
+const HALF_WIDTH: i32 = SUBPIXELS / 2;
 
 /// Sets a line up for a screen of `size` pixels: a packet of four edges, which has one pixel in each column, or in each row if it is
 /// steeper than 45 degrees, from one end to the other.
 ///
-/// `None` if there is nothing to draw. The direction does not matter. Ends are as [`set_up`](crate::set_up) takes vertices, but half
-/// a pixel inside the guard band along the minor axis, so that the corners are in it.
+/// `None` if there is nothing to draw. The direction does not matter. Ends are as [`set_up`](crate::set_up) takes vertices.
 ///
 /// ```
 /// use tilewright_scenes::{ScreenVertex, Size, set_up_line};
@@ -43,7 +42,8 @@ pub fn set_up_line(ends: [ScreenVertex; 2], size: Size) -> Option<Polygon> {
 }
 
 /// The corners of the quadrilateral that a line is, from the end with the lesser coordinate on along its side; a line of 45 degrees
-/// counts as flat.
+/// counts as flat. A corner may be half a pixel outside of the guard band: the edges of the quadrilateral have 17 bits all the same, since they are
+/// as long as the line or as it is wide, and those of its halves 18 of the packet's 20.
 ///
 /// ```
 /// use tilewright_scenes::{ScreenVertex, line_corners};

@@ -49,7 +49,8 @@ pub struct Projection {
     /// Packets in order of submission, up to two of a line; [`Triangle::polygon`] tells which polygon of the mesh each is of, never
     /// decreasing, the lines after the triangles.
     pub triangles: Vec<Triangle>,
-    /// The three vertices that each packet was set up from, in the same order as `triangles`.
+    /// The three vertices that each packet was set up from, in the same order as `triangles`; of a line up to half a pixel outside of the
+    /// guard band.
     pub vertices: Vec<[ScreenVertex; 3]>,
     /// What became of the polygons.
     pub counts: Counts,

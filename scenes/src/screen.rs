@@ -3,7 +3,6 @@
 use crate::camera::View;
 use crate::clip::{ClipPlane, ViewVertex};
 use crate::error::SceneError;
-use crate::line::HALF_WIDTH;
 use crate::packet::*;
 use crate::scene::Scene;
 use crate::size::Size;
@@ -30,9 +29,6 @@ fn behind(scene: &Scene) -> SceneError {
 
 /// The greatest ratio of far to near: 24 bits then still tell apart what is 1/4000 of the far distance deep.
 const DEPTH_RATIO: f64 = 4096.0;
-
-/// The least and the greatest position of a vertex, in 1/16 pixel: 16 bits, less what lines are wide on either side of their ends.
-const GUARD_BAND: (i32, i32) = (i16::MIN as i32 + HALF_WIDTH, i16::MAX as i32 - HALF_WIDTH);
 
 /// The least and the greatest distance along the line of sight of what is in front of the eye; far is 0 if nothing is, and near is 0
 /// if a triangle or a line passes the eye.
@@ -89,7 +85,7 @@ impl Screen {
         // The guard band less the shift, so that a moved vertex is still 16 bits.
         let limits = |axis: usize| {
             let sub = |position: i32| f64::from(position - shift[axis]) / f64::from(SUBPIXELS);
-            (sub(GUARD_BAND.0), sub(GUARD_BAND.1))
+            (sub(i16::MIN.into()), sub(i16::MAX.into()))
         };
         let ((left, right), (top, bottom)) = (limits(0), limits(1));
         let plane = |x: f64, y: f64, w: f64| ClipPlane { normal: DVec3::new(x, y, w), offset: 0.0 };
@@ -141,7 +137,7 @@ impl Screen {
         let place = |axis: usize, offset: f64| {
             let pixels = self.centre[axis] + offset * self.scale / w;
             let snapped = (pixels * f64::from(SUBPIXELS) + 0.5).floor() as i32;
-            snapped.saturating_add(self.shift[axis]).clamp(GUARD_BAND.0, GUARD_BAND.1)
+            snapped.saturating_add(self.shift[axis]).clamp(i16::MIN.into(), i16::MAX.into())
         };
         let range = f64::from(FARTHEST_VERTEX - NEAREST_VERTEX);
         let depth = ((1.0 - self.near / w) * self.depth_scale).clamp(0.0, 1.0);

@@ -21,7 +21,7 @@ fn position() -> impl Strategy<Value = i32> {
         3 => -400..1800i32,
         3 => (-2..14i32).prop_map(|i| 128 * i),
         2 => (-8..200i32).prop_map(|i| 8 * i),
-        1 => -32_760..32_760i32,
+        1 => -32_768..=32_767i32,
     ]
 }
 
@@ -38,7 +38,7 @@ fn convex() -> impl Strategy<Value = Vec<ScreenVertex>> {
             let corner = |k: i32| {
                 let (sine, cosine) = angle::sin_cos(f64::from(turn) + f64::from(k) * 360.0 / f64::from(corners));
                 let [x, y] = [(x, a, cosine), (y, b, sine)].map(|(middle, radius, part)| {
-                    (middle + (f64::from(radius) * part).round() as i32).clamp(-32_760, 32_759)
+                    (middle + (f64::from(radius) * part).round() as i32).clamp(-32_768, 32_767)
                 });
                 ScreenVertex { x, y, z: 1, rgb: [0; 3] }
             };
