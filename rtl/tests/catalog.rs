@@ -81,3 +81,20 @@ fn the_machine_shows_what_its_scenario_says() {
         assert_eq!(play(find("vc1").unwrap(), set, Some("gfb_read_word")), [0, 20, BLANK, nearest]);
     }
 }
+
+#[test]
+fn the_renderer_and_its_parts_show_what_their_scenarios_say() {
+    let shown = |name, set: &[_], signal| play(find(name).unwrap(), set, Some(signal));
+    assert_eq!(shown("pixel-processor", &[], "flag"), [0, 1]);
+    // At column 3 of line 0 there is 3, and right behind it -2.
+    assert_eq!(shown("linear-tree", &[], "value[0][3]")[..4], [0, 1, 0, 1]);
+    for side in [8, 16] {
+        for (queue, region) in [(16, 3), (1, 3)] {
+            assert_eq!(shown("renderer", &[("side", side), ("queue", queue)], "planes_region"), [0, region]);
+        }
+        assert_eq!(shown("renderer", &[("side", side)], "store_free")[..2], [1, 0]);
+    }
+    assert_eq!(shown("backing-store", &[], "free"), [1, 0, 1]);
+    assert_eq!(shown("region-allocator", &[], "region"), [0, 100, 101, 102, 103, 200, 0]);
+    assert_eq!(shown("frame-buffer", &[], "words[0]"), [0, 0x1234, 0x8000_0000_0001]);
+}

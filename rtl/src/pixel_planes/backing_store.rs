@@ -72,7 +72,7 @@ impl BackingStore {
         let free = m.reg("free", bit()).reset(1);
         let region = m.reg("region", REGION_BITS);
         region.when(i.save.claim, i.save.region);
-        let bits = m.memory("bits", fields::WORD.bits, bit().of(grid(self.side, self.side)), ReadUnderWrite::Any);
+        let bits = m.memory("bits", fields::WORD.bits, bit().of(grid(self.side, self.side)), ReadUnderWrite::Old);
         bits.write(i.save.plane, i.number, i.word);
         net!(complete = i.save.plane & i.number.eq(last_plane));
 

@@ -62,7 +62,7 @@ impl LinearTree {
     fn build(&self, m: Module, i: LinearTreeIn) -> LinearTreeOut {
         let (side, levels) = (self.side, self.levels());
         let Coefficients { a, b, c } = i.coefficients;
-        let first = delays(m, "first", self.latency() - 1, i.first);
+        let first = beginnings(m, 2 * levels, i.first);
         let (x_first, y_first) = first.split_at(levels as usize);
         let x = Axis { name: "x", coefficient: delayed(m, "a", levels - 1, a), first: x_first };
         let y = Axis { name: "y", coefficient: delayed(m, "b", self.latency() - 1, b), first: y_first };
@@ -83,20 +83,20 @@ fn is_right(nodes: u32) -> Signal {
     constants(bit().of(row(nodes)), |node| u64::from(node % 2))
 }
 
-/// The bit, and what it was so many clocks ago, one clock after another.
-fn delays(m: Module, name: &str, clocks: u32, now: Signal) -> Vec<Signal> {
-    let mut delays = vec![now];
-    for clock in 1..=clocks {
-        let delayed = m.reg(&format!("{name}{clock}"), bit()).reset(0);
-        delayed.next(delays[clock as usize - 1]);
-        delays.push(*delayed);
+/// The beginnings of expressions, at the first level, at the second, and so on: a clock later each. There are none before the first that is sent.
+fn beginnings(m: Module, levels: u32, first: Signal) -> Vec<Signal> {
+    let mut beginnings = vec![first];
+    for level in 1..levels {
+        let later = m.reg(&format!("first{level}"), bit()).reset(0);
+        later.next(beginnings[level as usize - 1]);
+        beginnings.push(*later);
     }
-    delays
+    beginnings
 }
 
-/// The bit so many clocks ago.
-fn delayed(m: Module, name: &str, clocks: u32, now: Signal) -> Signal {
-    delays(m, name, clocks, now)[clocks as usize]
+/// The bit, so many clocks later.
+fn delayed(m: Module, name: &str, clocks: u32, bit: Signal) -> Signal {
+    (1..=clocks).fold(bit, |bit, clock| m.pipe(&format!("{name}{clock}"), bit))
 }
 
 /// A coefficient on its way to the levels of a tree.

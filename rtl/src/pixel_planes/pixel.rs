@@ -143,12 +143,12 @@ impl PixelProcessor {
             })
         );
 
-        let carry = m.reg("carry", bit()).reset(0);
+        let carry = m.reg("carry", bit());
         net!(carried = carry & !c.first);
         carry.when(c.adds, (operand & word) | (carried & (operand | word)));
         net!(result = operand ^ (c.adds & (word ^ carried)));
 
-        let enable = m.reg("enable", bit()).reset(0);
+        let enable = m.reg("enable", bit());
         net!(
             enabled = c.enabling.choose(|enabling| match enabling {
                 Enabling::Keep => *enable,
@@ -160,7 +160,7 @@ impl PixelProcessor {
         );
         enable.next(enabled);
 
-        let flag = m.reg("flag", bit()).reset(0);
+        let flag = m.reg("flag", bit());
         net!(is_less = mux(operand.eq(word), flag & !c.first, word));
         flag.when(c.captures, enabled).when(c.compares, is_less & (enable | !c.gates));
 

@@ -36,7 +36,6 @@ module backing_store_side8 (
     reg [5:0] read_plane;                                        // rtl/src/pixel_planes/backing_store.rs:87
     reg [2:0] read_line;                                         // rtl/src/pixel_planes/backing_store.rs:87
 
-    (* no_rw_check *)
     reg [63:0] bits [0:47];                                      // rtl/src/pixel_planes/backing_store.rs:75
     reg [63:0] bits_read_word;
     reg bits_read_inside;

@@ -24,13 +24,13 @@ module linear_tree_side8 (
     reg first3;                                                  // rtl/src/pixel_planes/linear_tree.rs:90
     reg first4;                                                  // rtl/src/pixel_planes/linear_tree.rs:90
     reg first5;                                                  // rtl/src/pixel_planes/linear_tree.rs:90
-    reg a1;                                                      // rtl/src/pixel_planes/linear_tree.rs:90
-    reg a2;                                                      // rtl/src/pixel_planes/linear_tree.rs:90
-    reg b1;                                                      // rtl/src/pixel_planes/linear_tree.rs:90
-    reg b2;                                                      // rtl/src/pixel_planes/linear_tree.rs:90
-    reg b3;                                                      // rtl/src/pixel_planes/linear_tree.rs:90
-    reg b4;                                                      // rtl/src/pixel_planes/linear_tree.rs:90
-    reg b5;                                                      // rtl/src/pixel_planes/linear_tree.rs:90
+    reg a1;                                                      // rtl/src/pixel_planes/linear_tree.rs:99
+    reg a2;                                                      // rtl/src/pixel_planes/linear_tree.rs:99
+    reg b1;                                                      // rtl/src/pixel_planes/linear_tree.rs:99
+    reg b2;                                                      // rtl/src/pixel_planes/linear_tree.rs:99
+    reg b3;                                                      // rtl/src/pixel_planes/linear_tree.rs:99
+    reg b4;                                                      // rtl/src/pixel_planes/linear_tree.rs:99
+    reg b5;                                                      // rtl/src/pixel_planes/linear_tree.rs:99
     reg x_has_come0;                                             // rtl/src/pixel_planes/linear_tree.rs:129
     reg x_has_come1;                                             // rtl/src/pixel_planes/linear_tree.rs:129
     reg y_has_come0;                                             // rtl/src/pixel_planes/linear_tree.rs:129
@@ -150,19 +150,22 @@ module linear_tree_side8 (
     endgenerate
 
     always @(posedge clk) begin
+        a1 <= coefficients_a;
+        a2 <= a1;
+        b1 <= coefficients_b;
+        b2 <= b1;
+        b3 <= b2;
+        b4 <= b3;
+        b5 <= b4;
+    end
+
+    always @(posedge clk) begin
         if (rst) begin
             first1 <= 1'b0;
             first2 <= 1'b0;
             first3 <= 1'b0;
             first4 <= 1'b0;
             first5 <= 1'b0;
-            a1 <= 1'b0;
-            a2 <= 1'b0;
-            b1 <= 1'b0;
-            b2 <= 1'b0;
-            b3 <= 1'b0;
-            b4 <= 1'b0;
-            b5 <= 1'b0;
             x_has_come0 <= 1'b0;
             x_has_come1 <= 1'b0;
             y_has_come0 <= 1'b0;
@@ -173,13 +176,6 @@ module linear_tree_side8 (
             first3 <= first2;
             first4 <= first3;
             first5 <= first4;
-            a1 <= coefficients_a;
-            a2 <= a1;
-            b1 <= coefficients_b;
-            b2 <= b1;
-            b3 <= b2;
-            b4 <= b3;
-            b5 <= b4;
             if (first) x_has_come0 <= 1'b0;
             else if (first2) x_has_come0 <= 1'b1;
             if (first1) x_has_come1 <= 1'b0;

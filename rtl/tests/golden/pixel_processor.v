@@ -10,7 +10,6 @@
 
 module pixel_processor (
     input  wire       clk,
-    input  wire       rst,
     // What all processors do.
     input  wire [1:0] control_source,   // Where the bit comes from: a `Source`.
     input  wire       control_constant, // The bit, if it is a constant.
@@ -84,16 +83,10 @@ module pixel_processor (
     end
 
     always @(posedge clk) begin
-        if (rst) begin
-            carry <= 1'b0;
-            enable <= 1'b0;
-            flag <= 1'b0;
-        end else begin
-            if (control_adds) carry <= (operand & word) | (carried & (operand | word));
-            enable <= enabled;
-            if (control_captures) flag <= enabled;
-            else if (control_compares) flag <= is_less & (enable | !control_gates);
-        end
+        if (control_adds) carry <= (operand & word) | (carried & (operand | word));
+        enable <= enabled;
+        if (control_captures) flag <= enabled;
+        else if (control_compares) flag <= is_less & (enable | !control_gates);
     end
 endmodule
 `default_nettype wire

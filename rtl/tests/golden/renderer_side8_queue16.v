@@ -72,7 +72,6 @@ module renderer_side8_queue16 (
 
                 pixel_processor lane (
                     .clk              (clk),
-                    .rst              (rst),
                     .control_source   (u_controller_control_source),
                     .control_constant (u_controller_control_constant),
                     .control_adds     (u_controller_control_adds),

@@ -231,6 +231,37 @@ fn a_region_of_128_x_128_pixels_is_what_the_contract_says() {
     assert_eq!(sent(SIDE, &program, manner), [(5, words)]);
 }
 
+/// PP5-UT: N clocks for each primitive and a start-up that is the same for any number of them. The clocks of programs are tested with the controller.
+#[test]
+fn the_array_never_waits_while_the_queue_has_instructions() {
+    let edge = |a, b, c| Coefficients { a, b, c };
+    let edges = [edge(64, -64, -300), edge(-64, 64, 300), edge(64, 64, -100), edge(-64, -64, 700)];
+    let z = edge(1 << 16, 0, 1000 << 16);
+    let clocks = |primitives: usize, side_by_side: u64| {
+        let mut sim = Simulation::at(&Renderer::new(8, 6).unwrap(), PERIOD).unwrap();
+        sim.reset();
+        sim.set(sim.i.side_by_side, side_by_side);
+        let start = sim.time();
+        let (i, o) = (sim.i, sim.o);
+        let t = sim.testbench();
+        t.run((async {
+            for instruction in vec![flat_strict(8, &edges, &z, 0xff); primitives].concat() {
+                t.send(i.instructions, instruction).await;
+            }
+            t.until(o.idle).await;
+            (t.time() - start) / PERIOD.picoseconds()
+        },))
+            .0
+    };
+    let bits: u64 = flat_strict(8, &edges, &z, 0).iter().take(4).map(|test| test.skip + test.length).sum();
+    for (side_by_side, n) in [(0, bits + 40 + 24 + 24), (1, bits + 40 + 2)] {
+        let start_up = clocks(1, side_by_side) - n;
+        for primitives in [2, 3, 20] {
+            assert_eq!(clocks(primitives, side_by_side), start_up + n * primitives as u64);
+        }
+    }
+}
+
 /// Facts E3: the next region is drawn while one is sent, S bits a clock; only its save waits.
 #[test]
 fn a_region_is_sent_in_48_clocks_a_line_while_the_next_is_drawn() {
