@@ -5,7 +5,9 @@
 
 use tilewright_rtl::pixel_planes::instruction::Instruction;
 use tilewright_rtl::pixel_planes::programs::{Expression, Surface, clear, save, smooth_least, smooth_strict};
-use tilewright_scenes::{Edge, Plane, Polygon};
+use tilewright_scenes::{Edge, Plane, Polygon, Polygons};
+
+use super::report::RegionReport;
 
 /// A region, and which fragments its pixels keep.
 #[derive(Clone, Copy, Debug)]
@@ -54,5 +56,39 @@ impl Bin {
     fn relative(&self, a: i64, b: i64, c: i64) -> Expression {
         let (x, y) = (i64::from(self.place.0), i64::from(self.place.1));
         Expression { a, b, c: c.wrapping_add(a.wrapping_mul(x)).wrapping_add(b.wrapping_mul(y)) }
+    }
+}
+
+/// All that a region needs.
+pub(super) struct Work {
+    region: usize,
+    /// Primitives in the bin, and those of them that have instructions.
+    primitives: [u64; 2],
+    /// What draws them, clears and sends.
+    pub instructions: Vec<Instruction<u64>>,
+}
+
+impl Work {
+    /// Of the primitives of those numbers.
+    pub fn new(bin: &Bin, numbers: &[u32], polygons: &Polygons, background: [u8; 3]) -> Work {
+        let (mut instructions, mut drawn) = (bin.begin(background), 0);
+        for number in numbers {
+            let polygon = bin.draw(&polygons.polygons[*number as usize]);
+            drawn += u64::from(!polygon.is_empty());
+            instructions.extend(polygon);
+        }
+        instructions.extend(bin.end());
+        Work { region: bin.region, primitives: [numbers.len() as u64, drawn], instructions }
+    }
+
+    /// Clocks that it takes at least: those of the tree, which has one instruction at a time.
+    pub fn least_clocks(&self) -> u64 {
+        self.instructions.iter().map(Instruction::tree_clocks).sum::<u64>().max(1)
+    }
+
+    /// What became of it.
+    pub fn report(&self, renderer: usize, begun: u64, clocks: u64) -> RegionReport {
+        let [primitives, drawn] = self.primitives;
+        RegionReport { region: self.region, renderer, primitives, drawn, begun, clocks }
     }
 }

@@ -1,5 +1,7 @@
 //! A renderer in simulation, and the frame buffer that takes what it sends.
 
+use std::sync::atomic::AtomicBool;
+
 use tilewright_rtl::pixel_planes::backing_store::BitPlane;
 use tilewright_rtl::pixel_planes::frame_buffer::{FrameBuffer, FrameBufferIn, FrameBufferOut};
 use tilewright_rtl::pixel_planes::instruction::Instruction;
@@ -8,6 +10,10 @@ use tilewright_rtl::pixel_planes::{PERIOD, fields};
 use tilewright_sim::{EngineKind, Simulation};
 
 use crate::error::Error;
+use crate::run::Watch;
+
+/// After so many instructions it is looked whether to go on.
+const LOOK: u64 = 512;
 
 /// A line of a region, a bit of all its pixels at a time.
 pub(super) struct Plane {
@@ -25,7 +31,7 @@ pub(super) struct Running {
     /// Clocks since its reset.
     pub clock: u64,
     /// Regions that it was given.
-    pub given: usize,
+    given: usize,
     /// Planes that it has sent.
     planes: usize,
 }
@@ -40,8 +46,32 @@ impl Running {
         Ok(Running { sim, sent: Vec::new(), clock: 0, given: 0, planes: 0 })
     }
 
+    /// Draws a region from a clock on, which has not been yet; gives the clock in which it can be given another one.
+    pub fn draw(
+        &mut self,
+        begun: u64,
+        instructions: &[Instruction<u64>],
+        cancel: Option<&AtomicBool>,
+    ) -> Result<u64, Error> {
+        let mut watch = Watch { progress: None, cancel };
+        while self.clock < begun {
+            self.step()?;
+        }
+        for (instruction, number) in instructions.iter().zip(1_u64..) {
+            self.give(instruction)?;
+            if number.is_multiple_of(LOOK) {
+                watch.go_on("drawing", 0.0, self.sim.time())?;
+            }
+        }
+        while !self.is_idle() {
+            self.step()?;
+        }
+        self.given += 1;
+        Ok(self.clock)
+    }
+
     /// Goes through clocks until the renderer has taken an instruction.
-    pub fn give(&mut self, instruction: &Instruction<u64>) -> Result<(), Error> {
+    fn give(&mut self, instruction: &Instruction<u64>) -> Result<(), Error> {
         let port = self.sim.i.instructions.payload;
         self.sim.set(port.operation, instruction.operation);
         self.sim.set(port.skip, instruction.skip);
@@ -62,12 +92,12 @@ impl Running {
     }
 
     /// Whether it can be given another region.
-    pub fn is_idle(&mut self) -> bool {
+    fn is_idle(&mut self) -> bool {
         self.sim.get_u64(self.sim.o.idle) != 0
     }
 
     /// Goes through a clock, and takes what is sent in it.
-    pub fn step(&mut self) -> Result<(), Error> {
+    fn step(&mut self) -> Result<(), Error> {
         let BitPlane { region, line, plane, bits } = self.sim.o.planes.payload;
         if self.sim.get_u64(self.sim.o.planes.valid) != 0 {
             let [region, line, plane] = [region, line, plane].map(|port| self.sim.get_u64(port));

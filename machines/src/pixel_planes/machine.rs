@@ -1,13 +1,17 @@
 //! The machine: bins of regions, renderers that take one after another, and the frame that they make (PP5-ARCH).
 //!
 //! Renderers do not wait for each other: they have instructions as fast as they take them, and what they send is taken at once. Each is a
-//! simulation of its own, and they go on in the order of their clocks, so that the next region goes to the one that is free first, as the
-//! region allocator gives it.
+//! simulation of its own, on all processors of the computer. The next region goes to the renderer that is free first, as the region
+//! allocator gives it: so regions are drawn side by side as long as none of those that draw can be done before they are given.
+
+use std::collections::VecDeque;
+use std::sync::Mutex;
+use std::sync::atomic::AtomicBool;
 
 use tilewright_scenes::{Frame, PixelBox, Polygons};
 use tilewright_sim::EngineKind;
 
-use super::bin::Bin;
+use super::bin::{Bin, Work};
 use super::config::Config;
 use super::hardware::{Frames, Running, planes_of};
 use super::outline::Binner;
@@ -15,11 +19,10 @@ use super::regions::Regions;
 use super::report::{RegionReport, Report};
 use crate::error::Error;
 use crate::run::Watch;
+use crate::threads::{all_threads, on_threads};
 
 /// What progress and errors call a frame.
 const PHASE: &str = "drawing";
-/// After so many primitives the caller is asked whether to go on.
-const LOOK: u64 = 64;
 
 /// A machine of renderers, which may draw several frames.
 ///
@@ -79,12 +82,18 @@ impl Machine {
         // Stable: of equal ones the lower number is first.
         order.sort_by_key(|&region| std::cmp::Reverse(bins[region].len()));
 
-        let mut host = Host::new(self, &regions, background)?;
+        let mut host = Host::new(self, &regions)?;
+        let work = |&region: &usize| {
+            let PixelBox { left, top, .. } = regions.pixels(region);
+            let bin = Bin { region, place: (left, top), side: self.config.side, strict: self.config.strict };
+            Work::new(&bin, &bins[region], polygons, background)
+        };
+        let mut open: VecDeque<Work> = order.iter().map(work).collect();
         let mut drawn = Vec::with_capacity(bins.len());
-        for (number, &region) in order.iter().enumerate() {
-            host.done = number as f64 / order.len() as f64;
-            watch.go_on(PHASE, host.done, host.time())?;
-            drawn.push(host.draw(region, &bins[region], polygons, watch)?);
+        while !open.is_empty() {
+            let done = drawn.len() as f64 / bins.len() as f64;
+            watch.go_on(PHASE, done, host.time())?;
+            drawn.extend(host.draw(&mut open, watch.cancel)?);
         }
         let frame = host.frame()?;
         watch.report(PHASE, 1.0);
@@ -97,73 +106,86 @@ impl Machine {
 struct Host<'a> {
     config: &'a Config,
     regions: &'a Regions,
-    background: [u8; 3],
-    renderers: Vec<Running>,
+    renderers: Vec<Mutex<Running>>,
     frames: Frames,
     /// The clock at which the allocator can give the next region: one a clock.
     next: u64,
-    /// How much of the regions is drawn, from 0 to 1.
-    done: f64,
+}
+
+/// A region that a renderer gets at a clock.
+struct Given {
+    renderer: usize,
+    begun: u64,
+    work: Work,
 }
 
 impl<'a> Host<'a> {
-    fn new(machine: &'a Machine, regions: &'a Regions, background: [u8; 3]) -> Result<Host<'a>, Error> {
+    fn new(machine: &'a Machine, regions: &'a Regions) -> Result<Host<'a>, Error> {
         let config = &machine.config;
         let renderer = config.renderer()?;
         let used = config.renderers.min(regions.count() as u32);
-        let renderers = (0..used)
-            .map(|_| Running::new(&renderer, machine.engine, config.side_by_side))
-            .collect::<Result<_, _>>()?;
+        let running = |_| Running::new(&renderer, machine.engine, config.side_by_side).map(Mutex::new);
+        let renderers = (0..used).map(running).collect::<Result<_, _>>()?;
         let frames = Frames::new(&config.frame_buffer()?, machine.engine)?;
-        Ok(Host { config, regions, background, renderers, frames, next: 0, done: 0.0 })
+        Ok(Host { config, regions, renderers, frames, next: 0 })
+    }
+
+    /// All renderers, at rest.
+    fn running(&mut self) -> impl Iterator<Item = &mut Running> {
+        self.renderers.iter_mut().map(|it| it.get_mut().expect("no thread has failed"))
     }
 
     /// Simulated picoseconds of the renderer that is farthest.
-    fn time(&self) -> u64 {
-        self.renderers.iter().map(|it| it.sim.time()).max().unwrap_or(0)
+    fn time(&mut self) -> u64 {
+        self.running().map(|it| it.sim.time()).max().unwrap_or(0)
     }
 
-    /// Has the renderer that is free first draw a region.
-    fn draw(
-        &mut self,
-        region: usize,
-        bin: &[u32],
-        polygons: &Polygons,
-        watch: &mut Watch,
-    ) -> Result<RegionReport, Error> {
-        let PixelBox { left, top, .. } = self.regions.pixels(region);
-        let place = Bin { region, place: (left, top), side: self.config.side, strict: self.config.strict };
-        let free = |(_, running): &(usize, &mut Running)| running.clock;
-        let (renderer, running) = self.renderers.iter_mut().enumerate().min_by_key(free).expect("there is a renderer");
-        while running.clock < self.next {
-            running.step()?;
+    /// Gives regions to the renderers that are free first, as many as are sure to go to these, and has them drawn side by side.
+    fn draw(&mut self, open: &mut VecDeque<Work>, cancel: Option<&AtomicBool>) -> Result<Vec<RegionReport>, Error> {
+        let round = self.give(open);
+        let time = self.time();
+        let renderers = &self.renderers;
+        let mut results: Vec<Option<Result<u64, Error>>> = round.iter().map(|_| None).collect();
+        let draw = |given: &Given| {
+            let mut running = renderers[given.renderer].lock().expect("no thread has failed");
+            running.draw(given.begun, &given.work.instructions, cancel)
+        };
+        on_threads(all_threads(), &round, cancel, draw, |number, result| results[number] = Some(result));
+        let mut drawn = Vec::with_capacity(round.len());
+        for (given, result) in round.iter().zip(results) {
+            let clock = result.unwrap_or(Err(Error::Cancelled { phase: PHASE, time }))?;
+            drawn.push(given.work.report(given.renderer, given.begun, clock - given.begun));
         }
-        let begun = running.clock;
-        self.next = begun + 1;
-        let mut drawn = 0;
-        place.begin(self.background).iter().try_for_each(|instruction| running.give(instruction))?;
-        for (polygon, number) in bin.iter().zip(1..) {
-            let instructions = place.draw(&polygons.polygons[*polygon as usize]);
-            drawn += u64::from(!instructions.is_empty());
-            instructions.iter().try_for_each(|instruction| running.give(instruction))?;
-            if number % LOOK == 0 {
-                watch.go_on(PHASE, self.done, running.sim.time())?;
+        for running in &mut self.renderers {
+            for plane in running.get_mut().expect("no thread has failed").whole_lines() {
+                self.frames.put(plane)?;
             }
         }
-        place.end().iter().try_for_each(|instruction| running.give(instruction))?;
-        while !running.is_idle() {
-            running.step()?;
+        Ok(drawn)
+    }
+
+    /// The next regions, up to one for which a renderer might be free first that has just got one.
+    fn give(&mut self, open: &mut VecDeque<Work>) -> Vec<Given> {
+        let mut free: Vec<(u64, usize)> = self.running().map(|it| it.clock).zip(0..).collect();
+        let (mut round, mut again) = (Vec::new(), u64::MAX);
+        free.sort_unstable();
+        for (clock, renderer) in free {
+            let begun = clock.max(self.next);
+            if begun >= again {
+                break;
+            }
+            let Some(work) = open.pop_front() else { break };
+            self.next = begun + 1;
+            again = again.min(begun + work.least_clocks());
+            round.push(Given { renderer, begun, work });
         }
-        running.given += 1;
-        for plane in running.whole_lines() {
-            self.frames.put(plane)?;
-        }
-        Ok(RegionReport { region, renderer, primitives: bin.len() as u64, drawn, begun, clocks: running.clock - begun })
+        round
     }
 
     /// Waits for all that is sent, and reads the picture.
     fn frame(&mut self) -> Result<Frame, Error> {
         for running in &mut self.renderers {
+            let running = running.get_mut().expect("no thread has failed");
             running.send_all(planes_of(self.config.side))?;
             for plane in running.whole_lines() {
                 self.frames.put(plane)?;
@@ -183,8 +205,8 @@ impl<'a> Host<'a> {
     }
 
     /// The clock in which the last region was sent.
-    fn sent_at(&self) -> u64 {
-        self.renderers.iter().map(|it| it.clock).max().unwrap_or(0)
+    fn sent_at(&mut self) -> u64 {
+        self.running().map(|it| it.clock).max().unwrap_or(0)
     }
 }
 

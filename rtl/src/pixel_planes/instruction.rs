@@ -84,6 +84,21 @@ impl<T> Instruction<T> {
     pub const LONGEST: u32 = 64;
 }
 
+impl Instruction<u64> {
+    /// Clocks in which it has the tree.
+    ///
+    /// ```
+    /// use tilewright_rtl::pixel_planes::programs::clear;
+    ///
+    /// assert!(clear(0x00_00_ff).iter().all(|instruction| instruction.tree_clocks() == 0));
+    /// ```
+    pub fn tree_clocks(&self) -> u64 {
+        let is = |operation: &&Operation| operation.code() == self.operation;
+        let operation = Operation::ALL.iter().find(is).expect("an instruction has an operation");
+        if operation.microcode().on_tree == 1 { self.skip + self.length } else { 0 }
+    }
+}
+
 impl Instruction<Width> {
     /// The widths of its fields.
     pub fn widths() -> Instruction<Width> {
