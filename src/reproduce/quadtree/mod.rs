@@ -5,7 +5,7 @@ mod statements;
 
 use super::Effort;
 use crate::shell::Failure;
-use tilewright_machines::quadtree::{Figures, Matrix, Point, Sample, Shape, Study};
+use tilewright_machines::quadtree::{Figures, Point, Rasters, Sample, Shape, Study};
 use tilewright_machines::{Error, Watch};
 use tilewright_report::{Page, Provenance, Section};
 
@@ -81,8 +81,8 @@ impl Counted {
 }
 
 /// The matrix of 2^k x 2^k of the paper.
-fn matrix(k: u32) -> Matrix {
-    Matrix::square(k, 10)
+fn matrix(k: u32) -> Rasters {
+    Rasters::square(k, 10)
 }
 
 /// The width of the windows of a level as the coverage tests have them, in parts of their spacing.
@@ -102,6 +102,6 @@ fn areas() -> impl Iterator<Item = f64> {
 
 /// What the paper's formulas say of a matrix and an area, with k_p/k_e = 1.
 fn by_formula(k: u32, area: f64) -> Figures {
-    let stages = |matrix: Matrix| matrix.stages_of(shape(area), 1.0);
+    let stages = |matrix: Rasters| matrix.stages_of(shape(area), 1.0);
     Figures::of(&matrix(k), &stages(matrix(k)), &stages(matrix(0)))
 }

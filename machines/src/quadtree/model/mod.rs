@@ -28,8 +28,8 @@ mod simulated;
 mod sweep;
 mod tree;
 
-use super::matrix::Matrix;
-use super::windows::{Search, TestUnit};
+use super::rasters::Rasters;
+use super::windows::Search;
 use crate::run::Watch;
 use division::Course;
 use processor::{Depths, VideoProcessor};
@@ -75,7 +75,7 @@ const PACKETS_AT_ONCE: usize = 256;
 pub struct Model {
     search: Search,
     form: Form,
-    test: TestUnit,
+    test: Test,
     queues: Queues,
 }
 
@@ -83,15 +83,11 @@ impl Model {
     /// The model of that generator.
     ///
     /// # Errors
-    /// Its windows are too large to be counted, as in [`Matrix::check`].
+    /// Its windows are too large to be counted, as in [`Rasters::check`].
     pub fn new(generator: &QuadtreeGenerator) -> Result<Model, ParameterError> {
         let processor = generator.processor();
-        let test = match processor.test {
-            Test::Serial => TestUnit::Serial,
-            Test::Parallel => TestUnit::Parallel,
-        };
-        let search = Search::new(matrix_of(&generator.format()))?;
-        Ok(Model { search, form: processor.form.clone(), test, queues: processor.queues })
+        let search = Search::new(rasters_of(&generator.format()))?;
+        Ok(Model { search, form: processor.form.clone(), test: processor.test, queues: processor.queues })
     }
 
     /// What the generator does with packets, from its reset until it is idle. `None` if it was broken off.
@@ -203,10 +199,10 @@ fn goes_on(packet: usize, packets: Packets, watch: &mut Watch) -> bool {
     !watch.cancel.is_some_and(|flag| flag.load(Ordering::Relaxed))
 }
 
-/// The matrix of a format.
-fn matrix_of(format: &Format) -> Matrix {
+/// The rasters of a format.
+fn rasters_of(format: &Format) -> Rasters {
     let (matrix, aperture) = (format.matrix(), format.aperture());
-    Matrix { p: matrix.columns(), q: matrix.rows(), levels: format.levels(), aperture: (aperture, aperture) }
+    Rasters { p: matrix.columns(), q: matrix.rows(), levels: format.levels(), aperture: (aperture, aperture) }
 }
 
 #[cfg(test)]

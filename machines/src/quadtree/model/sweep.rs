@@ -7,7 +7,7 @@
 use super::Model;
 use super::record::{Packets, Run};
 use crate::quadtree::formulas::MAX_PERFORMANCE;
-use crate::quadtree::matrix::Matrix;
+use crate::quadtree::rasters::Rasters;
 use crate::quadtree::study::Sample;
 use crate::run::Watch;
 use crate::threads::{all_threads, on_threads};
@@ -173,7 +173,7 @@ impl Job {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SweepPoint {
     /// The matrix.
-    pub matrix: Matrix,
+    pub matrix: Rasters,
     /// The form of the raster processors.
     pub form: String,
     /// What the window queue before each of their units holds, if there is one.

@@ -103,7 +103,7 @@ fn windows_are_within_their_bounds() {
 #[test]
 fn windows_far_from_the_border_are_the_exact_mean() {
     for (k, area, count) in [(0, 100.0, 4000), (1, 20.0, 2000), (3, 23.3, 600), (4, 5.0, 400), (4, 157.0, 200)] {
-        let matrix = Matrix::square(k, 10);
+        let matrix = Rasters::square(k, 10);
         let search = Search::new(matrix).expect("possible");
         let screen = Size::new(1024, 1024).expect("in range");
         let rectangles = Rectangles::new(screen, area, RATIO, 9).expect("they fit");
