@@ -126,13 +126,12 @@ impl Model {
     /// Clocks until each video processor would be idle if it had to wait for no other: the coupling that the paper leaves out of its
     /// estimates (MPG-LIM). `None` if it was broken off.
     pub fn uncoupled(&self, packets: Packets, watch: &mut Watch) -> Option<Vec<u64>> {
-        // With room for all packets each takes them as they come.
-        let mut processors = self.processors(packets, packets.polygons.len().max(1), false);
+        let mut processors = self.processors(packets, self.queues.packets as usize, false);
         let mut offered = 0;
         for packet in 0..packets.polygons.len() {
             goes_on(packet, packets, watch).then_some(())?;
             offered += packets.pause(packet) + 1;
-            processors.iter_mut().for_each(|processor| _ = processor.take(packet as u32, offered));
+            processors.iter_mut().for_each(|processor| processor.take_at_once(packet as u32, offered));
         }
         processors.iter_mut().for_each(VideoProcessor::finish);
         Some(processors.iter().map(VideoProcessor::idle).collect())
