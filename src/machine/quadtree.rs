@@ -6,8 +6,9 @@ use crate::golden;
 use crate::number::number;
 use crate::scene::polygons;
 use crate::shell::Failure;
-use clap::{Args, ValueEnum};
-use tilewright_machines::quadtree::{Config, Machine, Queues, Report, TestUnit};
+use clap::Args;
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use tilewright_machines::quadtree::{Config, Machine, Queues, Report, Test};
 use tilewright_rtl::quadtree::format::Matrix;
 use tilewright_scenes::golden::{render_strict_watched, render_watched};
 use tilewright_scenes::{Frame, Polygons, Scene, Size};
@@ -23,7 +24,7 @@ pub struct QuadtreeOptions {
     #[arg(long, value_name = "FORM")]
     form: Option<String>,
     /// How the edges of a window are tested [default: parallel]
-    #[arg(long, value_enum, value_name = "TEST")]
+    #[arg(long, value_name = "TEST", value_parser = tests())]
     test: Option<Test>,
     /// Packets that the queue before the broadcast holds [default: 2]
     #[arg(long, value_name = "N", value_parser = number(1..=Queues::MOST))]
@@ -39,13 +40,14 @@ pub struct QuadtreeOptions {
     aperture: Option<u32>,
 }
 
-/// A way to test the edges of a window.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum Test {
-    /// One after another, by one adder
-    Serial,
-    /// All at once, by an adder each
-    Parallel,
+/// The ways to test the edges of a window, by name.
+fn tests() -> impl TypedValueParser<Value = Test> {
+    let serial = PossibleValue::new("serial").help("One after another, by one adder");
+    let parallel = PossibleValue::new("parallel").help("All at once, by an adder each");
+    PossibleValuesParser::new([serial, parallel]).map(|name| match name.as_str() {
+        "serial" => Test::Serial,
+        _ => Test::Parallel,
+    })
 }
 
 /// A matrix such as `4x4`.
@@ -80,10 +82,7 @@ impl QuadtreeOptions {
         let config = Config {
             matrix: self.matrix.unwrap_or(usual.matrix),
             form: self.form.clone().unwrap_or(usual.form),
-            test: self.test.map_or(usual.test, |test| match test {
-                Test::Serial => TestUnit::Serial,
-                Test::Parallel => TestUnit::Parallel,
-            }),
+            test: self.test.unwrap_or(usual.test),
             queues: Queues {
                 broadcast: self.broadcast_queue.unwrap_or(usual.queues.broadcast),
                 packets: self.packet_queue.unwrap_or(usual.queues.packets),

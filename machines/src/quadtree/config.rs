@@ -1,6 +1,6 @@
 //! The sizes of a generator, and how its video processors are put together.
 
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 use tilewright_rtl::parameter::{ParameterError, Screen};
 use tilewright_rtl::quadtree::coverage_test::Test;
 use tilewright_rtl::quadtree::format::{self, Format};
@@ -9,16 +9,15 @@ use tilewright_rtl::quadtree::processor::Queues;
 use tilewright_rtl::quadtree::raster::Form;
 use tilewright_scenes::{Polygon, Size};
 
-use super::matrix::Matrix;
-use super::windows::TestUnit;
+use super::rasters::Rasters;
 
 /// What a generator is built for.
 ///
 /// ```
-/// use tilewright_machines::quadtree::{Config, TestUnit};
+/// use tilewright_machines::quadtree::{Config, Test};
 /// use tilewright_scenes::Size;
 ///
-/// let config = Config { matrix: (16, 16), form: "stack:2+pipe".to_owned(), test: TestUnit::Serial, ..Config::new(Size::VGA) };
+/// let config = Config { matrix: (16, 16), form: "stack:2+pipe".to_owned(), test: Test::Serial, ..Config::new(Size::VGA) };
 /// assert_eq!(config.windows()?.levels, 6);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -33,7 +32,7 @@ pub struct Config {
     /// What each raster processor is put together from, as [`Form::parse`] reads it, such as `stack:2+pipe` (MPG-RP).
     pub form: String,
     /// How the edges of a window are tested (MPG-EQ5).
-    pub test: TestUnit,
+    pub test: Test,
     /// What the queues hold (MPG-LIM).
     pub queues: Queues,
     /// Depth alone decides, and of equal depths the first drawn stays, as in
@@ -51,7 +50,7 @@ impl Config {
             matrix: (4, 4),
             edges: 3,
             form: "pipe".to_owned(),
-            test: TestUnit::Parallel,
+            test: Test::Parallel,
             queues: Queues { broadcast: 2, packets: 4, windows: 2 },
             strict: false,
             aperture: 0,
@@ -87,20 +86,16 @@ impl Config {
     /// # Errors
     /// As [`Config::parsed_form`], or a queue holds nothing or too much.
     pub fn generator(&self) -> Result<QuadtreeGenerator, ParameterError> {
-        let test = match self.test {
-            TestUnit::Serial => Test::Serial,
-            TestUnit::Parallel => Test::Parallel,
-        };
-        QuadtreeGenerator::new(self.format()?, self.parsed_form()?, test, self.queues)
+        QuadtreeGenerator::new(self.format()?, self.parsed_form()?, self.test, self.queues)
     }
 
-    /// The matrix as what counts windows and the formulas know it.
+    /// The rasters, as what counts windows and the formulas know them.
     ///
     /// # Errors
     /// As [`Config::format`].
-    pub fn windows(&self) -> Result<Matrix, ParameterError> {
+    pub fn windows(&self) -> Result<Rasters, ParameterError> {
         let (p, q) = self.matrix;
-        Ok(Matrix { p, q, levels: self.format()?.levels(), aperture: (self.aperture, self.aperture) })
+        Ok(Rasters { p, q, levels: self.format()?.levels(), aperture: (self.aperture, self.aperture) })
     }
 
     /// As a report shows it.
@@ -140,7 +135,8 @@ pub struct Built {
     /// What each raster processor is put together from.
     pub form: String,
     /// How edges are tested.
-    pub test: TestUnit,
+    #[serde(serialize_with = "as_text")]
+    pub test: Test,
     /// The most edges of a polygon.
     pub edges: u32,
     /// Pixels by which windows are tested wider.
@@ -153,4 +149,9 @@ pub struct Built {
     pub packet_queue: u32,
     /// Windows that the queue before each unit of a pipe or tree holds.
     pub window_queue: u32,
+}
+
+/// As its text.
+fn as_text<S: Serializer>(test: &Test, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_str(test)
 }

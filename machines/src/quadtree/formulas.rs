@@ -3,7 +3,7 @@
 //! Source: MPG-EQ1 to MPG-EQ6, MPG-PMAX, MPG-TREE, as facts A2 restores them. They hold on the mean over polygons of one area and
 //! one shape at random places and angles (MPG-F3B). What follows of times that anything takes is in [`Stages`].
 
-use super::matrix::Matrix;
+use super::rasters::Rasters;
 use super::stages::Stages;
 use serde::Serialize;
 use std::f64::consts::PI;
@@ -47,7 +47,7 @@ impl Shape {
     }
 }
 
-impl Matrix {
+impl Rasters {
     /// Width and height of a window of `level`, 1 to n, in parts of the windows' spacing: alpha_i and beta_i (MPG-EQ2).
     pub fn relative_window(&self, level: u32) -> (f64, f64) {
         let scale = scale(self.levels, level);
@@ -60,9 +60,9 @@ impl Matrix {
     /// filter whose aperture is a window (MPG-EQ1). Of level 0 it is 1, the whole screen.
     ///
     /// ```
-    /// use tilewright_machines::quadtree::{Matrix, Shape};
+    /// use tilewright_machines::quadtree::{Rasters, Shape};
     ///
-    /// let matrix = Matrix::square(4, 10);
+    /// let matrix = Rasters::square(4, 10);
     /// assert_eq!(matrix.windows_of(Shape::paper(157.0), 0), 1.0);
     /// assert!((matrix.windows_of(Shape::paper(157.0), 5) - 1.31).abs() < 0.005);
     /// ```
@@ -90,11 +90,11 @@ impl Matrix {
     /// levels' windows turns round (MPG-EQ4). `None` where even a point has more.
     ///
     /// ```
-    /// use tilewright_machines::quadtree::Matrix;
+    /// use tilewright_machines::quadtree::Rasters;
     ///
-    /// let turning = Matrix::square(3, 10).turning_area(1.514).unwrap();
+    /// let turning = Rasters::square(3, 10).turning_area(1.514).unwrap();
     /// assert!((turning - 23.3).abs() < 0.05);
-    /// assert_eq!(Matrix::square(0, 10).turning_area(1.514), None);
+    /// assert_eq!(Rasters::square(0, 10).turning_area(1.514), None);
     /// ```
     pub fn turning_area(&self, form: f64) -> Option<f64> {
         // A quadratic equation for the root of the area, S_f = pq.

@@ -5,7 +5,7 @@
 //! stands what the paper says in formulas, and the plain model that counts what the paper estimates:
 //!
 //! ```text
-//! Matrix, Shape -- formulas ------> windows of a level, clocks of a stage --.
+//! Rasters, Shape -- formulas -----> windows of a level, clocks of a stage --.
 //!                                                                             >-- Stages -> performance, load, efficiency
 //! Rectangles -> packets -> Search -> windows counted, clocks counted -------+
 //! scenes, packets -> Machine --> frame, windows and clocks of the hardware -'
@@ -22,8 +22,8 @@ mod formulas;
 mod hardware;
 mod host;
 mod machine;
-mod matrix;
 pub mod model;
+mod rasters;
 mod rectangles;
 mod report;
 mod stages;
@@ -34,10 +34,11 @@ pub use crate::mean::Mean;
 pub use config::{Built, Config};
 pub use formulas::{MAX_PERFORMANCE, Shape, full_tree};
 pub use machine::Machine;
-pub use matrix::Matrix;
+pub use rasters::Rasters;
 pub use rectangles::Rectangles;
 pub use report::{Phase, ProcessorReport, Report, Spread, Stage, UnitReport};
 pub use stages::{Figures, Stages};
 pub use study::{Point, Sample, Study};
+pub use tilewright_rtl::quadtree::coverage_test::Test;
 pub use tilewright_rtl::quadtree::processor::Queues;
-pub use windows::{Costs, Search, TestUnit, Window, Windows};
+pub use windows::{Costs, Search, Window, Windows};

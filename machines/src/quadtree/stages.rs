@@ -3,7 +3,7 @@
 //! Source: MPG-EQ6 to MPG-EQ12. They hold of any times, by formula or counted. Unit of time is t_e, the test of one subwindow.
 
 use super::formulas::MAX_PERFORMANCE;
-use super::matrix::Matrix;
+use super::rasters::Rasters;
 use serde::Serialize;
 
 /// The mean time that a polygon takes on each level, from level 1 on, in t_e: t_i.
@@ -87,14 +87,14 @@ impl Figures {
     /// Those of a matrix whose processors take the times `stages`, where one processor for all pixels takes those of `mono`.
     ///
     /// ```
-    /// use tilewright_machines::quadtree::{Figures, Matrix, Shape};
+    /// use tilewright_machines::quadtree::{Figures, Rasters, Shape};
     ///
-    /// let matrix = Matrix::square(4, 10);
-    /// let of = |matrix: Matrix| matrix.stages_of(Shape::paper(100.0), 1.0);
+    /// let matrix = Rasters::square(4, 10);
+    /// let of = |matrix: Rasters| matrix.stages_of(Shape::paper(100.0), 1.0);
     /// let figures = Figures::of(&matrix, &of(matrix), &of(matrix.mono()));
     /// assert!((figures.q_a - 0.083).abs() < 0.001);
     /// ```
-    pub fn of(matrix: &Matrix, stages: &Stages, mono: &Stages) -> Figures {
+    pub fn of(matrix: &Rasters, stages: &Stages, mono: &Stages) -> Figures {
         let processors = matrix.processors();
         Figures {
             p_s: stages.stack_performance() / MAX_PERFORMANCE,

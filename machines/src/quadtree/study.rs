@@ -7,10 +7,10 @@
 mod tally;
 
 use super::formulas::Shape;
-use super::matrix::Matrix;
+use super::rasters::Rasters;
 use super::rectangles::Rectangles;
 use super::stages::{Figures, Stages};
-use super::windows::{Costs, Search, TestUnit};
+use super::windows::{Costs, Search};
 use crate::mean::Mean;
 use crate::run::Watch;
 use crate::threads::{all_threads, on_threads};
@@ -120,7 +120,7 @@ impl Study {
     fn searches(&self) -> Result<Vec<Search>, ParameterError> {
         let aperture = (self.aperture, self.aperture);
         let sizes = std::iter::once(&0).chain(&self.sizes);
-        sizes.map(|&k| Search::new(Matrix { aperture, ..Matrix::square(k, self.m) })).collect()
+        sizes.map(|&k| Search::new(Rasters { aperture, ..Rasters::square(k, self.m) })).collect()
     }
 
     fn rectangles(&self) -> Result<Vec<Rectangles>, ParameterError> {
@@ -184,7 +184,7 @@ struct Part {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Point {
     /// The matrix.
-    pub matrix: Matrix,
+    pub matrix: Rasters,
     /// The rectangles.
     pub sample: Sample,
     /// Their mean area after snapping, in pixels.
@@ -206,9 +206,9 @@ pub struct Point {
 }
 
 impl Point {
-    fn new(matrix: Matrix, sample: Sample, tally: &Tally, mono: &Stages) -> Point {
+    fn new(matrix: Rasters, sample: Sample, tally: &Tally, mono: &Stages) -> Point {
         let shape = Shape::rectangle(sample.area, RATIO);
-        let by_formula = |matrix: Matrix| matrix.stages_of(shape, PARAMETERS as f64 / EDGES as f64);
+        let by_formula = |matrix: Rasters| matrix.stages_of(shape, PARAMETERS as f64 / EDGES as f64);
         let (stages, stages_by_formula) = (tally.stages(&matrix), by_formula(matrix));
         Point {
             area: tally.area(),

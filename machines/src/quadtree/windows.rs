@@ -5,31 +5,12 @@
 //! each side. It passes if each edge function is at least 0 somewhere in the extent, and if the extent meets the packet's
 //! bounds along both axes. Products are formed directly, with no increments, so that it can be checked by reading.
 
-use super::matrix::Matrix;
+use super::rasters::Rasters;
 use serde::Serialize;
-use std::fmt;
 use std::ops::AddAssign;
 use tilewright_rtl::parameter::ParameterError;
+use tilewright_rtl::quadtree::coverage_test::Test;
 use tilewright_scenes::{Edge, Packet, PixelBox};
-
-/// What coverage-test units have to do with an edge.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum TestUnit {
-    /// One adder: a test takes a clock for each edge.
-    Serial,
-    /// An adder for each edge: a test takes one clock.
-    Parallel,
-}
-
-impl fmt::Display for TestUnit {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            TestUnit::Serial => "serial",
-            TestUnit::Parallel => "parallel",
-        })
-    }
-}
 
 /// What tests and windows cost, in clocks (MPG-EQ5).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
@@ -44,15 +25,15 @@ impl Costs {
     /// Those of a polygon of ke `edges` and kp `parameters`; depth and three colours are 4.
     ///
     /// ```
-    /// use tilewright_machines::quadtree::{Costs, TestUnit};
+    /// use tilewright_machines::quadtree::{Costs, Test};
     ///
-    /// assert_eq!(Costs::new(TestUnit::Serial, 4, 4), Costs { test: 4, window: 4 });
-    /// assert_eq!(Costs::new(TestUnit::Parallel, 4, 4), Costs { test: 1, window: 4 });
+    /// assert_eq!(Costs::new(Test::Serial, 4, 4), Costs { test: 4, window: 4 });
+    /// assert_eq!(Costs::new(Test::Parallel, 4, 4), Costs { test: 1, window: 4 });
     /// ```
-    pub fn new(unit: TestUnit, edges: u64, parameters: u64) -> Costs {
-        let test = match unit {
-            TestUnit::Serial => edges,
-            TestUnit::Parallel => 1,
+    pub fn new(test: Test, edges: u64, parameters: u64) -> Costs {
+        let test = match test {
+            Test::Serial => edges,
+            Test::Parallel => 1,
         };
         Costs { test, window: parameters }
     }
@@ -94,43 +75,43 @@ impl AddAssign<&Windows> for Windows {
 /// The recursive search of a matrix' processors for the pixels of packets.
 ///
 /// ```
-/// use tilewright_machines::quadtree::{Costs, Matrix, Search, TestUnit};
+/// use tilewright_machines::quadtree::{Costs, Rasters, Search, Test};
 /// use tilewright_scenes::{ScreenVertex, Size, set_up};
 ///
 /// // The upper left half of the square of pixels 2 to 5, in the processor of even columns and rows of 8x8 pixels.
 /// let at = |x: i32, y: i32| ScreenVertex { x: 16 * x, y: 16 * y, z: 1, rgb: [0; 3] };
 /// let packet = set_up(&[at(2, 2), at(6, 2), at(2, 6)], Size::new(8, 8)?).unwrap();
-/// let search = Search::new(Matrix { p: 2, q: 2, levels: 2, aperture: (0, 0) })?;
+/// let search = Search::new(Rasters { p: 2, q: 2, levels: 2, aperture: (0, 0) })?;
 /// let windows = search.windows(&packet, (0, 0));
 /// // Three of the four quarters, and of each one sample: pixels (2, 2), (4, 2) and (2, 4).
 /// assert_eq!((windows.passed.as_slice(), windows.fragments), (&[1, 3, 3][..], 3));
 /// assert_eq!(windows.tests().collect::<Vec<_>>(), [4, 12]);
-/// let busy = windows.busy(Costs::new(TestUnit::Serial, 3, 4));
+/// let busy = windows.busy(Costs::new(Test::Serial, 3, 4));
 /// assert_eq!(busy.collect::<Vec<_>>(), [4 * 3 + 3 * 4, 12 * 3 + 3 * 4]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Search {
-    matrix: Matrix,
+    matrix: Rasters,
 }
 
 impl Search {
     /// The search of a matrix' processors.
     ///
     /// # Errors
-    /// As [`Matrix::check`].
-    pub fn new(matrix: Matrix) -> Result<Search, ParameterError> {
+    /// As [`Rasters::check`].
+    pub fn new(matrix: Rasters) -> Result<Search, ParameterError> {
         matrix.check().map(|()| Search { matrix })
     }
 
     /// The matrix.
-    pub fn matrix(&self) -> &Matrix {
+    pub fn matrix(&self) -> &Rasters {
         &self.matrix
     }
 
     /// All processors, row by row.
     pub fn processors(&self) -> impl Iterator<Item = (u32, u32)> + use<> {
-        let Matrix { p, q, .. } = self.matrix;
+        let Rasters { p, q, .. } = self.matrix;
         (0..q).flat_map(move |j| (0..p).map(move |i| (i, j)))
     }
 
@@ -157,12 +138,12 @@ impl Search {
     /// tests them. One of the last level has none.
     ///
     /// ```
-    /// use tilewright_machines::quadtree::{Matrix, Search, Window};
+    /// use tilewright_machines::quadtree::{Rasters, Search, Window};
     /// use tilewright_scenes::{ScreenVertex, Size, set_up};
     ///
     /// let at = |x: i32, y: i32| ScreenVertex { x: 16 * x, y: 16 * y, z: 1, rgb: [0; 3] };
     /// let packet = set_up(&[at(4, 0), at(8, 0), at(4, 4)], Size::new(8, 8)?).unwrap();
-    /// let search = Search::new(Matrix { p: 1, q: 1, levels: 3, aperture: (0, 0) })?;
+    /// let search = Search::new(Rasters { p: 1, q: 1, levels: 3, aperture: (0, 0) })?;
     /// let upper_right = Window { level: 1, x: 4, y: 0 };
     /// assert_eq!(search.quarters(&packet, search.root((0, 0))), [None, Some(upper_right), None, None]);
     /// # Ok::<(), Box<dyn std::error::Error>>(())

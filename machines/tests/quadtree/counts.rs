@@ -2,7 +2,7 @@
 
 use crate::polygons::{BOTH, random, render, size};
 use tilewright_machines::quadtree::{
-    Config, Costs, Queues, Rectangles, Report, Search, Stages, TestUnit, UnitReport, Windows,
+    Config, Costs, Queues, Rectangles, Report, Search, Stages, Test, UnitReport, Windows,
 };
 use tilewright_scenes::Polygon;
 
@@ -61,7 +61,7 @@ fn the_slowest_level_of_a_pipe_limits_it() {
     let size = size(64, 64);
     let rectangles = Rectangles::new(size, 40.0, 5.0, 1).expect("possible");
     let packets: Vec<Polygon> = (0..150).map(|number| rectangles.polygon(number)).collect();
-    let config = Config { matrix: (1, 1), test: TestUnit::Serial, queues: DEEP, ..Config::for_packets(size, &packets) };
+    let config = Config { matrix: (1, 1), test: Test::Serial, queues: DEEP, ..Config::for_packets(size, &packets) };
     let (_, report) = render(&config, &packets);
     let times = report.processors[0].units[1..].iter().map(|unit| unit.busy as f64).collect();
     let stages = Stages::new(times);

@@ -8,7 +8,7 @@ use crate::polygons::{BOTH, Random, size};
 use std::time::Instant;
 use tilewright_machines::Watch;
 use tilewright_machines::quadtree::model::{Counts, Model, Packets, Run, Simulated};
-use tilewright_machines::quadtree::{Config, Matrix, Queues, Rectangles, Search, Shape, Stages, TestUnit, Windows};
+use tilewright_machines::quadtree::{Config, Queues, Rasters, Rectangles, Search, Shape, Stages, Test, Windows};
 use tilewright_scenes::{Polygon, Size};
 
 /// Polygons of a test that is always run.
@@ -45,7 +45,7 @@ struct Both {
     model: Model,
     simulated: Simulated,
     search: Search,
-    test: TestUnit,
+    test: Test,
 }
 
 impl Both {
@@ -72,8 +72,8 @@ impl Both {
     fn expected(&self, polygon: &Polygon) -> Vec<(Windows, Vec<u64>)> {
         let edges = polygon.edges.len() as u64;
         let clocks = |above: u64, windows: u64| match self.test {
-            TestUnit::Serial => 4 * above * edges + windows * PARAMETERS,
-            TestUnit::Parallel => 4 * above + windows * PARAMETERS,
+            Test::Serial => 4 * above * edges + windows * PARAMETERS,
+            Test::Parallel => 4 * above + windows * PARAMETERS,
         };
         let of_processor = |processor| {
             let windows = self.search.windows(polygon, processor);
@@ -89,7 +89,7 @@ fn set_up(polygon: &Polygon) -> u64 {
     PARAMETERS.max(polygon.edges.len() as u64)
 }
 
-fn config(form: &str, matrix: (u32, u32), test: TestUnit, queues: Queues) -> Config {
+fn config(form: &str, matrix: (u32, u32), test: Test, queues: Queues) -> Config {
     Config { matrix, edges: 8, form: form.to_owned(), test, queues, aperture: 2, ..Config::new(screen()) }
 }
 
@@ -202,8 +202,8 @@ fn each_of_10_000_polygons_takes_all_levels_of_a_stack() {
 fn assert_bounds(k: u32, area: f64, count: usize, errors: f64) {
     let (screen, now) = (size(1024, 1024), Instant::now());
     let side = 1 << k;
-    let config = Config { matrix: (side, side), edges: 4, aperture: 2, test: TestUnit::Serial, ..Config::new(screen) };
-    let (mut both, matrix) = (Both::new(&config), Matrix::square(k, 10));
+    let config = Config { matrix: (side, side), edges: 4, aperture: 2, test: Test::Serial, ..Config::new(screen) };
+    let (mut both, matrix) = (Both::new(&config), Rasters::square(k, 10));
     let rectangles = Rectangles::new(screen, area, 5.0, 1).expect("they fit");
     let mut samples = vec![Vec::with_capacity(count); matrix.levels as usize + 1];
     for polygon in (0..count as u64).map(|index| rectangles.polygon(index)) {
@@ -247,7 +247,7 @@ fn each_of_10_000_rectangles_counted_they_have_at_most_the_windows_of_equation_1
 
 /// MPG-PMAX: five tests a polygon, four for the root and one, of kp = ke clocks, for the window that passes.
 fn assert_saturation(count: usize) {
-    let config = Config { aperture: 0, edges: 4, ..config("pipe", (1, 1), TestUnit::Serial, DEEP) };
+    let config = Config { aperture: 0, edges: 4, ..config("pipe", (1, 1), Test::Serial, DEEP) };
     let mut both = Both::new(&config);
     let rectangles = Rectangles::new(screen(), 1.0, 5.0, 7).expect("they fit");
     let has_one_window_a_level = |it: &Polygon| both.expected(it)[0].0.passed.iter().all(|&windows| windows == 1);

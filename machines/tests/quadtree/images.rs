@@ -1,7 +1,7 @@
 //! Every frame is the golden one.
 
 use crate::polygons::{BACKGROUND, random, render, scene, size};
-use tilewright_machines::quadtree::{Config, Queues, TestUnit};
+use tilewright_machines::quadtree::{Config, Queues, Test};
 use tilewright_scenes::{Polygon, compare, golden};
 
 /// Lines are packets of four edges, most of them thin and slanting.
@@ -34,7 +34,7 @@ fn assert_golden(config: &Config, packets: &[Polygon]) {
 /// All k of the paper, matrices that are no squares, all forms and mixes, short and long queues, both tests, with and without an aperture.
 #[test]
 fn every_machine_draws_the_golden_frame_of_polygons_of_any_number_of_edges() {
-    use TestUnit::{Parallel, Serial};
+    use Test::{Parallel, Serial};
     let long = Queues { broadcast: 3, packets: 9, windows: 5 };
     let cases = [
         ((1, 1), "stack", Serial, SHORT, 0),

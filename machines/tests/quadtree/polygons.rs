@@ -1,13 +1,13 @@
 //! What the tests draw: random convex polygons, and scenes.
 
 use tilewright_machines::Watch;
-use tilewright_machines::quadtree::{Config, Machine, Report, TestUnit};
+use tilewright_machines::quadtree::{Config, Machine, Report, Test};
 use tilewright_scenes::{
     Frame, Polygon, Scene, ScreenVertex, Size, angle, project_polygons, set_up_polygon_of_any_size,
 };
 
 /// Both ways to test edges.
-pub const BOTH: [TestUnit; 2] = [TestUnit::Serial, TestUnit::Parallel];
+pub const BOTH: [Test; 2] = [Test::Serial, Test::Parallel];
 
 pub const BACKGROUND: [u8; 3] = [24, 28, 44];
 

@@ -15,19 +15,30 @@
 //! passes, whose planes one adder moves to its upper left sample. The quarters come one after another, and wait for their receiver; the next
 //! window is taken with the last clock of the one before.
 
+use std::fmt;
+
 use super::divider::{DividerIn, DividerOut};
 use super::format::{Format, PLANES, Window, Work};
 use super::lanes::lane_by_lane;
 use super::tally::Tally;
 use crate::prelude::*;
 
-/// How the edge functions of a quarter are tested.
+/// How the edge functions of a quarter are tested, which is what a test costs (MPG-EQ5).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Test {
     /// One after another, with one adder.
     Serial,
     /// In one clock, with an adder for each.
     Parallel,
+}
+
+impl fmt::Display for Test {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Test::Serial => "serial",
+            Test::Parallel => "parallel",
+        })
+    }
 }
 
 block! {

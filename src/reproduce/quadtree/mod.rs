@@ -12,7 +12,7 @@ use super::Effort;
 use crate::shell::Failure;
 use found::Found;
 use tilewright_machines::Watch;
-use tilewright_machines::quadtree::{Figures, Matrix, Shape};
+use tilewright_machines::quadtree::{Figures, Rasters, Shape};
 use tilewright_report::{Page, Provenance, Section};
 
 /// The matrices of more than one processor that the paper draws: each k.
@@ -67,8 +67,8 @@ fn command(Effort { seed, polygons }: Effort) -> String {
 }
 
 /// The matrix of 2^k x 2^k of the paper.
-fn matrix(k: u32) -> Matrix {
-    Matrix::square(k, 10)
+fn matrix(k: u32) -> Rasters {
+    Rasters::square(k, 10)
 }
 
 /// The paper's rectangle of that area.
@@ -83,6 +83,6 @@ fn areas() -> impl Iterator<Item = f64> {
 
 /// What the paper's formulas say of a matrix and an area, with k_p/k_e = 1.
 fn by_formula(k: u32, area: f64) -> Figures {
-    let stages = |matrix: Matrix| matrix.stages_of(shape(area), 1.0);
+    let stages = |matrix: Rasters| matrix.stages_of(shape(area), 1.0);
     Figures::of(&matrix(k), &stages(matrix(k)), &stages(matrix(0)))
 }

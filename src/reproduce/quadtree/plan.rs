@@ -3,7 +3,7 @@
 use super::TURNING;
 use crate::reproduce::Effort;
 use tilewright_machines::quadtree::model::{Sweep, Trial, Trials};
-use tilewright_machines::quadtree::{Config, Sample, Study, TestUnit};
+use tilewright_machines::quadtree::{Config, Sample, Study, Test};
 use tilewright_scenes::{Polygons, Size};
 
 /// Rectangles of each area of the turning points: counted, and run.
@@ -72,5 +72,5 @@ impl Effort {
 
 /// The generator of a frame: pipes, with the window's tests side by side.
 pub fn config(polygons: &Polygons, side: u32) -> Config {
-    Config { matrix: (side, side), test: TestUnit::Parallel, ..Config::for_packets(polygons.size, &polygons.polygons) }
+    Config { matrix: (side, side), test: Test::Parallel, ..Config::for_packets(polygons.size, &polygons.polygons) }
 }

@@ -7,8 +7,8 @@ use proptest::prelude::*;
 const M: u32 = 10;
 const FORM: f64 = 1.514;
 
-fn matrix(k: u32) -> Matrix {
-    Matrix::square(k, M)
+fn matrix(k: u32) -> Rasters {
+    Rasters::square(k, M)
 }
 
 fn turning(k: u32) -> f64 {
@@ -183,10 +183,10 @@ fn a_full_tree_is_three_orders_larger() {
     prints([4, 3, 2].map(|k| full_tree(M) as f64 / matrix(k).stages() as f64), 0, ["910", "3121", "10923"]);
 }
 
-fn any_matrix() -> impl Strategy<Value = Matrix> {
+fn any_matrix() -> impl Strategy<Value = Rasters> {
     (1..40_u32, 1..40_u32, 1..11_u32, 0..6_u32, 0..6_u32).prop_map(|(p, q, levels, a, b)| {
         let aperture = (a, b);
-        Matrix { p, q, levels, aperture }
+        Rasters { p, q, levels, aperture }
     })
 }
 

@@ -4,7 +4,8 @@
 //! test at t + 1, and the next one is taken with the last clock of its last quarter.
 
 use super::record::{Counts, Visit};
-use crate::quadtree::windows::{Costs, Search, TestUnit, Window};
+use crate::quadtree::windows::{Costs, Search, Window};
+use tilewright_rtl::quadtree::coverage_test::Test;
 use tilewright_scenes::Polygon;
 
 /// What all units of a run look at.
@@ -12,7 +13,7 @@ use tilewright_scenes::Polygon;
 pub(super) struct Course<'a> {
     pub search: &'a Search,
     pub polygons: &'a [Polygon],
-    pub test: TestUnit,
+    pub test: Test,
 }
 
 impl<'a> Course<'a> {

@@ -34,8 +34,8 @@ mod tree;
 mod trials;
 mod window_sizes;
 
-use super::matrix::Matrix;
-use super::windows::{Search, TestUnit};
+use super::rasters::Rasters;
+use super::windows::Search;
 use crate::run::Watch;
 use division::Course;
 use processor::{Depths, VideoProcessor};
@@ -83,7 +83,7 @@ const PACKETS_AT_ONCE: usize = 256;
 pub struct Model {
     search: Search,
     form: Form,
-    test: TestUnit,
+    test: Test,
     queues: Queues,
 }
 
@@ -91,15 +91,11 @@ impl Model {
     /// The model of that generator.
     ///
     /// # Errors
-    /// Its windows are too large to be counted, as in [`Matrix::check`].
+    /// Its windows are too large to be counted, as in [`Rasters::check`].
     pub fn new(generator: &QuadtreeGenerator) -> Result<Model, ParameterError> {
         let processor = generator.processor();
-        let test = match processor.test {
-            Test::Serial => TestUnit::Serial,
-            Test::Parallel => TestUnit::Parallel,
-        };
-        let search = Search::new(matrix_of(&generator.format()))?;
-        Ok(Model { search, form: processor.form.clone(), test, queues: processor.queues })
+        let search = Search::new(rasters_of(&generator.format()))?;
+        Ok(Model { search, form: processor.form.clone(), test: processor.test, queues: processor.queues })
     }
 
     /// What the generator does with packets, from its reset until it is idle. `None` if it was broken off.
@@ -138,13 +134,12 @@ impl Model {
     /// Clocks until each video processor would be idle if it had to wait for no other: the coupling that the paper leaves out of its
     /// estimates (MPG-LIM). `None` if it was broken off.
     pub fn uncoupled(&self, packets: Packets, watch: &mut Watch) -> Option<Vec<u64>> {
-        // With room for all packets each takes them as they come.
-        let mut processors = self.processors(packets, packets.polygons.len().max(1), false);
+        let mut processors = self.processors(packets, self.queues.packets as usize, false);
         let mut offered = 0;
         for packet in 0..packets.polygons.len() {
             goes_on(packet, packets, watch).then_some(())?;
             offered += packets.pause(packet) + 1;
-            processors.iter_mut().for_each(|processor| _ = processor.take(packet as u32, offered));
+            processors.iter_mut().for_each(|processor| processor.take_at_once(packet as u32, offered));
         }
         processors.iter_mut().for_each(VideoProcessor::finish);
         Some(processors.iter().map(VideoProcessor::idle).collect())
@@ -211,10 +206,10 @@ fn goes_on(packet: usize, packets: Packets, watch: &mut Watch) -> bool {
     !watch.cancel.is_some_and(|flag| flag.load(Ordering::Relaxed))
 }
 
-/// The matrix of a format.
-fn matrix_of(format: &Format) -> Matrix {
+/// The rasters of a format.
+fn rasters_of(format: &Format) -> Rasters {
     let (matrix, aperture) = (format.matrix(), format.aperture());
-    Matrix { p: matrix.columns(), q: matrix.rows(), levels: format.levels(), aperture: (aperture, aperture) }
+    Rasters { p: matrix.columns(), q: matrix.rows(), levels: format.levels(), aperture: (aperture, aperture) }
 }
 
 #[cfg(test)]

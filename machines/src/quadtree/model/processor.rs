@@ -59,6 +59,12 @@ impl<'a> VideoProcessor<'a> {
         clock
     }
 
+    /// Takes a packet that is offered in a clock and sets it up, as if the queue had room for any number.
+    pub fn take_at_once(&mut self, packet: u32, offered: u64) {
+        self.queue.push(packet, offered);
+        self.set_up_oldest();
+    }
+
     /// Does what is left to do.
     pub fn finish(&mut self) {
         while self.set_up_oldest().is_some() {}

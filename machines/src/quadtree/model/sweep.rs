@@ -8,7 +8,7 @@ use super::Model;
 use super::record::{Packets, Run};
 use super::square::{BROADCAST, EDGES, square};
 use crate::quadtree::formulas::MAX_PERFORMANCE;
-use crate::quadtree::matrix::Matrix;
+use crate::quadtree::rasters::Rasters;
 use crate::quadtree::study::Sample;
 use crate::run::Watch;
 use crate::threads::{all_threads, on_threads};
@@ -162,7 +162,7 @@ impl Job {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SweepPoint {
     /// The matrix.
-    pub matrix: Matrix,
+    pub matrix: Rasters,
     /// The form of the raster processors.
     pub form: String,
     /// What the window queue before each of their units holds, if there is one.

@@ -179,6 +179,24 @@ fn rectangles_on_the_papers_screen_take_the_hardwares_clocks() {
     }
 }
 
+/// Square rasters of tall and of wide matrices reach beyond the screen, up to 2048x2048 samples of every 16th pixel.
+#[test]
+fn matrices_that_are_no_squares_take_the_hardwares_clocks() {
+    for ((width, height), matrix) in [((640, 480), (1, 4)), ((640, 480), (16, 1)), ((40, 2048), (16, 1))] {
+        let generator =
+            generator((width, height), matrix, 4, 2, "stack", Queues { broadcast: 1, packets: 1, windows: 1 });
+        let size = Size::new(width, height).expect("in range");
+        let rectangles = Rectangles::new(size, 100.0, 5.0, 3).expect("they fit");
+        let polygons: Vec<Polygon> = (0..6).map(|index| rectangles.polygon(index)).collect();
+        let (packets, mut watch) = (Packets::at_once(&polygons), Watch::default());
+        let run = Model::new(&generator).expect("possible").run(packets, &mut watch).expect("nobody breaks it off");
+        let in_hardware =
+            Simulated::new(&generator).expect("sound").run(packets, &mut watch).expect("its assertions hold");
+        assert_eq!(in_hardware, run);
+        assert!(run.processors.iter().map(|processor| processor.fragments).sum::<u64>() > 500);
+    }
+}
+
 #[test]
 fn a_run_of_the_hardware_can_be_broken_off_and_knows_its_packets() {
     let generator = generator((8, 8), (1, 1), 3, 0, "stack", Queues { broadcast: 1, packets: 1, windows: 1 });
@@ -204,14 +222,14 @@ fn windows_are_those_of_the_search() {
         (0..40).flat_map(|index| polygon(size, place(index), (f64::from(9 * index), 50.0), 5)).collect();
     for form in ["stack", "pipe", "tree:4+pipe", "pipe:1+tree:2+stack", "stack:2+tree:3"] {
         let generator = generator((64, 64), (2, 2), 5, 2, form, Queues { broadcast: 1, packets: 3, windows: 2 });
-        let search = Search::new(matrix_of(&generator.format())).expect("possible");
+        let search = Search::new(rasters_of(&generator.format())).expect("possible");
         let model = Model::new(&generator).expect("possible");
         let run = model.run(Packets::at_once(&polygons), &mut Watch::default()).expect("nobody breaks it off");
         for (place, processor) in search.processors().zip(&run.processors) {
             let (mut windows, mut busy) = (Windows::none(5), [0; 5]);
             for polygon in &polygons {
                 let of_polygon = search.windows(polygon, place);
-                let costs = Costs::new(TestUnit::Serial, polygon.edges.len() as u64, 4);
+                let costs = Costs::new(Test::Serial, polygon.edges.len() as u64, 4);
                 busy.iter_mut().zip(of_polygon.busy(costs)).for_each(|(sum, clocks)| *sum += clocks);
                 windows += &of_polygon;
             }

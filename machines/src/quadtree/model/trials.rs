@@ -6,18 +6,19 @@
 use super::record::{Packets, Run};
 use super::simulated::Simulated;
 use super::square::{BROADCAST, EDGES, square};
-use super::{Model, matrix_of};
+use super::{Model, rasters_of};
 use crate::error::Error;
 use crate::quadtree::formulas::MAX_PERFORMANCE;
-use crate::quadtree::matrix::Matrix;
+use crate::quadtree::rasters::Rasters;
 use crate::quadtree::stages::Figures;
 use crate::quadtree::study::Sample;
-use crate::quadtree::windows::{Costs, Search, TestUnit, Windows};
+use crate::quadtree::windows::{Costs, Search, Windows};
 use crate::run::Watch;
 use crate::threads::{all_threads, on_threads};
 use serde::Serialize;
 use std::sync::atomic::AtomicBool;
 use tilewright_rtl::parameter::ParameterError;
+use tilewright_rtl::quadtree::coverage_test::Test;
 use tilewright_rtl::quadtree::generator::QuadtreeGenerator;
 use tilewright_rtl::quadtree::processor::Queues;
 use tilewright_scenes::Polygon;
@@ -154,7 +155,7 @@ struct Job {
 
 /// A run of the model, and of the hardware.
 struct Both {
-    matrix: Matrix,
+    matrix: Rasters,
     model: Run,
     hardware: Option<Checked>,
 }
@@ -176,7 +177,7 @@ impl Job {
             true => Some(self.checked(Simulated::new(&self.generator)?.run(packets, &mut watch)?, &model)),
             false => None,
         };
-        Ok(Both { matrix: matrix_of(&self.generator.format()), model, hardware })
+        Ok(Both { matrix: rasters_of(&self.generator.format()), model, hardware })
     }
 
     fn checked(&self, run: Run, model: &Run) -> Checked {
@@ -189,7 +190,7 @@ impl Job {
 /// How many of a run's numbers are not those of the plain count: of each video processor the windows of each level, the busy clocks of each
 /// level, and the pixels drawn.
 fn differences_from_count(run: &Run, search: &Search, polygons: &[Polygon]) -> u64 {
-    let costs = Costs::new(TestUnit::Serial, EDGES.into(), PARAMETERS);
+    let costs = Costs::new(Test::Serial, EDGES.into(), PARAMETERS);
     let of_processor = |(place, processor): ((u32, u32), &super::Processor)| {
         let mut counted = Windows::none(search.matrix().levels);
         polygons.iter().for_each(|polygon| counted += &search.windows(polygon, place));
@@ -205,7 +206,7 @@ fn differences_from_count(run: &Run, search: &Search, polygons: &[Polygon]) -> u
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Outcome {
     /// The matrix.
-    pub matrix: Matrix,
+    pub matrix: Rasters,
     /// The rectangles.
     pub sample: Sample,
     /// What the transaction-level model's counters say.
@@ -257,7 +258,7 @@ impl Outcome {
 }
 
 impl Measured {
-    fn new(matrix: &Matrix, [stacks, pipes]: [&Run; 2], mono: &Run) -> Measured {
+    fn new(matrix: &Rasters, [stacks, pipes]: [&Run; 2], mono: &Run) -> Measured {
         let mono = mono.stages(EDGES);
         let [of_stacks, of_pipes] = [stacks, pipes].map(|run| Figures::of(matrix, &run.stages(EDGES), &mono));
         let ran = |run: &Run| run.rate() * f64::from(EDGES) / MAX_PERFORMANCE;

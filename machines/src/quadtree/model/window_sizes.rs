@@ -6,9 +6,9 @@
 use super::record::{Packets, Run};
 use super::simulated::Simulated;
 use super::square::{BROADCAST, square};
-use super::{Model, matrix_of};
+use super::{Model, rasters_of};
 use crate::error::Error;
-use crate::quadtree::matrix::Matrix;
+use crate::quadtree::rasters::Rasters;
 use crate::run::Watch;
 use crate::threads::{all_threads, on_threads};
 use serde::Serialize;
@@ -35,7 +35,7 @@ const APERTURE: u32 = 2;
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct WindowSizes {
     /// The matrix.
-    pub matrix: Matrix,
+    pub matrix: Rasters,
     /// As the transaction-level model's counters have it.
     pub model: Vec<f64>,
     /// As the hardware's have it.
@@ -75,7 +75,7 @@ impl WindowSizes {
         }
         let queues = Queues { broadcast: BROADCAST, packets: 1, windows: 1 };
         let generator = square((m, k), APERTURE, "pipe", queues)?;
-        let matrix = matrix_of(&generator.format());
+        let matrix = rasters_of(&generator.format());
         let squares = squares(1 << m)?;
         let (packets, mut watch) = (Packets::at_once(&squares), Watch { progress: None, cancel });
         let hardware = Simulated::new(&generator)?.run(packets, &mut watch)?;
@@ -98,7 +98,7 @@ fn squares(side: u32) -> Result<Vec<Polygon>, ParameterError> {
 }
 
 /// What the first processor's counters say, whose windows of the first line alone are met.
-fn widths(matrix: &Matrix, run: &Run) -> Vec<f64> {
+fn widths(matrix: &Rasters, run: &Run) -> Vec<f64> {
     let of_level = |level: u32| {
         let spacing = f64::from(matrix.spacing(level).0);
         let met = run.processors[0].units[level as usize].results as f64;

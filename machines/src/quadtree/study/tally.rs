@@ -1,10 +1,11 @@
 //! Sums over the rectangles of a sample, in integers, and the means that follow.
 
-use super::super::matrix::Matrix;
+use super::super::rasters::Rasters;
 use super::super::stages::Stages;
 use super::super::windows::Search;
-use super::{Costs, EDGES, PARAMETERS, TestUnit};
+use super::{Costs, EDGES, PARAMETERS};
 use crate::mean::{Mean, Sum};
+use tilewright_rtl::quadtree::coverage_test::Test;
 use tilewright_scenes::Polygon;
 use tilewright_scenes::packet::SUBPIXELS;
 
@@ -33,7 +34,7 @@ impl Tally {
         self.doubled_areas += packet.area2.unsigned_abs();
         self.windows.iter_mut().zip(&windows.passed).for_each(|(sum, &passed)| sum.add(passed.into()));
         self.fragments.add(windows.fragments.into());
-        let busy = windows.busy(Costs::new(TestUnit::Serial, EDGES, PARAMETERS));
+        let busy = windows.busy(Costs::new(Test::Serial, EDGES, PARAMETERS));
         self.busy.iter_mut().zip(busy).for_each(|(sum, clocks)| *sum += clocks);
     }
 
@@ -52,22 +53,22 @@ impl Tally {
     }
 
     /// Windows of each level, from 0 to n, in one processor.
-    pub(super) fn windows(&self, matrix: &Matrix) -> Vec<Mean> {
+    pub(super) fn windows(&self, matrix: &Rasters) -> Vec<Mean> {
         self.windows.iter().map(|sum| self.mean(*sum, matrix)).collect()
     }
 
     /// Covered pixels in one processor.
-    pub(super) fn fragments(&self, matrix: &Matrix) -> Mean {
+    pub(super) fn fragments(&self, matrix: &Rasters) -> Mean {
         self.mean(self.fragments, matrix)
     }
 
-    fn mean(&self, sum: Sum, matrix: &Matrix) -> Mean {
+    fn mean(&self, sum: Sum, matrix: &Rasters) -> Mean {
         sum.mean(self.polygons, matrix.processors() as f64)
     }
 
     /// The times of each level in one processor, in tests of a serial unit.
-    pub(super) fn stages(&self, matrix: &Matrix) -> Stages {
-        let tests = Costs::new(TestUnit::Serial, EDGES, PARAMETERS).test * matrix.processors();
+    pub(super) fn stages(&self, matrix: &Rasters) -> Stages {
+        let tests = Costs::new(Test::Serial, EDGES, PARAMETERS).test * matrix.processors();
         let unit = self.polygons as f64 * tests as f64;
         Stages::new(self.busy.iter().map(|clocks| *clocks as f64 / unit).collect())
     }

@@ -17,7 +17,7 @@ fn pixels() -> impl Iterator<Item = (u32, u32)> {
 }
 
 /// Matrices for 32x32 pixels, or a little more where three is among their sides.
-fn matrices() -> impl Strategy<Value = Matrix> {
+fn matrices() -> impl Strategy<Value = Rasters> {
     let sizes = prop_oneof![
         Just((1, 1, 5)),
         Just((2, 2, 4)),
@@ -26,7 +26,7 @@ fn matrices() -> impl Strategy<Value = Matrix> {
         Just((3, 2, 4)),
         Just((8, 8, 2))
     ];
-    (sizes, 0..4_u32, 0..4_u32).prop_map(|((p, q, levels), a, b)| Matrix { p, q, levels, aperture: (2 * a, 2 * b) })
+    (sizes, 0..4_u32, 0..4_u32).prop_map(|((p, q, levels), a, b)| Rasters { p, q, levels, aperture: (2 * a, 2 * b) })
 }
 
 /// Corners in 1/16 pixel: on the screen, many of them on pixel centres, or in a small part of it.
@@ -45,13 +45,13 @@ fn vertices(corners: &[(i32, i32)]) -> Vec<ScreenVertex> {
     corners.iter().map(|&(x, y)| ScreenVertex { x, y, z: 7, rgb: [1, 2, 3] }).collect()
 }
 
-fn search(matrix: Matrix) -> Search {
+fn search(matrix: Rasters) -> Search {
     Search::new(matrix).expect("a possible matrix")
 }
 
 /// The definition without a recursion: all windows of a level, each by the values at its four corners, and by the greatest and
 /// the least position of the vertices in place of bounds.
-fn by_definition(matrix: &Matrix, packet: &Polygon, corners: &[(i32, i32)], (i, j): (u32, u32), level: u32) -> u64 {
+fn by_definition(matrix: &Rasters, packet: &Polygon, corners: &[(i32, i32)], (i, j): (u32, u32), level: u32) -> u64 {
     let samples = 1_i64 << (matrix.levels - level);
     let extent = |start: i64, processors: u32, index: u32, aperture: u32| {
         let (p, i, grown) = (i64::from(processors), i64::from(index), i64::from(aperture) / 2);
@@ -75,7 +75,7 @@ fn by_definition(matrix: &Matrix, packet: &Polygon, corners: &[(i32, i32)], (i, 
 }
 
 /// Pixels of processor (i, j) that golden's rule covers.
-fn covered(matrix: &Matrix, packet: &Polygon, (i, j): (u32, u32)) -> u64 {
+fn covered(matrix: &Rasters, packet: &Polygon, (i, j): (u32, u32)) -> u64 {
     let own = pixels().filter(|(x, y)| x % matrix.p == i && y % matrix.q == j);
     own.filter(|&(x, y)| packet.bounds.contains(x, y) && packet.covers(x, y)).count() as u64
 }
@@ -103,7 +103,7 @@ proptest! {
             for processor in search(matrix).processors() {
                 let expected = covered(&matrix, &packet, processor);
                 prop_assert_eq!(search(matrix).windows(&packet, processor).fragments, expected);
-                let exact = search(Matrix { aperture: (0, 0), ..matrix }).windows(&packet, processor);
+                let exact = search(Rasters { aperture: (0, 0), ..matrix }).windows(&packet, processor);
                 prop_assert_eq!((exact.passed.last(), exact.fragments), (Some(&expected), expected));
             }
         }
@@ -112,7 +112,7 @@ proptest! {
     /// A larger aperture has no less windows on any level; a window has at most four in it, and one at least where windows meet.
     #[test]
     fn windows_grow_with_the_aperture_and_divide_in_four(matrix in matrices(), corners in corners(3..8)) {
-        let larger = Matrix { aperture: (matrix.aperture.0 + 2, matrix.aperture.1 + 2), ..matrix };
+        let larger = Rasters { aperture: (matrix.aperture.0 + 2, matrix.aperture.1 + 2), ..matrix };
         for packet in set_up_polygon_of_any_size(&vertices(&corners), size()) {
             let (windows, more) = (search(matrix).all_windows(&packet), search(larger).all_windows(&packet));
             prop_assert!(windows.passed.iter().zip(&more.passed).all(|(few, many)| few <= many));
@@ -144,8 +144,8 @@ fn clocks_are_tests_and_windows_of_each_level() {
     let windows = Windows { passed: vec![1, 3, 5], fragments: 4 };
     assert_eq!(windows.tests().collect::<Vec<_>>(), [4, 12]);
     let busy = |unit| windows.busy(Costs::new(unit, 5, 4)).collect::<Vec<_>>();
-    assert_eq!(busy(TestUnit::Serial), [4 * 5 + 3 * 4, 12 * 5 + 5 * 4]);
-    assert_eq!(busy(TestUnit::Parallel), [4 + 3 * 4, 12 + 5 * 4]);
+    assert_eq!(busy(Test::Serial), [4 * 5 + 3 * 4, 12 * 5 + 5 * 4]);
+    assert_eq!(busy(Test::Parallel), [4 + 3 * 4, 12 + 5 * 4]);
     let mut sum = Windows::none(2);
     sum += &windows;
     sum += &windows;
@@ -157,7 +157,7 @@ fn empty_bounds_still_meet_windows() {
     // Left of the centre of column 4 by 1/16 pixel, between those of rows 5 and 6.
     let packet = set_up_polygon_of_any_size(&vertices(&[(8, 89), (71, 89), (71, 103), (8, 103)]), size()).remove(0);
     assert_eq!(packet.bounds, PixelBox { left: 0, top: 6, right: 3, bottom: 5 });
-    let passed = |q: u32, levels| search(Matrix { p: q, q, levels, aperture: (0, 0) }).all_windows(&packet).passed;
+    let passed = |q: u32, levels| search(Rasters { p: q, q, levels, aperture: (0, 0) }).all_windows(&packet).passed;
     // A window from row 5 or above to row 6 or below has it; so of two samples j and j+4 those of the processors of rows 2 and 3.
     assert_eq!(passed(1, 5)[1..], [1, 1, 1, 0, 0]);
     assert_eq!(passed(4, 3), [16, 16, 8, 0]);
@@ -168,7 +168,7 @@ fn empty_bounds_still_meet_windows() {
 fn bounds_keep_windows_out_that_edges_let_pass() {
     let screen = Size::new(1024, 1024).expect("in range");
     let rectangles = Rectangles::new(screen, 23.3, 5.0, 1).expect("they fit");
-    let matrix = Matrix::square(3, 10);
+    let matrix = Rasters::square(3, 10);
     let (mut bounded, mut by_edges) = (Windows::none(7), Windows::none(7));
     for packet in (0..200).map(|index| rectangles.polygon(index)) {
         let search = search(matrix);

@@ -1,14 +1,20 @@
-//! A matrix of video processors: its sizes, and those of its windows.
+//! The sparse rasters of a matrix of video processors: their sizes, and those of their windows.
 //!
-//! Source: MPG-WIN, MPG-EQ2, MPG-SPR.
+//! Source: MPG-WIN, MPG-EQ2, MPG-SPR. They are what formulas and counts take, of any size; the hardware's
+//! [`Matrix`](tilewright_rtl::quadtree::format::Matrix) is what can be built.
 
 use serde::Serialize;
 use tilewright_rtl::parameter::ParameterError;
+use tilewright_rtl::quadtree::format::Matrix;
 use tilewright_scenes::MAX_SIDE;
 
-/// A matrix of `p` x `q` video processors. Processor (i, j) has the pixels (pX + i, qY + j), X and Y below 2^n (MPG-SPR).
+/// The most pixels along a side of all rasters together: a screen of the greatest height and a matrix of one row of processors, whose
+/// rasters are square, reach so far to the right.
+const MOST: u32 = Matrix::MAX_SIDE * MAX_SIDE;
+
+/// The rasters of `p` x `q` video processors. Processor (i, j) has the pixels (pX + i, qY + j), X and Y below 2^n (MPG-SPR).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
-pub struct Matrix {
+pub struct Rasters {
     /// Processors in a row, p.
     pub p: u32,
     /// Rows of processors, q.
@@ -19,31 +25,31 @@ pub struct Matrix {
     pub aperture: (u32, u32),
 }
 
-impl Matrix {
+impl Rasters {
     /// 2^k x 2^k processors for 2^m x 2^m pixels, with an aperture of 2x2. The paper has k = 0 to 4 and m = 10.
     ///
     /// ```
-    /// use tilewright_machines::quadtree::Matrix;
+    /// use tilewright_machines::quadtree::Rasters;
     ///
-    /// assert_eq!(Matrix::square(2, 10), Matrix { p: 4, q: 4, levels: 8, aperture: (2, 2) });
+    /// assert_eq!(Rasters::square(2, 10), Rasters { p: 4, q: 4, levels: 8, aperture: (2, 2) });
     /// ```
-    pub fn square(k: u32, m: u32) -> Matrix {
+    pub fn square(k: u32, m: u32) -> Rasters {
         let side = 1_u32.checked_shl(k).unwrap_or(u32::MAX);
-        Matrix { p: side, q: side, levels: m.saturating_sub(k), aperture: (2, 2) }
+        Rasters { p: side, q: side, levels: m.saturating_sub(k), aperture: (2, 2) }
     }
 
     /// One processor for the same pixels: what efficiencies compare with. Of another than a square matrix of a power of two it has
     /// the smallest square that contains its pixels.
     ///
     /// ```
-    /// use tilewright_machines::quadtree::Matrix;
+    /// use tilewright_machines::quadtree::Rasters;
     ///
-    /// assert_eq!(Matrix::square(4, 10).mono(), Matrix::square(0, 10));
+    /// assert_eq!(Rasters::square(4, 10).mono(), Rasters::square(0, 10));
     /// ```
-    pub fn mono(&self) -> Matrix {
+    pub fn mono(&self) -> Rasters {
         let side = u64::from(self.p.max(self.q).max(1));
         let added = side.next_power_of_two().trailing_zeros();
-        Matrix { p: 1, q: 1, levels: self.levels + added, aperture: self.aperture }
+        Rasters { p: 1, q: 1, levels: self.levels + added, aperture: self.aperture }
     }
 
     /// Processors, pq.
@@ -59,9 +65,9 @@ impl Matrix {
     /// From a window of `level`, 0 to n, to its neighbour, in pixels along x and y (MPG-WIN).
     ///
     /// ```
-    /// use tilewright_machines::quadtree::Matrix;
+    /// use tilewright_machines::quadtree::Rasters;
     ///
-    /// let matrix = Matrix::square(2, 10);
+    /// let matrix = Rasters::square(2, 10);
     /// assert_eq!([7, 8].map(|level| matrix.spacing(level)), [(8, 8), (4, 4)]);
     /// assert_eq!([7, 8].map(|level| matrix.window(level)), [(6, 6), (2, 2)]);
     /// ```
@@ -76,30 +82,30 @@ impl Matrix {
         (x - self.p + self.aperture.0, y - self.q + self.aperture.1)
     }
 
-    /// Checks that windows can be counted: there are processors and levels, the pixels are at most 2048x2048, the aperture is even.
+    /// Checks that windows can be counted: there are processors and levels, the pixels are at most 32768x32768, the aperture is even.
     ///
     /// # Errors
     /// It says which rule is broken.
     ///
     /// ```
-    /// use tilewright_machines::quadtree::Matrix;
+    /// use tilewright_machines::quadtree::Rasters;
     ///
-    /// assert!(Matrix::square(4, 10).check().is_ok());
-    /// let problem = Matrix { aperture: (2, 3), ..Matrix::square(1, 10) }.check().unwrap_err();
+    /// assert!(Rasters::square(4, 10).check().is_ok());
+    /// let problem = Rasters { aperture: (2, 3), ..Rasters::square(1, 10) }.check().unwrap_err();
     /// assert_eq!(problem.to_string(), "an aperture of 2x3 pixels: its sides have to be even, from 0 to 2048");
     /// ```
     pub fn check(&self) -> Result<(), ParameterError> {
-        let Matrix { p, q, levels, aperture: (a, b) } = *self;
+        let Rasters { p, q, levels, aperture: (a, b) } = *self;
         let side = |processors: u32| u64::from(processors) << levels.min(32);
         let is_side = |aperture: u32| aperture.is_multiple_of(2) && aperture <= MAX_SIDE;
         let problem = if p == 0 || q == 0 {
             format!("a matrix of {p}x{q} video processors: it has to have at least 1x1")
         } else if levels == 0 {
             "a matrix whose windows are divided 0 times: it has to have at least 1 level".to_owned()
-        } else if side(p).max(side(q)) > MAX_SIDE.into() {
+        } else if side(p).max(side(q)) > MOST.into() {
             format!(
                 "a matrix of {p}x{q} video processors of {levels} levels, which is {}x{} pixels: they may be up to \
-                 {MAX_SIDE}x{MAX_SIDE}",
+                 {MOST}x{MOST}",
                 side(p),
                 side(q)
             )
@@ -118,37 +124,39 @@ mod tests {
 
     #[test]
     fn each_impossible_matrix_has_its_sentence() {
-        let sentence = |matrix: Matrix| matrix.check().expect_err("impossible").to_string();
-        let possible = Matrix::square(1, 10);
+        let sentence = |matrix: Rasters| matrix.check().expect_err("impossible").to_string();
+        let possible = Rasters::square(1, 10);
         assert_eq!(
-            sentence(Matrix { q: 0, ..possible }),
+            sentence(Rasters { q: 0, ..possible }),
             "a matrix of 2x0 video processors: it has to have at least 1x1"
         );
         assert_eq!(
-            sentence(Matrix { levels: 0, ..possible }),
+            sentence(Rasters { levels: 0, ..possible }),
             "a matrix whose windows are divided 0 times: it has to have at least 1 level"
         );
         assert_eq!(
-            sentence(Matrix { p: 3, levels: 10, ..possible }),
-            "a matrix of 3x2 video processors of 10 levels, which is 3072x2048 pixels: they may be up to 2048x2048"
+            sentence(Rasters { p: 3, levels: 14, ..possible }),
+            "a matrix of 3x2 video processors of 14 levels, which is 49152x32768 pixels: they may be up to 32768x32768"
         );
         assert_eq!(
-            sentence(Matrix { aperture: (1, 2), ..possible }),
+            sentence(Rasters { aperture: (1, 2), ..possible }),
             "an aperture of 1x2 pixels: its sides have to be even, from 0 to 2048"
         );
-        assert!(sentence(Matrix { levels: u32::MAX, ..possible }).ends_with("they may be up to 2048x2048"));
-        assert!(Matrix { p: 5, q: 8, levels: 8, aperture: (0, 4) }.check().is_ok());
+        assert!(sentence(Rasters { levels: u32::MAX, ..possible }).ends_with("they may be up to 32768x32768"));
+        assert!(Rasters { p: 5, q: 8, levels: 8, aperture: (0, 4) }.check().is_ok());
+        // 2048x2048 pixels in 16 columns: rasters of 128x2048 samples, which are within 2048x2048.
+        assert!(Rasters { p: 16, q: 1, levels: 11, aperture: (0, 0) }.check().is_ok());
     }
 
     /// A processor for the same pixels has as many levels as the whole matrix.
     #[test]
     fn one_processor_has_the_pixels_of_the_matrix() {
         for k in 0..5 {
-            assert_eq!(Matrix::square(k, 10).mono(), Matrix::square(0, 10));
+            assert_eq!(Rasters::square(k, 10).mono(), Rasters::square(0, 10));
         }
-        let wide = Matrix { p: 5, q: 3, levels: 6, aperture: (2, 4) };
-        assert_eq!(wide.mono(), Matrix { p: 1, q: 1, levels: 9, aperture: (2, 4) });
+        let wide = Rasters { p: 5, q: 3, levels: 6, aperture: (2, 4) };
+        assert_eq!(wide.mono(), Rasters { p: 1, q: 1, levels: 9, aperture: (2, 4) });
         // More than there can be, but no reason to panic.
-        assert_eq!(Matrix::square(40, 10).mono().levels, 32);
+        assert_eq!(Rasters::square(40, 10).mono().levels, 32);
     }
 }
