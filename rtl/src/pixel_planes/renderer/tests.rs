@@ -74,18 +74,16 @@ fn sent(side: u32, instructions: &[Instruction<u64>], manner: Manner) -> Vec<(u6
     t.run((send, receive, monitor(t.holds_bits(o.planes)))).1
 }
 
-/// Gives every bit of memory a value, as it has any at first.
+fn constant(operation: Operation, write: u64, length: u64) -> Instruction<u64> {
+    let coefficients = Coefficients { a: 0, b: 0, c: 0x5a_0ff0_12b5 };
+    Instruction { operation: operation.code(), skip: 0, length, read: 0, write, coefficients }
+}
+
+/// Gives every bit of memory a value and both flags 0, as they have any at first.
 fn filled() -> Vec<Instruction<u64>> {
-    let words = [(0, 64), (64, 64), (128, 64), (192, 16)].into_iter();
-    let fill = |(write, length)| Instruction {
-        operation: Operation::Fill.code(),
-        skip: 0,
-        length,
-        read: 0,
-        write,
-        coefficients: Coefficients { a: 0, b: 0, c: 0x5a_0ff0_1234 },
-    };
-    words.map(fill).collect()
+    let words = [(0, 64), (64, 64), (128, 64), (192, 16)];
+    let words = words.map(|(write, length)| constant(Operation::Fill, write, length));
+    [&words[..], &[constant(Operation::Disable, 0, 1), constant(Operation::Flag, 0, 1)]].concat()
 }
 
 /// Sends all of the memory.
@@ -108,11 +106,8 @@ proptest! {
         manner in manners(),
     ) {
         // In the end the flags are in the memory, too.
-        let constant = |operation: Operation, write| Instruction {
-            operation: operation.code(), skip: 0, length: 1, read: 0, write, coefficients: Coefficients { a: 0, b: 0, c: 1 },
-        };
-        let enable = Instruction { skip: 7, ..constant(Operation::EvaluateEnabled, 207) };
-        let flags = vec![constant(Operation::FillFlagged, 206), enable];
+        let enable = Instruction { skip: 7, ..constant(Operation::EvaluateEnabled, 207, 1) };
+        let flags = vec![constant(Operation::FillFlagged, 206, 1), enable];
         let program = [filled(), program, flags, all_memory()].concat();
         let mut model = Model::new(side);
         program.iter().for_each(|instruction| model.run(instruction));
