@@ -155,7 +155,8 @@ impl ImageGenerationController {
         state(next.length.ne(0) & next.length.le(Instruction::<u64>::LONGEST), "a word has 1 to 64 bits");
         let is_whole = next.length.eq(fields::WORD.bits) & next.write.eq(0);
         state(code.saves.implies(is_whole), "a whole word is saved, as planes 0 to 47");
-        let is_inside = |first: Signal| (first.zext(9) + next.length.zext(9)).le(PixelProcessor::BITS);
+        let end = up_to(2 * PixelProcessor::BITS);
+        let is_inside = |first: Signal| (first.zext(end) + next.length.zext(end)).le(PixelProcessor::BITS);
         state(is_inside(next.read) & is_inside(next.write), "a word is within the memory of 208 bits");
         let levels = self.tree().levels();
         state(is_expression.implies(clocks.ge(levels)), "an expression has as many bits as each tree has levels");

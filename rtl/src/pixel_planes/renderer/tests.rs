@@ -158,7 +158,7 @@ fn drawn(side: u32, background: u32, rule: Rule, primitives: &[Primitive]) -> Ve
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 20, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 14, failure_persistence: None, ..ProptestConfig::default() })]
 
     /// Regions one after another, each read while the next is drawn.
     #[test]
