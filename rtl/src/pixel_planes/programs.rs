@@ -12,7 +12,7 @@
 //! A triangle, a polygon and a vector differ only in the number of their edges; a vector is a polygon of four.
 //!
 //! Clocks from a primitive's first instruction to that of the next one of its kind, N of PP5-UT, as
-//! `cargo test -p tilewright-rtl a_primitive_takes_the_clocks` counts them; the paper's 239 ns a vector are 94:
+//! `cargo test -p tilewright-rtl a_primitive_takes_the_clocks` counts them; the paper's 239 ns a vector come of 94 (PP5-UTV):
 //!
 //! | program | edges | one at a time | side by side |
 //! |---|---|---|---|
