@@ -34,7 +34,7 @@ const CASES: &[(&str, &[&str])] = &[
     (
         "render teapot --strict",
         &[
-            "error: --strict is an option of quadtree, and the machine is vc1: leave it out, or pass --machine quadtree\n",
+            "error: --strict is an option of quadtree and pixel-planes-5, and the machine is vc1: leave it out, or pass --machine quadtree\n",
         ],
     ),
     (

@@ -11,6 +11,7 @@ mod interruption;
 mod limits;
 mod lines;
 mod output;
+mod pixel_planes;
 mod places;
 mod quadtree;
 mod render;

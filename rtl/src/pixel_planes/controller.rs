@@ -28,7 +28,7 @@
 use self::slot::{Order, Slot};
 use super::instruction::{Instruction, Microcode, Operation};
 use super::linear_tree::{Coefficients, LinearTree};
-use super::pixel::{Control, Source};
+use super::pixel::{Control, PixelProcessor, Source};
 use super::{REGION_BITS, fields};
 use crate::prelude::*;
 
@@ -153,7 +153,11 @@ impl ImageGenerationController {
         let state = |holds: Signal, message| m.assume(next.taken.implies(holds), message);
         state(next.operation.is_code(), "what comes is an operation");
         state(next.length.ne(0) & next.length.le(Instruction::<u64>::LONGEST), "a word has 1 to 64 bits");
-        state(code.saves.implies(next.length.eq(fields::WORD.bits)), "a whole word is saved");
+        let is_whole = next.length.eq(fields::WORD.bits) & next.write.eq(0);
+        state(code.saves.implies(is_whole), "a whole word is saved, as planes 0 to 47");
+        let end = up_to(2 * PixelProcessor::BITS);
+        let is_inside = |first: Signal| (first.zext(end) + next.length.zext(end)).le(PixelProcessor::BITS);
+        state(is_inside(next.read) & is_inside(next.write), "a word is within the memory of 208 bits");
         let levels = self.tree().levels();
         state(is_expression.implies(clocks.ge(levels)), "an expression has as many bits as each tree has levels");
         state(is_expression | next.skip.eq(0), "only of an expression bits are skipped");

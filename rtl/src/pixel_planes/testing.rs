@@ -1,9 +1,12 @@
-//! What the tests of programs and renderers share: primitives by the contract's formulas alone (facts E0).
+//! What tests share: primitives by the contract's formulas alone (facts E0), and instructions at random.
 
 use proptest::prelude::*;
 
+use super::instruction::{Instruction, Operation};
 use super::linear_tree::Coefficients;
+use super::pixel::Source;
 use super::programs::{Expression, Surface};
+use crate::prelude::Codes;
 
 /// A polygon relative to a region.
 #[derive(Debug, Clone)]
@@ -87,6 +90,29 @@ pub(super) fn primitives(side: u32) -> impl Strategy<Value = Primitive> {
                 Coefficients { a, b, c: c + a * left + b * top }
             });
             Primitive { edges: edges.collect(), surface: Surface { z, rgb: rgb_planes }, rgb }
+        },
+    )
+}
+
+/// Instructions that a renderer of that side takes, on a small part of the memory, so that they meet each other's words.
+pub(super) fn instructions(side: u32) -> impl Strategy<Value = Instruction<u64>> {
+    const LAST: usize = Operation::ALL.len() - 1;
+    let levels = u64::from(side.trailing_zeros());
+    let length = prop_oneof![4 => 1..12u64, 1 => 1..65u64];
+    let address = || prop_oneof![1..24u64, Just(100)];
+    let coefficient = || prop_oneof![0..1u64 << 40, 0..64u64, (0..64u64).prop_map(|number| (1 << 40) - 1 - number)];
+    let coefficients = prop::array::uniform3(coefficient());
+    (0..LAST, 0..20u64, length, address(), address(), coefficients).prop_map(
+        move |(operation, skip, length, read, write, [a, b, c])| {
+            let operation = Operation::ALL[operation];
+            let on_expression = operation.microcode().source == Source::Expression.code();
+            let is_alone = matches!(operation, Operation::Enable | Operation::Disable | Operation::Flag);
+            let length = if is_alone { 1 } else { length };
+            let skip = if on_expression { skip.max(levels.saturating_sub(length)) } else { 0 };
+            // Words that overlap are worked on bit by bit: then what is read of them is what was written just before.
+            let write = if read.abs_diff(write) < length { read } else { write };
+            let coefficients = Coefficients { a, b, c };
+            Instruction { operation: operation.code(), skip, length, read, write, coefficients }
         },
     )
 }

@@ -269,9 +269,11 @@ module image_generation_controller_side8 (
     wire asserted_and = (tree_left != 8'd0) & tree_microcode_on_memory & tree_is_word; // rtl/src/pixel_planes/controller.rs:123
     wire sent1_control_enabling_and = tree_is_word & (tree_left == 8'd1); // rtl/src/pixel_planes/controller/slot.rs:93
     wire assumed_and = (instructions_length != 7'd0) & (instructions_length <= 7'd64); // rtl/src/pixel_planes/controller.rs:155
-    wire assumed_or = !decoded_saves | (instructions_length == 7'd48); // rtl/src/pixel_planes/controller.rs:156
-    wire assumed_at_least = ({2'd0, instructions_skip} + {1'd0, instructions_length}) >= 8'd3; // rtl/src/pixel_planes/controller.rs:158
-    wire assumed_or_2 = (decoded_source == SOURCE_EXPRESSION) | (instructions_skip == 6'd0); // rtl/src/pixel_planes/controller.rs:159
+    wire assumed_and_2 = (instructions_length == 7'd48) & (instructions_write == 8'd0); // rtl/src/pixel_planes/controller.rs:156
+    wire assumed_at_most = ({1'd0, instructions_read} + {2'd0, instructions_length}) <= 9'd208; // rtl/src/pixel_planes/controller.rs:158
+    wire assumed_at_most_2 = ({1'd0, instructions_write} + {2'd0, instructions_length}) <= 9'd208; // rtl/src/pixel_planes/controller.rs:158
+    wire assumed_at_least = ({2'd0, instructions_skip} + {1'd0, instructions_length}) >= 8'd3; // rtl/src/pixel_planes/controller.rs:161
+    wire assumed_or = (decoded_source == SOURCE_EXPRESSION) | (instructions_skip == 6'd0); // rtl/src/pixel_planes/controller.rs:162
     assign save_claim = instructions_taken & decoded_saves;      // rtl/src/pixel_planes/controller.rs:131
     assign save_region = instructions_coefficients_c[15:0];      // rtl/src/pixel_planes/controller.rs:131
     wire idle_and = !instructions_valid & (tree_left == 8'd0);   // rtl/src/pixel_planes/controller.rs:137
@@ -616,9 +618,10 @@ module image_generation_controller_side8 (
         if (!rst) assert (!(asserted_and & memory_is_word));         // rtl/src/pixel_planes/controller.rs:123
         if (!rst) assume (!instructions_taken | (instructions_operation <= OPERATION_SAVE)); // rtl/src/pixel_planes/controller.rs:153
         if (!rst) assume (!instructions_taken | assumed_and);        // rtl/src/pixel_planes/controller.rs:153
-        if (!rst) assume (!instructions_taken | assumed_or);         // rtl/src/pixel_planes/controller.rs:153
+        if (!rst) assume (!instructions_taken | (!decoded_saves | assumed_and_2)); // rtl/src/pixel_planes/controller.rs:153
+        if (!rst) assume (!instructions_taken | (assumed_at_most & assumed_at_most_2)); // rtl/src/pixel_planes/controller.rs:153
         if (!rst) assume (!instructions_taken | ((decoded_source != SOURCE_EXPRESSION) | assumed_at_least)); // rtl/src/pixel_planes/controller.rs:153
-        if (!rst) assume (!instructions_taken | assumed_or_2);       // rtl/src/pixel_planes/controller.rs:153
+        if (!rst) assume (!instructions_taken | assumed_or);         // rtl/src/pixel_planes/controller.rs:153
     end
 `else
     always @(posedge clk) begin
@@ -634,15 +637,19 @@ module image_generation_controller_side8 (
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a word has 1 to 64 bits", $time);
             $stop;
         end
-        if (!rst && !(!instructions_taken | assumed_or)) begin       // rtl/src/pixel_planes/controller.rs:153
-            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a whole word is saved", $time);
+        if (!rst && !(!instructions_taken | (!decoded_saves | assumed_and_2))) begin // rtl/src/pixel_planes/controller.rs:153
+            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a whole word is saved, as planes 0 to 47", $time);
+            $stop;
+        end
+        if (!rst && !(!instructions_taken | (assumed_at_most & assumed_at_most_2))) begin // rtl/src/pixel_planes/controller.rs:153
+            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a word is within the memory of 208 bits", $time);
             $stop;
         end
         if (!rst && !(!instructions_taken | ((decoded_source != SOURCE_EXPRESSION) | assumed_at_least))) begin // rtl/src/pixel_planes/controller.rs:153
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: an expression has as many bits as each tree has levels", $time);
             $stop;
         end
-        if (!rst && !(!instructions_taken | assumed_or_2)) begin     // rtl/src/pixel_planes/controller.rs:153
+        if (!rst && !(!instructions_taken | assumed_or)) begin       // rtl/src/pixel_planes/controller.rs:153
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: only of an expression bits are skipped", $time);
             $stop;
         end
@@ -652,6 +659,7 @@ module image_generation_controller_side8 (
 
     wire _unused_ok = &{1'b0, tree_microcode_on_tree, tree_microcode_saves, memory_microcode_on_tree,
             memory_microcode_on_memory, memory_microcode_enabling, memory_microcode_captures,
-            asserted_and, assumed_and, assumed_or, assumed_at_least, assumed_or_2};
+            asserted_and, assumed_and, assumed_and_2, assumed_at_most, assumed_at_most_2,
+            assumed_at_least, assumed_or};
 endmodule
 `default_nettype wire

@@ -37,14 +37,7 @@ fn frames_are_golden_for_all_numbers_of_renderers_and_sizes_of_regions() {
 #[test]
 fn regions_are_given_as_the_plain_allocator_gives_them() {
     let report = drawn("star", (64, 48), |it| Config { renderers: 3, side: 16, ..it });
-    let mut bins = vec![(0, 0); report.regions.len()];
-    report.regions.iter().for_each(|it| bins[it.region] = (it.primitives, it.clocks));
-    // Renderers get their first region in clocks of their own, which decides nothing here.
-    let sizes: Vec<u64> = bins.iter().map(|(size, _)| *size).collect();
-    let mut by_size: Vec<(u64, u64)> = bins.clone();
-    by_size.sort_unstable();
-    by_size.dedup_by_key(|(size, _)| *size);
-    assert_eq!(report.regions.iter().map(|it| it.primitives).sum::<u64>(), sizes.iter().sum());
+    let sizes: Vec<u64> = report.regions.iter().map(|it| it.primitives).collect();
     assert!(report.regions.windows(2).all(|pair| pair[0].primitives >= pair[1].primitives), "the fullest bins first");
     let mut free = [0; 3];
     for it in &report.regions {

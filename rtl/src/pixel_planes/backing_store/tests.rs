@@ -114,6 +114,7 @@ proptest! {
                 t.set(i.save.region, 1000 + region);
                 t.step().await;
                 t.set(i.save.claim, 0);
+                t.set(i.save.region, 0);
                 for number in 0..48u32 {
                     t.wait((seed >> number) & 1).await;
                     t.set(i.save.plane, 1);

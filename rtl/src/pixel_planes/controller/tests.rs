@@ -1,8 +1,11 @@
 //! The controller clock by clock, the clocks of a primitive, and what it does not take.
 
+use proptest::prelude::*;
 use tilewright_sim::Simulation;
 
+use super::super::pixel::{Enabling, Mask};
 use super::super::programs::{Expression, Surface, flat, flat_least, flat_strict, save, smooth_least, smooth_strict};
+use super::super::testing::instructions;
 use super::*;
 
 type Controller = Simulation<ImageGenerationControllerIn, ImageGenerationControllerOut>;
@@ -22,6 +25,16 @@ fn instruction(operation: Operation, skip: u64, length: u64, write: u64) -> Inst
 
 /// Shows instructions one after another, for so many clocks; gives the clocks in which they are taken.
 fn run(sim: &mut Controller, instructions: &[Instruction<u64>], clocks: u64) -> Vec<u64> {
+    watched(sim, instructions, clocks, |_, _| {})
+}
+
+/// The same; what is done is looked at in each clock.
+fn watched(
+    sim: &mut Controller,
+    instructions: &[Instruction<u64>],
+    clocks: u64,
+    mut look: impl FnMut(u64, ImageGenerationControllerOut<u64>),
+) -> Vec<u64> {
     let (i, mut taken) = (sim.i, Vec::new());
     for clock in 0..clocks {
         let next = instructions.get(taken.len());
@@ -39,6 +52,7 @@ fn run(sim: &mut Controller, instructions: &[Instruction<u64>], clocks: u64) -> 
                 taken.push(clock);
             }
         }
+        look(clock, sim.read_u64());
         sim.step();
     }
     taken
@@ -181,6 +195,130 @@ fn a_primitive_takes_the_clocks_of_its_edges_and_planes() {
     assert_eq!(both(&smooth_least(SIDE, &triangle, &surface)), [48 + 72 + 40 + 48, 161]);
 }
 
+/// When an instruction is taken, and when its first bit is sent: by the rules of the controller's own description.
+fn schedule(program: &[Instruction<u64>], side_by_side: bool) -> Vec<[u64; 2]> {
+    let mut times: Vec<[u64; 2]> = Vec::new();
+    // The clocks of the last bits on the tree, of what of that needs the memory, and of what is on the memory alone.
+    let (mut tree_last, mut word_last, mut memory_last) = (0, 0, 0);
+    // When what waits for the memory leaves its place.
+    let mut place_free = 0;
+    for instruction in program {
+        let code = Operation::ALL[instruction.operation as usize].microcode();
+        let mut taken = times.last().map_or(0, |[before, _]| before + 1);
+        if !side_by_side {
+            taken = taken.max(tree_last).max(memory_last);
+        }
+        let clocks = instruction.skip + instruction.length;
+        let begins;
+        if code.on_tree == 1 {
+            taken = taken.max(tree_last);
+            if code.on_memory == 1 {
+                taken = taken.max(memory_last.saturating_sub(instruction.skip));
+            }
+            begins = taken + 1;
+            tree_last = taken + clocks;
+            word_last = if code.on_memory == 1 { tree_last } else { word_last };
+        } else {
+            taken = taken.max(place_free).max(word_last);
+            begins = (taken + 1).max(memory_last + 1);
+            place_free = begins - 1;
+            memory_last = begins + clocks - 1;
+        }
+        times.push([taken, begins]);
+    }
+    times
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 24, failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// Each bit of each instruction in its clock, and nothing in all others.
+    #[test]
+    fn every_bit_comes_in_its_clock(
+        program in prop::collection::vec(instructions(8), 1..30),
+        side_by_side in any::<bool>(),
+        seed in any::<u64>(),
+    ) {
+        const LATE: u64 = 6;
+        let mut sim = Simulation::of(&ImageGenerationController { side: 8 }).unwrap().seeded(seed);
+        sim.reset();
+        sim.set(sim.i.store_free, 1);
+        sim.set(sim.i.side_by_side, u64::from(side_by_side));
+        let times = schedule(&program, side_by_side);
+        let end = program.iter().zip(&times).map(|(next, [_, begins])| begins + next.skip + next.length).max().unwrap();
+        let mut seen = Vec::new();
+        let taken = watched(&mut sim, &program, end + LATE + 2, |_, out| seen.push(out));
+        prop_assert_eq!(taken, times.iter().map(|[taken, _]| *taken).collect::<Vec<_>>());
+
+        let nothing = Control {
+            source: 0, constant: 0, adds: 0, first: 0, mask: Mask::Nobody.code(), compares: 0, gates: 0,
+            enabling: Enabling::Keep.code(), captures: 0, read: 0, write: 0,
+        };
+        // What a clock's pixels do, so far as anything comes of it.
+        let mut expected = vec![nothing; seen.len()];
+        let mut first = vec![0; seen.len()];
+        for (next, [_, begins]) in program.iter().zip(&times) {
+            let code = Operation::ALL[next.operation as usize].microcode();
+            let is_expression = code.source == Source::Expression.code();
+            for at in 0..next.skip + next.length {
+                let clock = (begins + at) as usize;
+                if is_expression {
+                    first[clock] = u64::from(at == 0);
+                    let Coefficients { a, b, c } = next.coefficients;
+                    let sent = [a, b, c].map(|number| ((number << 24) as i64 >> 24 >> at.min(63)) as u64 & 1);
+                    let out = seen[clock].coefficients;
+                    prop_assert_eq!([out.a, out.b, out.c], sent);
+                }
+                let Some(bit) = at.checked_sub(next.skip) else { continue };
+                let is_last = bit + 1 == next.length;
+                let control = &mut expected[clock + LATE as usize];
+                if code.on_memory == 1 {
+                    *control = Control {
+                        source: code.source,
+                        adds: code.adds,
+                        first: u64::from(bit == 0) & code.begins,
+                        mask: code.mask,
+                        compares: code.compares,
+                        gates: code.gates,
+                        read: next.read + bit,
+                        write: next.write + bit,
+                        ..*control
+                    };
+                    if code.source == Source::Constant.code() && code.on_tree == 0 {
+                        control.constant = ((next.coefficients.c << 24) as i64 >> 24 >> bit.min(63)) as u64 & 1;
+                    }
+                }
+                if is_last && code.on_tree == 1 {
+                    (control.enabling, control.captures) = (code.enabling, code.captures);
+                }
+            }
+        }
+        for (clock, (out, expected)) in seen.iter().zip(&expected).enumerate() {
+            prop_assert_eq!(out.first, first[clock], "clock {}", clock);
+            // What has an effect, whatever else is there.
+            let does = |c: Control<u64>| {
+                let writes = c.mask != Mask::Nobody.code();
+                let works = writes || c.compares == 1;
+                let reads = c.source == Source::Memory.code() || c.adds == 1 || c.compares == 1;
+                [
+                    c.mask, c.adds, c.compares, c.enabling, c.captures,
+                    if works { c.source } else { 0 },
+                    if works && c.source == Source::Constant.code() { c.constant } else { 0 },
+                    if c.adds == 1 || c.compares == 1 { c.first } else { 0 },
+                    if c.compares == 1 { c.gates } else { 0 },
+                    if works && reads { c.read } else { 0 },
+                    if writes { c.write } else { 0 },
+                ]
+            };
+            prop_assert_eq!(does(out.control), does(*expected), "clock {}", clock);
+            prop_assert_eq!([out.save.plane, out.save.claim], [0, 0]);
+            // Nothing is left of what was before the reset.
+            prop_assert!(clock as u64 >= LATE || out.control == nothing, "clock {}", clock);
+        }
+        prop_assert_eq!(seen.last().unwrap().idle, 1);
+    }
+}
+
 fn taken_wrongly(wrong: Instruction<u64>) {
     run(&mut started(16), &[wrong], 2);
 }
@@ -204,9 +342,21 @@ fn what_skips_without_an_expression_is_an_error() {
 }
 
 #[test]
-#[should_panic(expected = "a whole word is saved")]
+#[should_panic(expected = "a whole word is saved, as planes 0 to 47")]
 fn a_part_of_a_word_that_is_saved_is_an_error() {
     taken_wrongly(instruction(Operation::Save, 0, 24, 0));
+}
+
+#[test]
+#[should_panic(expected = "a whole word is saved, as planes 0 to 47")]
+fn a_word_that_is_saved_as_other_planes_is_an_error() {
+    taken_wrongly(instruction(Operation::Save, 0, 48, 1));
+}
+
+#[test]
+#[should_panic(expected = "a word is within the memory of 208 bits")]
+fn a_word_that_reaches_beyond_the_memory_is_an_error() {
+    taken_wrongly(instruction(Operation::Fill, 0, 9, 200));
 }
 
 #[test]

@@ -26,7 +26,9 @@ fn send(sim: &mut Frame, region: u64, line: u64, words: &[u64], planes: Range<u6
         }
         sim.step();
     }
+    // What is not valid is not looked at.
     sim.set(sim.i.planes.valid, 0);
+    sim.set(sim.i.planes.payload.region, 0xffff);
 }
 
 fn read(sim: &mut Frame, region: u32, line: u32) -> Vec<u64> {

@@ -80,7 +80,7 @@ fn it_gives_all_sums_of_small_coefficients_on_2x2_and_4x4_pixels() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 24, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 12, failure_persistence: None, ..ProptestConfig::default() })]
 
     /// Of any length from log2 S on, right behind one another or with pauses.
     #[test]

@@ -9,7 +9,7 @@ use super::super::model::Model;
 use super::super::programs::{
     Expression, Surface, clear, flat, flat_least, flat_strict, save, smooth_least, smooth_strict,
 };
-use super::super::testing::{Primitive, primitives};
+use super::super::testing::{Primitive, instructions, primitives};
 use super::super::{PERIOD, SIDE};
 use super::*;
 
@@ -74,41 +74,16 @@ fn sent(side: u32, instructions: &[Instruction<u64>], manner: Manner) -> Vec<(u6
     t.run((send, receive, monitor(t.holds_bits(o.planes)))).1
 }
 
-/// Instructions that a renderer of that side takes, on a small part of the memory, so that they meet each other's words.
-fn instructions(side: u32) -> impl Strategy<Value = Instruction<u64>> {
-    const LAST: usize = Operation::ALL.len() - 1;
-    let levels = u64::from(side.trailing_zeros());
-    let length = prop_oneof![4 => 1..12u64, 1 => 1..65u64];
-    let address = || prop_oneof![1..24u64, Just(100)];
-    let coefficient = || prop_oneof![0..1u64 << 40, 0..64u64, (0..64u64).prop_map(|number| (1 << 40) - 1 - number)];
-    let coefficients = prop::array::uniform3(coefficient());
-    (0..LAST, 0..20u64, length, address(), address(), coefficients).prop_map(
-        move |(operation, skip, length, read, write, [a, b, c])| {
-            let operation = Operation::ALL[operation];
-            let on_expression = operation.microcode().source == super::super::pixel::Source::Expression.code();
-            let is_alone = matches!(operation, Operation::Enable | Operation::Disable | Operation::Flag);
-            let length = if is_alone { 1 } else { length };
-            let skip = if on_expression { skip.max(levels.saturating_sub(length)) } else { 0 };
-            // Words that overlap are worked on bit by bit: then what is read of them is what was written just before.
-            let write = if read.abs_diff(write) < length { read } else { write };
-            let coefficients = Coefficients { a, b, c };
-            Instruction { operation: operation.code(), skip, length, read, write, coefficients }
-        },
-    )
+fn constant(operation: Operation, write: u64, length: u64) -> Instruction<u64> {
+    let coefficients = Coefficients { a: 0, b: 0, c: 0x5a_0ff0_12b5 };
+    Instruction { operation: operation.code(), skip: 0, length, read: 0, write, coefficients }
 }
 
-/// Gives every bit of memory a value, as it has any at first.
+/// Gives every bit of memory a value and both flags 0, as they have any at first.
 fn filled() -> Vec<Instruction<u64>> {
-    let words = [(0, 64), (64, 64), (128, 64), (192, 16)].into_iter();
-    let fill = |(write, length)| Instruction {
-        operation: Operation::Fill.code(),
-        skip: 0,
-        length,
-        read: 0,
-        write,
-        coefficients: Coefficients { a: 0, b: 0, c: 0x5a_0ff0_1234 },
-    };
-    words.map(fill).collect()
+    let words = [(0, 64), (64, 64), (128, 64), (192, 16)];
+    let words = words.map(|(write, length)| constant(Operation::Fill, write, length));
+    [&words[..], &[constant(Operation::Disable, 0, 1), constant(Operation::Flag, 0, 1)]].concat()
 }
 
 /// Sends all of the memory.
@@ -131,11 +106,8 @@ proptest! {
         manner in manners(),
     ) {
         // In the end the flags are in the memory, too.
-        let constant = |operation: Operation, write| Instruction {
-            operation: operation.code(), skip: 0, length: 1, read: 0, write, coefficients: Coefficients { a: 0, b: 0, c: 1 },
-        };
-        let enable = Instruction { skip: 7, ..constant(Operation::EvaluateEnabled, 207) };
-        let flags = vec![constant(Operation::FillFlagged, 206), enable];
+        let enable = Instruction { skip: 7, ..constant(Operation::EvaluateEnabled, 207, 1) };
+        let flags = vec![constant(Operation::FillFlagged, 206, 1), enable];
         let program = [filled(), program, flags, all_memory()].concat();
         let mut model = Model::new(side);
         program.iter().for_each(|instruction| model.run(instruction));
@@ -186,7 +158,7 @@ fn drawn(side: u32, background: u32, rule: Rule, primitives: &[Primitive]) -> Ve
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 20, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 14, failure_persistence: None, ..ProptestConfig::default() })]
 
     /// Regions one after another, each read while the next is drawn.
     #[test]
