@@ -110,7 +110,7 @@ const CASES: &[(&str, &[&str])] = &[
     ("verilog gfb-unit -o out --set width=2048 --set height=2048 --testbench", &["a testbench at most 200000"]),
     ("wave gfb-unit --ascii --set width=2048 --set height=2048", &["a wave in text at most 200000: --set smaller"]),
     ("verilog nothing -o out", &["'nothing'", "gfb-unit"]),
-    ("bench pin16", &["'pin16'", "pimN, qtN, flatN, coreN, simdN, systolicN, vc1xN", "such as pim16"]),
+    ("bench pin16", &["'pin16'", "pimN, qtN, flatN, coreN, simdN, pxplN, systolicN, vc1xN", "such as pim16"]),
     ("bench simd257", &["'simd257'", "from 1 to 256"]),
     ("bench --seconds 0", &["'0'", "from 0.001 to 1000 seconds"]),
     ("bench --against modelsim", &["'modelsim'", "verilator"]),

@@ -52,7 +52,7 @@ fn what_is_side_by_side_is_faster_and_draws_the_same() {
 fn there_is_no_waveform_of_a_frame() {
     let folder = Folder::with_pyramid();
     let run = folder.run(&format!("{SMALL} --vcd run.vcd"));
-    assert_eq!(run.code, 2);
+    assert_eq!(run.code, Some(2));
     assert!(run.stderr.contains("leave out --vcd, and see `tilewright wave renderer`"), "{}", run.stderr);
     assert!(!folder.names().contains(&"run.vcd".to_owned()), "nothing is left");
 }

@@ -5,7 +5,7 @@
 // Parameters  CoverageTest { format: "8x8_2x2_edges3", test: Serial, from: 2, sizes: 1 }
 // Latency     a window takes a clock for each edge of each quarter, and 4 for each quarter that passes
 // Source      sparse-raster quadtree generator, equation 5 (MPG-EQ5, MPG-WIN)
-// Described   rtl/src/quadtree/coverage_test.rs:60
+// Described   rtl/src/quadtree/coverage_test.rs:71
 `default_nettype none
 
 module coverage_test_format8x8_2x2_edges3_test_serial_from2_sizes1 (
@@ -70,63 +70,63 @@ module coverage_test_format8x8_2x2_edges3_test_serial_from2_sizes1 (
     output wire         works_ready
 );
 
-    reg busy;                                                    // rtl/src/quadtree/coverage_test.rs:60
-    reg [2:0] held_polygon_last_edge;                            // rtl/src/quadtree/coverage_test.rs:61
-    reg [1:0] held_window_size;                                  // rtl/src/quadtree/coverage_test.rs:61
-    reg [1:0] held_window_x;                                     // rtl/src/quadtree/coverage_test.rs:61
-    reg [1:0] held_window_y;                                     // rtl/src/quadtree/coverage_test.rs:61
-    reg [12:0] held_window_bounds_left;                          // rtl/src/quadtree/coverage_test.rs:61
-    reg [12:0] held_window_bounds_top;                           // rtl/src/quadtree/coverage_test.rs:61
-    reg [12:0] held_window_bounds_right;                         // rtl/src/quadtree/coverage_test.rs:61
-    reg [12:0] held_window_bounds_bottom;                        // rtl/src/quadtree/coverage_test.rs:61
-    reg [1:0] number;                                            // rtl/src/quadtree/coverage_test.rs:62
-    reg moves;                                                   // rtl/src/quadtree/coverage_test.rs:63
-    reg [2:0] step;                                              // rtl/src/quadtree/coverage_test.rs:64
-    reg outside;                                                 // rtl/src/quadtree/coverage_test.rs:121
+    reg busy;                                                    // rtl/src/quadtree/coverage_test.rs:71
+    reg [2:0] held_polygon_last_edge;                            // rtl/src/quadtree/coverage_test.rs:72
+    reg [1:0] held_window_size;                                  // rtl/src/quadtree/coverage_test.rs:72
+    reg [1:0] held_window_x;                                     // rtl/src/quadtree/coverage_test.rs:72
+    reg [1:0] held_window_y;                                     // rtl/src/quadtree/coverage_test.rs:72
+    reg [12:0] held_window_bounds_left;                          // rtl/src/quadtree/coverage_test.rs:72
+    reg [12:0] held_window_bounds_top;                           // rtl/src/quadtree/coverage_test.rs:72
+    reg [12:0] held_window_bounds_right;                         // rtl/src/quadtree/coverage_test.rs:72
+    reg [12:0] held_window_bounds_bottom;                        // rtl/src/quadtree/coverage_test.rs:72
+    reg [1:0] number;                                            // rtl/src/quadtree/coverage_test.rs:73
+    reg moves;                                                   // rtl/src/quadtree/coverage_test.rs:74
+    reg [2:0] step;                                              // rtl/src/quadtree/coverage_test.rs:75
+    reg outside;                                                 // rtl/src/quadtree/coverage_test.rs:132
     reg [31:0] size2_busy;                                       // rtl/src/quadtree/tally.rs:28
     reg [31:0] size2_stalled;                                    // rtl/src/quadtree/tally.rs:28
     reg [31:0] size2_results;                                    // rtl/src/quadtree/tally.rs:28
 
-    wire [31:0] value_picked;                                    // rtl/src/quadtree/coverage_test.rs:118
-    wire value_picked_2;                                         // rtl/src/quadtree/coverage_test.rs:118
-    wire [16:0] value_picked_3;                                  // rtl/src/quadtree/coverage_test.rs:118
-    wire value_picked_4;                                         // rtl/src/quadtree/coverage_test.rs:118
-    wire [16:0] value_picked_5;                                  // rtl/src/quadtree/coverage_test.rs:118
-    wire [39:0] plane_picked;                                    // rtl/src/quadtree/coverage_test.rs:81
-    wire [39:0] plane_picked_2;                                  // rtl/src/quadtree/coverage_test.rs:81
-    wire [39:0] plane_picked_3;                                  // rtl/src/quadtree/coverage_test.rs:82
-    wire tests = busy & !moves;                                  // rtl/src/quadtree/coverage_test.rs:72
-    wire is_last = step == held_polygon_last_edge;               // rtl/src/quadtree/coverage_test.rs:120
-    wire value_equal = value_picked_2 == number[0];              // rtl/src/quadtree/coverage_test.rs:144
-    wire [31:0] value_extended = {15'd0, value_picked_3};        // rtl/src/quadtree/coverage_test.rs:144
-    wire [31:0] value_choice = value_equal ? 32'd0 : {value_extended[30:0], 1'b0}; // rtl/src/quadtree/coverage_test.rs:144
-    wire value_equal_2 = value_picked_4 == number[1];            // rtl/src/quadtree/coverage_test.rs:144
-    wire [31:0] value_extended_2 = {15'd0, value_picked_5};      // rtl/src/quadtree/coverage_test.rs:144
-    wire [31:0] value_choice_2 = value_equal_2 ? 32'd0 : {value_extended_2[30:0], 1'b0}; // rtl/src/quadtree/coverage_test.rs:144
-    wire [31:0] value = value_picked - value_choice - value_choice_2; // rtl/src/quadtree/coverage_test.rs:118
-    wire is_outside = outside | value[31];                       // rtl/src/quadtree/coverage_test.rs:122
+    wire [31:0] value_picked;                                    // rtl/src/quadtree/coverage_test.rs:129
+    wire value_picked_2;                                         // rtl/src/quadtree/coverage_test.rs:129
+    wire [16:0] value_picked_3;                                  // rtl/src/quadtree/coverage_test.rs:129
+    wire value_picked_4;                                         // rtl/src/quadtree/coverage_test.rs:129
+    wire [16:0] value_picked_5;                                  // rtl/src/quadtree/coverage_test.rs:129
+    wire [39:0] plane_picked;                                    // rtl/src/quadtree/coverage_test.rs:92
+    wire [39:0] plane_picked_2;                                  // rtl/src/quadtree/coverage_test.rs:92
+    wire [39:0] plane_picked_3;                                  // rtl/src/quadtree/coverage_test.rs:93
+    wire tests = busy & !moves;                                  // rtl/src/quadtree/coverage_test.rs:83
+    wire is_last = step == held_polygon_last_edge;               // rtl/src/quadtree/coverage_test.rs:131
+    wire value_equal = value_picked_2 == number[0];              // rtl/src/quadtree/coverage_test.rs:155
+    wire [31:0] value_extended = {15'd0, value_picked_3};        // rtl/src/quadtree/coverage_test.rs:155
+    wire [31:0] value_choice = value_equal ? 32'd0 : {value_extended[30:0], 1'b0}; // rtl/src/quadtree/coverage_test.rs:155
+    wire value_equal_2 = value_picked_4 == number[1];            // rtl/src/quadtree/coverage_test.rs:155
+    wire [31:0] value_extended_2 = {15'd0, value_picked_5};      // rtl/src/quadtree/coverage_test.rs:155
+    wire [31:0] value_choice_2 = value_equal_2 ? 32'd0 : {value_extended_2[30:0], 1'b0}; // rtl/src/quadtree/coverage_test.rs:155
+    wire [31:0] value = value_picked - value_choice - value_choice_2; // rtl/src/quadtree/coverage_test.rs:129
+    wire is_outside = outside | value[31];                       // rtl/src/quadtree/coverage_test.rs:133
     assign parts_window_bounds_left = held_window_bounds_left - (number[0] ? 13'd0 : 13'd4); // rtl/src/quadtree/format.rs:316
     assign parts_window_bounds_top = held_window_bounds_top - (number[1] ? 13'd0 : 13'd4); // rtl/src/quadtree/format.rs:316
     wire misses_or_2 = parts_window_bounds_left[12] | parts_window_bounds_top[12]; // rtl/src/quadtree/format.rs:330
     assign parts_window_bounds_right = held_window_bounds_right - (!number[0] ? 13'd0 : 13'd4); // rtl/src/quadtree/format.rs:316
     wire misses_or = misses_or_2 | parts_window_bounds_right[12]; // rtl/src/quadtree/format.rs:330
     assign parts_window_bounds_bottom = held_window_bounds_bottom - (!number[1] ? 13'd0 : 13'd4); // rtl/src/quadtree/format.rs:316
-    wire misses = is_outside | (misses_or | parts_window_bounds_bottom[12]); // rtl/src/quadtree/coverage_test.rs:75
-    wire fails = tests & is_last & misses;                       // rtl/src/quadtree/coverage_test.rs:77
-    wire ready = moves & (step == 3'd3);                         // rtl/src/quadtree/coverage_test.rs:84
-    wire parts_taken = ready & parts_ready;                      // rtl/src/quadtree/coverage_test.rs:88
-    wire ends_quarter = fails | parts_taken;                     // rtl/src/quadtree/coverage_test.rs:90
-    wire ends = ends_quarter & (&number);                        // rtl/src/quadtree/coverage_test.rs:91
-    assign works_ready = !busy | ends;                           // rtl/src/quadtree/coverage_test.rs:92
-    wire passes = tests & is_last & !misses;                     // rtl/src/quadtree/coverage_test.rs:76
-    wire [39:0] plane_choice = number[0] ? {plane_picked_2[38:0], 1'b0} : 40'd0; // rtl/src/quadtree/coverage_test.rs:80
-    wire [39:0] plane_choice_2 = number[1] ? {plane_picked_3[38:0], 1'b0} : 40'd0; // rtl/src/quadtree/coverage_test.rs:80
-    wire [39:0] plane = plane_picked + plane_choice + plane_choice_2; // rtl/src/quadtree/coverage_test.rs:82
-    assign parts_window_x = held_window_x | {number[0], 1'b0};   // rtl/src/quadtree/coverage_test.rs:85
-    assign parts_window_y = held_window_y | {number[1], 1'b0};   // rtl/src/quadtree/coverage_test.rs:85
-    wire works_taken = works_valid & works_ready;                // rtl/src/quadtree/coverage_test.rs:92
-    wire waits = ready & !parts_taken;                           // rtl/src/quadtree/coverage_test.rs:99
-    assign idle = !busy & !works_valid;                          // rtl/src/quadtree/coverage_test.rs:105
+    wire misses = is_outside | (misses_or | parts_window_bounds_bottom[12]); // rtl/src/quadtree/coverage_test.rs:86
+    wire fails = tests & is_last & misses;                       // rtl/src/quadtree/coverage_test.rs:88
+    wire ready = moves & (step == 3'd3);                         // rtl/src/quadtree/coverage_test.rs:95
+    wire parts_taken = ready & parts_ready;                      // rtl/src/quadtree/coverage_test.rs:99
+    wire ends_quarter = fails | parts_taken;                     // rtl/src/quadtree/coverage_test.rs:101
+    wire ends = ends_quarter & (&number);                        // rtl/src/quadtree/coverage_test.rs:102
+    assign works_ready = !busy | ends;                           // rtl/src/quadtree/coverage_test.rs:103
+    wire passes = tests & is_last & !misses;                     // rtl/src/quadtree/coverage_test.rs:87
+    wire [39:0] plane_choice = number[0] ? {plane_picked_2[38:0], 1'b0} : 40'd0; // rtl/src/quadtree/coverage_test.rs:91
+    wire [39:0] plane_choice_2 = number[1] ? {plane_picked_3[38:0], 1'b0} : 40'd0; // rtl/src/quadtree/coverage_test.rs:91
+    wire [39:0] plane = plane_picked + plane_choice + plane_choice_2; // rtl/src/quadtree/coverage_test.rs:93
+    assign parts_window_x = held_window_x | {number[0], 1'b0};   // rtl/src/quadtree/coverage_test.rs:96
+    assign parts_window_y = held_window_y | {number[1], 1'b0};   // rtl/src/quadtree/coverage_test.rs:96
+    wire works_taken = works_valid & works_ready;                // rtl/src/quadtree/coverage_test.rs:103
+    wire waits = ready & !parts_taken;                           // rtl/src/quadtree/coverage_test.rs:110
+    assign idle = !busy & !works_valid;                          // rtl/src/quadtree/coverage_test.rs:116
 
     genvar i;
 
@@ -245,56 +245,56 @@ module coverage_test_format8x8_2x2_edges3_test_serial_from2_sizes1 (
             assign value_picked_lanes[i] = held_window_edges_row[i].held_window_edges;
         end
     endgenerate
-    assign value_picked = (step < 3'd3) ? value_picked_lanes[step[1:0]] : 32'd0; // rtl/src/quadtree/coverage_test.rs:118
+    assign value_picked = (step < 3'd3) ? value_picked_lanes[step[1:0]] : 32'd0; // rtl/src/quadtree/coverage_test.rs:129
     wire [2:0] value_picked_2_lanes;
     generate
         for (i = 0; i < 3; i = i + 1) begin : value_picked_2_of
             assign value_picked_2_lanes[i] = held_polygon_right_row[i].held_polygon_right;
         end
     endgenerate
-    assign value_picked_2 = (step < 3'd3) ? value_picked_2_lanes[step[1:0]] : 1'b0; // rtl/src/quadtree/coverage_test.rs:118
+    assign value_picked_2 = (step < 3'd3) ? value_picked_2_lanes[step[1:0]] : 1'b0; // rtl/src/quadtree/coverage_test.rs:129
     wire [16:0] value_picked_3_lanes [0:2];
     generate
         for (i = 0; i < 3; i = i + 1) begin : value_picked_3_of
             assign value_picked_3_lanes[i] = held_polygon_fall_x_row[i].held_polygon_fall_x;
         end
     endgenerate
-    assign value_picked_3 = (step < 3'd3) ? value_picked_3_lanes[step[1:0]] : 17'd0; // rtl/src/quadtree/coverage_test.rs:118
+    assign value_picked_3 = (step < 3'd3) ? value_picked_3_lanes[step[1:0]] : 17'd0; // rtl/src/quadtree/coverage_test.rs:129
     wire [2:0] value_picked_4_lanes;
     generate
         for (i = 0; i < 3; i = i + 1) begin : value_picked_4_of
             assign value_picked_4_lanes[i] = held_polygon_lower_row[i].held_polygon_lower;
         end
     endgenerate
-    assign value_picked_4 = (step < 3'd3) ? value_picked_4_lanes[step[1:0]] : 1'b0; // rtl/src/quadtree/coverage_test.rs:118
+    assign value_picked_4 = (step < 3'd3) ? value_picked_4_lanes[step[1:0]] : 1'b0; // rtl/src/quadtree/coverage_test.rs:129
     wire [16:0] value_picked_5_lanes [0:2];
     generate
         for (i = 0; i < 3; i = i + 1) begin : value_picked_5_of
             assign value_picked_5_lanes[i] = held_polygon_fall_y_row[i].held_polygon_fall_y;
         end
     endgenerate
-    assign value_picked_5 = (step < 3'd3) ? value_picked_5_lanes[step[1:0]] : 17'd0; // rtl/src/quadtree/coverage_test.rs:118
+    assign value_picked_5 = (step < 3'd3) ? value_picked_5_lanes[step[1:0]] : 17'd0; // rtl/src/quadtree/coverage_test.rs:129
     wire [39:0] plane_picked_lanes [0:3];
     generate
         for (i = 0; i < 4; i = i + 1) begin : plane_picked_of
             assign plane_picked_lanes[i] = held_window_planes_row[i].held_window_planes;
         end
     endgenerate
-    assign plane_picked = (step < 3'd4) ? plane_picked_lanes[step[1:0]] : 40'd0; // rtl/src/quadtree/coverage_test.rs:81
+    assign plane_picked = (step < 3'd4) ? plane_picked_lanes[step[1:0]] : 40'd0; // rtl/src/quadtree/coverage_test.rs:92
     wire [39:0] plane_picked_2_lanes [0:3];
     generate
         for (i = 0; i < 4; i = i + 1) begin : plane_picked_2_of
             assign plane_picked_2_lanes[i] = held_polygon_plane_x_row[i].held_polygon_plane_x;
         end
     endgenerate
-    assign plane_picked_2 = (step < 3'd4) ? plane_picked_2_lanes[step[1:0]] : 40'd0; // rtl/src/quadtree/coverage_test.rs:81
+    assign plane_picked_2 = (step < 3'd4) ? plane_picked_2_lanes[step[1:0]] : 40'd0; // rtl/src/quadtree/coverage_test.rs:92
     wire [39:0] plane_picked_3_lanes [0:3];
     generate
         for (i = 0; i < 4; i = i + 1) begin : plane_picked_3_of
             assign plane_picked_3_lanes[i] = held_polygon_plane_y_row[i].held_polygon_plane_y;
         end
     endgenerate
-    assign plane_picked_3 = (step < 3'd4) ? plane_picked_3_lanes[step[1:0]] : 40'd0; // rtl/src/quadtree/coverage_test.rs:82
+    assign plane_picked_3 = (step < 3'd4) ? plane_picked_3_lanes[step[1:0]] : 40'd0; // rtl/src/quadtree/coverage_test.rs:93
     generate
         for (i = 0; i < 3; i = i + 1) begin : parts_polygon_fall_x_of
             assign parts_polygon_fall_x[i * 17 +: 17] = held_polygon_fall_x_row[i].held_polygon_fall_x;
