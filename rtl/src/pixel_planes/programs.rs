@@ -23,7 +23,7 @@
 //! | [`smooth_least`] | 3 of 16 bits | 208 | 161 |
 
 use super::fields::{BLUE, DEPTH, Field, GREEN, RED, RGB, WORD};
-use super::instruction::{Instruction, Operation};
+use super::instruction::{COEFFICIENT, Instruction, Operation};
 use super::linear_tree::Coefficients;
 use crate::prelude::Codes;
 
@@ -171,7 +171,7 @@ fn alone(operation: Operation) -> Instruction<u64> {
 }
 
 fn modular(expression: &Expression) -> Coefficients<u64> {
-    let modular = |number: i64| number as u64 & ((1 << Instruction::<u64>::COEFFICIENT) - 1);
+    let modular = |number: i64| number as u64 & ((1 << COEFFICIENT) - 1);
     let &Coefficients { a, b, c } = expression;
     Coefficients { a: modular(a), b: modular(b), c: modular(c) }
 }

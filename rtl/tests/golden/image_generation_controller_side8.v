@@ -15,7 +15,7 @@ module image_generation_controller_side8 (
     input  wire        instructions_valid,
     input  wire [4:0]  instructions_operation,      // What is done: an `Operation`.
     input  wire [5:0]  instructions_skip,           // Bits of the expression that come before the word; 0 without one.
-    input  wire [6:0]  instructions_length,         // Bits of the word: 1 to `Instruction::LONGEST`.
+    input  wire [6:0]  instructions_length,         // Bits of the word: 1 to `LONGEST`.
     input  wire [7:0]  instructions_read,           // Where the word that is read begins.
     input  wire [7:0]  instructions_write,          // Where the word that is written begins.
     // Of the expression, in two's complement, relative to the region; `c` is the constant where there is no expression. Longer words are of the same sign.
@@ -270,10 +270,10 @@ module image_generation_controller_side8 (
     wire sent1_control_enabling_and = tree_is_word & (tree_left == 8'd1); // rtl/src/pixel_planes/controller/slot.rs:93
     wire assumed_and = (instructions_length != 7'd0) & (instructions_length <= 7'd64); // rtl/src/pixel_planes/controller.rs:155
     wire assumed_and_2 = (instructions_length == 7'd48) & (instructions_write == 8'd0); // rtl/src/pixel_planes/controller.rs:156
-    wire assumed_at_most = ({1'd0, instructions_read} + {2'd0, instructions_length}) <= 9'd208; // rtl/src/pixel_planes/controller.rs:158
-    wire assumed_at_most_2 = ({1'd0, instructions_write} + {2'd0, instructions_length}) <= 9'd208; // rtl/src/pixel_planes/controller.rs:158
-    wire assumed_at_least = ({2'd0, instructions_skip} + {1'd0, instructions_length}) >= 8'd3; // rtl/src/pixel_planes/controller.rs:161
-    wire assumed_or = (decoded_source == SOURCE_EXPRESSION) | (instructions_skip == 6'd0); // rtl/src/pixel_planes/controller.rs:162
+    wire assumed_at_most = ({1'd0, instructions_read} + {2'd0, instructions_length}) <= 9'd208; // rtl/src/pixel_planes/controller.rs:159
+    wire assumed_at_most_2 = ({1'd0, instructions_write} + {2'd0, instructions_length}) <= 9'd208; // rtl/src/pixel_planes/controller.rs:159
+    wire assumed_at_least = ({2'd0, instructions_skip} + {1'd0, instructions_length}) >= 8'd3; // rtl/src/pixel_planes/controller.rs:162
+    wire assumed_or = (decoded_source == SOURCE_EXPRESSION) | (instructions_skip == 6'd0); // rtl/src/pixel_planes/controller.rs:163
     assign save_claim = instructions_taken & decoded_saves;      // rtl/src/pixel_planes/controller.rs:131
     assign save_region = instructions_coefficients_c[15:0];      // rtl/src/pixel_planes/controller.rs:131
     wire idle_and = !instructions_valid & (tree_left == 8'd0);   // rtl/src/pixel_planes/controller.rs:137
