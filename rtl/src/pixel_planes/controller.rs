@@ -26,7 +26,7 @@
 //! Latency 1 clock from an instruction to its first bits, which go to the tree; the control of pixels is as late as the expression.
 
 use self::slot::{Order, Slot};
-use super::instruction::{Instruction, Microcode, Operation};
+use super::instruction::{Instruction, LONGEST, Microcode, Operation};
 use super::linear_tree::{Coefficients, LinearTree};
 use super::pixel::{Control, PixelProcessor, Source};
 use super::{REGION_BITS, fields};
@@ -152,7 +152,7 @@ impl ImageGenerationController {
         let clocks = Order::clocks(next.skip) + Order::clocks(next.length);
         let state = |holds: Signal, message| m.assume(next.taken.implies(holds), message);
         state(next.operation.is_code(), "what comes is an operation");
-        state(next.length.ne(0) & next.length.le(Instruction::<u64>::LONGEST), "a word has 1 to 64 bits");
+        state(next.length.ne(0) & next.length.le(LONGEST), "a word has 1 to 64 bits");
         let is_whole = next.length.eq(fields::WORD.bits) & next.write.eq(0);
         state(code.saves.implies(is_whole), "a whole word is saved, as planes 0 to 47");
         let end = up_to(2 * PixelProcessor::BITS);

@@ -58,6 +58,12 @@ codes! {
     }
 }
 
+/// Bits of a coefficient, as many as the contract's depth planes have (facts E0).
+pub const COEFFICIENT: u32 = 40;
+
+/// The most bits of a word; fewer are skipped before it.
+pub const LONGEST: u32 = 64;
+
 bundle! {
     /// An instruction.
     pub struct Instruction<T> {
@@ -65,7 +71,7 @@ bundle! {
         pub operation: T,
         /// Bits of the expression that come before the word; 0 without one.
         pub skip: T,
-        /// Bits of the word: 1 to [`Instruction::LONGEST`].
+        /// Bits of the word: 1 to [`LONGEST`].
         pub length: T,
         /// Where the word that is read begins.
         pub read: T,
@@ -75,13 +81,6 @@ bundle! {
         /// of the same sign.
         pub coefficients: Coefficients<T>,
     }
-}
-
-impl<T> Instruction<T> {
-    /// Bits of a coefficient.
-    pub const COEFFICIENT: u32 = 40;
-    /// The most bits of a word, or skipped before it.
-    pub const LONGEST: u32 = 64;
 }
 
 impl Instruction<u64> {
@@ -102,11 +101,11 @@ impl Instruction<u64> {
 impl Instruction<Width> {
     /// The widths of its fields.
     pub fn widths() -> Instruction<Width> {
-        let coefficient = bits(Instruction::<u64>::COEFFICIENT);
+        let coefficient = bits(COEFFICIENT);
         Instruction {
             operation: one_of::<Operation>(),
-            skip: below(Instruction::<u64>::LONGEST),
-            length: up_to(Instruction::<u64>::LONGEST),
+            skip: below(LONGEST),
+            length: up_to(LONGEST),
             read: below(PixelProcessor::BITS),
             write: below(PixelProcessor::BITS),
             coefficients: Coefficients { a: coefficient, b: coefficient, c: coefficient },

@@ -1,15 +1,15 @@
 //! The renderer of Pixel-planes 5: an array of pixels that compute, each with a bit of adder and 208 bits of memory (facts A0, E3).
 //!
 //! ```text
-//!                  .------------------------------ renderer ------------------------------.
-//!                  |                         A, B, C, a bit a clock                       |
-//! instructions ===>|[queue]==>[ controller ]------------------>[ linear tree ]            |
-//!                  |             |   ^                               | A x + B y + C       |
-//!                  |     control |   | free                          v at each pixel      |
-//!                  |             '---|--------------> S x S pixel processors              |
-//!                  |                 |                               | 48 bit planes       |
-//!                  |                 '-------------------[ backing store ]================|==> bit planes
-//!                  '----------------------------------------------------------------------'      of lines
+//!                  .------------------------- renderer -------------------------.
+//!                  |                     a, b, c                                |
+//! instructions ===>|[ queue ]==>[ controller ]------>[ linear tree ]            |
+//!                  |               |    ^                  | a x + b y + c      |
+//!                  |       control |    |                  v                    |
+//!                  |               '----|-------->[ S x S pixel processors ]    |
+//!                  |                    |                  | 48 planes          |
+//!                  |                    '-- free --[ backing store ]============|==> lines, plane by plane
+//!                  '------------------------------------------------------------'
 //! ```
 //!
 //! A renderer draws a region of S x S pixels of the screen, and then another one. All coefficients are relative to the region: whoever makes

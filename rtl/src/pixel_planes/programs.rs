@@ -21,9 +21,19 @@
 //! | [`flat_least`] | 4 of 15 bits | 172 | 102 |
 //! | [`smooth_strict`] | 3 of 16 bits | 184 | 161 |
 //! | [`smooth_least`] | 3 of 16 bits | 208 | 161 |
+//!
+//! ```
+//! use tilewright_rtl::pixel_planes::programs::{Expression, clear, flat, save};
+//!
+//! // A region of 8 x 8 pixels, orange where x is 3 or more and x - y is 0 or more.
+//! let edges = [Expression { a: 1, b: 0, c: -3 }, Expression { a: 1, b: -1, c: 0 }];
+//! let program = [clear(0x00_00_00), flat(8, &edges, 0xff_80_00), save(17)].concat();
+//! let clocks: Vec<u64> = program.iter().map(|instruction| instruction.skip + instruction.length).collect();
+//! assert_eq!(clocks, [24, 24, 4, 4, 24, 48]);
+//! ```
 
 use super::fields::{BLUE, DEPTH, Field, GREEN, RED, RGB, WORD};
-use super::instruction::{Instruction, Operation};
+use super::instruction::{COEFFICIENT, Instruction, Operation};
 use super::linear_tree::Coefficients;
 use crate::prelude::Codes;
 
@@ -171,7 +181,7 @@ fn alone(operation: Operation) -> Instruction<u64> {
 }
 
 fn modular(expression: &Expression) -> Coefficients<u64> {
-    let modular = |number: i64| number as u64 & ((1 << Instruction::<u64>::COEFFICIENT) - 1);
+    let modular = |number: i64| number as u64 & ((1 << COEFFICIENT) - 1);
     let &Coefficients { a, b, c } = expression;
     Coefficients { a: modular(a), b: modular(b), c: modular(c) }
 }

@@ -15,7 +15,7 @@ module image_generation_controller_side8 (
     input  wire        instructions_valid,
     input  wire [4:0]  instructions_operation,      // What is done: an `Operation`.
     input  wire [5:0]  instructions_skip,           // Bits of the expression that come before the word; 0 without one.
-    input  wire [6:0]  instructions_length,         // Bits of the word: 1 to `Instruction::LONGEST`.
+    input  wire [6:0]  instructions_length,         // Bits of the word: 1 to `LONGEST`.
     input  wire [7:0]  instructions_read,           // Where the word that is read begins.
     input  wire [7:0]  instructions_write,          // Where the word that is written begins.
     // Of the expression, in two's complement, relative to the region; `c` is the constant where there is no expression. Longer words are of the same sign.

@@ -1,6 +1,6 @@
 //! Where an instruction is while its bits are sent.
 
-use super::super::instruction::{Instruction, Microcode};
+use super::super::instruction::{Instruction, LONGEST, Microcode};
 use super::super::pixel::{Control, Enabling, Mask};
 use crate::prelude::*;
 
@@ -27,7 +27,7 @@ impl Order {
 
     /// The number of clocks that it is, in as many bits as those of two words have.
     pub fn clocks(number: Signal) -> Signal {
-        number.zext(up_to(2 * Instruction::<u64>::LONGEST))
+        number.zext(up_to(2 * LONGEST))
     }
 }
 
@@ -52,7 +52,7 @@ impl Slot {
         let widths = Order::widths();
         let named = |what: &str| format!("{name}_{what}");
         let held = m.reg(name, Held { microcode: widths.microcode, length: widths.length }).reset(0);
-        let left = m.reg(&named("left"), up_to(2 * Instruction::<u64>::LONGEST)).reset(0);
+        let left = m.reg(&named("left"), up_to(2 * LONGEST)).reset(0);
         let is_word = left.ne(0) & left.le(Order::clocks(held.length));
         let bits = m.reg(&named("bits"), widths.constant);
         Slot {
