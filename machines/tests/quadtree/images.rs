@@ -12,8 +12,8 @@ fn lines_are_the_golden_ones() {
         assert!(packets.len() > 200 && packets.iter().all(|packet| packet.edges.len() == 4));
         let usual = Config::for_packets(size, &packets);
         let lines = |form: &str, test, strict| Config { form: form.to_owned(), test, strict, ..usual.clone() };
-        assert_golden(&lines("pipe", TestUnit::Parallel, false), &packets);
-        assert_golden(&lines("tree:1+stack", TestUnit::Serial, true), &packets);
+        assert_golden(&lines("pipe", Test::Parallel, false), &packets);
+        assert_golden(&lines("tree:1+stack", Test::Serial, true), &packets);
     }
 }
 
