@@ -123,7 +123,7 @@ pub fn project_sample(scene: &Scene, size: Size, shift: [i32; 2]) -> Result<Proj
     Ok(projection)
 }
 
-/// Projects a scene onto a screen, each face of its mesh as one polygon where [`set_up_polygon`] makes one of it. Few tilted faces
+/// Projects a scene onto a screen, each face of its mesh as one polygon where [`set_up_polygon`](crate::set_up_polygon) makes one of it. Few tilted faces
 /// are: snapping their corners takes them out of their plane by more than a unit of depth.
 ///
 /// # Errors
