@@ -27,7 +27,7 @@ pub(super) struct Choice {
 
 /// Chooses among values of so many lanes and more.
 pub(super) fn choose(program: &Program, from: u32) -> Choice {
-    let groups = Groups::of(program, from);
+    let mut groups = Groups::of(program, from);
     let mut choice = Choice::default();
     let mut members: FxHashMap<usize, Vec<usize>> = FxHashMap::default();
     for node in 0..groups.above.len() {
@@ -90,8 +90,10 @@ impl<'a> Groups<'a> {
         self.program.circuit.len() + memory as usize
     }
 
-    fn root(&self, mut node: usize) -> usize {
+    fn root(&mut self, mut node: usize) -> usize {
         while self.above[node] != node {
+            // The way is half as long the next time.
+            self.above[node] = self.above[self.above[node]];
             node = self.above[node];
         }
         node
@@ -169,7 +171,8 @@ impl<'a> Groups<'a> {
             let fits = memory.lanes.is_multiple_of(lanes) && ports.all(is_same);
             return if fits { i64::from(memory.lanes) / AT_ONCE } else { NEVER };
         }
-        let (id, all) = (ValueId(node as u32), i64::from(circuit[ValueId(node as u32)].lanes));
+        let id = ValueId(node as u32);
+        let all = i64::from(circuit[id].lanes);
         let made = match making(circuit, id, lanes) {
             // What is only looked at is packed if that is for nothing.
             Some(_) if !self.is_needed[node] => i64::from(self.packed_operands(id, lanes) == 0),
