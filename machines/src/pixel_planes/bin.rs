@@ -81,11 +81,6 @@ impl Work {
         Work { region: bin.region, primitives: [numbers.len() as u64, drawn], instructions }
     }
 
-    /// Clocks that it takes at least: those of the tree, which has one instruction at a time.
-    pub fn least_clocks(&self) -> u64 {
-        self.instructions.iter().map(Instruction::tree_clocks).sum::<u64>().max(1)
-    }
-
     /// What became of it.
     pub fn report(&self, renderer: usize, begun: u64, clocks: u64) -> RegionReport {
         let [primitives, drawn] = self.primitives;

@@ -176,7 +176,7 @@ impl<'a> Host<'a> {
             }
             let Some(work) = open.pop_front() else { break };
             self.next = begun + 1;
-            again = again.min(begun + work.least_clocks());
+            again = again.min(begun + 1); // for now
             round.push(Given { renderer, begun, work });
         }
         round

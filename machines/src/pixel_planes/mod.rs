@@ -17,6 +17,7 @@ mod config;
 mod formulas;
 mod hardware;
 mod machine;
+pub mod model;
 mod outline;
 mod regions;
 mod report;

@@ -97,7 +97,7 @@ impl Report {
 
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Built { width, height, renderers, side, queue, strict, side_by_side } = self.machine;
+        let Built { width, height, renderers, side, queue, strict, side_by_side, .. } = self.machine;
         writeln!(f, "pixel-planes-5, {renderers} renderers of {side}x{side} pixels: {width}x{height} pixels,")?;
         let rule = if strict { "strict" } else { "the least word stays" };
         let manner = if side_by_side { "side by side" } else { "one at a time" };
