@@ -92,9 +92,12 @@ impl Instruction<u64> {
     /// assert!(clear(0x00_00_ff).iter().all(|instruction| instruction.tree_clocks() == 0));
     /// ```
     pub fn tree_clocks(&self) -> u64 {
-        let is = |operation: &&Operation| operation.code() == self.operation;
-        let operation = Operation::ALL.iter().find(is).expect("an instruction has an operation");
-        if operation.microcode().on_tree == 1 { self.skip + self.length } else { 0 }
+        if self.microcode().on_tree == 1 { self.skip + self.length } else { 0 }
+    }
+
+    /// What its operation means.
+    pub(super) fn microcode(&self) -> Microcode<u64> {
+        Operation::ALL[self.operation as usize].microcode()
     }
 }
 

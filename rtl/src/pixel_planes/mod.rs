@@ -27,6 +27,7 @@
 //! | [`frame_buffer`] | puts regions together to a picture |
 //! | [`fields`] | what is where in a pixel's memory |
 //! | [`programs`] | the instructions that draw triangles, polygons and vectors |
+//! | [`schedule`] | the clocks in which a controller takes them |
 //!
 //! All sums are exact modulo powers of two, so bit-serial evaluation gives the integers of the contract bit for bit (facts E0).
 
@@ -44,6 +45,7 @@ mod model;
 pub mod pixel;
 pub mod programs;
 pub mod renderer;
+pub mod schedule;
 #[cfg(test)]
 mod testing;
 
