@@ -144,7 +144,7 @@ impl fmt::Display for Report {
             "region", "renderer", "primitives", "drawn", "clocks", "begun"
         )?;
         for it in &self.regions {
-            let RegionReport { region, renderer, primitives, drawn, begun, clocks } = it;
+            let RegionReport { region, renderer, primitives, drawn, begun, clocks, .. } = it;
             writeln!(f, "{region:<9} {renderer:>8} {primitives:>11} {drawn:>8} {clocks:>10} {begun:>9}")?;
         }
         let ms = |clocks: u64| (clocks * PERIOD.picoseconds()) as f64 / 1e9;
