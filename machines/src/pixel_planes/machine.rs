@@ -83,11 +83,8 @@ impl Machine {
         order.sort_by_key(|&region| std::cmp::Reverse(bins[region].len()));
 
         let mut host = Host::new(self, &regions)?;
-        let work = |&region: &usize| {
-            let PixelBox { left, top, .. } = regions.pixels(region);
-            let bin = Bin { region, place: (left, top), side: self.config.side, strict: self.config.strict };
-            Work::new(&bin, &bins[region], polygons, background)
-        };
+        let work =
+            |&region: &usize| Work::new(&Bin::new(region, &regions, &self.config), &bins[region], polygons, background);
         let mut open: VecDeque<Work> = order.iter().map(work).collect();
         let mut drawn = Vec::with_capacity(bins.len());
         while !open.is_empty() {

@@ -6,6 +6,7 @@
 //! ```text
 //! primitives -> Outline -- Binner --> bins of Regions -- allocate --> Allocation: the regions of each renderer, P_w
 //! bins ----> Bin: instructions --> Machine: renderers and frame buffer in simulation --> Frame, Report
+//! programs of primitives ----> Clocked, Table: N, the clocks of a primitive
 //! Vectors ---------------> Study: regions a vector, counted, beside those by Shape's formulas
 //! ```
 //!
@@ -13,6 +14,7 @@
 
 mod allocator;
 mod bin;
+mod clocks;
 mod config;
 mod formulas;
 mod hardware;
@@ -22,9 +24,11 @@ mod outline;
 mod regions;
 mod report;
 mod study;
+mod table;
 mod vectors;
 
 pub use allocator::{Allocation, Renderer, allocate};
+pub use clocks::{ProgramClocks, Tally, scene_clocks};
 pub use config::{Built, Config};
 pub use formulas::{
     PERIOD, Shape, VECTOR_CYCLES, greatest_load, greatest_load_of_whole_regions, least_load, update_time,
@@ -34,4 +38,6 @@ pub use outline::{Binner, Outline};
 pub use regions::Regions;
 pub use report::{RegionReport, RendererReport, Report};
 pub use study::{Bins, Point, Study};
+pub use table::{Kind, Row, Table};
+pub use tilewright_rtl::pixel_planes::programs::Edges;
 pub use vectors::Vectors;

@@ -4,6 +4,7 @@ use serde::Serialize;
 use std::fmt;
 use tilewright_rtl::pixel_planes::PERIOD;
 
+use super::clocks::{ProgramClocks, Tally};
 use super::config::Built;
 
 /// The report of a frame. Everything in it is counted in the simulated machine; nothing depends on the computer that runs it.
@@ -17,6 +18,8 @@ pub struct Report {
     pub regions: Vec<RegionReport>,
     /// What each renderer did.
     pub renderers: Vec<RendererReport>,
+    /// The clocks of the primitives drawn, by the programs that drew any.
+    pub programs: Vec<ProgramClocks>,
     /// Clocks until the last primitive was drawn.
     pub drawn: u64,
     /// Clocks until the last region was sent to the frame buffer.
@@ -38,6 +41,9 @@ pub struct RegionReport {
     pub begun: u64,
     /// Clocks until the renderer could be given another one.
     pub clocks: u64,
+    /// Those of its primitives.
+    #[serde(skip)]
+    pub programs: Tally,
 }
 
 /// What a renderer did.
@@ -56,7 +62,9 @@ pub struct RendererReport {
 impl Report {
     pub(super) fn new(machine: Built, primitives: usize, regions: Vec<RegionReport>, sent: u64) -> Report {
         let mut renderers = vec![RendererReport::default(); machine.renderers as usize];
+        let mut programs = Tally::default();
         for it in &regions {
+            programs.add(it.programs);
             let renderer = &mut renderers[it.renderer];
             renderer.regions += 1;
             renderer.primitives += it.primitives;
@@ -64,7 +72,8 @@ impl Report {
             renderer.busy += it.clocks;
         }
         let drawn = regions.iter().map(|it| it.begun + it.clocks).max().unwrap_or(0);
-        Report { machine, primitives: primitives as u64, regions, renderers, drawn, sent }
+        let programs = programs.used().collect();
+        Report { machine, primitives: primitives as u64, regions, renderers, programs, drawn, sent }
     }
 
     /// Simulated picoseconds until the last region was sent.
@@ -97,11 +106,16 @@ impl Report {
 
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Built { width, height, renderers, side, queue, strict, side_by_side, .. } = self.machine;
+        let Built { width, height, renderers, side, queue, strict, side_by_side, edges, .. } = self.machine;
         writeln!(f, "pixel-planes-5, {renderers} renderers of {side}x{side} pixels: {width}x{height} pixels,")?;
         let rule = if strict { "strict" } else { "the least word stays" };
         let manner = if side_by_side { "side by side" } else { "one at a time" };
-        writeln!(f, "{rule}, instructions {manner}, queues of {queue} instructions")?;
+        let edges = match edges {
+            "least" => "as least half-planes",
+            "own" => "in their own lengths",
+            _ => "in one length",
+        };
+        writeln!(f, "{rule}, edges {edges}, instructions {manner}, queues of {queue} instructions")?;
         let (regions, binned) = (self.regions.len(), self.binned());
         writeln!(f, "{} primitives, {binned} in the bins of {regions} regions\n", self.primitives)?;
 
@@ -117,13 +131,20 @@ impl fmt::Display for Report {
         }
         writeln!(f, "The load of the renderers is {:.1} % balanced.\n", 100.0 * self.balance())?;
 
+        writeln!(f, "{:13} {:>8} {:>7} {:>7}", "program", "drawn", "N mean", "N most")?;
+        for it in &self.programs {
+            let ProgramClocks { program, primitives, most, .. } = it;
+            writeln!(f, "{program:<13} {primitives:>8} {:>7.1} {most:>7}", it.mean())?;
+        }
+        writeln!(f, "N is the clocks from a primitive's first operation to the next one's.\n")?;
+
         writeln!(
             f,
             "{:9} {:>8} {:>11} {:>8} {:>10} {:>9}",
             "region", "renderer", "primitives", "drawn", "clocks", "begun"
         )?;
         for it in &self.regions {
-            let RegionReport { region, renderer, primitives, drawn, begun, clocks } = it;
+            let RegionReport { region, renderer, primitives, drawn, begun, clocks, .. } = it;
             writeln!(f, "{region:<9} {renderer:>8} {primitives:>11} {drawn:>8} {clocks:>10} {begun:>9}")?;
         }
         let ms = |clocks: u64| (clocks * PERIOD.picoseconds()) as f64 / 1e9;
