@@ -32,7 +32,7 @@ pub fn section(loads: &Loads, frames: &[Drawn]) -> Section {
         .part(balance(loads, frames))
         .paragraph(
             "In perfect balance P_w of V vectors is H_v V/B, which by the paper’s H_v is 1.63 V/B. The more vectors there are, the less chance has \
-             a say; what remains is that regions are dealt as a whole, and that random vectors do not begin in those at the border.",
+             a say; what remains is that regions are dealt as a whole, and that those at the border have fewer vectors.",
         )
         .part(of_vectors(loads, frames))
 }

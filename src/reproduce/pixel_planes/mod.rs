@@ -9,6 +9,8 @@ mod owners;
 mod plan;
 mod scenes;
 mod statements;
+mod time_charts;
+mod times;
 
 use super::effort::Effort;
 use crate::shell::Failure;
@@ -45,13 +47,15 @@ pub fn page(effort: Effort, watch: &mut Watch) -> Result<Option<Page>, Failure> 
              heaviest load has, and from both how long a frame takes.",
         )
         .paragraph(
-            "Here the estimates stand beside what was found. A plain count bins primitives and deals regions out, and knows no time. RTL is the \
-             circuit itself, simulated clock by clock, all processors of all renderers. The formulas are those of the paper, restored where the \
-             print is damaged.",
+            "Here the estimates stand beside what was found. A plain count bins primitives and deals regions out, and knows no time. The transaction \
+             model has the clocks of renderers and ring without their circuit. RTL is the circuit itself, simulated clock by clock, all processors of all \
+             renderers; where it runs, each of its handshakes is compared with the model’s. The formulas are those of the paper, restored where the print is \
+             damaged.",
         )
         .section(Section::new("Statements").part(statements::verdicts(&found)))
         .section(bins::section(&found.counted))
         .section(load_charts::section(&found.loads, &found.frames))
+        .section(time_charts::section(&plan, &found.times, &found.table))
         .section(frames::section(&found.frames))
         .section(
             Section::new("Checks of what is measured")

@@ -23,6 +23,23 @@ pub const SIDES: [u32; 4] = [32, 64, 128, 256];
 /// Random vectors of each length and angle.
 const COUNTED: u64 = 300_000;
 
+/// Random vectors whose update time is measured, so many that the frame's own time, in which it is sent, counts little.
+const TIMED: u64 = 50_000;
+/// Numbers of renderers with which it is.
+const BY_RENDERERS: [u32; 11] = [1, 2, 4, 6, 8, 12, 16, 20, 24, 28, 32];
+
+/// A run of random vectors.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Spec {
+    pub renderers: u32,
+    pub side: u32,
+    pub vectors: u64,
+    /// What the ring brings in Mbit/s.
+    pub ring: u32,
+    /// Whether the circuit runs, too.
+    pub on_hardware: bool,
+}
+
 /// The work for the page.
 pub struct Plan {
     pub effort: Effort,
@@ -38,11 +55,17 @@ impl Plan {
         }
     }
 
-    /// The paper's vectors on that screen, as long in parts of a region.
+    /// By how much all lengths on that screen are smaller than the paper's.
+    pub fn scale(&self) -> u32 {
+        SIDE / self.regions().side()
+    }
+
+    /// The paper's vectors all over that screen, as long in parts of a region.
     pub fn vectors(&self) -> Result<Vectors, ParameterError> {
         let regions = self.regions();
-        let length = LENGTH * f64::from(regions.side()) / f64::from(SIDE);
-        Vectors::new(regions, length, Some(ANGLE), self.effort.seed)
+        // Those at random places of smaller regions leave less of a border free.
+        let fine = Regions::new(regions.size(), regions.side() / 4)?;
+        Vectors::new(fine, LENGTH / f64::from(self.scale()), Some(ANGLE), self.effort.seed)
     }
 
     /// The machine of the paper's example on that screen.
@@ -90,6 +113,25 @@ impl Plan {
 
     fn drawn_vectors(&self) -> u64 {
         self.effort.at_most(4000)
+    }
+
+    /// The runs of which the update time is measured: of the model, and of the circuit where it is said.
+    pub fn runs(&self) -> Vec<Spec> {
+        let most = self.effort.at_most(TIMED);
+        let rings = [Config::AMPLE_RING, Config::RING];
+        let usual = Spec { renderers: RENDERERS, side: self.regions().side(), vectors: most, ring: rings[0], on_hardware: false };
+        let quick = self.effort.is_quick();
+        let by_renderers = BY_RENDERERS.into_iter().map(|renderers| {
+            let on_hardware = renderers == RENDERERS || !quick && [8, 32].contains(&renderers);
+            Spec { renderers, on_hardware, ..usual }
+        });
+        let by_side = SIDES.into_iter().filter(|side| *side != SIDE).map(|side| {
+            Spec { side: side / self.scale(), on_hardware: !quick && side < SIDE, ..usual }
+        });
+        let by_vectors = self.crowds().into_iter().filter(|vectors| *vectors != most).map(|vectors| Spec { vectors, ..usual });
+        let ample: Vec<Spec> = by_renderers.chain(by_side).chain(by_vectors).collect();
+        let real = ample.iter().map(|spec| Spec { ring: rings[1], on_hardware: false, ..*spec });
+        ample.iter().copied().chain(real).collect()
     }
 
     /// Numbers of random vectors whose load is counted.

@@ -5,16 +5,17 @@ use super::found::Found;
 use super::frames::Drawn;
 use super::loads::{Load, Loads, renderers};
 use super::plan::{RENDERERS, SIDE};
+use super::times::{Run, Times, Took};
 use super::{PRINTED, UPDATE_TIME};
 use tilewright_machines::pixel_planes::{
-    PERIOD, Point, Regions, Shape, VECTOR_CYCLES, greatest_load, greatest_load_of_whole_regions, least_load,
+    Config, PERIOD, Point, Regions, Shape, VECTOR_CYCLES, greatest_load, greatest_load_of_whole_regions, least_load,
     update_time,
 };
 use tilewright_report::{Origin, Rule, Statement, Verdicts};
 
 /// All statements, in the order of the paper.
 pub fn verdicts(found: &Found) -> Verdicts {
-    let Found { counted, loads, frames, .. } = found;
+    let Found { counted, loads, frames, times, .. } = found;
     let statements = [
         regions(loads, frames),
         bounds(loads, frames),
@@ -22,7 +23,7 @@ pub fn verdicts(found: &Found) -> Verdicts {
         of_vectors(counted),
         of_example(counted),
         in_balance(counted, loads),
-        times(),
+        update_times(times),
     ];
     Verdicts::new("statements", "Statements of the paper, each by the rule beneath it")
         .states(statements.into_iter().flatten())
@@ -275,17 +276,38 @@ fn in_balance(counted: &Counted, loads: &Loads) -> Vec<Statement> {
     ]
 }
 
-/// PP5-UTV.
-fn times() -> Vec<Statement> {
+/// PP5-UT and PP5-UTV.
+fn update_times(times: &Times) -> Vec<Statement> {
     let load = least_load(EXAMPLE.by_box(SIDE), RENDERERS as usize);
+    let usual = times.usual(Config::AMPLE_RING);
+    let example = format!("With {RENDERERS} renderers of 25 ns a clock the update time is V times 239 ns");
+    let ample = || times.by_renderers(Config::AMPLE_RING);
+    let milliseconds = |clocks: f64| clocks * PERIOD / 1e6;
+    let is_explained = |runs: &[&Run], origin: Origin, of: &dyn Fn(&Run) -> Option<Took>, by: &str| {
+        let at = |run: &Run| format!("B = {}", run.spec.renderers);
+        let found = runs.iter().filter_map(|run| Some((at(run), milliseconds(of(run)?.drawn as f64)))).collect::<Vec<_>>();
+        let formula = runs.iter().filter(|run| of(run).is_some());
+        let formula = formula.map(|run| (at(run), milliseconds(run.cycles * run.worst as f64))).collect::<Vec<_>>();
+        let text = format!("The update time is N P_w T, if renderers never wait: {} random vectors, by {by}.", usual.spec.vectors);
+        Statement::new("PP5-UT", text, Rule::Within { percent: 5.0 }).unit("ms").formula(formula).found(origin, found)
+    };
     vec![
-        Statement::new(
-            "PP5-UTV",
-            format!("With {RENDERERS} renderers of 25 ns a clock the update time is V times 239 ns: by the formula, with N = {VECTOR_CYCLES}."),
-            WITHIN,
-        )
-        .unit("ns a vector")
-        .paper([UPDATE_TIME])
-        .found(Origin::Formula, [update_time(VECTOR_CYCLES, load, PERIOD)]),
+        is_explained(&ample(), times.model(), &|run| Some(run.model), "the model"),
+        is_explained(&ample(), times.rtl(), &|run| run.hardware, "the circuit"),
+        Statement::new("PP5-UT", "Renderers never have to wait for primitives: with a ring of 5 Gbit/s.", Rule::Zero)
+            .unit("of their clocks")
+            .found(
+                times.model(),
+                times.by_renderers(Config::RING).iter().map(|run| (format!("B = {}", run.spec.renderers), run.model.starved)),
+            ),
+        Statement::new("PP5-UTV", format!("{example}: by the formula, with N = {VECTOR_CYCLES}."), WITHIN)
+            .unit("ns a vector")
+            .paper([UPDATE_TIME])
+            .found(Origin::Formula, [update_time(VECTOR_CYCLES, load, PERIOD)]),
+        Statement::new("PP5-UTV", format!("{example}: here, with N = {:.1} and an ample ring.", usual.cycles), WITHIN)
+            .unit("ns a vector")
+            .paper([UPDATE_TIME])
+            .found(times.model(), [usual.per_vector(&usual.model)])
+            .cannot_be_compared("the text does not say of how many bits the words of its vectors are"),
     ]
 }
