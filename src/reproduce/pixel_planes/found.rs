@@ -28,7 +28,8 @@ impl Found {
         let frames = Drawn::all(plan, watch)?;
         let Some(times) = Times::all(plan, watch)? else { return Ok(None) };
         let teapot = Scene { size: Size::VGA, ..Scene::builtin("teapot").expect("a built-in scene") };
-        let table = Table::new(&polygons(&teapot)?, plan.effort.at_most(1000), plan.effort.seed).map_err(Error::from)?;
+        let table =
+            Table::new(&polygons(&teapot)?, plan.effort.at_most(1000), plan.effort.seed).map_err(Error::from)?;
         Ok(Some(Found { counted, loads, frames, times, table }))
     }
 }

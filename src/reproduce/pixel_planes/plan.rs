@@ -24,7 +24,7 @@ pub const SIDES: [u32; 4] = [32, 64, 128, 256];
 const COUNTED: u64 = 300_000;
 
 /// Random vectors whose update time is measured, so many that the frame's own time, in which it is sent, counts little.
-const TIMED: u64 = 50_000;
+const TIMED: u64 = 100_000;
 /// Numbers of renderers with which it is.
 const BY_RENDERERS: [u32; 11] = [1, 2, 4, 6, 8, 12, 16, 20, 24, 28, 32];
 
@@ -119,16 +119,25 @@ impl Plan {
     pub fn runs(&self) -> Vec<Spec> {
         let most = self.effort.at_most(TIMED);
         let rings = [Config::AMPLE_RING, Config::RING];
-        let usual = Spec { renderers: RENDERERS, side: self.regions().side(), vectors: most, ring: rings[0], on_hardware: false };
+        let usual = Spec {
+            renderers: RENDERERS,
+            side: self.regions().side(),
+            vectors: most,
+            ring: rings[0],
+            on_hardware: false,
+        };
         let quick = self.effort.is_quick();
-        let by_renderers = BY_RENDERERS.into_iter().map(|renderers| {
-            let on_hardware = renderers == RENDERERS || !quick && [8, 32].contains(&renderers);
+        let by_renderers = BY_RENDERERS.into_iter().filter(|it| !quick || it.is_power_of_two()).map(|renderers| {
+            let on_hardware = renderers == RENDERERS || !quick && renderers == Config::MOST_RENDERERS;
             Spec { renderers, on_hardware, ..usual }
         });
-        let by_side = SIDES.into_iter().filter(|side| *side != SIDE).map(|side| {
-            Spec { side: side / self.scale(), on_hardware: !quick && side < SIDE, ..usual }
+        let by_side = SIDES.into_iter().filter(|side| *side != SIDE).map(|side| Spec {
+            side: side / self.scale(),
+            on_hardware: !quick && side < SIDE,
+            ..usual
         });
-        let by_vectors = self.crowds().into_iter().filter(|vectors| *vectors != most).map(|vectors| Spec { vectors, ..usual });
+        let by_vectors =
+            self.crowds().into_iter().filter(|vectors| *vectors != most).map(|vectors| Spec { vectors, ..usual });
         let ample: Vec<Spec> = by_renderers.chain(by_side).chain(by_vectors).collect();
         let real = ample.iter().map(|spec| Spec { ring: rings[1], on_hardware: false, ..*spec });
         ample.iter().copied().chain(real).collect()

@@ -285,10 +285,14 @@ fn update_times(times: &Times) -> Vec<Statement> {
     let milliseconds = |clocks: f64| clocks * PERIOD / 1e6;
     let is_explained = |runs: &[&Run], origin: Origin, of: &dyn Fn(&Run) -> Option<Took>, by: &str| {
         let at = |run: &Run| format!("B = {}", run.spec.renderers);
-        let found = runs.iter().filter_map(|run| Some((at(run), milliseconds(of(run)?.drawn as f64)))).collect::<Vec<_>>();
+        let found =
+            runs.iter().filter_map(|run| Some((at(run), milliseconds(of(run)?.drawn as f64)))).collect::<Vec<_>>();
         let formula = runs.iter().filter(|run| of(run).is_some());
         let formula = formula.map(|run| (at(run), milliseconds(run.cycles * run.worst as f64))).collect::<Vec<_>>();
-        let text = format!("The update time is N P_w T, if renderers never wait: {} random vectors, by {by}.", usual.spec.vectors);
+        let text = format!(
+            "The update time is N P_w T, if renderers never wait: {} random vectors, by {by}.",
+            usual.spec.vectors
+        );
         Statement::new("PP5-UT", text, Rule::Within { percent: 5.0 }).unit("ms").formula(formula).found(origin, found)
     };
     vec![
@@ -298,7 +302,10 @@ fn update_times(times: &Times) -> Vec<Statement> {
             .unit("of their clocks")
             .found(
                 times.model(),
-                times.by_renderers(Config::RING).iter().map(|run| (format!("B = {}", run.spec.renderers), run.model.starved)),
+                times
+                    .by_renderers(Config::RING)
+                    .iter()
+                    .map(|run| (format!("B = {}", run.spec.renderers), run.model.starved)),
             ),
         Statement::new("PP5-UTV", format!("{example}: by the formula, with N = {VECTOR_CYCLES}."), WITHIN)
             .unit("ns a vector")

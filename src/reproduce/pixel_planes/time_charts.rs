@@ -20,7 +20,7 @@ pub fn section(plan: &Plan, times: &Times, table: &Table) -> Section {
             "The line of N = 94 is the paper’s, with its H_v. The others have N of our program and bins of the vectors themselves. With an ample ring \
              instructions come in time, so the line is N P_w T in perfect balance. A ring of {:.0} Gbit/s has to bring {} bits for each instruction and a bit for each \
              pixel of a finished line, one line a clock: where that takes longer, it is the line. Hollow marks are clocks of the \
-             transaction model, filled ones of the circuit.",
+             transaction model until the last vector is drawn, filled ones of the circuit.",
             f64::from(Config::RING) / 1000.0,
             tilewright_rtl::pixel_planes::ring::Ring::INSTRUCTION
         ))
@@ -32,7 +32,7 @@ pub fn section(plan: &Plan, times: &Times, table: &Table) -> Section {
         )
         .part(charts.against(&BY_VECTORS))
         .paragraph(
-            "The formula assumes that renderers never wait for primitives. With the ring of 5 Gbit/s they do, from so many on: below is the part of their clocks in \
+            "The formula assumes that renderers never wait for primitives. With the ring of 5 Gbit/s they do, if there are many: this is the part of their clocks in \
              which they could have begun an instruction that had not come, and how much of what it can bring the ring brings.",
         )
         .part(charts.waiting())
@@ -135,9 +135,11 @@ impl Charts<'_> {
         let formula = runs.iter().map(|run| self.point(figure, run, self.by_formula(run)));
         let model = runs.iter().map(|run| self.point(figure, run, took(&run.model)));
         let hardware = runs.iter().filter_map(|run| Some(self.point(figure, run, took(run.hardware.as_ref()?))));
-        let chart = chart
-            .series(Series::new(name, Origin::Formula, formula))
-            .series(Series::new(name, self.times.model(), model));
+        let chart = chart.series(Series::new(name, Origin::Formula, formula)).series(Series::new(
+            name,
+            self.times.model(),
+            model,
+        ));
         let hardware: Vec<_> = hardware.collect();
         if hardware.is_empty() { chart } else { chart.series(Series::new(name, self.times.rtl(), hardware)) }
     }
@@ -156,12 +158,16 @@ impl Charts<'_> {
         self.balanced(spec, VECTOR_CYCLES as f64, Shape::by_box)
     }
 
-    /// N P_w T in perfect balance; or, if that is more, what the ring takes for its bits, or for its planes.
+    /// N P_w T in perfect balance; or, if that is more, what the ring takes for what it has to bring before the last regions are drawn: all but
+    /// the planes of these.
     fn by_formula(&self, run: &Run) -> f64 {
+        let Spec { renderers, side, ring, .. } = run.spec;
         let Took { bits, planes, .. } = run.model;
-        let renderers = self.balanced(&run.spec, run.cycles, Shape::tight);
-        let ring = bits as f64 / f64::from(run.spec.ring) * 1000.0;
-        renderers.max(ring).max(planes as f64 * PERIOD)
+        let regions = run.regions as f64;
+        let before = planes as f64 * (1.0 - f64::from(renderers) / regions).max(0.0);
+        let bits = bits as f64 - f64::from(side) * (planes as f64 - before);
+        let drawing = self.balanced(&run.spec, run.cycles, Shape::tight);
+        drawing.max(bits / f64::from(ring) * 1000.0).max(before * PERIOD)
     }
 
     fn balanced(&self, spec: &Spec, cycles: f64, regions: fn(&Shape, u32) -> f64) -> f64 {

@@ -15,6 +15,8 @@ pub struct Run {
     pub cycles: f64,
     /// Vectors of the renderer with the most of them, P_w.
     pub worst: u64,
+    /// The screen's regions, R.
+    pub regions: usize,
     pub model: Took,
     pub hardware: Option<Took>,
 }
@@ -63,7 +65,8 @@ impl Times {
     /// The runs with that ring that differ from the usual one in renderers alone, by these.
     pub fn by_renderers(&self, ring: u32) -> Vec<&Run> {
         let usual = self.usual(ring).spec;
-        let is_of = |run: &&Run| run.spec == Spec { renderers: run.spec.renderers, on_hardware: run.spec.on_hardware, ..usual };
+        let is_of =
+            |run: &&Run| run.spec == Spec { renderers: run.spec.renderers, on_hardware: run.spec.on_hardware, ..usual };
         self.runs.iter().filter(is_of).collect()
     }
 
@@ -79,6 +82,7 @@ impl Times {
 impl Run {
     fn on_model(spec: Spec, plan: &Plan) -> Result<Run, Failure> {
         let (config, scene) = (spec.config(plan), spec.scene(plan)?);
+        let regions = config.regions().map_err(Error::from)?;
         let timing = Machine::new(config.clone())?.timing(&scene)?;
         let (mut clocks, mut primitives) = (0, 0);
         for program in scene_clocks(&config, &scene).map_err(Error::from)?.used() {
@@ -88,7 +92,8 @@ impl Run {
         Ok(Run {
             spec,
             cycles: clocks as f64 / primitives as f64,
-            worst: worst(&timing, &config.regions().map_err(Error::from)?, &scene),
+            worst: worst(&timing, &regions, &scene),
+            regions: regions.count(),
             model: Took::of(&timing),
             hardware: None,
         })

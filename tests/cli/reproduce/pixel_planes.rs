@@ -13,6 +13,7 @@ fn a_report_is_whole() {
     its_page_is_whole_in_a_browser_and_its_data_is_beside_it(&folder);
     counts_stand_beside_formulas_with_their_seed(&folder);
     loads_are_within_their_bounds_and_those_of_the_circuit(&folder);
+    times_are_above_their_bounds_and_those_of_the_circuit(&folder);
     folder.stdout("reproduce pixel-planes-5 -o other --vectors 60 --seed 2");
     for name in ["regions-45-degrees.csv", "load-of-vectors.csv", "vectors-load.csv"] {
         let [one, other] = ["report", "other"].map(|report| folder.read(format!("{report}/{name}")));
@@ -32,6 +33,11 @@ fn its_page_is_whole_in_a_browser_and_its_data_is_beside_it(folder: &Folder) {
         "loads.csv",
         "balance.csv",
         "load-of-vectors.csv",
+        "cycles.csv",
+        "time-by-renderers.csv",
+        "time-by-side.csv",
+        "time-by-vectors.csv",
+        "waiting.csv",
         "teapot-frame.png",
         "teapot-regions.png",
         "teapot-load.csv",
@@ -78,4 +84,28 @@ fn loads_are_within_their_bounds_and_those_of_the_circuit(folder: &Folder) {
     }
     let busy: Vec<f64> = lines(folder, "report/teapot-load.csv").map(|cells| cells[2].parse().unwrap()).collect();
     assert_eq!((busy.len(), busy.iter().copied().fold(0.0, f64::max)), (16, 100.0));
+}
+
+/// The paper's 239 ns; and no run is faster than the line of its ring, or the circuit than the model.
+fn times_are_above_their_bounds_and_those_of_the_circuit(folder: &Folder) {
+    let times = rows(folder, "report/time-by-renderers.csv");
+    let of = |name: &str| times.iter().filter(|cells| cells[0] == name).collect::<Vec<_>>();
+    let paper = of("N = 94").into_iter().find(|cells| cells[1] == "16").unwrap();
+    assert!(paper[2].starts_with("239.2") && paper[4].is_empty(), "{paper:?}");
+    for ring in ["ample", "5 Gbit/s"] {
+        assert_eq!(of(ring).len(), 6, "B = 1 to 32");
+        for cells in of(ring) {
+            let [bound, model] = [2, 4].map(|column| cells[column].parse::<f64>().unwrap());
+            // Bins of few vectors are fewer or more than those of the formula.
+            assert!(model > 0.8 * bound && cells[8] == "1", "{cells:?}");
+        }
+    }
+    let on_circuit: Vec<_> = times.iter().filter(|cells| !cells[5].is_empty()).collect();
+    assert!(on_circuit.len() == 1 && on_circuit[0][4] == on_circuit[0][5], "{on_circuit:?}");
+    let waiting: Vec<f64> = rows(folder, "report/waiting.csv")
+        .iter()
+        .filter(|it| it[0] == "waiting")
+        .map(|it| it[4].parse().unwrap())
+        .collect();
+    assert!(waiting.len() == 6 && waiting[5] > waiting[0], "{waiting:?}");
 }
