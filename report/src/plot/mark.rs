@@ -120,3 +120,17 @@ pub fn outline(number: usize) -> Vec<(i32, i32)> {
     };
     (0..corners).map(corner).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn beside_a_models_marks_those_of_the_hardware_are_inside() {
+        let reach = |outline: Vec<(i32, i32)>| outline.into_iter().map(|(x, y)| x * x + y * y).max();
+        for number in 0..LOOKS {
+            assert_eq!(filled(number, false), outline(number));
+            assert!(reach(filled(number, true)) < reach(outline(number)), "{number}");
+        }
+    }
+}

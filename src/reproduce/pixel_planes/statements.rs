@@ -5,6 +5,7 @@ use super::found::Found;
 use super::frames::Drawn;
 use super::loads::{Load, Loads, renderers};
 use super::plan::{RENDERERS, SIDE};
+use super::time_charts::ring_in_words;
 use super::times::{Run, Times, Took};
 use super::{PRINTED, UPDATE_TIME};
 use tilewright_machines::pixel_planes::{
@@ -298,15 +299,19 @@ fn update_times(times: &Times) -> Vec<Statement> {
     vec![
         is_explained(&ample(), times.model(), &|run| Some(run.model), "the model"),
         is_explained(&ample(), times.rtl(), &|run| run.hardware, "the circuit"),
-        Statement::new("PP5-UT", "Renderers never have to wait for primitives: with a ring of 5 Gbit/s.", Rule::Zero)
-            .unit("of their clocks")
-            .found(
-                times.model(),
-                times
-                    .by_renderers(Config::RING)
-                    .iter()
-                    .map(|run| (format!("B = {}", run.spec.renderers), run.model.starved)),
-            ),
+        Statement::new(
+            "PP5-UT",
+            format!("Renderers never have to wait for primitives: with a ring of {}.", ring_in_words()),
+            Rule::Zero,
+        )
+        .unit("of their clocks")
+        .found(
+            times.model(),
+            times
+                .by_renderers(Config::RING)
+                .iter()
+                .map(|run| (format!("B = {}", run.spec.renderers), run.model.starved)),
+        ),
         Statement::new("PP5-UTV", format!("{example}: by the formula, with N = {VECTOR_CYCLES}."), WITHIN)
             .unit("ns a vector")
             .paper([UPDATE_TIME])

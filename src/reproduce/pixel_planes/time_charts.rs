@@ -18,10 +18,10 @@ pub fn section(plan: &Plan, times: &Times, table: &Table) -> Section {
         .part(cycles(table))
         .paragraph(format!(
             "The line of N = 94 is the paper’s, with its H_v. The others have N of our program and bins of the vectors themselves. With an ample ring \
-             instructions come in time, so the line is N P_w T in perfect balance. A ring of {:.0} Gbit/s has to bring {} bits for each instruction and a bit for each \
+             instructions come in time, so the line is N P_w T in perfect balance. A ring of {} has to bring {} bits for each instruction and a bit for each \
              pixel of a finished line, one line a clock: where that takes longer, it is the line. Hollow marks are clocks of the \
              transaction model until the last vector is drawn, filled ones of the circuit.",
-            f64::from(Config::RING) / 1000.0,
+            ring_in_words(),
             tilewright_rtl::pixel_planes::ring::Ring::INSTRUCTION
         ))
         .part(charts.against(&BY_RENDERERS))
@@ -31,11 +31,17 @@ pub fn section(plan: &Plan, times: &Times, table: &Table) -> Section {
              vectors that is most of it.",
         )
         .part(charts.against(&BY_VECTORS))
-        .paragraph(
-            "The formula assumes that renderers never wait for primitives. With the ring of 5 Gbit/s they do, if there are many: this is the part of their clocks in \
+        .paragraph(format!(
+            "The formula assumes that renderers never wait for primitives. With the ring of {} they do, if there are many: this is the part of their clocks in \
              which they could have begun an instruction that had not come, and how much of what it can bring the ring brings.",
-        )
+            ring_in_words()
+        ))
         .part(charts.waiting())
+}
+
+/// What the ring brings, if nobody says otherwise.
+pub fn ring_in_words() -> String {
+    format!("{} Gbit/s", f64::from(Config::RING) / 1000.0)
 }
 
 /// N of the programs.
@@ -126,7 +132,7 @@ impl Charts<'_> {
         let paper = paper.into_iter().map(|run| self.point(figure, run, self.by_paper(&run.spec)));
         let chart = chart.series(Series::new(format!("N = {VECTOR_CYCLES}"), Origin::Formula, paper));
         let chart = self.with_ring(chart, figure, "ample", Config::AMPLE_RING);
-        self.with_ring(chart, figure, "5 Gbit/s", Config::RING)
+        self.with_ring(chart, figure, &ring_in_words(), Config::RING)
     }
 
     fn with_ring(&self, chart: Chart, figure: &Figure, name: &str, ring: u32) -> Chart {
