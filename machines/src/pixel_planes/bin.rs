@@ -7,8 +7,6 @@ use tilewright_rtl::pixel_planes::instruction::Instruction;
 use tilewright_rtl::pixel_planes::programs::{Expression, Surface, clear, save, smooth_least, smooth_strict};
 use tilewright_scenes::{Edge, Plane, Polygon, Polygons};
 
-use super::report::RegionReport;
-
 /// A region, and which fragments its pixels keep.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Bin {
@@ -61,9 +59,10 @@ impl Bin {
 
 /// All that a region needs.
 pub(super) struct Work {
-    region: usize,
+    /// Its number.
+    pub region: usize,
     /// Primitives in the bin, and those of them that have instructions.
-    primitives: [u64; 2],
+    pub primitives: [u64; 2],
     /// What draws them, clears and sends.
     pub instructions: Vec<Instruction<u64>>,
 }
@@ -79,11 +78,5 @@ impl Work {
         }
         instructions.extend(bin.end());
         Work { region: bin.region, primitives: [numbers.len() as u64, drawn], instructions }
-    }
-
-    /// What became of it.
-    pub fn report(&self, renderer: usize, begun: u64, clocks: u64) -> RegionReport {
-        let [primitives, drawn] = self.primitives;
-        RegionReport { region: self.region, renderer, primitives, drawn, begun, clocks }
     }
 }
