@@ -59,6 +59,29 @@ pub(crate) fn on_threads<J: Sync, R: Send>(
     work: impl Fn(&J) -> R + Sync,
     mut done: impl FnMut(usize, R),
 ) {
+    let heard = |heard| match heard {
+        Heard::Said(()) => {}
+        Heard::Done(number, result) => done(number, result),
+    };
+    on_threads_heard(threads, jobs, cancel, |job, _: &dyn Fn(())| work(job), heard);
+}
+
+/// What comes of jobs.
+pub(crate) enum Heard<M, R> {
+    /// What one of them says on its way.
+    Said(M),
+    /// The number of a job, and its result.
+    Done(usize, R),
+}
+
+/// The same; what jobs say on their way is heard, too.
+pub(crate) fn on_threads_heard<J: Sync, M: Send, R: Send>(
+    threads: usize,
+    jobs: &[J],
+    cancel: Option<&AtomicBool>,
+    work: impl Fn(&J, &dyn Fn(M)) -> R + Sync,
+    heard: impl FnMut(Heard<M, R>),
+) {
     let next = AtomicUsize::new(0);
     let is_cancelled = || cancel.is_some_and(|flag| flag.load(Ordering::Relaxed));
     let next_job = || {
@@ -70,14 +93,15 @@ pub(crate) fn on_threads<J: Sync, R: Send>(
         for _ in 0..threads {
             let (sender, work, next_job) = (sender.clone(), &work, &next_job);
             scope.spawn(move || {
+                // Who receives lives as long as this scope.
+                let say = |message| drop(sender.send(Heard::Said(message)));
                 while let Some((number, job)) = next_job() {
-                    // Who receives lives as long as this scope.
-                    let _ = sender.send((number, work(job)));
+                    let _ = sender.send(Heard::Done(number, work(job, &say)));
                 }
             });
         }
         // The channel ends with the last thread.
         drop(sender);
-        receiver.iter().for_each(|(number, result)| done(number, result));
+        receiver.iter().for_each(heard);
     });
 }

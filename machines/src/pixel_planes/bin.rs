@@ -13,7 +13,6 @@ use tilewright_scenes::{Edge, PixelBox, Plane, Polygon, Polygons};
 use super::clocks::{Clocked, Tally};
 use super::config::Config;
 use super::regions::Regions;
-use super::report::RegionReport;
 
 /// A region, and the machine whose renderer draws it.
 #[derive(Clone, Copy, Debug)]
@@ -108,9 +107,10 @@ fn only_channel(plane: &Plane, pixels: &PixelBox) -> Option<u8> {
 
 /// All that a region needs.
 pub(super) struct Work {
-    region: usize,
+    /// Its number.
+    pub region: usize,
     /// Primitives in the bin, and those of them that have instructions.
-    primitives: [u64; 2],
+    pub primitives: [u64; 2],
     /// What draws them, clears and sends.
     pub instructions: Vec<Instruction<u64>>,
     /// The clocks of primitives.
@@ -146,12 +146,5 @@ impl Work {
         }
         instructions.extend(bin.end());
         Work { region: bin.region, primitives: [count, drawn], instructions, programs: clocked.tally }
-    }
-
-    /// What became of it.
-    pub fn report(&self, renderer: usize, begun: u64, clocks: u64) -> RegionReport {
-        let [primitives, drawn] = self.primitives;
-        let programs = self.programs;
-        RegionReport { region: self.region, renderer, primitives, drawn, begun, clocks, programs }
     }
 }

@@ -132,6 +132,35 @@ pub fn update_time(cycles: u64, load: f64, period: f64) -> f64 {
     cycles as f64 * load * period
 }
 
+/// The first clock in which a renderer could begin its next instruction, but the ring has not brought it: of so many renderers that all
+/// get a region in the beginning, with instructions that take `clocks` one after another, and queues long enough for all of them. The clocks are
+/// counted from that in which the first region is given.
+///
+/// By its rate alone, `bits` a clock, the ring brings the j-th instruction, counted from 0, of all renderers in turn in clock 1 + 154 j / bits, or
+/// later if its renderer got its region later, and an instruction is wanted when those before it are done.
+///
+/// ```
+/// use tilewright_machines::pixel_planes::first_starved;
+///
+/// // One in 2 clocks; after one of 20 clocks, each takes 1: when the 20th has been taken, the next one is not there yet.
+/// let clocks = [vec![20], vec![1; 40]].concat();
+/// assert_eq!(first_starved(1, 77, &clocks), Some(41));
+/// assert_eq!(first_starved(1, 154, &clocks), None);
+/// ```
+pub fn first_starved(renderers: usize, bits: u64, clocks: &[u64]) -> Option<u64> {
+    let first = |renderer: usize| {
+        let mut wanted = renderer as u64 + 2;
+        (0..).zip(clocks).find_map(|(number, clocks)| {
+            let brought = 1 + 154 * (number * renderers + renderer) as u64 / bits;
+            let seen = (brought + 1).max((renderer + number) as u64 + 2);
+            let at = wanted;
+            wanted += clocks;
+            (seen > at).then_some(at)
+        })
+    };
+    (0..renderers).filter_map(first).min()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -33,10 +33,16 @@ use crate::prelude::*;
 block! {
     /// Renderers around a ring, with the allocator of regions and the frame buffer.
     pub struct PixelPlanes5 {
+        /// The picture's size.
+        screen: Screen,
+        /// Renderers.
         renderers: u32,
-        renderer: Renderer,
-        ring: Ring,
-        frame_buffer: FrameBuffer,
+        /// Pixels in a line of a region, and lines.
+        side: u32,
+        /// Instructions that the queue of each renderer holds.
+        queue: u32,
+        /// Bits that the ring brings in a clock.
+        rate: u32,
     }
     latency = "the clocks of the renderer that is done last; 1 clock to read a line";
     source = "Pixel-planes 5, section I.3.2.1 (PP5-ARCH, PP5-UT)";
@@ -50,7 +56,7 @@ block! {
         /// Tree and memory may each have an instruction; while it is low, one begins when the one before has ended.
         side_by_side: bit(),
         /// A line of a region to read.
-        read: ReadLine = self.frame_buffer.inputs().read,
+        read: ReadLine = self.frame_buffer().inputs().read,
     }
     out(self) PixelPlanes5Out {
         /// The renderer that gets a region in this clock, if one does.
@@ -62,7 +68,7 @@ block! {
         /// A plane goes to the frame buffer.
         plane_goes: bit(),
         /// The words of the line's pixels.
-        words: bits(WORD).of(row(self.renderer.side())),
+        words: bits(WORD).of(row(self.side)),
     }
 }
 
@@ -87,12 +93,10 @@ impl PixelPlanes5 {
         queue: u32,
         rate: u32,
     ) -> Result<PixelPlanes5, ParameterError> {
-        Ok(PixelPlanes5 {
-            renderers,
-            renderer: Renderer::new(side, queue)?,
-            ring: Ring::new(renderers, side, rate)?,
-            frame_buffer: FrameBuffer::new(screen, side)?,
-        })
+        Renderer::new(side, queue)?;
+        Ring::new(renderers, side, rate)?;
+        FrameBuffer::new(screen, side)?;
+        Ok(PixelPlanes5 { screen, renderers, side, queue, rate })
     }
 
     /// How many renderers there are.
@@ -101,25 +105,26 @@ impl PixelPlanes5 {
     }
 
     /// Its frame buffer.
-    pub fn frame_buffer(&self) -> &FrameBuffer {
-        &self.frame_buffer
+    pub fn frame_buffer(&self) -> FrameBuffer {
+        FrameBuffer::new(self.screen, self.side).expect("it was made once")
     }
 
     fn build(&self, m: Module, i: PixelPlanes5In) -> PixelPlanes5Out {
-        let PixelPlanes5 { renderers, renderer, ring, frame_buffer } = self;
-        let side = renderer.side();
-        let numbers = 0..*renderers;
+        let &PixelPlanes5 { renderers, side, queue, rate, .. } = self;
+        let renderer = Renderer::new(side, queue).expect("it was made once");
+        let ring = Ring::new(renderers, side, rate).expect("it was made once");
+        let numbers = 0..renderers;
         let finished: Vec<_> =
             numbers.clone().map(|number| m.stream_wire(&format!("finished{number}"), BitPlane::widths(side))).collect();
-        let room = m.wire("room", bit().of(row(*renderers)));
+        let room = m.wire("room", bit().of(row(renderers)));
         let messages =
             RingIn { bins: i.bins, room: *room, finished: finished.iter().map(|planes| planes.value()).collect() };
-        let sent = m.instance("u_ring", ring, messages);
+        let sent = m.instance("u_ring", &ring, messages);
 
         let (mut rooms, mut idles) = (Vec::new(), Vec::new());
         for ((number, instructions), planes) in numbers.zip(sent.instructions).zip(finished) {
             let inputs = RendererIn { instructions, side_by_side: i.side_by_side };
-            let out = m.instance(&format!("u_renderer{number}"), renderer, inputs);
+            let out = m.instance(&format!("u_renderer{number}"), &renderer, inputs);
             planes.drive(out.planes);
             rooms.push(out.room);
             idles.push(out.idle);
@@ -128,9 +133,10 @@ impl PixelPlanes5 {
         net!(idle = stack(idles));
 
         let allocation = RegionAllocatorIn { regions: i.regions, free: idle & !i.open };
-        let allocation = m.instance("u_allocator", &RegionAllocator { renderers: *renderers }, allocation);
+        let allocation = m.instance("u_allocator", &RegionAllocator { renderers }, allocation);
         let plane_goes = sent.planes.valid;
-        let frame = m.instance("u_frame_buffer", frame_buffer, FrameBufferIn { planes: sent.planes, read: i.read });
+        let frame =
+            m.instance("u_frame_buffer", &self.frame_buffer(), FrameBufferIn { planes: sent.planes, read: i.read });
         PixelPlanes5Out { given: allocation.given, region: allocation.region, idle, plane_goes, words: frame.words }
     }
 }

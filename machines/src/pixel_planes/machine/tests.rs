@@ -54,11 +54,47 @@ fn regions_are_given_as_the_plain_allocator_gives_them() {
 }
 
 #[test]
+fn a_ring_that_is_too_slow_makes_renderers_wait_and_changes_no_pixel() {
+    for side_by_side in [false, true] {
+        let of_ring =
+            |ring| drawn("teapot", (40, 30), |it| Config { renderers: 3, side: 16, ring, side_by_side, ..it });
+        let (ample, slow) = (of_ring(Config::AMPLE_RING), of_ring(1000));
+        assert_eq!(ample.first_starved, None);
+        assert_eq!(ample.renderers.iter().map(|it| it.starved).sum::<u64>(), 0);
+        let starved = slow.renderers.iter().map(|it| it.starved).sum::<u64>();
+        assert!(slow.first_starved.is_some() && slow.drawn > ample.drawn && slow.ring.load > 0.9, "{slow}");
+        assert_eq!(slow.regions.iter().map(|it| it.starved).sum::<u64>(), starved);
+        assert_eq!(slow.ring.bits, ample.ring.bits);
+        assert!(slow.to_string().contains("The first that had to wait for an instruction was renderer "), "{slow}");
+        assert!(ample.to_string().contains("No renderer had to wait for an instruction."), "{ample}");
+    }
+}
+
+#[test]
+fn progress_goes_on_through_the_frame() {
+    let scene = Scene::builtin("star").expect("a built-in scene");
+    let polygons = project_polygons(&scene, Size::new(64, 48).expect("in range")).expect("in front");
+    let machine =
+        Machine::new(Config { renderers: 1, side: 16, ..Config::new(polygons.size) }).expect("it can be built");
+    let mut seen = Vec::new();
+    let mut progress = |it: crate::run::Progress| seen.push(it.fraction);
+    let mut watch = Watch { progress: Some(&mut progress), cancel: None };
+    machine.render(&polygons, scene.background, &mut watch).expect("nobody stops it");
+    assert!(seen.len() > 10 && seen.is_sorted() && seen.last() == Some(&1.0), "{seen:?}");
+    let steps = seen.windows(2).map(|pair| pair[1] - pair[0]).fold(0.0, f64::max);
+    assert!(steps < 0.2, "{seen:?}");
+    let cancel = std::sync::atomic::AtomicBool::new(true);
+    let stopped = machine.render(&polygons, scene.background, &mut Watch { progress: None, cancel: Some(&cancel) });
+    assert!(matches!(stopped, Err(Error::Cancelled { phase: "drawing", .. })));
+}
+
+#[test]
 fn a_machine_that_cannot_be_is_refused() {
     let refused = |config: Config| Machine::new(config).expect_err("it is refused").to_string();
     let usual = Config::new(Size::VGA);
     assert!(refused(Config { renderers: 33, ..usual.clone() }).contains("from 1 to 32"));
     assert!(refused(Config { side: 48, ..usual.clone() }).contains("power of two"));
     assert!(refused(Config { side: 4, ..usual.clone() }).contains("8 to 256"));
-    assert!(refused(Config { queue: 0, ..usual }).contains("from 1 to 4096"));
+    assert!(refused(Config { queue: 0, ..usual.clone() }).contains("from 1 to 4096"));
+    assert!(refused(Config { ring: 5001, ..usual }).contains("a multiple of 40 from 40 to 327680"));
 }

@@ -46,14 +46,14 @@ pub use timing::{RegionTiming, RendererTiming, RingTiming, Starved, Timing};
 /// use tilewright_rtl::pixel_planes::programs::{clear, save};
 /// use tilewright_scenes::Size;
 ///
-/// // Regions of 1000 primitives that need the tree for 94 clocks each, in an instruction.
+/// // Regions of 1000 primitives that need the tree for 94 clocks each, in two instructions.
 /// let steps = |primitives: usize| {
 ///     let (begin, end) = (Step::of(&clear(0)), Step::of(&save(0)));
-///     [begin, vec![Step::on_tree(94); primitives], end].concat()
+///     [begin, vec![Step::on_tree(47); 2 * primitives], end].concat()
 /// };
 /// let config = Config { renderers: 2, ..Config::new(Size::VGA) };
 /// let timing = Model::new(&config)?.run(&[steps(1000), steps(1000), steps(10)]);
-/// // The third goes to whom is free first. From a region to the next there are 49 clocks beside its primitives: see README.
+/// // The third goes to the one that is free first.
 /// assert_eq!(timing.renderers[0].regions, [0, 2]);
 /// assert_eq!(timing.first_starved, None);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -65,6 +65,12 @@ pub struct Model {
 }
 
 impl Model {
+    /// The clocks that a region takes beside those of its primitives, when instructions follow one another: 48 in which it is cleared and 48 in which
+    /// it is saved, one from the allocator to the ring, one from there to the queue, one to the controller. The clock in which the
+    /// last bit is sent is the last; in the next one the renderer is given another region. Side by side, what of this runs under edges of
+    /// primitives is saved: [`Model::clocks_of`].
+    pub const REGION_OVERHEAD: u64 = 48 + 48 + 3;
+
     /// The model of the machine of that configuration; its screen is of no account.
     ///
     /// # Errors
@@ -72,6 +78,34 @@ impl Model {
     pub fn new(config: &Config) -> Result<Model, ParameterError> {
         config.renderer()?;
         Ok(Model { config: config.clone(), ring: config.ring()? })
+    }
+
+    /// Clocks of a primitive of so many instructions among others of its kind, N, and those of a region beside N for each of them, while nobody waits:
+    /// the update time is N for each primitive of the worst renderer, and the second number for each of its regions (PP5-UT).
+    ///
+    /// ```
+    /// use tilewright_machines::pixel_planes::{Config, model::{Model, Step}};
+    /// use tilewright_scenes::Size;
+    ///
+    /// let config = Config { side_by_side: false, ..Config::new(Size::VGA) };
+    /// let (n, overhead) = Model::new(&config)?.clocks_of(&[Step::on_tree(47); 2]);
+    /// assert_eq!((n, overhead), (94, Model::REGION_OVERHEAD));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn clocks_of(&self, primitive: &[Step]) -> (u64, u64) {
+        // By then one comes as the other; a region alone waits for no other one, and an ample ring and queue for nobody.
+        const MANY: u64 = 8;
+        let fill = Step { on_tree: false, on_memory: true, saves: false, skip: 0, length: 24 };
+        let save = Step { saves: true, length: 48, ..fill };
+        let config = Config { renderers: 1, ring: Config::AMPLE_RING, queue: 64, ..self.config.clone() };
+        let alone = Model::new(&config).expect("it differs in what any machine can have");
+        let clocks = |count: u64| {
+            let primitives = (0..count).flat_map(|_| primitive.iter().copied());
+            let steps: Vec<Step> = [fill; 2].into_iter().chain(primitives).chain([save]).collect();
+            alone.run(&[steps]).drawn
+        };
+        let n = clocks(MANY + 1) - clocks(MANY);
+        (n, clocks(MANY) - MANY * n)
     }
 
     /// What the machine does with regions, in the order in which they are given to renderers; each is told by its instructions, of which the last

@@ -12,6 +12,7 @@ use tilewright_rtl::pixel_planes::programs::{clear, flat, save};
 use tilewright_scenes::Size;
 use tilewright_sim::Simulation;
 
+use super::super::formulas::first_starved;
 use super::*;
 
 /// Handshakes of a whole machine, each by its clock.
@@ -179,15 +180,100 @@ fn config(renderers: u32, side_by_side: bool) -> Config {
     Config { renderers, side: 8, ring: Config::AMPLE_RING, side_by_side, ..Config::new(size) }
 }
 
-#[test]
-fn first_look() {
+/// A vector through the whole region, in one colour.
+fn vector() -> Vec<Instruction<u64>> {
     let edges = [[64, -64, -300], [-64, 64, 300], [64, 64, -100], [-64, -64, 700]];
-    let edges = edges.map(|[a, b, c]| Coefficients { a, b, c });
-    for side_by_side in [false, true] {
-        for count in [1, 2, 5, 6, 20] {
-            let program = [clear(0), vec![flat(8, &edges, 0xff); count].concat(), save(0)].concat();
-            let timing = modelled(&config(1, side_by_side), &[program.clone(), program.clone(), program]);
-            println!("{side_by_side} {count} {:?} {:?}", timing.regions, timing.first_starved);
-        }
+    flat(8, &edges.map(|[a, b, c]| Coefficients { a, b, c }), 0xff)
+}
+
+fn region_of(primitives: usize) -> Vec<Instruction<u64>> {
+    [clear(0), vec![vector(); primitives].concat(), save(0)].concat()
+}
+
+/// When all renderers have done their last region, in hardware.
+fn drawn(seen: &Handshakes) -> u64 {
+    seen.idle.iter().filter_map(|clocks| clocks.last()).copied().max().unwrap()
+}
+
+/// PP5-UT where the ring brings enough: the worst renderer takes N clocks for each of its primitives and so many for each of its regions,
+/// from the clock on in which it gets the first one.
+#[test]
+fn the_update_time_is_that_of_the_worst_renderers_primitives_and_regions() {
+    // One at a time N are all clocks of a vector; side by side the last word of a vector is written under the edges of the next one, and
+    // of the clear's 48 clocks and the save's, one word runs under edges, too.
+    for (side_by_side, overhead) in [(false, Model::REGION_OVERHEAD), (true, Model::REGION_OVERHEAD - 20)] {
+        let config = config(2, side_by_side);
+        let model = Model::new(&config).unwrap();
+        let all: u64 = Step::of(&vector()).iter().map(Step::clocks).sum();
+        let n = if side_by_side { all - 23 } else { all };
+        assert_eq!(model.clocks_of(&Step::of(&vector())), (n, overhead), "side by side: {side_by_side}");
+        // Long enough for the region before to be sent meanwhile: 20 + 15 vectors on renderer 1, 30 on renderer 0.
+        let regions = [30, 20, 15].map(region_of);
+        let timing = modelled(&config, &regions);
+        assert_eq!(timing.first_starved, None);
+        assert_eq!(timing.renderers[1].regions, [1, 2]);
+        assert_eq!(timing.drawn, 1 + 35 * n + 2 * overhead);
+        assert_eq!(drawn(&simulate(&config, &regions)), timing.drawn);
     }
+}
+
+/// Where it does not: the first clock by the rate of the ring.
+#[test]
+fn the_first_clock_without_an_instruction_follows_from_the_rings_rate() {
+    let mut found = Vec::new();
+    for (renderers, bits) in [(1, 60), (1, 100), (2, 200), (4, 500), (3, 400), (2, 308), (4, 616), (2, 40)] {
+        let config = Config { renderers, ring: 40 * bits, queue: 200, ..config(renderers, false) };
+        // What clears takes long, so instructions gather in the queue; then each takes less than the ring needs for one.
+        let short = Instruction { length: 1, ..clear(0)[0] };
+        let program = [clear(0), vec![short; 150], save(0)].concat();
+        let clocks: Vec<u64> = Step::of(&program).iter().map(Step::clocks).collect();
+        let predicted = first_starved(renderers as usize, bits.into(), &clocks);
+        let regions = vec![program; renderers as usize];
+        let timing = modelled(&config, &regions);
+        assert_eq!(timing.first_starved.map(|it| it.clock), predicted, "{renderers} renderers, {bits} bits a clock");
+        // The hardware: the first instruction that is taken as soon as it is seen, though it could have been before.
+        let seen = simulate(&config, &regions);
+        let starved = (0..renderers as usize).filter_map(|number| {
+            let mut wanted = seen.given[number].1 + 2;
+            let steps = seen.taken[number].iter().zip(&clocks).find_map(|(&taken, clocks)| {
+                let is_late = taken > wanted;
+                let at = wanted;
+                wanted = taken + clocks;
+                is_late.then_some(at)
+            });
+            steps
+        });
+        assert_eq!(starved.min(), predicted, "{renderers} renderers, {bits} bits a clock, in hardware");
+        found.push(predicted);
+    }
+    let expected = [Some(26), Some(50), Some(3), Some(3), Some(3), Some(100), Some(100), Some(3)];
+    assert_eq!(found, expected);
+}
+
+/// What the ring and the stores make of a frame of equal regions, beside what is counted by hand.
+#[test]
+fn a_slow_ring_is_loaded_and_makes_renderers_wait() {
+    let config = Config { ring: 40 * 16, ..config(2, true) };
+    let timing = modelled(&config, &vec![region_of(2); 6]);
+    let instructions = 6 * region_of(2).len() as u64;
+    assert_eq!((timing.ring.instructions, timing.ring.planes), (instructions, 6 * 48 * 8));
+    assert_eq!(timing.ring.bits, 154 * instructions + 8 * timing.ring.planes);
+    assert!(timing.ring.load() > 0.9, "{:?}", timing.ring);
+    assert!(timing.first_starved.is_some() && timing.renderers.iter().all(|it| it.starved > 0));
+    // An ample one brings all in time, but a region is drawn sooner than the one before is sent.
+    let timing = modelled(&Config { ring: Config::AMPLE_RING, ..config }, &vec![region_of(2); 6]);
+    assert_eq!((timing.first_starved, timing.renderers[0].starved), (None, 0));
+    assert!(timing.renderers.iter().all(|it| it.waited_for_store > 0));
+}
+
+/// 10^5 primitives of nine instructions in an instant, on 32 renderers.
+#[test]
+fn many_primitives_are_counted_fast() {
+    let steps = [Step::of(&clear(0)), vec![Step::on_tree(20); 9 * 1000], Step::of(&save(0))].concat();
+    let config = Config { renderers: 32, side: 128, ..config(32, true) };
+    let timing = Model::new(&config).unwrap().run(&vec![steps; 100]);
+    assert_eq!(timing.ring.instructions, 100 * 9003);
+    // The last renderers have four regions, one after another.
+    assert_eq!(timing.first_starved, None);
+    assert_eq!(timing.renderers.iter().map(|it| it.regions.len()).max(), Some(4));
 }
