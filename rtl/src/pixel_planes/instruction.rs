@@ -95,9 +95,21 @@ impl Instruction<u64> {
         if self.microcode().on_tree == 1 { self.skip + self.length } else { 0 }
     }
 
-    /// What its operation means.
-    pub(super) fn microcode(&self) -> Microcode<u64> {
-        Operation::ALL[self.operation as usize].microcode()
+    /// The microcode of its operation.
+    ///
+    /// ```
+    /// use tilewright_rtl::pixel_planes::programs::{clear, save};
+    ///
+    /// assert!(clear(0x00_00_ff).iter().all(|instruction| instruction.microcode().on_tree == 0));
+    /// assert_eq!(save(3)[0].microcode().saves, 1);
+    /// ```
+    ///
+    /// # Panics
+    ///
+    /// It has no operation.
+    pub fn microcode(&self) -> Microcode<u64> {
+        let is = |operation: &&Operation| operation.code() == self.operation;
+        Operation::ALL.iter().find(is).expect("an instruction has an operation").microcode()
     }
 }
 
