@@ -15,7 +15,7 @@ fn simulated_clocks(instructions: &[Instruction<u64>], side_by_side: bool) -> u6
     sim.set(sim.i.store_free, 1);
     sim.set(sim.i.side_by_side, u64::from(side_by_side));
     sim.reset();
-    let (i, program) = (sim.i, vec![instructions; MANY].concat());
+    let (i, program) = (sim.i, [instructions; MANY].concat());
     let t = sim.testbench();
     let begun = t
         .run((async {
