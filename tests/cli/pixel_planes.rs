@@ -27,15 +27,15 @@ fn the_report_counts_primitives_regions_and_clocks() {
 
     let programs = report["programs"].as_array().unwrap();
     assert_eq!(programs.iter().map(|it| it["primitives"].as_u64().unwrap()).sum::<u64>(), sum("drawn"));
-    let [program] = &programs[..] else { panic!("each of the pyramid's faces has one colour: {report}") };
+    let [program] = &programs[..] else { panic!("all faces are shaded: {report}") };
     let [clocks, most] = ["clocks", "most"].map(|of| program[of].as_u64().unwrap());
-    assert_eq!(program["program"], "flat_least");
+    assert_eq!(program["program"], "smooth_least");
     assert!(most <= clocks && clocks <= most * sum("drawn") && clocks <= busy, "{program}");
 
     let text = folder.stdout(SMALL);
     let mean = clocks as f64 / sum("drawn") as f64;
     for part in [
-        &format!("flat_least    {:>8} {mean:>7.1} {most:>7}\n", sum("drawn")),
+        &format!("smooth_least  {:>8} {mean:>7.1} {most:>7}\n", sum("drawn")),
         "pyramid: pixel-planes-5, 2 renderers of 16x16 pixels: 32x24 pixels,\n",
         &format!("{primitives} primitives, {} in the bins of 4 regions\n", sum("primitives")),
         &format!("All is drawn after {} clocks, ", report["drawn"]),

@@ -148,3 +148,40 @@ impl Work {
         Work { region: bin.region, primitives: [count, drawn], instructions, programs: clocked.tally }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    proptest! {
+        #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+
+        /// Modulo 2^24, as the pixels have it.
+        #[test]
+        fn a_channel_is_the_only_one_where_all_pixels_have_it(
+            slopes in prop::array::uniform2(prop_oneof![-2000..2000i64, -(1i64 << 23)..1 << 23, -40_000..40_000i64]),
+            origin in prop_oneof![0..1i64 << 24, Just(0), Just((1 << 24) - 1)],
+            (left, top) in (0..2000u32, 0..2000u32),
+            (columns, rows) in (0..9u32, 0..9u32),
+        ) {
+            const MASK: i64 = (1 << COLOUR_PLANE_BITS) - 1;
+            let [x, y] = slopes;
+            let plane = Plane { x: (x & MASK) as u64, y: (y & MASK) as u64, origin: origin as u64 };
+            let pixels = PixelBox { left, top, right: left + columns, bottom: top + rows };
+            let value = |column: u32, row: u32| ((origin + x * i64::from(column) + y * i64::from(row)) & MASK) >> FRACTION_BITS;
+            let mut all = (top..=top + rows).flat_map(|row| (left..=left + columns).map(move |column| (column, row)));
+            let first = value(left, top);
+            let is_only = all.all(|(column, row)| value(column, row) == first);
+            let found = only_channel(&plane, &pixels);
+            if let Some(channel) = found {
+                prop_assert!(is_only && i64::from(channel) == first, "{:?}", found);
+            } else {
+                // One that goes through all channels may come back to the first.
+                let comes_back = x.abs() * i64::from(columns) + y.abs() * i64::from(rows) >= 255 << FRACTION_BITS;
+                prop_assert!(!is_only || comes_back);
+            }
+        }
+    }
+}

@@ -29,7 +29,7 @@ pub struct ProgramClocks {
 
 impl ProgramClocks {
     /// Of no primitive.
-    pub(super) fn none(program: &Program) -> ProgramClocks {
+    fn none(program: &Program) -> ProgramClocks {
         ProgramClocks { program: program.name, primitives: 0, clocks: 0, most: 0 }
     }
 

@@ -11,15 +11,18 @@ use tilewright_rtl::pixel_planes::instruction::Instruction;
 use tilewright_rtl::pixel_planes::programs::{
     Edges, FLAT, FLAT_LEAST, FLAT_STRICT, Program, SMOOTH_LEAST, SMOOTH_STRICT,
 };
-use tilewright_scenes::{Polygon, Polygons, ScreenVertex, Size, set_up, set_up_line};
+use tilewright_scenes::{Polygon, Polygons, Size, set_up_line};
 
 use super::bin::{Bin, Work};
-use super::clocks::{Clocked, ProgramClocks, Tally};
+use super::clocks::{Clocked, Tally};
 use super::config::Config;
 use super::formulas::VECTOR_CYCLES;
 use super::outline::Binner;
 use super::regions::Regions;
 use super::vectors::Vectors;
+use worst::worst;
+
+mod worst;
 
 /// What a program draws here.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -29,6 +32,8 @@ pub enum Kind {
     Vectors,
     /// Triangles with planes of colour.
     Triangles,
+    /// Convex polygons of eight edges, the most that there are.
+    Polygons,
 }
 
 /// N of a program.
@@ -44,8 +49,8 @@ pub struct Row {
     pub side_by_side: bool,
     /// Clocks of each of many equal primitives, whose edges take as many bits as any primitive's do.
     pub worst: u64,
-    /// Clocks on the mean over the primitives of a scene in the bins of its regions, in order of submission.
-    pub mean: f64,
+    /// Clocks on the mean over the primitives of a scene in the bins of its regions, in order of submission; of polygons there is no scene.
+    pub mean: Option<f64>,
 }
 
 /// N of all programs, in regions of 128 x 128 pixels.
@@ -59,7 +64,7 @@ pub struct Row {
 /// let row = table.row("flat_strict", "least", false).expect("there is one of each");
 /// // Four edges, of 15, 15, 8 and 8 bits; depth, compared and kept; colour.
 /// assert_eq!(row.worst, 46 + 40 + 24 + 24);
-/// assert!(row.mean < 134.0);
+/// assert!(row.mean < Some(134.0));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -69,12 +74,17 @@ pub struct Table {
 }
 
 /// The programs, and what each draws here.
-const PROGRAMS: [(&Program, Kind); 5] = [
+const PROGRAMS: [(&Program, Kind); 10] = [
     (&FLAT, Kind::Vectors),
     (&FLAT_STRICT, Kind::Vectors),
     (&FLAT_LEAST, Kind::Vectors),
     (&SMOOTH_STRICT, Kind::Triangles),
     (&SMOOTH_LEAST, Kind::Triangles),
+    (&FLAT, Kind::Polygons),
+    (&FLAT_STRICT, Kind::Polygons),
+    (&FLAT_LEAST, Kind::Polygons),
+    (&SMOOTH_STRICT, Kind::Polygons),
+    (&SMOOTH_LEAST, Kind::Polygons),
 ];
 
 /// The length of vectors in pixels (PP5-UTV).
@@ -105,10 +115,13 @@ impl Table {
 
         let mut rows = Vec::new();
         for (program, kind) in PROGRAMS {
-            let primitives = if kind == Kind::Vectors { &vectors } else { &triangles };
+            let primitives = match kind {
+                Kind::Vectors => Some(&vectors),
+                Kind::Triangles => Some(&triangles),
+                Kind::Polygons => None,
+            };
             for (edges, side_by_side) in Edges::ALL.into_iter().flat_map(|edges| [(edges, false), (edges, true)]) {
-                let config = Config { edges, side_by_side, ..Config::new(primitives.size) };
-                let mean = primitives.clocks(program, &config)?.mean();
+                let mean = primitives.map(|it| it.clocks(program, edges, side_by_side)).transpose()?;
                 let worst = steady_clocks(program, &worst(program, kind, edges)?, side_by_side);
                 let (program, edges) = (program.name, edges.name());
                 rows.push(Row { program, primitives: kind, edges, side_by_side, worst, mean });
@@ -127,7 +140,8 @@ impl Table {
         let pairs = self.rows.chunks(2);
         let pairs = pairs.map(|pair| {
             let Row { program, primitives, edges, .. } = pair[0];
-            let clocks: String = pair.iter().map(|it| format!(" {} | {:.1} |", it.worst, it.mean)).collect();
+            let mean = |it: &Row| it.mean.map_or(String::new(), |mean| format!("{mean:.1} "));
+            let clocks: String = pair.iter().map(|it| format!(" {} | {}|", it.worst, mean(it))).collect();
             format!("| `{program}` | {primitives} | {edges} |{clocks}")
         });
         pairs.collect()
@@ -135,16 +149,17 @@ impl Table {
 }
 
 impl Primitives<'_> {
-    /// The clocks of all, each in all its regions, by one program.
-    fn clocks(&self, program: &'static Program, config: &Config) -> Result<ProgramClocks, ParameterError> {
-        let regions = Config { size: self.size, ..config.clone() }.regions()?;
+    /// The clocks on the mean over all, each in all its regions, by one program.
+    fn clocks(&self, program: &'static Program, edges: Edges, side_by_side: bool) -> Result<f64, ParameterError> {
+        let config = Config { edges, side_by_side, ..Config::new(self.size) };
+        let regions = config.regions()?;
         let mut tally = Tally::default();
         for (region, numbers) in self.bins.iter().enumerate() {
-            let bin = Bin::new(region, &regions, config);
+            let bin = Bin::new(region, &regions, &config);
             let drawn = numbers.iter().map(|number| (program, bin.draw(program, &self.polygons[*number as usize])));
             tally.add(Work::of(&bin, drawn, [0; 3]).programs);
         }
-        Ok(tally.used().next().unwrap_or(ProgramClocks::none(program)))
+        Ok(tally.used().next().map_or(0.0, |it| it.mean()))
     }
 }
 
@@ -155,33 +170,12 @@ pub(super) fn steady_clocks(program: &Program, instructions: &[Instruction<u64>]
     (0..MANY).map(|_| clocked.primitive(program, instructions)).last().expect("there are many")
 }
 
-/// A primitive whose edges take as many clocks as any does, in all forms, as a program draws it.
-///
-/// - Of a vector all edges cross the region, so both ends are in it. The edges at its ends are along the axes: 8 bits as least half-planes, and 12 of
-///   their own, as 16 steps a pixel are 2032 at most. The long ones have 15 and, as the vector is no longer than the region, 20.
-/// - Of a triangle all edges cross the region, so it is a thin one, whose longest edge is nearly in both others. 25 bits of its own an edge has only
-///   if its extents in x and y are 66,052 and more together, of 131,070 in the guard band: so one of three has 24. All have 15 as least half-planes.
-pub(super) fn worst(program: &Program, kind: Kind, edges: Edges) -> Result<Vec<Instruction<u64>>, ParameterError> {
-    let at = |(x, y): (i32, i32)| ScreenVertex { x, y, z: 1 << 20, rgb: [1, 2, 3] };
-    let size = Size::new(2048, 2048).expect("the largest screen");
-    let (polygon, [left, top]) = match kind {
-        Kind::Vectors => (set_up_line([(4524, 16_215), (2868, 14_534)].map(at), size), [128, 896]),
-        Kind::Triangles => {
-            let corners = [(8865, 7605), (31_341, 31_976), (-31_620, -32_041)].map(at);
-            (set_up(&corners, size).map(Polygon::from), [768, 768])
-        }
-    };
-    let config = Config { edges, ..Config::new(size) };
-    let regions = config.regions()?;
-    let bin = Bin::new(regions.of_pixel(left, top), &regions, &config);
-    Ok(bin.draw(program, &polygon.expect("it has pixels")))
-}
-
 impl fmt::Display for Kind {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Kind::Vectors => "vectors",
             Kind::Triangles => "triangles",
+            Kind::Polygons => "polygons of 8 edges",
         })
     }
 }
