@@ -40,7 +40,7 @@ const PHASE: &str = "drawing";
 /// ```
 #[derive(Clone, Debug)]
 pub struct Machine {
-    config: Config,
+    pub(super) config: Config,
     engine: EngineKind,
 }
 
@@ -103,7 +103,12 @@ impl Machine {
     }
 
     /// What is to be done for each region, those with most primitives first.
-    fn works(&self, regions: &Regions, polygons: &Polygons, background: [u8; 3]) -> Result<Vec<Work>, Error> {
+    pub(super) fn works(
+        &self,
+        regions: &Regions,
+        polygons: &Polygons,
+        background: [u8; 3],
+    ) -> Result<Vec<Work>, Error> {
         let Config { size, .. } = self.config;
         if polygons.size != size {
             let problem = format!("polygons of {} pixels, on a machine of {size}: set them up for that", polygons.size);

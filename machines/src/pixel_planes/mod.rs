@@ -17,6 +17,7 @@ mod allocator;
 mod bin;
 mod clocks;
 mod config;
+mod drawing;
 mod formulas;
 mod hardware;
 mod machine;
@@ -31,6 +32,7 @@ mod vectors;
 pub use allocator::{Allocation, Renderer, allocate};
 pub use clocks::{ProgramClocks, Tally, scene_clocks};
 pub use config::{Built, Config};
+pub use drawing::Drawing;
 pub use formulas::{
     PERIOD, Shape, VECTOR_CYCLES, first_starved, greatest_load, greatest_load_of_whole_regions, least_load, update_time,
 };

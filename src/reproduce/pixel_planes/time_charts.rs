@@ -3,7 +3,7 @@
 use super::bins::EXAMPLE;
 use super::plan::{Plan, RENDERERS, Spec};
 use super::times::{Run, Times, Took};
-use tilewright_machines::pixel_planes::{Config, PERIOD, Shape, Table, VECTOR_CYCLES, least_load};
+use tilewright_machines::pixel_planes::{Config, PERIOD, Row, Shape, Table, VECTOR_CYCLES, least_load};
 use tilewright_report::{Axis, Cell, Chart, Origin, Section, Series};
 
 /// The section of the update time.
@@ -55,7 +55,9 @@ fn cycles(table: &Table) -> tilewright_report::Table {
     table.rows.chunks_exact(2).fold(empty, |printed, pair| {
         let [alone, beside] = [&pair[0], &pair[1]];
         let words = [alone.program.to_owned(), alone.primitives.to_string(), alone.edges.to_owned()].map(Cell::from);
-        let numbers = [alone.worst as f64, alone.mean, beside.worst as f64, beside.mean].map(Cell::from);
+        let worst = |row: &Row| Cell::Number(row.worst as f64);
+        let mean = |row: &Row| row.mean.map_or(Cell::from("–"), Cell::Number);
+        let numbers = [worst(alone), mean(alone), worst(beside), mean(beside)];
         printed.row(words.into_iter().chain(numbers))
     })
 }

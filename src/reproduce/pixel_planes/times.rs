@@ -2,8 +2,8 @@
 
 use super::plan::{Plan, RENDERERS, Spec};
 use crate::shell::Failure;
-use tilewright_machines::pixel_planes::model::{RendererTiming, Timing};
-use tilewright_machines::pixel_planes::{Binner, Config, Machine, Regions, RendererReport, Report, scene_clocks};
+use tilewright_machines::pixel_planes::model::{Model, RendererTiming, Timing};
+use tilewright_machines::pixel_planes::{Config, Drawing, Machine, RendererReport, Report};
 use tilewright_machines::{Error, Watch};
 use tilewright_report::Origin;
 use tilewright_scenes::Polygons;
@@ -47,7 +47,19 @@ impl Times {
     /// Runs; `None` if it was interrupted.
     pub fn all(plan: &Plan, watch: &mut Watch) -> Result<Option<Times>, Failure> {
         let specs = plan.runs();
-        let run = |spec: &Spec| Run::on_model(*spec, plan);
+        let mut scenes: Vec<Spec> = Vec::new();
+        for spec in &specs {
+            if !scenes.iter().any(|scene| scene.draws_as(spec)) {
+                scenes.push(*spec);
+            }
+        }
+        let make = |spec: &Spec| Ok::<Drawing, Failure>(Machine::new(spec.config(plan))?.drawing(&spec.scene(plan)?)?);
+        let Some(drawings) = watch.each("binning", &scenes, make) else { return Ok(None) };
+        let drawings = drawings.into_iter().collect::<Result<Vec<Drawing>, Failure>>()?;
+        let run = |spec: &Spec| {
+            let scene = scenes.iter().position(|scene| scene.draws_as(spec)).expect("there is a drawing of each");
+            Run::on_model(*spec, plan, &drawings[scene])
+        };
         let Some(runs) = watch.each("timing", &specs, run) else { return Ok(None) };
         let mut runs = runs.into_iter().collect::<Result<Vec<Run>, Failure>>()?;
         for run in runs.iter_mut().filter(|run| run.spec.on_hardware) {
@@ -80,20 +92,19 @@ impl Times {
 }
 
 impl Run {
-    fn on_model(spec: Spec, plan: &Plan) -> Result<Run, Failure> {
-        let (config, scene) = (spec.config(plan), spec.scene(plan)?);
-        let regions = config.regions().map_err(Error::from)?;
-        let timing = Machine::new(config.clone())?.timing(&scene)?;
+    fn on_model(spec: Spec, plan: &Plan, drawing: &Drawing) -> Result<Run, Failure> {
+        let timing = Model::new(&spec.config(plan)).map_err(Error::from)?.run(&drawing.steps);
         let (mut clocks, mut primitives) = (0, 0);
-        for program in scene_clocks(&config, &scene).map_err(Error::from)?.used() {
+        for program in drawing.programs.used() {
             clocks += program.clocks;
             primitives += program.primitives;
         }
+        let load = |regions: &Vec<usize>| regions.iter().map(|region| drawing.primitives[*region]).sum();
         Ok(Run {
             spec,
             cycles: clocks as f64 / primitives as f64,
-            worst: worst(&timing, &regions, &scene),
-            regions: regions.count(),
+            worst: timing.renderers.iter().map(|it| load(&it.regions)).max().unwrap_or_default(),
+            regions: drawing.steps.len(),
             model: Took::of(&timing),
             hardware: None,
         })
@@ -105,20 +116,17 @@ impl Run {
     }
 }
 
-/// P_w of a run: regions were given in order of decreasing bins.
-fn worst(timing: &Timing, regions: &Regions, scene: &Polygons) -> u64 {
-    let mut bins: Vec<u64> = regions.bins(&scene.vertices, Binner::Tight).iter().map(|bin| bin.len() as u64).collect();
-    bins.sort_unstable_by_key(|size| std::cmp::Reverse(*size));
-    let load = |regions: &Vec<usize>| regions.iter().map(|region| bins[*region]).sum();
-    timing.renderers.iter().map(|it| load(&it.regions)).max().unwrap_or_default()
-}
-
 fn on_hardware(spec: Spec, plan: &Plan, watch: &mut Watch) -> Result<Took, Failure> {
     let (_, report) = Machine::new(spec.config(plan))?.render(&spec.scene(plan)?, [0; 3], watch)?;
     Ok(Took::of_report(&report))
 }
 
 impl Spec {
+    /// Whether the same is to be drawn in the same regions.
+    fn draws_as(&self, other: &Spec) -> bool {
+        (self.side, self.vectors) == (other.side, other.vectors)
+    }
+
     fn config(&self, plan: &Plan) -> Config {
         let &Spec { renderers, side, ring, .. } = self;
         Config { renderers, side, ring, ..plan.config() }
