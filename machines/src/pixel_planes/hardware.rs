@@ -106,7 +106,7 @@ impl Course<'_> {
         renderer: &Renderer,
         done: &Done,
     ) -> Result<(), Error> {
-        let RendererTiming { shown, planes, .. } = self.timing;
+        let RendererTiming { taken, shown, planes, .. } = self.timing;
         let waiting = done.arrived - done.taken;
         let of_region = planes_of(renderer.side());
         let first_clock = match (done.planes == planes.len(), done.planes.is_multiple_of(of_region)) {
@@ -114,7 +114,9 @@ impl Course<'_> {
             (_, true) => shown[done.planes / of_region],
             _ => planes[done.planes - 1] + 1,
         };
+        let takes = taken.get(done.taken) == Some(&done.clock);
         for (signal, port, expected) in [
+            ("the queue's handshake", sim.o.takes, takes),
             ("the queue's room", sim.o.room, waiting < renderer.queue() as usize),
             ("idleness", sim.o.idle, waiting == 0 && done.clock >= done.ended),
             ("the validity of planes", sim.o.planes.valid, done.clock >= first_clock),

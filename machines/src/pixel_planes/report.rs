@@ -49,6 +49,8 @@ pub struct RegionReport {
     pub clocks: u64,
     /// Those of them in which it could have begun its next instruction, but that had not come yet.
     pub starved: u64,
+    /// Those in which it could not save the region, as the one before was not sent yet.
+    pub waited_for_store: u64,
 }
 
 /// What a renderer did.
@@ -66,6 +68,13 @@ pub struct RendererReport {
     pub starved: u64,
     /// Those in which it could not save its region, as the one before was not sent yet.
     pub waited_for_store: u64,
+}
+
+impl RendererReport {
+    /// Clocks in which it had a region and waited for nobody.
+    pub fn working(&self) -> u64 {
+        self.busy - self.starved - self.waited_for_store
+    }
 }
 
 /// What the ring brought.
@@ -94,7 +103,7 @@ impl Report {
     pub(super) fn new(machine: Built, primitives: usize, works: &[Work], timing: &Timing) -> Report {
         let region = |(work, timing): (&Work, &RegionTiming)| {
             let [primitives, drawn] = work.primitives;
-            let &RegionTiming { renderer, given, free, starved } = timing;
+            let &RegionTiming { renderer, given, free, starved, waited_for_store } = timing;
             RegionReport {
                 region: work.region,
                 renderer,
@@ -103,6 +112,7 @@ impl Report {
                 begun: given,
                 clocks: free - given,
                 starved,
+                waited_for_store,
             }
         };
         let renderer = |it: &RendererTiming| {
@@ -142,16 +152,17 @@ impl Report {
         self.renderers.iter().map(|it| it.primitives).max().unwrap_or(0)
     }
 
-    /// Clocks for each primitive drawn, N, with what a region takes by itself in them (PP5-UT).
+    /// Clocks for each primitive drawn, N, with what a region takes by itself in them, but none in which somebody waited (PP5-UT).
     pub fn clocks_per_primitive(&self) -> f64 {
         let drawn: u64 = self.renderers.iter().map(|it| it.drawn).sum();
-        self.renderers.iter().map(|it| it.busy).sum::<u64>() as f64 / drawn.max(1) as f64
+        self.renderers.iter().map(RendererReport::working).sum::<u64>() as f64 / drawn.max(1) as f64
     }
 
-    /// Busy clocks of all renderers in parts of those that they would have if all were as busy as the busiest, from 0 to 1.
+    /// Working clocks of all renderers in parts of those that they would have if all worked as long as the one that does longest, from 0 to 1.
     pub fn balance(&self) -> f64 {
-        let most = self.renderers.iter().map(|it| it.busy).max().unwrap_or(0).max(1) * self.renderers.len() as u64;
-        self.renderers.iter().map(|it| it.busy).sum::<u64>() as f64 / most as f64
+        let working = || self.renderers.iter().map(RendererReport::working);
+        let most = working().max().unwrap_or(0).max(1) * self.renderers.len() as u64;
+        working().sum::<u64>() as f64 / most as f64
     }
 }
 
@@ -173,14 +184,18 @@ impl fmt::Display for Report {
 
         writeln!(
             f,
-            "{:9} {:>8} {:>11} {:>8} {:>10} {:>7} {:>8}",
-            "renderer", "regions", "primitives", "drawn", "busy", "load", "starved"
+            "{:9} {:>8} {:>11} {:>8} {:>10} {:>7} {:>8} {:>8}",
+            "renderer", "regions", "primitives", "drawn", "busy", "load", "starved", "sending"
         )?;
         for (number, it) in self.renderers.iter().enumerate() {
-            let load = 100.0 * it.busy as f64 / self.drawn.max(1) as f64;
-            let RendererReport { regions, primitives, drawn, busy, starved, .. } = it;
-            writeln!(f, "{number:<9} {regions:>8} {primitives:>11} {drawn:>8} {busy:>10} {load:>5.1} % {starved:>8}")?;
+            let load = 100.0 * it.working() as f64 / self.drawn.max(1) as f64;
+            let RendererReport { regions, primitives, drawn, busy, starved, waited_for_store } = it;
+            writeln!(
+                f,
+                "{number:<9} {regions:>8} {primitives:>11} {drawn:>8} {busy:>10} {load:>5.1} % {starved:>8} {waited_for_store:>8}"
+            )?;
         }
+        writeln!(f, "Starved: waiting for instructions; sending: waiting until the region before is sent.")?;
         writeln!(f, "The load of the renderers is {:.1} % balanced.\n", 100.0 * self.balance())?;
 
         writeln!(f, "{:13} {:>8} {:>7} {:>7}", "program", "drawn", "N mean", "N most")?;
@@ -192,12 +207,15 @@ impl fmt::Display for Report {
 
         writeln!(
             f,
-            "{:9} {:>8} {:>11} {:>8} {:>10} {:>9} {:>8}",
-            "region", "renderer", "primitives", "drawn", "clocks", "begun", "starved"
+            "{:9} {:>8} {:>11} {:>8} {:>10} {:>9} {:>8} {:>8}",
+            "region", "renderer", "primitives", "drawn", "clocks", "begun", "starved", "sending"
         )?;
         for it in &self.regions {
-            let RegionReport { region, renderer, primitives, drawn, begun, clocks, starved } = it;
-            writeln!(f, "{region:<9} {renderer:>8} {primitives:>11} {drawn:>8} {clocks:>10} {begun:>9} {starved:>8}")?;
+            let RegionReport { region, renderer, primitives, drawn, begun, clocks, starved, waited_for_store } = it;
+            writeln!(
+                f,
+                "{region:<9} {renderer:>8} {primitives:>11} {drawn:>8} {clocks:>10} {begun:>9} {starved:>8} {waited_for_store:>8}"
+            )?;
         }
         self.write_ring(f)?;
         let ms = |clocks: u64| (clocks * PERIOD.picoseconds()) as f64 / 1e9;
@@ -228,11 +246,6 @@ impl Report {
             Some(StarvedReport { renderer, clock }) => {
                 writeln!(f, "The first that had to wait for an instruction was renderer {renderer}, in clock {clock}.")
             }
-        }?;
-        let waited: u64 = self.renderers.iter().map(|it| it.waited_for_store).sum();
-        if waited > 0 {
-            writeln!(f, "Renderers waited {waited} clocks in all until the region before was sent.")?;
         }
-        Ok(())
     }
 }

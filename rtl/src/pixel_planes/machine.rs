@@ -63,6 +63,8 @@ block! {
         given: bit().of(row(self.renderers)),
         /// That region.
         region: bits(REGION_BITS),
+        /// The renderers whose controllers take an instruction in this clock.
+        takes: bit().of(row(self.renderers)),
         /// The renderers in which every instruction has ended, but in the pixels.
         idle: bit().of(row(self.renderers)),
         /// A plane goes to the frame buffer.
@@ -121,12 +123,13 @@ impl PixelPlanes5 {
             RingIn { bins: i.bins, room: *room, finished: finished.iter().map(|planes| planes.value()).collect() };
         let sent = m.instance("u_ring", &ring, messages);
 
-        let (mut rooms, mut idles) = (Vec::new(), Vec::new());
+        let (mut rooms, mut takes, mut idles) = (Vec::new(), Vec::new(), Vec::new());
         for ((number, instructions), planes) in numbers.zip(sent.instructions).zip(finished) {
             let inputs = RendererIn { instructions, side_by_side: i.side_by_side };
             let out = m.instance(&format!("u_renderer{number}"), &renderer, inputs);
             planes.drive(out.planes);
             rooms.push(out.room);
+            takes.push(out.takes);
             idles.push(out.idle);
         }
         room.drive(stack(rooms));
@@ -137,7 +140,14 @@ impl PixelPlanes5 {
         let plane_goes = sent.planes.valid;
         let frame =
             m.instance("u_frame_buffer", &self.frame_buffer(), FrameBufferIn { planes: sent.planes, read: i.read });
-        PixelPlanes5Out { given: allocation.given, region: allocation.region, idle, plane_goes, words: frame.words }
+        PixelPlanes5Out {
+            given: allocation.given,
+            region: allocation.region,
+            takes: stack(takes),
+            idle,
+            plane_goes,
+            words: frame.words,
+        }
     }
 }
 

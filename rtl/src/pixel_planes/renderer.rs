@@ -45,6 +45,8 @@ block! {
         planes: stream(BitPlane = BitPlane::widths(self.side)),
         /// Its queue takes an instruction in this clock: `instructions.ready`, for who must know before it sends one.
         room: bit(),
+        /// Its controller takes an instruction from the queue in this clock.
+        takes: bit(),
         /// Every instruction has ended, but in the pixels, which are 2 log2 S clocks behind: it can be given another region.
         idle: bit(),
     }
@@ -85,6 +87,7 @@ impl Renderer {
         let pixels = grid(side, side);
         let room = i.instructions.ready;
         let instructions = m.fifo("u_queue", queue, i.instructions);
+        let takes = instructions.valid & instructions.ready;
         let store_free = m.wire("store_free", bit());
         let control =
             ImageGenerationControllerIn { instructions, side_by_side: i.side_by_side, store_free: *store_free };
@@ -100,7 +103,7 @@ impl Renderer {
         let store = BackingStoreIn { save: controller.save, number, word: pixel.word };
         let store = m.instance("u_store", &BackingStore { side }, store);
         store_free.drive(store.free);
-        RendererOut { planes: store.planes, room, idle: controller.idle }
+        RendererOut { planes: store.planes, room, takes, idle: controller.idle }
     }
 }
 

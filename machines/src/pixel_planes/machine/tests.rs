@@ -93,7 +93,7 @@ fn a_ring_that_is_too_slow_makes_renderers_wait_and_changes_no_pixel() {
     for side_by_side in [false, true] {
         let of_ring =
             |ring| drawn("teapot", (40, 30), |it| Config { renderers: 3, side: 16, ring, side_by_side, ..it });
-        let (ample, slow) = (of_ring(Config::AMPLE_RING), of_ring(1000));
+        let (ample, slow) = (of_ring(Config::AMPLE_RING), of_ring(400));
         assert_eq!(ample.first_starved, None);
         assert_eq!(ample.renderers.iter().map(|it| it.starved).sum::<u64>(), 0);
         let starved = slow.renderers.iter().map(|it| it.starved).sum::<u64>();

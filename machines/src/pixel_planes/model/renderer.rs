@@ -87,11 +87,10 @@ impl<'a> Renderer<'a> {
     pub fn save(&mut self) -> Option<(u64, u64)> {
         let (step, could) = self.save.take_if(|_| self.to_send == 0)?;
         let clock = could.max(self.free);
-        self.timing.waited_for_store += clock - could;
         let shown = self.take(step, clock) + self.save_to_plane;
         self.to_send = self.planes;
         let idle = self.controller.idle();
-        self.timing.end(shown, idle);
+        self.timing.end(clock - could, shown, idle);
         Some((shown, idle))
     }
 

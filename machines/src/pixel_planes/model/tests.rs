@@ -95,7 +95,7 @@ fn simulate(config: &Config, regions: &[Vec<Instruction<u64>>]) -> Handshakes {
                 let mut is = |part: &str| sim.peek(&format!("u_renderer{number}.{stream}_{part}")).unwrap() == 1;
                 is("valid") && is("ready")
             };
-            if goes("u_controller.instructions") {
+            if out.takes >> number & 1 == 1 {
                 seen.taken[number].push(now);
             }
             if goes("planes") {
@@ -220,12 +220,12 @@ fn the_update_time_is_that_of_the_worst_renderers_primitives_and_regions() {
 /// Where it does not: the first clock by the rate of the ring.
 #[test]
 fn the_first_clock_without_an_instruction_follows_from_the_rings_rate() {
-    let mut found = Vec::new();
-    for (renderers, bits) in [(1, 60), (1, 100), (2, 200), (4, 500), (3, 400), (2, 308), (4, 616), (2, 40)] {
-        let config = Config { renderers, ring: 40 * bits, queue: 200, ..config(renderers, false) };
+    let mut never = Vec::new();
+    for (renderers, bits) in [(1, 60), (1, 100), (2, 200), (3, 400), (4, 500), (4, 520), (1, 154), (2, 308), (4, 700)] {
+        let config = Config { renderers, ring: 40 * bits, queue: 500, ..config(renderers, false) };
         // What clears takes long, so instructions gather in the queue; then each takes less than the ring needs for one.
         let short = Instruction { length: 1, ..clear(0)[0] };
-        let program = [clear(0), vec![short; 150], save(0)].concat();
+        let program = [clear(0), vec![short; 400], save(0)].concat();
         let clocks: Vec<u64> = Step::of(&program).iter().map(Step::clocks).collect();
         let predicted = first_starved(renderers as usize, bits.into(), &clocks);
         let regions = vec![program; renderers as usize];
@@ -235,30 +235,32 @@ fn the_first_clock_without_an_instruction_follows_from_the_rings_rate() {
         let seen = simulate(&config, &regions);
         let starved = (0..renderers as usize).filter_map(|number| {
             let mut wanted = seen.given[number].1 + 2;
-            let steps = seen.taken[number].iter().zip(&clocks).find_map(|(&taken, clocks)| {
+            seen.taken[number].iter().zip(&clocks).find_map(|(&taken, clocks)| {
                 let is_late = taken > wanted;
                 let at = wanted;
                 wanted = taken + clocks;
                 is_late.then_some(at)
-            });
-            steps
+            })
         });
         assert_eq!(starved.min(), predicted, "{renderers} renderers, {bits} bits a clock, in hardware");
-        found.push(predicted);
+        match predicted {
+            // Not before the clear is done.
+            Some(clock) => assert!(clock > 50, "{clock}"),
+            None => never.push((renderers, bits)),
+        }
     }
-    let expected = [Some(26), Some(50), Some(3), Some(3), Some(3), Some(100), Some(100), Some(3)];
-    assert_eq!(found, expected);
+    assert_eq!(never, [(1, 154), (2, 308), (4, 700)]);
 }
 
 /// What the ring and the stores make of a frame of equal regions, beside what is counted by hand.
 #[test]
 fn a_slow_ring_is_loaded_and_makes_renderers_wait() {
-    let config = Config { ring: 40 * 16, ..config(2, true) };
+    let config = Config { ring: 40 * 4, ..config(2, true) };
     let timing = modelled(&config, &vec![region_of(2); 6]);
     let instructions = 6 * region_of(2).len() as u64;
     assert_eq!((timing.ring.instructions, timing.ring.planes), (instructions, 6 * 48 * 8));
     assert_eq!(timing.ring.bits, 154 * instructions + 8 * timing.ring.planes);
-    assert!(timing.ring.load() > 0.9, "{:?}", timing.ring);
+    assert!(timing.ring.load() > 0.7, "{:?}", timing.ring);
     assert!(timing.first_starved.is_some() && timing.renderers.iter().all(|it| it.starved > 0));
     // An ample one brings all in time, but a region is drawn sooner than the one before is sent.
     let timing = modelled(&Config { ring: Config::AMPLE_RING, ..config }, &vec![region_of(2); 6]);

@@ -32,6 +32,8 @@ pub struct RegionTiming {
     pub free: u64,
     /// Clocks in which the renderer had to wait for its instructions.
     pub starved: u64,
+    /// Clocks in which it had to wait with its save until the region before was sent.
+    pub waited_for_store: u64,
 }
 
 /// Clocks of a renderer, those of its instructions and planes one after another through all of its regions.
@@ -63,8 +65,8 @@ pub struct RendererTiming {
     pub first_starved: Option<u64>,
     /// Clocks in which its queue had the save of its region, and the backing store was all that it waited for.
     pub waited_for_store: u64,
-    /// Starved clocks of each region.
-    starved_of: Vec<u64>,
+    /// Clocks of both kinds by region.
+    waits: Vec<[u64; 2]>,
 }
 
 /// What the ring brought.
@@ -102,7 +104,7 @@ impl RendererTiming {
     pub(super) fn begin(&mut self, region: usize, now: u64) {
         self.regions.push(region);
         self.given.push(now);
-        self.starved_of.push(0);
+        self.waits.push([0, 0]);
     }
 
     /// An instruction comes, which its controller could have taken at `ready`.
@@ -112,7 +114,7 @@ impl RendererTiming {
         if starved > 0 {
             self.first_starved.get_or_insert(ready);
             self.starved += starved;
-            *self.starved_of.last_mut().expect("it has a region") += starved;
+            self.waits.last_mut().expect("it has a region")[0] += starved;
         }
     }
 
@@ -122,8 +124,10 @@ impl RendererTiming {
         self.ended.push(ends);
     }
 
-    /// Its region has been saved.
-    pub(super) fn end(&mut self, shown: u64, free: u64) {
+    /// Its region has been saved, after so many clocks in which the store was not free.
+    pub(super) fn end(&mut self, waited: u64, shown: u64, free: u64) {
+        self.waited_for_store += waited;
+        self.waits.last_mut().expect("it has a region")[1] = waited;
         self.shown.push(shown);
         self.free.push(free);
         self.busy += free - self.given.last().expect("it has a region");
@@ -133,12 +137,12 @@ impl RendererTiming {
 impl Timing {
     pub(super) fn new<P: AsRef<[Step]>>(regions: &[P], renderers: Vec<Renderer>, ring: Ring) -> Timing {
         let renderers: Vec<RendererTiming> = renderers.into_iter().map(|it| it.timing).collect();
-        let none = RegionTiming { renderer: 0, given: 0, free: 0, starved: 0 };
+        let none = RegionTiming { renderer: 0, given: 0, free: 0, starved: 0, waited_for_store: 0 };
         let mut by_region = vec![none; regions.len()];
         for (renderer, it) in renderers.iter().enumerate() {
-            let clocks = it.given.iter().zip(&it.free).zip(&it.starved_of);
-            for (region, ((&given, &free), &starved)) in it.regions.iter().zip(clocks) {
-                by_region[*region] = RegionTiming { renderer, given, free, starved };
+            let clocks = it.given.iter().zip(&it.free).zip(&it.waits);
+            for (region, ((&given, &free), &[starved, waited_for_store])) in it.regions.iter().zip(clocks) {
+                by_region[*region] = RegionTiming { renderer, given, free, starved, waited_for_store };
             }
         }
         let starved = renderers.iter().zip(0..).filter_map(|(it, renderer)| Some((it.first_starved?, renderer)));
