@@ -189,7 +189,7 @@ impl Ring {
         for (part, first_place) in [(behind_last, 0), (up_to_last, stations)] {
             for station in 0..stations {
                 let grant = self.visit(&mut turn, station, part.bit(station), first_place + station);
-                goes[station as usize] = goes[station as usize] | grant;
+                goes[station as usize] |= grant;
             }
         }
         last.next(turn.last);
