@@ -1,4 +1,4 @@
-//! The ring: brings instructions to the renderers and finished planes to the frame buffer, so many bits a clock in all (PP5-ARCH).
+//! The ring: brings instructions to the renderers and finished planes to the frame buffer, so many bits a clock in all (facts E3).
 //!
 //! ```text
 //!                 .------------------------.
@@ -17,7 +17,7 @@
 //! credit pays for, at most one to a receiver; where the next one has to wait for credit, so do all behind it.
 //!
 //! The credit grows by `rate` bits a clock, up to what one clock and a message that just had to wait need. So in any n clocks the ring brings
-//! less than n `rate` bits and one message more, and no fewer bits than it has while a message waits. An instruction costs all of its
+//! less than n `rate` bits and one message more, and while messages wait for credit none of these bits is lost. An instruction costs all of its
 //! bits, a plane a bit for each pixel of the line; where they go costs nothing. The planes of a line stay together, as the frame
 //! buffer takes them.
 //!
