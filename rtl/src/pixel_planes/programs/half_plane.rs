@@ -43,10 +43,9 @@ pub fn least(side: u32, edge: &Expression) -> Expression {
     }
     let border = Border::of(&upright.edge, last);
     let slope = simplest(&border, [a, b]);
-    let [inside, outside] = border.nearest(slope);
-    // As near as it may be to where the values are as far below 0 as above.
-    let middle = -((slope[0] + slope[1]) * last + 1) / 2;
-    let c = middle.clamp(-dot(slope, inside), -dot(slope, outside) - 1);
+    // The nearest pixel outside is at -1: no slope is simplest that leaves a choice.
+    let [inside, _] = border.nearest(slope);
+    let c = -dot(slope, inside);
     upright.back(Expression { a: slope[0], b: slope[1], c }, last)
 }
 
