@@ -12,7 +12,7 @@ use super::{Expression, alone, half_plane, modular};
 /// use tilewright_rtl::pixel_planes::programs::{Edges, Expression};
 ///
 /// let edge = Expression { a: 2_000, b: 3_000, c: -190_000 };
-/// assert_eq!([Edges::Fixed, Edges::Own, Edges::Least].map(|form| form.bits(128, &edge)), [25, 20, 11]);
+/// assert_eq!([Edges::Fixed, Edges::Own, Edges::Least].map(|form| form.bits(128, &edge)), [25, 20, 10]);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Edges {

@@ -7,10 +7,10 @@
 //! # # # #
 //! ```
 //!
-//! Half-planes with the same pixels inside have slopes that are an interval, and the simplest fraction in it has the least numerator and the
-//! least denominator of all. The edge's own slope is in the interval, so the way to it through the tree of Stern and Brocot meets that fraction first.
-//! (That no other slope needs fewer bits is tested with all half-planes of small regions.) A stretch of that way in which only one of the bounds
-//! moves is gone in few steps: each goes on to where the two pixels that were not divided are.
+//! The slopes of all half-planes with the same pixels inside form an interval. The simplest fraction in it has the least numerator and the least
+//! denominator of all, so its values need the fewest bits. The edge's own slope is in the interval, so the way to it through the tree of Stern and Brocot
+//! meets that fraction first. Where that way goes on in one direction, it is taken in few steps: each goes as far as is needed to divide the two pixels that
+//! the last slope has not divided. That nothing needs fewer bits is tested with all half-planes of small regions.
 
 use super::Expression;
 
@@ -18,7 +18,7 @@ use super::Expression;
 type Pixel = [i64; 2];
 
 /// The least half-plane that has the same pixels of a region of `side` x `side` inside as an edge has: everything or nothing of it, if the edge
-/// does not cross it. At a side of 128 its values have at most 15 bits with their sign. `side` is at least 2; the edge's values fit 62 bits.
+/// does not cross it. At a side of 128 its values have at most 15 bits with their sign. `side` is at least 2; the edge's values fit 48 bits.
 ///
 /// It takes a few passes over the region's columns.
 ///
@@ -43,10 +43,9 @@ pub fn least(side: u32, edge: &Expression) -> Expression {
     }
     let border = Border::of(&upright.edge, last);
     let slope = simplest(&border, [a, b]);
-    let [inside, outside] = border.nearest(slope);
-    // As near as it may be to where the values are as far below 0 as above.
-    let middle = -((slope[0] + slope[1]) * last + 1) / 2;
-    let c = middle.clamp(-dot(slope, inside), -dot(slope, outside) - 1);
+    // The nearest pixel outside then is at -1: the simplest slope leaves no choice.
+    let [inside, _] = border.nearest(slope);
+    let c = -dot(slope, inside);
     upright.back(Expression { a: slope[0], b: slope[1], c }, last)
 }
 
