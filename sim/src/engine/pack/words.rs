@@ -48,13 +48,23 @@ impl<'a> Words<'a> {
 
     /// The words of a value, of so many lanes each.
     pub fn of(&mut self, id: ValueId, lanes: u32) -> ValueId {
+        if lanes == 1 {
+            return id;
+        }
         if let Some(&made) = self.made.get(&(id, lanes)) {
             return made;
         }
-        let making = making(&self.circuit, id, lanes);
-        let made = match making {
-            Some(Making::Constant | Making::Repeated { .. }) => self.make(id, lanes),
-            _ => self.push(id, Kind::Pack { of: id, axis: Axis::last(lanes) }, self.words(id, lanes), lanes),
+        let (words, making) = (self.words(id, lanes), making(&self.circuit, id, lanes));
+        let other = self.choice.values.get(&id).and_then(|&other| Some((other, *self.made.get(&(id, other))?)));
+        let made = match (making, other) {
+            (Some(Making::Constant | Making::Repeated { .. }), _) => self.make(id, lanes),
+            (_, Some((other, of))) if other.is_multiple_of(lanes) => {
+                self.push(id, Kind::Unpack { of, axis: Axis::last(other / lanes) }, words, lanes)
+            }
+            (_, Some((other, of))) if lanes.is_multiple_of(other) => {
+                self.push(id, Kind::Pack { of, axis: Axis::last(lanes / other) }, words, lanes)
+            }
+            _ => self.push(id, Kind::Pack { of: id, axis: Axis::last(lanes) }, words, lanes),
         };
         self.made.insert((id, lanes), made);
         made
@@ -131,7 +141,7 @@ impl<'a> Words<'a> {
         self.circuit[id].lanes / lanes
     }
 
-    fn push(&mut self, like: ValueId, kind: Kind, lanes: u32, width: u32) -> ValueId {
+    pub(super) fn push(&mut self, like: ValueId, kind: Kind, lanes: u32, width: u32) -> ValueId {
         self.circuit.push(Cell::new(kind, lanes, width), self.circuit.loc(like))
     }
 
@@ -168,6 +178,9 @@ impl<'a> Words<'a> {
                 (*of, *index) = (self.of(*of, lanes), self.same(*index, lanes).expect("it is the same in each word"));
                 axis.inner /= lanes;
             }
+            Some(Making::Joined) => kind = self.joined(kind),
+            Some(Making::Alternating) => return self.alternating(id, &kind, lanes),
+            Some(Making::Shifted) => kind = self.shifted(id, &kind, lanes),
             Some(Making::Logic) => return self.logic(id, kind, lanes),
         }
         self.push(id, kind, words, lanes)
