@@ -323,9 +323,46 @@ impl Emitter<'_, '_, '_> {
 
     /// Loads, for each lane of the strip, the lane of `of` whose number it has in `at`.
     fn gather(&mut self, strip: &mut Strip, id: ValueId, of: ValueId, at: ValueId) {
+        if self.addresses.has(of)
+            && let Some((lanes, step)) = self.regular(strip, at)
+        {
+            return self.gather_regular(strip, id, of, &lanes, step);
+        }
         let numbers: Vec<Value> = (0..strip.size).map(|lane| self.limbs(strip, at, lane)[0]).collect();
         let mut numbers = numbers.into_iter();
         self.collect(strip, id, of, |_, _| numbers.next().expect("a number for each lane"));
+    }
+
+    /// The numbers that a table has for the first strip, and by how much those of each strip are greater than those of the one before, if
+    /// that is the same for all.
+    fn regular(&self, strip: &Strip, at: ValueId) -> Option<(Vec<u32>, u32)> {
+        let Kind::Stack { parts, inner: 1 } = &self.function.cell(at).kind else { return None };
+        let number = |part: &ValueId| Some(self.function.circuit().constant(*part)?.limbs()[0] as u32);
+        let all = parts.iter().map(number).collect::<Option<Vec<u32>>>()?;
+        let (first, rest) = all.split_at_checked(strip.size as usize)?;
+        let step = rest.first().map_or(Some(0), |next| next.checked_sub(first[0]))?;
+        let is_regular = all.iter().zip(rest).all(|(before, after)| before + step == *after);
+        let is_whole = parts.len() == strip.total as usize && !strip.is_padded();
+        (is_regular && is_whole).then(|| (first.to_vec(), step))
+    }
+
+    /// Loads these lanes for the first strip, and lanes further on by so many for each that follows.
+    fn gather_regular(&mut self, strip: &mut Strip, id: ValueId, of: ValueId, lanes: &[u32], step: u32) {
+        let (number, _) = self.divided(strip.first.expect("it has begun"), strip.total, strip.size);
+        let (place, before) = (self.addresses.of(of), self.scaled(number, step as usize));
+        let address = self.address(before, place.bytes());
+        let of_vectors = lanes.chunks(128 / place.integer() as usize);
+        let are_together = of_vectors.clone().all(|lanes| lanes.windows(2).all(|pair| pair[0] + 1 == pair[1]));
+        if place.width <= 64 && strip.lanes.element(place.width) == place.element && are_together {
+            let offsets: Vec<i32> = of_vectors.map(|lanes| offset(place.lane(lanes[0]))).collect();
+            return strip.lanes.load_parts(self.builder, id, place.width, address, &offsets);
+        }
+        for (single, &lane) in strip.singles.iter_mut().zip(lanes) {
+            single.load(self.builder, id, place.width, place.integer(), address, offset(place.lane(lane)));
+        }
+        if place.width <= 64 {
+            self.vector(strip, id);
+        }
     }
 
     /// The number of a lane of the strip, or of the last lane that exists.

@@ -218,7 +218,10 @@ impl<'a> Groups<'a> {
             let is_word = cell.width > 1
                 || is_taken_apart(&circuit[id].kind, operand)
                 || cell.lanes == 1
-                || matches!(making(circuit, operand, lanes), Some(Making::Constant | Making::Repeated { .. }));
+                || matches!(
+                    making(circuit, operand, lanes),
+                    Some(Making::Constant | Making::Known | Making::Repeated { .. })
+                );
             if !self.is_packable(operand) && !is_word {
                 cost += LANE_BY_LANE * i64::from(cell.lanes);
             }

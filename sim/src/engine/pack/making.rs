@@ -9,6 +9,8 @@ use crate::engine::program::{Axis, Circuit, Kind, ValueId};
 pub(super) enum Making {
     /// The bits of a word are all alike.
     Constant,
+    /// Each bit is known.
+    Known,
     /// They are state, or the words of a memory.
     Kept,
     /// By logic, from the words of the operands.
@@ -29,6 +31,9 @@ pub(super) enum Making {
     Shifted,
 }
 
+/// The most words that are known one by one: each is an operation.
+const MOST_KNOWN: u32 = 1024;
+
 /// How the words of a value come about, of so many lanes each; none if it is computed lane by lane, and packed then.
 pub(super) fn making(circuit: &Circuit, id: ValueId, lanes: u32) -> Option<Making> {
     let cell = &circuit[id];
@@ -38,6 +43,7 @@ pub(super) fn making(circuit: &Circuit, id: ValueId, lanes: u32) -> Option<Makin
     let is_whole = |axis: Axis| axis.inner.is_multiple_of(lanes);
     match &cell.kind {
         Kind::Const(_) => Some(Making::Constant),
+        _ if is_known(circuit, id) && cell.lanes / lanes <= MOST_KNOWN => Some(Making::Known),
         Kind::State => Some(Making::Kept),
         Kind::Read { address, .. } => {
             let is_same = repeated(circuit, *address, lanes).is_some() || circuit.constant(*address).is_some();
@@ -77,6 +83,28 @@ fn is_logic(circuit: &Circuit, kind: &Kind) -> bool {
         Kind::Binary(op, ..) => !matches!(op, Binary::Mul | Binary::MulSigned),
         Kind::Compare(_, _, a, _) => circuit[*a].width == 1,
         _ => false,
+    }
+}
+
+/// Whether lanes of one bit are constants, put together.
+fn is_known(circuit: &Circuit, id: ValueId) -> bool {
+    match &circuit[id].kind {
+        Kind::Const(_) => true,
+        Kind::Unpack { of, axis: Axis { inner: 1, .. } } => circuit.constant(*of).is_some(),
+        Kind::Stack { parts, inner: 1 } => parts.iter().all(|part| circuit.constant(*part).is_some()),
+        Kind::Broadcast { of, .. } => is_known(circuit, *of),
+        _ => false,
+    }
+}
+
+/// The bit of a lane that [`is_known`].
+pub(super) fn known(circuit: &Circuit, id: ValueId, lane: u32) -> bool {
+    match &circuit[id].kind {
+        Kind::Const(bits) => bits.bit(0),
+        Kind::Unpack { of, axis } => circuit.constant(*of).expect("it is known").bit(lane % axis.count),
+        Kind::Stack { parts, .. } => known(circuit, parts[lane as usize % parts.len()], 0),
+        Kind::Broadcast { of, axis } => known(circuit, *of, axis.split(lane).1),
+        _ => unreachable!("it is known"),
     }
 }
 

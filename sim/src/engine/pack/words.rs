@@ -5,7 +5,7 @@ use tilewright_hdl::Bits;
 use tilewright_hdl::ir::{Binary, Reduction, Relation, Unary};
 
 use super::choose::Choice;
-use super::making::{Making, making, repeated};
+use super::making::{Making, known, making, repeated};
 use crate::engine::program::{Axis, Cell, Circuit, Kind, ValueId};
 
 /// A circuit that words are added to. Its values keep their numbers.
@@ -57,7 +57,7 @@ impl<'a> Words<'a> {
         let (words, making) = (self.words(id, lanes), making(&self.circuit, id, lanes));
         let other = self.choice.values.get(&id).and_then(|&other| Some((other, *self.made.get(&(id, other))?)));
         let made = match (making, other) {
-            (Some(Making::Constant | Making::Repeated { .. }), _) => self.make(id, lanes),
+            (Some(Making::Constant | Making::Known | Making::Repeated { .. }), _) => self.make(id, lanes),
             (_, Some((other, of))) if other.is_multiple_of(lanes) => {
                 self.push(id, Kind::Unpack { of, axis: Axis::last(other / lanes) }, words, lanes)
             }
@@ -155,6 +155,7 @@ impl<'a> Words<'a> {
                 let is_zero = self.circuit.constant(id).is_none_or(Bits::is_zero);
                 kind = Kind::Const(if is_zero { Bits::zero(lanes) } else { Bits::ones(lanes) });
             }
+            Some(Making::Known) => kind = self.known(id, lanes),
             Some(Making::Repeated { of, words: count }) => {
                 let of = self.push(id, Kind::Extend(of, true), words / count, lanes);
                 kind = if count == 1 { Kind::Alias(of) } else { Kind::Broadcast { of, axis: Axis::last(count) } };
@@ -184,6 +185,20 @@ impl<'a> Words<'a> {
             Some(Making::Logic) => return self.logic(id, kind, lanes),
         }
         self.push(id, kind, words, lanes)
+    }
+
+    /// Words whose bits are known.
+    fn known(&mut self, id: ValueId, lanes: u32) -> Kind {
+        let word = |first: u32| {
+            let bits = (0..lanes).filter(|bit| known(&self.circuit, id, first + bit));
+            Bits::new(lanes, bits.fold(0, |word, bit| word | 1 << bit))
+        };
+        let words: Vec<Bits> = (0..self.circuit[id].lanes).step_by(lanes as usize).map(word).collect();
+        if words.iter().all(|word| *word == words[0]) {
+            return Kind::Const(words[0].clone());
+        }
+        let parts = words.into_iter().map(|word| self.push(id, Kind::Const(word), 1, lanes)).collect();
+        Kind::Stack { parts, inner: 1 }
     }
 
     /// Adds logic on words.

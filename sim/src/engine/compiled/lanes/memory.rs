@@ -58,6 +58,14 @@ impl Lanes {
         self.define(id, Vector { width, element, form, parts, inverse: None });
     }
 
+    /// Loads the vectors of a strip from anywhere, in which numbers stand in the smallest elements.
+    pub fn load_parts(&mut self, b: &mut FunctionBuilder, id: ValueId, width: u32, address: Value, offsets: &[i32]) {
+        let (element, flags) = (self.element(width), MemFlagsData::new().with_notrap());
+        let form = if width == 1 { Form::Mask } else { Form::Bits(width) };
+        let parts = offsets.iter().map(|&offset| b.ins().load(ty(element), flags, address, offset)).collect();
+        self.define(id, Vector { width, element, form, parts, inverse: None });
+    }
+
     /// Stores the lanes of a strip.
     pub fn store(&mut self, b: &mut FunctionBuilder, id: ValueId, to: Span) {
         let need = stored(self.width(id));
