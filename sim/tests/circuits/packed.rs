@@ -251,6 +251,43 @@ fn a_row_is_packed_in_one_word() {
     }
 }
 
+block! {
+    /// Rows of numbers whose lanes change places in a regular way, and in one that is not.
+    struct Regular { lanes: u32, width: u32 }
+    in(self) RegularIn { x: bits(self.width) }
+    out(self) RegularOut { sum: bits(self.width) }
+}
+
+impl Regular {
+    fn build(&self, m: Module, i: RegularIn) -> RegularOut {
+        let n = self.lanes;
+        let number = |lanes: u32| bits(self.width).of(row(lanes));
+        let [all, twice, half] = [("all", n), ("twice", 2 * n), ("half", n / 2)]
+            .map(|(name, lanes)| m.reg(name, number(lanes)).reset_each((0..lanes).map(|lane| lane % 2)));
+        all.next((all.previous(i.x) + i.x) ^ half.take(n, |lane| lane / 2));
+        twice.next((twice ^ interleave([*all, !*all])) + all.take(2 * n, |lane| (lane + 1) / 3));
+        half.next(all.take(n / 2, |lane| lane * 2) ^ twice.take(n / 2, |lane| lane * 4 + 1));
+        RegularOut { sum: twice.xor_all() + half.xor_all() }
+    }
+}
+
+#[test]
+fn lanes_that_change_places_are_the_same_on_both_engines() {
+    for (lanes, width) in [(8, 8), (16, 8), (32, 30), (64, 64), (12, 16), (34, 5), (16, 1), (16, 70)] {
+        let design = elaborate(&Regular { lanes, width }).unwrap();
+        let apart = Passes { pack_from: u32::MAX, ..passes() };
+        for passes in [passes(), apart] {
+            let mut sim = Simulation::with_passes(&design, &passes).unwrap().on(EngineKind::Both);
+            let x = sim.port("x").unwrap();
+            for n in 0..20_u64 {
+                let drawn = (n + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+                sim.set(x, Bits::from_limbs(128, &[drawn, drawn >> 3]).resize(width));
+                sim.step();
+            }
+        }
+    }
+}
+
 #[test]
 fn rows_shorter_than_a_strip_are_the_same_on_both_engines() {
     for (rows, columns, width) in [(6, 2, 64), (5, 2, 40), (3, 4, 8), (7, 2, 1), (9, 8, 8), (33, 2, 16), (4, 2, 70)] {

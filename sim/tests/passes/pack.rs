@@ -112,6 +112,8 @@ fn pack_rows() {
           half, 4 lanes a word <- %16
           all <- %20
         output all = all
+        output one = one
+        output numbers = %0
     ",
     );
     let apart = after_with(&Row, Pass::Pack, &Passes { pack_from: u32::MAX, ..Passes::default() });
