@@ -267,7 +267,11 @@ impl Regular {
         all.next((all.previous(i.x) + i.x) ^ half.take(n, |lane| lane / 2));
         twice.next((twice ^ interleave([*all, !*all])) + all.take(2 * n, |lane| (lane + 1) / 3));
         half.next(all.take(n / 2, |lane| lane * 2) ^ twice.take(n / 2, |lane| lane * 4 + 1));
-        RegularOut { sum: twice.xor_all() + half.xor_all() }
+        let [lines, more] = [("lines", n / 4), ("more", n / 4 * 2)]
+            .map(|(name, rows)| m.reg(name, bits(self.width).of(grid(rows, 4))).reset(1));
+        lines.next((lines + i.x) ^ more.rows().take(n / 4, |row| row * 2) ^ lines.columns().previous(i.x));
+        more.next(more + lines.rows().take(n / 4 * 2, |row| row / 2));
+        RegularOut { sum: twice.xor_all() + half.xor_all() + more.rows().xor_all().xor_all() }
     }
 }
 
