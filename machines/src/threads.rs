@@ -1,5 +1,7 @@
 //! Work that is cut into jobs, on all processors of the computer.
 
+use crate::run::Watch;
+
 use std::num::NonZeroUsize;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::mpsc;
@@ -8,6 +10,44 @@ use std::thread;
 /// As many threads as the computer has processors for.
 pub(crate) fn all_threads() -> usize {
     thread::available_parallelism().map_or(1, NonZeroUsize::get)
+}
+
+impl Watch<'_> {
+    /// Does `work` on each job, on all processors of the computer, and reports after each how much of the phase is done. The results are in
+    /// the order of the jobs; `None` if it was broken off.
+    ///
+    /// ```
+    /// use tilewright_machines::Watch;
+    ///
+    /// let squares = Watch::default().each("squaring", &[1, 2, 3], |number| number * number);
+    /// assert_eq!(squares, Some(vec![1, 4, 9]));
+    /// ```
+    pub fn each<J: Sync, R: Send>(
+        &mut self,
+        phase: &'static str,
+        jobs: &[J],
+        work: impl Fn(&J) -> R + Sync,
+    ) -> Option<Vec<R>> {
+        self.each_on(all_threads(), phase, jobs, work)
+    }
+
+    /// The same on so many threads.
+    pub(crate) fn each_on<J: Sync, R: Send>(
+        &mut self,
+        threads: usize,
+        phase: &'static str,
+        jobs: &[J],
+        work: impl Fn(&J) -> R + Sync,
+    ) -> Option<Vec<R>> {
+        let mut results: Vec<Option<R>> = jobs.iter().map(|_| None).collect();
+        let (mut done, cancel) = (0, self.cancel);
+        on_threads(threads, jobs, cancel, work, |number, result| {
+            results[number] = Some(result);
+            done += 1;
+            self.report(phase, f64::from(done) / jobs.len() as f64);
+        });
+        results.into_iter().collect()
+    }
 }
 
 /// Does `work` on each job, on so many threads; `done` gets the number of each job and its result as it comes, in any order. Once

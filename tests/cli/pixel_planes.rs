@@ -14,7 +14,7 @@ fn the_report_counts_primitives_regions_and_clocks() {
     let report = &report["report"];
     let expected = json!({
         "width": 32, "height": 24, "renderers": 2, "side": 16, "queue": 64, "ring": 5000,
-        "strict": false, "side_by_side": true,
+        "strict": false, "side_by_side": true, "edges": "least",
     });
     assert_eq!(report["machine"], expected);
     let regions = report["regions"].as_array().unwrap();
@@ -25,8 +25,17 @@ fn the_report_counts_primitives_regions_and_clocks() {
     let busy: u64 = report["renderers"].as_array().unwrap().iter().map(|it| it["busy"].as_u64().unwrap()).sum();
     assert_eq!(busy, sum("clocks"));
 
+    let programs = report["programs"].as_array().unwrap();
+    assert_eq!(programs.iter().map(|it| it["primitives"].as_u64().unwrap()).sum::<u64>(), sum("drawn"));
+    let [program] = &programs[..] else { panic!("all faces are shaded: {report}") };
+    let [clocks, most] = ["clocks", "most"].map(|of| program[of].as_u64().unwrap());
+    assert_eq!(program["program"], "smooth_least");
+    assert!(most <= clocks && clocks <= most * sum("drawn") && clocks <= busy, "{program}");
+
     let text = folder.stdout(SMALL);
+    let mean = clocks as f64 / sum("drawn") as f64;
     for part in [
+        &format!("smooth_least  {:>8} {mean:>7.1} {most:>7}\n", sum("drawn")),
         "pyramid: pixel-planes-5, 2 renderers of 16x16 pixels: 32x24 pixels,\n",
         &format!("{primitives} primitives, {} in the bins of 4 regions\n", sum("primitives")),
         &format!("All is drawn after {} clocks, ", report["drawn"]),
@@ -47,6 +56,16 @@ fn what_is_side_by_side_is_faster_and_draws_the_same() {
     let (both, one) = (clocks(SMALL), clocks(&format!("{SMALL} --one-at-a-time")));
     assert!(both < one, "{both}, {one}");
     clocks(&format!("{SMALL} --strict"));
+    let forms = ["least", "own", "fixed"].map(|form| clocks(&format!("{SMALL} --edges {form}")));
+    assert!(forms[0] == both && forms.is_sorted() && forms[0] < forms[2], "{forms:?}");
+}
+
+#[test]
+fn a_form_of_edges_that_there_is_not_is_bad_usage() {
+    let run = Folder::with_pyramid().run(&format!("{SMALL} --edges short"));
+    assert_eq!(run.code, Some(2));
+    assert!(run.stderr.contains("invalid value 'short' for '--edges <FORM>'"), "{}", run.stderr);
+    assert!(run.stderr.contains("fixed, own, least"), "{}", run.stderr);
 }
 
 #[test]

@@ -3,6 +3,7 @@
 use serde::Serialize;
 use tilewright_rtl::parameter::{ParameterError, Screen};
 use tilewright_rtl::pixel_planes::frame_buffer::FrameBuffer;
+use tilewright_rtl::pixel_planes::programs::Edges;
 use tilewright_rtl::pixel_planes::renderer::Renderer;
 use tilewright_rtl::pixel_planes::ring::Ring;
 use tilewright_rtl::pixel_planes::{self, SIDE};
@@ -37,6 +38,8 @@ pub struct Config {
     pub strict: bool,
     /// The tree may have the next primitive's edges while the memory has what the one before leaves.
     pub side_by_side: bool,
+    /// The form in which edges are sent.
+    pub edges: Edges,
 }
 
 impl Config {
@@ -51,7 +54,8 @@ impl Config {
 
     /// 16 renderers with regions of 128 x 128 pixels (PP5-ARCH, PP5-UTV), for a screen of that size.
     pub fn new(size: Size) -> Config {
-        Config { size, renderers: 16, side: SIDE, queue: 64, ring: Config::RING, strict: false, side_by_side: true }
+        let (ring, edges) = (Config::RING, Edges::Least);
+        Config { size, renderers: 16, side: SIDE, queue: 64, ring, strict: false, side_by_side: true, edges }
     }
 
     /// The screen's regions.
@@ -99,8 +103,9 @@ impl Config {
 
     /// As a report shows it.
     pub(crate) fn built(&self) -> Built {
-        let Config { size, renderers, side, queue, ring, strict, side_by_side } = *self;
-        Built { width: size.width(), height: size.height(), renderers, side, queue, ring, strict, side_by_side }
+        let Config { size, renderers, side, queue, ring, strict, side_by_side, edges } = *self;
+        let (width, height, edges) = (size.width(), size.height(), edges.name());
+        Built { width, height, renderers, side, queue, ring, strict, side_by_side, edges }
     }
 }
 
@@ -123,4 +128,6 @@ pub struct Built {
     pub strict: bool,
     /// Whether tree and memory may work on two instructions.
     pub side_by_side: bool,
+    /// The form in which edges are sent: `fixed`, `own` or `least`.
+    pub edges: &'static str,
 }

@@ -40,7 +40,7 @@ const PHASE: &str = "drawing";
 /// ```
 #[derive(Clone, Debug)]
 pub struct Machine {
-    config: Config,
+    pub(super) config: Config,
     engine: EngineKind,
 }
 
@@ -103,8 +103,13 @@ impl Machine {
     }
 
     /// What is to be done for each region, those with most primitives first.
-    fn works(&self, regions: &Regions, polygons: &Polygons, background: [u8; 3]) -> Result<Vec<Work>, Error> {
-        let Config { size, side, strict, .. } = self.config;
+    pub(super) fn works(
+        &self,
+        regions: &Regions,
+        polygons: &Polygons,
+        background: [u8; 3],
+    ) -> Result<Vec<Work>, Error> {
+        let Config { size, .. } = self.config;
         if polygons.size != size {
             let problem = format!("polygons of {} pixels, on a machine of {size}: set them up for that", polygons.size);
             return Err(ParameterError(problem).into());
@@ -114,8 +119,7 @@ impl Machine {
         // Stable: of equal ones the lower number is first.
         order.sort_by_key(|&region| std::cmp::Reverse(bins[region].len()));
         let work = |region: usize| {
-            let PixelBox { left, top, .. } = regions.pixels(region);
-            let bin = Bin { region, place: (left, top), side, strict };
+            let bin = Bin::new(region, regions, &self.config);
             Work::new(&bin, &bins[region], polygons, background)
         };
         Ok(order.into_iter().map(work).collect())

@@ -5,6 +5,7 @@ use std::fmt;
 use tilewright_rtl::pixel_planes::PERIOD;
 
 use super::bin::Work;
+use super::clocks::{ProgramClocks, Tally};
 use super::config::Built;
 use super::model::{RegionTiming, RendererTiming, RingTiming, Starved, Timing};
 
@@ -19,6 +20,8 @@ pub struct Report {
     pub regions: Vec<RegionReport>,
     /// What each renderer did.
     pub renderers: Vec<RendererReport>,
+    /// The clocks of the primitives drawn, by the programs that drew any.
+    pub programs: Vec<ProgramClocks>,
     /// What the ring brought.
     pub ring: RingReport,
     /// Where a renderer had to wait for an instruction first, if one had to.
@@ -118,12 +121,15 @@ impl Report {
             let regions = it.regions.len() as u64;
             RendererReport { regions, primitives: sum(0), drawn: sum(1), busy, starved, waited_for_store }
         };
+        let mut programs = Tally::default();
+        works.iter().for_each(|work| programs.add(work.programs));
         let RingTiming { instructions, planes, bits, .. } = timing.ring;
         Report {
             machine,
             primitives: primitives as u64,
             regions: works.iter().zip(&timing.regions).map(region).collect(),
             renderers: timing.renderers.iter().map(renderer).collect(),
+            programs: programs.used().collect(),
             ring: RingReport { instructions, planes, bits, load: timing.ring.load() },
             first_starved: timing.first_starved.map(|Starved { renderer, clock }| StarvedReport { renderer, clock }),
             drawn: timing.drawn,
@@ -162,11 +168,17 @@ impl Report {
 
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Built { width, height, renderers, side, queue, ring, strict, side_by_side } = self.machine;
+        let Built { width, height, renderers, side, queue, ring, strict, side_by_side, edges } = self.machine;
         writeln!(f, "pixel-planes-5, {renderers} renderers of {side}x{side} pixels: {width}x{height} pixels,")?;
         let rule = if strict { "strict" } else { "the least word stays" };
         let manner = if side_by_side { "side by side" } else { "one at a time" };
-        writeln!(f, "{rule}, instructions {manner}, queues of {queue} instructions, a ring of {ring} Mbit/s")?;
+        let edges = match edges {
+            "least" => "as least half-planes",
+            "own" => "in their own lengths",
+            _ => "in one length",
+        };
+        writeln!(f, "{rule}, edges {edges}, instructions {manner},")?;
+        writeln!(f, "queues of {queue} instructions, a ring of {ring} Mbit/s")?;
         let (regions, binned) = (self.regions.len(), self.binned());
         writeln!(f, "{} primitives, {binned} in the bins of {regions} regions\n", self.primitives)?;
 
@@ -185,6 +197,13 @@ impl fmt::Display for Report {
         }
         writeln!(f, "Starved: waiting for instructions; sending: waiting until the region before is sent.")?;
         writeln!(f, "The load of the renderers is {:.1} % balanced.\n", 100.0 * self.balance())?;
+
+        writeln!(f, "{:13} {:>8} {:>7} {:>7}", "program", "drawn", "N mean", "N most")?;
+        for it in &self.programs {
+            let ProgramClocks { program, primitives, most, .. } = it;
+            writeln!(f, "{program:<13} {primitives:>8} {:>7.1} {most:>7}", it.mean())?;
+        }
+        writeln!(f, "N is the clocks from a primitive's first operation to the next one's.\n")?;
 
         writeln!(
             f,

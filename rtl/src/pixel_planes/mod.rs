@@ -29,6 +29,7 @@
 //! | [`machine`] | renderers, ring, allocator and frame buffer |
 //! | [`fields`] | what is where in a pixel's memory |
 //! | [`programs`] | the instructions that draw triangles, polygons and vectors |
+//! | [`schedule`] | the clocks in which a controller takes them |
 //!
 //! All sums are exact modulo powers of two, so bit-serial evaluation gives the integers of the contract bit for bit (facts E0).
 
@@ -48,6 +49,7 @@ pub mod pixel;
 pub mod programs;
 pub mod renderer;
 pub mod ring;
+pub mod schedule;
 #[cfg(test)]
 mod testing;
 

@@ -4,7 +4,7 @@ use tilewright_scenes::golden::{render, render_strict};
 use tilewright_scenes::{Scene, Size, compare, project_polygons};
 
 use super::*;
-use crate::pixel_planes::allocate;
+use crate::pixel_planes::{Edges, allocate, scene_clocks};
 
 /// A scene's frame and report, which is that of the golden rasterizer.
 fn drawn(name: &str, size: (u32, u32), config: impl Fn(Config) -> Config) -> Report {
@@ -32,6 +32,41 @@ fn frames_are_golden_for_all_numbers_of_renderers_and_sizes_of_regions() {
         }
     }
     drawn("wireframe", (40, 30), |it| Config { renderers: 2, side: 16, ..it });
+}
+
+#[test]
+fn all_forms_of_edges_draw_the_same_and_the_least_is_the_fastest() {
+    let [fixed, own, least] = Edges::ALL.map(|edges| {
+        let report =
+            drawn("teapot", (40, 30), |it| Config { renderers: 2, side: 16, edges, side_by_side: false, ..it });
+        assert_eq!(report.machine.edges, edges.name());
+        report.renderers.iter().map(|it| it.busy).sum::<u64>()
+    });
+    assert!(least < own && own < fixed, "{least}, {own}, {fixed}");
+}
+
+/// The clocks of primitives are those of the schedule; a region takes its own beside them, and waits for its save.
+#[test]
+fn the_clocks_of_programs_are_those_of_the_renderers() {
+    let scene = Scene::builtin("teapot").expect("a built-in scene");
+    let polygons = project_polygons(&scene, Size::new(40, 30).expect("in range")).expect("in front");
+    for (strict, expected) in [(false, ["flat_least", "smooth_least"]), (true, ["flat_strict", "smooth_strict"])] {
+        let config = Config { renderers: 4, side: 16, strict, side_by_side: false, ..Config::new(polygons.size) };
+        let clocks = scene_clocks(&config, &polygons).expect("there are regions");
+        let report = drawn("teapot", (40, 30), |_| config.clone());
+        assert_eq!(report.programs, clocks.used().collect::<Vec<_>>());
+        assert_eq!(report.programs.iter().map(|it| it.program).collect::<Vec<_>>(), expected);
+        // One at a time a region is nothing but its primitives, 48 clocks that clear it and 48 that save it, and the way there and back.
+        let all: u64 = report.programs.iter().map(|it| it.clocks).sum();
+        let busy: u64 = report.renderers.iter().map(|it| it.busy).sum();
+        let first: Vec<_> = report.regions.iter().take(4).collect();
+        let alone = first.iter().map(|it| it.clocks - it.programs.used().map(|it| it.clocks).sum::<u64>());
+        let alone: Vec<u64> = alone.collect();
+        assert!(alone.iter().all(|clocks| *clocks == alone[0]), "{alone:?}");
+        assert!(all + alone[0] * report.regions.len() as u64 <= busy, "{all}, {alone:?}, {busy}");
+        let sum = |of: fn(&RegionReport) -> u64| report.regions.iter().map(of).sum::<u64>();
+        assert_eq!(report.programs.iter().map(|it| it.primitives).sum::<u64>(), sum(|it| it.drawn));
+    }
 }
 
 #[test]
