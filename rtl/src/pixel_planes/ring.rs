@@ -1,4 +1,4 @@
-//! The ring: brings instructions to the renderers and finished planes to the frame buffer, so many bits a clock in all (PP5-ARCH).
+//! The ring: brings instructions to the renderers and finished planes to the frame buffer, so many bits a clock in all (facts E3).
 //!
 //! ```text
 //!                 .------------------------.
@@ -17,7 +17,7 @@
 //! credit pays for, at most one to a receiver; where the next one has to wait for credit, so do all behind it.
 //!
 //! The credit grows by `rate` bits a clock, up to what one clock and a message that just had to wait need. So in any n clocks the ring brings
-//! less than n `rate` bits and one message more, and no fewer bits than it has while a message waits. An instruction costs all of its
+//! less than n `rate` bits and one message more, and while messages wait for credit none of these bits is lost. An instruction costs all of its
 //! bits, a plane a bit for each pixel of the line; where they go costs nothing. The planes of a line stay together, as the frame
 //! buffer takes them.
 //!
@@ -182,14 +182,14 @@ impl Ring {
         let most = self.most_credit();
         let credit = m.reg("credit", up_to(most)).reset(most);
         let last = m.reg("last", stations).reset(0);
-        net!(after = requests & !(last | (last - 1)));
-        net!(before = requests & (last | (last - 1)));
+        net!(behind_last = requests & !(last | (last - 1)));
+        net!(up_to_last = requests & (last | (last - 1)));
         let mut goes = vec![lit(1, 0); stations as usize];
         let mut turn = Turn { credit: *credit, waits: lit(1, 0), plane_goes: lit(1, 0), last: *last };
-        for part in [after, before] {
+        for (part, first_place) in [(behind_last, 0), (up_to_last, stations)] {
             for station in 0..stations {
-                let grant = self.visit(&mut turn, station, part.bit(station));
-                goes[station as usize] = goes[station as usize] | grant;
+                let grant = self.visit(&mut turn, station, part.bit(station), first_place + station);
+                goes[station as usize] |= grant;
             }
         }
         last.next(turn.last);
@@ -199,15 +199,15 @@ impl Ring {
         concat(&goes)
     }
 
-    /// Whether the request of a station, if it has one, goes.
-    fn visit(&self, turn: &mut Turn, station: u32, request: Signal) -> Signal {
+    /// Whether the request of a station, if it has one, goes; it is the one at that place of those that are visited in the clock.
+    fn visit(&self, turn: &mut Turn, station: u32, request: Signal, place: u32) -> Signal {
         let is_plane = station >= self.renderers;
         let bits = if is_plane { self.plane() } else { Ring::INSTRUCTION };
         let wants = request & !turn.waits & if is_plane { !turn.plane_goes } else { lit(1, 1) };
         let pays = turn.credit.ge(bits);
-        let goes = wants & pays;
+        let goes = (wants & pays).named(&format!("goes{place}"));
         turn.waits |= wants & !pays;
-        turn.credit = mux(goes, turn.credit - bits, turn.credit);
+        turn.credit = mux(goes, turn.credit - bits, turn.credit).named(&format!("credit{place}"));
         turn.last = mux(goes, lit(2 * self.renderers, 1 << station), turn.last);
         if is_plane {
             turn.plane_goes |= goes;

@@ -90,44 +90,39 @@ module ring_renderers2_side8_rate125 (
     wire requests_and = finished_1_valid & ((line_of == 2'd0) | line_of[1]); // rtl/src/pixel_planes/ring.rs:163
     wire requests_and_2 = finished_0_valid & ((line_of == 2'd0) | line_of[0]); // rtl/src/pixel_planes/ring.rs:163
     wire [3:0] requests = {requests_and, requests_and_2, requests_and_3, requests_and_4}; // rtl/src/pixel_planes/ring.rs:174
-    wire [3:0] after = requests & ~(last | (last - 4'd1));       // rtl/src/pixel_planes/ring.rs:185
-    wire granted_and_3 = after[0] & (credit < 9'd154);           // rtl/src/pixel_planes/ring.rs:209
-    wire granted_and_4 = after[1] & !granted_and_3;              // rtl/src/pixel_planes/ring.rs:206
-    wire granted_and_5 = after[0] & (credit >= 9'd154);          // rtl/src/pixel_planes/ring.rs:208
-    wire [8:0] granted_choice = granted_and_5 ? (credit - 9'd154) : credit; // rtl/src/pixel_planes/ring.rs:210
-    wire granted_or_3 = granted_and_3 | (granted_and_4 & (granted_choice < 9'd154)); // rtl/src/pixel_planes/ring.rs:209
-    wire granted_and_6 = after[2] & !granted_or_3;               // rtl/src/pixel_planes/ring.rs:206
-    wire granted_and_7 = granted_and_4 & (granted_choice >= 9'd154); // rtl/src/pixel_planes/ring.rs:208
-    wire [8:0] granted_choice_2 = granted_and_7 ? (granted_choice - 9'd154) : granted_choice; // rtl/src/pixel_planes/ring.rs:210
-    wire granted_or_2 = granted_or_3 | (granted_and_6 & (granted_choice_2 < 9'd8)); // rtl/src/pixel_planes/ring.rs:209
-    wire granted_and_8 = granted_and_6 & (granted_choice_2 >= 9'd8); // rtl/src/pixel_planes/ring.rs:208
-    wire granted_and_2 = after[3] & !granted_or_2 & !granted_and_8; // rtl/src/pixel_planes/ring.rs:206
-    wire [8:0] granted_choice_3 = granted_and_8 ? (granted_choice_2 - 9'd8) : granted_choice_2; // rtl/src/pixel_planes/ring.rs:210
-    wire granted_and = granted_and_2 & (granted_choice_3 >= 9'd8); // rtl/src/pixel_planes/ring.rs:208
-    wire [3:0] before_ = requests & (last | (last - 4'd1));      // rtl/src/pixel_planes/ring.rs:186
-    wire granted_or_6 = granted_or_2 | (granted_and_2 & (granted_choice_3 < 9'd8)); // rtl/src/pixel_planes/ring.rs:209
-    wire granted_and_11 = before_[0] & !granted_or_6;            // rtl/src/pixel_planes/ring.rs:206
-    wire [8:0] granted_choice_4 = granted_and ? (granted_choice_3 - 9'd8) : granted_choice_3; // rtl/src/pixel_planes/ring.rs:210
-    wire granted_or_5 = granted_or_6 | (granted_and_11 & (granted_choice_4 < 9'd154)); // rtl/src/pixel_planes/ring.rs:209
-    wire granted_and_12 = before_[1] & !granted_or_5;            // rtl/src/pixel_planes/ring.rs:206
-    wire granted_and_13 = granted_and_11 & (granted_choice_4 >= 9'd154); // rtl/src/pixel_planes/ring.rs:208
-    wire [8:0] granted_choice_5 = granted_and_13 ? (granted_choice_4 - 9'd154) : granted_choice_4; // rtl/src/pixel_planes/ring.rs:210
-    wire granted_or_4 = granted_or_5 | (granted_and_12 & (granted_choice_5 < 9'd154)); // rtl/src/pixel_planes/ring.rs:209
-    wire granted_or_7 = granted_and_8 | granted_and;             // rtl/src/pixel_planes/ring.rs:213
-    wire granted_and_14 = before_[2] & !granted_or_4 & !granted_or_7; // rtl/src/pixel_planes/ring.rs:206
-    wire granted_and_15 = granted_and_12 & (granted_choice_5 >= 9'd154); // rtl/src/pixel_planes/ring.rs:208
-    wire [8:0] granted_choice_6 = granted_and_15 ? (granted_choice_5 - 9'd154) : granted_choice_5; // rtl/src/pixel_planes/ring.rs:210
-    wire granted_inverse = !(granted_or_4 | (granted_and_14 & (granted_choice_6 < 9'd8))); // rtl/src/pixel_planes/ring.rs:206
-    wire granted_and_16 = granted_and_14 & (granted_choice_6 >= 9'd8); // rtl/src/pixel_planes/ring.rs:208
-    wire granted_inverse_2 = !(granted_or_7 | granted_and_16);   // rtl/src/pixel_planes/ring.rs:206
-    wire granted_and_10 = before_[3] & granted_inverse & granted_inverse_2; // rtl/src/pixel_planes/ring.rs:206
-    wire [8:0] granted_choice_7 = granted_and_16 ? (granted_choice_6 - 9'd8) : granted_choice_6; // rtl/src/pixel_planes/ring.rs:210
-    wire granted_and_9 = granted_and_10 & (granted_choice_7 >= 9'd8); // rtl/src/pixel_planes/ring.rs:208
-    wire granted_or = granted_and | granted_and_9;               // rtl/src/pixel_planes/ring.rs:192
-    wire granted_or_8 = granted_and_8 | granted_and_16;          // rtl/src/pixel_planes/ring.rs:192
-    wire granted_or_9 = granted_and_7 | granted_and_15;          // rtl/src/pixel_planes/ring.rs:192
-    wire granted_or_10 = granted_and_5 | granted_and_13;         // rtl/src/pixel_planes/ring.rs:192
-    wire [3:0] granted = {granted_or, granted_or_8, granted_or_9, granted_or_10}; // rtl/src/pixel_planes/ring.rs:148
+    wire [3:0] behind_last = requests & ~(last | (last - 4'd1)); // rtl/src/pixel_planes/ring.rs:185
+    wire goes1_and_2 = behind_last[0] & (credit < 9'd154);       // rtl/src/pixel_planes/ring.rs:209
+    wire goes1_and = behind_last[1] & !goes1_and_2;              // rtl/src/pixel_planes/ring.rs:206
+    wire goes0 = behind_last[0] & (credit >= 9'd154);            // rtl/src/pixel_planes/ring.rs:208
+    wire [8:0] credit0 = goes0 ? (credit - 9'd154) : credit;     // rtl/src/pixel_planes/ring.rs:210
+    wire goes2_or = goes1_and_2 | (goes1_and & (credit0 < 9'd154)); // rtl/src/pixel_planes/ring.rs:209
+    wire goes2_and = behind_last[2] & !goes2_or;                 // rtl/src/pixel_planes/ring.rs:206
+    wire goes1 = goes1_and & (credit0 >= 9'd154);                // rtl/src/pixel_planes/ring.rs:208
+    wire [8:0] credit1 = goes1 ? (credit0 - 9'd154) : credit0;   // rtl/src/pixel_planes/ring.rs:210
+    wire goes3_or = goes2_or | (goes2_and & (credit1 < 9'd8));   // rtl/src/pixel_planes/ring.rs:209
+    wire goes2 = goes2_and & (credit1 >= 9'd8);                  // rtl/src/pixel_planes/ring.rs:208
+    wire goes3_and = behind_last[3] & !goes3_or & !goes2;        // rtl/src/pixel_planes/ring.rs:206
+    wire [8:0] credit2 = goes2 ? (credit1 - 9'd8) : credit1;     // rtl/src/pixel_planes/ring.rs:210
+    wire goes3 = goes3_and & (credit2 >= 9'd8);                  // rtl/src/pixel_planes/ring.rs:208
+    wire [3:0] up_to_last = requests & (last | (last - 4'd1));   // rtl/src/pixel_planes/ring.rs:186
+    wire goes4_or = goes3_or | (goes3_and & (credit2 < 9'd8));   // rtl/src/pixel_planes/ring.rs:209
+    wire goes4_and = up_to_last[0] & !goes4_or;                  // rtl/src/pixel_planes/ring.rs:206
+    wire [8:0] credit3 = goes3 ? (credit2 - 9'd8) : credit2;     // rtl/src/pixel_planes/ring.rs:210
+    wire goes5_or = goes4_or | (goes4_and & (credit3 < 9'd154)); // rtl/src/pixel_planes/ring.rs:209
+    wire goes5_and = up_to_last[1] & !goes5_or;                  // rtl/src/pixel_planes/ring.rs:206
+    wire goes4 = goes4_and & (credit3 >= 9'd154);                // rtl/src/pixel_planes/ring.rs:208
+    wire [8:0] credit4 = goes4 ? (credit3 - 9'd154) : credit3;   // rtl/src/pixel_planes/ring.rs:210
+    wire goes6_or = goes5_or | (goes5_and & (credit4 < 9'd154)); // rtl/src/pixel_planes/ring.rs:209
+    wire goes6_or_2 = goes2 | goes3;                             // rtl/src/pixel_planes/ring.rs:213
+    wire goes6_and = up_to_last[2] & !goes6_or & !goes6_or_2;    // rtl/src/pixel_planes/ring.rs:206
+    wire goes5 = goes5_and & (credit4 >= 9'd154);                // rtl/src/pixel_planes/ring.rs:208
+    wire [8:0] credit5 = goes5 ? (credit4 - 9'd154) : credit4;   // rtl/src/pixel_planes/ring.rs:210
+    wire goes7_inverse = !(goes6_or | (goes6_and & (credit5 < 9'd8))); // rtl/src/pixel_planes/ring.rs:206
+    wire goes6 = goes6_and & (credit5 >= 9'd8);                  // rtl/src/pixel_planes/ring.rs:208
+    wire goes7_and = up_to_last[3] & goes7_inverse & !(goes6_or_2 | goes6); // rtl/src/pixel_planes/ring.rs:206
+    wire [8:0] credit6 = goes6 ? (credit5 - 9'd8) : credit5;     // rtl/src/pixel_planes/ring.rs:210
+    wire goes7 = goes7_and & (credit6 >= 9'd8);                  // rtl/src/pixel_planes/ring.rs:208
+    wire [3:0] granted = {goes3 | goes7, goes2 | goes6, goes1 | goes5, goes0 | goes4}; // rtl/src/pixel_planes/ring.rs:148
     assign bins_0_ready = granted[0];                            // rtl/src/pixel_planes/ring.rs:153
     assign bins_1_ready = granted[1];                            // rtl/src/pixel_planes/ring.rs:153
     wire [1:0] of_plane = granted[3:2];                          // rtl/src/pixel_planes/ring.rs:160
@@ -140,8 +135,8 @@ module ring_renderers2_side8_rate125 (
     assign planes_plane = of_plane[1] ? finished_1_plane : finished_0_plane; // rtl/src/pixel_planes/ring.rs:167
     assign planes_valid = |of_plane;                             // rtl/src/pixel_planes/ring.rs:168
     wire line_ends = planes_plane == 6'd47;                      // rtl/src/pixel_planes/ring.rs:170
-    wire [8:0] credit_choice = granted_and_9 ? (granted_choice_7 - 9'd8) : granted_choice_7; // rtl/src/pixel_planes/ring.rs:210
-    wire [8:0] credit_sum = credit_choice + 9'd125;              // rtl/src/pixel_planes/ring.rs:196
+    wire [8:0] credit7 = goes7 ? (credit6 - 9'd8) : credit6;     // rtl/src/pixel_planes/ring.rs:210
+    wire [8:0] credit_sum = credit7 + 9'd125;                    // rtl/src/pixel_planes/ring.rs:196
 
     genvar i;
 
@@ -171,14 +166,14 @@ module ring_renderers2_side8_rate125 (
             end
             if (credit_sum > 9'd278) credit <= 9'd278;
             else credit <= credit_sum;
-            if (granted_and_9) last <= 4'd8;
-            else if (granted_and_16) last <= 4'd4;
-            else if (granted_and_15) last <= 4'd2;
-            else if (granted_and_13) last <= 4'd1;
-            else if (granted_and) last <= 4'd8;
-            else if (granted_and_8) last <= 4'd4;
-            else if (granted_and_7) last <= 4'd2;
-            else if (granted_and_5) last <= 4'd1;
+            if (goes7) last <= 4'd8;
+            else if (goes6) last <= 4'd4;
+            else if (goes5) last <= 4'd2;
+            else if (goes4) last <= 4'd1;
+            else if (goes3) last <= 4'd8;
+            else if (goes2) last <= 4'd4;
+            else if (goes1) last <= 4'd2;
+            else if (goes0) last <= 4'd1;
         end
     end
 
