@@ -4,6 +4,7 @@ mod gfb;
 mod lfb;
 mod merger;
 mod pixel_planes;
+mod pixelflow;
 mod quadtree;
 mod shared;
 mod vc1;
@@ -33,6 +34,8 @@ pub const ENTRIES: &[Entry] = &[
     quadtree::QUADTREE_PIXEL,
     quadtree::VIDEO_BUFFER,
     quadtree::VIDEO_CONTROLLER,
+    pixel_planes::PIXEL_PLANES_5,
+    pixel_planes::RING,
     pixel_planes::RENDERER,
     pixel_planes::IMAGE_GENERATION_CONTROLLER,
     pixel_planes::LINEAR_TREE,
@@ -40,6 +43,8 @@ pub const ENTRIES: &[Entry] = &[
     pixel_planes::BACKING_STORE,
     pixel_planes::REGION_ALLOCATOR,
     pixel_planes::FRAME_BUFFER,
+    pixelflow::NETWORK_PORT,
+    pixelflow::COMPOSITOR,
 ];
 
 /// The entry of that name.
