@@ -94,7 +94,10 @@ impl Materials {
         let refuse = |problem: String, remedy: &str| Err(SceneError::invalid(problem, remedy));
         let (given, materials) = (self.mappings.len(), self.materials.len());
         if given != triangles {
-            return refuse(format!("{given} triangles have a material, and the mesh has {triangles}"), "give one to each");
+            return refuse(
+                format!("{given} triangles have a material, and the mesh has {triangles}"),
+                "give one to each",
+            );
         }
         if !(1..=MOST_MATERIALS).contains(&materials) {
             return refuse(format!("the mesh has {materials} materials"), "give 1 to 255");
@@ -140,7 +143,10 @@ mod tests {
                 "3 triangles have a material, and the mesh has 2: give one to each",
             ),
             (refused(Materials { materials: Vec::new(), ..plain() }), "the mesh has 0 materials: give 1 to 255"),
-            (refused(Materials { materials: vec![default; 256], ..plain() }), "the mesh has 256 materials: give 1 to 255"),
+            (
+                refused(Materials { materials: vec![default; 256], ..plain() }),
+                "the mesh has 256 materials: give 1 to 255",
+            ),
             (
                 of(Material { specular: 1.5, ..default }),
                 "the brightness of highlights is 1.5: give a number from 0 to 1",

@@ -44,16 +44,17 @@ impl Frame {
             remedy: remedy.to_owned(),
         };
         let bytes = read_bytes(path, &input::PICTURE)?;
-        let picture = decoded(&bytes, |width, height| Size::new(width, height).is_ok()).map_err(|unreadable| {
-            match unreadable {
-                Unreadable::NoPng => wrong("is not a PNG file".to_owned(), "name a PNG file"),
-                Unreadable::Damaged => wrong("is a damaged PNG file".to_owned(), "make it again, or name another"),
-                Unreadable::Size(width, height) => wrong(
-                    format!("holds {width}x{height} pixels, and a frame has at most 2048x2048"),
-                    "name a smaller picture",
-                ),
-            }
-        })?;
+        let picture =
+            decoded(&bytes, |width, height| Size::new(width, height).is_ok()).map_err(
+                |unreadable| match unreadable {
+                    Unreadable::NoPng => wrong("is not a PNG file".to_owned(), "name a PNG file"),
+                    Unreadable::Damaged => wrong("is a damaged PNG file".to_owned(), "make it again, or name another"),
+                    Unreadable::Size(width, height) => wrong(
+                        format!("holds {width}x{height} pixels, and a frame has at most 2048x2048"),
+                        "name a smaller picture",
+                    ),
+                },
+            )?;
         let size = Size::new(picture.width(), picture.height())?;
         let mut frame = Frame::blank(size, [0; 3]);
         for (word, pixel) in frame.words.iter_mut().zip(picture.pixels()) {

@@ -109,7 +109,10 @@ mod tests {
     fn a_texture_has_as_many_texels_as_its_level_says() {
         let refused = |level, count| Texture::new(level, vec![[0; 3]; count]).unwrap_err().to_string();
         assert_eq!(refused(1, 3), "a texture of level 1 has 3 texels: give 4^level texels, level at most 10");
-        assert_eq!(refused(11, 1 << 22), "a texture of level 11 has 4194304 texels: give 4^level texels, level at most 10");
+        assert_eq!(
+            refused(11, 1 << 22),
+            "a texture of level 11 has 4194304 texels: give 4^level texels, level at most 10"
+        );
         assert_eq!(Texture::new(0, vec![[9; 3]]).unwrap().level(), 0);
     }
 }

@@ -83,13 +83,12 @@ impl Parts {
         }
     }
 
-    /// Each patch has the whole texture.
     fn teapot(&mut self) {
         let first = self.positions.len() as u32;
-        let (teapot, side) = (teapot::mesh(CUTS), CUTS + 1);
-        for (i, (&position, &normal)) in (0..).zip(teapot.positions().iter().zip(teapot.normals())) {
-            let (row, column) = (i % (side * side) / side, i % side);
-            self.vertex(position, normal, dvec2(column.into(), row.into()) / f64::from(CUTS));
+        let teapot = teapot::mesh(CUTS);
+        let coordinates = &teapot.materials().expect("the teapot has texture coordinates").coordinates;
+        for ((&position, &normal), &uv) in teapot.positions().iter().zip(teapot.normals()).zip(coordinates) {
+            self.vertex(position, normal, uv);
         }
         for triangle in teapot.triangles() {
             self.triangle(triangle.positions.map(|i| first + i), MARBLE, [0.98, 0.97, 0.94]);

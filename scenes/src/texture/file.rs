@@ -18,17 +18,24 @@ pub(crate) fn read(path: &Path) -> Result<Texture, Wrong> {
     let wrong = |problem: String, remedy: &str| (problem, remedy.to_owned());
     let name = shown(path);
     if !path.exists() {
-        return Err(wrong(format!("there is no texture {name}"), "correct the path, which is relative to this file's folder"));
+        return Err(wrong(
+            format!("there is no texture {name}"),
+            "correct the path, which is relative to this file's folder",
+        ));
     }
     let bytes = read_bytes(path, &input::TEXTURE).map_err(|error| split(&error))?;
-    let picture = decoded(&bytes, |width, height| level(width, height).is_some()).map_err(|unreadable| match unreadable {
-        Unreadable::NoPng => wrong(format!("the texture {name} is not a PNG file"), "convert it to PNG"),
-        Unreadable::Damaged => wrong(format!("the texture {name} is a damaged PNG file"), "make it again"),
-        Unreadable::Size(width, height) => (
-            format!("the texture {name} has {width}x{height} pixels"),
-            format!("scale it to {0}x{0}: a texture is a square of a power of two, up to 1024", fitting(width, height)),
-        ),
-    })?;
+    let picture =
+        decoded(&bytes, |width, height| level(width, height).is_some()).map_err(|unreadable| match unreadable {
+            Unreadable::NoPng => wrong(format!("the texture {name} is not a PNG file"), "convert it to PNG"),
+            Unreadable::Damaged => wrong(format!("the texture {name} is a damaged PNG file"), "make it again"),
+            Unreadable::Size(width, height) => (
+                format!("the texture {name} has {width}x{height} pixels"),
+                format!(
+                    "scale it to {0}x{0}: a texture is a square of a power of two, up to 1024",
+                    fitting(width, height)
+                ),
+            ),
+        })?;
     let side = picture.width();
     // A picture begins with its uppermost row, and a texture with its lowest.
     let texels = picture.rows().rev().flatten().map(|pixel| pixel.0).collect();

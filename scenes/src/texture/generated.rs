@@ -88,8 +88,7 @@ fn smooth(t: u32) -> u32 {
 /// A mix of three numbers' bits.
 fn hash(x: u32, y: u32, seed: u32) -> u32 {
     let start = x.wrapping_mul(0x9e37_79b1) ^ y.wrapping_mul(0x85eb_ca77) ^ seed.wrapping_mul(0xc2b2_ae3d);
-    [15, 13, 16].iter().fold(start, |bits, &shift| (bits ^ (bits >> shift)).wrapping_mul(0x2c1b_3c6d))
-        >> 8
+    [15, 13, 16].iter().fold(start, |bits, &shift| (bits ^ (bits >> shift)).wrapping_mul(0x2c1b_3c6d)) >> 8
 }
 
 #[cfg(test)]

@@ -56,7 +56,9 @@ fn eight_samples_are_two_ordinary_passes() {
     let frame = golden::render_deferred(&deferred);
     for (x, y) in (0..48).flat_map(|y| (0..64).map(move |x| (x, y))) {
         let mut sums = [0_u32; 3];
-        for (words, dx, dy) in words.iter().flat_map(|words| [(words, 0, 0), (words, 1, 0), (words, 0, 1), (words, 1, 1)]) {
+        for (words, dx, dy) in
+            words.iter().flat_map(|words| [(words, 0, 0), (words, 1, 0), (words, 0, 1), (words, 1, 1)])
+        {
             let colour = deferred.shader.shade(words[(2 * y + dy) * 128 + 2 * x + dx]);
             sums.iter_mut().zip(colour).for_each(|(sum, channel)| *sum += u32::from(channel));
         }
@@ -150,5 +152,8 @@ fn built_in_scenes_are_pinned() {
         eight(Shading::EachSample),
         eight(Shading::OncePerPixel),
     ];
-    assert_eq!(found.map(|sum| format!("{sum:016x}")), ["1aad50b680f4023f", "676def41a4565ed6", "c7c667eaba3bf804", "68e980e0c06ed698"]);
+    assert_eq!(
+        found.map(|sum| format!("{sum:016x}")),
+        ["1aad50b680f4023f", "676def41a4565ed6", "c7c667eaba3bf804", "68e980e0c06ed698"]
+    );
 }

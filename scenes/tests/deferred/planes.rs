@@ -6,7 +6,8 @@ use std::sync::{Arc, LazyLock};
 use tilewright_scenes::deferred::{AppearanceVertex, Samples, Shading, project_deferred, set_up_appearance};
 use tilewright_scenes::packet::{FARTHEST_VERTEX, NEAREST_VERTEX};
 use tilewright_scenes::{
-    Camera, Lighting, Mapping, Material, Materials, Mesh, MeshTriangle, Scene, ScreenVertex, Size, Texture, golden, set_up,
+    Camera, Lighting, Mapping, Material, Materials, Mesh, MeshTriangle, Scene, ScreenVertex, Size, Texture, golden,
+    set_up,
 };
 
 static CHECKER: LazyLock<Arc<Texture>> = LazyLock::new(|| Arc::new(Texture::generated("checker").unwrap()));
@@ -29,9 +30,9 @@ fn vertex() -> impl Strategy<Value = AppearanceVertex> {
     let component = || prop_oneof![3 => -32767..=32767_i16, 1 => Just(32767), 1 => Just(-32767), 1 => -2..=2_i16];
     let part = || prop_oneof![3 => any::<u16>(), 1 => Just(0), 1 => Just(u16::MAX)];
     let at = (position(), position(), NEAREST_VERTEX..=FARTHEST_VERTEX, any::<[u8; 3]>());
-    (at, [component(), component(), component()], [part(), part()], part()).prop_map(|((x, y, z, rgb), normal, uv, scale)| {
-        AppearanceVertex { at: ScreenVertex { x, y, z, rgb }, normal, uv, scale }
-    })
+    (at, [component(), component(), component()], [part(), part()], part()).prop_map(
+        |((x, y, z, rgb), normal, uv, scale)| AppearanceVertex { at: ScreenVertex { x, y, z, rgb }, normal, uv, scale },
+    )
 }
 
 fn pixels() -> impl Iterator<Item = (u32, u32)> {
@@ -119,7 +120,12 @@ fn scene(corners: &[(f64, f64, f64, f64, f64)]) -> Scene {
     };
     Scene {
         mesh: mesh.with_materials(materials).unwrap(),
-        camera: Camera { eye: [0.0, 0.0, 0.0].into(), target: [0.0, 0.0, -1.0].into(), up: [0.0, 1.0, 0.0].into(), fov: 70.0 },
+        camera: Camera {
+            eye: [0.0, 0.0, 0.0].into(),
+            target: [0.0, 0.0, -1.0].into(),
+            up: [0.0, 1.0, 0.0].into(),
+            fov: 70.0,
+        },
         lighting: Lighting { ambient: 1.0, lights: Vec::new() },
         ..Scene::builtin("star").unwrap()
     }

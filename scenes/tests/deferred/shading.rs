@@ -35,7 +35,11 @@ fn direction() -> impl Strategy<Value = [i16; 3]> {
 }
 
 fn light() -> impl Strategy<Value = ShaderLight> {
-    (direction(), direction(), any::<u8>()).prop_map(|(direction, half, brightness)| ShaderLight { direction, half, brightness })
+    (direction(), direction(), any::<u8>()).prop_map(|(direction, half, brightness)| ShaderLight {
+        direction,
+        half,
+        brightness,
+    })
 }
 
 fn shader() -> impl Strategy<Value = Shader> {
@@ -128,7 +132,9 @@ fn a_colour_is_the_sum_of_its_parts() {
         materials: vec![lit, ShaderMaterial { is_lit: false, ..lit }],
         textures: Vec::new(),
     };
-    let of = |material, normal| Appearance::from(Parameters { normal, rgb: [200, 100, 0], material, ..Parameters::default() });
+    let of = |material, normal| {
+        Appearance::from(Parameters { normal, rgb: [200, 100, 0], material, ..Parameters::default() })
+    };
     // The unit normal is 4095, the cosine floor(4095 255 / 256) = 4079, diffuse 30 + floor(128 4080 / 4096) = 157; the cosine's power 32
     // is 3574, so the highlight is floor(111 52 / 256) = 22.
     assert_eq!(shader.shade(of(0, [0, 0, -32767])), [123 + 22, 61 + 22, 22]);
@@ -144,7 +150,8 @@ fn a_colour_is_the_sum_of_its_parts() {
 fn samples_in_part_covered_are_mixed_with_the_background() {
     let materials = vec![ShaderMaterial::default(), ShaderMaterial::default()];
     let shader = Shader { background: [80, 0, 255], ambient: 0, lights: Vec::new(), materials, textures: Vec::new() };
-    let of = |z, red, material| Appearance::from(Parameters { z, rgb: [red, 10, 255], material, ..Parameters::default() });
+    let of =
+        |z, red, material| Appearance::from(Parameters { z, rgb: [red, 10, 255], material, ..Parameters::default() });
     let (near, far, other) = (of(5, 100, 0), of(6, 20, 0), of(9, 0, 1));
     let samples = [near, far, near, Appearance::EMPTY, near, other, far, near];
     // (5 100 + 2 20 + 4) / 8 = 68 and 10 of background; (7 10 + 4) / 8; (7 255 + 4) / 8 = 223 and 32.

@@ -7,6 +7,7 @@ mod lines;
 mod mesh_file;
 mod scene_file;
 mod text;
+mod textures;
 
 use std::fs;
 use std::path::{Path, PathBuf};
