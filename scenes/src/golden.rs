@@ -4,8 +4,10 @@
 //! no increments and no tree, over each pixel of a polygon's box, so that it can be checked by reading.
 
 mod deferred;
+mod samples;
 
-pub use deferred::{average_eight, render_deferred, render_deferred_watched, visible};
+pub use deferred::{render_deferred, render_deferred_watched, visible};
+pub use samples::{average_eight, render_samples, render_samples_watched};
 
 use crate::frame::{Frame, depth_of, rgb_of, word};
 use crate::packet::*;

@@ -41,7 +41,7 @@ pub use mesh::{BoundingBox, Mesh, MeshLine, MeshTriangle, smooth_normals};
 pub use output::{Place, WholeFile, behind_links, write_whole};
 pub use packet::{Edge, Packet, PixelBox, Plane, Polygon, ScreenVertex, Triangle};
 pub use polygon::{set_up_polygon, set_up_polygon_of_any_size};
-pub use project::{Counts, Polygons, Projection, project, project_polygons, project_sample};
+pub use project::{Counts, Polygons, Projection, project, project_polygons, project_sample, project_samples};
 pub use quote::{escape, quote};
 pub use scene::Scene;
 pub use setup::{pixel_bounds, set_up, signed_area2};

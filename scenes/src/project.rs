@@ -9,6 +9,7 @@
 
 use crate::camera::View;
 use crate::clip::ViewVertex;
+use crate::deferred::Samples;
 use crate::error::SceneError;
 use crate::light::{Lighting, facing};
 use crate::line::{line_corners, set_up_line};
@@ -113,6 +114,14 @@ pub fn project_sample(scene: &Scene, size: Size, shift: [i32; 2]) -> Result<Proj
         is_drawn
     });
     Ok(Projection { size, triangles, vertices, counts })
+}
+
+/// Projects a scene for all samples of its pixels: once, or for eight samples twice at doubled width and height.
+///
+/// # Errors
+/// As [`project`]; also if the screen is too large for eight samples.
+pub fn project_samples(scene: &Scene, size: Size, samples: Samples) -> Result<Vec<Projection>, SceneError> {
+    samples.passes(size)?.into_iter().map(|(size, shift)| project_sample(scene, size, shift)).collect()
 }
 
 /// Projects a scene onto a screen, each face of its mesh as one polygon where [`set_up_polygon`](crate::set_up_polygon) makes one of it. Few tilted faces

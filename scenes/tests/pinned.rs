@@ -80,3 +80,20 @@ fn star() {
         counts: Counts { polygons: 266, lines: 266, drawn: 266, ..Counts::default() },
     });
 }
+
+#[test]
+fn textured() {
+    check(&Pinned {
+        name: "textured",
+        mesh: 0x4b8c_30fb_7a02_a296,
+        frame: 0x4065_2865_dd06_542b,
+        counts: Counts {
+            polygons: 6018,
+            drawn: 5896,
+            degenerate: 65,
+            between_centres: 57,
+            split: 1,
+            ..Counts::default()
+        },
+    });
+}

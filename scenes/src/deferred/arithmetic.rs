@@ -68,7 +68,7 @@ pub fn power(cosine: u16, squarings: u8) -> u16 {
 /// assert_eq!((brightness_at(200, MOST_COSINE), brightness_at(200, 2047), brightness_at(200, 0)), (200, 100, 0));
 /// ```
 pub fn brightness_at(brightness: u8, cosine: u16) -> u8 {
-    (u32::from(brightness) * (u32::from(cosine) + 1) >> UNIT_BITS) as u8
+    ((u32::from(brightness) * (u32::from(cosine) + 1)) >> UNIT_BITS) as u8
 }
 
 /// The product of two numbers of which 255 is 1: `floor(a (b + 1) / 2^8)`. Exactly a where b is 255, and b where a is.
@@ -79,7 +79,7 @@ pub fn brightness_at(brightness: u8, cosine: u16) -> u8 {
 /// assert_eq!((product(90, 255), product(255, 90), product(90, 0), product(90, 127)), (90, 90, 0, 45));
 /// ```
 pub fn product(a: u8, b: u8) -> u8 {
-    (u16::from(a) * (u16::from(b) + 1) >> 8) as u8
+    ((u16::from(a) * (u16::from(b) + 1)) >> 8) as u8
 }
 
 /// The sum, but at most 255.
@@ -140,7 +140,7 @@ pub fn level_at(level: u8, scale: u16) -> u16 {
 /// assert_eq!((between(10, 20, 0), between(10, 20, 128), between(20, 10, 255), between(7, 7, 99)), (10, 15, 10, 7));
 /// ```
 pub fn between(a: u8, b: u8, weight: u8) -> u8 {
-    (u16::from(a) * (256 - u16::from(weight)) + u16::from(b) * u16::from(weight) >> 8) as u8
+    ((u16::from(a) * (256 - u16::from(weight)) + u16::from(b) * u16::from(weight)) >> 8) as u8
 }
 
 #[cfg(test)]

@@ -108,18 +108,18 @@ impl Shader {
         let sum = |of: &dyn Fn(Parameters) -> i32| covered().map(of).sum::<i32>();
         let parameters = Parameters {
             normal: [0, 1, 2].map(|i| (sum(&|p| p.normal[i].into()) >> 3) as i16),
-            rgb: [0, 1, 2].map(|i| (sum(&|p| p.rgb[i].into()) + 4 >> 3) as u8),
+            rgb: [0, 1, 2].map(|i| ((sum(&|p| p.rgb[i].into()) + 4) >> 3) as u8),
             ..nearest
         };
         let material = self.materials[usize::from(parameters.material)];
         let base = self.base(&parameters, material);
         let count = covered().count() as u16;
-        let behind = self.background.map(|channel| u16::from(channel) * (8 - count) + 4 >> 3);
+        let behind = self.background.map(|channel| (u16::from(channel) * (8 - count) + 4) >> 3);
         let Reflected { diffuse, specular } = match material.is_lit {
             true => self.reflected(parameters.normal, material),
             false => Reflected { diffuse: 255, specular: 0 },
         };
-        let highlight = u16::from(specular) * count >> 3;
+        let highlight = (u16::from(specular) * count) >> 3;
         [0, 1, 2].map(|i| saturated(u16::from(product(base[i], diffuse)) + highlight + behind[i]))
     }
 
