@@ -49,7 +49,8 @@ proptest! {
         let corners = v.map(|v| v.at);
         prop_assert_eq!(packet.as_ref().map(|packet| packet.triangle.clone()), set_up(&corners, screen()));
         let Some(packet) = packet else { return Ok(()) };
-        for (x, y) in pixels().filter(|&(x, y)| packet.triangle.covers(x, y)) {
+        for (x, y) in pixels().filter(|&(x, y)| oracle::covers(&corners, x, y)) {
+            prop_assert!(packet.triangle.covers(x, y));
             let found = packet.word(x, y).parameters();
             let values = |of: &dyn Fn(&AppearanceVertex) -> i128| [of(&v[0]), of(&v[1]), of(&v[2])];
             let all = [
