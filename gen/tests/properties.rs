@@ -27,8 +27,7 @@ impl Looking {
     fn build(&self, m: Module, i: LookingIn) -> LookingOut {
         let counted = m.reg("counted", 4).initial(9).attribute("keep", "true");
         counted.when(i.count, counted + 1);
-        let words =
-            m.memory("words", 16, 8, ReadUnderWrite::Old).attribute("ram_style", "\"block\"").fill(Bits::new(8, 1));
+        let words = m.memory("words", 16, 8, ReadUnderWrite::Old).attribute("ram_style", "\"block\"").fill(1);
         words.write(i.count, *counted, lit(8, 7));
         let held = m.reg("held", bits(8).of(row(3))).initial(7);
         held.next(i.x);

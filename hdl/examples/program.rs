@@ -29,12 +29,16 @@ block! {
 impl Run {
     fn build(&self, m: Module, i: RunIn) -> RunOut {
         let layout = Step { alu: one_of::<Alu>(), operand: bits(8), more: bits(2), ends: bit() };
-        let program = m.memory("program", 4, layout, ReadUnderWrite::Any).words([
-            step(Alu::Load, 3),
-            step(Alu::Add, 5),
-            Step { more: 2, ..step(Alu::Double, 0) },
-            Step { ends: 1, ..step(Alu::Add, 100) },
-        ]);
+        let program = m.rom(
+            "program",
+            layout,
+            [
+                step(Alu::Load, 3),
+                step(Alu::Add, 5),
+                Step { more: 2, ..step(Alu::Double, 0) },
+                Step { ends: 1, ..step(Alu::Add, 100) },
+            ],
+        );
         let busy = m.reg("busy", bit()).reset(0);
         let at = m.reg("at", program.address_width()).reset(0);
         let done = m.reg("done", 2).reset(0);

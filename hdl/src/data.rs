@@ -275,7 +275,7 @@ pub(crate) fn number_of_field(number: &Literal, name: impl FnOnce() -> String, (
         Kind::Code(names) => Problem::new(loc, format!("`{number}` is no code of `{}`, as {name} is", names.of)),
         _ => Problem::new(loc, format!("`{number}` does not fit in the {} of {name}", bits_text(width))),
     };
-    elaboration::with(|e| e.report(problem.help("a number of a record takes the width of its field, and its sign")));
+    elaboration::with(|e| e.report(problem.help("a number takes the width of what is declared, and its sign")));
     Bits::zero(width)
 }
 

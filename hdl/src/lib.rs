@@ -70,6 +70,7 @@ mod circuit;
 pub mod clock;
 mod codes;
 mod compare;
+mod contents;
 mod data;
 mod declare;
 mod draft;

@@ -1,10 +1,9 @@
 //! Memories: any number of read and write ports, each on its clock.
 
-use crate::bits::Bits;
 use crate::clock::Clock;
 use crate::data::Data;
 use crate::elaboration;
-use crate::ir::{Contents, Kind, MemoryId, Op, ReadPort, WritePort};
+use crate::ir::{Kind, MemoryId, Op, ReadPort, WritePort};
 use crate::loc::Loc;
 use crate::operand::{IntoSignal, Operand, Value};
 use crate::problem::Problem;
@@ -19,7 +18,7 @@ use crate::width::Width;
 /// # let example = tilewright_sim::traced(|m| {
 /// let count = m.reg("count", 2).reset(0);
 /// count.next(count + 1);
-/// let table = m.memory("table", 4, 8, ReadUnderWrite::Old).fill(Bits::new(8, 9));
+/// let table = m.memory("table", 4, 8, ReadUnderWrite::Old).fill(9);
 /// table.write(count.bit(0), count, count.zext(8));
 /// net!(word = table.read_async(count));
 /// # });
@@ -97,72 +96,13 @@ impl Mem {
     /// ```
     /// # use tilewright_hdl::*;
     /// # tilewright_sim::example(|m| {
-    /// let table = m.memory("table", 12, below(100), ReadUnderWrite::Any).fill(Bits::new(7, 99));
+    /// let table = m.memory("table", 12, below(100), ReadUnderWrite::Any).fill(99);
     /// let word = table.read_async(0);
     /// m.assert(word.eq(lit(table.width(), 99)), "7 bits hold every number below 100");
     /// # });
     /// ```
     pub fn width(self) -> u32 {
         self.word.bits
-    }
-
-    /// Every word is `word` at the start.
-    ///
-    /// ```
-    /// # use tilewright_hdl::*;
-    /// # tilewright_sim::example(|m| {
-    /// let depths = m.memory("depths", 16, 24, ReadUnderWrite::Any).fill(Bits::ones(24));
-    /// m.assert(depths.read_async(5).all_ones(), "the farthest depth; a reset does not bring it back");
-    /// # });
-    /// ```
-    #[track_caller]
-    pub fn fill(self, word: Bits) -> Mem {
-        self.contents(Contents::Fill(word.clone()), std::slice::from_ref(&word))
-    }
-
-    /// Holds `words` from address 0 at the start, and zeros above.
-    ///
-    /// ```
-    /// # use tilewright_hdl::*;
-    /// # let example = tilewright_sim::traced(|m| {
-    /// let squares = m.memory("squares", 8, 8, ReadUnderWrite::Any).words((0..4).map(|x| Bits::new(8, x * x)));
-    /// let at = m.reg("at", 3).reset(1);
-    /// at.next(at + 1);
-    /// net!(square = squares.read_async(at));
-    /// # });
-    /// assert_eq!(example.values("square"), [1, 4, 9, 0, 0]); // above address 3 there are zeros
-    /// ```
-    #[track_caller]
-    pub fn words(self, words: impl IntoIterator<Item = Bits>) -> Mem {
-        let words: Vec<_> = words.into_iter().collect();
-        self.contents(Contents::Words(words.clone()), &words)
-    }
-
-    #[track_caller]
-    fn contents(self, contents: Contents, words: &[Bits]) -> Mem {
-        let loc = Loc::caller();
-        elaboration::with(|e| {
-            let index = self.index as usize;
-            let memory = &mut e.draft().memories[index].memory;
-            memory.contents = contents;
-            let (name, depth, width) = (memory.name.clone(), memory.depth, memory.width);
-            let mut complain = |message: String| {
-                e.report(
-                    Problem::new(loc, message)
-                        .help("the contents are at most `depth` words, each of the memory's width"),
-                );
-            };
-            if words.len() > depth as usize {
-                complain(format!("memory `{name}` has {depth} words, but its contents have {}", words.len()));
-            }
-            if let Some((at, word)) = words.iter().enumerate().find(|(_, word)| word.width() != width) {
-                complain(format!(
-                    "memory `{name}` is {width} bits wide, but word {at} of its contents has {}",
-                    word.width()
-                ));
-            }
-        });
-        self
     }
 
     /// Allows more than one write port. Few FPGAs have such memories: elsewhere this becomes registers.
@@ -276,7 +216,7 @@ impl Mem {
     /// # let example = tilewright_sim::traced(|m| {
     /// let at = m.reg("at", 2).reset(0);
     /// at.next(at + 1);
-    /// let table = m.memory("table", 4, 8, ReadUnderWrite::Any).words([10, 11, 12, 13].map(|word| Bits::new(8, word)));
+    /// let table = m.memory("table", 4, 8, ReadUnderWrite::Any).words([10, 11, 12, 13]);
     /// net!(word = table.read(at));
     /// # });
     /// assert_eq!(example.values("at"), [0, 1, 2, 3]);
@@ -295,7 +235,7 @@ impl Mem {
     /// # let example = tilewright_sim::traced(|m| {
     /// let at = m.reg("at", 2).reset(0);
     /// at.next(at + 1);
-    /// let table = m.memory("table", 4, 8, ReadUnderWrite::Any).words([10, 11, 12, 13].map(|word| Bits::new(8, word)));
+    /// let table = m.memory("table", 4, 8, ReadUnderWrite::Any).words([10, 11, 12, 13]);
     /// net!(word = table.read_when(at.bit(0), at));
     /// # });
     /// assert_eq!(example.values("word"), [0, 0, 11, 11, 13, 13]);
@@ -313,7 +253,7 @@ impl Mem {
     /// # let example = tilewright_sim::traced(|m| {
     /// let at = m.reg("at", 2).reset(0);
     /// at.next(at + 1);
-    /// let table = m.memory("table", 3, 8, ReadUnderWrite::Any).words([10, 11, 12].map(|word| Bits::new(8, word)));
+    /// let table = m.memory("table", 3, 8, ReadUnderWrite::Any).words([10, 11, 12]);
     /// net!(word = table.read_async(at));
     /// # });
     /// assert_eq!(example.values("word"), [10, 11, 12, 0]); // there is no word 3

@@ -219,7 +219,7 @@ impl Module {
     /// # let example = tilewright_sim::traced(|m| {
     /// let count = m.reg("count", 2).reset(0);
     /// count.next(count + 1);
-    /// let squares = m.memory("squares", 4, 8, ReadUnderWrite::Any).words((0..4).map(|x| Bits::new(8, x * x)));
+    /// let squares = m.memory("squares", 4, 8, ReadUnderWrite::Any).words((0..4).map(|x| x * x));
     /// net!(square = squares.read(count));
     /// # });
     /// // The word comes one clock after its address. What a read beside a write gives does not matter: nothing writes.

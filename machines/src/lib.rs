@@ -3,6 +3,7 @@
 mod error;
 mod mean;
 pub mod pixel_planes;
+pub mod pixelflow;
 pub mod quadtree;
 mod random;
 mod run;

@@ -7,6 +7,7 @@ pub mod lfb;
 pub mod merger;
 pub mod parameter;
 pub mod pixel_planes;
+pub mod pixelflow;
 mod prelude;
 pub mod quadtree;
 pub mod scan;

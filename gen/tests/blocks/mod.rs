@@ -85,7 +85,7 @@ impl Block for LineBuffer {
     fn build(&self, m: Module, i: LineIn) -> LineOut {
         let line = m.memory("line", 1000, 24, ReadUnderWrite::Any).fill(Bits::ones(24));
         line.write(i.write, i.write_x, i.z);
-        let gains = m.memory("gains", 4, 8, ReadUnderWrite::Old).words([1, 2, 4, 8].map(|gain| Bits::new(8, gain)));
+        let gains = m.memory("gains", 4, 8, ReadUnderWrite::Old).words([1, 2, 4, 8]);
         let nearest = line.read(i.x);
         let scaled = nearest.times(gains.read_async(i.gain));
         LineOut { nearest, scaled }

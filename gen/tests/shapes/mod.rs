@@ -104,9 +104,9 @@ impl Block for Words {
         let old = words.read(i.address);
         let gated = words.read_when(i.write, i.low.zext(4));
         let now = words.read_async(i.address + 1) ^ words.read_async(i.low.zext(4));
-        let some = m.memory("some", 5, 8, ReadUnderWrite::Old).words([3, 1, 4].map(|word| Bits::new(8, word)));
+        let some = m.memory("some", 5, 8, ReadUnderWrite::Old).words([3, 1, 4]);
         some.write(lit(1, 1), i.low, i.data);
-        let filled = m.memory("filled", 16, 8, ReadUnderWrite::Old).fill(Bits::new(8, 0x5a));
+        let filled = m.memory("filled", 16, 8, ReadUnderWrite::Old).fill(0x5a);
         let table = m.memory("table_of_many", 257, 8, ReadUnderWrite::Old).words([Bits::new(8, 7)]);
         let fixed = m.memory("fixed", 4, 8, ReadUnderWrite::Old);
         fixed.write(i.write, lit(2, 3), i.data);

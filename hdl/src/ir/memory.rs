@@ -34,7 +34,7 @@ pub enum ReadUnderWrite {
 /// ```
 /// # use tilewright_hdl::*;
 /// # let design = tilewright_sim::shown! { |m, i| in { at: bits(4) } out { square: bits(8) }
-/// let squares = m.memory("squares", 16, 8, ReadUnderWrite::Any).words((0..3).map(|x| Bits::new(8, x * x)));
+/// let squares = m.memory("squares", 16, 8, ReadUnderWrite::Any).words((0..3).map(|x| x * x));
 /// let square = squares.read(i.at);
 /// #     ShownOut { square }
 /// # };

@@ -1,19 +1,13 @@
 //! Memories of records: one memory, in whose words the fields stand side by side.
 
-use crate::bits::Bits;
 use crate::bundle::Bundle;
 use crate::clock::Clock;
 use crate::data::{Fits, number_of_field};
-use crate::elaboration;
 use crate::fields::Fields;
-use crate::ir::Op;
-use crate::loc::Loc;
 use crate::memory::Mem;
 use crate::operand::{IntoSignal, Literal, Operand, Value};
-use crate::problem::Problem;
 use crate::record::split;
 use crate::select::concat;
-use crate::signal::bits_text;
 use crate::width::Width;
 
 /// A memory of records is one memory, in whose words the fields stand side by side, the first most significant, as in
@@ -30,7 +24,7 @@ use crate::width::Width;
 ///
 /// const COUNT: Step<u64> = Step { address: 0, counts: 1, ends: 0 };
 /// let layout = Step { address: bits(8), counts: bit(), ends: bit() };
-/// let program = m.memory("program", 4, layout, ReadUnderWrite::Any).words([
+/// let program = m.rom("program", layout, [
 ///     Step { address: 17, ..COUNT },
 ///     Step { address: 18, ..COUNT },
 ///     Step { address: 0, counts: 0, ends: 1 },
@@ -128,53 +122,6 @@ impl<B: Bundle> Mem<B> {
     #[track_caller]
     pub fn true_dual_port(&self) -> Mem<B> {
         self.with(self.word().true_dual_port())
-    }
-
-    /// Every word is `record` at the start: a record of numbers, or 0 for all of its fields.
-    ///
-    /// ```
-    /// # use tilewright_hdl::*;
-    /// # tilewright_sim::example(|m| {
-    /// bundle! { struct Entry<T> { resident: T, page: T } }
-    ///
-    /// let layout = Entry { resident: bit(), page: below(12) };
-    /// let table = m.memory("table", 16, layout, ReadUnderWrite::Any).fill(Entry { resident: 0, page: 11 });
-    /// m.assert(table.read_async(5).page.eq(11), "a number for each field");
-    /// # });
-    /// ```
-    #[track_caller]
-    pub fn fill(&self, record: impl Fits<B>) -> Mem<B> {
-        self.with(self.word().fill(self.number(record, "fill", "the contents")))
-    }
-
-    /// Holds these records of numbers from address 0 at the start, and zeros above.
-    ///
-    /// ```
-    /// # use tilewright_hdl::*;
-    /// # let example = tilewright_sim::traced(|m| {
-    /// bundle! { struct Step<T> { add: T, halt: T } }
-    ///
-    /// let at = m.reg("at", 2).reset(0);
-    /// let steps = m.memory("steps", 4, Step { add: bits(8).signed(), halt: bit() }, ReadUnderWrite::Any).words([
-    ///     Step { add: 5, halt: 0 },
-    ///     Step { add: -2, halt: 0 },
-    ///     Step { add: 0, halt: 1 },
-    /// ]);
-    /// net!(step = steps.read_async(at));
-    /// let sum = m.reg("sum", bits(8).signed()).reset(0);
-    /// sum.next(sum + step.add);
-    /// at.when(!step.halt, at + 1);
-    /// # });
-    /// assert_eq!(example.values("sum"), [0, 5, 3, 3]);
-    /// ```
-    #[track_caller]
-    pub fn words<R: Fits<B>>(&self, records: impl IntoIterator<Item = R>) -> Mem<B> {
-        // A loop, as a closure would be the caller that messages name.
-        let mut words = Vec::new();
-        for (at, record) in records.into_iter().enumerate() {
-            words.push(self.number(record, "words", &format!("word {at}")));
-        }
-        self.with(self.word().words(words))
     }
 
     /// A synchronous read: the record at `address` appears after the next edge.
@@ -284,45 +231,5 @@ impl<B: Bundle> Mem<B> {
     /// The fields' paths, and how they are declared.
     fn fields(&self) -> Vec<(String, Width)> {
         self.layout.leaves()
-    }
-
-    fn name(&self) -> String {
-        elaboration::draft(|draft| draft.memories[self.index as usize].memory.name.clone())
-    }
-
-    /// A record of numbers as a word; `which` it is among the contents.
-    #[track_caller]
-    fn number(&self, record: impl Fits<B>, of: &str, which: &str) -> Bits {
-        let loc = Loc::caller();
-        let fields = self.fields();
-        let mut word: Option<Bits> = None;
-        for (value, (path, width)) in record.given().for_fields(&fields, of).into_iter().zip(&fields) {
-            let part = match value {
-                Value::Literal(number) => number_of_field(
-                    &number,
-                    || format!("field `{path}` of {which} of memory `{}`", self.name()),
-                    (width.bits, width.kind),
-                ),
-                Value::Signal(signal) => {
-                    let id = signal.id();
-                    elaboration::with(|e| match &e.draft().node(id).op {
-                        Op::Const(bits) if bits.width() == width.bits => bits.clone(),
-                        _ => {
-                            let (draft, index) = (e.draft(), self.index as usize);
-                            let (name, text) = (&draft.memories[index].memory.name, draft.describe(id));
-                            let message = format!(
-                                "field `{path}` of {which} of memory `{name}` is a constant of {}, but `{text}` is none",
-                                bits_text(width.bits)
-                            );
-                            let help = "contents are numbers known while the block is built";
-                            e.report_instead_of(&[id], Problem::new(loc, message).help(help));
-                            Bits::zero(width.bits)
-                        }
-                    })
-                }
-            };
-            word = Some(word.map_or(part.clone(), |word| word.concat(&part)));
-        }
-        word.unwrap_or(Bits::zero(self.word.bits)).resize(self.word.bits)
     }
 }

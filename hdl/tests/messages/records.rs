@@ -34,11 +34,11 @@ fn registers_of_records_name_the_field() {
         },
         "`-1` does not fit in the 1 bit of `entry_resident`
          --> [let entry = m.reg(\"entry\", entry()).reset(Entry { resident: -1, page: 256 });]
-         help: a number of a record takes the width of its field, and its sign
+         help: a number takes the width of what is declared, and its sign
 
          `256` does not fit in the 8 bits of `entry_page`
          --> [let entry = m.reg(\"entry\", entry()).reset(Entry { resident: -1, page: 256 });]
-         help: a number of a record takes the width of its field, and its sign
+         help: a number takes the width of what is declared, and its sign
 
          the condition of `when` is 1 bit, but `a` has 8 bits
          --> [entry.when(i.a, 0).when(i.c, 7);]
@@ -78,7 +78,7 @@ fn words_of_records_name_the_field() {
         },
         "`2` does not fit in the 1 bit of field `resident` of word 1 of memory `entries`
          --> [.words([Entry { resident: 1, page: 255 }, Entry { resident: 2, page: 0 }]);]
-         help: a number of a record takes the width of its field, and its sign
+         help: a number takes the width of what is declared, and its sign
 
          field `page` of memory `entries` has 8 bits, but `b` has 7 bits
          --> [entries.write(i.c, i.a, Entry { resident: i.c, page: i.b });]

@@ -146,7 +146,19 @@ fn memories() {
     };
     assert!(problems(&Case(long)).starts_with("memory `words` has 2 words, but its contents have 3"));
     let wide = |m: Module, i: In| m.memory("words", 2, 8, ReadUnderWrite::Old).fill(Bits::new(9, 1)).read(i.c);
-    assert!(problems(&Case(wide)).starts_with("memory `words` is 8 bits wide, but word 0 of its contents has 9"));
+    assert!(problems(&Case(wide)).starts_with("`9'h001` does not fit in the 8 bits of the contents of memory `words`"));
+    expect(
+        |m, i| m.rom("program", bits(4), [3, -1, 16]).read(i.b.trunc(2)),
+        "`-1` does not fit in the 4 bits of word 1 of memory `program`
+         --> [|m, i| m.rom(\"program\", bits(4), [3, -1, 16]).read(i.b.trunc(2)),]
+         help: a number takes the width of what is declared, and its sign
+
+         `16` does not fit in the 4 bits of word 2 of memory `program`
+         --> [|m, i| m.rom(\"program\", bits(4), [3, -1, 16]).read(i.b.trunc(2)),]
+         help: a number takes the width of what is declared, and its sign
+
+         2 problems in this description",
+    );
     let empty = |m: Module, i: In| m.memory("words", 0, 8, ReadUnderWrite::Old).read(i.c);
     assert!(problems(&Case(empty)).starts_with("memory `words` of 0 words of 8 bits holds nothing"));
 }

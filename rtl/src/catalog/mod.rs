@@ -4,6 +4,7 @@ mod gfb;
 mod lfb;
 mod merger;
 mod pixel_planes;
+mod pixelflow;
 mod quadtree;
 mod shared;
 mod vc1;
@@ -40,6 +41,8 @@ pub const ENTRIES: &[Entry] = &[
     pixel_planes::BACKING_STORE,
     pixel_planes::REGION_ALLOCATOR,
     pixel_planes::FRAME_BUFFER,
+    pixelflow::NETWORK_PORT,
+    pixelflow::COMPOSITOR,
 ];
 
 /// The entry of that name.

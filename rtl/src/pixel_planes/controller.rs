@@ -85,8 +85,7 @@ impl ImageGenerationController {
     }
 
     fn build(&self, m: Module, i: ImageGenerationControllerIn) -> ImageGenerationControllerOut {
-        let microcode = m.memory("microcode", Operation::ALL.len() as u32, Microcode::widths(), ReadUnderWrite::Any);
-        let microcode = microcode.words(Operation::ALL.iter().map(|operation| operation.microcode()));
+        let microcode = m.rom("microcode", Microcode::widths(), Operation::ALL.iter().map(|it| it.microcode()));
         net!(decoded = microcode.read_async(i.instructions.operation.bits()));
         let (tree, memory) = (Slot::new(m, "tree"), Slot::new(m, "memory"));
         let waits = m.reg("waits", bit()).reset(0);

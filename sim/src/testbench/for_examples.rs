@@ -1,6 +1,6 @@
 //! Blocks that the examples of this crate run.
 
-use tilewright_hdl::{Bits, Module, ReadUnderWrite, bit, bits, block, net};
+use tilewright_hdl::{Module, ReadUnderWrite, bit, bits, block, net};
 
 block! {
     /// Counts, and squares how far it is.
@@ -24,7 +24,7 @@ impl Counter {
         m.assert(count.lt(200), "it counts to less than 200");
         let _ = m.pipe("late", *count);
         let squares = m.memory("squares", 16, 8, ReadUnderWrite::Any);
-        let squares = squares.words((0..16).map(|x| Bits::new(8, x * x)));
+        let squares = squares.words((0..16).map(|x| x * x));
         net!(square = squares.read_async(count.trunc(4)));
         CounterOut { count: *count, square }
     }

@@ -5,10 +5,10 @@
 //! ends the run: it is over when the last bench has nothing more to do.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::ffi::OsStr;
 use std::fmt::Write;
 use std::fs::File;
-use std::process::{Child, Command};
-use std::time::{Duration, Instant};
+use std::process::Command;
 use tempfile::TempDir;
 use tilewright_gen::{VerilogFile, tools};
 
@@ -150,63 +150,53 @@ fn verdicts(output: &str, designs: &[Printed]) -> Vec<Option<String>> {
 
 fn icarus(folder: &TempDir, designs: usize) -> Result<String, Refused> {
     let compile = ["-g2005", "-s", "all_benches", "-o", "all_benches.vvp", "all_benches.v"];
-    let (succeeded, output) = execute(folder, Command::new("iverilog").args(compile), Duration::MAX);
+    let (succeeded, output) = execute(folder, Command::new("iverilog").args(compile));
     if !succeeded {
         return Err(Refused::Verilog(output));
     }
-    let patience = PATIENCE + EACH * designs as u32;
-    let (succeeded, output) = execute(folder, Command::new("vvp").args(["-n", "all_benches.vvp"]), patience);
+    let patience = PATIENCE + designs as u64 / DESIGNS_A_SECOND;
+    let (succeeded, output) = execute(folder, limited("vvp", patience).args(["-n", "all_benches.vvp"]));
     if succeeded { Ok(output) } else { Err(Refused::Itself(output)) }
 }
 
-/// How long a batch may take, and how much longer for each of its designs: a hundred take about a second. Chains of lanes whose
-/// values pass each other may make Icarus wait for ever: it computes them anew for each change on the way.
-const PATIENCE: Duration = Duration::from_secs(5);
-const EACH: Duration = Duration::from_millis(250);
+/// Seconds of processor time that a batch may take, and designs for which it may take another: a hundred take about a second. Chains of
+/// lanes whose values pass each other may make Icarus compute for ever: it has them anew for each change on the way.
+const PATIENCE: u64 = 5;
+const DESIGNS_A_SECOND: u64 = 4;
 
-/// Whether a program succeeds within a time; it is ended if it takes longer.
-fn ends(child: &mut Child, patience: Duration) -> bool {
-    let started = Instant::now();
-    loop {
-        match child.try_wait().expect("a child can be waited for") {
-            Some(status) => return status.success(),
-            None if started.elapsed() > patience => {
-                // It may have ended just now.
-                let _ = child.kill();
-                child.wait().expect("a child can be waited for");
-                return false;
-            }
-            None => std::thread::sleep(Duration::from_millis(2)),
-        }
-    }
+/// A program that is ended when it has had so many seconds of processor time: on a busy computer it takes longer, but no more of that.
+pub(crate) fn limited(program: impl AsRef<OsStr>, seconds: u64) -> Command {
+    let mut command = Command::new("sh");
+    command.args(["-c", &format!("ulimit -t {seconds}; exec \"$0\" \"$@\"")]).arg(program);
+    command
 }
 
 fn verilator(folder: &TempDir) -> Result<String, Refused> {
     // Gates put into the code of the benches would double the C++.
     let flags = ["-Wno-fatal", "-Wno-lint", "-fno-gate"];
     match tools::verilated(folder.path(), &["all_benches.v"], "all_benches", &flags) {
-        Ok(Some(program)) => Ok(execute(folder, &mut Command::new(program), Duration::MAX).1),
+        Ok(Some(program)) => Ok(execute(folder, &mut Command::new(program)).1),
         Ok(None) => Err(Refused::Itself("it is not installed".to_owned())),
         Err(problems) => Err(Refused::Verilog(problems.to_string())),
     }
 }
 
-/// Runs a program in the folder, for so long at most: whether it succeeded, and all that it printed.
-pub(crate) fn execute(folder: &TempDir, command: &mut Command, patience: Duration) -> (bool, String) {
+/// Runs a program in the folder: whether it succeeded, and all that it printed.
+pub(crate) fn execute(folder: &TempDir, command: &mut Command) -> (bool, String) {
     let name = command.get_program().to_string_lossy().into_owned();
     let printed = folder.path().join("printed.txt");
     let file = File::create(&printed).expect("a file can be written");
     let both = file.try_clone().expect("a file can be shared");
-    let child = command.current_dir(folder.path()).stdout(file).stderr(both).spawn();
-    let mut child = child.unwrap_or_else(|error| panic!("`{name}` cannot be run: {error}"));
-    let succeeded = ends(&mut child, patience);
+    let status = command.current_dir(folder.path()).stdout(file).stderr(both).status();
+    let status = status.unwrap_or_else(|error| panic!("`{name}` cannot be run: {error}"));
     let text = std::fs::read(&printed).expect("what was written can be read");
-    (succeeded, String::from_utf8_lossy(&text).into_owned())
+    (status.success(), String::from_utf8_lossy(&text).into_owned())
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::process::Stdio;
 
     #[test]
     fn what_is_covered_is_compared() {
@@ -226,9 +216,9 @@ mod tests {
 
     #[test]
     fn a_program_that_does_not_end_is_ended() {
-        let start = |program: &str, argument: &str| Command::new(program).arg(argument).spawn().unwrap();
-        assert!(ends(&mut start("sleep", "0"), PATIENCE));
-        assert!(!ends(&mut start("sleep", "1000"), Duration::from_millis(20)));
-        assert!(!ends(&mut start("false", ""), PATIENCE));
+        let succeeds = |program: &str| limited(program, 1).stdout(Stdio::null()).status().unwrap().success();
+        assert!(succeeds("true"));
+        assert!(!succeeds("yes"));
+        assert!(!succeeds("false"));
     }
 }

@@ -5,13 +5,12 @@
 //! go on.
 
 use crate::Campaign;
-use crate::batch::execute;
+use crate::batch::{execute, limited};
 use crate::drawn::{Drawn, Kind};
 use crate::edit::edit;
 use crate::spec::Stimulus;
 use crate::stimulus::{Numbers, passes, record};
 use std::fmt;
-use std::process::Command;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
@@ -19,9 +18,9 @@ use tempfile::TempDir;
 use tilewright_hdl::ir::Design;
 use tilewright_sim::{EngineKind, Passes, Simulation};
 
-/// How many designs run in one process, and for how long at most.
+/// How many designs run in one process, and its seconds of processor time at most.
 const TOGETHER: u64 = 50;
-const PATIENCE: Duration = Duration::from_secs(300);
+const PATIENCE: u64 = 300;
 
 /// How often a design is edited, and in how many places at most.
 const EDITED: u64 = 12;
@@ -150,7 +149,7 @@ fn in_a_process(kind: Kind, seed: u64, first: u64) -> Result<Tally, String> {
     let shaped = u64::from(kind == Kind::Shaped);
     let arguments = [("--shaped", shaped), ("--fuzz-designs", TOGETHER), ("--seed", seed), ("--first", first)];
     let arguments = arguments.map(|(name, number)| [name.to_owned(), number.to_string()]);
-    let (succeeded, printed) = execute(&folder, Command::new(program).args(arguments.as_flattened()), PATIENCE);
+    let (succeeded, printed) = execute(&folder, limited(program, PATIENCE).args(arguments.as_flattened()));
     if let Some(tally) = succeeded.then(|| Tally::read(&printed)).flatten() {
         return Ok(tally);
     }

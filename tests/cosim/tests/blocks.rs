@@ -8,8 +8,16 @@ use tilewright_hdl::Design;
 use tilewright_hdl::catalog::Entry;
 
 /// Small sizes that are no powers of two, so that there are addresses that a memory does not have; and a larger one where it has to be a power of two.
-const OTHER: &[(&str, u64)] =
-    &[("width", 9), ("height", 5), ("units", 2), ("overhead", 3), ("renderers", 5), ("side", 16)];
+const OTHER: &[(&str, u64)] = &[
+    ("width", 9),
+    ("height", 5),
+    ("units", 2),
+    ("overhead", 3),
+    ("renderers", 5),
+    ("side", 16),
+    ("chips", 3),
+    ("pixels", 5),
+];
 
 /// Those of the machines, and those that any design uses.
 fn entries() -> impl Iterator<Item = &'static Entry> {

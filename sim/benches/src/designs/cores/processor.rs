@@ -39,7 +39,7 @@ impl Processor {
         let words = program();
         let pc = m.reg("pc", 32);
         let code = m.memory("code", words.len().next_power_of_two() as u32, 32, ReadUnderWrite::Old);
-        let code = code.words(words.into_iter().map(|word| Bits::new(32, word.into())));
+        let code = code.words(words);
         net!(instruction = code.read_async(pc.slice(2..2 + code.address_width())));
         let Decoded { opcode, function, alternative, immediate, to, from } = decode(instruction);
         let is = |code: u64| opcode.eq(code);

@@ -1,0 +1,148 @@
+//! What memories hold at the start.
+
+use crate::bits::Bits;
+use crate::data::{Data, Fits, Layout, number_of_field};
+use crate::elaboration;
+use crate::fields::Fields;
+use crate::ir::{Contents, Op, ReadUnderWrite};
+use crate::loc::Loc;
+use crate::memory::Mem;
+use crate::module::Module;
+use crate::operand::Value;
+use crate::problem::Problem;
+use crate::signal::{Signal, bits_text};
+use crate::width::Width;
+
+impl Module {
+    /// A memory that holds `words` and is never written: numbers, or records of numbers.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # let example = tilewright_sim::traced(|m| {
+    /// bundle! { struct Step<T> { add: T, halt: T } }
+    ///
+    /// let program = m.rom("program", Step { add: bits(8).signed(), halt: bit() }, [
+    ///     Step { add: 5, halt: 0 },
+    ///     Step { add: -2, halt: 0 },
+    ///     Step { add: 0, halt: 1 },
+    /// ]);
+    /// let at = m.reg("at", program.address_width()).reset(0);
+    /// net!(step = program.read_async(at));
+    /// let sum = m.reg("sum", bits(8).signed()).reset(0);
+    /// sum.next(sum + step.add);
+    /// at.when(!step.halt, at + 1);
+    /// # });
+    /// assert_eq!(example.values("sum"), [0, 5, 3, 3]);
+    /// ```
+    #[track_caller]
+    pub fn rom<L: Layout, W: Fits<L::Value>>(
+        self,
+        name: &str,
+        layout: L,
+        words: impl IntoIterator<Item = W>,
+    ) -> Mem<L::Value> {
+        let words: Vec<W> = words.into_iter().collect();
+        self.memory(name, words.len() as u32, layout, ReadUnderWrite::Any).words(words)
+    }
+}
+
+impl<V: Data> Mem<V> {
+    /// Every word is `word` at the start: a number, a record of numbers, or 0 for all of its fields.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// bundle! { struct Entry<T> { resident: T, page: T } }
+    ///
+    /// let depths = m.memory("depths", 16, 24, ReadUnderWrite::Any).fill(Bits::ones(24));
+    /// m.assert(depths.read_async(5).all_ones(), "the farthest depth; a reset does not bring it back");
+    /// let layout = Entry { resident: bit(), page: below(12) };
+    /// let table = m.memory("table", 16, layout, ReadUnderWrite::Any).fill(Entry { resident: 0, page: 11 });
+    /// m.assert(table.read_async(5).page.eq(11), "a number for each field");
+    /// # });
+    /// ```
+    #[track_caller]
+    pub fn fill(self, word: impl Fits<V>) -> Mem<V> {
+        let word = self.number(word, "fill", "the contents");
+        self.contents(Contents::Fill(word));
+        self
+    }
+
+    /// Holds these words from address 0 at the start, numbers or records of numbers, and zeros above.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # let example = tilewright_sim::traced(|m| {
+    /// let squares = m.memory("squares", 8, 8, ReadUnderWrite::Any).words((0..4).map(|x| x * x));
+    /// let at = m.reg("at", 3).reset(1);
+    /// at.next(at + 1);
+    /// net!(square = squares.read_async(at));
+    /// # });
+    /// assert_eq!(example.values("square"), [1, 4, 9, 0, 0]); // above address 3 there are zeros
+    /// ```
+    #[track_caller]
+    pub fn words<W: Fits<V>>(self, words: impl IntoIterator<Item = W>) -> Mem<V> {
+        // A loop, as a closure would be the caller that messages name.
+        let mut numbers = Vec::new();
+        for (at, word) in words.into_iter().enumerate() {
+            numbers.push(self.number(word, "words", &format!("word {at}")));
+        }
+        self.contents(Contents::Words(numbers));
+        self
+    }
+
+    #[track_caller]
+    fn contents(&self, contents: Contents) {
+        let loc = Loc::caller();
+        elaboration::with(|e| {
+            let memory = &mut e.draft().memories[self.index as usize].memory;
+            let (name, depth) = (memory.name.clone(), memory.depth);
+            let given = if let Contents::Words(words) = &contents { words.len() } else { 1 };
+            memory.contents = contents;
+            if given > depth as usize {
+                let message = format!("memory `{name}` has {depth} words, but its contents have {given}");
+                e.report(Problem::new(loc, message).help("the contents are at most as many words as the memory has"));
+            }
+        });
+    }
+
+    /// A number, or a record of numbers, as a word; `which` it is among the contents.
+    #[track_caller]
+    fn number(&self, word: impl Fits<V>, of: &str, which: &str) -> Bits {
+        let fields: Vec<(String, Width)> = self.layout.leaves();
+        let mut bits: Option<Bits> = None;
+        for (value, (path, width)) in word.given().for_fields(&fields, of).into_iter().zip(&fields) {
+            let name = || {
+                let field = if path.is_empty() { String::new() } else { format!("field `{path}` of ") };
+                format!("{field}{which} of memory `{}`", self.name())
+            };
+            let part = match value {
+                Value::Literal(number) => number_of_field(&number, name, (width.bits, width.kind)),
+                Value::Signal(signal) => constant(signal, name, width.bits),
+            };
+            bits = Some(bits.map_or(part.clone(), |bits| bits.concat(&part)));
+        }
+        bits.unwrap_or(Bits::zero(self.word.bits)).resize(self.word.bits)
+    }
+
+    /// As it was declared.
+    pub(crate) fn name(&self) -> String {
+        elaboration::draft(|draft| draft.memories[self.index as usize].memory.name.clone())
+    }
+}
+
+/// The constant that a signal has to be.
+#[track_caller]
+fn constant(signal: Signal, name: impl FnOnce() -> String, width: u32) -> Bits {
+    let (loc, id, name) = (Loc::caller(), signal.id(), name());
+    elaboration::with(|e| match &e.draft().node(id).op {
+        Op::Const(bits) if bits.width() == width => bits.clone(),
+        _ => {
+            let text = e.draft().describe(id);
+            let message = format!("{name} is a constant of {}, but `{text}` is none", bits_text(width));
+            let help = "contents are numbers known while the block is built";
+            e.report_instead_of(&[id], Problem::new(loc, message).help(help));
+            Bits::zero(width)
+        }
+    })
+}

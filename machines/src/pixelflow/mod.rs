@@ -1,0 +1,11 @@
+//! PixelFlow: identical nodes that rasterize, shade or hold the frame, with a network between them that composes images.
+//!
+//! Here is what the paper says of the latency of three software systems on such a machine, in formulas.
+//!
+//! Source: "Reducing Latency on PixelFlow", facts A4 (PFL).
+
+mod costs;
+mod latency;
+
+pub use costs::Costs;
+pub use latency::{Nodes, Samples, Software, System, Times, crossover, overlap};

@@ -1,0 +1,106 @@
+//! The network port: the compositors of a node's chips, and whose turn it is (PFL-NET, PFL-TCB).
+//!
+//! ```text
+//!                 .-------.
+//! sends, first -->|       |--> pixel, whose bytes the node has to show
+//!        mode --->| turns |--> advances
+//!                 |       |--> unloaded: the bytes of upstream are for the node
+//!                 '-------'
+//!                     | advances, first, pixel
+//!                     v
+//! upstream ==> [ a compositor for each chip ] ==> downstream
+//!                     ^
+//! own --------------' a byte of each chip
+//! ```
+//!
+//! Nobody on the network waits: a byte goes on in the next clock. A node that loads says when its bytes go; all others follow those that
+//! come. A byte of all pixels takes as many clocks as a chip has pixels: 256, or 1.28 us (PFL-TCB), and each node is a clock behind the
+//! one before.
+//!
+//! Latency 1 clock, a byte of each chip a clock.
+
+use super::compositor::{Compositor, CompositorIn, Mode};
+use crate::prelude::*;
+
+block! {
+    /// Connects a node to the network that composes images.
+    pub struct NetworkPort {
+        /// Chips of the node.
+        pub chips: u32,
+        /// Pixels of a chip.
+        pub pixels: u32,
+        /// Bits of a byte.
+        pub width: u32,
+    }
+    latency(self) = format!("1 clock; a byte of all pixels takes {}", self.pixels);
+    source = "Reducing Latency on PixelFlow, section 3 (PFL-NET, PFL-TCB)";
+    in(self) NetworkPortIn {
+        /// What the node does: a [`Mode`]. It stays while a word goes.
+        mode: one_of::<Mode>(),
+        /// A node that loads sends a byte of each chip.
+        sends: bit(),
+        /// It is the first of a word.
+        first: bit(),
+        /// What comes from the node before.
+        upstream: Transfer = self.transfer(),
+        /// The bytes of `pixel` in this node.
+        own: bits(self.width).of(row(self.chips)),
+    }
+    out(self) NetworkPortOut {
+        /// The pixel of each chip whose turn it is.
+        pixel: below(self.pixels),
+        /// A byte of it goes.
+        advances: bit(),
+        /// The bytes from upstream are for this node.
+        unloaded: bit(),
+        /// What goes to the node behind.
+        downstream: Transfer = self.transfer(),
+    }
+}
+
+bundle! {
+    /// A byte of each chip on the network.
+    pub struct Transfer<T> {
+        /// There is one.
+        pub valid: T,
+        /// It is the first of a word.
+        pub first: T,
+        /// The bytes.
+        pub bytes: T,
+    }
+}
+
+impl NetworkPort {
+    /// The widths of what it passes.
+    pub fn transfer(&self) -> Transfer<Width> {
+        Transfer { valid: bit(), first: bit(), bytes: bits(self.width).of(row(self.chips)) }
+    }
+
+    fn build(&self, m: Module, i: NetworkPortIn) -> NetworkPortOut {
+        let NetworkPort { chips, pixels, width } = *self;
+        net!(loads = i.mode.is(Mode::Load));
+        net!(advances = mux(loads, i.sends, i.upstream.valid));
+        net!(is_first = mux(loads, i.first, i.upstream.first));
+        let pixel = m.reg("pixel", below(pixels)).reset(0);
+        pixel.when(advances & pixel.eq(pixels - 1), 0).when(advances, pixel + 1);
+        m.assume(!(loads & i.upstream.valid), "nothing comes while a node loads");
+
+        let each = |signal: Signal| signal.of(row(chips));
+        let compositor = m.array("u_compositor", row(chips), &Compositor { pixels, width }, |_| CompositorIn {
+            mode: each(i.mode),
+            advances: each(advances),
+            first: each(is_first),
+            pixel: each(*pixel),
+            upstream: i.upstream.bytes,
+            own: i.own,
+        });
+        let valid = m.reg("downstream_valid", bit()).reset(0);
+        valid.next(advances);
+        let downstream =
+            Transfer { valid: *valid, first: m.pipe("downstream_first", is_first), bytes: compositor.downstream };
+        NetworkPortOut { pixel: *pixel, advances, unloaded: i.mode.is(Mode::Unload) & i.upstream.valid, downstream }
+    }
+}
+
+#[cfg(test)]
+mod tests;
