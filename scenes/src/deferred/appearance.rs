@@ -125,6 +125,9 @@ mod tests {
         assert_eq!(word.bytes(), bytes);
         assert_eq!(Appearance::from_bytes(bytes).parameters(), parameters);
         assert!(!word.is_empty() && Appearance::EMPTY.is_empty());
+        // As deep as a pixel can be that something covers.
+        let deep = Appearance::from(Parameters { z: 0xff_fffd, ..parameters });
+        assert!(!deep.is_empty() && deep < Appearance::EMPTY);
     }
 
     #[test]

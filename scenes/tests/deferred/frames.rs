@@ -2,9 +2,11 @@
 
 use proptest::prelude::*;
 use std::ops::ControlFlow;
-use tilewright_scenes::deferred::{Appearance, Deferred, SECOND_SHIFT, Samples, Shading, project_deferred};
+use tilewright_scenes::deferred::{
+    Appearance, AppearancePacket, Deferred, SECOND_SHIFT, Samples, Shading, project_deferred,
+};
 use tilewright_scenes::packet::EMPTY_DEPTH;
-use tilewright_scenes::{Scene, Size, builtin, golden, project, project_sample};
+use tilewright_scenes::{Camera, Mesh, MeshTriangle, Plane, Scene, Size, builtin, golden, project, project_sample};
 
 fn small() -> Size {
     Size::new(64, 48).unwrap()
@@ -83,11 +85,14 @@ proptest! {
     /// DES-MIN: neither order nor distribution of the packets changes a word.
     #[test]
     fn order_and_partition_do_not_matter(keys in proptest::collection::vec((0..4_usize, any::<u32>()), 512)) {
-        let pass = &deferred("textured", small(), Samples::One).passes[0];
-        let whole = golden::visible(small(), &pass.packets);
+        let packets = &deferred("textured", small(), Samples::One).passes[0].packets;
+        // Each a second time at the same depths: at every pixel another parameter than depth decides.
+        let turned = |packet: &AppearancePacket| AppearancePacket { normal: packet.normal.map(negated), ..packet.clone() };
+        let packets: Vec<_> = packets.iter().cloned().chain(packets.iter().map(turned)).collect();
+        let whole = golden::visible(small(), &packets);
         let mut merged = vec![Appearance::EMPTY; small().pixels()];
         for buffer in [2, 0, 3, 1] {
-            let mut mine: Vec<_> = pass.packets.iter().zip(keys.iter().cycle()).filter(|(_, key)| key.0 == buffer).collect();
+            let mut mine: Vec<_> = packets.iter().zip(keys.iter().cycle()).filter(|(_, key)| key.0 == buffer).collect();
             mine.sort_by_key(|(_, key)| key.1);
             let mine: Vec<_> = mine.into_iter().map(|(packet, _)| packet.clone()).collect();
             for (kept, word) in merged.iter_mut().zip(golden::visible(small(), &mine)) {
@@ -96,6 +101,55 @@ proptest! {
         }
         prop_assert_eq!(merged, whole);
     }
+}
+
+/// The plane of the opposite numbers, but for a rounding.
+fn negated(plane: Plane) -> Plane {
+    let negated = |number: u64| u64::from((number as u32).wrapping_neg());
+    Plane { x: negated(plane.x), y: negated(plane.y), origin: negated(plane.origin) }
+}
+
+/// What a word says of the teapot is what the mesh says.
+#[test]
+fn colours_are_diffuse_and_plain_surfaces_have_no_texture() {
+    let words = golden::visible(small(), &deferred("teapot", small(), Samples::One).passes[0].packets);
+    let covered: Vec<_> = words.iter().filter(|word| !word.is_empty()).map(Appearance::parameters).collect();
+    assert!(covered.len() > 500);
+    for seen in covered {
+        assert_eq!((seen.rgb, seen.material), ([209, 163, 107], 0));
+        assert_eq!((seen.uv, seen.scale, seen.level), ([0; 2], 0, 0));
+        let length = seen.normal.iter().map(|&n| f64::from(n).powi(2)).sum::<f64>().sqrt();
+        assert!((25_000.0..32_769.0).contains(&length), "{length}");
+    }
+}
+
+/// A triangle that is seen from behind, or whose normals point away from the eye, is turned: both sides look alike.
+#[test]
+fn normals_are_turned_to_the_eye() {
+    let scene = Scene::builtin("teapot").unwrap();
+    let camera =
+        Camera { eye: [0.0, 0.0, 5.0].into(), target: [0.0, 0.0, 0.0].into(), up: [0.0, 1.0, 0.0].into(), fov: 40.0 };
+    for (corners, up) in [([0, 1, 2], 1.0), ([0, 1, 2], -1.0), ([0, 2, 1], 1.0), ([0, 2, 1], -1.0)] {
+        let positions = [[-1.0, -1.0, 0.0], [1.0, -1.0, 0.0], [0.0, 1.0, 0.0]].map(Into::into).to_vec();
+        let triangle = MeshTriangle { positions: corners, normals: [0; 3], diffuse: [1.0; 3] };
+        let mesh = Mesh::new(positions, vec![[0.0, 0.6 * up, 0.8 * up].into()], vec![triangle]).unwrap();
+        let scene = Scene { mesh, camera, ..scene.clone() };
+        let packets = &project_deferred(&scene, small(), Samples::One).unwrap().passes[0].packets;
+        // Up is not down, and towards the eye not forward.
+        assert_eq!(packets[0].parameters(32, 24).normal, [0, -19660, -26214], "{corners:?} {up}");
+    }
+}
+
+/// A texel is to be as large as what is shaded: a level less where that is twice as wide.
+#[test]
+fn shading_once_takes_coarser_textures() {
+    let levels = |shading| {
+        let deferred = deferred("textured", small(), Samples::Eight(shading));
+        deferred.passes[1].packets.iter().map(|packet| packet.level).collect::<Vec<_>>()
+    };
+    let (each, once) = (levels(Shading::EachSample), levels(Shading::OncePerPixel));
+    assert!(each.iter().any(|&level| level > 50));
+    assert_eq!(each.iter().map(|level| level.saturating_sub(8)).collect::<Vec<_>>(), once);
 }
 
 #[test]

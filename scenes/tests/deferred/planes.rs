@@ -3,7 +3,9 @@
 use crate::oracle;
 use proptest::prelude::*;
 use std::sync::{Arc, LazyLock};
-use tilewright_scenes::deferred::{AppearanceVertex, Samples, Shading, project_deferred, set_up_appearance};
+use tilewright_scenes::deferred::{
+    AppearanceVertex, Samples, Shading, coordinate, project_deferred, set_up_appearance,
+};
 use tilewright_scenes::packet::{FARTHEST_VERTEX, NEAREST_VERTEX};
 use tilewright_scenes::{
     Camera, Lighting, Mapping, Material, Materials, Mesh, MeshTriangle, Scene, ScreenVertex, Size, Texture, golden,
@@ -104,6 +106,54 @@ proptest! {
         }
         golden::render_deferred(&deferred);
     }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(300) })]
+
+    /// The texture coordinates at a pixel are those of the point that is seen through its middle: found by a ray from the eye, to a
+    /// quarter of a pixel, as vertices are snapped, and to the rounding of both planes.
+    #[test]
+    fn texture_coordinates_are_those_of_the_point_that_is_seen(
+        corners in proptest::collection::vec((-8.0..8.0_f64, -6.0..6.0_f64, -14.0..-2.0_f64, -3.0..3.0_f64, -3.0..3.0_f64), 3),
+    ) {
+        let deferred = project_deferred(&scene(&corners), screen(), Samples::One).unwrap();
+        for packet in &deferred.passes[0].packets {
+            // Not edge on, where a little of the screen is much of the surface.
+            if packet.triangle.area() < 60.0 {
+                continue;
+            }
+            for (x, y) in pixels().filter(|&(x, y)| packet.triangle.covers(x, y)) {
+                let found = packet.parameters(x, y);
+                let around = [(0.0, 0.0), (-0.25, 0.0), (0.25, 0.0), (0.0, -0.25), (0.0, 0.25)];
+                let exact = around.map(|(dx, dy)| seen_through(&corners, f64::from(x) + 0.5 + dx, f64::from(y) + 0.5 + dy));
+                for axis in 0..2 {
+                    let middle = exact[0][axis];
+                    let reach = exact.iter().map(|uv| (uv[axis] - middle).abs()).fold(0.0, f64::max);
+                    let rounding = 8.0 / f64::from(found.scale);
+                    let part = f64::from(coordinate(found.uv[axis], found.scale)) / 65536.0;
+                    let away = (part - middle + 0.5).rem_euclid(1.0) - 0.5;
+                    prop_assert!(away.abs() <= 2.0 * reach + rounding, "({}, {}): {} for {}, {}", x, y, part, middle, reach);
+                }
+            }
+        }
+    }
+}
+
+/// The texture coordinates of the plane through three corners, where the ray through a place on the screen meets it.
+fn seen_through(corners: &[(f64, f64, f64, f64, f64)], x: f64, y: f64) -> [f64; 2] {
+    let tangent = 35_f64.to_radians().tan();
+    let half = f64::from(SIDE) / 2.0;
+    let ray = [(x - half) / half * tangent, (half - y) / half * tangent, -1.0];
+    let corner = |i: usize| [corners[i].0, corners[i].1, corners[i].2];
+    let cross =
+        |p: [f64; 3], q: [f64; 3]| [p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]];
+    // The ray is inside the three sides of a pyramid from the eye in proportion to these volumes.
+    let volume = |i: usize, j: usize| cross(corner(i), corner(j)).iter().zip(ray).map(|(p, q)| p * q).sum::<f64>();
+    let weights = [volume(1, 2), volume(2, 0), volume(0, 1)];
+    let sum: f64 = weights.iter().sum();
+    let mean = |of: &dyn Fn(usize) -> f64| (0..3).map(|i| weights[i] / sum * of(i)).sum();
+    [mean(&|i| corners[i].3), mean(&|i| corners[i].4)]
 }
 
 /// Triangles of these corners and texture coordinates, seen from among them.

@@ -145,6 +145,19 @@ fn a_colour_is_the_sum_of_its_parts() {
     assert_eq!(shader.shade(Appearance::EMPTY), [9; 3]);
 }
 
+/// As above, but on five samples of eight: less of the surface's colour, of its highlight, and of the background each.
+#[test]
+fn a_highlight_is_as_large_as_what_is_covered() {
+    let light = ShaderLight { direction: [0, 0, -255], half: [0, 0, -255], brightness: 128 };
+    let lit = ShaderMaterial { is_lit: true, texture: None, specular: 51, squarings: 5 };
+    let shader =
+        Shader { background: [80; 3], ambient: 30, lights: vec![light], materials: vec![lit], textures: Vec::new() };
+    let near = Appearance::from(Parameters { normal: [0, 0, -32767], rgb: [200, 100, 0], ..Parameters::default() });
+    let samples = std::array::from_fn(|i| if i < 5 { near } else { Appearance::EMPTY });
+    // Colours are 125, 63 and 0, at 158/256; of the highlight 22 it is floor(22 5 / 8) = 13, and of the background 30.
+    assert_eq!(shader.shade_once(&samples), [77 + 13 + 30, 38 + 13 + 30, 13 + 30]);
+}
+
 /// Six samples of a surface, of which two have another colour; one of another material, which counts as the least; and one of nothing.
 #[test]
 fn samples_in_part_covered_are_mixed_with_the_background() {
