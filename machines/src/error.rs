@@ -29,6 +29,22 @@ pub enum Error {
         /// Why the waveform did.
         trace: tilewright_sim::Error,
     },
+    /// The hardware and the model of its clocks, which has to be the same, are not.
+    #[error(
+        "internal error: in clock {clock} {signal} of {unit} is {seen}, but {expected} by the model of its clocks; please report this"
+    )]
+    Differs {
+        /// The part of the machine.
+        unit: String,
+        /// What differs.
+        signal: &'static str,
+        /// The clock, counted from 0.
+        clock: u64,
+        /// What the hardware has.
+        seen: u64,
+        /// What the model has.
+        expected: u64,
+    },
     /// The hardware could not be simulated, or an assertion of it does not hold.
     #[error(transparent)]
     Simulation(#[from] tilewright_sim::Error),

@@ -1,5 +1,7 @@
 //! Work that is cut into jobs, on all processors of the computer.
 
+use crate::run::Watch;
+
 use std::num::NonZeroUsize;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::mpsc;
@@ -10,6 +12,44 @@ pub(crate) fn all_threads() -> usize {
     thread::available_parallelism().map_or(1, NonZeroUsize::get)
 }
 
+impl Watch<'_> {
+    /// Does `work` on each job, on all processors of the computer, and reports after each how much of the phase is done. The results are in
+    /// the order of the jobs; `None` if it was broken off.
+    ///
+    /// ```
+    /// use tilewright_machines::Watch;
+    ///
+    /// let squares = Watch::default().each("squaring", &[1, 2, 3], |number| number * number);
+    /// assert_eq!(squares, Some(vec![1, 4, 9]));
+    /// ```
+    pub fn each<J: Sync, R: Send>(
+        &mut self,
+        phase: &'static str,
+        jobs: &[J],
+        work: impl Fn(&J) -> R + Sync,
+    ) -> Option<Vec<R>> {
+        self.each_on(all_threads(), phase, jobs, work)
+    }
+
+    /// The same on so many threads.
+    pub(crate) fn each_on<J: Sync, R: Send>(
+        &mut self,
+        threads: usize,
+        phase: &'static str,
+        jobs: &[J],
+        work: impl Fn(&J) -> R + Sync,
+    ) -> Option<Vec<R>> {
+        let mut results: Vec<Option<R>> = jobs.iter().map(|_| None).collect();
+        let (mut done, cancel) = (0, self.cancel);
+        on_threads(threads, jobs, cancel, work, |number, result| {
+            results[number] = Some(result);
+            done += 1;
+            self.report(phase, f64::from(done) / jobs.len() as f64);
+        });
+        results.into_iter().collect()
+    }
+}
+
 /// Does `work` on each job, on so many threads; `done` gets the number of each job and its result as it comes, in any order. Once
 /// the flag is raised no job is begun.
 pub(crate) fn on_threads<J: Sync, R: Send>(
@@ -18,6 +58,29 @@ pub(crate) fn on_threads<J: Sync, R: Send>(
     cancel: Option<&AtomicBool>,
     work: impl Fn(&J) -> R + Sync,
     mut done: impl FnMut(usize, R),
+) {
+    let heard = |heard| match heard {
+        Heard::Said(()) => {}
+        Heard::Done(number, result) => done(number, result),
+    };
+    on_threads_heard(threads, jobs, cancel, |job, _: &dyn Fn(())| work(job), heard);
+}
+
+/// What comes of jobs.
+pub(crate) enum Heard<M, R> {
+    /// What one of them says on its way.
+    Said(M),
+    /// The number of a job, and its result.
+    Done(usize, R),
+}
+
+/// The same; what jobs say on their way is heard, too.
+pub(crate) fn on_threads_heard<J: Sync, M: Send, R: Send>(
+    threads: usize,
+    jobs: &[J],
+    cancel: Option<&AtomicBool>,
+    work: impl Fn(&J, &dyn Fn(M)) -> R + Sync,
+    heard: impl FnMut(Heard<M, R>),
 ) {
     let next = AtomicUsize::new(0);
     let is_cancelled = || cancel.is_some_and(|flag| flag.load(Ordering::Relaxed));
@@ -30,14 +93,15 @@ pub(crate) fn on_threads<J: Sync, R: Send>(
         for _ in 0..threads {
             let (sender, work, next_job) = (sender.clone(), &work, &next_job);
             scope.spawn(move || {
+                // Who receives lives as long as this scope.
+                let say = |message| drop(sender.send(Heard::Said(message)));
                 while let Some((number, job)) = next_job() {
-                    // Who receives lives as long as this scope.
-                    let _ = sender.send((number, work(job)));
+                    let _ = sender.send(Heard::Done(number, work(job, &say)));
                 }
             });
         }
         // The channel ends with the last thread.
         drop(sender);
-        receiver.iter().for_each(|(number, result)| done(number, result));
+        receiver.iter().for_each(heard);
     });
 }

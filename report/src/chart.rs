@@ -65,7 +65,7 @@ pub struct Series {
     /// What it is a curve of.
     pub name: String,
     /// Where its numbers come from: formulas are lines, plain counts plus signs, a transaction-level model's points hollow, the
-    /// hardware's filled and small, so that both are seen where they agree, a paper's crosses.
+    /// hardware's filled, and small beside a model's, so that both are seen where they agree, a paper's crosses.
     pub origin: Origin,
     /// The points.
     pub points: Vec<(f64, f64)>,

@@ -11,7 +11,10 @@ const START: &[u8] = b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR";
 /// How wide a small picture is shown, at most, in CSS pixels.
 const ENLARGED: u32 = 320;
 
-/// A PNG picture. It is shown with sharp pixels, as large as the page is wide at most.
+/// How wide a picture may be to be shown pixel by pixel, in CSS pixels: as wide as the page's text.
+const WIDEST: u32 = 760;
+
+/// A PNG picture. It is shown with sharp pixels, as large as the page is wide at most; a larger one is made smaller, with pixels mixed.
 ///
 /// ```
 /// use tilewright_report::Picture;
@@ -72,7 +75,7 @@ impl Picture {
         // A small picture is enlarged, by a whole number so that its pixels stay equal.
         let times = (ENLARGED / width.max(1)).max(1);
         html! {
-            img.enlarged[times > 1] src={ "data:image/png;base64," (STANDARD.encode(&self.png)) } alt=(self.alt)
+            img.enlarged[times > 1].reduced[width > WIDEST] src={ "data:image/png;base64," (STANDARD.encode(&self.png)) } alt=(self.alt)
                 width=(u64::from(width) * u64::from(times)) height=(u64::from(height) * u64::from(times));
         }
     }

@@ -6,9 +6,9 @@ use crate::golden;
 use crate::number::number;
 use crate::scene::polygons;
 use crate::shell::{Exit, Failure};
-use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use tilewright_machines::pixel_planes::{Config, Machine, Report};
+use clap::{Args, value_parser};
+use tilewright_machines::pixel_planes::{Config, Edges, Machine, Report};
 use tilewright_scenes::golden::{render_strict_watched, render_watched};
 use tilewright_scenes::{Frame, Polygons, Scene, Size};
 
@@ -23,19 +23,34 @@ pub struct PixelPlanesOptions {
     #[arg(long, value_name = "PIXELS",
           value_parser = PossibleValuesParser::new(["8", "16", "32", "64", "128", "256"]).map(|side| side.parse::<u32>().unwrap_or_default()))]
     region: Option<u32>,
+    /// What the ring brings to renderers and frame buffer in Mbit/s, a multiple of 40 [default: 5000]
+    #[arg(long, value_name = "MBITS", value_parser = value_parser!(u32))]
+    ring: Option<u32>,
     /// Have tree and memory work on one instruction at a time
     #[arg(long)]
     one_at_a_time: bool,
+    /// Send edges in one length that is enough for any, each in its own length, or each as the least half-plane that is the same in the region
+    /// [default: least]
+    #[arg(long, value_name = "FORM", value_parser = forms())]
+    edges: Option<Edges>,
+}
+
+/// The forms of edges by their names.
+fn forms() -> impl TypedValueParser<Value = Edges> {
+    let find = |name: String| Edges::ALL.into_iter().find(|form| form.name() == name).ok_or("there is no such form");
+    PossibleValuesParser::new(Edges::ALL.map(Edges::name)).try_map(find)
 }
 
 impl PixelPlanesOptions {
     /// One that is given, if any is.
     pub fn given(&self) -> Option<&'static str> {
-        let PixelPlanesOptions { renderers, region, one_at_a_time } = self;
+        let PixelPlanesOptions { renderers, region, ring, one_at_a_time, edges } = self;
         first_given([
             ("--renderers", renderers.is_some()),
             ("--region", region.is_some()),
+            ("--ring", ring.is_some()),
             ("--one-at-a-time", *one_at_a_time),
+            ("--edges", edges.is_some()),
         ])
     }
 
@@ -49,7 +64,9 @@ impl PixelPlanesOptions {
         let config = Config {
             renderers: self.renderers.unwrap_or(usual.renderers),
             side: self.region.unwrap_or(usual.side),
+            ring: self.ring.unwrap_or(usual.ring),
             side_by_side: !self.one_at_a_time,
+            edges: self.edges.unwrap_or(usual.edges),
             strict,
             ..usual
         };

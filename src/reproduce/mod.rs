@@ -1,11 +1,16 @@
 //! `tilewright reproduce`: the tables and figures of a paper, beside what was measured here.
 
+mod colour;
+mod effort;
+mod pixel_planes;
 mod quadtree;
+mod right;
 
 use crate::shell::output::Folder;
 use crate::shell::{Exit, Failure, interrupt, terminal};
 use crate::watch::watched;
 use clap::{Args, ValueEnum, value_parser};
+use effort::Effort;
 use serde::Serialize;
 use std::path::PathBuf;
 use tilewright_report::Page;
@@ -16,9 +21,10 @@ use tilewright_report::Page;
 Examples:
   tilewright reproduce quadtree -o report/ --polygons 20
   tilewright reproduce quadtree -o report/ --polygons 20 --seed 7 --json
+  tilewright reproduce pixel-planes-5 -o report/ --vectors 500
 
-Without --polygons there are as many as the figures need, for four minutes of processor time, which all cores share; with it the frames are
-small, and the hardware runs for fewer points. The page, index.html, needs no other file and no network. Beside it is every figure as CSV, and all of it as report.json. The same
+Without --polygons or --vectors there are as many as the figures need, for some minutes of processor time, which all cores share; with it the
+frames are small, and the hardware runs for fewer points. The page, index.html, needs no other file and no network. Beside it is every figure as CSV, and all of it as report.json. The same
 command writes the same bytes each time.")]
 pub struct Reproduce {
     /// Whose paper
@@ -26,30 +32,28 @@ pub struct Reproduce {
     /// The folder for the report, which is made if it is not there; all files are written, or none
     #[arg(short, long, value_name = "FOLDER")]
     output: PathBuf,
-    /// What the random polygons follow from
+    /// What the random polygons or vectors follow from
     #[arg(long, value_name = "NUMBER", default_value_t = 1)]
     seed: u64,
-    /// At most so many random polygons of each area: a quick look, with wider scatter and small frames
+    /// Of quadtree: at most so many random polygons of each area: a quick look, with wider scatter and small frames
     #[arg(long, value_name = "NUMBER", value_parser = value_parser!(u64).range(1..))]
     polygons: Option<u64>,
+    /// Of pixel-planes-5: at most so many random vectors of each kind: a quick look likewise
+    #[arg(long, value_name = "NUMBER", value_parser = value_parser!(u64).range(1..), conflicts_with = "polygons")]
+    vectors: Option<u64>,
     /// Print the report as JSON
     #[arg(long)]
     json: bool,
 }
 
 /// The papers that can be reproduced.
-#[derive(Clone, Copy, ValueEnum)]
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
 enum Paper {
     /// The sparse-raster quadtree generator
     Quadtree,
-}
-
-/// How much is measured, and of what.
-#[derive(Clone, Copy)]
-struct Effort {
-    seed: u64,
-    /// The most polygons of an area.
-    polygons: Option<u64>,
+    /// The renderers of Pixel-planes 5
+    #[value(name = "pixel-planes-5")]
+    PixelPlanes,
 }
 
 #[derive(Serialize)]
@@ -65,9 +69,10 @@ struct Report {
 impl Reproduce {
     /// Measures, and writes the page and its data.
     pub fn run(self) -> Result<Exit, Failure> {
+        let effort = self.effort()?;
         Folder::check(&self.output)?;
         let folder = Folder::make(&self.output)?;
-        let page = self.page()?;
+        let page = self.page(effort)?;
         let files = page.files().expect("the parts of the page have names of their own");
         let written = folder.fill(files.iter().map(|file| (file.name.as_str(), file.bytes.as_slice())))?;
 
@@ -81,11 +86,26 @@ impl Reproduce {
         Ok(Exit::Done)
     }
 
-    fn page(&self) -> Result<Page, Failure> {
-        let effort = Effort { seed: self.seed, polygons: self.polygons };
+    fn page(&self, effort: Effort) -> Result<Page, Failure> {
         let page = watched(|watch| match self.machine {
             Paper::Quadtree => quadtree::page(effort, watch),
+            Paper::PixelPlanes => pixel_planes::page(effort, watch),
         })?;
         page.ok_or_else(|| Failure::new(interrupt::exit(), "interrupted while the machine was measured"))
+    }
+
+    /// How much is to be measured.
+    fn effort(&self) -> Result<Effort, Failure> {
+        let options = [(Paper::Quadtree, "--polygons", self.polygons), (Paper::PixelPlanes, "--vectors", self.vectors)];
+        let (own, others): (Vec<_>, Vec<_>) = options.into_iter().partition(|(paper, ..)| *paper == self.machine);
+        let (_, option, most) = own[0];
+        match others.iter().find(|(.., most)| most.is_some()) {
+            None => Ok(Effort { seed: self.seed, most }),
+            Some((_, other, _)) => {
+                let sentence =
+                    format!("{other} is an option of another paper: for a quick look at this one give {option}");
+                Err(Failure::new(Exit::BadInput, sentence))
+            }
+        }
     }
 }

@@ -127,12 +127,15 @@ fn a_golden_image_can_be_interrupted() {
 
 #[test]
 fn an_interrupted_report_leaves_no_file() {
-    let folder = Folder::new();
-    let (run, took) = stopped_after(&folder, "reproduce quadtree -o report", Duration::from_secs(1));
-    assert_eq!((run.code, run.stdout.as_str()), (Some(130), ""), "{run:?}");
-    assert_eq!(run.stderr, "error: interrupted while the machine was measured\n");
-    assert!(took < Duration::from_secs(2), "{took:?}");
-    assert_eq!(std::fs::read_dir(folder.path("report")).map_or(0, Iterator::count), 0);
+    for paper in ["quadtree", "pixel-planes-5"] {
+        let folder = Folder::new();
+        let line = format!("reproduce {paper} -o report");
+        let (run, took) = stopped_after(&folder, &line, Duration::from_secs(1));
+        assert_eq!((run.code, run.stdout.as_str()), (Some(130), ""), "{run:?}");
+        assert_eq!(run.stderr, "error: interrupted while the machine was measured\n");
+        assert!(took < Duration::from_secs(2), "{paper}: {took:?}");
+        assert_eq!(std::fs::read_dir(folder.path("report")).map_or(0, Iterator::count), 0);
+    }
 }
 
 #[test]

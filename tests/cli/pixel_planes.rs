@@ -13,7 +13,8 @@ fn the_report_counts_primitives_regions_and_clocks() {
     assert_eq!(report["golden"], json!({"identical": true, "differing": 0, "first": null}));
     let report = &report["report"];
     let expected = json!({
-        "width": 32, "height": 24, "renderers": 2, "side": 16, "queue": 64, "strict": false, "side_by_side": true,
+        "width": 32, "height": 24, "renderers": 2, "side": 16, "queue": 64, "ring": 5000,
+        "strict": false, "side_by_side": true, "edges": "least",
     });
     assert_eq!(report["machine"], expected);
     let regions = report["regions"].as_array().unwrap();
@@ -24,8 +25,17 @@ fn the_report_counts_primitives_regions_and_clocks() {
     let busy: u64 = report["renderers"].as_array().unwrap().iter().map(|it| it["busy"].as_u64().unwrap()).sum();
     assert_eq!(busy, sum("clocks"));
 
+    let programs = report["programs"].as_array().unwrap();
+    assert_eq!(programs.iter().map(|it| it["primitives"].as_u64().unwrap()).sum::<u64>(), sum("drawn"));
+    let [program] = &programs[..] else { panic!("all faces are shaded: {report}") };
+    let [clocks, most] = ["clocks", "most"].map(|of| program[of].as_u64().unwrap());
+    assert_eq!(program["program"], "smooth_least");
+    assert!(most <= clocks && clocks <= most * sum("drawn") && clocks <= busy, "{program}");
+
     let text = folder.stdout(SMALL);
+    let mean = clocks as f64 / sum("drawn") as f64;
     for part in [
+        &format!("smooth_least  {:>8} {mean:>7.1} {most:>7}\n", sum("drawn")),
         "pyramid: pixel-planes-5, 2 renderers of 16x16 pixels: 32x24 pixels,\n",
         &format!("{primitives} primitives, {} in the bins of 4 regions\n", sum("primitives")),
         &format!("All is drawn after {} clocks, ", report["drawn"]),
@@ -46,6 +56,57 @@ fn what_is_side_by_side_is_faster_and_draws_the_same() {
     let (both, one) = (clocks(SMALL), clocks(&format!("{SMALL} --one-at-a-time")));
     assert!(both < one, "{both}, {one}");
     clocks(&format!("{SMALL} --strict"));
+    let forms = ["least", "own", "fixed"].map(|form| clocks(&format!("{SMALL} --edges {form}")));
+    assert!(forms[0] == both && forms.is_sorted() && forms[0] < forms[2], "{forms:?}");
+}
+
+#[test]
+fn a_form_of_edges_that_there_is_not_is_bad_usage() {
+    let run = Folder::with_pyramid().run(&format!("{SMALL} --edges short"));
+    assert_eq!(run.code, Some(2));
+    assert!(run.stderr.contains("invalid value 'short' for '--edges <FORM>'"), "{}", run.stderr);
+    assert!(run.stderr.contains("fixed, own, least"), "{}", run.stderr);
+}
+
+#[test]
+fn a_slow_ring_is_told_by_who_waited_for_it() {
+    let folder = Folder::with_pyramid();
+    let report = |ring: u32| {
+        let report = folder.json(&format!("{SMALL} --ring {ring} --json"));
+        assert_eq!(report["golden"]["identical"], true, "{report}");
+        report["report"].clone()
+    };
+    let (slow, ample) = (report(400), report(320_000));
+    assert_eq!((&slow["machine"]["ring"], &ample["first_starved"]), (&json!(400), &json!(null)));
+    assert!(slow["first_starved"]["clock"].as_u64().unwrap() > 0, "{slow}");
+    assert!(
+        slow["drawn"].as_u64() > ample["drawn"].as_u64()
+            && slow["ring"]["load"].as_f64() > ample["ring"]["load"].as_f64()
+    );
+    assert_eq!(slow["ring"]["bits"], ample["ring"]["bits"]);
+    let text = folder.stdout(&format!("{SMALL} --ring 400"));
+    let first = &slow["first_starved"];
+    let sentence = format!(
+        "The first that had to wait for an instruction was renderer {}, in clock {}.\n",
+        first["renderer"], first["clock"]
+    );
+    assert!(text.contains(", a ring of 400 Mbit/s\n") && text.contains(&sentence), "{text}");
+}
+
+#[test]
+fn a_ring_that_no_machine_has_is_refused() {
+    let folder = Folder::with_pyramid();
+    let refused = |ring: &str| {
+        let run = folder.run(&format!("{SMALL} --ring {ring}"));
+        assert_eq!(run.code, Some(2), "{}", run.stderr);
+        run.stderr
+    };
+    let sentence = "a ring of 5001 Mbit/s: it brings a whole number of bits in each clock of 25 ns, \
+                    so it has to be a multiple of 40 from 40 to 327680";
+    assert!(refused("5001").contains(sentence), "{}", refused("5001"));
+    refused("0");
+    refused("327720");
+    refused("fast");
 }
 
 #[test]

@@ -4,43 +4,74 @@
 //! of its upper left pixel stand in place of those of the screen's.
 
 use tilewright_rtl::pixel_planes::instruction::Instruction;
-use tilewright_rtl::pixel_planes::programs::{Expression, Surface, clear, save, smooth_least, smooth_strict};
-use tilewright_scenes::{Edge, Plane, Polygon, Polygons};
+use tilewright_rtl::pixel_planes::programs::{
+    Expression, FLAT_LEAST, FLAT_STRICT, Program, SMOOTH_LEAST, SMOOTH_STRICT, Surface, clear, save,
+};
+use tilewright_scenes::packet::{COLOUR_PLANE_BITS, FRACTION_BITS};
+use tilewright_scenes::{Edge, PixelBox, Plane, Polygon, Polygons};
 
-use super::report::RegionReport;
+use super::clocks::{Clocked, Tally};
+use super::config::Config;
+use super::regions::Regions;
 
-/// A region, and which fragments its pixels keep.
+/// A region, and the machine whose renderer draws it.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Bin {
+pub(super) struct Bin<'a> {
     /// The number of the region.
-    pub region: usize,
-    /// Its upper left pixel.
-    pub place: (u32, u32),
-    /// Pixels along its side.
-    pub side: u32,
-    /// Of equal depths the first drawn stays.
-    pub strict: bool,
+    region: usize,
+    /// Its pixels on the screen.
+    pixels: PixelBox,
+    config: &'a Config,
 }
 
-impl Bin {
+impl<'a> Bin<'a> {
+    /// Of region number `region`.
+    pub fn new(region: usize, regions: &Regions, config: &'a Config) -> Bin<'a> {
+        Bin { region, pixels: regions.pixels(region), config }
+    }
+
     /// What empties the region.
-    pub fn begin(&self, [red, green, blue]: [u8; 3]) -> Vec<Instruction<u64>> {
+    fn begin(&self, [red, green, blue]: [u8; 3]) -> Vec<Instruction<u64>> {
         clear(u32::from_be_bytes([0, red, green, blue]))
     }
 
-    /// What draws a polygon in it: nothing if an edge leaves nothing of it there.
-    pub fn draw(&self, polygon: &Polygon) -> Vec<Instruction<u64>> {
-        let edges: Vec<Expression> = polygon.edges.iter().map(|edge| self.edge(edge)).collect();
-        let surface = Surface { z: self.plane(&polygon.z), rgb: polygon.rgb.each_ref().map(|plane| self.plane(plane)) };
-        match self.strict {
-            true => smooth_strict(self.side, &edges, &surface),
-            false => smooth_least(self.side, &edges, &surface),
+    /// The program for a polygon: that of one colour where it has no other in the region.
+    fn program(&self, polygon: &Polygon) -> &'static Program {
+        match (self.config.strict, self.only_colour(polygon).is_some()) {
+            (true, true) => &FLAT_STRICT,
+            (true, false) => &SMOOTH_STRICT,
+            (false, true) => &FLAT_LEAST,
+            (false, false) => &SMOOTH_LEAST,
         }
     }
 
+    /// What draws a polygon by a program: nothing if an edge leaves nothing of it in the region.
+    pub fn draw(&self, program: &Program, polygon: &Polygon) -> Vec<Instruction<u64>> {
+        let edges: Vec<Expression> = polygon.edges.iter().map(|edge| self.edge(edge)).collect();
+        let z = self.plane(&polygon.z);
+        let surface = match self.only_colour(polygon) {
+            Some(rgb) => Surface::of_one_colour(z, rgb),
+            None => Surface { z, rgb: polygon.rgb.each_ref().map(|plane| self.plane(plane)) },
+        };
+        program.draw(self.config.side, self.config.edges, &edges, &surface)
+    }
+
     /// What sends the region, when the one before is sent.
-    pub fn end(&self) -> Vec<Instruction<u64>> {
+    fn end(&self) -> Vec<Instruction<u64>> {
         save(self.region as u32)
+    }
+
+    /// The colour of a polygon, if all pixels that it may have here have the same.
+    fn only_colour(&self, polygon: &Polygon) -> Option<u32> {
+        let (bounds, pixels) = (polygon.bounds, self.pixels);
+        let places = PixelBox {
+            left: bounds.left.max(pixels.left),
+            top: bounds.top.max(pixels.top),
+            right: bounds.right.min(pixels.right),
+            bottom: bounds.bottom.min(pixels.bottom),
+        };
+        let [r, g, b] = polygon.rgb.each_ref().map(|plane| only_channel(plane, &places));
+        Some(u32::from_be_bytes([0, r?, g?, b?]))
     }
 
     fn edge(&self, edge: &Edge) -> Expression {
@@ -54,41 +85,103 @@ impl Bin {
     }
 
     fn relative(&self, a: i64, b: i64, c: i64) -> Expression {
-        let (x, y) = (i64::from(self.place.0), i64::from(self.place.1));
+        let (x, y) = (i64::from(self.pixels.left), i64::from(self.pixels.top));
         Expression { a, b, c: c.wrapping_add(a.wrapping_mul(x)).wrapping_add(b.wrapping_mul(y)) }
     }
 }
 
+/// The channel of a plane of colour, if it is the same at all those pixels.
+fn only_channel(plane: &Plane, pixels: &PixelBox) -> Option<u8> {
+    // Modulo 2^24, so any numbers will do that are the same there; these are those nearest to 0.
+    const ABOVE: u32 = u64::BITS - COLOUR_PLANE_BITS;
+    let [x, y, origin] = [plane.x, plane.y, plane.origin].map(|number| (number << ABOVE) as i64 >> ABOVE);
+    let first = origin + x * i64::from(pixels.left) + y * i64::from(pixels.top);
+    let across = [
+        x * i64::from(pixels.right.saturating_sub(pixels.left)),
+        y * i64::from(pixels.bottom.saturating_sub(pixels.top)),
+    ];
+    let least = first + across.iter().map(|step| step.min(&0)).sum::<i64>();
+    let greatest = first + across.iter().map(|step| step.max(&0)).sum::<i64>();
+    (least >> FRACTION_BITS == greatest >> FRACTION_BITS).then_some((least >> FRACTION_BITS) as u8)
+}
+
 /// All that a region needs.
 pub(super) struct Work {
-    region: usize,
+    /// Its number.
+    pub region: usize,
     /// Primitives in the bin, and those of them that have instructions.
-    primitives: [u64; 2],
+    pub primitives: [u64; 2],
     /// What draws them, clears and sends.
     pub instructions: Vec<Instruction<u64>>,
+    /// The clocks of primitives.
+    pub programs: Tally,
 }
 
 impl Work {
     /// Of the primitives of those numbers.
     pub fn new(bin: &Bin, numbers: &[u32], polygons: &Polygons, background: [u8; 3]) -> Work {
-        let (mut instructions, mut drawn) = (bin.begin(background), 0);
-        for number in numbers {
-            let polygon = bin.draw(&polygons.polygons[*number as usize]);
-            drawn += u64::from(!polygon.is_empty());
-            instructions.extend(polygon);
+        let polygons = numbers.iter().map(|number| &polygons.polygons[*number as usize]);
+        let drawn = polygons.map(|polygon| {
+            let program = bin.program(polygon);
+            (program, bin.draw(program, polygon))
+        });
+        Work::of(bin, drawn, background)
+    }
+
+    /// Of primitives, each with its program and instructions.
+    pub fn of(
+        bin: &Bin,
+        primitives: impl Iterator<Item = (&'static Program, Vec<Instruction<u64>>)>,
+        background: [u8; 3],
+    ) -> Work {
+        let mut clocked = Clocked::new(bin.config.side_by_side);
+        let mut instructions = bin.begin(background);
+        clocked.region(&instructions);
+        let (mut count, mut drawn) = (0, 0);
+        for (program, primitive) in primitives {
+            clocked.primitive(program, &primitive);
+            count += 1;
+            drawn += u64::from(!primitive.is_empty());
+            instructions.extend(primitive);
         }
         instructions.extend(bin.end());
-        Work { region: bin.region, primitives: [numbers.len() as u64, drawn], instructions }
+        Work { region: bin.region, primitives: [count, drawn], instructions, programs: clocked.tally }
     }
+}
 
-    /// Clocks that it takes at least: those of the tree, which has one instruction at a time.
-    pub fn least_clocks(&self) -> u64 {
-        self.instructions.iter().map(Instruction::tree_clocks).sum::<u64>().max(1)
-    }
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
 
-    /// What became of it.
-    pub fn report(&self, renderer: usize, begun: u64, clocks: u64) -> RegionReport {
-        let [primitives, drawn] = self.primitives;
-        RegionReport { region: self.region, renderer, primitives, drawn, begun, clocks }
+    use super::*;
+
+    proptest! {
+        #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+
+        /// Modulo 2^24, as the pixels have it.
+        #[test]
+        fn a_channel_is_the_only_one_where_all_pixels_have_it(
+            slopes in prop::array::uniform2(prop_oneof![-2000..2000i64, -(1i64 << 23)..1 << 23, -40_000..40_000i64]),
+            origin in prop_oneof![0..1i64 << 24, Just(0), Just((1 << 24) - 1)],
+            (left, top) in (0..2000u32, 0..2000u32),
+            (columns, rows) in (0..9u32, 0..9u32),
+        ) {
+            const MASK: i64 = (1 << COLOUR_PLANE_BITS) - 1;
+            let [x, y] = slopes;
+            let plane = Plane { x: (x & MASK) as u64, y: (y & MASK) as u64, origin: origin as u64 };
+            let pixels = PixelBox { left, top, right: left + columns, bottom: top + rows };
+            let value = |column: u32, row: u32| ((origin + x * i64::from(column) + y * i64::from(row)) & MASK) >> FRACTION_BITS;
+            let mut all = (top..=top + rows).flat_map(|row| (left..=left + columns).map(move |column| (column, row)));
+            let first = value(left, top);
+            let is_only = all.all(|(column, row)| value(column, row) == first);
+            let found = only_channel(&plane, &pixels);
+            if let Some(channel) = found {
+                prop_assert!(is_only && i64::from(channel) == first, "{:?}", found);
+            } else {
+                // One that goes through all channels may come back to the first.
+                let comes_back = x.abs() * i64::from(columns) + y.abs() * i64::from(rows) >= 255 << FRACTION_BITS;
+                prop_assert!(!is_only || comes_back);
+            }
+        }
     }
 }

@@ -3,7 +3,9 @@
 use serde::Serialize;
 use tilewright_rtl::parameter::{ParameterError, Screen};
 use tilewright_rtl::pixel_planes::frame_buffer::FrameBuffer;
+use tilewright_rtl::pixel_planes::programs::Edges;
 use tilewright_rtl::pixel_planes::renderer::Renderer;
+use tilewright_rtl::pixel_planes::ring::Ring;
 use tilewright_rtl::pixel_planes::{self, SIDE};
 use tilewright_scenes::Size;
 
@@ -29,22 +31,31 @@ pub struct Config {
     pub side: u32,
     /// Instructions that the queue of each renderer holds.
     pub queue: u32,
+    /// What the ring brings in Mbit/s: a multiple of 40, a bit in each clock.
+    pub ring: u32,
     /// Depth alone decides, and of equal depths the first drawn stays, as in
     /// [`golden::render_strict`](tilewright_scenes::golden::render_strict).
     pub strict: bool,
     /// The tree may have the next primitive's edges while the memory has what the one before leaves.
     pub side_by_side: bool,
+    /// The form in which edges are sent.
+    pub edges: Edges,
 }
 
 impl Config {
     /// The most renderers.
     pub const MOST_RENDERERS: u32 = 32;
+    /// What the ring brings in Mbit/s, if nobody says otherwise (PP5-ARCH).
+    pub const RING: u32 = 5000;
+    /// A ring in Mbit/s that brings all that any machine takes: an instruction to each renderer and a plane in each clock.
+    pub const AMPLE_RING: u32 = 320_000;
     /// The smallest region's side in pixels.
     pub const SMALLEST_SIDE: u32 = 8;
 
     /// 16 renderers with regions of 128 x 128 pixels (PP5-ARCH, PP5-UTV), for a screen of that size.
     pub fn new(size: Size) -> Config {
-        Config { size, renderers: 16, side: SIDE, queue: 64, strict: false, side_by_side: true }
+        let (ring, edges) = (Config::RING, Edges::Least);
+        Config { size, renderers: 16, side: SIDE, queue: 64, ring, strict: false, side_by_side: true, edges }
     }
 
     /// The screen's regions.
@@ -74,6 +85,14 @@ impl Config {
         Renderer::new(self.side, self.queue)
     }
 
+    /// The hardware between geometry processors, renderers and frame buffer.
+    ///
+    /// # Errors
+    /// It brings no whole number of bits in a clock, or more than there is hardware for; or as [`Config::renderer`].
+    pub fn ring(&self) -> Result<Ring, ParameterError> {
+        Ring::new(self.renderers, self.renderer()?.side(), Ring::bits_a_clock(self.ring)?)
+    }
+
     /// The hardware that puts regions together.
     ///
     /// # Errors
@@ -84,8 +103,9 @@ impl Config {
 
     /// As a report shows it.
     pub(crate) fn built(&self) -> Built {
-        let Config { size, renderers, side, queue, strict, side_by_side } = *self;
-        Built { width: size.width(), height: size.height(), renderers, side, queue, strict, side_by_side }
+        let Config { size, renderers, side, queue, ring, strict, side_by_side, edges } = *self;
+        let (width, height, edges) = (size.width(), size.height(), edges.name());
+        Built { width, height, renderers, side, queue, ring, strict, side_by_side, edges }
     }
 }
 
@@ -102,8 +122,12 @@ pub struct Built {
     pub side: u32,
     /// Instructions that the queue of each renderer holds.
     pub queue: u32,
+    /// What the ring brings in Mbit/s.
+    pub ring: u32,
     /// Whether of equal depths the first drawn stays.
     pub strict: bool,
     /// Whether tree and memory may work on two instructions.
     pub side_by_side: bool,
+    /// The form in which edges are sent: `fixed`, `own` or `least`.
+    pub edges: &'static str,
 }

@@ -4,6 +4,7 @@
 //! `(1 + L cos t/S)(1 + L sin t/S)` gives its 1.63 for vectors of 50 pixels at 45 degrees, and then 94 clocks a vector its 239 ns.
 
 use serde::Serialize;
+use tilewright_rtl::pixel_planes::ring::Ring;
 use tilewright_scenes::angle;
 
 /// The clock period of a renderer in ns (PP5-UT: 40 MHz).
@@ -130,6 +131,46 @@ pub fn greatest_load_of_whole_regions(primitives: u64, regions: usize, renderers
 /// ```
 pub fn update_time(cycles: u64, load: f64, period: f64) -> f64 {
     cycles as f64 * load * period
+}
+
+/// The first clock in which a renderer could begin its next instruction, but the ring has not brought it: of so many renderers that all
+/// get a region in the beginning, with instructions that take `clocks` one after another, and queues long enough for all of them. The clocks are
+/// counted from that in which the first region is given.
+///
+/// It follows from the rate alone: once all B renderers have a region, in clock B, the ring brings the j-th of their instructions, taken by
+/// turns and counted from 0, 154 j / `bits` clocks later; and an instruction is wanted when those before it are done.
+///
+/// ```
+/// use tilewright_machines::pixel_planes::first_starved;
+///
+/// // One in 2 clocks; after one of 20 clocks, each takes 1: when the 20th has been taken, the next one is not there yet.
+/// let clocks = [vec![20], vec![1; 40]].concat();
+/// assert_eq!(first_starved(1, 77, &clocks), Some(41));
+/// assert_eq!(first_starved(1, 154, &clocks), None);
+/// ```
+///
+/// # Panics
+/// The ring cannot bring an instruction in each clock to all renderers but one: then it is short of bits from the beginning.
+pub fn first_starved(renderers: usize, bits: u64, clocks: &[u64]) -> Option<u64> {
+    let instruction = u64::from(Ring::INSTRUCTION);
+    assert!(bits > (renderers as u64 - 1) * instruction, "the first instructions are late");
+    let first = |renderer: usize| {
+        // What came while others had no region yet: one a clock.
+        let before = renderers - 1 - renderer;
+        let turn = (renderer + renderers - 1) % renderers;
+        let brought = |number: usize| {
+            let at_best = (renderer + 1 + number) as u64;
+            let by_rate = |number: usize| (number * renderers + turn) as u64 * instruction / bits + renderers as u64;
+            number.checked_sub(before).map_or(at_best, by_rate).max(at_best)
+        };
+        let mut wanted = renderer as u64 + 2;
+        clocks.iter().enumerate().find_map(|(number, clocks)| {
+            let at = wanted;
+            wanted += clocks;
+            (brought(number) + 1 > at).then_some(at)
+        })
+    };
+    (0..renderers).filter_map(first).min()
 }
 
 #[cfg(test)]

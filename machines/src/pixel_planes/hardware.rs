@@ -1,127 +1,170 @@
-//! A renderer in simulation, and the frame buffer that takes what it sends.
-
-use std::sync::atomic::AtomicBool;
+//! A renderer in simulation, which follows the clocks of the model, and the frame buffer that takes what renderers send.
 
 use tilewright_rtl::pixel_planes::backing_store::BitPlane;
 use tilewright_rtl::pixel_planes::frame_buffer::{FrameBuffer, FrameBufferIn, FrameBufferOut};
 use tilewright_rtl::pixel_planes::instruction::Instruction;
 use tilewright_rtl::pixel_planes::renderer::{Renderer, RendererIn, RendererOut};
 use tilewright_rtl::pixel_planes::{PERIOD, fields};
-use tilewright_sim::{EngineKind, Simulation};
+use tilewright_sim::{EngineKind, IntoValue, Simulation};
 
+use super::model::RendererTiming;
 use crate::error::Error;
-use crate::run::Watch;
 
-/// After so many instructions it is looked whether to go on.
-const LOOK: u64 = 512;
-
-/// A line of a region, a bit of all its pixels at a time.
-pub(super) struct Plane {
-    pub region: u64,
-    pub line: u64,
-    pub plane: u64,
-    pub bits: Vec<u64>,
+/// A renderer in simulation, and what the model says of it.
+pub(super) struct Course<'a> {
+    /// Its number.
+    pub number: usize,
+    pub timing: &'a RendererTiming,
+    /// The numbers of its regions in turn, and their instructions.
+    pub regions: Vec<(usize, &'a [Instruction<u64>])>,
 }
 
-/// A running renderer.
-pub(super) struct Running {
-    pub sim: Simulation<RendererIn, RendererOut>,
-    /// Lines of regions that it has sent, and that the frame buffer has not got yet.
-    sent: Vec<Plane>,
-    /// Clocks since its reset.
-    pub clock: u64,
-    /// Regions that it was given.
-    given: usize,
-    /// Planes that it has sent.
+/// What has been of a course before a clock.
+#[derive(Clone, Copy, Default)]
+struct Done {
+    clock: u64,
+    /// Instructions that came, and those of them that the controller took.
+    arrived: usize,
+    taken: usize,
+    /// Planes that went.
     planes: usize,
+    /// The clock behind that of the last bit of all instructions that were taken.
+    ended: u64,
 }
 
-impl Running {
-    pub fn new(renderer: &Renderer, engine: EngineKind, side_by_side: bool) -> Result<Running, Error> {
+impl Course<'_> {
+    /// Runs a renderer in the clocks of the model; gives the bits of the planes that it sends, one after another. After some handshakes `go_on` is
+    /// told how many, and the clock.
+    ///
+    /// Clocks in which it is at rest are left out: nothing in it changes.
+    ///
+    /// # Errors
+    /// [`Error::Differs`]: a handshake is in another clock; [`Error::Simulation`]; what `go_on` says.
+    pub fn run(
+        &self,
+        renderer: &Renderer,
+        engine: EngineKind,
+        side_by_side: bool,
+        go_on: &dyn Fn(usize, u64) -> Result<(), Error>,
+    ) -> Result<Vec<impl IntoValue + Send + use<>>, Error> {
+        const LOOK: usize = 512;
         let mut sim = Simulation::at(renderer, PERIOD)?.on(engine);
         sim.set(sim.i.instructions.valid, false);
         sim.set(sim.i.side_by_side, side_by_side);
-        sim.set(sim.o.planes.ready, true);
+        sim.set(sim.o.planes.ready, false);
         sim.try_reset()?;
-        Ok(Running { sim, sent: Vec::new(), clock: 0, given: 0, planes: 0 })
-    }
 
-    /// Draws a region from a clock on, which has not been yet; gives the clock in which it can be given another one.
-    pub fn draw(
-        &mut self,
-        begun: u64,
-        instructions: &[Instruction<u64>],
-        cancel: Option<&AtomicBool>,
-    ) -> Result<u64, Error> {
-        let mut watch = Watch { progress: None, cancel };
-        while self.clock < begun {
-            self.step()?;
-        }
-        for (instruction, number) in instructions.iter().zip(1_u64..) {
-            self.give(instruction)?;
-            if number.is_multiple_of(LOOK) {
-                watch.go_on("drawing", 0.0, self.sim.time())?;
+        let instructions: Vec<&Instruction<u64>> = self.regions.iter().flat_map(|(_, program)| *program).collect();
+        let (mut done, mut looked, mut sent) = (Done::default(), 0, Vec::with_capacity(self.timing.planes.len()));
+        while let Some(event) = self.next_event(&done) {
+            if done.clock >= done.ended + Renderer::REST {
+                done.clock = event;
+            }
+            let clock = done.clock;
+            self.compare(&mut sim, renderer, &done)?;
+            let is_now = |clocks: &[u64], number: usize| clocks.get(number) == Some(&clock);
+            let arrives = is_now(&self.timing.arrived, done.arrived);
+            if arrives {
+                show(&mut sim, instructions[done.arrived]);
+            }
+            sim.set(sim.i.instructions.valid, arrives);
+            let goes = is_now(&self.timing.planes, done.planes);
+            if goes {
+                self.compare_plane(&mut sim, renderer, &done)?;
+                sent.push(sim.get(sim.o.planes.payload.bits));
+            }
+            sim.set(sim.o.planes.ready, goes);
+            sim.try_step()?;
+
+            if is_now(&self.timing.taken, done.taken) {
+                done.ended = done.ended.max(self.timing.ended[done.taken] + 1);
+                done.taken += 1;
+            }
+            done.arrived += usize::from(arrives);
+            done.planes += usize::from(goes);
+            done.clock += 1;
+            let handshakes = done.arrived + done.planes;
+            if handshakes >= looked + LOOK {
+                go_on(handshakes - looked, clock)?;
+                looked = handshakes;
             }
         }
-        while !self.is_idle() {
-            self.step()?;
-        }
-        self.given += 1;
-        Ok(self.clock)
+        Ok(sent)
     }
 
-    /// Goes through clocks until the renderer has taken an instruction.
-    fn give(&mut self, instruction: &Instruction<u64>) -> Result<(), Error> {
-        let port = self.sim.i.instructions.payload;
-        self.sim.set(port.operation, instruction.operation);
-        self.sim.set(port.skip, instruction.skip);
-        self.sim.set(port.length, instruction.length);
-        self.sim.set(port.read, instruction.read);
-        self.sim.set(port.write, instruction.write);
-        self.sim.set(port.coefficients.a, instruction.coefficients.a);
-        self.sim.set(port.coefficients.b, instruction.coefficients.b);
-        self.sim.set(port.coefficients.c, instruction.coefficients.c);
-        self.sim.set(self.sim.i.instructions.valid, true);
-        let mut is_taken = false;
-        while !is_taken {
-            is_taken = self.sim.get_u64(self.sim.i.instructions.ready) != 0;
-            self.step()?;
-        }
-        self.sim.set(self.sim.i.instructions.valid, false);
-        Ok(())
+    /// The clock of the next handshake; none after the last plane.
+    fn next_event(&self, done: &Done) -> Option<u64> {
+        let RendererTiming { arrived, taken, planes, .. } = self.timing;
+        let next = [arrived.get(done.arrived), taken.get(done.taken), planes.get(done.planes)];
+        next.into_iter().flatten().min().copied()
     }
 
-    /// Whether it can be given another region.
-    fn is_idle(&mut self) -> bool {
-        self.sim.get_u64(self.sim.o.idle) != 0
-    }
-
-    /// Goes through a clock, and takes what is sent in it.
-    fn step(&mut self) -> Result<(), Error> {
-        let BitPlane { region, line, plane, bits } = self.sim.o.planes.payload;
-        if self.sim.get_u64(self.sim.o.planes.valid) != 0 {
-            let [region, line, plane] = [region, line, plane].map(|port| self.sim.get_u64(port));
-            self.planes += 1;
-            self.sent.push(Plane { region, line, plane, bits: self.sim.lanes(bits) });
-        }
-        self.sim.try_step()?;
-        self.clock += 1;
-        Ok(())
-    }
-
-    /// Goes through clocks until it has sent all regions, of so many planes each.
-    pub fn send_all(&mut self, planes: usize) -> Result<(), Error> {
-        while self.planes < self.given * planes {
-            self.step()?;
+    /// Compares all that the renderer says to others with the model.
+    fn compare(
+        &self,
+        sim: &mut Simulation<RendererIn, RendererOut>,
+        renderer: &Renderer,
+        done: &Done,
+    ) -> Result<(), Error> {
+        let RendererTiming { taken, shown, planes, .. } = self.timing;
+        let waiting = done.arrived - done.taken;
+        let of_region = planes_of(renderer.side());
+        let first_clock = match (done.planes == planes.len(), done.planes.is_multiple_of(of_region)) {
+            (true, _) => u64::MAX,
+            (_, true) => shown[done.planes / of_region],
+            _ => planes[done.planes - 1] + 1,
+        };
+        let takes = taken.get(done.taken) == Some(&done.clock);
+        for (signal, port, expected) in [
+            ("the queue's handshake", sim.o.takes, takes),
+            ("the queue's room", sim.o.room, waiting < renderer.queue() as usize),
+            ("idleness", sim.o.idle, waiting == 0 && done.clock >= done.ended),
+            ("the validity of planes", sim.o.planes.valid, done.clock >= first_clock),
+        ] {
+            self.same(signal, done.clock, sim.get_u64(port), expected.into())?;
         }
         Ok(())
     }
 
-    /// The planes of lines that it has sent as a whole, each once.
-    pub fn whole_lines(&mut self) -> impl Iterator<Item = Plane> {
-        let whole = self.sent.len() - self.sent.len() % fields::WORD.bits as usize;
-        self.sent.drain(..whole)
+    /// Compares what a plane is of with the regions that it has drawn.
+    fn compare_plane(
+        &self,
+        sim: &mut Simulation<RendererIn, RendererOut>,
+        renderer: &Renderer,
+        done: &Done,
+    ) -> Result<(), Error> {
+        let BitPlane { region, line, plane, .. } = sim.o.planes.payload;
+        let (side, word) = (renderer.side() as usize, fields::WORD.bits as usize);
+        let (number, _) = self.regions[done.planes / planes_of(renderer.side())];
+        for (signal, port, expected) in [
+            ("a plane's region", region, number),
+            ("a plane's line", line, done.planes / word % side),
+            ("a plane's number", plane, done.planes % word),
+        ] {
+            self.same(signal, done.clock, sim.get_u64(port), expected as u64)?;
+        }
+        Ok(())
     }
+
+    fn same(&self, signal: &'static str, clock: u64, seen: u64, expected: u64) -> Result<(), Error> {
+        if seen == expected {
+            return Ok(());
+        }
+        Err(Error::Differs { unit: format!("renderer {}", self.number), signal, clock, seen, expected })
+    }
+}
+
+/// Puts an instruction before a renderer.
+fn show(sim: &mut Simulation<RendererIn, RendererOut>, instruction: &Instruction<u64>) {
+    let port = sim.i.instructions.payload;
+    sim.set(port.operation, instruction.operation);
+    sim.set(port.skip, instruction.skip);
+    sim.set(port.length, instruction.length);
+    sim.set(port.read, instruction.read);
+    sim.set(port.write, instruction.write);
+    sim.set(port.coefficients.a, instruction.coefficients.a);
+    sim.set(port.coefficients.b, instruction.coefficients.b);
+    sim.set(port.coefficients.c, instruction.coefficients.c);
 }
 
 /// The running frame buffer.
@@ -138,15 +181,22 @@ impl Frames {
         Ok(Frames { sim })
     }
 
-    /// Puts a line's planes to their place; takes a clock each.
-    pub fn put(&mut self, plane: Plane) -> Result<(), Error> {
+    /// Puts the planes of a line to their place; takes a clock each.
+    pub fn put(
+        &mut self,
+        region: usize,
+        line: usize,
+        planes: impl Iterator<Item = impl IntoValue>,
+    ) -> Result<(), Error> {
         let port = self.sim.i.planes.payload;
-        self.sim.set(port.region, plane.region);
-        self.sim.set(port.line, plane.line);
-        self.sim.set(port.plane, plane.plane);
-        self.sim.set_lanes(port.bits, plane.bits);
+        self.sim.set(port.region, region as u64);
+        self.sim.set(port.line, line as u64);
         self.sim.set(self.sim.i.planes.valid, true);
-        self.sim.try_step()?;
+        for (plane, bits) in planes.enumerate() {
+            self.sim.set(port.plane, plane as u64);
+            self.sim.set(port.bits, bits);
+            self.sim.try_step()?;
+        }
         self.sim.set(self.sim.i.planes.valid, false);
         Ok(())
     }
@@ -165,3 +215,6 @@ impl Frames {
 pub(super) fn planes_of(side: u32) -> usize {
     (side * fields::WORD.bits) as usize
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,25 +1,24 @@
 //! The machine: bins of regions, renderers that take one after another, and the frame that they make (PP5-ARCH).
 //!
-//! Renderers do not wait for each other: they have instructions as fast as they take them, and what they send is taken at once. Each is a
-//! simulation of its own, on all processors of the computer. The next region goes to the renderer that is free first, as the region
-//! allocator gives it: so regions are drawn side by side as long as none of those that draw can be done before they are given.
+//! Renderers wait for the ring, and the ring for renderers; but when, the transaction-level model knows before. So each renderer is a simulation
+//! of its own, on all processors of the computer, that gets its instructions and is rid of its planes in the clocks of the model,
+//! and all that it says to others is compared with the model's. The frame buffer then gets the lines in the order in which the ring brings them.
 
-use std::collections::VecDeque;
-use std::sync::Mutex;
-use std::sync::atomic::AtomicBool;
-
+use tilewright_rtl::parameter::ParameterError;
+use tilewright_rtl::pixel_planes::{PERIOD, fields};
 use tilewright_scenes::{Frame, PixelBox, Polygons};
-use tilewright_sim::EngineKind;
+use tilewright_sim::{EngineKind, IntoValue};
 
 use super::bin::{Bin, Work};
 use super::config::Config;
-use super::hardware::{Frames, Running, planes_of};
+use super::hardware::{Course, Frames};
+use super::model::{Model, RendererTiming, Step, Timing};
 use super::outline::Binner;
 use super::regions::Regions;
-use super::report::{RegionReport, Report};
+use super::report::Report;
 use crate::error::Error;
 use crate::run::Watch;
-use crate::threads::{all_threads, on_threads};
+use crate::threads::{Heard, all_threads, on_threads_heard};
 
 /// What progress and errors call a frame.
 const PHASE: &str = "drawing";
@@ -41,7 +40,7 @@ const PHASE: &str = "drawing";
 /// ```
 #[derive(Clone, Debug)]
 pub struct Machine {
-    config: Config,
+    pub(super) config: Config,
     engine: EngineKind,
 }
 
@@ -52,6 +51,7 @@ impl Machine {
     /// [`Error::Parameter`]: there is no such machine.
     pub fn new(config: Config) -> Result<Machine, Error> {
         config.renderer()?;
+        config.ring()?;
         config.frame_buffer()?;
         Ok(Machine { config, engine: EngineKind::Compiled })
     }
@@ -64,150 +64,149 @@ impl Machine {
     /// Renders a frame: the picture as the frame buffer has it, and the report.
     ///
     /// # Errors
-    /// [`Error::Parameter`] if the polygons are of another screen; [`Error::Cancelled`]; [`Error::Simulation`].
+    /// [`Error::Parameter`] if the polygons are of another screen; [`Error::Cancelled`]; [`Error::Simulation`]; [`Error::Differs`].
     pub fn render(
         &self,
         polygons: &Polygons,
         background: [u8; 3],
         watch: &mut Watch,
     ) -> Result<(Frame, Report), Error> {
+        let regions = self.config.regions()?;
+        let works = self.works(&regions, polygons, background)?;
+        let timing = self.timing_of(&works)?;
+        let sent = self.simulate(&works, &timing, watch)?;
+        let frame = self.frame(&regions, &works, &timing, sent)?;
+        watch.report(PHASE, 1.0);
+        Ok((frame, Report::new(self.config.built(), polygons.polygons.len(), &works, &timing)))
+    }
+
+    /// The clocks of a frame by the transaction-level model alone, which are those of [`Machine::render`]; regions are told in the order in
+    /// which they are given, by decreasing number of primitives.
+    ///
+    /// ```
+    /// use tilewright_machines::{Watch, pixel_planes::{Config, Machine}};
+    /// use tilewright_scenes::{Scene, Size, project_polygons};
+    ///
+    /// let scene = Scene::builtin("star").expect("a built-in scene");
+    /// let polygons = project_polygons(&scene, Size::new(48, 32)?)?;
+    /// let machine = Machine::new(Config { renderers: 2, side: 16, ..Config::new(polygons.size) })?;
+    /// let timing = machine.timing(&polygons)?;
+    /// let (_, report) = machine.render(&polygons, scene.background, &mut Watch::default())?;
+    /// assert_eq!((timing.drawn, timing.sent), (report.drawn, report.sent));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Parameter`] if the polygons are of another screen.
+    pub fn timing(&self, polygons: &Polygons) -> Result<Timing, Error> {
+        self.timing_of(&self.works(&self.config.regions()?, polygons, [0; 3])?)
+    }
+
+    /// What is to be done for each region, those with most primitives first.
+    pub(super) fn works(
+        &self,
+        regions: &Regions,
+        polygons: &Polygons,
+        background: [u8; 3],
+    ) -> Result<Vec<Work>, Error> {
         let Config { size, .. } = self.config;
         if polygons.size != size {
             let problem = format!("polygons of {} pixels, on a machine of {size}: set them up for that", polygons.size);
-            return Err(tilewright_rtl::parameter::ParameterError(problem).into());
+            return Err(ParameterError(problem).into());
         }
-        let regions = self.config.regions()?;
         let bins = regions.bins(&polygons.vertices, Binner::Tight);
         let mut order: Vec<usize> = (0..bins.len()).collect();
         // Stable: of equal ones the lower number is first.
         order.sort_by_key(|&region| std::cmp::Reverse(bins[region].len()));
-
-        let mut host = Host::new(self, &regions)?;
-        let work = |&region: &usize| {
-            let PixelBox { left, top, .. } = regions.pixels(region);
-            let bin = Bin { region, place: (left, top), side: self.config.side, strict: self.config.strict };
+        let work = |region: usize| {
+            let bin = Bin::new(region, regions, &self.config);
             Work::new(&bin, &bins[region], polygons, background)
         };
-        let mut open: VecDeque<Work> = order.iter().map(work).collect();
-        let mut drawn = Vec::with_capacity(bins.len());
-        while !open.is_empty() {
-            let done = drawn.len() as f64 / bins.len() as f64;
-            watch.go_on(PHASE, done, host.time())?;
-            drawn.extend(host.draw(&mut open, watch.cancel)?);
-        }
-        let frame = host.frame()?;
-        watch.report(PHASE, 1.0);
-        let report = Report::new(self.config.built(), polygons.polygons.len(), drawn, host.sent_at());
-        Ok((frame, report))
-    }
-}
-
-/// The host during a frame.
-struct Host<'a> {
-    config: &'a Config,
-    regions: &'a Regions,
-    renderers: Vec<Mutex<Running>>,
-    frames: Frames,
-    /// The clock at which the allocator can give the next region: one a clock.
-    next: u64,
-}
-
-/// A region that a renderer gets at a clock.
-struct Given {
-    renderer: usize,
-    begun: u64,
-    work: Work,
-}
-
-impl<'a> Host<'a> {
-    fn new(machine: &'a Machine, regions: &'a Regions) -> Result<Host<'a>, Error> {
-        let config = &machine.config;
-        let renderer = config.renderer()?;
-        let used = config.renderers.min(regions.count() as u32);
-        let running = |_| Running::new(&renderer, machine.engine, config.side_by_side).map(Mutex::new);
-        let renderers = (0..used).map(running).collect::<Result<_, _>>()?;
-        let frames = Frames::new(&config.frame_buffer()?, machine.engine)?;
-        Ok(Host { config, regions, renderers, frames, next: 0 })
+        Ok(order.into_iter().map(work).collect())
     }
 
-    /// All renderers, at rest.
-    fn running(&mut self) -> impl Iterator<Item = &mut Running> {
-        self.renderers.iter_mut().map(|it| it.get_mut().expect("no thread has failed"))
+    fn timing_of(&self, works: &[Work]) -> Result<Timing, Error> {
+        let steps: Vec<Vec<Step>> = works.iter().map(|work| Step::of(&work.instructions)).collect();
+        Ok(Model::new(&self.config)?.run(&steps))
     }
 
-    /// Simulated picoseconds of the renderer that is farthest.
-    fn time(&mut self) -> u64 {
-        self.running().map(|it| it.sim.time()).max().unwrap_or(0)
-    }
-
-    /// Gives regions to the renderers that are free first, as many as are sure to go to these, and has them drawn side by side.
-    fn draw(&mut self, open: &mut VecDeque<Work>, cancel: Option<&AtomicBool>) -> Result<Vec<RegionReport>, Error> {
-        let round = self.give(open);
-        let time = self.time();
-        let renderers = &self.renderers;
-        let mut results: Vec<Option<Result<u64, Error>>> = round.iter().map(|_| None).collect();
-        let draw = |given: &Given| {
-            let mut running = renderers[given.renderer].lock().expect("no thread has failed");
-            running.draw(given.begun, &given.work.instructions, cancel)
+    /// What each renderer that has a region sends.
+    fn simulate(
+        &self,
+        works: &[Work],
+        timing: &Timing,
+        watch: &mut Watch,
+    ) -> Result<Vec<Vec<impl IntoValue + use<>>>, Error> {
+        let renderer = self.config.renderer()?;
+        let renderers = timing.renderers.iter().enumerate();
+        let mut courses: Vec<Course> = renderers.map(|(number, it)| course(number, it, works)).collect();
+        // Those with most to do first, so that no processor of the computer has one of them at last.
+        courses.sort_by_key(|it| std::cmp::Reverse(it.timing.busy));
+        let mut results: Vec<_> = timing.renderers.iter().map(|_| None).collect();
+        let all = timing.ring.instructions + timing.ring.planes;
+        let (mut seen, mut last) = (0, 0);
+        let Watch { progress, cancel } = watch;
+        let cancel = *cancel;
+        let work = |course: &Course, say: &dyn Fn((u64, u64))| {
+            let go_on = |handshakes: usize, clock: u64| {
+                say((handshakes as u64, clock));
+                let time = clock * PERIOD.picoseconds();
+                Watch { progress: None, cancel }.go_on(PHASE, 0.0, time)
+            };
+            (course.number, course.run(&renderer, self.engine, self.config.side_by_side, &go_on))
         };
-        on_threads(all_threads(), &round, cancel, draw, |number, result| results[number] = Some(result));
-        let mut drawn = Vec::with_capacity(round.len());
-        for (given, result) in round.iter().zip(results) {
-            let clock = result.unwrap_or(Err(Error::Cancelled { phase: PHASE, time }))?;
-            drawn.push(given.work.report(given.renderer, given.begun, clock - given.begun));
-        }
-        for running in &mut self.renderers {
-            for plane in running.get_mut().expect("no thread has failed").whole_lines() {
-                self.frames.put(plane)?;
+        on_threads_heard(all_threads(), &courses, cancel, work, |heard| match heard {
+            Heard::Said((handshakes, clock)) => {
+                (seen, last) = (seen + handshakes, clock.max(last));
+                let mut progress = Watch { progress: progress.as_deref_mut().map(|it| it as _), cancel: None };
+                progress.report(PHASE, seen as f64 / all as f64);
             }
-        }
-        Ok(drawn)
+            Heard::Done(_, (number, result)) => results[number] = Some(result),
+        });
+        let time = last * PERIOD.picoseconds();
+        results.into_iter().map(|result| result.unwrap_or(Err(Error::Cancelled { phase: PHASE, time }))).collect()
     }
 
-    /// The next regions, up to one for which a renderer might be free first that has just got one.
-    fn give(&mut self, open: &mut VecDeque<Work>) -> Vec<Given> {
-        let mut free: Vec<(u64, usize)> = self.running().map(|it| it.clock).zip(0..).collect();
-        let (mut round, mut again) = (Vec::new(), u64::MAX);
-        free.sort_unstable();
-        for (clock, renderer) in free {
-            let begun = clock.max(self.next);
-            if begun >= again {
-                break;
-            }
-            let Some(work) = open.pop_front() else { break };
-            self.next = begun + 1;
-            again = again.min(begun + work.least_clocks());
-            round.push(Given { renderer, begun, work });
+    /// Brings what renderers send to the frame buffer, line by line as the ring does, and reads the picture.
+    fn frame(
+        &self,
+        regions: &Regions,
+        works: &[Work],
+        timing: &Timing,
+        sent: Vec<Vec<impl IntoValue>>,
+    ) -> Result<Frame, Error> {
+        let (side, word) = (self.config.side as usize, fields::WORD.bits as usize);
+        let mut lines = Vec::new();
+        for (number, it) in timing.renderers.iter().enumerate() {
+            let clocks = it.planes.iter().step_by(word).enumerate();
+            lines.extend(
+                clocks.map(|(line, &clock)| (clock, number, works[it.regions[line / side]].region, line % side)),
+            );
         }
-        round
-    }
-
-    /// Waits for all that is sent, and reads the picture.
-    fn frame(&mut self) -> Result<Frame, Error> {
-        for running in &mut self.renderers {
-            let running = running.get_mut().expect("no thread has failed");
-            running.send_all(planes_of(self.config.side))?;
-            for plane in running.whole_lines() {
-                self.frames.put(plane)?;
-            }
+        lines.sort_unstable();
+        let mut sent: Vec<_> = sent.into_iter().map(Vec::into_iter).collect();
+        let mut frames = Frames::new(&self.config.frame_buffer()?, self.engine)?;
+        for (_, number, region, line) in lines {
+            frames.put(region, line, sent[number].by_ref().take(word))?;
         }
         let size = self.config.size;
         let mut words = vec![0; size.pixels()];
-        for region in 0..self.regions.count() {
-            let PixelBox { left, top, right, bottom } = self.regions.pixels(region);
+        for region in 0..regions.count() {
+            let PixelBox { left, top, right, bottom } = regions.pixels(region);
             for y in top..=bottom {
                 let first = (y * size.width() + left) as usize;
                 let line = &mut words[first..=first + (right - left) as usize];
-                line.copy_from_slice(&self.frames.line(region, y - top)?[..line.len()]);
+                line.copy_from_slice(&frames.line(region, y - top)?[..line.len()]);
             }
         }
         Ok(Frame::from_words(size, words).expect("a word of 48 bits was read for each pixel"))
     }
+}
 
-    /// The clock in which the last region was sent.
-    fn sent_at(&mut self) -> u64 {
-        self.running().map(|it| it.clock).max().unwrap_or(0)
-    }
+/// What a renderer has to do.
+fn course<'a>(number: usize, timing: &'a RendererTiming, works: &'a [Work]) -> Course<'a> {
+    let region = |place: &usize| (works[*place].region, works[*place].instructions.as_slice());
+    Course { number, timing, regions: timing.regions.iter().map(region).collect() }
 }
 
 #[cfg(test)]

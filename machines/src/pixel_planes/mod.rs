@@ -5,7 +5,9 @@
 //!
 //! ```text
 //! primitives -> Outline -- Binner --> bins of Regions -- allocate --> Allocation: the regions of each renderer, P_w
-//! bins ----> Bin: instructions --> Machine: renderers and frame buffer in simulation --> Frame, Report
+//! bins ----> Bin: instructions --> Model: when each comes, and is taken --> Timing
+//!                      '----------------> Machine: renderers and frame buffer in simulation --> Frame, Report
+//! programs of primitives ----> Clocked, Table: N, the clocks of a primitive
 //! Vectors ---------------> Study: regions a vector, counted, beside those by Shape's formulas
 //! ```
 //!
@@ -13,24 +15,32 @@
 
 mod allocator;
 mod bin;
+mod clocks;
 mod config;
+mod drawing;
 mod formulas;
 mod hardware;
 mod machine;
+pub mod model;
 mod outline;
 mod regions;
 mod report;
 mod study;
+mod table;
 mod vectors;
 
 pub use allocator::{Allocation, Renderer, allocate};
+pub use clocks::{ProgramClocks, Tally, scene_clocks};
 pub use config::{Built, Config};
+pub use drawing::Drawing;
 pub use formulas::{
-    PERIOD, Shape, VECTOR_CYCLES, greatest_load, greatest_load_of_whole_regions, least_load, update_time,
+    PERIOD, Shape, VECTOR_CYCLES, first_starved, greatest_load, greatest_load_of_whole_regions, least_load, update_time,
 };
 pub use machine::Machine;
 pub use outline::{Binner, Outline};
 pub use regions::Regions;
-pub use report::{RegionReport, RendererReport, Report};
+pub use report::{RegionReport, RendererReport, Report, RingReport, StarvedReport};
 pub use study::{Bins, Point, Study};
+pub use table::{Kind, Row, Table};
+pub use tilewright_rtl::pixel_planes::programs::Edges;
 pub use vectors::Vectors;

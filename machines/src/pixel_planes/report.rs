@@ -4,7 +4,10 @@ use serde::Serialize;
 use std::fmt;
 use tilewright_rtl::pixel_planes::PERIOD;
 
+use super::bin::Work;
+use super::clocks::{ProgramClocks, Tally};
 use super::config::Built;
+use super::model::{RegionTiming, RendererTiming, RingTiming, Starved, Timing};
 
 /// The report of a frame. Everything in it is counted in the simulated machine; nothing depends on the computer that runs it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -17,6 +20,12 @@ pub struct Report {
     pub regions: Vec<RegionReport>,
     /// What each renderer did.
     pub renderers: Vec<RendererReport>,
+    /// The clocks of the primitives drawn, by the programs that drew any.
+    pub programs: Vec<ProgramClocks>,
+    /// What the ring brought.
+    pub ring: RingReport,
+    /// Where a renderer had to wait for an instruction first, if one had to.
+    pub first_starved: Option<StarvedReport>,
     /// Clocks until the last primitive was drawn.
     pub drawn: u64,
     /// Clocks until the last region was sent to the frame buffer.
@@ -38,6 +47,10 @@ pub struct RegionReport {
     pub begun: u64,
     /// Clocks until the renderer could be given another one.
     pub clocks: u64,
+    /// Those of them in which it could have begun its next instruction, but that had not come yet.
+    pub starved: u64,
+    /// Those in which it could not save the region, as the one before was not sent yet.
+    pub waited_for_store: u64,
 }
 
 /// What a renderer did.
@@ -51,20 +64,77 @@ pub struct RendererReport {
     pub drawn: u64,
     /// Clocks in which it had a region.
     pub busy: u64,
+    /// Those of them in which it could have begun its next instruction, but that had not come yet.
+    pub starved: u64,
+    /// Those in which it could not save its region, as the one before was not sent yet.
+    pub waited_for_store: u64,
+}
+
+impl RendererReport {
+    /// Clocks in which it had a region and waited for nobody.
+    pub fn working(&self) -> u64 {
+        self.busy - self.starved - self.waited_for_store
+    }
+}
+
+/// What the ring brought.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct RingReport {
+    /// Instructions to renderers.
+    pub instructions: u64,
+    /// Planes to the frame buffer, each a bit of all pixels of a line.
+    pub planes: u64,
+    /// The bits of both.
+    pub bits: u64,
+    /// The same in parts of the bits that it can bring until the last one, from 0 to 1.
+    pub load: f64,
+}
+
+/// Where a renderer had to wait for an instruction.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct StarvedReport {
+    /// The renderer.
+    pub renderer: usize,
+    /// The clock.
+    pub clock: u64,
 }
 
 impl Report {
-    pub(super) fn new(machine: Built, primitives: usize, regions: Vec<RegionReport>, sent: u64) -> Report {
-        let mut renderers = vec![RendererReport::default(); machine.renderers as usize];
-        for it in &regions {
-            let renderer = &mut renderers[it.renderer];
-            renderer.regions += 1;
-            renderer.primitives += it.primitives;
-            renderer.drawn += it.drawn;
-            renderer.busy += it.clocks;
+    pub(super) fn new(machine: Built, primitives: usize, works: &[Work], timing: &Timing) -> Report {
+        let region = |(work, timing): (&Work, &RegionTiming)| {
+            let [primitives, drawn] = work.primitives;
+            let &RegionTiming { renderer, given, free, starved, waited_for_store } = timing;
+            RegionReport {
+                region: work.region,
+                renderer,
+                primitives,
+                drawn,
+                begun: given,
+                clocks: free - given,
+                starved,
+                waited_for_store,
+            }
+        };
+        let renderer = |it: &RendererTiming| {
+            let sum = |which: usize| it.regions.iter().map(|&region| works[region].primitives[which]).sum();
+            let &RendererTiming { busy, starved, waited_for_store, .. } = it;
+            let regions = it.regions.len() as u64;
+            RendererReport { regions, primitives: sum(0), drawn: sum(1), busy, starved, waited_for_store }
+        };
+        let mut programs = Tally::default();
+        works.iter().for_each(|work| programs.add(work.programs));
+        let RingTiming { instructions, planes, bits, .. } = timing.ring;
+        Report {
+            machine,
+            primitives: primitives as u64,
+            regions: works.iter().zip(&timing.regions).map(region).collect(),
+            renderers: timing.renderers.iter().map(renderer).collect(),
+            programs: programs.used().collect(),
+            ring: RingReport { instructions, planes, bits, load: timing.ring.load() },
+            first_starved: timing.first_starved.map(|Starved { renderer, clock }| StarvedReport { renderer, clock }),
+            drawn: timing.drawn,
+            sent: timing.sent,
         }
-        let drawn = regions.iter().map(|it| it.begun + it.clocks).max().unwrap_or(0);
-        Report { machine, primitives: primitives as u64, regions, renderers, drawn, sent }
     }
 
     /// Simulated picoseconds until the last region was sent.
@@ -82,50 +152,72 @@ impl Report {
         self.renderers.iter().map(|it| it.primitives).max().unwrap_or(0)
     }
 
-    /// Clocks for each primitive drawn, N, with what a region takes by itself in them (PP5-UT).
+    /// Clocks for each primitive drawn, N, with what a region takes by itself in them, but none in which somebody waited (PP5-UT).
     pub fn clocks_per_primitive(&self) -> f64 {
         let drawn: u64 = self.renderers.iter().map(|it| it.drawn).sum();
-        self.renderers.iter().map(|it| it.busy).sum::<u64>() as f64 / drawn.max(1) as f64
+        self.renderers.iter().map(RendererReport::working).sum::<u64>() as f64 / drawn.max(1) as f64
     }
 
-    /// Busy clocks of all renderers in parts of those that they would have if all were as busy as the busiest, from 0 to 1.
+    /// Working clocks of all renderers in parts of those that they would have if all worked as long as the one that does longest, from 0 to 1.
     pub fn balance(&self) -> f64 {
-        let most = self.renderers.iter().map(|it| it.busy).max().unwrap_or(0).max(1) * self.renderers.len() as u64;
-        self.renderers.iter().map(|it| it.busy).sum::<u64>() as f64 / most as f64
+        let working = || self.renderers.iter().map(RendererReport::working);
+        let most = working().max().unwrap_or(0).max(1) * self.renderers.len() as u64;
+        working().sum::<u64>() as f64 / most as f64
     }
 }
 
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Built { width, height, renderers, side, queue, strict, side_by_side } = self.machine;
+        let Built { width, height, renderers, side, queue, ring, strict, side_by_side, edges } = self.machine;
         writeln!(f, "pixel-planes-5, {renderers} renderers of {side}x{side} pixels: {width}x{height} pixels,")?;
         let rule = if strict { "strict" } else { "the least word stays" };
         let manner = if side_by_side { "side by side" } else { "one at a time" };
-        writeln!(f, "{rule}, instructions {manner}, queues of {queue} instructions")?;
+        let edges = match edges {
+            "least" => "as least half-planes",
+            "own" => "in their own lengths",
+            _ => "in one length",
+        };
+        writeln!(f, "{rule}, edges {edges}, instructions {manner},")?;
+        writeln!(f, "queues of {queue} instructions, a ring of {ring} Mbit/s")?;
         let (regions, binned) = (self.regions.len(), self.binned());
         writeln!(f, "{} primitives, {binned} in the bins of {regions} regions\n", self.primitives)?;
 
         writeln!(
             f,
-            "{:9} {:>8} {:>11} {:>8} {:>10} {:>7}",
-            "renderer", "regions", "primitives", "drawn", "busy", "load"
+            "{:9} {:>8} {:>11} {:>8} {:>10} {:>7} {:>8} {:>8}",
+            "renderer", "regions", "primitives", "drawn", "busy", "load", "starved", "sending"
         )?;
         for (number, it) in self.renderers.iter().enumerate() {
-            let load = 100.0 * it.busy as f64 / self.drawn.max(1) as f64;
-            let RendererReport { regions, primitives, drawn, busy } = it;
-            writeln!(f, "{number:<9} {regions:>8} {primitives:>11} {drawn:>8} {busy:>10} {load:>5.1} %")?;
+            let load = 100.0 * it.working() as f64 / self.drawn.max(1) as f64;
+            let RendererReport { regions, primitives, drawn, busy, starved, waited_for_store } = it;
+            writeln!(
+                f,
+                "{number:<9} {regions:>8} {primitives:>11} {drawn:>8} {busy:>10} {load:>5.1} % {starved:>8} {waited_for_store:>8}"
+            )?;
         }
+        writeln!(f, "Starved: waiting for instructions; sending: waiting until the region before is sent.")?;
         writeln!(f, "The load of the renderers is {:.1} % balanced.\n", 100.0 * self.balance())?;
+
+        writeln!(f, "{:13} {:>8} {:>7} {:>7}", "program", "drawn", "N mean", "N most")?;
+        for it in &self.programs {
+            let ProgramClocks { program, primitives, most, .. } = it;
+            writeln!(f, "{program:<13} {primitives:>8} {:>7.1} {most:>7}", it.mean())?;
+        }
+        writeln!(f, "N is the clocks from a primitive's first operation to the next one's.\n")?;
 
         writeln!(
             f,
-            "{:9} {:>8} {:>11} {:>8} {:>10} {:>9}",
-            "region", "renderer", "primitives", "drawn", "clocks", "begun"
+            "{:9} {:>8} {:>11} {:>8} {:>10} {:>9} {:>8} {:>8}",
+            "region", "renderer", "primitives", "drawn", "clocks", "begun", "starved", "sending"
         )?;
         for it in &self.regions {
-            let RegionReport { region, renderer, primitives, drawn, begun, clocks } = it;
-            writeln!(f, "{region:<9} {renderer:>8} {primitives:>11} {drawn:>8} {clocks:>10} {begun:>9}")?;
+            let RegionReport { region, renderer, primitives, drawn, begun, clocks, starved, waited_for_store } = it;
+            writeln!(
+                f,
+                "{region:<9} {renderer:>8} {primitives:>11} {drawn:>8} {clocks:>10} {begun:>9} {starved:>8} {waited_for_store:>8}"
+            )?;
         }
+        self.write_ring(f)?;
         let ms = |clocks: u64| (clocks * PERIOD.picoseconds()) as f64 / 1e9;
         writeln!(
             f,
@@ -140,5 +232,20 @@ impl fmt::Display for Report {
             self.sent,
             ms(self.sent)
         )
+    }
+}
+
+impl Report {
+    /// What the ring brought, and whether somebody had to wait for it.
+    fn write_ring(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let RingReport { instructions, planes, load, .. } = self.ring;
+        let load = 100.0 * load;
+        writeln!(f, "The ring brought {instructions} instructions and {planes} planes: it was loaded to {load:.1} %.")?;
+        match self.first_starved {
+            None => writeln!(f, "No renderer had to wait for an instruction."),
+            Some(StarvedReport { renderer, clock }) => {
+                writeln!(f, "The first that had to wait for an instruction was renderer {renderer}, in clock {clock}.")
+            }
+        }
     }
 }

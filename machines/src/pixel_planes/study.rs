@@ -8,9 +8,13 @@ use super::regions::Regions;
 use super::vectors::Vectors;
 use crate::mean::{Mean, Sum};
 use crate::run::Watch;
-use crate::threads::{all_threads, on_threads};
+use crate::threads::all_threads;
 use serde::Serialize;
+use std::ops::Range;
 use tilewright_rtl::parameter::ParameterError;
+
+/// Vectors that are counted before it is looked whether to go on.
+const PART: u64 = 20_000;
 
 /// What is counted of which vectors.
 ///
@@ -89,45 +93,43 @@ impl Study {
     }
 
     fn run_on(&self, threads: usize, watch: &mut Watch) -> Result<Option<Vec<Point>>, ParameterError> {
-        let jobs = self.jobs()?;
-        let mut points = vec![None; jobs.len()];
-        let (mut done, cancel) = (0, watch.cancel);
-        on_threads(
-            threads,
-            &jobs,
-            cancel,
-            |(shape, vectors)| self.point(*shape, vectors),
-            |number, point| {
-                points[number] = Some(point);
-                done += 1;
-                watch.report("counting regions", f64::from(done) / jobs.len() as f64);
-            },
-        );
-        Ok(points.into_iter().collect())
+        let samples = self.samples()?;
+        let parts = (0..self.vectors.div_ceil(PART)).map(|part| (part * PART)..self.vectors.min((part + 1) * PART));
+        let parts: Vec<Range<u64>> = parts.collect();
+        let jobs: Vec<(&Vectors, &Range<u64>)> =
+            samples.iter().flat_map(|(_, vectors)| parts.iter().map(move |part| (vectors, part))).collect();
+        let count = |(vectors, part): &(&Vectors, &Range<u64>)| self.count(vectors, Range::clone(part));
+        let Some(sums) = watch.each_on(threads, "counting regions", &jobs, count) else { return Ok(None) };
+        let points = samples.iter().zip(sums.chunks(parts.len()));
+        Ok(Some(points.map(|((shape, _), sums)| self.point(*shape, sums)).collect()))
     }
 
-    fn jobs(&self) -> Result<Vec<(Shape, Vectors)>, ParameterError> {
+    /// The vectors of each point.
+    fn samples(&self) -> Result<Vec<(Shape, Vectors)>, ParameterError> {
         if self.vectors == 0 {
             return Err(ParameterError("a study of 0 vectors: it has to have at least 1".to_owned()));
         }
         let shapes =
             self.lengths.iter().flat_map(|&length| self.angles.iter().map(move |&angle| Shape { length, angle }));
-        let job = |shape: Shape| {
+        let sample = |shape: Shape| {
             let vectors = Vectors::new(self.regions, shape.length, Some(shape.angle), self.seed)?;
             Ok((shape, vectors))
         };
-        shapes.map(job).collect()
+        shapes.map(sample).collect()
     }
 
-    fn point(&self, shape: Shape, vectors: &Vectors) -> Point {
+    fn count(&self, vectors: &Vectors, part: Range<u64>) -> Bins<Sum> {
         let mut sums = Bins::of(|_| Sum::default());
-        for index in 0..self.vectors {
+        for index in part {
             let outline = Outline::of(&vectors.ends(index));
-            let count = Bins::of(|binner| Sum::from(self.regions.of(&outline, binner).len() as u64));
-            sums.by_box.add(count.by_box);
-            sums.by_columns.add(count.by_columns);
-            sums.tight.add(count.tight);
+            sums.add(Bins::of(|binner| Sum::from(self.regions.of(&outline, binner).len() as u64)));
         }
+        sums
+    }
+
+    fn point(&self, shape: Shape, parts: &[Bins<Sum>]) -> Point {
+        let mut sums = Bins::of(|_| Sum::default());
+        parts.iter().for_each(|part| sums.add(*part));
         let mean = |sum: Sum| sum.mean(self.vectors, 1.0);
         let side = self.regions.side();
         Point {
@@ -139,6 +141,14 @@ impl Study {
                 tight: shape.tight(side),
             },
         }
+    }
+}
+
+impl Bins<Sum> {
+    fn add(&mut self, other: Bins<Sum>) {
+        self.by_box.add(other.by_box);
+        self.by_columns.add(other.by_columns);
+        self.tight.add(other.tight);
     }
 }
 

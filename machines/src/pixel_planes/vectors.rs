@@ -7,7 +7,7 @@ use super::regions::Regions;
 use crate::random::Random;
 use tilewright_rtl::parameter::ParameterError;
 use tilewright_scenes::packet::{FARTHEST_VERTEX, NEAREST_VERTEX, SUBPIXELS};
-use tilewright_scenes::{ScreenVertex, angle};
+use tilewright_scenes::{Counts, Polygon, Polygons, ScreenVertex, angle, set_up_line};
 
 /// An endless set of random vectors.
 ///
@@ -66,6 +66,27 @@ impl Vectors {
         let z = NEAREST_VERTEX + (random.next() % range) as u32;
         let [r, g, b, ..] = random.next().to_le_bytes();
         [(x, y), (x + dx, y + dy)].map(|(x, y)| ScreenVertex { x, y, z, rgb: [r, g, b] })
+    }
+
+    /// The first vectors as a scene that a machine can draw.
+    ///
+    /// ```
+    /// use tilewright_machines::pixel_planes::{Regions, Vectors};
+    ///
+    /// let scene = Vectors::new(Regions::paper(), 50.0, None, 1)?.polygons(1000);
+    /// assert_eq!((scene.polygons.len(), scene.vertices[0].len()), (1000, 2));
+    /// # Ok::<(), tilewright_rtl::parameter::ParameterError>(())
+    /// ```
+    pub fn polygons(&self, count: u64) -> Polygons {
+        let size = self.regions.size();
+        let packet = |number: u64| {
+            let ends = self.ends(number);
+            Some((Polygon { polygon: number as u32, ..set_up_line(ends, size)? }, ends.to_vec()))
+        };
+        let (polygons, vertices): (Vec<_>, Vec<_>) = (0..count).filter_map(packet).unzip();
+        let (all, drawn) = (count as u32, polygons.len() as u32);
+        let counts = Counts { polygons: all, lines: all, drawn, between_centres: all - drawn, ..Counts::default() };
+        Polygons { size, polygons, vertices, counts }
     }
 
     /// From one end to the other, in 1/16 pixel.

@@ -1,6 +1,6 @@
 //! The legend: which shape and dashes are which series, and which kind of mark is which origin.
 
-use super::mark::{CROSS, LOOKS, PLUS, inside, outline};
+use super::mark::{CROSS, LOOKS, PLUS, filled, outline};
 use super::svg::points;
 use crate::chart::Chart;
 use crate::origin::Origin;
@@ -45,7 +45,7 @@ fn sample(look: &str, origins: &[&Origin], number: usize) -> Markup {
         svg.sample viewBox="-15 -7 30 14" aria-hidden="true" {
             @if is_formula { polyline class={ "curve " (look) } points="-15,0 15,0" {} }
             @if is_model { polygon class={ "hollow " (look) } points=(points(outline(number))) {} }
-            @if is_rtl { polygon class={ "filled " (look) } points=(points(inside(number))) {} }
+            @if is_rtl { polygon class={ "filled " (look) } points=(points(filled(number, is_model))) {} }
             @for stroke in strokes { polyline class={ "cross " (look) } points=(points(stroke.iter().copied())) {} }
         }
     }

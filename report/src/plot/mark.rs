@@ -72,8 +72,14 @@ pub fn classes(colour: BackendColor) -> String {
     }
 }
 
-/// The mark of a point: by its shape the series' name, by its paint the origin. A formula's points have none.
-pub fn mark(number: usize, origin: &Origin, at: (f64, f64)) -> Vec<DynElement<'static, Svg, (f64, f64)>> {
+/// The mark of a point: by its shape the series' name, by its paint the origin. A formula's points have none. Where there are a model's
+/// points of that name, those of the hardware are small.
+pub fn mark(
+    number: usize,
+    origin: &Origin,
+    has_model: bool,
+    at: (f64, f64),
+) -> Vec<DynElement<'static, Svg, (f64, f64)>> {
     let polygon = |paint: Paint, outline: Vec<(i32, i32)>| {
         let shape = Polygon::new(outline, paint.colour(number));
         vec![(EmptyElement::at(at) + shape).into_dyn()]
@@ -86,7 +92,7 @@ pub fn mark(number: usize, origin: &Origin, at: (f64, f64)) -> Vec<DynElement<'s
         Origin::Formula => vec![],
         Origin::Count { .. } => strokes(PLUS),
         Origin::Model { .. } => polygon(Paint::Hollow, outline(number)),
-        Origin::Rtl { .. } => polygon(Paint::Filled, inside(number)),
+        Origin::Rtl { .. } => polygon(Paint::Filled, filled(number, has_model)),
         Origin::Paper => strokes(CROSS),
     }
 }
@@ -97,9 +103,10 @@ pub const CROSS: [[(i32, i32); 2]; 2] = [[(-45, -45), (45, 45)], [(-45, 45), (45
 /// The strokes of a plus sign, likewise.
 pub const PLUS: [[(i32, i32); 2]; 2] = [[(-45, 0), (45, 0)], [(0, -45), (0, 45)]];
 
-/// A mark that leaves the outline around it free.
-pub fn inside(number: usize) -> Vec<(i32, i32)> {
-    outline(number).into_iter().map(|(x, y)| (x * 5 / 8, y * 5 / 8)).collect()
+/// A filled mark; beside that of a model it leaves the outline around it free.
+pub fn filled(number: usize, has_model: bool) -> Vec<(i32, i32)> {
+    let parts = if has_model { 5 } else { 8 };
+    outline(number).into_iter().map(|(x, y)| (x * parts / 8, y * parts / 8)).collect()
 }
 
 /// The shape of a series' marks, in tenths around its centre: circle, square, triangle, diamond, triangle on its tip, pentagon.
@@ -112,4 +119,18 @@ pub fn outline(number: usize) -> Vec<(i32, i32)> {
         ((radius * angle.sin()).round() as i32, (-radius * angle.cos()).round() as i32)
     };
     (0..corners).map(corner).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn beside_a_models_marks_those_of_the_hardware_are_inside() {
+        let reach = |outline: Vec<(i32, i32)>| outline.into_iter().map(|(x, y)| x * x + y * y).max();
+        for number in 0..LOOKS {
+            assert_eq!(filled(number, false), outline(number));
+            assert!(reach(filled(number, true)) < reach(outline(number)), "{number}");
+        }
+    }
 }

@@ -87,7 +87,8 @@ fn drawn(chart: &Chart, format: Format, elements: Rc<RefCell<String>>) -> Drawn 
         }
     }
     for Shown { number, series, points } in &shown {
-        plot.draw_series(points.iter().flat_map(|point| mark(*number, &series.origin, *point)))?;
+        let has_model = has_model(chart, series);
+        plot.draw_series(points.iter().flat_map(|point| mark(*number, &series.origin, has_model, *point)))?;
     }
     names(&root, &plot, &labels)?;
     root.present()
@@ -128,6 +129,11 @@ fn axes<'a>(
         .draw()?;
     root.draw(&Text::new(chart.y.label.as_str(), (0, 4 * TENTHS), Paint::Label.text(0)))?;
     Ok(plot)
+}
+
+/// Whether there are points of a model with the series' name.
+fn has_model(chart: &Chart, series: &Series) -> bool {
+    chart.series.iter().any(|it| it.name == series.name && matches!(it.origin, Origin::Model { .. }))
 }
 
 /// The line through the points of a series, if it has one.

@@ -34,6 +34,8 @@ pub const ENTRIES: &[Entry] = &[
     quadtree::QUADTREE_PIXEL,
     quadtree::VIDEO_BUFFER,
     quadtree::VIDEO_CONTROLLER,
+    pixel_planes::PIXEL_PLANES_5,
+    pixel_planes::RING,
     pixel_planes::RENDERER,
     pixel_planes::IMAGE_GENERATION_CONTROLLER,
     pixel_planes::LINEAR_TREE,

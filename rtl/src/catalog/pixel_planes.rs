@@ -5,7 +5,8 @@ mod scenarios;
 use tilewright_hdl::elaborate_at;
 
 use self::scenarios::{
-    a_region, a_triangle, four_free, one_after_another, two_expressions, two_lines, write_add_and_compare,
+    a_region, a_triangle, all_regions, by_turns, four_free, one_after_another, two_expressions, two_lines,
+    write_add_and_compare,
 };
 use super::shared::{HEIGHT, WIDTH};
 use super::{Entry, Parameter, Values};
@@ -15,8 +16,10 @@ use crate::pixel_planes::backing_store::BackingStore;
 use crate::pixel_planes::controller::ImageGenerationController;
 use crate::pixel_planes::frame_buffer::FrameBuffer;
 use crate::pixel_planes::linear_tree::LinearTree;
+use crate::pixel_planes::machine::PixelPlanes5;
 use crate::pixel_planes::pixel::PixelProcessor;
 use crate::pixel_planes::renderer::Renderer;
+use crate::pixel_planes::ring::Ring;
 use crate::pixel_planes::{PERIOD, side};
 
 const SIDE: Parameter = Parameter {
@@ -35,6 +38,31 @@ const INSTRUCTIONS: Parameter = Parameter {
 };
 const RENDERERS: Parameter =
     Parameter { name: "renderers", default: 4, min: 1, max: 64, meaning: "renderers that draw regions" };
+
+const FEW_RENDERERS: Parameter = Parameter { default: 2, max: 32, ..RENDERERS };
+const RATE: Parameter = Parameter {
+    name: "rate",
+    default: 125,
+    min: 1,
+    max: Ring::MOST as u64,
+    meaning: "bits that the ring brings in a clock: 125 are 5 Gbit/s",
+};
+
+pub(super) const PIXEL_PLANES_5: Entry = Entry {
+    name: "pixel-planes-5",
+    summary: "Pixel-planes 5 without its geometry processors: renderers, ring, allocator and frame buffer",
+    parameters: &[WIDTH, HEIGHT, FEW_RENDERERS, SIDE, INSTRUCTIONS, RATE],
+    design: |values| Ok(elaborate_at(&machine(values)?, PERIOD)?),
+    scenario: |values| Ok(all_regions(&machine(values)?, values.get_u32("rate"))),
+};
+
+pub(super) const RING: Entry = Entry {
+    name: "ring",
+    summary: "brings instructions to renderers, and their planes to the frame buffer, so many bits a clock",
+    parameters: &[FEW_RENDERERS, SIDE, RATE],
+    design: |values| Ok(elaborate_at(&ring(values)?, PERIOD)?),
+    scenario: |values| Ok(by_turns(&ring(values)?, values.get_u32("renderers"))),
+};
 
 pub(super) const RENDERER: Entry = Entry {
     name: "renderer",
@@ -94,6 +122,16 @@ pub(super) const FRAME_BUFFER: Entry = Entry {
 
 fn renderer(values: &Values) -> Result<Renderer, ParameterError> {
     Renderer::new(values.get_u32("side"), values.get_u32("queue"))
+}
+
+fn machine(values: &Values) -> Result<PixelPlanes5, ParameterError> {
+    let [width, height, renderers, side, queue, rate] =
+        ["width", "height", "renderers", "side", "queue", "rate"].map(|name| values.get_u32(name));
+    PixelPlanes5::new(Screen::new(width, height)?, renderers, side, queue, rate)
+}
+
+fn ring(values: &Values) -> Result<Ring, ParameterError> {
+    Ring::new(values.get_u32("renderers"), values.get_u32("side"), values.get_u32("rate"))
 }
 
 fn controller(values: &Values) -> Result<ImageGenerationController, ParameterError> {

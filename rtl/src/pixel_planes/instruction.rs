@@ -84,17 +84,21 @@ bundle! {
 }
 
 impl Instruction<u64> {
-    /// Clocks in which it has the tree.
+    /// The microcode of its operation.
     ///
     /// ```
-    /// use tilewright_rtl::pixel_planes::programs::clear;
+    /// use tilewright_rtl::pixel_planes::programs::{clear, save};
     ///
-    /// assert!(clear(0x00_00_ff).iter().all(|instruction| instruction.tree_clocks() == 0));
+    /// assert!(clear(0x00_00_ff).iter().all(|instruction| instruction.microcode().on_tree == 0));
+    /// assert_eq!(save(3)[0].microcode().saves, 1);
     /// ```
-    pub fn tree_clocks(&self) -> u64 {
+    ///
+    /// # Panics
+    ///
+    /// It has no operation.
+    pub fn microcode(&self) -> Microcode<u64> {
         let is = |operation: &&Operation| operation.code() == self.operation;
-        let operation = Operation::ALL.iter().find(is).expect("an instruction has an operation");
-        if operation.microcode().on_tree == 1 { self.skip + self.length } else { 0 }
+        Operation::ALL.iter().find(is).expect("an instruction has an operation").microcode()
     }
 }
 

@@ -1,4 +1,4 @@
-//! The renderer of Pixel-planes 5: an array of pixels that compute, each with a bit of adder and 208 bits of memory (facts A0, E3).
+//! Pixel-planes 5: renderers, each an array of pixels that compute, with a bit of adder and 208 bits of memory each (facts A0, E3).
 //!
 //! ```text
 //!                  .------------------------- renderer -------------------------.
@@ -23,10 +23,13 @@
 //! | [`controller`] | what takes instructions and controls tree and pixels |
 //! | [`backing_store`] | a finished region, sent while the next one is drawn |
 //! | [`renderer`] | all of these |
+//! | [`ring`] | brings instructions and planes to where they go |
 //! | [`allocator`] | which renderer draws a region |
 //! | [`frame_buffer`] | puts regions together to a picture |
+//! | [`machine`] | renderers, ring, allocator and frame buffer |
 //! | [`fields`] | what is where in a pixel's memory |
 //! | [`programs`] | the instructions that draw triangles, polygons and vectors |
+//! | [`schedule`] | the clocks in which a controller takes them |
 //!
 //! All sums are exact modulo powers of two, so bit-serial evaluation gives the integers of the contract bit for bit (facts E0).
 
@@ -39,11 +42,14 @@ pub mod fields;
 pub mod frame_buffer;
 pub mod instruction;
 pub mod linear_tree;
+pub mod machine;
 #[cfg(test)]
 mod model;
 pub mod pixel;
 pub mod programs;
 pub mod renderer;
+pub mod ring;
+pub mod schedule;
 #[cfg(test)]
 mod testing;
 

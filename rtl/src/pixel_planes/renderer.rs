@@ -9,6 +9,8 @@
 //!                                                      '=========================> planes
 //! ```
 //!
+//! It is at rest where no bit of an instruction was sent for [`Renderer::REST`] clocks and no plane is taken: then nothing in it changes.
+//!
 //! Latency and throughput: those of the instructions, one after another; a primitive takes the clocks that its program does
 //! ([`programs`](super::programs)), as long as the queue has its instructions in time.
 
@@ -41,6 +43,10 @@ block! {
     out(self) RendererOut {
         /// Finished regions, S bits a clock.
         planes: stream(BitPlane = BitPlane::widths(self.side)),
+        /// Its queue takes an instruction in this clock: `instructions.ready`, for who must know before it sends one.
+        room: bit(),
+        /// Its controller takes an instruction from the queue in this clock.
+        takes: bit(),
         /// Every instruction has ended, but in the pixels, which are 2 log2 S clocks behind: it can be given another region.
         idle: bit(),
     }
@@ -49,6 +55,9 @@ block! {
 impl Renderer {
     /// The most instructions that its queue holds.
     pub const MOST: u32 = 4096;
+    /// So many clocks after an instruction's last bit nothing of it is on its way any more: the coefficients have been shifted out, but for
+    /// their signs, and their sums have gone through the tree to the pixels.
+    pub const REST: u64 = 96;
 
     /// A renderer of regions of that side, a power of two from 2 to 256, with a queue of so many instructions.
     ///
@@ -76,7 +85,9 @@ impl Renderer {
     fn build(&self, m: Module, i: RendererIn) -> RendererOut {
         let Renderer { side, queue } = *self;
         let pixels = grid(side, side);
+        let room = i.instructions.ready;
         let instructions = m.fifo("u_queue", queue, i.instructions);
+        let takes = instructions.valid & instructions.ready;
         let store_free = m.wire("store_free", bit());
         let control =
             ImageGenerationControllerIn { instructions, side_by_side: i.side_by_side, store_free: *store_free };
@@ -92,7 +103,7 @@ impl Renderer {
         let store = BackingStoreIn { save: controller.save, number, word: pixel.word };
         let store = m.instance("u_store", &BackingStore { side }, store);
         store_free.drive(store.free);
-        RendererOut { planes: store.planes, idle: controller.idle }
+        RendererOut { planes: store.planes, room, takes, idle: controller.idle }
     }
 }
 

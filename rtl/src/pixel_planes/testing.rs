@@ -58,40 +58,61 @@ pub(super) fn primitives(side: u32) -> impl Strategy<Value = Primitive> {
     let near = 16 * i64::from(side);
     let place = move || prop_oneof![6 => -near / 2..near * 3 / 2, 1 => Just(-32_768), 1 => Just(32_767i64)];
     let vertices = prop::array::uniform3(prop::array::uniform2(place()));
-    // Planes that differ little from one primitive to the next, so that words meet, and any.
+    // A region anywhere on the largest screen.
+    let region = prop::array::uniform2(0..2048 / i64::from(side));
+    (vertices, surface(), region, prop::bool::weighted(0.1)).prop_map(move |(vertices, (surface, rgb), region, far)| {
+        // The same vertices on the screen, which the guard band ends.
+        let on_screen = |[x, y]: [i64; 2]| {
+            let [left, top] = region.map(|number| number * near);
+            [left + x, top + y].map(|place| place.clamp(-32_768, 32_767))
+        };
+        let mut vertices = vertices.map(on_screen);
+        if far {
+            vertices[0] = [-32_768, 32_767];
+        }
+        let [[x0, y0], [x1, y1], [x2, y2]] = vertices;
+        if (x1 - x0) * (y2 - y0) - (x2 - x0) * (y1 - y0) < 0 {
+            vertices.swap(1, 2);
+        }
+        Primitive { edges: edges(&vertices, region.map(|number| number * i64::from(side))), surface, rgb }
+    })
+}
+
+/// Polygons of three to eight edges about a place in a region of that side, or near it.
+pub(super) fn polygons(side: u32) -> impl Strategy<Value = Primitive> {
+    let near = 16.0 * f64::from(side);
+    let centre = prop::array::uniform2(-0.2..1.2);
+    let radii = prop::array::uniform2(0.02..1.0);
+    let turns = prop::collection::vec(0.0..std::f64::consts::TAU, 3..=8);
+    (centre, radii, turns, surface()).prop_map(move |(centre, radii, mut turns, (surface, rgb))| {
+        turns.sort_by(f64::total_cmp);
+        let vertex = |turn: &f64| {
+            let [x, y] = [turn.cos() * radii[0] + centre[0], turn.sin() * radii[1] + centre[1]];
+            [x, y].map(|place: f64| (near * place).round() as i64)
+        };
+        let vertices: Vec<[i64; 2]> = turns.iter().map(vertex).collect();
+        Primitive { edges: edges(&vertices, [0, 0]), surface, rgb }
+    })
+}
+
+/// The edges between vertices, relative to the region whose upper left pixel that is.
+fn edges(vertices: &[[i64; 2]], [left, top]: [i64; 2]) -> Vec<Expression> {
+    let next = vertices.iter().cycle().skip(1);
+    let edges = vertices.iter().zip(next).map(|(&from, &to)| edge(from, to));
+    edges.map(|Coefficients { a, b, c }| Coefficients { a, b, c: c + a * left + b * top }).collect()
+}
+
+/// Planes that differ little from one primitive to the next, so that words meet, and any; and a colour.
+fn surface() -> impl Strategy<Value = (Surface, u32)> {
     let plane = || {
         let near = (-70_000..70_000i64, -70_000..70_000i64, 0..1i64 << 20).prop_map(|(a, b, c)| [a, b, c]);
         let coarse = prop::array::uniform3(prop_oneof![Just(0), Just(1i64 << 16), Just(3i64 << 16)]);
         let any = prop::array::uniform3(0..1i64 << 40);
         prop_oneof![3 => coarse, 2 => near, 1 => any].prop_map(|[a, b, c]| Coefficients { a, b, c })
     };
-    // A region anywhere on the largest screen.
-    let region = prop::array::uniform2(0..2048 / i64::from(side));
-    let planes = (plane(), prop::array::uniform3(plane()));
     let rgb = prop_oneof![Just(0x10_20_30), 0..1u32 << 24];
-    (vertices, planes, rgb, region, prop::bool::weighted(0.1)).prop_map(
-        move |(vertices, (z, rgb_planes), rgb, region, far)| {
-            // The same vertices on the screen, which the guard band ends.
-            let on_screen = |[x, y]: [i64; 2]| {
-                let [left, top] = region.map(|number| number * near);
-                [left + x, top + y].map(|place| place.clamp(-32_768, 32_767))
-            };
-            let mut vertices = vertices.map(on_screen);
-            if far {
-                vertices[0] = [-32_768, 32_767];
-            }
-            let [[x0, y0], [x1, y1], [x2, y2]] = vertices;
-            if (x1 - x0) * (y2 - y0) - (x2 - x0) * (y1 - y0) < 0 {
-                vertices.swap(1, 2);
-            }
-            let edges = (0..3).map(|number| {
-                let Coefficients { a, b, c } = edge(vertices[number], vertices[(number + 1) % 3]);
-                let [left, top] = region.map(|number| number * i64::from(side));
-                Coefficients { a, b, c: c + a * left + b * top }
-            });
-            Primitive { edges: edges.collect(), surface: Surface { z, rgb: rgb_planes }, rgb }
-        },
-    )
+    (plane(), prop::array::uniform3(plane()), rgb)
+        .prop_map(|(z, rgb_planes, rgb)| (Surface { z, rgb: rgb_planes }, rgb))
 }
 
 /// Instructions that a renderer of that side takes, on a small part of the memory, so that they meet each other's words.

@@ -5,7 +5,7 @@
 // Parameters  Renderer { side: 8, queue: 16 }
 // Latency     a primitive takes the clocks of its instructions, a region that is sent 48 clocks a line
 // Source      Pixel-planes 5, section I.3.2.1 (PP5-ARCH, PP5-UT)
-// Described   rtl/src/pixel_planes/renderer.rs:79
+// Described   rtl/src/pixel_planes/renderer.rs:87
 `default_nettype none
 
 module renderer_side8_queue16 (
@@ -31,42 +31,44 @@ module renderer_side8_queue16 (
     output wire [2:0]  planes_line,                 // The line of the region.
     output wire [5:0]  planes_plane,                // The bit of the visibility word.
     output wire [7:0]  planes_bits,                 // A bit of each pixel, from the left.
+    // Its queue takes an instruction in this clock: `instructions.ready`, for who must know before it sends one.
+    output wire        room,
     // Every instruction has ended, but in the pixels, which are 2 log2 S clocks behind: it can be given another region.
     output wire        idle,
     output wire        instructions_ready
 );
 
-    wire u_queue_out_valid;                                      // rtl/src/pixel_planes/renderer.rs:79
-    wire [153:0] u_queue_out_payload;                            // rtl/src/pixel_planes/renderer.rs:79
-    wire u_controller_coefficients_a;                            // rtl/src/pixel_planes/renderer.rs:83
-    wire u_controller_coefficients_b;                            // rtl/src/pixel_planes/renderer.rs:83
-    wire u_controller_coefficients_c;                            // rtl/src/pixel_planes/renderer.rs:83
-    wire u_controller_first;                                     // rtl/src/pixel_planes/renderer.rs:83
-    wire [1:0] u_controller_control_source;                      // rtl/src/pixel_planes/renderer.rs:83
-    wire u_controller_control_constant;                          // rtl/src/pixel_planes/renderer.rs:83
-    wire u_controller_control_adds;                              // rtl/src/pixel_planes/renderer.rs:83
-    wire u_controller_control_first;                             // rtl/src/pixel_planes/renderer.rs:83
-    wire [1:0] u_controller_control_mask;                        // rtl/src/pixel_planes/renderer.rs:83
-    wire u_controller_control_compares;                          // rtl/src/pixel_planes/renderer.rs:83
-    wire u_controller_control_gates;                             // rtl/src/pixel_planes/renderer.rs:83
-    wire [2:0] u_controller_control_enabling;                    // rtl/src/pixel_planes/renderer.rs:83
-    wire u_controller_control_captures;                          // rtl/src/pixel_planes/renderer.rs:83
-    wire [7:0] u_controller_control_read;                        // rtl/src/pixel_planes/renderer.rs:83
-    wire [7:0] u_controller_control_write;                       // rtl/src/pixel_planes/renderer.rs:83
-    wire u_controller_save_claim;                                // rtl/src/pixel_planes/renderer.rs:83
-    wire [15:0] u_controller_save_region;                        // rtl/src/pixel_planes/renderer.rs:83
-    wire u_controller_save_plane;                                // rtl/src/pixel_planes/renderer.rs:83
-    wire u_controller_instructions_ready;                        // rtl/src/pixel_planes/renderer.rs:83
-    wire [63:0] u_tree_value;                                    // rtl/src/pixel_planes/renderer.rs:86
-    wire store_free;                                             // rtl/src/pixel_planes/renderer.rs:80
+    wire u_queue_out_valid;                                      // rtl/src/pixel_planes/renderer.rs:87
+    wire [153:0] u_queue_out_payload;                            // rtl/src/pixel_planes/renderer.rs:87
+    wire u_controller_coefficients_a;                            // rtl/src/pixel_planes/renderer.rs:91
+    wire u_controller_coefficients_b;                            // rtl/src/pixel_planes/renderer.rs:91
+    wire u_controller_coefficients_c;                            // rtl/src/pixel_planes/renderer.rs:91
+    wire u_controller_first;                                     // rtl/src/pixel_planes/renderer.rs:91
+    wire [1:0] u_controller_control_source;                      // rtl/src/pixel_planes/renderer.rs:91
+    wire u_controller_control_constant;                          // rtl/src/pixel_planes/renderer.rs:91
+    wire u_controller_control_adds;                              // rtl/src/pixel_planes/renderer.rs:91
+    wire u_controller_control_first;                             // rtl/src/pixel_planes/renderer.rs:91
+    wire [1:0] u_controller_control_mask;                        // rtl/src/pixel_planes/renderer.rs:91
+    wire u_controller_control_compares;                          // rtl/src/pixel_planes/renderer.rs:91
+    wire u_controller_control_gates;                             // rtl/src/pixel_planes/renderer.rs:91
+    wire [2:0] u_controller_control_enabling;                    // rtl/src/pixel_planes/renderer.rs:91
+    wire u_controller_control_captures;                          // rtl/src/pixel_planes/renderer.rs:91
+    wire [7:0] u_controller_control_read;                        // rtl/src/pixel_planes/renderer.rs:91
+    wire [7:0] u_controller_control_write;                       // rtl/src/pixel_planes/renderer.rs:91
+    wire u_controller_save_claim;                                // rtl/src/pixel_planes/renderer.rs:91
+    wire [15:0] u_controller_save_region;                        // rtl/src/pixel_planes/renderer.rs:91
+    wire u_controller_save_plane;                                // rtl/src/pixel_planes/renderer.rs:91
+    wire u_controller_instructions_ready;                        // rtl/src/pixel_planes/renderer.rs:91
+    wire [63:0] u_tree_value;                                    // rtl/src/pixel_planes/renderer.rs:94
+    wire store_free;                                             // rtl/src/pixel_planes/renderer.rs:88
 
-    wire [63:0] u_store_word;                                    // rtl/src/pixel_planes/renderer.rs:89
+    wire [63:0] u_store_word;                                    // rtl/src/pixel_planes/renderer.rs:97
 
     genvar i;
     genvar j;
 
     generate
-        for (i = 0; i < 8; i = i + 1) begin : u_pixel                // rtl/src/pixel_planes/renderer.rs:89
+        for (i = 0; i < 8; i = i + 1) begin : u_pixel                // rtl/src/pixel_planes/renderer.rs:97
             for (j = 0; j < 8; j = j + 1) begin : col
                 wire word;
 
@@ -90,7 +92,7 @@ module renderer_side8_queue16 (
         end
     endgenerate
 
-    fifo_depth16_width154_storage_registers u_queue (            // rtl/src/pixel_planes/renderer.rs:79
+    fifo_depth16_width154_storage_registers u_queue (            // rtl/src/pixel_planes/renderer.rs:87
         .clk          (clk),
         .rst          (rst),
         .into_valid   (instructions_valid),
@@ -101,7 +103,7 @@ module renderer_side8_queue16 (
         .into_ready   (instructions_ready)
     );
 
-    image_generation_controller_side8 u_controller (             // rtl/src/pixel_planes/renderer.rs:83
+    image_generation_controller_side8 u_controller (             // rtl/src/pixel_planes/renderer.rs:91
         .clk                         (clk),
         .rst                         (rst),
         .instructions_valid          (u_queue_out_valid),
@@ -137,7 +139,7 @@ module renderer_side8_queue16 (
         .instructions_ready          (u_controller_instructions_ready)
     );
 
-    linear_tree_side8 u_tree (                                   // rtl/src/pixel_planes/renderer.rs:86
+    linear_tree_side8 u_tree (                                   // rtl/src/pixel_planes/renderer.rs:94
         .clk            (clk),
         .rst            (rst),
         .coefficients_a (u_controller_coefficients_a),
@@ -147,7 +149,7 @@ module renderer_side8_queue16 (
         .value          (u_tree_value)
     );
 
-    backing_store_side8 u_store (                                // rtl/src/pixel_planes/renderer.rs:93
+    backing_store_side8 u_store (                                // rtl/src/pixel_planes/renderer.rs:101
         .clk           (clk),
         .rst           (rst),
         .save_claim    (u_controller_save_claim),
@@ -171,5 +173,7 @@ module renderer_side8_queue16 (
             end
         end
     endgenerate
+
+    assign room = instructions_ready;
 endmodule
 `default_nettype wire

@@ -2,7 +2,7 @@
 
 use super::SIZES;
 use super::frames::{self, Drawn};
-use crate::reproduce::Effort;
+use crate::reproduce::effort::Effort;
 use crate::shell::Failure;
 use tilewright_machines::quadtree::Point;
 use tilewright_machines::quadtree::model::{Measured, Outcome, SweepPoint, WindowSizes};

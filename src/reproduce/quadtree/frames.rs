@@ -1,15 +1,15 @@
 //! Frames that the hardware has drawn: pictures, who drew which pixel, and how busy it was.
 
 use super::plan::config;
-use crate::golden;
-use crate::reproduce::Effort;
+use crate::reproduce::colour::colour;
+use crate::reproduce::effort::Effort;
+use crate::reproduce::right;
 use crate::scene::polygons;
 use crate::shell::Failure;
 use tilewright_machines::Watch;
 use tilewright_machines::quadtree::{Machine, ProcessorReport, Report, Search, UnitReport};
 use tilewright_report::{HeatMap, Origin, Picture, Rule, Section, Statement};
-use tilewright_scenes::golden::render_watched;
-use tilewright_scenes::{Frame, Polygons, Scene, Size, compare};
+use tilewright_scenes::{Frame, Polygons, Scene, Size};
 
 /// A frame of the hardware.
 pub struct Drawn {
@@ -36,10 +36,9 @@ fn draw(name: &'static str, side: u32, size: Size, watch: &mut Watch) -> Result<
     let search = Search::new(config.windows().map_err(tilewright_machines::Error::from)?);
     let search = search.map_err(tilewright_machines::Error::from)?;
     let (frame, report) = Machine::new(config)?.render(&polygons.polygons, scene.background, watch)?;
-    let golden = golden::draw(|watch| render_watched(size, &polygons.polygons, scene.background, watch))?;
     Ok(Drawn {
         scene: name,
-        differing: compare(&frame, &golden).differing,
+        differing: right::differing(&frame, &polygons, scene.background)?,
         strayed: strayed(&report, &search, &polygons),
         background: scene.background,
         frame,
@@ -66,18 +65,15 @@ impl Drawn {
 
 /// That frames are right.
 pub fn checks(frames: &[Drawn]) -> [Statement; 2] {
-    let of = |of: fn(&Drawn) -> u64| frames.iter().map(move |it| (it.place(), of(it) as f64));
     [
-        Statement::new("MPG-ARCH", "Each frame of the hardware is the golden image, depth and colour.", Rule::Zero)
-            .unit("pixels that differ")
-            .found(Origin::rtl([]), of(|it| it.differing)),
+        right::statement("MPG-ARCH", frames.iter().map(|it| (it.place(), it.differing))),
         Statement::new(
             "MPG-SPR",
             "Each video processor draws as many pixels as the polygons have on its every p-th column and q-th row.",
             Rule::Zero,
         )
         .unit("processors that do not")
-        .found(Origin::rtl([]), of(|it| it.strayed)),
+        .found(Origin::rtl([]), frames.iter().map(|it| (it.place(), it.strayed as f64))),
     ]
 }
 
@@ -103,10 +99,7 @@ pub fn section(frames: &[Drawn]) -> Section {
 
 fn picture(drawn: &Drawn) -> Picture {
     let Drawn { scene, report, differing, .. } = drawn;
-    let verdict = match differing {
-        0 => "Identical to the golden image, depth and colour.".to_owned(),
-        _ => format!("NOT the golden image: {differing} pixels differ."),
-    };
+    let verdict = right::in_words(*differing);
     let title = format!("{scene}, drawn by {}x{} processors", report.machine.p, report.machine.q);
     let alt = format!("the scene {scene}, {} pixels", drawn.frame.size());
     Picture::new(drawn.id("frame"), title, alt, drawn.frame.to_png()).note(format!(
@@ -132,7 +125,7 @@ fn owners(drawn: &Drawn) -> Picture {
     let top = y.saturating_sub(height / 6).min(size.height() - height);
     let owner = |x: u32, y: u32| match drawn.frame.word(x, y) == nothing {
         true => [24, 24, 24],
-        false => colour(x % p, y % q, (p, q)),
+        false => owner_colour(x % p, y % q, (p, q)),
     };
     let words = (0..height).flat_map(|y| (0..width).map(move |x| (left + x, top + y)));
     let words = words.map(|(x, y)| tilewright_scenes::frame::word(0, owner(x, y))).collect();
@@ -147,13 +140,8 @@ fn owners(drawn: &Drawn) -> Picture {
 }
 
 /// Hues along a row of the matrix, from light to dark along a column.
-fn colour(i: u32, j: u32, (p, q): (u32, u32)) -> [u8; 3] {
-    let turn = 6.0 * f64::from(i) / f64::from(p);
-    let light = 255.0 * (1.0 - 0.65 * f64::from(j) / f64::from(q));
-    [0.0, 4.0, 2.0].map(|shift: f64| {
-        let distance = ((turn + shift).rem_euclid(6.0) - 3.0).abs();
-        (light * (0.15 + 0.85 * (distance - 1.0).clamp(0.0, 1.0))) as u8
-    })
+fn owner_colour(i: u32, j: u32, (p, q): (u32, u32)) -> [u8; 3] {
+    colour(f64::from(i) / f64::from(p), 255.0 * (1.0 - 0.65 * f64::from(j) / f64::from(q)))
 }
 
 /// Busy clocks of each video processor, as they stand in the matrix.
@@ -212,8 +200,9 @@ mod tests {
 
     #[test]
     fn each_processor_has_a_colour_of_its_own() {
-        let colours =
-            |p: u32, q: u32| (0..p).flat_map(|i| (0..q).map(move |j| colour(i, j, (p, q)))).collect::<BTreeSet<_>>();
+        let colours = |p: u32, q: u32| {
+            (0..p).flat_map(|i| (0..q).map(move |j| owner_colour(i, j, (p, q)))).collect::<BTreeSet<_>>()
+        };
         for (p, q) in [(1, 1), (4, 4), (2, 8), (16, 16)] {
             assert_eq!(colours(p, q).len() as u32, p * q);
         }

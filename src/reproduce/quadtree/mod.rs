@@ -8,7 +8,7 @@ mod frames;
 mod plan;
 mod statements;
 
-use super::Effort;
+use super::effort::Effort;
 use crate::shell::Failure;
 use found::Found;
 use tilewright_machines::Watch;
@@ -23,7 +23,7 @@ const TURNING: [f64; 3] = [1.8, 23.3, 157.0];
 /// Measures and makes the page; `None` if it was interrupted.
 pub fn page(effort: Effort, watch: &mut Watch) -> Result<Option<Page>, Failure> {
     let Some(found) = Found::all(effort, watch)? else { return Ok(None) };
-    let provenance = Provenance::new("tilewright", env!("CARGO_PKG_VERSION"), command(effort))
+    let provenance = Provenance::new("tilewright", env!("CARGO_PKG_VERSION"), effort.command("quadtree", "--polygons"))
         .seeds([effort.seed])
         .parameter("screen", "1024x1024", "m = 10, as in the paper")
         .parameter("matrices", "2ᵏ x 2ᵏ processors, k = 0 to 4", "as in the paper")
@@ -58,12 +58,6 @@ pub fn page(effort: Effort, watch: &mut Watch) -> Result<Option<Page>, Failure> 
         .section(frames::section(&found.frames))
         .section(checks::section(&found));
     Ok(Some(page))
-}
-
-/// What makes the same page.
-fn command(Effort { seed, polygons }: Effort) -> String {
-    let polygons = polygons.map_or(String::new(), |most| format!(" --polygons {most}"));
-    format!("tilewright reproduce quadtree -o report/ --seed {seed}{polygons}")
 }
 
 /// The matrix of 2^k x 2^k of the paper.

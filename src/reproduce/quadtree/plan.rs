@@ -1,7 +1,7 @@
 //! What is run for the page, and how much of it: all that the figures need, or a quick look.
 
 use super::TURNING;
-use crate::reproduce::Effort;
+use crate::reproduce::effort::Effort;
 use tilewright_machines::quadtree::model::{Sweep, Trial, Trials};
 use tilewright_machines::quadtree::{Config, Sample, Study, Test};
 use tilewright_scenes::{Polygons, Size};
@@ -13,12 +13,8 @@ const AT_TURNING: [(f64, u64, u64); 3] =
 const QUICK_AREA: f64 = 1.0;
 
 impl Effort {
-    fn is_quick(&self) -> bool {
-        self.polygons.is_some()
-    }
-
     fn reduced(&self, sample: Sample) -> Sample {
-        Sample { polygons: sample.polygons.min(self.polygons.unwrap_or(u64::MAX)), ..sample }
+        Sample { polygons: self.at_most(sample.polygons), ..sample }
     }
 
     /// The count of the paper's figures, with the areas at which it says that something turns.

@@ -4,7 +4,7 @@ use tilewright_scenes::golden::{render, render_strict};
 use tilewright_scenes::{Scene, Size, compare, project_polygons};
 
 use super::*;
-use crate::pixel_planes::allocate;
+use crate::pixel_planes::{Edges, allocate, scene_clocks};
 
 /// A scene's frame and report, which is that of the golden rasterizer.
 fn drawn(name: &str, size: (u32, u32), config: impl Fn(Config) -> Config) -> Report {
@@ -35,6 +35,41 @@ fn frames_are_golden_for_all_numbers_of_renderers_and_sizes_of_regions() {
 }
 
 #[test]
+fn all_forms_of_edges_draw_the_same_and_the_least_is_the_fastest() {
+    let [fixed, own, least] = Edges::ALL.map(|edges| {
+        let report =
+            drawn("teapot", (40, 30), |it| Config { renderers: 2, side: 16, edges, side_by_side: false, ..it });
+        assert_eq!(report.machine.edges, edges.name());
+        report.renderers.iter().map(|it| it.busy).sum::<u64>()
+    });
+    assert!(least < own && own < fixed, "{least}, {own}, {fixed}");
+}
+
+/// The clocks of primitives are those of the schedule; a region takes its own beside them, and waits for its save.
+#[test]
+fn the_clocks_of_programs_are_those_of_the_renderers() {
+    let scene = Scene::builtin("teapot").expect("a built-in scene");
+    let polygons = project_polygons(&scene, Size::new(40, 30).expect("in range")).expect("in front");
+    for (strict, expected) in [(false, ["flat_least", "smooth_least"]), (true, ["flat_strict", "smooth_strict"])] {
+        let config = Config { renderers: 4, side: 16, strict, side_by_side: false, ..Config::new(polygons.size) };
+        let clocks = scene_clocks(&config, &polygons).expect("there are regions");
+        let report = drawn("teapot", (40, 30), |_| config.clone());
+        assert_eq!(report.programs, clocks.used().collect::<Vec<_>>());
+        assert_eq!(report.programs.iter().map(|it| it.program).collect::<Vec<_>>(), expected);
+        // One at a time a region is nothing but its primitives, 48 clocks that clear it and 48 that save it, and the way there and back.
+        let all: u64 = report.programs.iter().map(|it| it.clocks).sum();
+        let busy: u64 = report.renderers.iter().map(|it| it.busy).sum();
+        let first: Vec<_> = report.regions.iter().take(4).collect();
+        let alone = first.iter().map(|it| it.clocks - it.programs.used().map(|it| it.clocks).sum::<u64>());
+        let alone: Vec<u64> = alone.collect();
+        assert!(alone.iter().all(|clocks| *clocks == alone[0]), "{alone:?}");
+        assert!(all + alone[0] * report.regions.len() as u64 <= busy, "{all}, {alone:?}, {busy}");
+        let sum = |of: fn(&RegionReport) -> u64| report.regions.iter().map(of).sum::<u64>();
+        assert_eq!(report.programs.iter().map(|it| it.primitives).sum::<u64>(), sum(|it| it.drawn));
+    }
+}
+
+#[test]
 fn regions_are_given_as_the_plain_allocator_gives_them() {
     let report = drawn("star", (64, 48), |it| Config { renderers: 3, side: 16, ..it });
     let sizes: Vec<u64> = report.regions.iter().map(|it| it.primitives).collect();
@@ -54,11 +89,47 @@ fn regions_are_given_as_the_plain_allocator_gives_them() {
 }
 
 #[test]
+fn a_ring_that_is_too_slow_makes_renderers_wait_and_changes_no_pixel() {
+    for side_by_side in [false, true] {
+        let of_ring =
+            |ring| drawn("teapot", (40, 30), |it| Config { renderers: 3, side: 16, ring, side_by_side, ..it });
+        let (ample, slow) = (of_ring(Config::AMPLE_RING), of_ring(400));
+        assert_eq!(ample.first_starved, None);
+        assert_eq!(ample.renderers.iter().map(|it| it.starved).sum::<u64>(), 0);
+        let starved = slow.renderers.iter().map(|it| it.starved).sum::<u64>();
+        assert!(slow.first_starved.is_some() && slow.drawn > ample.drawn && slow.ring.load > 0.9, "{slow}");
+        assert_eq!(slow.regions.iter().map(|it| it.starved).sum::<u64>(), starved);
+        assert_eq!(slow.ring.bits, ample.ring.bits);
+        assert!(slow.to_string().contains("The first that had to wait for an instruction was renderer "), "{slow}");
+        assert!(ample.to_string().contains("No renderer had to wait for an instruction."), "{ample}");
+    }
+}
+
+#[test]
+fn progress_goes_on_through_the_frame() {
+    let scene = Scene::builtin("star").expect("a built-in scene");
+    let polygons = project_polygons(&scene, Size::new(64, 48).expect("in range")).expect("in front");
+    let machine =
+        Machine::new(Config { renderers: 1, side: 16, ..Config::new(polygons.size) }).expect("it can be built");
+    let mut seen = Vec::new();
+    let mut progress = |it: crate::run::Progress| seen.push(it.fraction);
+    let mut watch = Watch { progress: Some(&mut progress), cancel: None };
+    machine.render(&polygons, scene.background, &mut watch).expect("nobody stops it");
+    assert!(seen.len() > 10 && seen.is_sorted() && seen.last() == Some(&1.0), "{seen:?}");
+    let steps = seen.windows(2).map(|pair| pair[1] - pair[0]).fold(0.0, f64::max);
+    assert!(steps < 0.2, "{seen:?}");
+    let cancel = std::sync::atomic::AtomicBool::new(true);
+    let stopped = machine.render(&polygons, scene.background, &mut Watch { progress: None, cancel: Some(&cancel) });
+    assert!(matches!(stopped, Err(Error::Cancelled { phase: "drawing", .. })));
+}
+
+#[test]
 fn a_machine_that_cannot_be_is_refused() {
     let refused = |config: Config| Machine::new(config).expect_err("it is refused").to_string();
     let usual = Config::new(Size::VGA);
     assert!(refused(Config { renderers: 33, ..usual.clone() }).contains("from 1 to 32"));
     assert!(refused(Config { side: 48, ..usual.clone() }).contains("power of two"));
     assert!(refused(Config { side: 4, ..usual.clone() }).contains("8 to 256"));
-    assert!(refused(Config { queue: 0, ..usual }).contains("from 1 to 4096"));
+    assert!(refused(Config { queue: 0, ..usual.clone() }).contains("from 1 to 4096"));
+    assert!(refused(Config { ring: 5001, ..usual }).contains("a multiple of 40 from 40 to 327680"));
 }

@@ -47,7 +47,7 @@ fn the_tight_count_is_below_both() {
 
 #[test]
 fn the_number_of_threads_changes_nothing() {
-    let study = study(&[20.0, 90.0], &[10.0, 80.0, 250.0], 300);
+    let study = study(&[20.0, 90.0], &[10.0, 80.0, 250.0], 2 * PART + 300);
     let on = |threads| study.run_on(threads, &mut Watch::default()).expect("they fit");
     assert_eq!(on(1), on(3));
     assert_eq!(on(1).map(|points| points.len()), Some(6));

@@ -11,7 +11,7 @@ use crate::quadtree::formulas::MAX_PERFORMANCE;
 use crate::quadtree::rasters::Rasters;
 use crate::quadtree::study::Sample;
 use crate::run::Watch;
-use crate::threads::{all_threads, on_threads};
+use crate::threads::all_threads;
 use serde::Serialize;
 use std::sync::atomic::AtomicBool;
 use tilewright_rtl::parameter::ParameterError;
@@ -83,20 +83,9 @@ impl Sweep {
 
     fn run_on(&self, threads: usize, watch: &mut Watch) -> Result<Option<Vec<SweepPoint>>, ParameterError> {
         let jobs = self.jobs()?;
-        let mut points: Vec<Option<SweepPoint>> = vec![None; jobs.len()];
-        let (cancel, mut done) = (watch.cancel, 0);
-        on_threads(
-            threads,
-            &jobs,
-            cancel,
-            |job| job.run(self, cancel),
-            |number, point| {
-                points[number] = point;
-                done += 1;
-                watch.report("counting clocks", done as f64 / jobs.len() as f64);
-            },
-        );
-        Ok(points.into_iter().collect())
+        let cancel = watch.cancel;
+        let points = watch.each_on(threads, "counting clocks", &jobs, |job| job.run(self, cancel));
+        Ok(points.and_then(|points| points.into_iter().collect()))
     }
 
     fn jobs(&self) -> Result<Vec<Job>, ParameterError> {

@@ -10,7 +10,6 @@ use super::{Model, rasters_of};
 use crate::error::Error;
 use crate::quadtree::rasters::Rasters;
 use crate::run::Watch;
-use crate::threads::{all_threads, on_threads};
 use serde::Serialize;
 use std::sync::atomic::AtomicBool;
 use tilewright_rtl::parameter::ParameterError;
@@ -49,20 +48,9 @@ impl WindowSizes {
     /// # Errors
     /// There is no such generator, or k is 0; an assertion of the hardware does not hold.
     pub fn measure(m: u32, sizes: &[u32], watch: &mut Watch) -> Result<Option<Vec<WindowSizes>>, Error> {
-        let (cancel, mut done) = (watch.cancel, 0);
-        let mut results: Vec<Option<Result<WindowSizes, Error>>> = sizes.iter().map(|_| None).collect();
-        on_threads(
-            all_threads(),
-            sizes,
-            cancel,
-            |k| WindowSizes::of(m, *k, cancel),
-            |number, result| {
-                results[number] = Some(result);
-                done += 1;
-                watch.report("measuring windows", done as f64 / sizes.len() as f64);
-            },
-        );
-        match results.into_iter().collect::<Option<Result<Vec<WindowSizes>, Error>>>() {
+        let cancel = watch.cancel;
+        let results = watch.each("measuring windows", sizes, |k| WindowSizes::of(m, *k, cancel));
+        match results.map(|results| results.into_iter().collect::<Result<Vec<WindowSizes>, Error>>()) {
             None | Some(Err(Error::Cancelled { .. })) => Ok(None),
             Some(all) => all.map(Some),
         }

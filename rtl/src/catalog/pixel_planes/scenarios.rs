@@ -12,9 +12,11 @@ use crate::pixel_planes::fields::WORD;
 use crate::pixel_planes::frame_buffer::{FrameBuffer, FrameBufferIn, ReadLine};
 use crate::pixel_planes::instruction::Instruction;
 use crate::pixel_planes::linear_tree::{Coefficients, LinearTree, LinearTreeIn};
+use crate::pixel_planes::machine::{PixelPlanes5, PixelPlanes5In};
 use crate::pixel_planes::pixel::{Control, Mask, PixelProcessor, PixelProcessorIn, Source};
 use crate::pixel_planes::programs::{Expression, Surface, clear, flat_strict, save, smooth_least};
 use crate::pixel_planes::renderer::{Renderer, RendererIn};
+use crate::pixel_planes::ring::{Ring, RingIn};
 
 /// The edges of a triangle that leaves out a margin at the left and upper sides of the region, and what is below its diagonal.
 fn triangle(side: u32) -> [Expression; 3] {
@@ -56,6 +58,71 @@ pub(super) fn a_triangle(renderer: &Renderer) -> Scenario {
     // Of a large region the first lines are enough.
     script.wait(program.iter().map(clocks).sum::<u64>() + 30 + u64::from(WORD.bits * side.min(8)));
     script.finish("a region is cleared, a triangle with planes of colour is drawn in it, and it is saved and sent")
+}
+
+pub(super) fn all_regions(machine: &PixelPlanes5, rate: u32) -> Scenario {
+    let renderers = machine.renderers();
+    let frame_buffer = machine.frame_buffer();
+    let (side, count) = (frame_buffer.side(), frame_buffer.regions().min(4));
+    let inputs = |region: Option<u32>, open: u64, sent: Option<(u32, Instruction<u64>)>| PixelPlanes5In {
+        regions: Stream::of(region.is_some().into(), region.unwrap_or(0).into()),
+        bins: (0..renderers)
+            .map(|number| match sent {
+                Some((to, instruction)) if to == number => Stream::of(1, instruction),
+                _ => Stream::of(0, save(0)[0]),
+            })
+            .collect(),
+        open,
+        side_by_side: 1,
+        read: ReadLine { enable: 0, region: 0, line: 0 },
+    };
+    let program = |region: u32| {
+        let orange = flat_strict(side, &triangle(side), &surface().z, 0xff_80_00);
+        [clear(0x20_00_00 * (region + 1)), orange, save(region)].concat()
+    };
+    let mut script = Script::new(machine, PERIOD);
+    // The clocks in which the ring has credit again.
+    let pause = u64::from(Ring::INSTRUCTION.max(side) / rate);
+    for first in (0..count).step_by(renderers as usize) {
+        // All are idle, so the lowest gets the next region, and then the others. Each is done long before there are more.
+        let given = (count - first).min(renderers);
+        for number in 0..given {
+            script.clock(&inputs(Some(first + number), (1 << number) - 1, None));
+        }
+        let open = (1 << given) - 1;
+        for at in 0..program(0).len() {
+            for number in 0..given {
+                script.clock(&inputs(None, open, Some((number, program(first + number)[at]))));
+                script.hold(&inputs(None, open, None), pause + 1);
+            }
+        }
+        script.clock(&inputs(None, 0, None));
+        script.wait(200 + u64::from(given * WORD.bits * side) * (1 + u64::from(side / rate)));
+    }
+    script.finish("regions are given, cleared, drawn and saved, and come to the frame buffer")
+}
+
+pub(super) fn by_turns(ring: &Ring, renderers: u32) -> Scenario {
+    let messages = |valid: u64, room: u64, finished: u64| RingIn {
+        bins: (0..renderers).map(|number| Stream::of(valid, clear(number)[0])).collect(),
+        room,
+        finished: (0..u64::from(renderers))
+            // Of each line the last plane, behind which another renderer may send.
+            .map(|region| Stream::of(finished, BitPlane { region, line: 0, plane: 47, bits: region % 2 }))
+            .collect(),
+    };
+    let all = u64::MAX >> (64 - renderers);
+    let mut script = Script::new(ring, PERIOD);
+    (0..renderers).for_each(|number| script.ready(&format!("instructions.{number}"), true));
+    script.ready("planes", true);
+    script.hold(&messages(1, all, 1), 8);
+    script.hold(&messages(1, all >> 1, 1), 8);
+    script.hold(&messages(1, 0, 1), 4);
+    script.hold(&messages(0, 0, 0), 4);
+    script.hold(&messages(1, all, 0), 4);
+    script.finish(
+        "all have messages; the last queue is full, then all are; after a pause the credit is as much as it can be",
+    )
 }
 
 pub(super) fn one_after_another(controller: &ImageGenerationController) -> Scenario {

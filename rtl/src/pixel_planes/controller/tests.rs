@@ -4,7 +4,10 @@ use proptest::prelude::*;
 use tilewright_sim::Simulation;
 
 use super::super::pixel::{Enabling, Mask};
-use super::super::programs::{Expression, Surface, flat, flat_least, flat_strict, save, smooth_least, smooth_strict};
+use super::super::programs::{
+    Edges, Expression, FLAT, FLAT_LEAST, FLAT_STRICT, Program, SMOOTH_LEAST, SMOOTH_STRICT, Surface, save,
+};
+use super::super::schedule::{Schedule, Times};
 use super::super::testing::instructions;
 use super::*;
 
@@ -187,46 +190,15 @@ fn a_primitive_takes_the_clocks_of_its_edges_and_planes() {
     let plane = Coefficients { a: 70_000, b: -50_000, c: 1 << 30 };
     let surface = Surface { z: plane, rgb: [plane; 3] };
     let (vector, triangle) = (edges(4, 15), edges(3, 16));
-    let both = |program: &[Instruction<u64>]| [clocks(program, 0), clocks(program, 1)];
-    assert_eq!(both(&flat(SIDE, &vector, 0xff)), [60 + 24, 61]);
-    assert_eq!(both(&flat_strict(SIDE, &vector, &plane, 0xff)), [60 + 40 + 24 + 24, 102]);
-    assert_eq!(both(&flat_least(SIDE, &vector, &plane, 0xff)), [60 + 24 + 40 + 48, 102]);
-    assert_eq!(both(&smooth_strict(SIDE, &triangle, &surface)), [48 + 40 + 72 + 24, 161]);
-    assert_eq!(both(&smooth_least(SIDE, &triangle, &surface)), [48 + 72 + 40 + 48, 161]);
-}
-
-/// When an instruction is taken, and when its first bit is sent: by the rules of the controller's own description.
-fn schedule(program: &[Instruction<u64>], side_by_side: bool) -> Vec<[u64; 2]> {
-    let mut times: Vec<[u64; 2]> = Vec::new();
-    // The clocks of the last bits on the tree, of what of that needs the memory, and of what is on the memory alone.
-    let (mut tree_last, mut word_last, mut memory_last) = (0, 0, 0);
-    // When what waits for the memory leaves its place.
-    let mut place_free = 0;
-    for instruction in program {
-        let code = Operation::ALL[instruction.operation as usize].microcode();
-        let mut taken = times.last().map_or(0, |[before, _]| before + 1);
-        if !side_by_side {
-            taken = taken.max(tree_last).max(memory_last);
-        }
-        let clocks = instruction.skip + instruction.length;
-        let begins;
-        if code.on_tree == 1 {
-            taken = taken.max(tree_last);
-            if code.on_memory == 1 {
-                taken = taken.max(memory_last.saturating_sub(instruction.skip));
-            }
-            begins = taken + 1;
-            tree_last = taken + clocks;
-            word_last = if code.on_memory == 1 { tree_last } else { word_last };
-        } else {
-            taken = taken.max(place_free).max(word_last);
-            begins = (taken + 1).max(memory_last + 1);
-            place_free = begins - 1;
-            memory_last = begins + clocks - 1;
-        }
-        times.push([taken, begins]);
-    }
-    times
+    let both = |program: &Program, edges: &[Expression]| {
+        let program = program.draw(SIDE, Edges::Own, edges, &surface);
+        [clocks(&program, 0), clocks(&program, 1)]
+    };
+    assert_eq!(both(&FLAT, &vector), [60 + 24, 61]);
+    assert_eq!(both(&FLAT_STRICT, &vector), [60 + 40 + 24 + 24, 102]);
+    assert_eq!(both(&FLAT_LEAST, &vector), [60 + 24 + 40 + 48, 102]);
+    assert_eq!(both(&SMOOTH_STRICT, &triangle), [48 + 40 + 72 + 24, 161]);
+    assert_eq!(both(&SMOOTH_LEAST, &triangle), [48 + 72 + 40 + 48, 161]);
 }
 
 proptest! {
@@ -244,11 +216,12 @@ proptest! {
         sim.reset();
         sim.set(sim.i.store_free, 1);
         sim.set(sim.i.side_by_side, u64::from(side_by_side));
-        let times = schedule(&program, side_by_side);
-        let end = program.iter().zip(&times).map(|(next, [_, begins])| begins + next.skip + next.length).max().unwrap();
+        let mut schedule = Schedule::new(side_by_side);
+        let times: Vec<Times> = program.iter().map(|instruction| schedule.take(instruction)).collect();
+        let end = times.iter().map(|it| it.ends).max().unwrap();
         let mut seen = Vec::new();
         let taken = watched(&mut sim, &program, end + LATE + 2, |_, out| seen.push(out));
-        prop_assert_eq!(taken, times.iter().map(|[taken, _]| *taken).collect::<Vec<_>>());
+        prop_assert_eq!(taken, times.iter().map(|it| it.taken).collect::<Vec<_>>());
 
         let nothing = Control {
             source: 0, constant: 0, adds: 0, first: 0, mask: Mask::Nobody.code(), compares: 0, gates: 0,
@@ -257,7 +230,7 @@ proptest! {
         // What a clock's pixels do, so far as anything comes of it.
         let mut expected = vec![nothing; seen.len()];
         let mut first = vec![0; seen.len()];
-        for (next, [_, begins]) in program.iter().zip(&times) {
+        for (next, Times { begins, .. }) in program.iter().zip(&times) {
             let code = Operation::ALL[next.operation as usize].microcode();
             let is_expression = code.source == Source::Expression.code();
             for at in 0..next.skip + next.length {

@@ -7,9 +7,10 @@ use super::super::instruction::Operation;
 use super::super::linear_tree::Coefficients;
 use super::super::model::Model;
 use super::super::programs::{
-    Expression, Surface, clear, flat, flat_least, flat_strict, save, smooth_least, smooth_strict,
+    Edges, Expression, FLAT, FLAT_LEAST, FLAT_STRICT, Program, SMOOTH_LEAST, SMOOTH_STRICT, Surface, clear, save,
+    smooth_least,
 };
-use super::super::testing::{Primitive, instructions, primitives};
+use super::super::testing::{Primitive, instructions, polygons, primitives};
 use super::super::{PERIOD, SIDE};
 use super::*;
 
@@ -118,9 +119,17 @@ proptest! {
 /// A rule, the program that keeps it, and what a pixel keeps by it of its word and a fragment's.
 #[derive(Debug, Clone, Copy)]
 struct Rule {
-    program: fn(u32, &Primitive) -> Vec<Instruction<u64>>,
+    program: &'static Program,
     word: fn(&Primitive, u32, u32) -> u64,
     keeps: fn(u64, u64) -> u64,
+}
+
+impl Rule {
+    fn draw(&self, side: u32, form: Edges, primitive: &Primitive) -> Vec<Instruction<u64>> {
+        let Primitive { edges, surface, rgb } = primitive;
+        let flat = Surface::of_one_colour(surface.z, *rgb);
+        self.program.draw(side, form, edges, if self.program.is_flat { &flat } else { surface })
+    }
 }
 
 fn nearest(kept: u64, new: u64) -> u64 {
@@ -128,24 +137,17 @@ fn nearest(kept: u64, new: u64) -> u64 {
 }
 
 const RULES: [Rule; 5] = [
-    Rule {
-        program: |side, p| flat(side, &p.edges, p.rgb),
-        word: |p, _, _| u64::from(p.rgb),
-        keeps: |kept, new| kept >> 24 << 24 | new,
-    },
-    Rule {
-        program: |side, p| flat_strict(side, &p.edges, &p.surface.z, p.rgb),
-        word: Primitive::flat_word,
-        keeps: nearest,
-    },
-    Rule {
-        program: |side, p| flat_least(side, &p.edges, &p.surface.z, p.rgb),
-        word: Primitive::flat_word,
-        keeps: u64::min,
-    },
-    Rule { program: |side, p| smooth_strict(side, &p.edges, &p.surface), word: Primitive::smooth_word, keeps: nearest },
-    Rule { program: |side, p| smooth_least(side, &p.edges, &p.surface), word: Primitive::smooth_word, keeps: u64::min },
+    Rule { program: &FLAT, word: |p, _, _| u64::from(p.rgb), keeps: |kept, new| kept >> 24 << 24 | new },
+    Rule { program: &FLAT_STRICT, word: Primitive::flat_word, keeps: nearest },
+    Rule { program: &FLAT_LEAST, word: Primitive::flat_word, keeps: u64::min },
+    Rule { program: &SMOOTH_STRICT, word: Primitive::smooth_word, keeps: nearest },
+    Rule { program: &SMOOTH_LEAST, word: Primitive::smooth_word, keeps: u64::min },
 ];
+
+/// Triangles, and polygons of up to eight edges.
+fn any_primitive(side: u32) -> impl Strategy<Value = Primitive> {
+    prop_oneof![primitives(side), polygons(side)]
+}
 
 /// The words of a region by the contract: a plain loop over pixels.
 fn drawn(side: u32, background: u32, rule: Rule, primitives: &[Primitive]) -> Vec<u64> {
@@ -164,15 +166,16 @@ proptest! {
     #[test]
     fn a_region_is_what_the_contract_says(
         (side, regions) in prop_oneof![Just(8u32), Just(16)]
-            .prop_flat_map(|side| (Just(side), prop::collection::vec(prop::collection::vec(primitives(side), 0..8), 1..4))),
+            .prop_flat_map(|side| (Just(side), prop::collection::vec(prop::collection::vec(any_primitive(side), 0..8), 1..4))),
         rule in prop::sample::select(RULES.to_vec()),
+        form in prop::sample::select(Edges::ALL.to_vec()),
         manner in manners(),
     ) {
         let mut program = Vec::new();
         let mut expected = Vec::new();
         for (number, primitives) in (40..).zip(&regions) {
             program.extend(clear(0x10_20_30));
-            program.extend(primitives.iter().flat_map(|primitive| (rule.program)(side, primitive)));
+            program.extend(primitives.iter().flat_map(|primitive| rule.draw(side, form, primitive)));
             program.extend(save(number));
             expected.push((number.into(), drawn(side, 0x10_20_30, rule, primitives)));
         }
@@ -208,7 +211,8 @@ fn a_region_of_128_x_128_pixels_is_what_the_contract_says() {
 fn the_array_never_waits_while_the_queue_has_instructions() {
     let edge = |a, b, c| Coefficients { a, b, c };
     let edges = [edge(64, -64, -300), edge(-64, 64, 300), edge(64, 64, -100), edge(-64, -64, 700)];
-    let z = edge(1 << 16, 0, 1000 << 16);
+    let surface = Surface::of_one_colour(edge(1 << 16, 0, 1000 << 16), 0xff);
+    let program = FLAT_STRICT.draw(8, Edges::Own, &edges, &surface);
     let clocks = |primitives: usize, side_by_side: u64| {
         let mut sim = Simulation::at(&Renderer::new(8, 6).unwrap(), PERIOD).unwrap();
         sim.reset();
@@ -217,7 +221,7 @@ fn the_array_never_waits_while_the_queue_has_instructions() {
         let (i, o) = (sim.i, sim.o);
         let t = sim.testbench();
         t.run((async {
-            for instruction in vec![flat_strict(8, &edges, &z, 0xff); primitives].concat() {
+            for instruction in vec![program.clone(); primitives].concat() {
                 t.send(i.instructions, instruction).await;
             }
             t.until(o.idle).await;
@@ -225,7 +229,7 @@ fn the_array_never_waits_while_the_queue_has_instructions() {
         },))
             .0
     };
-    let bits: u64 = flat_strict(8, &edges, &z, 0).iter().take(4).map(|test| test.skip + test.length).sum();
+    let bits: u64 = edges.iter().map(|edge| u64::from(Edges::Own.bits(8, edge))).sum();
     for (side_by_side, n) in [(0, bits + 40 + 24 + 24), (1, bits + 40 + 2)] {
         let start_up = clocks(1, side_by_side) - n;
         for primitives in [2, 3, 20] {

@@ -1,7 +1,7 @@
-//! `tilewright reproduce`: the page, its data, and what goes wrong.
+//! The page of the quadtree generator.
 
+use super::{all_checks_hold, lines, rows, whole_page};
 use crate::harness::Folder;
-use tilewright_report::browser;
 
 /// A page of so few polygons that it takes no time.
 const QUICK: &str = "reproduce quadtree -o report --polygons 3";
@@ -21,26 +21,7 @@ fn a_report_is_whole() {
 }
 
 fn its_page_is_whole_in_a_browser_and_its_data_is_beside_it(folder: &Folder) {
-    let report = folder.json(&format!("{QUICK} --json"));
-    let files: Vec<&str> = report["files"].as_array().unwrap().iter().map(|name| name.as_str().unwrap()).collect();
-    let mut expected: Vec<String> = std::fs::read_dir(folder.path("report"))
-        .unwrap()
-        .map(|it| format!("report/{}", it.unwrap().file_name().into_string().unwrap()))
-        .collect();
-    expected.sort();
-    assert_eq!(
-        {
-            let mut files = files.clone();
-            files.sort_unstable();
-            files
-        },
-        expected
-    );
     let parts = [
-        "index.html",
-        "report.json",
-        "statements.csv",
-        "checks.csv",
         "samples.csv",
         "windows-4.csv",
         "window-sizes.csv",
@@ -61,36 +42,10 @@ fn its_page_is_whole_in_a_browser_and_its_data_is_beside_it(folder: &Folder) {
         "teapot-4-busy.csv",
         "teapot-4-stalled.csv",
     ];
-    for name in parts.map(|name| format!("report/{name}")) {
-        assert!(files.contains(&name.as_str()), "{name} is missing in {files:?}");
-    }
-
-    let counts = ["holds", "differs", "cannot_be_compared"].map(|name| report[name].as_u64().unwrap());
-    let all: serde_json::Value = serde_json::from_str(&folder.read("report/report.json")).unwrap();
-    assert_eq!(counts, ["holds", "differs", "cannot_be_compared"].map(|name| all[name].as_u64().unwrap()));
-    assert!(counts[0] > 10 && counts[2] == 1, "{counts:?}");
-
-    // All that measure agree, and the frame is the golden image.
-    let checks = folder.read("report/checks.csv");
-    let verdicts: Vec<&str> = checks.lines().skip(1).map(|line| line.rsplit(',').next().unwrap()).collect();
-    assert!(verdicts.len() >= 4 && verdicts.iter().all(|verdict| *verdict == "holds"), "{checks}");
-    assert!(checks.contains(",\"teapot, 4x4 processors\",pixels that differ,,,RTL,0,,holds"), "{checks}");
-
-    let page = std::fs::read(folder.path("report/index.html")).unwrap();
-    if let Some(complaints) = browser::complaints(&page) {
-        assert_eq!(complaints, [""; 0]);
-    }
-}
-
-/// The cells of a chart's CSV file: name and x, by formula, counted, of the model, of RTL, of the paper, and the seeds of the middle three.
-fn rows(folder: &Folder, name: &str) -> Vec<Vec<String>> {
-    let text = folder.read(name);
-    let mut lines = text.lines();
-    let names = lines.next().unwrap();
-    let columns =
-        ",formula,plain count,transaction model,RTL,paper,plain count seeds,transaction model seeds,RTL seeds";
-    assert!(names.ends_with(columns), "{names}");
-    lines.map(|line| line.split(',').map(str::to_owned).collect()).collect()
+    let report = whole_page(folder, QUICK, &parts);
+    let [holds, unknown] = ["holds", "cannot_be_compared"].map(|name| report[name].as_u64().unwrap());
+    assert!(holds > 10 && unknown == 1, "{report}");
+    all_checks_hold(folder, 4, ",\"teapot, 4x4 processors\",pixels that differ,,,RTL,0,,holds");
 }
 
 fn what_is_found_stands_beside_the_formula_with_its_seed(folder: &Folder) {
@@ -130,27 +85,4 @@ fn windows_are_measured_queues_lose_and_processors_are_busy(folder: &Folder) {
     let load: u64 = lines(folder, "report/teapot-4-load.csv").map(|cells| cells[2].parse::<u64>().unwrap()).sum();
     assert!(busy == load && load > 10_000, "busy clocks by level and processor, and by processor: {busy}, {load}");
     assert_eq!(lines(folder, "report/teapot-4-load.csv").count(), 16);
-}
-
-/// The cells of a file, after the line of names.
-fn lines(folder: &Folder, name: &str) -> impl Iterator<Item = Vec<String>> {
-    let lines: Vec<_> =
-        folder.read(name).lines().skip(1).map(|line| line.split(',').map(str::to_owned).collect()).collect();
-    lines.into_iter()
-}
-
-#[test]
-fn mistakes_are_said() {
-    let folder = Folder::with(&[("file", "")]);
-    let said = |line: &str| {
-        let run = folder.run(line);
-        assert_eq!(run.stdout, "", "{line}");
-        (run.code.unwrap(), run.stderr)
-    };
-    let (code, sentence) = said("reproduce quadtree -o -");
-    assert_eq!((code, sentence.contains("this writes several: name a folder")), (2, true), "{sentence}");
-    assert_eq!(said("reproduce quadtree -o file/report --polygons 1").0, 3);
-    assert_eq!(said("reproduce quadtree -o report --polygons 0").0, 2);
-    assert_eq!(said("reproduce vc2 -o report").0, 2);
-    assert_eq!(folder.names(), ["file"]);
 }

@@ -1,0 +1,130 @@
+//! The clocks of a renderer for a primitive, N: from its first operation to the next one's.
+//!
+//! Source: PP5-UT, facts E3. They follow from the instructions by the controller's [`Schedule`], which the hardware agrees with in each
+//! clock; so a primitive's depend on what the one before it has left to the memory. Instructions always come in time here.
+
+use serde::Serialize;
+use tilewright_rtl::parameter::ParameterError;
+use tilewright_rtl::pixel_planes::instruction::Instruction;
+use tilewright_rtl::pixel_planes::programs::Program;
+use tilewright_rtl::pixel_planes::schedule::Schedule;
+use tilewright_scenes::Polygons;
+
+use super::bin::{Bin, Work};
+use super::config::Config;
+use super::outline::Binner;
+
+/// The clocks of the primitives that one program draws.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct ProgramClocks {
+    /// The program's name.
+    pub program: &'static str,
+    /// Primitives that it draws, each as often as it is drawn in a region.
+    pub primitives: u64,
+    /// Their clocks, from the first operation of each to that of the next.
+    pub clocks: u64,
+    /// The most clocks of one.
+    pub most: u64,
+}
+
+impl ProgramClocks {
+    /// Of no primitive.
+    fn none(program: &Program) -> ProgramClocks {
+        ProgramClocks { program: program.name, primitives: 0, clocks: 0, most: 0 }
+    }
+
+    /// Clocks of a primitive on the mean, N; 0 where there is none.
+    pub fn mean(&self) -> f64 {
+        self.clocks as f64 / self.primitives.max(1) as f64
+    }
+
+    fn add(&mut self, other: ProgramClocks) {
+        self.primitives += other.primitives;
+        self.clocks += other.clocks;
+        self.most = self.most.max(other.most);
+    }
+}
+
+/// The clocks of all programs that draw primitives, in the order of [`Program::PRIMITIVES`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Tally([ProgramClocks; Program::PRIMITIVES.len()]);
+
+impl Default for Tally {
+    fn default() -> Tally {
+        Tally(Program::PRIMITIVES.map(ProgramClocks::none))
+    }
+}
+
+impl Tally {
+    /// Of those programs that draw anything.
+    pub fn used(&self) -> impl Iterator<Item = ProgramClocks> {
+        self.0.into_iter().filter(|it| it.primitives > 0)
+    }
+
+    /// All of both.
+    pub fn add(&mut self, other: Tally) {
+        self.0.iter_mut().zip(other.0).for_each(|(sum, it)| sum.add(it));
+    }
+
+    fn count(&mut self, clocks: ProgramClocks) {
+        self.0.iter_mut().filter(|it| it.program == clocks.program).for_each(|it| it.add(clocks));
+    }
+}
+
+/// A renderer that takes instructions of regions and primitives, and has their clocks counted.
+pub(super) struct Clocked {
+    schedule: Schedule,
+    pub tally: Tally,
+}
+
+impl Clocked {
+    pub fn new(side_by_side: bool) -> Clocked {
+        Clocked { schedule: Schedule::new(side_by_side), tally: Tally::default() }
+    }
+
+    /// Takes what is done to a region.
+    pub fn region(&mut self, instructions: &[Instruction<u64>]) {
+        for instruction in instructions {
+            self.schedule.take(instruction);
+        }
+    }
+
+    /// Takes a primitive; gives its clocks. All begin with what needs the tree alone, so it does not matter what the next one is.
+    pub fn primitive(&mut self, program: &Program, instructions: &[Instruction<u64>]) -> u64 {
+        let begun = self.schedule.tree_free();
+        self.region(instructions);
+        let clocks = self.schedule.tree_free() - begun;
+        if !instructions.is_empty() {
+            self.tally.count(ProgramClocks { program: program.name, primitives: 1, clocks, most: clocks });
+        }
+        clocks
+    }
+}
+
+/// The clocks of a scene's primitives in the bins of a machine's regions, by program, without the machine: those that
+/// [`Report::programs`](super::Report::programs) has of it.
+///
+/// ```
+/// use tilewright_machines::pixel_planes::{Config, scene_clocks};
+/// use tilewright_scenes::{Scene, project_polygons};
+///
+/// let scene = Scene::builtin("star").expect("a built-in scene");
+/// let polygons = project_polygons(&scene, scene.size)?;
+/// let clocks = scene_clocks(&Config::new(scene.size), &polygons)?;
+/// // Its vectors have one colour each.
+/// let programs: Vec<_> = clocks.used().map(|it| it.program).collect();
+/// assert_eq!(programs, ["flat_least"]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// There are no such regions.
+pub fn scene_clocks(config: &Config, polygons: &Polygons) -> Result<Tally, ParameterError> {
+    let regions = config.regions()?;
+    let mut tally = Tally::default();
+    for (region, numbers) in regions.bins(&polygons.vertices, Binner::Tight).iter().enumerate() {
+        let bin = Bin::new(region, &regions, config);
+        tally.add(Work::new(&bin, numbers, polygons, [0; 3]).programs);
+    }
+    Ok(tally)
+}

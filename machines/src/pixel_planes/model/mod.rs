@@ -1,0 +1,199 @@
+//! The transaction-level model of the machine: its clocks without its circuit, for runs that the circuit is too slow for.
+//!
+//! ```text
+//! programs of regions -- Allocator --> a renderer each
+//!      |                                   ^ free
+//!      v                                   |
+//!   [ Ring ] -- instructions --> [queue] Controller --save--> [Store]
+//!      ^                                                         |
+//!      '--------------------------- planes ----------------------'---> frame buffer
+//! ```
+//!
+//! Nothing here counts clocks one by one: an instruction, and a plane, are a few comparisons each. All clocks are those of the hardware
+//! ([`PixelPlanes5`](tilewright_rtl::pixel_planes::machine::PixelPlanes5)), one for one: the tests compare each handshake, and so does
+//! [`Machine::render`](super::Machine::render) on every frame.
+//!
+//! | file | what is in it |
+//! |---|---|
+//! | `step` | what an instruction takes |
+//! | `controller` | when an instruction is taken, and begins |
+//! | `renderer` | queue, controller and backing store of a renderer |
+//! | `ring` | whose turn it is, and what the credit pays for |
+//! | `allocator` | which renderer gets the next region |
+//! | `timing` | what came of it |
+
+mod allocator;
+mod controller;
+mod renderer;
+mod ring;
+mod step;
+mod timing;
+
+use tilewright_rtl::parameter::ParameterError;
+
+use self::allocator::Allocator;
+use self::renderer::Renderer;
+use self::ring::Ring;
+use super::config::Config;
+
+pub use step::Step;
+pub use timing::{RegionTiming, RendererTiming, RingTiming, Starved, Timing};
+
+/// The model of a machine.
+///
+/// ```
+/// use tilewright_machines::pixel_planes::{Config, model::{Model, Step}};
+/// use tilewright_rtl::pixel_planes::programs::{clear, save};
+/// use tilewright_scenes::Size;
+///
+/// // Regions of 1000 primitives that need the tree for 94 clocks each, in two instructions.
+/// let steps = |primitives: usize| {
+///     let (begin, end) = (Step::of(&clear(0)), Step::of(&save(0)));
+///     [begin, vec![Step::on_tree(47); 2 * primitives], end].concat()
+/// };
+/// let config = Config { renderers: 2, ..Config::new(Size::VGA) };
+/// let timing = Model::new(&config)?.run(&[steps(1000), steps(1000), steps(10)]);
+/// // The third goes to the one that is free first.
+/// assert_eq!(timing.renderers[0].regions, [0, 2]);
+/// assert_eq!(timing.first_starved, None);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Model {
+    config: Config,
+    ring: tilewright_rtl::pixel_planes::ring::Ring,
+}
+
+impl Model {
+    /// The clocks that a region takes beside those of its primitives, when instructions follow one another: 48 in which it is cleared and 48 in which
+    /// it is saved, one from the allocator to the ring, one from there to the queue, one to the controller. The clock in which the
+    /// last bit is sent is the last; in the next one the renderer is given another region. Side by side, what of this runs under edges of
+    /// primitives is saved: [`Model::clocks_of`].
+    pub const REGION_OVERHEAD: u64 = 48 + 48 + 3;
+
+    /// The model of the machine of that configuration; its screen is of no account.
+    ///
+    /// # Errors
+    /// There is no such machine.
+    pub fn new(config: &Config) -> Result<Model, ParameterError> {
+        config.renderer()?;
+        Ok(Model { config: config.clone(), ring: config.ring()? })
+    }
+
+    /// Clocks of a primitive of so many instructions among others of its kind, N, and those of a region beside N for each of them, while nobody waits:
+    /// the update time is N for each primitive of the worst renderer, and the second number for each of its regions (PP5-UT).
+    ///
+    /// ```
+    /// use tilewright_machines::pixel_planes::{Config, model::{Model, Step}};
+    /// use tilewright_scenes::Size;
+    ///
+    /// let config = Config { side_by_side: false, ..Config::new(Size::VGA) };
+    /// let (n, overhead) = Model::new(&config)?.clocks_of(&[Step::on_tree(47); 2]);
+    /// assert_eq!((n, overhead), (94, Model::REGION_OVERHEAD));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn clocks_of(&self, primitive: &[Step]) -> (u64, u64) {
+        // By then one comes as the other; a region alone waits for no other one, and an ample ring and queue for nobody.
+        const MANY: u64 = 8;
+        let fill = Step { on_tree: false, on_memory: true, saves: false, skip: 0, length: 24 };
+        let save = Step { saves: true, length: 48, ..fill };
+        let config = Config { renderers: 1, ring: Config::AMPLE_RING, queue: 64, ..self.config.clone() };
+        let alone = Model::new(&config).expect("it differs in what any machine can have");
+        let clocks = |count: u64| {
+            let primitives = (0..count).flat_map(|_| primitive.iter().copied());
+            let steps: Vec<Step> = [fill; 2].into_iter().chain(primitives).chain([save]).collect();
+            alone.run(&[steps]).drawn
+        };
+        let n = clocks(MANY + 1) - clocks(MANY);
+        (n, clocks(MANY) - MANY * n)
+    }
+
+    /// What the machine does with regions, in the order in which they are given to renderers; each is told by its instructions, of which the last
+    /// one, and no other, saves it. The first clock is 0, in which the first region is given.
+    ///
+    /// # Panics
+    /// A region does not end with its save.
+    pub fn run<P: AsRef<[Step]>>(&self, regions: &[P]) -> Timing {
+        let mut run = Run::new(self, regions);
+        while run.clock() {}
+        Timing::new(regions, run.renderers, run.ring)
+    }
+}
+
+/// A run that is under way.
+struct Run<'a, P> {
+    regions: &'a [P],
+    allocator: Allocator,
+    renderers: Vec<Renderer<'a>>,
+    ring: Ring,
+}
+
+impl<'a, P: AsRef<[Step]>> Run<'a, P> {
+    fn new(model: &Model, regions: &'a [P]) -> Run<'a, P> {
+        let Config { renderers, side, queue, side_by_side, .. } = model.config;
+        for region in regions {
+            let saves = region.as_ref().iter().position(|step| step.saves);
+            assert_eq!(saves.map(|at| at + 1), Some(region.as_ref().len()), "a region ends with its save");
+        }
+        Run {
+            regions,
+            allocator: Allocator::new(renderers as usize, regions.len()),
+            renderers: (0..renderers).map(|_| Renderer::new(side, queue, side_by_side)).collect(),
+            ring: Ring::new(&model.ring, renderers as usize),
+        }
+    }
+
+    /// Does what happens in the next clock in which something does; false if there is none.
+    fn clock(&mut self) -> bool {
+        let Some(now) = self.allocator.next().into_iter().chain(self.ring.next()).min() else { return false };
+        if self.allocator.next() == Some(now) {
+            let (region, number) = self.allocator.give(now);
+            self.renderers[number].begin(region, self.regions[region].as_ref(), now);
+            self.ring.ask(self.ring.instructions_of(number), now + 1);
+        }
+        self.ring.begin(now);
+        while let Some(station) = self.ring.grant() {
+            match self.ring.planes_of(station) {
+                None => self.instruction(station, now),
+                Some(number) => self.plane(number, now),
+            }
+        }
+        true
+    }
+
+    /// An instruction comes to a renderer.
+    fn instruction(&mut self, number: usize, now: u64) {
+        let renderer = &mut self.renderers[number];
+        renderer.receive(now);
+        if let Some(room) = renderer.room() {
+            self.ring.ask(self.ring.instructions_of(number), room);
+        }
+        self.look_at_save(number);
+    }
+
+    /// A plane of a renderer goes to the frame buffer.
+    fn plane(&mut self, number: usize, now: u64) {
+        let renderer = &mut self.renderers[number];
+        match renderer.send(now) {
+            false => self.ring.ask_on(number, now + 1),
+            true => {
+                self.ring.end_line();
+                match renderer.is_sending() {
+                    true => self.ring.ask(self.ring.station_of_planes(number), now + 1),
+                    false => self.look_at_save(number),
+                }
+            }
+        }
+    }
+
+    /// If a region has been saved just now, it will be sent, and its renderer free.
+    fn look_at_save(&mut self, number: usize) {
+        if let Some((first_plane, free)) = self.renderers[number].save() {
+            self.ring.ask(self.ring.station_of_planes(number), first_plane);
+            self.allocator.free(number, free);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;

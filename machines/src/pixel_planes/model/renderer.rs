@@ -1,0 +1,109 @@
+//! A renderer: its queue, its controller, and the backing store that sends what it drew before.
+
+use tilewright_rtl::pixel_planes::fields;
+use tilewright_rtl::pixel_planes::linear_tree::LinearTree;
+
+use super::controller::Controller;
+use super::step::Step;
+use super::timing::RendererTiming;
+
+pub(super) struct Renderer<'a> {
+    queue: usize,
+    /// Planes of a region.
+    planes: usize,
+    /// Clocks from the first bit of a save to the first plane that can go.
+    save_to_plane: u64,
+    controller: Controller,
+    /// What its region has still to receive, and the clock in which it got that.
+    steps: std::slice::Iter<'a, Step>,
+    given: u64,
+    /// The save of its region, once it has come: with the first clock in which it is taken if the store is free.
+    save: Option<(&'a Step, u64)>,
+    /// Planes of the last region that was saved that are still to be sent.
+    to_send: usize,
+    /// The store is free from that clock on, if nothing is to be sent.
+    free: u64,
+    pub timing: RendererTiming,
+}
+
+impl<'a> Renderer<'a> {
+    pub fn new(side: u32, queue: u32, side_by_side: bool) -> Renderer<'a> {
+        let word = fields::WORD.bits;
+        Renderer {
+            queue: queue as usize,
+            planes: (side * word) as usize,
+            // Its bits have gone through the pixels' pipeline, and the first plane is read.
+            save_to_plane: u64::from(LinearTree { side }.latency() + word + 1),
+            controller: Controller::new(side_by_side),
+            steps: [].iter(),
+            given: 0,
+            save: None,
+            to_send: 0,
+            free: 0,
+            timing: RendererTiming::default(),
+        }
+    }
+
+    /// Gets a region in that clock.
+    pub fn begin(&mut self, region: usize, steps: &'a [Step], now: u64) {
+        self.steps = steps.iter();
+        self.given = now;
+        self.timing.begin(region, now);
+    }
+
+    /// The first clock in which its queue has room for the next instruction of its region, if it has one.
+    pub fn room(&self) -> Option<u64> {
+        if self.steps.len() == 0 {
+            return None;
+        }
+        let RendererTiming { arrived, taken, .. } = &self.timing;
+        let behind = arrived.last().map_or(0, |clock| clock + 1);
+        let leaves = arrived.len().checked_sub(self.queue).map_or(0, |oldest| taken[oldest] + 1);
+        Some(behind.max(leaves))
+    }
+
+    /// The next instruction comes in that clock, and is seen in the next one.
+    pub fn receive(&mut self, now: u64) {
+        let step = self.steps.next().expect("there was one to send");
+        // The first one of a region cannot be seen sooner.
+        let ready = self.controller.ready(step).max(self.given + 2);
+        self.timing.arrive(now, ready);
+        let could = ready.max(now + 1);
+        if step.saves {
+            self.save = Some((step, could));
+        } else {
+            self.take(step, could);
+        }
+    }
+
+    fn take(&mut self, step: &Step, clock: u64) -> u64 {
+        let [begins, ends] = self.controller.take(step, clock);
+        self.timing.take(clock, begins, ends);
+        begins
+    }
+
+    /// If the save of its region has come and the store is free: the clocks in which the first plane can go, and from which on it can be given
+    /// another region.
+    pub fn save(&mut self) -> Option<(u64, u64)> {
+        let (step, could) = self.save.take_if(|_| self.to_send == 0)?;
+        let clock = could.max(self.free);
+        let shown = self.take(step, clock) + self.save_to_plane;
+        self.to_send = self.planes;
+        let idle = self.controller.idle();
+        self.timing.end(clock - could, shown, idle);
+        Some((shown, idle))
+    }
+
+    /// Sends the next plane in that clock; true if a line ends with it.
+    pub fn send(&mut self, now: u64) -> bool {
+        self.timing.planes.push(now);
+        self.to_send -= 1;
+        self.free = now + 1;
+        self.to_send.is_multiple_of(fields::WORD.bits as usize)
+    }
+
+    /// There are planes to send.
+    pub fn is_sending(&self) -> bool {
+        self.to_send > 0
+    }
+}

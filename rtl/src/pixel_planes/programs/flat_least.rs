@@ -1,0 +1,24 @@
+//! A primitive of one colour; the least word z || rgb stays.
+
+use super::super::fields::{DEPTH, RGB};
+use super::super::instruction::{Instruction, Operation};
+use super::{EdgeUse, Edges, Expression, Operand, Program, Step, Surface};
+
+/// The program: the edges' bits and 24 + 40 + 48 clocks.
+pub const FLAT_LEAST: Program = Program {
+    name: "flat_least",
+    edges: EdgeUse::Enable,
+    is_flat: true,
+    steps: &[
+        // The lower part of the word; the last edge needs no memory meanwhile.
+        Step::on(Operation::CompareConstant, Operand::Number, RGB),
+        Step::beside(Operation::CompareOn, Operand::Depth, DEPTH),
+        Step::keep(DEPTH),
+        Step::on(Operation::FillFlagged, Operand::Number, RGB),
+    ],
+};
+
+/// The instructions that draw a primitive, its edges the least half-planes.
+pub fn flat_least(side: u32, edges: &[Expression], z: &Expression, rgb: u32) -> Vec<Instruction<u64>> {
+    FLAT_LEAST.draw(side, Edges::Least, edges, &Surface::of_one_colour(*z, rgb))
+}

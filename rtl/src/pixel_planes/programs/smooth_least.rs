@@ -1,0 +1,25 @@
+//! A primitive with planes of colour; the least word z || rgb stays.
+
+use super::super::fields::{BLUE, DEPTH, GREEN, RED, WORD};
+use super::super::instruction::{Instruction, Operation};
+use super::{EdgeUse, Edges, Expression, Operand, Program, Step, Surface};
+
+/// The program: the edges' bits and 72 + 40 + 48 clocks.
+pub const SMOOTH_LEAST: Program = Program {
+    name: "smooth_least",
+    edges: EdgeUse::Enable,
+    is_flat: false,
+    steps: &[
+        // From the word's lowest part on.
+        Step::beside(Operation::Compare, Operand::Blue, BLUE),
+        Step::beside(Operation::CompareOn, Operand::Green, GREEN),
+        Step::beside(Operation::CompareOn, Operand::Red, RED),
+        Step::beside(Operation::CompareOn, Operand::Depth, DEPTH),
+        Step::keep(WORD),
+    ],
+};
+
+/// The instructions that draw a primitive, its edges the least half-planes.
+pub fn smooth_least(side: u32, edges: &[Expression], surface: &Surface) -> Vec<Instruction<u64>> {
+    SMOOTH_LEAST.draw(side, Edges::Least, edges, surface)
+}

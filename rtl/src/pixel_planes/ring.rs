@@ -1,0 +1,220 @@
+//! The ring: brings instructions to the renderers and finished planes to the frame buffer, so many bits a clock in all (PP5-ARCH).
+//!
+//! ```text
+//!                 .------------------------.
+//! bins.0 ========>|                        |=======> instructions.0, to renderer 0
+//! bins.1 ========>|  by turns, as long as  |=======> instructions.1, to renderer 1
+//!   ..            |  the credit lasts      |               ..
+//! finished.0 ====>|                        |=======> planes, to the frame buffer
+//! finished.1 ====>|        [credit]        |
+//!   ..            '------------------------'
+//!                   ^
+//! room of queues ---'
+//! ```
+//!
+//! A message goes through in the clock in which it is granted. All that have one, an instruction only if its renderer's queue has room, take turns,
+//! first those of the instructions, then those of the planes, beginning behind the one that went last. As many go in a clock as the
+//! credit pays for, at most one to a receiver; where the next one has to wait for credit, so do all behind it.
+//!
+//! The credit grows by `rate` bits a clock, up to what one clock and a message that just had to wait need. So in any n clocks the ring brings
+//! less than n `rate` bits and one message more, and no fewer bits than it has while a message waits. An instruction costs all of its
+//! bits, a plane a bit for each pixel of the line; where they go costs nothing. The planes of a line stay together, as the frame
+//! buffer takes them.
+//!
+//! Latency none. What goes out is taken in the clock in which it is shown.
+
+use super::backing_store::BitPlane;
+use super::instruction::Instruction;
+use super::{PERIOD, fields, side};
+use crate::prelude::*;
+
+block! {
+    /// Brings instructions to renderers, and their planes to the frame buffer, so many bits a clock.
+    pub struct Ring {
+        /// How many renderers there are.
+        renderers: u32,
+        /// Pixels in a line of a region.
+        side: u32,
+        /// Bits that it brings in a clock.
+        rate: u32,
+    }
+    latency(self) = format!("none; {} bits a clock", self.rate);
+    source = "Pixel-planes 5, section I.3.2.1 (PP5-ARCH)";
+    in(self) RingIn {
+        /// What each renderer is to do.
+        bins: [stream(Instruction = Instruction::widths()); self.renderers],
+        /// The renderers whose queues take an instruction in this clock.
+        room: bit().of(row(self.renderers)),
+        /// The finished regions of each.
+        finished: [stream(BitPlane = BitPlane::widths(self.side)); self.renderers],
+    }
+    out(self) RingOut {
+        /// To each renderer.
+        instructions: [stream(Instruction = Instruction::widths()); self.renderers],
+        /// To the frame buffer.
+        planes: stream(BitPlane = BitPlane::widths(self.side)),
+    }
+}
+
+/// What is known of a clock's messages up to one of those that take turns.
+struct Turn {
+    /// The credit that is left.
+    credit: Signal,
+    /// One of them has to wait for credit.
+    waits: Signal,
+    /// One of them is a plane, and goes.
+    plane_goes: Signal,
+    /// The last of them that goes, a bit each; before the first one that went last.
+    last: Signal,
+}
+
+impl Ring {
+    /// The most renderers.
+    pub const MOST_RENDERERS: u32 = 64;
+    /// The most bits a clock; what 32 renderers can take is less.
+    pub const MOST: u32 = 8192;
+    /// Bits of an instruction.
+    pub const INSTRUCTION: u32 = 154;
+
+    /// A ring for so many renderers of regions of that side, that brings so many bits in a clock: 125 of 25 ns are 5 Gbit/s.
+    ///
+    /// # Errors
+    ///
+    /// There is no region of that side, or the number of renderers or bits is out of range.
+    ///
+    /// ```
+    /// use tilewright_rtl::pixel_planes::ring::Ring;
+    ///
+    /// assert_eq!(Ring::new(16, 128, 125)?.rate(), 125);
+    /// assert!(Ring::new(16, 128, 0).is_err());
+    /// # Ok::<(), tilewright_rtl::parameter::ParameterError>(())
+    /// ```
+    pub fn new(renderers: u32, pixels: u32, rate: u32) -> Result<Ring, ParameterError> {
+        if !(1..=Ring::MOST_RENDERERS).contains(&renderers) {
+            let most = Ring::MOST_RENDERERS;
+            return Err(ParameterError(format!("a ring of {renderers} renderers: it has to have from 1 to {most}")));
+        }
+        if !(1..=Ring::MOST).contains(&rate) {
+            let most = Ring::MOST;
+            return Err(ParameterError(format!("a ring of {rate} bits a clock: it has to bring from 1 to {most}")));
+        }
+        Ok(Ring { renderers, side: side(pixels)?, rate })
+    }
+
+    /// The bits a clock of a ring of so many Mbit/s.
+    ///
+    /// # Errors
+    ///
+    /// They are no whole number of bits a clock, or out of range.
+    ///
+    /// ```
+    /// use tilewright_rtl::pixel_planes::ring::Ring;
+    ///
+    /// assert_eq!(Ring::bits_a_clock(5000)?, 125);
+    /// assert!(Ring::bits_a_clock(5010).is_err());
+    /// # Ok::<(), tilewright_rtl::parameter::ParameterError>(())
+    /// ```
+    pub fn bits_a_clock(megabits: u32) -> Result<u32, ParameterError> {
+        // A bit in each clock, in Mbit/s.
+        let step = (1_000_000 / PERIOD.picoseconds()) as u32;
+        let most = step * Ring::MOST;
+        if megabits.is_multiple_of(step) && (step..=most).contains(&megabits) {
+            return Ok(megabits / step);
+        }
+        let clock = PERIOD.picoseconds() / 1000;
+        Err(ParameterError(format!(
+            "a ring of {megabits} Mbit/s: it brings a whole number of bits in each clock of {clock} ns, \
+             so it has to be a multiple of {step} from {step} to {most}"
+        )))
+    }
+
+    /// Bits that it brings in a clock.
+    pub fn rate(&self) -> u32 {
+        self.rate
+    }
+
+    /// Bits of a plane of a line.
+    pub fn plane(&self) -> u32 {
+        self.side
+    }
+
+    /// The most credit, which it has at first: less would make the next clock's bits useless while a message waits.
+    pub fn most_credit(&self) -> u32 {
+        Ring::INSTRUCTION.max(self.plane()) - 1 + self.rate
+    }
+
+    fn build(&self, m: Module, i: RingIn) -> RingOut {
+        let renderers = self.renderers;
+        let granted = m.wire("granted", 2 * renderers);
+        let mut wants = Vec::new();
+        let mut instructions = Vec::new();
+        for (bin, number) in i.bins.iter().zip(0..) {
+            wants.push(bin.valid & i.room.lane(number));
+            let (stream, _) = m.offer(granted.bit(number), bin.take_when(granted.bit(number)).payload);
+            m.assume(stream.valid.implies(stream.ready), "a queue that has room takes an instruction");
+            instructions.push(stream);
+        }
+
+        // A line's planes come one after another from one renderer.
+        let line_of = m.reg("line_of", renderers).reset(0);
+        net!(of_plane = granted.slice(renderers..2 * renderers));
+        let mut lines = Vec::new();
+        for (region, number) in i.finished.iter().zip(0..) {
+            wants.push(region.valid & (line_of.eq(0) | line_of.bit(number)));
+            lines.push((of_plane.bit(number), region.take_when(of_plane.bit(number)).payload));
+        }
+        let first = lines[0].1;
+        let plane = select(lines.into_iter().skip(1).collect::<Vec<_>>(), first);
+        let (planes, _) = m.offer(of_plane.any_one(), plane);
+        m.assume(planes.valid.implies(planes.ready), "the frame buffer takes each plane");
+        net!(line_ends = plane.plane.eq(fields::WORD.bits - 1));
+        line_of.when(of_plane.any_one(), mux(line_ends, 0, of_plane));
+
+        wants.reverse();
+        net!(requests = concat(&wants));
+        granted.drive(self.grant(m, requests));
+        RingOut { instructions, planes }
+    }
+
+    /// Which of the requests go: one turn of all, beginning behind the one that went last.
+    fn grant(&self, m: Module, requests: Signal) -> Signal {
+        let stations = 2 * self.renderers;
+        let most = self.most_credit();
+        let credit = m.reg("credit", up_to(most)).reset(most);
+        let last = m.reg("last", stations).reset(0);
+        net!(after = requests & !(last | (last - 1)));
+        net!(before = requests & (last | (last - 1)));
+        let mut goes = vec![lit(1, 0); stations as usize];
+        let mut turn = Turn { credit: *credit, waits: lit(1, 0), plane_goes: lit(1, 0), last: *last };
+        for part in [after, before] {
+            for station in 0..stations {
+                let grant = self.visit(&mut turn, station, part.bit(station));
+                goes[station as usize] = goes[station as usize] | grant;
+            }
+        }
+        last.next(turn.last);
+        let sum = turn.credit.zext(up_to(most + self.rate)) + self.rate;
+        credit.next(mux(sum.gt(most), most, sum.trunc(up_to(most))));
+        goes.reverse();
+        concat(&goes)
+    }
+
+    /// Whether the request of a station, if it has one, goes.
+    fn visit(&self, turn: &mut Turn, station: u32, request: Signal) -> Signal {
+        let is_plane = station >= self.renderers;
+        let bits = if is_plane { self.plane() } else { Ring::INSTRUCTION };
+        let wants = request & !turn.waits & if is_plane { !turn.plane_goes } else { lit(1, 1) };
+        let pays = turn.credit.ge(bits);
+        let goes = wants & pays;
+        turn.waits |= wants & !pays;
+        turn.credit = mux(goes, turn.credit - bits, turn.credit);
+        turn.last = mux(goes, lit(2 * self.renderers, 1 << station), turn.last);
+        if is_plane {
+            turn.plane_goes |= goes;
+        }
+        goes
+    }
+}
+
+#[cfg(test)]
+mod tests;

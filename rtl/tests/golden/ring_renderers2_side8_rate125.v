@@ -1,0 +1,229 @@
+// ring_renderers2_side8_rate125
+//
+// Brings instructions to renderers, and their planes to the frame buffer, so many bits a
+// clock.
+//
+// Parameters  Ring { renderers: 2, side: 8, rate: 125 }
+// Latency     none; 125 bits a clock
+// Source      Pixel-planes 5, section I.3.2.1 (PP5-ARCH)
+// Described   rtl/src/pixel_planes/ring.rs:148
+`default_nettype none
+
+module ring_renderers2_side8_rate125 (
+    input  wire        clk,
+    input  wire        rst,
+    // What each renderer is to do.
+    input  wire        bins_0_valid,
+    input  wire [4:0]  bins_0_operation,              // What is done: an `Operation`.
+    // Bits of the expression that come before the word; 0 without one.
+    input  wire [5:0]  bins_0_skip,
+    input  wire [6:0]  bins_0_length,                 // Bits of the word: 1 to `LONGEST`.
+    input  wire [7:0]  bins_0_read,                   // Where the word that is read begins.
+    input  wire [7:0]  bins_0_write,                  // Where the word that is written begins.
+    // Of the expression, in two's complement, relative to the region; `c` is the constant where there is no expression. Longer words are of the same sign.
+    input  wire [39:0] bins_0_coefficients_a,         // Of what is added from a column to the next.
+    input  wire [39:0] bins_0_coefficients_b,         // Of what is added from a line to the next.
+    input  wire [39:0] bins_0_coefficients_c,         // Of the value at column 0 of line 0.
+    input  wire        bins_1_valid,
+    input  wire [4:0]  bins_1_operation,
+    input  wire [5:0]  bins_1_skip,
+    input  wire [6:0]  bins_1_length,
+    input  wire [7:0]  bins_1_read,
+    input  wire [7:0]  bins_1_write,
+    input  wire [39:0] bins_1_coefficients_a,
+    input  wire [39:0] bins_1_coefficients_b,
+    input  wire [39:0] bins_1_coefficients_c,
+    input  wire [1:0]  room,                          // The renderers whose queues take an instruction in this clock.
+    // The finished regions of each.
+    input  wire        finished_0_valid,
+    input  wire [15:0] finished_0_region,             // The number of the region.
+    input  wire [2:0]  finished_0_line,               // The line of the region.
+    input  wire [5:0]  finished_0_plane,              // The bit of the visibility word.
+    input  wire [7:0]  finished_0_bits,               // A bit of each pixel, from the left.
+    input  wire        finished_1_valid,
+    input  wire [15:0] finished_1_region,
+    input  wire [2:0]  finished_1_line,
+    input  wire [5:0]  finished_1_plane,
+    input  wire [7:0]  finished_1_bits,
+    input  wire        instructions_0_ready,
+    input  wire        instructions_1_ready,
+    input  wire        planes_ready,
+    // To each renderer.
+    output wire        instructions_0_valid,
+    output wire [4:0]  instructions_0_operation,      // What is done: an `Operation`.
+    // Bits of the expression that come before the word; 0 without one.
+    output wire [5:0]  instructions_0_skip,
+    output wire [6:0]  instructions_0_length,         // Bits of the word: 1 to `LONGEST`.
+    output wire [7:0]  instructions_0_read,           // Where the word that is read begins.
+    output wire [7:0]  instructions_0_write,          // Where the word that is written begins.
+    // Of the expression, in two's complement, relative to the region; `c` is the constant where there is no expression. Longer words are of the same sign.
+    output wire [39:0] instructions_0_coefficients_a, // Of what is added from a column to the next.
+    output wire [39:0] instructions_0_coefficients_b, // Of what is added from a line to the next.
+    output wire [39:0] instructions_0_coefficients_c, // Of the value at column 0 of line 0.
+    output wire        instructions_1_valid,
+    output wire [4:0]  instructions_1_operation,
+    output wire [5:0]  instructions_1_skip,
+    output wire [6:0]  instructions_1_length,
+    output wire [7:0]  instructions_1_read,
+    output wire [7:0]  instructions_1_write,
+    output wire [39:0] instructions_1_coefficients_a,
+    output wire [39:0] instructions_1_coefficients_b,
+    output wire [39:0] instructions_1_coefficients_c,
+    // To the frame buffer.
+    output wire        planes_valid,
+    output wire [15:0] planes_region,                 // The number of the region.
+    output wire [2:0]  planes_line,                   // The line of the region.
+    output wire [5:0]  planes_plane,                  // The bit of the visibility word.
+    output wire [7:0]  planes_bits,                   // A bit of each pixel, from the left.
+    output wire        bins_0_ready,
+    output wire        bins_1_ready,
+    output wire        finished_0_ready,
+    output wire        finished_1_ready
+);
+
+    reg [1:0] line_of;                                           // rtl/src/pixel_planes/ring.rs:159
+    reg [8:0] credit;                                            // rtl/src/pixel_planes/ring.rs:183
+    reg [3:0] last;                                              // rtl/src/pixel_planes/ring.rs:184
+
+    wire requests_and_3;                                         // rtl/src/pixel_planes/ring.rs:152
+    wire requests_and_4;                                         // rtl/src/pixel_planes/ring.rs:152
+    wire requests_and = finished_1_valid & ((line_of == 2'd0) | line_of[1]); // rtl/src/pixel_planes/ring.rs:163
+    wire requests_and_2 = finished_0_valid & ((line_of == 2'd0) | line_of[0]); // rtl/src/pixel_planes/ring.rs:163
+    wire [3:0] requests = {requests_and, requests_and_2, requests_and_3, requests_and_4}; // rtl/src/pixel_planes/ring.rs:174
+    wire [3:0] after = requests & ~(last | (last - 4'd1));       // rtl/src/pixel_planes/ring.rs:185
+    wire granted_and_3 = after[0] & (credit < 9'd154);           // rtl/src/pixel_planes/ring.rs:209
+    wire granted_and_4 = after[1] & !granted_and_3;              // rtl/src/pixel_planes/ring.rs:206
+    wire granted_and_5 = after[0] & (credit >= 9'd154);          // rtl/src/pixel_planes/ring.rs:208
+    wire [8:0] granted_choice = granted_and_5 ? (credit - 9'd154) : credit; // rtl/src/pixel_planes/ring.rs:210
+    wire granted_or_3 = granted_and_3 | (granted_and_4 & (granted_choice < 9'd154)); // rtl/src/pixel_planes/ring.rs:209
+    wire granted_and_6 = after[2] & !granted_or_3;               // rtl/src/pixel_planes/ring.rs:206
+    wire granted_and_7 = granted_and_4 & (granted_choice >= 9'd154); // rtl/src/pixel_planes/ring.rs:208
+    wire [8:0] granted_choice_2 = granted_and_7 ? (granted_choice - 9'd154) : granted_choice; // rtl/src/pixel_planes/ring.rs:210
+    wire granted_or_2 = granted_or_3 | (granted_and_6 & (granted_choice_2 < 9'd8)); // rtl/src/pixel_planes/ring.rs:209
+    wire granted_and_8 = granted_and_6 & (granted_choice_2 >= 9'd8); // rtl/src/pixel_planes/ring.rs:208
+    wire granted_and_2 = after[3] & !granted_or_2 & !granted_and_8; // rtl/src/pixel_planes/ring.rs:206
+    wire [8:0] granted_choice_3 = granted_and_8 ? (granted_choice_2 - 9'd8) : granted_choice_2; // rtl/src/pixel_planes/ring.rs:210
+    wire granted_and = granted_and_2 & (granted_choice_3 >= 9'd8); // rtl/src/pixel_planes/ring.rs:208
+    wire [3:0] before_ = requests & (last | (last - 4'd1));      // rtl/src/pixel_planes/ring.rs:186
+    wire granted_or_6 = granted_or_2 | (granted_and_2 & (granted_choice_3 < 9'd8)); // rtl/src/pixel_planes/ring.rs:209
+    wire granted_and_11 = before_[0] & !granted_or_6;            // rtl/src/pixel_planes/ring.rs:206
+    wire [8:0] granted_choice_4 = granted_and ? (granted_choice_3 - 9'd8) : granted_choice_3; // rtl/src/pixel_planes/ring.rs:210
+    wire granted_or_5 = granted_or_6 | (granted_and_11 & (granted_choice_4 < 9'd154)); // rtl/src/pixel_planes/ring.rs:209
+    wire granted_and_12 = before_[1] & !granted_or_5;            // rtl/src/pixel_planes/ring.rs:206
+    wire granted_and_13 = granted_and_11 & (granted_choice_4 >= 9'd154); // rtl/src/pixel_planes/ring.rs:208
+    wire [8:0] granted_choice_5 = granted_and_13 ? (granted_choice_4 - 9'd154) : granted_choice_4; // rtl/src/pixel_planes/ring.rs:210
+    wire granted_or_4 = granted_or_5 | (granted_and_12 & (granted_choice_5 < 9'd154)); // rtl/src/pixel_planes/ring.rs:209
+    wire granted_or_7 = granted_and_8 | granted_and;             // rtl/src/pixel_planes/ring.rs:213
+    wire granted_and_14 = before_[2] & !granted_or_4 & !granted_or_7; // rtl/src/pixel_planes/ring.rs:206
+    wire granted_and_15 = granted_and_12 & (granted_choice_5 >= 9'd154); // rtl/src/pixel_planes/ring.rs:208
+    wire [8:0] granted_choice_6 = granted_and_15 ? (granted_choice_5 - 9'd154) : granted_choice_5; // rtl/src/pixel_planes/ring.rs:210
+    wire granted_inverse = !(granted_or_4 | (granted_and_14 & (granted_choice_6 < 9'd8))); // rtl/src/pixel_planes/ring.rs:206
+    wire granted_and_16 = granted_and_14 & (granted_choice_6 >= 9'd8); // rtl/src/pixel_planes/ring.rs:208
+    wire granted_inverse_2 = !(granted_or_7 | granted_and_16);   // rtl/src/pixel_planes/ring.rs:206
+    wire granted_and_10 = before_[3] & granted_inverse & granted_inverse_2; // rtl/src/pixel_planes/ring.rs:206
+    wire [8:0] granted_choice_7 = granted_and_16 ? (granted_choice_6 - 9'd8) : granted_choice_6; // rtl/src/pixel_planes/ring.rs:210
+    wire granted_and_9 = granted_and_10 & (granted_choice_7 >= 9'd8); // rtl/src/pixel_planes/ring.rs:208
+    wire granted_or = granted_and | granted_and_9;               // rtl/src/pixel_planes/ring.rs:192
+    wire granted_or_8 = granted_and_8 | granted_and_16;          // rtl/src/pixel_planes/ring.rs:192
+    wire granted_or_9 = granted_and_7 | granted_and_15;          // rtl/src/pixel_planes/ring.rs:192
+    wire granted_or_10 = granted_and_5 | granted_and_13;         // rtl/src/pixel_planes/ring.rs:192
+    wire [3:0] granted = {granted_or, granted_or_8, granted_or_9, granted_or_10}; // rtl/src/pixel_planes/ring.rs:148
+    assign bins_0_ready = granted[0];                            // rtl/src/pixel_planes/ring.rs:153
+    assign bins_1_ready = granted[1];                            // rtl/src/pixel_planes/ring.rs:153
+    wire [1:0] of_plane = granted[3:2];                          // rtl/src/pixel_planes/ring.rs:160
+    assign finished_0_ready = of_plane[0];                       // rtl/src/pixel_planes/ring.rs:164
+    assign finished_1_ready = of_plane[1];                       // rtl/src/pixel_planes/ring.rs:164
+    assign instructions_0_valid = granted[0];                    // rtl/src/pixel_planes/ring.rs:153
+    assign instructions_1_valid = granted[1];                    // rtl/src/pixel_planes/ring.rs:153
+    assign planes_region = of_plane[1] ? finished_1_region : finished_0_region; // rtl/src/pixel_planes/ring.rs:167
+    assign planes_line = of_plane[1] ? finished_1_line : finished_0_line; // rtl/src/pixel_planes/ring.rs:167
+    assign planes_plane = of_plane[1] ? finished_1_plane : finished_0_plane; // rtl/src/pixel_planes/ring.rs:167
+    assign planes_valid = |of_plane;                             // rtl/src/pixel_planes/ring.rs:168
+    wire line_ends = planes_plane == 6'd47;                      // rtl/src/pixel_planes/ring.rs:170
+    wire [8:0] credit_choice = granted_and_9 ? (granted_choice_7 - 9'd8) : granted_choice_7; // rtl/src/pixel_planes/ring.rs:210
+    wire [8:0] credit_sum = credit_choice + 9'd125;              // rtl/src/pixel_planes/ring.rs:196
+
+    genvar i;
+
+    generate
+        for (i = 0; i < 8; i = i + 1) begin : row
+            wire planes_bits_choice = of_plane[1] ? finished_1_bits[i] : finished_0_bits[i];
+        end
+    endgenerate
+
+    assign requests_and_3 = bins_1_valid & room[1];              // rtl/src/pixel_planes/ring.rs:152
+    assign requests_and_4 = bins_0_valid & room[0];              // rtl/src/pixel_planes/ring.rs:152
+    generate
+        for (i = 0; i < 8; i = i + 1) begin : planes_bits_of
+            assign planes_bits[i] = row[i].planes_bits_choice;
+        end
+    endgenerate
+
+    always @(posedge clk) begin
+        if (rst) begin
+            line_of <= 2'd0;
+            credit <= 9'd278;
+            last <= 4'd0;
+        end else begin
+            if (|of_plane) begin
+                if (line_ends) line_of <= 2'd0;
+                else line_of <= of_plane;
+            end
+            if (credit_sum > 9'd278) credit <= 9'd278;
+            else credit <= credit_sum;
+            if (granted_and_9) last <= 4'd8;
+            else if (granted_and_16) last <= 4'd4;
+            else if (granted_and_15) last <= 4'd2;
+            else if (granted_and_13) last <= 4'd1;
+            else if (granted_and) last <= 4'd8;
+            else if (granted_and_8) last <= 4'd4;
+            else if (granted_and_7) last <= 4'd2;
+            else if (granted_and_5) last <= 4'd1;
+        end
+    end
+
+    assign instructions_0_operation = bins_0_operation;
+    assign instructions_0_skip = bins_0_skip;
+    assign instructions_0_length = bins_0_length;
+    assign instructions_0_read = bins_0_read;
+    assign instructions_0_write = bins_0_write;
+    assign instructions_0_coefficients_a = bins_0_coefficients_a;
+    assign instructions_0_coefficients_b = bins_0_coefficients_b;
+    assign instructions_0_coefficients_c = bins_0_coefficients_c;
+    assign instructions_1_operation = bins_1_operation;
+    assign instructions_1_skip = bins_1_skip;
+    assign instructions_1_length = bins_1_length;
+    assign instructions_1_read = bins_1_read;
+    assign instructions_1_write = bins_1_write;
+    assign instructions_1_coefficients_a = bins_1_coefficients_a;
+    assign instructions_1_coefficients_b = bins_1_coefficients_b;
+    assign instructions_1_coefficients_c = bins_1_coefficients_c;
+
+`ifndef SYNTHESIS
+`ifdef FORMAL
+    always @(posedge clk) begin
+        if (!rst) assume (!instructions_0_valid | instructions_0_ready); // rtl/src/pixel_planes/ring.rs:154
+        if (!rst) assume (!instructions_1_valid | instructions_1_ready); // rtl/src/pixel_planes/ring.rs:154
+        if (!rst) assume (!planes_valid | planes_ready);             // rtl/src/pixel_planes/ring.rs:169
+    end
+`else
+    always @(posedge clk) begin
+        if (!rst && !(!instructions_0_valid | instructions_0_ready)) begin // rtl/src/pixel_planes/ring.rs:154
+            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a queue that has room takes an instruction", $time);
+            $stop;
+        end
+        if (!rst && !(!instructions_1_valid | instructions_1_ready)) begin // rtl/src/pixel_planes/ring.rs:154
+            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a queue that has room takes an instruction", $time);
+            $stop;
+        end
+        if (!rst && !(!planes_valid | planes_ready)) begin           // rtl/src/pixel_planes/ring.rs:169
+            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the frame buffer takes each plane", $time);
+            $stop;
+        end
+    end
+`endif
+`endif
+
+    wire _unused_ok = &{1'b0, instructions_0_ready, instructions_1_ready, planes_ready};
+endmodule
+`default_nettype wire

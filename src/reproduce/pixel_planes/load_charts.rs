@@ -1,0 +1,144 @@
+//! The load of the renderers, P_w: between its bounds for every scene, its balance, and that of random vectors.
+
+use super::bins::EXAMPLE;
+use super::frames::Drawn;
+use super::loads::{Load, Loads, renderers};
+use super::plan::RENDERERS;
+use tilewright_machines::pixel_planes::{greatest_load, greatest_load_of_whole_regions};
+use tilewright_report::{Axis, Cell, Chart, Origin, Section, Series, Table};
+
+/// The section of the loads.
+pub fn section(loads: &Loads, frames: &[Drawn]) -> Section {
+    let (regions, size) = (loads.regions.count(), loads.regions.size());
+    Section::new("Load of the renderers, P_w")
+        .paragraph(format!(
+            "P_w is the number of primitives of the renderer that has most of them; each counts once for each of its regions. By the paper it is at \
+             least P/B, if each primitive is in one region and all B renderers have as many, and at most P R/B, if each is in all R regions. Here the \
+             screen of {size} pixels has {regions} regions of {side}x{side}. Where B does not divide R, some renderer has a region more than \
+             others, and the greatest load is P ⌈R/B⌉.",
+            side = loads.regions.side()
+        ))
+        .paragraph(
+            "Plus signs are counted by a plain allocator: the next region in order of decreasing bins goes to the renderer that is free first, and each \
+             primitive takes it as long. Filled marks are frames that the circuit drew, whose allocator goes by the clock.",
+        )
+        .part(between_bounds(loads, frames, "surfaces", &["teapot", "ter1k", "ter250"]))
+        .part(between_bounds(loads, frames, "lines", &["wireframe", "star", "vectors"]))
+        .part(table(loads, frames))
+        .paragraph(
+            "How well the load is balanced is another matter: the worst load in parts of the mean one. With few regions a renderer, the one that \
+             gets the fullest region decides.",
+        )
+        .part(balance(loads, frames))
+        .paragraph(
+            "In perfect balance P_w of V vectors is H_v V/B, which by the paper’s H_v is 1.63 V/B. The more vectors there are, the less chance has \
+             a say; what remains is that regions are dealt as a whole, and that those at the border have fewer vectors.",
+        )
+        .part(of_vectors(loads, frames))
+}
+
+const RENDERER_AXIS: &str = "renderers B";
+
+fn between_bounds(loads: &Loads, frames: &[Drawn], id: &str, names: &[&str]) -> Chart {
+    let names: Vec<&str> = names.iter().copied().filter(|name| loads.of(name).is_some()).collect();
+    let title = format!("The worst load between its bounds: {}", names.join(", "));
+    let chart = Chart::new(format!("load-{id}"), title, Axis::linear(RENDERER_AXIS), Axis::log("P_w in parts of P/B"));
+    let regions = loads.regions.count();
+    // In parts of P/B, whatever P is.
+    let bound =
+        |of: fn(usize, u32) -> f64| renderers().map(move |b| (f64::from(b), of(regions, b))).collect::<Vec<_>>();
+    let bounds = [
+        ("P/B", bound(|_, _| 1.0)),
+        ("P R/B", bound(|regions, b| greatest_load(1.0, regions, b as usize) * f64::from(b))),
+        ("P ⌈R/B⌉", bound(|regions, b| greatest_load_of_whole_regions(1, regions, b as usize) as f64 * f64::from(b))),
+    ];
+    let chart = bounds
+        .into_iter()
+        .fold(chart, |chart, (name, points)| chart.series(Series::new(name, Origin::Formula, points)));
+    of_scenes(
+        chart,
+        loads,
+        frames,
+        &names,
+        |load, b| load.worst(b) as f64 / load.least(b),
+        |drawn| drawn.report.worst_load() as f64 / drawn.load.least(drawn.report.machine.renderers),
+    )
+}
+
+fn balance(loads: &Loads, frames: &[Drawn]) -> Chart {
+    let axis = Axis::linear("worst load in parts of the mean");
+    let chart = Chart::new("balance", "The worst load in parts of the mean load", Axis::linear(RENDERER_AXIS), axis);
+    let names: Vec<&str> = loads.scenes.iter().map(|load| load.name).collect();
+    of_scenes(chart, loads, frames, &names, Load::imbalance, Drawn::imbalance)
+}
+
+/// A quantity of scenes by the number of renderers: counted, and of frames.
+fn of_scenes(
+    chart: Chart,
+    loads: &Loads,
+    frames: &[Drawn],
+    names: &[&str],
+    counted: impl Fn(&Load, u32) -> f64,
+    drawn: impl Fn(&Drawn) -> f64,
+) -> Chart {
+    names.iter().filter_map(|name| loads.of(name)).fold(chart, |chart, load| {
+        let points = renderers().map(|b| (f64::from(b), counted(load, b)));
+        let frames = frames.iter().filter(|it| it.load.name == load.name);
+        let frames: Vec<_> = frames.map(|it| (f64::from(it.report.machine.renderers), drawn(it))).collect();
+        let chart = chart.series(Series::new(load.name, load.origin(), points));
+        match frames.is_empty() {
+            true => chart,
+            false => chart.series(Series::new(load.name, Origin::rtl(load.seeds.clone()), frames)),
+        }
+    })
+}
+
+fn table(loads: &Loads, frames: &[Drawn]) -> Table {
+    let columns = ["scene", "P", "in bins", "regions of one", "P/B", "P_w, plain count", "P_w, RTL", "P R/B"];
+    let title = format!("Primitives and loads with {RENDERERS} renderers");
+    let table = Table::new("loads", title, columns).note(
+        "The last two scenes are made to reach the bounds: a square in the middle of each region, and as many squares that cover the whole screen.",
+    );
+    let drawn = |load: &Load| frames.iter().find(|it| it.load.name == load.name);
+    let made = frames.iter().map(|it| &it.load).filter(|load| loads.of(load.name).is_none());
+    loads.scenes.iter().chain(made).fold(table, |table, load| {
+        let greatest = greatest_load(load.primitives as f64, loads.regions.count(), RENDERERS as usize);
+        table.row([
+            load.name.into(),
+            (load.primitives as f64).into(),
+            (load.binned() as f64).into(),
+            load.regions().into(),
+            load.least(RENDERERS).into(),
+            (load.worst(RENDERERS) as f64).into(),
+            drawn(load).map_or(Cell::from("–"), |it| Cell::Number(it.report.worst_load() as f64)),
+            greatest.into(),
+        ])
+    })
+}
+
+fn of_vectors(loads: &Loads, frames: &[Drawn]) -> Chart {
+    let chart = Chart::new(
+        "load-of-vectors",
+        format!("The worst load of random vectors of 45 degrees, with {RENDERERS} renderers"),
+        Axis::log("vectors V"),
+        Axis::linear("P_w in parts of V/B"),
+    )
+    .note("Vectors of 50 pixels where regions have 128 a side.");
+    let each = |number: u64, vectors: u64| number as f64 * f64::from(RENDERERS) / vectors as f64;
+    let ends = || [loads.crowds.first(), loads.crowds.last()].into_iter().flatten().map(|it| it.vectors as f64);
+    let level = |value: f64| ends().map(move |vectors| (vectors, value)).collect::<Vec<_>>();
+    let counted = |of: fn(&super::loads::Crowd) -> u64| {
+        loads.crowds.iter().map(move |crowd| (crowd.vectors as f64, each(of(crowd), crowd.vectors))).collect::<Vec<_>>()
+    };
+    // The length is as much of a region's side on all screens, so the formulas are, too.
+    let side = super::plan::SIDE;
+    let chart = chart
+        .series(Series::new("box", Origin::Formula, level(EXAMPLE.by_box(side))))
+        .series(Series::new("box", loads.origin(), counted(|crowd| crowd.worst.by_box)))
+        .series(Series::new("itself", Origin::Formula, level(EXAMPLE.tight(side))))
+        .series(Series::new("itself", loads.origin(), counted(|crowd| crowd.worst.tight)));
+    let drawn = frames.iter().filter(|it| it.load.name == "vectors");
+    let points: Vec<_> =
+        drawn.map(|it| (it.load.primitives as f64, each(it.report.worst_load(), it.load.primitives))).collect();
+    chart.series(Series::new("itself", Origin::rtl(loads.origin().seeds()), points))
+}
