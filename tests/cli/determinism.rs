@@ -2,7 +2,7 @@
 
 use crate::harness::Folder;
 
-const LINES: [&str; 8] = [
+const LINES: [&str; 9] = [
     "render pyramid.obj --size 32x24 --processors 2 -o frame.png --vcd run.vcd --json",
     "render pyramid.obj --machine quadtree --size 16x12 --matrix 2x2 --form stack -o quadtree.png --vcd quadtree.vcd --json",
     "golden ter1k --size 64x48 -o golden.png",
