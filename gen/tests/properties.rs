@@ -100,6 +100,9 @@ impl Apart {
         m.assert(m.past(i.x).eq(held), "it is held");
         net!(late = m.past(i.y) & !i.y);
         m.cover("y was high", late);
+        let counts = m.reg("counts", 8).reset(0);
+        counts.next(cat![i.x.repeat(5), i.y.repeat(3)]);
+        m.cover("bit 2", counts.bit(2));
         ApartOut { z: !i.y }
     }
 }
@@ -109,11 +112,12 @@ fn a_synthesizer_does_not_see_registers_that_only_statements_look_at() {
     let files = verilog(&elaborate(&Apart).unwrap());
     tools::lint(&files).unwrap_or_else(|problems| panic!("{problems}\n{}", files[0].text));
     let (seen, stated) = files[0].text.split_once("`ifndef SYNTHESIS").unwrap();
-    for register in ["reg held;", "reg x_past;", "reg has_past;"] {
+    for register in ["reg held;", "reg [7:0] counts;", "reg x_past;", "reg has_past;"] {
         assert!(!seen.contains(register) && stated.contains(register), "{register}\n{}", files[0].text);
     }
     assert!(seen.contains("reg y_past;") && seen.contains("wire late = y_past"), "{}", files[0].text);
     assert!(!stated.contains("held["), "what is not there is not tied\n{}", files[0].text);
+    assert!(stated.contains("_unused_stated = &{1'b0, counts[7:3], counts[1:0]};"), "{}", files[0].text);
 }
 
 /// The Verilog, and the testbench that gives it this stimulus and expects what follows from it.

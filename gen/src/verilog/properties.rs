@@ -36,7 +36,9 @@ impl Printer<'_> {
             let body = here.flat_map(|(property, hit)| self.simulated(property, hit.as_deref())).collect();
             out.extend(self.at_edge(clock, body));
         }
-        out.extend(["`endif".to_string(), "`endif".to_string()]);
+        out.push("`endif".to_string());
+        out.extend(self.unread_of_stated());
+        out.push("`endif".to_string());
         self.usage = read;
         out
     }
@@ -51,6 +53,17 @@ impl Printer<'_> {
         out.push(String::new());
         out.extend(self.register_blocks(&registers));
         out
+    }
+
+    /// The bits of these registers that no statement looks at, for linters.
+    fn unread_of_stated(&mut self) -> Option<String> {
+        if self.here.is_some() {
+            return None;
+        }
+        let nodes = self.plain_registers(true).into_iter().map(|index| self.module.registers[index].node);
+        let parts: Vec<String> = nodes.flat_map(|node| self.unread_parts(node, self.name(node))).collect();
+        (!parts.is_empty())
+            .then(|| format!("wire {} = &{{1'b0, {}}};", self.taken.fresh("_unused_stated"), parts.join(", ")))
     }
 
     /// The statements at the edges of a clock, if there are any.

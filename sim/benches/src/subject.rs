@@ -6,7 +6,7 @@ use std::str::FromStr;
 use tilewright_hdl::{Design, Problems, elaborate};
 use tilewright_rtl::parameter::Screen;
 
-use crate::designs::{Core, Pim, Pxpl, Qt, Simd, Systolic, Vc1Frames};
+use crate::designs::{Core, Pim, Pxpl, Qt, Regions, Simd, Systolic, Vc1Frames};
 
 /// A kind of design; a size makes it a [`Subject`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -27,11 +27,13 @@ pub enum Family {
     Systolic,
     /// [`Vc1Frames`]; its size is the number of processors.
     Vc1,
+    /// [`Regions`]; its size is the number of pixels in a line of a region, a power of two.
+    Renderer,
 }
 
 impl Family {
     /// Every family.
-    pub const ALL: [Family; 8] = [
+    pub const ALL: [Family; 9] = [
         Family::Pim,
         Family::Qt,
         Family::Flat,
@@ -40,6 +42,7 @@ impl Family {
         Family::Pxpl,
         Family::Systolic,
         Family::Vc1,
+        Family::Renderer,
     ];
 
     /// Its name, which stands before the size.
@@ -53,6 +56,7 @@ impl Family {
             Family::Pxpl => "pxpl",
             Family::Systolic => "systolic",
             Family::Vc1 => "vc1x",
+            Family::Renderer => "renderer",
         }
     }
 
@@ -61,13 +65,13 @@ impl Family {
         match self {
             Family::Pim | Family::Qt => 1..=4096,
             Family::Flat | Family::Core | Family::Simd | Family::Systolic | Family::Vc1 => 1..=256,
-            Family::Pxpl => 8..=256,
+            Family::Pxpl | Family::Renderer => 8..=256,
         }
     }
 
     /// Whether it has an input `rst`, by which several stimuli differ.
     fn has_rst(self) -> bool {
-        self != Family::Vc1
+        !matches!(self, Family::Vc1 | Family::Renderer)
     }
 
     const fn of_size(self, size: u32) -> Subject {
@@ -100,7 +104,7 @@ pub const USUAL: [Subject; 6] = [
 ];
 
 /// Checksums that several simulators agree on: the subject, cycles, checksum.
-const KNOWN: [(&str, u64, u32); 32] = [
+const KNOWN: [(&str, u64, u32); 33] = [
     ("pim16", 1000, 0xcce1_f33c),
     ("pim16", 20_000, 0x0b77_df9a),
     ("pim16", 300_000, 0xd0c8_a649),
@@ -133,6 +137,7 @@ const KNOWN: [(&str, u64, u32); 32] = [
     ("pxpl128", 20_000, 0xb887_e3ed),
     ("vc1x3@32x16", 200_000, 0x5415_1b3b),
     ("vc1x16@160x120", 200_000, 0x2e82_4dfa),
+    ("renderer8", 20_000, 0x8bb3_78c6),
 ];
 
 /// A design written by hand in Verilog, with the same function as ours.
@@ -162,6 +167,7 @@ impl Subject {
             Family::Pxpl => elaborate(&Pxpl { edge: size }),
             Family::Systolic => elaborate(&Systolic { size }),
             Family::Vc1 => elaborate(&self.vc1()),
+            Family::Renderer => elaborate(&Regions::new(size).expect("it was tried when it was named")),
         }
     }
 
@@ -188,7 +194,7 @@ impl Subject {
                 written("pxpl", include_str!("../verilog/pxpl.v"), "EDGE"),
                 written("pxpl_planes", include_str!("../verilog/pxpl_planes.v"), "EDGE"),
             ],
-            Family::Core | Family::Systolic | Family::Vc1 => Vec::new(),
+            Family::Core | Family::Systolic | Family::Vc1 | Family::Renderer => Vec::new(),
         }
     }
 
@@ -230,7 +236,7 @@ impl FromStr for Subject {
         let size = design[name.len()..].parse().ok().filter(|size| family.sizes().contains(size));
         let (least, most) = family.sizes().into_inner();
         let mut subject = family.of_size(size.ok_or_else(|| format!("the size of {name} is from {least} to {most}"))?);
-        if family == Family::Pxpl && !subject.size.is_power_of_two() {
+        if matches!(family, Family::Pxpl | Family::Renderer) && !subject.size.is_power_of_two() {
             return Err(format!("the size of {name} is a power of two, such as {name}16"));
         }
         if let Some(screen) = screen {
@@ -273,12 +279,13 @@ mod tests {
             assert_eq!(name.parse::<Subject>().unwrap().to_string(), name);
         }
         let wrong = [
-            ("pin16", "pimN, qtN, flatN, coreN, simdN, pxplN, systolicN, vc1xN"),
+            ("pin16", "pimN, qtN, flatN, coreN, simdN, pxplN, systolicN, vc1xN, rendererN"),
             ("", "pimN"),
             ("qt", "from 1"),
             ("simd257", "to 256"),
             ("pxpl4", "from 8"),
             ("pxpl24", "a power of two, such as pxpl16"),
+            ("renderer9", "a power of two, such as renderer16"),
             ("qt1*0", "from 1 to 64, as in qt1*16"),
             ("qt1*", "behind a `*`"),
             ("vc1x1*2", "vc1x has no input"),

@@ -1,6 +1,6 @@
 //! What is printed of the designs, and what was written by hand, in the tools that take Verilog.
 
-use tilewright_benches::designs::{Core, Pim, Pxpl, Qt, Simd, Vc1Frames};
+use tilewright_benches::designs::{Core, Pim, Pxpl, Qt, Regions, Simd, Vc1Frames};
 use tilewright_benches::{HandWritten, RESET_CYCLES, Subject, reset};
 use tilewright_gen::tools::{lint, replay_in_icarus};
 use tilewright_gen::{VerilogFile, testbench, verilog};
@@ -9,12 +9,14 @@ use tilewright_rtl::parameter::Screen;
 use tilewright_sim::Simulation;
 
 /// Small designs; a small screen, as Yosys takes its time over what memories hold at the start.
-fn small() -> [Design; 6] {
+fn small() -> [Design; 7] {
     let pim = elaborate(&Pim { stages: 2, columns: 7, rows: 5 });
     let vc1 = elaborate(&Vc1Frames::new(Screen { width: 12, height: 8 }, 2).unwrap());
     let core = elaborate(&Core { processors: 2 });
     let qt = elaborate(&Qt { units: 2, apart: false });
-    [pim, qt, core, elaborate(&Simd { edge: 3 }), elaborate(&Pxpl { edge: 8 }), vc1].map(|design| design.unwrap())
+    let regions = elaborate(&Regions::new(8).unwrap());
+    let (simd, pxpl) = (elaborate(&Simd { edge: 3 }), elaborate(&Pxpl { edge: 8 }));
+    [pim, qt, core, simd, pxpl, vc1, regions].map(|design| design.unwrap())
 }
 
 #[test]

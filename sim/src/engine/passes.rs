@@ -27,7 +27,8 @@ pub struct Passes {
     pub lift: bool,
     /// Words wider than a register of the machine are split into the fields that they are made of.
     pub fields: bool,
-    /// From how many lanes on what has one bit in each is computed in words of as many lanes as the machine has bits.
+    /// From how many lanes on what has one bit in each is computed in words of as many lanes as the machine has bits; a row of fewer lanes
+    /// in one word.
     pub pack_from: u32,
     /// Work on an array is postponed to one loop.
     pub postpone: bool,
@@ -62,7 +63,7 @@ impl Default for Passes {
             uniform: true,
             lift: true,
             fields: true,
-            pack_from: 128,
+            pack_from: 2,
             postpone: true,
             branch: true,
             lookups: true,

@@ -2,8 +2,8 @@
 //! apart.
 
 use tilewright_hdl::{
-    Bits, Design, Module, ReadUnderWrite, bit, bits, block, codes, constants, elaborate, grid, lit, mux, one_of, row,
-    select,
+    Bits, Design, Module, ReadUnderWrite, bit, bits, block, codes, constants, elaborate, grid, interleave, lit, mux,
+    one_of, row, select, stack,
 };
 use tilewright_sim::{EngineKind, Pass, Passes, Simulation, explain};
 
@@ -84,6 +84,64 @@ impl Square {
     }
 }
 
+block! {
+    /// A row whose bits change places.
+    struct Places { lanes: u32 }
+    in(self) PlacesIn { x: bits(self.lanes), a: bit(), b: bit() }
+    out(self) PlacesOut { all: bits(2 * self.lanes), half: bits(self.lanes), one: bit(), parity: bit(), sum: bits(8) }
+}
+
+impl Places {
+    fn build(&self, m: Module, i: PlacesIn) -> PlacesOut {
+        let n = self.lanes;
+        let register = |name: &str, lanes: u32| m.reg(name, bit().of(row(lanes))).reset_each((0..lanes).map(|i| i % 2));
+        let (even, odd, twice, above) =
+            (register("even", n), register("odd", n), register("twice", 2 * n), register("above", 2 * n));
+        let held = m.memory("held", 4, bit().of(row(n)), ReadUnderWrite::Old);
+        let x = i.x.unpack(row(n));
+        let apart: Vec<_> = (0..n).map(|lane| i.x.bit((lane + 1) % n) ^ i.b).collect();
+        // Rows of a square, one above the other; in one word, if they fit.
+        let square = x.to_rows(2) ^ stack([*even, *odd]);
+        held.write(i.a, i.x.bit(0).zext(2), x ^ *odd);
+        even.next(held.read_async(i.x.bit(1).zext(2)) ^ stack(apart) ^ odd.previous(i.b));
+        odd.when(i.a, !even).otherwise(odd ^ square.rows().lane(1) ^ square.columns().lane(0).lane(0));
+        let parents = (x ^ *even).take(2 * n, |lane| lane / 2);
+        let turned = interleave([*even, *odd]);
+        twice.next(turned ^ (parents & twice.following(i.a)) ^ twice.shifted(3, i.b));
+        above.next(twice ^ (twice.previous(i.a) & above) ^ mux(i.b, above.shifted(-2, i.a), interleave([*odd, x])));
+        let counts = m.reg("counts", bits(8).of(row(2 * n))).reset(0);
+        counts.next(counts + mux(*above, twice.zext(8), constants(bits(8).of(row(2 * n)), u64::from)));
+        PlacesOut {
+            all: above.pack(),
+            half: odd.pack(),
+            one: twice.lane(n),
+            parity: twice.xor_all(),
+            sum: counts.sum().trunc(8),
+        }
+    }
+}
+
+block! {
+    /// Rows that are shorter than a strip.
+    struct ShortRows { rows: u32, columns: u32, width: u32 }
+    in(self) ShortRowsIn { x: bits(self.width) }
+    out(self) ShortRowsOut { sum: bits(self.width) }
+}
+
+impl ShortRows {
+    fn build(&self, m: Module, i: ShortRowsIn) -> ShortRowsOut {
+        let shape = grid(self.rows, self.columns);
+        let all = m.reg("all", bits(self.width).of(shape)).reset(0);
+        let across = m.reg("across", bits(self.width).of(row(self.columns)));
+        let down = m.reg("down", bits(self.width).of(row(self.rows)));
+        across.next(across.previous(i.x));
+        down.next(down.previous(across.lane(1)));
+        let steps = constants(bits(self.width).of(row(self.columns)), |lane| u64::from(lane % 2));
+        all.next((all ^ across.to_rows(self.rows)) + down.to_columns(self.columns) + steps.to_rows(self.rows));
+        ShortRowsOut { sum: all.rows().xor_all().xor_all() }
+    }
+}
+
 fn square(rows: u32, columns: u32, policy: ReadUnderWrite) -> Design {
     elaborate(&Square { rows, columns, policy }).unwrap()
 }
@@ -159,6 +217,91 @@ fn bits_are_packed_in_words_as_long_as_what_is_moved_together() {
         for name in ["held", "u_processor.chosen", "u_processor.carry"] {
             let line = packed.lines().find(|line| line.starts_with(&format!("{name}, {lanes} lanes a word ")));
             assert!(line.is_some_and(|line| line.contains("= register")), "{name} of {columns}\n{packed}");
+        }
+    }
+}
+
+const LANES: [u32; 15] = [2, 3, 5, 7, 8, 12, 16, 17, 24, 31, 32, 33, 48, 64, 128];
+
+#[test]
+fn bits_that_change_places_are_the_same_on_both_engines() {
+    for lanes in LANES {
+        let design = elaborate(&Places { lanes }).unwrap();
+        for passes in [passes(), Passes::default(), Passes { fold: false, ..Passes::default() }] {
+            let mut sim = Simulation::with_passes(&design, &passes).unwrap().on(EngineKind::Both).seeded(lanes.into());
+            let [x, a, b] = ["x", "a", "b"].map(|name| sim.port(name).unwrap());
+            for n in 1..40_u64 {
+                let drawn = n.wrapping_mul(0x9e37_79b9_7f4a_7c15);
+                sim.set(x, Bits::from_limbs(128, &[drawn, drawn >> 3]).resize(lanes));
+                sim.set(a, drawn >> 50 & 1);
+                sim.set(b, drawn >> 40 & 1);
+                sim.step();
+            }
+        }
+    }
+}
+
+#[test]
+fn a_row_is_packed_in_one_word() {
+    for (lanes, in_a_word) in [(2, 4), (5, 10), (16, 32), (31, 62), (32, 64), (64, 64)] {
+        let explained = explain(&elaborate(&Places { lanes }).unwrap(), &Passes::default());
+        let packed = &explained.iter().find(|it| it.pass == Pass::Pack).expect("every pass is explained").text;
+        let line = packed.lines().find(|line| line.starts_with(&format!("twice, {in_a_word} lanes a word ")));
+        assert!(line.is_some(), "{lanes}\n{packed}");
+    }
+}
+
+block! {
+    /// Rows of numbers whose lanes change places in a regular way, and in one that is not.
+    struct Regular { lanes: u32, width: u32 }
+    in(self) RegularIn { x: bits(self.width) }
+    out(self) RegularOut { sum: bits(self.width) }
+}
+
+impl Regular {
+    fn build(&self, m: Module, i: RegularIn) -> RegularOut {
+        let n = self.lanes;
+        let number = |lanes: u32| bits(self.width).of(row(lanes));
+        let [all, twice, half] = [("all", n), ("twice", 2 * n), ("half", n / 2)]
+            .map(|(name, lanes)| m.reg(name, number(lanes)).reset_each((0..lanes).map(|lane| lane % 2)));
+        all.next((all.previous(i.x) + i.x) ^ half.take(n, |lane| lane / 2));
+        twice.next((twice ^ interleave([*all, !*all])) + all.take(2 * n, |lane| (lane + 1) / 3));
+        half.next(all.take(n / 2, |lane| lane * 2) ^ twice.take(n / 2, |lane| lane * 4 + 1));
+        let [lines, more] = [("lines", n / 4), ("more", n / 4 * 2)]
+            .map(|(name, rows)| m.reg(name, bits(self.width).of(grid(rows, 4))).reset(1));
+        lines.next((lines + i.x) ^ more.rows().take(n / 4, |row| row * 2) ^ lines.columns().previous(i.x));
+        more.next(more + lines.rows().take(n / 4 * 2, |row| row / 2));
+        RegularOut { sum: twice.xor_all() + half.xor_all() + more.rows().xor_all().xor_all() }
+    }
+}
+
+#[test]
+fn lanes_that_change_places_are_the_same_on_both_engines() {
+    for (lanes, width) in [(8, 8), (16, 8), (32, 30), (64, 64), (12, 16), (34, 5), (16, 1), (16, 70)] {
+        let design = elaborate(&Regular { lanes, width }).unwrap();
+        let apart = Passes { pack_from: u32::MAX, ..passes() };
+        for passes in [passes(), apart] {
+            let mut sim = Simulation::with_passes(&design, &passes).unwrap().on(EngineKind::Both);
+            let x = sim.port("x").unwrap();
+            for n in 0..20_u64 {
+                let drawn = (n + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+                sim.set(x, Bits::from_limbs(128, &[drawn, drawn >> 3]).resize(width));
+                sim.step();
+            }
+        }
+    }
+}
+
+#[test]
+fn rows_shorter_than_a_strip_are_the_same_on_both_engines() {
+    for (rows, columns, width) in [(6, 2, 64), (5, 2, 40), (3, 4, 8), (7, 2, 1), (9, 8, 8), (33, 2, 16), (4, 2, 70)] {
+        let design = elaborate(&ShortRows { rows, columns, width }).unwrap();
+        let mut sim = Simulation::with_passes(&design, &passes()).unwrap().on(EngineKind::Both);
+        let x = sim.port("x").unwrap();
+        for n in 0..20_u64 {
+            let drawn = (n + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+            sim.set(x, Bits::from_limbs(128, &[drawn, drawn >> 3]).resize(width));
+            sim.step();
         }
     }
 }

@@ -1,6 +1,6 @@
 //! What is put off, and what is left out at the start.
 
-use tilewright_hdl::{Bits, Block, Module, ReadUnderWrite, Width, bits, bundle};
+use tilewright_hdl::{Bits, Block, Module, ReadUnderWrite, Width, bits, block, bundle, row};
 use tilewright_sim::{Pass, Passes};
 
 use crate::{after, after_with, is};
@@ -131,4 +131,38 @@ fn lower_memories_that_are_full_of_a_word() {
           words[address] <- %2 if 1
     ",
     );
+}
+
+block! {
+    /// Rows that each take the one before, which is half or twice as long.
+    struct Levels { widen: bool }
+    in LevelsIn { x: bits(8) }
+    out LevelsOut { last: bits(8) }
+}
+
+impl Levels {
+    fn build(&self, m: Module, i: LevelsIn) -> LevelsOut {
+        let [short, middle, long] = [4, 8, 16].map(|lanes| m.reg(&format!("row{lanes}"), bits(8).of(row(lanes))));
+        let first = if self.widen { short } else { long };
+        first.next(first + i.x);
+        if self.widen {
+            middle.next(short.take(8, |lane| lane / 2) + 1);
+            long.next(middle.take(16, |lane| lane / 2) + 2);
+        } else {
+            middle.next(long.take(8, |lane| lane * 2) + 1);
+            short.next(middle.take(4, |lane| lane * 2) + 2);
+        }
+        LevelsOut { last: if self.widen { long.lane(3) } else { short.lane(3) } }
+    }
+}
+
+#[test]
+fn loops_run_before_those_that_change_what_they_look_at() {
+    for (widen, order) in [(true, ["16", "8", "4"]), (false, ["4", "8", "16"])] {
+        let plan = after(&Levels { widen }, Pass::Plan);
+        let loops = plan.lines().filter_map(|line| line.trim().strip_prefix("loop over "));
+        let loops: Vec<&str> = loops.map(|rest| rest.split(' ').next().unwrap()).collect();
+        assert_eq!(loops, order, "{plan}");
+        assert!(!plan.contains("hazards"), "{plan}");
+    }
 }

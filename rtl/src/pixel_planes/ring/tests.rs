@@ -124,7 +124,7 @@ fn all_take_turns_as_long_as_the_credit_lasts() {
     ]);
     let plane = |region| Some(BitPlane { region, line: 0, plane: 47, bits: 0 });
     for clock in 0..8 {
-        let room = vec![true, clock < 2 || clock > 4];
+        let room = vec![true, !(2..=4).contains(&clock)];
         sim.drive(Waiting { bins: vec![Some(1), Some(2)], room, finished: vec![plane(3), plane(4)] }.inputs());
         sim.step();
     }
@@ -199,17 +199,17 @@ proptest! {
         };
         let mut sent = Vec::new();
         for now in 0..400u64 {
-            for number in 0..count {
+            for (number, next) in next_plane.iter_mut().enumerate() {
                 waiting.room[number] = chance(percent[0]);
                 if waiting.bins[number].is_none() && chance(percent[1]) {
                     waiting.bins[number] = Some(now << 8 | number as u64);
                 }
                 if waiting.finished[number].is_none() && chance(percent[2]) {
                     // The last few planes of lines, so that there are many ends.
-                    let plane = next_plane[number];
+                    let plane = *next;
                     let bits = now % 256;
                     waiting.finished[number] = Some(BitPlane { region: number as u64, line: now % 8, plane, bits });
-                    next_plane[number] = if plane == 47 { 40 } else { plane + 1 };
+                    *next = if plane == 47 { 40 } else { plane + 1 };
                 }
             }
             let (instructions, plane) = clock(&mut sim, &waiting);

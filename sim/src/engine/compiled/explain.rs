@@ -85,7 +85,7 @@ fn planned(program: &Program, function: &Function, plan: &Plan, names: &Names) -
                 let _ = writeln!(out, "  {what}: {}", list(&text, ids));
             }
         }
-        for (lanes, kernel) in &stage.kernels {
+        for (lanes, kernel) in stage.loops() {
             let order = if kernel.descends { ", the last first" } else { "" };
             let _ = write!(out, "  loop over {lanes} lanes{order}: ");
             kernel_text(&mut out, &mut text, function, kernel, 2);

@@ -74,6 +74,7 @@ impl Emitter<'_, '_, '_> {
         let row = self.row_length(lanes, kernel);
         let mut strip = Strip::new(self.strips.strip(lanes), lanes, row, kernel.descends);
         self.splat_uniforms(&mut strip, kernel);
+        self.tile_short_rows(&mut strip, kernel);
         self.begin_memories(&mut strip, kernel);
         let sums = match strip.rows() {
             1 => self.row(&mut strip, kernel, None, &mut Vec::new()),
@@ -160,6 +161,29 @@ impl Emitter<'_, '_, '_> {
         }
     }
 
+    /// Makes rows available of which a strip has several.
+    fn tile_short_rows(&mut self, strip: &mut Strip, kernel: &Kernel) {
+        for id in self.taken(kernel) {
+            let cell = self.function.cell(id);
+            if let Kind::Broadcast { of, axis } = cell.kind
+                && axis.inner > 1
+                && axis.inner < strip.size
+                && strip.size.is_multiple_of(axis.inner)
+                && (cell.lanes, self.function.cell(of).lanes) == (strip.total, axis.inner)
+                && cell.width <= 64
+                && self.is_current(kernel, id)
+            {
+                self.tile_whole(strip, id, of);
+            }
+        }
+    }
+
+    /// Whether a value that is made from others is as they are now: what another loop has stored may be made from what has
+    /// changed since.
+    fn is_current(&self, kernel: &Kernel, id: ValueId) -> bool {
+        kernel.cells.contains(&id) || !self.addresses.has(id)
+    }
+
     /// Finds the words of memories that have one address in all lanes.
     fn begin_memories(&mut self, strip: &mut Strip, kernel: &Kernel) {
         for &id in &kernel.cells {
@@ -176,16 +200,13 @@ impl Emitter<'_, '_, '_> {
 
     /// Makes what is the same in a row available.
     fn splat_row(&mut self, strip: &mut Strip, kernel: &Kernel, row: Value) {
-        let computed: BTreeSet<ValueId> = kernel.cells.iter().copied().collect();
         for id in self.taken(kernel) {
             let cell = self.function.cell(id);
-            // What another loop has stored may be made from what has changed since.
-            let is_current = computed.contains(&id) || !self.addresses.has(id);
             if let Kind::Broadcast { of, axis: Axis { count, inner: 1 } } = cell.kind
                 && count == strip.row
                 && cell.lanes == strip.total
                 && cell.width <= 64
-                && is_current
+                && self.is_current(kernel, id)
                 && self.function.cell(of).lanes > 1
             {
                 let loaded = self.id();

@@ -135,6 +135,12 @@ impl Lanes {
         self.values.contains_key(&id)
     }
 
+    /// Whether a value is known to be the same in every lane.
+    pub fn is_uniform(&self, id: ValueId) -> bool {
+        let Entry { constant, scalar, .. } = &self.values[&id];
+        constant.is_some() || scalar.is_some()
+    }
+
     /// The width of a value.
     pub fn width(&self, id: ValueId) -> u32 {
         self.values[&id].width

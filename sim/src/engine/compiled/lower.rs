@@ -69,7 +69,7 @@ impl Target<'_> {
             Kind::Interleave { parts, axis } => Some(lanes::interleave(rewriter, parts, *axis, lanes, width)),
             Kind::Lane { of, axis, index } => Some(lanes::lane(rewriter, *of, *axis, *index, lanes, width)),
             Kind::Pick { of, axis, index } => Some(lanes::pick(rewriter, *of, *axis, *index, lanes, width)),
-            Kind::Pack { of, axis } => Some(lanes::pack(rewriter, *of, *axis, lanes, width)),
+            Kind::Pack { of, axis } => Some(lanes::pack(rewriter, self.strips, *of, *axis, lanes, width)),
             Kind::Unpack { of, axis } => Some(lanes::unpack(rewriter, *of, *axis, lanes, width)),
             Kind::Map { of, axis, count, index, edge } => {
                 let map = map::Map { of: *of, axis: *axis, count: *count, index: *index, edge: *edge };

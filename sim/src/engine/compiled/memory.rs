@@ -152,9 +152,14 @@ impl Emitter<'_, '_, '_> {
             let go = self.inside(at, number, any);
             let mark = strip.lanes.mark();
             self.branch(go, |emitter| {
-                let old = emitter.id();
-                strip.lanes.load(emitter.builder, old, at.width, side);
-                strip.lanes.store_where(emitter.builder, enable, data, old, side);
+                // What is the same in all lanes is 1 in all of them here.
+                if strip.lanes.is_uniform(enable) {
+                    strip.lanes.store(emitter.builder, data, side);
+                } else {
+                    let old = emitter.id();
+                    strip.lanes.load(emitter.builder, old, at.width, side);
+                    strip.lanes.store_where(emitter.builder, enable, data, old, side);
+                }
                 strip.lanes.forget(mark);
             });
             return;

@@ -34,6 +34,19 @@ pub(super) struct Stage {
     pub packed: Vec<ValueId>,
     /// Loops by lane count.
     pub kernels: BTreeMap<u32, Kernel>,
+    /// The loops over most lanes come first.
+    pub widest_first: bool,
+}
+
+impl Stage {
+    /// The loops in the order in which they run, each with its lanes.
+    pub fn loops(&self) -> Vec<(u32, &Kernel)> {
+        let mut loops: Vec<(u32, &Kernel)> = self.kernels.iter().map(|(lanes, kernel)| (*lanes, kernel)).collect();
+        if self.widest_first {
+            loops.reverse();
+        }
+        loops
+    }
 }
 
 /// A loop over lanes.

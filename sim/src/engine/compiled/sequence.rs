@@ -117,7 +117,7 @@ fn interleaved(function: &Function, plan: &Plan) -> Vec<Step> {
     for (number, stage) in plan.stages.iter().enumerate() {
         steps.extend(stage.single.iter().map(|&id| Step::Single(id)));
         steps.extend(stage.packed.iter().map(|&id| Step::Pack(id)));
-        steps.extend(stage.kernels.keys().map(|&lanes| Step::Kernel(number, lanes)));
+        steps.extend(stage.loops().into_iter().map(|(lanes, _)| Step::Kernel(number, lanes)));
     }
     // Per value: after which step it is there, and nobody looks at it any more.
     let mut last: HashMap<ValueId, usize> = HashMap::new();

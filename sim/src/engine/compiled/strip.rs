@@ -1,5 +1,7 @@
 //! The values of one strip of lanes: up to 64 bits in vectors; wider ones, and what has to do with them, lane by lane.
 
+mod gather;
+
 use std::collections::HashMap;
 
 use cranelift_codegen::ir::condcodes::IntCC;
@@ -239,10 +241,13 @@ impl Emitter<'_, '_, '_> {
         let cell = self.function.cell(id);
         match &cell.kind {
             Kind::Word { memory, address } => self.read_lanes(strip, id, *memory, *address),
-            Kind::Broadcast { of, axis } if axis.inner > 1 => self.tile(strip, id, *of),
             // Made available before the loop.
             Kind::Broadcast { .. } if strip.lanes.has(id) => {}
+            Kind::Broadcast { of, axis } if axis.inner > 1 => self.tile(strip, id, *of),
             Kind::Broadcast { of, .. } if self.function.cell(*of).lanes == 1 => self.singles(strip, id),
+            Kind::Broadcast { of, axis } if strip.size.is_multiple_of(axis.count) => {
+                self.repeat_lanes(strip, id, *of, axis.count);
+            }
             Kind::Broadcast { of, axis } => {
                 let (n, total) = (axis.count, strip.total);
                 self.collect(strip, id, *of, |emitter, lane| emitter.divided(lane, total, n).0);
@@ -284,13 +289,6 @@ impl Emitter<'_, '_, '_> {
         if width <= 64 {
             self.vector(strip, id);
         }
-    }
-
-    /// Loads, for each lane of the strip, the lane of `of` whose number it has in `at`.
-    fn gather(&mut self, strip: &mut Strip, id: ValueId, of: ValueId, at: ValueId) {
-        let numbers: Vec<Value> = (0..strip.size).map(|lane| self.limbs(strip, at, lane)[0]).collect();
-        let mut numbers = numbers.into_iter();
-        self.collect(strip, id, of, |_, _| numbers.next().expect("a number for each lane"));
     }
 
     /// The number of a lane of the strip, or of the last lane that exists.
@@ -381,7 +379,10 @@ impl Emitter<'_, '_, '_> {
     pub(super) fn divided(&mut self, lane: Value, total: u32, group: u32) -> (Value, Value) {
         // By a reciprocal, which is exact for lanes below 2 to the 20 in groups below that.
         const SHIFT: u32 = 40;
-        let quotient = if total < 1 << 19 {
+        let quotient = if group.is_power_of_two() {
+            let by = self.builder.ins().iconst(types::I64, i64::from(group.ilog2()));
+            self.builder.ins().ushr(lane, by)
+        } else if total < 1 << 19 {
             let reciprocal = (1u64 << SHIFT) / u64::from(group) + 1;
             let scaled = self.builder.ins().imul_imm_s(lane, reciprocal as i64);
             let by = self.builder.ins().iconst(types::I64, i64::from(SHIFT));

@@ -6,15 +6,17 @@
 use rustc_hash::FxHashMap;
 use tilewright_hdl::ir::ReadUnderWrite;
 
-use super::making::{Making, making, repeated};
+use super::making::{Making, Shifted, making, repeated, shifted};
 use crate::engine::program::{Axis, Cell, Circuit, Kind, Memory, Program, ValueId};
 
 /// The lanes that words may have, the most first.
 const WORDS: [u32; 4] = [64, 32, 16, 8];
 /// Lanes that are computed at once without being packed.
-const AT_ONCE: i64 = 16;
+const AT_ONCE: u32 = 16;
 /// What it costs to pack or unpack a lane, in lanes that are computed one by one.
 const LANE_BY_LANE: i64 = 2;
+/// What it costs to gather a lane of two values, of which it is one.
+const GATHERED: i64 = 4;
 /// The gain where words of so many lanes cannot be.
 const NEVER: i64 = i64::MIN >> 32;
 
@@ -25,9 +27,9 @@ pub(super) struct Choice {
     pub memories: FxHashMap<u32, u32>,
 }
 
-/// Chooses among values of so many lanes and more.
-pub(super) fn choose(program: &Program, from: u32) -> Choice {
-    let mut groups = Groups::of(program, from);
+/// Chooses what is packed.
+pub(super) fn choose(program: &Program) -> Choice {
+    let mut groups = Groups::of(program);
     let mut choice = Choice::default();
     let mut members: FxHashMap<usize, Vec<usize>> = FxHashMap::default();
     for node in 0..groups.above.len() {
@@ -38,16 +40,22 @@ pub(super) fn choose(program: &Program, from: u32) -> Choice {
     }
     let mut members: Vec<Vec<usize>> = members.into_values().collect();
     members.sort();
+    // What stays as it is has to be packed for those that take it, which may be too much for them.
+    loop {
+        let (packed, apart): (Vec<_>, Vec<_>) = members.into_iter().partition(|nodes| groups.best(nodes).is_some());
+        apart.iter().flatten().for_each(|&node| groups.is_packable[node] = false);
+        members = packed;
+        if apart.is_empty() {
+            break;
+        }
+    }
     for nodes in members {
-        let gain = |&lanes: &u32| groups.gain(&nodes, lanes);
-        let best = WORDS.into_iter().rev().max_by_key(gain).expect("there are words");
-        if gain(&best) > 0 {
-            for node in nodes {
-                match node.checked_sub(program.circuit.len()) {
-                    None => choice.values.insert(ValueId(node as u32), best),
-                    Some(memory) => choice.memories.insert(memory as u32, best),
-                };
-            }
+        let best = groups.best(&nodes).expect("it is worth it");
+        for node in nodes {
+            match node.checked_sub(program.circuit.len()) {
+                None => choice.values.insert(ValueId(node as u32), best),
+                Some(memory) => choice.memories.insert(memory as u32, best),
+            };
         }
     }
     choice
@@ -67,11 +75,11 @@ struct Groups<'a> {
 }
 
 impl<'a> Groups<'a> {
-    fn of(program: &'a Program, from: u32) -> Groups<'a> {
+    fn of(program: &'a Program) -> Groups<'a> {
         let count = program.circuit.len();
         let mut groups = Groups {
             program,
-            is_packable: packable(program, from),
+            is_packable: packable(program),
             above: (0..count + program.memories.len()).collect(),
             is_needed: vec![false; count],
             takers: vec![Vec::new(); count],
@@ -154,6 +162,18 @@ impl<'a> Groups<'a> {
         takes.into_iter().for_each(|id| self.takers[id.index()].push(id));
     }
 
+    /// The lanes of a word, where packing a group gains most; none if it gains nothing.
+    fn best(&self, nodes: &[usize]) -> Option<u32> {
+        let Program { circuit, memories, .. } = self.program;
+        let lanes = match nodes[0].checked_sub(circuit.len()) {
+            None => circuit[ValueId(nodes[0] as u32)].lanes,
+            Some(memory) => memories[memory].lanes,
+        };
+        let words = WORDS.into_iter().chain([lanes]).filter(|&word| word <= lanes.min(WORDS[0]));
+        let (gain, best) = words.map(|lanes| (self.gain(nodes, lanes), lanes)).max()?;
+        (gain > 0).then_some(best)
+    }
+
     /// What is gained by packing a group, in lanes that are not computed.
     fn gain(&self, nodes: &[usize], lanes: u32) -> i64 {
         nodes.iter().map(|&node| self.gain_of(node, lanes)).sum()
@@ -169,7 +189,7 @@ impl<'a> Groups<'a> {
                 );
             let is_same = |id: ValueId| repeated(circuit, id, lanes).is_some() || circuit.constant(id).is_some();
             let fits = memory.lanes.is_multiple_of(lanes) && ports.all(is_same);
-            return if fits { i64::from(memory.lanes) / AT_ONCE } else { NEVER };
+            return if fits { i64::from(memory.lanes.div_ceil(AT_ONCE)) } else { NEVER };
         }
         let id = ValueId(node as u32);
         let all = i64::from(circuit[id].lanes);
@@ -178,12 +198,16 @@ impl<'a> Groups<'a> {
             Some(_) if !self.is_needed[node] => i64::from(self.packed_operands(id, lanes) == 0),
             None if matches!(circuit[id].kind, Kind::Read { .. }) => NEVER,
             None if !self.is_needed[node] => 0,
-            Some(_) => all / AT_ONCE - self.packed_operands(id, lanes),
+            // They would be gathered, a table saying which is which.
+            Some(Making::Alternating) => GATHERED * all - self.packed_operands(id, lanes),
+            Some(_) => i64::from(circuit[id].lanes.div_ceil(AT_ONCE)) - self.packed_operands(id, lanes),
             None if all % i64::from(lanes) == 0 => -LANE_BY_LANE * all,
             None => NEVER,
         };
         let is_unpacked = self.takers[node].iter().any(|&by| !self.takes_words(by, id, lanes));
-        made - if is_unpacked { LANE_BY_LANE * all } else { 0 }
+        // All lanes look at the one word of a row at once.
+        let unpacking = if all == i64::from(lanes) { all } else { LANE_BY_LANE * all };
+        made - if is_unpacked { unpacking } else { 0 }
     }
 
     /// What it costs to pack the operands of an operation that are of no group.
@@ -192,7 +216,12 @@ impl<'a> Groups<'a> {
         circuit[id].kind.for_each_operand(|operand| {
             let cell = &circuit[operand];
             let is_word = cell.width > 1
-                || matches!(making(circuit, operand, lanes), Some(Making::Constant | Making::Repeated { .. }));
+                || is_taken_apart(&circuit[id].kind, operand)
+                || cell.lanes == 1
+                || matches!(
+                    making(circuit, operand, lanes),
+                    Some(Making::Constant | Making::Known | Making::Repeated { .. })
+                );
             if !self.is_packable(operand) && !is_word {
                 cost += LANE_BY_LANE * i64::from(cell.lanes);
             }
@@ -205,6 +234,7 @@ impl<'a> Groups<'a> {
         let circuit = &self.program.circuit;
         match circuit[by].kind {
             _ if by == of => false,
+            ref kind if is_taken_apart(kind, of) => false,
             Kind::Pack { axis: Axis { count, inner: 1 }, .. } | Kind::Reduce { axis: Axis { count, inner: 1 }, .. } => {
                 count.is_multiple_of(lanes)
             }
@@ -215,17 +245,24 @@ impl<'a> Groups<'a> {
     }
 }
 
+/// Whether what moves lanes takes a lane of an operand for each word: what stands at the edge.
+fn is_taken_apart(kind: &Kind, operand: ValueId) -> bool {
+    matches!(shifted(kind), Some(Shifted { edge, .. }) if edge == operand)
+}
+
 /// Per value, and then per memory: whether its lanes, one bit each, can be packed.
-fn packable(program: &Program, from: u32) -> Vec<bool> {
-    let circuit = &program.circuit;
-    let memories: Vec<bool> = program.memories.iter().map(|memory| is_packable_memory(circuit, memory, from)).collect();
+fn packable(program: &Program) -> Vec<bool> {
+    let Program { circuit, passes, .. } = program;
+    let are_enough = |lanes: u32| lanes >= passes.pack_from.max(2);
+    let is_packable = |memory: &Memory| are_enough(memory.lanes) && is_packable_memory(circuit, memory);
+    let memories: Vec<bool> = program.memories.iter().map(is_packable).collect();
     let read = program.memories.iter().zip(&memories).filter(|(_, is_packable)| **is_packable);
     let mut is_state = vec![false; circuit.len()];
     read.flat_map(|(memory, _)| &memory.reads).for_each(|read| is_state[read.value.index()] = true);
     program.registers.iter().for_each(|register| is_state[register.value.index()] = true);
     let is_packable = |(id, cell): (ValueId, &Cell)| {
         cell.width == 1
-            && cell.lanes >= from
+            && are_enough(cell.lanes)
             && match cell.kind {
                 Kind::State => is_state[id.index()],
                 Kind::Read { memory, .. } => memories[memory as usize],
@@ -239,11 +276,10 @@ fn packable(program: &Program, from: u32) -> Vec<bool> {
 
 /// Whether a memory has one bit a lane, the same address for all of them, and one write at most. Where a read that is made with
 /// the write gives anything, only lanes that are written may show so.
-fn is_packable_memory(circuit: &Circuit, memory: &Memory, from: u32) -> bool {
+fn is_packable_memory(circuit: &Circuit, memory: &Memory) -> bool {
     let is_same = |id: ValueId| repeated(circuit, id, 1).is_some() || circuit.constant(id).is_some();
     let is_written_alike = memory.writes.iter().all(|write| is_same(write.enable));
     memory.width == 1
-        && memory.lanes >= from
         && memory.writes.len() <= 1
         && memory.writes.iter().all(|write| is_same(write.address))
         && memory.reads.iter().all(|read| is_same(read.address) && read.enable.is_none_or(is_same))

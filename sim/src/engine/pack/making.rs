@@ -1,6 +1,6 @@
 //! How the words of a value come about, if its lanes are packed.
 
-use tilewright_hdl::ir::Binary;
+use tilewright_hdl::ir::{Affine, Binary};
 
 use crate::engine::program::{Axis, Circuit, Kind, ValueId};
 
@@ -9,6 +9,8 @@ use crate::engine::program::{Axis, Circuit, Kind, ValueId};
 pub(super) enum Making {
     /// The bits of a word are all alike.
     Constant,
+    /// Each bit is known.
+    Known,
     /// They are state, or the words of a memory.
     Kept,
     /// By logic, from the words of the operands.
@@ -21,7 +23,16 @@ pub(super) enum Making {
     Repeated { of: ValueId, words: u32 },
     /// They are the parts of a wider value.
     Parts,
+    /// From shorter words, side by side.
+    Joined,
+    /// Bits of two words alternate, or each bit of one stands twice.
+    Alternating,
+    /// The bits of a word are moved, and those of the next one enter at its end.
+    Shifted,
 }
+
+/// The most words that are known one by one: each is an operation.
+const MOST_KNOWN: u32 = 1024;
 
 /// How the words of a value come about, of so many lanes each; none if it is computed lane by lane, and packed then.
 pub(super) fn making(circuit: &Circuit, id: ValueId, lanes: u32) -> Option<Making> {
@@ -32,6 +43,7 @@ pub(super) fn making(circuit: &Circuit, id: ValueId, lanes: u32) -> Option<Makin
     let is_whole = |axis: Axis| axis.inner.is_multiple_of(lanes);
     match &cell.kind {
         Kind::Const(_) => Some(Making::Constant),
+        _ if is_known(circuit, id) && cell.lanes / lanes <= MOST_KNOWN => Some(Making::Known),
         Kind::State => Some(Making::Kept),
         Kind::Read { address, .. } => {
             let is_same = repeated(circuit, *address, lanes).is_some() || circuit.constant(*address).is_some();
@@ -40,8 +52,16 @@ pub(super) fn making(circuit: &Circuit, id: ValueId, lanes: u32) -> Option<Makin
         Kind::Case { subject, .. } => repeated(circuit, *subject, lanes).map(|_| Making::Logic),
         kind if is_logic(circuit, kind) => Some(Making::Logic),
         Kind::Broadcast { axis, .. } if is_whole(*axis) => Some(Making::Moved),
+        Kind::Broadcast { axis, .. } if axis.inner > 1 => (axis.lanes() == lanes).then_some(Making::Joined),
         Kind::Broadcast { .. } => repeated(circuit, id, lanes).map(|(of, words)| Making::Repeated { of, words }),
-        Kind::Stack { inner, .. } => inner.is_multiple_of(lanes).then_some(Making::Moved),
+        Kind::Stack { inner, .. } if inner.is_multiple_of(lanes) => Some(Making::Moved),
+        Kind::Stack { parts, inner } => (parts.len() as u32 * inner == lanes).then_some(Making::Joined),
+        kind if alternating(kind).is_some_and(|(_, count)| 2 * count == lanes || count.is_multiple_of(lanes)) => {
+            Some(Making::Alternating)
+        }
+        kind if shifted(kind).is_some_and(|it| it.count.is_multiple_of(lanes) && it.by.unsigned_abs() < lanes) => {
+            Some(Making::Shifted)
+        }
         Kind::Map { axis, .. }
         | Kind::Interleave { axis, .. }
         | Kind::Lane { axis, .. }
@@ -63,6 +83,72 @@ fn is_logic(circuit: &Circuit, kind: &Kind) -> bool {
         Kind::Binary(op, ..) => !matches!(op, Binary::Mul | Binary::MulSigned),
         Kind::Compare(_, _, a, _) => circuit[*a].width == 1,
         _ => false,
+    }
+}
+
+/// Whether lanes of one bit are constants, put together.
+fn is_known(circuit: &Circuit, id: ValueId) -> bool {
+    match &circuit[id].kind {
+        Kind::Const(_) => true,
+        Kind::Unpack { of, axis: Axis { inner: 1, .. } } => circuit.constant(*of).is_some(),
+        Kind::Stack { parts, inner: 1 } => parts.iter().all(|part| circuit.constant(*part).is_some()),
+        Kind::Broadcast { of, .. } => is_known(circuit, *of),
+        _ => false,
+    }
+}
+
+/// The bit of a lane that [`is_known`].
+pub(super) fn known(circuit: &Circuit, id: ValueId, lane: u32) -> bool {
+    match &circuit[id].kind {
+        Kind::Const(bits) => bits.bit(0),
+        Kind::Unpack { of, axis } => circuit.constant(*of).expect("it is known").bit(lane % axis.count),
+        Kind::Stack { parts, .. } => known(circuit, parts[lane as usize % parts.len()], 0),
+        Kind::Broadcast { of, axis } => known(circuit, *of, axis.split(lane).1),
+        _ => unreachable!("it is known"),
+    }
+}
+
+/// Of lanes that alternate between two values along the last axis, which may be one value: these, and their lanes along it.
+pub(super) fn alternating(kind: &Kind) -> Option<([ValueId; 2], u32)> {
+    match kind {
+        Kind::Interleave { parts, axis: Axis { count, inner: 1 } } => match parts[..] {
+            [even, odd] => Some(([even, odd], *count)),
+            _ => None,
+        },
+        &Kind::Map {
+            of,
+            axis: Axis { count, inner: 1 },
+            count: lanes,
+            index: Affine { mul: 1, add: 0, div: 2 },
+            ..
+        } => (lanes == 2 * count).then_some(([of, of], count)),
+        _ => None,
+    }
+}
+
+/// Lanes that are moved along the last axis.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Shifted {
+    pub of: ValueId,
+    /// The lanes of the axis.
+    pub count: u32,
+    /// Lane `i` is lane `i + by`.
+    pub by: i32,
+    /// What stands where there is none, without the axis.
+    pub edge: ValueId,
+}
+
+/// How an operation moves lanes along the last axis, if it moves them all alike.
+pub(super) fn shifted(kind: &Kind) -> Option<Shifted> {
+    match *kind {
+        Kind::Map {
+            of,
+            axis: Axis { count, inner: 1 },
+            count: lanes,
+            index: Affine { mul: 1, add: by, div: 1 },
+            edge: Some(edge),
+        } => (lanes == count && by != 0).then_some(Shifted { of, count, by, edge }),
+        _ => None,
     }
 }
 

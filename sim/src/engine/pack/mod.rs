@@ -6,6 +6,7 @@
 
 mod choose;
 mod making;
+mod moved;
 mod words;
 
 use rustc_hash::FxHashMap;
@@ -38,10 +39,7 @@ pub(crate) struct Places {
 
 /// Packs the lanes of a program.
 pub(crate) fn pack(program: Program) -> Packed {
-    let mut choice = Choice::default();
-    if program.circuit.cells().any(|(_, cell)| cell.lanes >= program.passes.pack_from) {
-        choice = choose::choose(&program, program.passes.pack_from);
-    }
+    let choice = choose::choose(&program);
     if choice.values.is_empty() {
         return Packed { program, places: Places::default() };
     }

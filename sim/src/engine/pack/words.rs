@@ -5,7 +5,7 @@ use tilewright_hdl::Bits;
 use tilewright_hdl::ir::{Binary, Reduction, Relation, Unary};
 
 use super::choose::Choice;
-use super::making::{Making, making, repeated};
+use super::making::{Making, known, making, repeated};
 use crate::engine::program::{Axis, Cell, Circuit, Kind, ValueId};
 
 /// A circuit that words are added to. Its values keep their numbers.
@@ -48,13 +48,23 @@ impl<'a> Words<'a> {
 
     /// The words of a value, of so many lanes each.
     pub fn of(&mut self, id: ValueId, lanes: u32) -> ValueId {
+        if lanes == 1 {
+            return id;
+        }
         if let Some(&made) = self.made.get(&(id, lanes)) {
             return made;
         }
-        let making = making(&self.circuit, id, lanes);
-        let made = match making {
-            Some(Making::Constant | Making::Repeated { .. }) => self.make(id, lanes),
-            _ => self.push(id, Kind::Pack { of: id, axis: Axis::last(lanes) }, self.words(id, lanes), lanes),
+        let (words, making) = (self.words(id, lanes), making(&self.circuit, id, lanes));
+        let other = self.choice.values.get(&id).and_then(|&other| Some((other, *self.made.get(&(id, other))?)));
+        let made = match (making, other) {
+            (Some(Making::Constant | Making::Known | Making::Repeated { .. }), _) => self.make(id, lanes),
+            (_, Some((other, of))) if other.is_multiple_of(lanes) => {
+                self.push(id, Kind::Unpack { of, axis: Axis::last(other / lanes) }, words, lanes)
+            }
+            (_, Some((other, of))) if lanes.is_multiple_of(other) => {
+                self.push(id, Kind::Pack { of, axis: Axis::last(lanes / other) }, words, lanes)
+            }
+            _ => self.push(id, Kind::Pack { of: id, axis: Axis::last(lanes) }, words, lanes),
         };
         self.made.insert((id, lanes), made);
         made
@@ -131,7 +141,7 @@ impl<'a> Words<'a> {
         self.circuit[id].lanes / lanes
     }
 
-    fn push(&mut self, like: ValueId, kind: Kind, lanes: u32, width: u32) -> ValueId {
+    pub(super) fn push(&mut self, like: ValueId, kind: Kind, lanes: u32, width: u32) -> ValueId {
         self.circuit.push(Cell::new(kind, lanes, width), self.circuit.loc(like))
     }
 
@@ -145,6 +155,7 @@ impl<'a> Words<'a> {
                 let is_zero = self.circuit.constant(id).is_none_or(Bits::is_zero);
                 kind = Kind::Const(if is_zero { Bits::zero(lanes) } else { Bits::ones(lanes) });
             }
+            Some(Making::Known) => kind = self.known(id, lanes),
             Some(Making::Repeated { of, words: count }) => {
                 let of = self.push(id, Kind::Extend(of, true), words / count, lanes);
                 kind = if count == 1 { Kind::Alias(of) } else { Kind::Broadcast { of, axis: Axis::last(count) } };
@@ -168,9 +179,26 @@ impl<'a> Words<'a> {
                 (*of, *index) = (self.of(*of, lanes), self.same(*index, lanes).expect("it is the same in each word"));
                 axis.inner /= lanes;
             }
+            Some(Making::Joined) => kind = self.joined(kind),
+            Some(Making::Alternating) => return self.alternating(id, &kind, lanes),
+            Some(Making::Shifted) => kind = self.shifted(id, &kind, lanes),
             Some(Making::Logic) => return self.logic(id, kind, lanes),
         }
         self.push(id, kind, words, lanes)
+    }
+
+    /// Words whose bits are known.
+    fn known(&mut self, id: ValueId, lanes: u32) -> Kind {
+        let word = |first: u32| {
+            let bits = (0..lanes).filter(|bit| known(&self.circuit, id, first + bit));
+            Bits::new(lanes, bits.fold(0, |word, bit| word | 1 << bit))
+        };
+        let words: Vec<Bits> = (0..self.circuit[id].lanes).step_by(lanes as usize).map(word).collect();
+        if words.iter().all(|word| *word == words[0]) {
+            return Kind::Const(words[0].clone());
+        }
+        let parts = words.into_iter().map(|word| self.push(id, Kind::Const(word), 1, lanes)).collect();
+        Kind::Stack { parts, inner: 1 }
     }
 
     /// Adds logic on words.

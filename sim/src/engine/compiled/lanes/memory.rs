@@ -58,6 +58,14 @@ impl Lanes {
         self.define(id, Vector { width, element, form, parts, inverse: None });
     }
 
+    /// Loads the vectors of a strip from anywhere, in which numbers stand in the smallest elements.
+    pub fn load_parts(&mut self, b: &mut FunctionBuilder, id: ValueId, width: u32, address: Value, offsets: &[i32]) {
+        let (element, flags) = (self.element(width), MemFlagsData::new().with_notrap());
+        let form = if width == 1 { Form::Mask } else { Form::Bits(width) };
+        let parts = offsets.iter().map(|&offset| b.ins().load(ty(element), flags, address, offset)).collect();
+        self.define(id, Vector { width, element, form, parts, inverse: None });
+    }
+
     /// Stores the lanes of a strip.
     pub fn store(&mut self, b: &mut FunctionBuilder, id: ValueId, to: Span) {
         let need = stored(self.width(id));
@@ -166,7 +174,9 @@ impl Lanes {
         let parts = lanes.chunks(128 / element as usize).map(|lanes| {
             let mut fill = |lanes: &[Value]| {
                 let mut vector = None;
-                for (i, &lane) in lanes.iter().enumerate() {
+                let are_equal = lanes.iter().all(|lane| *lane == lanes[0]);
+                let different = if are_equal { &lanes[..1] } else { lanes };
+                for (i, &lane) in different.iter().enumerate() {
                     let number = match b.func.dfg.value_type(lane).bits().cmp(&element) {
                         Ordering::Less => b.ins().uextend(single, lane),
                         Ordering::Equal => lane,
@@ -174,7 +184,7 @@ impl Lanes {
                     };
                     vector = Some(match vector {
                         // The pattern of two moves for 64 bits; `movd` for others.
-                        None if element == 64 => b.ins().splat(ty(element), number),
+                        None if element == 64 || are_equal => b.ins().splat(ty(element), number),
                         None if element == 32 => b.ins().scalar_to_vector(ty(element), number),
                         None => {
                             // What is above it is overwritten.

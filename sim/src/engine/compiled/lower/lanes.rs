@@ -1,9 +1,12 @@
 //! Axes that code does not know: which lane each lane is, in a table.
 
-use tilewright_hdl::Bits;
-use tilewright_hdl::ir::Binary;
+use std::ops::RangeInclusive;
 
-use super::{flags, table};
+use tilewright_hdl::Bits;
+use tilewright_hdl::ir::{Binary, Reduction, Relation};
+
+use super::super::strips::Strips;
+use super::{flags, reduce, table};
 use crate::engine::program::{Axis, Kind, ValueId};
 use crate::engine::rewrite::Rewriter;
 
@@ -115,8 +118,22 @@ pub(super) fn pick(
 }
 
 /// Lanes side by side in one value.
-pub(super) fn pack(rewriter: &mut Rewriter, of: ValueId, axis: Axis, lanes: u32, width: u32) -> ValueId {
+pub(super) fn pack(
+    rewriter: &mut Rewriter,
+    strips: &Strips,
+    of: ValueId,
+    axis: Axis,
+    lanes: u32,
+    width: u32,
+) -> ValueId {
     let part = width / axis.count;
+    if part == 1 && lanes == 1 && TOGETHER.contains(&width) {
+        // Each lane has a bit of its own, and none but that.
+        let wide = rewriter.add(Kind::Extend(of, true), width, width);
+        let own = own_bits(rewriter, width, axis, width);
+        let bits = rewriter.add(Kind::Binary(Binary::And, wide, own), width, width);
+        return reduce::reduce(rewriter, strips, Reduction::Or, bits, axis, 1, width);
+    }
     let one = |index| lane(rewriter, of, axis, index, lanes, part);
     let parts: Vec<ValueId> = (0..axis.count).rev().map(one).collect();
     rewriter.add(Kind::Concat(parts), lanes, width)
@@ -124,7 +141,27 @@ pub(super) fn pack(rewriter: &mut Rewriter, of: ValueId, axis: Axis, lanes: u32,
 
 /// Parts of a value in lanes.
 pub(super) fn unpack(rewriter: &mut Rewriter, of: ValueId, axis: Axis, lanes: u32, width: u32) -> ValueId {
+    let whole = rewriter.circuit()[of].width;
+    if width == 1 && axis.inner == 1 && TOGETHER.contains(&whole) {
+        // Each lane looks at a bit of its own.
+        let word = broadcast(rewriter, of, axis, lanes, whole);
+        let own = own_bits(rewriter, lanes, axis, whole);
+        let bit = rewriter.add(Kind::Binary(Binary::And, word, own), lanes, whole);
+        return rewriter.add(Kind::Compare(Relation::Eq, false, bit, own), lanes, 1);
+    }
     let mut part = |index: u32| rewriter.add(Kind::Slice(of, index * width), lanes / axis.count, width);
     let parts: Vec<ValueId> = (0..axis.count).map(&mut part).collect();
     stack(rewriter, &parts, axis.inner, lanes, width)
+}
+
+/// The bits of a word of which each lane takes, or gives, one of its own.
+const TOGETHER: RangeInclusive<u32> = 8..=64;
+
+/// In each lane along the last axis the bit of the same number.
+fn own_bits(rewriter: &mut Rewriter, lanes: u32, axis: Axis, width: u32) -> ValueId {
+    let row = table(rewriter, axis.count, axis.count, width, |lane| 1 << lane);
+    match lanes / axis.count {
+        1 => row,
+        rows => rewriter.add(Kind::Broadcast { of: row, axis: Axis { count: rows, inner: axis.count } }, lanes, width),
+    }
 }

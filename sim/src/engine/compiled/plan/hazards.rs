@@ -1,4 +1,4 @@
-//! Registers with lanes that are read after they would change, and the order of lanes that leaves few of them.
+//! Registers with lanes that are read after they would change, and the order of loops and lanes that leaves few of them.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -15,8 +15,15 @@ struct Neighbours {
     behind: bool,
 }
 
-/// Finds the registers that cannot change where their kernel runs, and in which order each kernel takes its lanes: a register
-/// whose neighbours are looked at on one side only can change in one of both orders.
+/// The registers with lanes that other loops of the stage look at.
+#[derive(Debug, Clone, Default)]
+struct Others {
+    by_wider: BTreeSet<ValueId>,
+    by_narrower: BTreeSet<ValueId>,
+}
+
+/// Finds the registers that cannot change where their kernel runs, in which order the kernels of a stage run, and in which each kernel takes
+/// its lanes: a register that another kernel of the stage looks at can change if that runs before, and one whose neighbours are looked at on one side only can change in one of both orders.
 pub(super) fn find(planner: &Planner, plan: &mut Plan, needed: &[ValueId]) {
     let function = planner.function;
     let mut written: BTreeMap<ValueId, Position> = BTreeMap::new();
@@ -28,6 +35,7 @@ pub(super) fn find(planner: &Planner, plan: &mut Plan, needed: &[ValueId]) {
         }
     }
     let mut shifted: BTreeMap<Position, BTreeMap<ValueId, Neighbours>> = BTreeMap::new();
+    let mut of_stages: BTreeMap<usize, Others> = BTreeMap::new();
     let mut read = |operand: ValueId, reader: Position, kind: Option<&Kind>| {
         let Some(&writer) = written.get(&operand) else { return };
         let by_lane =
@@ -37,6 +45,11 @@ pub(super) fn find(planner: &Planner, plan: &mut Plan, needed: &[ValueId]) {
                 let seen = shifted.entry(writer).or_default().entry(operand).or_default();
                 seen.before |= *by > 0;
                 seen.behind |= *by < 0;
+            }
+            _ if reader.stage == writer.stage && reader.place.min(writer.place) > 1 && reader.place != writer.place => {
+                let others = of_stages.entry(writer.stage).or_default();
+                let seen = if reader.place > writer.place { &mut others.by_wider } else { &mut others.by_narrower };
+                seen.insert(operand);
             }
             _ if reader > writer || (reader == writer && !by_lane) => {
                 plan.hazards.insert(operand);
@@ -56,6 +69,11 @@ pub(super) fn find(planner: &Planner, plan: &mut Plan, needed: &[ValueId]) {
     for sink in &function.sinks {
         let reader = planner.sink_position(sink);
         sink.for_each_operand(|operand| read(operand, reader, None));
+    }
+    for (stage, Others { by_wider, by_narrower }) in of_stages {
+        let widest_first = by_narrower.len() < by_wider.len();
+        plan.at(stage).widest_first = widest_first;
+        plan.hazards.extend(if widest_first { by_narrower } else { by_wider });
     }
     for (position, shifted) in shifted {
         let hazards = |descends: bool| -> BTreeSet<ValueId> {

@@ -24,7 +24,7 @@ type Rule = fn(&mut Rewriter, &Cell) -> Option<Rewrite>;
 /// Rules that hold always: engines do not know what they remove.
 const ALWAYS: [Rule; 1] = [names::name];
 /// Rules that compute constants, and leave out operations that do nothing.
-const FOLD: [Rule; 10] = [
+const FOLD: [Rule; 11] = [
     constants::fold,
     choices::select,
     choices::case,
@@ -32,6 +32,7 @@ const FOLD: [Rule; 10] = [
     logic::identity,
     same::operands,
     taken::lane,
+    taken::packed,
     reduce::of_reduced,
     wide::lane,
     wide::slice,

@@ -1,13 +1,15 @@
-//! One lane of lanes that were put together from others.
+//! Lanes, or all bits, of what was put together from others.
 
 use super::super::{Rewrite, Rewriter};
 use crate::engine::program::{Cell, Kind};
 
-/// A lane of a stack is its part, a lane of a broadcast what is broadcast, a lane of a map a lane of what it maps.
+/// A lane of a stack is its part, a lane of a broadcast what is broadcast, a lane of a map a lane of what it maps, a lane
+/// of what is unpacked a part of it.
 pub(super) fn lane(rewriter: &mut Rewriter, cell: &Cell) -> Option<Rewrite> {
     let Kind::Lane { of, axis, index } = cell.kind else { return None };
     match &rewriter.circuit()[of].kind {
         Kind::Broadcast { of, axis: put } if *put == axis => Some(Rewrite::Same(*of)),
+        Kind::Unpack { of, axis: put } if *put == axis => Some(Rewrite::As(Kind::Slice(*of, index * cell.width))),
         Kind::Stack { parts, inner } if *inner == axis.inner && parts.len() == axis.count as usize => {
             Some(Rewrite::Same(parts[index as usize]))
         }
@@ -23,6 +25,25 @@ pub(super) fn lane(rewriter: &mut Rewriter, cell: &Cell) -> Option<Rewrite> {
             let (of, k) = (parts[index as usize % parts.len()], parts.len() as u32);
             Some(Rewrite::As(Kind::Lane { of, axis: *each, index: index / k }))
         }
+        _ => None,
+    }
+}
+
+/// What is unpacked and packed again is as it was, and the other way round; lanes of a stack side by side are its parts so.
+pub(super) fn packed(rewriter: &mut Rewriter, cell: &Cell) -> Option<Rewrite> {
+    let circuit = rewriter.circuit();
+    match cell.kind {
+        Kind::Pack { of, axis } => match &circuit[of].kind {
+            Kind::Unpack { of, axis: put } if *put == axis => Some(Rewrite::Same(*of)),
+            Kind::Stack { parts, inner } if *inner == axis.inner && parts.len() == axis.count as usize => {
+                Some(Rewrite::As(Kind::Concat(parts.iter().rev().copied().collect())))
+            }
+            _ => None,
+        },
+        Kind::Unpack { of, axis } => match circuit[of].kind {
+            Kind::Pack { of, axis: put } if put == axis => Some(Rewrite::Same(of)),
+            _ => None,
+        },
         _ => None,
     }
 }

@@ -241,3 +241,23 @@ fn reductions() {
     assert_eq!(reduced(&mut c, Axis { count: 2, inner: 12 }, Axis { count: 3, inner: 4 }), Some((6, 4)));
     assert_eq!(reduced(&mut c, Axis::last(4), Axis { count: 2, inner: 3 }), None);
 }
+
+#[test]
+fn packed() {
+    let mut c = Circuit::new();
+    let (a, x, axis) = (c.a, c.x, Axis::last(4));
+    let parts = c.rewriter.add(Kind::Unpack { of: a, axis }, 4, 2);
+    let part = c.rewriter.add(Kind::Lane { of: parts, axis, index: 3 }, 1, 2);
+    c.is(part, "a[7:6]");
+    let again = c.rewriter.add(Kind::Pack { of: parts, axis }, 1, 8);
+    c.is(again, "a");
+    let whole = c.rewriter.add(Kind::Pack { of: x, axis }, 1, 32);
+    let lanes = c.rewriter.add(Kind::Unpack { of: whole, axis }, 4, 8);
+    c.is(lanes, "x");
+    let halves = c.rewriter.add(Kind::Unpack { of: whole, axis: Axis::last(2) }, 2, 16);
+    c.is(halves, "2 parts of (4 lanes of x side by side)");
+    let b = c.b;
+    let stack = c.rewriter.add(Kind::Stack { parts: vec![a, b], inner: 1 }, 2, 8);
+    let both = c.rewriter.add(Kind::Pack { of: stack, axis: Axis::last(2) }, 1, 16);
+    c.is(both, "{b, a}");
+}

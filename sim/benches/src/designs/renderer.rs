@@ -1,0 +1,130 @@
+//! A renderer of Pixel-planes 5 at work: region after region, from a program that it has beside it.
+//!
+//! ```text
+//!  [ program ]==> instructions [ renderer ] planes ==> checksum
+//! ```
+//!
+//! Each region is cleared, drawn by triangles with planes of colour, of which the least words stay, and saved; it is sent while the
+//! next one is drawn.
+//!
+//! What it asks of a simulator: thousands of processors of one bit under one instruction, a tree that feeds them, and what decodes instructions.
+
+use tilewright_hdl::ir::About;
+use tilewright_hdl::{Block, Module, ReadUnderWrite, Signal, below, bits, bundle, cat, lit, mux};
+use tilewright_rtl::parameter::ParameterError;
+use tilewright_rtl::pixel_planes::instruction::Instruction;
+use tilewright_rtl::pixel_planes::programs::{Expression, Surface, clear, save, smooth_least};
+use tilewright_rtl::pixel_planes::renderer::{Renderer, RendererIn};
+
+use super::BenchOut;
+use crate::word::seed;
+
+/// Triangles of a region.
+const TRIANGLES: u32 = 40;
+/// Instructions that wait.
+const QUEUE: u32 = 16;
+
+/// Regions on a renderer.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub struct Regions {
+    renderer: Renderer,
+}
+
+impl Regions {
+    /// A renderer of regions of `side` x `side` pixels.
+    ///
+    /// # Errors
+    ///
+    /// There is none of that side.
+    pub fn new(side: u32) -> Result<Regions, ParameterError> {
+        Ok(Regions { renderer: Renderer::new(side, QUEUE)? })
+    }
+
+    /// What it does over and over.
+    fn program(&self) -> Vec<Instruction<u64>> {
+        let triangles = (0..TRIANGLES).flat_map(|number| triangle(self.renderer.side(), number));
+        clear(0x20_40_60).into_iter().chain(triangles).chain(save(1)).collect()
+    }
+}
+
+impl Block for Regions {
+    type In = ();
+    type Out = BenchOut;
+
+    fn inputs(&self) {}
+
+    fn build(&self, m: Module, (): ()) -> BenchOut {
+        let program = self.program();
+        let count = program.len() as u32;
+        let at = m.reg("at", below(count)).reset(0);
+        let words = m.memory("program", count, Instruction::widths(), ReadUnderWrite::Any).words(program);
+        let (instructions, sent) = m.offer(lit(1, 1), words.read_async(*at));
+        at.when(sent, mux(at.eq(count - 1), 0, at + 1));
+
+        let renderer = RendererIn { instructions, side_by_side: lit(1, 1) };
+        let renderer = m.instance("u_renderer", &self.renderer, renderer);
+        let plane = renderer.planes.take_when(1);
+        let csum = m.reg("csum", bits(32)).reset(0);
+        let number = cat![plane.plane, plane.line].zext(32);
+        csum.when(plane.taken, csum.rotate_left(1) + (folded(plane.bits.pack()) ^ number));
+        BenchOut { csum: *csum }
+    }
+
+    fn name(&self) -> String {
+        format!("regions_s{}", self.renderer.side())
+    }
+
+    fn about(&self) -> About {
+        let side = self.renderer.side();
+        About {
+            summary: format!("Regions of {side} x {side} pixels, one after another, on a renderer of Pixel-planes 5."),
+            source: "Pixel-planes 5, section I.3.2.1 (PP5-ARCH)".to_owned(),
+            ..About::default()
+        }
+    }
+}
+
+/// The exclusive or of all words of 32 bits.
+fn folded(all: Signal) -> Signal {
+    let words = (0..all.width().div_ceil(32)).map(|word| {
+        let low = word * 32;
+        all.slice(low..(low + 32).min(all.width())).zext(32)
+    });
+    words.reduce(|all, word| all ^ word).expect("there is a word")
+}
+
+bundle! {
+    /// A corner.
+    struct Corner<T> { x: T, y: T }
+}
+
+/// The instructions of a triangle with corners, depth and colours at random.
+fn triangle(side: u32, number: u32) -> Vec<Instruction<u64>> {
+    let random = |index: u32, most: i64| (seed(16 * number + index) >> 8) as i64 % (2 * most) - most;
+    let corner = |index: u32| {
+        let [x, y] = [2 * index, 2 * index + 1].map(|index| (seed(16 * number + index) >> 9) as i64 % i64::from(side));
+        Corner { x, y }
+    };
+    let [first, second, third] = [0, 1, 2].map(corner);
+    let is_inside_out = edge(&first, &second, &third) < 0;
+    let corners = if is_inside_out { [first, third, second] } else { [first, second, third] };
+    let edges = [0, 1, 2].map(|index| line(&corners[index], &corners[(index + 1) % 3]));
+    let plane = |index: u32, most: i64| {
+        let [a, b] = [index, index + 1].map(|index| random(index, most / i64::from(side)));
+        Expression { a, b, c: 2 * most + random(index + 2, most / 2) }
+    };
+    let surface = Surface { z: plane(6, 1 << 36), rgb: [9, 10, 11].map(|index| plane(index, 1 << 21)) };
+    smooth_least(side, &edges, &surface)
+}
+
+/// What is 0 or more at the right of the way from one corner to another, y being downward.
+fn line(from: &Corner<i64>, to: &Corner<i64>) -> Expression {
+    let (a, b) = (from.y - to.y, to.x - from.x);
+    Expression { a, b, c: -(a * from.x + b * from.y) }
+}
+
+/// Of the way from one corner to another, the line's value at a third.
+fn edge(from: &Corner<i64>, to: &Corner<i64>, at: &Corner<i64>) -> i64 {
+    let Expression { a, b, c } = line(from, to);
+    a * at.x + b * at.y + c
+}
