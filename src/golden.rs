@@ -1,6 +1,6 @@
 //! `tilewright golden`: the software rasterizer's image of a scene, which every machine has to match.
 
-use crate::scene::{SceneArguments, triangles};
+use crate::scene::{self, SceneArguments};
 use crate::shell::output::Output;
 use crate::shell::place::check_distinct;
 use crate::shell::{Exit, Failure, Progress, interrupt, terminal};
@@ -8,7 +8,8 @@ use clap::Args;
 use serde::Serialize;
 use std::ops::ControlFlow;
 use std::path::PathBuf;
-use tilewright_scenes::{Frame, golden};
+use tilewright_scenes::deferred::{Deferred, Samples, Shading};
+use tilewright_scenes::{Counts, Frame, Projection, Scene, golden};
 
 /// Renders a scene with the plain software rasterizer: the golden image
 #[derive(Args)]
@@ -17,13 +18,23 @@ Examples:
   tilewright golden teapot -o golden.png
   tilewright golden teapot --quiet -o - > golden.png
   tilewright golden wireframe -o lines.png
-  tilewright golden ter1k --size 320x240 -o small.png --json")]
+  tilewright golden ter1k --size 320x240 -o small.png --json
+  tilewright golden textured --deferred --samples 8 -o textures.png")]
 pub struct Golden {
     #[command(flatten)]
     scene: SceneArguments,
     /// The picture, a PNG file; `-` is standard output
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
+    /// Light each pixel by itself, with textures and highlights, instead of the corners of triangles
+    #[arg(long)]
+    deferred: bool,
+    /// Samples of a pixel
+    #[arg(long, value_name = "N", default_value = "1", value_parser = ["1", "8"])]
+    samples: String,
+    /// Shade what the samples of a pixel have in common, instead of each
+    #[arg(long, requires = "deferred")]
+    shade_once: bool,
     /// Print the report as JSON
     #[arg(long)]
     json: bool,
@@ -37,38 +48,117 @@ struct Report {
     /// With the lines.
     polygons: u32,
     lines: u32,
+    /// In one pass; eight samples take two.
     packets: usize,
-    /// Of all words, depth and colour; 16 hexadecimal digits.
+    /// Of all words, depth and colour; 16 hexadecimal digits. Frames of deferred shading or of several samples have the greatest depths.
     checksum: String,
+    #[serde(flatten)]
+    style: Option<Style>,
+}
+
+/// What differs from other machines' frames.
+#[derive(Serialize)]
+struct Style {
+    deferred: bool,
+    samples: u32,
+    shaded_once: bool,
+}
+
+impl Style {
+    /// What stands behind the pixels.
+    fn text(&self) -> String {
+        let samples = if self.samples == 8 { " of 8 samples" } else { "" };
+        let shading = match (self.deferred, self.shaded_once) {
+            (false, _) => "",
+            (true, false) => ", deferred shading",
+            (true, true) => ", deferred shading once per pixel",
+        };
+        format!("{samples}{shading}")
+    }
+}
+
+/// What is to be drawn.
+enum Picture {
+    /// In one pass, or in two for eight samples.
+    Gouraud(Vec<Projection>),
+    Deferred(Deferred),
 }
 
 impl Golden {
     /// Writes the picture and reports.
     pub fn run(self) -> Result<Exit, Failure> {
         let scene = self.scene.load()?;
-        let projection = triangles(&scene)?;
+        let picture = self.picture(&scene)?;
         check_distinct(&[&self.output], &Vec::from_iter(scene.files.iter().map(PathBuf::as_path)))?;
         let output = Output::at(&self.output)?;
-        let frame =
-            draw(|watch| golden::render_watched(projection.size, &projection.triangles, scene.background, watch))?;
+        let frame = picture.draw(scene.background)?;
         output.write(&frame.to_png())?;
+        let counts = picture.counts();
         let report = Report {
             format: 1,
             scene: scene.name,
             size: [frame.size().width(), frame.size().height()],
-            polygons: projection.counts.polygons,
-            lines: projection.counts.lines,
-            packets: projection.triangles.len(),
+            polygons: counts.polygons,
+            lines: counts.lines,
+            packets: picture.packets(),
             checksum: format!("{:016x}", frame.checksum()),
+            style: self.style(),
         };
         if self.json {
             terminal::print_json(&report)?;
         } else {
-            let Report { scene, packets, checksum, .. } = report;
-            let (polygons, size) = (projection.counts.of_each_kind(), projection.size);
-            terminal::report(&format!("{scene}: {polygons}, {packets} packets, {size} pixels, checksum {checksum}\n"))?;
+            let Report { scene, packets, checksum, style, .. } = report;
+            let (polygons, size) = (counts.of_each_kind(), frame.size());
+            let style = style.map_or_else(String::new, |style| style.text());
+            terminal::report(&format!(
+                "{scene}: {polygons}, {packets} packets, {size} pixels{style}, checksum {checksum}\n"
+            ))?;
         }
         Ok(Exit::Done)
+    }
+
+    fn picture(&self, scene: &Scene) -> Result<Picture, Failure> {
+        if self.shade_once && self.samples != "8" {
+            let sentence = "--shade-once is about the samples of a pixel, and there is one: add --samples 8";
+            return Err(Failure::new(Exit::BadInput, sentence));
+        }
+        let shading = if self.shade_once { Shading::OncePerPixel } else { Shading::EachSample };
+        let samples = if self.samples == "8" { Samples::Eight(shading) } else { Samples::One };
+        Ok(match self.deferred {
+            true => Picture::Deferred(scene::deferred(scene, samples)?),
+            false => Picture::Gouraud(scene::samples(scene, samples)?),
+        })
+    }
+
+    fn style(&self) -> Option<Style> {
+        let samples = if self.samples == "8" { 8 } else { 1 };
+        let style = Style { deferred: self.deferred, samples, shaded_once: self.shade_once };
+        (self.deferred || samples > 1).then_some(style)
+    }
+}
+
+impl Picture {
+    fn draw(&self, background: [u8; 3]) -> Result<Frame, Failure> {
+        match self {
+            Picture::Gouraud(passes) => draw(|watch| golden::render_samples_watched(passes, background, watch)),
+            Picture::Deferred(deferred) => draw(|watch| golden::render_deferred_watched(deferred, watch)),
+        }
+    }
+
+    /// Of the first pass.
+    fn packets(&self) -> usize {
+        match self {
+            Picture::Gouraud(passes) => passes[0].triangles.len(),
+            Picture::Deferred(deferred) => deferred.passes[0].packets.len(),
+        }
+    }
+
+    /// Of the first pass.
+    fn counts(&self) -> Counts {
+        match self {
+            Picture::Gouraud(passes) => passes[0].counts,
+            Picture::Deferred(deferred) => deferred.counts,
+        }
     }
 }
 

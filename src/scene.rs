@@ -3,7 +3,8 @@
 use crate::shell::{Failure, terminal};
 use clap::Args;
 use std::ffi::OsString;
-use tilewright_scenes::{Polygons, Projection, Scene, Size, project_polygons};
+use tilewright_scenes::deferred::{Deferred, Samples, project_deferred};
+use tilewright_scenes::{Polygons, Projection, Scene, Size, project_polygons, project_samples};
 
 /// A scene on a screen.
 #[derive(Args)]
@@ -44,6 +45,26 @@ pub fn polygons(scene: &Scene) -> Result<Polygons, Failure> {
     let polygons = project_polygons(scene, scene.size)?;
     warn(scene, polygons.warning());
     Ok(polygons)
+}
+
+/// Sets the triangles of a scene up, as [`triangles`] does, for each pass that so many samples take.
+///
+/// # Errors
+/// As [`triangles`]; or the frame is too large for so many samples.
+pub fn samples(scene: &Scene, samples: Samples) -> Result<Vec<Projection>, Failure> {
+    let passes = project_samples(scene, scene.size, samples)?;
+    warn(scene, passes[0].warning());
+    Ok(passes)
+}
+
+/// Sets the triangles of a scene up for deferred shading, as [`triangles`] does for colours.
+///
+/// # Errors
+/// As [`triangles`]; or a texture cannot be read, or the frame is too large for so many samples.
+pub fn deferred(scene: &Scene, samples: Samples) -> Result<Deferred, Failure> {
+    let deferred = project_deferred(scene, scene.size, samples)?;
+    warn(scene, deferred.warning());
+    Ok(deferred)
 }
 
 fn warn(scene: &Scene, warning: Option<String>) {

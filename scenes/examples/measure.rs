@@ -4,6 +4,7 @@
 
 use std::process::ExitCode;
 use std::time::Instant;
+use tilewright_scenes::deferred::{Samples, Shading, project_deferred};
 use tilewright_scenes::{Scene, SceneError, builtin, golden};
 
 fn main() -> ExitCode {
@@ -46,6 +47,11 @@ fn measure() -> Result<(), SceneError> {
             })
             .count();
         frame.write_png(std::env::temp_dir().join(format!("{name}.png")))?;
+        let deferred = [
+            ("deferred", Samples::One),
+            ("eight", Samples::Eight(Shading::EachSample)),
+            ("eight-shaded-once", Samples::Eight(Shading::OncePerPixel)),
+        ];
         println!("{name} at {size}");
         println!("  {:?}", projection.counts);
         println!(
@@ -56,6 +62,12 @@ fn measure() -> Result<(), SceneError> {
         println!("  covered {:.1} %, {patches} patches of 4x4", 100.0 * ties.covered as f64 / size.pixels() as f64);
         println!("  exact ties at {} pixels, {} of them decided by colour", ties.pixels, ties.decided_by_colour);
         println!("  mesh checksum {:#018x}, frame checksum {:#018x}", scene.mesh.checksum(), frame.checksum());
+        for (kind, samples) in deferred {
+            let begun = Instant::now();
+            let frame = golden::render_deferred(&project_deferred(&scene, size, samples)?);
+            frame.write_png(std::env::temp_dir().join(format!("{name}-{kind}.png")))?;
+            println!("  {kind}: frame checksum {:#018x}, in {:.0?}", frame.checksum(), begun.elapsed());
+        }
         println!(
             "  built in {made:.0?}, projected in {:.0?}, rendered in {:.0?}",
             projected - made,

@@ -1,10 +1,12 @@
-//! The built-in scenes: those of the VC-1 paper, with exactly its polygon counts (facts D, VC1-SCENE), and two of lines.
+//! The built-in scenes: those of the VC-1 paper, with exactly its polygon counts (facts D, VC1-SCENE), two of lines, and one with
+//! textures.
 //!
 //! Cameras are the ones of facts D; light and background are ours.
 
 pub mod star;
 pub mod teapot;
 pub mod terrain;
+pub mod textured;
 
 use crate::camera::Camera;
 use crate::light::{Light, Lighting};
@@ -14,7 +16,7 @@ use crate::size::Size;
 use glam::{DVec3, dvec3};
 
 /// The built-in scenes' names.
-pub const NAMES: [&str; 5] = ["teapot", "ter1k", "ter250", "wireframe", "star"];
+pub const NAMES: [&str; 6] = ["teapot", "ter1k", "ter250", "wireframe", "star", "textured"];
 
 /// A built-in scene, or `None` if there is none of that name.
 pub fn scene(name: &str) -> Option<Scene> {
@@ -24,9 +26,11 @@ pub fn scene(name: &str) -> Option<Scene> {
         "ter250" => (terrain::mesh(1), terrain_camera()),
         "wireframe" => (teapot::faces(4).wireframe(), teapot_camera()),
         "star" => (star::mesh(), star_camera()),
+        "textured" => (textured::mesh(), textured_camera()),
         _ => return None,
     };
-    Some(with_defaults(name, mesh, camera))
+    let scene = with_defaults(name, mesh, camera);
+    Some(if name == "textured" { Scene { lighting: textured::lighting(), ..scene } } else { scene })
 }
 
 impl Scene {
@@ -72,6 +76,10 @@ fn teapot_camera() -> Camera {
 
 fn star_camera() -> Camera {
     Camera { eye: dvec3(2.1, -3.4, 1.5), target: DVec3::ZERO, up: DVec3::Z, fov: 28.0 }
+}
+
+fn textured_camera() -> Camera {
+    Camera { eye: dvec3(0.6, -11.0, 5.2), target: dvec3(0.2, 0.0, 1.0), up: DVec3::Z, fov: 36.0 }
 }
 
 /// 62 km out and 38 km up from the middle of the map, which is 79.75 km square and lies on the plane z = 0.

@@ -117,8 +117,12 @@ impl Camera {
 impl View {
     /// A point as (right, down, forward) of the eye, in the mesh's unit.
     pub(crate) fn of_point(&self, p: DVec3) -> DVec3 {
-        let arm = p - self.eye;
-        DVec3::new(self.right.dot(arm), self.down.dot(arm), self.forward.dot(arm))
+        self.of_direction(p - self.eye)
+    }
+
+    /// A direction as (right, down, forward) of the eye, at the same length.
+    pub(crate) fn of_direction(&self, d: DVec3) -> DVec3 {
+        DVec3::new(self.right.dot(d), self.down.dot(d), self.forward.dot(d))
     }
 }
 

@@ -3,13 +3,18 @@
 //! Source: facts E0 (vertices are 16 bits of 1/16 pixel, so the front end clips); the method is Sutherland and Hodgman's, 1974.
 //! An edge is always cut from its inner end to its outer one, so two triangles that share it get the same new vertex.
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
-/// A vertex in view space: (right, down, forward) of the eye, and its colour.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// A vertex in view space: (right, down, forward) of the eye, and what varies from one to the next.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct ViewVertex {
     pub(crate) at: DVec3,
+    /// The lit colour, each channel 0 to 1.
     pub(crate) rgb: DVec3,
+    /// The normal in view space, turned to the eye; its length is 1 where nothing was cut.
+    pub(crate) normal: DVec3,
+    /// Texture coordinates.
+    pub(crate) uv: DVec2,
 }
 
 /// A plane of view space; a point is inside if `normal . p >= offset`.
@@ -58,7 +63,12 @@ impl ClipPlane {
 /// Where the edge from `inner` (inside by d) to `outer` (by e, negative) meets the plane.
 fn cut(inner: ViewVertex, d: f64, outer: ViewVertex, e: f64) -> ViewVertex {
     let t = d / (d - e);
-    ViewVertex { at: inner.at + (outer.at - inner.at) * t, rgb: inner.rgb + (outer.rgb - inner.rgb) * t }
+    ViewVertex {
+        at: inner.at + (outer.at - inner.at) * t,
+        rgb: inner.rgb + (outer.rgb - inner.rgb) * t,
+        normal: inner.normal + (outer.normal - inner.normal) * t,
+        uv: inner.uv + (outer.uv - inner.uv) * t,
+    }
 }
 
 #[cfg(test)]
@@ -70,13 +80,21 @@ mod tests {
         [-9.0..9.0f64, -9.0..9.0f64, -9.0..9.0f64].prop_map(|at| ViewVertex {
             at: DVec3::from_array(at),
             rgb: DVec3::from_array(at.map(|c| (c + 9.0) / 18.0)),
+            normal: DVec3::from_array(at.map(|c| c / 9.0)),
+            uv: DVec2::new(at[0], at[1]),
         })
     }
 
     #[test]
-    fn a_cut_has_the_place_and_the_colour_at_which_the_edge_meets_the_plane() {
+    fn a_cut_has_the_place_and_the_attributes_at_which_the_edge_meets_the_plane() {
         let plane = ClipPlane { normal: DVec3::Z, offset: 2.0 };
-        let vertex = |at: [f64; 3], rgb: [f64; 3]| ViewVertex { at: at.into(), rgb: rgb.into() };
+        // Normal and texture coordinates vary as the colour does, each in its own way.
+        let vertex = |at: [f64; 3], rgb: [f64; 3]| ViewVertex {
+            at: at.into(),
+            rgb: rgb.into(),
+            normal: [rgb[1], -rgb[2], rgb[0]].into(),
+            uv: [8.0 * rgb[2], -2.0 * rgb[0]].into(),
+        };
         let inner = vertex([0.0, 0.0, 6.0], [1.0, 0.0, 0.5]);
         let outer = [vertex([8.0, 0.0, -2.0], [0.5, 1.0, 0.0]), vertex([0.0, 16.0, -10.0], [0.0, 0.0, 1.0])];
         // Half of one edge is inside, and a quarter of the other.

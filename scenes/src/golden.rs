@@ -3,6 +3,12 @@
 //! Source: facts E0. It shares the packet's type with the machines and nothing else: products are formed directly in i64, with
 //! no increments and no tree, over each pixel of a polygon's box, so that it can be checked by reading.
 
+mod deferred;
+mod samples;
+
+pub use deferred::{render_deferred, render_deferred_watched, visible};
+pub use samples::{average_eight, render_samples, render_samples_watched};
+
 use crate::frame::{Frame, depth_of, rgb_of, word};
 use crate::packet::*;
 use crate::size::Size;

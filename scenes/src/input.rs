@@ -31,6 +31,9 @@ pub(crate) const MATERIALS: Kind = Kind {
 /// A picture of at most 2048x2048 pixels: twice what its bytes take before they are compressed.
 pub(crate) const PICTURE: Kind = Kind { limit: 64, smaller: "name a picture of a frame", readable: "name a PNG file" };
 
+/// A texture of at most 1024x1024 texels, as [`PICTURE`] counts.
+pub(crate) const TEXTURE: Kind = Kind { limit: 16, smaller: "name a smaller picture", readable: "make it readable" };
+
 /// Opens a file, or says why it cannot be read.
 pub(crate) fn open(path: &Path, kind: &Kind) -> Result<File, SceneError> {
     // Opening a directory for reading succeeds on some systems.

@@ -7,6 +7,7 @@ mod material;
 mod names;
 mod obj;
 mod obj_scan;
+mod surface;
 mod toml_file;
 mod toml_values;
 

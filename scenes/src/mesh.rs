@@ -5,7 +5,9 @@
 
 use crate::checksum::Fnv;
 use crate::error::SceneError;
+use crate::material::Materials;
 use glam::DVec3;
+use std::sync::Arc;
 
 /// A triangle of a mesh, as indices into its positions and normals.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,6 +38,8 @@ pub struct Mesh {
     lines: Vec<MeshLine>,
     /// How many triangles each face consists of; none if each is a face of its own.
     faces: Vec<u32>,
+    /// None if each triangle is of the default material.
+    materials: Option<Arc<Materials>>,
 }
 
 /// The corner positions nearest to the origin and farthest from it, axis by axis.
@@ -69,7 +73,7 @@ impl Mesh {
             }
             check_colour("triangle", i, t.diffuse)?;
         }
-        Ok(Mesh { positions, normals, triangles, lines: Vec::new(), faces: Vec::new() })
+        Ok(Mesh { positions, normals, triangles, lines: Vec::new(), faces: Vec::new(), materials: None })
     }
 
     /// A mesh of lines alone; positions in any unit of length.
@@ -90,8 +94,7 @@ impl Mesh {
             return Err(SceneError::invalid("the mesh has no line", "give at least one"));
         }
         check_vectors("position", &positions)?;
-        let mesh = Mesh { positions, normals: Vec::new(), triangles: Vec::new(), lines: Vec::new(), faces: Vec::new() };
-        mesh.with_lines(lines)
+        Mesh::empty(positions).with_lines(lines)
     }
 
     /// The same mesh with these lines.
@@ -152,8 +155,27 @@ impl Mesh {
 
     /// Its positions, with these lines and no triangle.
     pub(crate) fn with_lines_alone(&self, lines: Vec<MeshLine>) -> Mesh {
-        let positions = self.positions.clone();
-        Mesh { positions, normals: Vec::new(), triangles: Vec::new(), lines, faces: Vec::new() }
+        Mesh { lines, ..Mesh::empty(self.positions.clone()) }
+    }
+
+    /// These positions alone.
+    fn empty(positions: Vec<DVec3>) -> Mesh {
+        let (normals, triangles, lines, faces) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        Mesh { positions, normals, triangles, lines, faces, materials: None }
+    }
+
+    /// The same mesh with these materials, which deferred shading alone looks at.
+    ///
+    /// # Errors
+    /// [`SceneError::Invalid`] if they do not fit the triangles, or say what no material can be.
+    pub fn with_materials(self, materials: Materials) -> Result<Mesh, SceneError> {
+        materials.check(self.triangles.len())?;
+        Ok(Mesh { materials: Some(Arc::new(materials)), ..self })
+    }
+
+    /// What its triangles are made of; `None` if all are of the default material.
+    pub fn materials(&self) -> Option<&Materials> {
+        self.materials.as_deref()
     }
 
     /// Vertex positions.
@@ -198,7 +220,7 @@ impl Mesh {
         })
     }
 
-    /// A 64-bit checksum (FNV-1a) of every number, to pin a mesh in a test.
+    /// A 64-bit checksum (FNV-1a) of every number but those of materials, to pin a mesh in a test.
     pub fn checksum(&self) -> u64 {
         let mut sum = Fnv::new();
         for list in [&self.positions, &self.normals] {

@@ -12,7 +12,9 @@ pub const DEPTH_BITS: u32 = 24;
 pub const DEPTH_PLANE_BITS: u32 = 40;
 /// Bits of a colour plane's numbers, which are added modulo 2^24; the channel is their bits 23..16.
 pub const COLOUR_PLANE_BITS: u32 = 24;
-/// Fraction bits of both kinds of plane.
+/// Bits of the numbers of any other parameter's plane, which are added modulo 2^32; the parameter is their bits 31..16.
+pub const PARAMETER_PLANE_BITS: u32 = 32;
+/// Fraction bits of all kinds of plane.
 pub const FRACTION_BITS: u32 = 16;
 /// The depth of "nothing here": all ones.
 pub const EMPTY_DEPTH: u32 = (1 << DEPTH_BITS) - 1;
@@ -53,7 +55,7 @@ pub struct Edge {
 
 /// A plane over whole pixels in modular arithmetic: `(x*px + y*py + origin) mod 2^n`, with 16 fraction bits.
 ///
-/// n is [`DEPTH_PLANE_BITS`] or [`COLOUR_PLANE_BITS`]; every field is below 2^n. A sliver's gradients may wrap: only the values at
+/// n is [`DEPTH_PLANE_BITS`], [`COLOUR_PLANE_BITS`] or [`PARAMETER_PLANE_BITS`]; every field is below 2^n. A sliver's gradients may wrap: only the values at
 /// covered pixels matter, and those are in range (DES-Z).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Plane {

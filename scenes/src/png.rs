@@ -6,7 +6,7 @@ use crate::input::{self, read_bytes};
 use crate::output::write_whole;
 use crate::size::Size;
 use image::codecs::png::{PngDecoder, PngEncoder};
-use image::{DynamicImage, ExtendedColorType, ImageDecoder, ImageEncoder};
+use image::{DynamicImage, ExtendedColorType, ImageDecoder, ImageEncoder, RgbImage};
 use std::io::Cursor;
 use std::path::Path;
 
@@ -44,21 +44,48 @@ impl Frame {
             remedy: remedy.to_owned(),
         };
         let bytes = read_bytes(path, &input::PICTURE)?;
-        if !bytes.starts_with(SIGNATURE) {
-            return Err(wrong("is not a PNG file".to_owned(), "name a PNG file"));
-        }
-        // What the library says of a damaged file is its own jargon.
-        let damaged = |_| wrong("is a damaged PNG file".to_owned(), "make it again, or name another");
-        let decoder = PngDecoder::new(Cursor::new(&bytes)).map_err(damaged)?;
-        let (width, height) = decoder.dimensions();
-        let size = Size::new(width, height).map_err(|_| {
-            wrong(format!("holds {width}x{height} pixels, and a frame has at most 2048x2048"), "name a smaller picture")
-        })?;
-        let picture = DynamicImage::from_decoder(decoder).map_err(damaged)?.into_rgb8();
+        let picture =
+            decoded(&bytes, |width, height| Size::new(width, height).is_ok()).map_err(
+                |unreadable| match unreadable {
+                    Unreadable::NoPng => wrong("is not a PNG file".to_owned(), "name a PNG file"),
+                    Unreadable::Damaged => wrong("is a damaged PNG file".to_owned(), "make it again, or name another"),
+                    Unreadable::Size(width, height) => wrong(
+                        format!("holds {width}x{height} pixels, and a frame has at most 2048x2048"),
+                        "name a smaller picture",
+                    ),
+                },
+            )?;
+        let size = Size::new(picture.width(), picture.height())?;
         let mut frame = Frame::blank(size, [0; 3]);
         for (word, pixel) in frame.words.iter_mut().zip(picture.pixels()) {
             *word = blank(pixel.0);
         }
         Ok(frame)
     }
+}
+
+/// Why there is no picture.
+pub(crate) enum Unreadable {
+    /// It does not begin as PNG files do.
+    NoPng,
+    /// It begins so, but does not go on so.
+    Damaged,
+    /// It has a width and a height that were not wanted.
+    Size(u32, u32),
+}
+
+/// The picture that a PNG file holds, if its width and height are `wanted`: only then it is decoded. Transparency is dropped, 16-bit
+/// channels are rounded to 8.
+pub(crate) fn decoded(bytes: &[u8], wanted: impl Fn(u32, u32) -> bool) -> Result<RgbImage, Unreadable> {
+    if !bytes.starts_with(SIGNATURE) {
+        return Err(Unreadable::NoPng);
+    }
+    // What the library says of a damaged file is its own jargon.
+    let damaged = |_| Unreadable::Damaged;
+    let decoder = PngDecoder::new(Cursor::new(bytes)).map_err(damaged)?;
+    let (width, height) = decoder.dimensions();
+    if !wanted(width, height) {
+        return Err(Unreadable::Size(width, height));
+    }
+    Ok(DynamicImage::from_decoder(decoder).map_err(damaged)?.into_rgb8())
 }

@@ -7,7 +7,9 @@
 //!
 //! Float results are bit-equal on every machine: only + - * / and square roots of f64 are used (see [`crate::angle`]).
 
+use crate::camera::View;
 use crate::clip::ViewVertex;
+use crate::deferred::Samples;
 use crate::error::SceneError;
 use crate::light::{Lighting, facing};
 use crate::line::{line_corners, set_up_line};
@@ -18,7 +20,7 @@ use crate::scene::Scene;
 use crate::screen::{Clipped, Screen};
 use crate::setup::{set_up, signed_area2};
 use crate::size::Size;
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
 /// What becomes of a scene's polygons; every polygon is counted once, in `drawn` or in one of the four fields after it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -100,27 +102,26 @@ pub fn project_sample(scene: &Scene, size: Size, shift: [i32; 2]) -> Result<Proj
         ));
     }
     let front = Front::new(scene, size, shift)?;
-    let mut projection = Projection {
-        size,
-        triangles: Vec::with_capacity(scene.mesh.triangles().len()),
-        vertices: Vec::with_capacity(scene.mesh.triangles().len()),
-        counts: Counts::default(),
-    };
-    for (polygon, triangle) in (0..).zip(scene.mesh.triangles()) {
-        projection.counts.polygons += 1;
-        match front.screen.clip(&front.corners(triangle)) {
-            Ok(ring) => projection.submit(polygon, &ring, &front.screen),
-            Err(outside) => projection.counts.leave_out(outside),
+    let mut triangles = Vec::with_capacity(scene.mesh.triangles().len());
+    let mut vertices = Vec::with_capacity(scene.mesh.triangles().len());
+    let counts = front.parts(|part| {
+        let packet = set_up(&part.vertices, size);
+        let is_drawn = packet.is_some();
+        if let Some(packet) = packet {
+            triangles.push(Triangle { polygon: part.polygon, ..packet });
+            vertices.push(part.vertices);
         }
-    }
-    for line in scene.mesh.lines() {
-        let number = projection.counts.line();
-        match front.screen.clip_line(front.ends(line)) {
-            Ok(ends) => projection.submit_line(number, ends, &front.screen),
-            Err(outside) => projection.counts.leave_out(outside),
-        }
-    }
-    Ok(projection)
+        is_drawn
+    });
+    Ok(Projection { size, triangles, vertices, counts })
+}
+
+/// Projects a scene for all samples of its pixels: once, or for eight samples twice at doubled width and height.
+///
+/// # Errors
+/// As [`project`]; also if the screen is too large for eight samples.
+pub fn project_samples(scene: &Scene, size: Size, samples: Samples) -> Result<Vec<Projection>, SceneError> {
+    samples.passes(size)?.into_iter().map(|(size, shift)| project_sample(scene, size, shift)).collect()
 }
 
 /// Projects a scene onto a screen, each face of its mesh as one polygon where [`set_up_polygon`](crate::set_up_polygon) makes one of it. Few tilted faces
@@ -131,10 +132,12 @@ pub fn project_sample(scene: &Scene, size: Size, shift: [i32; 2]) -> Result<Proj
 pub fn project_polygons(scene: &Scene, size: Size) -> Result<Polygons, SceneError> {
     let front = Front::new(scene, size, [0, 0])?;
     let mut all = Polygons { size, polygons: Vec::new(), vertices: Vec::new(), counts: Counts::default() };
+    let mut first = 0;
     for (number, face) in (0..).zip(scene.mesh.faces()) {
         all.counts.polygons += 1;
-        let ends = face.iter().skip(1).map(|triangle| front.corners(triangle)[2]);
-        let corners: Vec<ViewVertex> = front.corners(&face[0]).into_iter().chain(ends).collect();
+        let ends = (first..).zip(face).skip(1).map(|(triangle, of)| front.corners(triangle, of)[2]);
+        let corners: Vec<ViewVertex> = front.corners(first, &face[0]).into_iter().chain(ends).collect();
+        first += face.len() as u32;
         match front.screen.clip(&corners) {
             Ok(ring) => all.submit(number, &ring, &front.screen),
             Err(outside) => all.counts.leave_out(outside),
@@ -171,39 +174,6 @@ impl Polygons {
         if let Some(packet) = packet {
             self.polygons.push(Polygon { polygon: number, ..packet });
             self.vertices.push(ends.to_vec());
-        }
-    }
-}
-
-impl Projection {
-    /// Sets up the pieces of one polygon and counts what became of it.
-    fn submit(&mut self, polygon: u32, ring: &[ViewVertex], screen: &Screen) {
-        let before = self.triangles.len();
-        let (mut is_proper, mut on_screen) = (false, false);
-        for i in 2..ring.len() {
-            let vertices = [ring[0], ring[i - 1], ring[i]].map(|v| screen.snap(v));
-            is_proper |= signed_area2(&vertices) != 0;
-            on_screen |= screen.meets(&vertices);
-            self.set_up(polygon, vertices);
-        }
-        self.counts.take(self.triangles.len() - before, is_proper, on_screen);
-    }
-
-    /// Sets up the halves of a line, whose planes are its own, and counts what became of it.
-    fn submit_line(&mut self, number: u32, ends: [ViewVertex; 2], screen: &Screen) {
-        let before = self.triangles.len();
-        let ends = ends.map(|v| screen.snap(v));
-        let corners = line_corners(ends);
-        for half in [[0, 1, 2], [0, 2, 3]] {
-            self.set_up(number, half.map(|i| corners[i]));
-        }
-        self.counts.take_line(self.triangles.len() > before, ends, screen);
-    }
-
-    fn set_up(&mut self, polygon: u32, vertices: [ScreenVertex; 3]) {
-        if let Some(packet) = set_up(&vertices, self.size) {
-            self.triangles.push(Triangle { polygon, ..packet });
-            self.vertices.push(vertices);
         }
     }
 }
@@ -245,39 +215,104 @@ impl Counts {
     }
 }
 
+/// A triangle that is left of a polygon, on the screen.
+pub(crate) struct Part {
+    /// The number of the polygon in the mesh: lines come after the triangles.
+    pub(crate) polygon: u32,
+    pub(crate) vertices: [ScreenVertex; 3],
+    /// Before they were snapped; `None` for half a line.
+    pub(crate) seen: Option<[ViewVertex; 3]>,
+}
+
 /// What all polygons of a scene go through.
-struct Front<'a> {
+pub(crate) struct Front<'a> {
     scene: &'a Scene,
     lighting: Lighting,
+    pub(crate) view: View,
     /// The positions of the mesh, in view space.
     seen: Vec<DVec3>,
     screen: Screen,
 }
 
 impl Front<'_> {
-    fn new(scene: &Scene, size: Size, shift: [i32; 2]) -> Result<Front<'_>, SceneError> {
+    pub(crate) fn new(scene: &Scene, size: Size, shift: [i32; 2]) -> Result<Front<'_>, SceneError> {
         scene.lighting.check()?;
         let view = scene.camera.view()?;
         let seen: Vec<DVec3> = scene.mesh.positions().iter().map(|&p| view.of_point(p)).collect();
         let screen = Screen::new(scene, &seen, view, size, shift)?;
-        Ok(Front { scene, lighting: scene.lighting.normalized(), seen, screen })
+        Ok(Front { scene, lighting: scene.lighting.normalized(), view, seen, screen })
     }
 
-    /// A triangle's corners, each channel of their colours 0 to 1.
-    fn corners(&self, triangle: &MeshTriangle) -> [ViewVertex; 3] {
+    /// Hands over what is left of every triangle and line, in triangles, and counts what became of them; `set_up` says whether there is
+    /// anything to draw of one.
+    pub(crate) fn parts(&self, mut set_up: impl FnMut(&Part) -> bool) -> Counts {
+        let mut counts = Counts::default();
+        for (polygon, triangle) in (0..).zip(self.scene.mesh.triangles()) {
+            counts.polygons += 1;
+            match self.screen.clip(&self.corners(polygon, triangle)) {
+                Ok(ring) => self.pieces(polygon, &ring, &mut set_up, &mut counts),
+                Err(outside) => counts.leave_out(outside),
+            }
+        }
+        for line in self.scene.mesh.lines() {
+            let polygon = counts.line();
+            match self.screen.clip_line(self.ends(line)) {
+                Ok(ends) => self.halves(polygon, ends, &mut set_up, &mut counts),
+                Err(outside) => counts.leave_out(outside),
+            }
+        }
+        counts
+    }
+
+    /// Hands over the pieces of a triangle and counts what became of it.
+    fn pieces(&self, polygon: u32, ring: &[ViewVertex], set_up: &mut impl FnMut(&Part) -> bool, counts: &mut Counts) {
+        let (mut packets, mut is_proper, mut on_screen) = (0, false, false);
+        for i in 2..ring.len() {
+            let seen = [ring[0], ring[i - 1], ring[i]];
+            let vertices = seen.map(|v| self.screen.snap(v));
+            is_proper |= signed_area2(&vertices) != 0;
+            on_screen |= self.screen.meets(&vertices);
+            packets += usize::from(set_up(&Part { polygon, vertices, seen: Some(seen) }));
+        }
+        counts.take(packets, is_proper, on_screen);
+    }
+
+    /// Hands over the halves of a line, whose planes are its own, and counts what became of it.
+    fn halves(&self, polygon: u32, ends: [ViewVertex; 2], set_up: &mut impl FnMut(&Part) -> bool, counts: &mut Counts) {
+        let ends = ends.map(|v| self.screen.snap(v));
+        let corners = line_corners(ends);
+        let mut is_drawn = false;
+        for half in [[0, 1, 2], [0, 2, 3]] {
+            is_drawn |= set_up(&Part { polygon, vertices: half.map(|i| corners[i]), seen: None });
+        }
+        counts.take_line(is_drawn, ends, &self.screen);
+    }
+
+    /// The corners of a triangle of that number.
+    fn corners(&self, number: u32, triangle: &MeshTriangle) -> [ViewVertex; 3] {
         let mesh = &self.scene.mesh;
         let [p, q, r] = triangle.positions.map(|i| mesh.positions()[i as usize]);
         let face = (q - p).cross(r - p);
         let diffuse = DVec3::from_array(triangle.diffuse);
+        let uv = mesh.materials().map_or([DVec2::ZERO; 3], |materials| materials.corners(number));
         [0, 1, 2].map(|i| {
             let normal = unit_or_z(mesh.normals()[triangle.normals[i] as usize]);
-            let rgb = diffuse * self.lighting.at(facing(normal, face, self.scene.camera.eye - p));
-            ViewVertex { at: self.seen[triangle.positions[i] as usize], rgb }
+            let turned = facing(normal, face, self.scene.camera.eye - p);
+            ViewVertex {
+                at: self.seen[triangle.positions[i] as usize],
+                rgb: diffuse * self.lighting.at(turned),
+                normal: self.view.of_direction(turned),
+                uv: uv[i],
+            }
         })
     }
 
     /// A line's ends.
     fn ends(&self, line: &MeshLine) -> [ViewVertex; 2] {
-        line.positions.map(|i| ViewVertex { at: self.seen[i as usize], rgb: DVec3::from_array(line.colour) })
+        line.positions.map(|i| ViewVertex {
+            at: self.seen[i as usize],
+            rgb: DVec3::from_array(line.colour),
+            ..ViewVertex::default()
+        })
     }
 }

@@ -84,14 +84,16 @@ pub(crate) fn planes(corners: [ScreenVertex; 3], area2: i64) -> (Plane, [Plane; 
 }
 
 /// What all planes of one triangle share.
-struct Anchor {
-    corners: [ScreenVertex; 3],
-    area2: i64,
+pub(crate) struct Anchor {
+    /// In the order that makes the area positive.
+    pub(crate) corners: [ScreenVertex; 3],
+    /// Their doubled area.
+    pub(crate) area2: i64,
 }
 
 impl Anchor {
-    /// The modular plane through one value per corner, of `bits` bits (DES-Z).
-    fn through(&self, value: [i64; 3], bits: u32) -> Plane {
+    /// The modular plane through one value per corner, of `bits` bits (DES-Z); values are below 2^24 in magnitude.
+    pub(crate) fn through(&self, value: [i64; 3], bits: u32) -> Plane {
         let [v0, v1, v2] = self.corners;
         let d = |p: i32, q: i32| i64::from(p) - i64::from(q);
         let (d1, d2) = (value[1] - value[0], value[2] - value[0]);

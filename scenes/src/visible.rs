@@ -18,8 +18,11 @@ impl Polygons {
 }
 
 impl Counts {
-    fn warning<E: AsRef<[Edge]>>(&self, packets: &[Packet<E>]) -> Option<String> {
-        if packets.iter().any(covers_a_pixel) {
+    pub(crate) fn warning<'a, E: AsRef<[Edge]> + 'a>(
+        &self,
+        packets: impl IntoIterator<Item = &'a Packet<E>>,
+    ) -> Option<String> {
+        if packets.into_iter().any(covers_a_pixel) {
             return None;
         }
         let c = self;

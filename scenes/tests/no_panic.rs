@@ -53,7 +53,7 @@ fn obj_line() -> impl Strategy<Value = String> {
 }
 
 fn toml_line() -> impl Strategy<Value = String> {
-    let key = "(mesh|wireframe|size|background|ambient|camera|light|camera.eye|camera.fov|camera.up|camera.target|\\[camera\\]|\\[\\[light\\]\\]|toward|intensity|[a-z]{1,3})";
+    let key = "(mesh|wireframe|size|background|ambient|camera|light|surface|surface.texture|surface.specular|surface.shininess|camera.eye|camera.fov|camera.up|camera.target|\\[camera\\]|\\[\\[light\\]\\]|toward|intensity|[a-z]{1,3})";
     let number = prop_oneof![
         (-9i64..3000).prop_map(|i| i.to_string()),
         any::<f64>().prop_map(|x| format!("{x:?}")),
@@ -86,7 +86,7 @@ proptest! {
     }
 
     #[test]
-    fn a_material_file(lines in proptest::collection::vec(("(newmtl|Kd|Ka|illum|map_Kd|#)", word(), word(), word()), 0..8)) {
+    fn a_material_file(lines in proptest::collection::vec(("(newmtl|Kd|Ks|Ns|Ka|illum|map_Kd|#)", word(), word(), word()), 0..8)) {
         let path = path("coloured.obj");
         fs::write(&path, "mtllib random.mtl\nusemtl 1\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").unwrap();
         let text: String = lines.iter().map(|(k, a, b, c)| format!("{k} {a} {b} {c}\n")).collect();

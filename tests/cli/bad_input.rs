@@ -75,6 +75,15 @@ const CASES: &[(&str, &[&str])] = &[
     ("render teapot --golden malformed.obj", &["malformed.obj", "PNG"]),
     ("render teapot --size 64x48 --vcd run.vcd --scope nothing.*", &["no signal that matches `nothing.*`"]),
     ("golden teapot", &["--output <FILE>"]),
+    ("golden teapot -o g.png --samples 4", &["'4' for '--samples <N>'", "1, 8"]),
+    ("golden teapot -o g.png --samples 8 --shade-once", &["--deferred"]),
+    ("golden teapot -o g.png --deferred --shade-once", &["there is one: add --samples 8"]),
+    ("golden teapot -o g.png --size 1025x64 --samples 8", &["1025x64 pixels with 8 samples", "up to 1024"]),
+    ("golden no_texture.toml -o g.png", &["no_texture.toml:3:11: there is no texture lost.png: correct the path"]),
+    (
+        "golden no_texture.obj -o g.png --deferred",
+        &["no_texture.mtl:2: there is no texture lost.png: correct the path"],
+    ),
     ("wave mergin-unit --ascii", &["'mergin-unit'", "a similar value exists: 'merging-unit'"]),
     ("wave merging-unit", &["-o FILE", "pass --ascii"]),
     ("wave merging-unit --json", &["-o FILE", "pass --ascii"]),
@@ -117,6 +126,9 @@ const CASES: &[(&str, &[&str])] = &[
     ("rendr teapot", &["'rendr'", "'render'"]),
 ];
 
+/// A triangle whose texture is not there.
+const NO_TEXTURE: &str = "mtllib no_texture.mtl\nusemtl wood\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2/1 3/1\n";
+
 /// A VC-1 whose image memories would take a terabyte.
 const HUGE: &str = "wave vc1 -o some.vcd --set processors=256 --set width=2048 --set height=2048 --set pages=262144";
 
@@ -133,6 +145,9 @@ fn bad_input_is_named_with_a_remedy() {
         ("polyline.obj", "v 0 0 0\nl 1\n"),
         ("wireframe.toml", "mesh = \"teapot\"\nwireframe = \"yes\"\n"),
         ("one_light.toml", "mesh = \"teapot\"\n[light]\ntoward = [0, 0, 1]\nintensity = 1\n"),
+        ("no_texture.toml", "mesh = \"teapot\"\n[surface]\ntexture = \"lost.png\"\n"),
+        ("no_texture.obj", NO_TEXTURE),
+        ("no_texture.mtl", "newmtl wood\nmap_Kd lost.png\n"),
         ("long.toml", "mesh = \"teapot\"\nsize = [10, 10, 10]\n"),
         ("misspelt.toml", "mesh = \"teapto\"\n"),
         ("behind.toml", "mesh = \"mesh.obj\"\n[camera]\neye = [0, 0, 5]\ntarget = [0, 0, 9]\n"),

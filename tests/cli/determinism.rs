@@ -2,10 +2,11 @@
 
 use crate::harness::Folder;
 
-const LINES: [&str; 8] = [
+const LINES: [&str; 9] = [
     "render pyramid.obj --size 32x24 --processors 2 -o frame.png --vcd run.vcd --json",
     "render pyramid.obj --machine quadtree --size 16x12 --matrix 2x2 --form stack -o quadtree.png --vcd quadtree.vcd --json",
     "golden ter1k --size 64x48 -o golden.png",
+    "golden textured --size 64x48 --deferred --samples 8 -o textured.png",
     "wave gfb-unit -o gfb.vcd --ascii",
     "verilog gfb-unit -o . --testbench",
     "list --json",

@@ -116,7 +116,7 @@ fn a_golden_image_can_be_interrupted() {
         ("s.toml", "mesh = \"s.obj\"\nsize = [1024, 1024]\n[camera]\neye = [0, 0, 10]\ntarget = [0, 0, 0]\n"),
     ]);
     let names = folder.names();
-    for line in ["golden s.toml -o x.png", "render s.toml -o x.png --vcd x.vcd"] {
+    for line in ["golden s.toml -o x.png", "golden s.toml --deferred -o x.png", "render s.toml -o x.png --vcd x.vcd"] {
         let (run, took) = stopped_after(&folder, line, Duration::from_secs(1));
         assert_eq!((run.code, run.stdout.as_str()), (Some(130), ""), "{line}: {run:?}");
         assert_eq!(run.stderr, "error: interrupted while the golden image was drawn\n", "{line}");

@@ -7,8 +7,9 @@
 //! whole numbers of 1/n^3. Normals are cross products of the exact derivatives. Only the last division to f64 rounds, and IEEE 754
 //! fixes how.
 
+use crate::material::{Mapping, Material, Materials};
 use crate::mesh::{Mesh, MeshTriangle, unit_or_z};
-use glam::{DVec3, dvec3};
+use glam::{DVec3, dvec2, dvec3};
 
 /// An exact point or vector; the unit is the caller's.
 type Exact = [i64; 3];
@@ -19,11 +20,12 @@ struct Corner {
     normal: DVec3,
 }
 
-/// The teapot with every patch cut into n x n x 2 triangles, z up, standing on z = 0; n from 1 to 64.
+/// The teapot with every patch cut into n x n x 2 triangles, z up, standing on z = 0; n from 1 to 64. A texture fills each patch.
 pub fn mesh(n: u32) -> Mesh {
     let n = n.clamp(1, 64);
     let mut positions = Vec::new();
     let mut normals = Vec::new();
+    let mut coordinates = Vec::new();
     let mut triangles = Vec::new();
     for patch in patches() {
         let first = positions.len() as u32;
@@ -32,6 +34,7 @@ pub fn mesh(n: u32) -> Mesh {
                 let corner = corner(&patch, i, j, n);
                 positions.push(corner.position);
                 normals.push(corner.normal);
+                coordinates.push(dvec2(j.into(), i.into()) / f64::from(n));
             }
         }
         let index = |i: u32, j: u32| first + i * (n + 1) + j;
@@ -45,7 +48,11 @@ pub fn mesh(n: u32) -> Mesh {
             }
         }
     }
-    Mesh::new(positions, normals, triangles).expect("the built-in data is sound")
+    let mapping = |t: &MeshTriangle| Mapping { material: 0, coordinates: t.positions };
+    let mappings = triangles.iter().map(mapping).collect();
+    let materials = Materials { textures: Vec::new(), materials: vec![Material::default()], coordinates, mappings };
+    let mesh = Mesh::new(positions, normals, triangles).and_then(|mesh| mesh.with_materials(materials));
+    mesh.expect("the built-in data is sound")
 }
 
 /// The teapot as [`mesh`] has it, with n x n faces of two triangles in each patch.

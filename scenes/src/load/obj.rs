@@ -4,8 +4,9 @@
 //! polyline, in the file's order. In a wireframe the outlines of faces become lines, not the cuts.
 
 use super::faces::cut;
-use super::material::{GREY, diffuse_colours};
+use super::material::{GREY, looks};
 use super::obj_scan::{Scan, scan};
+use super::surface::Surfaces;
 use crate::error::SceneError;
 use crate::input::{self, read_lines};
 use crate::mesh::{Mesh, MeshLine, MeshTriangle, smooth_normals};
@@ -29,29 +30,31 @@ pub(super) fn load(path: &Path, wireframe: bool) -> Result<Loaded, SceneError> {
     let scan = scan(path, &String::from_utf8_lossy(&bytes))?;
     let (mut files, mut warnings) = (vec![path.to_owned()], Vec::new());
     let has_normals = !wireframe && normals_are_whole(path, &scan, &mut warnings);
-    let colours = diffuse_colours(path, &scan, &mut files, &mut warnings)?;
-    let colour = |material: Option<usize>| material.map_or(GREY, |material| colours[material]);
+    let looks = looks(path, &scan, &mut files, &mut warnings)?;
+    let colour = |material: Option<usize>| material.map_or(GREY, |material| looks[material].colour);
     let mut parts = Parts::default();
     if wireframe {
         let mut sides = Sides::default();
         for face in &scan.faces {
             let corners: Vec<u32> =
-                face.corners.iter().map(|&(i, _)| parts.place(scan.positions[i as usize])).collect();
+                face.corners.iter().map(|corner| parts.place(scan.positions[corner.vertex as usize])).collect();
             sides.take(&parts.positions, &corners, colour(face.material));
         }
         parts.lines = sides.lines;
     } else {
+        parts.surfaces = Surfaces::new(path, &scan, &looks, &mut files, &mut warnings);
         let crossing = parts.add_faces(&scan, has_normals, colour);
         warnings.extend(crossing_faces(path, &crossing));
     }
     parts.add_polylines(&scan, colour);
-    Ok(Loaded { mesh: parts.mesh(path, has_normals.then_some(scan.normals))?, files, warnings })
+    let normals = has_normals.then(|| scan.normals.clone());
+    Ok(Loaded { mesh: parts.mesh(path, normals)?, files, warnings })
 }
 
 /// Whether every corner of every face names a normal; a warning if some do and others do not.
 fn normals_are_whole(path: &Path, scan: &Scan, warnings: &mut Vec<String>) -> bool {
-    let bare = scan.faces.iter().find(|face| face.corners.iter().any(|corner| corner.1.is_none()));
-    let some = || scan.faces.iter().flat_map(|face| &face.corners).any(|corner| corner.1.is_some());
+    let bare = scan.faces.iter().find(|face| face.corners.iter().any(|corner| corner.normal.is_none()));
+    let some = || scan.faces.iter().flat_map(|face| &face.corners).any(|corner| corner.normal.is_some());
     if let Some(face) = bare
         && some()
     {
@@ -76,15 +79,17 @@ fn crossing_faces(path: &Path, lines: &[usize]) -> Option<String> {
 
 /// The mesh under construction. Equal positions become one, so that normals are smooth across the parts of a file.
 #[derive(Default)]
-struct Parts {
+struct Parts<'a> {
     positions: Vec<DVec3>,
     index_of: BTreeMap<[u64; 3], u32>,
     triangles: Vec<MeshTriangle>,
     lines: Vec<MeshLine>,
     faces: Vec<u32>,
+    /// For deferred shading.
+    surfaces: Option<Surfaces<'a>>,
 }
 
-impl Parts {
+impl Parts<'_> {
     fn place(&mut self, position: DVec3) -> u32 {
         *self.index_of.entry(place(position)).or_insert_with(|| {
             self.positions.push(position);
@@ -96,7 +101,8 @@ impl Parts {
     fn add_faces(&mut self, scan: &Scan, has_normals: bool, colour: impl Fn(Option<usize>) -> [f64; 3]) -> Vec<usize> {
         let mut crossing = Vec::new();
         for face in &scan.faces {
-            let corners: Vec<DVec3> = face.corners.iter().map(|&(vertex, _)| scan.positions[vertex as usize]).collect();
+            let corners: Vec<DVec3> =
+                face.corners.iter().map(|corner| scan.positions[corner.vertex as usize]).collect();
             let cut = cut(&corners);
             if cut.crosses {
                 crossing.push(face.line);
@@ -110,10 +116,13 @@ impl Parts {
             for triangle in cut.triangles {
                 let positions = triangle.map(|i| places[i]);
                 let normals = match has_normals {
-                    true => triangle.map(|i| face.corners[i].1.unwrap_or_default()),
+                    true => triangle.map(|i| face.corners[i].normal.unwrap_or_default()),
                     false => positions,
                 };
                 self.triangles.push(MeshTriangle { positions, normals, diffuse });
+                if let Some(surfaces) = &mut self.surfaces {
+                    surfaces.add(face, triangle);
+                }
             }
         }
         crossing
@@ -131,7 +140,7 @@ impl Parts {
 
     /// The mesh, with these normals or with smooth ones.
     fn mesh(self, path: &Path, normals: Option<Vec<DVec3>>) -> Result<Mesh, SceneError> {
-        let Parts { positions, triangles, lines, faces, .. } = self;
+        let Parts { positions, triangles, lines, faces, surfaces, .. } = self;
         let has_area = |triangle: &MeshTriangle| {
             let [p, q, r] = triangle.positions.map(|i| positions[i as usize]);
             (q - p).cross(r - p) != DVec3::ZERO
@@ -149,6 +158,10 @@ impl Parts {
         }
         let smooth = || smooth_normals(&positions, &triangles.iter().map(|t| t.positions).collect::<Vec<_>>());
         let normals = normals.unwrap_or_else(smooth);
-        Mesh::new(positions, normals, triangles)?.with_faces(faces)?.with_lines(lines)
+        let mesh = Mesh::new(positions, normals, triangles)?.with_faces(faces)?.with_lines(lines)?;
+        match surfaces {
+            Some(surfaces) => mesh.with_materials(surfaces.materials()),
+            None => Ok(mesh),
+        }
     }
 }

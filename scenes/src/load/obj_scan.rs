@@ -6,7 +6,7 @@
 use super::lines::{At, logical_lines, numbers};
 use crate::error::SceneError;
 use crate::quote::{number, quote};
-use glam::{DVec3, dvec3};
+use glam::{DVec2, DVec3, dvec2, dvec3};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
@@ -15,6 +15,8 @@ use std::path::Path;
 pub(super) struct Scan {
     pub(super) positions: Vec<DVec3>,
     pub(super) normals: Vec<DVec3>,
+    /// Texture coordinates: u rightward, v upward.
+    pub(super) coordinates: Vec<DVec2>,
     /// Faces in order; at least one, unless there are lines.
     pub(super) faces: Vec<Face>,
     /// Polylines in order.
@@ -23,7 +25,6 @@ pub(super) struct Scan {
     pub(super) libraries: Vec<(usize, String)>,
     /// Different `usemtl` names with the lines of their first use, in order.
     pub(super) materials: Vec<(usize, String)>,
-    textures: usize,
 }
 
 /// A face: its line, its material by index in [`Scan::materials`], and at least three corners.
@@ -41,8 +42,13 @@ pub(super) struct Polyline {
     pub(super) vertices: Vec<u32>,
 }
 
-/// One corner of a face: vertex and normal, counted from 0.
-pub(super) type Corner = (u32, Option<u32>);
+/// One corner of a face: vertex, texture coordinate and normal, counted from 0.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Corner {
+    pub(super) vertex: u32,
+    pub(super) texture: Option<u32>,
+    pub(super) normal: Option<u32>,
+}
 
 /// The most corners of a face: cutting a face takes up to their square in time. And of a line, for simplicity.
 const MOST_CORNERS: usize = 16_384;
@@ -84,8 +90,8 @@ pub(super) fn scan(path: &Path, text: &str) -> Result<Scan, SceneError> {
             "v" => scan.positions.push(vertex(at, &words)?),
             "vn" => scan.normals.push(DVec3::from_array(numbers(at, keyword, &words, &[3])?)),
             "vt" => {
-                numbers::<3>(at, keyword, &words, &[1, 2, 3])?;
-                scan.textures += 1;
+                let [u, v, _] = numbers::<3>(at, keyword, &words, &[1, 2, 3])?;
+                scan.coordinates.push(dvec2(u, v));
             }
             "f" => {
                 let corners = face(at, &words, &scan)?;
@@ -171,20 +177,20 @@ const POLYLINE: Owner = Owner { name: "polyline", forms: "v or v/vt" };
 fn corner(at: At, word: &str, seen: &Scan) -> Result<Corner, SceneError> {
     let read = Reader { at, word, of: FACE };
     let mut parts = word.split('/');
-    let vertex = read.vertex(&mut parts, seen)?;
+    let (vertex, texture) = read.vertex(&mut parts, seen)?;
     let normal = match parts.next() {
         None | Some("") => None,
         Some(normal) => Some(read.index(normal, "normal", seen.normals.len())?),
     };
     read.end(parts)?;
-    Ok((vertex, normal))
+    Ok(Corner { vertex, texture, normal })
 }
 
 /// `v` or `v/vt`.
 fn polyline_corner(at: At, word: &str, seen: &Scan) -> Result<u32, SceneError> {
     let read = Reader { at, word, of: POLYLINE };
     let mut parts = word.split('/');
-    let vertex = read.vertex(&mut parts, seen)?;
+    let (vertex, _) = read.vertex(&mut parts, seen)?;
     read.end(parts)?;
     Ok(vertex)
 }
@@ -197,16 +203,18 @@ struct Reader<'a> {
 }
 
 impl Reader<'_> {
-    /// The vertex, which a texture coordinate may follow.
-    fn vertex<'w>(&self, parts: &mut impl Iterator<Item = &'w str>, seen: &Scan) -> Result<u32, SceneError> {
+    /// The vertex, and the texture coordinate that may follow it.
+    fn vertex<'w>(
+        &self,
+        parts: &mut impl Iterator<Item = &'w str>,
+        seen: &Scan,
+    ) -> Result<(u32, Option<u32>), SceneError> {
         let vertex = self.index(parts.next().unwrap_or_default(), "vertex", seen.positions.len())?;
-        match parts.next() {
-            None | Some("") => {}
-            Some(texture) => {
-                self.index(texture, "texture coordinate", seen.textures)?;
-            }
-        }
-        Ok(vertex)
+        let texture = match parts.next() {
+            None | Some("") => None,
+            Some(texture) => Some(self.index(texture, "texture coordinate", seen.coordinates.len())?),
+        };
+        Ok((vertex, texture))
     }
 
     /// An index counted from 0; in the file it counts from 1, and a negative one counts back from the last element so far.

@@ -10,15 +10,18 @@ use crate::camera::Part;
 use crate::error::SceneError;
 use crate::input::{self, read_lines};
 use crate::light::Light;
+use crate::material::{Material, Materials};
 use crate::mesh::representable;
 use crate::quote::{brief, quote, shown};
 use crate::scene::Scene;
 use crate::screen::nothing_in_front;
 use crate::size::Size;
+use crate::texture::{GENERATED, Texture, file};
 use glam::DVec3;
 use serde::Deserialize;
 use std::ops::Range;
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use toml::Spanned;
 
 #[derive(Deserialize)]
@@ -32,6 +35,8 @@ struct SceneTable {
     ambient: Option<Spanned<f64>>,
     #[serde(default)]
     camera: Table<CameraTable>,
+    #[serde(default)]
+    surface: Table<SurfaceTable>,
     #[serde(default, deserialize_with = "lights")]
     light: Option<Vec<Table<LightTable>>>,
 }
@@ -50,6 +55,18 @@ struct CameraTable {
 struct LightTable {
     toward: Spanned<Vector<f64, 3>>,
     intensity: Spanned<f64>,
+}
+
+#[derive(Deserialize, Default)]
+#[serde(deny_unknown_fields)]
+struct SurfaceTable {
+    texture: Option<Spanned<String>>,
+    specular: Option<Spanned<f64>>,
+    shininess: Option<Spanned<u32>>,
+}
+
+impl Keys for SurfaceTable {
+    const HEAD: &str = "`[surface]` above its keys";
 }
 
 impl Keys for CameraTable {
@@ -104,6 +121,7 @@ impl Source<'_> {
         scene.name = stem(self.path);
         scene.files.insert(0, self.path.to_owned());
         self.set_camera(&table.camera.0, &mut scene)?;
+        self.set_surface(&table.surface.0, &mut scene)?;
         if let Some(background) = &table.background {
             let channels = background.as_ref().0.map(u8::try_from);
             let [Ok(r), Ok(g), Ok(b)] = channels else {
@@ -212,6 +230,58 @@ impl Source<'_> {
         }
         scene.lighting = default_lighting(camera);
         Ok(())
+    }
+
+    /// What deferred shading is to show of all faces, whatever their own materials say.
+    fn set_surface(&self, table: &SurfaceTable, scene: &mut Scene) -> Result<(), SceneError> {
+        let SurfaceTable { texture, specular, shininess } = table;
+        if texture.is_none() && specular.is_none() && shininess.is_none() {
+            return Ok(());
+        }
+        let plain = || Materials::plain(Material::default(), scene.mesh.triangles().len());
+        let mut materials = scene.mesh.materials().cloned().unwrap_or_else(plain);
+        for material in &mut materials.materials {
+            if let Some(specular) = specular {
+                material.specular = *specular.as_ref();
+                self.place(specular.span(), material.check())?;
+            }
+            if let Some(shininess) = shininess {
+                material.shininess = *shininess.as_ref();
+                self.place(shininess.span(), material.check())?;
+            }
+        }
+        if let Some(name) = texture {
+            if !materials.has_coordinates() {
+                return Err(self.error(
+                    name.span(),
+                    "the mesh has no texture coordinates",
+                    "remove the key, or name a mesh that has them (`vt` in an .obj file)",
+                ));
+            }
+            materials.textures = vec![Ok(Arc::new(self.texture(name, &mut scene.files)?))];
+            materials.materials.iter_mut().for_each(|material| material.texture = Some(0));
+        }
+        scene.mesh = scene.mesh.clone().with_materials(materials)?;
+        Ok(())
+    }
+
+    /// A generated texture or a file's, whose path goes to `files`.
+    fn texture(&self, name: &Spanned<String>, files: &mut Vec<PathBuf>) -> Result<Texture, SceneError> {
+        let text = name.as_ref();
+        if let Some(texture) = Texture::generated(text) {
+            return Ok(texture);
+        }
+        let wrong = |problem: String, remedy: String| self.error(name.span(), problem, remedy);
+        if !Path::new(text).extension().is_some_and(|e| e.eq_ignore_ascii_case("png")) {
+            return Err(wrong(
+                format!("the texture {} is neither a .png file nor a generated one", quote(text)),
+                format!("name a .png file, or one of {}", GENERATED.join(", ")),
+            ));
+        }
+        let path = self.path.parent().unwrap_or(Path::new("")).join(text);
+        let texture = file::read(&path).map_err(|(problem, remedy)| wrong(problem, remedy))?;
+        files.push(path);
+        Ok(texture)
     }
 
     fn vector(&self, given: &Spanned<Vector<f64, 3>>) -> Result<(), SceneError> {

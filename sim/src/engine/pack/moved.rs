@@ -82,7 +82,7 @@ impl Words<'_> {
         while by > 0 {
             let moved = self.left(id, spread, by);
             let both = self.push(id, Kind::Binary(Binary::Or, spread, moved), words, width);
-            let kept = (0..width).filter(|bit| bit / by % 2 == 0).fold(0, |kept, bit| kept | 1 << bit);
+            let kept = (0..width).filter(|bit| (bit / by).is_multiple_of(2)).fold(0, |kept, bit| kept | 1 << bit);
             let kept = self.push(id, Kind::Const(Bits::new(width, kept)), words, width);
             spread = self.push(id, Kind::Binary(Binary::And, both, kept), words, width);
             by /= 2;
