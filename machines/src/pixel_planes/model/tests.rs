@@ -8,7 +8,7 @@ use tilewright_rtl::pixel_planes::instruction::{Instruction, Operation};
 use tilewright_rtl::pixel_planes::linear_tree::Coefficients;
 use tilewright_rtl::pixel_planes::machine::PixelPlanes5;
 use tilewright_rtl::pixel_planes::pixel::Source;
-use tilewright_rtl::pixel_planes::programs::{clear, flat, save};
+use tilewright_rtl::pixel_planes::programs::{Edges, Expression, FLAT, Surface, clear, save};
 use tilewright_scenes::Size;
 use tilewright_sim::Simulation;
 
@@ -183,7 +183,8 @@ fn config(renderers: u32, side_by_side: bool) -> Config {
 /// A vector through the whole region, in one colour.
 fn vector() -> Vec<Instruction<u64>> {
     let edges = [[64, -64, -300], [-64, 64, 300], [64, 64, -100], [-64, -64, 700]];
-    flat(8, &edges.map(|[a, b, c]| Coefficients { a, b, c }), 0xff)
+    let edges = edges.map(|[a, b, c]| Expression { a, b, c });
+    FLAT.draw(8, Edges::Own, &edges, &Surface::of_one_colour(Expression { a: 0, b: 0, c: 0 }, 0xff))
 }
 
 fn region_of(primitives: usize) -> Vec<Instruction<u64>> {
