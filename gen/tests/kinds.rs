@@ -50,7 +50,7 @@ fn a_memory_written_by_two_clocks() {
 fn a_table_too_long_for_the_text() {
     let build = |m: Module, i: Pair| {
         let table = m.memory("squares", 2000, 8, ReadUnderWrite::Old);
-        let table = table.words((0..1500).map(|at| at * at & 0xff));
+        let table = table.words((0..1500).map(|at| (at * at) & 0xff));
         table.read(cat![i.a.trunc(3), i.b]) ^ table.read(i.a.zext(11))
     };
     let text = clean("loaded", build);

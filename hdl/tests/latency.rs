@@ -77,7 +77,7 @@ fn registers_on_every_path_are_counted() {
 fn a_read_is_a_register() {
     is(
         |m, i| {
-            let squares = m.memory("squares", 256, 8, ReadUnderWrite::Any).words((0..256).map(|x| x * x & 0xff));
+            let squares = m.memory("squares", 256, 8, ReadUnderWrite::Any).words((0..256).map(|x| (x * x) & 0xff));
             [squares.read_when(i.go, i.a), m.pipe_when(i.go, "second", i.b)]
         },
         "1 clock with `go`",

@@ -7,7 +7,7 @@ use serde::Serialize;
 use tilewright_rtl::parameter::ParameterError;
 use tilewright_rtl::pixel_planes::instruction::Instruction;
 use tilewright_rtl::pixel_planes::programs::Program;
-use tilewright_rtl::pixel_planes::schedule::Schedule;
+use tilewright_rtl::pixel_planes::schedule::{Schedule, Step};
 use tilewright_scenes::Polygons;
 
 use super::bin::{Bin, Work};
@@ -85,7 +85,7 @@ impl Clocked {
     /// Takes what is done to a region.
     pub fn region(&mut self, instructions: &[Instruction<u64>]) {
         for instruction in instructions {
-            self.schedule.take(instruction);
+            self.schedule.take(&Step::from(instruction));
         }
     }
 

@@ -4,15 +4,71 @@
 
 use super::instruction::Instruction;
 
-/// When a controller takes instructions that come in time, and when it sends the first bit of each; a region that is saved finds the store free.
+/// An instruction without what it computes: which parts of a renderer it takes, and for how long.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Step {
+    /// It takes the tree, or changes `enable`.
+    pub on_tree: bool,
+    /// It takes memory or flags.
+    pub on_memory: bool,
+    /// It saves the region.
+    pub saves: bool,
+    /// Bits of an expression before the word, which take the tree alone.
+    pub skip: u8,
+    /// Bits of the word.
+    pub length: u8,
+}
+
+impl Step {
+    /// Those of a program.
+    ///
+    /// ```
+    /// use tilewright_rtl::pixel_planes::{programs::clear, schedule::Step};
+    ///
+    /// let clocks: Vec<u64> = Step::of(&clear(0xff)).iter().map(Step::clocks).collect();
+    /// assert_eq!(clocks, [24, 24]);
+    /// ```
+    pub fn of(program: &[Instruction<u64>]) -> Vec<Step> {
+        program.iter().map(Step::from).collect()
+    }
+
+    /// One that takes the tree alone for so many clocks, 1 to 64, as a test of an edge does.
+    ///
+    /// # Panics
+    /// No instruction takes as long.
+    pub fn on_tree(clocks: u64) -> Step {
+        assert!((1..=64).contains(&clocks), "a test takes 1 to 64 clocks");
+        Step { on_tree: true, on_memory: false, saves: false, skip: clocks as u8 - 1, length: 1 }
+    }
+
+    /// Clocks from its first bit to the one behind its last.
+    pub fn clocks(&self) -> u64 {
+        u64::from(self.skip) + u64::from(self.length)
+    }
+}
+
+impl From<&Instruction<u64>> for Step {
+    fn from(instruction: &Instruction<u64>) -> Step {
+        let code = instruction.microcode();
+        Step {
+            on_tree: code.on_tree == 1,
+            on_memory: code.on_memory == 1,
+            saves: code.saves == 1,
+            skip: instruction.skip as u8,
+            length: instruction.length as u8,
+        }
+    }
+}
+
+/// When a controller takes instructions, and when it sends the first bit of each.
 ///
 /// ```
 /// use tilewright_rtl::pixel_planes::programs::{Expression, flat};
-/// use tilewright_rtl::pixel_planes::schedule::{Schedule, Times};
+/// use tilewright_rtl::pixel_planes::schedule::{Schedule, Step, Times};
 ///
 /// let program = flat(8, &[Expression { a: 1, b: 0, c: -3 }], 0xff_80_00);
 /// let mut schedule = Schedule::new(true);
-/// let times: Vec<Times> = program.iter().map(|instruction| schedule.take(instruction)).collect();
+/// let times: Vec<Times> = Step::of(&program).iter().map(|step| schedule.take(step)).collect();
 /// // An edge of 4 bits, a clock in which the flags are set, and then the colour.
 /// assert_eq!(times.iter().map(|it| it.taken).collect::<Vec<_>>(), [0, 4, 5]);
 /// assert_eq!(times[2], Times { taken: 5, begins: 6, ends: 30 });
@@ -20,16 +76,16 @@ use super::instruction::Instruction;
 #[derive(Debug, Clone)]
 pub struct Schedule {
     side_by_side: bool,
-    /// The first clock in which the next instruction may be taken.
+    /// The clock behind that in which the last instruction was taken.
     next: u64,
     /// The clock of the last bit on the tree.
-    tree_last: u64,
-    /// The clock of the last bit of what of that needs the memory.
-    word_last: u64,
-    /// The clock of the last bit on the memory alone.
-    memory_last: u64,
-    /// When what waits for the memory leaves its place.
-    place_free: u64,
+    tree: u64,
+    /// The clock of the last bit on the tree of what needs the memory, too.
+    word: u64,
+    /// The clock of the last bit of what is on the memory alone.
+    memory: u64,
+    /// What waits for the memory leaves its place.
+    place: u64,
 }
 
 /// The clocks of an instruction.
@@ -46,41 +102,47 @@ pub struct Times {
 impl Schedule {
     /// Of a controller at rest, at clock 0.
     pub fn new(side_by_side: bool) -> Schedule {
-        Schedule { side_by_side, next: 0, tree_last: 0, word_last: 0, memory_last: 0, place_free: 0 }
+        Schedule { side_by_side, next: 0, tree: 0, word: 0, memory: 0, place: 0 }
     }
 
-    /// Takes the next instruction.
-    pub fn take(&mut self, instruction: &Instruction<u64>) -> Times {
-        let code = instruction.microcode();
-        let clocks = instruction.skip + instruction.length;
-        let mut taken = self.next;
-        if !self.side_by_side {
-            taken = taken.max(self.tree_last).max(self.memory_last);
+    /// The first clock in which it would take the next instruction, if that is this one; a save, if the store is free.
+    pub fn ready(&self, step: &Step) -> u64 {
+        let in_turn = if self.side_by_side { self.next } else { self.next.max(self.tree).max(self.memory) };
+        match (step.on_tree, step.on_memory) {
+            (true, false) => in_turn.max(self.tree),
+            // The memory has to be done with what it has when the word comes.
+            (true, true) => in_turn.max(self.tree).max(self.memory.saturating_sub(step.skip.into())),
+            (false, _) => in_turn.max(self.place).max(self.word),
         }
-        let begins;
-        if code.on_tree == 1 {
-            taken = taken.max(self.tree_last);
-            if code.on_memory == 1 {
-                taken = taken.max(self.memory_last.saturating_sub(instruction.skip));
-            }
-            begins = taken + 1;
-            self.tree_last = taken + clocks;
-            if code.on_memory == 1 {
-                self.word_last = self.tree_last;
-            }
-        } else {
-            taken = taken.max(self.place_free).max(self.word_last);
-            begins = (taken + 1).max(self.memory_last + 1);
-            self.place_free = begins - 1;
-            self.memory_last = begins + clocks - 1;
-        }
+    }
+
+    /// Takes the next instruction, which has come in time.
+    pub fn take(&mut self, step: &Step) -> Times {
+        self.take_at(step, self.ready(step))
+    }
+
+    /// Takes the next instruction in that clock, in which it is ready for it.
+    pub fn take_at(&mut self, step: &Step, taken: u64) -> Times {
         self.next = taken + 1;
-        Times { taken, begins, ends: begins + clocks }
+        if step.on_tree {
+            self.tree = taken + step.clocks();
+            if step.on_memory {
+                self.word = self.tree;
+            }
+            return Times { taken, begins: taken + 1, ends: self.tree + 1 };
+        }
+        self.place = taken.max(self.memory);
+        self.memory = self.place + step.clocks();
+        Times { taken, begins: self.place + 1, ends: self.memory + 1 }
     }
 
     /// The clock in which an instruction that needs the tree alone would be taken now, as each primitive begins with one.
     pub fn tree_free(&self) -> u64 {
-        let free = self.next.max(self.tree_last);
-        if self.side_by_side { free } else { free.max(self.memory_last) }
+        self.ready(&Step::on_tree(1))
+    }
+
+    /// The first clock in which nothing is under way.
+    pub fn idle(&self) -> u64 {
+        self.tree.max(self.memory) + 1
     }
 }

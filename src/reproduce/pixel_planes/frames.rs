@@ -134,14 +134,15 @@ fn milliseconds(clocks: u64) -> f64 {
 /// Renderers in a row of the heat map.
 const ROW: usize = 8;
 
-/// How busy each renderer was.
+/// How much each renderer drew.
 fn load(drawn: &Drawn) -> HeatMap {
     let Drawn { load: Load { name, .. }, report, .. } = drawn;
-    let busy = |it: &RendererReport| 100.0 * it.busy as f64 / report.drawn.max(1) as f64;
-    let rows = report.renderers.chunks(ROW).map(|row| row.iter().map(|it| busy(it).round()).collect());
+    let working = |it: &RendererReport| 100.0 * it.working() as f64 / report.drawn.max(1) as f64;
+    let rows = report.renderers.chunks(ROW).map(|row| row.iter().map(|it| working(it).round()).collect());
     let title = format!("{name}: load of each renderer");
     HeatMap::new(format!("{name}-load"), title, "% of the clocks", drawn.origin(), rows).note(format!(
-        "Renderers 0 to {} above the others; the worst has {} primitives, the mean is {:.0}.",
+        "Clocks in which it waited neither for an instruction nor until a region was sent. Renderers 0 to {} above the others; the worst has {} \
+         primitives, the mean is {:.0}.",
         ROW - 1,
         report.worst_load(),
         report.binned() as f64 / report.renderers.len() as f64

@@ -63,7 +63,15 @@ fn regions(loads: &Loads, frames: &[Drawn]) -> Vec<Statement> {
         .found(Origin::count([]), of_surfaces(Load::regions)),
         Statement::new(
             "PP5-ARCH",
-            format!("Regions are given to renderers so that these process nearly equal numbers of primitives: {RENDERERS} renderers."),
+            format!("Regions are given to renderers so that these process nearly equal numbers of primitives: {RENDERERS} renderers that wait for nothing."),
+            Rule::Within { percent: 10.0 },
+        )
+        .unit("worst load, in parts of the mean")
+        .paper([1.0])
+        .found(loads.origin(), loads.scenes.iter().map(|load| (load.name, load.imbalance(RENDERERS)))),
+        Statement::new(
+            "PP5-ARCH",
+            format!("Likewise, with a ring of {}: frames of the circuit.", ring_in_words()),
             Rule::Within { percent: 10.0 },
         )
         .unit("worst load, in parts of the mean")
@@ -310,6 +318,7 @@ fn update_times(times: &Times) -> Vec<Statement> {
             times
                 .by_renderers(Config::RING)
                 .iter()
+                .rev()
                 .map(|run| (format!("B = {}", run.spec.renderers), run.model.starved)),
         ),
         Statement::new("PP5-UTV", format!("{example}: by the formula, with N = {VECTOR_CYCLES}."), WITHIN)

@@ -28,7 +28,7 @@ pub fn section(plan: &Plan, times: &Times, table: &Table) -> Section {
         .part(charts.against(&BY_SIDE))
         .paragraph(
             "A frame takes time of its own, which the formula leaves out: every region is cleared, saved and sent, also where nothing is drawn. Of few \
-             vectors that is most of it.",
+             vectors that is most of it; and with many renderers, or small regions, these have to wait until what they drew before is sent.",
         )
         .part(charts.against(&BY_VECTORS))
         .paragraph(format!(
@@ -52,7 +52,7 @@ fn cycles(table: &Table) -> tilewright_report::Table {
          239 ns a vector are {VECTOR_CYCLES} clocks."
     );
     let empty = tilewright_report::Table::new("cycles", "N of each program", columns).note(note);
-    table.rows.chunks_exact(2).fold(empty, |printed, pair| {
+    table.rows.chunks_exact(2).filter(|pair| pair[0].mean.is_some()).fold(empty, |printed, pair| {
         let [alone, beside] = [&pair[0], &pair[1]];
         let words = [alone.program.to_owned(), alone.primitives.to_string(), alone.edges.to_owned()].map(Cell::from);
         let worst = |row: &Row| Cell::Number(row.worst as f64);

@@ -82,8 +82,8 @@ fn loads_are_within_their_bounds_and_those_of_the_circuit(folder: &Folder) {
     for frame in lines(folder, "report/frames.csv") {
         assert_eq!(number(&frame, 3), number(of(&frame[0]), 6), "{frame:?}");
     }
-    let busy: Vec<f64> = lines(folder, "report/teapot-load.csv").map(|cells| cells[2].parse().unwrap()).collect();
-    assert_eq!((busy.len(), busy.iter().copied().fold(0.0, f64::max)), (16, 100.0));
+    let drawing: Vec<f64> = lines(folder, "report/teapot-load.csv").map(|cells| cells[2].parse().unwrap()).collect();
+    assert!(drawing.len() == 16 && drawing.iter().all(|part| (1.0..100.0).contains(part)), "{drawing:?}");
 }
 
 /// The paper's 239 ns; and no run is faster than the line of its ring, or the circuit than the model.

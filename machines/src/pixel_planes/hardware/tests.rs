@@ -32,7 +32,8 @@ fn followed(change: impl FnOnce(&mut RendererTiming)) -> Result<usize, Error> {
 #[test]
 fn a_model_that_is_wrong_by_a_clock_is_found() {
     assert_eq!(followed(|_| ()).expect("the model is right"), 2 * 48 * 8);
-    let changes: [(&str, fn(&mut RendererTiming)); 6] = [
+    type Change = fn(&mut RendererTiming);
+    let changes: [(&str, Change); 6] = [
         ("taken", |it| it.taken[2] += 1),
         ("taken", |it| it.taken[5] -= 1),
         ("ended", |it| it.ended.iter_mut().for_each(|clock| *clock += 1)),

@@ -4,8 +4,9 @@ use tilewright_scenes::golden::{render, render_strict};
 use tilewright_scenes::{Scene, Size, compare, project_polygons};
 
 use super::*;
+use crate::pixel_planes::model::Model;
+use crate::pixel_planes::report::RegionReport;
 use crate::pixel_planes::{Edges, allocate, scene_clocks};
-use crate::pixel_planes::{RegionReport, RendererReport};
 
 /// A scene's frame and report, which is that of the golden rasterizer.
 fn drawn(name: &str, size: (u32, u32), config: impl Fn(Config) -> Config) -> Report {
@@ -57,11 +58,11 @@ fn the_clocks_of_programs_are_those_of_the_renderers() {
         let report = drawn("teapot", (40, 30), |_| config.clone());
         assert_eq!(report.programs, clocks.used().collect::<Vec<_>>());
         assert_eq!(report.programs.iter().map(|it| it.program).collect::<Vec<_>>(), expected);
-        // One at a time what a renderer does but wait is its primitives, and what each of its regions takes by itself.
-        let clocks: u64 = report.programs.iter().map(|it| it.clocks).sum();
-        let working: u64 = report.renderers.iter().map(RendererReport::working).sum();
-        assert_eq!(working, clocks + Model::REGION_OVERHEAD * report.regions.len() as u64);
+        // One at a time a region takes its primitives, what any region takes, and the clocks in which it waits.
         let sum = |of: fn(&RegionReport) -> u64| report.regions.iter().map(of).sum::<u64>();
+        let primitives: u64 = report.programs.iter().map(|it| it.clocks).sum();
+        let regions = Model::REGION_OVERHEAD * report.regions.len() as u64;
+        assert_eq!(sum(|it| it.clocks - it.starved - it.waited_for_store), primitives + regions);
         assert_eq!(report.programs.iter().map(|it| it.primitives).sum::<u64>(), sum(|it| it.drawn));
     }
 }

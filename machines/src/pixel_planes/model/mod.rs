@@ -15,18 +15,14 @@
 //!
 //! | file | what is in it |
 //! |---|---|
-//! | `step` | what an instruction takes |
-//! | `controller` | when an instruction is taken, and begins |
 //! | `renderer` | queue, controller and backing store of a renderer |
 //! | `ring` | whose turn it is, and what the credit pays for |
 //! | `allocator` | which renderer gets the next region |
 //! | `timing` | what came of it |
 
 mod allocator;
-mod controller;
 mod renderer;
 mod ring;
-mod step;
 mod timing;
 
 use tilewright_rtl::parameter::ParameterError;
@@ -36,7 +32,7 @@ use self::renderer::Renderer;
 use self::ring::Ring;
 use super::config::Config;
 
-pub use step::Step;
+pub use tilewright_rtl::pixel_planes::schedule::Step;
 pub use timing::{RegionTiming, RendererTiming, RingTiming, Starved, Timing};
 
 /// The model of a machine.

@@ -2,9 +2,8 @@
 
 use tilewright_rtl::pixel_planes::fields;
 use tilewright_rtl::pixel_planes::linear_tree::LinearTree;
+use tilewright_rtl::pixel_planes::schedule::{Schedule, Step};
 
-use super::controller::Controller;
-use super::step::Step;
 use super::timing::RendererTiming;
 
 pub(super) struct Renderer<'a> {
@@ -13,7 +12,7 @@ pub(super) struct Renderer<'a> {
     planes: usize,
     /// Clocks from the first bit of a save to the first plane that can go.
     save_to_plane: u64,
-    controller: Controller,
+    controller: Schedule,
     /// What its region has still to receive, and the clock in which it got that.
     steps: std::slice::Iter<'a, Step>,
     given: u64,
@@ -34,7 +33,7 @@ impl<'a> Renderer<'a> {
             planes: (side * word) as usize,
             // Its bits have gone through the pixels' pipeline, and the first plane is read.
             save_to_plane: u64::from(LinearTree { side }.latency() + word + 1),
-            controller: Controller::new(side_by_side),
+            controller: Schedule::new(side_by_side),
             steps: [].iter(),
             given: 0,
             save: None,
@@ -77,9 +76,9 @@ impl<'a> Renderer<'a> {
     }
 
     fn take(&mut self, step: &Step, clock: u64) -> u64 {
-        let [begins, ends] = self.controller.take(step, clock);
-        self.timing.take(clock, begins, ends);
-        begins
+        let times = self.controller.take_at(step, clock);
+        self.timing.take(times);
+        times.begins
     }
 
     /// If the save of its region has come and the store is free: the clocks in which the first plane can go, and from which on it can be given

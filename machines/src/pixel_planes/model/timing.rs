@@ -2,7 +2,7 @@
 
 use super::renderer::Renderer;
 use super::ring::Ring;
-use super::step::Step;
+use tilewright_rtl::pixel_planes::schedule::{Step, Times};
 
 /// The clocks of a run, counted from that in which the first region is given.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -118,10 +118,10 @@ impl RendererTiming {
         }
     }
 
-    pub(super) fn take(&mut self, clock: u64, begins: u64, ends: u64) {
-        self.taken.push(clock);
+    pub(super) fn take(&mut self, Times { taken, begins, ends }: Times) {
+        self.taken.push(taken);
         self.begun.push(begins);
-        self.ended.push(ends);
+        self.ended.push(ends - 1);
     }
 
     /// Its region has been saved, after so many clocks in which the store was not free.

@@ -7,7 +7,7 @@ use super::super::pixel::{Enabling, Mask};
 use super::super::programs::{
     Edges, Expression, FLAT, FLAT_LEAST, FLAT_STRICT, Program, SMOOTH_LEAST, SMOOTH_STRICT, Surface, save,
 };
-use super::super::schedule::{Schedule, Times};
+use super::super::schedule::{Schedule, Step, Times};
 use super::super::testing::instructions;
 use super::*;
 
@@ -217,7 +217,7 @@ proptest! {
         sim.set(sim.i.store_free, 1);
         sim.set(sim.i.side_by_side, u64::from(side_by_side));
         let mut schedule = Schedule::new(side_by_side);
-        let times: Vec<Times> = program.iter().map(|instruction| schedule.take(instruction)).collect();
+        let times: Vec<Times> = Step::of(&program).iter().map(|step| schedule.take(step)).collect();
         let end = times.iter().map(|it| it.ends).max().unwrap();
         let mut seen = Vec::new();
         let taken = watched(&mut sim, &program, end + LATE + 2, |_, out| seen.push(out));
