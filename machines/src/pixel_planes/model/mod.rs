@@ -47,7 +47,7 @@ pub use timing::{RegionTiming, RendererTiming, RingTiming, Starved, Timing};
 ///     let (begin, end) = (Step::of(&clear(0)), Step::of(&save(0)));
 ///     [begin, vec![Step::on_tree(47); 2 * primitives], end].concat()
 /// };
-/// let config = Config { renderers: 2, ..Config::new(Size::VGA) };
+/// let config = Config { renderers: 2, ring: Config::AMPLE_RING, ..Config::new(Size::VGA) };
 /// let timing = Model::new(&config)?.run(&[steps(1000), steps(1000), steps(10)]);
 /// // The third goes to the one that is free first.
 /// assert_eq!(timing.renderers[0].regions, [0, 2]);

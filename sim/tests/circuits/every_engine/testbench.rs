@@ -51,6 +51,19 @@ fn outputs_settle_and_registers_step() {
 }
 
 #[test]
+fn a_run_of_no_cycles_does_nothing() {
+    let mut sim = of(&COUNTER);
+    sim.set(sim.i.enable, 1);
+    for cycles in [0, 1, 4] {
+        sim.run(cycles);
+        let before = (sim.time(), sim.get_u64(sim.o.count));
+        sim.run(0);
+        assert_eq!((sim.time(), sim.get_u64(sim.o.count)), before);
+    }
+    assert_eq!(sim.cycles("clk"), Ok(5));
+}
+
+#[test]
 fn a_stream_gives_the_outputs_of_every_cycle() {
     let mut sim = of(&COUNTER);
     let counts = sim.stream([1, 1, 0, 1].map(|enable| CounterIn { enable })).into_iter().map(|out| out.count);
