@@ -17,11 +17,15 @@
 //! |---|---|
 //! | [`compositor`] | of two pixels, the nearer, byte by byte |
 //! | [`network_port`] | the compositors of a node, and whose turn it is |
+//! | [`instruction`] | what a node is told to do |
+//! | [`pixel`] | a pixel's ALU, flags and memory |
 
 use crate::prelude::Period;
 
 pub mod compositor;
+pub mod instruction;
 pub mod network_port;
+pub mod pixel;
 
 /// The time of a transfer: 200 MHz (PFL-NET).
 pub const TRANSFER: Period = Period::ns(5);
