@@ -70,8 +70,11 @@ fn in_words(case: &Case) -> &'static str {
     }
 }
 
+/// What a stage takes.
+type Stage = fn(&Times) -> f64;
+
 /// The stages of a frame.
-const STAGES: [(&str, fn(&Times) -> f64); 6] = [
+const STAGES: [(&str, Stage); 6] = [
     ("front end", |it| it.front),
     ("second pass", |it| it.generate),
     ("rasterizers", |it| it.rasterize),
