@@ -1,11 +1,13 @@
 //! The entries of PixelFlow's node and its parts.
 
-use tilewright_hdl::{Bits, Codes, Scenario, Script, elaborate_at};
+use tilewright_hdl::{Bits, Codes, Scenario, Script, Stream, elaborate_at};
 
 use super::shared::idle;
 use super::{Entry, Parameter, Values};
 use crate::parameter::ParameterError;
 use crate::pixelflow::compositor::{Compositor, CompositorIn, Mode};
+use crate::pixelflow::controller::{ArrayController, ArrayControllerIn};
+use crate::pixelflow::instruction::{Instruction, Sync};
 use crate::pixelflow::linear_evaluator::{Coefficients, LinearEvaluator, LinearEvaluatorIn};
 use crate::pixelflow::network_port::{NetworkPort, NetworkPortIn, Transfer};
 use crate::pixelflow::pixel::{
@@ -46,6 +48,14 @@ pub(super) const COMPOSITOR: Entry = Entry {
     scenario: |values| Ok(two_bytes(&compositor(values))),
 };
 
+pub(super) const ARRAY_CONTROLLER: Entry = Entry {
+    name: "array-controller",
+    summary: "takes instructions, and controls the linear evaluator and all pixels",
+    parameters: &[WIDTH, HEIGHT],
+    design: |values| Ok(elaborate_at(&controller(values)?, CLOCK)?),
+    scenario: |values| Ok(drawn_and_given(&controller(values)?)),
+};
+
 pub(super) const LINEAR_EVALUATOR: Entry = Entry {
     name: "linear-evaluator",
     summary: "evaluates A x + B y + C at all pixels, a byte a clock",
@@ -61,6 +71,11 @@ pub(super) const PIXEL: Entry = Entry {
     design: |values| Ok(elaborate_at(&pixel(values), CLOCK)?),
     scenario: |values| Ok(add_compare_and_copy(&pixel(values))),
 };
+
+fn controller(values: &Values) -> Result<ArrayController, ParameterError> {
+    let [width, height] = extents(values.get_u32("width"), values.get_u32("height"))?;
+    Ok(ArrayController { width, height })
+}
 
 fn linear_evaluator(values: &Values) -> Result<LinearEvaluator, ParameterError> {
     let [width, height] = extents(values.get_u32("width"), values.get_u32("height"))?;
@@ -131,6 +146,58 @@ fn composed_and_unloaded(port: &NetworkPort) -> Scenario {
 fn in_each_chip(port: &NetworkPort, byte: u64) -> Bits {
     let byte = Bits::new(BYTE, byte);
     (1..port.chips).fold(byte.clone(), |bytes, _| bytes.concat(&byte))
+}
+
+/// A byte of depth inside an edge, in the bank that the network has next.
+fn depth_inside_an_edge() -> [Instruction<u64>; 4] {
+    let (source, everybody) = (Source::Expression.code(), Mask::Everybody.code());
+    let fill = Instruction { mask: everybody, stores: 1, length: 2, write: 256, c: 0xffff, ..Instruction::NOTHING };
+    let edge = Instruction {
+        source,
+        condition: Condition::Positive.code(),
+        enabling: Enabling::Replace.code(),
+        skip: 1,
+        a: 1,
+        c: (1 << 40) - 3,
+        ..Instruction::NOTHING
+    };
+    let mask = Mask::Enabled.code();
+    let depth = Instruction {
+        source,
+        mask,
+        stores: 1,
+        skip: 1,
+        length: 2,
+        write: 256,
+        a: 0x180,
+        b: 0x2000,
+        ..Instruction::NOTHING
+    };
+    let give = Instruction { sync: Sync::GiveBank.code(), ..Instruction::NOTHING };
+    [fill, edge, depth, give]
+}
+
+fn drawn_and_given(controller: &ArrayController) -> Scenario {
+    let inputs = |valid, instruction, bank_done| ArrayControllerIn {
+        instructions: Stream::of(valid, instruction),
+        side_by_side: 0,
+        bank_done,
+        texture_done: 0,
+    };
+    let mut script = Script::new(controller, CLOCK);
+    let mut before = 1;
+    for instruction in depth_inside_an_edge() {
+        script.hold(&inputs(1, instruction, 0), before);
+        before = instruction.clocks();
+    }
+    // The bank is awaited, and the network has done with it in the last clock of these.
+    let wait = Instruction { sync: Sync::AwaitBank.code(), ..Instruction::NOTHING };
+    script.hold(&inputs(1, wait, 0), 4);
+    script.clock(&inputs(1, wait, 1));
+    script.clock(&inputs(1, wait, 0));
+    script.clock(&inputs(0, wait, 0));
+    script.wait(u64::from(controller.width.max(controller.height).trailing_zeros()) + 2);
+    script.finish("a word is cleared, and evaluated inside an edge; its bank is given to the network, and awaited")
 }
 
 fn two_expressions(evaluator: &LinearEvaluator) -> Scenario {

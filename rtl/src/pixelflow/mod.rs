@@ -18,16 +18,22 @@
 //! | [`compositor`] | of two pixels, the nearer, byte by byte |
 //! | [`network_port`] | the compositors of a node, and whose turn it is |
 //! | [`instruction`] | what a node is told to do |
+//! | [`controller`] | what takes instructions and controls evaluator and pixels |
 //! | [`linear_evaluator`] | A x + B y + C at all pixels |
 //! | [`pixel`] | a pixel's ALU, flags and memory |
 
 use crate::prelude::{ParameterError, Period};
 
 pub mod compositor;
+pub mod controller;
 pub mod instruction;
 pub mod linear_evaluator;
+#[cfg(test)]
+mod model;
 pub mod network_port;
 pub mod pixel;
+#[cfg(test)]
+mod testing;
 
 /// The period of the pixels' clock: 100 MHz (facts E4).
 pub const CLOCK: Period = Period::ns(10);

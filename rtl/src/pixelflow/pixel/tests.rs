@@ -3,6 +3,7 @@
 use proptest::prelude::*;
 use tilewright_sim::Simulation;
 
+use super::super::model::Pixel;
 use super::*;
 
 type Processor = Simulation<PixelProcessorIn, PixelProcessorOut>;
@@ -102,73 +103,6 @@ fn the_enable_flags_are_a_stack() {
     }
 }
 
-/// What a processor holds, and what its control makes of it: by the words of [`Control`] and its codes alone.
-struct Held {
-    /// With the communication registers.
-    memory: Vec<u64>,
-    accumulator: u64,
-    carry: u64,
-    /// The top one first.
-    enable: Vec<u64>,
-    flag: u64,
-}
-
-impl Held {
-    fn new(depth: u32) -> Held {
-        let (memory, enable) = (vec![0; PixelProcessor::BYTES as usize], vec![0; depth as usize]);
-        Held { memory, accumulator: 0, carry: 0, enable, flag: 0 }
-    }
-
-    fn step(&mut self, c: &Control<u64>, expression: u64) {
-        let w = self.memory[c.read as usize];
-        let x = [c.constant, expression, self.accumulator][c.source as usize];
-        let carry = [self.carry, 0, 1][c.begin as usize];
-        let difference = w + (255 - x) + carry;
-        let (result, carry) = match Function::ALL[c.function as usize] {
-            Function::Operand => (x, self.carry),
-            Function::Word => (w, self.carry),
-            Function::Add => ((w + x + carry) % 256, (w + x + carry) / 256),
-            Function::Subtract => (difference % 256, difference / 256),
-            Function::Compare => (x, difference / 256),
-            Function::And => (w & x, self.carry),
-            Function::Or => (w | x, self.carry),
-            Function::ExclusiveOr => (w ^ x, self.carry),
-            Function::ShiftLeft => (w * 2 % 256 + carry, w / 128),
-            Function::ShiftRight => (w / 2 + 128 * carry, w % 2),
-        };
-        self.carry = carry;
-        let holds = [u64::from(x < 128), carry, 1 - carry][c.condition as usize];
-        let (top, flag) = (self.enable[0], self.flag);
-        self.flag = [flag, holds, holds * top][c.flagging as usize];
-
-        let enters = if c.by_sign == 1 { u64::from(expression < 128) } else { holds };
-        match Enabling::ALL[c.enabling as usize] {
-            Enabling::Keep => {}
-            Enabling::Set => self.enable[0] = 1,
-            Enabling::Replace => self.enable[0] = enters,
-            Enabling::Restrict => self.enable[0] = top * enters,
-            Enabling::Push => {
-                self.enable.insert(0, top * enters);
-                self.enable.pop();
-            }
-            Enabling::Invert => self.enable[0] = self.enable[1] * (1 - top),
-            Enabling::Pop => {
-                self.enable.remove(0);
-                self.enable.push(*self.enable.last().unwrap());
-            }
-        }
-
-        if [0, 1, top, flag][c.mask as usize] == 1 {
-            if c.stores == 1 {
-                self.memory[c.write as usize] = result;
-            }
-            if c.accumulates == 1 {
-                self.accumulator = result;
-            }
-        }
-    }
-}
-
 fn controls() -> impl Strategy<Value = Control<u64>> {
     // Few addresses, so that what is written is read; some of them in the registers.
     let address = || prop_oneof![Just(255), Just(256), Just(383), 0..3u64, 300..302u64];
@@ -205,25 +139,25 @@ proptest! {
         all in prop::collection::vec((controls(), 0..256u64), 1..300),
     ) {
         let mut sim = started(depth);
-        let mut held = Held::new(depth);
+        let mut pixel = Pixel::new(depth);
         for (control, expression) in all {
             // The registers are outside.
             let is_register = |address: u64| address >= PixelProcessor::REGISTERS.into();
-            let register = if is_register(control.read) { held.memory[control.read as usize] } else { 0x5a };
+            let register = if is_register(control.read) { pixel.memory[control.read as usize] } else { 0x5a };
             sim.drive(PixelProcessorIn { control, expression, register_byte: register });
-            prop_assert_eq!(sim.peek("word").unwrap().to_u64(), Some(held.memory[control.read as usize]));
+            prop_assert_eq!(sim.peek("word").unwrap().to_u64(), Some(pixel.memory[control.read as usize]));
             let (result, writes) = (sim.get_u64(sim.o.result), sim.get_u64(sim.o.writes_register) == 1);
-            let before = held.memory.clone();
-            held.step(&control, expression);
+            let before = pixel.memory.clone();
+            pixel.step(&control, expression);
             if writes {
                 prop_assert!(is_register(control.write));
-                prop_assert_eq!(result, held.memory[control.write as usize]);
+                prop_assert_eq!(result, pixel.memory[control.write as usize]);
             } else {
-                prop_assert_eq!(&before[256..], &held.memory[256..]);
+                prop_assert_eq!(&before[256..], &pixel.memory[256..]);
             }
             sim.step();
-            let enable = held.enable.iter().rev().fold(0, |flags, flag| flags << 1 | flag);
-            let state = [("accumulator", held.accumulator), ("carry", held.carry), ("enable", enable), ("flag", held.flag)];
+            let enable = pixel.enable.iter().rev().fold(0, |flags, flag| flags << 1 | flag);
+            let state = [("accumulator", pixel.accumulator), ("carry", pixel.carry), ("enable", enable), ("flag", pixel.flag)];
             for (name, expected) in state {
                 prop_assert_eq!(sim.peek(name).unwrap().to_u64(), Some(expected), "{}", name);
             }
