@@ -13,7 +13,7 @@ use crate::pixelflow::network_port::{NetworkPort, NetworkPortIn, Transfer};
 use crate::pixelflow::pixel::{
     Begin, Condition, Control, Enabling, Flagging, Function, Mask, PixelProcessor, PixelProcessorIn, Source,
 };
-use crate::pixelflow::{CLOCK, TRANSFER, extents};
+use crate::pixelflow::{ARRAY, TRANSFER, extents};
 
 const WIDTH: Parameter =
     Parameter { name: "width", default: 8, min: 2, max: 256, meaning: "pixels in a line of a region, a power of two" };
@@ -52,7 +52,7 @@ pub(super) const ARRAY_CONTROLLER: Entry = Entry {
     name: "array-controller",
     summary: "takes instructions, and controls the linear evaluator and all pixels",
     parameters: &[WIDTH, HEIGHT],
-    design: |values| Ok(elaborate_at(&controller(values)?, CLOCK)?),
+    design: |values| Ok(elaborate_at(&controller(values)?, ARRAY.period)?),
     scenario: |values| Ok(drawn_and_given(&controller(values)?)),
 };
 
@@ -60,7 +60,7 @@ pub(super) const LINEAR_EVALUATOR: Entry = Entry {
     name: "linear-evaluator",
     summary: "evaluates A x + B y + C at all pixels, a byte a clock",
     parameters: &[WIDTH, HEIGHT],
-    design: |values| Ok(elaborate_at(&linear_evaluator(values)?, CLOCK)?),
+    design: |values| Ok(elaborate_at(&linear_evaluator(values)?, ARRAY.period)?),
     scenario: |values| Ok(two_expressions(&linear_evaluator(values)?)),
 };
 
@@ -68,7 +68,7 @@ pub(super) const PIXEL: Entry = Entry {
     name: "pixelflow-pixel",
     summary: "an ALU of 8 bits, enable flags and 256 bytes of memory",
     parameters: &[DEPTH],
-    design: |values| Ok(elaborate_at(&pixel(values), CLOCK)?),
+    design: |values| Ok(elaborate_at(&pixel(values), ARRAY.period)?),
     scenario: |values| Ok(add_compare_and_copy(&pixel(values))),
 };
 
@@ -184,7 +184,7 @@ fn drawn_and_given(controller: &ArrayController) -> Scenario {
         bank_done,
         texture_done: 0,
     };
-    let mut script = Script::new(controller, CLOCK);
+    let mut script = Script::new(controller, ARRAY.period);
     let mut before = 1;
     for instruction in depth_inside_an_edge() {
         script.hold(&inputs(1, instruction, 0), before);
@@ -201,7 +201,7 @@ fn drawn_and_given(controller: &ArrayController) -> Scenario {
 }
 
 fn two_expressions(evaluator: &LinearEvaluator) -> Scenario {
-    let mut script = Script::new(evaluator, CLOCK);
+    let mut script = Script::new(evaluator, ARRAY.period);
     for expression in [[0x00c0, 0, 0x0105], [0xffff, 2, 1]] {
         for byte in 0..2 {
             let [a, b, c] = expression.map(|number| number >> (8 * byte) & 0xff);
@@ -237,7 +237,7 @@ fn add_compare_and_copy(pixel: &PixelProcessor) -> Scenario {
         &word(copy, 0, 256, 0),
         &[Control::NOTHING],
     ];
-    let mut script = Script::new(pixel, CLOCK);
+    let mut script = Script::new(pixel, ARRAY.period);
     for &control in program.iter().copied().flatten() {
         script.clock(&PixelProcessorIn { control, expression: 0x3c, register_byte: 0 });
     }

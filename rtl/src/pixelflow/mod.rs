@@ -15,15 +15,18 @@
 //!
 //! | file | what is in it |
 //! |---|---|
+//! | [`array`] | controller, evaluator, pixels and communication registers |
 //! | [`compositor`] | of two pixels, the nearer, byte by byte |
 //! | [`network_port`] | the compositors of a node, and whose turn it is |
 //! | [`instruction`] | what a node is told to do |
 //! | [`controller`] | what takes instructions and controls evaluator and pixels |
 //! | [`linear_evaluator`] | A x + B y + C at all pixels |
 //! | [`pixel`] | a pixel's ALU, flags and memory |
+//! | [`registers`] | bytes of each pixel that a port sees, too |
 
-use crate::prelude::{ParameterError, Period};
+use crate::prelude::{Clock, ParameterError, Period};
 
+pub mod array;
 pub mod compositor;
 pub mod controller;
 pub mod instruction;
@@ -32,11 +35,15 @@ pub mod linear_evaluator;
 mod model;
 pub mod network_port;
 pub mod pixel;
+pub mod registers;
 #[cfg(test)]
 mod testing;
 
-/// The period of the pixels' clock: 100 MHz (facts E4).
-pub const CLOCK: Period = Period::ns(10);
+/// The clock of controller, evaluator and pixels: 100 MHz (facts E4).
+pub const ARRAY: Clock = Clock::new("array", Period::ns(10));
+
+/// The clock of the network: 100 MHz, on both edges (PFL-NET).
+pub const NETWORK: Clock = Clock::new("network", TRANSFER);
 
 /// The time of a transfer: 200 MHz (PFL-NET).
 pub const TRANSFER: Period = Period::ns(5);

@@ -6,6 +6,7 @@ use crate::pixel_planes::schedule::Step;
 use crate::prelude::Codes;
 
 /// What a processor holds, and what its control makes of it: by the words of [`Control`] and its codes alone.
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Pixel {
     /// With the communication registers.
     pub memory: Vec<u64>,
@@ -24,7 +25,7 @@ impl Pixel {
 
     pub fn step(&mut self, c: &Control<u64>, expression: u64) {
         let w = self.memory[c.read as usize];
-        let x = [c.constant, expression, self.accumulator][c.source as usize];
+        let x = [c.constant, expression, self.accumulator, self.accumulator * self.flag][c.source as usize];
         let carry = [self.carry, 0, 1][c.begin as usize];
         let difference = w + (255 - x) + carry;
         let (result, carry) = match Function::ALL[c.function as usize] {
@@ -38,6 +39,7 @@ impl Pixel {
             Function::ExclusiveOr => (w ^ x, self.carry),
             Function::ShiftLeft => (w * 2 % 256 + carry, w / 128),
             Function::ShiftRight => (w / 2 + 128 * carry, w % 2),
+            Function::AddHalved => ((w + x + carry) / 2, (w + x + carry) % 2),
         };
         self.carry = carry;
         let holds = [u64::from(x < 128), carry, 1 - carry][c.condition as usize];
@@ -134,8 +136,8 @@ pub(super) fn step(i: &Instruction<u64>) -> Step {
 /// Whether something comes of what a pixel does: then which of it does.
 pub(super) fn effect(c: &Control<u64>) -> Control<u64> {
     let writes = c.mask != Mask::Nobody.code() && c.accumulates + c.stores > 0;
-    let carries = [Function::Add, Function::Subtract, Function::Compare, Function::ShiftLeft, Function::ShiftRight];
-    let carries = carries.iter().any(|function| function.code() == c.function);
+    let keeps = [Function::Operand, Function::Word, Function::And, Function::Or, Function::ExclusiveOr];
+    let carries = !keeps.iter().any(|function| function.code() == c.function);
     let flags = c.flagging != Flagging::Keep.code();
     let (enters, by_sign) = (is_conditional(c.enabling), c.by_sign == 1);
     let looks = flags || enters && !by_sign;

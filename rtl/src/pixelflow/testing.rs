@@ -10,7 +10,7 @@ use crate::prelude::Codes;
 pub(super) fn instructions() -> impl Strategy<Value = Instruction<u64>> {
     let address = || prop_oneof![3 => 8..24u64, 1 => 252..260u64];
     let coefficient = || prop_oneof![0..1u64 << 40, 0..64u64, (0..64u64).prop_map(|number| (1 << 40) - 1 - number)];
-    let codes = (0..3u64, prop_oneof![2 => Just(0u64), 3 => 0..10u64], 0..3u64, 0..4u64, 0..3u64);
+    let codes = (0..4u64, prop_oneof![2 => Just(0u64), 3 => 0..11u64], 0..3u64, 0..4u64, 0..3u64);
     let flags = (prop_oneof![3 => Just(0u64), 2 => 0..7u64], prop_oneof![2 => Just(0u64), 1 => 0..3u64]);
     let bits = prop::array::uniform3(0..2u64);
     let clocks = (0..8u64, 1..9u64);

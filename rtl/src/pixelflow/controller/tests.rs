@@ -302,7 +302,7 @@ fn words_at_both_ends_of_the_memory_are_taken() {
 #[test]
 #[should_panic(expected = "each field has a code that there is")]
 fn a_code_that_does_not_exist_is_an_error() {
-    taken_wrongly(Instruction { function: 10, ..fill(1, 0) });
+    taken_wrongly(Instruction { function: 11, ..fill(1, 0) });
 }
 
 #[test]

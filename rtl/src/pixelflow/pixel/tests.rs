@@ -107,7 +107,7 @@ fn controls() -> impl Strategy<Value = Control<u64>> {
     // Few addresses, so that what is written is read; some of them in the registers.
     let address = || prop_oneof![Just(255), Just(256), Just(383), 0..3u64, 300..302u64];
     let byte = prop_oneof![0..256u64, Just(0), Just(255), Just(128)];
-    let codes = (0..3u64, 0..10u64, 0..3u64, 0..4u64, 0..3u64, 0..7u64, 0..3u64);
+    let codes = (0..4u64, 0..11u64, 0..3u64, 0..4u64, 0..3u64, 0..7u64, 0..3u64);
     let bits = prop::array::uniform3(0..2u64);
     (codes, bits, byte, address(), address()).prop_map(|(codes, bits, constant, read, write)| {
         let (source, function, begin, mask, condition, enabling, flagging) = codes;
