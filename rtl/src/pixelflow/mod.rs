@@ -18,14 +18,22 @@
 //! | [`compositor`] | of two pixels, the nearer, byte by byte |
 //! | [`network_port`] | the compositors of a node, and whose turn it is |
 //! | [`instruction`] | what a node is told to do |
+//! | [`schedule`] | the clocks that it takes |
+//! | [`fields`] | what is where in a pixel |
+//! | [`programs`] | rasterization and shading |
+//! | [`emulator`] | what instructions do, by definition |
 //! | [`pixel`] | a pixel's ALU, flags and memory |
 
 use crate::prelude::Period;
 
 pub mod compositor;
+pub mod emulator;
+pub mod fields;
 pub mod instruction;
 pub mod network_port;
 pub mod pixel;
+pub mod programs;
+pub mod schedule;
 
 /// The time of a transfer: 200 MHz (PFL-NET).
 pub const TRANSFER: Period = Period::ns(5);

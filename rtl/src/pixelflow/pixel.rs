@@ -32,6 +32,8 @@ codes! {
         Expression,
         /// The accumulator.
         Accumulator,
+        /// The accumulator where the flag is set, and 0 elsewhere: what a digit of a multiplier adds.
+        Multiplicand,
     }
 }
 
@@ -58,6 +60,8 @@ codes! {
         ShiftLeft,
         /// `w` to the right, c comes in above; the carry is the bit that leaves.
         ShiftRight,
+        /// `(w + x + c) / 2`, its carry on top; the carry is the bit that leaves: with a multiplicand, a digit of a product.
+        AddHalved,
     }
 }
 
@@ -211,11 +215,13 @@ impl PixelProcessor {
         let memory = m.memory("memory", PixelProcessor::BYTES, bits(8), ReadUnderWrite::Any);
         net!(word = memory.read_async(c.read));
         let (accumulator, carry) = (m.reg("accumulator", bits(8)), m.reg("carry", bit()));
+        let flag = m.reg("flag", bit());
         net!(
             operand = c.source.choose(|source| match source {
                 Source::Constant => c.constant,
                 Source::Expression => i.expression,
                 Source::Accumulator => *accumulator,
+                Source::Multiplicand => mux(*flag, *accumulator, 0),
             })
         );
         net!(
@@ -243,6 +249,7 @@ impl PixelProcessor {
                 Function::ExclusiveOr => word ^ operand,
                 Function::ShiftLeft => left,
                 Function::ShiftRight => right,
+                Function::AddHalved => concat(&[carry_out, sum.slice(1..8)]),
             })
         );
         net!(
@@ -250,6 +257,7 @@ impl PixelProcessor {
                 Function::Add | Function::Subtract | Function::Compare => carry_out,
                 Function::ShiftLeft => word.msb(),
                 Function::ShiftRight => word.bit(0),
+                Function::AddHalved => sum.bit(0),
                 _ => *carry,
             })
         );
@@ -276,7 +284,6 @@ impl PixelProcessor {
             })
         );
         stack.next(enables);
-        let flag = m.reg("flag", bit());
         flag.next(c.flagging.choose(|flagging| match flagging {
             Flagging::Keep => *flag,
             Flagging::Condition => holds,
