@@ -7,17 +7,20 @@
 //! | `model` | when each node has done what: the transaction model |
 //! | `simulated` | the systems in that model |
 //! | `costs` | what each step takes |
+//! | `packets` | packets as the programs of a node take them |
 //!
 //! Source: "Reducing Latency on PixelFlow", facts A4 (PFL).
 
 mod costs;
 mod latency;
 mod model;
+mod packets;
 mod simulated;
 mod workload;
 
 pub use costs::{Costs, Ticks, milliseconds, ticks};
 pub use latency::{Nodes, Samples, Software, System, Times, crossover, overlap};
 pub use model::{Done, Frame, FrontEnd, Pass, Resident, Shading, Timeline, Turn};
+pub use packets::Corner;
 pub use simulated::{Choices, Shades, Simulated};
 pub use workload::{Boxes, Place, Share, Workload};

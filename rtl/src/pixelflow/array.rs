@@ -131,11 +131,12 @@ impl PixelArray {
         let network = registers("u_network", NETWORK, 0, i.network);
         let texture = registers("u_texture", ARRAY, 1, i.texture);
 
-        let pixel = array.array("u_pixel", pixels, &PixelProcessor { depth: PixelProcessor::DEPTH }, |_| PixelProcessorIn {
-            control: control.map(|field| field.of(pixels)),
-            expression: evaluator.value,
-            register_byte: mux(control.read.bit(6), texture.word, network.word),
-        });
+        let pixel =
+            array.array("u_pixel", pixels, &PixelProcessor { depth: PixelProcessor::DEPTH }, |_| PixelProcessorIn {
+                control: control.map(|field| field.of(pixels)),
+                expression: evaluator.value,
+                register_byte: mux(control.read.bit(6), texture.word, network.word),
+            });
         result.drive(pixel.result);
         writes.drive(pixel.writes_register);
         PixelArrayOut {

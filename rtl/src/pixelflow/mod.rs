@@ -21,6 +21,10 @@
 //! | [`instruction`] | what a node is told to do |
 //! | [`controller`] | what takes instructions and controls evaluator and pixels |
 //! | [`linear_evaluator`] | A x + B y + C at all pixels |
+//! | [`schedule`] | the clocks that it takes |
+//! | [`fields`] | what is where in a pixel |
+//! | [`programs`] | rasterization and shading |
+//! | [`emulator`] | what instructions do, by definition |
 //! | [`pixel`] | a pixel's ALU, flags and memory |
 //! | [`registers`] | bytes of each pixel that a port sees, too |
 
@@ -29,6 +33,8 @@ use crate::prelude::{Clock, ParameterError, Period};
 pub mod array;
 pub mod compositor;
 pub mod controller;
+pub mod emulator;
+pub mod fields;
 pub mod instruction;
 pub mod linear_evaluator;
 #[cfg(test)]
@@ -44,6 +50,8 @@ pub const ARRAY: Clock = Clock::new("array", Period::ns(10));
 
 /// The clock of the network: 100 MHz, on both edges (PFL-NET).
 pub const NETWORK: Clock = Clock::new("network", TRANSFER);
+pub mod programs;
+pub mod schedule;
 
 /// The time of a transfer: 200 MHz (PFL-NET).
 pub const TRANSFER: Period = Period::ns(5);

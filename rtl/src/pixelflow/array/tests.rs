@@ -101,7 +101,8 @@ proptest! {
 fn nanoseconds_of_the_machine_s_array() {
     const CLOCKS: u64 = 20_000;
     let array = PixelArray::new(128, 64).unwrap();
-    let word = Instruction { mask: Mask::Everybody.code(), stores: 1, length: 8, read: 8, write: 40, ..Instruction::NOTHING };
+    let word =
+        Instruction { mask: Mask::Everybody.code(), stores: 1, length: 8, read: 8, write: 40, ..Instruction::NOTHING };
     let (expression, constant) = (Source::Expression.code(), Source::Constant.code());
     let numbers = Instruction { a: 70_000, b: 50_000, c: 1 << 30, ..word };
     let of = |source: u64, function: Function| Instruction { source, function: function.code(), ..numbers };

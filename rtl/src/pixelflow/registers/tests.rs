@@ -26,13 +26,11 @@ fn steps(width: u32, height: u32) -> impl Strategy<Value = Vec<Step>> {
     let bytes = |count: usize| prop::collection::vec(0..256u64, count);
     let array = (address(), address(), prop::collection::vec(0..2u64, pixels), bytes(pixels));
     let port = (0..u64::from(2 * width), address(), 0..2u64, bytes(chips));
-    let step = (array, port).prop_map(
-        |((read, write, writes, result), (pixel, address, port_writes, bytes))| {
-            // Both write the same byte on no occasion: nobody says who would win.
-            let write = if write == address { address ^ 1 } else { write };
-            Step { read, write, writes, result, pixel, address, port_writes, bytes }
-        },
-    );
+    let step = (array, port).prop_map(|((read, write, writes, result), (pixel, address, port_writes, bytes))| {
+        // Both write the same byte on no occasion: nobody says who would win.
+        let write = if write == address { address ^ 1 } else { write };
+        Step { read, write, writes, result, pixel, address, port_writes, bytes }
+    });
     prop::collection::vec(step, 1..60)
 }
 
