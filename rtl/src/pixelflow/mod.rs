@@ -18,6 +18,7 @@
 //! | [`array`] | controller, evaluator, pixels and communication registers |
 //! | [`compositor`] | of two pixels, the nearer, byte by byte |
 //! | [`network_port`] | the compositors of a node, and whose turn it is |
+//! | [`network`] | the ports of all nodes |
 //! | [`instruction`] | what a node is told to do |
 //! | [`controller`] | what takes instructions and controls evaluator and pixels |
 //! | [`linear_evaluator`] | A x + B y + C at all pixels |
@@ -39,6 +40,7 @@ pub mod instruction;
 pub mod linear_evaluator;
 #[cfg(test)]
 mod model;
+pub mod network;
 pub mod network_port;
 pub mod pixel;
 pub mod registers;
