@@ -12,6 +12,7 @@
 //! Source: "Reducing Latency on PixelFlow", facts A4 (PFL).
 
 mod costs;
+mod hardware;
 mod latency;
 mod model;
 mod packets;
