@@ -11,6 +11,7 @@
 //!
 //! Source: "Reducing Latency on PixelFlow", facts A4 (PFL).
 
+mod constants;
 mod costs;
 mod hardware;
 mod latency;
@@ -19,6 +20,8 @@ mod packets;
 mod simulated;
 mod workload;
 
+pub use constants::constants;
+pub use costs::Costs;
 pub use costs::{Costs, Ticks, milliseconds, ticks};
 pub use latency::{Nodes, Samples, Software, System, Times, crossover, overlap};
 pub use model::{Done, Frame, FrontEnd, Pass, Resident, Shading, Timeline, Turn};

@@ -2,9 +2,9 @@
 
 use std::collections::VecDeque;
 
+use tilewright_rtl::pixelflow::ARRAY;
 use tilewright_rtl::pixelflow::array::{PixelArray, PixelArrayIn, PixelArrayOut};
 use tilewright_rtl::pixelflow::instruction::Instruction;
-use tilewright_rtl::pixelflow::ARRAY;
 use tilewright_sim::{Bits, EngineKind, Simulation};
 
 use crate::error::Error;
