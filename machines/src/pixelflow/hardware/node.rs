@@ -46,6 +46,8 @@ pub(in crate::pixelflow) struct Node {
     latency: u32,
     /// Clocks in which it had an instruction.
     busy: u64,
+    /// From when on the network could have each bank that was given last.
+    given: [Ticks; 2],
 }
 
 impl Node {
@@ -76,6 +78,7 @@ impl Node {
             rest: 0,
             latency: array.latency(),
             busy: 0,
+            given: [0; 2],
         })
     }
 
@@ -94,6 +97,11 @@ impl Node {
         self.busy
     }
 
+    /// From when on the network could have a bank, when it was given last.
+    pub fn given(&self, bank: usize) -> Ticks {
+        self.given[bank]
+    }
+
     /// Runs a program that gives a bank with its last instruction; gives the tick from which on the network may have it.
     ///
     /// # Errors
@@ -105,7 +113,7 @@ impl Node {
         loop {
             if self.is_array_edge() {
                 let taken = shown.is_some() && self.sim.get_u64(self.sim.i.instructions.ready) == 1;
-                let is_given = self.sim.get_u64(self.sim.o.given.banks) != 0;
+                let given = self.sim.get_u64(self.sim.o.given.banks);
                 let is_idle = !taken && self.sim.get_u64(self.sim.o.idle) == 1;
                 self.tick()?;
                 if taken {
@@ -114,7 +122,10 @@ impl Node {
                 }
                 self.rest = if is_idle { self.rest + 1 } else { 0 };
                 self.busy += u64::from(!is_idle);
-                if is_given && shown.is_none() {
+                for bank in (0..2).filter(|bank| given >> bank & 1 == 1) {
+                    self.given[bank] = self.time;
+                }
+                if given != 0 && shown.is_none() {
                     return Ok(self.time);
                 }
             } else {
