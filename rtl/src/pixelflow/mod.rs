@@ -16,8 +16,11 @@
 //! | file | what is in it |
 //! |---|---|
 //! | [`array`] | controller, evaluator, pixels and communication registers |
+//! | [`command_dma`] | brings instructions to the array |
 //! | [`compositor`] | of two pixels, the nearer, byte by byte |
 //! | [`network_port`] | the compositors of a node, and whose turn it is |
+//! | [`network_sequencer`] | what a node does with each word that passes |
+//! | [`node`] | all of these |
 //! | [`instruction`] | what a node is told to do |
 //! | [`controller`] | what takes instructions and controls evaluator and pixels |
 //! | [`linear_evaluator`] | A x + B y + C at all pixels |
@@ -27,6 +30,7 @@
 use crate::prelude::{Clock, ParameterError, Period};
 
 pub mod array;
+pub mod command_dma;
 pub mod compositor;
 pub mod controller;
 pub mod instruction;
@@ -34,6 +38,8 @@ pub mod linear_evaluator;
 #[cfg(test)]
 mod model;
 pub mod network_port;
+pub mod network_sequencer;
+pub mod node;
 pub mod pixel;
 pub mod registers;
 #[cfg(test)]

@@ -26,13 +26,11 @@ fn steps(width: u32, height: u32) -> impl Strategy<Value = Vec<Step>> {
     let bytes = |count: usize| prop::collection::vec(0..256u64, count);
     let array = (address(), address(), prop::collection::vec(0..2u64, pixels), bytes(pixels));
     let port = (0..u64::from(2 * width), address(), 0..2u64, bytes(chips));
-    let step = (array, port).prop_map(
-        |((read, write, writes, result), (pixel, address, port_writes, bytes))| {
-            // Both write the same byte on no occasion: nobody says who would win.
-            let write = if write == address { address ^ 1 } else { write };
-            Step { read, write, writes, result, pixel, address, port_writes, bytes }
-        },
-    );
+    let step = (array, port).prop_map(|((read, write, writes, result), (pixel, address, port_writes, bytes))| {
+        // Both write the same byte on no occasion: nobody says who would win.
+        let write = if write == address { address ^ 1 } else { write };
+        Step { read, write, writes, result, pixel, address, port_writes, bytes }
+    });
     prop::collection::vec(step, 1..60)
 }
 
@@ -47,10 +45,10 @@ proptest! {
         }),
         port in prop::sample::select(vec![ARRAY, NETWORK]),
     ) {
-        let mut sim = Simulation::of(&CommunicationRegisters { width, height, port }).unwrap();
+        let mut sim = Simulation::of(&CommunicationRegisters { width, height, bytes: 64, port }).unwrap();
         sim.reset();
         let (i, o) = (sim.i, sim.o);
-        let mut held = vec![[0; CommunicationRegisters::BYTES as usize]; (width * height) as usize];
+        let mut held = vec![[0; 64]; (width * height) as usize];
         // A chip is two lines: its pixels stand one after another.
         let place = |chip: usize, pixel: u64| chip * 2 * width as usize + pixel as usize;
         for step in steps {
