@@ -121,6 +121,16 @@ impl Node {
         &self.array
     }
 
+    /// Instructions that its memory holds.
+    pub fn words(&self) -> u32 {
+        self.words
+    }
+
+    /// Clocks of the network's set-up before a word.
+    pub fn setup(&self) -> u32 {
+        self.setup
+    }
+
     fn dma(&self) -> CommandDma {
         CommandDma { words: self.words }
     }
