@@ -177,7 +177,7 @@ impl<'a> Run<'a> {
             Some(shader) => self.shaders[shader].free,
             None => self.stored(region),
         };
-        let (bank, bytes) = (region as u64 % 2, self.works.bytes());
+        let (bank, bytes) = (region % 2, self.works.bytes());
         let begin = rasterized.max(self.network).max(taken) + self.config.set_up;
         let end = begin + bytes * self.pixels;
         let first = self.first();
@@ -215,7 +215,7 @@ impl<'a> Run<'a> {
     /// Composes a region whose words have all gone, and shades it.
     fn compose(&mut self, region: usize) -> Result<(), Error> {
         let gone: Vec<Words> =
-            self.rasterizers.iter_mut().map(|node| node.sent().expect("its words have gone")).collect();
+            self.rasterizers.iter_mut().map(|node| node.sent(region % 2).expect("its words have gone")).collect();
         match self.shader_of(region) {
             None => {
                 let last = self.nodes - 1;
@@ -272,7 +272,7 @@ impl<'a> Run<'a> {
         for region in 0..regions {
             let number = region % self.shaders.len();
             let shader = &mut self.shaders[number];
-            let sent = shader.node.sent().expect("its colours have gone");
+            let sent = shader.node.sent(1).expect("its colours have gone");
             let place = self.nodes - 1 - shader.place;
             self.colours.push(self.back.send(&[(place, &sent)], self.nodes - 1, self.pixels)?);
         }
