@@ -198,6 +198,22 @@ impl Subject {
         }
     }
 
+    /// The name of the Verilog that is printed of a design, among those of [`Subject::verilog`].
+    pub const OUR_VERILOG: &str = "ours";
+
+    /// The names of what models can be made of: [`Subject::OUR_VERILOG`], and the modules that were written by hand.
+    ///
+    /// ```
+    /// use tilewright_benches::Subject;
+    ///
+    /// assert_eq!("pxpl64".parse::<Subject>()?.verilog(), ["ours", "pxpl", "pxpl_planes"]);
+    /// # Ok::<(), String>(())
+    /// ```
+    pub fn verilog(&self) -> Vec<&'static str> {
+        let by_hand = self.hand_written().into_iter().map(|it| it.module);
+        std::iter::once(Subject::OUR_VERILOG).chain(by_hand).collect()
+    }
+
     /// How many stimuli there are at once.
     pub fn stimuli(&self) -> u32 {
         self.stimuli
