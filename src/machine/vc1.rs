@@ -1,5 +1,6 @@
 //! `--machine vc1`.
 
+use super::figures::{Compared, Figures, state};
 use super::first_given;
 use super::job::{Job, Run};
 use crate::golden;
@@ -13,7 +14,7 @@ use tilewright_scenes::golden::render_watched;
 use tilewright_scenes::{Frame, MAX_SIDE, Projection, Scene, Size};
 
 /// Its options.
-#[derive(Args)]
+#[derive(Args, Default)]
 #[command(next_help_heading = "Options of --machine vc1")]
 pub struct Vc1Options {
     /// Processing elements [default: 16]
@@ -85,5 +86,31 @@ impl Job for Vc1Job {
             |watch| machine.render(&self.projection, self.background, watch),
             |(_, report)| report.phases.iter().map(|phase| phase.picoseconds).sum(),
         )
+    }
+}
+
+impl Compared for Vc1Job {
+    fn figures(&self, report: &Report) -> Result<Figures, Failure> {
+        let hardware = state(&self.config.hardware().map_err(tilewright_machines::Error::from)?)?;
+        let phases = || report.phases.iter().filter(|phase| phase.name != Report::READ_OUT);
+        let clocks: u64 = phases().map(|phase| phase.pe_clocks).sum();
+        let names: Vec<&str> = phases().map(|phase| phase.name).collect();
+        let longest = phases().max_by_key(|phase| phase.picoseconds);
+        let working: u64 = report.processors.iter().map(|it| it.work.total()).sum();
+        Ok(Figures {
+            processors: report.machine.processors,
+            processor: "processing elements".to_owned(),
+            register_bits: hardware.registers,
+            memory_bits: hardware.memories,
+            clocks,
+            picoseconds: report.frame_picoseconds(),
+            time: format!("{}, one after another, geometry being part of drawing", names.join(", ")),
+            // Spans are computed, so no pixel is tested in vain.
+            tested: report.pixels,
+            drawn: report.pixels,
+            at_work: working as f64 / (clocks.max(1) * report.processors.len() as u64) as f64,
+            limit: longest.map_or("", |phase| phase.name).to_owned(),
+            limit_share: longest.map_or(0.0, |phase| phase.picoseconds as f64 / report.frame_picoseconds() as f64),
+        })
     }
 }

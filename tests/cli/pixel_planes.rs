@@ -14,7 +14,8 @@ fn the_report_counts_primitives_regions_and_clocks() {
     let report = &report["report"];
     let expected = json!({
         "width": 32, "height": 24, "renderers": 2, "side": 16, "queue": 64, "ring": 5000,
-        "strict": false, "side_by_side": true, "edges": "least",
+        "strict": false, "side_by_side": true, "edges": "least", "geometry": 32,
+        "costs": {"transform": 631, "set_up": 500, "bin": 30, "instruction": 12},
     });
     assert_eq!(report["machine"], expected);
     let regions = report["regions"].as_array().unwrap();
@@ -114,6 +115,10 @@ fn there_is_no_waveform_of_a_frame() {
     let folder = Folder::with_pyramid();
     let run = folder.run(&format!("{SMALL} --vcd run.vcd"));
     assert_eq!(run.code, Some(2));
-    assert!(run.stderr.contains("leave out --vcd, and see `tilewright wave renderer`"), "{}", run.stderr);
+    assert!(
+        run.stderr.contains("leave out --vcd, and see `tilewright wave pixel-planes-5` for all of a small machine"),
+        "{}",
+        run.stderr
+    );
     assert!(!folder.names().contains(&"run.vcd".to_owned()), "nothing is left");
 }
