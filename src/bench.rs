@@ -17,7 +17,7 @@ Examples:
   tilewright bench 'qt1*16' --seconds 0.1
   tilewright bench pim64 simd64 --rounds 3 --seconds 0.1 --json
   tilewright bench qt1 --against verilator --seconds 0.1
-  tilewright bench pxpl64 --against verilator --verilog pxpl_planes --seconds 0.1
+  tilewright bench pxpl16 --against verilator --verilog pxpl_planes --seconds 0.1
 
 The designs, with a size for N:
   pimN       a chain of N merging units, each with a local frame buffer

@@ -28,6 +28,7 @@ Examples:
 Each machine is as `render` builds it without options; `render` has those, and a machine's whole report. The clocks are those of a frame, and the lines
 below the table say what is in them. Tested are the pixels that processors were given for some polygon, drawn those that it covers, each as often as
 it is. At work is how much of the time the processors worked on the mean, of a pipe its busiest part; and what takes longest, in parts of the frame's time, limits it.
+Faces are cut into triangles for all machines, as not all of them draw polygons.
 
 Exit code 1 means that a frame differs from the golden image, which the machines then do not have in common. The picture of -o is that of the first machine,
 or of the first that differs, with the picture of the differences beside it as `render` leaves it.")]
@@ -112,6 +113,7 @@ impl Comparison {
     /// # Errors
     /// The scene cannot be set up, or a machine cannot draw it; Ctrl-C.
     pub fn of(scene: &Scene, entrants: &[Entrant], run: &Run) -> Result<Comparison, Failure> {
+        let scene = &in_triangles(scene)?;
         let Projection { size, triangles, counts, .. } = triangles(scene)?;
         let image = golden::draw(|watch| render_watched(size, &triangles, scene.background, watch))?;
         let golden = Golden::Rendered(image);
@@ -162,6 +164,14 @@ impl Comparison {
         }
         Ok(())
     }
+}
+
+/// The scene with each triangle as a face: a face of more corners is one polygon where its corners are within a unit of depth of one plane, and then may
+/// be a unit beside its triangles, which are all that some machines draw.
+fn in_triangles(scene: &Scene) -> Result<Scene, Failure> {
+    let mesh = scene.mesh.clone();
+    let singles = vec![1; mesh.triangles().len()];
+    Ok(Scene { mesh: mesh.with_faces(singles)?, ..scene.clone() })
 }
 
 /// The columns of the table, and which of them are of words.

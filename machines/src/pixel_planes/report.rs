@@ -96,8 +96,7 @@ pub struct RingReport {
 }
 
 /// A kind of unit that works on a frame while others work on it or on the next one.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "lowercase")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unit {
     /// The geometry processors.
     Geometry,
@@ -105,6 +104,8 @@ pub enum Unit {
     Renderers,
     /// The ring.
     Ring,
+    /// The frame buffer, which takes a plane in a clock.
+    FrameBuffer,
 }
 
 impl fmt::Display for Unit {
@@ -113,12 +114,13 @@ impl fmt::Display for Unit {
             Unit::Geometry => "geometry",
             Unit::Renderers => "renderers",
             Unit::Ring => "ring",
+            Unit::FrameBuffer => "frame buffer",
         })
     }
 }
 
 /// How long units of a kind work on a frame.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Busy {
     /// The kind.
     pub unit: Unit,
@@ -187,15 +189,20 @@ impl Report {
     }
 
     /// How long units of each kind work on the frame.
-    pub fn busy(&self) -> [Busy; 3] {
+    pub fn busy(&self) -> [Busy; 4] {
         let renderers = self.renderers.iter().map(RendererReport::working).max().unwrap_or(0);
-        [(Unit::Geometry, self.geometry.clocks), (Unit::Renderers, renderers), (Unit::Ring, self.ring.clocks)]
-            .map(|(unit, clocks)| Busy { unit, clocks })
+        [
+            (Unit::Geometry, self.geometry.clocks),
+            (Unit::Renderers, renderers),
+            (Unit::Ring, self.ring.clocks),
+            (Unit::FrameBuffer, self.ring.planes),
+        ]
+        .map(|(unit, clocks)| Busy { unit, clocks })
     }
 
     /// What limits the rate of frames: the kind of unit that works longest on one.
     pub fn limit(&self) -> Busy {
-        self.busy().into_iter().max_by_key(|it| it.clocks).expect("there are three kinds")
+        self.busy().into_iter().max_by_key(|it| it.clocks).expect("there are four kinds")
     }
 
     /// Clocks from a frame to the next one: the geometry of a frame is done while the one before is drawn and sent.

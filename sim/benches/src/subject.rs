@@ -104,7 +104,7 @@ pub const USUAL: [Subject; 6] = [
 ];
 
 /// Checksums that several simulators agree on: the subject, cycles, checksum.
-const KNOWN: [(&str, u64, u32); 33] = [
+const KNOWN: [(&str, u64, u32); 38] = [
     ("pim16", 1000, 0xcce1_f33c),
     ("pim16", 20_000, 0x0b77_df9a),
     ("pim16", 300_000, 0xd0c8_a649),
@@ -137,7 +137,12 @@ const KNOWN: [(&str, u64, u32); 33] = [
     ("pxpl128", 20_000, 0xb887_e3ed),
     ("vc1x3@32x16", 200_000, 0x5415_1b3b),
     ("vc1x16@160x120", 200_000, 0x2e82_4dfa),
-    ("renderer8", 20_000, 0x8bb3_78c6),
+    ("renderer8", 100, 0x01ff_ffe6),
+    ("renderer8", 1000, 0x7508_b567),
+    ("renderer8", 20_000, 0xff43_6de1),
+    ("renderer32", 20_000, 0xe61a_7d8d),
+    ("renderer64", 1000, 0x0250_5f1b),
+    ("renderer128", 1000, 0xe513_299d),
 ];
 
 /// A design written by hand in Verilog, with the same function as ours.

@@ -77,6 +77,9 @@ fn vc1() {
 #[test]
 fn renderer() {
     check("renderer8", 20_000);
+    check("renderer32", 20_000);
+    check("renderer64", 1000);
+    check("renderer128", 1000);
 }
 
 #[test]
