@@ -25,7 +25,7 @@ Examples:
   tilewright compare teapot --size 160x120 --machine vc1 --machine quadtree -o frame.png
   tilewright compare star --size 64x48 --json
 
-Each machine is as `render` builds it without options; `render` has those, and a machine's whole report. The clocks are those of a frame, and the lines
+Each machine is as `render` builds it without options, but a VC-1 has as many pages as the scene needs; `render` has those options, and a machine's whole report. The clocks are those of a frame, and the lines
 below the table say what is in them. Tested are the pixels that processors were given for some polygon, drawn those that it covers, each as often as
 it is. At work is how much of the time the processors worked on the mean, of a pipe its busiest part; and what takes longest, in parts of the frame's time, limits it.
 Faces are cut into triangles for all machines, as not all of them draw polygons.

@@ -4,7 +4,7 @@ use super::Machine;
 use super::job::{Job, Run};
 use super::pixel_planes::PixelPlanesOptions;
 use super::quadtree::QuadtreeOptions;
-use super::vc1::Vc1Options;
+use super::vc1::Vc1Job;
 use crate::shell::Failure;
 use serde::Serialize;
 use tilewright_hdl::ir::State;
@@ -66,13 +66,13 @@ pub trait Compared: Job {
 pub struct Entrant {
     /// Which.
     pub machine: Machine,
-    /// Draws a scene on the machine as it is without options.
+    /// Draws a scene on the machine as it is without options, but large enough for the scene.
     pub draw: fn(&Scene, &Run) -> Result<(Frame, Figures), Failure>,
 }
 
 /// All of them.
 pub const ENTRANTS: [Entrant; 3] = [
-    Entrant { machine: Machine::Vc1, draw: |scene, run| drawn(&Vc1Options::default().job(scene)?, run) },
+    Entrant { machine: Machine::Vc1, draw: |scene, run| drawn(&Vc1Job::with_enough_pages(scene)?, run) },
     Entrant {
         machine: Machine::Quadtree,
         draw: |scene, run| drawn(&QuadtreeOptions::default().job(scene, false)?, run),

@@ -10,6 +10,7 @@ use crate::shell::Failure;
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use tilewright_machines::vc1::{Config, Machine, Report};
+use tilewright_rtl::parameter::ParameterError;
 use tilewright_scenes::golden::render_watched;
 use tilewright_scenes::{Frame, MAX_SIDE, Projection, Scene, Size};
 
@@ -60,6 +61,21 @@ impl Vc1Options {
     }
 }
 
+impl Vc1Job {
+    /// A scene for the machine without options; where the scene needs more pages than it has, it has those.
+    ///
+    /// # Errors
+    /// The scene cannot be set up, or there is no such machine.
+    pub fn with_enough_pages(scene: &Scene) -> Result<Vc1Job, Failure> {
+        let job = Vc1Options::default().job(scene)?;
+        let pages =
+            |config: &Config| Ok::<_, ParameterError>([config.pages()?, config.sufficient_pages(&job.projection)?]);
+        let [usual, sufficient] = pages(&job.config).map_err(tilewright_machines::Error::from)?;
+        let pages = (sufficient > usual).then_some(sufficient);
+        Ok(Vc1Job { config: Config { pages, ..job.config }, ..job })
+    }
+}
+
 /// A scene in triangles, and the machine for it.
 pub struct Vc1Job {
     config: Config,
@@ -96,6 +112,10 @@ impl Compared for Vc1Job {
         let clocks: u64 = phases().map(|phase| phase.pe_clocks).sum();
         let names: Vec<&str> = phases().map(|phase| phase.name).collect();
         let longest = phases().max_by_key(|phase| phase.picoseconds);
+        let more = match self.config.pages {
+            None => String::new(),
+            Some(pages) => format!("; it has the {pages} pages in a buffer that this scene needs"),
+        };
         let working: u64 = report.processors.iter().map(|it| it.work.total()).sum();
         Ok(Figures {
             processors: report.machine.processors,
@@ -104,7 +124,7 @@ impl Compared for Vc1Job {
             memory_bits: hardware.memories,
             clocks,
             picoseconds: report.frame_picoseconds(),
-            time: format!("{}, one after another, geometry being part of drawing", names.join(", ")),
+            time: format!("{}, one after another, geometry being part of drawing{more}", names.join(", ")),
             // Spans are computed, so no pixel is tested in vain.
             tested: report.pixels,
             drawn: report.pixels,

@@ -85,6 +85,17 @@ fn a_machine_that_cannot_draw_the_scene_is_named() {
     assert_eq!(folder.run("compare pyramid.obj --size 4x4 --machine quadtree").code, Some(0));
 }
 
+/// As many triangles as are in sight make each processing element draw all over the screen.
+#[test]
+fn a_vc1_has_the_pages_that_the_scene_needs() {
+    let folder = Folder::new();
+    let render = folder.run("render textured --size 320x240");
+    assert!(render.code == Some(2) && render.stderr.contains("ran out of its 4096"), "{render:?}");
+    let table = folder.json("compare textured --size 320x240 --machine vc1 --json");
+    let time = row(&table, "vc1")["time"].as_str().unwrap();
+    assert!(table["identical"] == true && time.ends_with(" pages in a buffer that this scene needs"), "{table}");
+}
+
 #[test]
 fn what_is_odd_about_a_scene_is_said_once_and_no_input_is_written_over() {
     let folder = Folder::with(&[("pyramid.obj", PYRAMID), ("odd.obj", &format!("{PYRAMID}usemtl nowhere\n"))]);
