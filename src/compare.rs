@@ -146,6 +146,21 @@ impl Comparison {
         self.machines.iter().find(|row| !row.golden.identical)
     }
 
+    /// The scene's name.
+    pub fn scene(&self) -> &str {
+        &self.scene
+    }
+
+    /// The frame that all machines drew, or the first that differs.
+    pub fn frame(&self) -> Option<&Frame> {
+        self.frame.as_ref()
+    }
+
+    /// By machine: its name, the pixels of its frame that are not those of the golden image, and what it took.
+    pub fn machines(&self) -> impl Iterator<Item = (&'static str, u64, &Figures)> {
+        self.machines.iter().map(|row| (row.machine, row.golden.differing(), &row.figures))
+    }
+
     fn exit(&self) -> Exit {
         if self.identical { Exit::Done } else { Exit::CheckFailed }
     }

@@ -76,6 +76,11 @@ struct Pixel {
 }
 
 impl Verdict {
+    /// How many pixels differ; where the sizes do, all of the frame's count as one.
+    pub fn differing(&self) -> u64 {
+        self.differing.max(u64::from(!self.identical))
+    }
+
     fn of(comparison: &Comparison) -> Verdict {
         let identical = comparison.is_equal();
         let digits = |word: u64| match comparison.colours_alone {

@@ -138,7 +138,7 @@ fn an_interrupted_comparison_leaves_no_picture() {
 
 #[test]
 fn an_interrupted_report_leaves_no_file() {
-    for paper in ["quadtree", "pixel-planes-5"] {
+    for paper in ["quadtree", "pixel-planes-5", "all"] {
         let folder = Folder::new();
         let line = format!("reproduce {paper} -o report");
         let (run, took) = stopped_after(&folder, &line, Duration::from_secs(1));
