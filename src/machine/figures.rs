@@ -61,13 +61,16 @@ pub trait Compared: Job {
     fn figures(&self, report: &Self::Report) -> Result<Figures, Failure>;
 }
 
+/// What draws a scene, and says what the frame took.
+pub type Draw = fn(&Scene, &Run) -> Result<(Frame, Figures), Failure>;
+
 /// A machine that takes part in comparisons.
 #[derive(Clone, Copy)]
 pub struct Entrant {
     /// Which.
     pub machine: Machine,
     /// Draws a scene on the machine as it is without options, but large enough for the scene.
-    pub draw: fn(&Scene, &Run) -> Result<(Frame, Figures), Failure>,
+    pub draw: Draw,
 }
 
 /// All of them.
