@@ -3,6 +3,16 @@
 use super::{Design, Module};
 
 /// The bits that a circuit keeps, those of each instance counted.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let design = tilewright_sim::shown! { |m, i| in { enable: bit() } out { count: bits(8) }
+/// let count = m.reg("count", 8).reset(0);
+/// count.when(i.enable, count + 1);
+/// #     ShownOut { count: *count }
+/// # };
+/// assert_eq!(design.state(), ir::State { registers: 8, memories: 0, tables: 0 });
+/// ```
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct State {
     /// In registers.
@@ -64,16 +74,16 @@ impl Design {
     /// # block! {
     /// #     struct Line;
     /// #     in LineIn { word: bits(4) }
-    /// #     out LineOut { last: bits(4), square: bits(8), kept: bits(2).of(row(3)) }
+    /// #     out LineOut { last: bits(4), square: bits(8), held: bits(2).of(row(3)) }
     /// # }
     /// # impl Line {
     /// #     fn build(&self, m: Module, i: LineIn) -> LineOut {
     /// let cells = m.array("u_cell", 100, &Cell, |cells| CellIn { left: cells.held.previous(i.word) });
     /// let squares = m.memory("squares", 16, 8, ReadUnderWrite::Any).words((0..16).map(|x| x * x));
-    /// let cell = m.memory("kept", 5, bits(2).of(row(3)), ReadUnderWrite::Any);
+    /// let cell = m.memory("cell", 5, bits(2).of(row(3)), ReadUnderWrite::Any);
     /// cell.write(lit(1, 1), i.word.trunc(3), i.word.trunc(2).of(row(3)));
-    /// #         let (square, kept) = (squares.read_async(i.word), cell.read_async(i.word.trunc(3)));
-    /// #         LineOut { last: cells.held.last(), square, kept }
+    /// #         let (square, held) = (squares.read_async(i.word), cell.read_async(i.word.trunc(3)));
+    /// #         LineOut { last: cells.held.last(), square, held }
     /// #     }
     /// # }
     /// # let design = elaborate(&Line)?;
