@@ -4,6 +4,7 @@ mod all;
 mod colour;
 mod effort;
 mod pixel_planes;
+mod pixelflow;
 mod quadtree;
 mod right;
 
@@ -23,10 +24,11 @@ Examples:
   tilewright reproduce quadtree -o report/ --polygons 20
   tilewright reproduce quadtree -o report/ --polygons 20 --seed 7 --json
   tilewright reproduce pixel-planes-5 -o report/ --vectors 500
+  tilewright reproduce pixelflow -o report/ --primitives 20000
   tilewright reproduce all -o report/ --polygons 20
 
 `all` makes the pages of all papers, each in a folder of its name, and one above them with the same scenes on all machines, as compare has them.
-Without --polygons or --vectors there are as many as the figures need, for some minutes of processor time, which all cores share; with it the
+Without --polygons, --vectors or --primitives there are as many as the figures need, for some minutes of processor time, which all cores share; with it the
 frames are small, and the hardware runs for fewer points. The page, index.html, needs no other file and no network. Beside it is every figure as CSV, and all of it as report.json. The same
 command writes the same bytes each time.")]
 pub struct Reproduce {
@@ -35,15 +37,19 @@ pub struct Reproduce {
     /// The folder for the report, which is made if it is not there; all files are written, or none
     #[arg(short, long, value_name = "FOLDER")]
     output: PathBuf,
-    /// What the random polygons or vectors follow from
+    /// What the random polygons, vectors or primitives follow from
     #[arg(long, value_name = "NUMBER", default_value_t = 1)]
     seed: u64,
-    /// Of quadtree and all: at most so many random polygons of each area: a quick look, with wider scatter and small frames
+    /// Of quadtree: at most so many random polygons of each area: a quick look, with wider scatter and small frames; of all, also so many vectors,
+    /// and a thousand times as many primitives
     #[arg(long, value_name = "NUMBER", value_parser = value_parser!(u64).range(1..))]
     polygons: Option<u64>,
     /// Of pixel-planes-5: at most so many random vectors of each kind: a quick look likewise
     #[arg(long, value_name = "NUMBER", value_parser = value_parser!(u64).range(1..), conflicts_with = "polygons")]
     vectors: Option<u64>,
+    /// Of pixelflow: at most so many primitives in a frame: a quick look, which may not reach the latencies that are compared
+    #[arg(long, value_name = "NUMBER", value_parser = value_parser!(u64).range(1..), conflicts_with_all = ["polygons", "vectors"])]
+    primitives: Option<u64>,
     /// Print the report as JSON
     #[arg(long)]
     json: bool,
@@ -57,6 +63,9 @@ enum Paper {
     /// The renderers of Pixel-planes 5
     #[value(name = "pixel-planes-5")]
     PixelPlanes,
+    /// The three software systems of PixelFlow
+    #[value(name = "pixelflow")]
+    PixelFlow,
     /// Each of them, and all machines beside each other
     All,
 }
@@ -100,7 +109,10 @@ impl Reproduce {
         if self.machine != Paper::All {
             return Ok(vec![(String::new(), page(self.machine, effort)?)]);
         }
-        let papers = PAPERS.into_iter().map(|(paper, name)| Ok((format!("{name}/"), page(paper, effort)?)));
+        let papers = PAPERS.into_iter().map(|(paper, name)| {
+            let most = effort.most.map(|most| if paper == Paper::PixelFlow { most.saturating_mul(1000) } else { most });
+            Ok((format!("{name}/"), page(paper, Effort { most, ..effort })?))
+        });
         let mut pages = papers.collect::<Result<Vec<_>, Failure>>()?;
         let links = pages.iter().map(|(prefix, page)| {
             let [holds, differs, unknown] = page.count();
@@ -114,7 +126,11 @@ impl Reproduce {
 
     /// How much is to be measured.
     fn effort(&self) -> Result<Effort, Failure> {
-        let options = [(Paper::Quadtree, "--polygons", self.polygons), (Paper::PixelPlanes, "--vectors", self.vectors)];
+        let options = [
+            (Paper::Quadtree, "--polygons", self.polygons),
+            (Paper::PixelPlanes, "--vectors", self.vectors),
+            (Paper::PixelFlow, "--primitives", self.primitives),
+        ];
         let asked = if self.machine == Paper::All { Paper::Quadtree } else { self.machine };
         let (own, others): (Vec<_>, Vec<_>) = options.into_iter().partition(|(paper, ..)| *paper == asked);
         let (_, option, most) = own[0];
@@ -130,7 +146,8 @@ impl Reproduce {
 }
 
 /// The papers that have a page of their own, and the folders of those in that of all.
-const PAPERS: [(Paper, &str); 2] = [(Paper::Quadtree, "quadtree"), (Paper::PixelPlanes, "pixel-planes-5")];
+const PAPERS: [(Paper, &str); 3] =
+    [(Paper::Quadtree, "quadtree"), (Paper::PixelPlanes, "pixel-planes-5"), (Paper::PixelFlow, "pixelflow")];
 
 /// The files of a page, with that before their names.
 fn files(prefix: &str, page: &Page) -> Vec<File> {
@@ -143,6 +160,7 @@ fn page(paper: Paper, effort: Effort) -> Result<Page, Failure> {
     let page = watched(|watch| match paper {
         Paper::Quadtree => quadtree::page(effort, watch),
         Paper::PixelPlanes => pixel_planes::page(effort, watch),
+        Paper::PixelFlow => pixelflow::page(effort, watch),
         Paper::All => unreachable!("that of all papers is made of several"),
     })?;
     page.ok_or_else(|| Failure::new(interrupt::exit(), "interrupted while the machine was measured"))

@@ -12,13 +12,15 @@ fn the_pages_are_those_of_the_papers_and_one_of_all_machines() {
     assert!(files.iter().all(|name| folder.path(name).is_file()), "{files:?}");
 
     // Each as the command of its paper writes it.
-    for (paper, option) in [("quadtree", "--polygons"), ("pixel-planes-5", "--vectors")] {
-        folder.stdout(&format!("reproduce {paper} -o alone-{paper} {option} 2"));
+    for (paper, option) in
+        [("quadtree", "--polygons 2"), ("pixel-planes-5", "--vectors 2"), ("pixelflow", "--primitives 2000")]
+    {
+        folder.stdout(&format!("reproduce {paper} -o alone-{paper} {option}"));
         let name = |folder: &str| format!("{folder}/index.html");
         assert_eq!(folder.read(name(&format!("report/{paper}"))), folder.read(name(&format!("alone-{paper}"))));
     }
     let page = folder.read("report/index.html");
-    for paper in ["quadtree", "pixel-planes-5"] {
+    for paper in ["quadtree", "pixel-planes-5", "pixelflow"] {
         assert!(page.contains(&format!("<a href=\"{paper}/index.html\">")), "no way to {paper}");
     }
     if let Some(complaints) = browser::complaints(page.as_bytes()) {

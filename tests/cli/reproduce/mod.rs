@@ -2,6 +2,7 @@
 
 mod all;
 mod pixel_planes;
+mod pixelflow;
 mod quadtree;
 
 use crate::harness::Folder;
