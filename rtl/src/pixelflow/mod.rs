@@ -25,6 +25,8 @@
 //! | [`controller`] | what takes instructions and controls evaluator and pixels |
 //! | [`linear_evaluator`] | A x + B y + C at all pixels |
 //! | [`pixel`] | a pixel's ALU, flags and memory |
+//! | [`texture_unit`] | gives each pixel the texels that it asks for |
+//! | [`texture_memory`] | the texels around a place |
 //! | [`registers`] | bytes of each pixel that a port sees, too |
 
 use crate::prelude::{Clock, ParameterError, Period};
@@ -44,6 +46,8 @@ pub mod pixel;
 pub mod registers;
 #[cfg(test)]
 mod testing;
+pub mod texture_memory;
+pub mod texture_unit;
 
 /// The clock of controller, evaluator and pixels: 100 MHz (facts E4).
 pub const ARRAY: Clock = Clock::new("array", Period::ns(10));
