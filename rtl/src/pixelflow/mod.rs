@@ -19,11 +19,16 @@
 //! | [`command_dma`] | brings instructions to the array |
 //! | [`compositor`] | of two pixels, the nearer, byte by byte |
 //! | [`network_port`] | the compositors of a node, and whose turn it is |
+//! | [`network`] | the ports of all nodes |
 //! | [`network_sequencer`] | what a node does with each word that passes |
 //! | [`node`] | all of these |
 //! | [`instruction`] | what a node is told to do |
 //! | [`controller`] | what takes instructions and controls evaluator and pixels |
 //! | [`linear_evaluator`] | A x + B y + C at all pixels |
+//! | [`schedule`] | the clocks that it takes |
+//! | [`fields`] | what is where in a pixel |
+//! | [`programs`] | rasterization and shading |
+//! | [`emulator`] | what instructions do, by definition |
 //! | [`pixel`] | a pixel's ALU, flags and memory |
 //! | [`texture_unit`] | gives each pixel the texels that it asks for |
 //! | [`texture_memory`] | the texels around a place |
@@ -35,10 +40,13 @@ pub mod array;
 pub mod command_dma;
 pub mod compositor;
 pub mod controller;
+pub mod emulator;
+pub mod fields;
 pub mod instruction;
 pub mod linear_evaluator;
 #[cfg(test)]
 mod model;
+pub mod network;
 pub mod network_port;
 pub mod network_sequencer;
 pub mod node;
@@ -54,6 +62,8 @@ pub const ARRAY: Clock = Clock::new("array", Period::ns(10));
 
 /// The clock of the network: 100 MHz, on both edges (PFL-NET).
 pub const NETWORK: Clock = Clock::new("network", TRANSFER);
+pub mod programs;
+pub mod schedule;
 
 /// The time of a transfer: 200 MHz (PFL-NET).
 pub const TRANSFER: Period = Period::ns(5);
