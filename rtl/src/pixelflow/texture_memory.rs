@@ -140,7 +140,7 @@ impl TextureMemory {
         let widths = self.describe();
         let [base, finest] = [("bases", widths.base, i.describe.base), ("finests", widths.finest, i.describe.finest)]
             .map(|(name, width, written)| {
-                let table = m.memory(name, self.textures, width, ReadUnderWrite::Any);
+                let table = m.memory(name, self.textures, width, ReadUnderWrite::Old);
                 table.write(i.describe.valid, i.describe.texture, written);
                 table.read(i.request.texture.trunc(widths.texture))
             });
@@ -159,7 +159,7 @@ impl TextureMemory {
         // Third clock: each bank has one texel of the level whose parity it has.
         let banks: Vec<Signal> = (0..8u32)
             .map(|bank| {
-                let memory = m.memory(&format!("bank{bank}"), self.texels, 24, ReadUnderWrite::Any);
+                let memory = m.memory(&format!("bank{bank}"), self.texels, 24, ReadUnderWrite::Old);
                 memory.write(i.write.valid & i.write.bank.eq(bank), i.write.address, i.write.texel);
                 memory.read(self.address(base, &sides, bank))
             })

@@ -58,34 +58,24 @@ module texture_memory_texels16_textures2 (
     reg [2:0] from6;                                             // rtl/src/pixelflow/texture_memory.rs:175
     reg [2:0] from7;                                             // rtl/src/pixelflow/texture_memory.rs:175
 
-    (* no_rw_check *)
     reg [3:0] bases [0:1];                                       // rtl/src/pixelflow/texture_memory.rs:143
     reg [3:0] bases_read;                                        // rtl/src/pixelflow/texture_memory.rs:145
-    (* no_rw_check *)
     reg [3:0] finests [0:1];                                     // rtl/src/pixelflow/texture_memory.rs:143
     reg [3:0] finests_read;                                      // rtl/src/pixelflow/texture_memory.rs:145
-    (* no_rw_check *)
     reg [23:0] bank0 [0:15];                                     // rtl/src/pixelflow/texture_memory.rs:162
     reg [23:0] bank0_read;                                       // rtl/src/pixelflow/texture_memory.rs:164
-    (* no_rw_check *)
     reg [23:0] bank1 [0:15];                                     // rtl/src/pixelflow/texture_memory.rs:162
     reg [23:0] bank1_read;                                       // rtl/src/pixelflow/texture_memory.rs:164
-    (* no_rw_check *)
     reg [23:0] bank2 [0:15];                                     // rtl/src/pixelflow/texture_memory.rs:162
     reg [23:0] bank2_read;                                       // rtl/src/pixelflow/texture_memory.rs:164
-    (* no_rw_check *)
     reg [23:0] bank3 [0:15];                                     // rtl/src/pixelflow/texture_memory.rs:162
     reg [23:0] bank3_read;                                       // rtl/src/pixelflow/texture_memory.rs:164
-    (* no_rw_check *)
     reg [23:0] bank4 [0:15];                                     // rtl/src/pixelflow/texture_memory.rs:162
     reg [23:0] bank4_read;                                       // rtl/src/pixelflow/texture_memory.rs:164
-    (* no_rw_check *)
     reg [23:0] bank5 [0:15];                                     // rtl/src/pixelflow/texture_memory.rs:162
     reg [23:0] bank5_read;                                       // rtl/src/pixelflow/texture_memory.rs:164
-    (* no_rw_check *)
     reg [23:0] bank6 [0:15];                                     // rtl/src/pixelflow/texture_memory.rs:162
     reg [23:0] bank6_read;                                       // rtl/src/pixelflow/texture_memory.rs:164
-    (* no_rw_check *)
     reg [23:0] bank7 [0:15];                                     // rtl/src/pixelflow/texture_memory.rs:162
     reg [23:0] bank7_read;                                       // rtl/src/pixelflow/texture_memory.rs:164
 
