@@ -3,6 +3,7 @@
 mod colour;
 mod effort;
 mod pixel_planes;
+mod pixelflow;
 mod quadtree;
 mod right;
 
@@ -22,8 +23,9 @@ Examples:
   tilewright reproduce quadtree -o report/ --polygons 20
   tilewright reproduce quadtree -o report/ --polygons 20 --seed 7 --json
   tilewright reproduce pixel-planes-5 -o report/ --vectors 500
+  tilewright reproduce pixelflow -o report/ --primitives 20000
 
-Without --polygons or --vectors there are as many as the figures need, for some minutes of processor time, which all cores share; with it the
+Without --polygons, --vectors or --primitives there are as many as the figures need, for some minutes of processor time, which all cores share; with it the
 frames are small, and the hardware runs for fewer points. The page, index.html, needs no other file and no network. Beside it is every figure as CSV, and all of it as report.json. The same
 command writes the same bytes each time.")]
 pub struct Reproduce {
@@ -32,7 +34,7 @@ pub struct Reproduce {
     /// The folder for the report, which is made if it is not there; all files are written, or none
     #[arg(short, long, value_name = "FOLDER")]
     output: PathBuf,
-    /// What the random polygons or vectors follow from
+    /// What the random polygons, vectors or primitives follow from
     #[arg(long, value_name = "NUMBER", default_value_t = 1)]
     seed: u64,
     /// Of quadtree: at most so many random polygons of each area: a quick look, with wider scatter and small frames
@@ -41,6 +43,9 @@ pub struct Reproduce {
     /// Of pixel-planes-5: at most so many random vectors of each kind: a quick look likewise
     #[arg(long, value_name = "NUMBER", value_parser = value_parser!(u64).range(1..), conflicts_with = "polygons")]
     vectors: Option<u64>,
+    /// Of pixelflow: at most so many primitives in a frame: a quick look, which may not reach the latencies that are compared
+    #[arg(long, value_name = "NUMBER", value_parser = value_parser!(u64).range(1..), conflicts_with_all = ["polygons", "vectors"])]
+    primitives: Option<u64>,
     /// Print the report as JSON
     #[arg(long)]
     json: bool,
@@ -54,6 +59,9 @@ enum Paper {
     /// The renderers of Pixel-planes 5
     #[value(name = "pixel-planes-5")]
     PixelPlanes,
+    /// The three software systems of PixelFlow
+    #[value(name = "pixelflow")]
+    PixelFlow,
 }
 
 #[derive(Serialize)]
@@ -90,13 +98,18 @@ impl Reproduce {
         let page = watched(|watch| match self.machine {
             Paper::Quadtree => quadtree::page(effort, watch),
             Paper::PixelPlanes => pixel_planes::page(effort, watch),
+            Paper::PixelFlow => pixelflow::page(effort, watch),
         })?;
         page.ok_or_else(|| Failure::new(interrupt::exit(), "interrupted while the machine was measured"))
     }
 
     /// How much is to be measured.
     fn effort(&self) -> Result<Effort, Failure> {
-        let options = [(Paper::Quadtree, "--polygons", self.polygons), (Paper::PixelPlanes, "--vectors", self.vectors)];
+        let options = [
+            (Paper::Quadtree, "--polygons", self.polygons),
+            (Paper::PixelPlanes, "--vectors", self.vectors),
+            (Paper::PixelFlow, "--primitives", self.primitives),
+        ];
         let (own, others): (Vec<_>, Vec<_>) = options.into_iter().partition(|(paper, ..)| *paper == self.machine);
         let (_, option, most) = own[0];
         match others.iter().find(|(.., most)| most.is_some()) {

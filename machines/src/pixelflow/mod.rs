@@ -1,16 +1,30 @@
 //! PixelFlow: identical nodes that rasterize, shade or hold the frame, with a network between them that composes images.
 //!
-//! Here is what the paper says of the latency of three software systems on such a machine, in formulas; and packets and shaders as the programs of a
-//! node take them.
+//! | file | what is in it |
+//! |---|---|
+//! | `latency` | what the paper says of the latency of three software systems, in formulas |
+//! | `workload` | what rasterizers have to draw |
+//! | `model` | when each node has done what: the transaction model |
+//! | `simulated` | the systems in that model |
+//! | `costs` | what each step takes |
+//! | `packets` | packets as the programs of a node take them |
 //!
 //! Source: "Reducing Latency on PixelFlow", facts A4 (PFL).
 
 mod constants;
 mod costs;
+mod hardware;
 mod latency;
+mod model;
 mod packets;
+mod simulated;
+mod workload;
 
 pub use constants::constants;
 pub use costs::Costs;
+pub use costs::{Costs, Ticks, milliseconds, ticks};
 pub use latency::{Nodes, Samples, Software, System, Times, crossover, overlap};
+pub use model::{Done, Frame, FrontEnd, Pass, Resident, Shading, Timeline, Turn};
 pub use packets::Corner;
+pub use simulated::{Choices, Shades, Simulated};
+pub use workload::{Boxes, Place, Share, Workload};

@@ -54,16 +54,23 @@ fn vertices(region: Tested) -> impl Strategy<Value = [AppearanceVertex; 3]> {
     let channel = || prop_oneof![2 => Just(200_u8), 1 => any::<u8>()];
     let word = || prop_oneof![2 => Just(40_000_u16), 1 => any::<u16>()];
     let part = || prop_oneof![2 => Just(-300_i16), 1 => -32_767..=32_767_i16];
-    let vertex = (place(0), place(1), z, [channel(), channel(), channel()], [part(), part(), part()], [word(), word()], word())
-        .prop_map(|(x, y, z, rgb, normal, uv, scale)| AppearanceVertex { at: ScreenVertex { x, y, z, rgb }, normal, uv, scale });
+    let vertex =
+        (place(0), place(1), z, [channel(), channel(), channel()], [part(), part(), part()], [word(), word()], word())
+            .prop_map(|(x, y, z, rgb, normal, uv, scale)| AppearanceVertex {
+                at: ScreenVertex { x, y, z, rgb },
+                normal,
+                uv,
+                scale,
+            });
     proptest::array::uniform3(vertex)
 }
 
 fn packets() -> impl Strategy<Value = (Tested, Vec<AppearancePacket>)> {
     proptest::sample::select(&REGIONS[..]).prop_flat_map(|region| {
-        let packet = (vertices(region), 0..3_u8, 0..3_u8).prop_filter_map("it has an area", |(vertices, material, level)| {
-            set_up_appearance(&vertices, material, level, screen())
-        });
+        let packet = (vertices(region), 0..3_u8, 0..3_u8)
+            .prop_filter_map("it has an area", |(vertices, material, level)| {
+                set_up_appearance(&vertices, material, level, screen())
+            });
         (Just(region), proptest::collection::vec(packet, 1..12))
     })
 }

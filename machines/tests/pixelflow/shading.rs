@@ -73,8 +73,11 @@ fn direction() -> impl Strategy<Value = [i16; 3]> {
 
 fn lights() -> impl Strategy<Value = Vec<ShaderLight>> {
     let brightness = prop_oneof![3 => any::<u8>(), 1 => Just(255), 1 => Just(0)];
-    let light = (direction(), direction(), brightness)
-        .prop_map(|(direction, half, brightness)| ShaderLight { direction, half, brightness });
+    let light = (direction(), direction(), brightness).prop_map(|(direction, half, brightness)| ShaderLight {
+        direction,
+        half,
+        brightness,
+    });
     proptest::collection::vec(light, 0..5)
 }
 

@@ -43,6 +43,9 @@ pub const ENTRIES: &[Entry] = &[
     pixel_planes::BACKING_STORE,
     pixel_planes::REGION_ALLOCATOR,
     pixel_planes::FRAME_BUFFER,
+    pixelflow::ARRAY_CONTROLLER,
+    pixelflow::LINEAR_EVALUATOR,
+    pixelflow::PIXEL,
     pixelflow::NETWORK_PORT,
     pixelflow::COMPOSITOR,
 ];

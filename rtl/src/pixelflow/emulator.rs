@@ -54,13 +54,7 @@ impl Default for Pixel {
 impl Pixel {
     /// A pixel with zeros everywhere; hardware begins with any.
     pub fn new() -> Pixel {
-        Pixel {
-            memory: [0; PixelProcessor::BYTES as usize],
-            accumulator: 0,
-            carry: false,
-            flag: false,
-            enable: 0,
-        }
+        Pixel { memory: [0; PixelProcessor::BYTES as usize], accumulator: 0, carry: false, flag: false, enable: 0 }
     }
 
     /// Does what a program does to the pixel at (x, y) of the region.
@@ -101,7 +95,8 @@ impl Pixel {
             Begin::Zero => false,
             Begin::One => true,
         };
-        let (result, carry) = computed(Function::ALL[i.function as usize], self.memory[read], operand, carry, self.carry);
+        let (result, carry) =
+            computed(Function::ALL[i.function as usize], self.memory[read], operand, carry, self.carry);
         let writes = match Mask::ALL[i.mask as usize] {
             Mask::Nobody => false,
             Mask::Everybody => true,

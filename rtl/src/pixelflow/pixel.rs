@@ -1,4 +1,4 @@
-//! The pixel processor: an ALU of 8 bits with an accumulator, a stack of enable flags, and 384 bytes of memory (PFL-NODE, facts E4).
+//! The pixel processor: an ALU of 8 bits with an accumulator, a stack of enable flags, and 256 bytes of memory (PFL-NODE, facts E4).
 //!
 //! ```text
 //! expression --.                               .---------.
@@ -17,7 +17,11 @@
 //! (but shifted right from its most significant), with the carry between them.
 //!
 //! Two words make a third in two clocks a byte: one into the accumulator, the other with it into memory. A constant, or a byte of the expression,
-//! makes it in one. Bytes 0 to 255 are memory, and 256 to 383 are communication registers, which network and texture unit see, too.
+//! makes it in one. Bytes 0 to 255 are memory, and 256 to 383 are communication registers, which stand outside, as network and texture unit see
+//! them, too ([`array`](super::array)).
+//!
+//! The sign of an expression goes to the enable flags past the ALU, which may do something else in that clock: so edges are tested while the primitive
+//! before is still being written.
 //!
 //! Latency 1 clock to memory and flags; one read and one write a clock, each at an address that all processors share.
 
@@ -156,6 +160,8 @@ bundle! {
         pub condition: T,
         /// What becomes of the enable flags: an [`Enabling`].
         pub enabling: T,
+        /// `enabling` looks at the expression's top bit instead: the condition holds where it is 0.
+        pub by_sign: T,
         /// What becomes of the flag: a [`Flagging`].
         pub flagging: T,
         /// The address that is read.
@@ -178,6 +184,7 @@ impl Control<Width> {
             stores: bit(),
             condition: one_of::<Condition>(),
             enabling: one_of::<Enabling>(),
+            by_sign: bit(),
             flagging: one_of::<Flagging>(),
             read: below(PixelProcessor::BYTES),
             write: below(PixelProcessor::BYTES),
@@ -185,9 +192,31 @@ impl Control<Width> {
     }
 }
 
+impl Control<u64> {
+    /// They do nothing in this clock.
+    pub const NOTHING: Control<u64> = Control {
+        source: 0,
+        constant: 0,
+        function: 0,
+        begin: 0,
+        mask: 0,
+        accumulates: 0,
+        stores: 0,
+        condition: 0,
+        enabling: 0,
+        by_sign: 0,
+        flagging: 0,
+        read: 0,
+        write: 0,
+    };
+}
+
 block! {
     /// Computes a byte of a pixel a clock.
-    pub struct PixelProcessor;
+    pub struct PixelProcessor {
+        /// Enable flags, one in another; 2 at least.
+        pub depth: u32,
+    }
     latency = "1 clock to the memory and the flags";
     source = "Reducing Latency on PixelFlow, section 3 (PFL-NODE)";
     in PixelProcessorIn {
@@ -195,10 +224,14 @@ block! {
         control: Control = Control::widths(),
         /// A byte of the expression at this pixel.
         expression: bits(8),
+        /// The communication register at the address that is read, if one is there.
+        register_byte: bits(8),
     }
     out PixelProcessorOut {
-        /// The byte that is read.
-        word: bits(8),
+        /// The byte that the ALU makes.
+        result: bits(8),
+        /// It goes to the communication register at the address that is written.
+        writes_register: bit(),
     }
 }
 
@@ -207,13 +240,13 @@ impl PixelProcessor {
     pub const BYTES: u32 = 384;
     /// The address of the first communication register.
     pub const REGISTERS: u32 = 256;
-    /// Enable flags, one in another.
+    /// Enable flags, one in another, of the machine's.
     pub const DEPTH: u32 = 8;
 
     fn build(&self, m: Module, i: PixelProcessorIn) -> PixelProcessorOut {
         let c = i.control;
-        let memory = m.memory("memory", PixelProcessor::BYTES, bits(8), ReadUnderWrite::Any);
-        net!(word = memory.read_async(c.read));
+        let memory = m.memory("memory", PixelProcessor::REGISTERS, bits(8), ReadUnderWrite::Any);
+        net!(word = mux(is_register(c.read), i.register_byte, memory.read_async(in_memory(c.read))));
         let (accumulator, carry) = (m.reg("accumulator", bits(8)), m.reg("carry", bit()));
         let flag = m.reg("flag", bit());
         net!(
@@ -270,15 +303,16 @@ impl PixelProcessor {
                 Condition::NoCarry => !carry_next,
             })
         );
-        let stack = m.reg("enable", bits(PixelProcessor::DEPTH));
-        let (top, next, rest) = (stack.bit(0), stack.bit(1), stack.slice(1..PixelProcessor::DEPTH));
+        net!(enters = mux(c.by_sign, !i.expression.msb(), holds));
+        let stack = m.reg("enable", bits(self.depth));
+        let (top, next, rest) = (stack.bit(0), stack.bit(1), stack.slice(1..self.depth));
         net!(
             enables = c.enabling.choose(|enabling| match enabling {
                 Enabling::Keep => *stack,
                 Enabling::Set => concat(&[rest, lit(1, 1)]),
-                Enabling::Replace => concat(&[rest, holds]),
-                Enabling::Restrict => concat(&[rest, top & holds]),
-                Enabling::Push => concat(&[stack.slice(0..PixelProcessor::DEPTH - 1), top & holds]),
+                Enabling::Replace => concat(&[rest, enters]),
+                Enabling::Restrict => concat(&[rest, top & enters]),
+                Enabling::Push => concat(&[stack.slice(0..self.depth - 1), top & enters]),
                 Enabling::Invert => concat(&[rest, next & !top]),
                 Enabling::Pop => concat(&[stack.msb(), rest]),
             })
@@ -299,7 +333,20 @@ impl PixelProcessor {
             })
         );
         accumulator.when(writes & c.accumulates, result);
-        memory.write(writes & c.stores, c.write, result);
-        PixelProcessorOut { word }
+        net!(stores = writes & c.stores);
+        memory.write(stores & !is_register(c.write), in_memory(c.write), result);
+        PixelProcessorOut { result, writes_register: stores & is_register(c.write) }
     }
 }
+
+/// The address is one of a communication register.
+fn is_register(address: Signal) -> Signal {
+    address.msb()
+}
+
+fn in_memory(address: Signal) -> Signal {
+    address.trunc(below(PixelProcessor::REGISTERS))
+}
+
+#[cfg(test)]
+mod tests;

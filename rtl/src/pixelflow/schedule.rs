@@ -19,9 +19,8 @@ use crate::prelude::Codes;
 pub fn step(i: &Instruction<u64>) -> Step {
     let has_expression = i.source == Source::Expression.code();
     let enabling = Enabling::ALL[i.enabling as usize];
-    let uses_enable = enabling != Enabling::Keep
-        || i.mask == Mask::Enabled.code()
-        || i.flagging == Flagging::EnabledCondition.code();
+    let uses_enable =
+        enabling != Enabling::Keep || i.mask == Mask::Enabled.code() || i.flagging == Flagging::EnabledCondition.code();
     let on_tree = has_expression || uses_enable;
     Step {
         on_tree,

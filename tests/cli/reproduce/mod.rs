@@ -1,6 +1,7 @@
 //! `tilewright reproduce`: the pages, their data, and what goes wrong.
 
 mod pixel_planes;
+mod pixelflow;
 mod quadtree;
 
 use crate::harness::Folder;

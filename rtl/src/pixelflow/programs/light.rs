@@ -82,7 +82,9 @@ impl Combinations {
             return;
         }
         let upper = Field::new(to.byte(1), 1);
-        w.push(with_constant(Function::Subtract, upper, BIAS_BYTE).to(upper).begins(Begin::One).flags(Condition::NoCarry));
+        w.push(
+            with_constant(Function::Subtract, upper, BIAS_BYTE).to(upper).begins(Begin::One).flags(Condition::NoCarry),
+        );
         w.push(set(to, 0).only(Mask::Flagged));
         // A unit normal is shorter than 2^12; only a direction longer than 2^8 leads above that.
         if direction.iter().map(|part| i32::from(*part).pow(2)).sum::<i32>() > 1 << 16 {

@@ -2,16 +2,16 @@
 //!
 //! Each component becomes `sign(n) floor(|n| 2^12 / (s + 1))` with `s = floor(sqrt(x^2 + y^2 + z^2))`. Source: facts E4.
 
+use super::super::fields::Field;
 use super::super::fields::appearance::NORMAL;
 use super::super::fields::shading::*;
-use super::super::fields::Field;
 use super::super::instruction::Instruction;
 use super::super::pixel::{Begin, Condition, Function, Mask};
 use super::arithmetic::{Division, Writer};
 use super::assembler::{carried, copy, load, load_constant, set, with_accumulator, with_constant};
 
 /// Digits of a component of a unit normal.
-const DIGITS_OF_UNIT: u32 = 12;
+const DIGITS_OF_UNIT: u64 = 12;
 
 /// The instructions that make a unit normal of that of an appearance word.
 pub(super) fn normalize(word: u64) -> Vec<Instruction<u64>> {
@@ -61,7 +61,10 @@ fn square(w: &mut Writer, of: Field, to: Field) {
 fn root(w: &mut Writer) {
     let top = ROOT.byte(3);
     w.extend([
-        with_constant(Function::Subtract, Field::new(SUM.byte(3), 1), 0x40).writes(TRIAL.byte(3)).begins(Begin::One).flags(Condition::Carry),
+        with_constant(Function::Subtract, Field::new(SUM.byte(3), 1), 0x40)
+            .writes(TRIAL.byte(3))
+            .begins(Begin::One)
+            .flags(Condition::Carry),
         copy(Field::new(TRIAL.byte(3), 1), Field::new(SUM.byte(3), 1)).only(Mask::Flagged),
         set(Field::new(top, 1), 0),
         set(Field::new(top, 1), 0x40).only(Mask::Flagged),
@@ -109,12 +112,11 @@ fn subtract(w: &mut Writer, byte: u64, digit: u64, bit: i64) {
 
 /// `floor(remainder 2^12 / divisor)`, where the remainder is less than the divisor.
 fn quotient(w: &mut Writer, remainder: Field, divisor: Field, to: Field) {
+    // All digits are set, to begin with.
+    w.push(set(to, (1 << DIGITS_OF_UNIT) - 1));
     for digit in (0..DIGITS_OF_UNIT).rev() {
         let step = Division { comes_in: false, may_leave: true, is_last: digit == 0 };
         w.divided([remainder.byte(0), remainder.byte(1)], remainder, divisor, step);
-        let byte = to.byte(u64::from(digit / 8));
-        // The first digit of a byte comes to a zero.
-        let is_first = digit == 7 || digit == DIGITS_OF_UNIT - 1;
-        w.push(carried(Function::ShiftLeft, if is_first { ZERO } else { byte }).writes(byte));
+        w.quotient_digit(to, digit);
     }
 }

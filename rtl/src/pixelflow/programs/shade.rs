@@ -114,7 +114,7 @@ impl Shading<'_> {
     /// The part that the texture unit waits for, to where it is started: materials, coordinates and levels.
     pub fn before_texture(self) -> Vec<Instruction<u64>> {
         let mut w = Writer::default();
-        w.constants();
+        w.zero();
         self.materials(&mut w);
         if self.finest().is_some() {
             w.extend(perspective::coordinates(self.word));
