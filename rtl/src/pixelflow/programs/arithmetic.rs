@@ -45,7 +45,7 @@ impl Writer {
         }
     }
 
-    /// `floor(a (b + 1) / 2^8)`, which only the last instruction writes, so a may stand at `to`: 17 clocks.
+    /// `floor(a (b + 1) / 2^8)` of the bytes at two addresses; a may be where it goes. 17 clocks.
     pub fn scaled(&mut self, a: u64, b: u64, to: u64) {
         self.push(load(a));
         self.digit(b, DIGITS, Begin::Zero);
