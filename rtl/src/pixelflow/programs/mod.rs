@@ -46,7 +46,8 @@
 //! | all, without textures | 2188 | 2188 |  |
 //!
 //! - The 2 clocks of an appearance above facts E4 are the comparison of material and level.
-//! - Side by side the copy of a word goes on under the next primitive's edges, so 58 is what memory takes: 38 of planes and constants, and 20 of the copy.
+//! - Side by side the copy of a word goes on under the next primitive's edges and the fraction of its first plane, so the edges' form does not count: 58 are all but
+//!   these 12 and 2.
 //! - The paper's 1540 are addresses alone, in 15.4 us, and its 9500 the worst look-up, in 95 us: what is computed while the texture unit works is hidden by that.
 //! - Four lights of any directions take at most 1476 clocks: their number depends on the ones of a direction's components.
 //! - A digit of a product takes 2 clocks, as the ALU halves a sum in one ([`Function::AddHalved`](super::pixel::Function::AddHalved)); a digit of a quotient 9.

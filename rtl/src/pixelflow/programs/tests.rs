@@ -198,6 +198,6 @@ fn all_cosines_are_squared_exactly() {
         let mut pixel = littered();
         put(&mut pixel, HIGHLIGHT, cosine);
         pixel.run(&w.0, 0, 0);
-        assert_eq!(number(&pixel, HIGHLIGHT), cosine * cosine >> 12, "{cosine}");
+        assert_eq!(number(&pixel, HIGHLIGHT), (cosine * cosine) >> 12, "{cosine}");
     }
 }
