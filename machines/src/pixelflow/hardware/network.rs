@@ -47,7 +47,8 @@ impl Way {
         self.sim.set(nodes[to].mode, Mode::Unload as u64);
         let mut came: Vec<Bits> = Vec::with_capacity(length);
         let target = self.sim.o.nodes[to];
-        for tick in 0..length + (to - first) {
+        // Until the last byte has left the network.
+        for tick in 0..length + self.nodes - first {
             for (number, own) in words {
                 if let Some(bytes) = tick.checked_sub(number - first).and_then(|turn| own.get(turn)) {
                     self.sim.set(nodes[*number].own, bytes);
@@ -60,7 +61,7 @@ impl Way {
             }
             self.sim.try_step()?;
         }
-        debug_assert!(came.len() == length && to < self.nodes);
+        debug_assert!(came.len() == length);
         Ok(came)
     }
 }

@@ -64,10 +64,12 @@ mod least_word;
 mod light;
 mod normalize;
 mod perspective;
+mod ports;
 mod shade;
 
 pub use clear::{clear, clear_to};
 pub use least_word::{Appearance, Region, Words, appearance, covered, gouraud};
+pub use ports::{await_bank, give_bank, move_word};
 pub use shade::{Light, Material, NO_TEXTURE, Shader, Shading, Texture};
 
 /// The fraction bits of planes.
