@@ -3,10 +3,9 @@
 use proptest::prelude::*;
 use tilewright_machines::pixelflow::Corner;
 use tilewright_rtl::pixelflow::emulator::Pixel;
-use tilewright_rtl::pixelflow::fields::{appearance, bank, gouraud};
+use tilewright_rtl::pixelflow::fields::{appearance, bank};
 use tilewright_rtl::pixelflow::instruction::Instruction;
 use tilewright_rtl::pixelflow::programs::{self, Edges, Region, Words};
-use tilewright_rtl::pixelflow::schedule::{one_at_a_time, side_by_side};
 use tilewright_scenes::deferred::{Appearance, AppearancePacket, AppearanceVertex, set_up_appearance};
 use tilewright_scenes::{ScreenVertex, Size, Triangle, golden};
 

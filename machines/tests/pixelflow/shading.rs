@@ -11,7 +11,8 @@ use tilewright_rtl::pixelflow::programs::{NO_TEXTURE, Shading};
 use tilewright_scenes::Texture;
 use tilewright_scenes::deferred::{Appearance, Parameters, Shader, ShaderLight, ShaderMaterial};
 
-const WORD: u64 = bank(1);
+/// Where a pixel's appearance word is.
+pub const WORD: u64 = bank(1);
 const COLOUR: u64 = bank(0) + 5;
 
 fn read(pixel: &Pixel, field: Field) -> u32 {
@@ -41,25 +42,29 @@ fn look_up(pixel: &mut Pixel, textures: &[Arc<Texture>]) {
     }
 }
 
-/// The colour that the programs give to a word.
+/// The colour that the programs give to a word, in a pixel where all else is left from before.
 fn shaded(shader: &Shader, word: Appearance) -> [u8; 3] {
-    let constants = constants(shader);
-    let programs = Shading { shader: &constants, word: WORD, colour: COLOUR };
     let mut pixel = Pixel::new();
     pixel.memory = std::array::from_fn(|at| (at * 37 + 11) as u8);
     (pixel.flag, pixel.enable, pixel.carry, pixel.accumulator) = (true, 0x55, true, 99);
     for (j, byte) in word.bytes().into_iter().enumerate() {
         pixel.memory[(WORD + appearance::BYTES) as usize - 1 - j] = byte;
     }
+    run(&mut pixel, shader)
+}
+
+/// The colour that the programs give to a pixel with a word.
+pub fn run(pixel: &mut Pixel, shader: &Shader) -> [u8; 3] {
+    let constants = constants(shader);
+    let programs = Shading { shader: &constants, word: WORD, colour: COLOUR };
     pixel.run(&programs.before_texture(), 0, 0);
-    let mut with_texels = pixel;
     let starts = |instruction: &Instruction<u64>| instruction.sync == Sync::StartTexture as u64;
     if programs.before_texture().iter().any(starts) {
-        look_up(&mut with_texels, &shader.textures);
+        look_up(pixel, &shader.textures);
     }
-    with_texels.run(&programs.under_texture(), 0, 0);
-    with_texels.run(&programs.after_texture(), 0, 0);
-    [2, 1, 0].map(|at| with_texels.memory[(COLOUR + at) as usize])
+    pixel.run(&programs.under_texture(), 0, 0);
+    pixel.run(&programs.after_texture(), 0, 0);
+    [2, 1, 0].map(|at| pixel.memory[(COLOUR + at) as usize])
 }
 
 fn direction() -> impl Strategy<Value = [i16; 3]> {

@@ -123,8 +123,6 @@ pub(super) mod shading {
 
     /// Zero.
     pub const ZERO: u64 = 0;
-    /// 255.
-    pub const ONES: u64 = 1;
     /// What is added to sums that may be negative.
     pub const BIAS: Field = Field::new(2, 2);
     /// Room for products: digits of the multiplier, and what is made of them.
@@ -132,8 +130,10 @@ pub(super) mod shading {
     pub const HIGH: u64 = 5;
     pub const LOW: u64 = 6;
     pub const PARTIAL: u64 = 7;
-    /// Room for what may be the next remainder.
+    /// Room for what a root leaves of its number, if there is a digit; and for texels between levels.
     pub const TRIAL: Field = Field::new(8, 4);
+    /// Twice a remainder.
+    pub const DOUBLED: Field = TRIAL;
 
     /// Of the pixel's material: the brightness of highlights, how often cosines are squared (255 where no light falls on it), and the finest level of its texture.
     pub const MATERIAL: Field = Field::new(12, 3);

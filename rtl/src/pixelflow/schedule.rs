@@ -73,3 +73,21 @@ fn take(schedule: &mut Schedule, i: &Instruction<u64>, step: &Step) -> u64 {
     let alone = schedule.ready(step).max(schedule.idle() - 1);
     schedule.take_at(step, alone).taken
 }
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::super::{model, testing};
+    use super::*;
+
+    proptest! {
+        #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(4000) })]
+
+        /// The controller agrees with the model in each clock.
+        #[test]
+        fn an_instruction_takes_what_it_takes_in_the_model(instruction in testing::instructions()) {
+            prop_assert_eq!(step(&instruction), model::step(&instruction));
+        }
+    }
+}

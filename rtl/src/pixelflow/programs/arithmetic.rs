@@ -1,10 +1,11 @@
 //! Steps of multiplication and division that shading is made of, and what a program is written with.
 
 use super::super::fields::Field;
-use super::super::fields::shading::{DIGITS, ONES, TRIAL, ZERO};
+use super::super::fields::shading::{DIGITS, DOUBLED, ZERO};
 use super::super::instruction::Instruction;
-use super::super::pixel::{Begin, Condition, Function, Mask, Source};
+use super::super::pixel::{Begin, Condition, Enabling, Flagging, Function, Mask, Source};
 use super::assembler::{alu, carried, copy, load, set, with_accumulator, with_constant};
+use crate::prelude::Codes;
 
 /// A program that is being written.
 #[derive(Debug, Default)]
@@ -19,9 +20,9 @@ impl Writer {
         self.0.extend(instructions);
     }
 
-    /// The constants of [`shading`](super::super::fields::shading): 2 clocks.
-    pub fn constants(&mut self) {
-        self.push(set(Field::new(ZERO, 2), 0xff00));
+    /// The zero that products begin with: 1 clock.
+    pub fn zero(&mut self) {
+        self.push(set(Field::new(ZERO, 1), 0));
     }
 
     /// The flag becomes a multiplier's lowest digit, the others go on to another byte.
@@ -44,7 +45,7 @@ impl Writer {
         }
     }
 
-    /// `floor(a (b + 1) / 2^8)`; the last instruction, which is left to the caller's choice, is the one that writes it. 17 clocks.
+    /// `floor(a (b + 1) / 2^8)` of the bytes at two addresses; a may be where it goes. 17 clocks.
     pub fn scaled(&mut self, a: u64, b: u64, to: u64) {
         self.push(load(a));
         self.digit(b, DIGITS, Begin::Zero);
@@ -83,25 +84,31 @@ impl Writer {
         self.push(with_constant(Function::Add, to, 0).to(to));
     }
 
-    /// A step of restoring division, 10 clocks: the carry comes into a remainder of 16 bits, and what leaves it counts; then the carry is the digit
-    /// of the quotient. `from` are the addresses of the remainder's bytes before.
+    /// A step of restoring division, of a remainder of 16 bits that is less than the divisor: it and the digit that the carry is, less the divisor
+    /// where that is not the greater. Where it is, the flag tells. 8 clocks, or 6 without the remainder.
+    ///
+    /// `from` are the addresses of the remainder's bytes before. It uses the top enable flag.
     pub fn divided(&mut self, from: [u64; 2], remainder: Field, divisor: Field, step: Division) {
+        let doubled = Field::new(DOUBLED.address, 2);
         let begin = if step.comes_in { Begin::Kept } else { Begin::Zero };
-        self.push(carried(Function::ShiftLeft, from[0]).writes(remainder.byte(0)).begins(begin));
-        let upper = carried(Function::ShiftLeft, from[1]).writes(remainder.byte(1));
-        self.push(if step.may_leave { upper.flags(Condition::Carry) } else { upper });
-        let trial = Field::new(TRIAL.address, 2);
-        self.pair(Function::Subtract, remainder, divisor, trial);
-        if step.may_leave {
-            // The divisor's upper byte still is in the accumulator; it is not 0 where a bit has left.
-            self.push(alu(Function::Add, Source::Multiplicand).reads(ONES));
-        }
+        self.push(carried(Function::ShiftLeft, from[0]).writes(doubled.byte(0)).begins(begin));
+        let upper = carried(Function::ShiftLeft, from[1]).writes(doubled.byte(1));
+        // A bit that leaves makes it greater than any divisor.
+        self.push(if step.may_leave { upper.enables(Enabling::Replace, Condition::NoCarry) } else { upper });
+        self.pair(Function::Subtract, doubled, divisor, remainder);
+        let flagging = if step.may_leave { Flagging::EnabledCondition } else { Flagging::Condition };
         if let Some(last) = self.0.last_mut() {
-            *last = last.flags(Condition::Carry);
+            *last = Instruction { flagging: flagging.code(), condition: Condition::NoCarry.code(), ..*last };
         }
         if !step.is_last {
-            self.push(copy(trial, remainder).only(Mask::Flagged));
+            self.push(copy(doubled, remainder).only(Mask::Flagged));
         }
+    }
+
+    /// The digit of a quotient goes where the flag is set: 1 clock.
+    pub fn quotient_digit(&mut self, quotient: Field, digit: u64) {
+        let byte = Field::new(quotient.byte(digit / 8), 1);
+        self.push(with_constant(Function::And, byte, !(1 << (digit % 8))).to(byte).only(Mask::Flagged));
     }
 }
 

@@ -100,8 +100,8 @@ pub fn appearance(
     steps.extend(appearance::NORMAL.iter().zip(normal).rev().map(plane));
     steps.push(plane((&appearance::DEPTH, &surface.z)));
     program.extend(compared(steps));
-    program.extend(kept(words, 0, appearance::ZERO.address));
     program.extend(kept(words, appearance::DEPTH.address, appearance::BYTES));
+    program.extend(kept(words, 0, appearance::ZERO.address));
     program
 }
 
@@ -130,10 +130,15 @@ fn compared(mut parts: Vec<Instruction<u64>>) -> Vec<Instruction<u64>> {
     parts
 }
 
-/// The bytes of the new word from one to before another, where it counts.
+/// The bytes of the new word from one to before another, where it counts. The shortest part comes first: when the last one is taken, the next
+/// primitive's edges may begin.
 fn kept(words: Words, from: u64, to: u64) -> impl Iterator<Item = Instruction<u64>> {
-    (from..to).step_by(LONGEST as usize).map(move |at| {
-        let field = Field::new(at, (to - at).min(LONGEST.into()));
+    let longest = u64::from(LONGEST);
+    let first = (to - from) % longest;
+    let parts =
+        std::iter::once((from, first)).chain((from + first..to).step_by(LONGEST as usize).map(move |at| (at, longest)));
+    parts.filter(|(_, bytes)| *bytes > 0).map(move |(at, bytes)| {
+        let field = Field::new(at, bytes);
         copy(field.of(words.new), field.of(words.kept)).only(Mask::Flagged)
     })
 }

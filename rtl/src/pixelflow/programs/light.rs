@@ -104,7 +104,7 @@ fn halve(w: &mut Writer, from: Field, to: Field) {
 /// A cosine becomes `floor(c^2 / 2^12)`, in pixels of that mask: 40 clocks.
 ///
 /// With its bits h || l, 4 and 8 of them, that is `16 h^2 + floor((h l + floor(floor(l^2 / 2^8) / 2)) / 8)`.
-fn squared(w: &mut Writer, cosine: Field, mask: Mask) {
+pub(super) fn squared(w: &mut Writer, cosine: Field, mask: Mask) {
     let (l, h) = (cosine.byte(0), cosine.byte(1));
     w.push(load(h));
     w.product(ZERO, h, 4, [HIGH, LOW]);

@@ -1,4 +1,56 @@
-//! The programs of a node.
+//! The programs of a node: rasterization and shading (facts E0, E4).
+//!
+//! Each is in a file of its own, and makes the instructions of one primitive or one region, as the node's processors would.
+//!
+//! A rasterizer [clears](clear()) the words of a region, draws triangles, of which a pixel keeps the least word in whatever order they come, and gives the words to
+//! the network: [`gouraud`] words z || rgb, or [`appearance`] words, whose empty pixels [`covered`] marks. Words stand in the network's registers from
+//! the beginning ([`fields`](super::fields)), so nothing is copied: of 21 bytes that would be 21 clocks a region.
+//!
+//! A shader makes a colour of each appearance word: [`Shading`]. It computes what the golden shader does, bit for bit, as all steps are exact floors.
+//!
+//! | file | program |
+//! |---|---|
+//! | `clear` | empties words |
+//! | `edges`, `least_word` | triangles |
+//! | `arithmetic` | digits of products and quotients |
+//! | `normalize` | unit normal |
+//! | `light` | cosines, highlights and their sums |
+//! | `perspective` | texture coordinates and level |
+//! | `filter` | what is between texels |
+//! | `shade` | all of shading |
+//!
+//! # Clocks
+//!
+//! In regions of 128 x 64, of triangles with three edges; lights have highlights of power 32. One at a time all instructions add up; side by side is from a
+//! program's beginning to the next one's, of many equal ones. The paper's are its times at 100 MHz (PFL-LAT1, PFL-NT, PFL-SHADE); whose programs they are it
+//! does not print. Shading takes as long for one pixel as for all of a region. `cargo test -p tilewright-rtl the_table_of_pixelflow -- --nocapture` prints this table:
+//!
+//! | program | one at a time | side by side | to compare |
+//! |---|---|---|---|
+//! | clear | 21 | 21 |  |
+//! | gouraud, edges fixed | 32 | 28 | paper 62; facts 32 |
+//! | gouraud, edges least | 26 | 22 | facts 26 |
+//! | appearance, edges fixed | 72 | 58 | paper 83; facts 70 |
+//! | appearance, edges least | 66 | 58 | facts 64 |
+//! | covered | 4 | 4 |  |
+//! | unit normal | 690 | 690 | facts 746 to 949 |
+//! | four lights | 1414 | 1414 | facts 4398 to 5993 |
+//! | two coordinates | 432 | 432 |  |
+//! | level | 52 | 52 | with coordinates: facts 442 to 506 |
+//! | weights | 48 | 48 |  |
+//! | trilinear filter | 508 | 508 | facts 1050 to 1386 |
+//! | before the texture unit | 490 | 490 | paper 1540 |
+//! | while it works | 2123 | 2123 | paper 9500 (the look-up) |
+//! | behind it | 673 | 673 |  |
+//! | all | 3286 | 3286 | paper 11040 |
+//! | all, without textures | 2188 | 2188 |  |
+//!
+//! - The 2 clocks of an appearance above facts E4 are the comparison of material and level.
+//! - Side by side the copy of a word goes on under the next primitive's edges and the fraction of its first plane, so the edges' form does not count: 58 are all but
+//!   these 12 and 2.
+//! - The paper's 1540 are addresses alone, in 15.4 us, and its 9500 the worst look-up, in 95 us: what is computed while the texture unit works is hidden by that.
+//! - Four lights of any directions take at most 1476 clocks: their number depends on the ones of a direction's components.
+//! - A digit of a product takes 2 clocks, as the ALU halves a sum in one ([`Function::AddHalved`](super::pixel::Function::AddHalved)); a digit of a quotient 9.
 
 use super::instruction::Instruction;
 pub use crate::pixel_planes::programs::{Edges, Expression, Surface};

@@ -11,7 +11,7 @@ use super::arithmetic::{Division, Writer};
 use super::assembler::{carried, copy, load, load_constant, set, with_accumulator, with_constant};
 
 /// Digits of a component of a unit normal.
-const DIGITS_OF_UNIT: u32 = 12;
+const DIGITS_OF_UNIT: u64 = 12;
 
 /// The instructions that make a unit normal of that of an appearance word.
 pub(super) fn normalize(word: u64) -> Vec<Instruction<u64>> {
@@ -112,12 +112,11 @@ fn subtract(w: &mut Writer, byte: u64, digit: u64, bit: i64) {
 
 /// `floor(remainder 2^12 / divisor)`, where the remainder is less than the divisor.
 fn quotient(w: &mut Writer, remainder: Field, divisor: Field, to: Field) {
+    // All digits are set, to begin with.
+    w.push(set(to, (1 << DIGITS_OF_UNIT) - 1));
     for digit in (0..DIGITS_OF_UNIT).rev() {
         let step = Division { comes_in: false, may_leave: true, is_last: digit == 0 };
         w.divided([remainder.byte(0), remainder.byte(1)], remainder, divisor, step);
-        let byte = to.byte(u64::from(digit / 8));
-        // The first digit of a byte comes to a zero.
-        let is_first = digit == 7 || digit == DIGITS_OF_UNIT - 1;
-        w.push(carried(Function::ShiftLeft, if is_first { ZERO } else { byte }).writes(byte));
+        w.quotient_digit(to, digit);
     }
 }

@@ -21,6 +21,8 @@ pub(super) fn coordinates(word: u64) -> Vec<Instruction<u64>> {
 }
 
 fn coordinate(w: &mut Writer, part: Field, scale: Field, to: Field) {
+    // All digits are set, to begin with.
+    w.push(set(to, -1));
     for digit in (0..24_u64).rev() {
         // The remainder begins as the upper byte.
         let from = if digit == 23 { [part.byte(1), ZERO] } else { [REMAINDER.byte(0), REMAINDER.byte(1)] };
@@ -32,8 +34,7 @@ fn coordinate(w: &mut Writer, part: Field, scale: Field, to: Field) {
         // So it has less than 16 bits as long as there is a rest.
         w.divided(from, REMAINDER, scale, Division { comes_in, may_leave: !comes_in, is_last: digit == 0 });
         if !comes_in {
-            let byte = to.byte(digit / 8);
-            w.push(carried(Function::ShiftLeft, if digit % 8 == 7 { ZERO } else { byte }).writes(byte));
+            w.quotient_digit(to, digit);
         }
     }
 }

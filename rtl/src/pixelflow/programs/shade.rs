@@ -114,7 +114,7 @@ impl Shading<'_> {
     /// The part that the texture unit waits for, to where it is started: materials, coordinates and levels.
     pub fn before_texture(self) -> Vec<Instruction<u64>> {
         let mut w = Writer::default();
-        w.constants();
+        w.zero();
         self.materials(&mut w);
         if self.finest().is_some() {
             w.extend(perspective::coordinates(self.word));
@@ -157,12 +157,11 @@ impl Shading<'_> {
             w.extend(filter::trilinear());
             w.extend(filter::base(self.word));
         }
-        for channel in 0..3 {
-            let base = match self.finest() {
-                Some(_) => BASE[channel],
-                None => appearance::RGB[channel].of(self.word).address,
-            };
-            let to = self.colour + 2 - channel as u64;
+        let own = match self.finest() {
+            Some(_) => BASE,
+            None => appearance::RGB.map(|channel| channel.of(self.word).address),
+        };
+        for (base, to) in own.into_iter().zip([2, 1, 0].map(|at| self.colour + at)) {
             if !self.is_lit() {
                 w.push(copy(Field::new(base, 1), Field::new(to, 1)));
                 continue;
