@@ -2,7 +2,7 @@
 
 use tilewright_rtl::pixelflow::programs::{Appearance, Expression, Surface};
 use tilewright_scenes::deferred::AppearancePacket;
-use tilewright_scenes::{Edge, Plane, Triangle};
+use tilewright_scenes::{Edge, Packet, Plane};
 
 /// A region's upper left pixel, x and y, from which a packet's expressions count.
 ///
@@ -21,14 +21,14 @@ use tilewright_scenes::{Edge, Plane, Triangle};
 pub struct Corner(pub [u32; 2]);
 
 impl Corner {
-    /// The edges of a triangle.
-    pub fn edges(self, triangle: &Triangle) -> Vec<Expression> {
-        triangle.edges.iter().map(|edge| self.edge(edge)).collect()
+    /// Its edges.
+    pub fn edges<E: AsRef<[Edge]>>(self, packet: &Packet<E>) -> Vec<Expression> {
+        packet.edges.as_ref().iter().map(|edge| self.edge(edge)).collect()
     }
 
     /// Its depth and colour.
-    pub fn surface(self, triangle: &Triangle) -> Surface {
-        Surface { z: self.plane(&triangle.z), rgb: triangle.rgb.map(|plane| self.plane(&plane)) }
+    pub fn surface<E>(self, packet: &Packet<E>) -> Surface {
+        Surface { z: self.plane(&packet.z), rgb: packet.rgb.map(|plane| self.plane(&plane)) }
     }
 
     /// All that a packet leaves in a pixel.

@@ -9,7 +9,7 @@
 //!                  |                                  ^    | result    |
 //!                  |                             byte |    v           |
 //! network <=======>|========================[ 2 banks of 32 registers ]|
-//! texture unit <==>|========================[ 64 registers            ]|
+//! texture unit <==>|========================[      64 registers       ]|
 //!                  '---------------------------------------------------'
 //! ```
 //!
@@ -47,16 +47,16 @@ block! {
         bank_done: bits(BANKS).on(ARRAY),
         /// The texture unit has done.
         texture_done: bit().on(ARRAY),
-        /// From the network: what it sees of both banks.
-        network: PortAccess = self.registers(NETWORK).access().on(NETWORK),
+        /// From the network, of each bank.
+        network: [PortAccess = self.bank().access().on(NETWORK); BANKS],
         /// From the texture unit.
-        texture: PortAccess = self.registers(ARRAY).access().on(ARRAY),
+        texture: PortAccess = self.texture().access().on(ARRAY),
     }
     out(self) PixelArrayOut {
         /// To network and texture unit: at the edge behind it is what the instructions so far have written.
         given: Given = Given { banks: bits(BANKS), texture: bit() },
-        /// To the network: a byte of each chip.
-        network_seen: bits(8).of(row(self.chips())),
+        /// To the network, from each bank: a byte of each chip.
+        network_seen: [bits(8).of(row(self.chips())); BANKS],
         /// To the texture unit.
         texture_seen: bits(8).of(row(self.chips())),
         /// Every instruction has ended, but in the pixels, which are as late as the evaluator.
@@ -100,13 +100,19 @@ impl PixelArray {
         LinearEvaluator { width: self.width, height: self.height }.latency()
     }
 
-    fn registers(&self, port: Clock) -> CommunicationRegisters {
-        CommunicationRegisters { width: self.width, height: self.height, port }
+    /// A bank of the network's registers.
+    pub fn bank(&self) -> CommunicationRegisters {
+        CommunicationRegisters { width: self.width, height: self.height, bytes: 32, port: NETWORK }
+    }
+
+    /// The texture unit's registers.
+    pub fn texture(&self) -> CommunicationRegisters {
+        CommunicationRegisters { bytes: 64, port: ARRAY, ..self.bank() }
     }
 
     fn build(&self, m: Module, i: PixelArrayIn) -> PixelArrayOut {
         let PixelArray { width, height } = *self;
-        let pixels = grid(height, width);
+        let pixels = grid(self.chips(), self.pixels());
         let array = m.on(ARRAY);
         let PixelArrayIn { instructions, side_by_side, bank_done, texture_done, .. } = i;
         let controller = ArrayControllerIn { instructions, side_by_side, bank_done, texture_done };
@@ -117,31 +123,38 @@ impl PixelArray {
         let control = controller.control;
         let [result, writes] = [("result", bits(8)), ("writes_register", bit())]
             .map(|(name, bits)| m.wire(name, bits.of(pixels).on(ARRAY)));
-        let registers = |name, clock, half: u64, port| {
-            let in_half = control.write.bit(6).eq(half);
+        // Of 128 registers, the upper half are the texture unit's.
+        let [low, high] = [5, 6];
+        let registers = |name: &str, block: CommunicationRegisters, here: &dyn Fn(Signal) -> Signal, port| {
             let inputs = CommunicationRegistersIn {
-                read: control.read.trunc(below(CommunicationRegisters::BYTES)),
-                write: control.write.trunc(below(CommunicationRegisters::BYTES)),
-                writes: *writes & in_half,
+                read: control.read.trunc(below(block.bytes)),
+                write: control.write.trunc(below(block.bytes)),
+                writes: *writes & here(control.write),
                 result: *result,
                 port,
             };
-            m.instance(name, &self.registers(clock), inputs)
+            m.instance(name, &block, inputs)
         };
-        let network = registers("u_network", NETWORK, 0, i.network);
-        let texture = registers("u_texture", ARRAY, 1, i.texture);
+        let is_bank = |number: u32| move |address: Signal| !address.bit(high) & address.bit(low).eq(number);
+        let mut banks = Vec::new();
+        for (number, port) in (0..BANKS).zip(i.network) {
+            banks.push(registers(&format!("u_bank{number}"), self.bank(), &is_bank(number), port));
+        }
+        let texture = registers("u_texture", self.texture(), &|address| address.bit(high), i.texture);
+        let read = control.read;
+        let of_banks = mux(read.bit(low), banks[1].word, banks[0].word);
 
         let pixel =
             array.array("u_pixel", pixels, &PixelProcessor { depth: PixelProcessor::DEPTH }, |_| PixelProcessorIn {
                 control: control.map(|field| field.of(pixels)),
                 expression: evaluator.value,
-                register_byte: mux(control.read.bit(6), texture.word, network.word),
+                register_byte: mux(read.bit(high), texture.word, of_banks),
             });
         result.drive(pixel.result);
         writes.drive(pixel.writes_register);
         PixelArrayOut {
             given: controller.given,
-            network_seen: network.seen,
+            network_seen: banks.iter().map(|bank| bank.seen).collect(),
             texture_seen: texture.seen,
             idle: controller.idle,
         }

@@ -13,13 +13,12 @@ use crate::prelude::Codes;
 /// use tilewright_rtl::pixelflow::emulator::Pixel;
 /// use tilewright_rtl::pixelflow::instruction::Instruction;
 /// use tilewright_rtl::pixelflow::pixel::{Function, Mask, Source};
-/// use tilewright_rtl::prelude::Codes;
 ///
 /// // The two bytes of 3 x + 2 y + 250 go to address 8.
 /// let write = Instruction {
-///     source: Source::Expression.code(),
-///     function: Function::Operand.code(),
-///     mask: Mask::Everybody.code(),
+///     source: Source::Expression as u64,
+///     function: Function::Operand as u64,
+///     mask: Mask::Everybody as u64,
 ///     stores: 1,
 ///     length: 2,
 ///     write: 8,

@@ -116,3 +116,67 @@ pub mod texture {
         Field::new(328 + 3 * (4 * finer + 2 * y + x) + channel, 1)
     }
 }
+
+/// What shading keeps in memory.
+pub(super) mod shading {
+    use super::Field;
+
+    /// Zero.
+    pub const ZERO: u64 = 0;
+    /// 255.
+    pub const ONES: u64 = 1;
+    /// What is added to sums that may be negative.
+    pub const BIAS: Field = Field::new(2, 2);
+    /// Room for products: digits of the multiplier, and what is made of them.
+    pub const DIGITS: u64 = 4;
+    pub const HIGH: u64 = 5;
+    pub const LOW: u64 = 6;
+    pub const PARTIAL: u64 = 7;
+    /// Room for what may be the next remainder.
+    pub const TRIAL: Field = Field::new(8, 4);
+
+    /// Of the pixel's material: the brightness of highlights, how often cosines are squared (255 where no light falls on it), and the finest level of its texture.
+    pub const MATERIAL: Field = Field::new(12, 3);
+    pub const SPECULAR: u64 = 12;
+    pub const SQUARINGS: u64 = 13;
+    pub const FINEST: u64 = 14;
+
+    /// The magnitude of the normal's components, which become remainders.
+    pub const MAGNITUDE: [Field; 3] = [Field::new(16, 2), Field::new(18, 2), Field::new(20, 2)];
+    /// The sum of their squares, one of these, and twice the product of a component's bytes.
+    pub const SUM: Field = Field::new(22, 4);
+    pub const SQUARE: Field = Field::new(26, 4);
+    pub const CROSS: Field = Field::new(30, 2);
+    /// The root, which moves down to the two lowest bytes; then the divisor.
+    pub const ROOT: Field = Field::new(32, 4);
+    /// The unit normal, 12 bits of fraction and a sign.
+    pub const UNIT: [Field; 3] = [Field::new(36, 2), Field::new(38, 2), Field::new(40, 2)];
+
+    /// Sums and differences of its components, as many as there can be.
+    pub const COMBINATIONS: u64 = 42;
+    /// A cosine, and that of a highlight.
+    pub const LIT: Field = Field::new(94, 2);
+    pub const HIGHLIGHT: Field = Field::new(96, 2);
+    /// The light that the surface reflects: that multiplies its colour, and that is added.
+    pub const DIFFUSE: u64 = 98;
+    pub const REFLECTED: u64 = 99;
+
+    /// A remainder of 1/w, and the part of u/w or v/w that is still to come.
+    pub const REMAINDER: Field = Field::new(100, 2);
+    pub const REST: u64 = 102;
+    /// 1/w, shifted until its leading one is the top bit, and the place of that.
+    pub const LEADING: Field = Field::new(103, 2);
+    pub const PLACE: u64 = 105;
+    /// The level of detail: 16 bits, of which 8 are the weight of the finer level.
+    pub const DETAIL: Field = Field::new(106, 2);
+    /// u and v in texels, of which the lower byte of the upper ones is fraction.
+    pub const TEXELS: [Field; 2] = [Field::new(108, 2), Field::new(110, 2)];
+    /// Weights along u and v, on the level and the next finer one.
+    pub const WEIGHTS: [[u64; 2]; 2] = [[112, 113], [114, 115]];
+    /// What is between texels of a row, on each level: 2 rows of 3 channels.
+    pub const ROWS: [u64; 2] = [116, 122];
+    /// What is between rows, 3 channels on each level; then between levels.
+    pub const LEVELS: [u64; 2] = [128, 131];
+    /// The surface's own colour.
+    pub const BASE: [u64; 3] = [134, 135, 136];
+}

@@ -1,22 +1,22 @@
 //! The linear evaluator: A x + B y + C at each pixel, a byte a clock, least significant byte first (PFL-NODE, facts E4).
 //!
 //! ```text
-//!            x tree: log2 W levels                          a sum for each column
+//!            tree of a chip's pixels: 1 + log2 W levels         a sum for each of its pixels
 //!
-//!           .--[reg]---------> left half
-//! c ------->+                             ... --------------> c + a x --.
-//!           '--[+ a][reg]----> right half                               v
-//!                                                              for each pixel (+)[reg]--> value
-//!           .--[reg]---------> upper half                               ^
-//! 0 ------->+                             ... --------------> b y ------'
-//!           '--[+ b][reg]----> lower half
-//!            y tree: log2 H levels                          a sum for each line
+//!           .--[reg]-------> first line  ---> left half  ...
+//! c ------->+                                                --> c + b line + a x --.
+//!           '--[+ b][reg]--> second line ---> right half ...                        v
+//!                                                                   for each pixel (+)[reg]--> value
+//!           .--[reg]-------> upper half                                             ^
+//! 0 ------->+                            ...                 --> 2 b chip ----------'
+//!           '--[+ b][reg]--> lower half
+//!            tree of chips: log2 H - 1 levels                   a sum for each chip
 //! ```
 //!
-//! A node of the x tree has the sum for a span of columns, at its first one. Its left child passes that on, its right child adds half the span
-//! times A: A, shifted by as many places as the level is above the leaves. Those places are fewer than a byte's, so a level adds a byte of A with the
-//! top bits of the byte before it. The y tree does the same with lines, and each pixel adds what its column and its line have: one adder a pixel, and
-//! few others.
+//! A chip has two lines of the region. A node of a tree has the sum for a span of pixels, or of chips, at its first one. Its left child passes that on,
+//! its right child adds half the span times a coefficient: the coefficient, shifted by a few places. Those are fewer than a byte's, so a level adds
+//! a byte of it with the top bits of the byte before. Each pixel adds what its place in the chip has and what its chip has: one adder a
+//! pixel, and few others.
 //!
 //! All is exact modulo 2 to the number of bits that are sent, so signs and fractions are those of the integers (facts E0).
 //!
@@ -48,8 +48,8 @@ block! {
         first: bit(),
     }
     out(self) LinearEvaluatorOut {
-        /// A byte of the expression at each pixel, a row for each line.
-        value: bits(8).of(grid(self.height, self.width)),
+        /// A byte of the expression at each pixel, a row for each chip: its upper line, and then its lower one.
+        value: bits(8).of(grid(self.height / 2, 2 * self.width)),
     }
 }
 
@@ -61,26 +61,60 @@ impl LinearEvaluator {
 
     /// Levels of the larger tree. The other one begins later, so that both end in the same clock.
     fn levels(&self) -> u32 {
-        self.width.max(self.height).trailing_zeros()
+        (self.width.trailing_zeros() + 1).max(self.height.trailing_zeros() - 1)
     }
 
     fn build(&self, m: Module, i: LinearEvaluatorIn) -> LinearEvaluatorOut {
-        let (width, height) = (self.width, self.height);
+        let (chips, pixels, levels) = (self.height / 2, 2 * self.width, self.levels());
         let Coefficients { a, b, c } = i.coefficients;
-        let first = delays(m, "first", self.levels(), i.first, true);
-        let tree = |name, coefficient: Signal, start: Signal, extent: u32| {
-            let begins = self.levels() - extent.trailing_zeros();
-            let bytes = delays(m, name, self.levels(), coefficient, false);
-            let start = delays(m, &format!("{name}_root"), begins, start, false)[begins as usize];
-            let tree = Tree { name, extent, bytes: &bytes[begins as usize..], first: &first[begins as usize..] };
-            tree.sums(m, start)
+        let sent = Sent {
+            first: delays(m, "first", levels, i.first, true),
+            a: delays(m, "a", levels + 1, a, false),
+            b: delays(m, "b", levels + 1, b, false),
         };
-        let columns = tree("x", a, c, width);
-        let lines = tree("y", b, lit(8, 0), height);
-        let first = first[self.levels() as usize].of(grid(height, width));
-        let value = sum(m, "value", columns.to_rows(height), lines.to_columns(width), first);
+        // By how many places each level shifts its coefficient.
+        let of_columns = (0..self.width.trailing_zeros()).rev().map(|places| (&sent.a, places));
+        let in_chip: Vec<_> = std::iter::once((&sent.b, 0)).chain(of_columns).collect();
+        let of_chips: Vec<_> = (1..self.height.trailing_zeros()).rev().map(|places| (&sent.b, places)).collect();
+        let tree = |name, root, added: &[(&Vec<Signal>, u32)]| {
+            let begins = levels - added.len() as u32;
+            let root = delays(m, &format!("{name}_root"), begins, root, false)[begins as usize];
+            added.iter().zip(0..).fold(root.of(row(1)), |parents, (&(coefficient, places), level)| {
+                let at = (begins + level) as usize;
+                let weighted = sent.weighted(coefficient, places, at);
+                children(m, &format!("{name}{level}"), parents, weighted, sent.first[at])
+            })
+        };
+        let (places, chip) = (tree("pixel", c, &in_chip), tree("chip", lit(8, 0), &of_chips));
+        let first = sent.first[levels as usize].of(grid(chips, pixels));
+        let value = sum(m, "value", places.to_rows(chips), chip.to_columns(pixels), first);
         LinearEvaluatorOut { value }
     }
+}
+
+/// What is sent, and what was some clocks ago.
+struct Sent {
+    first: Vec<Signal>,
+    a: Vec<Signal>,
+    b: Vec<Signal>,
+}
+
+impl Sent {
+    /// A byte of a coefficient that is shifted by so many places, so many clocks after it was sent: with the top bits of the byte before.
+    fn weighted(&self, coefficient: &[Signal], places: u32, clocks: usize) -> Signal {
+        let (byte, before) = (coefficient[clocks], coefficient[clocks + 1]);
+        if places == 0 {
+            return byte;
+        }
+        concat(&[byte.slice(0..8 - places), mux(self.first[clocks], 0, before.slice(8 - places..8))])
+    }
+}
+
+/// The sums of a level's nodes, a clock later: those of their parents, and of right children with the coefficient.
+fn children(m: Module, name: &str, parents: Signal, weighted: Signal, first: Signal) -> Signal {
+    let nodes = 2 * parents.count();
+    let is_right = constants(bits(8).of(row(nodes)), |node| u64::from(node % 2) * 0xff);
+    sum(m, name, parents.take(nodes, |node| node / 2), is_right & weighted, first.of(row(nodes)))
 }
 
 /// The signal, and the same some clocks later each, up to so many. What is a mark does not come before it is sent.
@@ -101,41 +135,6 @@ fn sum(m: Module, name: &str, left: Signal, right: Signal, first: Signal) -> Sig
     let total = left + right + (*carry & !first).zext(8);
     carry.next(((left & right) | ((left | right) & !total)).msb());
     m.pipe(&format!("{name}_sum"), total)
-}
-
-/// A tree of adders.
-struct Tree<'a> {
-    name: &'static str,
-    /// Its leaves.
-    extent: u32,
-    /// The coefficient's byte at the first level, at the second, and so on, as it comes there.
-    bytes: &'a [Signal],
-    /// It is the first of an expression.
-    first: &'a [Signal],
-}
-
-impl Tree<'_> {
-    /// What its leaves have, a clock a level later.
-    fn sums(&self, m: Module, root: Signal) -> Signal {
-        (0..self.extent.trailing_zeros()).fold(root.of(row(1)), |sums, level| {
-            let parents = sums.take(2 << level, |node| node / 2);
-            let is_right = constants(bits(8).of(row(2 << level)), |node| u64::from(node % 2) * 0xff);
-            let adds = is_right & self.weighted(m, level);
-            let first = self.first[level as usize].of(row(2 << level));
-            sum(m, &format!("{}{level}", self.name), parents, adds, first)
-        })
-    }
-
-    /// The coefficient times half the span of a level's nodes: shifted, with the top bits of the byte before.
-    fn weighted(&self, m: Module, level: u32) -> Signal {
-        let (byte, first) = (self.bytes[level as usize], self.first[level as usize]);
-        let places = self.extent.trailing_zeros() - 1 - level;
-        if places == 0 {
-            return byte;
-        }
-        let before = m.pipe(&format!("{}{level}_before", self.name), byte.slice(8 - places..8));
-        concat(&[byte.slice(0..8 - places), mux(first, 0, before)])
-    }
 }
 
 #[cfg(test)]

@@ -16,9 +16,12 @@
 //! | file | what is in it |
 //! |---|---|
 //! | [`array`] | controller, evaluator, pixels and communication registers |
+//! | [`command_dma`] | brings instructions to the array |
 //! | [`compositor`] | of two pixels, the nearer, byte by byte |
 //! | [`network_port`] | the compositors of a node, and whose turn it is |
 //! | [`network`] | the ports of all nodes |
+//! | [`network_sequencer`] | what a node does with each word that passes |
+//! | [`node`] | all of these |
 //! | [`instruction`] | what a node is told to do |
 //! | [`controller`] | what takes instructions and controls evaluator and pixels |
 //! | [`linear_evaluator`] | A x + B y + C at all pixels |
@@ -32,6 +35,7 @@
 use crate::prelude::{Clock, ParameterError, Period};
 
 pub mod array;
+pub mod command_dma;
 pub mod compositor;
 pub mod controller;
 pub mod emulator;
@@ -42,6 +46,8 @@ pub mod linear_evaluator;
 mod model;
 pub mod network;
 pub mod network_port;
+pub mod network_sequencer;
+pub mod node;
 pub mod pixel;
 pub mod registers;
 #[cfg(test)]

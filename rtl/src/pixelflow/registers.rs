@@ -17,7 +17,6 @@
 //! What is read comes in the same clock, what is written is there after the edge.
 
 use super::ARRAY;
-use super::pixel::PixelProcessor;
 use crate::prelude::*;
 
 block! {
@@ -27,6 +26,8 @@ block! {
         pub width: u32,
         /// Lines; a power of two.
         pub height: u32,
+        /// Registers of a pixel; a power of two.
+        pub bytes: u32,
         /// The clock of the port.
         pub port: Clock,
     }
@@ -34,19 +35,19 @@ block! {
     source = "Reducing Latency on PixelFlow, section 3 (PFL-NODE)";
     in(self) CommunicationRegistersIn {
         /// The register that the array reads.
-        read: below(CommunicationRegisters::BYTES).on(ARRAY),
+        read: below(self.bytes).on(ARRAY),
         /// The register that it writes.
-        write: below(CommunicationRegisters::BYTES).on(ARRAY),
+        write: below(self.bytes).on(ARRAY),
         /// Pixels that do.
-        writes: bit().of(grid(self.height, self.width)).on(ARRAY),
-        /// What they write.
-        result: bits(8).of(grid(self.height, self.width)).on(ARRAY),
+        writes: bit().of(grid(self.height / 2, 2 * self.width)).on(ARRAY),
+        /// What they write; a row for each chip, its upper line and then its lower one.
+        result: bits(8).of(grid(self.height / 2, 2 * self.width)).on(ARRAY),
         /// From the port.
         port: PortAccess = self.access().on(self.port),
     }
     out(self) CommunicationRegistersOut {
         /// The register that each pixel reads.
-        word: bits(8).of(grid(self.height, self.width)),
+        word: bits(8).of(grid(self.height / 2, 2 * self.width)),
         /// To the port: a byte of each chip.
         seen: bits(8).of(row(self.height / 2)),
     }
@@ -67,40 +68,30 @@ bundle! {
 }
 
 impl CommunicationRegisters {
-    /// Registers of a pixel.
-    pub const BYTES: u32 = (PixelProcessor::BYTES - PixelProcessor::REGISTERS) / 2;
-
     /// The widths of what the port says.
     pub fn access(&self) -> PortAccess<Width> {
         PortAccess {
             pixel: below(2 * self.width),
-            address: below(CommunicationRegisters::BYTES),
+            address: below(self.bytes),
             writes: bit(),
             bytes: bits(8).of(row(self.height / 2)),
         }
     }
 
     fn build(&self, m: Module, i: CommunicationRegistersIn) -> CommunicationRegistersOut {
-        let (width, height) = (self.width, self.height);
-        let pixels = grid(height, width);
-        let bytes = m.memory("bytes", CommunicationRegisters::BYTES, bits(8).of(pixels), ReadUnderWrite::Any);
+        let (chips, pixels) = (self.height / 2, 2 * self.width);
+        let bytes = m.memory("bytes", self.bytes, bits(8).of(grid(chips, pixels)), ReadUnderWrite::Any);
         let bytes = bytes.true_dual_port();
         let (array, port) = (bytes.on(ARRAY), bytes.on(self.port));
         array.write(i.writes, i.write, i.result);
 
-        // A pixel's number is its column, with the line of its chip on top.
         let PortAccess { pixel, address, writes, bytes } = i.port;
-        let (column, line) = (pixel.trunc(below(width)), pixel.msb());
-        let in_column = constants(below(width).of(row(width)), u64::from).eq(column);
-        let in_line = constants(bit().of(row(height)), |number| u64::from(number % 2)).eq(line);
-        net!(here = in_column.to_rows(height) & in_line.to_columns(width));
-        let sent = bytes.take(height, |line| line / 2).to_columns(width);
-        port.write(here & writes, address, sent);
+        net!(here = constants(below(pixels).of(row(pixels)), u64::from).eq(pixel) & writes);
+        port.write(here.to_rows(chips), address, bytes.to_columns(pixels));
         // Each side reads what the other has written before it gave it.
         let given = |read: Signal| read.quasi_static("port and array leave alone what the other one works with");
-        let lines = given(port.read_async(address)).rows();
-        let [upper, lower] = [0, 1].map(|line| lines.take(height / 2, |chip| 2 * chip + line).columns().pick(column));
-        CommunicationRegistersOut { word: given(array.read_async(i.read)), seen: mux(line, lower, upper) }
+        let seen = given(port.read_async(address)).columns().pick(pixel.of(row(chips)));
+        CommunicationRegistersOut { word: given(array.read_async(i.read)), seen }
     }
 }
 

@@ -8,7 +8,7 @@ use crate::prelude::Codes;
 
 /// Instructions that meet each other's words, in few places of memory and registers; none is in step with a port.
 pub(super) fn instructions() -> impl Strategy<Value = Instruction<u64>> {
-    let address = || prop_oneof![3 => 8..24u64, 1 => 252..260u64];
+    let address = || prop_oneof![3 => 8..24u64, 1 => 252..260u64, 1 => 284..292u64, 1 => 316..324u64];
     let coefficient = || prop_oneof![0..1u64 << 40, 0..64u64, (0..64u64).prop_map(|number| (1 << 40) - 1 - number)];
     let codes = (0..4u64, prop_oneof![2 => Just(0u64), 3 => 0..11u64], 0..3u64, 0..4u64, 0..3u64);
     let flags = (prop_oneof![3 => Just(0u64), 2 => 0..7u64], prop_oneof![2 => Just(0u64), 1 => 0..3u64]);
@@ -104,4 +104,10 @@ pub(super) fn triangle(edges: [[i64; 3]; 3], edge_bytes: u64, planes: [[i64; 3];
         ..Instruction::NOTHING
     };
     [&edges[..], &planes, &[commit]].concat()
+}
+
+/// The time that this thread has been on a processor, in nanoseconds, as Linux counts it: for what is measured beside other work.
+pub(super) fn processor_time() -> u64 {
+    let text = std::fs::read_to_string("/proc/thread-self/schedstat").expect("Linux counts a thread's time");
+    text.split(' ').next().and_then(|number| number.parse().ok()).expect("the first number is the time")
 }

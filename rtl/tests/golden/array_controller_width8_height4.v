@@ -3,7 +3,7 @@
 // Takes the instructions of a node, and controls its evaluator and its pixels.
 //
 // Parameters  ArrayController { width: 8, height: 4 }
-// Latency     1 clock to the coefficients' bytes, 5 to the control of pixels; the next instruction begins with the last byte
+// Latency     1 clock to the coefficients' bytes, 6 to the control of pixels; the next instruction begins with the last byte
 // Source      Reducing Latency on PixelFlow, section 3 (PFL-NODE)
 // Described   rtl/src/pixelflow/controller/slot.rs:100
 `default_nettype none
@@ -65,9 +65,10 @@ module array_controller_width8_height4 (
     output wire        instructions_ready
 );
 
-    localparam [1:0] SOURCE_CONSTANT    = 2'd0;
-    localparam [1:0] SOURCE_EXPRESSION  = 2'd1;
-    localparam [1:0] SOURCE_ACCUMULATOR = 2'd2;
+    localparam [1:0] SOURCE_CONSTANT     = 2'd0;
+    localparam [1:0] SOURCE_EXPRESSION   = 2'd1;
+    // not mentioned: localparam [1:0] SOURCE_ACCUMULATOR  = 2'd2;
+    // not mentioned: localparam [1:0] SOURCE_MULTIPLICAND = 2'd3;
     localparam [3:0] FUNCTION_OPERAND      = 4'd0;
     // not mentioned: localparam [3:0] FUNCTION_WORD         = 4'd1;
     // not mentioned: localparam [3:0] FUNCTION_ADD          = 4'd2;
@@ -77,7 +78,8 @@ module array_controller_width8_height4 (
     // not mentioned: localparam [3:0] FUNCTION_OR           = 4'd6;
     // not mentioned: localparam [3:0] FUNCTION_EXCLUSIVE_OR = 4'd7;
     // not mentioned: localparam [3:0] FUNCTION_SHIFT_LEFT   = 4'd8;
-    localparam [3:0] FUNCTION_SHIFT_RIGHT  = 4'd9;
+    // not mentioned: localparam [3:0] FUNCTION_SHIFT_RIGHT  = 4'd9;
+    localparam [3:0] FUNCTION_ADD_HALVED   = 4'd10;
     localparam [1:0] BEGIN_KEPT = 2'd0;
     // not mentioned: localparam [1:0] BEGIN_ZERO = 2'd1;
     localparam [1:0] BEGIN_ONE  = 2'd2;
@@ -229,6 +231,21 @@ module array_controller_width8_height4 (
     reg [8:0] sent4_control_write;                               // rtl/src/pixelflow/controller.rs:183
     reg [1:0] sent4_given_banks;                                 // rtl/src/pixelflow/controller.rs:183
     reg sent4_given_texture;                                     // rtl/src/pixelflow/controller.rs:183
+    reg [1:0] sent5_control_source;                              // rtl/src/pixelflow/controller.rs:183
+    reg [7:0] sent5_control_constant;                            // rtl/src/pixelflow/controller.rs:183
+    reg [3:0] sent5_control_function;                            // rtl/src/pixelflow/controller.rs:183
+    reg [1:0] sent5_control_begin;                               // rtl/src/pixelflow/controller.rs:183
+    reg [1:0] sent5_control_mask;                                // rtl/src/pixelflow/controller.rs:183
+    reg sent5_control_accumulates;                               // rtl/src/pixelflow/controller.rs:183
+    reg sent5_control_stores;                                    // rtl/src/pixelflow/controller.rs:183
+    reg [1:0] sent5_control_condition;                           // rtl/src/pixelflow/controller.rs:183
+    reg [2:0] sent5_control_enabling;                            // rtl/src/pixelflow/controller.rs:183
+    reg sent5_control_by_sign;                                   // rtl/src/pixelflow/controller.rs:183
+    reg [1:0] sent5_control_flagging;                            // rtl/src/pixelflow/controller.rs:183
+    reg [8:0] sent5_control_read;                                // rtl/src/pixelflow/controller.rs:183
+    reg [8:0] sent5_control_write;                               // rtl/src/pixelflow/controller.rs:183
+    reg [1:0] sent5_given_banks;                                 // rtl/src/pixelflow/controller.rs:183
+    reg sent5_given_texture;                                     // rtl/src/pixelflow/controller.rs:183
 
     wire expression = instructions_source == SOURCE_EXPRESSION;  // rtl/src/pixelflow/controller.rs:99
     wire on_enable_or = (instructions_enabling != ENABLING_KEEP) | (instructions_mask == MASK_ENABLED); // rtl/src/pixelflow/controller.rs:110
@@ -293,8 +310,7 @@ module array_controller_width8_height4 (
     wire assumed_at_least_2 = ({1'd0, instructions_write} + 10'd1) >= {6'd0, instructions_length}; // rtl/src/pixelflow/controller.rs:234
     wire assumed_at_most_2 = ({1'd0, instructions_write} + {6'd0, instructions_length}) <= 10'd384; // rtl/src/pixelflow/controller.rs:234
     wire assumed_choice_2 = instructions_descends ? assumed_at_least_2 : assumed_at_most_2; // rtl/src/pixelflow/controller.rs:234
-    wire assumed_and_6 = (instructions_source <= SOURCE_ACCUMULATOR) & (instructions_function <= FUNCTION_SHIFT_RIGHT); // rtl/src/pixelflow/controller.rs:237
-    wire assumed_and_5 = assumed_and_6 & (instructions_begin <= BEGIN_ONE); // rtl/src/pixelflow/controller.rs:237
+    wire assumed_and_5 = (instructions_function <= FUNCTION_ADD_HALVED) & (instructions_begin <= BEGIN_ONE); // rtl/src/pixelflow/controller.rs:237
     wire assumed_and_4 = assumed_and_5 & (instructions_condition <= CONDITION_NO_CARRY); // rtl/src/pixelflow/controller.rs:237
     wire assumed_and_3 = assumed_and_4 & (instructions_enabling <= ENABLING_POP); // rtl/src/pixelflow/controller.rs:238
     wire assumed_and_2 = assumed_and_3 & (instructions_flagging <= FLAGGING_ENABLED_CONDITION); // rtl/src/pixelflow/controller.rs:238
@@ -465,6 +481,21 @@ module array_controller_width8_height4 (
             sent4_control_write <= 9'd0;
             sent4_given_banks <= 2'd0;
             sent4_given_texture <= 1'b0;
+            sent5_control_source <= SOURCE_CONSTANT;
+            sent5_control_constant <= 8'd0;
+            sent5_control_function <= FUNCTION_OPERAND;
+            sent5_control_begin <= BEGIN_KEPT;
+            sent5_control_mask <= MASK_NOBODY;
+            sent5_control_accumulates <= 1'b0;
+            sent5_control_stores <= 1'b0;
+            sent5_control_condition <= CONDITION_POSITIVE;
+            sent5_control_enabling <= ENABLING_KEEP;
+            sent5_control_by_sign <= 1'b0;
+            sent5_control_flagging <= FLAGGING_KEEP;
+            sent5_control_read <= 9'd0;
+            sent5_control_write <= 9'd0;
+            sent5_given_banks <= 2'd0;
+            sent5_given_texture <= 1'b0;
         end else begin
             if (evaluator_begins) evaluator_action_source <= instructions_source;
             if (evaluator_begins) evaluator_action_function <= instructions_function;
@@ -655,24 +686,39 @@ module array_controller_width8_height4 (
             sent4_control_write <= sent3_control_write;
             sent4_given_banks <= sent3_given_banks;
             sent4_given_texture <= sent3_given_texture;
+            sent5_control_source <= sent4_control_source;
+            sent5_control_constant <= sent4_control_constant;
+            sent5_control_function <= sent4_control_function;
+            sent5_control_begin <= sent4_control_begin;
+            sent5_control_mask <= sent4_control_mask;
+            sent5_control_accumulates <= sent4_control_accumulates;
+            sent5_control_stores <= sent4_control_stores;
+            sent5_control_condition <= sent4_control_condition;
+            sent5_control_enabling <= sent4_control_enabling;
+            sent5_control_by_sign <= sent4_control_by_sign;
+            sent5_control_flagging <= sent4_control_flagging;
+            sent5_control_read <= sent4_control_read;
+            sent5_control_write <= sent4_control_write;
+            sent5_given_banks <= sent4_given_banks;
+            sent5_given_texture <= sent4_given_texture;
         end
     end
 
-    assign control_source = sent4_control_source;
-    assign control_constant = sent4_control_constant;
-    assign control_function = sent4_control_function;
-    assign control_begin = sent4_control_begin;
-    assign control_mask = sent4_control_mask;
-    assign control_accumulates = sent4_control_accumulates;
-    assign control_stores = sent4_control_stores;
-    assign control_condition = sent4_control_condition;
-    assign control_enabling = sent4_control_enabling;
-    assign control_by_sign = sent4_control_by_sign;
-    assign control_flagging = sent4_control_flagging;
-    assign control_read = sent4_control_read;
-    assign control_write = sent4_control_write;
-    assign given_banks = sent4_given_banks;
-    assign given_texture = sent4_given_texture;
+    assign control_source = sent5_control_source;
+    assign control_constant = sent5_control_constant;
+    assign control_function = sent5_control_function;
+    assign control_begin = sent5_control_begin;
+    assign control_mask = sent5_control_mask;
+    assign control_accumulates = sent5_control_accumulates;
+    assign control_stores = sent5_control_stores;
+    assign control_condition = sent5_control_condition;
+    assign control_enabling = sent5_control_enabling;
+    assign control_by_sign = sent5_control_by_sign;
+    assign control_flagging = sent5_control_flagging;
+    assign control_read = sent5_control_read;
+    assign control_write = sent5_control_write;
+    assign given_banks = sent5_given_banks;
+    assign given_texture = sent5_given_texture;
 
 `ifndef SYNTHESIS
 `ifdef FORMAL

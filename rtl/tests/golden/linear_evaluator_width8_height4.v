@@ -3,9 +3,9 @@
 // Evaluates a linear expression at every pixel of a region.
 //
 // Parameters  LinearEvaluator { width: 8, height: 4 }
-// Latency     4 clocks from a coefficient's byte to the expression's at each pixel
+// Latency     5 clocks from a coefficient's byte to the expression's at each pixel
 // Source      Reducing Latency on PixelFlow, section 3 (PFL-NODE)
-// Described   rtl/src/pixelflow/linear_evaluator.rs:90
+// Described   rtl/src/pixelflow/linear_evaluator.rs:124
 `default_nettype none
 
 module linear_evaluator_width8_height4 (
@@ -16,130 +16,135 @@ module linear_evaluator_width8_height4 (
     input  wire [7:0]   coefficients_b, // Of what is added from a line to the next.
     input  wire [7:0]   coefficients_c, // Of the value at column 0 of line 0.
     input  wire         first,          // These are the first bytes of an expression.
-    output wire [255:0] value           // A byte of the expression at each pixel, a row for each line.
+    // A byte of the expression at each pixel, a row for each chip: its upper line, and then its lower one.
+    output wire [255:0] value
 );
 
-    reg first1;                                                  // rtl/src/pixelflow/linear_evaluator.rs:90
-    reg first2;                                                  // rtl/src/pixelflow/linear_evaluator.rs:90
-    reg first3;                                                  // rtl/src/pixelflow/linear_evaluator.rs:90
-    reg [7:0] x1;                                                // rtl/src/pixelflow/linear_evaluator.rs:90
-    reg [7:0] x2;                                                // rtl/src/pixelflow/linear_evaluator.rs:90
-    reg [7:0] x3;                                                // rtl/src/pixelflow/linear_evaluator.rs:90
-    reg [1:0] x0_before;                                         // rtl/src/pixelflow/linear_evaluator.rs:136
-    reg x1_before;                                               // rtl/src/pixelflow/linear_evaluator.rs:136
-    reg [7:0] y1;                                                // rtl/src/pixelflow/linear_evaluator.rs:90
-    reg [7:0] y2;                                                // rtl/src/pixelflow/linear_evaluator.rs:90
-    reg [7:0] y3;                                                // rtl/src/pixelflow/linear_evaluator.rs:90
-    reg [7:0] y_root1;                                           // rtl/src/pixelflow/linear_evaluator.rs:90
-    reg y0_before;                                               // rtl/src/pixelflow/linear_evaluator.rs:136
+    reg first1;                                                  // rtl/src/pixelflow/linear_evaluator.rs:124
+    reg first2;                                                  // rtl/src/pixelflow/linear_evaluator.rs:124
+    reg first3;                                                  // rtl/src/pixelflow/linear_evaluator.rs:124
+    reg first4;                                                  // rtl/src/pixelflow/linear_evaluator.rs:124
+    reg [7:0] a1;                                                // rtl/src/pixelflow/linear_evaluator.rs:124
+    reg [7:0] a2;                                                // rtl/src/pixelflow/linear_evaluator.rs:124
+    reg [7:0] a3;                                                // rtl/src/pixelflow/linear_evaluator.rs:124
+    reg [7:0] a4;                                                // rtl/src/pixelflow/linear_evaluator.rs:124
+    reg [7:0] a5;                                                // rtl/src/pixelflow/linear_evaluator.rs:124
+    reg [7:0] b1;                                                // rtl/src/pixelflow/linear_evaluator.rs:124
+    reg [7:0] b2;                                                // rtl/src/pixelflow/linear_evaluator.rs:124
+    reg [7:0] b3;                                                // rtl/src/pixelflow/linear_evaluator.rs:124
+    reg [7:0] b4;                                                // rtl/src/pixelflow/linear_evaluator.rs:124
+    reg [7:0] b5;                                                // rtl/src/pixelflow/linear_evaluator.rs:124
+    reg [7:0] chip_root1;                                        // rtl/src/pixelflow/linear_evaluator.rs:124
+    reg [7:0] chip_root2;                                        // rtl/src/pixelflow/linear_evaluator.rs:124
+    reg [7:0] chip_root3;                                        // rtl/src/pixelflow/linear_evaluator.rs:124
 
     genvar i;
     genvar j;
 
     generate
-        for (i = 0; i < 2; i = i + 1) begin : x0_carry_row
-            reg x0_carry;
-            reg [7:0] x0_sum;
-            localparam [31:0] x0_carry_listed = 255 * i;
-            wire [7:0] x0_carry_and = x0_carry_listed[7:0] & {coefficients_a[5:0], first ? 2'd0 : x0_before};
-            wire [7:0] x0_carry_sum_2 = coefficients_c + x0_carry_and;
-            wire [7:0] x0_carry_sum = x0_carry_sum_2 + {7'd0, x0_carry & !first};
-            wire [7:0] x0_carry_and_2 = (coefficients_c | x0_carry_and) & ~x0_carry_sum;
-            wire [7:0] x0_carry_or = (coefficients_c & x0_carry_and) | x0_carry_and_2;
+        for (i = 0; i < 2; i = i + 1) begin : pixel0_carry_row
+            reg pixel0_carry;
+            reg [7:0] pixel0_sum;
+            localparam [31:0] pixel0_carry_listed = 255 * i;
+            wire [7:0] pixel0_carry_and = pixel0_carry_listed[7:0] & coefficients_b;
+            wire [7:0] pixel0_carry_extended = {7'd0, pixel0_carry & !first};
+            wire [7:0] pixel0_carry_sum = coefficients_c + pixel0_carry_and + pixel0_carry_extended;
+            wire [7:0] pixel0_carry_and_2 = (coefficients_c | pixel0_carry_and) & ~pixel0_carry_sum;
+            wire [7:0] pixel0_carry_or = (coefficients_c & pixel0_carry_and) | pixel0_carry_and_2;
 
             always @(posedge clk) begin
-                x0_carry <= x0_carry_or[7];
-                x0_sum <= x0_carry_sum;
+                pixel0_carry <= pixel0_carry_or[7];
+                pixel0_sum <= pixel0_carry_sum;
             end
-            wire _unused_lane = &{1'b0, x0_carry_or[6:0]};
+            wire _unused_lane = &{1'b0, pixel0_carry_or[6:0]};
         end
     endgenerate
 
     generate
-        for (i = 0; i < 4; i = i + 1) begin : x1_carry_row
-            reg x1_carry;
-            reg [7:0] x1_sum;
-            localparam [31:0] x1_carry_listed = 255 * (i % 2);
-            wire [7:0] x1_carry_and = x1_carry_listed[7:0] & {x1[6:0], first1 ? 1'b0 : x1_before};
-            wire [7:0] x1_carry_extended = {7'd0, x1_carry & !first1};
-            wire [7:0] x1_carry_sum = x0_carry_row[i / 2].x0_sum + x1_carry_and + x1_carry_extended;
-            wire [7:0] x1_carry_and_2 = (x0_carry_row[i / 2].x0_sum | x1_carry_and) & ~x1_carry_sum;
-            wire [7:0] x1_carry_or = (x0_carry_row[i / 2].x0_sum & x1_carry_and) | x1_carry_and_2;
+        for (i = 0; i < 4; i = i + 1) begin : pixel1_carry_row
+            reg pixel1_carry;
+            reg [7:0] pixel1_sum;
+            localparam [31:0] pixel1_carry_listed = 255 * (i % 2);
+            wire [7:0] pixel1_carry_and = pixel1_carry_listed[7:0] & {a1[5:0], first1 ? 2'd0 : a2[7:6]};
+            wire [7:0] pixel1_carry_extended = {7'd0, pixel1_carry & !first1};
+            wire [7:0] pixel1_carry_sum = pixel0_carry_row[i / 2].pixel0_sum + pixel1_carry_and + pixel1_carry_extended;
+            wire [7:0] pixel1_carry_and_2 = (pixel0_carry_row[i / 2].pixel0_sum | pixel1_carry_and) & ~pixel1_carry_sum;
+            wire [7:0] pixel1_carry_or = (pixel0_carry_row[i / 2].pixel0_sum & pixel1_carry_and) | pixel1_carry_and_2;
 
             always @(posedge clk) begin
-                x1_carry <= x1_carry_or[7];
-                x1_sum <= x1_carry_sum;
+                pixel1_carry <= pixel1_carry_or[7];
+                pixel1_sum <= pixel1_carry_sum;
             end
-            wire _unused_lane = &{1'b0, x1_carry_or[6:0]};
+            wire _unused_lane = &{1'b0, pixel1_carry_or[6:0]};
         end
     endgenerate
 
     generate
-        for (i = 0; i < 8; i = i + 1) begin : x2_carry_row
-            reg x2_carry;
-            reg [7:0] x2_sum;
-            localparam [31:0] x2_carry_listed = 255 * (i % 2);
-            wire [7:0] x2_carry_and = x2_carry_listed[7:0] & x2;
-            wire [7:0] x2_carry_extended = {7'd0, x2_carry & !first2};
-            wire [7:0] x2_carry_sum = x1_carry_row[i / 2].x1_sum + x2_carry_and + x2_carry_extended;
-            wire [7:0] x2_carry_and_2 = (x1_carry_row[i / 2].x1_sum | x2_carry_and) & ~x2_carry_sum;
-            wire [7:0] x2_carry_or = (x1_carry_row[i / 2].x1_sum & x2_carry_and) | x2_carry_and_2;
+        for (i = 0; i < 8; i = i + 1) begin : pixel2_carry_row
+            reg pixel2_carry;
+            reg [7:0] pixel2_sum;
+            localparam [31:0] pixel2_carry_listed = 255 * (i % 2);
+            wire [7:0] pixel2_carry_and = pixel2_carry_listed[7:0] & {a2[6:0], first2 ? 1'b0 : a3[7]};
+            wire [7:0] pixel2_carry_extended = {7'd0, pixel2_carry & !first2};
+            wire [7:0] pixel2_carry_sum = pixel1_carry_row[i / 2].pixel1_sum + pixel2_carry_and + pixel2_carry_extended;
+            wire [7:0] pixel2_carry_and_2 = (pixel1_carry_row[i / 2].pixel1_sum | pixel2_carry_and) & ~pixel2_carry_sum;
+            wire [7:0] pixel2_carry_or = (pixel1_carry_row[i / 2].pixel1_sum & pixel2_carry_and) | pixel2_carry_and_2;
 
             always @(posedge clk) begin
-                x2_carry <= x2_carry_or[7];
-                x2_sum <= x2_carry_sum;
+                pixel2_carry <= pixel2_carry_or[7];
+                pixel2_sum <= pixel2_carry_sum;
             end
-            wire _unused_lane = &{1'b0, x2_carry_or[6:0]};
+            wire _unused_lane = &{1'b0, pixel2_carry_or[6:0]};
         end
     endgenerate
 
     generate
-        for (i = 0; i < 2; i = i + 1) begin : y0_carry_row
-            reg y0_carry;
-            reg [7:0] y0_sum;
-            localparam [31:0] y0_carry_listed = 255 * i;
-            wire [7:0] y0_carry_and = y0_carry_listed[7:0] & {y1[6:0], first1 ? 1'b0 : y0_before};
-            wire [7:0] y0_carry_extended = {7'd0, y0_carry & !first1};
-            wire [7:0] y0_carry_sum = y_root1 + y0_carry_and + y0_carry_extended;
-            wire [7:0] y0_carry_and_2 = (y_root1 | y0_carry_and) & ~y0_carry_sum;
-            wire [7:0] y0_carry_or = (y_root1 & y0_carry_and) | y0_carry_and_2;
+        for (i = 0; i < 16; i = i + 1) begin : pixel3_carry_row
+            reg pixel3_carry;
+            reg [7:0] pixel3_sum;
+            localparam [31:0] pixel3_carry_listed = 255 * (i % 2);
+            wire [7:0] pixel3_carry_and = pixel3_carry_listed[7:0] & a3;
+            wire [7:0] pixel3_carry_extended = {7'd0, pixel3_carry & !first3};
+            wire [7:0] pixel3_carry_sum = pixel2_carry_row[i / 2].pixel2_sum + pixel3_carry_and + pixel3_carry_extended;
+            wire [7:0] pixel3_carry_and_2 = (pixel2_carry_row[i / 2].pixel2_sum | pixel3_carry_and) & ~pixel3_carry_sum;
+            wire [7:0] pixel3_carry_or = (pixel2_carry_row[i / 2].pixel2_sum & pixel3_carry_and) | pixel3_carry_and_2;
 
             always @(posedge clk) begin
-                y0_carry <= y0_carry_or[7];
-                y0_sum <= y0_carry_sum;
+                pixel3_carry <= pixel3_carry_or[7];
+                pixel3_sum <= pixel3_carry_sum;
             end
-            wire _unused_lane = &{1'b0, y0_carry_or[6:0]};
+            wire _unused_lane = &{1'b0, pixel3_carry_or[6:0]};
         end
     endgenerate
 
     generate
-        for (i = 0; i < 4; i = i + 1) begin : y1_carry_row
-            reg y1_carry;
-            reg [7:0] y1_sum;
-            localparam [31:0] y1_carry_listed = 255 * (i % 2);
-            wire [7:0] y1_carry_and = y1_carry_listed[7:0] & y2;
-            wire [7:0] y1_carry_extended = {7'd0, y1_carry & !first2};
-            wire [7:0] y1_carry_sum = y0_carry_row[i / 2].y0_sum + y1_carry_and + y1_carry_extended;
-            wire [7:0] y1_carry_and_2 = (y0_carry_row[i / 2].y0_sum | y1_carry_and) & ~y1_carry_sum;
-            wire [7:0] y1_carry_or = (y0_carry_row[i / 2].y0_sum & y1_carry_and) | y1_carry_and_2;
+        for (i = 0; i < 2; i = i + 1) begin : chip0_carry_row
+            reg chip0_carry;
+            reg [7:0] chip0_sum;
+            localparam [31:0] chip0_carry_listed = 255 * i;
+            wire [7:0] chip0_carry_and = chip0_carry_listed[7:0] & {b3[6:0], first3 ? 1'b0 : b4[7]};
+            wire [7:0] chip0_carry_extended = {7'd0, chip0_carry & !first3};
+            wire [7:0] chip0_carry_sum = chip_root3 + chip0_carry_and + chip0_carry_extended;
+            wire [7:0] chip0_carry_and_2 = (chip_root3 | chip0_carry_and) & ~chip0_carry_sum;
+            wire [7:0] chip0_carry_or = (chip_root3 & chip0_carry_and) | chip0_carry_and_2;
 
             always @(posedge clk) begin
-                y1_carry <= y1_carry_or[7];
-                y1_sum <= y1_carry_sum;
+                chip0_carry <= chip0_carry_or[7];
+                chip0_sum <= chip0_carry_sum;
             end
-            wire _unused_lane = &{1'b0, y1_carry_or[6:0]};
+            wire _unused_lane = &{1'b0, chip0_carry_or[6:0]};
         end
     endgenerate
 
     generate
-        for (i = 0; i < 4; i = i + 1) begin : cells
-            for (j = 0; j < 8; j = j + 1) begin : col
+        for (i = 0; i < 2; i = i + 1) begin : cells
+            for (j = 0; j < 16; j = j + 1) begin : col
                 reg value_carry;
                 reg [7:0] value_sum;
-                wire [7:0] value_carry_extended = {7'd0, value_carry & !first3};
-                wire [7:0] value_carry_sum = x2_carry_row[j].x2_sum + y1_carry_row[i].y1_sum + value_carry_extended;
-                wire [7:0] value_carry_and = (x2_carry_row[j].x2_sum | y1_carry_row[i].y1_sum) & ~value_carry_sum;
-                wire [7:0] value_carry_or = (x2_carry_row[j].x2_sum & y1_carry_row[i].y1_sum) | value_carry_and;
+                wire [7:0] value_carry_extended = {7'd0, value_carry & !first4};
+                wire [7:0] value_carry_sum = pixel3_carry_row[j].pixel3_sum + chip0_carry_row[i].chip0_sum + value_carry_extended;
+                wire [7:0] value_carry_and = (pixel3_carry_row[j].pixel3_sum | chip0_carry_row[i].chip0_sum) & ~value_carry_sum;
+                wire [7:0] value_carry_or = (pixel3_carry_row[j].pixel3_sum & chip0_carry_row[i].chip0_sum) | value_carry_and;
 
                 always @(posedge clk) begin
                     value_carry <= value_carry_or[7];
@@ -151,24 +156,27 @@ module linear_evaluator_width8_height4 (
     endgenerate
 
     generate
-        for (i = 0; i < 4; i = i + 1) begin : value_of
-            for (j = 0; j < 8; j = j + 1) begin : value_col
-                assign value[(i * 8 + j) * 8 +: 8] = cells[i].col[j].value_sum;
+        for (i = 0; i < 2; i = i + 1) begin : value_of
+            for (j = 0; j < 16; j = j + 1) begin : value_col
+                assign value[(i * 16 + j) * 8 +: 8] = cells[i].col[j].value_sum;
             end
         end
     endgenerate
 
     always @(posedge clk) begin
-        x1 <= coefficients_a;
-        x2 <= x1;
-        x3 <= x2;
-        x0_before <= coefficients_a[7:6];
-        x1_before <= x1[7];
-        y1 <= coefficients_b;
-        y2 <= y1;
-        y3 <= y2;
-        y_root1 <= 8'd0;
-        y0_before <= y1[7];
+        a1 <= coefficients_a;
+        a2 <= a1;
+        a3 <= a2;
+        a4 <= a3;
+        a5 <= a4;
+        b1 <= coefficients_b;
+        b2 <= b1;
+        b3 <= b2;
+        b4 <= b3;
+        b5 <= b4;
+        chip_root1 <= 8'd0;
+        chip_root2 <= chip_root1;
+        chip_root3 <= chip_root2;
     end
 
     always @(posedge clk) begin
@@ -176,13 +184,15 @@ module linear_evaluator_width8_height4 (
             first1 <= 1'b0;
             first2 <= 1'b0;
             first3 <= 1'b0;
+            first4 <= 1'b0;
         end else begin
             first1 <= first;
             first2 <= first1;
             first3 <= first2;
+            first4 <= first3;
         end
     end
 
-    wire _unused_ok = &{1'b0, x3, y3};
+    wire _unused_ok = &{1'b0, a5, b5};
 endmodule
 `default_nettype wire

@@ -5,7 +5,7 @@
 // Parameters  PixelProcessor { depth: 8 }
 // Latency     1 clock to the memory and the flags
 // Source      Reducing Latency on PixelFlow, section 3 (PFL-NODE)
-// Described   rtl/src/pixelflow/pixel.rs:244
+// Described   rtl/src/pixelflow/pixel.rs:248
 `default_nettype none
 
 module pixel_processor_depth8 (
@@ -31,9 +31,10 @@ module pixel_processor_depth8 (
     output wire       writes_register      // It goes to the communication register at the address that is written.
 );
 
-    localparam [1:0] SOURCE_CONSTANT    = 2'd0;
-    localparam [1:0] SOURCE_EXPRESSION  = 2'd1;
-    // not mentioned: localparam [1:0] SOURCE_ACCUMULATOR = 2'd2;
+    localparam [1:0] SOURCE_CONSTANT     = 2'd0;
+    localparam [1:0] SOURCE_EXPRESSION   = 2'd1;
+    localparam [1:0] SOURCE_ACCUMULATOR  = 2'd2;
+    // not mentioned: localparam [1:0] SOURCE_MULTIPLICAND = 2'd3;
     // not mentioned: localparam [3:0] FUNCTION_OPERAND      = 4'd0;
     localparam [3:0] FUNCTION_WORD         = 4'd1;
     localparam [3:0] FUNCTION_ADD          = 4'd2;
@@ -44,6 +45,7 @@ module pixel_processor_depth8 (
     localparam [3:0] FUNCTION_EXCLUSIVE_OR = 4'd7;
     localparam [3:0] FUNCTION_SHIFT_LEFT   = 4'd8;
     localparam [3:0] FUNCTION_SHIFT_RIGHT  = 4'd9;
+    localparam [3:0] FUNCTION_ADD_HALVED   = 4'd10;
     localparam [1:0] BEGIN_KEPT = 2'd0;
     localparam [1:0] BEGIN_ZERO = 2'd1;
     // not mentioned: localparam [1:0] BEGIN_ONE  = 2'd2;
@@ -65,25 +67,29 @@ module pixel_processor_depth8 (
     localparam [1:0] FLAGGING_CONDITION         = 2'd1;
     // not mentioned: localparam [1:0] FLAGGING_ENABLED_CONDITION = 2'd2;
 
-    reg [7:0] accumulator;                                       // rtl/src/pixelflow/pixel.rs:246
-    reg carry;                                                   // rtl/src/pixelflow/pixel.rs:246
-    reg [7:0] enable;                                            // rtl/src/pixelflow/pixel.rs:299
-    reg flag;                                                    // rtl/src/pixelflow/pixel.rs:313
+    reg [7:0] accumulator;                                       // rtl/src/pixelflow/pixel.rs:250
+    reg carry;                                                   // rtl/src/pixelflow/pixel.rs:250
+    reg flag;                                                    // rtl/src/pixelflow/pixel.rs:251
+    reg [7:0] enable;                                            // rtl/src/pixelflow/pixel.rs:307
 
     (* no_rw_check *)
-    reg [7:0] memory [0:255];                                    // rtl/src/pixelflow/pixel.rs:244
+    reg [7:0] memory [0:255];                                    // rtl/src/pixelflow/pixel.rs:248
 
-    wire [7:0] memory_word = memory[control_read[7:0]];          // rtl/src/pixelflow/pixel.rs:245
-    wire [7:0] word = control_read[8] ? register_byte : memory_word; // rtl/src/pixelflow/pixel.rs:245
-    reg [7:0] operand;                                           // rtl/src/pixelflow/pixel.rs:247
+    wire [7:0] memory_word = memory[control_read[7:0]];          // rtl/src/pixelflow/pixel.rs:249
+    wire [7:0] word = control_read[8] ? register_byte : memory_word; // rtl/src/pixelflow/pixel.rs:249
+    reg [7:0] operand;                                           // rtl/src/pixelflow/pixel.rs:252
     always @* begin
         case (control_source)
             SOURCE_CONSTANT: operand = control_constant;
             SOURCE_EXPRESSION: operand = expression;
-            default: operand = accumulator; // SOURCE_ACCUMULATOR
+            SOURCE_ACCUMULATOR: operand = accumulator;
+            default: begin // SOURCE_MULTIPLICAND
+                if (flag) operand = accumulator;
+                else operand = 8'd0;
+            end
         endcase
     end
-    reg carried;                                                 // rtl/src/pixelflow/pixel.rs:254
+    reg carried;                                                 // rtl/src/pixelflow/pixel.rs:260
     always @* begin
         case (control_begin)
             BEGIN_KEPT: carried = carry;
@@ -91,11 +97,11 @@ module pixel_processor_depth8 (
             default: carried = 1'b1; // BEGIN_ONE
         endcase
     end
-    wire subtracts = (control_function == FUNCTION_SUBTRACT) | (control_function == FUNCTION_COMPARE); // rtl/src/pixelflow/pixel.rs:263
-    wire [7:0] addend = subtracts ? ~operand : operand;          // rtl/src/pixelflow/pixel.rs:264
-    wire [7:0] sum = word + addend + {7'd0, carried};            // rtl/src/pixelflow/pixel.rs:265
-    wire [7:0] carry_out_or = (word & addend) | ((word | addend) & ~sum); // rtl/src/pixelflow/pixel.rs:266
-    wire carry_out = carry_out_or[7];                            // rtl/src/pixelflow/pixel.rs:266
+    wire subtracts = (control_function == FUNCTION_SUBTRACT) | (control_function == FUNCTION_COMPARE); // rtl/src/pixelflow/pixel.rs:269
+    wire [7:0] addend = subtracts ? ~operand : operand;          // rtl/src/pixelflow/pixel.rs:270
+    wire [7:0] sum = word + addend + {7'd0, carried};            // rtl/src/pixelflow/pixel.rs:271
+    wire [7:0] carry_out_or = (word & addend) | ((word | addend) & ~sum); // rtl/src/pixelflow/pixel.rs:272
+    wire carry_out = carry_out_or[7];                            // rtl/src/pixelflow/pixel.rs:272
     always @* begin
         case (control_function)
             FUNCTION_WORD: result = word;
@@ -106,10 +112,11 @@ module pixel_processor_depth8 (
             FUNCTION_EXCLUSIVE_OR: result = word ^ operand;
             FUNCTION_SHIFT_LEFT: result = {word[6:0], carried};
             FUNCTION_SHIFT_RIGHT: result = {carried, word[7:1]};
+            FUNCTION_ADD_HALVED: result = {carry_out, sum[7:1]};
             default: result = operand;
         endcase
     end
-    reg carry_next;                                              // rtl/src/pixelflow/pixel.rs:281
+    reg carry_next;                                              // rtl/src/pixelflow/pixel.rs:288
     always @* begin
         case (control_function)
             FUNCTION_ADD: carry_next = carry_out;
@@ -117,10 +124,11 @@ module pixel_processor_depth8 (
             FUNCTION_COMPARE: carry_next = carry_out;
             FUNCTION_SHIFT_LEFT: carry_next = word[7];
             FUNCTION_SHIFT_RIGHT: carry_next = word[0];
+            FUNCTION_ADD_HALVED: carry_next = sum[0];
             default: carry_next = carry;
         endcase
     end
-    reg holds;                                                   // rtl/src/pixelflow/pixel.rs:291
+    reg holds;                                                   // rtl/src/pixelflow/pixel.rs:299
     always @* begin
         case (control_condition)
             CONDITION_POSITIVE: holds = !operand[7];
@@ -128,8 +136,8 @@ module pixel_processor_depth8 (
             default: holds = !carry_next; // CONDITION_NO_CARRY
         endcase
     end
-    wire enters = control_by_sign ? !expression[7] : holds;      // rtl/src/pixelflow/pixel.rs:298
-    reg [7:0] enables;                                           // rtl/src/pixelflow/pixel.rs:301
+    wire enters = control_by_sign ? !expression[7] : holds;      // rtl/src/pixelflow/pixel.rs:306
+    reg [7:0] enables;                                           // rtl/src/pixelflow/pixel.rs:309
     always @* begin
         case (control_enabling)
             ENABLING_KEEP: enables = enable;
@@ -141,7 +149,7 @@ module pixel_processor_depth8 (
             default: enables = {enable[7], enable[7:1]}; // ENABLING_POP
         endcase
     end
-    reg writes;                                                  // rtl/src/pixelflow/pixel.rs:320
+    reg writes;                                                  // rtl/src/pixelflow/pixel.rs:327
     always @* begin
         case (control_mask)
             MASK_NOBODY: writes = 1'b0;
@@ -150,8 +158,8 @@ module pixel_processor_depth8 (
             default: writes = flag; // MASK_FLAGGED
         endcase
     end
-    wire stores = writes & control_stores;                       // rtl/src/pixelflow/pixel.rs:329
-    assign writes_register = stores & control_write[8];          // rtl/src/pixelflow/pixel.rs:331
+    wire stores = writes & control_stores;                       // rtl/src/pixelflow/pixel.rs:336
+    assign writes_register = stores & control_write[8];          // rtl/src/pixelflow/pixel.rs:338
 
     always @(posedge clk) begin
         if (stores & !control_write[8]) memory[control_write[7:0]] <= result;
@@ -160,12 +168,12 @@ module pixel_processor_depth8 (
     always @(posedge clk) begin
         if (writes & control_accumulates) accumulator <= result;
         carry <= carry_next;
-        enable <= enables;
         case (control_flagging)
             FLAGGING_KEEP: ;
             FLAGGING_CONDITION: flag <= holds;
             default: flag <= holds & enable[0]; // FLAGGING_ENABLED_CONDITION
         endcase
+        enable <= enables;
     end
 
     wire _unused_ok = &{1'b0, carry_out_or[6:0]};

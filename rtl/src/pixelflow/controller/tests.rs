@@ -12,7 +12,7 @@ use crate::pixel_planes::schedule::{Schedule, Times};
 type Controller = Simulation<ArrayControllerIn, ArrayControllerOut>;
 
 fn started(side_by_side: u64) -> Controller {
-    let mut sim = Simulation::of(&ArrayController { width: 4, height: 2 }).unwrap();
+    let mut sim = Simulation::of(&ArrayController { width: 2, height: 2 }).unwrap();
     sim.reset();
     sim.drive(inputs(None, side_by_side));
     sim
@@ -222,7 +222,7 @@ proptest! {
         side_by_side in any::<bool>(),
         seed in any::<u64>(),
     ) {
-        let controller = ArrayController { width: 4, height: 2 };
+        let controller = ArrayController { width: 2, height: 2 };
         let late = u64::from(controller.evaluator().latency());
         let mut sim = Simulation::of(&controller).unwrap().seeded(seed);
         sim.reset();

@@ -107,11 +107,6 @@ impl Instruction<u64> {
         Instruction { enabling: enabling.code(), condition: condition.code(), ..self }
     }
 
-    /// Goes down, from a number's most significant byte on.
-    pub(super) fn downwards(self, field: Field) -> Self {
-        Instruction { descends: 1, length: field.bytes, read: field.top(), write: field.top(), ..self }
-    }
-
     /// With that constant.
     pub(super) fn constant(self, constant: i64) -> Self {
         Instruction { c: modular(constant), ..self }

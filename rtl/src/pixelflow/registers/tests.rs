@@ -45,10 +45,10 @@ proptest! {
         }),
         port in prop::sample::select(vec![ARRAY, NETWORK]),
     ) {
-        let mut sim = Simulation::of(&CommunicationRegisters { width, height, port }).unwrap();
+        let mut sim = Simulation::of(&CommunicationRegisters { width, height, bytes: 64, port }).unwrap();
         sim.reset();
         let (i, o) = (sim.i, sim.o);
-        let mut held = vec![[0; CommunicationRegisters::BYTES as usize]; (width * height) as usize];
+        let mut held = vec![[0; 64]; (width * height) as usize];
         // A chip is two lines: its pixels stand one after another.
         let place = |chip: usize, pixel: u64| chip * 2 * width as usize + pixel as usize;
         for step in steps {
