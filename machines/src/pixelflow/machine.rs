@@ -15,7 +15,7 @@ use tilewright_sim::EngineKind;
 
 use super::config::Config;
 use super::costs::{Ticks, ticks};
-use super::hardware::{Access, Node, Way, Words};
+use super::hardware::{Access, Node, TextureLookUp, Way, Words};
 use super::model::Done;
 use super::report::Report;
 use super::works::Works;
@@ -141,6 +141,10 @@ impl<'a> Run<'a> {
         let rasterizers = (0..works.shares()).map(|_| node()).collect::<Result<Vec<_>, _>>()?;
         let shader = |number: u32| {
             let mut node = node()?;
+            if !works.textures.is_empty() {
+                let textures = works.textures.iter().map(AsRef::as_ref);
+                node = node.with_textures(TextureLookUp::new(&array, textures, engine)?);
+            }
             let free = node.run(&works.first_of_shader())?;
             Ok::<Shader, Error>(Shader { node, free, place: (1 + roles.rasterizers + number) as usize })
         };

@@ -1,12 +1,14 @@
 //! What the nodes of a machine have to do for a frame: the programs of each, region by region.
 
+use std::sync::Arc;
+
 use tilewright_rtl::parameter::ParameterError;
 use tilewright_rtl::pixelflow::fields::{Field, appearance, bank, gouraud, texture};
 use tilewright_rtl::pixelflow::instruction::Instruction;
 use tilewright_rtl::pixelflow::pixel::PixelProcessor;
 use tilewright_rtl::pixelflow::programs::{self, Region, Shading, Words as Places};
 use tilewright_scenes::deferred::Deferred;
-use tilewright_scenes::{Frame, PixelBox, Polygons, Size};
+use tilewright_scenes::{Frame, PixelBox, Polygons, Size, Texture};
 
 use super::config::Config;
 use super::constants::constants;
@@ -30,6 +32,8 @@ pub(super) struct Works {
     programs: Vec<Vec<Program>>,
     /// Of all shaders, for any region; none where colours are composed.
     shading: Option<Program>,
+    /// What they look up.
+    pub textures: Vec<Arc<Texture>>,
     /// Primitives of each rasterizer, and for each region those that are drawn there.
     pub primitives: Vec<usize>,
     pub drawn: Vec<usize>,
@@ -45,11 +49,6 @@ impl Works {
             let problem = "eight samples: the hardware of this machine draws one; leave them out";
             return Err(ParameterError(problem.to_owned()).into());
         };
-        if deferred.shader.materials.iter().any(|material| material.texture.is_some()) {
-            let problem =
-                "a textured scene: the nodes of this machine have no texture unit yet; take one without textures";
-            return Err(ParameterError(problem.to_owned()).into());
-        }
         if config.shaders == 0 {
             return Err(ParameterError("no shaders: deferred shading takes at least one".to_owned()).into());
         }
@@ -69,6 +68,7 @@ impl Works {
             let after = [programs::covered(word), vec![programs::give_bank(number)]].concat();
             *program = [before, std::mem::take(program), after].concat();
         }
+        works.textures = deferred.shader.textures.clone();
         let shader = constants(&deferred.shader);
         let shading = Shading { shader: &shader, word: SHADED, colour: bank(1) };
         works.shading = Some(
@@ -134,7 +134,16 @@ impl Works {
         let programs = vec![vec![Vec::new(); screen.count()]; rasterizers as usize];
         let primitives = vec![0; rasterizers as usize];
         let drawn = vec![0; screen.count()];
-        Ok(Works { screen, size, array: config.array, programs, shading: None, primitives, drawn })
+        Ok(Works {
+            screen,
+            size,
+            array: config.array,
+            programs,
+            shading: None,
+            textures: Vec::new(),
+            primitives,
+            drawn,
+        })
     }
 
     fn region(&self, config: &Config) -> Region {

@@ -2,6 +2,8 @@
 
 mod network;
 mod node;
+mod texture;
 
 pub(super) use network::Way;
 pub(super) use node::{Access, Node, Words};
+pub(super) use texture::TextureLookUp;

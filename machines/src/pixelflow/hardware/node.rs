@@ -7,6 +7,7 @@ use tilewright_rtl::pixelflow::array::{PixelArray, PixelArrayIn, PixelArrayOut};
 use tilewright_rtl::pixelflow::instruction::{Instruction, Sync};
 use tilewright_sim::{Bits, EngineKind, Simulation};
 
+use super::texture::TextureLookUp;
 use crate::error::Error;
 use crate::pixelflow::costs::Ticks;
 
@@ -53,9 +54,15 @@ pub(in crate::pixelflow) struct Node {
     given: [Ticks; 2],
     /// Banks that the network has, as far as the array knows.
     claimed: [bool; 2],
+    /// What finds texels, if it has one.
+    texture: Option<TextureLookUp>,
 }
 
 impl Node {
+    /// A node without textures.
+    ///
+    /// # Errors
+    /// [`Error::Simulation`].
     pub fn new(array: &PixelArray, engine: EngineKind, side_by_side: bool) -> Result<Node, Error> {
         let mut sim = Simulation::of(array)?.on(engine);
         sim.set(sim.i.instructions.valid, false);
@@ -81,7 +88,13 @@ impl Node {
             busy: 0,
             given: [0; 2],
             claimed: [false; 2],
+            texture: None,
         })
+    }
+
+    /// The same with a texture unit.
+    pub fn with_textures(self, texture: TextureLookUp) -> Node {
+        Node { texture: Some(texture), ..self }
     }
 
     /// The network will do that.
@@ -125,6 +138,9 @@ impl Node {
             let taken = !waits && self.sim.get_u64(self.sim.i.instructions.ready) == 1;
             let given = self.sim.get_u64(self.sim.o.given.banks);
             self.count(taken);
+            if let Some(texture) = &mut self.texture {
+                texture.clock(&mut self.sim)?;
+            }
             self.tick()?;
             if let Some(instruction) = shown.filter(|_| taken) {
                 self.claim(instruction);

@@ -36,3 +36,14 @@ fn a_deferred_frame_is_the_golden_image() {
         assert_eq!(report.turns.len(), 12);
     }
 }
+
+#[test]
+fn a_textured_frame_is_the_golden_image() {
+    let size = Size::new(40, 24).unwrap();
+    let scene = Scene::builtin("textured").unwrap();
+    let deferred = project_deferred(&scene, size, Samples::One).unwrap();
+    assert!(!deferred.shader.textures.is_empty());
+    let machine = Machine::new(config(size, 5, 2)).unwrap();
+    let (frame, _) = machine.render(&deferred, &mut Watch::default()).unwrap();
+    assert_eq!(compare(&frame, &golden::render_deferred(&deferred)).differing, 0);
+}

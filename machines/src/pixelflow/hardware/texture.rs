@@ -1,0 +1,100 @@
+//! The texture unit in simulation, beside the array whose registers it serves.
+
+use tilewright_rtl::parameter::ParameterError;
+use tilewright_rtl::pixelflow::ARRAY;
+use tilewright_rtl::pixelflow::array::{PixelArray, PixelArrayIn, PixelArrayOut};
+use tilewright_rtl::pixelflow::texture_memory::TextureMemory;
+use tilewright_rtl::pixelflow::texture_unit::{TextureUnit, TextureUnitIn, TextureUnitOut};
+use tilewright_scenes::Texture;
+use tilewright_sim::{EngineKind, Simulation};
+
+use crate::error::Error;
+
+/// A texture unit, whose memory has textures.
+pub(in crate::pixelflow) struct TextureLookUp {
+    sim: Simulation<TextureUnitIn, TextureUnitOut>,
+    is_busy: bool,
+}
+
+impl TextureLookUp {
+    /// One for such an array, with these textures; it takes a clock a texel to write them, before the frame.
+    ///
+    /// # Errors
+    /// [`Error::Parameter`]: a texture is finer than there is hardware for; [`Error::Simulation`].
+    pub fn new<'a>(
+        array: &PixelArray,
+        textures: impl ExactSizeIterator<Item = &'a Texture> + Clone,
+        engine: EngineKind,
+    ) -> Result<TextureLookUp, Error> {
+        if let Some(texture) = textures.clone().find(|texture| texture.level() > TextureMemory::FINEST) {
+            let (side, most) = (1_u64 << texture.level(), 1_u64 << TextureMemory::FINEST);
+            let problem = format!(
+                "a texture of {side}x{side} texels: a node's have at most {most} a side; take a smaller picture"
+            );
+            return Err(ParameterError(problem).into());
+        }
+        let size: u64 = textures.clone().map(|texture| TextureMemory::size(texture.level())).sum();
+        let count = textures.len() as u32;
+        let memory = TextureMemory { texels: (size as u32).max(2), textures: count.max(2) };
+        let unit = TextureUnit { chips: array.chips(), pixels: array.pixels(), memory };
+        let mut sim = Simulation::at(&unit, ARRAY.period)?.on(engine);
+        for port in [sim.i.start, sim.i.write.valid, sim.i.describe.valid] {
+            sim.set(port, false);
+        }
+        sim.try_reset()?;
+        let mut unit = TextureLookUp { sim, is_busy: false };
+        let mut base = 0;
+        for (number, texture) in textures.enumerate() {
+            unit.write(number as u64, base, texture)?;
+            base += TextureMemory::size(texture.level());
+        }
+        Ok(unit)
+    }
+
+    fn write(&mut self, number: u64, base: u64, texture: &Texture) -> Result<(), Error> {
+        let sim = &mut self.sim;
+        let (describe, write) = (sim.i.describe, sim.i.write);
+        sim.set(describe.texture, number);
+        sim.set(describe.base, base);
+        sim.set(describe.finest, texture.level());
+        sim.set(describe.valid, true);
+        sim.set(write.valid, true);
+        for level in 0..=texture.level() {
+            let side = 1_u32 << level;
+            for (j, i) in (0..side).flat_map(|j| (0..side).map(move |i| (j, i))) {
+                let place = TextureMemory::place(base, level, i.into(), j.into());
+                let [red, green, blue] = texture.texel(level, i, j).map(u64::from);
+                sim.set(write.bank, place.bank);
+                sim.set(write.address, place.address);
+                sim.set(write.texel, blue << 16 | green << 8 | red);
+                sim.try_step()?;
+                sim.set(describe.valid, false);
+            }
+        }
+        sim.set(write.valid, false);
+        Ok(())
+    }
+
+    /// A clock of the unit, before that of its array, which it tells what it has for that.
+    pub fn clock(&mut self, array: &mut Simulation<PixelArrayIn, PixelArrayOut>) -> Result<(), Error> {
+        let starts = array.get_u64(array.o.given.texture) == 1;
+        if !starts && !self.is_busy {
+            array.set(array.i.texture_done, false);
+            array.set(array.i.texture.writes, false);
+            return Ok(());
+        }
+        let unit = &mut self.sim;
+        let (port, registers) = (unit.o.port, array.i.texture);
+        array.set(registers.pixel, unit.get_u64(port.pixel));
+        array.set(registers.address, unit.get_u64(port.address));
+        array.set(registers.writes, unit.get_u64(port.writes));
+        array.set(registers.bytes, unit.get(port.bytes));
+        unit.set(unit.i.start, starts);
+        unit.set(unit.i.seen, array.get(array.o.texture_seen));
+        let is_done = unit.get_u64(unit.o.done) == 1;
+        array.set(array.i.texture_done, is_done);
+        unit.try_step()?;
+        self.is_busy = !is_done;
+        Ok(())
+    }
+}
