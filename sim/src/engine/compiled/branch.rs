@@ -14,11 +14,11 @@ use crate::engine::program::{Cell, Circuit, Kind, ValueId};
 /// The widest value that is branched on.
 const WIDEST: u32 = 6;
 /// The part of a kernel's work that its variants may leave on average; if they leave more, it is not split.
-const REMAINING: f64 = 0.7;
+const REMAINING: f64 = 0.93;
 /// Operations on strips that a branch must save to be worth its own cost.
 const WORTH: usize = 24;
 /// Cells that the variants of a kernel may have together.
-const MOST: usize = 1500;
+const MOST: usize = 8000;
 
 /// Gives kernels branches where it pays.
 pub(super) fn branch(function: &mut Function, plan: &mut Plan, strips: &Strips) {
@@ -26,7 +26,7 @@ pub(super) fn branch(function: &mut Function, plan: &mut Plan, strips: &Strips) 
     let mut stages = std::mem::take(&mut plan.stages);
     for (&lanes, kernel) in stages.iter_mut().flat_map(|stage| &mut stage.kernels) {
         let times = lanes.div_ceil(strips.strip(lanes)) as usize;
-        split(function, plan, &order, kernel, times, MOST, 2);
+        split(function, plan, &order, kernel, times, MOST, 4);
     }
     plan.stages = stages;
 }
