@@ -15,7 +15,7 @@
 //!
 //! | file | what is in it |
 //! |---|---|
-//! | [`array`] | controller, evaluator, pixels and communication registers |
+//! | [`array`](mod@array) | controller, evaluator, pixels and communication registers |
 //! | [`command_dma`] | brings instructions to the array |
 //! | [`compositor`] | of two pixels, the nearer, byte by byte |
 //! | [`network_port`] | the compositors of a node, and whose turn it is |
@@ -25,7 +25,7 @@
 //! | [`instruction`] | what a node is told to do |
 //! | [`controller`] | what takes instructions and controls evaluator and pixels |
 //! | [`linear_evaluator`] | A x + B y + C at all pixels |
-//! | [`schedule`] | the clocks that it takes |
+//! | [`schedule`] | the clocks that instructions take |
 //! | [`fields`] | what is where in a pixel |
 //! | [`programs`] | rasterization and shading |
 //! | [`emulator`] | what instructions do, by definition |
