@@ -3,6 +3,7 @@
 mod figures;
 mod job;
 mod pixel_planes;
+mod pixelflow;
 mod quadtree;
 mod vc1;
 
@@ -20,6 +21,8 @@ pub enum Machine {
     Quadtree,
     #[value(name = "pixel-planes-5")]
     PixelPlanes,
+    #[value(name = "pixelflow")]
+    PixelFlow,
 }
 
 impl Machine {
@@ -29,6 +32,7 @@ impl Machine {
             Machine::Vc1 => "vc1",
             Machine::Quadtree => "quadtree",
             Machine::PixelPlanes => "pixel-planes-5",
+            Machine::PixelFlow => "pixelflow",
         }
     }
 
@@ -42,6 +46,9 @@ impl Machine {
             Machine::PixelPlanes => {
                 "renderers draw the screen's regions, each an array of pixels that compute under one instruction"
             }
+            Machine::PixelFlow => {
+                "nodes draw their share of all polygons, and a network composes the regions, which other nodes shade"
+            }
         }
     }
 
@@ -51,6 +58,7 @@ impl Machine {
             Machine::Vc1 => "Nishimura and Kunii, VC-1: A Scalable Graphics Computer with Virtual Local Frame Buffers",
             Machine::Quadtree => "a Russian paper on matrix-pipeline image generators of sparse rasters and quadtrees",
             Machine::PixelPlanes => "the chapter on renderer performance of a paper on Pixel-planes 5",
+            Machine::PixelFlow => "Lastra, Reducing Latency on PixelFlow",
         }
     }
 
@@ -60,6 +68,7 @@ impl Machine {
             Machine::Vc1 => options::<vc1::Vc1Options>(),
             Machine::Quadtree => [options::<quadtree::QuadtreeOptions>(), options::<OrderOptions>()].concat(),
             Machine::PixelPlanes => [options::<pixel_planes::PixelPlanesOptions>(), options::<OrderOptions>()].concat(),
+            Machine::PixelFlow => options::<pixelflow::PixelFlowOptions>(),
         }
     }
 }
@@ -96,6 +105,8 @@ pub struct MachineArguments {
     #[command(flatten)]
     pub pixel_planes: pixel_planes::PixelPlanesOptions,
     #[command(flatten)]
+    pub pixelflow: pixelflow::PixelFlowOptions,
+    #[command(flatten)]
     pub order: OrderOptions,
 }
 
@@ -118,10 +129,12 @@ impl MachineArguments {
             (Machine::Vc1, self.vc1.given()),
             (Machine::Quadtree, self.quadtree.given()),
             (Machine::PixelPlanes, self.pixel_planes.given()),
+            (Machine::PixelFlow, self.pixelflow.given()),
         ];
         let strange = given.into_iter().filter(|(of, _)| *of != machine).find_map(|(of, it)| Some((of.name(), it?)));
         let strict = ("quadtree and pixel-planes-5", "--strict");
-        let strange = strange.or((machine == Machine::Vc1 && self.order.strict).then_some(strict));
+        let strange =
+            strange.or((matches!(machine, Machine::Vc1 | Machine::PixelFlow) && self.order.strict).then_some(strict));
         strange.map_or(Ok(()), |(of, option)| {
             let (machine, other) = (machine.name(), of.split(' ').next().unwrap_or(of));
             let sentence = format!(

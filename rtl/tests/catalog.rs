@@ -103,10 +103,13 @@ fn the_renderer_and_its_parts_show_what_their_scenarios_say() {
 fn the_node_and_its_parts_show_what_their_scenarios_say() {
     let shown = |name, set: &[_], signal| play(find(name).unwrap(), set, Some(signal));
     for (width, height) in [(8, 4), (4, 8), (2, 2)] {
-        let set = [("width", width), ("height", height)];
+        let set = [("line", width), ("lines", height)];
         assert_eq!(shown("pixelflow-node", &set, "network_0_downstream_valid"), [0, 1, 0]);
         assert_eq!(shown("pixelflow-node", &set, "held"), [0, 1, 0]);
     }
+    assert_eq!(shown("texture-unit", &[], "done"), [0, 1, 0]);
+    let right = shown("texture-memory", &[], "texels[5]");
+    assert!(right.windows(3).any(|three| three == [0x22_2222, 0x11_1111, 0x22_2222]));
     assert_eq!(shown("command-dma", &[], "left"), [0, 4, 3, 2, 1, 0, 1, 0]);
     assert_eq!(shown("network-sequencer", &[], "done"), [0, 1, 0]);
     assert_eq!(shown("array-controller", &[], "banks_under_way"), [0, 1, 0]);

@@ -9,7 +9,6 @@
 //! Region by region: all rasterizers draw; when the last one has, the network composes, and a shader takes what comes. Nodes wait for each other
 //! at their banks of registers alone, so each array is a simulation of its own, which is told when the network has done with a bank.
 
-use tilewright_rtl::pixelflow::instruction::Instruction;
 use tilewright_scenes::deferred::Deferred;
 use tilewright_scenes::{Frame as Picture, Polygons};
 use tilewright_sim::EngineKind;
@@ -98,7 +97,9 @@ impl Machine {
         }
         run.finish()?;
         let picture = works.picture(&run.colours);
-        Ok((picture, Report::new(&self.config, works, run.done, run.rasterizers.iter().map(Node::busy).collect())))
+        let shaders = run.shaders.iter().map(|shader| shader.node.busy()).collect();
+        let busy = [run.rasterizers.iter().map(Node::busy).collect(), shaders];
+        Ok((picture, Report::new(&self.config, works, run.done, busy)))
     }
 }
 

@@ -33,7 +33,7 @@ pub use latency::{Nodes, Samples, Software, System, Times, crossover, overlap};
 pub use machine::Machine;
 pub use model::{Done, Frame, FrontEnd, Pass, Resident, Shading, Timeline, Turn};
 pub use packets::Corner;
-pub use report::Report;
+pub use report::{NodeReport, Report, Stage};
 pub use screen::Screen;
 pub use simulated::{Choices, Shades, Simulated};
 pub use workload::{Boxes, Place, Share, Workload};

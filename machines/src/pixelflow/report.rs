@@ -1,60 +1,163 @@
 //! What a frame took.
 
 use serde::Serialize;
+use std::fmt;
 
 use super::config::Config;
 use super::costs::{Ticks, milliseconds, ticks};
+use super::latency::System;
 use super::model::Done;
 use super::works::Works;
 
 /// What a frame took.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Report {
+    /// The software.
+    pub system: System,
+    /// Columns and rows of pixels.
+    pub size: [u32; 2],
     /// Nodes, with the one that holds the frame.
     pub nodes: u32,
-    /// Those that rasterized.
-    pub rasterizers: usize,
-    /// Those that shaded.
-    pub shaders: usize,
     /// Pixels of an array along x and y.
     pub array: [u32; 2],
-    /// Primitives, and of these how many were drawn in a region, over all regions.
+    /// Each node that rasterized.
+    pub rasterizers: Vec<NodeReport>,
+    /// Each node that shaded.
+    pub shaders: Vec<NodeReport>,
+    /// Primitives, and how often one is in a region.
     pub primitives: usize,
     /// Likewise.
     pub drawn: usize,
-    /// The front end of the rasterizer with most primitives, by the paper's cost of each, in ticks: behind it the others begin.
+    /// The front end of the rasterizer with most primitives, by the paper's cost of each, in ticks of 5 ns: the others begin behind it.
     pub front: Ticks,
-    /// Clocks in which each rasterizer's array had an instruction.
-    pub busy: Vec<u64>,
-    /// When each region was where, in ticks of 5 ns after the front end.
+    /// When each region was where, in ticks behind the front end.
     pub turns: Vec<Done>,
 }
 
+/// What a node did.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct NodeReport {
+    /// Primitives that were dealt to it.
+    pub primitives: usize,
+    /// Clocks of 10 ns in which its array had an instruction.
+    pub busy: u64,
+}
+
+/// A stage of a frame: what it worked, and from when to when.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Stage {
+    /// Its name.
+    pub name: &'static str,
+    /// Ticks of the unit with most to do.
+    pub busy: Ticks,
+    /// The first tick and the one behind the last, behind the front end.
+    pub from: Ticks,
+    /// Likewise.
+    pub to: Ticks,
+}
+
 impl Report {
-    pub(super) fn new(config: &Config, works: &Works, turns: Vec<Done>, busy: Vec<u64>) -> Report {
+    pub(super) fn new(config: &Config, works: &Works, turns: Vec<Done>, busy: [Vec<u64>; 2]) -> Report {
         let costs = &config.costs;
-        let transforms = if works.is_shaded() { costs.transform } else { costs.transform_plain };
+        let (transforms, system) = match works.is_shaded() {
+            true => (costs.transform, System::Base),
+            false => (costs.transform_plain, System::NonTexturing),
+        };
         let most = works.primitives.iter().copied().max().unwrap_or(0) as f64;
+        let [rasterizers, shaders] = busy;
+        let rasterizer = |(&primitives, busy)| NodeReport { primitives, busy };
         Report {
+            system,
+            size: [config.size.width(), config.size.height()],
             nodes: config.nodes,
-            rasterizers: works.shares(),
-            shaders: if works.is_shaded() { config.shaders as usize } else { 0 },
             array: config.array,
+            rasterizers: works.primitives.iter().zip(rasterizers).map(rasterizer).collect(),
+            shaders: shaders.into_iter().map(|busy| NodeReport { primitives: 0, busy }).collect(),
             primitives: works.primitives.iter().sum(),
             drawn: works.drawn.iter().sum(),
             front: ticks(costs.overhead + transforms * most),
-            busy,
             turns,
         }
     }
 
     /// Ticks from the first instruction to the last region in the frame buffer.
-    pub fn ticks(&self) -> Ticks {
+    pub fn back(&self) -> Ticks {
         self.turns.last().map_or(0, |last| last.loaded.end)
     }
 
-    /// The same in milliseconds.
-    pub fn back(&self) -> f64 {
-        milliseconds(self.ticks())
+    /// Ticks of a frame from its beginning to its last region in the frame buffer: front end and all that is behind it.
+    pub fn latency(&self) -> Ticks {
+        self.front + self.back()
+    }
+
+    /// Simulated picoseconds behind the front end.
+    pub fn picoseconds(&self) -> u64 {
+        self.back() * 5000
+    }
+
+    /// The stages behind the front end, in their order.
+    pub fn stages(&self) -> Vec<Stage> {
+        let longest = |nodes: &[NodeReport]| 2 * nodes.iter().map(|node| node.busy).max().unwrap_or(0);
+        let (Some(first), Some(last)) = (self.turns.first(), self.turns.last()) else { return Vec::new() };
+        let sum = |of: fn(&Done) -> &std::ops::Range<Ticks>| -> Ticks {
+            self.turns.iter().map(|turn| of(turn).end - of(turn).start).sum()
+        };
+        let stage = |name, busy, from, to| Stage { name, busy, from, to };
+        let mut stages = vec![
+            stage("rasterizing", longest(&self.rasterizers), 0, last.rasterized),
+            stage("composing", sum(|it| &it.composed), first.composed.start, last.composed.end),
+        ];
+        if !self.shaders.is_empty() {
+            stages.push(stage("shading", longest(&self.shaders), first.shaded.start, last.shaded.end));
+            stages.push(stage("sending colours", sum(|it| &it.sent), first.sent.start, last.sent.end));
+        }
+        stages.push(stage("frame buffer", sum(|it| &it.loaded), first.loaded.start, last.loaded.end));
+        stages
+    }
+
+    /// The stage that works longest, front end and those behind it.
+    pub fn limit(&self) -> Stage {
+        let front = Stage { name: "front end", busy: self.front, from: 0, to: self.front };
+        self.stages().into_iter().chain([front]).max_by_key(|stage| stage.busy).expect("there is the front end")
+    }
+}
+
+impl fmt::Display for Report {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let ([width, height], [across, down]) = (self.size, self.array);
+        let (rasterize, shade) = (self.rasterizers.len(), self.shaders.len());
+        let system = match self.system {
+            System::NonTexturing => "non-texturing system",
+            System::Base => "base system, deferred shading",
+            System::PreSort => "pre-sorting system, deferred shading",
+        };
+        writeln!(
+            f,
+            "PixelFlow, {system}: {width}x{height} pixels in {} regions of {across}x{down},",
+            self.turns.len()
+        )?;
+        let shading = if shade > 0 { format!(", {shade} shade") } else { String::new() };
+        writeln!(f, "{} nodes: {rasterize} rasterize{shading}, one holds the frame", self.nodes)?;
+        writeln!(f, "{} primitives, {} in regions", self.primitives, self.drawn)?;
+        writeln!(f, "\n{:<16}{:>10}{:>10}{:>10}", "stage", "busy us", "from us", "to us")?;
+        let us = |ticks: Ticks| ticks as f64 / 200.0;
+        writeln!(f, "{:<16}{:>10.2}{:>10.2}{:>10.2}", "front end", us(self.front), 0.0, us(self.front))?;
+        for Stage { name, busy, from, to } in self.stages() {
+            let [from, to] = [from, to].map(|ticks| us(self.front + ticks));
+            writeln!(f, "{name:<16}{:>10.2}{from:>10.2}{to:>10.2}", us(busy))?;
+        }
+        writeln!(
+            f,
+            "Of several nodes, the one that is busy longest. The front end is not simulated, but takes the paper's time."
+        )?;
+        writeln!(f, "\n{:<16}{:>10}{:>12}{:>8}", "node", "primitives", "busy clocks", "busy")?;
+        let names = (1..=rasterize).map(|number| format!("rasterizer {number}")).zip(&self.rasterizers);
+        let names = names.chain((1..=shade).map(|number| format!("shader {number}")).zip(&self.shaders));
+        for (name, NodeReport { primitives, busy }) in names {
+            let primitives = if name.starts_with('s') { String::new() } else { primitives.to_string() };
+            let part = 200.0 * *busy as f64 / self.back().max(1) as f64;
+            writeln!(f, "{name:<16}{primitives:>10}{busy:>12}{part:>6.1} %")?;
+        }
+        write!(f, "The frame takes {:.3} ms.", milliseconds(self.latency()))
     }
 }

@@ -48,6 +48,8 @@ pub const ENTRIES: &[Entry] = &[
     pixelflow::ARRAY_CONTROLLER,
     pixelflow::LINEAR_EVALUATOR,
     pixelflow::PIXEL,
+    pixelflow::TEXTURE_UNIT,
+    pixelflow::TEXTURE_MEMORY,
     pixelflow::NETWORK_SEQUENCER,
     pixelflow::NETWORK_PORT,
     pixelflow::COMPOSITOR,

@@ -14,12 +14,14 @@ use crate::pixelflow::network_port::NetworkPort;
 use crate::pixelflow::network_sequencer::NetworkSequencer;
 use crate::pixelflow::node::{LONGEST_SETUP, MOST, Node};
 use crate::pixelflow::pixel::PixelProcessor;
+use crate::pixelflow::texture_memory::TextureMemory;
+use crate::pixelflow::texture_unit::TextureUnit;
 use crate::pixelflow::{ARRAY, TRANSFER, extents};
 
-const WIDTH: Parameter =
-    Parameter { name: "width", default: 8, min: 2, max: 256, meaning: "pixels in a line of a region, a power of two" };
-const HEIGHT: Parameter =
-    Parameter { name: "height", default: 4, min: 2, max: 256, meaning: "lines of a region, a power of two" };
+const LINE: Parameter =
+    Parameter { name: "line", default: 8, min: 2, max: 256, meaning: "pixels in a line of a region, a power of two" };
+const LINES: Parameter =
+    Parameter { name: "lines", default: 4, min: 2, max: 256, meaning: "lines of a region, a power of two" };
 const WORDS: Parameter = Parameter {
     name: "words",
     default: 16,
@@ -34,6 +36,9 @@ const SETUP: Parameter = Parameter {
     max: LONGEST_SETUP as u64,
     meaning: "clocks of the network before a word, which depend on the number of nodes",
 };
+const TEXELS: Parameter =
+    Parameter { name: "texels", default: 16, min: 1, max: 1 << 20, meaning: "texels of each of the eight banks" };
+const TEXTURES: Parameter = Parameter { name: "textures", default: 2, min: 1, max: 256, meaning: "textures" };
 const CHIPS: Parameter = Parameter { name: "chips", default: 2, min: 1, max: 64, meaning: "chips of the node" };
 const DEPTH: Parameter = Parameter {
     name: "depth",
@@ -50,7 +55,7 @@ const BYTE: u32 = 8;
 pub(super) const NODE: Entry = Entry {
     name: "pixelflow-node",
     summary: "PixelFlow's node without its geometry processors: pixels that draw or shade, on a network that composes",
-    parameters: &[WIDTH, HEIGHT, WORDS, SETUP],
+    parameters: &[LINE, LINES, WORDS, SETUP],
     design: |values| Ok(elaborate(&node(values)?)?),
     scenario: |values| Ok(scenarios::drawn_and_sent(&node(values)?)),
 };
@@ -66,7 +71,7 @@ pub(super) const COMMAND_DMA: Entry = Entry {
 pub(super) const ARRAY_CONTROLLER: Entry = Entry {
     name: "array-controller",
     summary: "takes instructions, and controls the linear evaluator and all pixels",
-    parameters: &[WIDTH, HEIGHT],
+    parameters: &[LINE, LINES],
     design: |values| Ok(elaborate_at(&controller(values)?, ARRAY.period)?),
     scenario: |values| Ok(scenarios::drawn_and_given(&controller(values)?)),
 };
@@ -74,7 +79,7 @@ pub(super) const ARRAY_CONTROLLER: Entry = Entry {
 pub(super) const LINEAR_EVALUATOR: Entry = Entry {
     name: "linear-evaluator",
     summary: "evaluates A x + B y + C at all pixels, a byte a clock",
-    parameters: &[WIDTH, HEIGHT],
+    parameters: &[LINE, LINES],
     design: |values| Ok(elaborate_at(&linear_evaluator(values)?, ARRAY.period)?),
     scenario: |values| Ok(scenarios::two_expressions(&linear_evaluator(values)?)),
 };
@@ -85,6 +90,22 @@ pub(super) const PIXEL: Entry = Entry {
     parameters: &[DEPTH],
     design: |values| Ok(elaborate_at(&pixel(values), ARRAY.period)?),
     scenario: |values| Ok(scenarios::add_compare_and_copy(&pixel(values))),
+};
+
+pub(super) const TEXTURE_UNIT: Entry = Entry {
+    name: "texture-unit",
+    summary: "gives each pixel of a region the texels that it asks for, a pixel a clock",
+    parameters: &[CHIPS, PIXELS, TEXELS, TEXTURES],
+    design: |values| Ok(elaborate_at(&texture_unit(values), ARRAY.period)?),
+    scenario: |values| Ok(scenarios::a_region_of_texels(&texture_unit(values))),
+};
+
+pub(super) const TEXTURE_MEMORY: Entry = Entry {
+    name: "texture-memory",
+    summary: "reads the eight texels around a place on two levels of a texture, a place a clock",
+    parameters: &[TEXELS, TEXTURES],
+    design: |values| Ok(elaborate_at(&texture_memory(values), ARRAY.period)?),
+    scenario: |values| Ok(scenarios::places(&texture_memory(values))),
 };
 
 pub(super) const NETWORK_SEQUENCER: Entry = Entry {
@@ -112,7 +133,7 @@ pub(super) const COMPOSITOR: Entry = Entry {
 };
 
 fn node(values: &Values) -> Result<Node, ParameterError> {
-    let [width, height, words, setup] = ["width", "height", "words", "setup"].map(|name| values.get_u32(name));
+    let [width, height, words, setup] = ["line", "lines", "words", "setup"].map(|name| values.get_u32(name));
     Node::new(width, height, words, setup)
 }
 
@@ -124,13 +145,22 @@ fn sequencer(values: &Values) -> NetworkSequencer {
     NetworkSequencer { pixels: values.get_u32("pixels"), setup: values.get_u32("setup") }
 }
 
+fn texture_unit(values: &Values) -> TextureUnit {
+    let [chips, pixels] = ["chips", "pixels"].map(|name| values.get_u32(name));
+    TextureUnit { chips, pixels, memory: texture_memory(values) }
+}
+
+fn texture_memory(values: &Values) -> TextureMemory {
+    TextureMemory { texels: values.get_u32("texels"), textures: values.get_u32("textures") }
+}
+
 fn controller(values: &Values) -> Result<ArrayController, ParameterError> {
-    let [width, height] = extents(values.get_u32("width"), values.get_u32("height"))?;
+    let [width, height] = extents(values.get_u32("line"), values.get_u32("lines"))?;
     Ok(ArrayController { width, height })
 }
 
 fn linear_evaluator(values: &Values) -> Result<LinearEvaluator, ParameterError> {
-    let [width, height] = extents(values.get_u32("width"), values.get_u32("height"))?;
+    let [width, height] = extents(values.get_u32("line"), values.get_u32("lines"))?;
     Ok(LinearEvaluator { width, height })
 }
 

@@ -74,7 +74,7 @@ impl CommandDma {
     }
 
     fn build(&self, m: Module, i: CommandDmaIn) -> CommandDmaOut {
-        let memory = m.memory("memory", self.words, Instruction::widths(), ReadUnderWrite::Any);
+        let memory = m.memory("memory", self.words, Instruction::widths(), ReadUnderWrite::Old);
         memory.write(i.store.writes, i.store.address, i.store.instruction);
         let frames = m.fifo("u_frames", CommandDma::FRAMES, i.frames);
         let left = m.reg("left", up_to(self.words)).reset(0);

@@ -13,24 +13,37 @@
 //! A region of 128 x 64 pixels is in 32 chips of 256 pixels. The network has 8 wires for each chip, so a byte of each pixel takes 256 transfers of
 //! 5 ns: 1.28 us (PFL-NET, PFL-TCB).
 //!
+//! A node, without the processors that write its instructions:
+//!
+//! ```text
+//! store, frames ==>[ command fetcher ]==>[ controller ]---->[ linear evaluator ]
+//!                                              |                  | a x + b y + c
+//!                                              '--- control --->[ pixels ]
+//!                                                                  ^  |
+//!                                                                  |  v
+//! jobs ==>[ sequencers ]---->[ network ports ]<==>[ communication registers ]<==>[ texture unit ]
+//! ```
+//!
 //! | file | what is in it |
 //! |---|---|
-//! | [`array`](mod@array) | controller, evaluator, pixels and communication registers |
+//! | [`node`] | all of these but the texture unit |
 //! | [`command_dma`] | brings instructions to the array |
-//! | [`compositor`] | of two pixels, the nearer, byte by byte |
-//! | [`network_port`] | the compositors of a node, and whose turn it is |
-//! | [`network`] | the ports of all nodes |
-//! | [`network_sequencer`] | what a node does with each word that passes |
-//! | [`node`] | all of these |
-//! | [`instruction`] | what a node is told to do |
+//! | [`array`](mod@array) | controller, evaluator, pixels and communication registers |
+//! | [`instruction`] | what an array is told to do |
 //! | [`controller`] | what takes instructions and controls evaluator and pixels |
 //! | [`linear_evaluator`] | A x + B y + C at all pixels |
-//! | [`schedule`] | the clocks that instructions take |
-//! | [`fields`] | what is where in a pixel |
-//! | [`programs`] | rasterization and shading |
-//! | [`emulator`] | what instructions do, by definition |
 //! | [`pixel`] | a pixel's ALU, flags and memory |
 //! | [`registers`] | bytes of each pixel that a port sees, too |
+//! | [`texture_unit`] | gives each pixel the texels that it asks for |
+//! | [`texture_memory`] | the texels around a place |
+//! | [`network_sequencer`] | what a node does with each word that passes |
+//! | [`network_port`] | the compositors of a node, and whose turn it is |
+//! | [`network`] | the ports of all nodes |
+//! | [`compositor`] | of two pixels, the nearer, byte by byte |
+//! | [`fields`] | what is where in a pixel |
+//! | [`programs`] | rasterization and shading |
+//! | [`schedule`] | the clocks in which a controller takes instructions |
+//! | [`emulator`] | what instructions do, by definition |
 
 use crate::prelude::{Clock, ParameterError, Period};
 
@@ -54,6 +67,8 @@ pub mod registers;
 pub mod schedule;
 #[cfg(test)]
 mod testing;
+pub mod texture_memory;
+pub mod texture_unit;
 
 /// The clock of controller, evaluator and pixels: 100 MHz (facts E4).
 pub const ARRAY: Clock = Clock::new("array", Period::ns(10));

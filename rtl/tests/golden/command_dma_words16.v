@@ -77,7 +77,6 @@ module command_dma_words16 (
     reg [3:0] next;                                              // rtl/src/pixelflow/command_dma.rs:81
     reg arrived;                                                 // rtl/src/pixelflow/command_dma.rs:85
 
-    (* no_rw_check *)
     reg [167:0] memory [0:15];                                   // rtl/src/pixelflow/command_dma.rs:77
     reg [167:0] memory_read;                                     // rtl/src/pixelflow/command_dma.rs:87
 

@@ -15,6 +15,8 @@ const OTHER: &[(&str, u64)] = &[
     ("overhead", 3),
     ("renderers", 5),
     ("side", 16),
+    ("line", 16),
+    ("lines", 8),
     ("chips", 3),
     ("pixels", 5),
 ];

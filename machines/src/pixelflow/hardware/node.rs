@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 
 use tilewright_rtl::pixelflow::ARRAY;
 use tilewright_rtl::pixelflow::array::{PixelArray, PixelArrayIn, PixelArrayOut};
-use tilewright_rtl::pixelflow::instruction::Instruction;
+use tilewright_rtl::pixelflow::instruction::{Instruction, Sync};
 use tilewright_sim::{Bits, EngineKind, Simulation};
 
 use crate::error::Error;
@@ -51,6 +51,8 @@ pub(in crate::pixelflow) struct Node {
     busy: u64,
     /// From when on the network could have each bank that was given last.
     given: [Ticks; 2],
+    /// Banks that the network has, as far as the array knows.
+    claimed: [bool; 2],
 }
 
 impl Node {
@@ -78,6 +80,7 @@ impl Node {
             latency: array.latency(),
             busy: 0,
             given: [0; 2],
+            claimed: [false; 2],
         })
     }
 
@@ -108,28 +111,31 @@ impl Node {
     pub fn run(&mut self, program: &[Instruction<u64>]) -> Result<Ticks, Error> {
         let mut left = program.iter();
         let mut shown = left.next();
-        self.show(shown);
+        self.put(shown);
         loop {
-            if self.is_array_edge() {
-                let taken = shown.is_some() && self.sim.get_u64(self.sim.i.instructions.ready) == 1;
-                let given = self.sim.get_u64(self.sim.o.given.banks);
-                let is_idle = !taken && self.sim.get_u64(self.sim.o.idle) == 1;
-                self.tick()?;
-                if taken {
-                    shown = left.next();
-                    self.show(shown);
-                }
-                self.rest = if is_idle { self.rest + 1 } else { 0 };
-                self.busy += u64::from(!is_idle);
-                for bank in (0..2).filter(|bank| given >> bank & 1 == 1) {
-                    self.given[bank] = self.time;
-                }
-                if given != 0 && shown.is_none() {
-                    return Ok(self.time);
-                }
-            } else {
+            if !self.is_array_edge() {
                 self.tick()?;
                 self.leave_out();
+                continue;
+            }
+            self.tell_what_ended();
+            // An instruction that would wait for a bank is held back: so the controller says that it is idle.
+            let waits = shown.is_none_or(|instruction| self.waits(instruction));
+            self.sim.set(self.sim.i.instructions.valid, !waits);
+            let taken = !waits && self.sim.get_u64(self.sim.i.instructions.ready) == 1;
+            let given = self.sim.get_u64(self.sim.o.given.banks);
+            self.count(taken);
+            self.tick()?;
+            if let Some(instruction) = shown.filter(|_| taken) {
+                self.claim(instruction);
+                shown = left.next();
+                self.put(shown);
+            }
+            for bank in (0..2).filter(|bank| given >> bank & 1 == 1) {
+                self.given[bank] = self.time;
+            }
+            if given != 0 && shown.is_none() {
+                return Ok(self.time);
             }
         }
     }
@@ -139,11 +145,11 @@ impl Node {
     /// # Errors
     /// [`Error::Simulation`].
     pub fn finish(&mut self) -> Result<(), Error> {
-        self.show(None);
+        self.sim.set(self.sim.i.instructions.valid, false);
         while self.banks.iter().any(|bank| !bank.accesses.is_empty()) {
             if self.is_array_edge() {
-                let is_idle = self.sim.get_u64(self.sim.o.idle) == 1;
-                self.rest = if is_idle { self.rest + 1 } else { 0 };
+                self.tell_what_ended();
+                self.count(false);
                 self.tick()?;
             } else {
                 self.tick()?;
@@ -168,10 +174,28 @@ impl Node {
         }
     }
 
-    fn show(&mut self, instruction: Option<&Instruction<u64>>) {
-        let port = self.sim.i.instructions;
-        self.sim.set(port.valid, instruction.is_some());
+    /// Counts the clock: whether the array rests.
+    fn count(&mut self, taken: bool) {
+        let is_idle = !taken && self.sim.get_u64(self.sim.o.idle) == 1;
+        self.rest = if is_idle { self.rest + 1 } else { 0 };
+        self.busy += u64::from(!is_idle);
+    }
+
+    /// Whether an instruction waits for a bank that the network has.
+    fn waits(&self, instruction: &Instruction<u64>) -> bool {
+        instruction.sync == Sync::AwaitBank as u64 && self.claimed[instruction.c as usize]
+    }
+
+    fn claim(&mut self, instruction: &Instruction<u64>) {
+        if instruction.sync == Sync::GiveBank as u64 {
+            self.claimed[instruction.c as usize] = true;
+        }
+    }
+
+    /// Puts an instruction before the array.
+    fn put(&mut self, instruction: Option<&Instruction<u64>>) {
         let Some(instruction) = instruction else { return };
+        let port = self.sim.i.instructions;
         let port = port.payload;
         let i = instruction;
         for (port, value) in [
@@ -200,7 +224,6 @@ impl Node {
 
     /// A tick of the network, and with every second one a clock of the array.
     fn tick(&mut self) -> Result<(), Error> {
-        self.tell_what_ended();
         let ends = [0, 1].map(|bank| self.transfer(bank));
         self.sim.try_step()?;
         self.time += 1;
@@ -220,10 +243,9 @@ impl Node {
     /// In the clock behind the end of an access the array is told of it.
     fn tell_what_ended(&mut self) {
         let mut banks = 0;
-        if self.is_array_edge() {
-            while let Some((_, bank)) = self.ended.pop_front_if(|(time, _)| *time <= self.time) {
-                banks |= 1_u64 << bank;
-            }
+        while let Some((_, bank)) = self.ended.pop_front_if(|(time, _)| *time <= self.time) {
+            banks |= 1_u64 << bank;
+            self.claimed[bank] = false;
         }
         self.sim.set(self.sim.i.bank_done, banks);
     }

@@ -15,6 +15,10 @@ use crate::pixelflow::pixel::{
     Begin, Condition, Control, Enabling, Flagging, Function, Mask, PixelProcessor, PixelProcessorIn, Source,
 };
 use crate::pixelflow::registers::PortAccess;
+use crate::pixelflow::texture_memory::{
+    Describe, TexelAddress, TexelWrite, TextureMemory, TextureMemoryIn, TexturePlace,
+};
+use crate::pixelflow::texture_unit::{TextureUnit, TextureUnitIn};
 use crate::pixelflow::{ARRAY, TRANSFER};
 
 /// Words of two bytes, of upstream and of the node, which pixels have in turn: the first is less than the other, then its second
@@ -245,4 +249,55 @@ pub(super) fn drawn_and_sent(node: &Node) -> Scenario {
     let network = u64::from(node.setup() + 2 * node.port().pixels) + 10;
     script.wait(2 * array + network);
     script.finish("instructions are written and fetched; a word is drawn, its bank given, and the network sends it off")
+}
+
+/// A texture of 2 x 2 texels and the one above them, as the memory is told: where it is, and what is written.
+fn checkers(memory: &TextureMemory) -> (Describe<u64>, Vec<TexelWrite<u64>>) {
+    let finest = if u64::from(memory.texels) < TextureMemory::size(1) { 0 } else { 1 };
+    let texels = (0..=finest).flat_map(|level| {
+        let side = 1u64 << level;
+        (0..side * side).map(move |number| {
+            let (i, j) = (number % side, number / side);
+            let TexelAddress { bank, address } = TextureMemory::place(0, level, i, j);
+            let texel = if level == 0 { 0x80_8080 } else { 0x11_1111 * (1 + i + 2 * j) };
+            TexelWrite { valid: 1, bank, address, texel }
+        })
+    });
+    (Describe { valid: 1, texture: 0, base: 0, finest: finest.into() }, texels.collect())
+}
+
+pub(super) fn places(memory: &TextureMemory) -> Scenario {
+    let (describe, texels) = checkers(memory);
+    let quiet = TextureMemoryIn {
+        write: TexelWrite { valid: 0, bank: 0, address: 0, texel: 0 },
+        describe: Describe { valid: 0, texture: 0, base: 0, finest: 0 },
+        request: TexturePlace { valid: 0, u: 0, v: 0, level: 0, texture: 0 },
+    };
+    let mut script = Script::new(memory, ARRAY.period);
+    script.clock(&TextureMemoryIn { describe, ..quiet });
+    texels.into_iter().for_each(|write| script.clock(&TextureMemoryIn { write, ..quiet }));
+    for (u, level) in [(0x4000, 0), (0xc000, 0), (0x8000, 1)] {
+        script.clock(&TextureMemoryIn { request: TexturePlace { valid: 1, u, v: 0x4000, level, texture: 0 }, ..quiet });
+    }
+    script.clock(&quiet);
+    script.wait(3);
+    script.finish("a texture of 2 x 2 texels is written, and the texels around three places are read")
+}
+
+pub(super) fn a_region_of_texels(unit: &TextureUnit) -> Scenario {
+    let (describe, texels) = checkers(&unit.memory);
+    let quiet = TextureUnitIn {
+        write: TexelWrite { valid: 0, bank: 0, address: 0, texel: 0 },
+        describe: Describe { valid: 0, texture: 0, base: 0, finest: 0 },
+        start: 0,
+        // All ask for a place at the left, on level 0.
+        seen: 0,
+    };
+    let mut script = Script::new(unit, ARRAY.period);
+    script.clock(&TextureUnitIn { describe, ..quiet });
+    texels.into_iter().for_each(|write| script.clock(&TextureUnitIn { write, ..quiet }));
+    script.clock(&TextureUnitIn { start: 1, ..quiet });
+    script.clock(&quiet);
+    script.wait(unit.clocks().min(400) + 2);
+    script.finish("a texture of 2 x 2 texels is written, and the pixels of a region get the texels around a place")
 }

@@ -255,7 +255,7 @@ fn nanoseconds_of_the_machine_s_node() {
         ("it composes", Some(Mode::Composite)),
     ] {
         let mut sim = started(&node, &[&give[..], &program].concat());
-        let i = sim.i.network[0].clone();
+        let i = sim.i.network[0];
         if let Some(mode) = mode {
             sim.set(i.jobs.valid, 1);
             sim.set(i.jobs.mode, mode.code());

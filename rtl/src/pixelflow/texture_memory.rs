@@ -1,0 +1,227 @@
+//! The texture memory: the eight texels around a place on two levels of a texture, a place a clock (PFL-SHADE, facts E4).
+//!
+//! ```text
+//!               .-------------.        .------------------------.     .------------------.
+//! texture ----->| base, finest|------->| level, level + 1:      |     | 8 banks: parities |
+//! u, v, level ->[             ]------->| left, right, below,    |---->| of level, row and |--> 8 texels
+//!               '-------------'        | above                  |     | column            |
+//!                                      '------------------------'     '------------------'
+//! ```
+//!
+//! A texture is there on all of its levels: on level l it has 2^l x 2^l texels, and goes on repeating on all sides. Four texels around a place are
+//! neighbours, so their columns and rows have all parities; and of two levels that follow each other one is even. So no two of the eight texels are in
+//! one bank, and all are read at once. A texture has the same base in all banks; a level of it is behind all coarser ones of the same parity.
+//!
+//! The place in texels is `floor(u 2^level / 2^8) - 2^7` in 1/2^8, as a texel's colour is that of its middle. Beyond the finest level, both levels are the
+//! finest.
+//!
+//! Latency 3 clocks, a place a clock.
+
+use crate::prelude::*;
+
+block! {
+    /// Reads the texels around a place.
+    pub struct TextureMemory {
+        /// Texels of a bank.
+        pub texels: u32,
+        /// Textures.
+        pub textures: u32,
+    }
+    latency = "3 clocks, a place a clock";
+    source = "Reducing Latency on PixelFlow, section 4 (PFL-SHADE)";
+    in(self) TextureMemoryIn {
+        /// What the geometry processors write.
+        write: TexelWrite = self.write(),
+        /// Where they say that a texture is.
+        describe: Describe = self.describe(),
+        /// What is sought.
+        request: pub struct TexturePlace {
+            /// There is one.
+            valid: bit(),
+            /// From the left, in 1/2^16 of the texture.
+            u: bits(16),
+            /// From below, likewise.
+            v: bits(16),
+            /// The coarser level.
+            level: bits(8),
+            /// The texture.
+            texture: bits(8),
+        },
+    }
+    out TextureMemoryOut {
+        /// There are texels.
+        valid: bit(),
+        /// Texel 4 s + 2 y + x is on level `level + s`, and to the left or, with x, to the right, below or, with y, above.
+        texels: bits(24).of(row(8)),
+    }
+}
+
+bundle! {
+    /// A texel that is written.
+    pub struct TexelWrite<T> {
+        /// There is one.
+        pub valid: T,
+        /// Its bank: the parity of the level, then of the row, then of the column.
+        pub bank: T,
+        /// Its address there.
+        pub address: T,
+        /// Red in the lowest byte, then green, then blue.
+        pub texel: T,
+    }
+
+    /// Where a texture is.
+    pub struct Describe<T> {
+        /// It is said.
+        pub valid: T,
+        /// Of which.
+        pub texture: T,
+        /// Its first address in each bank.
+        pub base: T,
+        /// Its finest level.
+        pub finest: T,
+    }
+}
+
+/// Where a texel is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct TexelAddress {
+    /// Its bank.
+    pub bank: u64,
+    /// Its address there.
+    pub address: u64,
+}
+
+impl TextureMemory {
+    /// The finest level that a texture may have.
+    pub const FINEST: u32 = 10;
+
+    /// Where texel (i, j) of a level is, of a texture with that base.
+    ///
+    /// ```
+    /// use tilewright_rtl::pixelflow::texture_memory::TextureMemory;
+    /// // Levels 0 and 2 are in the same four banks, and level 0 has one texel.
+    /// let place = TextureMemory::place(100, 2, 3, 1);
+    /// assert_eq!((place.bank, place.address), (0b0_1_1, 100 + 1 + 1));
+    /// ```
+    pub fn place(base: u64, level: u32, i: u64, j: u64) -> TexelAddress {
+        let bank = u64::from(level % 2) << 2 | (j & 1) << 1 | i & 1;
+        TexelAddress { bank, address: base + TextureMemory::offset(level) + ((j >> 1) << level >> 1) + (i >> 1) }
+    }
+
+    /// Addresses of a bank that a texture of that finest level takes.
+    pub fn size(finest: u32) -> u64 {
+        TextureMemory::offset(finest + 2)
+    }
+
+    /// The address of a level behind the texture's base.
+    fn offset(level: u32) -> u64 {
+        let size = |level: u32| if level == 0 { 1 } else { 1 << (2 * (level - 1)) };
+        (level % 2..level).step_by(2).map(size).sum()
+    }
+
+    /// The widths of a texel that is written.
+    pub fn write(&self) -> TexelWrite<Width> {
+        TexelWrite { valid: bit(), bank: bits(3), address: below(self.texels), texel: bits(24) }
+    }
+
+    /// The widths of where a texture is.
+    pub fn describe(&self) -> Describe<Width> {
+        let (texture, base) = (below(self.textures), below(self.texels));
+        Describe { valid: bit(), texture, base, finest: up_to(TextureMemory::FINEST) }
+    }
+
+    fn build(&self, m: Module, i: TextureMemoryIn) -> TextureMemoryOut {
+        let valid = (1..=3).fold(i.request.valid, |valid, clock| {
+            let later = m.reg(&format!("valid{clock}"), bit()).reset(0);
+            later.next(valid);
+            *later
+        });
+        // First clock: where the texture is.
+        let widths = self.describe();
+        let [base, finest] = [("bases", widths.base, i.describe.base), ("finests", widths.finest, i.describe.finest)]
+            .map(|(name, width, written)| {
+                let table = m.memory(name, self.textures, width, ReadUnderWrite::Old);
+                table.write(i.describe.valid, i.describe.texture, written);
+                table.read(i.request.texture.trunc(widths.texture))
+            });
+        let [u, v] = [("u", i.request.u), ("v", i.request.v)].map(|(name, part)| m.pipe(name, part));
+        let level = m.pipe("level", i.request.level).zext(9);
+
+        // Second clock: the levels, and columns and rows on both.
+        let base = m.pipe("base", base);
+        let sides = [0u64, 1].map(|side| {
+            let sought = level + side;
+            let clamped = mux(sought.lt(finest.zext(9)), sought.trunc(finest.width()), finest);
+            let sides = [("u", u), ("v", v)].map(|(name, part)| neighbours(m, &format!("{name}{side}"), part, clamped));
+            Side { level: m.pipe(&format!("level{side}"), clamped), columns: sides[0], rows: sides[1] }
+        });
+
+        // Third clock: each bank has one texel of the level whose parity it has.
+        let banks: Vec<Signal> = (0..8u32)
+            .map(|bank| {
+                let memory = m.memory(&format!("bank{bank}"), self.texels, 24, ReadUnderWrite::Old);
+                memory.write(i.write.valid & i.write.bank.eq(bank), i.write.address, i.write.texel);
+                memory.read(self.address(base, &sides, bank))
+            })
+            .collect();
+        let banks = stack(banks);
+        let texel = |number: u32| {
+            let side = &sides[(number >> 2) as usize];
+            let bank = concat(&[
+                side.level.bit(0),
+                side.rows[(number >> 1 & 1) as usize].bit(0),
+                side.columns[(number & 1) as usize].bit(0),
+            ]);
+            banks.pick(m.pipe(&format!("from{number}"), bank))
+        };
+        TextureMemoryOut { valid, texels: stack((0..8).map(texel)) }
+    }
+
+    /// The address of a bank's texel.
+    fn address(&self, base: Signal, sides: &[Side; 2], bank: u32) -> Signal {
+        let [first, second] = sides;
+        let is_first = first.level.bit(0).eq(bank >> 2);
+        let level = mux(is_first, first.level, second.level);
+        let with_parity = |of: fn(&Side) -> [Signal; 2], parity: u32| {
+            let of_side = |side: &Side| {
+                let [low, high] = of(side);
+                mux(low.bit(0).eq(parity), low, high)
+            };
+            mux(is_first, of_side(first), of_side(second)) >> 1
+        };
+        let column = with_parity(|side| side.columns, bank & 1);
+        let row_number = with_parity(|side| side.rows, bank >> 1 & 1);
+        let wide = bits(2 * TextureMemory::FINEST + 1);
+        let offsets = constants(wide.of(row(TextureMemory::FINEST + 1)), TextureMemory::offset);
+        let line = (row_number.zext(wide) << level) >> 1;
+        let address = offsets.pick(level) + line + column.zext(wide);
+        base + fitting(address, base.width())
+    }
+}
+
+/// The lowest bits, or more of them.
+fn fitting(number: Signal, width: u32) -> Signal {
+    if width > number.width() { number.zext(width) } else { number.trunc(width) }
+}
+
+/// A level, and the columns and rows around a place on it.
+struct Side {
+    level: Signal,
+    columns: [Signal; 2],
+    rows: [Signal; 2],
+}
+
+/// The numbers of the two texels around a part of the texture along one axis, a clock later.
+fn neighbours(m: Module, name: &str, part: Signal, level: Signal) -> [Signal; 2] {
+    let number = bits(TextureMemory::FINEST);
+    let wide = bits(16 + TextureMemory::FINEST);
+    let place = ((part.zext(wide) << level) >> 8) - (1 << 7);
+    let last = (lit(TextureMemory::FINEST + 1, 1) << level) - 1;
+    let last = last.trunc(number);
+    let low = place.part(8, TextureMemory::FINEST) & last;
+    let high = (low + 1) & last;
+    [("low", low), ("high", high)].map(|(which, texel)| m.pipe(&format!("{name}_{which}"), texel))
+}
+
+#[cfg(test)]
+pub(super) mod tests;

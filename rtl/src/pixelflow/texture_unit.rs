@@ -1,0 +1,133 @@
+//! The texture unit: for each pixel of a region in turn, the texels around what it asks for (PFL-SHADE, facts E4).
+//!
+//! ```text
+//!                6 bytes of each chip         a chip a clock
+//! registers ====>[ requests of a pixel ]--->[ looked up ]--->[ texture memory ]
+//! registers <====[ texels of a pixel   ]<---[ collected ]<---'
+//!               24 bytes of each chip
+//! ```
+//!
+//! The registers' port has a byte of a pixel of each chip a clock. So in a turn of 30 clocks at least it reads the 6 bytes that a pixel of each chip asks,
+//! and writes the 24 bytes of an earlier one's texels, while the memory looks up those of the one between, a chip a clock. With 32 chips a turn is 32 clocks,
+//! and a pixel takes one:
+//!
+//! | clock of a turn | port | |
+//! |---|---|---|
+//! | 0 to 5 | reads what pixel p asks: u, v, level, texture | pixel p - 1 of each chip is looked up, |
+//! | 6 to 29 | writes the texels of pixel p - 2 | from the first clock on |
+//!
+//! | register | |
+//! |---|---|
+//! | 0, 1 | u, little end first |
+//! | 2, 3 | v |
+//! | 4 | the coarser level |
+//! | 5 | the texture |
+//! | 8 + 3 (4 s + 2 y + x) + channel | texels, as [`TextureMemory`] has them |
+//!
+//! Latency: a turn for each pixel of a chip, and two: with 128 x 64 pixels 8256 clocks, 82.6 us of the 95 that the paper allows.
+
+use super::registers::PortAccess;
+use super::texture_memory::{Describe, TexelWrite, TextureMemory, TextureMemoryIn, TexturePlace};
+use crate::prelude::*;
+
+block! {
+    /// Serves the texture registers of a region.
+    pub struct TextureUnit {
+        /// Chips of the node.
+        pub chips: u32,
+        /// Pixels of a chip.
+        pub pixels: u32,
+        /// Its memory.
+        pub memory: TextureMemory,
+    }
+    latency(self) = format!("{} clocks for a region", self.clocks());
+    source = "Reducing Latency on PixelFlow, section 4 (PFL-SHADE)";
+    in(self) TextureUnitIn {
+        /// What the geometry processors write.
+        write: TexelWrite = self.memory.write(),
+        /// Where they say that a texture is.
+        describe: Describe = self.memory.describe(),
+        /// It begins.
+        start: bit(),
+        /// A byte of each chip, at the place that the port says.
+        seen: bits(8).of(row(self.chips)),
+    }
+    out(self) TextureUnitOut {
+        /// To the texture registers.
+        port: PortAccess = PortAccess {
+            pixel: below(self.pixels),
+            address: bits(6),
+            writes: bit(),
+            bytes: bits(8).of(row(self.chips)),
+        },
+        /// All pixels have their texels.
+        done: bit(),
+    }
+}
+
+/// Bytes of what a pixel asks.
+const ASKED: u32 = 6;
+/// Bytes of what it gets.
+const TEXELS: u32 = 24;
+/// The register that has the first of them.
+const FIRST: u32 = 8;
+/// The clock of a turn in which the texels of the pixel before are all there.
+const COLLECTED: u32 = 3;
+
+impl TextureUnit {
+    /// Clocks of a turn, in which a pixel of each chip is looked up.
+    pub fn turn(&self) -> u32 {
+        self.chips.max(ASKED + TEXELS)
+    }
+
+    /// Clocks for a region.
+    pub fn clocks(&self) -> u64 {
+        u64::from(self.turn()) * u64::from(self.pixels + 2)
+    }
+
+    fn build(&self, m: Module, i: TextureUnitIn) -> TextureUnitOut {
+        let (chips, pixels, turn) = (self.chips, self.pixels, self.turn());
+        let busy = m.reg("busy", bit()).reset(0);
+        let clock = m.reg("clock", up_to(turn));
+        let number = m.reg("turn", up_to(pixels + 1));
+        net!(turn_ends = busy & clock.eq(turn - 1));
+        net!(ends = turn_ends & number.eq(pixels + 1));
+        m.assume(i.start.implies(!*busy), "the texture unit begins when it has done");
+        busy.when(i.start, 1).when(ends, 0);
+        clock.when(i.start | turn_ends, 0).otherwise(clock + 1);
+        number.when(i.start, 0).when(turn_ends, number + 1);
+
+        // What pixels ask comes in from the top, and goes a chip a clock.
+        net!(reads = busy & number.lt(pixels) & clock.lt(ASKED));
+        let asked = m.reg("asked", bits(8 * ASKED).of(row(chips)));
+        asked.when(reads, concat(&[i.seen, asked.slice(8..8 * ASKED)]));
+        let sought = m.reg("sought", bits(8 * ASKED).of(row(chips)));
+        sought.when(turn_ends, *asked).otherwise(sought.following(0));
+        net!(seeks = busy & number.ne(0) & number.le(pixels) & clock.lt(chips));
+        let first = sought.lane(0);
+        let byte = |at: u32| first.part(8 * at, 8);
+        let request = TexturePlace {
+            valid: seeks,
+            u: first.part(0, 16),
+            v: first.part(16, 16),
+            level: byte(4),
+            texture: byte(5),
+        };
+        let TextureUnitIn { write, describe, .. } = i;
+        let found = m.instance("u_memory", &self.memory, TextureMemoryIn { write, describe, request });
+
+        // Texels are collected a chip a clock, and written a byte a clock.
+        let collected = m.reg("collected", bits(8 * TEXELS).of(row(chips)));
+        collected.when(found.valid, collected.following(found.texels.pack()));
+        net!(writes = busy & number.ge(2) & clock.ge(ASKED) & clock.lt(ASKED + TEXELS));
+        let given = m.reg("given", bits(8 * TEXELS).of(row(chips)));
+        given.when(clock.eq(COLLECTED), *collected).when(writes, *given >> 8);
+
+        let pixel = mux(reads, *number, number - 2).trunc(below(pixels));
+        let address = mux(reads, clock.zext(bits(8)), clock.zext(bits(8)) + (FIRST - ASKED)).trunc(6);
+        TextureUnitOut { port: PortAccess { pixel, address, writes, bytes: given.slice(0..8) }, done: ends }
+    }
+}
+
+#[cfg(test)]
+mod tests;
