@@ -88,7 +88,7 @@ fn sent<const N: usize>(pixel: &Pixel, word: u64) -> [u8; N] {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(300) })]
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(120) })]
 
     #[test]
     fn appearance_words_are_those_that_are_visible((region, packets) in packets()) {

@@ -137,7 +137,7 @@ fn words() -> impl Strategy<Value = Appearance> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(400) })]
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(150) })]
 
     #[test]
     fn colours_are_those_of_the_shader(shader in shaders(), words in proptest::collection::vec(words(), 40)) {

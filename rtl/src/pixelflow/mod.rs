@@ -28,7 +28,7 @@
 //! |---|---|
 //! | [`node`] | all of these but the texture unit |
 //! | [`command_dma`] | brings instructions to the array |
-//! | [`array`] | controller, evaluator, pixels and communication registers |
+//! | [`array`](mod@array) | controller, evaluator, pixels and communication registers |
 //! | [`instruction`] | what an array is told to do |
 //! | [`controller`] | what takes instructions and controls evaluator and pixels |
 //! | [`linear_evaluator`] | A x + B y + C at all pixels |

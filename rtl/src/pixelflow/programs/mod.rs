@@ -12,6 +12,7 @@
 //! |---|---|
 //! | `clear` | empties words |
 //! | `edges`, `least_word` | triangles |
+//! | `ports` | in step with the network; copies of words |
 //! | `arithmetic` | digits of products and quotients |
 //! | `normalize` | unit normal |
 //! | `light` | cosines, highlights and their sums |
