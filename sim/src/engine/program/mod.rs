@@ -9,6 +9,7 @@
 //! Operations are grouped into [`Segment`]s by what can change them and by who needs them, so that an edge of one
 //! clock evaluates nothing that depends on another clock alone.
 
+mod apart;
 mod circuit;
 mod compile;
 mod cycles;
