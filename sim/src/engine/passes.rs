@@ -49,7 +49,7 @@ pub struct Passes {
     pub looks_after: u64,
     /// From how many operations on a function is cut into several.
     pub longest: usize,
-    /// How many lanes values of an instance of an array have, at the most, from which on the instances run one by one, as nodes, of which those
+    /// How many lanes values of an instance of an array have, at the most, from which on the instances run one by one, as units, of which those
     /// are left out that have nothing to do.
     pub apart_from: u32,
     /// How many operations on single values such an instance has, at the least.

@@ -27,7 +27,7 @@ pub fn compile_lanes(design: &Design, lanes: u32, passes: &Passes) -> Program {
     assert!((1..=most).contains(&lanes), "a program of this design has from 1 to {most} lanes, not {lanes}");
     // Of several runs, all are busy.
     let arrays = if lanes == 1 { apart::arrays(design, passes) } else { BTreeSet::new() };
-    let mut unrolled = Unrolled { arrays, ..Unrolled::default() };
+    let mut unrolled = Unrolled { apart: arrays.clone(), arrays, ..Unrolled::default() };
     loop {
         let flat = flatten::flatten(design, lanes, &unrolled, passes);
         let cycles = cycles::cycles(&flat.program.circuit);
