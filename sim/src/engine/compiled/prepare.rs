@@ -190,9 +190,14 @@ impl Compiled {
                         holds.then(|| builder.ins().ireduce(types::I8, last))
                     }
                 };
+                let mut held = held;
                 if !part.guards.is_empty() {
                     part.guards.iter().for_each(|guard| guard.emit(builder, state));
                     changed.clear();
+                }
+                for at in part.guards.iter().filter_map(|guard| guard.holds) {
+                    let of_unit = builder.ins().load(types::I8, MemFlagsData::trusted(), state, emitter::offset(at));
+                    held = Some(held.map_or(of_unit, |held| builder.ins().band(held, of_unit)));
                 }
                 if let Some(mut held) = held {
                     if !part.is_always_asked {

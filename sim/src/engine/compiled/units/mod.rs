@@ -10,6 +10,7 @@ mod run;
 mod split;
 
 use std::cell::Cell;
+use std::collections::BTreeMap;
 
 use cranelift_codegen::ir::{InstBuilder, MemFlagsData, Value, types};
 
@@ -21,16 +22,19 @@ use super::jit::Code;
 use super::layout::{Layout, Place};
 use super::prepare::Prepared;
 use crate::engine::program::{Kind, Program, UnitId, ValueId};
-use run::{Crossing, Running, Span};
+use run::{Changes, Crossing, Running, Span, Task};
 pub(super) use split::{From, Split, Units, split};
 use split::Part;
+
+/// Limbs that are compared at most to see whether a unit takes the same as before.
+const COMPARED: usize = 64;
 
 /// The units of a running circuit.
 pub(super) struct Apart {
     /// Which they are.
     units: Units,
-    /// Where the addresses of the memories of each stand.
-    tables: Vec<(UnitId, Place)>,
+    /// Where the addresses of the memories of each stand, and how often each was run.
+    tables: BTreeMap<UnitId, (Place, Place)>,
     /// Where the number of the function stands that the last edge was done by: each knows of units what it has seen itself.
     latest: Place,
     /// Where code notes that it has written to a memory.
@@ -45,6 +49,8 @@ pub(super) struct Guard {
     /// Where what crosses stands, and where it stands as it was.
     crossing: Vec<(Span, usize)>,
     busy: usize,
+    /// Where it stands whether all holds that must.
+    pub holds: Option<usize>,
     /// The address of what runs it.
     running: usize,
     /// The code, for the stack that it takes.
@@ -74,11 +80,11 @@ pub(super) fn places(program: &Program, layout: &mut Layout) -> (Vec<Option<Plac
         }
     };
     place(layout, None);
-    let mut tables = Vec::new();
+    let mut tables = BTreeMap::new();
     for &unit in &all {
         layout.align();
         let memories = units.memories(Some(unit)).count().max(1) as u32;
-        tables.push((unit, layout.place(1, 64 * memories)));
+        tables.insert(unit, (layout.place(1, 64 * memories), layout.place(1, 64)));
         place(layout, Some(unit));
     }
     if all.is_empty() {
@@ -93,7 +99,7 @@ impl Compiled {
     /// Writes where the memories of units are.
     pub(super) fn tell_memories(&mut self) {
         let Some(apart) = &self.apart else { return };
-        for &(unit, table) in &apart.tables {
+        for (&unit, &(table, _)) in &apart.tables {
             let addresses: Vec<u64> =
                 apart.units.memories(Some(unit)).map(|memory| self.memories[memory].address as u64).collect();
             if !addresses.is_empty() {
@@ -106,10 +112,13 @@ impl Compiled {
     pub(super) fn wake(&mut self) {
         if let Some(apart) = &self.apart {
             self.state.put(apart.latest, &[0]);
+            for &(_, version) in apart.tables.values() {
+                self.state.put(version, &[self.state.number(version, 0) + 1]);
+            }
         }
     }
 
-    /// As [`Compiled::prepare`], for an edge: with its units guarded.
+    /// As [`Compiled::prepare`], for an edge, or for what must hold at one: with its units guarded.
     pub(super) fn prepare_edge(&mut self, function: &Function, given: &[Place]) -> Prepared {
         let cut = self.apart.as_ref().and_then(|apart| split(&apart.units, function));
         let Some(Split { outside, crossing, units }) = cut else { return self.prepare(function, given) };
@@ -137,40 +146,64 @@ impl Compiled {
                 (code, places, 0)
             }
         };
-        let mut crossing = Vec::new();
+        let mut running = self.running(&part, code, distance);
         for (from, &taken) in part.states.iter().zip(&taken) {
-            if let From::Crossing(index) = *from {
-                let now = span(now[index]);
-                let last = self.layout.place(1, 64 * now.limbs as u32).offset;
-                crossing.push(Crossing { now, last, taken: taken.offset });
+            match *from {
+                From::Crossing(index) => running.crossing.push(self.crossing(now[index], taken)),
+                From::Holds => running.task = Task::Check(taken.offset, self.layout.place(1, 64).offset),
+                From::Own(_) => {}
             }
         }
-        let changed = changed(&part.function).filter_map(|state| own[state.index()]);
-        let (single, lanes): (Vec<Place>, Vec<Place>) = changed.partition(|place| place.lanes == 1);
+        running.always = running.crossing.iter().map(|it| it.now.limbs).sum::<usize>() > COMPARED;
+        let holds = match &mut running.task {
+            Task::Edge(_) => None,
+            &mut Task::Check(_, holds) => {
+                // What is checked is its own state, too.
+                let version = Place { offset: running.version, element: 64, lanes: 1, width: 64, moves: false };
+                let aside = self.layout.place(1, 64);
+                running.crossing.push(self.crossing(version, aside));
+                Some(holds)
+            }
+        };
+        let compared = running.crossing.iter().map(|it| (it.now, it.last)).collect();
+        let guard = Guard {
+            crossing: if running.always { Vec::new() } else { compared },
+            busy: running.busy,
+            holds,
+            running: &raw const *running as usize,
+            code: running.code.clone(),
+        };
+        if is_new {
+            shared.push(Shared { part, places: taken, memories, code: guard.code.clone() });
+        }
+        self.apart.as_mut().expect("there are units").running.push(running);
+        guard
+    }
+
+    /// What runs a unit for an edge, with nothing that crosses.
+    fn running(&mut self, part: &Part, code: Vec<Code>, distance: u64) -> Box<Running> {
+        let states: Vec<Place> = self.places.iter().flatten().copied().collect();
+        let own = changed(&part.function).filter_map(|state| match part.states[state.index()] {
+            From::Own(number) => Some(states[number]),
+            _ => None,
+        });
+        let (single, lanes): (Vec<Place>, Vec<Place>) = own.partition(|place| place.lanes == 1);
         let [single, lanes] = [single, lanes].map(|places| joined(places.into_iter().map(span).collect()));
         let limbs: usize = single.iter().chain(&lanes).map(|span| span.limbs).sum();
         let busy = self.layout.place(1, 64).offset;
-        let apart = self.apart.as_mut().expect("there are units");
-        let guard_crossing = crossing.iter().map(|it| (it.now, it.last)).collect();
-        let running = Box::new(Running {
-            crossing,
-            single,
-            lanes,
-            code: code.clone(),
-            distance,
-            wrote: apart.wrote.offset,
-            busy,
-            patience: Cell::new(1),
-            all: Cell::new(false),
-            runs: Cell::new(0),
-            kept: vec![Cell::new(0); limbs],
-        });
-        let address = &raw const *running as usize;
-        apart.running.push(running);
-        if is_new {
-            shared.push(Shared { part, places: taken, memories, code: code.clone() });
-        }
-        Guard { crossing: guard_crossing, busy, running: address, code }
+        let apart = self.apart.as_ref().expect("there are units");
+        let (patience, all, kept) = (Cell::new(1), Cell::new(false), vec![Cell::new(0); limbs]);
+        let changes = Changes { single, lanes, wrote: apart.wrote.offset, patience, all, kept };
+        let version = apart.tables[&part.unit].1.offset;
+        let (crossing, task) = (Vec::new(), Task::Edge(changes));
+        Box::new(Running { crossing, code, distance, busy, version, always: false, task })
+    }
+
+    /// What crosses, for a unit.
+    fn crossing(&mut self, now: Place, taken: Place) -> Crossing {
+        let now = span(now);
+        let last = self.layout.place(1, 64 * now.limbs as u32).offset;
+        Crossing { now, last, taken: taken.offset }
     }
 
     /// Where the own state of a unit's function is.
@@ -178,7 +211,7 @@ impl Compiled {
         let states: Vec<Place> = self.places.iter().filter_map(|place| *place).collect();
         let place = |from: &From| match *from {
             From::Own(number) => Some(Place { moves: true, ..states[number] }),
-            From::Crossing(_) => None,
+            From::Crossing(_) | From::Holds => None,
         };
         part.states.iter().map(place).collect()
     }
@@ -189,6 +222,7 @@ impl Compiled {
         let place = |(own, from): (&Option<Place>, &From)| match (*own, *from) {
             (Some(own), _) => own,
             (None, From::Crossing(index)) => layout.place(now[index].lanes, now[index].width),
+            (None, From::Holds) => layout.place(1, 1),
             (None, From::Own(_)) => unreachable!("it has a place"),
         };
         own.iter().zip(&part.states).map(place).collect()
@@ -197,7 +231,7 @@ impl Compiled {
     /// The memories of a unit's function, whose addresses its table has.
     fn memories_of(&self, part: &Part) -> Vec<MemoryAt> {
         let apart = self.apart.as_ref().expect("there are units");
-        let (_, table) = apart.tables.iter().find(|(unit, _)| *unit == part.unit).expect("each has a table");
+        let (table, _) = apart.tables[&part.unit];
         let at = |&memory: &u32| {
             let number = apart.units.memories(Some(part.unit)).position(|other| other == memory as usize);
             let number = number.expect("it is one of the unit's");

@@ -40,26 +40,40 @@ pub(super) struct Crossing {
     pub taken: usize,
 }
 
-/// A unit, to be run by code.
+/// What a unit does in a function, to be run by code.
 pub(in crate::engine::compiled) struct Running {
     pub(super) crossing: Vec<Crossing>,
-    /// Its own values of one lane, and the others.
-    pub(super) single: Vec<Span>,
-    pub(super) lanes: Vec<Span>,
     pub(super) code: Vec<Code>,
     /// Bytes from the first unit of its kind to it.
     pub(super) distance: u64,
+    /// Where a limb stands that is 0 if it has nothing to do until something else crosses.
+    pub(super) busy: usize,
+    /// Counts how often the unit was run for an edge.
+    pub(super) version: usize,
+    /// So much crosses that it is not worth the time to see whether it is the same: it is run at every edge.
+    pub(super) always: bool,
+    pub(super) task: Task,
+}
+
+/// What is done when it has run.
+pub(super) enum Task {
+    Edge(Changes),
+    /// It is noted whether all holds that must: where code leaves it, and where it stands for each unit.
+    Check(usize, usize),
+}
+
+/// What an edge may change in a unit.
+pub(super) struct Changes {
+    /// Values of one lane, and the others.
+    pub(super) single: Vec<Span>,
+    pub(super) lanes: Vec<Span>,
     /// Where code notes that it has written to a memory.
     pub(super) wrote: usize,
-    /// Where it stands after how many edges, with this one, it is to be compared: 0 if it has nothing to do until something else crosses.
-    pub(super) busy: usize,
     /// Edges between two comparisons.
     pub(super) patience: Cell<u64>,
-    /// At the next comparison all of its state is compared.
+    /// At the next comparison all of it is compared.
     pub(super) all: Cell<bool>,
-    /// How many of its edges it was run at, and how often it was found to have nothing to do.
-    pub(super) runs: Cell<u64>,
-    /// Its state as it was.
+    /// All of it as it was.
     pub(super) kept: Vec<Cell<u64>>,
 }
 
@@ -102,15 +116,17 @@ impl State {
 impl Running {
     fn edge(&self, state: &State) {
         self.take(state);
-        self.runs.set(self.runs.get() + 1);
-        let left = match state.get(self.busy) {
-            0 => {
-                self.patience.set(FIRST);
-                FIRST
+        let left = match &self.task {
+            Task::Edge(changes) => {
+                state.set(self.version, state.get(self.version) + 1);
+                self.change(state, changes)
             }
-            left => left,
+            &Task::Check(from, to) => {
+                self.call(state);
+                state.set(to, state.get(from));
+                u64::from(self.always)
+            }
         };
-        let left = if left == 1 { self.compared(state) } else { self.plain(state, left) };
         state.set(self.busy, left);
     }
 
@@ -125,42 +141,34 @@ impl Running {
         }
     }
 
-    /// An edge with no comparison.
-    fn plain(&self, state: &State, left: u64) -> u64 {
+    /// An edge; gives after how many the next comparison is due, 0 if none is, as there is nothing to do.
+    fn change(&self, state: &State, changes: &Changes) -> u64 {
+        let left = match state.get(self.busy) {
+            0 => {
+                changes.patience.set(FIRST);
+                FIRST
+            }
+            left => left,
+        };
+        if left > 1 || self.always {
+            self.call(state);
+            return (left - 1).max(1);
+        }
+        let all = changes.all.replace(false) || changes.lanes.is_empty();
+        changes.keep(state, all);
+        state.set(changes.wrote, 0);
         self.call(state);
-        left - 1
-    }
-
-    /// An edge, and whether it has changed something; gives after how many the next comparison is due.
-    fn compared(&self, state: &State) -> u64 {
-        let all = self.all.replace(false);
-        self.keep(state, all);
-        state.set(self.wrote, 0);
-        self.call(state);
-        match state.get(self.wrote) == 0 && self.is_kept(state, all) {
-            true if all || self.lanes.is_empty() => 0,
+        match state.get(changes.wrote) == 0 && changes.are_none(state, all) {
+            true if all => 0,
             true => {
-                self.all.set(true);
+                changes.all.set(true);
                 1
             }
             false => {
-                self.patience.set((2 * self.patience.get()).min(MOST));
-                self.patience.get()
+                changes.patience.set((2 * changes.patience.get()).min(MOST));
+                changes.patience.get()
             }
         }
-    }
-
-    fn spans(&self, all: bool) -> impl Iterator<Item = (usize, u64)> {
-        let lanes = if all { self.lanes.as_slice() } else { &[] };
-        self.single.iter().chain(lanes).flat_map(|span| span.limbs())
-    }
-
-    fn keep(&self, state: &State, all: bool) {
-        self.kept.iter().zip(self.spans(all)).for_each(|(kept, (at, _))| kept.set(state.get(at)));
-    }
-
-    fn is_kept(&self, state: &State, all: bool) -> bool {
-        self.kept.iter().zip(self.spans(all)).all(|(kept, (at, mask))| (kept.get() ^ state.get(at)) & mask == 0)
     }
 
     fn call(&self, state: &State) {
@@ -171,5 +179,20 @@ impl Running {
                 code.call_within(state.state, self.distance, state.scratch);
             }
         }
+    }
+}
+
+impl Changes {
+    fn spans(&self, all: bool) -> impl Iterator<Item = (usize, u64)> {
+        let lanes = if all { self.lanes.as_slice() } else { &[] };
+        self.single.iter().chain(lanes).flat_map(|span| span.limbs())
+    }
+
+    fn keep(&self, state: &State, all: bool) {
+        self.kept.iter().zip(self.spans(all)).for_each(|(kept, (at, _))| kept.set(state.get(at)));
+    }
+
+    fn are_none(&self, state: &State, all: bool) -> bool {
+        self.kept.iter().zip(self.spans(all)).all(|(kept, (at, mask))| (kept.get() ^ state.get(at)) & mask == 0)
     }
 }

@@ -1,16 +1,16 @@
-//! The function of an edge, cut into what is done at every edge and what each unit does.
+//! The function of an edge, or of what must hold at one, cut into what is done at every edge and what each unit does.
 //!
 //! What a unit takes from outside *crosses*: it is computed with the rest of the circuit, before any unit changes, and left where
-//! the unit finds it. All else that a unit's registers and memories take, it computes from its own.
+//! the unit finds it. All else that a unit's registers, memories and assertions take, it computes from its own.
+
+use std::collections::BTreeMap;
 
 use rustc_hash::{FxHashMap, FxHashSet};
+use tilewright_hdl::ir::Binary;
 
 use crate::engine::compiled::function::{self, Became, Function, Sink};
 use crate::engine::program::{Cell, Kind, Program, UnitId, ValueId};
 use crate::engine::rewrite::{Rewriter, rebuild};
-
-/// Limbs that a unit takes from outside at most: it is cheap to see whether they are other ones.
-const CROSSING: usize = 64;
 
 /// Which unit the state of a program is in.
 #[derive(Debug, Default)]
@@ -58,7 +58,7 @@ impl Units {
 
     fn of_sink(&self, sink: &Sink) -> Option<UnitId> {
         match *sink {
-            // State comes first.
+            // State comes first, that of the program before what else a function has.
             Sink::Register { state, .. } => self.of_state(state.index()),
             Sink::Write { memory, .. } => self.of_memory[memory as usize],
             _ => None,
@@ -92,26 +92,28 @@ pub(in crate::engine::compiled) enum From {
     Own(usize),
     /// What crosses, by index.
     Crossing(usize),
+    /// Whether all holds that must, in the unit.
+    Holds,
 }
 
-/// Cuts a function; nothing, if no unit does anything in it, or one takes too much from outside.
+/// Cuts a function; nothing, if no unit does anything in it.
 pub(in crate::engine::compiled) fn split(units: &Units, function: &Function) -> Option<Split> {
-    let mut parts: Vec<(UnitId, Vec<Sink>)> = Vec::new();
+    let places = places(units, function);
+    let mut parts: BTreeMap<UnitId, Vec<Sink>> = BTreeMap::new();
     let mut sinks = Vec::new();
     for sink in &function.sinks {
-        match units.of_sink(sink) {
-            None => sinks.push(sink.clone()),
-            Some(unit) => match parts.iter_mut().find(|(other, _)| *other == unit) {
-                Some((_, sinks)) => sinks.push(sink.clone()),
-                None => parts.push((unit, vec![sink.clone()])),
-            },
+        for (unit, sink) in taken_apart(units, function, &places, sink) {
+            match unit {
+                None => sinks.push(sink),
+                Some(unit) => parts.entry(unit).or_default().push(sink),
+            }
         }
     }
     if parts.is_empty() {
         return None;
     }
-    let mut cut = Cut { units, function, places: places(units, function), crossing: Vec::new(), known: FxHashMap::default() };
-    let parts = parts.into_iter().map(|(unit, sinks)| cut.part(unit, sinks)).collect::<Option<Vec<Part>>>()?;
+    let mut cut = Cut { units, function, places, crossing: Vec::new(), known: FxHashMap::default() };
+    let parts = parts.into_iter().map(|(unit, sinks)| cut.part(unit, sinks)).collect();
     let outside = outside(function, sinks, &cut.crossing);
     let shape = |id: &ValueId| (function.cell(*id).lanes, function.cell(*id).width);
     Some(Split { outside, crossing: cut.crossing.iter().map(shape).collect(), units: parts })
@@ -127,11 +129,49 @@ fn outside(function: &Function, sinks: Vec<Sink>, crossing: &[ValueId]) -> Funct
     };
     let left: Vec<Sink> = crossing.iter().map(leave).collect();
     let mut outside = Function { rewriter, sinks: sinks.into_iter().chain(left).collect() };
-    let mut roots = Vec::new();
-    outside.sinks.iter().for_each(|sink| sink.for_each_operand(|operand| roots.push(operand)));
-    rebuild(function.circuit(), roots, &mut became, &mut outside.rewriter, Rewriter::number);
+    rebuild(function.circuit(), roots(&outside.sinks), &mut became, &mut outside.rewriter, Rewriter::number);
     outside.sinks.iter_mut().for_each(|sink| sink.rewrite(|operand| *operand = became[operand]));
+    if let Some(all) = hold(&mut outside) {
+        outside.sinks.push(Sink::Hold(all));
+    }
     outside
+}
+
+/// All that sinks take.
+fn roots(sinks: &[Sink]) -> Vec<ValueId> {
+    let mut roots = Vec::new();
+    sinks.iter().for_each(|sink| sink.for_each_operand(|operand| roots.push(operand)));
+    roots
+}
+
+/// Takes from a function what must hold; gives all of it as one value, if there is something.
+fn hold(function: &mut Function) -> Option<ValueId> {
+    let held = |sink: &mut Sink| matches!(sink, Sink::Hold(_));
+    let mut all = None;
+    for sink in function.sinks.extract_if(.., held) {
+        let Sink::Hold(value) = sink else { continue };
+        all = Some(all.map_or(value, |all| function.rewriter.add(Kind::Binary(Binary::And, all, value), 1, 1)));
+    }
+    all
+}
+
+/// A sink, and whose it is; what must hold by the parts that all must.
+fn taken_apart(
+    units: &Units,
+    function: &Function,
+    places: &FxHashMap<ValueId, Place>,
+    sink: &Sink,
+) -> Vec<(Option<UnitId>, Sink)> {
+    let &Sink::Hold(all) = sink else { return vec![(units.of_sink(sink), sink.clone())] };
+    let (mut open, mut parts) = (vec![all], Vec::new());
+    while let Some(id) = open.pop() {
+        match (&function.cell(id).kind, places[&id]) {
+            (&Kind::Binary(Binary::And, a, b), _) => open.extend([b, a]),
+            (_, Place::Unit(unit)) => parts.push((Some(unit), Sink::Hold(id))),
+            _ => parts.push((None, Sink::Hold(id))),
+        }
+    }
+    parts
 }
 
 /// Where a value can be computed.
@@ -188,10 +228,13 @@ struct Cut<'a> {
 }
 
 impl Cut<'_> {
-    /// What a unit does; nothing, if it takes too much.
-    fn part(&mut self, unit: UnitId, sinks: Vec<Sink>) -> Option<Part> {
+    /// What a unit does.
+    fn part(&mut self, unit: UnitId, sinks: Vec<Sink>) -> Part {
         let mut part = Making { rewriter: self.function.rewriter.empty(), became: Became::default(), states: Vec::new() };
-        let mut limbs = 0;
+        let holds = sinks.iter().any(|sink| matches!(sink, Sink::Hold(_))).then(|| {
+            part.states.push(From::Holds);
+            part.rewriter.state(1, 1)
+        });
         let (mut open, mut seen) = (Vec::new(), FxHashSet::default());
         for sink in &sinks {
             if let Sink::Register { state, .. } = *sink {
@@ -209,31 +252,27 @@ impl Cut<'_> {
                     Place::Unit(of) if of == unit && cell.kind == Kind::State => {
                         part.state(id, cell, From::Own(id.index()));
                     }
-                    Place::Unit(of) if of != unit => limbs += self.cross(&mut part, id),
-                    Place::Outside => limbs += self.cross(&mut part, id),
+                    Place::Unit(of) if of != unit => self.cross(&mut part, id),
+                    Place::Outside => self.cross(&mut part, id),
                     Place::Unit(_) | Place::Anywhere => cell.kind.for_each_operand(|operand| open.push(operand)),
                 }
             }
         }
-        if limbs > CROSSING {
-            return None;
-        }
-        Some(self.made(unit, part, sinks))
+        self.made(unit, part, sinks, holds)
     }
 
-    /// Has a value cross; gives its limbs.
-    fn cross(&mut self, part: &mut Making, id: ValueId) -> usize {
+    /// Has a value cross.
+    fn cross(&mut self, part: &mut Making, id: ValueId) {
         let cell = self.function.cell(id);
         let index = *self.known.entry(id).or_insert_with(|| {
             self.crossing.push(id);
             self.crossing.len() - 1
         });
         part.state(id, cell, From::Crossing(index));
-        cell.lanes as usize * tilewright_hdl::limbs_for(cell.width)
     }
 
-    /// The part, with all that its sinks need.
-    fn made(&self, unit: UnitId, part: Making, sinks: Vec<Sink>) -> Part {
+    /// The part, with all that its sinks need; `holds` is left 1 if all holds that must.
+    fn made(&self, unit: UnitId, part: Making, sinks: Vec<Sink>, holds: Option<ValueId>) -> Part {
         let Making { mut rewriter, mut became, states } = part;
         let mut memories = Vec::new();
         let mut number = |memory: &mut u32| {
@@ -244,12 +283,7 @@ impl Cut<'_> {
             }) as u32;
         };
         let mut sinks = sinks;
-        let roots: Vec<ValueId> = {
-            let mut roots = Vec::new();
-            sinks.iter().for_each(|sink| sink.for_each_operand(|operand| roots.push(operand)));
-            roots
-        };
-        rebuild(self.function.circuit(), roots, &mut became, &mut rewriter, |rewriter, mut cell| {
+        rebuild(self.function.circuit(), roots(&sinks), &mut became, &mut rewriter, |rewriter, mut cell| {
             if let Kind::Read { memory, .. } = &mut cell.kind {
                 number(memory);
             }
@@ -264,7 +298,11 @@ impl Cut<'_> {
             sink.rewrite(|operand| *operand = became[operand]);
         }
         debug_assert!(memories.iter().all(|&memory| self.units.of_memory[memory as usize] == Some(unit)));
-        Part { unit, function: Function { rewriter, sinks }, states, memories }
+        let mut function = Function { rewriter, sinks };
+        if let (Some(state), Some(next)) = (holds, hold(&mut function)) {
+            function.sinks.push(Sink::Register { state, next, enable: None });
+        }
+        Part { unit, function, states, memories }
     }
 }
 
