@@ -349,6 +349,10 @@ impl Engine for Compiled {
         Ok((Done { edges, ..first }, until.holds(self.read(until.value))))
     }
 
+    fn left_out(&self) -> u64 {
+        self.edges_left_out()
+    }
+
     fn watch(&mut self, values: &[ValueId]) {
         self.show(values);
     }

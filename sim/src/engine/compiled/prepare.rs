@@ -158,7 +158,7 @@ impl Compiled {
         let does_edges = parts.iter().any(|part| part.changes_state(states));
         let number = if does_edges { self.number_function() } else { None };
         let memories = memories.as_slice();
-        let (strips, unchecked, places) = (&self.layout.strips, self.unchecked, &self.places);
+        let (strips, unchecked) = (&self.layout.strips, self.unchecked);
         let code = self.jit.function(|builder, state, count| {
             let body = builder.create_block();
             let done = builder.create_block();
@@ -180,7 +180,7 @@ impl Compiled {
                         before.into_iter().for_each(|(state, scalar)| emitter.scalars.define(state, scalar));
                         emitter.steps(&part.pieces[0]);
                         changed = emitter.changed();
-                        changed.retain(|(state, _)| places[state.index()].is_some());
+                        changed.retain(|(state, _)| state.index() < states);
                         emitter.end()
                     }
                     pieces => {
@@ -193,6 +193,7 @@ impl Compiled {
                 let mut held = held;
                 if !part.guards.is_empty() {
                     part.guards.iter().for_each(|guard| guard.emit(builder, state));
+                    Guard::emit_count(&part.guards, builder, state);
                     changed.clear();
                 }
                 for at in part.guards.iter().filter_map(|guard| guard.holds) {

@@ -39,6 +39,9 @@ pub(super) struct Apart {
     latest: Place,
     /// Where code notes that it has written to a memory.
     wrote: Place,
+    /// Where it is counted how many edges all units have had, and at how many they were run.
+    edges: Place,
+    runs: Place,
     /// How many functions there are.
     functions: u64,
     running: Vec<Box<Running>>,
@@ -51,6 +54,8 @@ pub(super) struct Guard {
     busy: usize,
     /// Where it stands whether all holds that must.
     pub holds: Option<usize>,
+    /// Where its edges are counted, if it is for them.
+    edges: Option<usize>,
     /// The address of what runs it.
     running: usize,
     /// The code, for the stack that it takes.
@@ -91,8 +96,8 @@ pub(super) fn places(program: &Program, layout: &mut Layout) -> (Vec<Option<Plac
         return (places, None);
     }
     layout.align();
-    let (latest, wrote) = (layout.place(1, 64), layout.place(1, 64));
-    (places, Some(Apart { units, tables, latest, wrote, functions: 0, running: Vec::new() }))
+    let [latest, wrote, edges, runs] = [(); 4].map(|()| layout.place(1, 64));
+    (places, Some(Apart { units, tables, latest, wrote, edges, runs, functions: 0, running: Vec::new() }))
 }
 
 impl Compiled {
@@ -106,6 +111,12 @@ impl Compiled {
                 self.state.put(table, &addresses);
             }
         }
+    }
+
+    /// At how many edges units were left out.
+    pub(super) fn edges_left_out(&self) -> u64 {
+        let edges = |apart: &Apart| self.state.number(apart.edges, 0) - self.state.number(apart.runs, 0);
+        self.apart.as_ref().map_or(0, edges)
     }
 
     /// The state has changed otherwise than at an edge: all units have something to do.
@@ -165,11 +176,13 @@ impl Compiled {
                 Some(holds)
             }
         };
+        let edges = self.apart.as_ref().expect("there are units").edges.offset;
         let compared = running.crossing.iter().map(|it| (it.now, it.last)).collect();
         let guard = Guard {
             crossing: if running.always { Vec::new() } else { compared },
             busy: running.busy,
             holds,
+            edges: holds.is_none().then_some(edges),
             running: &raw const *running as usize,
             code: running.code.clone(),
         };
@@ -193,7 +206,8 @@ impl Compiled {
         let busy = self.layout.place(1, 64).offset;
         let apart = self.apart.as_ref().expect("there are units");
         let (patience, all, kept) = (Cell::new(1), Cell::new(false), vec![Cell::new(0); limbs]);
-        let changes = Changes { single, lanes, wrote: apart.wrote.offset, patience, all, kept };
+        let (wrote, runs) = (apart.wrote.offset, apart.runs.offset);
+        let changes = Changes { single, lanes, wrote, runs, patience, all, kept };
         let version = apart.tables[&part.unit].1.offset;
         let (crossing, task) = (Vec::new(), Task::Edge(changes));
         Box::new(Running { crossing, code, distance, busy, version, always: false, task })
@@ -310,6 +324,15 @@ impl Guard {
         b.call(run::run as *const () as usize, &[state, unit, scratch], false);
         b.ins().jump(done, &[]);
         b.switch_to_block(done);
+    }
+
+    /// Counts an edge of each of these units.
+    pub fn emit_count(guards: &[Guard], b: &mut FunctionBuilder, state: Value) {
+        let Some(at) = guards.iter().find_map(|guard| guard.edges) else { return };
+        let (flags, at) = (MemFlagsData::trusted(), offset(at));
+        let before = b.ins().load(types::I64, flags, state, at);
+        let after = b.ins().iadd_imm_s(before, guards.len() as i64);
+        b.ins().store(flags, after, state, at);
     }
 
     /// The unit is taken to have something to do.

@@ -69,6 +69,8 @@ pub(super) struct Changes {
     pub(super) lanes: Vec<Span>,
     /// Where code notes that it has written to a memory.
     pub(super) wrote: usize,
+    /// Where runs of all units are counted.
+    pub(super) runs: usize,
     /// Edges between two comparisons.
     pub(super) patience: Cell<u64>,
     /// At the next comparison all of it is compared.
@@ -118,7 +120,9 @@ impl Running {
         self.take(state);
         let left = match &self.task {
             Task::Edge(changes) => {
-                state.set(self.version, state.get(self.version) + 1);
+                for count in [self.version, changes.runs] {
+                    state.set(count, state.get(count) + 1);
+                }
                 self.change(state, changes)
             }
             &Task::Check(from, to) => {
