@@ -109,7 +109,7 @@ pub const USUAL: [Subject; 6] = [
 ];
 
 /// Checksums that several simulators agree on: the subject, cycles, checksum.
-const KNOWN: [(&str, u64, u32); 33] = [
+const KNOWN: [(&str, u64, u32); 34] = [
     ("pim16", 1000, 0xcce1_f33c),
     ("pim16", 20_000, 0x0b77_df9a),
     ("pim16", 300_000, 0xd0c8_a649),
@@ -143,6 +143,7 @@ const KNOWN: [(&str, u64, u32); 33] = [
     ("vc1x3@32x16", 200_000, 0x5415_1b3b),
     ("vc1x16@160x120", 200_000, 0x2e82_4dfa),
     ("renderer8", 20_000, 0x8bb3_78c6),
+    ("nodes2", 160_001, 0x77d3_59b2),
 ];
 
 /// A design written by hand in Verilog, with the same function as ours.

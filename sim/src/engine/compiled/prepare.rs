@@ -120,12 +120,7 @@ impl Compiled {
 
     /// Makes a function of each piece; it gives what must hold. If they are a unit's, they note at `wrote` when they write to a memory, and
     /// are told how far the unit is from the first.
-    pub(super) fn compile_pieces(
-        &mut self,
-        part: &Prepared,
-        memories: &[MemoryAt],
-        wrote: Option<usize>,
-    ) -> Vec<Code> {
+    pub(super) fn compile_pieces(&mut self, part: &Prepared, memories: &[MemoryAt], wrote: Option<usize>) -> Vec<Code> {
         let (strips, jit) = (&self.layout.strips, &mut self.jit);
         let last = part.pieces.len() - 1;
         let piece = |(index, steps): (usize, &Vec<Step>)| {

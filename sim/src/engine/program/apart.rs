@@ -59,14 +59,7 @@ fn sizes(design: &Design) -> Vec<Size> {
 }
 
 /// Looks into a module of which there is one, and into the single instances in it.
-fn enter(
-    design: &Design,
-    module: &Module,
-    key: &Key,
-    sizes: &[Size],
-    passes: &Passes,
-    found: &mut BTreeSet<Key>,
-) {
+fn enter(design: &Design, module: &Module, key: &Key, sizes: &[Size], passes: &Passes, found: &mut BTreeSet<Key>) {
     for instance in &module.instances {
         let (key, count) = (key_of(key, instance), instance.shape.lanes());
         let Size { lanes, single, all } = sizes[instance.module.0 as usize];

@@ -111,7 +111,15 @@ impl Flatten<'_> {
         self.flat.program.clocks = module.clocks.iter().map(program_clock).collect();
         let clocks = (0..module.clocks.len() as u32).collect();
         let scope = self.scope(None, module.name.clone(), id, Replication::Single, lanes);
-        let base = self.enter(Entered { module: id, key: Vec::new(), scopes: vec![scope], lanes, inputs: Vec::new(), clocks, unit: None });
+        let base = self.enter(Entered {
+            module: id,
+            key: Vec::new(),
+            scopes: vec![scope],
+            lanes,
+            inputs: Vec::new(),
+            clocks,
+            unit: None,
+        });
         let value = |node: NodeId| ValueId(base + node.0);
         for input in &module.inputs {
             let clock = input.clock.map_or(0, |clock| clock.0 as usize);
@@ -209,7 +217,18 @@ impl Flatten<'_> {
                 });
             }
         }
-        self.open.push_back(Body { module, key, scopes, lanes, unit, base, split, inputs, clocks, children: Vec::new() });
+        self.open.push_back(Body {
+            module,
+            key,
+            scopes,
+            lanes,
+            unit,
+            base,
+            split,
+            inputs,
+            clocks,
+            children: Vec::new(),
+        });
         base
     }
 

@@ -23,8 +23,7 @@ use super::layout::{Layout, Place};
 use super::prepare::Prepared;
 use crate::engine::program::{Kind, Program, UnitId, ValueId};
 use run::{Changes, Crossing, Running, Span, Task};
-pub(super) use split::{From, Split, Units, split};
-use split::Part;
+pub(super) use split::{From, Part, Split, Units, split};
 
 /// Limbs that are compared at most to see whether a unit takes the same as before.
 const COMPARED: usize = 64;
@@ -132,7 +131,7 @@ impl Compiled {
     /// As [`Compiled::prepare`], for an edge, or for what must hold at one: with its units guarded.
     pub(super) fn prepare_edge(&mut self, function: &Function, given: &[Place]) -> Prepared {
         let cut = self.apart.as_ref().and_then(|apart| split(&apart.units, function));
-        let Some(Split { outside, crossing, units }) = cut else { return self.prepare(function, given) };
+        let Some(Split { outside, crossing, units, .. }) = cut else { return self.prepare(function, given) };
         let now: Vec<Place> = crossing.iter().map(|&(lanes, width)| self.layout.place(lanes, width)).collect();
         let given: Vec<Place> = given.iter().chain(&now).copied().collect();
         let mut prepared = self.prepare(&outside, &given);
@@ -292,7 +291,8 @@ impl Shared {
         }
         for (first, other) in self.memories.iter().zip(memories) {
             let (of_first, of_other) = (first.table?, other.table?);
-            let alike = MemoryAt { bank: first.bank, first: first.first, address: first.address, table: first.table, ..*other };
+            let alike =
+                MemoryAt { bank: first.bank, first: first.first, address: first.address, table: first.table, ..*other };
             if alike != *first || !is_as_far(of_first, of_other) {
                 return None;
             }

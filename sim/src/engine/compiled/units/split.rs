@@ -70,7 +70,8 @@ impl Units {
 pub(in crate::engine::compiled) struct Split {
     /// What no unit does. Leaves what crosses in states that come after those of the function that it was.
     pub outside: Function,
-    /// Lanes and width of what crosses.
+    /// What crosses, as the function that it was has it, with its lanes and width.
+    pub taken: Vec<ValueId>,
     pub crossing: Vec<(u32, u32)>,
     pub units: Vec<Part>,
 }
@@ -116,7 +117,7 @@ pub(in crate::engine::compiled) fn split(units: &Units, function: &Function) -> 
     let parts = parts.into_iter().map(|(unit, sinks)| cut.part(unit, sinks)).collect();
     let outside = outside(function, sinks, &cut.crossing);
     let shape = |id: &ValueId| (function.cell(*id).lanes, function.cell(*id).width);
-    Some(Split { outside, crossing: cut.crossing.iter().map(shape).collect(), units: parts })
+    Some(Split { outside, crossing: cut.crossing.iter().map(shape).collect(), taken: cut.crossing, units: parts })
 }
 
 /// What these sinks of a function do, and states behind its own for what crosses.
@@ -230,7 +231,8 @@ struct Cut<'a> {
 impl Cut<'_> {
     /// What a unit does.
     fn part(&mut self, unit: UnitId, sinks: Vec<Sink>) -> Part {
-        let mut part = Making { rewriter: self.function.rewriter.empty(), became: Became::default(), states: Vec::new() };
+        let mut part =
+            Making { rewriter: self.function.rewriter.empty(), became: Became::default(), states: Vec::new() };
         let holds = sinks.iter().any(|sink| matches!(sink, Sink::Hold(_))).then(|| {
             part.states.push(From::Holds);
             part.rewriter.state(1, 1)
