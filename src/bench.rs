@@ -5,7 +5,7 @@ use crate::number::number;
 use crate::shell::{Exit, Failure, Progress, interrupt, terminal};
 use clap::{Args, ValueEnum};
 use std::time::Duration;
-use tilewright_benches::{Effort, Error, FORMAT, Measurement, Report, Subject, USUAL, Versions, measure};
+use tilewright_benches::{Effort, Error, FORMAT, Measurement, Report, Rivals, Subject, USUAL, Versions, measure};
 use tilewright_gen::tools::Compiler;
 use tilewright_sim::EngineKind;
 
@@ -17,6 +17,7 @@ Examples:
   tilewright bench 'qt1*16' --seconds 0.1
   tilewright bench pim64 simd64 --rounds 3 --seconds 0.1 --json
   tilewright bench qt1 --against verilator --seconds 0.1
+  tilewright bench pxpl16 --against verilator --verilog pxpl_planes --seconds 0.1
 
 The designs, with a size for N:
   pimN       a chain of N merging units, each with a local frame buffer
@@ -43,6 +44,9 @@ pub struct Bench {
     /// the system's Verilator and the Python package's are installed, models of both
     #[arg(long, value_enum, value_name = "SIMULATOR")]
     against: Option<Against>,
+    /// Of those models only what is made of this: `ours`, or a file of sim/benches/verilog, such as pxpl_planes; as often as needed
+    #[arg(long = "verilog", value_name = "NAME", requires = "against")]
+    verilog: Vec<String>,
     /// Runs of each simulator; they alternate
     #[arg(long, value_name = "N", default_value_t = 5, value_parser = number(1_u32..=1000))]
     rounds: u32,
@@ -63,6 +67,7 @@ enum Against {
 impl Bench {
     /// Measures and reports.
     pub fn run(self) -> Result<Exit, Failure> {
+        self.check_verilog()?;
         let compilers = match self.against {
             Some(Against::Verilator) => Compiler::find_all().map_err(Error::from)?,
             None => Vec::new(),
@@ -75,7 +80,7 @@ impl Bench {
             verilators: compilers.iter().map(Compiler::verilator_version).collect(),
             clang: newest.clang_version(),
         });
-        let designs = measured(&self.designs, &compilers, effort)?;
+        let designs = measured(&self.designs, Rivals { compilers: &compilers, verilog: &self.verilog }, effort)?;
         let report = Report { format: FORMAT, verilator: versions, rounds: self.rounds, designs };
         match self.json {
             true => terminal::print_json(&report)?,
@@ -83,14 +88,29 @@ impl Bench {
         }
         Ok(Exit::Done)
     }
+
+    /// That there is Verilog of those names of each design.
+    fn check_verilog(&self) -> Result<(), Failure> {
+        for (design, name) in self.designs.iter().flat_map(|design| self.verilog.iter().map(move |name| (design, name)))
+        {
+            let there_are = design.verilog();
+            if !there_are.contains(&name.as_str()) {
+                let there_are = there_are.join(", ");
+                let sentence =
+                    format!("there is no Verilog `{name}` of {design}: name one of {there_are} with --verilog");
+                return Err(Failure::new(Exit::BadInput, sentence));
+            }
+        }
+        Ok(())
+    }
 }
 
-fn measured(designs: &[Subject], compilers: &[Compiler], effort: Effort) -> Result<Vec<Measurement>, Failure> {
+fn measured(designs: &[Subject], rivals: Rivals, effort: Effort) -> Result<Vec<Measurement>, Failure> {
     let progress = Progress::new();
     let mut done = Vec::new();
     for design in designs {
         let before = done.len() as f64;
-        let measurement = measure(*design, compilers, effort, &mut |what, fraction| {
+        let measurement = measure(*design, rivals, effort, &mut |what, fraction| {
             progress.show(what, (before + fraction) / designs.len() as f64);
             interrupt::go_on()
         });

@@ -6,7 +6,7 @@ use tilewright_hdl::Bundle;
 use tilewright_sim::{EngineKind, Simulation};
 
 /// What runs the hardware.
-#[derive(Args, Clone, Copy)]
+#[derive(Args, Clone, Copy, Default)]
 pub struct EngineArguments {
     /// What runs the hardware; all engines give the same results
     #[arg(long, value_enum, value_name = "ENGINE", default_value_t = Engine::Compiled)]
@@ -14,13 +14,14 @@ pub struct EngineArguments {
 }
 
 /// An engine by its name on the command line.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, ValueEnum)]
 enum Engine {
     /// The plainest engine: very slow, and what the others are held to
     Reference,
     /// An interpreter: slow
     Interpreter,
     /// Machine code made for the circuit, which falls back to the interpreter on a computer without it
+    #[default]
     Compiled,
     /// Machine code beside the reference engine, signal by signal, which takes thousands of times as long: exit code 1 at the first signal that differs
     Both,

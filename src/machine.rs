@@ -1,5 +1,6 @@
 //! The machines that there are, and the options of each.
 
+mod figures;
 mod job;
 mod pixel_planes;
 mod quadtree;
@@ -9,6 +10,7 @@ use crate::shell::{Exit, Failure};
 use clap::{Args, ValueEnum};
 use serde::Serialize;
 
+pub use figures::{ENTRANTS, Entrant, Figures};
 pub use job::{Job, Run};
 
 /// A machine by its name on the command line.

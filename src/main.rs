@@ -2,6 +2,7 @@
 
 mod bench;
 mod block;
+mod compare;
 mod completions;
 mod engine;
 mod explain;
@@ -59,6 +60,7 @@ A waveform alone grows in its place.
 #[derive(Subcommand)]
 enum Command {
     Render(render::Render),
+    Compare(compare::Compare),
     Golden(golden::Golden),
     Wave(wave::Wave),
     Verilog(verilog::Verilog),
@@ -73,6 +75,7 @@ impl Command {
     fn run(self) -> Result<Exit, Failure> {
         match self {
             Command::Render(it) => it.run(),
+            Command::Compare(it) => it.run(),
             Command::Golden(it) => it.run(),
             Command::Wave(it) => it.run(),
             Command::Verilog(it) => it.run(),

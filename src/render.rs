@@ -8,11 +8,11 @@ use crate::shell::place::{beside, check_distinct};
 use crate::shell::text::legible;
 use crate::shell::{Exit, Failure, terminal};
 use crate::trace::TraceOptions;
-use crate::verdict::{Golden, Verdict};
+use crate::verdict::{DIFFERENCE, Golden, Verdict, leave_difference};
 use clap::Args;
 use serde::Serialize;
-use std::path::{Path, PathBuf};
-use tilewright_scenes::{Frame, Scene};
+use std::path::PathBuf;
+use tilewright_scenes::Scene;
 
 /// Renders a scene on a machine, clock by clock, and compares the frame with the golden image
 #[derive(Args)]
@@ -113,31 +113,5 @@ impl Render {
         let written = self.output.iter().chain(&difference).chain(&self.vcd).map(PathBuf::as_path);
         let read = scene.iter().chain(&self.golden).map(PathBuf::as_path);
         check_distinct(&Vec::from_iter(written), &Vec::from_iter(read))
-    }
-}
-
-/// What the difference picture's name ends in instead of the frame's `png`.
-const DIFFERENCE: &str = "difference.png";
-
-/// Writes the picture of the differences beside the frame; without one, removes what an earlier run left there. A file that is
-/// no picture stays. What fails is a warning alone: the verdict matters more.
-fn leave_difference(frame: &Path, picture: Option<&Frame>) {
-    let Some(path) = beside(frame, DIFFERENCE) else { return };
-    let name = path.display();
-    let is_there = path.is_file();
-    let is_ours = is_there && Frame::read_png(&path).is_ok();
-    match picture {
-        Some(_) if is_there && !is_ours => {
-            terminal::warn(&format!("{name} is no picture and stays as it is: remove it to see the differences there"));
-        }
-        Some(picture) => {
-            let written = Output::at(&path).and_then(|output| output.write(&picture.to_png()));
-            written.unwrap_or_else(|failure| failure.sentences().for_each(terminal::warn));
-        }
-        None if is_ours => match std::fs::remove_file(&path) {
-            Ok(()) => terminal::talk(&format!("removed {name}")),
-            Err(_) => terminal::warn(&format!("{name} is of an earlier run and cannot be removed: remove it")),
-        },
-        None => {}
     }
 }

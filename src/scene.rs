@@ -3,6 +3,7 @@
 use crate::shell::{Failure, terminal};
 use clap::Args;
 use std::ffi::OsString;
+use std::sync::{Mutex, PoisonError};
 use tilewright_scenes::deferred::{Deferred, Samples, project_deferred};
 use tilewright_scenes::{Polygons, Projection, Scene, Size, project_polygons, project_samples};
 
@@ -68,7 +69,15 @@ pub fn deferred(scene: &Scene, samples: Samples) -> Result<Deferred, Failure> {
 }
 
 fn warn(scene: &Scene, warning: Option<String>) {
-    scene.warnings.iter().chain(&warning).for_each(|warning| terminal::warn(warning));
+    // A command that sets a scene up for several machines says it once.
+    static SAID: Mutex<Vec<String>> = Mutex::new(Vec::new());
+    let mut said = SAID.lock().unwrap_or_else(PoisonError::into_inner);
+    for warning in scene.warnings.iter().chain(&warning) {
+        if !said.contains(warning) {
+            terminal::warn(warning);
+            said.push(warning.clone());
+        }
+    }
 }
 
 fn size(text: &str) -> Result<Size, String> {

@@ -9,7 +9,7 @@ use tilewright_hdl::Bundle;
 use tilewright_sim::Simulation;
 
 /// Filters of a waveform file.
-#[derive(Args, Clone)]
+#[derive(Args, Clone, Default)]
 #[command(next_help_heading = "Waveform filters")]
 pub struct TraceOptions {
     /// Only signals whose path matches, such as `u_cell[*].value`, also written as in the Verilog: `*` stands for anything but a dot, `**` for anything

@@ -1,6 +1,8 @@
 //! Whether a frame is the golden image.
 
-use crate::shell::Failure;
+use crate::shell::output::Output;
+use crate::shell::place::beside;
+use crate::shell::{Failure, terminal};
 use serde::Serialize;
 use std::fmt;
 use std::path::Path;
@@ -74,6 +76,11 @@ struct Pixel {
 }
 
 impl Verdict {
+    /// How many pixels differ; where the sizes do, all of the frame's count as one.
+    pub fn differing(&self) -> u64 {
+        self.differing.max(u64::from(!self.identical))
+    }
+
     fn of(comparison: &Comparison) -> Verdict {
         let identical = comparison.is_equal();
         let digits = |word: u64| match comparison.colours_alone {
@@ -93,6 +100,32 @@ impl fmt::Display for Verdict {
             true => write!(f, "identical to the golden image"),
             false => write!(f, "NOT identical to the golden image: {}", self.sentence),
         }
+    }
+}
+
+/// What the difference picture's name ends in instead of the frame's `png`.
+pub const DIFFERENCE: &str = "difference.png";
+
+/// Writes the picture of the differences beside the frame; without one, removes what an earlier run left there. A file that is
+/// no picture stays. What fails is a warning alone: the verdict matters more.
+pub fn leave_difference(frame: &Path, picture: Option<&Frame>) {
+    let Some(path) = beside(frame, DIFFERENCE) else { return };
+    let name = path.display();
+    let is_there = path.is_file();
+    let is_ours = is_there && Frame::read_png(&path).is_ok();
+    match picture {
+        Some(_) if is_there && !is_ours => {
+            terminal::warn(&format!("{name} is no picture and stays as it is: remove it to see the differences there"));
+        }
+        Some(picture) => {
+            let written = Output::at(&path).and_then(|output| output.write(&picture.to_png()));
+            written.unwrap_or_else(|failure| failure.sentences().for_each(terminal::warn));
+        }
+        None if is_ours => match std::fs::remove_file(&path) {
+            Ok(()) => terminal::talk(&format!("removed {name}")),
+            Err(_) => terminal::warn(&format!("{name} is of an earlier run and cannot be removed: remove it")),
+        },
+        None => {}
     }
 }
 

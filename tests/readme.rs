@@ -53,6 +53,22 @@ fn the_report_is_the_frames() {
 }
 
 #[test]
+fn the_comparison_is_the_commands() {
+    let (command, printed) = block("text", "tilewright compare").split_once('\n').unwrap();
+    assert_eq!(command, "$ tilewright compare teapot");
+    assert_eq!(tilewright("compare teapot"), printed);
+}
+
+#[test]
+fn the_report_of_pixel_planes_5_is_the_frames() {
+    let (_, shown) = block("text", "--machine pixel-planes-5").split_once('\n').unwrap();
+    let printed = tilewright("render teapot --machine pixel-planes-5 --renderers 16");
+    for part in shown.split("\n..\n") {
+        assert_part(&printed, part);
+    }
+}
+
+#[test]
 fn the_picture_is_the_golden_image() {
     let folder = tempfile::tempdir().unwrap();
     let golden = folder.path().join("golden.png");

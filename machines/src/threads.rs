@@ -4,7 +4,7 @@ use crate::run::Watch;
 
 use std::num::NonZeroUsize;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use std::sync::mpsc;
+use std::sync::{Mutex, mpsc};
 use std::thread;
 
 /// As many threads as the computer has processors for.
@@ -48,6 +48,29 @@ impl Watch<'_> {
         });
         results.into_iter().collect()
     }
+}
+
+/// Does `work` on each of what may change, on all processors of the computer; the first of the errors, in order.
+pub(crate) fn each_mut<J: Send, E: Send>(
+    jobs: &mut [J],
+    work: impl Fn(usize, &mut J) -> Result<(), E> + Sync,
+) -> Result<(), E> {
+    let left = Mutex::new(jobs.iter_mut().enumerate());
+    let failed = Mutex::new(Vec::new());
+    thread::scope(|scope| {
+        for _ in 0..all_threads() {
+            scope.spawn(|| {
+                let next = || left.lock().expect("nobody panics with it").next();
+                while let Some((number, job)) = next() {
+                    if let Err(error) = work(number, job) {
+                        failed.lock().expect("nobody panics with it").push((number, error));
+                    }
+                }
+            });
+        }
+    });
+    let failed = failed.into_inner().expect("nobody panics with it");
+    failed.into_iter().min_by_key(|(number, _)| *number).map_or(Ok(()), |(_, error)| Err(error))
 }
 
 /// Does `work` on each job, on so many threads; `done` gets the number of each job and its result as it comes, in any order. Once

@@ -69,6 +69,9 @@ fn in_page(number: usize, section: &Section) -> Markup {
 fn in_section(part: &Part) -> Markup {
     match part {
         Part::Paragraph(text) => html! { p { (text) } },
+        Part::Links(links) => html! {
+            ul { @for it in links { li { a href=(it.address) { (it.title) } " " (it.note) } } }
+        },
         Part::Verdicts(it) => figure(part, &it.title, "", it.html()),
         Part::Chart(it) => figure(part, &it.title, &it.note, it.html()),
         Part::Picture(it) => figure(part, &it.title, &it.note, it.html()),

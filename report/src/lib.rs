@@ -19,7 +19,7 @@ mod verdict;
 pub use chart::{Axis, Chart, Series};
 pub use heat_map::HeatMap;
 pub use origin::Origin;
-pub use page::{File, Page, Part, Section};
+pub use page::{File, Link, Page, Part, Section};
 pub use picture::Picture;
 pub use problem::Problems;
 pub use provenance::Provenance;

@@ -71,6 +71,8 @@ pub struct Section {
 pub enum Part {
     /// A paragraph.
     Paragraph(String),
+    /// Where there is more.
+    Links(Vec<Link>),
     /// Statements of a paper with their verdicts.
     Verdicts(Verdicts),
     /// Curves and points.
@@ -81,6 +83,21 @@ pub enum Part {
     HeatMap(HeatMap),
     /// A table.
     Table(Table),
+}
+
+/// Another page, beside this one or in a folder beside it.
+///
+/// ```
+/// use tilewright_report::{Link, Section};
+///
+/// let link = Link::new("quadtree/index.html", "The quadtree generator", "34 statements hold.");
+/// assert_eq!(Section::new("Machines").links([link]).title, "Machines");
+/// ```
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Link {
+    pub(crate) address: String,
+    pub(crate) title: String,
+    pub(crate) note: String,
 }
 
 /// A file of a report.
@@ -112,6 +129,17 @@ impl Page {
     /// ```
     pub fn new(title: impl Into<String>, provenance: Provenance) -> Page {
         Page { title: title.into(), introduction: Vec::new(), sections: Vec::new(), provenance }
+    }
+
+    /// Its title.
+    ///
+    /// ```
+    /// use tilewright_report::{Page, Provenance};
+    ///
+    /// assert_eq!(Page::new("The VC-1", Provenance::new("tilewright", "0.1.0", "tilewright list")).title(), "The VC-1");
+    /// ```
+    pub fn title(&self) -> &str {
+        &self.title
     }
 
     /// Adds a paragraph to the introduction.
@@ -211,6 +239,18 @@ impl Section {
         self.part(Part::Paragraph(text.into()))
     }
 
+    /// Adds a list of other pages.
+    ///
+    /// ```
+    /// use tilewright_report::{Link, Section};
+    ///
+    /// let links = ["vc1", "quadtree"].map(|name| Link::new(format!("{name}/index.html"), name, ""));
+    /// assert_eq!(Section::new("Machines").links(links).title, "Machines");
+    /// ```
+    pub fn links(self, links: impl IntoIterator<Item = Link>) -> Section {
+        self.part(Part::Links(links.into_iter().collect()))
+    }
+
     /// Adds a part.
     ///
     /// ```
@@ -221,6 +261,22 @@ impl Section {
     pub fn part(mut self, part: impl Into<Part>) -> Section {
         self.parts.push(part.into());
         self
+    }
+}
+
+impl Link {
+    /// A page at an address relative to this one: its title, and a sentence about it.
+    ///
+    /// ```
+    /// use tilewright_report::{Link, Page, Provenance, Section};
+    ///
+    /// let page = Page::new("All", Provenance::new("tilewright", "0.1.0", "tilewright list"))
+    ///     .section(Section::new("Machines").links([Link::new("quadtree/index.html", "Trees & stacks", "34 hold.")]));
+    /// let html = String::from_utf8(page.files().unwrap().remove(0).bytes).unwrap();
+    /// assert!(html.contains(r#"<li><a href="quadtree/index.html">Trees &amp; stacks</a> 34 hold.</li>"#));
+    /// ```
+    pub fn new(address: impl Into<String>, title: impl Into<String>, note: impl Into<String>) -> Link {
+        Link { address: address.into(), title: title.into(), note: note.into() }
     }
 }
 
@@ -239,7 +295,7 @@ impl Part {
     /// What it is called in a problem, and its name in addresses and files.
     pub(crate) fn name(&self) -> Option<(&'static str, &str)> {
         match self {
-            Part::Paragraph(_) => None,
+            Part::Paragraph(_) | Part::Links(_) => None,
             Part::Verdicts(verdicts) => Some(("table of verdicts", &verdicts.id)),
             Part::Chart(chart) => Some(("chart", &chart.id)),
             Part::Picture(picture) => Some(("picture", &picture.id)),
@@ -252,7 +308,7 @@ impl Part {
     pub(crate) fn file(&self) -> Option<File> {
         let (_, id) = self.name()?;
         let (kind, bytes) = match self {
-            Part::Paragraph(_) => return None,
+            Part::Paragraph(_) | Part::Links(_) => return None,
             Part::Verdicts(verdicts) => ("csv", verdicts.csv()),
             Part::Chart(chart) => ("csv", chart.csv_text().into_bytes()),
             Part::Picture(picture) => ("png", picture.png.clone()),

@@ -98,3 +98,20 @@ fn the_renderer_and_its_parts_show_what_their_scenarios_say() {
     assert_eq!(shown("region-allocator", &[], "region"), [0, 100, 101, 102, 103, 200, 0]);
     assert_eq!(shown("frame-buffer", &[], "words[0]"), [0, 0x1234, 0x8000_0000_0001]);
 }
+
+#[test]
+fn the_node_and_its_parts_show_what_their_scenarios_say() {
+    let shown = |name, set: &[_], signal| play(find(name).unwrap(), set, Some(signal));
+    for (width, height) in [(8, 4), (4, 8), (2, 2)] {
+        let set = [("width", width), ("height", height)];
+        assert_eq!(shown("pixelflow-node", &set, "network_0_downstream_valid"), [0, 1, 0]);
+        assert_eq!(shown("pixelflow-node", &set, "held"), [0, 1, 0]);
+    }
+    assert_eq!(shown("command-dma", &[], "left"), [0, 4, 3, 2, 1, 0, 1, 0]);
+    assert_eq!(shown("network-sequencer", &[], "done"), [0, 1, 0]);
+    assert_eq!(shown("array-controller", &[], "banks_under_way"), [0, 1, 0]);
+    // At column 3 there is 0x345, and right behind it -2.
+    assert_eq!(shown("linear-evaluator", &[], "value[0][3]")[..5], [0, 0x45, 0x03, 0xfe, 0xff]);
+    assert_eq!(shown("pixelflow-pixel", &[], "flag"), [0, 1]);
+    assert_eq!(shown("pixelflow-pixel", &[("depth", 2)], "writes_register"), [0, 1, 0]);
+}

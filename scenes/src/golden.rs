@@ -156,6 +156,23 @@ pub fn ties<E: AsRef<[Edge]>>(size: Size, packets: &[Packet<E>]) -> Ties {
     ties
 }
 
+/// The pixels that polygons cover, each as often as it is covered: what a machine draws that hides nothing before.
+///
+/// ```
+/// use tilewright_scenes::{ScreenVertex, Size, golden, set_up};
+///
+/// let (size, at) = (Size::new(8, 8)?, |x: i32, y: i32| ScreenVertex { x: 16 * x, y: 16 * y, z: 1, rgb: [0; 3] });
+/// let half = set_up(&[at(0, 0), at(4, 0), at(0, 4)], size).expect("it covers pixels");
+/// // Centres on the long side belong to the triangle below it.
+/// assert_eq!(golden::fragments(size, &[half.clone(), half]), 2 * (3 + 2 + 1));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn fragments<E: AsRef<[Edge]>>(size: Size, packets: &[Packet<E>]) -> u64 {
+    let mut count = 0;
+    packets.iter().for_each(|packet| each_fragment(size, packet, |_, _| count += 1));
+    count
+}
+
 /// Calls `visit(pixel index, word)` for every pixel that the polygon covers.
 fn each_fragment<E: AsRef<[Edge]>>(size: Size, packet: &Packet<E>, mut visit: impl FnMut(usize, u64)) {
     let bounds = packet.bounds;

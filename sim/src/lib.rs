@@ -160,6 +160,10 @@ mod engine;
 mod limbs;
 mod testbench;
 
+/// The value of a port, as [`Simulation::get`] gives it.
+#[doc(no_inline)]
+pub use tilewright_hdl::Bits;
+
 pub use engine::program;
 pub use engine::{Difference, EngineKind, Explained, Pass, Passes, Unsupported, explain};
 pub use testbench::{

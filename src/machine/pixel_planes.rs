@@ -1,5 +1,6 @@
 //! `--machine pixel-planes-5`.
 
+use super::figures::{Compared, Figures, state};
 use super::first_given;
 use super::job::{Job, Run};
 use crate::golden;
@@ -8,12 +9,13 @@ use crate::scene::polygons;
 use crate::shell::{Exit, Failure};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, value_parser};
-use tilewright_machines::pixel_planes::{Config, Edges, Machine, Report};
-use tilewright_scenes::golden::{render_strict_watched, render_watched};
+use tilewright_machines::pixel_planes::{Config, Edges, Machine, RendererReport, Report};
+use tilewright_rtl::pixel_planes::PERIOD;
+use tilewright_scenes::golden::{fragments, render_strict_watched, render_watched};
 use tilewright_scenes::{Frame, Polygons, Scene, Size};
 
 /// Its options.
-#[derive(Args)]
+#[derive(Args, Default)]
 #[command(next_help_heading = "Options of --machine pixel-planes-5")]
 pub struct PixelPlanesOptions {
     /// Renderers [default: 16]
@@ -23,6 +25,9 @@ pub struct PixelPlanesOptions {
     #[arg(long, value_name = "PIXELS",
           value_parser = PossibleValuesParser::new(["8", "16", "32", "64", "128", "256"]).map(|side| side.parse::<u32>().unwrap_or_default()))]
     region: Option<u32>,
+    /// Geometry processors, which make the instructions [default: 32]
+    #[arg(long, value_name = "N", value_parser = number(1..=Config::MOST_GEOMETRY))]
+    geometry: Option<u32>,
     /// What the ring brings to renderers and frame buffer in Mbit/s, a multiple of 40 [default: 5000]
     #[arg(long, value_name = "MBITS", value_parser = value_parser!(u32))]
     ring: Option<u32>,
@@ -44,10 +49,11 @@ fn forms() -> impl TypedValueParser<Value = Edges> {
 impl PixelPlanesOptions {
     /// One that is given, if any is.
     pub fn given(&self) -> Option<&'static str> {
-        let PixelPlanesOptions { renderers, region, ring, one_at_a_time, edges } = self;
+        let PixelPlanesOptions { renderers, region, geometry, ring, one_at_a_time, edges } = self;
         first_given([
             ("--renderers", renderers.is_some()),
             ("--region", region.is_some()),
+            ("--geometry", geometry.is_some()),
             ("--ring", ring.is_some()),
             ("--one-at-a-time", *one_at_a_time),
             ("--edges", edges.is_some()),
@@ -64,6 +70,7 @@ impl PixelPlanesOptions {
         let config = Config {
             renderers: self.renderers.unwrap_or(usual.renderers),
             side: self.region.unwrap_or(usual.side),
+            geometry: self.geometry.unwrap_or(usual.geometry),
             ring: self.ring.unwrap_or(usual.ring),
             side_by_side: !self.one_at_a_time,
             edges: self.edges.unwrap_or(usual.edges),
@@ -71,7 +78,8 @@ impl PixelPlanesOptions {
             ..usual
         };
         Ok(PixelPlanesJob {
-            machine: Machine::new(config)?,
+            machine: Machine::new(config.clone())?,
+            config,
             strict,
             polygons: scene_polygons,
             background: scene.background,
@@ -82,6 +90,7 @@ impl PixelPlanesOptions {
 /// A scene in polygons, and the machine for it.
 pub struct PixelPlanesJob {
     machine: Machine,
+    config: Config,
     strict: bool,
     polygons: Polygons,
     background: [u8; 3],
@@ -105,10 +114,38 @@ impl Job for PixelPlanesJob {
     fn render(&self, run: &Run) -> Result<(Frame, Report), Failure> {
         if run.waveform.is_some() {
             let sentence = "each renderer of pixel-planes-5 is a simulation of its own, so there is no waveform of a frame: \
-                            leave out --vcd, and see `tilewright wave renderer`";
+                            leave out --vcd, and see `tilewright wave pixel-planes-5` for all of a small machine, or `tilewright wave renderer`";
             return Err(Failure::new(Exit::BadInput, sentence));
         }
         let machine = self.machine.clone().on(run.engine());
         run.watch(|watch| machine.render(&self.polygons, self.background, watch), |(_, report)| report.picoseconds())
+    }
+}
+
+impl Compared for PixelPlanesJob {
+    fn figures(&self, report: &Report) -> Result<Figures, Failure> {
+        let hardware = state(&self.config.hardware().map_err(tilewright_machines::Error::from)?)?;
+        let (clocks, side, limit) = (report.interval(), report.machine.side, report.limit());
+        let milliseconds = |clocks: u64| (clocks * PERIOD.picoseconds()) as f64 / 1e9;
+        let working: u64 = report.renderers.iter().map(RendererReport::working).sum();
+        Ok(Figures {
+            processors: report.machine.renderers,
+            processor: format!("renderers of {side}x{side}"),
+            register_bits: hardware.registers,
+            memory_bits: hardware.memories,
+            clocks,
+            picoseconds: clocks * PERIOD.picoseconds(),
+            time: format!(
+                "from one frame sent to the next, as the next one's geometry, {:.3} ms of {} processors, runs meanwhile",
+                milliseconds(report.geometry.clocks),
+                report.machine.geometry
+            ),
+            tested: report.tested(),
+            // Its pixels count nothing.
+            drawn: fragments(self.polygons.size, &self.polygons.polygons),
+            at_work: working as f64 / (clocks.max(1) * report.renderers.len() as u64) as f64,
+            limit: limit.unit.to_string(),
+            limit_share: limit.clocks as f64 / clocks.max(1) as f64,
+        })
     }
 }

@@ -1,5 +1,6 @@
 //! `--machine quadtree`.
 
+use super::figures::{Compared, Figures, state};
 use super::first_given;
 use super::job::{Job, Run};
 use crate::golden;
@@ -8,13 +9,13 @@ use crate::scene::polygons;
 use crate::shell::Failure;
 use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
-use tilewright_machines::quadtree::{Config, Machine, Queues, Report, Test};
+use tilewright_machines::quadtree::{Config, Machine, Queues, Report, Stage, Test};
 use tilewright_rtl::quadtree::format::Matrix;
 use tilewright_scenes::golden::{render_strict_watched, render_watched};
 use tilewright_scenes::{Frame, Polygons, Scene, Size};
 
 /// Its options.
-#[derive(Args)]
+#[derive(Args, Default)]
 #[command(next_help_heading = "Options of --machine quadtree")]
 pub struct QuadtreeOptions {
     /// Video processors side by side and one below the other, each 1, 2, 4, 8 or 16 [default: 4x4]
@@ -126,5 +127,32 @@ impl Job for QuadtreeJob {
             |watch| machine.render(&self.polygons.polygons, self.background, watch),
             |(_, report)| report.phases.iter().map(|phase| phase.picoseconds).sum(),
         )
+    }
+}
+
+impl Compared for QuadtreeJob {
+    fn figures(&self, report: &Report) -> Result<Figures, Failure> {
+        let hardware = state(&self.config.generator().map_err(tilewright_machines::Error::from)?)?;
+        let drawing = report.phases.iter().find(|phase| phase.name == Report::DRAWING);
+        let busiest = report.stages.iter().max_by(|left, right| left.load[1].total_cmp(&right.load[1]));
+        let name = |stage: &Stage| match stage.level {
+            0 => stage.unit.to_owned(),
+            level => format!("level {level} of the {}", stage.unit),
+        };
+        let (p, q) = (report.machine.p, report.machine.q);
+        Ok(Figures {
+            processors: p * q,
+            processor: "video processors".to_owned(),
+            register_bits: hardware.registers,
+            memory_bits: hardware.memories,
+            clocks: report.drawing_clocks(),
+            picoseconds: drawing.map_or(0, |phase| phase.picoseconds),
+            time: "drawing of packets that are there; who makes them is not part of the machine".to_owned(),
+            tested: report.stages.last().map_or(0, |stage| stage.tests.all),
+            drawn: report.fragments,
+            at_work: busiest.map_or(0.0, |stage| stage.load[0]),
+            limit: busiest.map_or_else(String::new, name),
+            limit_share: busiest.map_or(0.0, |stage| stage.load[1]),
+        })
     }
 }

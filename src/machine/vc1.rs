@@ -1,5 +1,6 @@
 //! `--machine vc1`.
 
+use super::figures::{Compared, Figures, state};
 use super::first_given;
 use super::job::{Job, Run};
 use crate::golden;
@@ -9,11 +10,12 @@ use crate::shell::Failure;
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use tilewright_machines::vc1::{Config, Machine, Report};
+use tilewright_rtl::parameter::ParameterError;
 use tilewright_scenes::golden::render_watched;
 use tilewright_scenes::{Frame, MAX_SIDE, Projection, Scene, Size};
 
 /// Its options.
-#[derive(Args)]
+#[derive(Args, Default)]
 #[command(next_help_heading = "Options of --machine vc1")]
 pub struct Vc1Options {
     /// Processing elements [default: 16]
@@ -59,6 +61,21 @@ impl Vc1Options {
     }
 }
 
+impl Vc1Job {
+    /// A scene for the machine without options; where the scene needs more pages than it has, it has those.
+    ///
+    /// # Errors
+    /// The scene cannot be set up, or there is no such machine.
+    pub fn with_enough_pages(scene: &Scene) -> Result<Vc1Job, Failure> {
+        let job = Vc1Options::default().job(scene)?;
+        let pages =
+            |config: &Config| Ok::<_, ParameterError>([config.pages()?, config.sufficient_pages(&job.projection)?]);
+        let [usual, sufficient] = pages(&job.config).map_err(tilewright_machines::Error::from)?;
+        let pages = (sufficient > usual).then_some(sufficient);
+        Ok(Vc1Job { config: Config { pages, ..job.config }, ..job })
+    }
+}
+
 /// A scene in triangles, and the machine for it.
 pub struct Vc1Job {
     config: Config,
@@ -85,5 +102,35 @@ impl Job for Vc1Job {
             |watch| machine.render(&self.projection, self.background, watch),
             |(_, report)| report.phases.iter().map(|phase| phase.picoseconds).sum(),
         )
+    }
+}
+
+impl Compared for Vc1Job {
+    fn figures(&self, report: &Report) -> Result<Figures, Failure> {
+        let hardware = state(&self.config.hardware().map_err(tilewright_machines::Error::from)?)?;
+        let phases = || report.phases.iter().filter(|phase| phase.name != Report::READ_OUT);
+        let clocks: u64 = phases().map(|phase| phase.pe_clocks).sum();
+        let names: Vec<&str> = phases().map(|phase| phase.name).collect();
+        let longest = phases().max_by_key(|phase| phase.picoseconds);
+        let more = match self.config.pages {
+            None => String::new(),
+            Some(pages) => format!("; it has the {pages} pages in a buffer that this scene needs"),
+        };
+        let working: u64 = report.processors.iter().map(|it| it.work.total()).sum();
+        Ok(Figures {
+            processors: report.machine.processors,
+            processor: "processing elements".to_owned(),
+            register_bits: hardware.registers,
+            memory_bits: hardware.memories,
+            clocks,
+            picoseconds: report.frame_picoseconds(),
+            time: format!("{}, one after another, geometry being part of drawing{more}", names.join(", ")),
+            // Spans are computed, so no pixel is tested in vain.
+            tested: report.pixels,
+            drawn: report.pixels,
+            at_work: working as f64 / (clocks.max(1) * report.processors.len() as u64) as f64,
+            limit: longest.map_or("", |phase| phase.name).to_owned(),
+            limit_share: longest.map_or(0.0, |phase| phase.picoseconds as f64 / report.frame_picoseconds() as f64),
+        })
     }
 }

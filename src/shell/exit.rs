@@ -54,6 +54,11 @@ impl Failure {
         Failure { exit, sentence: sentence.into(), next: None }
     }
 
+    /// The same of one of several machines, which its sentence then names first.
+    pub fn of(self, machine: &str) -> Failure {
+        Failure { sentence: format!("{machine}: {}", self.sentence), ..self }
+    }
+
     /// What came of two things that were both done: the first failure decides the exit code, and all are told.
     pub fn both<T>(first: Result<T, Failure>, second: Result<(), Failure>) -> Result<T, Failure> {
         match (first, second) {

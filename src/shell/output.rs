@@ -178,9 +178,22 @@ impl Folder {
     /// # Errors
     /// It cannot be made.
     pub fn make(path: &Path) -> Result<Folder, Failure> {
+        Folder::make_with(path, &[])
+    }
+
+    /// The same with folders of those names in it.
+    ///
+    /// # Errors
+    /// One cannot be made.
+    pub fn make_with(path: &Path, inner: &[&str]) -> Result<Folder, Failure> {
+        let paths: Vec<PathBuf> = inner.iter().map(|name| path.join(name)).collect();
         let missing = path.ancestors().take_while(|folder| !folder.as_os_str().is_empty() && !folder.exists());
-        let folder = Folder { path: path.to_owned(), made: missing.map(Path::to_owned).collect() };
-        fs::create_dir_all(path).map_err(|error| SceneError::unwritable(path, &error))?;
+        // The inner ones go away before those that they are in.
+        let made = paths.iter().map(PathBuf::as_path).filter(|folder| !folder.exists()).chain(missing);
+        let folder = Folder { path: path.to_owned(), made: made.map(Path::to_owned).collect() };
+        for path in std::iter::once(path).chain(paths.iter().map(PathBuf::as_path)) {
+            fs::create_dir_all(path).map_err(|error| SceneError::unwritable(path, &error))?;
+        }
         Ok(folder)
     }
 

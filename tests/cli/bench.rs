@@ -32,6 +32,27 @@ fn the_report_has_every_design_and_its_checksum() {
 }
 
 #[test]
+fn one_rival_can_be_asked_for_by_its_verilog() {
+    let folder = Folder::new();
+    let run = folder.run("bench pxpl8 qt1 --against verilator --verilog pxpl_planes");
+    assert_eq!((run.code, run.stdout.as_str()), (Some(2), ""), "{run:?}");
+    let sentence = "error: there is no Verilog `pxpl_planes` of qt1: name one of ours, qt with --verilog\n";
+    assert_eq!(run.stderr, sentence);
+    assert_eq!(folder.run("bench pxpl8 --verilog pxpl").code, Some(2), "there is nothing to build it with");
+
+    let run = folder.run("bench pxpl8 --against verilator --verilog pxpl_planes --rounds 1 --seconds 0.001 --json");
+    if run.code == Some(4) && std::env::var_os("CI").is_none() {
+        return println!("skipped: {}", run.stderr);
+    }
+    let report: Value = serde_json::from_str(&run.stdout).unwrap();
+    let [ours, rivals @ ..] = report["designs"][0]["simulators"].as_array().unwrap().as_slice() else {
+        panic!("{report}")
+    };
+    assert_eq!(ours["made"], Value::Null);
+    assert!(!rivals.is_empty() && rivals.iter().all(|it| it["made"]["verilog"] == "pxpl_planes.v"), "{report}");
+}
+
+#[test]
 fn without_verilator_there_is_a_sentence() {
     let folder = Folder::new();
     let run = Run::of(folder.command("bench qt1 --against verilator").env("PATH", folder.path(".")).output().unwrap());

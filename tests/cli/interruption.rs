@@ -126,8 +126,19 @@ fn a_golden_image_can_be_interrupted() {
 }
 
 #[test]
+fn an_interrupted_comparison_leaves_no_picture() {
+    let folder = Folder::new();
+    let (run, took) =
+        stopped_after(&folder, "compare ter250 --size 1024x768 --machine quadtree -o x.png", Duration::from_secs(4));
+    assert_eq!((run.code, run.stdout.as_str()), (Some(130), ""), "{run:?}");
+    assert!(run.stderr.contains("interrupted"), "{run:?}");
+    assert!(took < Duration::from_secs(2), "{took:?}");
+    assert!(folder.names().is_empty(), "{:?}", folder.names());
+}
+
+#[test]
 fn an_interrupted_report_leaves_no_file() {
-    for paper in ["quadtree", "pixel-planes-5"] {
+    for paper in ["quadtree", "pixel-planes-5", "all"] {
         let folder = Folder::new();
         let line = format!("reproduce {paper} -o report");
         let (run, took) = stopped_after(&folder, &line, Duration::from_secs(1));

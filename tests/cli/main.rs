@@ -2,6 +2,7 @@
 
 mod bad_input;
 mod bench;
+mod compare;
 mod deferred;
 mod determinism;
 mod documentation;

@@ -14,7 +14,8 @@ fn the_report_counts_primitives_regions_and_clocks() {
     let report = &report["report"];
     let expected = json!({
         "width": 32, "height": 24, "renderers": 2, "side": 16, "queue": 64, "ring": 5000,
-        "strict": false, "side_by_side": true, "edges": "least",
+        "strict": false, "side_by_side": true, "edges": "least", "geometry": 32,
+        "costs": {"transform": 631, "set_up": 500, "bin": 30, "instruction": 12},
     });
     assert_eq!(report["machine"], expected);
     let regions = report["regions"].as_array().unwrap();
@@ -61,6 +62,26 @@ fn what_is_side_by_side_is_faster_and_draws_the_same() {
 }
 
 #[test]
+fn the_slower_of_geometry_and_renderers_gives_the_rate_of_frames() {
+    let folder = Folder::with_pyramid();
+    for (processors, limit) in [(1, "geometry"), (200, "frame buffer")] {
+        let line = format!("{SMALL} --geometry {processors}");
+        let report = folder.json(&format!("{line} --json"))["report"].clone();
+        assert_eq!(report["machine"]["geometry"], processors);
+        let [clocks, sent] = [&report["geometry"]["clocks"], &report["sent"]].map(|it| it.as_u64().unwrap());
+        assert_eq!(clocks > sent, limit == "geometry", "{report}");
+        let text = folder.stdout(&line);
+        let ms = |clocks: u64| clocks as f64 * 25e-6;
+        let rate = format!("a frame is sent every {:.3} ms, {:.3} ms after", ms(clocks.max(sent)), ms(clocks + sent));
+        let busy = format!("The longest at work is the {limit}: busy clocks are geometry {clocks}, ");
+        assert!(text.contains(&rate) && text.contains(&busy), "{rate}; {busy}: {text}");
+    }
+    for count in ["0", "257"] {
+        assert_eq!(folder.run(&format!("{SMALL} --geometry {count}")).code, Some(2));
+    }
+}
+
+#[test]
 fn a_form_of_edges_that_there_is_not_is_bad_usage() {
     let run = Folder::with_pyramid().run(&format!("{SMALL} --edges short"));
     assert_eq!(run.code, Some(2));
@@ -90,7 +111,7 @@ fn a_slow_ring_is_told_by_who_waited_for_it() {
         "The first that had to wait for an instruction was renderer {}, in clock {}.\n",
         first["renderer"], first["clock"]
     );
-    assert!(text.contains(", a ring of 400 Mbit/s\n") && text.contains(&sentence), "{text}");
+    assert!(text.contains(", a ring of 400 Mbit/s, ") && text.contains(&sentence), "{text}");
 }
 
 #[test]
@@ -114,6 +135,10 @@ fn there_is_no_waveform_of_a_frame() {
     let folder = Folder::with_pyramid();
     let run = folder.run(&format!("{SMALL} --vcd run.vcd"));
     assert_eq!(run.code, Some(2));
-    assert!(run.stderr.contains("leave out --vcd, and see `tilewright wave renderer`"), "{}", run.stderr);
+    assert!(
+        run.stderr.contains("leave out --vcd, and see `tilewright wave pixel-planes-5` for all of a small machine"),
+        "{}",
+        run.stderr
+    );
     assert!(!folder.names().contains(&"run.vcd".to_owned()), "nothing is left");
 }

@@ -21,6 +21,7 @@ mod ports;
 mod property;
 mod register;
 mod shape;
+mod state;
 mod validate;
 
 use crate::loc::Loc;
@@ -37,6 +38,7 @@ pub use ports::{Clock, Input, Output};
 pub use property::{Attribute, Directive, Property};
 pub use register::{Init, Register};
 pub use shape::Shape;
+pub use state::State;
 
 /// One module definition.
 ///

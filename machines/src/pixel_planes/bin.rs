@@ -115,37 +115,40 @@ pub(super) struct Work {
     pub instructions: Vec<Instruction<u64>>,
     /// The clocks of primitives.
     pub programs: Tally,
+    /// Each primitive in the bin by its number, with how many instructions it has here.
+    pub made: Vec<(u32, u32)>,
 }
 
 impl Work {
     /// Of the primitives of those numbers.
     pub fn new(bin: &Bin, numbers: &[u32], polygons: &Polygons, background: [u8; 3]) -> Work {
-        let polygons = numbers.iter().map(|number| &polygons.polygons[*number as usize]);
-        let drawn = polygons.map(|polygon| {
+        let drawn = numbers.iter().map(|&number| {
+            let polygon = &polygons.polygons[number as usize];
             let program = bin.program(polygon);
-            (program, bin.draw(program, polygon))
+            (number, program, bin.draw(program, polygon))
         });
         Work::of(bin, drawn, background)
     }
 
-    /// Of primitives, each with its program and instructions.
+    /// Of primitives, each with its number, program and instructions.
     pub fn of(
         bin: &Bin,
-        primitives: impl Iterator<Item = (&'static Program, Vec<Instruction<u64>>)>,
+        primitives: impl Iterator<Item = (u32, &'static Program, Vec<Instruction<u64>>)>,
         background: [u8; 3],
     ) -> Work {
         let mut clocked = Clocked::new(bin.config.side_by_side);
         let mut instructions = bin.begin(background);
         clocked.region(&instructions);
-        let (mut count, mut drawn) = (0, 0);
-        for (program, primitive) in primitives {
+        let (mut made, mut drawn) = (Vec::new(), 0);
+        for (number, program, primitive) in primitives {
             clocked.primitive(program, &primitive);
-            count += 1;
+            made.push((number, primitive.len() as u32));
             drawn += u64::from(!primitive.is_empty());
             instructions.extend(primitive);
         }
         instructions.extend(bin.end());
-        Work { region: bin.region, primitives: [count, drawn], instructions, programs: clocked.tally }
+        let primitives = [made.len() as u64, drawn];
+        Work { region: bin.region, primitives, instructions, programs: clocked.tally, made }
     }
 }
 

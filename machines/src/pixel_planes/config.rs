@@ -3,12 +3,14 @@
 use serde::Serialize;
 use tilewright_rtl::parameter::{ParameterError, Screen};
 use tilewright_rtl::pixel_planes::frame_buffer::FrameBuffer;
+use tilewright_rtl::pixel_planes::machine::PixelPlanes5;
 use tilewright_rtl::pixel_planes::programs::Edges;
 use tilewright_rtl::pixel_planes::renderer::Renderer;
 use tilewright_rtl::pixel_planes::ring::Ring;
 use tilewright_rtl::pixel_planes::{self, SIDE};
 use tilewright_scenes::Size;
 
+use super::geometry::GeometryCosts;
 use super::regions::Regions;
 
 /// What a machine is built for.
@@ -40,11 +42,17 @@ pub struct Config {
     pub side_by_side: bool,
     /// The form in which edges are sent.
     pub edges: Edges,
+    /// Geometry processors: 1 to [`Config::MOST_GEOMETRY`].
+    pub geometry: u32,
+    /// What their program costs.
+    pub costs: GeometryCosts,
 }
 
 impl Config {
     /// The most renderers.
     pub const MOST_RENDERERS: u32 = 32;
+    /// The most geometry processors.
+    pub const MOST_GEOMETRY: u32 = 256;
     /// What the ring of the machine that was built brings in Mbit/s: 5 Gbit/s, 125 bits in each clock of 25 ns.
     pub const RING: u32 = 5000;
     /// A ring in Mbit/s that brings all that any machine takes: an instruction to each renderer and a plane in each clock.
@@ -52,10 +60,22 @@ impl Config {
     /// The smallest region's side in pixels.
     pub const SMALLEST_SIDE: u32 = 8;
 
-    /// 16 renderers with regions of 128 x 128 pixels (PP5-ARCH, PP5-UTV), for a screen of that size.
+    /// 16 renderers with regions of 128 x 128 pixels (PP5-ARCH, PP5-UTV), for a screen of that size. Of the geometry processors the paper's text
+    /// says nothing: that there are two for each renderer is a choice.
     pub fn new(size: Size) -> Config {
-        let (ring, edges) = (Config::RING, Edges::Least);
-        Config { size, renderers: 16, side: SIDE, queue: 64, ring, strict: false, side_by_side: true, edges }
+        let (renderers, costs) = (16, GeometryCosts::default());
+        Config {
+            size,
+            renderers,
+            side: SIDE,
+            queue: 64,
+            ring: Config::RING,
+            strict: false,
+            side_by_side: true,
+            edges: Edges::Least,
+            geometry: 2 * renderers,
+            costs,
+        }
     }
 
     /// The screen's regions.
@@ -85,6 +105,20 @@ impl Config {
         Renderer::new(self.side, self.queue)
     }
 
+    /// That there is such a number of geometry processors.
+    ///
+    /// # Errors
+    /// There is not.
+    pub(crate) fn check_geometry(&self) -> Result<(), ParameterError> {
+        match (1..=Config::MOST_GEOMETRY).contains(&self.geometry) {
+            true => Ok(()),
+            false => {
+                let (asked, most) = (self.geometry, Config::MOST_GEOMETRY);
+                Err(ParameterError(format!("{asked} geometry processors: a machine has from 1 to {most}")))
+            }
+        }
+    }
+
     /// The hardware between geometry processors, renderers and frame buffer.
     ///
     /// # Errors
@@ -101,11 +135,20 @@ impl Config {
         FrameBuffer::new(Screen::new(self.size.width(), self.size.height())?, self.side)
     }
 
+    /// All of its hardware as one circuit.
+    ///
+    /// # Errors
+    /// As [`Config::ring`] and [`Config::frame_buffer`].
+    pub fn hardware(&self) -> Result<PixelPlanes5, ParameterError> {
+        let screen = Screen::new(self.size.width(), self.size.height())?;
+        PixelPlanes5::new(screen, self.renderers, self.side, self.queue, Ring::bits_a_clock(self.ring)?)
+    }
+
     /// As a report shows it.
     pub(crate) fn built(&self) -> Built {
-        let Config { size, renderers, side, queue, ring, strict, side_by_side, edges } = *self;
+        let Config { size, renderers, side, queue, ring, strict, side_by_side, edges, geometry, costs } = *self;
         let (width, height, edges) = (size.width(), size.height(), edges.name());
-        Built { width, height, renderers, side, queue, ring, strict, side_by_side, edges }
+        Built { width, height, renderers, side, queue, ring, strict, side_by_side, edges, geometry, costs }
     }
 }
 
@@ -130,4 +173,8 @@ pub struct Built {
     pub side_by_side: bool,
     /// The form in which edges are sent: `fixed`, `own` or `least`.
     pub edges: &'static str,
+    /// Geometry processors.
+    pub geometry: u32,
+    /// Clocks of their program's steps.
+    pub costs: GeometryCosts,
 }

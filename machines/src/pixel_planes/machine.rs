@@ -11,6 +11,7 @@ use tilewright_sim::{EngineKind, IntoValue};
 
 use super::bin::{Bin, Work};
 use super::config::Config;
+use super::geometry::GeometryReport;
 use super::hardware::{Course, Frames};
 use super::model::{Model, RendererTiming, Step, Timing};
 use super::outline::Binner;
@@ -53,6 +54,7 @@ impl Machine {
         config.renderer()?;
         config.ring()?;
         config.frame_buffer()?;
+        config.check_geometry()?;
         Ok(Machine { config, engine: EngineKind::Compiled })
     }
 
@@ -77,7 +79,9 @@ impl Machine {
         let sent = self.simulate(&works, &timing, watch)?;
         let frame = self.frame(&regions, &works, &timing, sent)?;
         watch.report(PHASE, 1.0);
-        Ok((frame, Report::new(self.config.built(), polygons.polygons.len(), &works, &timing)))
+        let Config { geometry, costs, .. } = &self.config;
+        let geometry = GeometryReport::new(*geometry, costs, polygons, &works);
+        Ok((frame, Report::new(self.config.built(), polygons.polygons.len(), geometry, &works, &timing)))
     }
 
     /// The clocks of a frame by the transaction-level model alone, which are those of [`Machine::render`]; regions are told in the order in

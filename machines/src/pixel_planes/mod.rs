@@ -5,7 +5,8 @@
 //!
 //! ```text
 //! primitives -> Outline -- Binner --> bins of Regions -- allocate --> Allocation: the regions of each renderer, P_w
-//! bins ----> Bin: instructions --> Model: when each comes, and is taken --> Timing
+//! bins ----> Bin: instructions --> GeometryReport: the clocks of those who make them
+//!                      |---------> Model: when each comes, and is taken --> Timing
 //!                      '----------------> Machine: renderers and frame buffer in simulation --> Frame, Report
 //! programs of primitives ----> Clocked, Table: N, the clocks of a primitive
 //! Vectors ---------------> Study: regions a vector, counted, beside those by Shape's formulas
@@ -19,6 +20,7 @@ mod clocks;
 mod config;
 mod drawing;
 mod formulas;
+mod geometry;
 mod hardware;
 mod machine;
 pub mod model;
@@ -36,10 +38,11 @@ pub use drawing::Drawing;
 pub use formulas::{
     PERIOD, Shape, VECTOR_CYCLES, first_starved, greatest_load, greatest_load_of_whole_regions, least_load, update_time,
 };
+pub use geometry::{GeometryCosts, GeometryReport};
 pub use machine::Machine;
 pub use outline::{Binner, Outline};
 pub use regions::Regions;
-pub use report::{RegionReport, RendererReport, Report, RingReport, StarvedReport};
+pub use report::{Busy, RegionReport, RendererReport, Report, RingReport, StarvedReport, Unit};
 pub use study::{Bins, Point, Study};
 pub use table::{Kind, Row, Table};
 pub use tilewright_rtl::pixel_planes::programs::Edges;

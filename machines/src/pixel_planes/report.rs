@@ -7,6 +7,7 @@ use tilewright_rtl::pixel_planes::PERIOD;
 use super::bin::Work;
 use super::clocks::{ProgramClocks, Tally};
 use super::config::Built;
+use super::geometry::GeometryReport;
 use super::model::{RegionTiming, RendererTiming, RingTiming, Starved, Timing};
 
 /// The report of a frame. Everything in it is counted in the simulated machine; nothing depends on the computer that runs it.
@@ -16,6 +17,8 @@ pub struct Report {
     pub machine: Built,
     /// Primitives of the scene, P.
     pub primitives: u64,
+    /// What the geometry processors did.
+    pub geometry: GeometryReport,
     /// The regions, in the order in which they were drawn: those with most primitives first.
     pub regions: Vec<RegionReport>,
     /// What each renderer did.
@@ -86,8 +89,43 @@ pub struct RingReport {
     pub planes: u64,
     /// The bits of both.
     pub bits: u64,
-    /// The same in parts of the bits that it can bring until the last one, from 0 to 1.
+    /// Clocks that these bits take, one after another.
+    pub clocks: u64,
+    /// The bits in parts of those that it can bring until the last one, from 0 to 1.
     pub load: f64,
+}
+
+/// A kind of unit that works on a frame while others work on it or on the next one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unit {
+    /// The geometry processors.
+    Geometry,
+    /// The renderers.
+    Renderers,
+    /// The ring.
+    Ring,
+    /// The frame buffer, which takes a plane in a clock.
+    FrameBuffer,
+}
+
+impl fmt::Display for Unit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Unit::Geometry => "geometry",
+            Unit::Renderers => "renderers",
+            Unit::Ring => "ring",
+            Unit::FrameBuffer => "frame buffer",
+        })
+    }
+}
+
+/// How long units of a kind work on a frame.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Busy {
+    /// The kind.
+    pub unit: Unit,
+    /// Clocks of the one of them that works longest, without those in which it waits.
+    pub clocks: u64,
 }
 
 /// Where a renderer had to wait for an instruction.
@@ -100,7 +138,13 @@ pub struct StarvedReport {
 }
 
 impl Report {
-    pub(super) fn new(machine: Built, primitives: usize, works: &[Work], timing: &Timing) -> Report {
+    pub(super) fn new(
+        machine: Built,
+        primitives: usize,
+        geometry: GeometryReport,
+        works: &[Work],
+        timing: &Timing,
+    ) -> Report {
         let region = |(work, timing): (&Work, &RegionTiming)| {
             let [primitives, drawn] = work.primitives;
             let &RegionTiming { renderer, given, free, starved, waited_for_store } = timing;
@@ -123,14 +167,16 @@ impl Report {
         };
         let mut programs = Tally::default();
         works.iter().for_each(|work| programs.add(work.programs));
-        let RingTiming { instructions, planes, bits, .. } = timing.ring;
+        let RingTiming { instructions, planes, bits, rate, .. } = timing.ring;
+        let clocks = bits.div_ceil(rate);
         Report {
             machine,
             primitives: primitives as u64,
+            geometry,
             regions: works.iter().zip(&timing.regions).map(region).collect(),
             renderers: timing.renderers.iter().map(renderer).collect(),
             programs: programs.used().collect(),
-            ring: RingReport { instructions, planes, bits, load: timing.ring.load() },
+            ring: RingReport { instructions, planes, bits, clocks, load: timing.ring.load() },
             first_starved: timing.first_starved.map(|Starved { renderer, clock }| StarvedReport { renderer, clock }),
             drawn: timing.drawn,
             sent: timing.sent,
@@ -140,6 +186,39 @@ impl Report {
     /// Simulated picoseconds until the last region was sent.
     pub fn picoseconds(&self) -> u64 {
         self.sent * PERIOD.picoseconds()
+    }
+
+    /// How long units of each kind work on the frame.
+    pub fn busy(&self) -> [Busy; 4] {
+        let renderers = self.renderers.iter().map(RendererReport::working).max().unwrap_or(0);
+        [
+            (Unit::Geometry, self.geometry.clocks),
+            (Unit::Renderers, renderers),
+            (Unit::Ring, self.ring.clocks),
+            (Unit::FrameBuffer, self.ring.planes),
+        ]
+        .map(|(unit, clocks)| Busy { unit, clocks })
+    }
+
+    /// What limits the rate of frames: the kind of unit that works longest on one.
+    pub fn limit(&self) -> Busy {
+        self.busy().into_iter().max_by_key(|it| it.clocks).expect("there are four kinds")
+    }
+
+    /// Clocks from a frame to the next one: the geometry of a frame is done while the one before is drawn and sent.
+    pub fn interval(&self) -> u64 {
+        self.geometry.clocks.max(self.sent)
+    }
+
+    /// Clocks from the beginning of a frame's geometry until it is sent.
+    pub fn latency(&self) -> u64 {
+        self.geometry.clocks + self.sent
+    }
+
+    /// Pixels that processors tested: all of its region for each primitive drawn, as they all do the same instruction.
+    pub fn tested(&self) -> u64 {
+        let drawn: u64 = self.regions.iter().map(|it| it.drawn).sum();
+        drawn * u64::from(self.machine.side).pow(2)
     }
 
     /// Primitives in all bins: each as often as it is in one.
@@ -168,7 +247,8 @@ impl Report {
 
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Built { width, height, renderers, side, queue, ring, strict, side_by_side, edges } = self.machine;
+        let Built { width, height, renderers, side, queue, ring, strict, side_by_side, edges, geometry, .. } =
+            self.machine;
         writeln!(f, "pixel-planes-5, {renderers} renderers of {side}x{side} pixels: {width}x{height} pixels,")?;
         let rule = if strict { "strict" } else { "the least word stays" };
         let manner = if side_by_side { "side by side" } else { "one at a time" };
@@ -178,7 +258,7 @@ impl fmt::Display for Report {
             _ => "in one length",
         };
         writeln!(f, "{rule}, edges {edges}, instructions {manner},")?;
-        writeln!(f, "queues of {queue} instructions, a ring of {ring} Mbit/s")?;
+        writeln!(f, "queues of {queue} instructions, a ring of {ring} Mbit/s, {geometry} geometry processors")?;
         let (regions, binned) = (self.regions.len(), self.binned());
         writeln!(f, "{} primitives, {binned} in the bins of {regions} regions\n", self.primitives)?;
 
@@ -218,24 +298,52 @@ impl fmt::Display for Report {
             )?;
         }
         self.write_ring(f)?;
-        let ms = |clocks: u64| (clocks * PERIOD.picoseconds()) as f64 / 1e9;
         writeln!(
             f,
             "A primitive that is drawn takes {:.1} clocks, with what a region takes by itself.",
             self.clocks_per_primitive()
         )?;
-        write!(
+        writeln!(
             f,
             "All is drawn after {} clocks, {:.3} ms, and sent after {}, {:.3} ms.",
             self.drawn,
             ms(self.drawn),
             self.sent,
             ms(self.sent)
-        )
+        )?;
+        self.write_geometry(f)
     }
 }
 
+/// Milliseconds of so many clocks.
+fn ms(clocks: u64) -> f64 {
+    (clocks * PERIOD.picoseconds()) as f64 / 1e9
+}
+
 impl Report {
+    /// What geometry takes, and what limits the rate of frames.
+    fn write_geometry(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let (processors, GeometryReport { transform, set_up, binning, clocks }) =
+            (self.machine.geometry, self.geometry);
+        let share = |of: u64| 100.0 * of as f64 / self.geometry.total().max(1) as f64;
+        writeln!(
+            f,
+            "Geometry takes {clocks} clocks, {:.3} ms, of the busiest of {processors} processors:",
+            ms(clocks)
+        )?;
+        writeln!(
+            f,
+            "{:.1} % transformation, {:.1} % set-up, {:.1} % binning, and that of the next frame runs while this one is drawn.",
+            share(transform),
+            share(set_up),
+            share(binning)
+        )?;
+        let (interval, latency) = (ms(self.interval()), ms(self.latency()));
+        writeln!(f, "So a frame is sent every {interval:.3} ms, {latency:.3} ms after its geometry began.")?;
+        let busy = self.busy().map(|Busy { unit, clocks }| format!("{unit} {clocks}"));
+        write!(f, "The longest at work is the {}: busy clocks are {}.", self.limit().unit, busy.join(", "))
+    }
+
     /// What the ring brought, and whether somebody had to wait for it.
     fn write_ring(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let RingReport { instructions, planes, load, .. } = self.ring;

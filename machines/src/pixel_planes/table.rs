@@ -156,7 +156,8 @@ impl Primitives<'_> {
         let mut tally = Tally::default();
         for (region, numbers) in self.bins.iter().enumerate() {
             let bin = Bin::new(region, &regions, &config);
-            let drawn = numbers.iter().map(|number| (program, bin.draw(program, &self.polygons[*number as usize])));
+            let draw = |number: u32| bin.draw(program, &self.polygons[number as usize]);
+            let drawn = numbers.iter().map(|&number| (number, program, draw(number)));
             tally.add(Work::of(&bin, drawn, [0; 3]).programs);
         }
         Ok(tally.used().next().map_or(0.0, |it| it.mean()))

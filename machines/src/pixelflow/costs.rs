@@ -2,6 +2,25 @@
 
 use serde::Serialize;
 
+/// Clocks of the network, of 5 ns: all times of the paper are whole ones (PFL-NET).
+pub type Ticks = u64;
+
+/// Of so many microseconds.
+///
+/// ```
+/// use tilewright_machines::pixelflow::{Costs, ticks};
+///
+/// assert_eq!(ticks(Costs::default().rasterize), 166);
+/// ```
+pub fn ticks(microseconds: f64) -> Ticks {
+    (microseconds * 200.0).round() as Ticks
+}
+
+/// In milliseconds.
+pub fn milliseconds(ticks: Ticks) -> f64 {
+    ticks as f64 / 200_000.0
+}
+
 /// The time of each step in microseconds.
 ///
 /// ```

@@ -3,6 +3,7 @@
 use serde::Serialize;
 use tilewright_rtl::lfb::Patches;
 use tilewright_rtl::parameter::{ParameterError, Screen};
+use tilewright_rtl::vc1::Vc1;
 use tilewright_scenes::Size;
 
 use super::cost::CostTable;
@@ -53,6 +54,15 @@ impl Config {
         Ok(self.pages.unwrap_or_else(|| (IMAGE_MEMORY_PIXELS / patches.pixels()).min(patches.count())))
     }
 
+    /// The hardware.
+    ///
+    /// # Errors
+    /// A parameter is out of range.
+    pub fn hardware(&self) -> Result<Vc1, ParameterError> {
+        self.check()?;
+        Vc1::new(self.patches()?, self.pages()?, self.processors)
+    }
+
     /// As a report shows it.
     pub(crate) fn built(&self) -> Result<Built, ParameterError> {
         let Config { size, processors, patch, cluster, costs, .. } = *self;
@@ -69,7 +79,7 @@ impl Config {
     }
 
     /// Checks what the hardware does not check itself.
-    pub(crate) fn check(&self) -> Result<(), ParameterError> {
+    fn check(&self) -> Result<(), ParameterError> {
         let Config { processors, cluster, costs, .. } = *self;
         let problem = if !(1..=Config::MAX_PROCESSORS).contains(&processors) {
             let most = Config::MAX_PROCESSORS;

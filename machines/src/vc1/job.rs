@@ -41,8 +41,32 @@ impl<'a> Job<'a> {
 
     /// That a processing element found no page for a pixel of a polygon.
     pub fn overflow(&self, processor: usize, polygon: u32) -> Overflow {
+        Overflow { processor, pages: self.pages, polygon, sufficient: self.sufficient_pages() }
+    }
+
+    /// Pages with which no processing element finds none.
+    fn sufficient_pages(&self) -> u32 {
         let demand = demand(&self.assignment, self.packets, &self.patches);
-        let sufficient = demand.iter().map(|it| it.pages).max().unwrap_or_default();
-        Overflow { processor, pages: self.pages, polygon, sufficient }
+        demand.iter().map(|it| it.pages).max().unwrap_or_default()
+    }
+}
+
+impl Config {
+    /// Pages in each buffer with which no processing element runs out of them in that frame; it may have fewer all the same.
+    ///
+    /// ```
+    /// use tilewright_machines::vc1::Config;
+    /// use tilewright_scenes::Scene;
+    ///
+    /// let projection = Scene::builtin("teapot").expect("a built-in scene").project()?;
+    /// let config = Config::new(projection.size);
+    /// assert!(config.sufficient_pages(&projection)? <= config.pages()?);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`Config::patches`].
+    pub fn sufficient_pages(&self, projection: &Projection) -> Result<u32, ParameterError> {
+        Ok(Job::new(self, projection)?.sufficient_pages())
     }
 }

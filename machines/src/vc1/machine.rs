@@ -1,7 +1,7 @@
 //! A VC-1 as a whole: built for a configuration, it renders a frame and reports.
 
 use tilewright_rtl::parameter::ParameterError;
-use tilewright_rtl::vc1::{Vc1, Vc1In, Vc1Out};
+use tilewright_rtl::vc1::{Vc1In, Vc1Out};
 use tilewright_scenes::{Frame, Projection};
 use tilewright_sim::{EngineKind, Simulation};
 
@@ -27,8 +27,7 @@ impl Machine {
     /// # Errors
     /// [`Error::Parameter`] if a parameter is out of range.
     pub fn new(config: Config) -> Result<Machine, Error> {
-        config.check()?;
-        let hardware = Hardware::new(&Vc1::new(config.patches()?, config.pages()?, config.processors)?)?;
+        let hardware = Hardware::new(&config.hardware()?)?;
         Ok(Machine { config, hardware })
     }
 

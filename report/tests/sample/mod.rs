@@ -2,7 +2,7 @@
 //! made up, as the introduction says.
 
 use tilewright_report::{
-    Axis, Chart, HeatMap, Origin, Page, Picture, Provenance, Rule, Section, Series, Statement, Table, Verdicts,
+    Axis, Chart, HeatMap, Link, Origin, Page, Picture, Provenance, Rule, Section, Series, Statement, Table, Verdicts,
 };
 
 /// The page.
@@ -30,6 +30,7 @@ pub fn page() -> Page {
         )
         .section(Section::new("Pictures").part(dots()).part(busy()).part(fine()))
         .section(Section::new("Numbers").part(forms()))
+        .section(Section::new("Other pages").links([Link::new("#section-1", "Statements", "The first section.")]))
 }
 
 /// MPG-EQ3: windows of the last level for 4ᵏ processors and aperture 2.

@@ -43,6 +43,12 @@ pub const ENTRIES: &[Entry] = &[
     pixel_planes::BACKING_STORE,
     pixel_planes::REGION_ALLOCATOR,
     pixel_planes::FRAME_BUFFER,
+    pixelflow::NODE,
+    pixelflow::COMMAND_DMA,
+    pixelflow::ARRAY_CONTROLLER,
+    pixelflow::LINEAR_EVALUATOR,
+    pixelflow::PIXEL,
+    pixelflow::NETWORK_SEQUENCER,
     pixelflow::NETWORK_PORT,
     pixelflow::COMPOSITOR,
 ];

@@ -1,25 +1,106 @@
 //! The entries of PixelFlow's node and its parts.
 
-use tilewright_hdl::{Bits, Codes, Scenario, Script, elaborate_at};
+mod scenarios;
 
-use super::shared::idle;
+use tilewright_hdl::{elaborate, elaborate_at};
+
 use super::{Entry, Parameter, Values};
-use crate::pixelflow::TRANSFER;
-use crate::pixelflow::compositor::{Compositor, CompositorIn, Mode};
-use crate::pixelflow::network_port::{NetworkPort, NetworkPortIn, Transfer};
+use crate::parameter::ParameterError;
+use crate::pixelflow::command_dma::CommandDma;
+use crate::pixelflow::compositor::Compositor;
+use crate::pixelflow::controller::ArrayController;
+use crate::pixelflow::linear_evaluator::LinearEvaluator;
+use crate::pixelflow::network_port::NetworkPort;
+use crate::pixelflow::network_sequencer::NetworkSequencer;
+use crate::pixelflow::node::{LONGEST_SETUP, MOST, Node};
+use crate::pixelflow::pixel::PixelProcessor;
+use crate::pixelflow::{ARRAY, TRANSFER, extents};
 
+const WIDTH: Parameter =
+    Parameter { name: "width", default: 8, min: 2, max: 256, meaning: "pixels in a line of a region, a power of two" };
+const HEIGHT: Parameter =
+    Parameter { name: "height", default: 4, min: 2, max: 256, meaning: "lines of a region, a power of two" };
+const WORDS: Parameter = Parameter {
+    name: "words",
+    default: 16,
+    min: 1,
+    max: MOST as u64,
+    meaning: "instructions that the node's memory holds",
+};
+const SETUP: Parameter = Parameter {
+    name: "setup",
+    default: 2,
+    min: 0,
+    max: LONGEST_SETUP as u64,
+    meaning: "clocks of the network before a word, which depend on the number of nodes",
+};
 const CHIPS: Parameter = Parameter { name: "chips", default: 2, min: 1, max: 64, meaning: "chips of the node" };
+const DEPTH: Parameter = Parameter {
+    name: "depth",
+    default: PixelProcessor::DEPTH as u64,
+    min: 2,
+    max: 32,
+    meaning: "enable flags of a pixel, one in another",
+};
 const PIXELS: Parameter = Parameter { name: "pixels", default: 4, min: 1, max: 1024, meaning: "pixels of a chip" };
 
 /// The bits of a byte.
-const WIDTH: u32 = 8;
+const BYTE: u32 = 8;
+
+pub(super) const NODE: Entry = Entry {
+    name: "pixelflow-node",
+    summary: "PixelFlow's node without its geometry processors: pixels that draw or shade, on a network that composes",
+    parameters: &[WIDTH, HEIGHT, WORDS, SETUP],
+    design: |values| Ok(elaborate(&node(values)?)?),
+    scenario: |values| Ok(scenarios::drawn_and_sent(&node(values)?)),
+};
+
+pub(super) const COMMAND_DMA: Entry = Entry {
+    name: "command-dma",
+    summary: "fetches the instructions of frames, one a clock",
+    parameters: &[WORDS],
+    design: |values| Ok(elaborate_at(&command_dma(values), ARRAY.period)?),
+    scenario: |values| Ok(scenarios::two_frames(&command_dma(values))),
+};
+
+pub(super) const ARRAY_CONTROLLER: Entry = Entry {
+    name: "array-controller",
+    summary: "takes instructions, and controls the linear evaluator and all pixels",
+    parameters: &[WIDTH, HEIGHT],
+    design: |values| Ok(elaborate_at(&controller(values)?, ARRAY.period)?),
+    scenario: |values| Ok(scenarios::drawn_and_given(&controller(values)?)),
+};
+
+pub(super) const LINEAR_EVALUATOR: Entry = Entry {
+    name: "linear-evaluator",
+    summary: "evaluates A x + B y + C at all pixels, a byte a clock",
+    parameters: &[WIDTH, HEIGHT],
+    design: |values| Ok(elaborate_at(&linear_evaluator(values)?, ARRAY.period)?),
+    scenario: |values| Ok(scenarios::two_expressions(&linear_evaluator(values)?)),
+};
+
+pub(super) const PIXEL: Entry = Entry {
+    name: "pixelflow-pixel",
+    summary: "an ALU of 8 bits, enable flags and 256 bytes of memory",
+    parameters: &[DEPTH],
+    design: |values| Ok(elaborate_at(&pixel(values), ARRAY.period)?),
+    scenario: |values| Ok(scenarios::add_compare_and_copy(&pixel(values))),
+};
+
+pub(super) const NETWORK_SEQUENCER: Entry = Entry {
+    name: "network-sequencer",
+    summary: "schedules the words of a direction of the network",
+    parameters: &[PIXELS, SETUP],
+    design: |values| Ok(elaborate_at(&sequencer(values), TRANSFER)?),
+    scenario: |values| Ok(scenarios::loaded_and_forwarded(&sequencer(values))),
+};
 
 pub(super) const NETWORK_PORT: Entry = Entry {
     name: "network-port",
     summary: "connects a node to the network that composes images",
     parameters: &[CHIPS, PIXELS],
     design: |values| Ok(elaborate_at(&network_port(values), TRANSFER)?),
-    scenario: |values| Ok(composed_and_unloaded(&network_port(values))),
+    scenario: |values| Ok(scenarios::composed_and_unloaded(&network_port(values))),
 };
 
 pub(super) const COMPOSITOR: Entry = Entry {
@@ -27,67 +108,40 @@ pub(super) const COMPOSITOR: Entry = Entry {
     summary: "sends on the lesser of two words of each pixel, byte by byte",
     parameters: &[PIXELS],
     design: |values| Ok(elaborate_at(&compositor(values), TRANSFER)?),
-    scenario: |values| Ok(two_bytes(&compositor(values))),
+    scenario: |values| Ok(scenarios::two_bytes(&compositor(values))),
 };
 
+fn node(values: &Values) -> Result<Node, ParameterError> {
+    let [width, height, words, setup] = ["width", "height", "words", "setup"].map(|name| values.get_u32(name));
+    Node::new(width, height, words, setup)
+}
+
+fn command_dma(values: &Values) -> CommandDma {
+    CommandDma { words: values.get_u32("words") }
+}
+
+fn sequencer(values: &Values) -> NetworkSequencer {
+    NetworkSequencer { pixels: values.get_u32("pixels"), setup: values.get_u32("setup") }
+}
+
+fn controller(values: &Values) -> Result<ArrayController, ParameterError> {
+    let [width, height] = extents(values.get_u32("width"), values.get_u32("height"))?;
+    Ok(ArrayController { width, height })
+}
+
+fn linear_evaluator(values: &Values) -> Result<LinearEvaluator, ParameterError> {
+    let [width, height] = extents(values.get_u32("width"), values.get_u32("height"))?;
+    Ok(LinearEvaluator { width, height })
+}
+
+fn pixel(values: &Values) -> PixelProcessor {
+    PixelProcessor { depth: values.get_u32("depth") }
+}
+
 fn network_port(values: &Values) -> NetworkPort {
-    NetworkPort { chips: values.get_u32("chips"), pixels: values.get_u32("pixels"), width: WIDTH }
+    NetworkPort { chips: values.get_u32("chips"), pixels: values.get_u32("pixels"), width: BYTE }
 }
 
 fn compositor(values: &Values) -> Compositor {
-    Compositor { pixels: values.get_u32("pixels"), width: WIDTH }
-}
-
-/// Words of two bytes, of upstream and of the node, which pixels have in turn: the first is less than the other, then its second
-/// byte is more, then they are equal.
-const WORDS: [[[u64; 2]; 2]; 3] =
-    [[[0x10, 0x99], [0x20, 0x11]], [[0x30, 0x55], [0x30, 0x44]], [[0x40, 0x40], [0x40, 0x40]]];
-
-/// The bytes of all pixels as they come: whether it is the first of its word, the pixel, the bytes of upstream and of the node.
-fn bytes(pixels: u32) -> impl Iterator<Item = (u64, u64, [u64; 2])> {
-    let byte = move |number: usize| {
-        (0..u64::from(pixels)).map(move |pixel| {
-            let words = WORDS[pixel as usize % WORDS.len()];
-            (u64::from(number == 0), pixel, words.map(|word| word[number]))
-        })
-    };
-    (0..2).flat_map(byte)
-}
-
-fn two_bytes(compositor: &Compositor) -> Scenario {
-    let mut script = Script::new(compositor, TRANSFER);
-    let mode = Mode::Composite.code();
-    for (first, pixel, [upstream, own]) in bytes(compositor.pixels) {
-        script.clock(&CompositorIn { mode, advances: 1, first, pixel, upstream, own });
-    }
-    script.wait(1);
-    script.finish("words of two bytes: of three pixels the first is less, then the node's own, then they are equal")
-}
-
-fn composed_and_unloaded(port: &NetworkPort) -> Scenario {
-    let mut script = Script::new(port, TRANSFER);
-    for mode in [Mode::Composite, Mode::Unload, Mode::Load] {
-        for (first, _, [upstream, own]) in bytes(port.pixels) {
-            let comes = u64::from(mode != Mode::Load);
-            script.clock_bits(&NetworkPortIn {
-                mode: Bits::new(2, mode.code()),
-                sends: Bits::new(1, 1 - comes),
-                first: Bits::new(1, (1 - comes) & first),
-                upstream: Transfer {
-                    valid: Bits::new(1, comes),
-                    first: Bits::new(1, comes & first),
-                    bytes: in_each_chip(port, upstream),
-                },
-                own: in_each_chip(port, own),
-            });
-        }
-    }
-    script.clock_bits(&idle(port));
-    script
-        .finish("words of two bytes come and are composed with the node's, then it takes others, then it sends its own")
-}
-
-fn in_each_chip(port: &NetworkPort, byte: u64) -> Bits {
-    let byte = Bits::new(WIDTH, byte);
-    (1..port.chips).fold(byte.clone(), |bytes, _| bytes.concat(&byte))
+    Compositor { pixels: values.get_u32("pixels"), width: BYTE }
 }

@@ -15,13 +15,51 @@
 //!
 //! | file | what is in it |
 //! |---|---|
+//! | [`array`] | controller, evaluator, pixels and communication registers |
+//! | [`command_dma`] | brings instructions to the array |
 //! | [`compositor`] | of two pixels, the nearer, byte by byte |
 //! | [`network_port`] | the compositors of a node, and whose turn it is |
+//! | [`network`] | the ports of all nodes |
+//! | [`network_sequencer`] | what a node does with each word that passes |
+//! | [`node`] | all of these |
+//! | [`instruction`] | what a node is told to do |
+//! | [`controller`] | what takes instructions and controls evaluator and pixels |
+//! | [`linear_evaluator`] | A x + B y + C at all pixels |
+//! | [`schedule`] | the clocks that it takes |
+//! | [`fields`] | what is where in a pixel |
+//! | [`programs`] | rasterization and shading |
+//! | [`emulator`] | what instructions do, by definition |
+//! | [`pixel`] | a pixel's ALU, flags and memory |
+//! | [`registers`] | bytes of each pixel that a port sees, too |
 
-use crate::prelude::Period;
+use crate::prelude::{Clock, ParameterError, Period};
 
+pub mod array;
+pub mod command_dma;
 pub mod compositor;
+pub mod controller;
+pub mod emulator;
+pub mod fields;
+pub mod instruction;
+pub mod linear_evaluator;
+#[cfg(test)]
+mod model;
+pub mod network;
 pub mod network_port;
+pub mod network_sequencer;
+pub mod node;
+pub mod pixel;
+pub mod registers;
+#[cfg(test)]
+mod testing;
+
+/// The clock of controller, evaluator and pixels: 100 MHz (facts E4).
+pub const ARRAY: Clock = Clock::new("array", Period::ns(10));
+
+/// The clock of the network: 100 MHz, on both edges (PFL-NET).
+pub const NETWORK: Clock = Clock::new("network", TRANSFER);
+pub mod programs;
+pub mod schedule;
 
 /// The time of a transfer: 200 MHz (PFL-NET).
 pub const TRANSFER: Period = Period::ns(5);
@@ -31,3 +69,15 @@ pub const PIXELS: u32 = 256;
 
 /// Chips of a node: 128 x 64 pixels (PFL-NODE).
 pub const CHIPS: u32 = 32;
+
+/// Pixels in a line of a region, and its lines, for which there is hardware.
+///
+/// # Errors
+///
+/// One of them is no power of two from 2 to 256.
+pub fn extents(width: u32, height: u32) -> Result<[u32; 2], ParameterError> {
+    if [width, height].iter().all(|extent| extent.is_power_of_two() && (2..=256).contains(extent)) {
+        return Ok([width, height]);
+    }
+    Err(ParameterError(format!("a region of {width} x {height} pixels: both have to be powers of two from 2 to 256")))
+}

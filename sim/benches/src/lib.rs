@@ -19,7 +19,7 @@ mod word;
 
 pub use engine::reset;
 pub use error::Error;
-pub use measure::{Effort, Watch, measure};
+pub use measure::{Effort, Rivals, Watch, measure};
 pub use report::{FORMAT, Figures, Made, Measurement, Report, Versions};
 pub use subject::{Family, HandWritten, Subject, USUAL};
 

@@ -19,29 +19,38 @@ pub struct Effort {
     pub time: Duration,
 }
 
+/// The models that a subject is measured beside; [`Rivals::default`] has none.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Rivals<'a> {
+    /// What makes them.
+    pub compilers: &'a [Compiler],
+    /// What they are made of, by names that [`Subject::verilog`] has; of all of those if none is named.
+    pub verilog: &'a [String],
+}
+
 /// Told what goes on and how much of it is done, from 0 to 1; says whether to go on.
 pub type Watch<'a> = &'a mut dyn FnMut(&'static str, f64) -> ControlFlow<()>;
 
-/// Measures a subject on all engines, or with compilers on the fastest one and in their Verilators.
+/// Measures a subject on all engines, or with rivals on the fastest one and in their Verilators.
 ///
 /// # Errors
 ///
 /// A contender fails, the checksums differ, or the watcher wants to stop.
-pub fn measure(subject: Subject, compilers: &[Compiler], effort: Effort, watch: Watch) -> Result<Measurement, Error> {
+pub fn measure(subject: Subject, rivals: Rivals, effort: Effort, watch: Watch) -> Result<Measurement, Error> {
     let mut show = |what, done| match watch(what, done) {
         ControlFlow::Continue(()) => Ok(()),
         ControlFlow::Break(()) => Err(Error::Interrupted { design: subject.to_string() }),
     };
     let mut contenders: Vec<Box<dyn Contender>> = Vec::new();
     // The interpreter would keep the runs of the others short.
-    let engines = engines().take(if compilers.is_empty() { usize::MAX } else { 1 });
+    let engines = engines().take(if rivals.compilers.is_empty() { usize::MAX } else { 1 });
     if subject.stimuli() > 1 {
         contenders.push(Box::new(AtOnce::new(subject)));
     }
     contenders.extend(engines.map(|engine| Box::new(OnEngine { engine, subject }) as _));
-    for compiler in compilers {
+    for compiler in rivals.compilers {
         show("building", 0.0)?;
-        contenders.extend(models(compiler, subject)?.into_iter().map(|model| Box::new(model) as _));
+        contenders.extend(models(compiler, subject, rivals.verilog)?.into_iter().map(|model| Box::new(model) as _));
     }
     show("measuring", 0.0)?;
     let cycles = sufficient_cycles(&contenders, effort.time, &mut || show("measuring", 0.0))?;

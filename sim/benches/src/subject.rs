@@ -109,7 +109,7 @@ pub const USUAL: [Subject; 6] = [
 ];
 
 /// Checksums that several simulators agree on: the subject, cycles, checksum.
-const KNOWN: [(&str, u64, u32); 34] = [
+const KNOWN: [(&str, u64, u32); 38] = [
     ("pim16", 1000, 0xcce1_f33c),
     ("pim16", 20_000, 0x0b77_df9a),
     ("pim16", 300_000, 0xd0c8_a649),
@@ -142,8 +142,12 @@ const KNOWN: [(&str, u64, u32); 34] = [
     ("pxpl128", 20_000, 0xb887_e3ed),
     ("vc1x3@32x16", 200_000, 0x5415_1b3b),
     ("vc1x16@160x120", 200_000, 0x2e82_4dfa),
-    ("renderer8", 20_000, 0x8bb3_78c6),
-    ("nodes2", 160_001, 0x77d3_59b2),
+    ("renderer8", 100, 0x01ff_ffe6),
+    ("renderer8", 1000, 0x7508_b567),
+    ("renderer8", 20_000, 0xff43_6de1),
+    ("renderer32", 20_000, 0xe61a_7d8d),
+    ("renderer64", 1000, 0x0250_5f1b),
+    ("renderer128", 1000, 0xe513_299d),
 ];
 
 /// A design written by hand in Verilog, with the same function as ours.
@@ -203,6 +207,22 @@ impl Subject {
             ],
             Family::Core | Family::Systolic | Family::Vc1 | Family::Renderer | Family::Nodes => Vec::new(),
         }
+    }
+
+    /// The name of the Verilog that is printed of a design, among those of [`Subject::verilog`].
+    pub const OUR_VERILOG: &str = "ours";
+
+    /// The names of what models can be made of: [`Subject::OUR_VERILOG`], and the modules that were written by hand.
+    ///
+    /// ```
+    /// use tilewright_benches::Subject;
+    ///
+    /// assert_eq!("pxpl64".parse::<Subject>()?.verilog(), ["ours", "pxpl", "pxpl_planes"]);
+    /// # Ok::<(), String>(())
+    /// ```
+    pub fn verilog(&self) -> Vec<&'static str> {
+        let by_hand = self.hand_written().into_iter().map(|it| it.module);
+        std::iter::once(Subject::OUR_VERILOG).chain(by_hand).collect()
     }
 
     /// How many stimuli there are at once.

@@ -19,12 +19,12 @@ pub struct Verilated {
     model: Model,
 }
 
-/// The models of a subject that a Verilator makes: of what we print of it, and of what was written by hand.
+/// The models of a subject that a Verilator makes: of what we print of it, and of what was written by hand; if some are named, of those alone.
 ///
 /// # Errors
 ///
 /// Verilator or clang does not take one.
-pub fn models(compiler: &Compiler, subject: Subject) -> Result<Vec<Verilated>, Error> {
+pub fn models(compiler: &Compiler, subject: Subject, named: &[String]) -> Result<Vec<Verilated>, Error> {
     let design = subject.design().map_err(tilewright_sim::Error::from)?;
     let ports = ports(&design);
     let build = |name: String, files: &[VerilogFile], top: &str, parameters: &[(&str, u32)]| {
@@ -34,8 +34,15 @@ pub fn models(compiler: &Compiler, subject: Subject) -> Result<Vec<Verilated>, E
         let name = format!("Verilator {}, {}", made.verilator, made.verilog);
         Ok::<_, Error>(Verilated { name, made, model })
     };
-    let mut models = vec![build("our Verilog".to_owned(), &verilog(&design), &design.top().name, &[])?];
+    let is_wanted = |name: &str| named.is_empty() || named.iter().any(|it| it == name);
+    let mut models = Vec::new();
+    if is_wanted(Subject::OUR_VERILOG) {
+        models.push(build("our Verilog".to_owned(), &verilog(&design), &design.top().name, &[])?);
+    }
     for HandWritten { module, text, parameter } in subject.hand_written() {
+        if !is_wanted(module) {
+            continue;
+        }
         let file = VerilogFile { name: format!("{module}.v"), text: text.to_owned() };
         models.push(build(file.name.clone(), &[file], module, &[parameter])?);
     }

@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 use std::time::Duration;
 use tilewright_benches::designs::{Processor, ProcessorIn, ProcessorOut};
-use tilewright_benches::{Effort, Subject, measure, reset};
+use tilewright_benches::{Effort, Rivals, Subject, measure, reset};
 use tilewright_sim::Simulation;
 
 /// Runs a subject through all known checksums of at most so many cycles.
@@ -77,6 +77,9 @@ fn vc1() {
 #[test]
 fn renderer() {
     check("renderer8", 20_000);
+    check("renderer32", 20_000);
+    check("renderer64", 1000);
+    check("renderer128", 1000);
 }
 
 #[test]
@@ -88,7 +91,8 @@ fn nodes() {
 fn every_stimulus_of_several_at_once() {
     for name in ["qt1*16", "qt3*5", "pim2*4", "simd3*3"] {
         let effort = Effort { rounds: 1, time: Duration::from_millis(1) };
-        let measured = measure(name.parse().unwrap(), &[], effort, &mut |_, _| ControlFlow::Continue(())).unwrap();
+        let measured =
+            measure(name.parse().unwrap(), Rivals::default(), effort, &mut |_, _| ControlFlow::Continue(())).unwrap();
         let names: Vec<&str> = measured.simulators.iter().map(|it| it.simulator.as_str()).collect();
         assert!(names[0].ends_with(" at once") && names[1] == "compiled engine", "{names:?}");
     }

@@ -1,6 +1,8 @@
 //! `tilewright reproduce`: the pages, their data, and what goes wrong.
 
+mod all;
 mod pixel_planes;
+mod pixelflow;
 mod quadtree;
 
 use crate::harness::Folder;
@@ -72,8 +74,11 @@ fn mistakes_are_said() {
     assert_eq!(said("reproduce quadtree -o report --polygons 0").0, 2);
     assert_eq!(said("reproduce pixel-planes-5 -o report --vectors 0").0, 2);
     assert_eq!(said("reproduce vc2 -o report").0, 2);
-    for (paper, other, own) in [("quadtree", "--vectors", "--polygons"), ("pixel-planes-5", "--polygons", "--vectors")]
-    {
+    for (paper, other, own) in [
+        ("quadtree", "--vectors", "--polygons"),
+        ("pixel-planes-5", "--polygons", "--vectors"),
+        ("all", "--vectors", "--polygons"),
+    ] {
         let (code, sentence) = said(&format!("reproduce {paper} -o report {other} 3"));
         let expected = format!("{other} is an option of another paper: for a quick look at this one give {own}");
         assert!(code == 2 && sentence.contains(&expected), "{code}: {sentence}");

@@ -5,7 +5,7 @@ use tilewright_scenes::{Scene, Size, compare, project_polygons};
 
 use super::*;
 use crate::pixel_planes::model::Model;
-use crate::pixel_planes::report::RegionReport;
+use crate::pixel_planes::report::{RegionReport, Unit};
 use crate::pixel_planes::{Edges, allocate, scene_clocks};
 
 /// A scene's frame and report, which is that of the golden rasterizer.
@@ -130,4 +130,21 @@ fn a_machine_that_cannot_be_is_refused() {
     assert!(refused(Config { side: 4, ..usual.clone() }).contains("8 to 256"));
     assert!(refused(Config { queue: 0, ..usual.clone() }).contains("from 1 to 4096"));
     assert!(refused(Config { ring: 5001, ..usual }).contains("a multiple of 40 from 40 to 327680"));
+}
+
+#[test]
+fn what_works_longest_on_a_frame_limits_it() {
+    let of = |geometry: u32, ring: u32| {
+        let report = drawn("teapot", (40, 30), |it| Config { renderers: 1, side: 64, geometry, ring, ..it });
+        (report.limit().unit, report)
+    };
+    let (unit, slow) = of(1, Config::AMPLE_RING);
+    assert_eq!(unit, Unit::Geometry);
+    assert!(slow.interval() == slow.geometry.clocks && slow.latency() == slow.geometry.clocks + slow.sent);
+    let (unit, fast) = of(256, Config::AMPLE_RING);
+    assert_eq!((unit, fast.interval()), (Unit::Renderers, fast.sent));
+    assert_eq!((fast.geometry.total(), fast.sent), (slow.geometry.total(), slow.sent));
+    assert_eq!(of(256, 400).0, Unit::Ring);
+    // Each primitive drawn is tested in all of its region.
+    assert_eq!(fast.tested(), fast.regions[0].drawn * 64 * 64);
 }

@@ -3,9 +3,10 @@
 use proptest::prelude::*;
 use tilewright_rtl::pixel_planes::PERIOD;
 use tilewright_rtl::pixel_planes::controller::ImageGenerationController;
-use tilewright_scenes::{Scene, ScreenVertex, project_polygons, set_up};
+use tilewright_scenes::{Scene, ScreenVertex, project_polygons, set_up, set_up_polygon};
 use tilewright_sim::Simulation;
 
+use super::worst::{LARGE, POLYGON};
 use super::*;
 
 /// The clocks from the first instruction of a primitive to that of the next, of the last of some equal ones, in the hardware.
@@ -72,6 +73,38 @@ fn edge_clocks(polygon: &Polygon, (x, y): (u32, u32), edges: Edges) -> u64 {
     bin.draw(&FLAT, polygon).iter().rev().skip(1).map(|it| it.skip + it.length).sum()
 }
 
+/// Pixels of the regions that the worst polygons are of.
+const PLACES: [(u32, u32); 2] = [(768, 768), (1408, 1408)];
+
+/// Corners round an ellipse that meets one of those regions, long and thin, as only such polygons have all of their edges in it; or those of the worst
+/// polygons, each moved a little.
+fn eight_corners() -> impl Strategy<Value = [(i32, i32); 8]> {
+    let guard = |at: f64| (at.round() as i32).clamp(-32_768, 32_767);
+    let ellipse = (
+        prop::sample::select(PLACES.to_vec()),
+        prop::array::uniform2(-100..2100i32),
+        (0.0..std::f64::consts::PI, 10.0..3000.0, 2000.0..46_000.0),
+        prop::array::uniform8(0.0..std::f64::consts::TAU),
+    );
+    let on_ellipse = ellipse.prop_map(move |((x, y), [right, below], (angle, short, long), mut around)| {
+        around.sort_by(f64::total_cmp);
+        let (x, y) = (f64::from(16 * x as i32 + right), f64::from(16 * y as i32 + below));
+        around.map(|at| {
+            let (along, across) = (long * at.cos(), short * at.sin());
+            (
+                guard(x + along * angle.cos() - across * angle.sin()),
+                guard(y + along * angle.sin() + across * angle.cos()),
+            )
+        })
+    });
+    let moved = (prop::sample::select(vec![LARGE, POLYGON]), prop::array::uniform8((-60..60i32, -60..60i32)));
+    let near_worst = moved.prop_map(|(corners, by)| {
+        std::array::from_fn(|i| (corners[i].0 + by[i].0, corners[i].1 + by[i].1))
+            .map(|(x, y): (i32, i32)| (x.clamp(-32_768, 32_767), y.clamp(-32_768, 32_767)))
+    });
+    prop_oneof![on_ellipse, near_worst]
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 2000, failure_persistence: None, ..ProptestConfig::default() })]
 
@@ -96,6 +129,19 @@ proptest! {
                 let worst: u64 = worst.iter().rev().skip(1).map(|it| it.skip + it.length).sum();
                 // One more, where there are no two edges to set the flag with.
                 prop_assert!(edge_clocks(&polygon, (768, 768), edges) <= worst, "{:?}, {:?}", kind, edges);
+            }
+        }
+    }
+
+    #[test]
+    fn no_polygon_of_eight_edges_takes_more_clocks_than_the_worst(corners in eight_corners()) {
+        let size = Size::new(2048, 2048).expect("the largest");
+        let polygons = set_up_polygon(&corners.map(|(x, y)| ScreenVertex { x, y, z: 1 << 20, rgb: [1, 2, 3] }), size);
+        for (polygon, place) in polygons.iter().flat_map(|polygon| PLACES.map(|place| (polygon, place))) {
+            for edges in Edges::ALL {
+                let worst = worst(&FLAT, Kind::Polygons, edges).expect("there is one");
+                let worst: u64 = worst.iter().rev().skip(1).map(|it| it.skip + it.length).sum();
+                prop_assert!(edge_clocks(polygon, place, edges) <= worst, "{:?}, {:?}", place, edges);
             }
         }
     }

@@ -23,7 +23,7 @@ const TRIANGLE: [(i32, i32); 3] = [(8865, 7605), (31_341, 31_976), (-31_620, -32
 
 /// All edges cross the region, so it is thin, and each of its two sides has at most 131,070: three edges of 24 bits and one of 23. (Four and four
 /// edges are more than five and three.)
-const LARGE: [(i32, i32); 8] = [
+pub(super) const LARGE: [(i32, i32); 8] = [
     (-31_340, -32_688),
     (-19_951, -21_463),
     (-2845, -4589),
@@ -35,7 +35,7 @@ const LARGE: [(i32, i32); 8] = [
 ];
 
 /// All edges cross the region, and have 15 bits as least half-planes.
-const POLYGON: [(i32, i32); 8] = [
+pub(super) const POLYGON: [(i32, i32); 8] = [
     (-32_762, -29_983),
     (-11_854, -10_596),
     (-987, -484),

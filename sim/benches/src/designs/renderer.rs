@@ -4,8 +4,8 @@
 //!  [ program ]==> instructions [ renderer ] planes ==> checksum
 //! ```
 //!
-//! Each region is cleared, drawn by triangles with planes of colour, of which the least words stay, and saved; it is sent while the
-//! next one is drawn.
+//! First comes a region of one triangle, so that pixels are sent soon; what follows goes on over and over. Each region is cleared, drawn by triangles with planes of colour, of which the least words stay, and saved; it is sent while the
+//! next one is drawn. The checksum has all planes that are sent, and all instructions that are taken.
 //!
 //! What it asks of a simulator: thousands of processors of one bit under one instruction, a tree that feeds them, and what decodes instructions.
 
@@ -40,27 +40,31 @@ impl Regions {
         Ok(Regions { renderer: Renderer::new(side, QUEUE)? })
     }
 
-    /// What it does over and over.
-    fn program(&self) -> Vec<Instruction<u64>> {
-        let triangles = (0..TRIANGLES).flat_map(|number| triangle(self.renderer.side(), number));
+    /// A region of the first triangles.
+    fn region(&self, triangles: u32) -> Vec<Instruction<u64>> {
+        let triangles = (0..triangles).flat_map(|number| triangle(self.renderer.side(), number));
         clear(0x20_40_60).into_iter().chain(triangles).chain(save(1)).collect()
     }
 
     /// The hardware; instructions are sent while `is_busy`.
     pub(super) fn work(&self, m: Module, is_busy: Signal) -> BenchOut {
-        let program = self.program();
+        let first = self.region(1);
+        let again = first.len() as u32;
+        let program = [first, self.region(TRIANGLES)].concat();
         let count = program.len() as u32;
         let at = m.reg("at", below(count)).reset(0);
         let words = m.memory("program", count, Instruction::widths(), ReadUnderWrite::Any).words(program);
         let (instructions, sent) = m.offer(is_busy, words.read_async(*at));
-        at.when(sent, mux(at.eq(count - 1), 0, at + 1));
+        at.when(sent, mux(at.eq(count - 1), u64::from(again), at + 1));
 
         let renderer = RendererIn { instructions, side_by_side: lit(1, 1) };
         let renderer = m.instance("u_renderer", &self.renderer, renderer);
         let plane = renderer.planes.take_when(1);
         let csum = m.reg("csum", bits(32)).reset(0);
         let number = cat![plane.plane, plane.line].zext(32);
-        csum.when(plane.taken, csum.rotate_left(1) + (folded(plane.bits.pack()) ^ number));
+        let pixels = mux(plane.taken, folded(plane.bits.pack()) ^ number, 0);
+        let instruction = mux(sent, (*at + 1).zext(32), 0);
+        csum.when(plane.taken | sent, csum.rotate_left(1) + pixels + instruction);
         BenchOut { csum: *csum }
     }
 }

@@ -1,0 +1,103 @@
+//! The sizes of a machine, and what its nodes do.
+
+use tilewright_rtl::parameter::ParameterError;
+use tilewright_rtl::pixelflow::array::PixelArray;
+use tilewright_rtl::pixelflow::programs::Edges;
+use tilewright_scenes::Size;
+
+use super::costs::{Costs, Ticks};
+use super::latency::Nodes;
+use super::screen::Screen;
+
+/// What a machine is built for.
+///
+/// ```
+/// use tilewright_machines::pixelflow::Config;
+/// use tilewright_scenes::Size;
+///
+/// let config = Config { nodes: 6, array: [32, 16], ..Config::new(Size::VGA) };
+/// assert_eq!((config.roles()?.rasterizers, config.screen()?.count()), (1, 20 * 30));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Config {
+    /// The screen in pixels.
+    pub size: Size,
+    /// Nodes, of which one holds the frame.
+    pub nodes: u32,
+    /// Those that shade; the non-texturing system has none.
+    pub shaders: u32,
+    /// Pixels of an array along x and y: powers of two from 8 to 256.
+    pub array: [u32; 2],
+    /// The form in which edges are sent.
+    pub edges: Edges,
+    /// The evaluator may have the next primitive's edges while the memory has what the one before leaves.
+    pub side_by_side: bool,
+    /// What is set up before each composition (PFL-SETUP).
+    pub set_up: Ticks,
+    /// What front end and frame buffer take.
+    pub costs: Costs,
+}
+
+impl Config {
+    /// The most nodes.
+    pub const MOST_NODES: u32 = 64;
+    /// The least pixels of an array along an axis.
+    pub const SMALLEST: u32 = 8;
+
+    /// The paper's machine: 20 nodes, 4 of them shaders, arrays of 128 x 64 pixels (PFL-NODE, PFL-CFG).
+    pub fn new(size: Size) -> Config {
+        Config {
+            size,
+            nodes: 20,
+            shaders: 4,
+            array: [128, 64],
+            edges: Edges::Least,
+            side_by_side: true,
+            set_up: 0,
+            costs: Costs::default(),
+        }
+    }
+
+    /// What the nodes do, but for the one that holds the frame.
+    ///
+    /// # Errors
+    /// Too few or too many nodes.
+    pub fn roles(&self) -> Result<Nodes, ParameterError> {
+        let (nodes, shaders, most) = (self.nodes, self.shaders, Config::MOST_NODES);
+        if nodes > most {
+            return Err(ParameterError(format!("{nodes} nodes: a machine has at most {most}")));
+        }
+        match nodes.checked_sub(shaders + 1).filter(|rasterizers| *rasterizers > 0) {
+            Some(rasterizers) => Ok(Nodes { rasterizers, shaders }),
+            None => Err(ParameterError(format!(
+                "{nodes} nodes with {shaders} shaders: one holds the frame, and none is left to rasterize; give at least {}",
+                shaders + 2
+            ))),
+        }
+    }
+
+    /// The hardware of each node's pixels.
+    ///
+    /// # Errors
+    /// There is no such array.
+    pub fn pixels(&self) -> Result<PixelArray, ParameterError> {
+        let [width, height] = self.array;
+        if width < Config::SMALLEST || height < Config::SMALLEST {
+            let least = Config::SMALLEST;
+            return Err(ParameterError(format!(
+                "an array of {width}x{height} pixels: the machine's have {least} to 256 along each side"
+            )));
+        }
+        PixelArray::new(width, height)
+    }
+
+    /// The screen's regions.
+    ///
+    /// # Errors
+    /// As [`Config::pixels`].
+    pub fn screen(&self) -> Result<Screen, ParameterError> {
+        self.pixels()?;
+        Ok(Screen::new(self.size, self.array))
+    }
+}

@@ -1,0 +1,67 @@
+//! The network in simulation, which composes the words of all nodes.
+
+use tilewright_rtl::pixelflow::TRANSFER;
+use tilewright_rtl::pixelflow::array::PixelArray;
+use tilewright_rtl::pixelflow::compositor::Mode;
+use tilewright_rtl::pixelflow::network::{Network, NetworkIn, NetworkOut};
+use tilewright_rtl::pixelflow::network_port::NetworkPort;
+use tilewright_sim::{Bits, EngineKind, Simulation};
+
+use super::Words;
+use crate::error::Error;
+
+/// One way of the network.
+pub(in crate::pixelflow) struct Way {
+    sim: Simulation<NetworkIn, NetworkOut>,
+    nodes: usize,
+}
+
+impl Way {
+    /// Of so many nodes.
+    pub fn new(array: &PixelArray, nodes: usize, engine: EngineKind) -> Result<Way, Error> {
+        let port = NetworkPort { chips: array.chips(), pixels: array.pixels(), width: 8 };
+        let mut sim = Simulation::at(&Network { nodes: nodes as u32, port }, TRANSFER)?.on(engine);
+        for node in sim.i.nodes.clone() {
+            sim.set(node.mode, Mode::Forward as u64);
+            sim.set(node.sends, false);
+            sim.set(node.first, false);
+        }
+        sim.try_reset()?;
+        Ok(Way { sim, nodes })
+    }
+
+    /// Sends words from the first node that has some to another one behind all of them; the others compose. Gives what that one gets.
+    ///
+    /// The words of node number n go n ticks later than those of the first.
+    ///
+    /// # Errors
+    /// [`Error::Simulation`].
+    pub fn send(&mut self, words: &[(usize, &Words)], to: usize, pixels: u64) -> Result<Words, Error> {
+        let nodes = self.sim.i.nodes.clone();
+        let (first, length) = (words[0].0, words[0].1.len());
+        nodes.iter().for_each(|node| self.sim.set(node.mode, Mode::Forward as u64));
+        for (number, _) in words {
+            let mode = if *number == first { Mode::Load } else { Mode::Composite };
+            self.sim.set(nodes[*number].mode, mode as u64);
+        }
+        self.sim.set(nodes[to].mode, Mode::Unload as u64);
+        let mut came: Vec<Bits> = Vec::with_capacity(length);
+        let target = self.sim.o.nodes[to];
+        // Until the last byte has left the network.
+        for tick in 0..length + self.nodes - first {
+            for (number, own) in words {
+                if let Some(bytes) = tick.checked_sub(number - first).and_then(|turn| own.get(turn)) {
+                    self.sim.set(nodes[*number].own, bytes);
+                }
+            }
+            self.sim.set(nodes[first].sends, tick < length);
+            self.sim.set(nodes[first].first, (tick as u64) < pixels);
+            if self.sim.get_u64(target.unloaded) == 1 {
+                came.push(self.sim.get(target.bytes));
+            }
+            self.sim.try_step()?;
+        }
+        debug_assert!(came.len() == length);
+        Ok(came)
+    }
+}

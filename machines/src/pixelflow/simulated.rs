@@ -1,0 +1,188 @@
+//! The three systems in the transaction model, with the paper's costs or others.
+
+use serde::Serialize;
+
+use super::costs::{Ticks, milliseconds, ticks};
+use super::latency::{Samples, Software, System, Times};
+use super::model::{Frame, FrontEnd, Resident, Shading, Timeline, Turn};
+use super::workload::Workload;
+
+/// What the paper leaves open, or to a formula.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct Choices {
+    /// What is set up before each composition (PFL-SETUP).
+    pub set_up: Ticks,
+    /// Which samples are shaded.
+    pub shades: Shades,
+    /// Colours go the way of the appearance words, in place of the other way beside them (PFL-NET).
+    pub one_way: bool,
+}
+
+/// Which of eight samples a shader works on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub enum Shades {
+    /// All: a region is shaded eight times.
+    EverySample,
+    /// What the samples of a pixel have in common: once.
+    OncePerPixel,
+}
+
+impl Default for Choices {
+    /// No time to set up, every sample, both ways.
+    fn default() -> Choices {
+        Choices { set_up: 0, shades: Shades::EverySample, one_way: false }
+    }
+}
+
+/// A frame in the model.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Simulated {
+    /// From its beginning to its last pixel in the frame buffer, in milliseconds.
+    pub latency: f64,
+    /// What each stage was busy with; of several nodes, the one that was longest.
+    pub busy: Times,
+}
+
+impl Software {
+    /// Bytes of a pixel's colour (PFL-BYTES).
+    const COLOUR: u32 = 3;
+    /// Renderings that have eight samples of a pixel between them, four each.
+    const RENDERINGS: usize = 2;
+
+    /// Regions of a rendering: with eight samples they are a quarter as large, as four samples are side by side.
+    pub fn regions_drawn(&self) -> usize {
+        let larger = if self.is_side_by_side() { 4 } else { 1 };
+        self.regions as usize * larger
+    }
+
+    /// Lets a frame run. Of the software's fields, those that tell of overlap and of the regions composed and shaded are the formula's; here they
+    /// follow from the workload, whose regions are [`Software::regions_drawn`].
+    ///
+    /// ```
+    /// use tilewright_machines::pixelflow::{Choices, Nodes, Samples, Software, System, Workload};
+    ///
+    /// // 19 rasterizers in perfect balance: 15 primitives each in each of 40 regions.
+    /// let software = Software::paper(System::NonTexturing, Nodes::paper(0), Samples::One);
+    /// let workload = Workload::balanced(19, 40, 15, software.draws());
+    /// let found = software.simulate(&workload, Choices::default()).latency;
+    /// let formula = Software { overlap: 1.0, ..software }.latency(19.0 * 40.0 * 15.0);
+    /// // They differ by the last primitive, and the first region's way to the frame buffer.
+    /// assert!((0.0..0.011).contains(&(found - formula)), "{found} ms, {formula} ms");
+    /// ```
+    ///
+    /// # Panics
+    /// The system shades, and there is no shader.
+    pub fn simulate(&self, workload: &Workload, choices: Choices) -> Simulated {
+        match self.system {
+            System::NonTexturing => self.simulate_resident(workload, choices),
+            System::Base | System::PreSort => self.simulate_regions(workload, choices),
+        }
+    }
+
+    /// What a primitive takes in a region.
+    pub fn draws(&self) -> Ticks {
+        ticks(match self.system {
+            System::NonTexturing => self.costs.rasterize_plain,
+            _ => self.costs.rasterize,
+        })
+    }
+
+    /// How the front end of a system that sorts does it.
+    ///
+    /// # Panics
+    /// It does not.
+    pub fn front_end(&self) -> FrontEnd {
+        match self.system {
+            System::Base => FrontEnd::Before(ticks(self.costs.transform)),
+            System::PreSort => {
+                FrontEnd::TwoPasses { sorts: ticks(self.costs.sort), generates: ticks(self.costs.generate) }
+            }
+            System::NonTexturing => panic!("a system without textures sorts nowhere"),
+        }
+    }
+
+    fn simulate_resident(&self, workload: &Workload, choices: Choices) -> Simulated {
+        let frame = Resident {
+            workload,
+            overhead: ticks(self.costs.overhead),
+            transforms: ticks(self.costs.transform_plain),
+            samples: if self.samples == Samples::One { 1 } else { 8 },
+            composes: choices.set_up + self.composes(Software::PLAIN),
+            loads: ticks(self.costs.load),
+        };
+        let passes = frame.run();
+        let longest = |of: &dyn Fn(&super::Share) -> Ticks| workload.shares.iter().map(of).max().unwrap_or(0);
+        let regions = workload.regions as Ticks;
+        Simulated {
+            latency: milliseconds(passes.last().map_or(0, |pass| pass.loaded)),
+            busy: Times {
+                front: milliseconds(longest(&|it| frame.overhead + frame.transforms * it.primitives() as Ticks)),
+                generate: 0.0,
+                rasterize: milliseconds(frame.samples as Ticks * longest(&super::Share::draws)),
+                compose: milliseconds(frame.samples as Ticks * regions * frame.composes),
+                shade: 0.0,
+                load: milliseconds(regions * frame.loads),
+            },
+        }
+    }
+
+    fn simulate_regions(&self, workload: &Workload, choices: Choices) -> Simulated {
+        let turns = self.turns(workload.regions, choices);
+        let (overhead, front_end) = (ticks(self.costs.overhead), self.front_end());
+        let shaders = self.nodes.shaders as usize;
+        let frame = Frame { workload, overhead, front_end, turns, shaders, one_way: choices.one_way };
+        let time = frame.run();
+        Simulated { latency: milliseconds(time.latency()), busy: busy(&frame, &time) }
+    }
+
+    /// Each region's way from the rasterizers to the frame buffer.
+    fn turns(&self, regions: usize, choices: Choices) -> Vec<Turn> {
+        let renderings = if self.is_side_by_side() { Software::RENDERINGS } else { 1 };
+        // A region of eight samples has a quarter of the pixels that a shader has processors for: four are shaded together.
+        let together = match choices.shades {
+            Shades::OncePerPixel if self.is_side_by_side() => 4,
+            _ => 1,
+        };
+        let whole = ticks(self.costs.addresses + self.costs.look_up);
+        let composes = choices.set_up + self.composes(Software::APPEARANCE);
+        let colours = choices.set_up + self.composes(Software::COLOUR);
+        let loads = ticks(self.costs.load * self.regions) * together as Ticks / regions as Ticks;
+        let turn = |region: usize, rendering: usize| {
+            let is_last = rendering + 1 == renderings && (region % together + 1 == together || region + 1 == regions);
+            let takes = if is_last || together == 1 { whole } else { 0 };
+            let shader = region / together % self.nodes.shaders as usize;
+            let shading = Shading { shader, takes, sends: if is_last { colours } else { 0 } };
+            Turn { region: region as u16, composes, shades: Some(shading), loads: if is_last { loads } else { 0 } }
+        };
+        (0..regions).flat_map(|region| (0..renderings).map(move |rendering| turn(region, rendering))).collect()
+    }
+
+    fn composes(&self, bytes: u32) -> Ticks {
+        Ticks::from(bytes) * ticks(self.costs.composed_byte)
+    }
+
+    fn is_side_by_side(&self) -> bool {
+        self.system != System::NonTexturing && self.samples != Samples::One
+    }
+}
+
+/// What each stage did.
+fn busy(frame: &Frame, time: &Timeline) -> Times {
+    let most = |all: &[Ticks]| milliseconds(all.iter().copied().max().unwrap_or(0));
+    let of_turns = |of: &dyn Fn(&Turn) -> Ticks| frame.turns.iter().map(of).sum::<Ticks>();
+    let mut shaders = vec![0; frame.shaders];
+    for Shading { shader, takes, .. } in frame.turns.iter().filter_map(|turn| turn.shades) {
+        shaders[shader] += takes;
+    }
+    Times {
+        front: most(&time.front),
+        generate: most(&time.generated),
+        rasterize: most(&time.drawn),
+        compose: milliseconds(of_turns(&|turn| turn.composes)),
+        shade: most(&shaders),
+        load: milliseconds(of_turns(&|turn| turn.loads)),
+    }
+}
+
+#[cfg(test)]
+mod tests;

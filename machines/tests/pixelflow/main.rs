@@ -1,0 +1,4 @@
+//! The programs of a PixelFlow node, bit for bit what the golden frames are made of: each is run on an emulated pixel.
+
+mod rasterization;
+mod shading;

@@ -1,0 +1,248 @@
+//! Scenarios of PixelFlow's blocks. A scenario does not look at what the block answers, so what has to wait is held for as long as it is known to.
+
+use tilewright_hdl::{Bits, Codes, Scenario, Script, Stream};
+
+use super::super::shared::idle;
+use crate::pixelflow::command_dma::{CommandDma, CommandDmaIn, Commands, Store};
+use crate::pixelflow::compositor::{Compositor, CompositorIn, Mode};
+use crate::pixelflow::controller::{ArrayController, ArrayControllerIn};
+use crate::pixelflow::instruction::{Instruction, Sync};
+use crate::pixelflow::linear_evaluator::{Coefficients, LinearEvaluator, LinearEvaluatorIn};
+use crate::pixelflow::network_port::{NetworkPort, NetworkPortIn, Transfer};
+use crate::pixelflow::network_sequencer::{Job, NetworkSequencer, NetworkSequencerIn};
+use crate::pixelflow::node::{DirectionIn, Node, NodeIn};
+use crate::pixelflow::pixel::{
+    Begin, Condition, Control, Enabling, Flagging, Function, Mask, PixelProcessor, PixelProcessorIn, Source,
+};
+use crate::pixelflow::registers::PortAccess;
+use crate::pixelflow::{ARRAY, TRANSFER};
+
+/// Words of two bytes, of upstream and of the node, which pixels have in turn: the first is less than the other, then its second
+/// byte is more, then they are equal.
+const WORDS: [[[u64; 2]; 2]; 3] =
+    [[[0x10, 0x99], [0x20, 0x11]], [[0x30, 0x55], [0x30, 0x44]], [[0x40, 0x40], [0x40, 0x40]]];
+
+/// The bytes of all pixels as they come: whether it is the first of its word, the pixel, the bytes of upstream and of the node.
+fn bytes(pixels: u32) -> impl Iterator<Item = (u64, u64, [u64; 2])> {
+    let byte = move |number: usize| {
+        (0..u64::from(pixels)).map(move |pixel| {
+            let words = WORDS[pixel as usize % WORDS.len()];
+            (u64::from(number == 0), pixel, words.map(|word| word[number]))
+        })
+    };
+    (0..2).flat_map(byte)
+}
+
+pub(super) fn two_bytes(compositor: &Compositor) -> Scenario {
+    let mut script = Script::new(compositor, TRANSFER);
+    let mode = Mode::Composite.code();
+    for (first, pixel, [upstream, own]) in bytes(compositor.pixels) {
+        script.clock(&CompositorIn { mode, advances: 1, first, pixel, upstream, own });
+    }
+    script.wait(1);
+    script.finish("words of two bytes: of three pixels the first is less, then the node's own, then they are equal")
+}
+
+pub(super) fn composed_and_unloaded(port: &NetworkPort) -> Scenario {
+    let mut script = Script::new(port, TRANSFER);
+    for mode in [Mode::Composite, Mode::Unload, Mode::Load] {
+        for (first, _, [upstream, own]) in bytes(port.pixels) {
+            let comes = u64::from(mode != Mode::Load);
+            script.clock_bits(&NetworkPortIn {
+                mode: Bits::new(2, mode.code()),
+                sends: Bits::new(1, 1 - comes),
+                first: Bits::new(1, (1 - comes) & first),
+                upstream: Transfer {
+                    valid: Bits::new(1, comes),
+                    first: Bits::new(1, comes & first),
+                    bytes: in_each_chip(port, upstream),
+                },
+                own: in_each_chip(port, own),
+            });
+        }
+    }
+    script.clock_bits(&idle(port));
+    script
+        .finish("words of two bytes come and are composed with the node's, then it takes others, then it sends its own")
+}
+
+fn in_each_chip(port: &NetworkPort, byte: u64) -> Bits {
+    let byte = Bits::new(port.width, byte);
+    (1..port.chips).fold(byte.clone(), |bytes, _| bytes.concat(&byte))
+}
+
+/// A byte of depth inside an edge, in the bank that the network has next.
+fn depth_inside_an_edge() -> [Instruction<u64>; 4] {
+    let (source, everybody) = (Source::Expression.code(), Mask::Everybody.code());
+    let fill = Instruction { mask: everybody, stores: 1, length: 2, write: 256, c: 0xffff, ..Instruction::NOTHING };
+    let edge = Instruction {
+        source,
+        condition: Condition::Positive.code(),
+        enabling: Enabling::Replace.code(),
+        skip: 1,
+        a: 1,
+        c: (1 << 40) - 3,
+        ..Instruction::NOTHING
+    };
+    let mask = Mask::Enabled.code();
+    let depth = Instruction {
+        source,
+        mask,
+        stores: 1,
+        skip: 1,
+        length: 2,
+        write: 256,
+        a: 0x180,
+        b: 0x2000,
+        ..Instruction::NOTHING
+    };
+    let give = Instruction { sync: Sync::GiveBank.code(), ..Instruction::NOTHING };
+    [fill, edge, depth, give]
+}
+
+pub(super) fn drawn_and_given(controller: &ArrayController) -> Scenario {
+    let inputs = |valid, instruction, bank_done| ArrayControllerIn {
+        instructions: Stream::of(valid, instruction),
+        side_by_side: 0,
+        bank_done,
+        texture_done: 0,
+    };
+    let mut script = Script::new(controller, ARRAY.period);
+    let mut before = 1;
+    for instruction in depth_inside_an_edge() {
+        script.hold(&inputs(1, instruction, 0), before);
+        before = instruction.clocks();
+    }
+    // The bank is awaited, and the network has done with it in the last clock of these.
+    let wait = Instruction { sync: Sync::AwaitBank.code(), ..Instruction::NOTHING };
+    script.hold(&inputs(1, wait, 0), 4);
+    script.clock(&inputs(1, wait, 1));
+    script.clock(&inputs(1, wait, 0));
+    script.clock(&inputs(0, wait, 0));
+    script.wait(u64::from(controller.width.max(controller.height).trailing_zeros()) + 2);
+    script.finish("a word is cleared, and evaluated inside an edge; its bank is given to the network, and awaited")
+}
+
+pub(super) fn two_expressions(evaluator: &LinearEvaluator) -> Scenario {
+    let mut script = Script::new(evaluator, ARRAY.period);
+    for expression in [[0x00c0, 0, 0x0105], [0xffff, 2, 1]] {
+        for byte in 0..2 {
+            let [a, b, c] = expression.map(|number| number >> (8 * byte) & 0xff);
+            script.clock(&LinearEvaluatorIn { coefficients: Coefficients { a, b, c }, first: u64::from(byte == 0) });
+        }
+    }
+    script.clock(&LinearEvaluatorIn { coefficients: Coefficients { a: 0, b: 0, c: 0 }, first: 0 });
+    script.wait(u64::from(evaluator.latency()));
+    script.finish("0xc0 x + 0x105, and right behind it -x + 2 y + 1, in two bytes each, the lower one first")
+}
+
+pub(super) fn add_compare_and_copy(pixel: &PixelProcessor) -> Scenario {
+    let everybody = Control { mask: Mask::Everybody.code(), stores: 1, ..Control::NOTHING };
+    let add = Control { function: Function::Add.code(), begin: Begin::Zero.code(), ..everybody };
+    let subtract = Control { function: Function::Compare.code(), begin: Begin::One.code(), ..Control::NOTHING };
+    let source = Source::Expression.code();
+    let edge = Control { source, by_sign: 1, enabling: Enabling::Replace.code(), ..Control::NOTHING };
+    let (flagging, condition) = (Flagging::EnabledCondition.code(), Condition::Carry.code());
+    let copy = Control { function: Function::Word.code(), mask: Mask::Flagged.code(), stores: 1, ..Control::NOTHING };
+    let word = |control: Control<u64>, read: u64, write: u64, constant: u64| {
+        [0, 1].map(|byte| {
+            let begin = if byte == 0 { control.begin } else { Begin::Kept.code() };
+            let constant = constant >> (8 * byte) & 0xff;
+            Control { begin, constant, read: read + byte, write: write + byte, ..control }
+        })
+    };
+    let compare = word(subtract, 0, 0, 0x0210);
+    let program = [
+        &word(everybody, 0, 0, 0x01f0)[..],
+        &word(add, 0, 0, 0x0020),
+        &[edge],
+        &[compare[0], Control { flagging, condition, ..compare[1] }],
+        &word(copy, 0, 256, 0),
+        &[Control::NOTHING],
+    ];
+    let mut script = Script::new(pixel, ARRAY.period);
+    for &control in program.iter().copied().flatten() {
+        script.clock(&PixelProcessorIn { control, expression: 0x3c, register_byte: 0 });
+    }
+    script.wait(1);
+    script
+        .finish("0x01f0 is written and 0x20 added; inside an edge, and not less than 0x0210, it goes to the registers")
+}
+
+pub(super) fn two_frames(dma: &CommandDma) -> Scenario {
+    let mut script = Script::new(dma, ARRAY.period);
+    let none = Commands { base: 0, length: 0 };
+    let program = depth_inside_an_edge();
+    let words = u64::from(dma.words).min(program.len() as u64);
+    let inputs = |store: Option<u64>, frame: Option<u64>| CommandDmaIn {
+        store: Store {
+            writes: store.is_some().into(),
+            address: store.unwrap_or(0),
+            instruction: program[store.unwrap_or(0) as usize],
+        },
+        frames: Stream::of(frame.is_some().into(), frame.map_or(none, |length| Commands { base: 0, length })),
+    };
+    (0..words).for_each(|address| script.clock(&inputs(Some(address), None)));
+    script.ready("instructions", true);
+    script.clock(&inputs(None, Some(words)));
+    script.clock(&inputs(None, Some(1)));
+    script.clock(&inputs(None, None));
+    script.wait(words + 6);
+    script.finish("instructions are written; a frame of all is fetched, one a clock, and then one of the first alone")
+}
+
+pub(super) fn loaded_and_forwarded(sequencer: &NetworkSequencer) -> Scenario {
+    let mut script = Script::new(sequencer, TRANSFER);
+    let none = NetworkSequencerIn {
+        jobs: Stream::of(0, Job { mode: Mode::Forward.code(), bank: 0, bytes: 2 }),
+        given: 1,
+        go: 0,
+        pixel: 0,
+        advances: 0,
+    };
+    for mode in [Mode::Load, Mode::Forward] {
+        script
+            .clock(&NetworkSequencerIn { jobs: Stream::of(1, Job { mode: mode.code(), ..none.jobs.payload }), ..none });
+        script.hold(&none, u64::from(sequencer.setup) + 3);
+        script.clock(&NetworkSequencerIn { go: 1, ..none });
+        for pixel in (0..2).flat_map(|_| 0..u64::from(sequencer.pixels)) {
+            script.clock(&NetworkSequencerIn { advances: 1, pixel, ..none });
+        }
+    }
+    script.clock(&none);
+    script.wait(1);
+    script.finish("a word of two bytes is loaded from a bank that is given; then one is forwarded")
+}
+
+pub(super) fn drawn_and_sent(node: &Node) -> Scenario {
+    let program = depth_inside_an_edge();
+    let written = program.len().min(node.words() as usize);
+    let no_job = Job { mode: Mode::Load.code(), bank: 0, bytes: 2 };
+    let direction = |job: u64| DirectionIn {
+        jobs: Stream::of(job, no_job),
+        go: 1,
+        upstream: Transfer { valid: 0, first: 0, bytes: 0 },
+    };
+    let quiet = NodeIn {
+        store: Store { writes: 0, address: 0, instruction: Instruction::NOTHING },
+        frames: Stream::of(0, Commands { base: 0, length: written as u64 }),
+        side_by_side: 1,
+        texture: PortAccess { pixel: 0, address: 0, writes: 0, bytes: 0 },
+        texture_done: 0,
+        network: vec![direction(0), direction(0)],
+    };
+
+    let mut script = Script::new(node, ARRAY.period);
+    for (address, &instruction) in (0..).zip(&program[..written]) {
+        script.clock(&NodeIn { store: Store { writes: 1, address, instruction }, ..quiet.clone() });
+    }
+    script.clock(&NodeIn { frames: Stream::of(1, quiet.frames.payload), ..quiet.clone() });
+    // The network's clock is twice as fast: a job is shown for one of its edges alone.
+    script.in_clocks_of(TRANSFER);
+    script.clock(&NodeIn { network: vec![direction(1), direction(0)], ..quiet.clone() });
+    script.clock(&quiet);
+    let array = program.iter().map(Instruction::clocks).sum::<u64>() + u64::from(node.array().latency()) + 10;
+    let network = u64::from(node.setup() + 2 * node.port().pixels) + 10;
+    script.wait(2 * array + network);
+    script.finish("instructions are written and fetched; a word is drawn, its bank given, and the network sends it off")
+}

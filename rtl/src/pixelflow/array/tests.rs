@@ -1,0 +1,137 @@
+//! Random programs against what each instruction does to each pixel, and what the ports see.
+
+use proptest::prelude::*;
+use tilewright_sim::Simulation;
+
+use super::super::model::{Pixel, signed};
+use super::super::pixel::{Enabling, Flagging, Function, Mask, Source};
+use super::super::testing::{edge, instructions, processor_time};
+use super::*;
+
+type Array = Simulation<PixelArrayIn, PixelArrayOut>;
+
+fn started(array: &PixelArray, side_by_side: bool) -> Array {
+    let mut sim = Simulation::of(array).unwrap();
+    sim.set(sim.i.side_by_side, side_by_side);
+    sim.reset();
+    sim
+}
+
+/// Shows an instruction, or none, for a clock of the array; gives whether it is taken.
+fn clock(sim: &mut Array, instruction: Option<&Instruction<u64>>) -> bool {
+    let i = sim.i.clone();
+    sim.set(i.instructions.valid, instruction.is_some());
+    let ports = i.instructions.payload.leaves();
+    let values = instruction.unwrap_or(&Instruction::NOTHING).leaves();
+    ports.into_iter().zip(values).for_each(|((_, port), (_, value))| sim.set(port, value));
+    let taken = instruction.is_some() && sim.get_u64(i.instructions.ready) == 1;
+    sim.step_clock(ARRAY, 1);
+    taken
+}
+
+/// Sends the program, after pauses, and lets it end in the pixels; gives the clocks.
+fn run(sim: &mut Array, array: &PixelArray, program: &[Instruction<u64>], pauses: &[u32]) -> u64 {
+    let start = sim.cycles(ARRAY).unwrap();
+    for (number, instruction) in program.iter().enumerate() {
+        (0..pauses[number % pauses.len()]).for_each(|_| assert!(!clock(sim, None)));
+        while !clock(sim, Some(instruction)) {}
+    }
+    sim.set(sim.i.instructions.valid, 0);
+    while sim.get_u64(sim.o.idle) == 0 {
+        sim.step_clock(ARRAY, 1);
+    }
+    sim.step_clock(ARRAY, array.latency().into());
+    sim.cycles(ARRAY).unwrap() - start
+}
+
+/// All that a pixel of the circuit holds.
+fn held(sim: &mut Array, array: &PixelArray, x: u32, y: u32) -> Pixel {
+    let mut pixel = Pixel::new(PixelProcessor::DEPTH);
+    // A row for each chip, which has two lines.
+    let place = format!("[{}][{}]", y / 2, y % 2 * array.width() + x);
+    let name = |what: &str| format!("u_pixel{place}.{what}");
+    let number = |sim: &mut Array, what: &str| sim.peek(&name(what)).unwrap().to_u64().unwrap();
+    let byte = |sim: &Array, memory: &str, at: u64| sim.peek_memory(memory, at as u32).unwrap().to_u64().unwrap();
+    let registers = |instance: &str| format!("{instance}.bytes{place}");
+    let memories = [name("memory"), registers("u_bank0"), registers("u_bank1"), registers("u_texture")];
+    let ranges = [(0..256u64, 0), (256..288, 256), (288..320, 288), (320..384, 320)];
+    for (memory, (range, from)) in memories.iter().zip(ranges) {
+        range.for_each(|at| pixel.memory[at as usize] = byte(sim, memory, at - from));
+    }
+    pixel.accumulator = number(sim, "accumulator");
+    pixel.carry = number(sim, "carry");
+    pixel.flag = number(sim, "flag");
+    let enable = number(sim, "enable");
+    pixel.enable = (0..PixelProcessor::DEPTH).map(|flag| enable >> flag & 1).collect();
+    pixel
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 24, failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// Whatever overlaps, all is as if each instruction began when the one before has ended.
+    #[test]
+    fn instructions_do_what_they_do_one_after_another(
+        extents in prop::array::uniform2(1..4u32),
+        program in prop::collection::vec(instructions(), 1..60),
+        side_by_side in any::<bool>(),
+        pauses in prop::collection::vec(prop_oneof![4 => Just(0u32), 1 => 0..9u32], 1..8),
+    ) {
+        let [width, height] = extents.map(|extent| 1 << extent);
+        let array = PixelArray::new(width, height).unwrap();
+        let mut sim = started(&array, side_by_side);
+        run(&mut sim, &array, &program, &pauses);
+        for (x, y) in (0..height).flat_map(|y| (0..width).map(move |x| (x, y))) {
+            let mut pixel = Pixel::new(PixelProcessor::DEPTH);
+            for instruction in &program {
+                let [a, b, c] = [instruction.a, instruction.b, instruction.c].map(signed);
+                pixel.run(instruction, a * i128::from(x) + b * i128::from(y) + c);
+            }
+            prop_assert_eq!(held(&mut sim, &array, x, y), pixel, "pixel {} of line {}", x, y);
+        }
+    }
+}
+
+/// Nanoseconds a clock of the array of 128 x 64 pixels, by what it does, and how many of a network's transfer. Printed, and no more:
+/// `cargo test --release -p tilewright-rtl --lib -- --ignored --nocapture nanoseconds_of_the_machine_s_array`
+#[test]
+#[ignore = "it measures"]
+fn nanoseconds_of_the_machine_s_array() {
+    const CLOCKS: u64 = 20_000;
+    let array = PixelArray::new(128, 64).unwrap();
+    let word =
+        Instruction { mask: Mask::Everybody.code(), stores: 1, length: 8, read: 8, write: 40, ..Instruction::NOTHING };
+    let (expression, constant) = (Source::Expression.code(), Source::Constant.code());
+    let numbers = Instruction { a: 70_000, b: 50_000, c: 1 << 30, ..word };
+    let of = |source: u64, function: Function| Instruction { source, function: function.code(), ..numbers };
+    let edge = edge(Enabling::Restrict, [-3, 5, 1 << 20], 4);
+    let compare = Instruction { flagging: Flagging::EnabledCondition.code(), ..of(expression, Function::Compare) };
+    let all = [
+        ("nothing", Instruction::NOTHING),
+        ("an edge", edge),
+        ("an expression is written", of(expression, Function::Operand)),
+        ("an expression is compared", compare),
+        ("a constant is added", of(constant, Function::Add)),
+        ("a word is copied where flagged", Instruction { mask: Mask::Flagged.code(), ..of(constant, Function::Word) }),
+        ("a word is copied to the registers", Instruction { write: 256, ..of(constant, Function::Word) }),
+    ];
+    for (what, instruction) in all {
+        for port in ["rests", "reads", "writes"] {
+            let mut sim = started(&array, true);
+            clock(&mut sim, Some(&instruction));
+            sim.set(sim.i.network[0].writes, port == "writes");
+            sim.run(1000);
+            let begin = processor_time();
+            if port == "reads" {
+                for number in 0..2 * CLOCKS {
+                    sim.set(sim.i.network[0].pixel, number % 256);
+                    let _ = sim.get(sim.o.network_seen[0]);
+                    sim.step();
+                }
+            } else {
+                sim.run(2 * CLOCKS);
+            }
+            println!("{what}, the network {port}: {} ns", (processor_time() - begin) / CLOCKS);
+        }
+    }
+}

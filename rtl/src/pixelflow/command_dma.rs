@@ -1,0 +1,97 @@
+//! The command fetcher: reads a node's instructions from memory, a frame behind another (PFL-NODE, facts E4).
+//!
+//! ```text
+//! store ----------------------> [ memory ]
+//!                                 ^    | an instruction a clock
+//! frames ==>[ two ]==>[ next, left ]   v
+//!     base, length                  [ offered ]==> instructions
+//! ```
+//!
+//! The geometry processors write the instructions of frames, and say where each begins and how many they are. Two frames wait, so that one is fetched
+//! while the next is written.
+//!
+//! Latency 2 clocks from a frame that is taken to its first instruction, then one a clock for as long as somebody takes them; a clock between frames.
+
+use tilewright_blocks::StreamBlocks;
+
+use super::instruction::Instruction;
+use crate::prelude::*;
+
+block! {
+    /// Fetches the instructions of frames.
+    pub struct CommandDma {
+        /// Instructions that the memory holds.
+        pub words: u32,
+    }
+    latency = "2 clocks from a frame that is taken to its first instruction, then one a clock";
+    source = "Reducing Latency on PixelFlow, section 3 (PFL-NODE)";
+    in(self) CommandDmaIn {
+        /// From the geometry processors.
+        store: Store = self.store(),
+        /// Frames, one after another.
+        frames: stream(Commands = self.commands()),
+    }
+    out CommandDmaOut {
+        /// To the array.
+        instructions: stream(Instruction = Instruction::widths()),
+        /// There is nothing to fetch, and nothing on its way.
+        idle: bit(),
+    }
+}
+
+bundle! {
+    /// A write of the memory.
+    pub struct Store<T> {
+        /// An instruction is written.
+        pub writes: T,
+        /// Where.
+        pub address: T,
+        /// It.
+        pub instruction: Instruction<T>,
+    }
+
+    /// The instructions of a frame.
+    pub struct Commands<T> {
+        /// The address of the first.
+        pub base: T,
+        /// How many there are; behind the end of the memory comes its beginning.
+        pub length: T,
+    }
+}
+
+impl CommandDma {
+    /// Frames that wait (PFL-NODE).
+    pub const FRAMES: u32 = 2;
+
+    /// The widths of a write.
+    pub fn store(&self) -> Store<Width> {
+        Store { writes: bit(), address: below(self.words), instruction: Instruction::widths() }
+    }
+
+    /// The widths of where a frame's instructions are.
+    pub fn commands(&self) -> Commands<Width> {
+        Commands { base: below(self.words), length: up_to(self.words) }
+    }
+
+    fn build(&self, m: Module, i: CommandDmaIn) -> CommandDmaOut {
+        let memory = m.memory("memory", self.words, Instruction::widths(), ReadUnderWrite::Any);
+        memory.write(i.store.writes, i.store.address, i.store.instruction);
+        let frames = m.fifo("u_frames", CommandDma::FRAMES, i.frames);
+        let left = m.reg("left", up_to(self.words)).reset(0);
+        let next = m.reg("next", below(self.words));
+        let frame = frames.take_when(left.eq(0));
+
+        // The next one is read when the one before goes.
+        let arrived = m.reg("arrived", bit()).reset(0);
+        let reads = m.wire("reads", bit());
+        let (instructions, sent) = m.offer(*arrived, memory.read_when(reads, next));
+        reads.drive(left.ne(0) & (!arrived | sent));
+        left.when(frame.taken, frame.length).when(reads, left - 1);
+        next.when(frame.taken, frame.base).when(reads, mux(next.eq(self.words - 1), 0, next + 1));
+        arrived.when(reads, 1).when(sent, 0);
+        CommandDmaOut { instructions, idle: !frame.valid & left.eq(0) & !arrived }
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,243 @@
+//! The array's controller: takes instructions, sends coefficients byte by byte and says to all pixels what to do (PFL-NODE, facts E4).
+//!
+//! ```text
+//!                  .---------.               .-----------------.  a, b, c, a byte a clock, first
+//!                  |         |-------------->| evaluator slot  |------------------------------> evaluator
+//! instructions ===>| needs   |               | coefficients >> |----.
+//!                  |         |               '-----------------'    |  control of pixels
+//!                  |         |               .-----------------.    +--->[ evaluator's latency ]--> pixels
+//!                  |         |--->[waiting]->| memory slot     |----'
+//!                  '---------'               | constant >>     |
+//!                       ^                    '-----------------'
+//!   under way: banks, texture unit <-- claimed, done
+//! ```
+//!
+//! What needs the evaluator, or looks at `enable` or changes it, goes to the one slot; all else, such as copies where a flag is set, to the other. So
+//! what a primitive leaves is still being written while the evaluator has the next one's edges, whose signs go past the ALU. One more
+//! instruction may wait for the memory. Instructions are taken in order, at most one a clock, and begin right behind the one before:
+//!
+//! | an instruction | is taken when |
+//! |---|---|
+//! | on the evaluator | its slot ends in this clock, and what the memory has to do will before the word, if that needs ALU or memory, too |
+//! | on the memory | nothing waits, or the memory slot ends in this clock; and what the evaluator slot has needs no ALU, or ends, too |
+//! | any, one at a time | both slots end in this clock |
+//! | that is in step with a port | both slots end in this clock, and what it waits for is no longer under way |
+//!
+//! Coefficients are loaded at the edge at which an instruction begins, so the array never waits while instructions come.
+//!
+//! Latency 1 clock from an instruction to its first bytes, which go to the evaluator; the control of pixels is as late as the expression.
+
+use self::slot::{Order, Slot};
+use super::instruction::{Instruction, LONGEST, Sync};
+use super::linear_evaluator::{Coefficients, LinearEvaluator};
+use super::pixel::{Condition, Control, Enabling, Flagging, Function, Mask, PixelProcessor, Source};
+use crate::prelude::*;
+
+mod slot;
+
+/// Banks of communication registers that the network has.
+pub const BANKS: u32 = 2;
+
+block! {
+    /// Takes the instructions of a node, and controls its evaluator and its pixels.
+    pub struct ArrayController {
+        /// Pixels in a line of a region; a power of two.
+        pub width: u32,
+        /// Its lines; a power of two.
+        pub height: u32,
+    }
+    latency(self) = format!(
+        "1 clock to the coefficients' bytes, {} to the control of pixels; the next instruction begins with the last byte",
+        1 + self.evaluator().latency(),
+    );
+    source = "Reducing Latency on PixelFlow, section 3 (PFL-NODE)";
+    in ArrayControllerIn {
+        /// What to do.
+        instructions: stream(Instruction = Instruction::widths()),
+        /// Evaluator and memory may each have an instruction; while it is low, one begins when the one before has ended.
+        side_by_side: bit(),
+        /// The network has done with a bank: a bit for each.
+        bank_done: bits(BANKS),
+        /// The texture unit has done.
+        texture_done: bit(),
+    }
+    out(self) ArrayControllerOut {
+        /// To the evaluator.
+        coefficients: Coefficients = Coefficients { a: bits(8), b: bits(8), c: bits(8) },
+        /// They are the first bytes of an expression.
+        first: bit(),
+        /// To the pixels.
+        control: Control = Control::widths(),
+        /// To network and texture unit, with the pixels' control: at the edge behind it is what the instructions so far have written.
+        given: pub struct Given {
+            /// A bank is for the network now: a bit for each.
+            banks: bits(BANKS),
+            /// The texture unit begins.
+            texture: bit(),
+        },
+        /// Nothing is under way but in the pixels.
+        idle: bit(),
+    }
+}
+
+bundle! {
+    /// What goes to the pixels, and with it to the ports.
+    struct Sent<T> { control: Control<T>, given: Given<T> }
+}
+
+/// What an instruction needs.
+struct Needs {
+    on_evaluator: Signal,
+    /// ALU or memory, in the clocks of its word.
+    on_memory: Signal,
+    expression: Signal,
+    by_sign: Signal,
+}
+
+impl Needs {
+    fn of(i: &Instruction) -> Needs {
+        net!(expression = i.source.is(Source::Expression));
+        let any = |condition: Signal, codes: &[Enabling]| {
+            codes.iter().map(|code| i.enabling.is(*code)).fold(condition, |any, is| any | is)
+        };
+        // It looks at the expression's sign, if at anything.
+        net!(looks = any(lit(1, 0), &[Enabling::Replace, Enabling::Restrict, Enabling::Push]));
+        net!(by_sign = looks & expression & i.condition.is(Condition::Positive));
+        net!(writes = !i.mask.is(Mask::Nobody) & (i.accumulates | i.stores));
+        net!(quiet = i.function.is(Function::Operand) & !writes & i.flagging.is(Flagging::Keep) & (!looks | by_sign));
+        net!(
+            on_enable =
+                !i.enabling.is(Enabling::Keep) | i.mask.is(Mask::Enabled) | i.flagging.is(Flagging::EnabledCondition)
+        );
+        net!(on_evaluator = expression | on_enable);
+        Needs { on_evaluator, on_memory: !on_evaluator | !quiet, expression, by_sign }
+    }
+}
+
+impl ArrayController {
+    fn evaluator(&self) -> LinearEvaluator {
+        LinearEvaluator { width: self.width, height: self.height }
+    }
+
+    fn build(&self, m: Module, i: ArrayControllerIn) -> ArrayControllerOut {
+        let (evaluator, memory) = (Slot::new(m, "evaluator"), Slot::new(m, "memory"));
+        let waits = m.reg("waits", bit()).reset(0);
+        let waiting = m.reg("waiting", Order::widths());
+        let needs = Needs::of(&i.instructions);
+
+        // When the next instruction is taken.
+        net!(ahead = Order::clocks(*memory.left) + mux(waits, Order::clocks(waiting.length), 0));
+        net!(ends_in_time = ahead.le(Order::clocks(i.instructions.skip) + 1));
+        net!(evaluator_may = evaluator.ends & (!needs.on_memory | ends_in_time));
+        net!(memory_may = (!waits | memory.ends) & (evaluator.ends | !evaluator.on_memory()));
+        net!(both_end = evaluator.ends & memory.ends & !waits);
+        let ports = Ports::new(m, &i);
+        net!(in_turn = (i.side_by_side & i.instructions.sync.is(Sync::Nothing)) | both_end);
+        net!(may = mux(needs.on_evaluator, evaluator_may, memory_may) & in_turn & !ports.waits(&i.instructions));
+        let next = i.instructions.take_when(may);
+        ports.claim(m, &next);
+        let order = Order::of(&next, needs.on_memory, needs.by_sign);
+
+        // Where it goes.
+        net!(evaluator_begins = next.taken & needs.on_evaluator);
+        net!(for_memory = next.taken & !needs.on_evaluator);
+        net!(must_wait = for_memory & (waits | !memory.ends));
+        waits.when(must_wait, 1).when(memory.ends, 0);
+        waiting.when(must_wait, order);
+        net!(memory_begins = memory.ends & (waits | for_memory));
+        evaluator.begin(evaluator_begins, order);
+        memory.begin(memory_begins, mux(waits, waiting, order));
+
+        // Coefficients go to the evaluator, a byte a clock.
+        let [a, b] = [("a", next.a), ("b", next.b)]
+            .map(|(name, coefficient)| slot::byte_by_byte(m, name, evaluator_begins, coefficient));
+        let first = m.reg("first", bit()).reset(0);
+        first.next(evaluator_begins & needs.expression);
+
+        // Both slots control the pixels, one of them ALU and memory.
+        m.assert(
+            !(evaluator.on_memory() & evaluator.is_word & memory.is_word),
+            "of two instructions one has the memory",
+        );
+        let of_evaluator = evaluator.control();
+        let of_memory = mux(memory.is_word, memory.control(), of_evaluator);
+        let control = Control { enabling: of_evaluator.enabling, by_sign: of_evaluator.by_sign, ..of_memory };
+        let [here, there] = [evaluator.given(), memory.given()];
+        let given = Given { banks: here.banks | there.banks, texture: here.texture | there.texture };
+        let Sent { control, given } = self.later(m, Sent { control, given });
+
+        state_what_instructions_are(m, &next, &needs);
+        ArrayControllerOut {
+            coefficients: Coefficients { a, b, c: evaluator.constant },
+            first: *first,
+            control,
+            given,
+            idle: !next.valid & evaluator.left.eq(0) & memory.left.eq(0),
+        }
+    }
+
+    /// The same, as much later as the evaluator is with an expression.
+    fn later(&self, m: Module, sent: Sent) -> Sent {
+        let widths = || Sent { control: Control::widths(), given: Given { banks: bits(BANKS), texture: bit() } };
+        (1..=self.evaluator().latency()).fold(sent, |sent, clock| {
+            let register = m.reg(&format!("sent{clock}"), widths()).reset(0);
+            register.next(sent);
+            register.value()
+        })
+    }
+}
+
+/// What is under way outside: an instruction that gives it is taken, and who has it is not done.
+struct Ports {
+    banks: Reg,
+    texture: Reg,
+    bank_done: Signal,
+    texture_done: Signal,
+}
+
+impl Ports {
+    fn new(m: Module, i: &ArrayControllerIn) -> Ports {
+        Ports {
+            banks: m.reg("banks_under_way", bits(BANKS)).reset(0),
+            texture: m.reg("texture_under_way", bit()).reset(0),
+            bank_done: i.bank_done,
+            texture_done: i.texture_done,
+        }
+    }
+
+    /// The instruction waits for a port.
+    fn waits(&self, i: &Instruction) -> Signal {
+        net!(bank_is_out = (*self.banks & slot::bank(i.c)).ne(0));
+        net!(waits_for_bank = i.sync.is(Sync::AwaitBank) & bank_is_out);
+        waits_for_bank | (i.sync.is(Sync::AwaitTexture) & self.texture)
+    }
+
+    fn claim(&self, m: Module, next: &Taken<Instruction>) {
+        let bank = slot::bank(next.c);
+        let gives = next.sync.is(Sync::GiveBank);
+        let starts = next.sync.is(Sync::StartTexture);
+        self.banks.next((*self.banks & !self.bank_done) | mux(next.taken & gives, bank, 0));
+        self.texture.when(next.taken & starts, 1).when(self.texture_done, 0);
+        let state = |holds: Signal, message| m.assume(next.taken.implies(holds), message);
+        state(gives.implies((*self.banks & bank).eq(0)), "a bank is given when the network has done with it");
+        state(starts.implies(!*self.texture), "the texture unit begins when it has done");
+    }
+}
+
+fn state_what_instructions_are(m: Module, next: &Taken<Instruction>, needs: &Needs) {
+    let state = |holds: Signal, message| m.assume(next.taken.implies(holds), message);
+    state(next.length.ne(0) & next.length.le(LONGEST), "a word has 1 to 8 bytes");
+    state(needs.expression | next.skip.eq(0), "only of an expression bytes are skipped");
+    let end = up_to(2 * PixelProcessor::BYTES);
+    let is_inside = |first: Signal| {
+        let (first, length) = (first.zext(end), next.length.zext(end));
+        mux(next.descends, (first + 1).ge(length), (first + length).le(PixelProcessor::BYTES))
+    };
+    state(is_inside(next.read) & is_inside(next.write), "a word is within the memory of 384 bytes");
+    let is_code = next.source.is_code() & next.function.is_code() & next.begin.is_code() & next.condition.is_code();
+    let is_code = is_code & next.enabling.is_code() & next.flagging.is_code() & next.sync.is_code();
+    state(is_code, "each field has a code that there is");
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,175 @@
+//! Where an instruction is while its bytes are sent.
+
+use super::super::instruction::{Instruction, LONGEST, Sync};
+use super::super::pixel::{Begin, Control, Enabling, Flagging, Function, Mask};
+use super::{BANKS, Given};
+use crate::prelude::*;
+
+bundle! {
+    /// What an instruction says for all of its bytes.
+    pub struct Action<T> {
+        source: T, function: T, begin: T, mask: T, accumulates: T, stores: T, condition: T,
+        enabling: T, by_sign: T, flagging: T, on_memory: T, descends: T, gives: T, bank: T, starts: T,
+    }
+
+    /// What a slot is to do.
+    pub struct Order<T> { pub action: Action<T>, pub skip: T, pub length: T, pub read: T, pub write: T, pub constant: T }
+
+    /// What a slot knows of its order.
+    struct Held<T> { action: Action<T>, length: T }
+}
+
+impl Order<Width> {
+    pub fn widths() -> Order<Width> {
+        let i = Instruction::widths();
+        let action = Action {
+            source: i.source,
+            function: i.function,
+            begin: i.begin,
+            mask: i.mask,
+            accumulates: bit(),
+            stores: bit(),
+            condition: i.condition,
+            enabling: i.enabling,
+            by_sign: bit(),
+            flagging: i.flagging,
+            on_memory: bit(),
+            descends: bit(),
+            gives: bit(),
+            bank: bits(BANKS),
+            starts: bit(),
+        };
+        Order { action, skip: i.skip, length: i.length, read: i.read, write: i.write, constant: i.c }
+    }
+}
+
+impl Order {
+    pub fn of(i: &Instruction, on_memory: Signal, by_sign: Signal) -> Order {
+        let action = Action {
+            source: i.source,
+            function: i.function,
+            begin: i.begin,
+            mask: i.mask,
+            accumulates: i.accumulates,
+            stores: i.stores,
+            condition: i.condition,
+            enabling: i.enabling,
+            by_sign,
+            flagging: i.flagging,
+            on_memory,
+            descends: i.descends,
+            gives: i.sync.is(Sync::GiveBank),
+            bank: bank(i.c),
+            starts: i.sync.is(Sync::StartTexture),
+        };
+        Order { action, skip: i.skip, length: i.length, read: i.read, write: i.write, constant: i.c }
+    }
+
+    /// The number of clocks that it is, in as many bits as those of two words have.
+    pub fn clocks(number: Signal) -> Signal {
+        number.zext(up_to(2 * LONGEST))
+    }
+}
+
+/// The bank that a number counts: a bit for each.
+pub fn bank(number: Signal) -> Signal {
+    let second = number.bit(0);
+    concat(&[second, !second])
+}
+
+/// An instruction, byte by byte.
+pub struct Slot {
+    held: Reg<Held>,
+    /// Bytes to send, with this one.
+    pub left: Reg,
+    /// There is none to send, or the last.
+    pub ends: Signal,
+    /// This is one of the word.
+    pub is_word: Signal,
+    read: Reg,
+    write: Reg,
+    bytes: Reg,
+    /// A byte of the constant, which is the coefficient `c` of an expression.
+    pub constant: Signal,
+}
+
+impl Slot {
+    pub fn new(m: Module, name: &str) -> Slot {
+        let widths = Order::widths();
+        let named = |what: &str| format!("{name}_{what}");
+        let held = m.reg(name, Held { action: widths.action, length: widths.length }).reset(0);
+        let left = m.reg(&named("left"), up_to(2 * LONGEST)).reset(0);
+        let is_word = left.ne(0) & left.le(Order::clocks(held.length));
+        let bytes = m.reg(&named("bytes"), widths.constant);
+        Slot {
+            held,
+            left,
+            ends: left.le(1).named(&named("ends")),
+            is_word: is_word.named(&named("is_word")),
+            read: m.reg(&named("read"), widths.read),
+            write: m.reg(&named("write"), widths.write),
+            bytes,
+            constant: bytes.slice(0..8),
+        }
+    }
+
+    /// Takes an order at an edge where `begins` is high; else it goes on.
+    pub fn begin(&self, begins: Signal, order: Order) {
+        self.held.when(begins, Held { action: order.action, length: order.length });
+        let clocks = Order::clocks(order.skip) + Order::clocks(order.length);
+        self.left.when(begins, clocks).when(self.left.ne(0), self.left - 1);
+        let descends = self.held.action.descends;
+        let following = |address: Reg| mux(descends, address - 1, address + 1);
+        self.read.when(begins, order.read).when(self.is_word, following(self.read));
+        self.write.when(begins, order.write).when(self.is_word, following(self.write));
+        shift(self.bytes, begins, order.constant);
+    }
+
+    /// It needs ALU or memory now, or will.
+    pub fn on_memory(&self) -> Signal {
+        self.left.ne(0) & self.held.action.on_memory
+    }
+
+    fn is_last(&self) -> Signal {
+        self.is_word & self.left.eq(1)
+    }
+
+    /// What the pixels do.
+    pub fn control(&self) -> Control {
+        let action = self.held.action;
+        let is_first = self.left.eq(Order::clocks(self.held.length));
+        Control {
+            source: action.source,
+            constant: self.constant,
+            // Else the carry would not stay.
+            function: mux(self.is_word, action.function, Function::Operand),
+            begin: mux(is_first, action.begin, Begin::Kept),
+            mask: mux(self.is_word, action.mask, Mask::Nobody),
+            accumulates: action.accumulates,
+            stores: action.stores,
+            condition: action.condition,
+            enabling: mux(self.is_last(), action.enabling, Enabling::Keep),
+            by_sign: action.by_sign,
+            flagging: mux(self.is_last(), action.flagging, Flagging::Keep),
+            read: *self.read,
+            write: *self.write,
+        }
+    }
+
+    /// What is given to the ports: with the last byte.
+    pub fn given(&self) -> Given {
+        let action = self.held.action;
+        Given { banks: mux(self.is_last() & action.gives, action.bank, 0), texture: self.is_last() & action.starts }
+    }
+}
+
+/// Sends the number that comes with `begins` byte by byte, from the least significant on, and then its sign for ever.
+pub fn byte_by_byte(m: Module, name: &str, begins: Signal, number: Signal) -> Signal {
+    let bytes = m.reg(name, number.width());
+    shift(bytes, begins, number);
+    bytes.slice(0..8)
+}
+
+fn shift(bytes: Reg, begins: Signal, number: Signal) {
+    bytes.when(begins, number).otherwise((bytes.signed() >> 8).bits());
+}

@@ -1,0 +1,318 @@
+//! The controller clock by clock, the clocks of a primitive, and what it does not take.
+
+use proptest::prelude::*;
+use tilewright_sim::Simulation;
+
+use super::super::model::{controls, effect, signed, step};
+use super::super::pixel::Begin;
+use super::super::testing::{edge, instructions, triangle};
+use super::*;
+use crate::pixel_planes::schedule::{Schedule, Times};
+
+type Controller = Simulation<ArrayControllerIn, ArrayControllerOut>;
+
+fn started(side_by_side: u64) -> Controller {
+    let mut sim = Simulation::of(&ArrayController { width: 2, height: 2 }).unwrap();
+    sim.reset();
+    sim.drive(inputs(None, side_by_side));
+    sim
+}
+
+fn inputs(next: Option<&Instruction<u64>>, side_by_side: u64) -> ArrayControllerIn<u64> {
+    let instructions = Stream::of(next.is_some().into(), *next.unwrap_or(&Instruction::NOTHING));
+    ArrayControllerIn { instructions, side_by_side, bank_done: 0, texture_done: 0 }
+}
+
+/// Shows instructions one after another, for so many clocks; gives the clocks in which they are taken.
+fn run(sim: &mut Controller, instructions: &[Instruction<u64>], clocks: u64) -> Vec<u64> {
+    watched(sim, instructions, clocks, |_| {})
+}
+
+/// The same; what is sent is looked at in each clock.
+fn watched(
+    sim: &mut Controller,
+    instructions: &[Instruction<u64>],
+    clocks: u64,
+    mut look: impl FnMut(ArrayControllerOut<u64>),
+) -> Vec<u64> {
+    let (side_by_side, mut taken) = (sim.get_u64(sim.i.side_by_side), Vec::new());
+    for clock in 0..clocks {
+        let next = instructions.get(taken.len());
+        sim.drive(inputs(next, side_by_side));
+        if next.is_some() && sim.get_u64(sim.i.instructions.ready) == 1 {
+            taken.push(clock);
+        }
+        look(sim.read_u64());
+        sim.step();
+    }
+    taken
+}
+
+/// All write a byte that is added to.
+fn fill(length: u64, write: u64) -> Instruction<u64> {
+    let (function, begin, mask) = (Function::Add.code(), Begin::Zero.code(), Mask::Everybody.code());
+    Instruction { function, begin, mask, stores: 1, length, write, c: 0x0403_0201, ..Instruction::NOTHING }
+}
+
+/// What a flag chose is copied.
+fn copy(length: u64) -> Instruction<u64> {
+    let (function, mask) = (Function::Word.code(), Mask::Flagged.code());
+    Instruction { function, mask, stores: 1, length, read: 100, write: 200, ..Instruction::NOTHING }
+}
+
+fn evaluate(skip: u64, length: u64) -> Instruction<u64> {
+    let (source, mask) = (Source::Expression.code(), Mask::Enabled.code());
+    Instruction { source, mask, stores: 1, skip, length, c: 0xff_0403_0201, ..Instruction::NOTHING }
+}
+
+fn in_step(sync: Sync, bank: u64) -> Instruction<u64> {
+    Instruction { sync: sync.code(), c: bank, ..Instruction::NOTHING }
+}
+
+fn test(bytes: u64) -> Instruction<u64> {
+    edge(Enabling::Restrict, [0, 0, 0x0605_0403], bytes)
+}
+
+#[test]
+fn the_control_of_pixels_comes_with_the_expression() {
+    let mut sim = started(1);
+    let signals = [
+        "instructions_valid",
+        "instructions_ready",
+        "first",
+        "coefficients_c",
+        "evaluator_left",
+        "memory_left",
+        "control_mask",
+        "control_constant",
+        "control_begin",
+        "control_write",
+        "control_enabling",
+    ];
+    let wave = sim.record(signals);
+    // While three bytes are written, an edge is tested.
+    run(&mut sim, &[evaluate(1, 2), fill(3, 30), test(2)], 11);
+    wave.expect(
+        r"
+        clk                |~~~~~\____/~~~~~\____/~~~~~\____/~~~~~\____/~~~~~\____/~~~~~\____/~~~~~\____/~~~~~\____/
+        instructions_valid |~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~\_________________________________
+        instructions_ready |~~~~~~~~~~\_____________________/~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
+        first              |__________/~~~~~~~~~~\________________________________/~~~~~~~~~~\______________________
+        coefficients_c     | 0        | 1        | 2        | 3        | 4        | 3        | 4        | 5        |
+        evaluator_left     | 0        | 3        | 2        | 1        | 0        | 2        | 1        | 0        |
+        memory_left        | 0                                         | 3        | 2        | 1        | 0        |
+        control_mask       | Nobody                                               | Enabled             | Everyb.. |
+        control_constant   | 0                                         | 1        | 2        | 3        | 1        |
+        control_begin      | Kept                                                                       | Zero     |
+        control_write      | 0                                                               | 1        | 1e       |
+        control_enabling   | Keep                                                                                  |
+
+        clk                |~~~~~\____/~~~~~\____/~~~~~\____/
+        instructions_valid |_________________________________
+        instructions_ready |~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
+        first              |_________________________________
+        coefficients_c     | 6        | 0                   |
+        evaluator_left     | 0                              |
+        memory_left        | 0                              |
+        control_mask       | Everybody           | Nobody   |
+        control_constant   | 2        | 3        | 5        |
+        control_begin      | Kept                           |
+        control_write      | 1f       | 20       | 1        |
+        control_enabling   | Keep     | Restrict | Keep     |
+        ",
+    );
+}
+
+#[test]
+fn one_at_a_time_each_begins_with_the_last_byte_of_the_one_before() {
+    let program = [test(4), fill(3, 30), evaluate(5, 2), copy(8), in_step(Sync::GiveBank, 1), evaluate(7, 8), test(1)];
+    assert_eq!(run(&mut started(0), &program, 60), [0, 4, 7, 14, 22, 23, 38]);
+}
+
+#[test]
+fn side_by_side_only_what_meets_waits() {
+    let taken = |program: &[Instruction<u64>]| run(&mut started(1), program, 40);
+    // An edge does not; what has a word in the ALU begins so that it comes behind the copy.
+    assert_eq!(taken(&[copy(8), test(4), test(4)]), [0, 1, 5]);
+    assert_eq!(taken(&[copy(8), evaluate(2, 3)]), [0, 6]);
+    assert_eq!(taken(&[copy(8), evaluate(0, 3)]), [0, 8]);
+    let set = Instruction { enabling: Enabling::Set.code(), ..Instruction::NOTHING };
+    assert_eq!(taken(&[copy(8), set]), [0, 1]);
+    // A test that looks at the carry needs the ALU.
+    let by_carry = Instruction { condition: Condition::Carry.code(), ..test(1) };
+    assert_eq!(taken(&[copy(8), by_carry]), [0, 8]);
+    // An edge that also sets the flag does, too.
+    let captures = Instruction { flagging: Flagging::EnabledCondition.code(), ..test(4) };
+    assert_eq!(taken(&[copy(8), captures]), [0, 5]);
+    // What comes behind a word on its way to the memory waits for its end, but not behind an edge.
+    assert_eq!(taken(&[evaluate(2, 3), copy(8)]), [0, 5]);
+    assert_eq!(taken(&[test(4), copy(8)]), [0, 1]);
+    // One more waits for the memory.
+    assert_eq!(taken(&[copy(8), copy(8), test(4), copy(8), test(4)]), [0, 1, 2, 8, 9]);
+}
+
+/// As node and network have it: a bank is given, drained while the other one is filled, and given again.
+#[test]
+fn a_bank_is_awaited_until_the_network_has_done_with_it() {
+    let mut sim = started(1);
+    let signals =
+        ["instructions_ready", "banks_under_way", "bank_done", "given_banks", "control_write", "control_mask"];
+    let wave = sim.record(signals);
+    let program = [fill(2, 288), in_step(Sync::GiveBank, 1), in_step(Sync::AwaitBank, 0), in_step(Sync::AwaitBank, 1)];
+    let mut shown = program.iter().peekable();
+    for clock in 0..13 {
+        sim.drive(ArrayControllerIn { bank_done: if clock == 9 { 2 } else { 0 }, ..inputs(shown.peek().copied(), 1) });
+        shown.next_if(|_| sim.get_u64(sim.i.instructions.ready) == 1);
+        sim.step();
+    }
+    wave.expect(
+        r"
+        clk                |~~\__/~~\__/~~\__/~~\__/~~\__/~~\__/~~\__/~~\__/~~\__/~~\__/~~\__/~~\__/~~\__/
+        instructions_ready |~~~~~\_____/~~~~~~~~~~~\___________________________________/~~~~~~~~~~~~~~~~~~
+        banks_under_way    | 0               | 2                                       | 0               |
+        bank_done          | 0                                                   | 2   | 0               |
+        given_banks        | 0                                 | 2   | 0                                 |
+        control_write      | 0                     | 120 | 121 | 0                                       |
+        control_mask       | Nobody                | Everybody | Nobody                                  |
+        ",
+    );
+}
+
+#[test]
+fn the_texture_unit_is_awaited_until_it_has_done() {
+    let mut sim = started(1);
+    let (start, wait) = (in_step(Sync::StartTexture, 0), in_step(Sync::AwaitTexture, 0));
+    assert_eq!(run(&mut sim, &[wait, start, wait], 20), [0, 1]);
+    sim.drive(ArrayControllerIn { texture_done: 1, ..inputs(None, 1) });
+    sim.step();
+    let mut starts = Vec::new();
+    let taken = watched(&mut sim, &[wait, start], 8, |out| starts.push(out.given.texture));
+    assert_eq!(taken, [0, 1]);
+    // It is taken in clock 1, its byte goes to the pixels in clock 2, and they have it 3 clocks later, as an expression would be.
+    assert_eq!(starts, [0, 0, 0, 0, 0, 1, 0, 0]);
+}
+
+/// Clocks from the first instruction of a primitive to that of the next, when many of a kind come.
+fn clocks(program: &[Instruction<u64>], side_by_side: u64) -> u64 {
+    const MANY: usize = 6;
+    let mut sim = started(side_by_side);
+    let taken = run(&mut sim, &vec![program.to_vec(); MANY].concat(), 400);
+    assert_eq!(taken.len(), MANY * program.len());
+    let begins: Vec<u64> = taken.iter().step_by(program.len()).copied().collect();
+    let [.., before, last] = begins[..] else { unreachable!("many") };
+    assert_eq!(last - before, before - begins[MANY - 3], "it has settled");
+    last - before
+}
+
+/// Facts E4: 12 bytes of edges, 5 of depth, 9 of colours and 6 that are written, 0.32 us; side by side those 6 are written under the edges, and
+/// take the clock in which their instruction is taken.
+#[test]
+fn a_gouraud_triangle_takes_32_clocks_and_27_side_by_side() {
+    let program = triangle([[1, 2, 3]; 3], 4, [[1, 2, 3]; 4]);
+    assert_eq!([0, 1].map(|side_by_side| clocks(&program, side_by_side)), [32, 27]);
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 48, failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// Each byte of each instruction in its clock, and nothing in all others.
+    #[test]
+    fn every_byte_comes_in_its_clock(
+        program in prop::collection::vec(instructions(), 1..40),
+        side_by_side in any::<bool>(),
+        seed in any::<u64>(),
+    ) {
+        let controller = ArrayController { width: 2, height: 2 };
+        let late = u64::from(controller.evaluator().latency());
+        let mut sim = Simulation::of(&controller).unwrap().seeded(seed);
+        sim.reset();
+        sim.drive(inputs(None, side_by_side.into()));
+        let mut schedule = Schedule::new(side_by_side);
+        let times: Vec<Times> = program.iter().map(|next| schedule.take(&step(next))).collect();
+        let end = times.iter().map(|it| it.ends).max().unwrap();
+        let mut seen = Vec::new();
+        let taken = watched(&mut sim, &program, end + late + 2, |out| seen.push(out));
+        prop_assert_eq!(taken, times.iter().map(|it| it.taken).collect::<Vec<_>>());
+
+        let mut expected = vec![Control::NOTHING; seen.len()];
+        let mut first = vec![0; seen.len()];
+        for (next, Times { begins, .. }) in program.iter().zip(&times) {
+            if next.source == Source::Expression.code() {
+                first[*begins as usize] = 1;
+                for at in 0..next.skip + next.length {
+                    let sent = [next.a, next.b, next.c].map(|number| (signed(number) >> (8 * at)) as u64 & 0xff);
+                    let out = seen[(begins + at) as usize].coefficients;
+                    prop_assert_eq!([out.a, out.b, out.c], sent);
+                }
+            }
+            for (clock, control) in (begins + next.skip + late..).zip(controls(next)) {
+                let at = &mut expected[clock as usize];
+                let (enabling, by_sign) = (control.enabling, control.by_sign);
+                if step(next).on_memory {
+                    *at = Control { enabling: at.enabling, by_sign: at.by_sign, ..control };
+                }
+                if step(next).on_tree {
+                    *at = Control { enabling, by_sign, ..*at };
+                }
+            }
+        }
+        for (clock, (out, expected)) in seen.iter().zip(&expected).enumerate() {
+            prop_assert_eq!(out.first, first[clock], "clock {}", clock);
+            prop_assert_eq!(effect(&out.control), effect(expected), "clock {}", clock);
+            prop_assert_eq!([out.given.banks, out.given.texture], [0, 0]);
+        }
+        prop_assert_eq!(seen.last().unwrap().idle, 1);
+    }
+}
+
+fn taken_wrongly(wrong: Instruction<u64>) {
+    run(&mut started(1), &[wrong], 2);
+}
+
+#[test]
+#[should_panic(expected = "a word has 1 to 8 bytes")]
+fn an_empty_word_is_an_error() {
+    taken_wrongly(fill(0, 0));
+}
+
+#[test]
+#[should_panic(expected = "only of an expression bytes are skipped")]
+fn what_skips_without_an_expression_is_an_error() {
+    taken_wrongly(Instruction { skip: 1, ..fill(1, 0) });
+}
+
+#[test]
+#[should_panic(expected = "a word is within the memory of 384 bytes")]
+fn a_word_that_reaches_beyond_the_memory_is_an_error() {
+    taken_wrongly(fill(5, 380));
+}
+
+#[test]
+#[should_panic(expected = "a word is within the memory of 384 bytes")]
+fn a_word_that_goes_down_below_the_memory_is_an_error() {
+    taken_wrongly(Instruction { descends: 1, read: 7, ..fill(5, 3) });
+}
+
+#[test]
+fn words_at_both_ends_of_the_memory_are_taken() {
+    let down = Instruction { descends: 1, read: 383, ..fill(5, 4) };
+    assert_eq!(run(&mut started(1), &[fill(4, 380), down], 9), [0, 1]);
+}
+
+#[test]
+#[should_panic(expected = "each field has a code that there is")]
+fn a_code_that_does_not_exist_is_an_error() {
+    taken_wrongly(Instruction { function: 11, ..fill(1, 0) });
+}
+
+#[test]
+#[should_panic(expected = "a bank is given when the network has done with it")]
+fn a_bank_that_is_given_twice_is_an_error() {
+    run(&mut started(1), &[in_step(Sync::GiveBank, 1), in_step(Sync::GiveBank, 0), in_step(Sync::GiveBank, 1)], 9);
+}
+
+#[test]
+#[should_panic(expected = "the texture unit begins when it has done")]
+fn a_texture_unit_that_begins_twice_is_an_error() {
+    run(&mut started(1), &[in_step(Sync::StartTexture, 0), in_step(Sync::StartTexture, 0)], 9);
+}

@@ -1,0 +1,141 @@
+//! The instructions of a node: a word of some bytes, a byte a clock (facts E4).
+//!
+//! An instruction says itself what the processors do; it is decoded once, by the controller, and broadcast. With an expression, `skip` bytes of it
+//! come first that nobody looks at, such as a fraction, or all of an edge below its sign:
+//!
+//! ```text
+//! bytes of the expression     0 1 ..         skip            skip + length - 1
+//! the evaluator is taken      |---------------|--------------------|
+//! ALU and memory are taken                    |--------------------|   read, read + 1, ..  write, write + 1, ..
+//! ```
+//!
+//! So memory and ALU are free for the instruction before while an expression's lower bytes are on their way, and an expression is never interrupted.
+//!
+//! | field | in which bytes of the word |
+//! |---|---|
+//! | `begin` | the first: after it the carry is kept |
+//! | `enabling`, `flagging` | the last: it has the sign, and the carry of the whole |
+//! | all others | each |
+
+use super::pixel::{Begin, Condition, Enabling, Flagging, Function, Mask, PixelProcessor, Source};
+use crate::prelude::*;
+
+codes! {
+    /// What an instruction does besides, with the ports of the node.
+    pub enum Sync {
+        /// Nothing.
+        Nothing,
+        /// It waits until the bank of registers that `c` counts is free: the network has done with it.
+        AwaitBank,
+        /// The bank that `c` counts is given to the network, when the instruction has ended.
+        GiveBank,
+        /// It waits until the texture unit has done.
+        AwaitTexture,
+        /// The texture unit begins, when the instruction has ended.
+        StartTexture,
+    }
+}
+
+/// Bits of a coefficient, as many as the contract's depth planes have (facts E0).
+pub const COEFFICIENT: u32 = 40;
+
+/// The most bytes of a word; fewer are skipped before it.
+pub const LONGEST: u32 = 8;
+
+bundle! {
+    /// An instruction.
+    pub struct Instruction<T> {
+        /// Where the operand comes from: a [`Source`].
+        pub source: T,
+        /// What the ALU does: a [`Function`].
+        pub function: T,
+        /// The carry that comes into the first byte: a [`Begin`].
+        pub begin: T,
+        /// Who writes: a [`Mask`].
+        pub mask: T,
+        /// Results go to the accumulator.
+        pub accumulates: T,
+        /// Results go to memory.
+        pub stores: T,
+        /// What the last byte's `enabling` and `flagging` look at: a [`Condition`].
+        pub condition: T,
+        /// What becomes of the enable flags with the last byte: an [`Enabling`].
+        pub enabling: T,
+        /// What becomes of the flag with the last byte: a [`Flagging`].
+        pub flagging: T,
+        /// Bytes of the expression that come before the word; 0 without one.
+        pub skip: T,
+        /// Bytes of the word: 1 to [`LONGEST`].
+        pub length: T,
+        /// Addresses go down, from the most significant byte on: for shifts to the right.
+        pub descends: T,
+        /// The address of the first byte that is read.
+        pub read: T,
+        /// The address of the first byte that is written.
+        pub write: T,
+        /// What it does besides, with the ports: a [`Sync`].
+        pub sync: T,
+        /// Of the expression, in two's complement, relative to the region.
+        pub a: T,
+        /// Likewise.
+        pub b: T,
+        /// Likewise; the constant where there is no expression, from its least significant byte on. Longer words are of its sign.
+        pub c: T,
+    }
+}
+
+impl Instruction<Width> {
+    /// The widths of its fields.
+    pub fn widths() -> Instruction<Width> {
+        let coefficient = bits(COEFFICIENT);
+        Instruction {
+            source: one_of::<Source>(),
+            function: one_of::<Function>(),
+            begin: one_of::<Begin>(),
+            mask: one_of::<Mask>(),
+            accumulates: bit(),
+            stores: bit(),
+            condition: one_of::<Condition>(),
+            enabling: one_of::<Enabling>(),
+            flagging: one_of::<Flagging>(),
+            skip: below(LONGEST),
+            length: up_to(LONGEST),
+            descends: bit(),
+            read: below(PixelProcessor::BYTES),
+            write: below(PixelProcessor::BYTES),
+            sync: one_of::<Sync>(),
+            a: coefficient,
+            b: coefficient,
+            c: coefficient,
+        }
+    }
+}
+
+impl Instruction<u64> {
+    /// An instruction of one byte that does nothing, to begin with.
+    pub const NOTHING: Instruction<u64> = Instruction {
+        source: 0,
+        function: 0,
+        begin: 0,
+        mask: 0,
+        accumulates: 0,
+        stores: 0,
+        condition: 0,
+        enabling: 0,
+        flagging: 0,
+        skip: 0,
+        length: 1,
+        descends: 0,
+        read: 0,
+        write: 0,
+        sync: 0,
+        a: 0,
+        b: 0,
+        c: 0,
+    };
+
+    /// The clocks that it takes, without waiting.
+    pub fn clocks(&self) -> u64 {
+        self.skip + self.length
+    }
+}

@@ -1,0 +1,141 @@
+//! The linear evaluator: A x + B y + C at each pixel, a byte a clock, least significant byte first (PFL-NODE, facts E4).
+//!
+//! ```text
+//!            tree of a chip's pixels: 1 + log2 W levels         a sum for each of its pixels
+//!
+//!           .--[reg]-------> first line  ---> left half  ...
+//! c ------->+                                                --> c + b line + a x --.
+//!           '--[+ b][reg]--> second line ---> right half ...                        v
+//!                                                                   for each pixel (+)[reg]--> value
+//!           .--[reg]-------> upper half                                             ^
+//! 0 ------->+                            ...                 --> 2 b chip ----------'
+//!           '--[+ b][reg]--> lower half
+//!            tree of chips: log2 H - 1 levels                   a sum for each chip
+//! ```
+//!
+//! A chip has two lines of the region. A node of a tree has the sum for a span of pixels, or of chips, at its first one. Its left child passes that on,
+//! its right child adds half the span times a coefficient: the coefficient, shifted by a few places. Those are fewer than a byte's, so a level adds
+//! a byte of it with the top bits of the byte before. Each pixel adds what its place in the chip has and what its chip has: one adder a
+//! pixel, and few others.
+//!
+//! All is exact modulo 2 to the number of bits that are sent, so signs and fractions are those of the integers (facts E0).
+//!
+//! Latency 1 clock more than the larger tree has levels; a byte of each pixel a clock, and expressions right behind one another.
+
+use crate::prelude::*;
+
+block! {
+    /// Evaluates a linear expression at every pixel of a region.
+    pub struct LinearEvaluator {
+        /// Pixels in a line; a power of two, from 2 to 256.
+        pub width: u32,
+        /// Lines; a power of two, from 2 to 256.
+        pub height: u32,
+    }
+    latency(self) = format!("{} clocks from a coefficient's byte to the expression's at each pixel", self.latency());
+    source = "Reducing Latency on PixelFlow, section 3 (PFL-NODE)";
+    in(self) LinearEvaluatorIn {
+        /// A byte of each coefficient, beginning with the least significant.
+        coefficients: pub struct Coefficients {
+            /// Of what is added from a column to the next.
+            a: bits(8),
+            /// Of what is added from a line to the next.
+            b: bits(8),
+            /// Of the value at column 0 of line 0.
+            c: bits(8),
+        },
+        /// These are the first bytes of an expression.
+        first: bit(),
+    }
+    out(self) LinearEvaluatorOut {
+        /// A byte of the expression at each pixel, a row for each chip: its upper line, and then its lower one.
+        value: bits(8).of(grid(self.height / 2, 2 * self.width)),
+    }
+}
+
+impl LinearEvaluator {
+    /// Clocks from a coefficient's byte to the expression's: a clock a level, and one for the sum.
+    pub fn latency(&self) -> u32 {
+        self.levels() + 1
+    }
+
+    /// Levels of the larger tree. The other one begins later, so that both end in the same clock.
+    fn levels(&self) -> u32 {
+        (self.width.trailing_zeros() + 1).max(self.height.trailing_zeros() - 1)
+    }
+
+    fn build(&self, m: Module, i: LinearEvaluatorIn) -> LinearEvaluatorOut {
+        let (chips, pixels, levels) = (self.height / 2, 2 * self.width, self.levels());
+        let Coefficients { a, b, c } = i.coefficients;
+        let sent = Sent {
+            first: delays(m, "first", levels, i.first, true),
+            a: delays(m, "a", levels + 1, a, false),
+            b: delays(m, "b", levels + 1, b, false),
+        };
+        // By how many places each level shifts its coefficient.
+        let of_columns = (0..self.width.trailing_zeros()).rev().map(|places| (&sent.a, places));
+        let in_chip: Vec<_> = std::iter::once((&sent.b, 0)).chain(of_columns).collect();
+        let of_chips: Vec<_> = (1..self.height.trailing_zeros()).rev().map(|places| (&sent.b, places)).collect();
+        let tree = |name, root, added: &[(&Vec<Signal>, u32)]| {
+            let begins = levels - added.len() as u32;
+            let root = delays(m, &format!("{name}_root"), begins, root, false)[begins as usize];
+            added.iter().zip(0..).fold(root.of(row(1)), |parents, (&(coefficient, places), level)| {
+                let at = (begins + level) as usize;
+                let weighted = sent.weighted(coefficient, places, at);
+                children(m, &format!("{name}{level}"), parents, weighted, sent.first[at])
+            })
+        };
+        let (places, chip) = (tree("pixel", c, &in_chip), tree("chip", lit(8, 0), &of_chips));
+        let first = sent.first[levels as usize].of(grid(chips, pixels));
+        let value = sum(m, "value", places.to_rows(chips), chip.to_columns(pixels), first);
+        LinearEvaluatorOut { value }
+    }
+}
+
+/// What is sent, and what was some clocks ago.
+struct Sent {
+    first: Vec<Signal>,
+    a: Vec<Signal>,
+    b: Vec<Signal>,
+}
+
+impl Sent {
+    /// A byte of a coefficient that is shifted by so many places, so many clocks after it was sent: with the top bits of the byte before.
+    fn weighted(&self, coefficient: &[Signal], places: u32, clocks: usize) -> Signal {
+        let (byte, before) = (coefficient[clocks], coefficient[clocks + 1]);
+        if places == 0 {
+            return byte;
+        }
+        concat(&[byte.slice(0..8 - places), mux(self.first[clocks], 0, before.slice(8 - places..8))])
+    }
+}
+
+/// The sums of a level's nodes, a clock later: those of their parents, and of right children with the coefficient.
+fn children(m: Module, name: &str, parents: Signal, weighted: Signal, first: Signal) -> Signal {
+    let nodes = 2 * parents.count();
+    let is_right = constants(bits(8).of(row(nodes)), |node| u64::from(node % 2) * 0xff);
+    sum(m, name, parents.take(nodes, |node| node / 2), is_right & weighted, first.of(row(nodes)))
+}
+
+/// The signal, and the same some clocks later each, up to so many. What is a mark does not come before it is sent.
+fn delays(m: Module, name: &str, clocks: u32, signal: Signal, is_mark: bool) -> Vec<Signal> {
+    let mut delays = vec![signal];
+    for clock in 1..=clocks {
+        let register = m.reg(&format!("{name}{clock}"), signal.width());
+        let register = if is_mark { register.reset(0) } else { register };
+        register.next(delays[clock as usize - 1]);
+        delays.push(*register);
+    }
+    delays
+}
+
+/// The sum of words that come byte by byte, a clock later.
+fn sum(m: Module, name: &str, left: Signal, right: Signal, first: Signal) -> Signal {
+    let carry = m.reg(&format!("{name}_carry"), bit().of(left.shape()));
+    let total = left + right + (*carry & !first).zext(8);
+    carry.next(((left & right) | ((left | right) & !total)).msb());
+    m.pipe(&format!("{name}_sum"), total)
+}
+
+#[cfg(test)]
+mod tests;

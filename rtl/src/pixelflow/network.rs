@@ -1,0 +1,85 @@
+//! The network: the ports of all nodes, one behind the other (PFL-NET).
+//!
+//! ```text
+//!      node 0            node 1            node 2                  last node
+//!     own  mode         own  mode         own  mode               own  mode
+//!      v    v            v    v            v    v                  v    v
+//! --->[  port  ]------->[  port  ]------->[  port  ]--- ... ----->[  port  ]
+//!                            '-> unloaded      '-> unloaded            '-> unloaded
+//! ```
+//!
+//! Words go one way. What is less goes on, and each node that unloads has it; a second network of the same kind goes the other way (PFL-NET).
+//!
+//! Latency 1 clock a node, a byte of each chip a clock.
+
+use super::compositor::Mode;
+use super::network_port::{NetworkPort, NetworkPortIn, Transfer};
+use crate::prelude::*;
+
+block! {
+    /// Connects nodes with each other.
+    pub struct Network {
+        /// Nodes.
+        pub nodes: u32,
+        /// What connects each.
+        pub port: NetworkPort,
+    }
+    latency(self) = format!("1 clock a node; a byte of all pixels takes {}", self.port.pixels);
+    source = "Reducing Latency on PixelFlow, section 3 (PFL-NET)";
+    in(self) NetworkIn {
+        /// Of each node.
+        nodes: [NodeIn = self.node(); self.nodes],
+    }
+    out(self) NetworkOut {
+        /// To each node.
+        nodes: [NodeOut] = _,
+    }
+}
+
+bundle! {
+    /// What a node says to the network.
+    pub struct NodeIn<T> {
+        /// What it does: a [`Mode`]. It stays while a word goes.
+        pub mode: T,
+        /// If it loads: it sends a byte of each chip.
+        pub sends: T,
+        /// That is the first of a word.
+        pub first: T,
+        /// The bytes of its pixels whose turn it is.
+        pub own: T,
+    }
+
+    /// What it gets.
+    pub struct NodeOut<T> {
+        /// The pixel of each chip whose turn it is.
+        pub pixel: T,
+        /// A byte of it goes.
+        pub advances: T,
+        /// The bytes that come are for this node.
+        pub unloaded: T,
+        /// These: one of each chip.
+        pub bytes: T,
+    }
+}
+
+impl Network {
+    fn node(&self) -> NodeIn<Width> {
+        NodeIn { mode: one_of::<Mode>(), sends: bit(), first: bit(), own: self.port.transfer().bytes }
+    }
+
+    fn build(&self, m: Module, i: NetworkIn) -> NetworkOut {
+        let chips = row(self.port.chips);
+        let mut upstream = Transfer { valid: lit(1, 0), first: lit(1, 0), bytes: lit(self.port.width, 0).of(chips) };
+        let connect = |(number, node): (usize, NodeIn)| {
+            let NodeIn { mode, sends, first, own } = node;
+            let inputs = NetworkPortIn { mode, sends, first, upstream, own };
+            let port = m.instance(&format!("u_port{number}"), &self.port, inputs);
+            let bytes = std::mem::replace(&mut upstream, port.downstream).bytes;
+            NodeOut { pixel: port.pixel, advances: port.advances, unloaded: port.unloaded, bytes }
+        };
+        NetworkOut { nodes: i.nodes.into_iter().enumerate().map(connect).collect() }
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,157 @@
+//! The network sequencer: what a node does with each word that passes, and which byte of which bank is its own (PFL-NET, PFL-SETUP, facts E4).
+//!
+//! ```text
+//! jobs ==>[ mode, bank, bytes ]---> mode, bank, address, first
+//!              |       ^
+//!              v       | has the array given the bank?
+//!         set-up, ready ---> all nodes ---> go ---> sends, for the node that loads
+//!                                                     |
+//! pixel, advances ------------------------------------'---> the last byte of the last pixel: done
+//! ```
+//!
+//! A job is a word of each pixel of a region: its most significant byte of all pixels first. Byte j of n stands at address n - 1 - j of the bank, so a word
+//! is a number with its least significant byte at the lowest address, as the pixels work on it.
+//!
+//! Nobody on the network waits, so nobody may send before all are set. Every node has a job for each word, be it to forward it; when it
+//! has the bank and its set-up is over, it is ready, and the one that loads goes when all are. How long a set-up takes depends on the number of
+//! nodes, and the paper leaves it out (PFL-SETUP): it is a parameter.
+//!
+//! Latency: a job that is taken is ready 3 clocks and the set-up later, if it has its bank; the first byte goes the clock behind `go`, then one a clock, and
+//! the next job is taken the clock behind the last.
+
+use super::compositor::Mode;
+use super::controller::BANKS;
+use crate::prelude::*;
+
+block! {
+    /// Schedules the words of a direction of the network.
+    pub struct NetworkSequencer {
+        /// Pixels of a chip.
+        pub pixels: u32,
+        /// Clocks of the set-up before a word.
+        pub setup: u32,
+    }
+    latency(self) = format!("{} clocks from a job to ready, if it has its bank", 3 + self.setup);
+    source = "Reducing Latency on PixelFlow, section 3 (PFL-NET, PFL-SETUP)";
+    in(self) NetworkSequencerIn {
+        /// What to do with each word, in turn.
+        jobs: stream(Job = Job::widths()),
+        /// Banks that the array has given: a bit for each.
+        given: bits(BANKS),
+        /// All nodes are ready.
+        go: bit(),
+        /// The pixel of each chip whose turn it is.
+        pixel: below(self.pixels),
+        /// A byte of it goes.
+        advances: bit(),
+    }
+    out NetworkSequencerOut {
+        /// To the port: a [`Mode`].
+        mode: one_of::<Mode>(),
+        /// A byte of the node goes.
+        sends: bit(),
+        /// It is the first of its word.
+        first: bit(),
+        /// The bank, if the job needs one: a bit for each.
+        bank: bits(BANKS),
+        /// The byte of the bank.
+        address: below(NetworkSequencer::BYTES),
+        /// The node is set for its word.
+        ready: bit(),
+        /// The network has done with a bank: a bit for each.
+        done: bits(BANKS),
+        /// There is no job.
+        idle: bit(),
+    }
+}
+
+bundle! {
+    /// What a node does with the words of a region.
+    pub struct Job<T> {
+        /// A [`Mode`].
+        pub mode: T,
+        /// The bank, unless it forwards.
+        pub bank: T,
+        /// Bytes of a word, 1 to 32.
+        pub bytes: T,
+    }
+}
+
+impl Job<Width> {
+    /// The widths of its fields.
+    pub fn widths() -> Job<Width> {
+        Job { mode: one_of::<Mode>(), bank: below(BANKS), bytes: up_to(NetworkSequencer::BYTES) }
+    }
+}
+
+codes! {
+    /// How far a job is.
+    enum Phase {
+        /// There is none.
+        Idle,
+        /// It waits for its bank.
+        Bank,
+        /// It is set up.
+        SetUp,
+        /// The node is ready, and follows what comes; if it loads, it waits for all.
+        Ready,
+        /// It sends.
+        Sends,
+    }
+}
+
+impl NetworkSequencer {
+    /// Bytes of a bank.
+    pub const BYTES: u32 = 32;
+
+    fn build(&self, m: Module, i: NetworkSequencerIn) -> NetworkSequencerOut {
+        let phase = m.reg("phase", one_of::<Phase>()).reset(Phase::Idle);
+        let next = i.jobs.take_when(phase.is(Phase::Idle));
+        let mode = m.reg("job_mode", one_of::<Mode>()).reset(Mode::Forward);
+        let bank = m.reg("bank", bits(BANKS)).reset(0);
+        let address = m.reg("address", below(NetworkSequencer::BYTES));
+        let first = m.reg("first", bit());
+
+        net!(has_bank = (*bank & !i.given).eq(0));
+        let waited = m.reg("waited", up_to(self.setup.max(1)));
+        net!(is_set = waited.eq(self.setup));
+        net!(loads = mode.is(Mode::Load));
+        net!(byte_ends = i.advances & i.pixel.eq(self.pixels - 1));
+        net!(ends = byte_ends & address.eq(0));
+
+        net!(needs = mux(next.mode.is(Mode::Forward), 0, concat(&[next.bank, !next.bank])));
+        mode.when(next.taken, next.mode).when(ends, Mode::Forward);
+        bank.when(next.taken, needs).when(ends, 0);
+        address.when(next.taken, (next.bytes - 1).trunc(below(NetworkSequencer::BYTES))).when(byte_ends, address - 1);
+        first.when(next.taken, 1).when(byte_ends, 0);
+        waited.when(phase.is(Phase::Bank), 0).otherwise(waited + 1);
+        phase
+            .when(next.taken, Phase::Bank)
+            .when(phase.is(Phase::Bank) & has_bank, Phase::SetUp)
+            .when(phase.is(Phase::SetUp) & is_set, Phase::Ready)
+            .when(phase.is(Phase::Ready) & loads & i.go, Phase::Sends)
+            .when(ends, Phase::Idle);
+
+        net!(ready = phase.is(Phase::Ready));
+        net!(sends = phase.is(Phase::Sends));
+        let state = |holds: Signal, message| m.assume(next.taken.implies(holds), message);
+        state(next.bytes.ne(0) & next.bytes.le(NetworkSequencer::BYTES), "a word has 1 to 32 bytes");
+        m.assume(i.advances.implies(ready | sends), "a word comes when the node is ready for it");
+        let done = mux(ends, *bank, 0);
+        // Until it is ready, its mode stands for nothing.
+        let mode = mux(ready | sends, *mode, Mode::Forward);
+        NetworkSequencerOut {
+            mode,
+            sends,
+            first: *first,
+            bank: *bank,
+            address: *address,
+            ready,
+            done,
+            idle: phase.is(Phase::Idle) & !next.valid,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;

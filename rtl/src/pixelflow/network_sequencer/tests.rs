@@ -1,0 +1,117 @@
+//! The sequencer clock by clock, with the bytes of its port, and what it does not take.
+
+use tilewright_sim::Simulation;
+
+use super::*;
+
+type Sequencer = Simulation<NetworkSequencerIn, NetworkSequencerOut>;
+
+fn started(pixels: u32, setup: u32) -> Sequencer {
+    let mut sim = Simulation::of(&NetworkSequencer { pixels, setup }).unwrap();
+    sim.reset();
+    sim
+}
+
+const NONE: NetworkSequencerIn<u64> = NetworkSequencerIn {
+    jobs: Stream { valid: 0, ready: 0, payload: Job { mode: 0, bank: 0, bytes: 1 } },
+    given: 0,
+    go: 0,
+    pixel: 0,
+    advances: 0,
+};
+
+fn job(mode: Mode, bank: u64, bytes: u64) -> NetworkSequencerIn<u64> {
+    NetworkSequencerIn { jobs: Stream::of(1, Job { mode: mode.code(), bank, bytes }), ..NONE }
+}
+
+/// A bank comes late, and then all are late; the word has two bytes of two pixels.
+#[test]
+fn a_word_is_sent_when_the_bank_and_all_nodes_are_ready() {
+    let mut sim = started(2, 1);
+    let signals = ["jobs_ready", "given", "phase", "go", "ready", "mode", "sends", "first", "address", "pixel", "done"];
+    let wave = sim.record(signals);
+    let load = job(Mode::Load, 1, 2);
+    let given = NetworkSequencerIn { given: 2, ..NONE };
+    let go = NetworkSequencerIn { go: 1, ..given };
+    let byte = |pixel| NetworkSequencerIn { advances: 1, pixel, ..given };
+    let clocks = [load, NONE, given, given, given, given, go, byte(0), byte(1), byte(0), byte(1), NONE];
+    for inputs in clocks {
+        sim.drive(inputs);
+        sim.step();
+    }
+    wave.expect(
+        r"
+        clk        |~~~~\____/~~~~\____/~~~~\____/~~~~\____/~~~~\____/~~~~\____/~~~~\____/~~~~\____/~~~~\____/
+        jobs_ready |~~~~~~~~~\________________________________________________________________________________
+        given      | 0                 | 2                                                                   |
+        phase      | Idle    | Bank              | SetUp             | Ready             | Sends             |
+        go         |___________________________________________________________/~~~~~~~~~\____________________
+        ready      |_________________________________________________/~~~~~~~~~~~~~~~~~~~\____________________
+        mode       | Forward                                         | Load                                  |
+        sends      |_____________________________________________________________________/~~~~~~~~~~~~~~~~~~~~
+        first      |_________/~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
+        address    | 0       | 1                                                                             |
+        pixel      |_______________________________________________________________________________/~~~~~~~~~~
+        done       | 0                                                                                       |
+
+        clk        |~~~~\____/~~~~\____/~~~~\____/
+        jobs_ready |___________________/~~~~~~~~~~
+        given      | 2                 | 0       |
+        phase      | Sends             | Idle    |
+        go         |______________________________
+        ready      |______________________________
+        mode       | Load              | Forward |
+        sends      |~~~~~~~~~~~~~~~~~~~\__________
+        first      |______________________________
+        address    | 0                 | 1f      |
+        pixel      |_________/~~~~~~~~~\__________
+        done       | 0       | 2       | 0       |
+        ",
+    );
+}
+
+/// In each mode the bank is done with the last byte, and the addresses go down.
+#[test]
+fn each_mode_follows_the_bytes_that_come() {
+    for (mode, bank) in [(Mode::Composite, 0), (Mode::Unload, 1), (Mode::Forward, 1)] {
+        let mut sim = started(3, 0);
+        sim.drive(job(mode, bank, 4));
+        sim.step();
+        let needs = if mode == Mode::Forward { 0 } else { 1 << bank };
+        let given = NetworkSequencerIn { given: needs, ..NONE };
+        sim.drive(given);
+        sim.run(2);
+        assert_eq!([sim.get_u64(sim.o.ready), sim.get_u64(sim.o.bank)], [1, needs]);
+        for number in 0..12 {
+            // A pause here and there.
+            sim.drive(given);
+            sim.run(number % 3);
+            sim.drive(NetworkSequencerIn { advances: 1, pixel: number % 3, ..given });
+            let out = sim.read_u64();
+            assert_eq!([out.mode, out.address, out.sends], [mode.code(), 3 - number / 3, 0], "byte {number}");
+            assert_eq!(out.done, if number == 11 { needs } else { 0 }, "byte {number}");
+            sim.step();
+        }
+        sim.drive(NONE);
+        let out = sim.read_u64();
+        assert_eq!([out.idle, out.ready, out.bank, out.mode], [1, 0, 0, Mode::Forward.code()]);
+    }
+}
+
+#[test]
+#[should_panic(expected = "a word comes when the node is ready for it")]
+fn a_word_that_nobody_is_set_for_is_an_error() {
+    let mut sim = started(2, 3);
+    sim.drive(job(Mode::Composite, 0, 1));
+    sim.step();
+    sim.drive(NetworkSequencerIn { advances: 1, given: 1, ..NONE });
+    sim.step();
+}
+
+#[test]
+#[should_panic(expected = "a word has 1 to 32 bytes")]
+fn a_word_of_no_bytes_is_an_error() {
+    let mut sim = started(2, 0);
+    sim.drive(job(Mode::Load, 0, 0));
+    sim.step();
+}

@@ -1,0 +1,352 @@
+//! The pixel processor: an ALU of 8 bits with an accumulator, a stack of enable flags, and 256 bytes of memory (PFL-NODE, facts E4).
+//!
+//! ```text
+//! expression --.                               .---------.
+//! constant ----+--> operand ------------------>|         |---> result --+--> [ accumulator ]
+//!         .----'              .--[ carry ]---->|   ALU   |              |
+//! accumulator                 |                |         |--> carry     '--> [ memory ] write address
+//!                        begins: 0, 1, kept    |         |                       |
+//!                              .- word ------->|         |                       | read address
+//!                              |               '---------'                       |
+//!                              '-------------------------------------------------'
+//!
+//! enable stack: the top one tells whether the pixel takes part       flag: a result of one word is kept, or a bit of a multiplier
+//! ```
+//!
+//! All processors do the same in each clock, on a byte of their own; only the flags differ. A word is worked on from its least significant byte
+//! (but shifted right from its most significant), with the carry between them.
+//!
+//! Two words make a third in two clocks a byte: one into the accumulator, the other with it into memory. A constant, or a byte of the expression,
+//! makes it in one. Bytes 0 to 255 are memory, and 256 to 383 are communication registers, which stand outside, as network and texture unit see
+//! them, too ([`array`](super::array)).
+//!
+//! The sign of an expression goes to the enable flags past the ALU, which may do something else in that clock: so edges are tested while the primitive
+//! before is still being written.
+//!
+//! Latency 1 clock to memory and flags; one read and one write a clock, each at an address that all processors share.
+
+use crate::prelude::*;
+
+codes! {
+    /// Where the byte comes from that meets the word of memory.
+    pub enum Source {
+        /// The controller: the same for all.
+        Constant,
+        /// The linear-expression tree.
+        Expression,
+        /// The accumulator.
+        Accumulator,
+        /// The accumulator where the flag is set, and 0 elsewhere: what a digit of a multiplier adds.
+        Multiplicand,
+    }
+}
+
+codes! {
+    /// What the ALU makes of an operand `x`, the byte `w` that is read, and the carry `c` that comes in.
+    pub enum Function {
+        /// `x`; the carry stays.
+        Operand,
+        /// `w`; the carry stays.
+        Word,
+        /// `w + x + c`.
+        Add,
+        /// `w - x`, where c is 1 unless there is a borrow: `w + (255 - x) + c`.
+        Subtract,
+        /// `x`, and the carry of `w - x`: after a whole word it is 1 where the operand is not the greater.
+        Compare,
+        /// The bits of both; the carry stays.
+        And,
+        /// The bits of either; the carry stays.
+        Or,
+        /// The bits of one alone; the carry stays.
+        ExclusiveOr,
+        /// `w` to the left, c comes in below; the carry is the bit that leaves.
+        ShiftLeft,
+        /// `w` to the right, c comes in above; the carry is the bit that leaves.
+        ShiftRight,
+        /// `(w + x + c) / 2`, its carry on top; the carry is the bit that leaves: with a multiplicand, a digit of a product.
+        AddHalved,
+    }
+}
+
+codes! {
+    /// The carry that comes in.
+    pub enum Begin {
+        /// The one of the byte before.
+        Kept,
+        /// 0: a sum or a shift begins.
+        Zero,
+        /// 1: a difference begins.
+        One,
+    }
+}
+
+codes! {
+    /// Which processors write what they are told to write.
+    pub enum Mask {
+        /// None.
+        Nobody,
+        /// All.
+        Everybody,
+        /// Those that are enabled.
+        Enabled,
+        /// Those whose flag is set.
+        Flagged,
+    }
+}
+
+codes! {
+    /// A condition on what happens in this clock.
+    pub enum Condition {
+        /// The operand's top bit, a sign, is 0.
+        Positive,
+        /// The carry becomes 1.
+        Carry,
+        /// The carry becomes 0.
+        NoCarry,
+    }
+}
+
+codes! {
+    /// What becomes of the stack of enable flags.
+    pub enum Enabling {
+        /// It stays.
+        Keep,
+        /// The top one is set.
+        Set,
+        /// The top one is set where the condition holds, and cleared elsewhere: the first edge.
+        Replace,
+        /// The top one stays set where the condition holds: another edge.
+        Restrict,
+        /// A new top one is what the old one was, where the condition holds: if.
+        Push,
+        /// The top one is set where it is not, but the one below it is: else.
+        Invert,
+        /// The top one goes: end if. The lowest one stays.
+        Pop,
+    }
+}
+
+codes! {
+    /// What becomes of the flag.
+    pub enum Flagging {
+        /// It stays.
+        Keep,
+        /// It is set where the condition holds.
+        Condition,
+        /// It is set where the condition holds and the processor is enabled.
+        EnabledCondition,
+    }
+}
+
+bundle! {
+    /// What all processors do in a clock. All zeros: nothing.
+    pub struct Control<T> {
+        /// Where the operand comes from: a [`Source`].
+        pub source: T,
+        /// The operand, if it is a constant.
+        pub constant: T,
+        /// What the ALU does: a [`Function`].
+        pub function: T,
+        /// The carry that comes in: a [`Begin`].
+        pub begin: T,
+        /// Who writes: a [`Mask`].
+        pub mask: T,
+        /// The result goes to the accumulator.
+        pub accumulates: T,
+        /// The result goes to memory.
+        pub stores: T,
+        /// What `enabling` and `flagging` look at: a [`Condition`].
+        pub condition: T,
+        /// What becomes of the enable flags: an [`Enabling`].
+        pub enabling: T,
+        /// `enabling` looks at the expression's top bit instead: the condition holds where it is 0.
+        pub by_sign: T,
+        /// What becomes of the flag: a [`Flagging`].
+        pub flagging: T,
+        /// The address that is read.
+        pub read: T,
+        /// The address that is written.
+        pub write: T,
+    }
+}
+
+impl Control<Width> {
+    /// The widths of its fields.
+    pub fn widths() -> Control<Width> {
+        Control {
+            source: one_of::<Source>(),
+            constant: bits(8),
+            function: one_of::<Function>(),
+            begin: one_of::<Begin>(),
+            mask: one_of::<Mask>(),
+            accumulates: bit(),
+            stores: bit(),
+            condition: one_of::<Condition>(),
+            enabling: one_of::<Enabling>(),
+            by_sign: bit(),
+            flagging: one_of::<Flagging>(),
+            read: below(PixelProcessor::BYTES),
+            write: below(PixelProcessor::BYTES),
+        }
+    }
+}
+
+impl Control<u64> {
+    /// They do nothing in this clock.
+    pub const NOTHING: Control<u64> = Control {
+        source: 0,
+        constant: 0,
+        function: 0,
+        begin: 0,
+        mask: 0,
+        accumulates: 0,
+        stores: 0,
+        condition: 0,
+        enabling: 0,
+        by_sign: 0,
+        flagging: 0,
+        read: 0,
+        write: 0,
+    };
+}
+
+block! {
+    /// Computes a byte of a pixel a clock.
+    pub struct PixelProcessor {
+        /// Enable flags, one in another; 2 at least.
+        pub depth: u32,
+    }
+    latency = "1 clock to the memory and the flags";
+    source = "Reducing Latency on PixelFlow, section 3 (PFL-NODE)";
+    in PixelProcessorIn {
+        /// What all processors do.
+        control: Control = Control::widths(),
+        /// A byte of the expression at this pixel.
+        expression: bits(8),
+        /// The communication register at the address that is read, if one is there.
+        register_byte: bits(8),
+    }
+    out PixelProcessorOut {
+        /// The byte that the ALU makes.
+        result: bits(8),
+        /// It goes to the communication register at the address that is written.
+        writes_register: bit(),
+    }
+}
+
+impl PixelProcessor {
+    /// Bytes of memory, with the communication registers.
+    pub const BYTES: u32 = 384;
+    /// The address of the first communication register.
+    pub const REGISTERS: u32 = 256;
+    /// Enable flags, one in another, of the machine's.
+    pub const DEPTH: u32 = 8;
+
+    fn build(&self, m: Module, i: PixelProcessorIn) -> PixelProcessorOut {
+        let c = i.control;
+        let memory = m.memory("memory", PixelProcessor::REGISTERS, bits(8), ReadUnderWrite::Any);
+        net!(word = mux(is_register(c.read), i.register_byte, memory.read_async(in_memory(c.read))));
+        let (accumulator, carry) = (m.reg("accumulator", bits(8)), m.reg("carry", bit()));
+        let flag = m.reg("flag", bit());
+        net!(
+            operand = c.source.choose(|source| match source {
+                Source::Constant => c.constant,
+                Source::Expression => i.expression,
+                Source::Accumulator => *accumulator,
+                Source::Multiplicand => mux(*flag, *accumulator, 0),
+            })
+        );
+        net!(
+            carried = c.begin.choose(|begin| match begin {
+                Begin::Kept => *carry,
+                Begin::Zero => lit(1, 0),
+                Begin::One => lit(1, 1),
+            })
+        );
+
+        // Sum and difference, whose carry is that of the top bits.
+        net!(subtracts = c.function.is(Function::Subtract) | c.function.is(Function::Compare));
+        net!(addend = mux(subtracts, !operand, operand));
+        net!(sum = word + addend + carried.zext(8));
+        net!(carry_out = ((word & addend) | ((word | addend) & !sum)).msb());
+        let left = concat(&[word.slice(0..7), carried]);
+        let right = concat(&[carried, word.slice(1..8)]);
+        net!(
+            result = c.function.choose(|function| match function {
+                Function::Operand | Function::Compare => operand,
+                Function::Word => word,
+                Function::Add | Function::Subtract => sum,
+                Function::And => word & operand,
+                Function::Or => word | operand,
+                Function::ExclusiveOr => word ^ operand,
+                Function::ShiftLeft => left,
+                Function::ShiftRight => right,
+                Function::AddHalved => concat(&[carry_out, sum.slice(1..8)]),
+            })
+        );
+        net!(
+            carry_next = c.function.choose(|function| match function {
+                Function::Add | Function::Subtract | Function::Compare => carry_out,
+                Function::ShiftLeft => word.msb(),
+                Function::ShiftRight => word.bit(0),
+                Function::AddHalved => sum.bit(0),
+                _ => *carry,
+            })
+        );
+        carry.next(carry_next);
+
+        net!(
+            holds = c.condition.choose(|condition| match condition {
+                Condition::Positive => !operand.msb(),
+                Condition::Carry => carry_next,
+                Condition::NoCarry => !carry_next,
+            })
+        );
+        net!(enters = mux(c.by_sign, !i.expression.msb(), holds));
+        let stack = m.reg("enable", bits(self.depth));
+        let (top, next, rest) = (stack.bit(0), stack.bit(1), stack.slice(1..self.depth));
+        net!(
+            enables = c.enabling.choose(|enabling| match enabling {
+                Enabling::Keep => *stack,
+                Enabling::Set => concat(&[rest, lit(1, 1)]),
+                Enabling::Replace => concat(&[rest, enters]),
+                Enabling::Restrict => concat(&[rest, top & enters]),
+                Enabling::Push => concat(&[stack.slice(0..self.depth - 1), top & enters]),
+                Enabling::Invert => concat(&[rest, next & !top]),
+                Enabling::Pop => concat(&[stack.msb(), rest]),
+            })
+        );
+        stack.next(enables);
+        flag.next(c.flagging.choose(|flagging| match flagging {
+            Flagging::Keep => *flag,
+            Flagging::Condition => holds,
+            Flagging::EnabledCondition => holds & top,
+        }));
+
+        net!(
+            writes = c.mask.choose(|mask| match mask {
+                Mask::Nobody => lit(1, 0),
+                Mask::Everybody => lit(1, 1),
+                Mask::Enabled => top,
+                Mask::Flagged => *flag,
+            })
+        );
+        accumulator.when(writes & c.accumulates, result);
+        net!(stores = writes & c.stores);
+        memory.write(stores & !is_register(c.write), in_memory(c.write), result);
+        PixelProcessorOut { result, writes_register: stores & is_register(c.write) }
+    }
+}
+
+/// The address is one of a communication register.
+fn is_register(address: Signal) -> Signal {
+    address.msb()
+}
+
+fn in_memory(address: Signal) -> Signal {
+    address.trunc(below(PixelProcessor::REGISTERS))
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,224 @@
+//! Deferred shading of a region: a colour of each appearance word.
+//!
+//! ```text
+//! materials ──> coordinates and level ──> [texture unit] ──────────────────────────> filter ──> base ──.
+//!                                              '──> unit normal ──> lights ──> product with <──────────'──> colour
+//! ```
+//!
+//! Lights and materials are constants of the instructions; pixels differ by their words alone. While the texture unit finds texels, the lights are
+//! computed. Source: facts E4; the arithmetic is exact floors, so any way of computing them gives the same bits.
+
+use super::super::fields::shading::*;
+use super::super::fields::{Field, appearance, texture};
+use super::super::instruction::{Instruction, Sync};
+use super::super::pixel::{Begin, Condition, Function, Mask};
+use super::arithmetic::Writer;
+use super::assembler::{copy, port, set, with_accumulator, with_constant};
+use super::filter;
+use super::light::{Combinations, light};
+use super::normalize::normalize;
+use super::perspective;
+
+/// A light from far away. Directions are 2^8 times a unit vector (right, down, forward of the eye): a sign and 8 bits each.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Light {
+    /// Towards the light; -255 to 255 each.
+    pub direction: [i16; 3],
+    /// Between the light and the eye.
+    pub half: [i16; 3],
+    /// 255 for the brightness 1.
+    pub brightness: u8,
+}
+
+/// A material.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Material {
+    /// Whether light falls on it.
+    pub is_lit: bool,
+    /// Its texture, if it has one.
+    pub texture: Option<Texture>,
+    /// The brightness of highlights, 255 for 1.
+    pub specular: u8,
+    /// How often the cosine is squared that makes a highlight, at most 7.
+    pub squarings: u8,
+}
+
+/// A texture, as a material names it.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Texture {
+    /// Its number, below 255.
+    pub number: u8,
+    /// Its finest level, where its sides are 2^level texels; at most 10.
+    pub finest: u8,
+}
+
+/// What shading takes besides words.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Shader {
+    /// Red, green and blue of a pixel that nothing covers.
+    pub background: [u8; 3],
+    /// Light from everywhere, 255 for 1.
+    pub ambient: u8,
+    /// The lights.
+    pub lights: Vec<Light>,
+    /// What a word's material is an index of.
+    pub materials: Vec<Material>,
+}
+
+/// The number of no texture.
+pub const NO_TEXTURE: i64 = 255;
+
+/// In place of squarings: no light falls on it.
+const UNLIT: u8 = 0xff;
+
+/// The programs that shade a region whose appearance words begin at an address.
+#[derive(Debug, Clone, Copy)]
+pub struct Shading<'a> {
+    /// The constants.
+    pub shader: &'a Shader,
+    /// The words.
+    pub word: u64,
+    /// Where the colour comes to: blue, green and red, so that red is sent first.
+    pub colour: u64,
+}
+
+impl Shading<'_> {
+    /// All instructions.
+    ///
+    /// ```
+    /// use tilewright_rtl::pixelflow::emulator::Pixel;
+    /// use tilewright_rtl::pixelflow::fields::{appearance, bank};
+    /// use tilewright_rtl::pixelflow::programs::{Light, Material, Shader, Shading};
+    ///
+    /// let overhead = Light { direction: [0, -128, -221], half: [0, -66, -247], brightness: 200 };
+    /// let plain = Material { is_lit: true, texture: None, specular: 0, squarings: 0 };
+    /// let shader = Shader { background: [0, 0, 90], ambient: 55, lights: vec![overhead], materials: vec![plain] };
+    /// let program = Shading { shader: &shader, word: bank(0), colour: bank(1) }.program();
+    ///
+    /// // A white surface that is turned to the light.
+    /// let mut pixel = Pixel::new();
+    /// let mut put = |field: tilewright_rtl::pixelflow::fields::Field, value: i16| {
+    ///     let at = field.of(bank(0)).address as usize;
+    ///     pixel.memory[at..at + field.bytes as usize].copy_from_slice(&value.to_le_bytes()[..field.bytes as usize]);
+    /// };
+    /// appearance::RGB.map(|channel| put(channel, 255));
+    /// put(appearance::NORMAL[1], -1280);
+    /// put(appearance::NORMAL[2], -2210);
+    /// pixel.run(&program, 0, 0);
+    /// assert_eq!(pixel.memory[bank(1) as usize..][..3], [254, 254, 254]);
+    /// ```
+    pub fn program(self) -> Vec<Instruction<u64>> {
+        [self.before_texture(), self.under_texture(), self.after_texture()].concat()
+    }
+
+    /// The part that the texture unit waits for, to where it is started: materials, coordinates and levels.
+    pub fn before_texture(self) -> Vec<Instruction<u64>> {
+        let mut w = Writer::default();
+        w.constants();
+        self.materials(&mut w);
+        if self.finest().is_some() {
+            w.extend(perspective::coordinates(self.word));
+            w.extend(perspective::level(self.word));
+            w.push(port(Sync::StartTexture, 0));
+        }
+        w.0
+    }
+
+    /// The part that needs no texture: the light that falls on a surface.
+    pub fn under_texture(self) -> Vec<Instruction<u64>> {
+        let mut w = Writer::default();
+        if !self.is_lit() {
+            return w.0;
+        }
+        w.push(set(Field::new(DIFFUSE, 2), self.shader.ambient.into()));
+        if !self.shader.lights.is_empty() {
+            w.extend(normalize(self.word));
+        }
+        let mut sums = Combinations::default();
+        let squarings = self.squarings();
+        self.shader.lights.iter().for_each(|it| light(&mut w, &mut sums, it, squarings));
+        if squarings.is_some() {
+            w.scaled(REFLECTED, SPECULAR, REFLECTED);
+        }
+        if self.shader.materials.iter().any(|material| !material.is_lit) {
+            let is_unlit = with_constant(Function::Compare, Field::new(SQUARINGS, 1), UNLIT.into());
+            w.push(is_unlit.begins(Begin::One).flags(Condition::Carry));
+            w.push(set(Field::new(DIFFUSE, 2), 255).only(Mask::Flagged));
+        }
+        w.0
+    }
+
+    /// The part from where the texture unit is waited for: filter, products, and the background where nothing covers the pixel.
+    pub fn after_texture(self) -> Vec<Instruction<u64>> {
+        let mut w = Writer::default();
+        if let Some(finest) = self.finest() {
+            w.extend(filter::weights(finest));
+            w.push(port(Sync::AwaitTexture, 0));
+            w.extend(filter::trilinear());
+            w.extend(filter::base(self.word));
+        }
+        for channel in 0..3 {
+            let base = match self.finest() {
+                Some(_) => BASE[channel],
+                None => appearance::RGB[channel].of(self.word).address,
+            };
+            let to = self.colour + 2 - channel as u64;
+            if !self.is_lit() {
+                w.push(copy(Field::new(base, 1), Field::new(to, 1)));
+                continue;
+            }
+            w.scaled(base, DIFFUSE, PARTIAL);
+            w.last_to_accumulator();
+            let sum = with_accumulator(Function::Add, REFLECTED).writes(to).begins(Begin::Zero);
+            w.push(sum.flags(Condition::Carry));
+            w.push(set(Field::new(to, 1), 255).only(Mask::Flagged));
+        }
+        let [red, green, blue] = self.shader.background.map(i64::from);
+        let is_empty = with_constant(Function::Compare, appearance::ZERO.of(self.word), 1);
+        w.push(is_empty.begins(Begin::One).flags(Condition::Carry));
+        w.push(set(Field::new(self.colour, 3), red << 16 | green << 8 | blue).only(Mask::Flagged));
+        w.0
+    }
+
+    /// What materials have comes to the pixels that name them: to all that name it or one behind it, in turn.
+    fn materials(self, w: &mut Writer) {
+        let mut last = None;
+        for (number, material) in self.shader.materials.iter().enumerate() {
+            if last.replace(*material) == Some(*material) {
+                continue;
+            }
+            let mask = if number == 0 {
+                Mask::Everybody
+            } else {
+                let names = with_constant(Function::Compare, appearance::MATERIAL.of(self.word), number as i64);
+                w.push(names.begins(Begin::One).flags(Condition::Carry));
+                Mask::Flagged
+            };
+            let squarings = if material.is_lit { material.squarings } else { UNLIT };
+            let texture = material.texture;
+            let finest = texture.map_or(0, |texture| texture.finest);
+            let bytes = i64::from(material.specular) | i64::from(squarings) << 8 | i64::from(finest) << 16;
+            w.push(set(MATERIAL, bytes).only(mask));
+            if self.finest().is_some() {
+                let number = texture.map_or(NO_TEXTURE, |texture| texture.number.into());
+                w.push(set(texture::TEXTURE, number).only(mask));
+            }
+        }
+    }
+
+    /// The finest level of all textures, if there are any.
+    fn finest(self) -> Option<u8> {
+        self.shader.materials.iter().filter_map(|material| material.texture).map(|texture| texture.finest).max()
+    }
+
+    fn is_lit(self) -> bool {
+        self.shader.materials.iter().any(|material| material.is_lit)
+    }
+
+    /// The least and the most squarings of materials that have highlights, if there are any.
+    fn squarings(self) -> Option<[u8; 2]> {
+        let shining = || self.shader.materials.iter().filter(|material| material.is_lit && material.specular > 0);
+        let squarings = || shining().map(|material| material.squarings);
+        Some([squarings().min()?, squarings().max()?])
+    }
+}

@@ -1,0 +1,99 @@
+//! Communication registers: bytes of each pixel that the array works with, and a port beside it (PFL-NODE, facts E4).
+//!
+//! ```text
+//!                        .------------ registers of each pixel ------------.
+//! read, write address -->|  of all pixels a byte, at the array's addresses |--> word
+//!    result, writes ---->|                                                 |
+//!                        |  of a pixel of each chip a byte                 |
+//!  pixel, address ------>|                                                 |--> seen
+//!  writes, bytes ------->|                                                 |
+//!                        '-------------------------------------------------'
+//! ```
+//!
+//! A chip is two lines of the region. Its port is 8 wires, so a byte of all pixels takes as many clocks as a chip has pixels, whatever the number of
+//! chips. Port and array are independent, on clocks of their own; that they leave each other's bytes alone is what giving a bank, and
+//! awaiting it, is for.
+//!
+//! What is read comes in the same clock, what is written is there after the edge.
+
+use super::ARRAY;
+use crate::prelude::*;
+
+block! {
+    /// Registers of a region's pixels, and a port that sees one pixel of each chip.
+    pub struct CommunicationRegisters {
+        /// Pixels in a line; a power of two.
+        pub width: u32,
+        /// Lines; a power of two.
+        pub height: u32,
+        /// Registers of a pixel; a power of two.
+        pub bytes: u32,
+        /// The clock of the port.
+        pub port: Clock,
+    }
+    latency = "within the clock; what is written is there after the edge";
+    source = "Reducing Latency on PixelFlow, section 3 (PFL-NODE)";
+    in(self) CommunicationRegistersIn {
+        /// The register that the array reads.
+        read: below(self.bytes).on(ARRAY),
+        /// The register that it writes.
+        write: below(self.bytes).on(ARRAY),
+        /// Pixels that do.
+        writes: bit().of(grid(self.height / 2, 2 * self.width)).on(ARRAY),
+        /// What they write; a row for each chip, its upper line and then its lower one.
+        result: bits(8).of(grid(self.height / 2, 2 * self.width)).on(ARRAY),
+        /// From the port.
+        port: PortAccess = self.access().on(self.port),
+    }
+    out(self) CommunicationRegistersOut {
+        /// The register that each pixel reads.
+        word: bits(8).of(grid(self.height / 2, 2 * self.width)),
+        /// To the port: a byte of each chip.
+        seen: bits(8).of(row(self.height / 2)),
+    }
+}
+
+bundle! {
+    /// What a port says: which byte of which pixel of each chip it sees, and writes.
+    pub struct PortAccess<T> {
+        /// The pixel, counted line by line.
+        pub pixel: T,
+        /// The register.
+        pub address: T,
+        /// It is written.
+        pub writes: T,
+        /// With a byte of each chip.
+        pub bytes: T,
+    }
+}
+
+impl CommunicationRegisters {
+    /// The widths of what the port says.
+    pub fn access(&self) -> PortAccess<Width> {
+        PortAccess {
+            pixel: below(2 * self.width),
+            address: below(self.bytes),
+            writes: bit(),
+            bytes: bits(8).of(row(self.height / 2)),
+        }
+    }
+
+    fn build(&self, m: Module, i: CommunicationRegistersIn) -> CommunicationRegistersOut {
+        let (chips, pixels) = (self.height / 2, 2 * self.width);
+        let bytes = m.memory("bytes", self.bytes, bits(8).of(grid(chips, pixels)), ReadUnderWrite::Any);
+        let bytes = bytes.true_dual_port();
+        let (array, port) = (bytes.on(ARRAY), bytes.on(self.port));
+        array.write(i.writes, i.write, i.result);
+
+        let PortAccess { pixel, address, writes, bytes } = i.port;
+        net!(here = constants(below(pixels).of(row(pixels)), u64::from).eq(pixel) & writes);
+        port.write(here.to_rows(chips), address, bytes.to_columns(pixels));
+        // Each side reads what the other has written before it gave it.
+        let given = |read: Signal| read.quasi_static("port and array leave alone what the other one works with");
+        let seen = given(port.read_async(address)).columns().pick(pixel.of(row(chips)));
+        CommunicationRegistersOut { word: given(array.read_async(i.read)), seen }
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,75 @@
+//! The clocks of instructions: the rules of a node's controller as a plain model.
+//!
+//! They are those of Pixel-planes' [`Schedule`], with what an instruction takes read from its fields:
+//!
+//! | an instruction | goes to the slot of | takes ALU and memory |
+//! |---|---|---|
+//! | with an expression, or that looks at `enable` or changes it | the evaluator, in order | unless it is quiet |
+//! | any other | the memory | yes |
+//!
+//! One that writes nothing and looks at nothing but an expression's sign is quiet: an edge, which goes past the ALU. So while the evaluator has the edges of a
+//! primitive, the memory may still write what the one before has left.
+
+use super::instruction::{Instruction, Sync};
+use super::pixel::{Condition, Enabling, Flagging, Function, Mask, Source};
+use crate::pixel_planes::schedule::{Schedule, Step};
+use crate::prelude::Codes;
+
+/// What an instruction takes.
+pub fn step(i: &Instruction<u64>) -> Step {
+    let has_expression = i.source == Source::Expression.code();
+    let enabling = Enabling::ALL[i.enabling as usize];
+    let uses_enable =
+        enabling != Enabling::Keep || i.mask == Mask::Enabled.code() || i.flagging == Flagging::EnabledCondition.code();
+    let on_tree = has_expression || uses_enable;
+    Step {
+        on_tree,
+        on_memory: !on_tree || !is_quiet(i, has_expression, enabling),
+        saves: false,
+        skip: i.skip as u8,
+        length: i.length as u8,
+    }
+}
+
+fn is_quiet(i: &Instruction<u64>, has_expression: bool, enabling: Enabling) -> bool {
+    let writes = i.mask != Mask::Nobody.code() && (i.accumulates == 1 || i.stores == 1);
+    let is_conditional = matches!(enabling, Enabling::Replace | Enabling::Restrict | Enabling::Push);
+    let is_sign = has_expression && i.condition == Condition::Positive.code();
+    i.function == Function::Operand.code()
+        && !writes
+        && i.flagging == Flagging::Keep.code()
+        && (!is_conditional || is_sign)
+}
+
+/// The clocks of a program, one instruction at a time.
+///
+/// ```
+/// use tilewright_rtl::pixelflow::{programs::clear, schedule::one_at_a_time};
+/// assert_eq!(one_at_a_time(&clear(256, 21)), 21);
+/// ```
+pub fn one_at_a_time(program: &[Instruction<u64>]) -> u64 {
+    program.iter().map(Instruction::clocks).sum()
+}
+
+/// The clocks from a program's beginning to the next one's, of many equal ones in a row, where evaluator and memory work side by side. None of the
+/// instructions waits for a port.
+pub fn side_by_side(program: &[Instruction<u64>]) -> u64 {
+    let steps: Vec<Step> = program.iter().map(step).collect();
+    let mut schedule = Schedule::new(true);
+    let mut begins = || {
+        let times: Vec<u64> = program.iter().zip(&steps).map(|(i, step)| take(&mut schedule, i, step)).collect();
+        times.first().copied().unwrap_or(0)
+    };
+    // The first ones begin with nothing before them.
+    let (_, _, third, fourth) = (begins(), begins(), begins(), begins());
+    fourth - third
+}
+
+/// Takes an instruction, and tells when. One that is in step with a port has all to itself.
+fn take(schedule: &mut Schedule, i: &Instruction<u64>, step: &Step) -> u64 {
+    if i.sync == Sync::Nothing.code() {
+        return schedule.take(step).taken;
+    }
+    let alone = schedule.ready(step).max(schedule.idle() - 1);
+    schedule.take_at(step, alone).taken
+}

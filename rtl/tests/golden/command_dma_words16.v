@@ -1,0 +1,152 @@
+// command_dma_words16
+//
+// Fetches the instructions of frames.
+//
+// Parameters  CommandDma { words: 16 }
+// Latency     2 clocks from a frame that is taken to its first instruction, then one a clock
+// Source      Reducing Latency on PixelFlow, section 3 (PFL-NODE)
+// Described   rtl/src/pixelflow/command_dma.rs:77
+`default_nettype none
+
+module command_dma_words16 (
+    input  wire        clk,
+    input  wire        rst,
+    // From the geometry processors.
+    input  wire        store_writes,                  // An instruction is written.
+    input  wire [3:0]  store_address,                 // Where.
+    // It.
+    input  wire [1:0]  store_instruction_source,      // Where the operand comes from: a `Source`.
+    input  wire [3:0]  store_instruction_function,    // What the ALU does: a `Function`.
+    input  wire [1:0]  store_instruction_begin,       // The carry that comes into the first byte: a `Begin`.
+    input  wire [1:0]  store_instruction_mask,        // Who writes: a `Mask`.
+    input  wire        store_instruction_accumulates, // Results go to the accumulator.
+    input  wire        store_instruction_stores,      // Results go to memory.
+    // What the last byte's `enabling` and `flagging` look at: a `Condition`.
+    input  wire [1:0]  store_instruction_condition,
+    // What becomes of the enable flags with the last byte: an `Enabling`.
+    input  wire [2:0]  store_instruction_enabling,
+    input  wire [1:0]  store_instruction_flagging,    // What becomes of the flag with the last byte: a `Flagging`.
+    // Bytes of the expression that come before the word; 0 without one.
+    input  wire [2:0]  store_instruction_skip,
+    input  wire [3:0]  store_instruction_length,      // Bytes of the word: 1 to `LONGEST`.
+    // Addresses go down, from the most significant byte on: for shifts to the right.
+    input  wire        store_instruction_descends,
+    input  wire [8:0]  store_instruction_read,        // The address of the first byte that is read.
+    input  wire [8:0]  store_instruction_write,       // The address of the first byte that is written.
+    input  wire [2:0]  store_instruction_sync,        // What it does besides, with the ports: a `Sync`.
+    input  wire [39:0] store_instruction_a,           // Of the expression, in two's complement, relative to the region.
+    input  wire [39:0] store_instruction_b,           // Likewise.
+    // Likewise; the constant where there is no expression, from its least significant byte on. Longer words are of its sign.
+    input  wire [39:0] store_instruction_c,
+    // Frames, one after another.
+    input  wire        frames_valid,
+    input  wire [3:0]  frames_base,                   // The address of the first.
+    // How many there are; behind the end of the memory comes its beginning.
+    input  wire [4:0]  frames_length,
+    input  wire        instructions_ready,
+    // To the array.
+    output wire        instructions_valid,
+    output wire [1:0]  instructions_source,           // Where the operand comes from: a `Source`.
+    output wire [3:0]  instructions_function,         // What the ALU does: a `Function`.
+    output wire [1:0]  instructions_begin,            // The carry that comes into the first byte: a `Begin`.
+    output wire [1:0]  instructions_mask,             // Who writes: a `Mask`.
+    output wire        instructions_accumulates,      // Results go to the accumulator.
+    output wire        instructions_stores,           // Results go to memory.
+    // What the last byte's `enabling` and `flagging` look at: a `Condition`.
+    output wire [1:0]  instructions_condition,
+    // What becomes of the enable flags with the last byte: an `Enabling`.
+    output wire [2:0]  instructions_enabling,
+    output wire [1:0]  instructions_flagging,         // What becomes of the flag with the last byte: a `Flagging`.
+    // Bytes of the expression that come before the word; 0 without one.
+    output wire [2:0]  instructions_skip,
+    output wire [3:0]  instructions_length,           // Bytes of the word: 1 to `LONGEST`.
+    // Addresses go down, from the most significant byte on: for shifts to the right.
+    output wire        instructions_descends,
+    output wire [8:0]  instructions_read,             // The address of the first byte that is read.
+    output wire [8:0]  instructions_write,            // The address of the first byte that is written.
+    output wire [2:0]  instructions_sync,             // What it does besides, with the ports: a `Sync`.
+    output wire [39:0] instructions_a,                // Of the expression, in two's complement, relative to the region.
+    output wire [39:0] instructions_b,                // Likewise.
+    // Likewise; the constant where there is no expression, from its least significant byte on. Longer words are of its sign.
+    output wire [39:0] instructions_c,
+    output wire        idle,                          // There is nothing to fetch, and nothing on its way.
+    output wire        frames_ready
+);
+
+    reg [4:0] left;                                              // rtl/src/pixelflow/command_dma.rs:80
+    reg [3:0] next;                                              // rtl/src/pixelflow/command_dma.rs:81
+    reg arrived;                                                 // rtl/src/pixelflow/command_dma.rs:85
+
+    (* no_rw_check *)
+    reg [167:0] memory [0:15];                                   // rtl/src/pixelflow/command_dma.rs:77
+    reg [167:0] memory_read;                                     // rtl/src/pixelflow/command_dma.rs:87
+
+    wire u_frames_out_valid;                                     // rtl/src/pixelflow/command_dma.rs:79
+    wire [8:0] u_frames_out_payload;                             // rtl/src/pixelflow/command_dma.rs:79
+
+    wire left_equal = left == 5'd0;                              // rtl/src/pixelflow/command_dma.rs:82
+    wire left_and = u_frames_out_valid & left_equal;             // rtl/src/pixelflow/command_dma.rs:82
+    wire instructions_taken = arrived & instructions_ready;      // rtl/src/pixelflow/command_dma.rs:87
+    wire reads = (left != 5'd0) & (!arrived | instructions_taken); // rtl/src/pixelflow/command_dma.rs:86
+    assign instructions_source = memory_read[167:166];           // rtl/src/pixelflow/command_dma.rs:87
+    assign instructions_function = memory_read[165:162];         // rtl/src/pixelflow/command_dma.rs:87
+    assign instructions_begin = memory_read[161:160];            // rtl/src/pixelflow/command_dma.rs:87
+    assign instructions_mask = memory_read[159:158];             // rtl/src/pixelflow/command_dma.rs:87
+    assign instructions_accumulates = memory_read[157];          // rtl/src/pixelflow/command_dma.rs:87
+    assign instructions_stores = memory_read[156];               // rtl/src/pixelflow/command_dma.rs:87
+    assign instructions_condition = memory_read[155:154];        // rtl/src/pixelflow/command_dma.rs:87
+    assign instructions_enabling = memory_read[153:151];         // rtl/src/pixelflow/command_dma.rs:87
+    assign instructions_flagging = memory_read[150:149];         // rtl/src/pixelflow/command_dma.rs:87
+    assign instructions_skip = memory_read[148:146];             // rtl/src/pixelflow/command_dma.rs:87
+    assign instructions_length = memory_read[145:142];           // rtl/src/pixelflow/command_dma.rs:87
+    assign instructions_descends = memory_read[141];             // rtl/src/pixelflow/command_dma.rs:87
+    assign instructions_read = memory_read[140:132];             // rtl/src/pixelflow/command_dma.rs:87
+    assign instructions_write = memory_read[131:123];            // rtl/src/pixelflow/command_dma.rs:87
+    assign instructions_sync = memory_read[122:120];             // rtl/src/pixelflow/command_dma.rs:87
+    assign instructions_a = memory_read[119:80];                 // rtl/src/pixelflow/command_dma.rs:87
+    assign instructions_b = memory_read[79:40];                  // rtl/src/pixelflow/command_dma.rs:87
+    assign instructions_c = memory_read[39:0];                   // rtl/src/pixelflow/command_dma.rs:87
+    assign idle = !u_frames_out_valid & (left == 5'd0) & !arrived; // rtl/src/pixelflow/command_dma.rs:92
+
+    fifo_depth2_width9_storage_registers u_frames (              // rtl/src/pixelflow/command_dma.rs:79
+        .clk          (clk),
+        .rst          (rst),
+        .into_valid   (frames_valid),
+        .into_payload ({frames_base, frames_length}),
+        .out_ready    (left_equal),
+        .out_valid    (u_frames_out_valid),
+        .out_payload  (u_frames_out_payload),
+        .into_ready   (frames_ready)
+    );
+
+    always @(posedge clk) begin
+        if (store_writes) begin
+            memory[store_address] <= {store_instruction_source, store_instruction_function, store_instruction_begin, store_instruction_mask, store_instruction_accumulates, store_instruction_stores, store_instruction_condition, store_instruction_enabling, store_instruction_flagging, store_instruction_skip, store_instruction_length, store_instruction_descends, store_instruction_read, store_instruction_write, store_instruction_sync, store_instruction_a, store_instruction_b, store_instruction_c};
+        end
+        if (reads) memory_read <= memory[next];
+    end
+
+    always @(posedge clk) begin
+        if (left_and) begin
+            next <= u_frames_out_payload[8:5];
+        end else if (reads) begin
+            if (next == 4'd15) next <= 4'd0;
+            else next <= next + 4'd1;
+        end
+    end
+
+    always @(posedge clk) begin
+        if (rst) begin
+            left <= 5'd0;
+            arrived <= 1'b0;
+        end else begin
+            if (left_and) left <= u_frames_out_payload[4:0];
+            else if (reads) left <= left - 5'd1;
+            if (reads) arrived <= 1'b1;
+            else if (instructions_taken) arrived <= 1'b0;
+        end
+    end
+
+    assign instructions_valid = arrived;
+endmodule
+`default_nettype wire

@@ -1,0 +1,198 @@
+// linear_evaluator_width8_height4
+//
+// Evaluates a linear expression at every pixel of a region.
+//
+// Parameters  LinearEvaluator { width: 8, height: 4 }
+// Latency     5 clocks from a coefficient's byte to the expression's at each pixel
+// Source      Reducing Latency on PixelFlow, section 3 (PFL-NODE)
+// Described   rtl/src/pixelflow/linear_evaluator.rs:124
+`default_nettype none
+
+module linear_evaluator_width8_height4 (
+    input  wire         clk,
+    input  wire         rst,
+    // A byte of each coefficient, beginning with the least significant.
+    input  wire [7:0]   coefficients_a, // Of what is added from a column to the next.
+    input  wire [7:0]   coefficients_b, // Of what is added from a line to the next.
+    input  wire [7:0]   coefficients_c, // Of the value at column 0 of line 0.
+    input  wire         first,          // These are the first bytes of an expression.
+    // A byte of the expression at each pixel, a row for each chip: its upper line, and then its lower one.
+    output wire [255:0] value
+);
+
+    reg first1;                                                  // rtl/src/pixelflow/linear_evaluator.rs:124
+    reg first2;                                                  // rtl/src/pixelflow/linear_evaluator.rs:124
+    reg first3;                                                  // rtl/src/pixelflow/linear_evaluator.rs:124
+    reg first4;                                                  // rtl/src/pixelflow/linear_evaluator.rs:124
+    reg [7:0] a1;                                                // rtl/src/pixelflow/linear_evaluator.rs:124
+    reg [7:0] a2;                                                // rtl/src/pixelflow/linear_evaluator.rs:124
+    reg [7:0] a3;                                                // rtl/src/pixelflow/linear_evaluator.rs:124
+    reg [7:0] a4;                                                // rtl/src/pixelflow/linear_evaluator.rs:124
+    reg [7:0] a5;                                                // rtl/src/pixelflow/linear_evaluator.rs:124
+    reg [7:0] b1;                                                // rtl/src/pixelflow/linear_evaluator.rs:124
+    reg [7:0] b2;                                                // rtl/src/pixelflow/linear_evaluator.rs:124
+    reg [7:0] b3;                                                // rtl/src/pixelflow/linear_evaluator.rs:124
+    reg [7:0] b4;                                                // rtl/src/pixelflow/linear_evaluator.rs:124
+    reg [7:0] b5;                                                // rtl/src/pixelflow/linear_evaluator.rs:124
+    reg [7:0] chip_root1;                                        // rtl/src/pixelflow/linear_evaluator.rs:124
+    reg [7:0] chip_root2;                                        // rtl/src/pixelflow/linear_evaluator.rs:124
+    reg [7:0] chip_root3;                                        // rtl/src/pixelflow/linear_evaluator.rs:124
+
+    genvar i;
+    genvar j;
+
+    generate
+        for (i = 0; i < 2; i = i + 1) begin : pixel0_carry_row
+            reg pixel0_carry;
+            reg [7:0] pixel0_sum;
+            localparam [31:0] pixel0_carry_listed = 255 * i;
+            wire [7:0] pixel0_carry_and = pixel0_carry_listed[7:0] & coefficients_b;
+            wire [7:0] pixel0_carry_extended = {7'd0, pixel0_carry & !first};
+            wire [7:0] pixel0_carry_sum = coefficients_c + pixel0_carry_and + pixel0_carry_extended;
+            wire [7:0] pixel0_carry_and_2 = (coefficients_c | pixel0_carry_and) & ~pixel0_carry_sum;
+            wire [7:0] pixel0_carry_or = (coefficients_c & pixel0_carry_and) | pixel0_carry_and_2;
+
+            always @(posedge clk) begin
+                pixel0_carry <= pixel0_carry_or[7];
+                pixel0_sum <= pixel0_carry_sum;
+            end
+            wire _unused_lane = &{1'b0, pixel0_carry_or[6:0]};
+        end
+    endgenerate
+
+    generate
+        for (i = 0; i < 4; i = i + 1) begin : pixel1_carry_row
+            reg pixel1_carry;
+            reg [7:0] pixel1_sum;
+            localparam [31:0] pixel1_carry_listed = 255 * (i % 2);
+            wire [7:0] pixel1_carry_and = pixel1_carry_listed[7:0] & {a1[5:0], first1 ? 2'd0 : a2[7:6]};
+            wire [7:0] pixel1_carry_extended = {7'd0, pixel1_carry & !first1};
+            wire [7:0] pixel1_carry_sum = pixel0_carry_row[i / 2].pixel0_sum + pixel1_carry_and + pixel1_carry_extended;
+            wire [7:0] pixel1_carry_and_2 = (pixel0_carry_row[i / 2].pixel0_sum | pixel1_carry_and) & ~pixel1_carry_sum;
+            wire [7:0] pixel1_carry_or = (pixel0_carry_row[i / 2].pixel0_sum & pixel1_carry_and) | pixel1_carry_and_2;
+
+            always @(posedge clk) begin
+                pixel1_carry <= pixel1_carry_or[7];
+                pixel1_sum <= pixel1_carry_sum;
+            end
+            wire _unused_lane = &{1'b0, pixel1_carry_or[6:0]};
+        end
+    endgenerate
+
+    generate
+        for (i = 0; i < 8; i = i + 1) begin : pixel2_carry_row
+            reg pixel2_carry;
+            reg [7:0] pixel2_sum;
+            localparam [31:0] pixel2_carry_listed = 255 * (i % 2);
+            wire [7:0] pixel2_carry_and = pixel2_carry_listed[7:0] & {a2[6:0], first2 ? 1'b0 : a3[7]};
+            wire [7:0] pixel2_carry_extended = {7'd0, pixel2_carry & !first2};
+            wire [7:0] pixel2_carry_sum = pixel1_carry_row[i / 2].pixel1_sum + pixel2_carry_and + pixel2_carry_extended;
+            wire [7:0] pixel2_carry_and_2 = (pixel1_carry_row[i / 2].pixel1_sum | pixel2_carry_and) & ~pixel2_carry_sum;
+            wire [7:0] pixel2_carry_or = (pixel1_carry_row[i / 2].pixel1_sum & pixel2_carry_and) | pixel2_carry_and_2;
+
+            always @(posedge clk) begin
+                pixel2_carry <= pixel2_carry_or[7];
+                pixel2_sum <= pixel2_carry_sum;
+            end
+            wire _unused_lane = &{1'b0, pixel2_carry_or[6:0]};
+        end
+    endgenerate
+
+    generate
+        for (i = 0; i < 16; i = i + 1) begin : pixel3_carry_row
+            reg pixel3_carry;
+            reg [7:0] pixel3_sum;
+            localparam [31:0] pixel3_carry_listed = 255 * (i % 2);
+            wire [7:0] pixel3_carry_and = pixel3_carry_listed[7:0] & a3;
+            wire [7:0] pixel3_carry_extended = {7'd0, pixel3_carry & !first3};
+            wire [7:0] pixel3_carry_sum = pixel2_carry_row[i / 2].pixel2_sum + pixel3_carry_and + pixel3_carry_extended;
+            wire [7:0] pixel3_carry_and_2 = (pixel2_carry_row[i / 2].pixel2_sum | pixel3_carry_and) & ~pixel3_carry_sum;
+            wire [7:0] pixel3_carry_or = (pixel2_carry_row[i / 2].pixel2_sum & pixel3_carry_and) | pixel3_carry_and_2;
+
+            always @(posedge clk) begin
+                pixel3_carry <= pixel3_carry_or[7];
+                pixel3_sum <= pixel3_carry_sum;
+            end
+            wire _unused_lane = &{1'b0, pixel3_carry_or[6:0]};
+        end
+    endgenerate
+
+    generate
+        for (i = 0; i < 2; i = i + 1) begin : chip0_carry_row
+            reg chip0_carry;
+            reg [7:0] chip0_sum;
+            localparam [31:0] chip0_carry_listed = 255 * i;
+            wire [7:0] chip0_carry_and = chip0_carry_listed[7:0] & {b3[6:0], first3 ? 1'b0 : b4[7]};
+            wire [7:0] chip0_carry_extended = {7'd0, chip0_carry & !first3};
+            wire [7:0] chip0_carry_sum = chip_root3 + chip0_carry_and + chip0_carry_extended;
+            wire [7:0] chip0_carry_and_2 = (chip_root3 | chip0_carry_and) & ~chip0_carry_sum;
+            wire [7:0] chip0_carry_or = (chip_root3 & chip0_carry_and) | chip0_carry_and_2;
+
+            always @(posedge clk) begin
+                chip0_carry <= chip0_carry_or[7];
+                chip0_sum <= chip0_carry_sum;
+            end
+            wire _unused_lane = &{1'b0, chip0_carry_or[6:0]};
+        end
+    endgenerate
+
+    generate
+        for (i = 0; i < 2; i = i + 1) begin : cells
+            for (j = 0; j < 16; j = j + 1) begin : col
+                reg value_carry;
+                reg [7:0] value_sum;
+                wire [7:0] value_carry_extended = {7'd0, value_carry & !first4};
+                wire [7:0] value_carry_sum = pixel3_carry_row[j].pixel3_sum + chip0_carry_row[i].chip0_sum + value_carry_extended;
+                wire [7:0] value_carry_and = (pixel3_carry_row[j].pixel3_sum | chip0_carry_row[i].chip0_sum) & ~value_carry_sum;
+                wire [7:0] value_carry_or = (pixel3_carry_row[j].pixel3_sum & chip0_carry_row[i].chip0_sum) | value_carry_and;
+
+                always @(posedge clk) begin
+                    value_carry <= value_carry_or[7];
+                    value_sum <= value_carry_sum;
+                end
+                wire _unused_lane = &{1'b0, value_carry_or[6:0]};
+            end
+        end
+    endgenerate
+
+    generate
+        for (i = 0; i < 2; i = i + 1) begin : value_of
+            for (j = 0; j < 16; j = j + 1) begin : value_col
+                assign value[(i * 16 + j) * 8 +: 8] = cells[i].col[j].value_sum;
+            end
+        end
+    endgenerate
+
+    always @(posedge clk) begin
+        a1 <= coefficients_a;
+        a2 <= a1;
+        a3 <= a2;
+        a4 <= a3;
+        a5 <= a4;
+        b1 <= coefficients_b;
+        b2 <= b1;
+        b3 <= b2;
+        b4 <= b3;
+        b5 <= b4;
+        chip_root1 <= 8'd0;
+        chip_root2 <= chip_root1;
+        chip_root3 <= chip_root2;
+    end
+
+    always @(posedge clk) begin
+        if (rst) begin
+            first1 <= 1'b0;
+            first2 <= 1'b0;
+            first3 <= 1'b0;
+            first4 <= 1'b0;
+        end else begin
+            first1 <= first;
+            first2 <= first1;
+            first3 <= first2;
+            first4 <= first3;
+        end
+    end
+
+    wire _unused_ok = &{1'b0, a5, b5};
+endmodule
+`default_nettype wire

@@ -1,0 +1,181 @@
+// pixel_processor_depth8
+//
+// Computes a byte of a pixel a clock.
+//
+// Parameters  PixelProcessor { depth: 8 }
+// Latency     1 clock to the memory and the flags
+// Source      Reducing Latency on PixelFlow, section 3 (PFL-NODE)
+// Described   rtl/src/pixelflow/pixel.rs:248
+`default_nettype none
+
+module pixel_processor_depth8 (
+    input  wire       clk,
+    // What all processors do.
+    input  wire [1:0] control_source,      // Where the operand comes from: a `Source`.
+    input  wire [7:0] control_constant,    // The operand, if it is a constant.
+    input  wire [3:0] control_function,    // What the ALU does: a `Function`.
+    input  wire [1:0] control_begin,       // The carry that comes in: a `Begin`.
+    input  wire [1:0] control_mask,        // Who writes: a `Mask`.
+    input  wire       control_accumulates, // The result goes to the accumulator.
+    input  wire       control_stores,      // The result goes to memory.
+    input  wire [1:0] control_condition,   // What `enabling` and `flagging` look at: a `Condition`.
+    input  wire [2:0] control_enabling,    // What becomes of the enable flags: an `Enabling`.
+    // `enabling` looks at the expression's top bit instead: the condition holds where it is 0.
+    input  wire       control_by_sign,
+    input  wire [1:0] control_flagging,    // What becomes of the flag: a `Flagging`.
+    input  wire [8:0] control_read,        // The address that is read.
+    input  wire [8:0] control_write,       // The address that is written.
+    input  wire [7:0] expression,          // A byte of the expression at this pixel.
+    input  wire [7:0] register_byte,       // The communication register at the address that is read, if one is there.
+    output reg  [7:0] result,              // The byte that the ALU makes.
+    output wire       writes_register      // It goes to the communication register at the address that is written.
+);
+
+    localparam [1:0] SOURCE_CONSTANT     = 2'd0;
+    localparam [1:0] SOURCE_EXPRESSION   = 2'd1;
+    localparam [1:0] SOURCE_ACCUMULATOR  = 2'd2;
+    // not mentioned: localparam [1:0] SOURCE_MULTIPLICAND = 2'd3;
+    // not mentioned: localparam [3:0] FUNCTION_OPERAND      = 4'd0;
+    localparam [3:0] FUNCTION_WORD         = 4'd1;
+    localparam [3:0] FUNCTION_ADD          = 4'd2;
+    localparam [3:0] FUNCTION_SUBTRACT     = 4'd3;
+    localparam [3:0] FUNCTION_COMPARE      = 4'd4;
+    localparam [3:0] FUNCTION_AND          = 4'd5;
+    localparam [3:0] FUNCTION_OR           = 4'd6;
+    localparam [3:0] FUNCTION_EXCLUSIVE_OR = 4'd7;
+    localparam [3:0] FUNCTION_SHIFT_LEFT   = 4'd8;
+    localparam [3:0] FUNCTION_SHIFT_RIGHT  = 4'd9;
+    localparam [3:0] FUNCTION_ADD_HALVED   = 4'd10;
+    localparam [1:0] BEGIN_KEPT = 2'd0;
+    localparam [1:0] BEGIN_ZERO = 2'd1;
+    // not mentioned: localparam [1:0] BEGIN_ONE  = 2'd2;
+    localparam [1:0] MASK_NOBODY    = 2'd0;
+    localparam [1:0] MASK_EVERYBODY = 2'd1;
+    localparam [1:0] MASK_ENABLED   = 2'd2;
+    // not mentioned: localparam [1:0] MASK_FLAGGED   = 2'd3;
+    localparam [1:0] CONDITION_POSITIVE = 2'd0;
+    localparam [1:0] CONDITION_CARRY    = 2'd1;
+    // not mentioned: localparam [1:0] CONDITION_NO_CARRY = 2'd2;
+    localparam [2:0] ENABLING_KEEP     = 3'd0;
+    localparam [2:0] ENABLING_SET      = 3'd1;
+    localparam [2:0] ENABLING_REPLACE  = 3'd2;
+    localparam [2:0] ENABLING_RESTRICT = 3'd3;
+    localparam [2:0] ENABLING_PUSH     = 3'd4;
+    localparam [2:0] ENABLING_INVERT   = 3'd5;
+    // not mentioned: localparam [2:0] ENABLING_POP      = 3'd6;
+    localparam [1:0] FLAGGING_KEEP              = 2'd0;
+    localparam [1:0] FLAGGING_CONDITION         = 2'd1;
+    // not mentioned: localparam [1:0] FLAGGING_ENABLED_CONDITION = 2'd2;
+
+    reg [7:0] accumulator;                                       // rtl/src/pixelflow/pixel.rs:250
+    reg carry;                                                   // rtl/src/pixelflow/pixel.rs:250
+    reg flag;                                                    // rtl/src/pixelflow/pixel.rs:251
+    reg [7:0] enable;                                            // rtl/src/pixelflow/pixel.rs:307
+
+    (* no_rw_check *)
+    reg [7:0] memory [0:255];                                    // rtl/src/pixelflow/pixel.rs:248
+
+    wire [7:0] memory_word = memory[control_read[7:0]];          // rtl/src/pixelflow/pixel.rs:249
+    wire [7:0] word = control_read[8] ? register_byte : memory_word; // rtl/src/pixelflow/pixel.rs:249
+    reg [7:0] operand;                                           // rtl/src/pixelflow/pixel.rs:252
+    always @* begin
+        case (control_source)
+            SOURCE_CONSTANT: operand = control_constant;
+            SOURCE_EXPRESSION: operand = expression;
+            SOURCE_ACCUMULATOR: operand = accumulator;
+            default: begin // SOURCE_MULTIPLICAND
+                if (flag) operand = accumulator;
+                else operand = 8'd0;
+            end
+        endcase
+    end
+    reg carried;                                                 // rtl/src/pixelflow/pixel.rs:260
+    always @* begin
+        case (control_begin)
+            BEGIN_KEPT: carried = carry;
+            BEGIN_ZERO: carried = 1'b0;
+            default: carried = 1'b1; // BEGIN_ONE
+        endcase
+    end
+    wire subtracts = (control_function == FUNCTION_SUBTRACT) | (control_function == FUNCTION_COMPARE); // rtl/src/pixelflow/pixel.rs:269
+    wire [7:0] addend = subtracts ? ~operand : operand;          // rtl/src/pixelflow/pixel.rs:270
+    wire [7:0] sum = word + addend + {7'd0, carried};            // rtl/src/pixelflow/pixel.rs:271
+    wire [7:0] carry_out_or = (word & addend) | ((word | addend) & ~sum); // rtl/src/pixelflow/pixel.rs:272
+    wire carry_out = carry_out_or[7];                            // rtl/src/pixelflow/pixel.rs:272
+    always @* begin
+        case (control_function)
+            FUNCTION_WORD: result = word;
+            FUNCTION_ADD: result = sum;
+            FUNCTION_SUBTRACT: result = sum;
+            FUNCTION_AND: result = word & operand;
+            FUNCTION_OR: result = word | operand;
+            FUNCTION_EXCLUSIVE_OR: result = word ^ operand;
+            FUNCTION_SHIFT_LEFT: result = {word[6:0], carried};
+            FUNCTION_SHIFT_RIGHT: result = {carried, word[7:1]};
+            FUNCTION_ADD_HALVED: result = {carry_out, sum[7:1]};
+            default: result = operand;
+        endcase
+    end
+    reg carry_next;                                              // rtl/src/pixelflow/pixel.rs:288
+    always @* begin
+        case (control_function)
+            FUNCTION_ADD: carry_next = carry_out;
+            FUNCTION_SUBTRACT: carry_next = carry_out;
+            FUNCTION_COMPARE: carry_next = carry_out;
+            FUNCTION_SHIFT_LEFT: carry_next = word[7];
+            FUNCTION_SHIFT_RIGHT: carry_next = word[0];
+            FUNCTION_ADD_HALVED: carry_next = sum[0];
+            default: carry_next = carry;
+        endcase
+    end
+    reg holds;                                                   // rtl/src/pixelflow/pixel.rs:299
+    always @* begin
+        case (control_condition)
+            CONDITION_POSITIVE: holds = !operand[7];
+            CONDITION_CARRY: holds = carry_next;
+            default: holds = !carry_next; // CONDITION_NO_CARRY
+        endcase
+    end
+    wire enters = control_by_sign ? !expression[7] : holds;      // rtl/src/pixelflow/pixel.rs:306
+    reg [7:0] enables;                                           // rtl/src/pixelflow/pixel.rs:309
+    always @* begin
+        case (control_enabling)
+            ENABLING_KEEP: enables = enable;
+            ENABLING_SET: enables = {enable[7:1], 1'b1};
+            ENABLING_REPLACE: enables = {enable[7:1], enters};
+            ENABLING_RESTRICT: enables = {enable[7:1], enable[0] & enters};
+            ENABLING_PUSH: enables = {enable[6:0], enable[0] & enters};
+            ENABLING_INVERT: enables = {enable[7:1], enable[1] & !enable[0]};
+            default: enables = {enable[7], enable[7:1]}; // ENABLING_POP
+        endcase
+    end
+    reg writes;                                                  // rtl/src/pixelflow/pixel.rs:327
+    always @* begin
+        case (control_mask)
+            MASK_NOBODY: writes = 1'b0;
+            MASK_EVERYBODY: writes = 1'b1;
+            MASK_ENABLED: writes = enable[0];
+            default: writes = flag; // MASK_FLAGGED
+        endcase
+    end
+    wire stores = writes & control_stores;                       // rtl/src/pixelflow/pixel.rs:336
+    assign writes_register = stores & control_write[8];          // rtl/src/pixelflow/pixel.rs:338
+
+    always @(posedge clk) begin
+        if (stores & !control_write[8]) memory[control_write[7:0]] <= result;
+    end
+
+    always @(posedge clk) begin
+        if (writes & control_accumulates) accumulator <= result;
+        carry <= carry_next;
+        case (control_flagging)
+            FLAGGING_KEEP: ;
+            FLAGGING_CONDITION: flag <= holds;
+            default: flag <= holds & enable[0]; // FLAGGING_ENABLED_CONDITION
+        endcase
+        enable <= enables;
+    end
+
+    wire _unused_ok = &{1'b0, carry_out_or[6:0]};
+endmodule
+`default_nettype wire

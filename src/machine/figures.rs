@@ -1,0 +1,102 @@
+//! What a machine takes for a frame, in terms that all machines share.
+
+use super::Machine;
+use super::job::{Job, Run};
+use super::pixel_planes::PixelPlanesOptions;
+use super::quadtree::QuadtreeOptions;
+use super::vc1::Vc1Job;
+use crate::shell::Failure;
+use serde::Serialize;
+use tilewright_hdl::ir::State;
+use tilewright_hdl::{Block, elaborate};
+use tilewright_scenes::{Frame, Scene};
+
+/// A frame in numbers that are counted in the simulated machine, or follow from its structure.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Figures {
+    /// Units that draw side by side.
+    pub processors: u32,
+    /// What they are.
+    pub processor: String,
+    /// Bits of all registers of the circuit.
+    pub register_bits: u64,
+    /// Bits of all its memories that are written.
+    pub memory_bits: u64,
+    /// Clocks of a frame, of the processors' clock.
+    pub clocks: u64,
+    /// Simulated time of a frame.
+    pub picoseconds: u64,
+    /// What that time has in it.
+    pub time: String,
+    /// Pixels that processors were given to test for a polygon, whether it covers them or not.
+    pub tested: u64,
+    /// Pixels that polygons cover, each as often as it is drawn.
+    pub drawn: u64,
+    /// Working clocks of all processors in parts of all their clocks in a frame, from 0 to 1.
+    pub at_work: f64,
+    /// What takes longest.
+    pub limit: String,
+    /// Its clocks in parts of those of the frame, from 0 to 1.
+    pub limit_share: f64,
+}
+
+impl Figures {
+    /// Simulated milliseconds of a frame.
+    pub fn milliseconds(&self) -> f64 {
+        self.picoseconds as f64 / 1e9
+    }
+
+    /// The processors' clock in MHz.
+    pub fn megahertz(&self) -> f64 {
+        1e6 * self.clocks as f64 / self.picoseconds.max(1) as f64
+    }
+}
+
+/// A job whose frame can be put beside those of other machines.
+pub trait Compared: Job {
+    /// What the frame of that report took.
+    ///
+    /// # Errors
+    /// There is no such machine.
+    fn figures(&self, report: &Self::Report) -> Result<Figures, Failure>;
+}
+
+/// What draws a scene, and says what the frame took.
+pub type Draw = fn(&Scene, &Run) -> Result<(Frame, Figures), Failure>;
+
+/// A machine that takes part in comparisons.
+#[derive(Clone, Copy)]
+pub struct Entrant {
+    /// Which.
+    pub machine: Machine,
+    /// Draws a scene on the machine as it is without options, but large enough for the scene.
+    pub draw: Draw,
+}
+
+/// All of them.
+pub const ENTRANTS: [Entrant; 3] = [
+    Entrant { machine: Machine::Vc1, draw: |scene, run| drawn(&Vc1Job::with_enough_pages(scene)?, run) },
+    Entrant {
+        machine: Machine::Quadtree,
+        draw: |scene, run| drawn(&QuadtreeOptions::default().job(scene, false)?, run),
+    },
+    Entrant {
+        machine: Machine::PixelPlanes,
+        draw: |scene, run| drawn(&PixelPlanesOptions::default().job(scene, false)?, run),
+    },
+];
+
+fn drawn(job: &impl Compared, run: &Run) -> Result<(Frame, Figures), Failure> {
+    let (frame, report) = job.render(run)?;
+    let figures = job.figures(&report)?;
+    Ok((frame, figures))
+}
+
+/// The bits that a circuit keeps.
+///
+/// # Errors
+/// Its description has a mistake.
+pub fn state<B: Block>(block: &B) -> Result<State, Failure> {
+    let design = elaborate(block).map_err(tilewright_sim::Error::from)?;
+    Ok(design.state())
+}

@@ -1,0 +1,52 @@
+//! The page of PixelFlow: what its paper says of the latency of three software systems (facts A4, B).
+
+mod charts;
+mod found;
+mod plan;
+mod statements;
+
+use super::effort::Effort;
+use crate::shell::Failure;
+use found::Found;
+use plan::Plan;
+use tilewright_machines::Watch;
+use tilewright_report::{Page, Provenance, Section};
+
+/// Measures and makes the page; `None` if it was interrupted.
+pub fn page(effort: Effort, watch: &mut Watch) -> Result<Option<Page>, Failure> {
+    let plan = Plan { effort };
+    let Some(found) = Found::all(&plan, watch)? else { return Ok(None) };
+    let provenance =
+        Provenance::new("tilewright", env!("CARGO_PKG_VERSION"), effort.command("pixelflow", "--primitives"))
+            .seeds([effort.seed])
+            .parameter("nodes", "20, one of which holds the frame", "as in the paper")
+            .parameter("screen", "640x512 pixels in 40 regions of 128x64", "as in the paper")
+            .parameter(
+                "primitives",
+                "10x10 pixels at random places",
+                "as in the paper; its screen wraps around here, so that their overlap is the formula’s",
+            )
+            .parameter(
+                "rasterizations with eight samples",
+                "2",
+                "the paper does not say: four samples are side by side, so all is drawn twice",
+            )
+            .parameter("set-up of a composition", "0", "as in the paper, which leaves it out");
+    let page = Page::new("PixelFlow: the latency of three systems", provenance)
+        .paragraph(
+            "Twenty nodes each have an array of 128x64 pixel processors and a front end. Some rasterize, others shade, one holds the frame; a network between them composes \
+             what they drew, region by region. The paper gives the latency of three software systems in formulas: the base system, in which a frame is drawn while the \
+             next one is transformed; one that sorts primitives in a pass of its own, and draws the same frame in a second; and one that has the whole screen in the pixels’ memory, without sorting and \
+             without textures.",
+        )
+        .paragraph(
+            "Here the formulas stand beside a transaction model, which lets each node, the network and the frame buffer wait for each other as their registers make them, with the \
+             paper’s time for each step. It knows no circuit. Where the paper’s statements follow from its constants, both agree with it.",
+        )
+        .section(Section::new("Statements").part(statements::verdicts(&found)))
+        .section(charts::latencies(&found))
+        .section(charts::stages(&found))
+        .section(charts::pre_sorting(&found))
+        .section(Section::new("Checks of what is measured").part(statements::checks()));
+    Ok(Some(page))
+}

@@ -1,0 +1,323 @@
+//! What the paper states, each by the formula and by the model.
+
+use super::found::{Curve, Found};
+use super::plan::{Case, EIGHT, GOAL, LATENCIES, Plan};
+use tilewright_machines::pixelflow::{Costs, Nodes, Samples, Shades, Software, System, Workload, crossover, overlap};
+use tilewright_report::{Origin, Rule, Statement, Verdicts};
+
+/// All statements, in the order of the paper.
+pub fn verdicts(found: &Found) -> Verdicts {
+    let statements = [constants(), overlaps(found), memory(), conclusions(found), without_samples(found), crossovers()];
+    Verdicts::new("statements", "Statements of the paper, each by the rule beneath it")
+        .states(statements.into_iter().flatten())
+}
+
+const WITHIN: Rule = Rule::Within { percent: 0.5 };
+
+/// PFL-TCB to PFL-LOAD.
+fn constants() -> Vec<Statement> {
+    let costs = Costs::default();
+    let of_formula = |fact: &str, text: &str, unit: &str, paper: f64, value: f64| {
+        Statement::new(fact, text, WITHIN).unit(unit).paper([paper]).found(Origin::Formula, [value])
+    };
+    let bytes = f64::from(Software::APPEARANCE);
+    vec![
+        of_formula(
+            "PFL-TCB",
+            "A byte of each pixel of a region is composed in 1.28 µs: 8192 pixels over 256 wires at 200 MHz.",
+            "µs",
+            1.28,
+            8192.0 * 8.0 / 256.0 * 0.005,
+        ),
+        of_formula(
+            "PFL-BYTES",
+            "A region’s 21 bytes of appearance parameters take 26.88 µs.",
+            "µs",
+            26.88,
+            bytes * costs.composed_byte,
+        ),
+        of_formula(
+            "PFL-LOAD",
+            "Loading colours to the frame buffer takes 2.08 ms.",
+            "ms",
+            2.08,
+            40.0 * costs.load / 1000.0,
+        ),
+        Statement::new("PFL-COL", "Composing colour alone takes 360 µs: z and colour, 7 bytes of 40 regions.", WITHIN)
+            .unit("µs")
+            .paper([360.0])
+            .found(Origin::Formula, [40.0 * f64::from(Software::PLAIN) * costs.composed_byte]),
+        Statement::new("PFL-COL", "Likewise, if it were colour alone, 3 bytes.", WITHIN)
+            .unit("µs")
+            .paper([360.0])
+            .found(Origin::Formula, [40.0 * 3.0 * costs.composed_byte]),
+    ]
+}
+
+/// PFL-OVERLAP.
+fn overlaps(found: &Found) -> Vec<Statement> {
+    let state = |text: &str, paper: f64, samples: Samples, sides: [f64; 2], region: [f64; 2]| {
+        let counted = found.overlap(samples);
+        [
+            Statement::new("PFL-OVERLAP", format!("{text}: by the formula."), WITHIN)
+                .unit("regions a primitive")
+                .paper([paper])
+                .found(Origin::Formula, [overlap(sides, region)]),
+            Statement::new("PFL-OVERLAP", format!("{text}: bins of random boxes."), Rule::Within { percent: 1.0 })
+                .unit("regions a primitive")
+                .formula([overlap(sides, region)])
+                .found(found.counted(), [counted]),
+        ]
+    };
+    let one = state("A box of 10x10 pixels is in 1.25 regions of 128x64", 1.25, Samples::One, [10.0; 2], [128.0, 64.0]);
+    let eight = state(
+        "With eight samples it is in 1.52, of regions of 64x32: four samples are side by side",
+        1.52,
+        EIGHT,
+        [10.0; 2],
+        [64.0, 32.0],
+    );
+    one.into_iter().chain(eight).collect()
+}
+
+/// PFL-MEM.
+fn memory() -> Vec<Statement> {
+    let bytes = 40.0 * f64::from(Software::PLAIN);
+    let processor = f64::from(tilewright_rtl::pixelflow::pixel::PixelProcessor::BYTES);
+    vec![
+        Statement::new("PFL-MEM", "The whole screen of 40 regions takes 280 bytes of a pixel processor.", Rule::Equals)
+            .unit("bytes")
+            .paper([280.0])
+            .found(Origin::Formula, [bytes]),
+        Statement::new("PFL-MEM", "They fit into the 384 bytes that a processor has.", Rule::AtMost)
+            .unit("bytes")
+            .paper([processor])
+            .found(Origin::Formula, [bytes]),
+    ]
+}
+
+fn case(system: System, shaders: u32, samples: Samples, shades: Shades) -> Case {
+    Plan::cases(samples, shades).find(|it| (it.system, it.shaders) == (system, shaders)).expect("there is one")
+}
+
+/// A comparison of two systems, each at some latencies.
+struct Versus<'a> {
+    found: &'a Found,
+    one: Case,
+    other: Case,
+}
+
+impl Versus<'_> {
+    fn at(latencies: &[f64]) -> impl Iterator<Item = (String, f64)> {
+        latencies.iter().map(|latency| (format!("{latency} ms"), *latency))
+    }
+
+    /// Primitives of the one in parts of the other's, by the paper's formula.
+    fn by_formula(&self, latencies: &[f64]) -> Vec<(String, f64)> {
+        let of = |case: &Case, latency| case.formula().primitives_within(latency);
+        Versus::at(latencies).map(|(at, latency)| (at, of(&self.one, latency) / of(&self.other, latency))).collect()
+    }
+
+    fn by_model(&self, latencies: &[f64]) -> Vec<(String, f64)> {
+        let of = |case: Case, latency| Some(self.found.curve(case).within(latency)? as f64);
+        let ratio = |(at, latency): (String, f64)| Some((at, of(self.one, latency)? / of(self.other, latency)?));
+        Versus::at(latencies).filter_map(ratio).collect()
+    }
+}
+
+/// The two ways to shade eight samples.
+const WAYS: [(Shades, &str); 2] =
+    [(Shades::OncePerPixel, "model that shades a pixel once"), (Shades::EverySample, "model that shades every sample")];
+
+/// C1 to C6: figure 3.
+fn conclusions(found: &Found) -> Vec<Statement> {
+    let (base, sorted, plain) = (System::Base, System::PreSort, System::NonTexturing);
+    let mut statements = Vec::new();
+    let least = |case: Case| (case.formula().latency(0.0), found.curve(case).least());
+    let mut compare_least = |fact: &str, text: &str, rule: Rule, one: (System, u32), other: (System, u32)| {
+        let of = |(system, shaders), shades| least(case(system, shaders, EIGHT, shades));
+        let formula = of(one, Shades::OncePerPixel).0 / of(other, Shades::OncePerPixel).0;
+        let mut state = |how: &str, origin: Origin, value: f64| {
+            let text = format!("{text}: {how}.");
+            statements.push(
+                Statement::new(fact, text, rule.clone())
+                    .unit("least latency, in parts of the other’s")
+                    .paper([1.0])
+                    .found(origin, [value]),
+            );
+        };
+        state("formula", Origin::Formula, formula);
+        for (shades, how) in WAYS {
+            state(how, found.origin(), of(one, shades).1 / of(other, shades).1);
+        }
+    };
+    compare_least(
+        "PFL C1",
+        "With eight samples the non-texturing system has a greater least latency than a base system with 4 shaders",
+        Rule::AtLeast,
+        (plain, 0),
+        (base, 4),
+    );
+    compare_least("PFL C3", "With eight samples 4 shaders lower the least latency", Rule::AtMost, (base, 4), (base, 1));
+
+    let mut compare = |fact: &str, text: &str, rule: Rule, paper: f64, one: (System, u32), other: (System, u32)| {
+        let versus = |shades| Versus {
+            found,
+            one: case(one.0, one.1, EIGHT, shades),
+            other: case(other.0, other.1, EIGHT, shades),
+        };
+        let mut state = |how: &str, origin: Origin, values: Vec<(String, f64)>| {
+            let text = format!("{text}: {how}.");
+            statements.push(
+                Statement::new(fact, text, rule.clone())
+                    .unit("times the primitives")
+                    .paper([paper])
+                    .found(origin, values),
+            );
+        };
+        state("formula", Origin::Formula, versus(Shades::OncePerPixel).by_formula(&GOAL));
+        for (shades, how) in WAYS {
+            state(how, found.origin(), versus(shades).by_model(&GOAL));
+        }
+    };
+    compare(
+        "PFL C2",
+        "At 30 to 40 ms the non-texturing system draws fewer primitives than the base system with 1 shader",
+        Rule::AtMost,
+        1.0,
+        (plain, 0),
+        (base, 1),
+    );
+    compare("PFL C4", "At 30 to 40 ms 1 shader draws more primitives than 4", Rule::AtLeast, 1.0, (base, 1), (base, 4));
+    compare("PFL C5", "At 30 to 40 ms pre-sorting gains at least 10 %", Rule::AtLeast, 1.10, (sorted, 1), (base, 1));
+    compare("PFL C5", "It gains at most 15 %", Rule::AtMost, 1.15, (sorted, 1), (base, 1));
+    compare(
+        "PFL C5",
+        "It gains at most 15 %, if it is read as pre-sorting with 4 shaders beside the base system with 1",
+        Rule::AtMost,
+        1.15,
+        (sorted, 4),
+        (base, 1),
+    );
+
+    let gap = |curve: [&Curve; 2]| {
+        let of = |(at, latency): (String, f64)| {
+            Some((at, curve[0].within(latency)? as f64 - curve[1].within(latency)? as f64))
+        };
+        Versus::at(&LATENCIES).filter_map(of).collect::<Vec<_>>()
+    };
+    let grows = |how: &str, origin: Origin, values: Vec<(String, f64)>| {
+        Statement::new(
+            "PFL C6",
+            format!("The gain of pre-sorting grows with latency: {how}."),
+            Rule::Increases { with: "latency".to_owned() },
+        )
+        .unit("primitives more")
+        .found(origin, values)
+    };
+    let by_formula = Versus::at(&LATENCIES).map(|(at, latency)| {
+        let of = |system| case(system, 1, EIGHT, Shades::OncePerPixel).formula().primitives_within(latency);
+        (at, of(sorted) - of(base))
+    });
+    statements.push(grows("formula", Origin::Formula, by_formula.collect()));
+    for (shades, how) in WAYS {
+        let curves = [sorted, base].map(|system| found.curve(case(system, 1, EIGHT, shades)));
+        statements.push(grows(how, found.origin(), gap(curves)));
+    }
+    statements
+}
+
+/// D1, D2 and PFL-600K: figure 4.
+fn without_samples(found: &Found) -> Vec<Statement> {
+    let of = |system, shaders| case(system, shaders, Samples::One, Shades::EverySample);
+    let (base, sorted, plain) = (of(System::Base, 1), of(System::PreSort, 1), of(System::NonTexturing, 0));
+    let both = |fact: &str, text: &str, rule: Rule, one: Case, other: Case| {
+        let versus = Versus { found, one, other };
+        [("formula", Origin::Formula, versus.by_formula(&GOAL)), ("model", found.origin(), versus.by_model(&GOAL))].map(
+            |(how, origin, values)| {
+                Statement::new(fact, format!("{text}: {how}."), rule.clone())
+                    .unit("times the primitives")
+                    .paper([1.0])
+                    .found(origin, values)
+            },
+        )
+    };
+    let most = "The non-texturing system draws over 600 thousand primitives in 30 ms without antialiasing";
+    let within = |how: &str, origin: Origin, value: Option<f64>| {
+        Statement::new("PFL-600K", format!("{most}: {how}."), Rule::AtLeast)
+            .unit("primitives")
+            .paper([600_000.0])
+            .found(origin, value)
+    };
+    both("PFL D1", "Without antialiasing pre-sorting has no advantage at 30 to 40 ms", Rule::AtMost, sorted, base)
+        .into_iter()
+        .chain(both("PFL D2", "There the non-texturing system has a large advantage", Rule::AtLeast, plain, base))
+        .chain([
+            within("formula", Origin::Formula, Some(plain.formula().primitives_within(30.0))),
+            within("model", found.origin(), found.curve(plain).within(30.0).map(|it| it as f64)),
+        ])
+        .collect()
+}
+
+/// That a machine with more shading is better off with more shaders.
+fn crossovers() -> Vec<Statement> {
+    let at = |factor: f64| {
+        let software = |shaders| {
+            let software = Software::paper(System::Base, Nodes::paper(shaders), Samples::One);
+            let costs = Costs {
+                look_up: factor * software.costs.look_up,
+                addresses: factor * software.costs.addresses,
+                ..software.costs
+            };
+            Software { costs, ..software }
+        };
+        Some((format!("{factor} times"), crossover(&software(1), &software(4))?))
+    };
+    vec![
+        Statement::new(
+            "PFL C4",
+            "The crossover between 1 and 4 shaders shifts to more primitives if shading takes longer: formula, without antialiasing.",
+            Rule::Increases { with: "the time of shading".to_owned() },
+        )
+        .unit("primitives at which both take as long")
+        .found(Origin::Formula, [1.0, 2.0, 4.0, 8.0].into_iter().filter_map(at)),
+    ]
+}
+
+/// That the model is the formula where its assumptions hold, to the filling of a region.
+pub fn checks() -> Verdicts {
+    let balanced = |case: Case| {
+        let software = Software { overlap: 1.0, ..case.formula_of_all() };
+        let regions = software.regions_drawn();
+        let primitives = 300;
+        let workload =
+            Workload::balanced(software.nodes.rasterizers as usize, regions as u16, primitives, software.draws());
+        let latency = software.simulate(&workload, case.choices).latency;
+        (latency, software.latency(workload.primitives() as f64))
+    };
+    let name = |case: &Case| {
+        let samples = if case.samples == Samples::One { "one sample" } else { "eight samples" };
+        format!("{}, {samples}", case.name())
+    };
+    let cases: Vec<Case> = Plan::all_cases().filter(|case| case.choices.shades == Shades::EverySample).collect();
+    let values =
+        |of: fn((f64, f64)) -> f64| cases.iter().map(move |case| (name(case), of(balanced(*case)))).collect::<Vec<_>>();
+    let of_formula = values(|(_, formula)| formula);
+    Verdicts::new("checks", "Checks")
+        .state(
+            Statement::new(
+                "PFL-LAT1",
+                "In perfect balance the model takes as long as the formula with all regions that are composed and shaded, up to the filling of a region: 300 primitives a region and rasterizer.",
+                Rule::Within { percent: 4.0 },
+            )
+            .unit("ms")
+            .formula(of_formula.clone())
+            .found(Origin::model([]), values(|(model, _)| model)),
+        )
+        .state(
+            Statement::new("PFL-LAT1", "The model never takes less.", Rule::AtLeast)
+                .unit("ms")
+                .formula(of_formula.into_iter().map(|(at, value)| (at, value * (1.0 - 1e-9))))
+                .found(Origin::model([]), values(|(model, _)| model)),
+        )
+}

@@ -1,0 +1,63 @@
+//! The page of PixelFlow.
+
+use super::{lines, rows, whole_page};
+use crate::harness::Folder;
+
+/// A page of so few primitives that it takes little time.
+const QUICK: &str = "reproduce pixelflow -o report --primitives 3000";
+
+#[test]
+fn a_report_is_whole() {
+    let folder = Folder::new();
+    let parts = [
+        "figure-3.csv",
+        "figure-3-every-sample.csv",
+        "figure-4.csv",
+        "primitives.csv",
+        "stages-base.csv",
+        "stages-pre-sort.csv",
+        "stages-non-texturing.csv",
+        "stages-base-one-sample.csv",
+        "pre-sorting.csv",
+    ];
+    let report = whole_page(&folder, QUICK, &parts);
+    assert!(report["holds"].as_u64().unwrap() > 15, "{report}");
+    latencies_stand_beside_formulas_with_their_seed(&folder);
+    the_papers_numbers_are_judged(&folder);
+    folder.stdout("reproduce pixelflow -o other --primitives 3000 --seed 2");
+    let [one, other] = ["report", "other"].map(|report| folder.read(format!("{report}/figure-4.csv")));
+    assert_ne!(one, other);
+}
+
+fn latencies_stand_beside_formulas_with_their_seed(folder: &Folder) {
+    let rows = rows(folder, "report/figure-4.csv");
+    // Five systems, with no primitives and with all that a quick look has.
+    assert_eq!(rows.len(), 5 * 2);
+    for cells in rows {
+        let [formula, model] = [2, 4].map(|column| cells[column].parse::<f64>().unwrap());
+        // Of so few primitives the filling of the pipe is much of it, but for the system that has none.
+        assert!((1.0..1.3).contains(&(model / formula)), "{cells:?}");
+        assert_eq!(cells[8], "1", "{cells:?}");
+    }
+}
+
+fn the_papers_numbers_are_judged(folder: &Folder) {
+    let statements: Vec<_> = lines(folder, "report/statements.csv").map(|cells| cells.join(",")).collect();
+    let verdict = |start: &str, end: &str| {
+        let found = statements.iter().filter(|line| line.starts_with(start)).any(|line| line.ends_with(end));
+        assert!(found, "{start} .. {end} in {statements:#?}");
+    };
+    verdict("PFL-TCB", "holds");
+    verdict(
+        "PFL-600K,The non-texturing system draws over 600 thousand primitives in 30 ms without antialiasing: formula",
+        "holds",
+    );
+    verdict("PFL D1", "differs by 32 % (35 ms)");
+    // A quick look does not come so far.
+    verdict(
+        "PFL-600K,The non-texturing system draws over 600 thousand primitives in 30 ms without antialiasing: model",
+        "cannot be compared: nothing was found",
+    );
+    let checks: Vec<_> = lines(folder, "report/checks.csv").collect();
+    assert!(checks.len() == 20 && checks.iter().all(|cells| cells.last().unwrap() == "holds"), "{checks:?}");
+}
