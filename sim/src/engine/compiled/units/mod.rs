@@ -43,6 +43,7 @@ pub(super) struct Apart {
     runs: Place,
     /// How many functions there are.
     functions: u64,
+    #[expect(clippy::vec_box, reason = "code has the address of each, which stays as more are added")]
     running: Vec<Box<Running>>,
 }
 

@@ -9,7 +9,7 @@ use rustc_hash::{FxHashMap, FxHashSet};
 use tilewright_hdl::ir::Binary;
 
 use crate::engine::compiled::function::{self, Became, Function, Sink};
-use crate::engine::program::{Cell, Kind, Program, UnitId, ValueId};
+use crate::engine::program::{Cell, Kind, Memory, Program, UnitId, ValueId};
 use crate::engine::rewrite::{Rewriter, rebuild};
 
 /// Which unit the state of a program is in.
@@ -24,7 +24,7 @@ pub(in crate::engine::compiled) struct Units {
 impl Units {
     /// The units of a program.
     pub fn of(program: &Program) -> Units {
-        let reads = |memory: &crate::engine::program::Memory| {
+        let reads = |memory: &Memory| {
             let unit = memory.unit;
             memory.reads.iter().map(move |read| (read.value, unit)).collect::<Vec<_>>()
         };
