@@ -109,7 +109,7 @@ pub const USUAL: [Subject; 6] = [
 ];
 
 /// Checksums that several simulators agree on: the subject, cycles, checksum.
-const KNOWN: [(&str, u64, u32); 38] = [
+const KNOWN: [(&str, u64, u32); 39] = [
     ("pim16", 1000, 0xcce1_f33c),
     ("pim16", 20_000, 0x0b77_df9a),
     ("pim16", 300_000, 0xd0c8_a649),
@@ -148,6 +148,7 @@ const KNOWN: [(&str, u64, u32); 38] = [
     ("renderer32", 20_000, 0xe61a_7d8d),
     ("renderer64", 1000, 0x0250_5f1b),
     ("renderer128", 1000, 0xe513_299d),
+    ("nodes20", 2000, 0x60f0_60d9),
 ];
 
 /// A design written by hand in Verilog, with the same function as ours.

@@ -84,7 +84,7 @@ fn renderer() {
 
 #[test]
 fn nodes() {
-    check("nodes2", 160_001);
+    check("nodes20", 2000);
 }
 
 #[test]
