@@ -201,6 +201,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     /// impl Nodes {
     ///     fn build(&self, m: Module, (): ()) -> NodesOut {
     ///         let number = m.reg("number", 2).reset(3);
+    ///         number.next(*number);
     ///         let numbers = constants(bits(2).of(4), u64::from);
     ///         let nodes = m.array("u_node", 4, &Node, |_| NodeIn { is_busy: numbers.eq(*number) });
     ///         NodesOut { all: nodes.count.pack() }
