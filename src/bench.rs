@@ -29,9 +29,10 @@ The designs, with a size for N:
   systolicN  N x N cells that multiply matrices
   vc1xN      a VC-1 with N processors that draw at random, frame after frame; vc1xN@WxH has another screen than 640x480
   rendererN  a renderer of Pixel-planes 5 that draws regions of N x N pixels, one after another; N is a power of two
+  nodesN     N renderers of 32 x 32 pixels, one of them busy at a time
 
 qt1*16 is qt1 with 16 stimuli at once, as vector lanes, beside one alone; the time is for a cycle of one stimulus. A VC-1 and
-a renderer have none to choose from.
+renderers have none to choose from.
 
 A cycle is a time at which one or more clocks rise. A build of simd64 with Verilator takes minutes. Exit code 1 means that two
 simulators end with different checksums, 4 that Verilator, clang or make is not installed or fails.")]

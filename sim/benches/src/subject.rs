@@ -6,7 +6,7 @@ use std::str::FromStr;
 use tilewright_hdl::{Design, Problems, elaborate};
 use tilewright_rtl::parameter::Screen;
 
-use crate::designs::{Core, Pim, Pxpl, Qt, Regions, Simd, Systolic, Vc1Frames};
+use crate::designs::{Core, Nodes, Pim, Pxpl, Qt, Regions, Simd, Systolic, Vc1Frames};
 
 /// A kind of design; a size makes it a [`Subject`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -29,11 +29,13 @@ pub enum Family {
     Vc1,
     /// [`Regions`]; its size is the number of pixels in a line of a region, a power of two.
     Renderer,
+    /// [`Nodes`]; its size is the number of renderers.
+    Nodes,
 }
 
 impl Family {
     /// Every family.
-    pub const ALL: [Family; 9] = [
+    pub const ALL: [Family; 10] = [
         Family::Pim,
         Family::Qt,
         Family::Flat,
@@ -43,6 +45,7 @@ impl Family {
         Family::Systolic,
         Family::Vc1,
         Family::Renderer,
+        Family::Nodes,
     ];
 
     /// Its name, which stands before the size.
@@ -57,6 +60,7 @@ impl Family {
             Family::Systolic => "systolic",
             Family::Vc1 => "vc1x",
             Family::Renderer => "renderer",
+            Family::Nodes => "nodes",
         }
     }
 
@@ -66,12 +70,13 @@ impl Family {
             Family::Pim | Family::Qt => 1..=4096,
             Family::Flat | Family::Core | Family::Simd | Family::Systolic | Family::Vc1 => 1..=256,
             Family::Pxpl | Family::Renderer => 8..=256,
+            Family::Nodes => 1..=64,
         }
     }
 
     /// Whether it has an input `rst`, by which several stimuli differ.
     fn has_rst(self) -> bool {
-        !matches!(self, Family::Vc1 | Family::Renderer)
+        !matches!(self, Family::Vc1 | Family::Renderer | Family::Nodes)
     }
 
     const fn of_size(self, size: u32) -> Subject {
@@ -104,7 +109,7 @@ pub const USUAL: [Subject; 6] = [
 ];
 
 /// Checksums that several simulators agree on: the subject, cycles, checksum.
-const KNOWN: [(&str, u64, u32); 38] = [
+const KNOWN: [(&str, u64, u32); 39] = [
     ("pim16", 1000, 0xcce1_f33c),
     ("pim16", 20_000, 0x0b77_df9a),
     ("pim16", 300_000, 0xd0c8_a649),
@@ -143,6 +148,7 @@ const KNOWN: [(&str, u64, u32); 38] = [
     ("renderer32", 20_000, 0xe61a_7d8d),
     ("renderer64", 1000, 0x0250_5f1b),
     ("renderer128", 1000, 0xe513_299d),
+    ("nodes20", 2000, 0x60f0_60d9),
 ];
 
 /// A design written by hand in Verilog, with the same function as ours.
@@ -173,6 +179,7 @@ impl Subject {
             Family::Systolic => elaborate(&Systolic { size }),
             Family::Vc1 => elaborate(&self.vc1()),
             Family::Renderer => elaborate(&Regions::new(size).expect("it was tried when it was named")),
+            Family::Nodes => elaborate(&Nodes::new(size).expect("its renderers are of a side that there is")),
         }
     }
 
@@ -199,7 +206,7 @@ impl Subject {
                 written("pxpl", include_str!("../verilog/pxpl.v"), "EDGE"),
                 written("pxpl_planes", include_str!("../verilog/pxpl_planes.v"), "EDGE"),
             ],
-            Family::Core | Family::Systolic | Family::Vc1 | Family::Renderer => Vec::new(),
+            Family::Core | Family::Systolic | Family::Vc1 | Family::Renderer | Family::Nodes => Vec::new(),
         }
     }
 
@@ -300,7 +307,7 @@ mod tests {
             assert_eq!(name.parse::<Subject>().unwrap().to_string(), name);
         }
         let wrong = [
-            ("pin16", "pimN, qtN, flatN, coreN, simdN, pxplN, systolicN, vc1xN, rendererN"),
+            ("pin16", "pimN, qtN, flatN, coreN, simdN, pxplN, systolicN, vc1xN, rendererN, nodesN"),
             ("", "pimN"),
             ("qt", "from 1"),
             ("simd257", "to 256"),

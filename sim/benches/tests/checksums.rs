@@ -83,6 +83,11 @@ fn renderer() {
 }
 
 #[test]
+fn nodes() {
+    check("nodes20", 2000);
+}
+
+#[test]
 fn every_stimulus_of_several_at_once() {
     for name in ["qt1*16", "qt3*5", "pim2*4", "simd3*3"] {
         let effort = Effort { rounds: 1, time: Duration::from_millis(1) };

@@ -135,6 +135,10 @@ const COMPARED: u32 = 64;
 const ALL_EVERY: u64 = 256;
 
 impl Engine for Lockstep {
+    fn left_out(&self) -> u64 {
+        self.other.left_out()
+    }
+
     fn read(&mut self, id: ValueId) -> &[u64] {
         if self.found.is_none() {
             self.found = self.compare_value(id, &[]).err();

@@ -174,6 +174,11 @@ pub(crate) trait Engine: Send {
         false
     }
 
+    /// At how many edges units had nothing to do and were left out, of all units together.
+    fn left_out(&self) -> u64 {
+        0
+    }
+
     /// Prepares for these values being read together.
     fn watch(&mut self, _values: &[ValueId]) {}
 

@@ -49,6 +49,11 @@ pub struct Passes {
     pub looks_after: u64,
     /// From how many operations on a function is cut into several.
     pub longest: usize,
+    /// How many lanes values of an instance of an array have, at the most, from which on the instances run one by one, as units, of which those
+    /// are left out that have nothing to do.
+    pub apart_from: u32,
+    /// How many operations on single values such an instance has, at the least.
+    pub apart_single: usize,
     /// What code works on lies between pages that nobody may touch, so that code that reaches out of it ends the program;
     /// on wherever debug assertions are.
     pub guarded: bool,
@@ -73,6 +78,8 @@ impl Default for Passes {
             held_after: 50_000,
             looks_after: 300,
             longest: 500,
+            apart_from: 64,
+            apart_single: 200,
             guarded: cfg!(debug_assertions),
         }
     }
@@ -105,6 +112,8 @@ impl Passes {
             held_after: u64::MAX,
             looks_after: u64::MAX,
             longest: usize::MAX,
+            apart_from: u32::MAX,
+            apart_single: usize::MAX,
             guarded: cfg!(debug_assertions),
         }
     }

@@ -171,6 +171,54 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         self
     }
 
+    /// At how many edges instances that run one by one had nothing to do, and were left out, all of them together
+    /// ([`Passes::apart_from`] says which they are); 0 on engines that leave nothing out.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # use tilewright_sim::Passes;
+    /// block! {
+    ///     /// Counts as long as it is told to.
+    ///     struct Node;
+    ///     in NodeIn { is_busy: bit() }
+    ///     out NodeOut { count: bits(8) }
+    /// }
+    ///
+    /// impl Node {
+    ///     fn build(&self, m: Module, i: NodeIn) -> NodeOut {
+    ///         let count = m.reg("count", 8).reset(0);
+    ///         count.when(i.is_busy, count + 1);
+    ///         NodeOut { count: *count }
+    ///     }
+    /// }
+    ///
+    /// block! {
+    ///     /// Four of them, the last of which is busy.
+    ///     struct Nodes;
+    ///     out NodesOut { all: bits(32) }
+    /// }
+    ///
+    /// impl Nodes {
+    ///     fn build(&self, m: Module, (): ()) -> NodesOut {
+    ///         let number = m.reg("number", 2).reset(3);
+    ///         number.next(*number);
+    ///         let numbers = constants(bits(2).of(4), u64::from);
+    ///         let nodes = m.array("u_node", 4, &Node, |_| NodeIn { is_busy: numbers.eq(*number) });
+    ///         NodesOut { all: nodes.count.pack() }
+    ///     }
+    /// }
+    ///
+    /// let passes = Passes { apart_from: 1, apart_single: 0, ..Passes::default() };
+    /// let mut sim = tilewright_sim::Simulation::with_passes(&elaborate(&Nodes)?, &passes)?;
+    /// sim.run(100);
+    /// assert_eq!(sim.peek("all")?, 100 << 24);
+    /// assert!((250..300).contains(&sim.left_out()) || sim.engine() == tilewright_sim::EngineKind::Interpreter);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    pub fn left_out(&self) -> u64 {
+        self.circuit.engine.left_out()
+    }
+
     /// As on a machine that no code can be generated for, for that reason.
     #[doc(hidden)]
     pub fn without_code(mut self, reason: &str) -> Self {

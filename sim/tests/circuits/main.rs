@@ -15,6 +15,7 @@ mod nested;
 mod packed;
 mod shapes;
 mod store;
+mod units;
 mod vcd_rows;
 mod watching;
 mod wide;

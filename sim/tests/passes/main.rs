@@ -5,6 +5,7 @@ mod front;
 mod functions;
 mod late;
 mod pack;
+mod units;
 
 use tilewright_hdl::{Block, elaborate};
 use tilewright_sim::{Pass, Passes, explain};

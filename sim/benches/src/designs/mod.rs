@@ -2,6 +2,7 @@
 
 mod cores;
 mod dots;
+mod nodes;
 mod pim;
 mod pxpl;
 mod qt;
@@ -12,6 +13,7 @@ mod vc1;
 
 pub use cores::{Core, Processor, ProcessorIn, ProcessorOut};
 pub use dots::{Dots, DotsIn, DotsOut};
+pub use nodes::Nodes;
 pub use pim::Pim;
 pub use pxpl::Pxpl;
 pub use qt::Qt;

@@ -45,22 +45,16 @@ impl Regions {
         let triangles = (0..triangles).flat_map(|number| triangle(self.renderer.side(), number));
         clear(0x20_40_60).into_iter().chain(triangles).chain(save(1)).collect()
     }
-}
 
-impl Block for Regions {
-    type In = ();
-    type Out = BenchOut;
-
-    fn inputs(&self) {}
-
-    fn build(&self, m: Module, (): ()) -> BenchOut {
+    /// The hardware; instructions are sent while `is_busy`.
+    pub(super) fn work(&self, m: Module, is_busy: Signal) -> BenchOut {
         let first = self.region(1);
         let again = first.len() as u32;
         let program = [first, self.region(TRIANGLES)].concat();
         let count = program.len() as u32;
         let at = m.reg("at", below(count)).reset(0);
         let words = m.memory("program", count, Instruction::widths(), ReadUnderWrite::Any).words(program);
-        let (instructions, sent) = m.offer(lit(1, 1), words.read_async(*at));
+        let (instructions, sent) = m.offer(is_busy, words.read_async(*at));
         at.when(sent, mux(at.eq(count - 1), u64::from(again), at + 1));
 
         let renderer = RendererIn { instructions, side_by_side: lit(1, 1) };
@@ -72,6 +66,17 @@ impl Block for Regions {
         let instruction = mux(sent, (*at + 1).zext(32), 0);
         csum.when(plane.taken | sent, csum.rotate_left(1) + pixels + instruction);
         BenchOut { csum: *csum }
+    }
+}
+
+impl Block for Regions {
+    type In = ();
+    type Out = BenchOut;
+
+    fn inputs(&self) {}
+
+    fn build(&self, m: Module, (): ()) -> BenchOut {
+        self.work(m, lit(1, 1))
     }
 
     fn name(&self) -> String {

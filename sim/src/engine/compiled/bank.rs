@@ -59,7 +59,7 @@ pub(super) fn banks(program: &Program, strips: &Strips) -> (Vec<MemoryAt>, Vec<B
                 _ => 0,
             };
             let (bank, depth) = (banks.len(), ports.depth);
-            all[index] = Some(MemoryAt { bank, first, address, words, depth, width, blank, is_full });
+            all[index] = Some(MemoryAt { bank, first, address, table: None, words, depth, width, blank, is_full });
         }
         banks.push(bank);
     }

@@ -249,7 +249,7 @@ impl Compiled {
     /// Makes the function for an edge, which checks the assertions of clocks not in reset, with inputs that are known.
     fn make_edge(&mut self, rising: &[usize], resets: &[bool], held: &Held) -> Code {
         let functions = self.edge_functions(rising, resets, held, &[]);
-        let parts: Vec<Prepared> = functions.iter().map(|function| self.prepare(function, &[])).collect();
+        let parts: Vec<Prepared> = functions.iter().map(|function| self.prepare_edge(function, &[])).collect();
         self.compile(&parts)
     }
 
@@ -277,5 +277,6 @@ impl Compiled {
                 start::reset(&program, register, self);
             }
         }
+        self.wake();
     }
 }

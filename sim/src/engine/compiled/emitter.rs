@@ -13,12 +13,14 @@ use super::strips::Strips;
 use crate::engine::program::{Kind, ValueId};
 
 /// A memory as code sees it.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct MemoryAt {
     /// Its bank, by index, and its first byte there.
     pub bank: usize,
     pub first: usize,
     pub address: usize,
+    /// Code runs for several units: where in what moves with them the address stands.
+    pub table: Option<usize>,
     pub words: Words,
     pub depth: u32,
     pub width: u32,
@@ -103,6 +105,10 @@ pub(super) struct Emitter<'a, 'b, 'c> {
     pub(super) strips: &'a Strips,
     pub(super) builder: &'c mut FunctionBuilder<'b>,
     pub(super) state: Value,
+    /// As far from the state as the unit that code runs for is from the first one.
+    unit: Value,
+    /// Where code notes that it has written to a memory, if it does.
+    wrote: Option<usize>,
     /// Values of one lane.
     pub(super) scalars: Scalars,
     /// The next id that no cell has.
@@ -123,7 +129,35 @@ impl<'a, 'b, 'c> Emitter<'a, 'b, 'c> {
     ) -> Self {
         let fresh = function.circuit().len() as u32;
         let (scalars, changed) = (Scalars::default(), Vec::new());
-        Emitter { function, plan, addresses, memories, strips, builder, state, scalars, fresh, changed }
+        let (unit, wrote) = (state, None);
+        Emitter { function, plan, addresses, memories, strips, builder, state, unit, wrote, scalars, fresh, changed }
+    }
+
+    /// The code is a unit's, whose address this is, and notes at `wrote` that it has written to a memory.
+    pub fn of_unit(mut self, unit: Value, wrote: usize) -> Self {
+        (self.unit, self.wrote) = (unit, Some(wrote));
+        self
+    }
+
+    /// What the offset of a place is added to.
+    pub(super) fn base(&self, place: Place) -> Value {
+        if place.moves { self.unit } else { self.state }
+    }
+
+    /// The address of a memory.
+    pub(super) fn memory_base(&mut self, memory: MemoryAt) -> Value {
+        match memory.table {
+            None => self.builder.ins().iconst(types::I64, memory.address as i64),
+            Some(at) => self.builder.ins().load(types::I64, MemFlagsData::trusted(), self.unit, offset(at)),
+        }
+    }
+
+    /// Notes that a memory is written to.
+    pub(super) fn note_write(&mut self) {
+        if let Some(at) = self.wrote {
+            let one = self.builder.ins().iconst(types::I64, 1);
+            self.builder.ins().store(MemFlagsData::trusted(), one, self.state, offset(at));
+        }
     }
 
     /// The registers of up to 64 bits that have changed, as they are now in registers of the machine: what follows need not wait
@@ -183,7 +217,8 @@ impl<'a, 'b, 'c> Emitter<'a, 'b, 'c> {
             Kind::Const(bits) => self.scalars.constant(self.builder, id, bits),
             _ => {
                 let place = self.addresses.of(id);
-                self.scalars.load(self.builder, id, place.width, place.integer(), self.state, offset(place.offset));
+                let base = self.base(place);
+                self.scalars.load(self.builder, id, place.width, place.integer(), base, offset(place.offset));
             }
         }
     }
@@ -200,8 +235,8 @@ impl<'a, 'b, 'c> Emitter<'a, 'b, 'c> {
                     return self.scalars.constant(self.builder, id, bits);
                 }
                 let place = self.addresses.of(*of);
-                let at = offset(place.lane(*index));
-                self.scalars.load(self.builder, id, place.width, place.integer(), self.state, at);
+                let (base, at) = (self.base(place), offset(place.lane(*index)));
+                self.scalars.load(self.builder, id, place.width, place.integer(), base, at);
             }
             Kind::Gather { of, at } => {
                 self.want(*at);
@@ -251,8 +286,8 @@ impl<'a, 'b, 'c> Emitter<'a, 'b, 'c> {
             Kind::Broadcast { of: row, axis } if axis.inner > 1 => return self.element(*row, lane % axis.inner),
             _ => {
                 let place = self.addresses.of(of);
-                let at = offset(place.lane(lane));
-                self.scalars.load(self.builder, id, place.width, place.integer(), self.state, at);
+                let (base, at) = (self.base(place), offset(place.lane(lane)));
+                self.scalars.load(self.builder, id, place.width, place.integer(), base, at);
             }
         }
         id
@@ -276,7 +311,7 @@ impl<'a, 'b, 'c> Emitter<'a, 'b, 'c> {
                     }
                 };
                 let place = self.addresses.of(state);
-                self.store_single(value, place, self.state, place.offset);
+                self.store_single(value, place, self.base(place), place.offset);
                 self.changed.push((state, value));
             }
             Sink::Write { memory, enable, address, data } => self.write(memory, enable, address, data),
@@ -295,7 +330,7 @@ impl<'a, 'b, 'c> Emitter<'a, 'b, 'c> {
             return self.scalars.constant(self.builder, id, bits);
         }
         let place = self.addresses.of(of);
-        let at = self.address(lane, place.bytes());
+        let at = self.address(place, lane);
         self.scalars.load(self.builder, id, place.width, place.integer(), at, offset(place.offset));
     }
 
@@ -310,9 +345,12 @@ impl<'a, 'b, 'c> Emitter<'a, 'b, 'c> {
         let flags = MemFlagsData::trusted();
         let count = Count { limit: vectors as i64 * 16, step: 16, descends: false };
         self.count(count, &[], |emitter, at, _| {
-            let at = emitter.builder.ins().iadd(emitter.state, at);
-            let vector = emitter.builder.ins().load(types::I8X16, flags, at, offset(from.offset));
-            emitter.builder.ins().store(flags, vector, at, offset(to.offset));
+            let [source, target] = [from, to].map(|place| {
+                let base = emitter.base(place);
+                emitter.builder.ins().iadd(base, at)
+            });
+            let vector = emitter.builder.ins().load(types::I8X16, flags, source, offset(from.offset));
+            emitter.builder.ins().store(flags, vector, target, offset(to.offset));
             Vec::new()
         });
     }

@@ -9,9 +9,10 @@ use super::passes::{self, Seen};
 use super::plan::{Kernel, Plan};
 use super::sequence::Step;
 use super::strips::Strips;
+use super::units::{From, Part, Split, Units, split};
 use super::{bank, held_inputs};
 use crate::engine::explain::{Names, Pass, Text};
-use crate::engine::program::{Program, ValueId};
+use crate::engine::program::{Program, UnitId, ValueId};
 
 /// What each pass leaves of an edge of each clock.
 pub(in crate::engine) fn explain(program: &Program) -> Vec<(Pass, String)> {
@@ -30,7 +31,8 @@ fn edge(program: &Program, clock: usize) -> Vec<(Pass, String)> {
     let names = Names::of(program);
     let (function, became) = Maker::new(program).edge(&[clock]);
     let names = names.renamed(&became);
-    let mut all = vec![(Pass::Edge, text(program, &function, &names))];
+    let units = units(program, &function, &names);
+    let mut all = vec![(Pass::Edge, text(program, &function, &names) + &units)];
     let held: Held = held_inputs(program).map(|id| (id, Bits::zero(program.circuit[id].width))).collect();
     let (special, became) = Maker::new(program).hold(&held).edge(&[clock]);
     all.push((Pass::Hold, text(program, &special, &Names::of(program).renamed(&became))));
@@ -50,6 +52,26 @@ fn edge(program: &Program, clock: usize) -> Vec<(Pass, String)> {
         }
     });
     all
+}
+
+/// The units of a function: what crosses into each.
+fn units(program: &Program, function: &Function, names: &Names) -> String {
+    let Some(Split { taken, units, .. }) = split(&Units::of(program), function) else { return String::new() };
+    let mut text = Text::with(program, function.circuit(), names.clone());
+    let _ = text.values(function.needed().into_iter());
+    let line = |part: &Part| {
+        let crosses = |from: &From| match *from {
+            From::Crossing(index) => Some(text.name(taken[index])),
+            _ => None,
+        };
+        let crossing: Vec<String> = part.states.iter().filter_map(crosses).collect();
+        let (UnitId(number), changes) = (part.unit, part.function.sinks.len());
+        format!(
+            "  unit {number}, left out where nothing else crosses: {changes} changes, crossing: {}\n",
+            crossing.join(" ")
+        )
+    };
+    units.iter().map(line).collect()
 }
 
 /// A function: its values, and what it does with them.

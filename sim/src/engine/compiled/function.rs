@@ -116,6 +116,12 @@ impl Function {
         }
     }
 
+    /// Whether another does the same in the same way.
+    pub fn is_same(&self, other: &Function) -> bool {
+        let (cells, others) = (self.circuit().cells(), other.circuit().cells());
+        self.circuit().len() == other.circuit().len() && self.sinks == other.sinks && cells.eq(others)
+    }
+
     /// The values that the sinks need, each after its operands.
     pub fn needed(&self) -> Vec<ValueId> {
         let mut roots = Vec::new();
@@ -135,7 +141,7 @@ impl Function {
 }
 
 /// Gives a new circuit the state of another one, which comes first there.
-fn state(circuit: &Circuit, rewriter: &mut Rewriter) -> Became {
+pub(super) fn state(circuit: &Circuit, rewriter: &mut Rewriter) -> Became {
     let state = circuit.cells().filter(|(_, cell)| cell.kind == Kind::State);
     state.map(|(id, cell)| (id, rewriter.state(cell.lanes, cell.width))).collect()
 }

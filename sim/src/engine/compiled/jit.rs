@@ -47,6 +47,22 @@ impl Code {
         }
     }
 
+    /// Runs it where there is stack enough: see [`Code::is_called`].
+    ///
+    /// # Safety
+    ///
+    /// As [`Code::call`].
+    #[allow(unsafe_code, reason = "generated code is a foreign function")]
+    pub unsafe fn call_within(self, state: *mut u8, argument: u64, scratch: *mut u64) -> u64 {
+        // SAFETY: the caller's promise.
+        unsafe { (self.entry)(state, argument, scratch) }
+    }
+
+    /// What a function calls calls it.
+    pub fn is_called(self, b: &mut FunctionBuilder) {
+        b.stack_of_called = b.stack_of_called.max(self.stack);
+    }
+
     /// Runs it on a stack of its own.
     ///
     /// # Safety
@@ -71,7 +87,7 @@ impl Code {
 
     /// Emits a call of it in another function.
     pub fn emit_call(self, b: &mut FunctionBuilder, state: Value, argument: Value) -> Value {
-        b.stack_of_called = b.stack_of_called.max(self.stack);
+        self.is_called(b);
         let scratch = b.scratch();
         b.call(self.entry as usize, &[state, argument, scratch], true).expect("it gives a number")
     }

@@ -85,7 +85,7 @@ impl Emitter<'_, '_, '_> {
                     let mark = strip.lanes.mark();
                     emitter.splat_row(strip, kernel, row);
                     for (id, sum) in emitter.row(strip, kernel, Some(row), totals) {
-                        let at = emitter.address(row, emitter.addresses.of(id).bytes());
+                        let at = emitter.address(emitter.addresses.of(id), row);
                         emitter.sum(id, sum, at);
                     }
                     strip.lanes.forget(mark);

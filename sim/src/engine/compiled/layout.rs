@@ -22,6 +22,8 @@ pub(super) struct Place {
     pub lanes: u32,
     /// The width of a lane in bits.
     pub width: u32,
+    /// Code runs for several units, and it is the first one's: that of the others is as far from it as they are.
+    pub moves: bool,
 }
 
 impl Place {
@@ -73,18 +75,23 @@ impl Layout {
         Layout { size: 0, strips }
     }
 
+    /// What is placed from here on stands at such an offset as all that is placed after such a call.
+    pub fn align(&mut self) {
+        self.size = self.size.next_multiple_of(GUARD);
+    }
+
     /// A place for a value of this shape.
     pub fn place(&mut self, lanes: u32, width: u32) -> Place {
         let element = storage(&self.strips, lanes, width);
         if lanes == 1 {
-            let place = Place { offset: self.size, element, lanes, width };
+            let place = Place { offset: self.size, element, lanes, width, moves: false };
             self.size += place.bytes();
             return place;
         }
         let (strip, reach) = (self.strips.strip(lanes), self.strips.reach(lanes));
         let guard = ((strip + reach) as usize * element as usize / 8).next_multiple_of(GUARD);
         let offset = self.size.next_multiple_of(GUARD) + guard;
-        let place = Place { offset, element, lanes, width };
+        let place = Place { offset, element, lanes, width, moves: false };
         self.size = (place.lane(lanes) + guard).next_multiple_of(GUARD);
         place
     }

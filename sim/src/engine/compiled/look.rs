@@ -177,7 +177,7 @@ impl Compiled {
         let is_apart = |(_, place): &(&ValueId, &Place)| !self.places.contains(&Some(**place));
         let (given, places): (Vec<ValueId>, Vec<Place>) = given.iter().zip(places).filter(is_apart).unzip();
         let functions = self.edge_functions(rising, resets, held, &given);
-        functions.iter().map(|function| self.prepare(function, &places)).collect()
+        functions.iter().map(|function| self.prepare_edge(function, &places)).collect()
     }
 }
 

@@ -15,7 +15,7 @@ impl Emitter<'_, '_, '_> {
     pub(super) fn read(&mut self, id: ValueId, memory: u32, address: ValueId) {
         let address = self.scalars.clean(self.builder, address)[0];
         let memory = self.memories[memory as usize];
-        let base = self.builder.ins().iconst(types::I64, memory.address as i64);
+        let base = self.memory_base(memory);
         let at = self.word(memory, address, base);
         self.scalars.load(self.builder, id, memory.width, memory.element(), at, 0);
     }
@@ -34,8 +34,9 @@ impl Emitter<'_, '_, '_> {
         let before = self.scalars.get(data).expect("it was made available").clone();
         let inside = self.inside(memory, address, enabled);
         self.branch(inside, |emitter| {
-            let base = emitter.builder.ins().iconst(types::I64, memory.address as i64);
+            let base = emitter.memory_base(memory);
             let at = emitter.word(memory, address, base);
+            emitter.note_write();
             emitter.scalars.store(emitter.builder, data, memory.element(), at, 0);
         });
         // A conversion that was made in the branch does not hold behind it.
@@ -74,7 +75,7 @@ impl Emitter<'_, '_, '_> {
         };
         self.want(common);
         let number = self.scalars.clean(self.builder, common)[0];
-        let base = self.builder.ins().iconst(types::I64, at.address as i64);
+        let base = self.memory_base(at);
         let start = self.word(at, number, base);
         strip.words.insert((memory, address), (start, number));
     }
@@ -123,13 +124,15 @@ impl Emitter<'_, '_, '_> {
         if strip.is_padded() || i32::try_from(apart + memory.words.word).is_err() {
             let lane = self.existing(strip, lane);
             let start = self.scaled(lane, memory.words.lane);
-            return (self.builder.ins().iadd_imm_s(start, memory.address as i64), 0);
+            let base = self.memory_base(memory);
+            return (self.builder.ins().iadd(start, base), 0);
         }
         let base = match strip.memories.get(&memory.address) {
             Some(base) => *base,
             None => {
                 let start = self.scaled(strip.first.expect("it has begun"), memory.words.lane);
-                let base = self.builder.ins().iadd_imm_s(start, memory.address as i64);
+                let base = self.memory_base(memory);
+                let base = self.builder.ins().iadd(start, base);
                 strip.memories.insert(memory.address, base);
                 base
             }
@@ -152,6 +155,7 @@ impl Emitter<'_, '_, '_> {
             let go = self.inside(at, number, any);
             let mark = strip.lanes.mark();
             self.branch(go, |emitter| {
+                emitter.note_write();
                 // What is the same in all lanes is 1 in all of them here.
                 if strip.lanes.is_uniform(enable) {
                     strip.lanes.store(emitter.builder, data, side);
@@ -169,6 +173,7 @@ impl Emitter<'_, '_, '_> {
         let mark = strip.lanes.mark();
         let singles = strip.save();
         self.branch(any, |emitter| {
+            emitter.note_write();
             for lane in 0..strip.size {
                 let number = emitter.limbs(strip, address, lane)[0];
                 let enabled = strip.lanes.extract(emitter.builder, enable, lane);

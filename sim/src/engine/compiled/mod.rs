@@ -32,6 +32,7 @@ mod store;
 mod strip;
 mod strips;
 mod target;
+mod units;
 mod until;
 mod view;
 mod words;
@@ -41,7 +42,7 @@ use std::sync::Arc;
 
 use crate::engine::fields::{self, Fields, Parts};
 use crate::engine::pack::{self, Packed, Places};
-use crate::engine::program::{Kind, Program, Triggers, ValueId};
+use crate::engine::program::{Program, Triggers, ValueId};
 use crate::engine::until::Until;
 use crate::engine::{Difference, Done, Engine, Failed, one_by_one, renew_each};
 use bank::Bank;
@@ -57,6 +58,7 @@ use rows::Rows;
 use store::Store;
 use strips::Strips;
 pub use target::Unsupported;
+use units::Apart;
 use until::Stopping;
 pub(crate) use view::Slot;
 use view::{NO_VIEW, View};
@@ -81,6 +83,8 @@ pub(crate) struct Compiled {
     slots: Vec<Slot>,
     memories: Vec<MemoryAt>,
     banks: Vec<Bank>,
+    /// Instances that run one by one, if there are some.
+    apart: Option<Apart>,
     /// Per clock: its reset is high.
     resets: Vec<bool>,
     /// Whether any is.
@@ -150,10 +154,7 @@ impl Compiled {
         demands::check(&program);
         let program = Arc::new(program);
         let mut layout = Layout::new(Strips::of(&program));
-        let mut places = vec![None; program.circuit.len()];
-        for (id, cell) in program.circuit.cells().filter(|(_, cell)| cell.kind == Kind::State) {
-            places[id.index()] = Some(layout.place(cell.lanes, cell.width));
-        }
+        let (places, apart) = units::places(&program, &mut layout);
         let unchecked = layout.place(1, 1);
         let (memories, banks) = bank::banks(&program, &layout.strips);
         let inputs = held_inputs(&program).collect();
@@ -166,6 +167,7 @@ impl Compiled {
             places,
             memories,
             banks,
+            apart,
             resets: vec![false; program.clocks.len()],
             any_reset: false,
             edges: Vec::new(),
@@ -195,6 +197,7 @@ impl Compiled {
             parts,
             bits,
         };
+        engine.tell_memories();
         crate::engine::start::start(declared, seeds, &mut engine);
         Ok(engine)
     }
@@ -291,6 +294,7 @@ impl Engine for Compiled {
 
     fn set_word(&mut self, memory: u32, lane: u32, address: u32, limbs: &[u64]) {
         self.set_word_in_parts(memory, lane, address, limbs);
+        self.wake();
         self.change(Triggers::ALL);
     }
 
@@ -343,6 +347,10 @@ impl Engine for Compiled {
         }
         let edges = 1 + self.until_edges(rising, count - 1, until);
         Ok((Done { edges, ..first }, until.holds(self.read(until.value))))
+    }
+
+    fn left_out(&self) -> u64 {
+        self.edges_left_out()
     }
 
     fn watch(&mut self, values: &[ValueId]) {

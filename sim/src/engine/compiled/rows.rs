@@ -99,7 +99,7 @@ impl Compiled {
         let mut maker = Maker::new(&program);
         let row = maker.state(64);
         maker.rows(row, values);
-        let edge = self.prepare(&maker.edge(&rising).0, &[next]);
+        let edge = self.prepare_edge(&maker.edge(&rising).0, &[next]);
         let parts: Vec<Prepared> = check.into_iter().chain([edge]).collect();
         self.compile(&parts)
     }

@@ -31,8 +31,9 @@ pub(super) struct Strip {
     /// The first lane, and the first lane within the row.
     pub first: Option<Value>,
     within: Option<Value>,
-    /// The state's address plus the first lane's distance, by the bytes of a lane; a place's offset is added to it.
-    addresses: HashMap<usize, Value>,
+    /// The state's address plus the first lane's distance, by the bytes of a lane and whether places move; a place's offset is added
+    /// to it.
+    addresses: HashMap<(usize, bool), Value>,
     /// The first lane's words, by the address of their memory.
     pub memories: HashMap<usize, Value>,
     /// The words of all lanes, by memory and address, and that address.
@@ -87,10 +88,11 @@ impl Emitter<'_, '_, '_> {
         });
     }
 
-    /// The state's address plus so many bytes a lane.
-    pub(super) fn address(&mut self, lane: Value, bytes: usize) -> Value {
-        let by = self.scaled(lane, bytes);
-        self.builder.ins().iadd(self.state, by)
+    /// The state's address plus a lane's distance at a place, whose offset is added to it.
+    pub(super) fn address(&mut self, place: Place, lane: Value) -> Value {
+        let by = self.scaled(lane, place.bytes());
+        let base = self.base(place);
+        self.builder.ins().iadd(base, by)
     }
 
     /// A number times a constant.
@@ -109,17 +111,18 @@ impl Emitter<'_, '_, '_> {
     }
 
     /// The address of a strip's first lane, without the offset.
-    fn strip_address(&mut self, strip: &mut Strip, bytes: usize) -> Value {
-        if let Some(address) = strip.addresses.get(&bytes) {
+    fn strip_address(&mut self, strip: &mut Strip, place: Place) -> Value {
+        let key = (place.bytes(), place.moves);
+        if let Some(address) = strip.addresses.get(&key) {
             return *address;
         }
-        let address = self.address(strip.first.expect("it has begun"), bytes);
-        strip.addresses.insert(bytes, address);
+        let address = self.address(place, strip.first.expect("it has begun"));
+        strip.addresses.insert(key, address);
         address
     }
 
     fn side(&mut self, strip: &mut Strip, place: Place) -> Span {
-        let address = self.strip_address(strip, place.bytes());
+        let address = self.strip_address(strip, place);
         Span { storage: place.element, address, offset: offset(place.offset), aligned: true }
     }
 
@@ -170,7 +173,7 @@ impl Emitter<'_, '_, '_> {
                 }
                 _ => {
                     let place = self.addresses.of(id);
-                    let at = self.strip_address(strip, place.bytes());
+                    let at = self.strip_address(strip, place);
                     let offset = offset(place.lane(lane));
                     let single = &mut strip.singles[lane as usize];
                     single.load(self.builder, id, place.width, place.integer(), at, offset);
@@ -209,7 +212,7 @@ impl Emitter<'_, '_, '_> {
             return;
         }
         self.singles(strip, id);
-        let at = self.strip_address(strip, place.bytes());
+        let at = self.strip_address(strip, place);
         for lane in 0..strip.size {
             let offset = offset(place.lane(lane));
             strip.singles[lane as usize].store(self.builder, id, 64, at, offset);
@@ -307,7 +310,7 @@ impl Emitter<'_, '_, '_> {
         let is_constant = matches!(self.function.cell(of).kind, Kind::Const(_));
         if !is_constant && n == strip.row && self.function.cell(id).width <= 64 {
             let place = self.addresses.of(of);
-            let address = self.address(strip.within.expect("it has begun"), place.bytes());
+            let address = self.address(place, strip.within.expect("it has begun"));
             // Its own strips are of other sizes.
             let aligned = (strip.size * place.element).is_multiple_of(128);
             let side = Span { storage: place.element, address, offset: offset(place.offset), aligned };
@@ -328,7 +331,7 @@ impl Emitter<'_, '_, '_> {
         }
         if width <= 64 && by.unsigned_abs() <= self.strips.reach(strip.total) {
             let place = self.addresses.of(of);
-            let address = self.strip_address(strip, place.bytes());
+            let address = self.strip_address(strip, place);
             let offset = offset(place.offset) - by * place.bytes() as i32;
             let side = Span { storage: place.element, address, offset, aligned: false };
             strip.lanes.load(self.builder, id, width, side);
@@ -360,7 +363,7 @@ impl Emitter<'_, '_, '_> {
                     (if strip.is_padded() { self.builder.ins().umin(target, behind) } else { target }, within)
                 }
             };
-            let at = self.address(target, place.bytes());
+            let at = self.address(place, target);
             let (before, both, first, all) = (self.id(), self.id(), self.id(), self.id());
             let first_within = if strip.descends { i64::from(group) - 1 } else { 0 };
             let first_within = self.builder.ins().iconst(types::I64, first_within);

@@ -200,6 +200,7 @@ impl<'a> Split<'a> {
             initial: None,
             enable: register.enable.map(|enable| self.extract.repeat(enable, piece.lanes)),
             next: self.extract.part(register.next, piece),
+            unit: register.unit,
         };
         parts.iter().map(part).collect()
     }
@@ -236,8 +237,8 @@ impl<'a> Split<'a> {
             contents if piece == Piece::all(memory.width) => contents.clone(),
             _ => Contents::Unknown,
         };
-        let lanes = memory.lanes * piece.lanes;
-        Memory { lanes, depth: memory.depth, width: piece.each(), policy: memory.policy, contents, reads, writes }
+        let Memory { depth, policy, unit, .. } = *memory;
+        Memory { lanes: memory.lanes * piece.lanes, depth, width: piece.each(), policy, contents, reads, writes, unit }
     }
 
     /// Names the parts after the words that they are of.

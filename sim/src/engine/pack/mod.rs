@@ -113,6 +113,7 @@ impl Pack<'_> {
             initial: None,
             enable: None,
             next,
+            unit: register.unit,
         };
         if let Some(enable) = register.enable {
             match words.same(enable, lanes) {
@@ -161,6 +162,7 @@ impl Pack<'_> {
             contents,
             reads,
             writes,
+            unit: memory.unit,
         }
     }
 }

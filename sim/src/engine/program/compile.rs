@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use tilewright_hdl::ir::{Design, Instance, Node, NodeId, Op};
 
 use super::flatten::{self, Flat, Unrolled};
-use super::{Passes, Program, ValueId, cycles, schedule};
+use super::{Passes, Program, ValueId, apart, cycles, schedule};
 use crate::engine::rewrite;
 
 /// Compiles a design.
@@ -25,7 +25,9 @@ pub fn compile(design: &Design, passes: &Passes) -> Program {
 pub fn compile_lanes(design: &Design, lanes: u32, passes: &Passes) -> Program {
     let most = most_lanes(design);
     assert!((1..=most).contains(&lanes), "a program of this design has from 1 to {most} lanes, not {lanes}");
-    let mut unrolled = Unrolled::default();
+    // Of several runs, all are busy.
+    let arrays = if lanes == 1 { apart::arrays(design, passes) } else { BTreeSet::new() };
+    let mut unrolled = Unrolled { apart: arrays.clone(), arrays, ..Unrolled::default() };
     loop {
         let flat = flatten::flatten(design, lanes, &unrolled, passes);
         let cycles = cycles::cycles(&flat.program.circuit);

@@ -6,7 +6,7 @@ use tilewright_hdl::ir::{Design, Instance, InstanceId, MemoryId, Module, ModuleI
 
 use super::hierarchy::{Replication, Scope, ScopeId};
 use super::instances::{Children, key_of};
-use super::{Axis, Cell, Clock, Kind, Passes, Port, Program, Triggers, ValueId};
+use super::{Axis, Cell, Clock, Kind, Passes, Port, Program, Triggers, UnitId, ValueId};
 
 /// A design made flat.
 pub(super) struct Flat {
@@ -27,6 +27,8 @@ pub(super) type Key = Vec<String>;
 pub(super) struct Unrolled {
     /// Arrays that become single instances.
     pub arrays: BTreeSet<Key>,
+    /// Those of them whose instances are units.
+    pub apart: BTreeSet<Key>,
     /// Nodes of which each lane is computed alone, by the instance that they are in.
     pub nodes: BTreeMap<Key, BTreeSet<NodeId>>,
 }
@@ -42,6 +44,7 @@ pub(super) fn flatten(design: &Design, lanes: u32, unrolled: &Unrolled, passes: 
         top_inputs: HashMap::new(),
         addresses: HashMap::new(),
         open: VecDeque::new(),
+        units: 0,
     };
     flatten.top(lanes);
     while let Some(body) = flatten.open.pop_front() {
@@ -60,6 +63,19 @@ pub(super) struct Flatten<'a> {
     pub(super) addresses: HashMap<(u32, u32), ValueId>,
     /// Instances whose cells have ids but are not filled in yet.
     open: VecDeque<Body>,
+    /// How many units there are so far.
+    pub(super) units: u32,
+}
+
+/// An instance that is entered: see [`Body`].
+pub(super) struct Entered {
+    pub module: ModuleId,
+    pub key: Key,
+    pub scopes: Vec<ScopeId>,
+    pub lanes: u32,
+    pub unit: Option<UnitId>,
+    pub inputs: Vec<ValueId>,
+    pub clocks: Vec<u32>,
 }
 
 /// The inside of an instance.
@@ -69,6 +85,8 @@ pub(super) struct Body {
     /// Its scope; several if it stands for instances that were written one by one.
     pub(super) scopes: Vec<ScopeId>,
     pub(super) lanes: u32,
+    /// The unit that it is in, or is.
+    pub(super) unit: Option<UnitId>,
     /// The cell of the module's first node; the others follow.
     base: u32,
     /// The first of a node's cells for single lanes, for nodes with lanes where something is unrolled.
@@ -93,7 +111,15 @@ impl Flatten<'_> {
         self.flat.program.clocks = module.clocks.iter().map(program_clock).collect();
         let clocks = (0..module.clocks.len() as u32).collect();
         let scope = self.scope(None, module.name.clone(), id, Replication::Single, lanes);
-        let base = self.enter(id, Vec::new(), vec![scope], lanes, Vec::new(), clocks);
+        let base = self.enter(Entered {
+            module: id,
+            key: Vec::new(),
+            scopes: vec![scope],
+            lanes,
+            inputs: Vec::new(),
+            clocks,
+            unit: None,
+        });
         let value = |node: NodeId| ValueId(base + node.0);
         for input in &module.inputs {
             let clock = input.clock.map_or(0, |clock| clock.0 as usize);
@@ -172,15 +198,8 @@ impl Flatten<'_> {
     }
 
     /// Gives cells to the nodes of an instance, to be filled in later; returns the first.
-    pub(super) fn enter(
-        &mut self,
-        module: ModuleId,
-        key: Key,
-        scopes: Vec<ScopeId>,
-        lanes: u32,
-        inputs: Vec<ValueId>,
-        clocks: Vec<u32>,
-    ) -> u32 {
+    pub(super) fn enter(&mut self, instance: Entered) -> u32 {
+        let Entered { module, key, scopes, lanes, unit, inputs, clocks } = instance;
         let definition = self.design.module(module);
         let base = self.flat.program.circuit.len() as u32;
         for node in &definition.nodes {
@@ -198,7 +217,18 @@ impl Flatten<'_> {
                 });
             }
         }
-        self.open.push_back(Body { module, key, scopes, lanes, base, split, inputs, clocks, children: Vec::new() });
+        self.open.push_back(Body {
+            module,
+            key,
+            scopes,
+            lanes,
+            unit,
+            base,
+            split,
+            inputs,
+            clocks,
+            children: Vec::new(),
+        });
         base
     }
 

@@ -4,9 +4,9 @@ use std::collections::HashMap;
 
 use tilewright_hdl::ir::{ClockId, Design, Instance, Module, ModuleId, Shape};
 
-use super::flatten::{Body, Flatten, Key};
+use super::flatten::{Body, Entered, Flatten, Key};
 use super::hierarchy::{Replication, ScopeId};
-use super::{Cell, Kind, ValueId};
+use super::{Cell, Kind, UnitId, ValueId};
 
 /// What an instance has become.
 #[derive(Debug, Clone)]
@@ -85,7 +85,7 @@ impl Flatten<'_> {
             }
         }
         let clocks = instances[0].clocks.iter().map(|clock| body.clocks[clock.0 as usize]).collect();
-        self.enter(instances[0].module, key, scopes, lanes, inputs, clocks)
+        self.enter(Entered { module: instances[0].module, key, scopes, lanes, unit: body.unit, inputs, clocks })
     }
 
     /// Enters an instance, as many times as it is unrolled to; returns the bases.
@@ -94,12 +94,16 @@ impl Flatten<'_> {
         let is_unrolled = !shape.is_plain() && self.unrolled.arrays.contains(&key);
         let elements = is_unrolled.then(|| self.element_inputs(body, module, instance));
         let clocks: Vec<u32> = instance.clocks.iter().map(|clock| body.clocks[clock.0 as usize]).collect();
+        let is_apart = self.unrolled.apart.contains(&key);
         let mut enter = |replication, lanes, inputs| {
             let scope = |parent: &ScopeId| {
                 self.scope(Some(*parent), instance.name.clone(), instance.module, replication, lanes)
             };
             let scopes = body.scopes.iter().map(scope).collect();
-            self.enter(instance.module, key.clone(), scopes, lanes, inputs, clocks.clone())
+            let unit = if is_apart { Some(UnitId(self.units)) } else { body.unit };
+            self.units += u32::from(is_apart);
+            let (module, key, clocks) = (instance.module, key.clone(), clocks.clone());
+            self.enter(Entered { module, key, scopes, lanes, unit, inputs, clocks })
         };
         let whole = || instance.inputs.iter().map(|&node| body.whole(node)).collect();
         match (shape, elements) {

@@ -9,6 +9,7 @@
 //! Operations are grouped into [`Segment`]s by what can change them and by who needs them, so that an edge of one
 //! clock evaluates nothing that depends on another clock alone.
 
+mod apart;
 mod circuit;
 mod compile;
 mod cycles;
@@ -242,7 +243,13 @@ pub struct Register {
     pub enable: Option<ValueId>,
     /// What it takes.
     pub next: ValueId,
+    /// The unit that it is in.
+    pub unit: Option<UnitId>,
 }
+
+/// An instance of an array whose instances run one by one: see [`Passes::apart_from`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct UnitId(pub u32);
 
 /// A memory, in all lanes of its array.
 #[derive(Debug, Clone)]
@@ -261,6 +268,8 @@ pub struct Memory {
     pub reads: Vec<ReadPort>,
     /// Write ports.
     pub writes: Vec<WritePort>,
+    /// The unit that it is in.
+    pub unit: Option<UnitId>,
 }
 
 /// A synchronous read port.

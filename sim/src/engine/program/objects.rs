@@ -4,7 +4,7 @@ use tilewright_hdl::ir::{self, Binary, ClockId, Directive, Module, NodeId, Prope
 use tilewright_hdl::{Bits, Loc};
 
 use super::flatten::{Body, Flatten};
-use super::{Assert, Axis, Cell, Cover, Kind, Memory, ReadPort, Register, ValueId, WritePort};
+use super::{Assert, Axis, Cell, Cover, Kind, Memory, ReadPort, Register, UnitId, ValueId, WritePort};
 
 impl Flatten<'_> {
     /// Adds registers, memories and properties; returns the program's memory for each memory of the module.
@@ -18,6 +18,7 @@ impl Flatten<'_> {
                 initial: register.initial.clone(),
                 enable: register.enable.map(|node| body.whole(node)),
                 next: body.whole(register.next),
+                unit: body.unit,
             });
         }
         module.properties.iter().for_each(|property| self.property(body, module, property));
@@ -30,7 +31,7 @@ impl Flatten<'_> {
         let (clock, of) = (body.clocks[property.clock.0 as usize], body.whole(condition));
         let (group, scopes) = (module.node(condition).shape.lanes(), body.scopes.clone());
         if directive == Directive::Cover {
-            let counter = self.counter(clock, of, body.lanes * group, loc);
+            let counter = self.counter(clock, of, body.lanes * group, loc, body.unit);
             self.flat.program.covers.push(Cover { clock, counter, name: message.clone(), loc, group, scopes });
             return;
         }
@@ -40,13 +41,13 @@ impl Flatten<'_> {
     }
 
     /// A register that counts the edges at which a condition is high.
-    fn counter(&mut self, clock: u32, condition: ValueId, lanes: u32, loc: Loc) -> ValueId {
+    fn counter(&mut self, clock: u32, condition: ValueId, lanes: u32, loc: Loc, unit: Option<UnitId>) -> ValueId {
         let circuit = &mut self.flat.program.circuit;
         let mut add = |kind| circuit.push(Cell::new(kind, lanes, u64::BITS), Some(loc));
         let (value, one) = (add(Kind::State), add(Kind::Const(Bits::new(u64::BITS, 1))));
         let next = add(Kind::Binary(Binary::Add, value, one));
         let (reset, initial, enable) = (None, Some(Bits::zero(u64::BITS)), Some(condition));
-        self.flat.program.registers.push(Register { value, clock, reset, initial, enable, next });
+        self.flat.program.registers.push(Register { value, clock, reset, initial, enable, next, unit });
         value
     }
 
@@ -80,6 +81,7 @@ impl Flatten<'_> {
             contents: memory.contents.clone(),
             reads,
             writes,
+            unit: body.unit,
         });
         index
     }

@@ -42,6 +42,11 @@ impl Rewriter {
         Rewriter { circuit: Circuit::default(), known: FxHashMap::default(), passes: passes.clone(), loc: None }
     }
 
+    /// One that has built nothing, under the same rules.
+    pub fn empty(&self) -> Rewriter {
+        Rewriter::new(&self.passes)
+    }
+
     /// What has been built.
     pub fn circuit(&self) -> &Circuit {
         &self.circuit

@@ -68,7 +68,7 @@ impl Emitter<'_, '_, '_> {
     fn gather_regular(&mut self, strip: &mut Strip, id: ValueId, of: ValueId, lanes: &[u32], step: u32) {
         let (number, _) = self.divided(strip.first.expect("it has begun"), strip.total, strip.size);
         let (place, before) = (self.addresses.of(of), self.scaled(number, step as usize));
-        let address = self.address(before, place.bytes());
+        let address = self.address(place, before);
         let of_vectors = lanes.chunks(128 / place.integer() as usize);
         let are_together = of_vectors.clone().all(|lanes| lanes.windows(2).all(|pair| pair[0] + 1 == pair[1]));
         if place.width <= 64 && strip.lanes.element(place.width) == place.element && are_together {

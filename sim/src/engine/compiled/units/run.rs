@@ -1,0 +1,202 @@
+//! What runs a unit: it notes when there is nothing to do.
+//!
+//! A unit that took what it takes now, and changed nothing, changes nothing at the next edge either. So its code is left out until
+//! something crosses that is other than it was. Whether an edge has changed something is found by comparison with a copy of
+//! the unit's state from before; a unit that is busy is compared only from time to time, and of its state
+//! single values first: one of them nearly always counts.
+
+use std::cell::Cell;
+
+use super::super::jit::Code;
+
+/// Edges between two comparisons, first and at most.
+const FIRST: u64 = 2;
+const MOST: u64 = 64;
+
+/// A run of limbs of the state.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Span {
+    /// In bytes, a multiple of 8.
+    pub offset: usize,
+    pub limbs: usize,
+    /// What counts of the last one.
+    pub mask: u64,
+}
+
+impl Span {
+    /// The limbs, each with what counts of it.
+    pub fn limbs(self) -> impl Iterator<Item = (usize, u64)> {
+        let mask = move |limb| if limb + 1 == self.limbs { self.mask } else { u64::MAX };
+        (0..self.limbs).map(move |limb| (self.offset + 8 * limb, mask(limb)))
+    }
+}
+
+/// What crosses: where the rest of the circuit leaves it, where it stands as it was when the unit last ran, and where
+/// the unit's code looks for it.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Crossing {
+    pub now: Span,
+    pub last: usize,
+    pub taken: usize,
+}
+
+/// What a unit does in a function, to be run by code.
+pub(in crate::engine::compiled) struct Running {
+    pub(super) crossing: Vec<Crossing>,
+    pub(super) code: Vec<Code>,
+    /// Bytes from the first unit of its kind to it.
+    pub(super) distance: u64,
+    /// Where a limb stands that is 0 if it has nothing to do until something else crosses.
+    pub(super) busy: usize,
+    /// Counts how often the unit was run for an edge.
+    pub(super) version: usize,
+    /// So much crosses that it is not worth the time to see whether it is the same: it is run at every edge.
+    pub(super) always: bool,
+    pub(super) task: Task,
+}
+
+/// What is done when it has run.
+pub(super) enum Task {
+    Edge(Changes),
+    /// It is noted whether all holds that must: where code leaves it, and where it stands for each unit.
+    Check(usize, usize),
+}
+
+/// What an edge may change in a unit.
+pub(super) struct Changes {
+    /// Values of one lane, and the others.
+    pub(super) single: Vec<Span>,
+    pub(super) lanes: Vec<Span>,
+    /// Where code notes that it has written to a memory.
+    pub(super) wrote: usize,
+    /// Where runs of all units are counted.
+    pub(super) runs: usize,
+    /// Edges between two comparisons.
+    pub(super) patience: Cell<u64>,
+    /// At the next comparison all of it is compared.
+    pub(super) all: Cell<bool>,
+    /// All of it as it was.
+    pub(super) kept: Vec<Cell<u64>>,
+}
+
+/// What is called for an edge at which a unit may have something to do.
+///
+/// # Safety
+///
+/// `state` and `scratch` are those of the engine that made the unit, which nobody else uses.
+#[allow(unsafe_code, reason = "generated code calls it")]
+pub(super) unsafe extern "C" fn run(state: *mut u8, unit: *const Running, scratch: *mut u64) {
+    // SAFETY: the engine that owns the code that calls this owns the unit, too.
+    let unit = unsafe { &*unit };
+    unit.edge(&State { state, scratch });
+}
+
+/// The memory that code works on.
+struct State {
+    state: *mut u8,
+    scratch: *mut u64,
+}
+
+impl State {
+    fn get(&self, offset: usize) -> u64 {
+        // SAFETY: what a unit refers to was given a place in the state, which has grown since if it had to.
+        #[allow(unsafe_code, reason = "the state is shared with code")]
+        unsafe {
+            self.state.add(offset).cast::<u64>().read()
+        }
+    }
+
+    fn set(&self, offset: usize, limb: u64) {
+        // SAFETY: as for `get`.
+        #[allow(unsafe_code, reason = "the state is shared with code")]
+        unsafe {
+            self.state.add(offset).cast::<u64>().write(limb);
+        }
+    }
+}
+
+impl Running {
+    fn edge(&self, state: &State) {
+        self.take(state);
+        let left = match &self.task {
+            Task::Edge(changes) => {
+                for count in [self.version, changes.runs] {
+                    state.set(count, state.get(count) + 1);
+                }
+                self.change(state, changes)
+            }
+            &Task::Check(from, to) => {
+                self.call(state);
+                state.set(to, state.get(from));
+                u64::from(self.always)
+            }
+        };
+        state.set(self.busy, left);
+    }
+
+    /// Brings what crosses to where code looks for it.
+    fn take(&self, state: &State) {
+        for &Crossing { now, last, taken } in &self.crossing {
+            for (limb, (at, _)) in now.limbs().enumerate() {
+                let number = state.get(at);
+                state.set(last + 8 * limb, number);
+                state.set(taken + 8 * limb, number);
+            }
+        }
+    }
+
+    /// An edge; gives after how many the next comparison is due, 0 if none is, as there is nothing to do.
+    fn change(&self, state: &State, changes: &Changes) -> u64 {
+        let left = match state.get(self.busy) {
+            0 => {
+                changes.patience.set(FIRST);
+                FIRST
+            }
+            left => left,
+        };
+        if left > 1 || self.always {
+            self.call(state);
+            return (left - 1).max(1);
+        }
+        let all = changes.all.replace(false) || changes.lanes.is_empty();
+        changes.keep(state, all);
+        state.set(changes.wrote, 0);
+        self.call(state);
+        match state.get(changes.wrote) == 0 && changes.are_none(state, all) {
+            true if all => 0,
+            true => {
+                changes.all.set(true);
+                1
+            }
+            false => {
+                changes.patience.set((2 * changes.patience.get()).min(MOST));
+                changes.patience.get()
+            }
+        }
+    }
+
+    fn call(&self, state: &State) {
+        for code in &self.code {
+            // SAFETY: the engine made this code for this memory, and code that has the stack for it calls us.
+            #[allow(unsafe_code, reason = "calls generated code")]
+            unsafe {
+                code.call_within(state.state, self.distance, state.scratch);
+            }
+        }
+    }
+}
+
+impl Changes {
+    fn spans(&self, all: bool) -> impl Iterator<Item = (usize, u64)> {
+        let lanes = if all { self.lanes.as_slice() } else { &[] };
+        self.single.iter().chain(lanes).flat_map(|span| span.limbs())
+    }
+
+    fn keep(&self, state: &State, all: bool) {
+        self.kept.iter().zip(self.spans(all)).for_each(|(kept, (at, _))| kept.set(state.get(at)));
+    }
+
+    fn are_none(&self, state: &State, all: bool) -> bool {
+        self.kept.iter().zip(self.spans(all)).all(|(kept, (at, mask))| (kept.get() ^ state.get(at)) & mask == 0)
+    }
+}
