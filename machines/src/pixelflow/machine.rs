@@ -9,6 +9,7 @@
 //! Region by region: all rasterizers draw; when the last one has, the network composes, and a shader takes what comes. Nodes wait for each other
 //! at their banks of registers alone, so each array is a simulation of its own, which is told when the network has done with a bank.
 
+use tilewright_rtl::pixelflow::array::PixelArray;
 use tilewright_scenes::deferred::Deferred;
 use tilewright_scenes::{Frame as Picture, Polygons};
 use tilewright_sim::EngineKind;
@@ -137,10 +138,10 @@ impl<'a> Run<'a> {
     fn new(machine: &'a Machine, works: &'a Works) -> Result<Run<'a>, Error> {
         let (config, engine) = (&machine.config, machine.engine);
         let (array, roles) = (config.pixels()?, config.roles()?);
-        let node = || Node::new(&array, engine, config.side_by_side);
-        let rasterizers = (0..works.shares()).map(|_| node()).collect::<Result<Vec<_>, _>>()?;
-        let shader = |number: u32| {
-            let mut node = node()?;
+        let shaders = if works.is_shaded() { roles.shaders } else { 0 };
+        let mut nodes = build(&array, engine, config.side_by_side, works.shares() + shaders as usize)?;
+        let rest = nodes.split_off(works.shares());
+        let shader = |(number, mut node): (u32, Node)| {
             if !works.textures.is_empty() {
                 let textures = works.textures.iter().map(AsRef::as_ref);
                 node = node.with_textures(TextureLookUp::new(&array, textures, engine)?);
@@ -148,16 +149,14 @@ impl<'a> Run<'a> {
             let free = node.run(&works.first_of_shader())?;
             Ok::<Shader, Error>(Shader { node, free, place: (1 + roles.rasterizers + number) as usize })
         };
-        let shaders = if works.is_shaded() { roles.shaders } else { 0 };
-        let nodes = config.nodes as usize;
         Ok(Run {
             config,
             works,
-            rasterizers,
-            shaders: (0..shaders).map(shader).collect::<Result<_, _>>()?,
-            forth: Way::new(&array, nodes, engine)?,
-            back: Way::new(&array, nodes, engine)?,
-            nodes,
+            rasterizers: nodes,
+            shaders: (0..shaders).zip(rest).map(shader).collect::<Result<_, _>>()?,
+            forth: Way::new(&array, config.nodes as usize, engine)?,
+            back: Way::new(&array, config.nodes as usize, engine)?,
+            nodes: config.nodes as usize,
             pixels: array.pixels().into(),
             network: 0,
             returns: 0,
@@ -283,6 +282,16 @@ impl<'a> Run<'a> {
         }
         Ok(())
     }
+}
+
+/// So many nodes, built on all processors of the computer.
+fn build(array: &PixelArray, engine: EngineKind, side_by_side: bool, count: usize) -> Result<Vec<Node>, Error> {
+    let mut nodes: Vec<Option<Node>> = (0..count).map(|_| None).collect();
+    each_mut(&mut nodes, |_, node| {
+        *node = Some(Node::new(array, engine, side_by_side)?);
+        Ok::<(), Error>(())
+    })?;
+    Ok(nodes.into_iter().flatten().collect())
 }
 
 #[cfg(test)]

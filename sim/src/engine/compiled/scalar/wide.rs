@@ -92,8 +92,40 @@ impl Scalars {
                 });
                 Scalar::limbs(width, combined.collect())
             }
+            Kind::Concat(parts) => self.side_by_side(b, parts, width),
             _ => self.call(b, kind, width),
         }
+    }
+
+    /// Values side by side, the last one lowest.
+    fn side_by_side(&mut self, b: &mut FunctionBuilder, parts: &[ValueId], width: u32) -> Scalar {
+        let mut whole: Vec<Option<Value>> = vec![None; limbs_for(width)];
+        let mut low = 0;
+        for &part in parts.iter().rev() {
+            let place = low;
+            low += self.width(part);
+            for (number, limb) in (0..).zip(self.clean(b, part)) {
+                let at = place + 64 * number;
+                let (first, within) = ((at / 64) as usize, i64::from(at % 64));
+                let mut put = |b: &mut FunctionBuilder, to: usize, value: Value| {
+                    whole[to] = Some(whole[to].map_or(value, |other| b.ins().bor(other, value)));
+                };
+                if within == 0 {
+                    put(b, first, limb);
+                    continue;
+                }
+                let up = b.ins().iconst(types::I64, within);
+                let lower = b.ins().ishl(limb, up);
+                put(b, first, lower);
+                if at / 64 < (low.min(at + 64) - 1) / 64 {
+                    let down = b.ins().iconst(types::I64, 64 - within);
+                    let upper = b.ins().ushr(limb, down);
+                    put(b, first + 1, upper);
+                }
+            }
+        }
+        let mut limb = |limb: Option<Value>| limb.unwrap_or_else(|| b.ins().iconst(types::I64, 0));
+        Scalar::limbs(width, whole.into_iter().map(&mut limb).collect())
     }
 
     /// A limb of a value of more than 64 bits.
