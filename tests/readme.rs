@@ -69,6 +69,15 @@ fn the_report_of_pixel_planes_5_is_the_frames() {
 }
 
 #[test]
+fn the_report_of_pixelflow_is_the_frames() {
+    let (_, shown) = block("text", "--machine pixelflow").split_once('\n').unwrap();
+    let printed = tilewright("render teapot --machine pixelflow");
+    for part in shown.split("\n..\n") {
+        assert_part(&printed, part);
+    }
+}
+
+#[test]
 fn the_picture_is_the_golden_image() {
     let folder = tempfile::tempdir().unwrap();
     let golden = folder.path().join("golden.png");

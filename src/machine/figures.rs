@@ -3,6 +3,7 @@
 use super::Machine;
 use super::job::{Job, Run};
 use super::pixel_planes::PixelPlanesOptions;
+use super::pixelflow::PixelFlowJob;
 use super::quadtree::QuadtreeOptions;
 use super::vc1::Vc1Job;
 use crate::shell::Failure;
@@ -74,7 +75,7 @@ pub struct Entrant {
 }
 
 /// All of them.
-pub const ENTRANTS: [Entrant; 3] = [
+pub const ENTRANTS: [Entrant; 4] = [
     Entrant { machine: Machine::Vc1, draw: |scene, run| drawn(&Vc1Job::with_enough_pages(scene)?, run) },
     Entrant {
         machine: Machine::Quadtree,
@@ -84,6 +85,7 @@ pub const ENTRANTS: [Entrant; 3] = [
         machine: Machine::PixelPlanes,
         draw: |scene, run| drawn(&PixelPlanesOptions::default().job(scene, false)?, run),
     },
+    Entrant { machine: Machine::PixelFlow, draw: |scene, run| drawn(&PixelFlowJob::in_memory(scene)?, run) },
 ];
 
 fn drawn(job: &impl Compared, run: &Run) -> Result<(Frame, Figures), Failure> {

@@ -1,5 +1,6 @@
 //! `--machine pixelflow`.
 
+use super::figures::{Compared, Figures, state};
 use super::first_given;
 use super::job::{Job, Run};
 use crate::golden;
@@ -9,7 +10,7 @@ use crate::shell::{Exit, Failure};
 use clap::{Args, ValueEnum};
 use tilewright_machines::pixelflow::{Config, Machine, Report};
 use tilewright_scenes::deferred::{Deferred, Samples};
-use tilewright_scenes::golden::{render_deferred_watched, render_watched};
+use tilewright_scenes::golden::{fragments, render_deferred_watched, render_watched};
 use tilewright_scenes::{Frame, Polygons, Scene, Size};
 
 /// Its options.
@@ -73,18 +74,19 @@ impl PixelFlowOptions {
             array: self.array.unwrap_or(usual.array),
             ..usual
         };
-        let machine = Machine::new(config)?;
+        let machine = Machine::new(config.clone())?;
         let work = match system {
             System::Base => Work::Deferred(deferred(scene, Samples::One)?),
             System::NonTexturing => Work::Resident(polygons(scene)?, scene.background),
         };
-        Ok(PixelFlowJob { machine, work })
+        Ok(PixelFlowJob { machine, config, work })
     }
 }
 
 /// A scene, and the machine for it.
 pub struct PixelFlowJob {
     machine: Machine,
+    config: Config,
     work: Work,
 }
 
@@ -93,6 +95,22 @@ enum Work {
     Deferred(Deferred),
     /// With the background.
     Resident(Polygons, [u8; 3]),
+}
+
+impl PixelFlowJob {
+    /// A scene in the colours of vertices, on a machine whose arrays are large enough to have the whole screen in memory.
+    ///
+    /// # Errors
+    /// The scene cannot be set up.
+    pub fn in_memory(scene: &Scene) -> Result<PixelFlowJob, Failure> {
+        let mut config = Config { shaders: 0, ..Config::new(scene.size) };
+        while config.screen().map_err(tilewright_machines::Error::from)?.count() > Config::MOST_REGIONS {
+            let [width, height] = config.array;
+            config.array = if width > height { [width, 2 * height] } else { [2 * width, height] };
+        }
+        let work = Work::Resident(polygons(scene)?, scene.background);
+        Ok(PixelFlowJob { machine: Machine::new(config.clone())?, config, work })
+    }
 }
 
 impl Job for PixelFlowJob {
@@ -126,5 +144,44 @@ impl Job for PixelFlowJob {
             Work::Resident(polygons, background) => machine.render_resident(polygons, *background, watch),
         };
         run.watch(render, |(_, report)| report.picoseconds())
+    }
+}
+
+impl Compared for PixelFlowJob {
+    fn figures(&self, report: &Report) -> Result<Figures, Failure> {
+        let nodes = u64::from(report.nodes);
+        let array = state(&self.config.pixels().map_err(tilewright_machines::Error::from)?)?;
+        let port = state(&self.config.port().map_err(tilewright_machines::Error::from)?)?;
+        let bits = |of: fn(&tilewright_hdl::ir::State) -> u64| nodes * (of(&array) + 2 * of(&port));
+        // An array has a clock for two of the network.
+        let clocks = report.latency() / 2;
+        let busy: u64 = report.rasterizers.iter().chain(&report.shaders).map(|node| node.busy).sum();
+        let [width, height] = report.array;
+        let limit = report.limit();
+        let drawn = match &self.work {
+            Work::Resident(polygons, _) => fragments(polygons.size, &polygons.polygons),
+            Work::Deferred(deferred) => {
+                let triangles = |pass: &tilewright_scenes::deferred::Pass| {
+                    let triangles: Vec<_> = pass.packets.iter().map(|packet| packet.triangle.clone()).collect();
+                    fragments(pass.size, &triangles)
+                };
+                deferred.passes.iter().map(triangles).sum()
+            }
+        };
+        Ok(Figures {
+            processors: report.nodes,
+            processor: format!("nodes of {width}x{height}"),
+            register_bits: bits(|it| it.registers),
+            memory_bits: bits(|it| it.memories),
+            clocks,
+            picoseconds: report.latency() * 5000,
+            time: "from the front end to the last region in the frame buffer, which both take the paper's time"
+                .to_owned(),
+            tested: report.drawn as u64 * u64::from(width) * u64::from(height),
+            drawn,
+            at_work: busy as f64 / (clocks.max(1) * nodes) as f64,
+            limit: limit.name.to_owned(),
+            limit_share: limit.busy as f64 / report.latency().max(1) as f64,
+        })
     }
 }

@@ -37,6 +37,12 @@ fn the_table_has_the_numbers_of_each_machines_report() {
     assert_eq!(planes["clocks"], sent.max(geometry));
     assert_eq!(planes["tested"], its["renderers"][0]["drawn"].as_u64().unwrap() * 128 * 128);
 
+    let (flow, its) = (row(&table, "pixelflow"), report("pixelflow --system non-texturing"));
+    let loaded = its["turns"].as_array().unwrap().last().unwrap()["loaded"]["end"].as_u64().unwrap();
+    let front = its["front"].as_u64().unwrap().saturating_sub(its["turns"][0]["rasterized"].as_u64().unwrap());
+    assert_eq!(flow["clocks"], (loaded + front) / 2);
+    assert_eq!(flow["tested"], its["drawn"].as_u64().unwrap() * 128 * 64);
+
     for row in table["machines"].as_array().unwrap() {
         assert_eq!((&row["drawn"], &row["golden"]["identical"]), (&vc1["drawn"], &json!(true)));
         // Two pictures of 48 bits a pixel, or one whose pixels are kept in regions, too.
@@ -46,7 +52,7 @@ fn the_table_has_the_numbers_of_each_machines_report() {
 
     let text = folder.stdout(SMALL);
     assert!(text.starts_with("pyramid: 32x24 pixels, 4 polygons\n\nmachine "), "{text}");
-    assert!(text.ends_with("\nall 3 frames are identical to the golden image\n"), "{text}");
+    assert!(text.ends_with("\nall 4 frames are identical to the golden image\n"), "{text}");
     let line = text.lines().find(|line| line.starts_with("vc1 ")).unwrap();
     let bits = vc1["memory_bits"].to_string();
     assert!(line.split_whitespace().any(|word| word == bits) && line.contains("16 processing elements"), "{line}");

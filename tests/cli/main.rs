@@ -14,6 +14,7 @@ mod limits;
 mod lines;
 mod output;
 mod pixel_planes;
+mod pixelflow;
 mod places;
 mod quadtree;
 mod render;

@@ -103,7 +103,7 @@ fn the_list_and_the_help_name_the_options_of_each_machine() {
     let list = folder.json("list --json");
     let machines = list["machines"].as_array().unwrap();
     let names: Vec<&Value> = machines.iter().map(|it| &it["name"]).collect();
-    assert_eq!(names, ["vc1", "quadtree", "pixel-planes-5"]);
+    assert_eq!(names, ["vc1", "quadtree", "pixel-planes-5", "pixelflow"]);
     let (text, help) = (folder.stdout("list"), folder.stdout("render --help"));
     for machine in machines {
         // Its own options, and those that it has in common with others.

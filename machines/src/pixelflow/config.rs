@@ -2,6 +2,7 @@
 
 use tilewright_rtl::parameter::ParameterError;
 use tilewright_rtl::pixelflow::array::PixelArray;
+use tilewright_rtl::pixelflow::network_port::NetworkPort;
 use tilewright_rtl::pixelflow::programs::Edges;
 use tilewright_scenes::Size;
 
@@ -42,6 +43,8 @@ pub struct Config {
 impl Config {
     /// The most nodes.
     pub const MOST_NODES: u32 = 64;
+    /// The most regions that the non-texturing system has room for, beside a new word and the network's registers.
+    pub const MOST_REGIONS: usize = 44;
     /// The least pixels of an array along an axis.
     pub const SMALLEST: u32 = 8;
 
@@ -90,6 +93,15 @@ impl Config {
             )));
         }
         PixelArray::new(width, height)
+    }
+
+    /// The hardware that connects a node with one direction of the network.
+    ///
+    /// # Errors
+    /// As [`Config::pixels`].
+    pub fn port(&self) -> Result<NetworkPort, ParameterError> {
+        let array = self.pixels()?;
+        Ok(NetworkPort { chips: array.chips(), pixels: array.pixels(), width: 8 })
     }
 
     /// The screen's regions.

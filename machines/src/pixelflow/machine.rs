@@ -170,7 +170,7 @@ impl<'a> Run<'a> {
     fn region(&mut self, region: usize) -> Result<(), Error> {
         let given: Vec<_> = self.rasterizers.iter().map(|_| std::sync::Mutex::new(0)).collect();
         each_mut(&mut self.rasterizers, |number, node| {
-            *given[number].lock().expect("nobody panics with it") = node.run(&self.works.program(number, region))?;
+            *given[number].lock().expect("nobody panics with it") = node.run(self.works.program(number, region))?;
             node.finish()
         })?;
         if region > 0 {

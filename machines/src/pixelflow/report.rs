@@ -28,9 +28,9 @@ pub struct Report {
     pub primitives: usize,
     /// Likewise.
     pub drawn: usize,
-    /// The front end of the rasterizer with most primitives, by the paper's cost of each, in ticks of 5 ns: the others begin behind it.
+    /// The front end of the rasterizer with most primitives, by the paper's cost of each, in ticks of 5 ns.
     pub front: Ticks,
-    /// When each region was where, in ticks behind the front end.
+    /// When each region was where, in ticks from the first instruction on.
     pub turns: Vec<Done>,
 }
 
@@ -50,7 +50,7 @@ pub struct Stage {
     pub name: &'static str,
     /// Ticks of the unit with most to do.
     pub busy: Ticks,
-    /// The first tick and the one behind the last, behind the front end.
+    /// The first tick and the one behind the last, from the first instruction on.
     pub from: Ticks,
     /// Likewise.
     pub to: Ticks,
@@ -85,9 +85,18 @@ impl Report {
         self.turns.last().map_or(0, |last| last.loaded.end)
     }
 
-    /// Ticks of a frame from its beginning to its last region in the frame buffer: front end and all that is behind it.
+    /// Ticks by which all that is simulated is later because of the front end: it is before the rest, or, where nothing is sorted, beside
+    /// rasterization.
+    pub fn delay(&self) -> Ticks {
+        match self.system {
+            System::NonTexturing => self.front.saturating_sub(self.turns.first().map_or(0, |turn| turn.rasterized)),
+            System::Base | System::PreSort => self.front,
+        }
+    }
+
+    /// Ticks of a frame from its beginning to its last region in the frame buffer.
     pub fn latency(&self) -> Ticks {
-        self.front + self.back()
+        self.delay() + self.back()
     }
 
     /// Simulated picoseconds behind the front end.
@@ -143,7 +152,7 @@ impl fmt::Display for Report {
         let us = |ticks: Ticks| ticks as f64 / 200.0;
         writeln!(f, "{:<16}{:>10.2}{:>10.2}{:>10.2}", "front end", us(self.front), 0.0, us(self.front))?;
         for Stage { name, busy, from, to } in self.stages() {
-            let [from, to] = [from, to].map(|ticks| us(self.front + ticks));
+            let [from, to] = [from, to].map(|ticks| us(self.delay() + ticks));
             writeln!(f, "{name:<16}{:>10.2}{from:>10.2}{to:>10.2}", us(busy))?;
         }
         writeln!(

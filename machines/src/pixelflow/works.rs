@@ -249,6 +249,13 @@ fn resident_words() -> Vec<u64> {
     places
 }
 
+#[cfg(test)]
+#[test]
+fn there_is_room_for_as_many_regions_as_is_said() {
+    assert_eq!(resident_words().len(), Config::MOST_REGIONS);
+    assert!(scratch() + gouraud::BYTES <= PixelProcessor::BYTES.into());
+}
+
 /// Room for a new word beside these.
 fn scratch() -> u64 {
     resident_words().last().expect("there are some") + gouraud::BYTES

@@ -30,12 +30,12 @@ fn the_pages_are_those_of_the_papers_and_one_of_all_machines() {
     // The table is that of compare.
     let table = folder.json("compare star --size 64x48 --json");
     let rows: Vec<_> = lines(&folder, "report/star-machines.csv").collect();
-    assert_eq!(rows.len(), 3);
+    assert_eq!(rows.len(), 4);
     for (cells, row) in rows.iter().zip(table["machines"].as_array().unwrap()) {
         assert_eq!((&cells[0], &cells[2]), (&row["machine"].as_str().unwrap().to_owned(), &row["clocks"].to_string()));
         assert_eq!(cells[6], row["drawn"].to_string());
     }
     let checks = folder.read("report/checks.csv");
-    assert_eq!(checks.lines().count(), 1 + 4 * 3 + 4, "{checks}");
+    assert_eq!(checks.lines().count(), 1 + 4 * 4 + 4, "{checks}");
     assert!(checks.lines().skip(1).all(|line| line.ends_with(",holds")), "{checks}");
 }

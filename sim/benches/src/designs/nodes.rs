@@ -51,7 +51,7 @@ impl Block for Nodes {
         let ends = clock.eq(TURN - 1);
         clock.next(mux(ends, 0, clock + 1));
         turn.when(ends, mux(turn.eq(self.count - 1), 0, turn + 1));
-        let number = constants(bits(16).of(self.count), |node| u64::from(node));
+        let number = constants(bits(16).of(self.count), u64::from);
         let nodes = m.array("u_node", self.count, &self.node, |_| NodeIn { is_busy: number.eq(*turn) });
         BenchOut { csum: nodes.csum.to_vec().into_iter().fold(lit(32, 0), |all, one| all.rotate_left(1) ^ one) }
     }

@@ -1,0 +1,75 @@
+//! `render --machine pixelflow`, and what goes wrong with it.
+
+use crate::harness::Folder;
+use serde_json::json;
+
+const SMALL: &str = "render pyramid.obj --machine pixelflow --size 32x24 --nodes 4 --shaders 1 --array 16x8";
+
+#[test]
+fn the_report_has_each_region_s_way_and_each_node() {
+    let folder = Folder::with_pyramid();
+    let report = folder.json(&format!("{SMALL} -o frame.png --json"));
+    assert_eq!((&report["format"], &report["machine"]), (&json!(1), &json!("pixelflow")));
+    assert_eq!(report["golden"], json!({"identical": true, "differing": 0, "first": null}));
+    let report = &report["report"];
+    assert_eq!((&report["system"], &report["array"], &report["nodes"]), (&json!("Base"), &json!([16, 8]), &json!(4)));
+    let nodes = |kind: &str| report[kind].as_array().unwrap().len();
+    assert_eq!((nodes("turns"), nodes("rasterizers"), nodes("shaders")), (6, 2, 1));
+    let tick = |turn: usize, stage: &str, end: &str| report["turns"][turn][stage][end].as_u64().unwrap();
+    for turn in 0..6 {
+        // 21 bytes, then 3, of 32 pixels of a chip (PFL-BYTES).
+        assert_eq!(tick(turn, "composed", "end") - tick(turn, "composed", "start"), 21 * 32);
+        assert_eq!(tick(turn, "sent", "end") - tick(turn, "sent", "start"), 3 * 32);
+        assert!(tick(turn, "shaded", "end") <= tick(turn, "sent", "start"));
+    }
+    let text = folder.stdout(SMALL);
+    for part in [
+        "pyramid: PixelFlow, base system, deferred shading: 32x24 pixels in 6 regions of 16x8,\n",
+        "4 nodes: 2 rasterize, 1 shade, one holds the frame\n",
+        "\nshader 1 ",
+    ] {
+        assert!(text.contains(part), "{part}: {text}");
+    }
+    assert!(text.ends_with("\nidentical to the golden image\n"), "{text}");
+}
+
+#[test]
+fn any_nodes_and_both_systems_draw_the_golden_image() {
+    let folder = Folder::with_pyramid();
+    let of = |options: &str| {
+        let line = format!("render pyramid.obj --machine pixelflow --size 32x24 --array 16x8 {options} --json");
+        let report = folder.json(&line);
+        assert_eq!(report["golden"]["identical"], true, "{options}: {report}");
+        report["report"]["turns"][5]["loaded"]["end"].as_u64().unwrap()
+    };
+    let few = of("--nodes 3 --shaders 1");
+    assert!(of("--nodes 7 --shaders 2") < few);
+    of("--nodes 2 --system non-texturing");
+    of("--nodes 5 --system non-texturing --engine both");
+}
+
+#[test]
+fn a_textured_scene_is_drawn() {
+    let report = Folder::new()
+        .json("render textured --machine pixelflow --size 32x24 --nodes 4 --shaders 1 --array 16x8 --json");
+    assert_eq!(report["golden"]["identical"], true, "{report}");
+}
+
+#[test]
+fn mistakes_are_said() {
+    let folder = Folder::with_pyramid();
+    let said = |options: &str, sentence: &str| {
+        let run = folder.run(&format!("render pyramid.obj --machine pixelflow {options}"));
+        assert_eq!(run.code, Some(2), "{options}: {}", run.stderr);
+        assert!(run.stderr.contains(sentence), "{options}: {}", run.stderr);
+    };
+    said("--nodes 3 --shaders 2 --size 32x24", "none is left to rasterize; give at least 4");
+    said("--array 12x8", "powers of two from 2 to 256");
+    said("--array 4x8", "the machine's have 8 to 256 along each side");
+    said("--array wide", "give width and height in pixels, such as 128x64");
+    said("--system non-texturing --shaders 2", "has no shaders: leave out --shaders");
+    said("--system non-texturing --array 8x8 --size 64x64", "have room for 44");
+    said("--strict", "--strict is an option of quadtree");
+    said("--renderers 2", "--renderers is an option of pixel-planes-5");
+    said("--vcd frame.vcd", "see `tilewright wave pixelflow-node`");
+}
