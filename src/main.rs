@@ -59,7 +59,7 @@ A waveform alone grows in its place.
 
 #[derive(Subcommand)]
 enum Command {
-    Render(render::Render),
+    Render(Box<render::Render>),
     Compare(compare::Compare),
     Golden(golden::Golden),
     Wave(wave::Wave),
