@@ -9,7 +9,7 @@ use crate::scene::{deferred, polygons};
 use crate::shell::{Exit, Failure};
 use clap::{Args, ValueEnum};
 use tilewright_machines::pixelflow::{Config, Machine, Report};
-use tilewright_scenes::deferred::{Deferred, Samples};
+use tilewright_scenes::deferred::{Deferred, Samples, Shading};
 use tilewright_scenes::golden::{fragments, render_deferred_watched, render_watched};
 use tilewright_scenes::{Frame, Polygons, Scene, Size};
 
@@ -30,6 +30,9 @@ pub struct PixelFlowOptions {
     /// [default: base]
     #[arg(long, value_enum, value_name = "SYSTEM")]
     system: Option<System>,
+    /// Samples of a pixel, of the base system: eight are two renderings at twice the width and height [default: 1]
+    #[arg(long, value_name = "N", value_parser = ["1", "8"])]
+    samples: Option<String>,
 }
 
 /// The software.
@@ -47,12 +50,13 @@ fn array(text: &str) -> Result<[u32; 2], String> {
 impl PixelFlowOptions {
     /// One that is given, if any is.
     pub fn given(&self) -> Option<&'static str> {
-        let PixelFlowOptions { nodes, shaders, array, system } = self;
+        let PixelFlowOptions { nodes, shaders, array, system, samples } = self;
         first_given([
             ("--nodes", nodes.is_some()),
             ("--shaders", shaders.is_some()),
             ("--array", array.is_some()),
             ("--system", system.is_some()),
+            ("--samples", samples.is_some()),
         ])
     }
 
@@ -67,6 +71,12 @@ impl PixelFlowOptions {
             let sentence = "the non-texturing system has no shaders: leave out --shaders, or pass --system base";
             return Err(Failure::new(Exit::BadInput, sentence));
         }
+        let samples =
+            if self.samples.as_deref() == Some("8") { Samples::Eight(Shading::EachSample) } else { Samples::One };
+        if system == System::NonTexturing && samples != Samples::One {
+            let sentence = "the non-texturing system draws one sample here: leave out --samples, or pass --system base";
+            return Err(Failure::new(Exit::BadInput, sentence));
+        }
         let shaders = self.shaders.unwrap_or(if system == System::Base { usual.shaders } else { 0 });
         let config = Config {
             nodes: self.nodes.unwrap_or(usual.nodes),
@@ -76,7 +86,7 @@ impl PixelFlowOptions {
         };
         let machine = Machine::new(config.clone())?;
         let work = match system {
-            System::Base => Work::Deferred(deferred(scene, Samples::One)?),
+            System::Base => Work::Deferred(deferred(scene, samples)?),
             System::NonTexturing => Work::Resident(polygons(scene)?, scene.background),
         };
         Ok(PixelFlowJob { machine, config, work })

@@ -56,6 +56,18 @@ fn a_textured_scene_is_drawn() {
 }
 
 #[test]
+fn eight_samples_are_drawn_in_two_renderings() {
+    let folder = Folder::with_pyramid();
+    let line = "render pyramid.obj --machine pixelflow --size 16x12 --nodes 4 --shaders 1 --array 16x8 --samples 8";
+    let text = folder.stdout(line);
+    assert!(
+        text.starts_with("pyramid: PixelFlow, base system, deferred shading: 16x12 pixels of 8 samples in 12 regions"),
+        "{text}"
+    );
+    assert!(text.ends_with("\nidentical to the golden image\n"), "{text}");
+}
+
+#[test]
 fn mistakes_are_said() {
     let folder = Folder::with_pyramid();
     let said = |options: &str, sentence: &str| {
@@ -69,6 +81,8 @@ fn mistakes_are_said() {
     said("--array wide", "give width and height in pixels, such as 128x64");
     said("--system non-texturing --shaders 2", "has no shaders: leave out --shaders");
     said("--system non-texturing --array 8x8 --size 64x64", "have room for 44");
+    said("--system non-texturing --samples 8", "draws one sample here");
+    said("--samples 4", "[possible values: 1, 8]");
     said("--strict", "--strict is an option of quadtree");
     said("--renderers 2", "--renderers is an option of pixel-planes-5");
     said("--vcd frame.vcd", "see `tilewright wave pixelflow-node`");

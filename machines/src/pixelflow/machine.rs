@@ -7,11 +7,15 @@
 //! ```
 //!
 //! Region by region: all rasterizers draw; when the last one has, the network composes, and a shader takes what comes. Nodes wait for each other
-//! at their banks of registers alone, so each array is a simulation of its own, which is told when the network has done with a bank.
+//! at their banks of registers alone, so each array is a simulation of its own, which is told when the network has done with a bank. The times are
+//! those of the simulations. Two things take other time than in a whole [`Node`](tilewright_rtl::pixelflow::node::Node): a region's instructions
+//! come when the one before is given, some ten clocks late; and the network is set for its next word at once.
 
+use tilewright_rtl::parameter::ParameterError;
 use tilewright_rtl::pixelflow::array::PixelArray;
-use tilewright_scenes::deferred::Deferred;
-use tilewright_scenes::{Frame as Picture, Polygons};
+use tilewright_scenes::deferred::{Deferred, Samples, Shading};
+use tilewright_scenes::golden::average_eight;
+use tilewright_scenes::{Frame as Picture, Polygons, Size};
 use tilewright_sim::EngineKind;
 
 use super::config::Config;
@@ -68,11 +72,32 @@ impl Machine {
 
     /// Renders a frame with deferred shading, by the base system: the picture as the frame buffer has it, and the report.
     ///
+    /// Eight samples are two renderings at twice the width and height, one after another, in which every sample is shaded; who holds the frame
+    /// averages them, which takes no time here.
+    ///
     /// # Errors
     /// [`Error::Parameter`] if the scene is for another screen, or takes what the machine has not; [`Error::Cancelled`]; [`Error::Simulation`].
     pub fn render(&self, deferred: &Deferred, watch: &mut Watch) -> Result<(Picture, Report), Error> {
-        let works = Works::deferred(&self.config, deferred)?;
-        self.run(&works, watch)
+        if deferred.samples == Samples::Eight(Shading::OncePerPixel) {
+            let problem = "eight samples that are shaded once: the hardware of this machine shades each of them";
+            return Err(ParameterError(problem.to_owned()).into());
+        }
+        self.check(deferred.size)?;
+        let mut drawn = Vec::new();
+        for pass in &deferred.passes {
+            let config = Config { size: pass.size, ..self.config.clone() };
+            let works = Works::deferred(&config, pass, &deferred.shader)?;
+            drawn.push(self.run(&works, watch)?);
+        }
+        let (pictures, reports): (Vec<_>, Vec<_>) = drawn.into_iter().unzip();
+        let report = reports.into_iter().reduce(Report::and_then).expect("there is a pass");
+        match <[Picture; 2]>::try_from(pictures) {
+            Ok(both) => {
+                let size = [deferred.size.width(), deferred.size.height()];
+                Ok((average_eight(&both), Report { size, samples: 8, ..report }))
+            }
+            Err(mut one) => Ok((one.remove(0), report)),
+        }
     }
 
     /// Renders a frame by the non-texturing system: all regions are in the pixels' memory, and colours are those of the vertices.
@@ -85,8 +110,17 @@ impl Machine {
         background: [u8; 3],
         watch: &mut Watch,
     ) -> Result<(Picture, Report), Error> {
+        self.check(polygons.size)?;
         let works = Works::resident(&self.config, polygons, background)?;
         self.run(&works, watch)
+    }
+
+    fn check(&self, size: Size) -> Result<(), Error> {
+        if size == self.config.size {
+            return Ok(());
+        }
+        let problem = format!("a scene for {size} pixels, on a machine of {}: set it up for that", self.config.size);
+        Err(ParameterError(problem).into())
     }
 
     fn run(&self, works: &Works, watch: &mut Watch) -> Result<(Picture, Report), Error> {
@@ -128,7 +162,7 @@ struct Run<'a> {
     network: Ticks,
     returns: Ticks,
     written: Ticks,
-    /// When the first pixel of each region is there, of all that were composed.
+    /// When each region was where.
     done: Vec<Done>,
     /// What the frame buffer got.
     colours: Vec<Words>,
@@ -168,20 +202,20 @@ impl<'a> Run<'a> {
 
     /// The next region: it is drawn; then the one before is composed and shaded, and the network is told when it has this one.
     fn region(&mut self, region: usize) -> Result<(), Error> {
-        let given: Vec<_> = self.rasterizers.iter().map(|_| std::sync::Mutex::new(0)).collect();
         each_mut(&mut self.rasterizers, |number, node| {
-            *given[number].lock().expect("nobody panics with it") = node.run(self.works.program(number, region))?;
+            node.run(self.works.program(number, region))?;
             node.finish()
         })?;
         if region > 0 {
             self.compose(region - 1)?;
         }
-        let rasterized = given.into_iter().map(|it| it.into_inner().expect("nobody panics with it")).max().unwrap_or(0);
+        let bank = region % 2;
+        let rasterized = self.rasterizers.iter().map(|node| node.given(bank)).max().unwrap_or(0);
         let taken = match self.shader_of(region) {
             Some(shader) => self.shaders[shader].free,
             None => self.stored(region),
         };
-        let (bank, bytes) = (region % 2, self.works.bytes());
+        let bytes = self.works.bytes();
         let begin = rasterized.max(self.network).max(taken) + self.config.set_up;
         let end = begin + bytes * self.pixels;
         let first = self.first();

@@ -16,6 +16,8 @@ pub struct Report {
     pub system: System,
     /// Columns and rows of pixels.
     pub size: [u32; 2],
+    /// Samples of a pixel.
+    pub samples: u32,
     /// Nodes, with the one that holds the frame.
     pub nodes: u32,
     /// Pixels of an array along x and y.
@@ -69,6 +71,7 @@ impl Report {
         Report {
             system,
             size: [config.size.width(), config.size.height()],
+            samples: 1,
             nodes: config.nodes,
             array: config.array,
             rasterizers: works.primitives.iter().zip(rasterizers).map(rasterizer).collect(),
@@ -77,6 +80,27 @@ impl Report {
             drawn: works.drawn.iter().sum(),
             front: ticks(costs.overhead + transforms * most),
             turns,
+        }
+    }
+
+    /// Of a rendering and another one behind it, whose instructions follow from the same front end.
+    pub(super) fn and_then(self, next: Report) -> Report {
+        let later = self.back();
+        let moved = |range: std::ops::Range<Ticks>| later + range.start..later + range.end;
+        let moved = |Done { rasterized, composed, shaded, sent, loaded }: Done| {
+            let [composed, shaded, sent, loaded] = [composed, shaded, sent, loaded].map(moved);
+            Done { rasterized: later + rasterized, composed, shaded, sent, loaded }
+        };
+        let sum = |ones: Vec<NodeReport>, others: Vec<NodeReport>| {
+            let both = |(one, other): (NodeReport, NodeReport)| NodeReport { busy: one.busy + other.busy, ..one };
+            ones.into_iter().zip(others).map(both).collect()
+        };
+        Report {
+            rasterizers: sum(self.rasterizers, next.rasterizers),
+            shaders: sum(self.shaders, next.shaders),
+            drawn: self.drawn + next.drawn,
+            turns: self.turns.into_iter().chain(next.turns.into_iter().map(moved)).collect(),
+            ..next
         }
     }
 
@@ -145,7 +169,10 @@ impl fmt::Display for Report {
             "PixelFlow, {system}: {width}x{height} pixels in {} regions of {across}x{down},",
             self.turns.len()
         )?;
+        let samples = if self.samples > 1 { format!(" of {} samples", self.samples) } else { String::new() };
         let shading = if shade > 0 { format!(", {shade} shade") } else { String::new() };
+        let regions = self.turns.len();
+        writeln!(f, "PixelFlow, {system}: {width}x{height} pixels{samples} in {regions} regions of {across}x{down},")?;
         writeln!(f, "{} nodes: {rasterize} rasterize{shading}, one holds the frame", self.nodes)?;
         writeln!(f, "{} primitives, {} in regions", self.primitives, self.drawn)?;
         writeln!(f, "\n{:<16}{:>10}{:>10}{:>10}", "stage", "busy us", "from us", "to us")?;

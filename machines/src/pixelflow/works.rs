@@ -7,7 +7,7 @@ use tilewright_rtl::pixelflow::fields::{Field, appearance, bank, gouraud, textur
 use tilewright_rtl::pixelflow::instruction::Instruction;
 use tilewright_rtl::pixelflow::pixel::PixelProcessor;
 use tilewright_rtl::pixelflow::programs::{self, Region, Shading, Words as Places};
-use tilewright_scenes::deferred::Deferred;
+use tilewright_scenes::deferred::{self, Pass};
 use tilewright_scenes::{Frame, PixelBox, Polygons, Size, Texture};
 
 use super::config::Config;
@@ -43,16 +43,12 @@ impl Works {
     /// Bytes of a colour.
     pub const COLOUR: u64 = 3;
 
-    /// With deferred shading: appearance words, region by region.
-    pub fn deferred(config: &Config, deferred: &Deferred) -> Result<Works, Error> {
-        let [pass] = deferred.passes.as_slice() else {
-            let problem = "eight samples: the hardware of this machine draws one; leave them out";
-            return Err(ParameterError(problem.to_owned()).into());
-        };
+    /// With deferred shading: appearance words of a pass, region by region.
+    pub fn deferred(config: &Config, pass: &Pass, shader: &deferred::Shader) -> Result<Works, Error> {
         if config.shaders == 0 {
             return Err(ParameterError("no shaders: deferred shading takes at least one".to_owned()).into());
         }
-        let mut works = Works::empty(config, deferred.size, config.roles()?.rasterizers)?;
+        let mut works = Works::empty(config, config.roles()?.rasterizers)?;
         let (region, screen) = (works.region(config), works.screen);
         let boxes = pass.packets.iter().map(|packet| packet.triangle.bounds);
         works.deal(boxes, |number, place| {
@@ -68,8 +64,8 @@ impl Works {
             let after = [programs::covered(word), vec![programs::give_bank(number)]].concat();
             *program = [before, std::mem::take(program), after].concat();
         }
-        works.textures = deferred.shader.textures.clone();
-        let shader = constants(&deferred.shader);
+        works.textures = shader.textures.clone();
+        let shader = constants(shader);
         let shading = Shading { shader: &shader, word: SHADED, colour: bank(1) };
         works.shading = Some(
             [
@@ -89,7 +85,7 @@ impl Works {
 
     /// With all regions in the pixels' memory: words z || rgb.
     pub fn resident(config: &Config, polygons: &Polygons, background: [u8; 3]) -> Result<Works, Error> {
-        let mut works = Works::empty(config, polygons.size, config.nodes - 1)?;
+        let mut works = Works::empty(config, config.nodes - 1)?;
         let places = resident_words();
         if works.regions() > places.len() {
             let [width, height] = config.array;
@@ -125,11 +121,8 @@ impl Works {
         Ok(works)
     }
 
-    fn empty(config: &Config, size: Size, rasterizers: u32) -> Result<Works, Error> {
-        if size != config.size {
-            let problem = format!("a scene for {size} pixels, on a machine of {}: set it up for that", config.size);
-            return Err(ParameterError(problem).into());
-        }
+    fn empty(config: &Config, rasterizers: u32) -> Result<Works, Error> {
+        let size = config.size;
         let screen = config.screen()?;
         let programs = vec![vec![Vec::new(); screen.count()]; rasterizers as usize];
         let primitives = vec![0; rasterizers as usize];

@@ -1,5 +1,6 @@
 //! Frames of small machines.
 
+use proptest::prelude::*;
 use tilewright_scenes::deferred::{Samples, project_deferred};
 use tilewright_scenes::{Scene, Size, compare, golden, project_polygons};
 
@@ -46,4 +47,55 @@ fn a_textured_frame_is_the_golden_image() {
     let machine = Machine::new(config(size, 5, 2)).unwrap();
     let (frame, _) = machine.render(&deferred, &mut Watch::default()).unwrap();
     assert_eq!(compare(&frame, &golden::render_deferred(&deferred)).differing, 0);
+}
+
+#[test]
+fn eight_samples_are_the_golden_image() {
+    let size = Size::new(20, 12).unwrap();
+    let scene = Scene::builtin("textured").unwrap();
+    let eight = |shading| project_deferred(&scene, size, Samples::Eight(shading)).unwrap();
+    let deferred = eight(Shading::EachSample);
+    let machine = Machine::new(config(size, 5, 2)).unwrap();
+    let (frame, report) = machine.render(&deferred, &mut Watch::default()).unwrap();
+    assert_eq!(compare(&frame, &golden::render_deferred(&deferred)).differing, 0);
+    // 40 x 24 pixels, twice.
+    assert_eq!(report.turns.len(), 2 * 9);
+    assert!(report.turns.windows(2).all(|pair| pair[0].loaded.end <= pair[1].loaded.start));
+    let once = machine.render(&eight(Shading::OncePerPixel), &mut Watch::default());
+    assert!(once.is_err_and(|error| error.to_string().contains("shades each of them")));
+}
+
+/// Sides of arrays.
+fn sides() -> impl Strategy<Value = [u32; 2]> {
+    let side = || prop_oneof![Just(8_u32), Just(16), Just(32)];
+    (side(), side()).prop_map(|(width, height)| [width, height])
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 10, failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// Any machine, and any rasterizer for each triangle: they are dealt in turn, so in another order others have them.
+    #[test]
+    fn who_draws_what_does_not_matter(
+        array in sides(),
+        shaders in 1..4u32,
+        rasterizers in 1..6u32,
+        [width, height] in [9..50u32, 9..40u32],
+        scene in prop_oneof![Just("star"), Just("teapot"), Just("textured")],
+        one_at_a_time in any::<bool>(),
+        turned in any::<prop::sample::Index>(),
+    ) {
+        let size = Size::new(width, height).unwrap();
+        let mut deferred = project_deferred(&Scene::builtin(scene).unwrap(), size, Samples::One).unwrap();
+        let golden = golden::render_deferred(&deferred);
+        let packets = &mut deferred.passes[0].packets;
+        let count = packets.len();
+        packets.rotate_left(turned.index(count));
+        packets[..count / 2].reverse();
+        let nodes = 1 + rasterizers + shaders;
+        let config = Config { nodes, shaders, array, side_by_side: !one_at_a_time, ..Config::new(size) };
+        let (frame, report) = Machine::new(config).unwrap().render(&deferred, &mut Watch::default()).unwrap();
+        prop_assert_eq!(compare(&frame, &golden).differing, 0);
+        prop_assert_eq!(report.rasterizers.iter().map(|node| node.primitives).sum::<usize>(), count);
+    }
 }
