@@ -164,11 +164,6 @@ impl fmt::Display for Report {
             System::Base => "base system, deferred shading",
             System::PreSort => "pre-sorting system, deferred shading",
         };
-        writeln!(
-            f,
-            "PixelFlow, {system}: {width}x{height} pixels in {} regions of {across}x{down},",
-            self.turns.len()
-        )?;
         let samples = if self.samples > 1 { format!(" of {} samples", self.samples) } else { String::new() };
         let shading = if shade > 0 { format!(", {shade} shade") } else { String::new() };
         let regions = self.turns.len();
