@@ -160,8 +160,8 @@ impl Job for PixelFlowJob {
 impl Compared for PixelFlowJob {
     fn figures(&self, report: &Report) -> Result<Figures, Failure> {
         let nodes = u64::from(report.nodes);
-        let array = state(&self.config.pixels().map_err(tilewright_machines::Error::from)?)?;
-        let port = state(&self.config.port().map_err(tilewright_machines::Error::from)?)?;
+        let pixels = self.config.pixels().map_err(tilewright_machines::Error::from)?;
+        let (array, port) = (state(&pixels)?, state(&pixels.network_port())?);
         let bits = |of: fn(&tilewright_hdl::ir::State) -> u64| nodes * (of(&array) + 2 * of(&port));
         // An array has a clock for two of the network.
         let clocks = report.latency() / 2;

@@ -2,7 +2,6 @@
 
 use tilewright_rtl::parameter::ParameterError;
 use tilewright_rtl::pixelflow::array::PixelArray;
-use tilewright_rtl::pixelflow::network_port::NetworkPort;
 use tilewright_rtl::pixelflow::programs::Edges;
 use tilewright_scenes::Size;
 
@@ -93,15 +92,6 @@ impl Config {
             )));
         }
         PixelArray::new(width, height)
-    }
-
-    /// The hardware that connects a node with one direction of the network.
-    ///
-    /// # Errors
-    /// As [`Config::pixels`].
-    pub fn port(&self) -> Result<NetworkPort, ParameterError> {
-        let array = self.pixels()?;
-        Ok(NetworkPort { chips: array.chips(), pixels: array.pixels(), width: 8 })
     }
 
     /// The screen's regions.

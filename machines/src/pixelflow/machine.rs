@@ -141,8 +141,6 @@ impl Machine {
 /// A shader, and what it has to do.
 struct Shader {
     node: Node,
-    /// From when on the network may bring words.
-    free: Ticks,
     /// Where it is on the network.
     place: usize,
 }
@@ -180,8 +178,8 @@ impl<'a> Run<'a> {
                 let textures = works.textures.iter().map(AsRef::as_ref);
                 node = node.with_textures(TextureLookUp::new(&array, textures, engine)?);
             }
-            let free = node.run(&works.first_of_shader())?;
-            Ok::<Shader, Error>(Shader { node, free, place: (1 + roles.rasterizers + number) as usize })
+            node.run(&works.first_of_shader())?;
+            Ok::<Shader, Error>(Shader { node, place: (1 + roles.rasterizers + number) as usize })
         };
         Ok(Run {
             config,
@@ -212,7 +210,7 @@ impl<'a> Run<'a> {
         let bank = region % 2;
         let rasterized = self.rasterizers.iter().map(|node| node.given(bank)).max().unwrap_or(0);
         let taken = match self.shader_of(region) {
-            Some(shader) => self.shaders[shader].free,
+            Some(shader) => self.shaders[shader].node.given(0),
             None => self.stored(region),
         };
         let bytes = self.works.bytes();
@@ -260,7 +258,7 @@ impl<'a> Run<'a> {
                 let mut own: Vec<_> =
                     gone.iter().enumerate().map(|(number, words)| (last - 1 - number, words)).collect();
                 own.reverse();
-                let came = self.back.send(&own, last, self.pixels)?;
+                let came = self.back.send(&own, last)?;
                 self.colours.push(came);
                 let end = self.done[region].composed.end;
                 self.load(region, end);
@@ -268,11 +266,10 @@ impl<'a> Run<'a> {
             Some(number) => {
                 let own: Vec<_> = gone.iter().enumerate().map(|(number, words)| (1 + number, words)).collect();
                 let shader = &mut self.shaders[number];
-                let came = self.forth.send(&own, shader.place, self.pixels)?;
+                let came = self.forth.send(&own, shader.place)?;
                 let from = self.done[region].composed.start + (shader.place - 1) as Ticks;
                 shader.node.access(Access { from, bank: 0, bytes: self.works.bytes(), comes: Some(came) });
                 let shaded = shader.node.run(self.works.shading())?;
-                shader.free = shader.node.given(0);
                 self.send(region, number, shaded);
             }
         }
@@ -312,7 +309,7 @@ impl<'a> Run<'a> {
             let shader = &mut self.shaders[number];
             let sent = shader.node.sent(1).expect("its colours have gone");
             let place = self.nodes - 1 - shader.place;
-            self.colours.push(self.back.send(&[(place, &sent)], self.nodes - 1, self.pixels)?);
+            self.colours.push(self.back.send(&[(place, &sent)], self.nodes - 1)?);
         }
         Ok(())
     }

@@ -5,7 +5,8 @@ use serde::Serialize;
 use super::costs::{Ticks, milliseconds, ticks};
 use super::latency::{Samples, Software, System, Times};
 use super::model::{Frame, FrontEnd, Resident, Shading, Timeline, Turn};
-use super::workload::Workload;
+use super::workload::{Boxes, Workload};
+use tilewright_rtl::parameter::ParameterError;
 
 /// What the paper leaves open, or to a formula.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -53,6 +54,20 @@ impl Software {
     pub fn regions_drawn(&self) -> usize {
         let larger = if self.is_side_by_side() { 4 } else { 1 };
         self.regions as usize * larger
+    }
+
+    /// So many boxes of 10 x 10 pixels at random places of the paper's screen (PFL-OVERLAP); with eight samples side by side, as large on one of twice its
+    /// width and height.
+    ///
+    /// # Errors
+    /// As [`Workload::of_boxes`].
+    pub fn paper_boxes(&self, primitives: u64, seed: u64) -> Result<Workload, ParameterError> {
+        let (sides, regions) = match self.is_side_by_side() {
+            true => ([20, 20], [10, 16]),
+            false => ([10, 10], [5, 8]),
+        };
+        let boxes = Boxes { sides, region: [128, 64], regions, seed };
+        Workload::of_boxes(boxes, primitives, self.nodes.rasterizers as usize, self.draws())
     }
 
     /// Lets a frame run. Of the software's fields, those that tell of overlap and of the regions composed and shaded are the formula's; here they

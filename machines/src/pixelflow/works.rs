@@ -86,7 +86,7 @@ impl Works {
     /// With all regions in the pixels' memory: words z || rgb.
     pub fn resident(config: &Config, polygons: &Polygons, background: [u8; 3]) -> Result<Works, Error> {
         let mut works = Works::empty(config, config.nodes - 1)?;
-        let places = resident_words();
+        let (places, scratch) = resident_words();
         if works.regions() > places.len() {
             let [width, height] = config.array;
             let (regions, most, bytes) = (works.regions(), places.len(), PixelProcessor::BYTES);
@@ -101,7 +101,7 @@ impl Works {
         let boxes = polygons.polygons.iter().map(|polygon| polygon.bounds);
         works.deal(boxes, |number, place| {
             let (polygon, corner) = (&polygons.polygons[number], screen.corner(place));
-            let words = Places { kept: places[place], new: scratch() };
+            let words = Places { kept: places[place], new: scratch };
             programs::gouraud(region, words, &corner.edges(polygon), &corner.surface(polygon))
         });
         for regions in &mut works.programs {
@@ -230,26 +230,21 @@ fn byte(lanes: &tilewright_sim::Bits, lane: u32) -> u64 {
     lanes.limbs()[lane / 8] >> (8 * (lane % 8)) & 0xff
 }
 
-/// Where the words of each region are: as many as have room beside the new one and the network's banks.
-fn resident_words() -> Vec<u64> {
+/// Where the words of each region are, as many as have room beside the network's banks; and room for a new one.
+fn resident_words() -> (Vec<u64>, u64) {
     let (bytes, registers) = (gouraud::BYTES, u64::from(PixelProcessor::REGISTERS));
     let memory = (0..registers / bytes).map(|number| number * bytes);
     let Field { address: free, .. } = texture::UV[0];
     let more = (0..(u64::from(PixelProcessor::BYTES) - free) / bytes).map(|number| free + number * bytes);
-    // The last one is for what is new.
     let mut places: Vec<u64> = memory.chain(more).collect();
-    places.pop();
-    places
+    let scratch = places.pop().expect("there are some");
+    (places, scratch)
 }
 
 #[cfg(test)]
 #[test]
 fn there_is_room_for_as_many_regions_as_is_said() {
-    assert_eq!(resident_words().len(), Config::MOST_REGIONS);
-    assert!(scratch() + gouraud::BYTES <= PixelProcessor::BYTES.into());
-}
-
-/// Room for a new word beside these.
-fn scratch() -> u64 {
-    resident_words().last().expect("there are some") + gouraud::BYTES
+    let (places, scratch) = resident_words();
+    assert_eq!(places.len(), Config::MOST_REGIONS);
+    assert!(scratch + gouraud::BYTES <= PixelProcessor::BYTES.into());
 }

@@ -23,6 +23,7 @@
 use super::controller::{ArrayController, ArrayControllerIn, BANKS, Given};
 use super::instruction::Instruction;
 use super::linear_evaluator::{LinearEvaluator, LinearEvaluatorIn};
+use super::network_port::NetworkPort;
 use super::pixel::{PixelProcessor, PixelProcessorIn};
 use super::registers::{CommunicationRegisters, CommunicationRegistersIn, PortAccess};
 use super::{ARRAY, NETWORK, extents};
@@ -98,6 +99,11 @@ impl PixelArray {
     /// Clocks from the end of an instruction in the controller to its end in the pixels.
     pub fn latency(&self) -> u32 {
         LinearEvaluator { width: self.width, height: self.height }.latency()
+    }
+
+    /// What connects it with a direction of the network.
+    pub fn network_port(&self) -> NetworkPort {
+        NetworkPort { chips: self.chips(), pixels: self.pixels(), width: 8 }
     }
 
     /// A bank of the network's registers.

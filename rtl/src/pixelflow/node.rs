@@ -137,7 +137,7 @@ impl Node {
 
     /// Its port to a direction of the network.
     pub fn port(&self) -> NetworkPort {
-        NetworkPort { chips: self.array.chips(), pixels: self.array.pixels(), width: 8 }
+        self.array.network_port()
     }
 
     fn direction(&self) -> DirectionIn<Width> {

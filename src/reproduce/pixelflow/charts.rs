@@ -89,11 +89,7 @@ pub fn stages(found: &Found) -> Section {
         "What each stage was busy with in the model; of several nodes, the one with the most work. Of a system that sorts, latency is the front end’s time and that of the \
          slowest stage behind it, with what fills the pipe; the non-texturing system’s front end works while it rasterizes.",
     );
-    let of = |system, shaders, samples| {
-        Plan::cases(samples, Shades::OncePerPixel.of(samples))
-            .find(move |it| (it.system, it.shaders) == (system, shaders))
-            .expect("there is one")
-    };
+    let of = |system, shaders, samples| Plan::case(system, shaders, samples, Shades::OncePerPixel);
     [
         ("stages-base", of(System::Base, 1, EIGHT)),
         ("stages-pre-sort", of(System::PreSort, 1, EIGHT)),
@@ -102,17 +98,6 @@ pub fn stages(found: &Found) -> Section {
     ]
     .into_iter()
     .fold(section, |section, (id, case)| section.part(busy(found, id, case)))
-}
-
-/// Which curve there is of so many samples.
-trait OfSamples {
-    fn of(self, samples: Samples) -> Shades;
-}
-
-impl OfSamples for Shades {
-    fn of(self, samples: Samples) -> Shades {
-        if samples == Samples::One { Shades::EverySample } else { self }
-    }
 }
 
 fn busy(found: &Found, id: &str, case: Case) -> Chart {

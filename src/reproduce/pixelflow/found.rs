@@ -1,6 +1,6 @@
 //! What was found in the model: latencies of so many primitives, and primitives of so much latency.
 
-use super::plan::{Case, EIGHT, LATENCIES, Plan, workload};
+use super::plan::{Case, EIGHT, LATENCIES, Plan};
 use crate::shell::Failure;
 use tilewright_machines::pixelflow::{Costs, Samples, Shades, Simulated, Software, System};
 use tilewright_machines::{Error, Watch};
@@ -77,8 +77,8 @@ impl Found {
 }
 
 fn overlap(samples: Samples, plan: &Plan) -> Result<f64, ParameterError> {
-    let software = Plan::cases(samples, Shades::EverySample).next().expect("there are some").formula();
-    Ok(workload(&software, plan.effort.at_most(COUNTED), plan.effort.seed)?.overlap())
+    let software = Plan::case(System::Base, 1, samples, Shades::EverySample).formula();
+    Ok(software.paper_boxes(plan.effort.at_most(COUNTED), plan.effort.seed)?.overlap())
 }
 
 impl Curve {
@@ -137,10 +137,7 @@ impl Gain {
     }
 
     fn of((samples, rasterizes): (Samples, f64), plan: &Plan) -> Result<Gain, ParameterError> {
-        let case = |system| {
-            let is_it = |case: &Case| case.system == system && case.shaders == 1;
-            Plan::cases(samples, Shades::OncePerPixel).find(is_it).expect("there is one")
-        };
+        let case = |system| Plan::case(system, 1, samples, Shades::OncePerPixel);
         let [sorted, base] = [System::PreSort, System::Base].map(case);
         let software = |case: &Case| {
             let software = case.formula_of_all();

@@ -1,7 +1,7 @@
 //! What is measured for the page, and how much of it.
 
 use crate::reproduce::effort::Effort;
-use tilewright_machines::pixelflow::{Boxes, Choices, Nodes, Samples, Shades, Simulated, Software, System, Workload};
+use tilewright_machines::pixelflow::{Choices, Nodes, Samples, Shades, Simulated, Software, System};
 use tilewright_rtl::parameter::ParameterError;
 
 /// Eight samples, four side by side, twice: the one way to fit them into the array.
@@ -53,16 +53,8 @@ impl Case {
 
     /// A frame of so many random primitives of 10 x 10 pixels in the model.
     pub fn simulate(&self, software: &Software, primitives: u64, seed: u64) -> Result<Simulated, ParameterError> {
-        Ok(software.simulate(&workload(software, primitives, seed)?, self.choices))
+        Ok(software.simulate(&software.paper_boxes(primitives, seed)?, self.choices))
     }
-}
-
-/// So many boxes of 10 x 10 pixels on the paper's screen; of eight samples, on one of twice its width and height.
-pub fn workload(software: &Software, primitives: u64, seed: u64) -> Result<Workload, ParameterError> {
-    let is_side_by_side = software.regions_drawn() > software.regions as usize;
-    let (sides, regions) = if is_side_by_side { ([20, 20], [10, 16]) } else { ([10, 10], [5, 8]) };
-    let boxes = Boxes { sides, region: [128, 64], regions, seed };
-    Workload::of_boxes(boxes, primitives, software.nodes.rasterizers as usize, software.draws())
 }
 
 /// The work for the page.
@@ -82,6 +74,13 @@ impl Plan {
         ];
         let choices = Choices { shades, ..Choices::default() };
         systems.into_iter().map(move |(system, shaders)| Case { system, shaders, samples, choices })
+    }
+
+    /// One of them.
+    pub fn case(system: System, shaders: u32, samples: Samples, shades: Shades) -> Case {
+        // Of one sample there is nothing to choose.
+        let shades = if samples == Samples::One { Shades::EverySample } else { shades };
+        Plan::cases(samples, shades).find(|it| (it.system, it.shaders) == (system, shaders)).expect("there is one")
     }
 
     /// All of them: one sample, and eight, of which every one is shaded, or what they have in common.

@@ -96,10 +96,6 @@ fn memory() -> Vec<Statement> {
     ]
 }
 
-fn case(system: System, shaders: u32, samples: Samples, shades: Shades) -> Case {
-    Plan::cases(samples, shades).find(|it| (it.system, it.shaders) == (system, shaders)).expect("there is one")
-}
-
 /// A comparison of two systems, each at some latencies.
 struct Versus<'a> {
     found: &'a Found,
@@ -135,7 +131,7 @@ fn conclusions(found: &Found) -> Vec<Statement> {
     let mut statements = Vec::new();
     let least = |case: Case| (case.formula().latency(0.0), found.curve(case).least());
     let mut compare_least = |fact: &str, text: &str, rule: Rule, one: (System, u32), other: (System, u32)| {
-        let of = |(system, shaders), shades| least(case(system, shaders, EIGHT, shades));
+        let of = |(system, shaders), shades| least(Plan::case(system, shaders, EIGHT, shades));
         let formula = of(one, Shades::OncePerPixel).0 / of(other, Shades::OncePerPixel).0;
         let mut state = |how: &str, origin: Origin, value: f64| {
             let text = format!("{text}: {how}.");
@@ -163,8 +159,8 @@ fn conclusions(found: &Found) -> Vec<Statement> {
     let mut compare = |fact: &str, text: &str, rule: Rule, paper: f64, one: (System, u32), other: (System, u32)| {
         let versus = |shades| Versus {
             found,
-            one: case(one.0, one.1, EIGHT, shades),
-            other: case(other.0, other.1, EIGHT, shades),
+            one: Plan::case(one.0, one.1, EIGHT, shades),
+            other: Plan::case(other.0, other.1, EIGHT, shades),
         };
         let mut state = |how: &str, origin: Origin, values: Vec<(String, f64)>| {
             let text = format!("{text}: {how}.");
@@ -216,12 +212,12 @@ fn conclusions(found: &Found) -> Vec<Statement> {
         .found(origin, values)
     };
     let by_formula = Versus::at(&LATENCIES).map(|(at, latency)| {
-        let of = |system| case(system, 1, EIGHT, Shades::OncePerPixel).formula().primitives_within(latency);
+        let of = |system| Plan::case(system, 1, EIGHT, Shades::OncePerPixel).formula().primitives_within(latency);
         (at, of(sorted) - of(base))
     });
     statements.push(grows("formula", Origin::Formula, by_formula.collect()));
     for (shades, how) in WAYS {
-        let curves = [sorted, base].map(|system| found.curve(case(system, 1, EIGHT, shades)));
+        let curves = [sorted, base].map(|system| found.curve(Plan::case(system, 1, EIGHT, shades)));
         statements.push(grows(how, found.origin(), gap(curves)));
     }
     statements
@@ -229,7 +225,7 @@ fn conclusions(found: &Found) -> Vec<Statement> {
 
 /// D1, D2 and PFL-600K: figure 4.
 fn without_samples(found: &Found) -> Vec<Statement> {
-    let of = |system, shaders| case(system, shaders, Samples::One, Shades::EverySample);
+    let of = |system, shaders| Plan::case(system, shaders, Samples::One, Shades::EverySample);
     let (base, sorted, plain) = (of(System::Base, 1), of(System::PreSort, 1), of(System::NonTexturing, 0));
     let both = |fact: &str, text: &str, rule: Rule, one: Case, other: Case| {
         let versus = Versus { found, one, other };

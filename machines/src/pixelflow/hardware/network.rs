@@ -4,7 +4,6 @@ use tilewright_rtl::pixelflow::TRANSFER;
 use tilewright_rtl::pixelflow::array::PixelArray;
 use tilewright_rtl::pixelflow::compositor::Mode;
 use tilewright_rtl::pixelflow::network::{Network, NetworkIn, NetworkOut};
-use tilewright_rtl::pixelflow::network_port::NetworkPort;
 use tilewright_sim::{Bits, EngineKind, Simulation};
 
 use super::Words;
@@ -14,12 +13,14 @@ use crate::error::Error;
 pub(in crate::pixelflow) struct Way {
     sim: Simulation<NetworkIn, NetworkOut>,
     nodes: usize,
+    /// Pixels of a chip.
+    pixels: usize,
 }
 
 impl Way {
     /// Of so many nodes.
     pub fn new(array: &PixelArray, nodes: usize, engine: EngineKind) -> Result<Way, Error> {
-        let port = NetworkPort { chips: array.chips(), pixels: array.pixels(), width: 8 };
+        let port = array.network_port();
         let mut sim = Simulation::at(&Network { nodes: nodes as u32, port }, TRANSFER)?.on(engine);
         for node in sim.i.nodes.clone() {
             sim.set(node.mode, Mode::Forward as u64);
@@ -27,7 +28,7 @@ impl Way {
             sim.set(node.first, false);
         }
         sim.try_reset()?;
-        Ok(Way { sim, nodes })
+        Ok(Way { sim, nodes, pixels: array.pixels() as usize })
     }
 
     /// Sends words from the first node that has some to another one behind all of them; the others compose. Gives what that one gets.
@@ -36,7 +37,7 @@ impl Way {
     ///
     /// # Errors
     /// [`Error::Simulation`].
-    pub fn send(&mut self, words: &[(usize, &Words)], to: usize, pixels: u64) -> Result<Words, Error> {
+    pub fn send(&mut self, words: &[(usize, &Words)], to: usize) -> Result<Words, Error> {
         let nodes = self.sim.i.nodes.clone();
         let (first, length) = (words[0].0, words[0].1.len());
         nodes.iter().for_each(|node| self.sim.set(node.mode, Mode::Forward as u64));
@@ -55,7 +56,7 @@ impl Way {
                 }
             }
             self.sim.set(nodes[first].sends, tick < length);
-            self.sim.set(nodes[first].first, (tick as u64) < pixels);
+            self.sim.set(nodes[first].first, tick < self.pixels);
             if self.sim.get_u64(target.unloaded) == 1 {
                 came.push(self.sim.get(target.bytes));
             }

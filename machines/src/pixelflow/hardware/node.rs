@@ -58,6 +58,13 @@ pub(in crate::pixelflow) struct Node {
     texture: Option<TextureLookUp>,
 }
 
+/// What came of a tick: whether the array took the instruction, and whether it gave a bank.
+#[derive(Default)]
+struct Clock {
+    taken: bool,
+    given: bool,
+}
+
 impl Node {
     /// A node without textures.
     ///
@@ -126,31 +133,12 @@ impl Node {
         let mut shown = left.next();
         self.put(shown);
         loop {
-            if !self.is_array_edge() {
-                self.tick()?;
-                self.leave_out();
-                continue;
-            }
-            self.tell_what_ended();
-            // An instruction that would wait for a bank is held back: so the controller says that it is idle.
-            let waits = shown.is_none_or(|instruction| self.waits(instruction));
-            self.sim.set(self.sim.i.instructions.valid, !waits);
-            let taken = !waits && self.sim.get_u64(self.sim.i.instructions.ready) == 1;
-            let given = self.sim.get_u64(self.sim.o.given.banks);
-            self.count(taken);
-            if let Some(texture) = &mut self.texture {
-                texture.clock(&mut self.sim)?;
-            }
-            self.tick()?;
-            if let Some(instruction) = shown.filter(|_| taken) {
-                self.claim(instruction);
+            let Clock { taken, given } = self.advance(shown)?;
+            if taken {
                 shown = left.next();
                 self.put(shown);
             }
-            for bank in (0..2).filter(|bank| given >> bank & 1 == 1) {
-                self.given[bank] = self.time;
-            }
-            if given != 0 && shown.is_none() {
+            if given && shown.is_none() {
                 return Ok(self.time);
             }
         }
@@ -161,18 +149,37 @@ impl Node {
     /// # Errors
     /// [`Error::Simulation`].
     pub fn finish(&mut self) -> Result<(), Error> {
-        self.sim.set(self.sim.i.instructions.valid, false);
         while self.banks.iter().any(|bank| !bank.accesses.is_empty()) {
-            if self.is_array_edge() {
-                self.tell_what_ended();
-                self.count(false);
-                self.tick()?;
-            } else {
-                self.tick()?;
-                self.leave_out();
-            }
+            self.advance(None)?;
         }
         Ok(())
+    }
+
+    /// Goes on by a tick, or by those in which nothing happens; with every second one the array has a clock, and the instruction before it.
+    fn advance(&mut self, shown: Option<&Instruction<u64>>) -> Result<Clock, Error> {
+        if !self.is_array_edge() {
+            self.tick()?;
+            self.leave_out();
+            return Ok(Clock::default());
+        }
+        self.tell_what_ended();
+        // An instruction that would wait for a bank is held back: so the controller says that it is idle.
+        let shown = shown.filter(|instruction| !self.waits(instruction));
+        self.sim.set(self.sim.i.instructions.valid, shown.is_some());
+        let taken = shown.filter(|_| self.sim.get_u64(self.sim.i.instructions.ready) == 1);
+        let given = self.sim.get_u64(self.sim.o.given.banks);
+        self.count(taken.is_some());
+        if let Some(texture) = &mut self.texture {
+            texture.clock(&mut self.sim)?;
+        }
+        self.tick()?;
+        if let Some(instruction) = taken {
+            self.claim(instruction);
+        }
+        for bank in (0..2).filter(|bank| given >> bank & 1 == 1) {
+            self.given[bank] = self.time;
+        }
+        Ok(Clock { taken: taken.is_some(), given: given != 0 })
     }
 
     fn is_array_edge(&self) -> bool {
@@ -217,9 +224,7 @@ impl Node {
     /// Puts an instruction before the array.
     fn put(&mut self, instruction: Option<&Instruction<u64>>) {
         let Some(instruction) = instruction else { return };
-        let port = self.sim.i.instructions;
-        let port = port.payload;
-        let i = instruction;
+        let (port, i) = (self.sim.i.instructions.payload, instruction);
         for (port, value) in [
             (port.source, i.source),
             (port.function, i.function),

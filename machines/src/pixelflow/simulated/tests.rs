@@ -1,7 +1,7 @@
 //! The model beside the paper's formulas: in perfect balance, and with random primitives (facts A4, E4).
 
 use super::*;
-use crate::pixelflow::{Boxes, Nodes};
+use crate::pixelflow::Nodes;
 
 const EIGHT: Samples = Samples::Eight { rasterizations: 2.0 };
 const SYSTEMS: [(System, u32); 5] =
@@ -13,12 +13,7 @@ fn software(system: System, shaders: u32, samples: Samples) -> Software {
 
 /// The paper's primitives, at random places.
 fn random(software: &Software, primitives: u64) -> Workload {
-    let (sides, regions) = match software.is_side_by_side() {
-        true => ([20, 20], [10, 16]),
-        false => ([10, 10], [5, 8]),
-    };
-    let boxes = Boxes { sides, region: [128, 64], regions, seed: 1 };
-    Workload::of_boxes(boxes, primitives, software.nodes.rasterizers as usize, software.draws()).unwrap()
+    software.paper_boxes(primitives, 1).unwrap()
 }
 
 /// The formula with what the machine does with eight samples: all regions of both renderings are composed, and so many shaded.
