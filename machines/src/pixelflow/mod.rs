@@ -8,6 +8,7 @@
 //! | `simulated` | the systems in that model |
 //! | `machine` | frames on the hardware: `config`, `works`, `hardware`, `report`, `screen` |
 //! | `costs` | what each step takes |
+//! | `triangles` | random triangles, as the paper counts them |
 //! | `packets`, `constants` | packets and shaders as the programs of a node take them |
 //!
 //! Source: "Reducing Latency on PixelFlow", facts A4 (PFL).
@@ -23,12 +24,14 @@ mod packets;
 mod report;
 mod screen;
 mod simulated;
+mod triangles;
 mod workload;
 mod works;
 
 pub use config::Config;
 pub use constants::constants;
 pub use costs::{Costs, Ticks, milliseconds, ticks};
+pub use hardware::composition_time;
 pub use latency::{Nodes, Samples, Software, System, Times, crossover, overlap};
 pub use machine::Machine;
 pub use model::{Done, Frame, FrontEnd, Pass, Resident, Shading, Timeline, Turn};
@@ -36,4 +39,5 @@ pub use packets::Corner;
 pub use report::{NodeReport, Report, Stage};
 pub use screen::Screen;
 pub use simulated::{Choices, Shades, Simulated};
+pub use triangles::Triangles;
 pub use workload::{Boxes, Place, Share, Workload};

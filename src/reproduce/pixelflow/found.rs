@@ -1,11 +1,15 @@
 //! What was found in the model: latencies of so many primitives, and primitives of so much latency.
 
-use super::plan::{Case, EIGHT, LATENCIES, Plan};
+use super::frames::{Drawn, measured};
+use super::plan::{Case, EIGHT, GOAL, LATENCIES, Plan};
 use crate::shell::Failure;
-use tilewright_machines::pixelflow::{Costs, Samples, Shades, Simulated, Software, System};
+use tilewright_machines::pixelflow::{
+    Choices, Costs, Samples, Shades, Simulated, Software, System, Ticks, composition_time, ticks,
+};
 use tilewright_machines::{Error, Watch};
 use tilewright_report::Origin;
 use tilewright_rtl::parameter::ParameterError;
+use tilewright_rtl::pixelflow::array::PixelArray;
 
 /// Boxes that are binned to count their regions.
 const COUNTED: u64 = 300_000;
@@ -13,11 +17,24 @@ const COUNTED: u64 = 300_000;
 /// All that the page is made of.
 pub struct Found {
     pub curves: Vec<Curve>,
-    /// What pre-sorting gains, by the time of a primitive.
+    /// What pre-sorting gains, by the time of a primitive; and with the time that it takes in the circuit.
     pub gains: Vec<Gain>,
+    pub gains_of_circuit: Vec<Gain>,
     /// Regions that a box is in, with one sample and with eight.
     overlaps: [f64; 2],
+    /// What the circuit's network takes.
+    pub composed: Vec<Composed>,
+    /// What the circuit drew.
+    pub frames: Vec<Drawn>,
     seed: u64,
+}
+
+/// Words of each pixel of a region, one behind the other, on a network of 20 nodes.
+pub struct Composed {
+    pub words: u32,
+    pub bytes: u32,
+    /// Of 5 ns.
+    pub ticks: Ticks,
 }
 
 /// A system's latency.
@@ -34,11 +51,22 @@ pub struct Point {
     pub found: Simulated,
 }
 
-/// Primitives within 35 ms, with pre-sorting in parts of those without.
-pub struct Gain {
+/// What is asked of pre-sorting.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Question {
+    pub samples: Samples,
     /// What a primitive takes in a region, in microseconds.
     pub rasterizes: f64,
-    pub samples: Samples,
+    /// The latency in milliseconds.
+    pub latency: f64,
+    /// What is set up before a composition, in microseconds.
+    pub set_up: f64,
+}
+
+/// Primitives within a latency, with pre-sorting in parts of those without.
+pub struct Gain {
+    pub of: Question,
+    /// It knows no set-up.
     pub formula: f64,
     pub model: Option<f64>,
 }
@@ -46,15 +74,22 @@ pub struct Gain {
 impl Found {
     /// Lets all of it run; `None` if it was interrupted.
     pub fn all(plan: &Plan, watch: &mut Watch) -> Result<Option<Found>, Failure> {
+        let composed = Composed::ALL.map(Composed::of).into_iter().collect::<Result<_, _>>()?;
+        let frames = Drawn::all(plan, watch)?;
         let cases: Vec<Case> = Plan::all_cases().collect();
         let seed = plan.effort.seed;
         let Some(curves) = watch.each("timing", &cases, |case| Curve::of(case, plan)) else { return Ok(None) };
         let curves = curves.into_iter().collect::<Result<Vec<_>, _>>().map_err(Error::from)?;
-        let specs = Gain::specs();
-        let Some(gains) = watch.each("comparing", &specs, |spec| Gain::of(*spec, plan)) else { return Ok(None) };
-        let gains = gains.into_iter().collect::<Result<Vec<_>, _>>().map_err(Error::from)?;
-        let [one, eight] = [Samples::One, EIGHT].map(|samples| overlap(samples, plan));
-        Ok(Some(Found { curves, gains, overlaps: [one.map_err(Error::from)?, eight.map_err(Error::from)?], seed }))
+        let mut ask = |questions: Vec<Question>| {
+            let gains = watch.each("comparing", &questions, |question| Gain::of(*question, plan));
+            gains.map(|gains| gains.into_iter().collect::<Result<Vec<_>, _>>().map_err(Error::from)).transpose()
+        };
+        let Some(gains) = ask(Question::by_time())? else { return Ok(None) };
+        let Some(gains_of_circuit) = ask(Question::of_circuit(measured(&frames, System::Base)))? else {
+            return Ok(None);
+        };
+        let [one, eight] = [Samples::One, EIGHT].map(|samples| overlap(samples, plan).map_err(Error::from));
+        Ok(Some(Found { curves, gains, gains_of_circuit, composed, overlaps: [one?, eight?], frames, seed }))
     }
 
     /// Regions that a box is in, counted.
@@ -73,6 +108,17 @@ impl Found {
     /// The curve of a case.
     pub fn curve(&self, case: Case) -> &Curve {
         self.curves.iter().find(|curve| curve.case == case).expect("there is one of each")
+    }
+}
+
+impl Composed {
+    /// A byte, the word of a region, and z and colour of 40 regions.
+    pub const ALL: [[u32; 2]; 3] = [[1, 1], [1, Software::APPEARANCE], [40, Software::PLAIN]];
+
+    fn of([words, bytes]: [u32; 2]) -> Result<Composed, Failure> {
+        let port = PixelArray::new(128, 64).map_err(Error::from)?.network_port();
+        let ticks = composition_time(20, port, words.into(), bytes.into())?;
+        Ok(Composed { words, bytes, ticks })
     }
 }
 
@@ -124,31 +170,46 @@ fn within(case: &Case, software: &Software, latency: f64, plan: &Plan) -> Result
     Ok(Some(low))
 }
 
-impl Gain {
-    const LATENCY: f64 = 35.0;
+/// The two kinds of frames.
+const SAMPLES: [Samples; 2] = [Samples::One, EIGHT];
 
-    /// Samples, and what a primitive takes: about as in the paper, and what our own programs do.
-    fn specs() -> Vec<(Samples, f64)> {
-        let samples = [Samples::One, EIGHT];
-        samples
-            .into_iter()
-            .flat_map(|samples| [0.4, 0.5, 0.6, 0.7, 0.83, 1.0, 1.2, 1.6].map(|us| (samples, us)))
-            .collect()
+impl Question {
+    /// At 35 ms, by what a primitive takes.
+    fn by_time() -> Vec<Question> {
+        let times = [0.4, 0.5, 0.6, 0.7, 0.83, 1.0, 1.2, 1.6];
+        let of = |samples| times.map(|rasterizes| Question { samples, rasterizes, latency: 35.0, set_up: 0.0 });
+        SAMPLES.into_iter().flat_map(of).collect()
     }
 
-    fn of((samples, rasterizes): (Samples, f64), plan: &Plan) -> Result<Gain, ParameterError> {
-        let case = |system| Plan::case(system, 1, samples, Shades::OncePerPixel);
+    /// At the goal's latencies, with what a primitive takes in the circuit, if that was measured; the paper leaves out what is set up.
+    fn of_circuit(rasterizes: Option<f64>) -> Vec<Question> {
+        let Some(rasterizes) = rasterizes else { return Vec::new() };
+        let set_ups = [0.0, 1.0, 10.0].into_iter();
+        let of = |samples| {
+            let at = move |set_up| GOAL.map(move |latency| Question { samples, rasterizes, latency, set_up });
+            set_ups.clone().flat_map(at)
+        };
+        SAMPLES.into_iter().flat_map(of).collect()
+    }
+}
+
+impl Gain {
+    fn of(of: Question, plan: &Plan) -> Result<Gain, ParameterError> {
+        let case = |system| {
+            let case = Plan::case(system, 1, of.samples, Shades::OncePerPixel);
+            Case { choices: Choices { set_up: ticks(of.set_up), ..case.choices }, ..case }
+        };
         let [sorted, base] = [System::PreSort, System::Base].map(case);
         let software = |case: &Case| {
             let software = case.formula_of_all();
-            Software { costs: Costs { rasterize: rasterizes, ..software.costs }, ..software }
+            Software { costs: Costs { rasterize: of.rasterizes, ..software.costs }, ..software }
         };
-        let by_formula = |case: &Case| software(case).primitives_within(Gain::LATENCY);
-        let by_model = |case: &Case| within(case, &software(case), Gain::LATENCY, plan);
+        let by_formula = |case: &Case| software(case).primitives_within(of.latency);
+        let by_model = |case: &Case| within(case, &software(case), of.latency, plan);
         let model = match (by_model(&sorted)?, by_model(&base)?) {
             (Some(sorted), Some(base)) if base > 0 => Some(sorted as f64 / base as f64),
             _ => None,
         };
-        Ok(Gain { rasterizes, samples, formula: by_formula(&sorted) / by_formula(&base), model })
+        Ok(Gain { of, formula: by_formula(&sorted) / by_formula(&base), model })
     }
 }

@@ -2,6 +2,7 @@
 
 mod charts;
 mod found;
+mod frames;
 mod plan;
 mod statements;
 
@@ -41,12 +42,14 @@ pub fn page(effort: Effort, watch: &mut Watch) -> Result<Option<Page>, Failure> 
         )
         .paragraph(
             "Here the formulas stand beside a transaction model, which lets each node, the network and the frame buffer wait for each other as their registers make them, with the \
-             paper’s time for each step. It knows no circuit. Where the paper’s statements follow from its constants, both agree with it.",
+             paper’s time for each step. It knows no circuit. Where the paper’s statements follow from its constants, both agree with it. Further down the circuit itself draws \
+             frames, with its own time for each step.",
         )
         .section(Section::new("Statements").part(statements::verdicts(&found)))
         .section(charts::latencies(&found))
         .section(charts::stages(&found))
         .section(charts::pre_sorting(&found))
-        .section(Section::new("Checks of what is measured").part(statements::checks()));
+        .section(frames::section(&found.frames, &plan))
+        .section(Section::new("Checks of what is measured").part(statements::checks(&found, &plan)));
     Ok(Some(page))
 }

@@ -1,8 +1,10 @@
 //! What is measured for the page, and how much of it.
 
+use super::frames::{Spec, Which};
 use crate::reproduce::effort::Effort;
 use tilewright_machines::pixelflow::{Choices, Nodes, Samples, Shades, Simulated, Software, System};
 use tilewright_rtl::parameter::ParameterError;
+use tilewright_scenes::Size;
 
 /// Eight samples, four side by side, twice: the one way to fit them into the array.
 pub const EIGHT: Samples = Samples::Eight { rasterizations: 2.0 };
@@ -12,6 +14,10 @@ const MOST: u64 = 600_000;
 pub const LATENCIES: [f64; 5] = [30.0, 35.0, 40.0, 60.0, 80.0];
 /// Of these, the goal's.
 pub const GOAL: [f64; 3] = [30.0, 35.0, 40.0];
+
+/// Random triangles of a frame of the circuit.
+const TRIANGLES: [u64; 4] = [1000, 2000, 4000, 8000];
+const FEW_TRIANGLES: [u64; 2] = [100, 300];
 
 /// A system on 20 nodes, as the paper's figures have it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -100,5 +106,49 @@ impl Plan {
     /// The most primitives that are tried to reach a latency.
     pub fn most(&self) -> u64 {
         self.effort.at_most(2 * MOST)
+    }
+
+    /// The screen of the circuit's frames: the paper's, or one of as many regions that are smaller.
+    pub fn size(&self) -> Size {
+        let scale = self.scale();
+        Size::new(640 / scale, 512 / scale).expect("in range")
+    }
+
+    /// Pixels of an array along x and y.
+    pub fn array(&self) -> [u32; 2] {
+        [128, 64].map(|side| side / self.scale())
+    }
+
+    /// The side of a triangle's box in pixels.
+    pub fn box_side(&self) -> u32 {
+        10_u32.div_ceil(self.scale())
+    }
+
+    fn scale(&self) -> u32 {
+        if self.effort.is_quick() { 8 } else { 1 }
+    }
+
+    /// The systems that draw random triangles in the circuit.
+    pub fn curves(&self) -> Vec<Spec> {
+        let systems = [(System::Base, 1), (System::Base, 4), (System::NonTexturing, 0)];
+        systems.map(|(system, shaders)| Spec { which: Which::Triangles(0), system, shaders }).to_vec()
+    }
+
+    /// All frames that the circuit draws.
+    pub fn frames(&self) -> Vec<Spec> {
+        let built_in = |name, samples, system, shaders| Spec { which: Which::BuiltIn(name, samples), system, shaders };
+        let pictures = [
+            built_in("teapot", 1, System::NonTexturing, 0),
+            built_in("textured", 1, System::Base, 4),
+            built_in("textured", 8, System::Base, 4),
+        ];
+        let (pictures, counts) = match self.effort.is_quick() {
+            false => (&pictures[..], &TRIANGLES[..]),
+            true => (&pictures[..2], &FEW_TRIANGLES[..]),
+        };
+        let mut counts: Vec<u64> = counts.iter().map(|count| self.effort.at_most(*count)).collect();
+        counts.dedup();
+        let triangles = |spec: Spec| counts.iter().map(move |count| Spec { which: Which::Triangles(*count), ..spec });
+        pictures.iter().copied().chain(self.curves().into_iter().flat_map(triangles)).collect()
     }
 }

@@ -1,13 +1,15 @@
 //! What the paper states, each by the formula and by the model.
 
-use super::found::{Curve, Found};
+use super::found::{Composed, Curve, Found};
+use super::frames;
 use super::plan::{Case, EIGHT, GOAL, LATENCIES, Plan};
 use tilewright_machines::pixelflow::{Costs, Nodes, Samples, Shades, Software, System, Workload, crossover, overlap};
 use tilewright_report::{Origin, Rule, Statement, Verdicts};
 
 /// All statements, in the order of the paper.
 pub fn verdicts(found: &Found) -> Verdicts {
-    let statements = [constants(), overlaps(found), memory(), conclusions(found), without_samples(found), crossovers()];
+    let statements =
+        [constants(found), overlaps(found), memory(), conclusions(found), without_samples(found), crossovers()];
     Verdicts::new("statements", "Statements of the paper, each by the rule beneath it")
         .states(statements.into_iter().flatten())
 }
@@ -15,43 +17,59 @@ pub fn verdicts(found: &Found) -> Verdicts {
 const WITHIN: Rule = Rule::Within { percent: 0.5 };
 
 /// PFL-TCB to PFL-LOAD.
-fn constants() -> Vec<Statement> {
+fn constants(found: &Found) -> Vec<Statement> {
     let costs = Costs::default();
-    let of_formula = |fact: &str, text: &str, unit: &str, paper: f64, value: f64| {
-        Statement::new(fact, text, WITHIN).unit(unit).paper([paper]).found(Origin::Formula, [value])
+    let state = |fact: &str, text: &str, unit: &str, paper: f64, formula: f64| {
+        Statement::new(fact, format!("{text}: formula."), WITHIN)
+            .unit(unit)
+            .paper([paper])
+            .found(Origin::Formula, [formula])
     };
-    let bytes = f64::from(Software::APPEARANCE);
-    vec![
-        of_formula(
-            "PFL-TCB",
-            "A byte of each pixel of a region is composed in 1.28 µs: 8192 pixels over 256 wires at 200 MHz.",
-            "µs",
-            1.28,
-            8192.0 * 8.0 / 256.0 * 0.005,
-        ),
-        of_formula(
-            "PFL-BYTES",
-            "A region’s 21 bytes of appearance parameters take 26.88 µs.",
-            "µs",
-            26.88,
-            bytes * costs.composed_byte,
-        ),
-        of_formula(
-            "PFL-LOAD",
-            "Loading colours to the frame buffer takes 2.08 ms.",
-            "ms",
-            2.08,
-            40.0 * costs.load / 1000.0,
-        ),
-        Statement::new("PFL-COL", "Composing colour alone takes 360 µs: z and colour, 7 bytes of 40 regions.", WITHIN)
-            .unit("µs")
-            .paper([360.0])
-            .found(Origin::Formula, [40.0 * f64::from(Software::PLAIN) * costs.composed_byte]),
-        Statement::new("PFL-COL", "Likewise, if it were colour alone, 3 bytes.", WITHIN)
-            .unit("µs")
-            .paper([360.0])
-            .found(Origin::Formula, [40.0 * 3.0 * costs.composed_byte]),
-    ]
+    // By the network of 20 nodes in simulation, too.
+    let composed = |fact: &str, text: &str, paper: f64, [words, bytes]: [u32; 2]| {
+        let ticks =
+            found.composed.iter().find(|it| (it.words, it.bytes) == (words, bytes)).map(|it| it.ticks as f64 / 200.0);
+        let circuit = Statement::new(fact, format!("{text}: circuit."), WITHIN);
+        [
+            state(fact, text, "µs", paper, f64::from(words * bytes) * costs.composed_byte),
+            circuit.unit("µs").paper([paper]).found(Origin::rtl([]), ticks),
+        ]
+    };
+    let [byte, region, frame] = Composed::ALL;
+    let mut statements = Vec::new();
+    statements.extend(composed(
+        "PFL-TCB",
+        "A byte of each pixel of a region is composed in 1.28 µs: 8192 pixels over 256 wires at 200 MHz",
+        1.28,
+        byte,
+    ));
+    statements.extend(composed(
+        "PFL-BYTES",
+        "A region’s 21 bytes of appearance parameters take 26.88 µs",
+        26.88,
+        region,
+    ));
+    statements.push(state(
+        "PFL-LOAD",
+        "Loading colours to the frame buffer takes 2.08 ms",
+        "ms",
+        2.08,
+        40.0 * costs.load / 1000.0,
+    ));
+    statements.extend(composed(
+        "PFL-COL",
+        "Composing colour alone takes 360 µs: z and colour, 7 bytes of 40 regions",
+        360.0,
+        frame,
+    ));
+    statements.push(state(
+        "PFL-COL",
+        "Likewise, if it were colour alone, 3 bytes",
+        "µs",
+        360.0,
+        120.0 * costs.composed_byte,
+    ));
+    statements
 }
 
 /// PFL-OVERLAP.
@@ -280,8 +298,8 @@ fn crossovers() -> Vec<Statement> {
     ]
 }
 
-/// That the model is the formula where its assumptions hold, to the filling of a region.
-pub fn checks() -> Verdicts {
+/// That the model is the formula where its assumptions hold, to the filling of a region; and what the circuit takes.
+pub fn checks(found: &Found, plan: &Plan) -> Verdicts {
     let balanced = |case: Case| {
         let software = Software { overlap: 1.0, ..case.formula_of_all() };
         let regions = software.regions_drawn();
@@ -316,4 +334,5 @@ pub fn checks() -> Verdicts {
                 .formula(of_formula.into_iter().map(|(at, value)| (at, value * (1.0 - 1e-9))))
                 .found(Origin::model([]), values(|(model, _)| model)),
         )
+        .states(frames::checks(&found.frames, plan))
 }

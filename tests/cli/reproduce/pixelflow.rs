@@ -19,10 +19,16 @@ fn a_report_is_whole() {
         "stages-non-texturing.csv",
         "stages-base-one-sample.csv",
         "pre-sorting.csv",
+        "pre-sorting-circuit.csv",
+        "teapot-1.png",
+        "textured-1.png",
+        "frames-latency.csv",
+        "frames.csv",
     ];
     let report = whole_page(&folder, QUICK, &parts);
     assert!(report["holds"].as_u64().unwrap() > 15, "{report}");
     latencies_stand_beside_formulas_with_their_seed(&folder);
+    the_circuits_frames_are_timed(&folder);
     the_papers_numbers_are_judged(&folder);
     folder.stdout("reproduce pixelflow -o other --primitives 3000 --seed 2");
     let [one, other] = ["report", "other"].map(|report| folder.read(format!("{report}/figure-4.csv")));
@@ -39,6 +45,20 @@ fn latencies_stand_beside_formulas_with_their_seed(folder: &Folder) {
         assert!((1.0..1.3).contains(&(model / formula)), "{cells:?}");
         assert_eq!(cells[8], "1", "{cells:?}");
     }
+}
+
+fn the_circuits_frames_are_timed(folder: &Folder) {
+    let rows: Vec<_> = lines(folder, "report/frames.csv").collect();
+    // Two pictures, and three systems with 100 and 300 triangles.
+    assert_eq!(rows.len(), 2 + 3 * 2);
+    let number = |row: usize, column: usize| rows[row][column].parse::<f64>().unwrap();
+    for (row, cells) in rows.iter().enumerate() {
+        let latency = number(row, cells.len() - 1);
+        assert!(latency > number(row, 4) && latency < 3.0, "{cells:?}");
+    }
+    // Of the base system with one shader more triangles take more, and in more regions.
+    assert!((number(2, 1), number(3, 1)) == (100.0, 300.0) && number(3, 2) > number(3, 1), "{rows:?}");
+    assert!(number(3, 4) > number(2, 4), "{rows:?}");
 }
 
 fn the_papers_numbers_are_judged(folder: &Folder) {
@@ -59,5 +79,5 @@ fn the_papers_numbers_are_judged(folder: &Folder) {
         "cannot be compared: nothing was found",
     );
     let checks: Vec<_> = lines(folder, "report/checks.csv").collect();
-    assert!(checks.len() == 20 && checks.iter().all(|cells| cells.last().unwrap() == "holds"), "{checks:?}");
+    assert!(checks.len() == 30 && checks.iter().all(|cells| cells.last().unwrap() == "holds"), "{checks:?}");
 }

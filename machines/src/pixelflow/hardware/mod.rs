@@ -1,9 +1,11 @@
 //! The hardware in simulation: arrays, each by itself, and the network between them.
 
+mod composition;
 mod network;
 mod node;
 mod texture;
 
+pub use composition::composition_time;
 pub(super) use network::Way;
 pub(super) use node::{Access, Node, Words};
 pub(super) use texture::TextureLookUp;

@@ -1,0 +1,256 @@
+//! Frames that the hardware has drawn: pictures, what each stage took, and random triangles by the thousand.
+
+use super::plan::Plan;
+use crate::golden;
+use crate::reproduce::right;
+use crate::shell::Failure;
+use tilewright_machines::pixelflow::{Config, Machine, Report, Samples, Shades, Software, System, Triangles};
+use tilewright_machines::{Error, Watch};
+use tilewright_report::{Axis, Cell, Chart, Origin, Picture, Rule, Section, Series, Statement, Table};
+use tilewright_scenes::deferred::{self, Deferred, Shader, project_deferred};
+use tilewright_scenes::golden::{render_deferred_watched, render_watched};
+use tilewright_scenes::{Frame, Polygons, Scene, compare, project_polygons};
+
+/// What is drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Which {
+    /// With so many samples a pixel, one or eight.
+    BuiltIn(&'static str, u32),
+    /// So many random triangles in boxes of 10 x 10 pixels.
+    Triangles(u64),
+}
+
+/// A frame to draw.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Spec {
+    pub which: Which,
+    pub system: System,
+    /// None of the non-texturing system.
+    pub shaders: u32,
+}
+
+/// A frame of the hardware.
+pub struct Drawn {
+    pub spec: Spec,
+    pub report: Report,
+    frame: Frame,
+    /// Pixels that are not those of the golden image.
+    differing: u64,
+}
+
+/// What a system draws.
+enum Subject {
+    Deferred(Deferred),
+    /// With the background.
+    Plain(Polygons, [u8; 3]),
+}
+
+impl Spec {
+    fn subject(&self, plan: &Plan) -> Result<Subject, Failure> {
+        let size = plan.size();
+        let triangles = |seed| Triangles::new(size, plan.box_side(), seed).map_err(Error::from);
+        Ok(match (self.which, self.system) {
+            (Which::BuiltIn(name, samples), System::Base | System::PreSort) => {
+                let samples = if samples == 8 {
+                    deferred::Samples::Eight(deferred::Shading::EachSample)
+                } else {
+                    deferred::Samples::One
+                };
+                Subject::Deferred(project_deferred(&built_in(name), size, samples)?)
+            }
+            (Which::BuiltIn(name, _), System::NonTexturing) => {
+                let scene = built_in(name);
+                Subject::Plain(project_polygons(&scene, size)?, scene.background)
+            }
+            (Which::Triangles(count), System::Base | System::PreSort) => {
+                Subject::Deferred(triangles(plan.effort.seed)?.deferred(count, shader(plan)?))
+            }
+            (Which::Triangles(count), System::NonTexturing) => {
+                Subject::Plain(triangles(plan.effort.seed)?.polygons(count), [0; 3])
+            }
+        })
+    }
+
+    /// The system and its shaders, as other figures have it.
+    fn name(&self) -> &'static str {
+        Plan::case(self.system, self.shaders, Samples::One, Shades::EverySample).name()
+    }
+
+    fn place(&self) -> String {
+        let (system, what) = (self.name(), self.what());
+        format!("{what}: {system}")
+    }
+
+    fn what(&self) -> String {
+        match self.which {
+            Which::BuiltIn(name, 1) => name.to_owned(),
+            Which::BuiltIn(name, samples) => format!("{name} with {samples} samples"),
+            Which::Triangles(count) => format!("{count} triangles"),
+        }
+    }
+
+    fn seeds(&self, plan: &Plan) -> Vec<u64> {
+        if matches!(self.which, Which::Triangles(_)) { vec![plan.effort.seed] } else { Vec::new() }
+    }
+}
+
+fn built_in(name: &str) -> Scene {
+    Scene::builtin(name).expect("a built-in scene")
+}
+
+/// The shader of random triangles: with lights and textures.
+fn shader(plan: &Plan) -> Result<Shader, Failure> {
+    Ok(project_deferred(&built_in("textured"), plan.size(), deferred::Samples::One)?.shader)
+}
+
+impl Drawn {
+    /// Draws all frames.
+    pub fn all(plan: &Plan, watch: &mut Watch) -> Result<Vec<Drawn>, Failure> {
+        plan.frames().into_iter().map(|spec| Drawn::of(spec, plan, watch)).collect()
+    }
+
+    fn of(spec: Spec, plan: &Plan, watch: &mut Watch) -> Result<Drawn, Failure> {
+        let config = Config { shaders: spec.shaders, array: plan.array(), ..Config::new(plan.size()) };
+        let machine = Machine::new(config)?;
+        let ((frame, report), golden) = match spec.subject(plan)? {
+            Subject::Deferred(deferred) => {
+                (machine.render(&deferred, watch)?, golden::draw(|watch| render_deferred_watched(&deferred, watch))?)
+            }
+            Subject::Plain(scene, background) => (
+                machine.render_resident(&scene, background, watch)?,
+                golden::draw(|watch| render_watched(scene.size, &scene.polygons, background, watch))?,
+            ),
+        };
+        let differing = compare(&frame, &golden).differing;
+        Ok(Drawn { spec, report, frame, differing })
+    }
+
+    /// Clocks in which a rasterizer has something to do, of all.
+    fn rasterizing(&self) -> u64 {
+        self.report.rasterizers.iter().map(|node| node.busy).sum()
+    }
+
+    /// The paper's formula for as many primitives, in as many regions, in milliseconds.
+    fn formula(&self) -> f64 {
+        let case = Plan::case(self.spec.system, self.spec.shaders, Samples::One, Shades::EverySample);
+        let overlap = self.report.drawn as f64 / (self.report.primitives as f64).max(1.0);
+        let software = Software { overlap, ..case.formula() };
+        software.latency(self.report.primitives as f64)
+    }
+}
+
+/// What a triangle takes in a region, in microseconds: by what more triangles take more of the base system's arrays; none if they were not drawn.
+pub fn measured(frames: &[Drawn], system: System) -> Option<f64> {
+    let mut of = frames.iter().filter(|it| it.spec.system == system && matches!(it.spec.which, Which::Triangles(_)));
+    let first = of.next()?;
+    let last = of.rfind(|it| it.spec.shaders == first.spec.shaders)?;
+    let (clocks, drawn) =
+        (last.rasterizing().checked_sub(first.rasterizing())?, last.report.drawn - first.report.drawn);
+    (drawn > 0).then(|| clocks as f64 / drawn as f64 / 100.0)
+}
+
+/// What the circuit takes for what the paper gives times of, and that frames are right.
+pub fn checks(frames: &[Drawn], plan: &Plan) -> Vec<Statement> {
+    let found = |value: Option<f64>| value.map(|it| ("our circuit".to_owned(), it));
+    let triangle = |fact: &str, text: &str, paper: f64, system: System| {
+        Statement::new(fact, text, Rule::AtMost)
+            .unit("µs")
+            .paper([("our circuit", paper)])
+            .found(Origin::rtl([plan.effort.seed]), found(measured(frames, system)))
+    };
+    vec![
+        right::statement("PFL-TYPES", frames.iter().map(|it| (it.spec.place(), it.differing))),
+        triangle(
+            "PFL-TRAST",
+            "A triangle with all appearance parameters takes no longer in a region than in the paper, by what more of them take more.",
+            0.83,
+            System::Base,
+        ),
+        triangle("PFL-NT", "Likewise one of z and colour.", 0.62, System::NonTexturing),
+    ]
+}
+
+/// The section of the frames.
+pub fn section(frames: &[Drawn], plan: &Plan) -> Section {
+    let [width, height] = plan.array();
+    let section = Section::new("Frames").paragraph(format!(
+        "Frames that the circuit drew, clock by clock, on 20 nodes with arrays of {width}x{height} pixel processors: rasterizers, network, shaders and texture units are simulated; \
+         front end and the frame buffer’s memory take the paper’s time. Random triangles fill half of a box each."
+    ));
+    let pictures = frames.iter().filter(|it| matches!(it.spec.which, Which::BuiltIn(..)));
+    let section = pictures.fold(section, |section, drawn| section.part(picture(drawn)));
+    section.part(curves(frames, plan)).part(table(frames))
+}
+
+fn picture(drawn: &Drawn) -> Picture {
+    let Which::BuiltIn(name, samples) = drawn.spec.which else { unreachable!("random triangles are no picture") };
+    let id = format!("{name}-{samples}");
+    let system = match drawn.spec.system {
+        System::NonTexturing => "in the colours of vertices",
+        _ => "shaded pixel by pixel",
+    };
+    let size = drawn.frame.size();
+    Picture::new(
+        id,
+        format!("{}, {system}", drawn.spec.what()),
+        format!("the scene {name}, {size} pixels"),
+        drawn.frame.to_png(),
+    )
+    .note(format!(
+        "{} {} primitives, {} in regions; the frame takes {:.3} ms.",
+        right::in_words(drawn.differing),
+        drawn.report.primitives,
+        drawn.report.drawn,
+        milliseconds(drawn.report.latency())
+    ))
+}
+
+fn milliseconds(ticks: u64) -> f64 {
+    tilewright_machines::pixelflow::milliseconds(ticks)
+}
+
+/// Latency of thousands of triangles beside the paper's formula.
+fn curves(frames: &[Drawn], plan: &Plan) -> Chart {
+    let chart = Chart::new(
+        "frames-latency",
+        "Latency of random triangles in the circuit",
+        Axis::linear("thousand primitives"),
+        Axis::linear("latency, ms"),
+    )
+    .note("The formula has the paper’s time of a triangle, which is longer, and the overlap of the very triangles.");
+    let triangles = |spec: Spec| {
+        frames.iter().filter_map(move |it| match it.spec.which {
+            Which::Triangles(count) if (it.spec.system, it.spec.shaders) == (spec.system, spec.shaders) => {
+                Some((count as f64 / 1000.0, it))
+            }
+            _ => None,
+        })
+    };
+    plan.curves().into_iter().fold(chart, |chart, spec| {
+        let formula = triangles(spec).map(|(at, it)| (at, it.formula()));
+        let found = triangles(spec).map(|(at, it)| (at, milliseconds(it.report.latency())));
+        chart.series(Series::new(spec.name(), Origin::Formula, formula)).series(Series::new(
+            spec.name(),
+            Origin::rtl(spec.seeds(plan)),
+            found,
+        ))
+    })
+}
+
+/// What each stage of each frame took.
+fn table(frames: &[Drawn]) -> Table {
+    let stages = ["rasterizing", "composing", "shading", "sending colours", "frame buffer"];
+    let columns = ["frame", "primitives", "in regions", "front end"].into_iter().chain(stages).chain(["latency"]);
+    let table = Table::new("frames", "What the stages of each frame were busy with, in ms", columns)
+        .note("Of several nodes, the one that is busy longest. The front end’s time and that of the frame buffer’s memory are the paper’s.");
+    frames.iter().fold(table, |table, drawn| {
+        let report = &drawn.report;
+        let busy = |name: &str| {
+            let stage = report.stages().into_iter().find(|stage| stage.name == name);
+            stage.map_or(Cell::from("–"), |stage| Cell::Number(milliseconds(stage.busy)))
+        };
+        let counts = [report.primitives as f64, report.drawn as f64, milliseconds(report.front)];
+        let cells = [Cell::from(drawn.spec.place())].into_iter().chain(counts.map(Cell::Number));
+        table.row(cells.chain(stages.map(busy)).chain([Cell::Number(milliseconds(report.latency()))]))
+    })
+}
