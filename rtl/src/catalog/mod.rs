@@ -50,6 +50,7 @@ pub const ENTRIES: &[Entry] = &[
     pixelflow::PIXEL,
     pixelflow::TEXTURE_UNIT,
     pixelflow::TEXTURE_MEMORY,
+    pixelflow::FRAME_BUFFER,
     pixelflow::NETWORK_SEQUENCER,
     pixelflow::NETWORK_PORT,
     pixelflow::COMPOSITOR,

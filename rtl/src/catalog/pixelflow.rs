@@ -4,11 +4,13 @@ mod scenarios;
 
 use tilewright_hdl::{elaborate, elaborate_at};
 
+use super::shared::{HEIGHT, WIDTH};
 use super::{Entry, Parameter, Values};
-use crate::parameter::ParameterError;
+use crate::parameter::{ParameterError, Screen};
 use crate::pixelflow::command_dma::CommandDma;
 use crate::pixelflow::compositor::Compositor;
 use crate::pixelflow::controller::ArrayController;
+use crate::pixelflow::frame_buffer::FrameBuffer;
 use crate::pixelflow::linear_evaluator::LinearEvaluator;
 use crate::pixelflow::network_port::NetworkPort;
 use crate::pixelflow::network_sequencer::NetworkSequencer;
@@ -108,6 +110,14 @@ pub(super) const TEXTURE_MEMORY: Entry = Entry {
     scenario: |values| Ok(scenarios::places(&texture_memory(values))),
 };
 
+pub(super) const FRAME_BUFFER: Entry = Entry {
+    name: "pixelflow-frame-buffer",
+    summary: "takes the colours of regions from its node's registers, and scans whole frames out",
+    parameters: &[LINE, LINES, WIDTH, HEIGHT],
+    design: |values| Ok(elaborate_at(&frame_buffer(values)?, ARRAY.period)?),
+    scenario: |values| Ok(scenarios::a_frame_is_shown(&frame_buffer(values)?)),
+};
+
 pub(super) const NETWORK_SEQUENCER: Entry = Entry {
     name: "network-sequencer",
     summary: "schedules the words of a direction of the network",
@@ -143,6 +153,11 @@ fn command_dma(values: &Values) -> CommandDma {
 
 fn sequencer(values: &Values) -> NetworkSequencer {
     NetworkSequencer { pixels: values.get_u32("pixels"), setup: values.get_u32("setup") }
+}
+
+fn frame_buffer(values: &Values) -> Result<FrameBuffer, ParameterError> {
+    let [line, lines, width, height] = ["line", "lines", "width", "height"].map(|name| values.get_u32(name));
+    FrameBuffer::new([line, lines], Screen::new(width, height)?)
 }
 
 fn texture_unit(values: &Values) -> TextureUnit {

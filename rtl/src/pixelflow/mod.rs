@@ -36,6 +36,7 @@
 //! | [`registers`] | bytes of each pixel that a port sees, too |
 //! | [`texture_unit`] | gives each pixel the texels that it asks for |
 //! | [`texture_memory`] | the texels around a place |
+//! | [`frame_buffer`] | what is shown |
 //! | [`network_sequencer`] | what a node does with each word that passes |
 //! | [`network_port`] | the compositors of a node, and whose turn it is |
 //! | [`network`] | the ports of all nodes |
@@ -53,6 +54,7 @@ pub mod compositor;
 pub mod controller;
 pub mod emulator;
 pub mod fields;
+pub mod frame_buffer;
 pub mod instruction;
 pub mod linear_evaluator;
 #[cfg(test)]

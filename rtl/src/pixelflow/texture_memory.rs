@@ -200,7 +200,7 @@ impl TextureMemory {
 }
 
 /// The lowest bits, or more of them.
-fn fitting(number: Signal, width: u32) -> Signal {
+pub(super) fn fitting(number: Signal, width: u32) -> Signal {
     if width > number.width() { number.zext(width) } else { number.trunc(width) }
 }
 

@@ -6,6 +6,7 @@ use super::super::shared::idle;
 use crate::pixelflow::command_dma::{CommandDma, CommandDmaIn, Commands, Store};
 use crate::pixelflow::compositor::{Compositor, CompositorIn, Mode};
 use crate::pixelflow::controller::{ArrayController, ArrayControllerIn};
+use crate::pixelflow::frame_buffer::{FrameBuffer, FrameBufferIn};
 use crate::pixelflow::instruction::{Instruction, Sync};
 use crate::pixelflow::linear_evaluator::{Coefficients, LinearEvaluator, LinearEvaluatorIn};
 use crate::pixelflow::network_port::{NetworkPort, NetworkPortIn, Transfer};
@@ -300,4 +301,20 @@ pub(super) fn a_region_of_texels(unit: &TextureUnit) -> Scenario {
     script.clock(&quiet);
     script.wait(unit.clocks().min(400) + 2);
     script.finish("a texture of 2 x 2 texels is written, and the pixels of a region get the texels around a place")
+}
+
+pub(super) fn a_frame_is_shown(buffer: &FrameBuffer) -> Scenario {
+    let chips = buffer.chips();
+    let bytes = |byte: u64| (1..chips).fold(Bits::new(8, byte), |bytes, _| bytes.concat(&Bits::new(8, byte)));
+    let inputs = |start: u64, byte: u64| FrameBufferIn { start: Bits::new(1, start), seen: bytes(byte) };
+    let mut script = Script::new(buffer, ARRAY.period);
+    script.ready("pixels", true);
+    let [across, down] = buffer.regions();
+    for region in 0..u64::from(across * down).min(4) {
+        script.clock_bits(&inputs(1, 0));
+        (0..buffer.clocks().min(200)).for_each(|clock| script.clock_bits(&inputs(0, (0x40 * region + clock) & 0xff)));
+    }
+    script.clock_bits(&inputs(0, 0));
+    script.wait(40);
+    script.finish("regions are loaded, byte by byte of each chip; with the last of them the frame is shown")
 }

@@ -1,0 +1,231 @@
+//! The frame buffer: takes the colours of a region from the registers of its node, and scans frames out line by line (PFL-LOAD, facts E4).
+//!
+//! ```text
+//!              3 bytes of each chip       two chips a clock
+//! registers ====>[ colours of a pixel ]--->[ stored ]--->[ memory of even chips ]---.
+//!                                                   '--->[ memory of odd chips  ]--+v
+//!                                                                                 [ offered ]==> pixels
+//!                                        x, y: the place of the scan ------------------'
+//! ```
+//!
+//! It stands where a node that shades has its texture unit, and begins when the array says so: then it takes the next region, from the upper left on, line by line of regions.
+//! Colours stand in registers 0 to 2: blue, green, red. The registers' port has a byte of a pixel of each chip a clock, so a turn is 3 clocks at least, or
+//! half as many as there are chips:
+//!
+//! | clock of a turn | port | memory |
+//! |---|---|---|
+//! | 0 to 2 | reads the colour of pixel p | pixel p - 1 of two chips a clock, |
+//! | 3 and on | | from clock 0 on |
+//!
+//! There is room for two frames: one is scanned while the other is loaded. When the last region is there, they change places where the scan begins a frame; until
+//! then the first region of the next frame waits. Pixels are a stream, with marks at the beginning of a frame and the end of a line.
+//!
+//! Latency: a turn for each pixel of a chip, and one: with 128 x 64 pixels 4112 clocks, 41.1 us of the 52 that the paper takes. A pixel a clock is scanned, with one between
+//! frames that differ.
+
+use super::extents;
+use super::registers::PortAccess;
+use super::texture_memory::fitting;
+use crate::parameter::{ParameterError, Screen};
+use crate::prelude::*;
+
+block! {
+    /// Holds the frame of a screen in regions.
+    pub struct FrameBuffer {
+        /// Pixels in a line of a region, and its lines: powers of two.
+        region: [u32; 2],
+        /// The screen.
+        screen: Screen,
+    }
+    latency(self) = format!("{} clocks for a region", self.clocks());
+    source = "Reducing Latency on PixelFlow, section 4 (PFL-LOAD)";
+    in(self) FrameBufferIn {
+        /// It takes the next region.
+        start: bit(),
+        /// A byte of each chip, at the place that the port says.
+        seen: bits(8).of(row(self.chips())),
+    }
+    out(self) FrameBufferOut {
+        /// To the registers.
+        port: PortAccess = PortAccess {
+            pixel: below(self.pixels()),
+            address: bits(6),
+            writes: bit(),
+            bytes: bits(8).of(row(self.chips())),
+        },
+        /// It has the region.
+        done: bit(),
+        /// What is shown.
+        pixels: stream(Shown = Shown { red: bits(8), green: bits(8), blue: bits(8), first: bit(), last: bit() }),
+    }
+}
+
+bundle! {
+    /// A pixel that is shown.
+    pub struct Shown<T> {
+        /// Its red.
+        pub red: T,
+        /// Its green.
+        pub green: T,
+        /// Its blue.
+        pub blue: T,
+        /// It is the first of a frame.
+        pub first: T,
+        /// It is the last of a line.
+        pub last: T,
+    }
+}
+
+/// Bytes of a colour.
+const COLOUR: u32 = 3;
+/// Frames that there is room for.
+const FRAMES: u32 = 2;
+
+impl FrameBuffer {
+    /// One for a screen in regions of `width` x `height` pixels.
+    ///
+    /// # Errors
+    ///
+    /// There are no such regions, or they have less than two chips.
+    pub fn new([width, height]: [u32; 2], screen: Screen) -> Result<FrameBuffer, ParameterError> {
+        let region = extents(width, height)?;
+        if height < 4 {
+            return Err(ParameterError(format!(
+                "a region of {height} lines: the frame buffer has a memory for even chips and one for odd ones, of two lines each; give at least 4"
+            )));
+        }
+        Ok(FrameBuffer { region, screen })
+    }
+
+    /// Chips of its node.
+    pub fn chips(&self) -> u32 {
+        self.region[1] / 2
+    }
+
+    /// Pixels of a chip.
+    pub fn pixels(&self) -> u32 {
+        2 * self.region[0]
+    }
+
+    /// Regions across and down the screen.
+    pub fn regions(&self) -> [u32; 2] {
+        let ([width, height], screen) = (self.region, self.screen);
+        [screen.width.div_ceil(width), screen.height.div_ceil(height)]
+    }
+
+    /// Clocks of a turn, in which a pixel of each chip is read.
+    pub fn turn(&self) -> u32 {
+        COLOUR.max(self.chips() / 2)
+    }
+
+    /// Clocks for a region.
+    pub fn clocks(&self) -> u64 {
+        u64::from(self.turn()) * u64::from(self.pixels() + 1)
+    }
+
+    /// Words of each of the two memories.
+    fn words(&self) -> u32 {
+        FRAMES * self.count() * self.chips() / 2 * self.pixels()
+    }
+
+    /// Regions of a frame.
+    fn count(&self) -> u32 {
+        let [across, down] = self.regions();
+        across * down
+    }
+
+    /// The word of a pixel in the memory of its chip: the lowest bits of `pair` are half of the chip's number.
+    fn address(&self, slot: Signal, pair: Signal, pixel: Signal) -> Signal {
+        let pairs = self.chips() / 2;
+        // Of one pair there is no number.
+        let pair = if pairs == 1 { lit(1, 0) } else { pair.trunc(below(pairs)) };
+        let place = |number: Signal, above: u32| number.zext(below(self.words())) << above.trailing_zeros();
+        place(slot, pairs * self.pixels()) | place(pair, self.pixels()) | place(pixel, 1)
+    }
+
+    fn build(&self, m: Module, i: FrameBufferIn) -> FrameBufferOut {
+        let (chips, pixels, turn, count) = (self.chips(), self.pixels(), self.turn(), self.count());
+        let [even, odd] = ["even", "odd"].map(|name| m.memory(name, self.words(), 8 * COLOUR, ReadUnderWrite::Any));
+        let shown = m.reg("shown", bit()).reset(0);
+        let is_whole = m.reg("is_whole", bit()).reset(0);
+        let slot = |frame: Signal, region: Signal| {
+            let region = region.zext(below(FRAMES * count));
+            mux(frame, region + count, region)
+        };
+
+        // A region is loaded into the frame that is not shown.
+        let busy = m.reg("busy", bit()).reset(0);
+        let clock = m.reg("clock", up_to(turn.max(4)));
+        let number = m.reg("pixel", up_to(pixels));
+        let region = m.reg("region", below(count)).reset(0);
+        m.assume(i.start.implies(!*busy), "the frame buffer begins when it has done");
+        net!(runs = busy & !(*is_whole & region.eq(0)));
+        net!(turn_ends = runs & clock.eq(turn - 1));
+        net!(ends = turn_ends & number.eq(pixels));
+        net!(is_last = region.eq(count - 1));
+        busy.when(i.start, 1).when(ends, 0);
+        clock.when(i.start | turn_ends, 0).when(runs, clock + 1);
+        number.when(i.start, 0).when(turn_ends, number + 1);
+        region.when(ends, mux(is_last, 0, region + 1));
+
+        net!(reads = runs & clock.lt(COLOUR) & number.lt(pixels));
+        let colours = m.reg("colours", bits(8 * COLOUR).of(row(chips)));
+        net!(gathered = mux(reads, concat(&[i.seen, colours.slice(8..8 * COLOUR)]), *colours));
+        colours.next(gathered);
+        let stored = m.reg("stored", bits(8 * COLOUR).of(row(chips)));
+        stored.when(turn_ends, gathered).otherwise(stored.shifted(-2, 0));
+        net!(stores = runs & number.ne(0) & clock.lt(chips / 2));
+        let before = (number - 1).trunc(below(pixels));
+        net!(stores_at = self.address(slot(!*shown, *region), *clock, before));
+        even.write(stores, stores_at, stored.lane(0));
+        odd.write(stores, stores_at, stored.lane(1));
+
+        // The scan, line by line; where it begins a frame the next one may be whole.
+        let [across, _] = self.regions();
+        let Screen { width: columns, height: lines } = self.screen;
+        let [width, height] = self.region;
+        let x = m.reg("x", below(columns.max(width))).reset(0);
+        let y = m.reg("y", below(lines.max(height))).reset(0);
+        let left = m.reg("left", up_to(count)).reset(0);
+        let has_frame = m.reg("has_frame", bit()).reset(0);
+        net!(is_first = x.eq(0) & y.eq(0));
+        net!(changes = is_first & *is_whole);
+        shown.when(changes, !*shown);
+        has_frame.when(changes, 1);
+        is_whole.when(ends & is_last, 1).when(changes, 0);
+
+        let arrived = m.reg("arrived", bit()).reset(0);
+        let scans = m.wire("scans", bit());
+        net!(line_ends = x.eq(columns - 1));
+        net!(frame_ends = y.eq(lines - 1));
+        net!(region_ends = y.part(0, below(height)).eq(height - 1));
+        x.when(scans, mux(line_ends, 0, x + 1));
+        y.when(scans & line_ends, mux(frame_ends, 0, y + 1));
+        left.when(scans & line_ends & frame_ends, 0).when(scans & line_ends & region_ends, left + across);
+
+        let (inside, beside) = (x.part(0, below(width)), *x >> width.trailing_zeros());
+        net!(scanned = slot(*shown, *left + fitting(beside, left.width())));
+        net!(scans_at = self.address(scanned, *y >> 2, concat(&[y.bit(0), inside])));
+        let [even, odd] = [even, odd].map(|memory| memory.read_when(*scans, scans_at));
+        let [is_odd, first, last] = [("is_odd", y.bit(1)), ("first", is_first), ("last", line_ends)]
+            .map(|(name, mark)| m.pipe_when(*scans, name, mark));
+        let colour = mux(is_odd, odd, even);
+        let channel = |number: u32| colour.part(8 * number, 8);
+        let pixel = Shown { red: channel(2), green: channel(1), blue: channel(0), first, last };
+        let (pixels, sent) = m.offer(*arrived, pixel);
+        scans.drive(*has_frame & !changes & (!*arrived | sent));
+        arrived.when(*scans, 1).when(sent, 0);
+
+        let nothing = lit(8, 0).of(row(chips));
+        let port = PortAccess {
+            pixel: number.trunc(below(self.pixels())),
+            address: clock.zext(8).trunc(6),
+            writes: lit(1, 0),
+            bytes: nothing,
+        };
+        FrameBufferOut { port, done: ends, pixels }
+    }
+}
+
+#[cfg(test)]
+mod tests;

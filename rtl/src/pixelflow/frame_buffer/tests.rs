@@ -1,0 +1,199 @@
+//! Regions that are loaded, and frames that are shown.
+
+use proptest::prelude::*;
+use tilewright_sim::{Pauses, Simulation};
+
+use super::*;
+
+type Sim = Simulation<FrameBufferIn, FrameBufferOut>;
+
+/// The colour of a pixel of a frame: alike for no two that could be mistaken for each other.
+fn colour(frame: u64, x: u32, y: u32) -> u64 {
+    (frame << 20 ^ u64::from(y) << 10 ^ u64::from(x)).wrapping_mul(0x9e37_79b9) >> 3 & 0xff_ffff
+}
+
+/// The registers of a node, as the port sees them: a region of a frame.
+struct Registers<'a> {
+    buffer: &'a FrameBuffer,
+    frame: u64,
+    region: u32,
+}
+
+impl Registers<'_> {
+    /// A byte of each chip.
+    fn seen(&self, pixel: u64, address: u64) -> Vec<u64> {
+        let FrameBuffer { region: [width, height], .. } = *self.buffer;
+        let [across, _] = self.buffer.regions();
+        let (left, top) = (self.region % across * width, self.region / across * height);
+        let (x, line) = (pixel as u32 % width, pixel as u32 / width);
+        let byte = |chip: u32| match address {
+            0..3 => colour(self.frame, left + x, top + 2 * chip + line) >> (8 * address) & 0xff,
+            _ => 0xee,
+        };
+        (0..self.buffer.chips()).map(byte).collect()
+    }
+}
+
+/// A frame buffer that is loaded without an end, a frame after another.
+struct Loaded<'a> {
+    sim: Sim,
+    registers: Registers<'a>,
+    /// The clock in which the region began, and what those that are done took.
+    began: u64,
+    took: Vec<u64>,
+    clock: u64,
+}
+
+impl<'a> Loaded<'a> {
+    fn new(buffer: &'a FrameBuffer) -> Loaded<'a> {
+        let mut sim = Simulation::of(buffer).unwrap().seeded(5);
+        sim.set(sim.i.start, 0);
+        sim.set(sim.o.pixels.ready, 0);
+        sim.reset();
+        let registers = Registers { buffer, frame: 0, region: 0 };
+        Loaded { sim, registers, began: 0, took: Vec::new(), clock: 0 }
+    }
+
+    /// A clock; gives the pixel that is taken, if one is.
+    fn clock(&mut self, starts: bool, takes: bool) -> Option<(u64, bool, bool)> {
+        let sim = &mut self.sim;
+        let (i, o) = (sim.i, sim.o);
+        sim.set(i.start, starts);
+        sim.set(o.pixels.ready, takes);
+        let [pixel, address] = [o.port.pixel, o.port.address].map(|port| sim.get_u64(port));
+        sim.set_lanes(i.seen, self.registers.seen(pixel, address));
+        let of = o.pixels.payload;
+        let [red, green, blue] = [of.red, of.green, of.blue].map(|port| sim.get_u64(port));
+        let [first, last, valid, done] = [of.first, of.last, o.pixels.valid, o.done].map(|port| sim.get_u64(port) == 1);
+        if starts {
+            self.began = self.clock;
+        }
+        if done {
+            let regions = self.registers.buffer.count();
+            self.took.push(self.clock - self.began);
+            self.registers.region = (self.registers.region + 1) % regions;
+            self.registers.frame += u64::from(self.registers.region == 0);
+        }
+        sim.step();
+        self.clock += 1;
+        (valid && takes).then_some((red << 16 | green << 8 | blue, first, last))
+    }
+
+    /// Loads a region, while nobody takes pixels.
+    fn load(&mut self) {
+        let before = self.took.len();
+        self.clock(true, false);
+        while self.took.len() == before {
+            self.clock(false, false);
+        }
+    }
+}
+
+/// PFL-LOAD: 52 us are the paper's.
+#[test]
+fn a_region_of_8192_pixels_takes_41_12_us() {
+    let buffer = FrameBuffer::new([128, 64], Screen { width: 640, height: 512 }).unwrap();
+    let mut loaded = Loaded::new(&buffer);
+    loaded.load();
+    loaded.load();
+    assert_eq!((loaded.took.clone(), buffer.clocks()), (vec![4112; 2], 4112));
+    assert!(buffer.clocks() * super::super::ARRAY.period.picoseconds() < 52_000_000);
+}
+
+#[test]
+fn a_pixel_is_shown_every_clock() {
+    let buffer = FrameBuffer::new([2, 4], Screen { width: 2, height: 2 }).unwrap();
+    let mut loaded = Loaded::new(&buffer);
+    let wave = loaded.sim.record([
+        "clock",
+        "pixel",
+        "done",
+        "is_whole",
+        "shown",
+        "x",
+        "y",
+        "pixels_valid",
+        "pixels_first",
+        "pixels_last",
+    ]);
+    loaded.clock(true, true);
+    (0..22).for_each(|_| {
+        loaded.clock(false, true);
+    });
+    wave.expect(
+        r"
+        clk          |~\_/~\_/~\_/~\_/~\_/~\_/~\_/~\_/~\_/~\_/~\_/~\_/~\_/~\_/~\_/~\_/~\_/~\_/~\_/~\_/~\_/~\_/~\_/
+        clock        | 1 | 0 | 1 | 2 | 0 | 1 | 2 | 0 | 1 | 2 | 0 | 1 | 2 | 0 | 1 | 2 | 0                         |
+        pixel        | 0             | 1         | 2         | 3         | 4         | 5                         |
+        done         |___________________________________________________________/~~~\____________________________
+        is_whole     |_______________________________________________________________/~~~\________________________
+        shown        |___________________________________________________________________/~~~~~~~~~~~~~~~~~~~~~~~~
+        x            |_______________________________________________________________________/~~~\___/~~~\___/~~~~
+        y            | 0                                                                         | 1     | 0     |
+        pixels_valid |_______________________________________________________________________/~~~~~~~~~~~~~~~~~~~~
+        pixels_first |~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~\___________/~~~~
+        pixels_last  |___________________________________________________________________________/~~~\___/~~~\____
+        ",
+    );
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 24, failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// Whatever the pauses of both sides are, whole frames are shown in their order, and none that is older than the last whole one.
+    #[test]
+    fn whole_frames_are_shown_in_their_order(
+        width in 1..=3_u32,
+        height in 2..=4_u32,
+        screen in [1..12_u32, 1..20_u32],
+        begins in 1..8_u64,
+        (percent, takes) in (0..60_u64, any::<u64>()),
+    ) {
+        let buffer = FrameBuffer::new([1 << width, 1 << height], Screen { width: screen[0], height: screen[1] }).unwrap();
+        let mut loaded = Loaded::new(&buffer);
+        let mut pauses = Pauses::percent(percent, takes);
+        let mut pause = 0;
+        let mut shown = Vec::new();
+        let (mut is_loading, mut waits) = (false, begins);
+        for _ in 0..20_000 {
+            let starts = !is_loading && waits == 0;
+            waits = waits.saturating_sub(1);
+            let before = loaded.took.len();
+            let frame = loaded.registers.frame;
+            let takes = pause == 0;
+            pause = if takes { pauses.next_length() } else { pause - 1 };
+            let pixel = loaded.clock(starts, takes);
+            is_loading = (is_loading || starts) && loaded.took.len() == before;
+            if loaded.took.len() > before {
+                waits = begins;
+            }
+            shown.extend(pixel.map(|pixel| (pixel, frame)));
+        }
+        expect_frames(screen, &shown)?;
+    }
+}
+
+/// What was shown, each with the frame that was being loaded: frames 0, 1 and so on, each as often as it likes but the first at least once.
+fn expect_frames(screen: [u32; 2], shown: &[((u64, bool, bool), u64)]) -> Result<(), TestCaseError> {
+    let pixels = (screen[0] * screen[1]) as usize;
+    let mut number = 0;
+    prop_assert!(shown.len() > 2 * pixels);
+    for (scan, chunk) in shown.chunks(pixels).enumerate() {
+        let whole = |frame: u64| {
+            chunk.iter().enumerate().all(|(at, ((found, _, _), _))| {
+                let (x, y) = (at as u32 % screen[0], at as u32 / screen[0]);
+                *found == colour(frame, x, y)
+            })
+        };
+        if scan > 0 && !whole(number) {
+            number += 1;
+        }
+        prop_assert!(whole(number), "scan {}", scan);
+        // It was whole before it was shown, and the one behind it is not older than a frame.
+        prop_assert!(chunk[0].1 > number && chunk[0].1 <= number + 2);
+        for (at, ((_, first, last), _)) in chunk.iter().enumerate() {
+            prop_assert_eq!((*first, *last), (at == 0, (at + 1) as u32 % screen[0] == 0));
+        }
+    }
+    Ok(())
+}
