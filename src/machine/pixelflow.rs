@@ -11,7 +11,7 @@ use clap::{Args, ValueEnum};
 use tilewright_machines::pixelflow::{Config, Machine, Report};
 use tilewright_scenes::deferred::{Deferred, Samples, Shading};
 use tilewright_scenes::golden::{fragments, render_deferred_watched, render_watched};
-use tilewright_scenes::{Frame, Polygons, Scene, Size};
+use tilewright_scenes::{Field, Frame, Polygons, Scene, Size};
 
 /// Its options.
 #[derive(Args, Default)]
@@ -33,6 +33,25 @@ pub struct PixelFlowOptions {
     /// Samples of a pixel, of the base system: eight are two renderings at twice the width and height [default: 1]
     #[arg(long, value_name = "N", value_parser = ["1", "8"])]
     samples: Option<String>,
+    /// Draw one field of an interlaced display: the even lines of the frame, from line 0 on, or the odd ones
+    #[arg(long, value_enum, value_name = "FIELD")]
+    field: Option<FieldName>,
+}
+
+/// Each second line of a frame.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum FieldName {
+    Even,
+    Odd,
+}
+
+impl From<FieldName> for Field {
+    fn from(name: FieldName) -> Field {
+        match name {
+            FieldName::Even => Field::Even,
+            FieldName::Odd => Field::Odd,
+        }
+    }
 }
 
 /// The software.
@@ -50,13 +69,14 @@ fn array(text: &str) -> Result<[u32; 2], String> {
 impl PixelFlowOptions {
     /// One that is given, if any is.
     pub fn given(&self) -> Option<&'static str> {
-        let PixelFlowOptions { nodes, shaders, array, system, samples } = self;
+        let PixelFlowOptions { nodes, shaders, array, system, samples, field } = self;
         first_given([
             ("--nodes", nodes.is_some()),
             ("--shaders", shaders.is_some()),
             ("--array", array.is_some()),
             ("--system", system.is_some()),
             ("--samples", samples.is_some()),
+            ("--field", field.is_some()),
         ])
     }
 
@@ -77,10 +97,18 @@ impl PixelFlowOptions {
             let sentence = "the non-texturing system draws one sample here: leave out --samples, or pass --system base";
             return Err(Failure::new(Exit::BadInput, sentence));
         }
+        let field = self.field.map(Field::from);
+        if field.is_some() && samples != Samples::One {
+            let sentence =
+                "--field with --samples 8: where each sample is shaded, whole frames are drawn; leave out one of them";
+            return Err(Failure::new(Exit::BadInput, sentence));
+        }
+        field.map_or(Ok(scene.size), |field| field.size(scene.size))?;
         let shaders = self.shaders.unwrap_or(if system == System::Base { usual.shaders } else { 0 });
         let config = Config {
             nodes: self.nodes.unwrap_or(usual.nodes),
             shaders,
+            field,
             array: self.array.unwrap_or(usual.array),
             ..usual
         };
@@ -127,19 +155,21 @@ impl Job for PixelFlowJob {
     type Report = Report;
 
     fn size(&self) -> Size {
-        match &self.work {
-            Work::Deferred(deferred) => deferred.size,
-            Work::Resident(polygons, _) => polygons.size,
-        }
+        let size = self.config.size;
+        self.config.field.and_then(|field| field.size(size).ok()).unwrap_or(size)
     }
 
     fn golden(&self) -> Result<Frame, Failure> {
-        golden::draw(|watch| match &self.work {
+        let frame = golden::draw(|watch| match &self.work {
             Work::Deferred(deferred) => render_deferred_watched(deferred, watch),
             Work::Resident(Polygons { size, polygons, .. }, background) => {
                 render_watched(*size, polygons, *background, watch)
             }
-        })
+        })?;
+        match self.config.field {
+            Some(field) => Ok(field.lines(&frame)?),
+            None => Ok(frame),
+        }
     }
 
     fn render(&self, run: &Run) -> Result<(Frame, Report), Failure> {

@@ -82,6 +82,10 @@ impl Machine {
             let problem = "eight samples that are shaded once: the hardware of this machine shades each of them";
             return Err(ParameterError(problem.to_owned()).into());
         }
+        if deferred.samples != Samples::One && self.config.field.is_some() {
+            let problem = "eight samples of a field: where each of them is shaded, this machine draws whole frames";
+            return Err(ParameterError(problem.to_owned()).into());
+        }
         self.check(deferred.size)?;
         let mut drawn = Vec::new();
         for pass in &deferred.passes {

@@ -34,6 +34,6 @@ pub use machine::Machine;
 pub use model::{Done, Frame, FrontEnd, Pass, Resident, Shading, Timeline, Turn};
 pub use packets::Corner;
 pub use report::{NodeReport, Report, Stage};
-pub use screen::Screen;
+pub use screen::{Pattern, Screen};
 pub use simulated::{Choices, Shades, Simulated};
 pub use workload::{Boxes, Place, Share, Workload};

@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 use std::fmt;
+use tilewright_scenes::Field;
 
 use super::config::Config;
 use super::costs::{Ticks, milliseconds, ticks};
@@ -16,6 +17,9 @@ pub struct Report {
     pub system: System,
     /// Columns and rows of pixels.
     pub size: [u32; 2],
+    /// `even` or `odd`: each second line of the picture, of which those are the pixels.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub field: Option<&'static str>,
     /// Samples of a pixel.
     pub samples: u32,
     /// Nodes, with the one that holds the frame.
@@ -34,6 +38,14 @@ pub struct Report {
     pub front: Ticks,
     /// When each region was where, in ticks from the first instruction on.
     pub turns: Vec<Done>,
+}
+
+/// A field by its name.
+fn field_name(field: Field) -> &'static str {
+    match field {
+        Field::Even => "even",
+        Field::Odd => "odd",
+    }
 }
 
 /// What a node did.
@@ -70,7 +82,8 @@ impl Report {
         let rasterizer = |(&primitives, busy)| NodeReport { primitives, busy };
         Report {
             system,
-            size: [config.size.width(), config.size.height()],
+            size: [works.size().width(), works.size().height()],
+            field: config.field.map(field_name),
             samples: 1,
             nodes: config.nodes,
             array: config.array,
@@ -164,10 +177,14 @@ impl fmt::Display for Report {
             System::Base => "base system, deferred shading",
             System::PreSort => "pre-sorting system, deferred shading",
         };
+        let field = self.field.map_or_else(String::new, |field| format!(" of the {field} field"));
         let samples = if self.samples > 1 { format!(" of {} samples", self.samples) } else { String::new() };
         let shading = if shade > 0 { format!(", {shade} shade") } else { String::new() };
         let regions = self.turns.len();
-        writeln!(f, "PixelFlow, {system}: {width}x{height} pixels{samples} in {regions} regions of {across}x{down},")?;
+        writeln!(
+            f,
+            "PixelFlow, {system}: {width}x{height} pixels{field}{samples} in {regions} regions of {across}x{down},"
+        )?;
         writeln!(f, "{} nodes: {rasterize} rasterize{shading}, one holds the frame", self.nodes)?;
         writeln!(f, "{} primitives, {} in regions", self.primitives, self.drawn)?;
         writeln!(f, "\n{:<16}{:>10}{:>10}{:>10}", "stage", "busy us", "from us", "to us")?;

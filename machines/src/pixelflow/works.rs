@@ -26,7 +26,6 @@ const SHADED: u64 = 160;
 /// What is to be done for a frame.
 pub(super) struct Works {
     screen: Screen,
-    size: Size,
     array: [u32; 2],
     /// Of each rasterizer, for each region.
     programs: Vec<Vec<Program>>,
@@ -122,21 +121,11 @@ impl Works {
     }
 
     fn empty(config: &Config, rasterizers: u32) -> Result<Works, Error> {
-        let size = config.size;
         let screen = config.screen()?;
         let programs = vec![vec![Vec::new(); screen.count()]; rasterizers as usize];
         let primitives = vec![0; rasterizers as usize];
         let drawn = vec![0; screen.count()];
-        Ok(Works {
-            screen,
-            size,
-            array: config.array,
-            programs,
-            shading: None,
-            textures: Vec::new(),
-            primitives,
-            drawn,
-        })
+        Ok(Works { screen, array: config.array, programs, shading: None, textures: Vec::new(), primitives, drawn })
     }
 
     fn region(&self, config: &Config) -> Region {
@@ -154,6 +143,11 @@ impl Works {
                 self.programs[number % rasterizers][region].extend(program);
             }
         }
+    }
+
+    /// Pixels of the frame.
+    pub fn size(&self) -> Size {
+        self.screen.size()
     }
 
     pub fn regions(&self) -> usize {
@@ -197,11 +191,12 @@ impl Works {
 
     /// The frame, of what came of each region.
     pub fn picture(&self, came: &[Words]) -> Frame {
-        let mut words = vec![0; self.size.pixels()];
-        let (width, height) = (self.size.width(), self.size.height());
+        let size = self.size();
+        let mut words = vec![0; size.pixels()];
+        let (width, height) = (size.width(), size.height());
         let pixels = 2 * self.array[0] as usize;
         for (region, came) in came.iter().enumerate() {
-            let [left, top] = self.screen.corner(region).0;
+            let [left, top] = self.screen.place(region);
             for (y, x) in (0..self.array[1]).flat_map(|y| (0..self.array[0]).map(move |x| (y, x))) {
                 if left + x >= width || top + y >= height {
                     continue;
@@ -211,7 +206,7 @@ impl Works {
                 words[((top + y) * width + left + x) as usize] = self.word(bytes);
             }
         }
-        Frame::from_words(self.size, words).expect("there is a word of each pixel")
+        Frame::from_words(size, words).expect("there is a word of each pixel")
     }
 
     /// A pixel of its bytes: depth, a zero and a colour, or a colour alone, which is as far as can be.

@@ -2,7 +2,7 @@
 
 use proptest::prelude::*;
 use tilewright_scenes::deferred::{Samples, project_deferred};
-use tilewright_scenes::{Scene, Size, compare, golden, project_polygons};
+use tilewright_scenes::{Field, Scene, Size, compare, golden, project_polygons};
 
 use super::*;
 
@@ -63,6 +63,26 @@ fn eight_samples_are_the_golden_image() {
     assert!(report.turns.windows(2).all(|pair| pair[0].loaded.end <= pair[1].loaded.start));
     let once = machine.render(&eight(Shading::OncePerPixel), &mut Watch::default());
     assert!(once.is_err_and(|error| error.to_string().contains("shades each of them")));
+}
+
+#[test]
+fn a_field_is_each_second_line_of_the_golden_image() {
+    // Of an odd number of lines, in both systems.
+    let size = Size::new(20, 27).unwrap();
+    let scene = Scene::builtin("star").unwrap();
+    let deferred = project_deferred(&scene, size, Samples::One).unwrap();
+    let polygons = project_polygons(&scene, size).unwrap();
+    let resident = golden::render(size, &polygons.polygons, scene.background);
+    for (field, lines) in [(Field::Even, 14), (Field::Odd, 13)] {
+        let config = |nodes, shaders| Config { field: Some(field), ..config(size, nodes, shaders) };
+        let machine = Machine::new(config(4, 1)).unwrap();
+        let (frame, report) = machine.render(&deferred, &mut Watch::default()).unwrap();
+        assert_eq!(compare(&frame, &field.lines(&golden::render_deferred(&deferred)).unwrap()).differing, 0);
+        assert_eq!((report.size, report.turns.len()), ([20, lines], 4));
+        let machine = Machine::new(config(3, 0)).unwrap();
+        let (frame, _) = machine.render_resident(&polygons, scene.background, &mut Watch::default()).unwrap();
+        assert_eq!(compare(&frame, &field.lines(&resident).unwrap()).differing, 0);
+    }
 }
 
 /// Sides of arrays.
