@@ -5,13 +5,13 @@ use super::first_given;
 use super::job::{Job, Run};
 use crate::golden;
 use crate::number::number;
-use crate::scene::{deferred, polygons};
+use crate::scene::{deferred, polygons, samples as passes};
 use crate::shell::{Exit, Failure};
 use clap::{Args, ValueEnum};
 use tilewright_machines::pixelflow::{Config, Machine, Report};
 use tilewright_scenes::deferred::{Deferred, Samples, Shading};
-use tilewright_scenes::golden::{fragments, render_deferred_watched, render_watched};
-use tilewright_scenes::{Field, Frame, Polygons, Scene, Size};
+use tilewright_scenes::golden::{fragments, render_deferred_watched, render_samples_watched, render_watched};
+use tilewright_scenes::{Field, Frame, Polygons, Projection, Scene, Size};
 
 /// Its options.
 #[derive(Args, Default)]
@@ -30,7 +30,8 @@ pub struct PixelFlowOptions {
     /// [default: base]
     #[arg(long, value_enum, value_name = "SYSTEM")]
     system: Option<System>,
-    /// Samples of a pixel, of the base system: eight are two renderings at twice the width and height [default: 1]
+    /// Samples of a pixel; eight are those of two renderings at twice the width and height, which the base system draws region by region, and the
+    /// non-texturing system sample by sample [default: 1]
     #[arg(long, value_name = "N", value_parser = ["1", "8"])]
     samples: Option<String>,
     /// Draw one field of an interlaced display: the even lines of the frame, from line 0 on, or the odd ones
@@ -93,14 +94,10 @@ impl PixelFlowOptions {
         }
         let samples =
             if self.samples.as_deref() == Some("8") { Samples::Eight(Shading::EachSample) } else { Samples::One };
-        if system == System::NonTexturing && samples != Samples::One {
-            let sentence = "the non-texturing system draws one sample here: leave out --samples, or pass --system base";
-            return Err(Failure::new(Exit::BadInput, sentence));
-        }
         let field = self.field.map(Field::from);
-        if field.is_some() && samples != Samples::One {
-            let sentence =
-                "--field with --samples 8: where each sample is shaded, whole frames are drawn; leave out one of them";
+        if field.is_some() && samples == Samples::Eight(Shading::EachSample) && system == System::Base {
+            let sentence = "the base system draws no --field of --samples 8, but whole frames: leave out one of them, \
+                            or pass --system non-texturing";
             return Err(Failure::new(Exit::BadInput, sentence));
         }
         field.map_or(Ok(scene.size), |field| field.size(scene.size))?;
@@ -115,7 +112,8 @@ impl PixelFlowOptions {
         let machine = Machine::new(config.clone())?;
         let work = match system {
             System::Base => Work::Deferred(deferred(scene, samples)?),
-            System::NonTexturing => Work::Resident(polygons(scene)?, scene.background),
+            System::NonTexturing if samples == Samples::One => Work::Resident(polygons(scene)?, scene.background),
+            System::NonTexturing => Work::Samples(passes(scene, samples)?, scene.background),
         };
         Ok(PixelFlowJob { machine, config, work })
     }
@@ -133,6 +131,8 @@ enum Work {
     Deferred(Deferred),
     /// With the background.
     Resident(Polygons, [u8; 3]),
+    /// The two passes of eight samples, with the background.
+    Samples(Vec<Projection>, [u8; 3]),
 }
 
 impl PixelFlowJob {
@@ -165,6 +165,7 @@ impl Job for PixelFlowJob {
             Work::Resident(Polygons { size, polygons, .. }, background) => {
                 render_watched(*size, polygons, *background, watch)
             }
+            Work::Samples(passes, background) => render_samples_watched(passes, *background, watch),
         })?;
         match self.config.field {
             Some(field) => Ok(field.lines(&frame)?),
@@ -182,6 +183,7 @@ impl Job for PixelFlowJob {
         let render = |watch: &mut tilewright_machines::Watch| match &self.work {
             Work::Deferred(deferred) => machine.render(deferred, watch),
             Work::Resident(polygons, background) => machine.render_resident(polygons, *background, watch),
+            Work::Samples(passes, background) => machine.render_resident_samples(passes, *background, watch),
         };
         run.watch(render, |(_, report)| report.picoseconds())
     }
@@ -200,6 +202,7 @@ impl Compared for PixelFlowJob {
         let limit = report.limit();
         let drawn = match &self.work {
             Work::Resident(polygons, _) => fragments(polygons.size, &polygons.polygons),
+            Work::Samples(passes, _) => passes.iter().map(|pass| fragments(pass.size, &pass.triangles)).sum(),
             Work::Deferred(deferred) => {
                 let triangles = |pass: &tilewright_scenes::deferred::Pass| {
                     let triangles: Vec<_> = pass.packets.iter().map(|packet| packet.triangle.clone()).collect();
