@@ -5,13 +5,13 @@ use super::first_given;
 use super::job::{Job, Run};
 use crate::golden;
 use crate::number::number;
-use crate::scene::{deferred, polygons};
+use crate::scene::{deferred, polygons, samples as passes};
 use crate::shell::{Exit, Failure};
 use clap::{Args, ValueEnum};
 use tilewright_machines::pixelflow::{Config, Machine, Report};
 use tilewright_scenes::deferred::{Deferred, Samples, Shading};
-use tilewright_scenes::golden::{fragments, render_deferred_watched, render_watched};
-use tilewright_scenes::{Frame, Polygons, Scene, Size};
+use tilewright_scenes::golden::{fragments, render_deferred_watched, render_samples_watched, render_watched};
+use tilewright_scenes::{Field, Frame, Polygons, Projection, Scene, Size};
 
 /// Its options.
 #[derive(Args, Default)]
@@ -30,9 +30,29 @@ pub struct PixelFlowOptions {
     /// [default: base]
     #[arg(long, value_enum, value_name = "SYSTEM")]
     system: Option<System>,
-    /// Samples of a pixel, of the base system: eight are two renderings at twice the width and height [default: 1]
+    /// Samples of a pixel; eight are those of two renderings at twice the width and height, which the base system draws region by region, and the
+    /// non-texturing system sample by sample [default: 1]
     #[arg(long, value_name = "N", value_parser = ["1", "8"])]
     samples: Option<String>,
+    /// Draw one field of an interlaced display: the even lines of the frame, from line 0 on, or the odd ones
+    #[arg(long, value_enum, value_name = "FIELD")]
+    field: Option<FieldName>,
+}
+
+/// Each second line of a frame.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum FieldName {
+    Even,
+    Odd,
+}
+
+impl From<FieldName> for Field {
+    fn from(name: FieldName) -> Field {
+        match name {
+            FieldName::Even => Field::Even,
+            FieldName::Odd => Field::Odd,
+        }
+    }
 }
 
 /// The software.
@@ -50,13 +70,14 @@ fn array(text: &str) -> Result<[u32; 2], String> {
 impl PixelFlowOptions {
     /// One that is given, if any is.
     pub fn given(&self) -> Option<&'static str> {
-        let PixelFlowOptions { nodes, shaders, array, system, samples } = self;
+        let PixelFlowOptions { nodes, shaders, array, system, samples, field } = self;
         first_given([
             ("--nodes", nodes.is_some()),
             ("--shaders", shaders.is_some()),
             ("--array", array.is_some()),
             ("--system", system.is_some()),
             ("--samples", samples.is_some()),
+            ("--field", field.is_some()),
         ])
     }
 
@@ -73,21 +94,26 @@ impl PixelFlowOptions {
         }
         let samples =
             if self.samples.as_deref() == Some("8") { Samples::Eight(Shading::EachSample) } else { Samples::One };
-        if system == System::NonTexturing && samples != Samples::One {
-            let sentence = "the non-texturing system draws one sample here: leave out --samples, or pass --system base";
+        let field = self.field.map(Field::from);
+        if field.is_some() && samples == Samples::Eight(Shading::EachSample) && system == System::Base {
+            let sentence = "the base system draws no --field of --samples 8, but whole frames: leave out one of them, \
+                            or pass --system non-texturing";
             return Err(Failure::new(Exit::BadInput, sentence));
         }
+        field.map_or(Ok(scene.size), |field| field.size(scene.size))?;
         let shaders = self.shaders.unwrap_or(if system == System::Base { usual.shaders } else { 0 });
         let config = Config {
             nodes: self.nodes.unwrap_or(usual.nodes),
             shaders,
+            field,
             array: self.array.unwrap_or(usual.array),
             ..usual
         };
         let machine = Machine::new(config.clone())?;
         let work = match system {
             System::Base => Work::Deferred(deferred(scene, samples)?),
-            System::NonTexturing => Work::Resident(polygons(scene)?, scene.background),
+            System::NonTexturing if samples == Samples::One => Work::Resident(polygons(scene)?, scene.background),
+            System::NonTexturing => Work::Samples(passes(scene, samples)?, scene.background),
         };
         Ok(PixelFlowJob { machine, config, work })
     }
@@ -105,6 +131,8 @@ enum Work {
     Deferred(Deferred),
     /// With the background.
     Resident(Polygons, [u8; 3]),
+    /// The two passes of eight samples, with the background.
+    Samples(Vec<Projection>, [u8; 3]),
 }
 
 impl PixelFlowJob {
@@ -127,19 +155,22 @@ impl Job for PixelFlowJob {
     type Report = Report;
 
     fn size(&self) -> Size {
-        match &self.work {
-            Work::Deferred(deferred) => deferred.size,
-            Work::Resident(polygons, _) => polygons.size,
-        }
+        let size = self.config.size;
+        self.config.field.and_then(|field| field.size(size).ok()).unwrap_or(size)
     }
 
     fn golden(&self) -> Result<Frame, Failure> {
-        golden::draw(|watch| match &self.work {
+        let frame = golden::draw(|watch| match &self.work {
             Work::Deferred(deferred) => render_deferred_watched(deferred, watch),
             Work::Resident(Polygons { size, polygons, .. }, background) => {
                 render_watched(*size, polygons, *background, watch)
             }
-        })
+            Work::Samples(passes, background) => render_samples_watched(passes, *background, watch),
+        })?;
+        match self.config.field {
+            Some(field) => Ok(field.lines(&frame)?),
+            None => Ok(frame),
+        }
     }
 
     fn render(&self, run: &Run) -> Result<(Frame, Report), Failure> {
@@ -152,6 +183,7 @@ impl Job for PixelFlowJob {
         let render = |watch: &mut tilewright_machines::Watch| match &self.work {
             Work::Deferred(deferred) => machine.render(deferred, watch),
             Work::Resident(polygons, background) => machine.render_resident(polygons, *background, watch),
+            Work::Samples(passes, background) => machine.render_resident_samples(passes, *background, watch),
         };
         run.watch(render, |(_, report)| report.picoseconds())
     }
@@ -170,6 +202,7 @@ impl Compared for PixelFlowJob {
         let limit = report.limit();
         let drawn = match &self.work {
             Work::Resident(polygons, _) => fragments(polygons.size, &polygons.polygons),
+            Work::Samples(passes, _) => passes.iter().map(|pass| fragments(pass.size, &pass.triangles)).sum(),
             Work::Deferred(deferred) => {
                 let triangles = |pass: &tilewright_scenes::deferred::Pass| {
                     let triangles: Vec<_> = pass.packets.iter().map(|packet| packet.triangle.clone()).collect();

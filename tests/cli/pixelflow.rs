@@ -68,6 +68,39 @@ fn eight_samples_are_drawn_in_two_renderings() {
 }
 
 #[test]
+fn eight_samples_are_drawn_one_after_another_without_textures() {
+    let folder = Folder::with_pyramid();
+    let line =
+        "render pyramid.obj --machine pixelflow --size 32x24 --nodes 4 --array 16x8 --system non-texturing --samples 8";
+    let text = folder.stdout(line);
+    for part in
+        ["non-texturing system: 32x24 pixels of 8 samples in 48 regions", "\nadding samples ", "\nframe's holder "]
+    {
+        assert!(text.contains(part), "{part}: {text}");
+    }
+    assert!(text.ends_with("\nidentical to the golden image\n"), "{text}");
+    let text = folder.stdout(&format!("{line} --field odd"));
+    assert!(text.contains("32x12 pixels of the odd field of 8 samples in 32 regions"), "{text}");
+    // They are the samples of `tilewright golden`.
+    folder.stdout("golden pyramid.obj --size 32x24 --samples 8 -o golden.png");
+    folder.stdout(&format!("{line} --golden golden.png"));
+}
+
+#[test]
+fn fields_have_half_the_lines() {
+    let folder = Folder::with_pyramid();
+    let line = "render pyramid.obj --machine pixelflow --size 32x24 --array 16x8 --nodes 4";
+    for (options, parts) in [
+        ("--shaders 1 --field even", ["32x12 pixels of the even field in 4 regions", "base system"]),
+        ("--system non-texturing --field odd", ["32x12 pixels of the odd field in 4 regions", "non-texturing system"]),
+    ] {
+        let text = folder.stdout(&format!("{line} {options}"));
+        assert!(parts.iter().all(|part| text.contains(part)), "{text}");
+        assert!(text.ends_with("\nidentical to the golden image\n"), "{text}");
+    }
+}
+
+#[test]
 fn mistakes_are_said() {
     let folder = Folder::with_pyramid();
     let said = |options: &str, sentence: &str| {
@@ -81,7 +114,10 @@ fn mistakes_are_said() {
     said("--array wide", "give width and height in pixels, such as 128x64");
     said("--system non-texturing --shaders 2", "has no shaders: leave out --shaders");
     said("--system non-texturing --array 8x8 --size 64x64", "have room for 44");
-    said("--system non-texturing --samples 8", "draws one sample here");
+    said("--system non-texturing --samples 8 --array 8x8 --size 64x64", "have room for 44");
+    said("--system non-texturing --samples 8 --size 2048x8", "give a width and a height up to 1024, or one sample");
+    said("--samples 8 --field even", "leave out one of them, or pass --system non-texturing");
+    said("--field odd --size 32x1", "has no odd lines: give a height of 2 or more");
     said("--samples 4", "[possible values: 1, 8]");
     said("--strict", "--strict is an option of quadtree");
     said("--renderers 2", "--renderers is an option of pixel-planes-5");

@@ -3,11 +3,11 @@
 use tilewright_rtl::parameter::ParameterError;
 use tilewright_rtl::pixelflow::array::PixelArray;
 use tilewright_rtl::pixelflow::programs::Edges;
-use tilewright_scenes::Size;
+use tilewright_scenes::{Field, Size};
 
 use super::costs::{Costs, Ticks};
 use super::latency::Nodes;
-use super::screen::Screen;
+use super::screen::{Pattern, Screen};
 
 /// What a machine is built for.
 ///
@@ -21,8 +21,10 @@ use super::screen::Screen;
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Config {
-    /// The screen in pixels.
+    /// The picture in pixels.
     pub size: Size,
+    /// Of it that field alone, for an interlaced display.
+    pub field: Option<Field>,
     /// Nodes, of which one holds the frame.
     pub nodes: u32,
     /// Those that shade; the non-texturing system has none.
@@ -51,6 +53,7 @@ impl Config {
     pub fn new(size: Size) -> Config {
         Config {
             size,
+            field: None,
             nodes: 20,
             shaders: 4,
             array: [128, 64],
@@ -94,12 +97,12 @@ impl Config {
         PixelArray::new(width, height)
     }
 
-    /// The screen's regions.
+    /// The regions of the picture, or of its field.
     ///
     /// # Errors
-    /// As [`Config::pixels`].
+    /// As [`Config::pixels`]; or the picture has no odd line.
     pub fn screen(&self) -> Result<Screen, ParameterError> {
         self.pixels()?;
-        Ok(Screen::new(self.size, self.array))
+        Screen::sampled(self.size, self.field.map_or(Pattern::ALL, Pattern::field), self.array)
     }
 }

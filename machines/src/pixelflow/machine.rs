@@ -11,11 +11,15 @@
 //! those of the simulations. Two things take other time than in a whole [`Node`](tilewright_rtl::pixelflow::node::Node): a region's instructions
 //! come when the one before is given, some ten clocks late; and the network is set for its next word at once.
 
+mod holder;
+
+use std::ops::Range;
+
 use tilewright_rtl::parameter::ParameterError;
 use tilewright_rtl::pixelflow::array::PixelArray;
 use tilewright_scenes::deferred::{Deferred, Samples, Shading};
 use tilewright_scenes::golden::average_eight;
-use tilewright_scenes::{Frame as Picture, Polygons, Size};
+use tilewright_scenes::{Frame as Picture, Polygons, Projection, Size};
 use tilewright_sim::EngineKind;
 
 use super::config::Config;
@@ -23,10 +27,11 @@ use super::costs::{Ticks, ticks};
 use super::hardware::{Access, Node, TextureLookUp, Way, Words};
 use super::model::Done;
 use super::report::Report;
-use super::works::Works;
+use super::works::{Drawing, Works};
 use crate::error::Error;
 use crate::run::Watch;
 use crate::threads::each_mut;
+use holder::Holder;
 
 /// What progress and errors call a frame.
 const PHASE: &str = "drawing";
@@ -82,6 +87,10 @@ impl Machine {
             let problem = "eight samples that are shaded once: the hardware of this machine shades each of them";
             return Err(ParameterError(problem.to_owned()).into());
         }
+        if deferred.samples != Samples::One && self.config.field.is_some() {
+            let problem = "eight samples of a field: where each of them is shaded, this machine draws whole frames";
+            return Err(ParameterError(problem.to_owned()).into());
+        }
         self.check(deferred.size)?;
         let mut drawn = Vec::new();
         for pass in &deferred.passes {
@@ -111,7 +120,28 @@ impl Machine {
         watch: &mut Watch,
     ) -> Result<(Picture, Report), Error> {
         self.check(polygons.size)?;
-        let works = Works::resident(&self.config, polygons, background)?;
+        let works = Works::resident(&self.config, &[Drawing::of(&self.config, &polygons.polygons)], background)?;
+        self.run(&works, watch)
+    }
+
+    /// The same with eight samples of a pixel, one after another: the two passes of [`project_samples`](tilewright_scenes::project_samples). The node
+    /// that holds the frame adds them up.
+    ///
+    /// # Errors
+    /// As [`Machine::render_resident`]; [`Error::Parameter`] also if there are not two passes.
+    pub fn render_resident_samples(
+        &self,
+        passes: &[Projection],
+        background: [u8; 3],
+        watch: &mut Watch,
+    ) -> Result<(Picture, Report), Error> {
+        let sizes: Vec<_> = passes.iter().map(|pass| [pass.size.width(), pass.size.height()]).collect();
+        let doubled = [2 * self.config.size.width(), 2 * self.config.size.height()];
+        if sizes != [doubled; 2] {
+            let problem = format!("eight samples are two passes of {}x{} pixels each", doubled[0], doubled[1]);
+            return Err(ParameterError(problem).into());
+        }
+        let works = Works::resident(&self.config, &Drawing::eight(&self.config, passes), background)?;
         self.run(&works, watch)
     }
 
@@ -125,16 +155,17 @@ impl Machine {
 
     fn run(&self, works: &Works, watch: &mut Watch) -> Result<(Picture, Report), Error> {
         let mut run = Run::new(self, works)?;
-        for region in 0..works.regions() {
-            run.region(region)?;
+        for turn in 0..works.turns() {
+            run.turn(turn)?;
             let time = run.network * TICK;
-            watch.go_on(PHASE, (region + 1) as f64 / works.regions() as f64, time)?;
+            watch.go_on(PHASE, (turn + 1) as f64 / works.turns() as f64, time)?;
         }
         run.finish()?;
         let picture = works.picture(&run.colours);
         let shaders = run.shaders.iter().map(|shader| shader.node.busy()).collect();
         let busy = [run.rasterizers.iter().map(Node::busy).collect(), shaders];
-        Ok((picture, Report::new(&self.config, works, run.done, busy)))
+        let holder = run.holder.as_ref().map(Holder::busy);
+        Ok((picture, Report { holder, ..Report::new(&self.config, works, run.done, busy) }))
     }
 }
 
@@ -151,6 +182,8 @@ struct Run<'a> {
     works: &'a Works,
     rasterizers: Vec<Node>,
     shaders: Vec<Shader>,
+    /// Who holds the frame, if its array has something to do.
+    holder: Option<Holder>,
     forth: Way,
     back: Way,
     /// The number of nodes, and the pixels of a chip.
@@ -160,8 +193,9 @@ struct Run<'a> {
     network: Ticks,
     returns: Ticks,
     written: Ticks,
-    /// When each region was where.
+    /// When each turn was where, and when each region's colours were in the frame buffer's memory.
     done: Vec<Done>,
+    loaded: Vec<Ticks>,
     /// What the frame buffer got.
     colours: Vec<Words>,
 }
@@ -178,14 +212,16 @@ impl<'a> Run<'a> {
                 let textures = works.textures.iter().map(AsRef::as_ref);
                 node = node.with_textures(TextureLookUp::new(&array, textures, engine)?);
             }
-            node.run(&works.first_of_shader())?;
+            node.run(&Works::first(0))?;
             Ok::<Shader, Error>(Shader { node, place: (1 + roles.rasterizers + number) as usize })
         };
+        let holder = works.adds().then(|| Holder::new(&array, engine, config.side_by_side)).transpose()?;
         Ok(Run {
             config,
             works,
             rasterizers: nodes,
             shaders: (0..shaders).zip(rest).map(shader).collect::<Result<_, _>>()?,
+            holder,
             forth: Way::new(&array, config.nodes as usize, engine)?,
             back: Way::new(&array, config.nodes as usize, engine)?,
             nodes: config.nodes as usize,
@@ -194,24 +230,26 @@ impl<'a> Run<'a> {
             returns: 0,
             written: 0,
             done: Vec::new(),
+            loaded: Vec::new(),
             colours: Vec::new(),
         })
     }
 
-    /// The next region: it is drawn; then the one before is composed and shaded, and the network is told when it has this one.
-    fn region(&mut self, region: usize) -> Result<(), Error> {
+    /// The next turn: it is drawn; then the one before is composed and shaded, and the network is told when it has this one.
+    fn turn(&mut self, turn: usize) -> Result<(), Error> {
         each_mut(&mut self.rasterizers, |number, node| {
-            node.run(self.works.program(number, region))?;
+            node.run(self.works.program(number, turn))?;
             node.finish()
         })?;
-        if region > 0 {
-            self.compose(region - 1)?;
+        if turn > 0 {
+            self.compose(turn - 1)?;
         }
-        let bank = region % 2;
+        let bank = turn % 2;
         let rasterized = self.rasterizers.iter().map(|node| node.given(bank)).max().unwrap_or(0);
-        let taken = match self.shader_of(region) {
-            Some(shader) => self.shaders[shader].node.given(0),
-            None => self.stored(region),
+        let taken = match (self.shader_of(turn), &mut self.holder) {
+            (Some(shader), _) => self.shaders[shader].node.given(0),
+            (None, Some(holder)) => holder.awaits(self.works, turn)?,
+            (None, None) => self.stored(),
         };
         let bytes = self.works.bytes();
         let begin = rasterized.max(self.network).max(taken) + self.config.set_up;
@@ -239,73 +277,103 @@ impl<'a> Run<'a> {
         if self.works.is_shaded() { 1 } else { self.rasterizers.len() }
     }
 
-    fn shader_of(&self, region: usize) -> Option<usize> {
-        region.checked_rem(self.shaders.len())
+    fn shader_of(&self, turn: usize) -> Option<usize> {
+        self.works.shader_of(turn, self.shaders.len())
     }
 
-    /// When the frame buffer has a bank for what is sent next: it has two.
-    fn stored(&self, region: usize) -> Ticks {
-        region.checked_sub(2).map_or(0, |before| self.done[before].loaded.end)
+    /// When the frame buffer has a bank for the colours that are sent next: it has two.
+    fn stored(&self) -> Ticks {
+        self.loaded.len().checked_sub(2).map_or(0, |before| self.loaded[before])
     }
 
-    /// Composes a region whose words have all gone, and shades it.
-    fn compose(&mut self, region: usize) -> Result<(), Error> {
+    /// Composes a region whose words have all gone, and shades it, or adds it to other samples.
+    fn compose(&mut self, turn: usize) -> Result<(), Error> {
         let gone: Vec<Words> =
-            self.rasterizers.iter_mut().map(|node| node.sent(region % 2).expect("its words have gone")).collect();
-        match self.shader_of(region) {
+            self.rasterizers.iter_mut().map(|node| node.sent(turn % 2).expect("its words have gone")).collect();
+        match self.shader_of(turn) {
             None => {
                 let last = self.nodes - 1;
                 let mut own: Vec<_> =
                     gone.iter().enumerate().map(|(number, words)| (last - 1 - number, words)).collect();
                 own.reverse();
                 let came = self.back.send(&own, last)?;
-                self.colours.push(came);
-                let end = self.done[region].composed.end;
-                self.load(region, end);
+                self.hold(turn, came)?;
             }
             Some(number) => {
                 let own: Vec<_> = gone.iter().enumerate().map(|(number, words)| (1 + number, words)).collect();
                 let shader = &mut self.shaders[number];
                 let came = self.forth.send(&own, shader.place)?;
-                let from = self.done[region].composed.start + (shader.place - 1) as Ticks;
+                let arrives = self.done[turn].composed.clone();
+                let [from, to] = [arrives.start, arrives.end].map(|time| time + (shader.place - 1) as Ticks);
                 shader.node.access(Access { from, bank: 0, bytes: self.works.bytes(), comes: Some(came) });
-                let shaded = shader.node.run(self.works.shading())?;
-                self.send(region, number, shaded);
+                let shaded = shader.node.run(self.works.shading(turn))?;
+                self.worked(turn, to..shaded);
+                if self.works.ends(turn) {
+                    self.send(turn, number, shaded);
+                }
             }
         }
         Ok(())
     }
 
+    /// Words come to the node that holds the frame.
+    fn hold(&mut self, turn: usize, came: Words) -> Result<(), Error> {
+        let Range { start, end } = self.done[turn].composed;
+        let Some(holder) = &mut self.holder else {
+            self.colours.push(came);
+            self.load(turn, end);
+            return Ok(());
+        };
+        let way = self.rasterizers.len() as Ticks;
+        let added = holder.add(self.works, turn, start + way, came)?;
+        self.worked(turn, end + way..added);
+        if self.works.ends(turn) {
+            let loaded = self.load(turn, added);
+            if let Some(holder) = &mut self.holder {
+                holder.take(turn, added, loaded);
+            }
+        }
+        Ok(())
+    }
+
+    /// A shader, or the frame's holder, had the words of a turn, and has worked on them; so far nothing goes on from there.
+    fn worked(&mut self, turn: usize, shaded: Range<Ticks>) {
+        let nothing = shaded.end..shaded.end;
+        let done = &mut self.done[turn];
+        (done.shaded, done.sent, done.loaded) = (shaded, nothing.clone(), nothing);
+    }
+
     /// Lets a shader's colours go to the frame buffer, once the network is free.
-    fn send(&mut self, region: usize, shader: usize, shaded: Ticks) {
-        let begin = shaded.max(self.returns).max(self.stored(region)) + self.config.set_up;
+    fn send(&mut self, turn: usize, shader: usize, shaded: Ticks) {
+        let begin = shaded.max(self.returns).max(self.stored()) + self.config.set_up;
         let bytes = Works::COLOUR;
         let end = begin + bytes * self.pixels;
         self.returns = end;
         self.shaders[shader].node.access(Access { from: begin, bank: 1, bytes, comes: None });
-        let done = &mut self.done[region];
-        let arrived = done.composed.end + (self.shaders[shader].place - 1) as Ticks;
-        (done.shaded, done.sent) = (arrived..shaded, begin..end);
-        self.load(region, end);
+        self.done[turn].sent = begin..end;
+        self.load(turn, end);
     }
 
-    fn load(&mut self, region: usize, sent: Ticks) {
+    /// Colours that the frame buffer has go to its memory; gives the tick by which they are there.
+    fn load(&mut self, turn: usize, sent: Ticks) -> Ticks {
         let begin = sent.max(self.written);
         self.written = begin + ticks(self.config.costs.load * self.works.part_of_whole_array());
-        self.done[region].loaded = begin..self.written;
+        self.done[turn].loaded = begin..self.written;
+        self.loaded.push(self.written);
+        self.written
     }
 
-    /// The last region's way, and all colours to the frame buffer.
+    /// The last turn's way, and all colours to the frame buffer.
     fn finish(&mut self) -> Result<(), Error> {
         each_mut(&mut self.rasterizers, |_, node| node.finish())?;
-        let regions = self.works.regions();
-        self.compose(regions - 1)?;
+        let turns = self.works.turns();
+        self.compose(turns - 1)?;
         self.shaders.iter_mut().try_for_each(|shader| shader.node.finish())?;
-        if self.shaders.is_empty() {
-            return Ok(());
+        if let Some(holder) = &mut self.holder {
+            self.colours = holder.taken(self.works)?;
         }
-        for region in 0..regions {
-            let number = region % self.shaders.len();
+        for turn in (0..turns).filter(|turn| self.works.ends(*turn)) {
+            let Some(number) = self.shader_of(turn) else { break };
             let shader = &mut self.shaders[number];
             let sent = shader.node.sent(1).expect("its colours have gone");
             let place = self.nodes - 1 - shader.place;

@@ -37,7 +37,7 @@ pub use machine::Machine;
 pub use model::{Done, Frame, FrontEnd, Pass, Resident, Shading, Timeline, Turn};
 pub use packets::Corner;
 pub use report::{NodeReport, Report, Stage};
-pub use screen::Screen;
+pub use screen::{Pattern, Screen};
 pub use simulated::{Choices, Shades, Simulated};
 pub use triangles::Triangles;
 pub use workload::{Boxes, Place, Share, Workload};

@@ -4,7 +4,7 @@ use tilewright_rtl::pixelflow::programs::{Appearance, Expression, Surface};
 use tilewright_scenes::deferred::AppearancePacket;
 use tilewright_scenes::{Edge, Packet, Plane};
 
-/// A region's upper left pixel, x and y, from which a packet's expressions count.
+/// A region's upper left pixel, from which a packet's expressions count.
 ///
 /// ```
 /// use tilewright_machines::pixelflow::Corner;
@@ -13,14 +13,24 @@ use tilewright_scenes::{Edge, Packet, Plane};
 /// let corner = |x: i32, y: i32| ScreenVertex { x: 16 * x, y: 16 * y, z: 500, rgb: [9; 3] };
 /// let triangle = set_up(&[corner(128, 64), corner(140, 64), corner(128, 80)], Size::new(256, 128)?).expect("it has an area");
 /// // The left edge: x is 0 or more in the region that begins there.
-/// let edges = Corner([128, 64]).edges(&triangle);
+/// let edges = Corner::of([128, 64]).edges(&triangle);
 /// assert!(edges.iter().any(|edge| edge.b == 0 && edge.a > 0 && (0..edge.a).contains(&edge.c)));
 /// # Ok::<(), tilewright_scenes::SceneError>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Corner(pub [u32; 2]);
+pub struct Corner {
+    /// Where it is in the picture, x and y.
+    pub at: [u32; 2],
+    /// The picture's columns and lines from a pixel of the region to the next.
+    pub step: [u32; 2],
+}
 
 impl Corner {
+    /// That of a region of all pixels.
+    pub fn of(at: [u32; 2]) -> Corner {
+        Corner { at, step: [1, 1] }
+    }
+
     /// Its edges.
     pub fn edges<E: AsRef<[Edge]>>(self, packet: &Packet<E>) -> Vec<Expression> {
         packet.edges.as_ref().iter().map(|edge| self.edge(edge)).collect()
@@ -45,14 +55,15 @@ impl Corner {
 
     fn edge(self, &Edge { a, b, c }: &Edge) -> Expression {
         let [a, b, c] = [a, b, c].map(i64::from);
-        let [x, y] = self.0.map(i64::from);
-        Expression { a, b, c: c + a * x + b * y }
+        let ([x, y], [across, down]) = (self.at.map(i64::from), self.step.map(i64::from));
+        Expression { a: a * across, b: b * down, c: c + a * x + b * y }
     }
 
     /// Modulo 2^64 here, of which the plane's own bits count.
     fn plane(self, plane: &Plane) -> Expression {
-        let [x, y] = self.0.map(u64::from);
+        let ([x, y], [across, down]) = (self.at.map(u64::from), self.step.map(u64::from));
         let c = plane.origin.wrapping_add(plane.x.wrapping_mul(x)).wrapping_add(plane.y.wrapping_mul(y));
-        Expression { a: plane.x as i64, b: plane.y as i64, c: c as i64 }
+        let [a, b] = [plane.x.wrapping_mul(across), plane.y.wrapping_mul(down)];
+        Expression { a: a as i64, b: b as i64, c: c as i64 }
     }
 }

@@ -2,6 +2,8 @@
 
 use serde::Serialize;
 use std::fmt;
+use std::ops::Range;
+use tilewright_scenes::Field;
 
 use super::config::Config;
 use super::costs::{Ticks, milliseconds, ticks};
@@ -16,6 +18,9 @@ pub struct Report {
     pub system: System,
     /// Columns and rows of pixels.
     pub size: [u32; 2],
+    /// `even` or `odd`: each second line of the picture, of which those are the pixels.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub field: Option<&'static str>,
     /// Samples of a pixel.
     pub samples: u32,
     /// Nodes, with the one that holds the frame.
@@ -26,14 +31,25 @@ pub struct Report {
     pub rasterizers: Vec<NodeReport>,
     /// Each node that shaded.
     pub shaders: Vec<NodeReport>,
+    /// Clocks of 10 ns in which the array of the node that holds the frame had an instruction, where it adds up samples.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub holder: Option<u64>,
     /// Primitives, and how often one is in a region.
     pub primitives: usize,
     /// Likewise.
     pub drawn: usize,
     /// The front end of the rasterizer with most primitives, by the paper's cost of each, in ticks of 5 ns.
     pub front: Ticks,
-    /// When each region was where, in ticks from the first instruction on.
+    /// When each region, or each sample of one, was where, in ticks from the first instruction on.
     pub turns: Vec<Done>,
+}
+
+/// A field by its name.
+fn field_name(field: Field) -> &'static str {
+    match field {
+        Field::Even => "even",
+        Field::Odd => "odd",
+    }
 }
 
 /// What a node did.
@@ -70,14 +86,16 @@ impl Report {
         let rasterizer = |(&primitives, busy)| NodeReport { primitives, busy };
         Report {
             system,
-            size: [config.size.width(), config.size.height()],
-            samples: 1,
+            size: [works.size().width(), works.size().height()],
+            field: config.field.map(field_name),
+            samples: works.samples() as u32,
             nodes: config.nodes,
             array: config.array,
             rasterizers: works.primitives.iter().zip(rasterizers).map(rasterizer).collect(),
             shaders: shaders.into_iter().map(|busy| NodeReport { primitives: 0, busy }).collect(),
+            holder: None,
             primitives: works.primitives.iter().sum(),
-            drawn: works.drawn.iter().sum(),
+            drawn: works.drawn,
             front: ticks(costs.overhead + transforms * most),
             turns,
         }
@@ -86,7 +104,7 @@ impl Report {
     /// Of a rendering and another one behind it, whose instructions follow from the same front end.
     pub(super) fn and_then(self, next: Report) -> Report {
         let later = self.back();
-        let moved = |range: std::ops::Range<Ticks>| later + range.start..later + range.end;
+        let moved = |range: Range<Ticks>| later + range.start..later + range.end;
         let moved = |Done { rasterized, composed, shaded, sent, loaded }: Done| {
             let [composed, shaded, sent, loaded] = [composed, shaded, sent, loaded].map(moved);
             Done { rasterized: later + rasterized, composed, shaded, sent, loaded }
@@ -131,20 +149,25 @@ impl Report {
     /// The stages behind the front end, in their order.
     pub fn stages(&self) -> Vec<Stage> {
         let longest = |nodes: &[NodeReport]| 2 * nodes.iter().map(|node| node.busy).max().unwrap_or(0);
-        let (Some(first), Some(last)) = (self.turns.first(), self.turns.last()) else { return Vec::new() };
-        let sum = |of: fn(&Done) -> &std::ops::Range<Ticks>| -> Ticks {
-            self.turns.iter().map(|turn| of(turn).end - of(turn).start).sum()
+        let Some(last) = self.turns.last() else { return Vec::new() };
+        let stage = |name, busy, of: fn(&Done) -> &Range<Ticks>| {
+            // Not all turns have all stages.
+            let from = self.turns.iter().map(of).find(|range| !range.is_empty()).map_or(0, |range| range.start);
+            Stage { name, busy, from, to: of(last).end }
         };
-        let stage = |name, busy, from, to| Stage { name, busy, from, to };
-        let mut stages = vec![
-            stage("rasterizing", longest(&self.rasterizers), 0, last.rasterized),
-            stage("composing", sum(|it| &it.composed), first.composed.start, last.composed.end),
-        ];
-        if !self.shaders.is_empty() {
-            stages.push(stage("shading", longest(&self.shaders), first.shaded.start, last.shaded.end));
-            stages.push(stage("sending colours", sum(|it| &it.sent), first.sent.start, last.sent.end));
+        let in_turn = |name, of: fn(&Done) -> &Range<Ticks>| {
+            stage(name, self.turns.iter().map(|turn| of(turn).end - of(turn).start).sum(), of)
+        };
+        let rasterizing = Stage { name: "rasterizing", busy: longest(&self.rasterizers), from: 0, to: last.rasterized };
+        let mut stages = vec![rasterizing, in_turn("composing", |it| &it.composed)];
+        if let Some(clocks) = self.holder {
+            stages.push(stage("adding samples", 2 * clocks, |it| &it.shaded));
         }
-        stages.push(stage("frame buffer", sum(|it| &it.loaded), first.loaded.start, last.loaded.end));
+        if !self.shaders.is_empty() {
+            stages.push(stage("shading", longest(&self.shaders), |it| &it.shaded));
+            stages.push(in_turn("sending colours", |it| &it.sent));
+        }
+        stages.push(in_turn("frame buffer", |it| &it.loaded));
         stages
     }
 
@@ -164,10 +187,14 @@ impl fmt::Display for Report {
             System::Base => "base system, deferred shading",
             System::PreSort => "pre-sorting system, deferred shading",
         };
+        let field = self.field.map_or_else(String::new, |field| format!(" of the {field} field"));
         let samples = if self.samples > 1 { format!(" of {} samples", self.samples) } else { String::new() };
         let shading = if shade > 0 { format!(", {shade} shade") } else { String::new() };
         let regions = self.turns.len();
-        writeln!(f, "PixelFlow, {system}: {width}x{height} pixels{samples} in {regions} regions of {across}x{down},")?;
+        writeln!(
+            f,
+            "PixelFlow, {system}: {width}x{height} pixels{field}{samples} in {regions} regions of {across}x{down},"
+        )?;
         writeln!(f, "{} nodes: {rasterize} rasterize{shading}, one holds the frame", self.nodes)?;
         writeln!(f, "{} primitives, {} in regions", self.primitives, self.drawn)?;
         writeln!(f, "\n{:<16}{:>10}{:>10}{:>10}", "stage", "busy us", "from us", "to us")?;
@@ -188,6 +215,10 @@ impl fmt::Display for Report {
             let primitives = if name.starts_with('s') { String::new() } else { primitives.to_string() };
             let part = 200.0 * *busy as f64 / self.back().max(1) as f64;
             writeln!(f, "{name:<16}{primitives:>10}{busy:>12}{part:>6.1} %")?;
+        }
+        if let Some(busy) = self.holder {
+            let part = 200.0 * busy as f64 / self.back().max(1) as f64;
+            writeln!(f, "{:<16}{:>10}{busy:>12}{part:>6.1} %", "frame's holder", "")?;
         }
         write!(f, "The frame takes {:.3} ms.", milliseconds(self.latency()))
     }

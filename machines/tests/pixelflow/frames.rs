@@ -22,7 +22,7 @@ fn frames_are_the_golden_ones() {
         let corners = (0..height / REGION[1]).flat_map(|y| (0..width / REGION[0]).map(move |x| [16 * x, 8 * y]));
         for corner in corners {
             let drawn = deferred.passes[0].packets.iter().flat_map(|packet| {
-                let (at, region) = (Corner(corner), Region { size: REGION, edges: Edges::Least });
+                let (at, region) = (Corner::of(corner), Region { size: REGION, edges: Edges::Least });
                 programs::appearance(region, WORDS, &at.edges(&packet.triangle), &at.appearance(packet))
             });
             let program = [programs::clear(WORD, appearance::BYTES), drawn.collect(), programs::covered(WORD)].concat();

@@ -18,14 +18,19 @@ const BACKGROUND: [u8; 3] = [7, 80, 255];
 struct Tested {
     corner: [u32; 2],
     size: [u32; 2],
+    /// Columns and lines of the screen from a pixel to the next.
+    stride: [u32; 2],
     step: usize,
 }
 
 const SCREEN: [u32; 2] = [512, 256];
-const REGIONS: [Tested; 3] = [
-    Tested { corner: [24, 16], size: [8, 8], step: 1 },
-    Tested { corner: [240, 252], size: [16, 4], step: 1 },
-    Tested { corner: [128, 64], size: [128, 64], step: 17 },
+const REGIONS: [Tested; 6] = [
+    Tested { corner: [24, 16], size: [8, 8], stride: [1, 1], step: 1 },
+    Tested { corner: [240, 252], size: [16, 4], stride: [1, 1], step: 1 },
+    Tested { corner: [128, 64], size: [128, 64], stride: [1, 1], step: 17 },
+    Tested { corner: [25, 16], size: [8, 8], stride: [2, 2], step: 1 },
+    Tested { corner: [24, 17], size: [16, 8], stride: [1, 2], step: 1 },
+    Tested { corner: [1, 3], size: [128, 64], stride: [3, 3], step: 17 },
 ];
 
 impl Tested {
@@ -35,7 +40,12 @@ impl Tested {
     }
 
     fn number(self, [x, y]: [u32; 2]) -> usize {
-        ((self.corner[1] + y) * SCREEN[0] + self.corner[0] + x) as usize
+        let [across, down] = self.stride;
+        ((self.corner[1] + down * y) * SCREEN[0] + self.corner[0] + across * x) as usize
+    }
+
+    fn at(self) -> Corner {
+        Corner { at: self.corner, step: self.stride }
     }
 }
 
@@ -46,7 +56,7 @@ fn screen() -> Size {
 /// Vertices in the region, about it, and at the ends of the guard band; values that often are those of others.
 fn vertices(region: Tested) -> impl Strategy<Value = [AppearanceVertex; 3]> {
     let place = move |axis: usize| {
-        let (first, side) = (16 * region.corner[axis] as i32, 16 * region.size[axis] as i32);
+        let (first, side) = (16 * region.corner[axis] as i32, (16 * region.size[axis] * region.stride[axis]) as i32);
         prop_oneof![4 => first..first + side, 3 => first - side..first + 2 * side, 1 => Just(-32_768), 1 => Just(32_767)]
     };
     let z = prop_oneof![4 => Just(900_u32), 2 => 899..902_u32, 1 => Just(1), 1 => Just((1 << 24) - 3), 2 => 1..(1_u32 << 24) - 2];
@@ -95,7 +105,7 @@ proptest! {
         let expected = golden::visible(screen(), &packets);
         for form in FORMS {
             let draw = |packets: &mut dyn Iterator<Item = &AppearancePacket>| {
-                let corner = Corner(region.corner);
+                let corner = region.at();
                 let drawn = packets.flat_map(|packet| {
                     let edges = corner.edges(&packet.triangle);
                     programs::appearance(Region { size: region.size, edges: form }, WORDS, &edges, &corner.appearance(packet))
@@ -117,7 +127,7 @@ proptest! {
         let triangles: Vec<Triangle> = packets.into_iter().map(|packet| packet.triangle).collect();
         let expected = golden::render(screen(), &triangles, BACKGROUND);
         for form in FORMS {
-            let corner = Corner(region.corner);
+            let corner = region.at();
             let drawn = triangles.iter().rev().flat_map(|triangle| {
                 programs::gouraud(Region { size: region.size, edges: form }, WORDS, &corner.edges(triangle), &corner.surface(triangle))
             });

@@ -2,7 +2,7 @@
 
 use proptest::prelude::*;
 use tilewright_scenes::deferred::{Samples, project_deferred};
-use tilewright_scenes::{Scene, Size, compare, golden, project_polygons};
+use tilewright_scenes::{Field, Scene, Size, compare, golden, project_polygons, project_samples};
 
 use super::*;
 
@@ -63,6 +63,53 @@ fn eight_samples_are_the_golden_image() {
     assert!(report.turns.windows(2).all(|pair| pair[0].loaded.end <= pair[1].loaded.start));
     let once = machine.render(&eight(Shading::OncePerPixel), &mut Watch::default());
     assert!(once.is_err_and(|error| error.to_string().contains("shades each of them")));
+}
+
+#[test]
+fn a_field_is_each_second_line_of_the_golden_image() {
+    // Of an odd number of lines, in both systems.
+    let size = Size::new(20, 27).unwrap();
+    let scene = Scene::builtin("star").unwrap();
+    let deferred = project_deferred(&scene, size, Samples::One).unwrap();
+    let polygons = project_polygons(&scene, size).unwrap();
+    let resident = golden::render(size, &polygons.polygons, scene.background);
+    for (field, lines) in [(Field::Even, 14), (Field::Odd, 13)] {
+        let config = |nodes, shaders| Config { field: Some(field), ..config(size, nodes, shaders) };
+        let machine = Machine::new(config(4, 1)).unwrap();
+        let (frame, report) = machine.render(&deferred, &mut Watch::default()).unwrap();
+        assert_eq!(compare(&frame, &field.lines(&golden::render_deferred(&deferred)).unwrap()).differing, 0);
+        assert_eq!((report.size, report.turns.len()), ([20, lines], 4));
+        let machine = Machine::new(config(3, 0)).unwrap();
+        let (frame, _) = machine.render_resident(&polygons, scene.background, &mut Watch::default()).unwrap();
+        assert_eq!(compare(&frame, &field.lines(&resident).unwrap()).differing, 0);
+    }
+}
+
+#[test]
+fn eight_samples_one_after_another_are_the_golden_image() {
+    let size = Size::new(44, 27).unwrap();
+    let scene = Scene::builtin("star").unwrap();
+    let passes = project_samples(&scene, size, Samples::Eight(Shading::EachSample)).unwrap();
+    let golden = golden::render_samples(&passes, scene.background);
+    for (nodes, field) in [(2, None), (5, None), (4, Some(Field::Odd))] {
+        let machine = Machine::new(Config { field, ..config(size, nodes, 0) }).unwrap();
+        let draw = |passes| machine.render_resident_samples(passes, scene.background, &mut Watch::default());
+        let (frame, report) = draw(&passes).unwrap();
+        let golden = field.map_or(golden.clone(), |field| field.lines(&golden).unwrap());
+        assert_eq!(compare(&frame, &golden).differing, 0, "{nodes} nodes");
+        let regions = if field.is_none() { 12 } else { 6 };
+        assert_eq!((report.turns.len(), report.samples), (8 * regions, 8));
+        // The memory of the frame gets the last sample's, one region behind the other.
+        let (added, written) = report.turns.split_at(7 * regions);
+        assert!(added.iter().all(|turn| turn.loaded.is_empty() && turn.shaded.start >= turn.composed.end));
+        assert!(written.windows(2).all(|pair| pair[0].loaded.end <= pair[1].loaded.start));
+        // The network does not wait between two regions of a sample: 7 bytes of 32 pixels of a chip.
+        for sample in report.turns.chunks(regions) {
+            assert!(sample.windows(2).all(|pair| pair[0].composed.end == pair[1].composed.start));
+            assert!(sample.iter().all(|turn| turn.composed.end - turn.composed.start == 7 * 32));
+        }
+        assert!(draw(&passes[..1]).is_err_and(|error| error.to_string().contains("two passes of 88x54")));
+    }
 }
 
 /// Sides of arrays.

@@ -63,6 +63,8 @@ fn table() -> Vec<Row> {
         ("behind it", shading.after_texture(), [673, 673], ""),
         ("all", shading.program(), [3286, 3286], "paper 11040"),
         ("all, without textures", Shading { shader: &untextured, ..shading }.program(), [2188, 2188], ""),
+        ("a sample to sums", add_sample(bank(0), 0), [9, 9], ""),
+        ("mean of eight", average(0, bank(0)), [18, 18], ""),
     ]
 }
 
@@ -187,6 +189,31 @@ proptest! {
         pixel.run(&w.0, 0, 0);
         let exact: i32 = unit.iter().zip(direction).map(|(n, d)| i32::from(*n) * i32::from(d)).sum();
         prop_assert_eq!(number(&pixel, LIT) as i32, (exact >> 8).clamp(0, 4095));
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(1000) })]
+
+    #[test]
+    fn means_of_eight_are_rounded(colours: [[u8; 3]; 8], ends: [bool; 8], sums in 0..250_u64) {
+        let colours: Vec<[u8; 3]> = colours.iter().zip(ends).map(|(own, end)| if end { [255, own[1], 0] } else { *own }).collect();
+        let colour = bank(1) + 4;
+        let mut pixel = littered();
+        pixel.run(&begin_sums(sums), 0, 0);
+        for own in &colours {
+            pixel.memory[colour as usize..][..3].copy_from_slice(own);
+            pixel.run(&add_sample(colour, sums), 0, 0);
+        }
+        pixel.run(&average(sums, colour), 0, 0);
+        for channel in 0..3 {
+            let sum: u32 = colours.iter().map(|own| u32::from(own[channel])).sum();
+            prop_assert_eq!(byte(&pixel, colour + channel as u64), (sum + 4) / 8);
+        }
+        // Nothing else is written.
+        let own = [sums..sums + SUM_BYTES, colour..colour + 3];
+        let others = (1..384_u64).filter(|at| !own.iter().any(|range| range.contains(at)));
+        prop_assert!(others.into_iter().all(|at| byte(&pixel, at) == 0xa5));
     }
 }
 

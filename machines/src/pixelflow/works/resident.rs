@@ -1,0 +1,146 @@
+//! All regions in the pixels' memory: words z || rgb.
+
+use tilewright_rtl::parameter::ParameterError;
+use tilewright_rtl::pixelflow::fields::{Field, bank, gouraud, texture};
+use tilewright_rtl::pixelflow::instruction::Instruction;
+use tilewright_rtl::pixelflow::pixel::PixelProcessor;
+use tilewright_rtl::pixelflow::programs::{self, SUM_BYTES, Words as Places};
+use tilewright_scenes::{Edge, Packet, Projection, Size};
+
+use super::{Program, Works, samples_of_eight};
+use crate::error::Error;
+use crate::pixelflow::config::Config;
+use crate::pixelflow::screen::{Pattern, Screen};
+
+/// Samples of a picture that are to be drawn.
+pub(in crate::pixelflow) struct Drawing<'a, E> {
+    pub packets: &'a [Packet<E>],
+    /// The picture, and which of its pixels.
+    pub size: Size,
+    pub pattern: Pattern,
+}
+
+impl<'a, E> Drawing<'a, E> {
+    /// All of a picture, or its field.
+    pub fn of(config: &Config, packets: &'a [Packet<E>]) -> Drawing<'a, E> {
+        Drawing { packets, size: config.size, pattern: config.field.map_or(Pattern::ALL, Pattern::field) }
+    }
+}
+
+impl<'a> Drawing<'a, [Edge; 3]> {
+    /// Each of eight samples, of two pictures at twice the width and height.
+    pub fn eight(config: &Config, passes: &'a [Projection]) -> Vec<Drawing<'a, [Edge; 3]>> {
+        let sample = |(pass, pattern): (usize, Pattern)| {
+            let Projection { size, triangles, .. } = &passes[pass];
+            Drawing { packets: triangles, size: *size, pattern }
+        };
+        samples_of_eight(config).map(sample).collect()
+    }
+}
+
+impl Works {
+    /// With all regions in the pixels' memory, sample after sample.
+    pub fn resident<E: AsRef<[Edge]>>(
+        config: &Config,
+        samples: &[Drawing<'_, E>],
+        background: [u8; 3],
+    ) -> Result<Works, Error> {
+        let mut works = Works::empty(config, config.nodes - 1, [1, samples.len()])?;
+        let (places, scratch) = resident_words();
+        let regions = works.regions();
+        if regions > places.len() {
+            let [width, height] = config.array;
+            let (size, most, bytes) = (works.size(), places.len(), PixelProcessor::BYTES);
+            return Err(ParameterError(format!(
+                "a screen of {size} pixels has {regions} regions of {width}x{height}, and the {bytes} bytes of a pixel have room for {most}, beside those \
+                 that the network sees: take a smaller screen, or a system that works region by region"
+            ))
+            .into());
+        }
+        let hardware = works.hardware(config);
+        for (sample, Drawing { packets, size, pattern }) in samples.iter().enumerate() {
+            let screen = Screen::sampled(*size, *pattern, config.array)?;
+            let boxes = packets.iter().map(|packet| packet.bounds);
+            works.deal(sample, &screen, boxes, |number, region| {
+                let (packet, corner) = (&packets[number], screen.corner(region));
+                let words = Places { kept: places[region], new: scratch };
+                programs::gouraud(hardware, words, &corner.edges(packet), &corner.surface(packet))
+            });
+        }
+        for turns in &mut works.programs {
+            for (sample, regions) in turns.chunks_mut(regions).enumerate() {
+                draw_then_send(sample * regions.len(), regions, &places, background);
+            }
+        }
+        Ok(works)
+    }
+
+    /// What the frame's holder does when words have come: it adds them to the sums of their region, and if that ends it, its colours are the mean.
+    /// They stand where the words did; the bank is given in any case.
+    pub fn holding(&self, turn: usize) -> Program {
+        let (number, sums) = (turn as u64 % 2, self.sums(turn % self.regions()));
+        let colour = bank(number) + gouraud::RGB[2].address;
+        let begin = if turn < self.regions() { programs::begin_sums(sums) } else { Vec::new() };
+        let end = if self.ends(turn) { programs::average(sums, colour) } else { Vec::new() };
+        let wait = vec![programs::await_bank(number)];
+        [begin, wait, programs::add_sample(colour, sums), end, vec![programs::give_bank(number)]].concat()
+    }
+
+    /// What it does when the frame's memory has a bank's colours.
+    pub fn free_again(bank: u64) -> [Instruction<u64>; 2] {
+        [programs::await_bank(bank), programs::give_bank(bank)]
+    }
+
+    /// Where a region's sums are: in memory, and behind it in the texture unit's registers, as it has none.
+    fn sums(&self, region: usize) -> u64 {
+        let in_memory = u64::from(PixelProcessor::REGISTERS) / SUM_BYTES;
+        let Field { address: free, .. } = texture::UV[0];
+        match (region as u64).checked_sub(in_memory) {
+            None => region as u64 * SUM_BYTES,
+            Some(number) => free + number * SUM_BYTES,
+        }
+    }
+}
+
+/// Draws all regions of a sample, and then sends one after another, from a turn on.
+fn draw_then_send(first: usize, regions: &mut [Program], places: &[u64], background: [u8; 3]) {
+    let cleared = places[..regions.len()].iter().flat_map(|place| programs::clear_to(*place, background));
+    let all: Program = cleared.chain(regions.iter_mut().flat_map(std::mem::take)).collect();
+    for (region, program) in regions.iter_mut().enumerate() {
+        let number = (first + region) as u64 % 2;
+        let sent = [
+            vec![programs::await_bank(number)],
+            programs::move_word(places[region], bank(number), gouraud::BYTES),
+            vec![programs::give_bank(number)],
+        ];
+        *program = sent.concat();
+    }
+    regions[0].splice(..0, all);
+}
+
+/// Where the words of each region are, as many as have room beside the network's banks; and room for a new one.
+fn resident_words() -> (Vec<u64>, u64) {
+    let (bytes, registers) = (gouraud::BYTES, u64::from(PixelProcessor::REGISTERS));
+    let memory = (0..registers / bytes).map(|number| number * bytes);
+    let Field { address: free, .. } = texture::UV[0];
+    let more = (0..(u64::from(PixelProcessor::BYTES) - free) / bytes).map(|number| free + number * bytes);
+    let mut places: Vec<u64> = memory.chain(more).collect();
+    let scratch = places.pop().expect("there are some");
+    (places, scratch)
+}
+
+#[cfg(test)]
+#[test]
+fn there_is_room_for_as_many_regions_as_is_said() {
+    let (places, scratch) = resident_words();
+    assert_eq!(places.len(), Config::MOST_REGIONS);
+    assert!(scratch + gouraud::BYTES <= PixelProcessor::BYTES.into());
+    // And for the sums of as many.
+    let size = Size::new(8 * Config::MOST_REGIONS as u32, 8).expect("in range");
+    let config = Config { array: [8, 8], ..Config::new(size) };
+    let works = Works::empty(&config, 1, [1, 8]).expect("there is such a machine");
+    let sums: Vec<u64> = (0..Config::MOST_REGIONS).map(|region| works.sums(region)).collect();
+    assert!(sums.windows(2).all(|pair| pair[0] + SUM_BYTES <= pair[1]));
+    assert!(sums.iter().all(|sum| sum + SUM_BYTES <= bank(0) || *sum >= bank(1) + 32));
+    assert!(sums[sums.len() - 1] + SUM_BYTES <= PixelProcessor::BYTES.into());
+}
