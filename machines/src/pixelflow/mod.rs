@@ -23,6 +23,8 @@ mod packets;
 mod report;
 mod screen;
 mod simulated;
+#[cfg(test)]
+mod whole;
 mod workload;
 mod works;
 
