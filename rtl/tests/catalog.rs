@@ -107,6 +107,13 @@ fn the_node_and_its_parts_show_what_their_scenarios_say() {
         assert_eq!(shown("pixelflow-node", &set, "network_0_downstream_valid"), [0, 1, 0]);
         assert_eq!(shown("pixelflow-node", &set, "held"), [0, 1, 0]);
     }
+    for nodes in [2, 3, 5] {
+        assert_eq!(shown("pixelflow", &[("nodes", nodes)], "off_0_valid"), [0, 1, 0]);
+        assert_eq!(shown("pixelflow", &[("nodes", nodes)], "go_0"), [0, 1, 0]);
+    }
+    // Of equal nodes the last one has at each pixel the lesser of two bytes.
+    let least = shown("network", &[("nodes", 4)], "nodes_3_bytes[0]");
+    assert_eq!(least[..4], [0, 0x10, 0x30, 0x40], "{least:x?}");
     assert_eq!(shown("texture-unit", &[], "done"), [0, 1, 0]);
     assert_eq!(shown("pixelflow-frame-buffer", &[], "shown"), [0, 1]);
     assert_eq!(shown("pixelflow-frame-buffer", &[], "region"), [0, 1, 2, 3, 0]);

@@ -25,6 +25,8 @@ mod report;
 mod screen;
 mod simulated;
 mod triangles;
+#[cfg(test)]
+mod whole;
 mod workload;
 mod works;
 

@@ -12,19 +12,28 @@
 //! Every node has two banks of registers for the network, so it works on a region while the one before is sent, and waits when both are
 //! taken: a rasterizer for the composition of the region before the last, the network for the shader that has not yet looked at its last one.
 //!
+//! How long arrays work, and when they have done with a bank, is of two kinds: by the paper's costs ([`Frame`]), or by the instructions of a frame as the
+//! hardware takes them (`programs`). What circuits add to that is in `delays`, and the paper's systems have none of it.
+//!
 //! A system without sorting has all regions in the pixels' memory: [`Resident`].
 
 use serde::Serialize;
-use std::collections::VecDeque;
 use std::ops::Range;
 
 use super::costs::Ticks;
 use super::workload::{Share, Workload};
+use delays::Delays;
 use rasterizer::Rasterizer;
+use run::{Run, Shaded, Stored};
 
+mod delays;
+mod direction;
+mod programs;
 mod rasterizer;
 mod resident;
+mod run;
 
+pub(super) use programs::{Built, Timing};
 pub use resident::{Pass, Resident};
 
 /// The stages of a region behind the rasterizers.
@@ -117,24 +126,6 @@ impl Timeline {
     }
 }
 
-/// Who is busy until when.
-#[derive(Clone, Default)]
-struct Banks {
-    /// The ends of the last two uses of what follows: a bank is free again when the one before the last has ended.
-    ends: [Ticks; 2],
-}
-
-impl Banks {
-    /// When there is one.
-    fn free(&self) -> Ticks {
-        self.ends[0]
-    }
-
-    fn used_until(&mut self, end: Ticks) {
-        self.ends = [self.ends[1], end];
-    }
-}
-
 impl Frame<'_> {
     /// Lets the frame run.
     ///
@@ -157,23 +148,11 @@ impl Frame<'_> {
     /// assert_eq!(time.latency(), 269 + 5 + 8);
     /// ```
     pub fn run(&self) -> Timeline {
-        let mut run = Run {
-            frame: self,
-            rasterizers: self.rasterizers(),
-            shaders: vec![(0, Banks::default()); self.shaders],
-            network: 0,
-            back: 0,
-            store: Banks::default(),
-            written: 0,
-            turns: Vec::with_capacity(self.turns.len()),
-            waiting: VecDeque::new(),
-        };
-        let front = run.rasterizers.iter().map(Rasterizer::time).collect();
-        self.turns.iter().for_each(|turn| run.turn(turn));
-        while run.send_first(None) {}
-        let [generated, drawn] =
-            [Rasterizer::generated, Rasterizer::drawn].map(|of| run.rasterizers.iter().map(of).collect());
-        Timeline { front, generated, drawn, turns: run.turns }
+        let costs = ByCosts { rasterizers: self.rasterizers(), shaders: vec![0; self.shaders], written: 0 };
+        let front = costs.rasterizers.iter().map(Rasterizer::time).collect();
+        let run = Run::new(costs, Delays::default(), &self.turns, self.one_way).run();
+        let of = |of: fn(&Rasterizer) -> Ticks| run.arrays.rasterizers.iter().map(of).collect();
+        Timeline { front, generated: of(Rasterizer::generated), drawn: of(Rasterizer::drawn), turns: run.done }
     }
 
     /// The rasterizers when their front ends let them begin.
@@ -193,72 +172,61 @@ impl Frame<'_> {
     }
 }
 
-/// A frame that runs.
-struct Run<'a> {
-    frame: &'a Frame<'a>,
-    rasterizers: Vec<Rasterizer>,
-    /// Until when each has work, and its banks.
-    shaders: Vec<(Ticks, Banks)>,
-    /// Until when the network is taken, and until when the other way.
-    network: Ticks,
-    back: Ticks,
-    /// Those of the frame buffer, and until when it writes its memory.
-    store: Banks,
-    written: Ticks,
-    turns: Vec<Done>,
-    /// Turns whose colours are not yet sent.
-    waiting: VecDeque<usize>,
+/// What nodes do with their banks.
+trait Arrays {
+    /// Rasterizers, and shaders.
+    fn counts(&self) -> [usize; 2];
+    /// When each shader gives its bank for words first.
+    fn first_words(&mut self) -> Vec<Ticks>;
+    /// When the holder of the frame gives each of its banks first.
+    fn first_stores(&mut self) -> [Ticks; 2];
+    /// All rasterizers draw a turn, each when its bank is free; when they give it to the network.
+    fn draw(&mut self, number: usize, turn: &Turn, free: &[Ticks]) -> Vec<Ticks>;
+    /// A shader works on what has arrived by then. Its colours of before were sent by that time.
+    fn shade(&mut self, shading: &Shading, arrived: Ticks, sent: Ticks) -> Shaded;
+    /// What has arrived by then goes into the frame buffer's memory.
+    fn load(&mut self, number: usize, turn: &Turn, arrived: Ticks) -> Stored;
 }
 
-impl Run<'_> {
-    fn turn(&mut self, turn: &Turn) {
-        let rasterized = self.rasterizers.iter_mut().map(|it| it.draw(turn.region)).max().unwrap_or(0);
-        let taken = match turn.shades {
-            Some(shading) => self.shaders[shading.shader].1.free(),
-            None => self.store.free(),
-        };
-        // Colours that are there go first.
-        while self.send_first(Some(rasterized.max(taken).max(self.network))) {}
-        let composed = after([rasterized, self.network, taken], turn.composes);
-        self.network = composed.end;
-        self.rasterizers.iter_mut().for_each(|it| it.composed_until(composed.end));
+/// Nodes that take as long as the paper says.
+struct ByCosts {
+    rasterizers: Vec<Rasterizer>,
+    /// Until when each shader works.
+    shaders: Vec<Ticks>,
+    /// Until when the frame buffer's memory is written.
+    written: Ticks,
+}
 
-        let shaded = match turn.shades {
-            None => composed.end..composed.end,
-            Some(Shading { shader, takes, .. }) => {
-                let (busy, banks) = &mut self.shaders[shader];
-                let shaded = after([composed.end, *busy], takes);
-                *busy = shaded.end;
-                banks.used_until(shaded.end);
-                shaded
-            }
-        };
-        let nothing = shaded.end..shaded.end;
-        self.waiting.push_back(self.turns.len());
-        self.turns.push(Done { rasterized, composed, shaded, sent: nothing.clone(), loaded: nothing });
-        if !self.frame.one_way {
-            self.send_first(None);
-        }
+impl Arrays for ByCosts {
+    fn counts(&self) -> [usize; 2] {
+        [self.rasterizers.len(), self.shaders.len()]
     }
 
-    /// Sends the colours that wait first, if they are there by that time; tells whether they were.
-    fn send_first(&mut self, by: Option<Ticks>) -> bool {
-        let is_there = |&number: &usize| by.is_none_or(|by| self.turns[number].shaded.end <= by);
-        let Some(number) = self.waiting.front().copied().filter(is_there) else { return false };
-        self.waiting.pop_front();
-        let (turn, done) = (&self.frame.turns[number], &mut self.turns[number]);
-        let sends = turn.shades.map_or(0, |shading| shading.sends);
-        if sends > 0 {
-            let wires = if self.frame.one_way { &mut self.network } else { &mut self.back };
-            done.sent = after([done.shaded.end, *wires, self.store.free()], sends);
-            *wires = done.sent.end;
-        }
-        done.loaded = after([done.sent.end, self.written], turn.loads);
+    fn first_words(&mut self) -> Vec<Ticks> {
+        vec![0; self.shaders.len()]
+    }
+
+    fn first_stores(&mut self) -> [Ticks; 2] {
+        [0; 2]
+    }
+
+    fn draw(&mut self, _: usize, turn: &Turn, free: &[Ticks]) -> Vec<Ticks> {
+        self.rasterizers.iter_mut().zip(free).map(|(it, free)| it.draw(turn.region, *free)).collect()
+    }
+
+    fn shade(&mut self, &Shading { shader, takes, .. }: &Shading, arrived: Ticks, _: Ticks) -> Shaded {
+        let at = after([arrived, self.shaders[shader]], takes);
+        self.shaders[shader] = at.end;
+        // It has another bank for words than for those that it works on.
+        Shaded { next_word: at.start, at }
+    }
+
+    fn load(&mut self, _: usize, turn: &Turn, arrived: Ticks) -> Stored {
+        let at = after([arrived, self.written], turn.loads);
         if turn.loads > 0 {
-            self.written = done.loaded.end;
-            self.store.used_until(done.loaded.end);
+            self.written = at.end;
         }
-        true
+        Stored { given: at.end, at }
     }
 }
 

@@ -15,7 +15,7 @@ mod resident;
 use std::sync::Arc;
 
 use tilewright_rtl::parameter::ParameterError;
-use tilewright_rtl::pixelflow::fields::{appearance, gouraud};
+use tilewright_rtl::pixelflow::fields::{appearance, bank, gouraud, texture};
 use tilewright_rtl::pixelflow::instruction::Instruction;
 use tilewright_rtl::pixelflow::programs::{self, Region};
 use tilewright_scenes::{PixelBox, Size, Texture};
@@ -158,6 +158,27 @@ impl Works {
     /// What a node does before the first turn that brings it words in a bank.
     pub fn first(bank: u64) -> [Instruction<u64>; 1] {
         [programs::give_bank(bank)]
+    }
+
+    /// What the holder of the frame does before the first one: it has two banks for what comes.
+    pub fn first_of_holder(&self) -> [Instruction<u64>; 2] {
+        [0, 1].map(programs::give_bank)
+    }
+
+    /// What it does for a region: what came goes to its texture port, where the frame buffer's memory is, and the bank is free when that has it.
+    pub fn storing(&self, region: usize) -> Vec<Instruction<u64>> {
+        let number = region as u64 % 2;
+        [
+            vec![programs::await_bank(number)],
+            programs::move_word(bank(number), texture::UV[0].address, self.stored()),
+            vec![programs::start_texture(), programs::await_texture(), programs::give_bank(number)],
+        ]
+        .concat()
+    }
+
+    /// Bytes of a word that comes to the holder of the frame.
+    pub fn stored(&self) -> u64 {
+        if self.is_shaded() { Works::COLOUR } else { self.bytes() }
     }
 
     /// An array's pixels in parts of the paper's.

@@ -43,6 +43,7 @@ pub const ENTRIES: &[Entry] = &[
     pixel_planes::BACKING_STORE,
     pixel_planes::REGION_ALLOCATOR,
     pixel_planes::FRAME_BUFFER,
+    pixelflow::PIXELFLOW,
     pixelflow::NODE,
     pixelflow::COMMAND_DMA,
     pixelflow::ARRAY_CONTROLLER,
@@ -52,6 +53,7 @@ pub const ENTRIES: &[Entry] = &[
     pixelflow::TEXTURE_MEMORY,
     pixelflow::FRAME_BUFFER,
     pixelflow::NETWORK_SEQUENCER,
+    pixelflow::NETWORK,
     pixelflow::NETWORK_PORT,
     pixelflow::COMPOSITOR,
 ];

@@ -1,4 +1,4 @@
-//! The entries of PixelFlow's node and its parts.
+//! The entries of PixelFlow, its node and their parts.
 
 mod scenarios;
 
@@ -12,6 +12,8 @@ use crate::pixelflow::compositor::Compositor;
 use crate::pixelflow::controller::ArrayController;
 use crate::pixelflow::frame_buffer::FrameBuffer;
 use crate::pixelflow::linear_evaluator::LinearEvaluator;
+use crate::pixelflow::machine::{MOST_NODES, PixelFlow};
+use crate::pixelflow::network::Network;
 use crate::pixelflow::network_port::NetworkPort;
 use crate::pixelflow::network_sequencer::NetworkSequencer;
 use crate::pixelflow::node::{LONGEST_SETUP, MOST, Node};
@@ -51,8 +53,19 @@ const DEPTH: Parameter = Parameter {
 };
 const PIXELS: Parameter = Parameter { name: "pixels", default: 4, min: 1, max: 1024, meaning: "pixels of a chip" };
 
+const NODES: Parameter =
+    Parameter { name: "nodes", default: 3, min: 2, max: MOST_NODES as u64, meaning: "nodes on the network" };
+
 /// The bits of a byte.
 const BYTE: u32 = 8;
+
+pub(super) const PIXELFLOW: Entry = Entry {
+    name: "pixelflow",
+    summary: "PixelFlow behind its geometry processors: nodes on a network that composes, in both directions",
+    parameters: &[NODES, LINE, LINES, WORDS, SETUP],
+    design: |values| Ok(elaborate(&machine(values)?)?),
+    scenario: |values| Ok(scenarios::drawn_by_all_and_composed(&machine(values)?)),
+};
 
 pub(super) const NODE: Entry = Entry {
     name: "pixelflow-node",
@@ -126,6 +139,14 @@ pub(super) const NETWORK_SEQUENCER: Entry = Entry {
     scenario: |values| Ok(scenarios::loaded_and_forwarded(&sequencer(values))),
 };
 
+pub(super) const NETWORK: Entry = Entry {
+    name: "network",
+    summary: "connects nodes, in one direction: of each pixel the nearest goes on",
+    parameters: &[NODES, CHIPS, PIXELS],
+    design: |values| Ok(elaborate_at(&network(values), TRANSFER)?),
+    scenario: |values| Ok(scenarios::from_the_first_to_the_last(&network(values))),
+};
+
 pub(super) const NETWORK_PORT: Entry = Entry {
     name: "network-port",
     summary: "connects a node to the network that composes images",
@@ -141,6 +162,10 @@ pub(super) const COMPOSITOR: Entry = Entry {
     design: |values| Ok(elaborate_at(&compositor(values), TRANSFER)?),
     scenario: |values| Ok(scenarios::two_bytes(&compositor(values))),
 };
+
+fn machine(values: &Values) -> Result<PixelFlow, ParameterError> {
+    PixelFlow::new(values.get_u32("nodes"), node(values)?)
+}
 
 fn node(values: &Values) -> Result<Node, ParameterError> {
     let [width, height, words, setup] = ["line", "lines", "words", "setup"].map(|name| values.get_u32(name));
@@ -181,6 +206,10 @@ fn linear_evaluator(values: &Values) -> Result<LinearEvaluator, ParameterError> 
 
 fn pixel(values: &Values) -> PixelProcessor {
     PixelProcessor { depth: values.get_u32("depth") }
+}
+
+fn network(values: &Values) -> Network {
+    Network { nodes: values.get_u32("nodes"), port: network_port(values) }
 }
 
 fn network_port(values: &Values) -> NetworkPort {

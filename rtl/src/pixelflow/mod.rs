@@ -26,6 +26,7 @@
 //!
 //! | file | what is in it |
 //! |---|---|
+//! | [`machine`] | nodes on a network of both directions |
 //! | [`node`] | all of these but the texture unit |
 //! | [`command_dma`] | brings instructions to the array |
 //! | [`array`](mod@array) | controller, evaluator, pixels and communication registers |
@@ -57,6 +58,7 @@ pub mod fields;
 pub mod frame_buffer;
 pub mod instruction;
 pub mod linear_evaluator;
+pub mod machine;
 #[cfg(test)]
 mod model;
 pub mod network;

@@ -14,7 +14,8 @@
 //!
 //! Nobody on the network waits, so nobody may send before all are set. Every node has a job for each word, be it to forward it; when it
 //! has the bank and its set-up is over, it is ready, and the one that loads goes when all are. How long a set-up takes depends on the number of
-//! nodes, and the paper leaves it out (PFL-SETUP): it is a parameter.
+//! nodes, and the paper leaves it out (PFL-SETUP): it is a parameter. Nothing comes to the nodes before the one that loads: each has a job of no
+//! bytes, which ends when all are ready.
 //!
 //! Latency: a job that is taken is ready 3 clocks and the set-up later, if it has its bank; the first byte goes the clock behind `go`, then one a clock, and
 //! the next job is taken the clock behind the last.
@@ -72,7 +73,7 @@ bundle! {
         pub mode: T,
         /// The bank, unless it forwards.
         pub bank: T,
-        /// Bytes of a word, 1 to 32.
+        /// Bytes of a word, 1 to 32; none at a node before the one that loads, which has to be a [`Mode::Forward`].
         pub bytes: T,
     }
 }
@@ -111,19 +112,21 @@ impl NetworkSequencer {
         let bank = m.reg("bank", bits(BANKS)).reset(0);
         let address = m.reg("address", below(NetworkSequencer::BYTES));
         let first = m.reg("first", bit());
+        let empty = m.reg("empty", bit());
 
         net!(has_bank = (*bank & !i.given).eq(0));
         let waited = m.reg("waited", up_to(self.setup.max(1)));
         net!(is_set = waited.eq(self.setup));
         net!(loads = mode.is(Mode::Load));
         net!(byte_ends = i.advances & i.pixel.eq(self.pixels - 1));
-        net!(ends = byte_ends & address.eq(0));
+        net!(ends = (byte_ends & address.eq(0)) | (phase.is(Phase::Ready) & *empty & i.go));
 
         net!(needs = mux(next.mode.is(Mode::Forward), 0, concat(&[next.bank, !next.bank])));
         mode.when(next.taken, next.mode).when(ends, Mode::Forward);
         bank.when(next.taken, needs).when(ends, 0);
         address.when(next.taken, (next.bytes - 1).trunc(below(NetworkSequencer::BYTES))).when(byte_ends, address - 1);
         first.when(next.taken, 1).when(byte_ends, 0);
+        empty.when(next.taken, next.bytes.eq(0));
         waited.when(phase.is(Phase::Bank), 0).otherwise(waited + 1);
         phase
             .when(next.taken, Phase::Bank)
@@ -135,7 +138,8 @@ impl NetworkSequencer {
         net!(ready = phase.is(Phase::Ready));
         net!(sends = phase.is(Phase::Sends));
         let state = |holds: Signal, message| m.assume(next.taken.implies(holds), message);
-        state(next.bytes.ne(0) & next.bytes.le(NetworkSequencer::BYTES), "a word has 1 to 32 bytes");
+        state(next.bytes.le(NetworkSequencer::BYTES), "a word has at most 32 bytes");
+        state(next.bytes.ne(0) | next.mode.is(Mode::Forward), "a job of no bytes forwards");
         m.assume(i.advances.implies(ready | sends), "a word comes when the node is ready for it");
         let done = mux(ends, *bank, 0);
         // Until it is ready, its mode stands for nothing.

@@ -75,9 +75,9 @@ block! {
     source = "Reducing Latency on PixelFlow, section 3 (PFL-NODE, PFL-NET)";
     in(self) NodeIn {
         /// Instructions that are written.
-        store: Store = self.dma().store().on(ARRAY),
+        store: Store = self.store().on(ARRAY),
         /// Frames of them that are to be done.
-        frames: stream(Commands = self.dma().commands()).on(ARRAY),
+        frames: stream(Commands = self.commands()).on(ARRAY),
         /// Evaluator and memory may each have an instruction; while it is low, one begins when the one before has ended.
         side_by_side: bit().on(ARRAY),
         /// From the texture unit.
@@ -133,6 +133,16 @@ impl Node {
 
     fn dma(&self) -> CommandDma {
         CommandDma { words: self.words }
+    }
+
+    /// The widths of a write of its memory.
+    pub fn store(&self) -> Store<Width> {
+        self.dma().store()
+    }
+
+    /// The widths of where a frame's instructions are.
+    pub fn commands(&self) -> Commands<Width> {
+        self.dma().commands()
     }
 
     /// Its port to a direction of the network.

@@ -12,7 +12,7 @@
 
 use super::instruction::{Instruction, Sync};
 use super::pixel::{Condition, Enabling, Flagging, Function, Mask, Source};
-use crate::pixel_planes::schedule::{Schedule, Step};
+use crate::pixel_planes::schedule::{Schedule, Step, Times};
 use crate::prelude::Codes;
 
 /// What an instruction takes.
@@ -57,7 +57,8 @@ pub fn side_by_side(program: &[Instruction<u64>]) -> u64 {
     let steps: Vec<Step> = program.iter().map(step).collect();
     let mut schedule = Schedule::new(true);
     let mut begins = || {
-        let times: Vec<u64> = program.iter().zip(&steps).map(|(i, step)| take(&mut schedule, i, step)).collect();
+        let times: Vec<u64> =
+            program.iter().zip(&steps).map(|(i, step)| take(&mut schedule, i, step, 0).taken).collect();
         times.first().copied().unwrap_or(0)
     };
     // The first ones begin with nothing before them.
@@ -65,13 +66,26 @@ pub fn side_by_side(program: &[Instruction<u64>]) -> u64 {
     fourth - third
 }
 
-/// Takes an instruction, and tells when. One that is in step with a port has all to itself.
-fn take(schedule: &mut Schedule, i: &Instruction<u64>, step: &Step) -> u64 {
-    if i.sync == Sync::Nothing.code() {
-        return schedule.take(step).taken;
-    }
-    let alone = schedule.ready(step).max(schedule.idle() - 1);
-    schedule.take_at(step, alone).taken
+/// Takes an instruction as soon as may be, from the clock on in which what it waits for is there; tells its clocks. One that is in step with a port has
+/// all to itself.
+///
+/// ```
+/// use tilewright_rtl::pixel_planes::schedule::Schedule;
+/// use tilewright_rtl::pixelflow::programs::{await_bank, clear};
+/// use tilewright_rtl::pixelflow::schedule::{step, take};
+///
+/// let mut schedule = Schedule::new(true);
+/// let word = clear(256, 4)[0];
+/// assert_eq!(take(&mut schedule, &word, &step(&word), 0).taken, 0);
+/// // The network has done with the bank in clock 2, but the word's last byte is sent in clock 4.
+/// let waits = await_bank(0);
+/// assert_eq!(take(&mut schedule, &waits, &step(&waits), 2).taken, 4);
+/// assert_eq!(take(&mut schedule, &word, &step(&word), 0).taken, 5);
+/// ```
+pub fn take(schedule: &mut Schedule, i: &Instruction<u64>, step: &Step, from: u64) -> Times {
+    let ready = schedule.ready(step).max(from);
+    let is_alone = i.sync != Sync::Nothing.code();
+    schedule.take_at(step, if is_alone { ready.max(schedule.idle() - 1) } else { ready })
 }
 
 #[cfg(test)]

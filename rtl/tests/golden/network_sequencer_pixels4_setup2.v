@@ -5,7 +5,7 @@
 // Parameters  NetworkSequencer { pixels: 4, setup: 2 }
 // Latency     5 clocks from a job to ready, if it has its bank
 // Source      Reducing Latency on PixelFlow, section 3 (PFL-NET, PFL-SETUP)
-// Described   rtl/src/pixelflow/network_sequencer.rs:108
+// Described   rtl/src/pixelflow/network_sequencer.rs:109
 `default_nettype none
 
 module network_sequencer_pixels4_setup2 (
@@ -15,7 +15,8 @@ module network_sequencer_pixels4_setup2 (
     input  wire       jobs_valid,
     input  wire [1:0] jobs_mode,  // A `Mode`.
     input  wire       jobs_bank,  // The bank, unless it forwards.
-    input  wire [5:0] jobs_bytes, // Bytes of a word, 1 to 32.
+    // Bytes of a word, 1 to 32; none at a node before the one that loads, which has to be a `Mode::Forward`.
+    input  wire [5:0] jobs_bytes,
     input  wire [1:0] given,      // Banks that the array has given: a bit for each.
     input  wire       go,         // All nodes are ready.
     input  wire [1:0] pixel,      // The pixel of each chip whose turn it is.
@@ -41,31 +42,33 @@ module network_sequencer_pixels4_setup2 (
     localparam [2:0] PHASE_READY  = 3'd3;
     localparam [2:0] PHASE_SENDS  = 3'd4;
 
-    reg [2:0] phase;                                             // rtl/src/pixelflow/network_sequencer.rs:108
-    reg [1:0] job_mode;                                          // rtl/src/pixelflow/network_sequencer.rs:110
-    reg [1:0] waited;                                            // rtl/src/pixelflow/network_sequencer.rs:116
+    reg [2:0] phase;                                             // rtl/src/pixelflow/network_sequencer.rs:109
+    reg [1:0] job_mode;                                          // rtl/src/pixelflow/network_sequencer.rs:111
+    reg empty;                                                   // rtl/src/pixelflow/network_sequencer.rs:115
+    reg [1:0] waited;                                            // rtl/src/pixelflow/network_sequencer.rs:118
 
-    assign jobs_ready = phase == PHASE_IDLE;                     // rtl/src/pixelflow/network_sequencer.rs:109
-    wire jobs_taken = jobs_valid & jobs_ready;                   // rtl/src/pixelflow/network_sequencer.rs:109
-    wire has_bank = (bank & ~given) == 2'd0;                     // rtl/src/pixelflow/network_sequencer.rs:115
-    wire is_set = waited == 2'd2;                                // rtl/src/pixelflow/network_sequencer.rs:117
-    wire loads = job_mode == MODE_LOAD;                          // rtl/src/pixelflow/network_sequencer.rs:118
-    wire byte_ends = advances & (pixel == 2'd3);                 // rtl/src/pixelflow/network_sequencer.rs:119
-    wire ends = byte_ends & (address == 5'd0);                   // rtl/src/pixelflow/network_sequencer.rs:120
-    wire [1:0] needs = (jobs_mode == MODE_FORWARD) ? 2'd0 : {jobs_bank, !jobs_bank}; // rtl/src/pixelflow/network_sequencer.rs:122
-    wire [5:0] address_difference = jobs_bytes - 6'd1;           // rtl/src/pixelflow/network_sequencer.rs:125
-    assign ready = phase == PHASE_READY;                         // rtl/src/pixelflow/network_sequencer.rs:135
-    assign sends = phase == PHASE_SENDS;                         // rtl/src/pixelflow/network_sequencer.rs:136
-    wire assumed_and = (jobs_bytes != 6'd0) & (jobs_bytes <= 6'd32); // rtl/src/pixelflow/network_sequencer.rs:138
-    assign done = ends ? bank : 2'd0;                            // rtl/src/pixelflow/network_sequencer.rs:140
-    assign mode = (ready | sends) ? job_mode : MODE_FORWARD;     // rtl/src/pixelflow/network_sequencer.rs:142
-    assign idle = (phase == PHASE_IDLE) & !jobs_valid;           // rtl/src/pixelflow/network_sequencer.rs:151
+    assign jobs_ready = phase == PHASE_IDLE;                     // rtl/src/pixelflow/network_sequencer.rs:110
+    wire jobs_taken = jobs_valid & jobs_ready;                   // rtl/src/pixelflow/network_sequencer.rs:110
+    wire has_bank = (bank & ~given) == 2'd0;                     // rtl/src/pixelflow/network_sequencer.rs:117
+    wire is_set = waited == 2'd2;                                // rtl/src/pixelflow/network_sequencer.rs:119
+    wire loads = job_mode == MODE_LOAD;                          // rtl/src/pixelflow/network_sequencer.rs:120
+    wire byte_ends = advances & (pixel == 2'd3);                 // rtl/src/pixelflow/network_sequencer.rs:121
+    wire ends_and = (phase == PHASE_READY) & empty & go;         // rtl/src/pixelflow/network_sequencer.rs:122
+    wire ends = (byte_ends & (address == 5'd0)) | ends_and;      // rtl/src/pixelflow/network_sequencer.rs:122
+    wire [1:0] needs = (jobs_mode == MODE_FORWARD) ? 2'd0 : {jobs_bank, !jobs_bank}; // rtl/src/pixelflow/network_sequencer.rs:124
+    wire [5:0] address_difference = jobs_bytes - 6'd1;           // rtl/src/pixelflow/network_sequencer.rs:127
+    assign ready = phase == PHASE_READY;                         // rtl/src/pixelflow/network_sequencer.rs:138
+    assign sends = phase == PHASE_SENDS;                         // rtl/src/pixelflow/network_sequencer.rs:139
+    assign done = ends ? bank : 2'd0;                            // rtl/src/pixelflow/network_sequencer.rs:144
+    assign mode = (ready | sends) ? job_mode : MODE_FORWARD;     // rtl/src/pixelflow/network_sequencer.rs:146
+    assign idle = (phase == PHASE_IDLE) & !jobs_valid;           // rtl/src/pixelflow/network_sequencer.rs:155
 
     always @(posedge clk) begin
         if (jobs_taken) address <= address_difference[4:0];
         else if (byte_ends) address <= address - 5'd1;
         if (jobs_taken) first <= 1'b1;
         else if (byte_ends) first <= 1'b0;
+        if (jobs_taken) empty <= jobs_bytes == 6'd0;
         if (phase == PHASE_BANK) waited <= 2'd0;
         else waited <= waited + 2'd1;
     end
@@ -91,16 +94,21 @@ module network_sequencer_pixels4_setup2 (
 `ifndef SYNTHESIS
 `ifdef FORMAL
     always @(posedge clk) begin
-        if (!rst) assume (!jobs_taken | assumed_and);                // rtl/src/pixelflow/network_sequencer.rs:137
-        if (!rst) assume (!advances | (ready | sends));              // rtl/src/pixelflow/network_sequencer.rs:139
+        if (!rst) assume (!jobs_taken | (jobs_bytes <= 6'd32));      // rtl/src/pixelflow/network_sequencer.rs:140
+        if (!rst) assume (!jobs_taken | ((jobs_bytes != 6'd0) | (jobs_mode == MODE_FORWARD))); // rtl/src/pixelflow/network_sequencer.rs:140
+        if (!rst) assume (!advances | (ready | sends));              // rtl/src/pixelflow/network_sequencer.rs:143
     end
 `else
     always @(posedge clk) begin
-        if (!rst && !(!jobs_taken | assumed_and)) begin              // rtl/src/pixelflow/network_sequencer.rs:137
-            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a word has 1 to 32 bytes", $time);
+        if (!rst && !(!jobs_taken | (jobs_bytes <= 6'd32))) begin    // rtl/src/pixelflow/network_sequencer.rs:140
+            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a word has at most 32 bytes", $time);
             $stop;
         end
-        if (!rst && !(!advances | (ready | sends))) begin            // rtl/src/pixelflow/network_sequencer.rs:139
+        if (!rst && !(!jobs_taken | ((jobs_bytes != 6'd0) | (jobs_mode == MODE_FORWARD)))) begin // rtl/src/pixelflow/network_sequencer.rs:140
+            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a job of no bytes forwards", $time);
+            $stop;
+        end
+        if (!rst && !(!advances | (ready | sends))) begin            // rtl/src/pixelflow/network_sequencer.rs:143
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a word comes when the node is ready for it", $time);
             $stop;
         end
@@ -108,6 +116,6 @@ module network_sequencer_pixels4_setup2 (
 `endif
 `endif
 
-    wire _unused_ok = &{1'b0, address_difference[5], assumed_and};
+    wire _unused_ok = &{1'b0, address_difference[5]};
 endmodule
 `default_nettype wire

@@ -75,6 +75,12 @@ impl TextureLookUp {
         Ok(())
     }
 
+    /// The unit itself, with its textures.
+    #[cfg(test)]
+    pub fn unit(self) -> Simulation<TextureUnitIn, TextureUnitOut> {
+        self.sim
+    }
+
     /// A clock of the unit, before that of its array, which it tells what it has for that.
     pub fn clock(&mut self, array: &mut Simulation<PixelArrayIn, PixelArrayOut>) -> Result<(), Error> {
         let starts = array.get_u64(array.o.given.texture) == 1;

@@ -1,6 +1,5 @@
 //! A rasterizer and its front end, primitive by primitive.
 
-use super::Banks;
 use crate::pixelflow::costs::Ticks;
 use crate::pixelflow::workload::Binned;
 
@@ -16,14 +15,12 @@ pub(super) struct Rasterizer {
     time: Ticks,
     generated: Ticks,
     drawn: Ticks,
-    /// Those that the network reads.
-    banks: Banks,
 }
 
 impl Rasterizer {
     /// One whose front end goes on to make instructions at that time, where it does.
     pub fn new(bins: Vec<Vec<Binned>>, generates: Ticks, time: Ticks) -> Rasterizer {
-        Rasterizer { bins, generates, made: time, time, generated: 0, drawn: 0, banks: Banks::default() }
+        Rasterizer { bins, generates, made: time, time, generated: 0, drawn: 0 }
     }
 
     pub fn time(&self) -> Ticks {
@@ -39,8 +36,8 @@ impl Rasterizer {
     }
 
     /// Draws a region, once there is a bank for it; gives the end of that.
-    pub fn draw(&mut self, region: u16) -> Ticks {
-        self.time = self.time.max(self.banks.free());
+    pub fn draw(&mut self, region: u16, free: Ticks) -> Ticks {
+        self.time = self.time.max(free);
         for primitive in &mut self.bins[usize::from(region)] {
             // Instructions are kept, for other samples and other regions.
             if std::mem::take(&mut primitive.is_first) {
@@ -51,10 +48,5 @@ impl Rasterizer {
             self.drawn += primitive.draws;
         }
         self.time
-    }
-
-    /// The network reads the region that was drawn last until then.
-    pub fn composed_until(&mut self, end: Ticks) {
-        self.banks.used_until(end);
     }
 }

@@ -9,6 +9,8 @@ use crate::pixelflow::controller::{ArrayController, ArrayControllerIn};
 use crate::pixelflow::frame_buffer::{FrameBuffer, FrameBufferIn};
 use crate::pixelflow::instruction::{Instruction, Sync};
 use crate::pixelflow::linear_evaluator::{Coefficients, LinearEvaluator, LinearEvaluatorIn};
+use crate::pixelflow::machine::{PixelFlow, PixelFlowIn};
+use crate::pixelflow::network::{self, Network, NetworkIn};
 use crate::pixelflow::network_port::{NetworkPort, NetworkPortIn, Transfer};
 use crate::pixelflow::network_sequencer::{Job, NetworkSequencer, NetworkSequencerIn};
 use crate::pixelflow::node::{DirectionIn, Node, NodeIn};
@@ -69,6 +71,32 @@ pub(super) fn composed_and_unloaded(port: &NetworkPort) -> Scenario {
     script.clock_bits(&idle(port));
     script
         .finish("words of two bytes come and are composed with the node's, then it takes others, then it sends its own")
+}
+
+pub(super) fn from_the_first_to_the_last(network: &Network) -> Scenario {
+    let Network { nodes, ref port } = *network;
+    let bytes: Vec<_> = bytes(port.pixels).collect();
+    let mut script = Script::new(network, TRANSFER);
+    for clock in 0..bytes.len() + nodes as usize {
+        let node = |number: u32| {
+            // Each node is a clock behind the one before.
+            let turn = clock.checked_sub(number as usize).and_then(|turn| bytes.get(turn));
+            let (first, own) = turn.map_or((0, 0), |(first, _, words)| (*first, words[number as usize % 2]));
+            let mode = match number {
+                0 => Mode::Load,
+                _ if number + 1 == nodes => Mode::Unload,
+                _ => Mode::Composite,
+            };
+            network::NodeIn {
+                mode: Bits::new(2, mode.code()),
+                sends: Bits::new(1, u64::from(number == 0 && turn.is_some())),
+                first: Bits::new(1, first),
+                own: in_each_chip(port, own),
+            }
+        };
+        script.clock_bits(&NetworkIn { nodes: (0..nodes).map(node).collect() });
+    }
+    script.finish("words of two bytes: the first node sends, those behind it compose, and the last one has the least")
 }
 
 fn in_each_chip(port: &NetworkPort, byte: u64) -> Bits {
@@ -250,6 +278,46 @@ pub(super) fn drawn_and_sent(node: &Node) -> Scenario {
     let network = u64::from(node.setup() + 2 * node.port().pixels) + 10;
     script.wait(2 * array + network);
     script.finish("instructions are written and fetched; a word is drawn, its bank given, and the network sends it off")
+}
+
+pub(super) fn drawn_by_all_and_composed(machine: &PixelFlow) -> Scenario {
+    let (node, nodes) = (machine.node(), machine.nodes());
+    let program = depth_inside_an_edge();
+    let written = program.len().min(node.words() as usize);
+    let job = |shown: u64, number: u32| {
+        let mode = match number {
+            0 => Mode::Load,
+            _ if number + 1 == nodes => Mode::Unload,
+            _ => Mode::Composite,
+        };
+        Stream::of(shown, Job { mode: mode.code(), bank: 0, bytes: 2 })
+    };
+    // All nodes have the same to draw; nothing goes back.
+    let inputs = |store, frames, jobs| PixelFlowIn {
+        stores: vec![store; nodes as usize],
+        frames: vec![Stream::of(frames, Commands { base: 0, length: written as u64 }); nodes as usize],
+        side_by_side: 1,
+        textures: vec![PortAccess { pixel: 0, address: 0, writes: 0, bytes: 0 }; nodes as usize],
+        textures_done: 0,
+        forth: (0..nodes).map(|number| job(jobs, number)).collect(),
+        back: (0..nodes).map(|number| job(0, number)).collect(),
+    };
+    let none = Store { writes: 0, address: 0, instruction: Instruction::NOTHING };
+    let mut script = Script::new(machine, ARRAY.period);
+    for (address, &instruction) in (0..).zip(&program[..written]) {
+        script.clock(&inputs(Store { writes: 1, address, instruction }, 0, 0));
+    }
+    script.clock(&inputs(none, 1, 0));
+    // The network's clock is twice as fast: a job is shown for one of its edges alone.
+    script.in_clocks_of(TRANSFER);
+    script.clock(&inputs(none, 0, 1));
+    script.clock(&inputs(none, 0, 0));
+    let array = program.iter().map(Instruction::clocks).sum::<u64>() + u64::from(node.array().latency()) + 10;
+    let network = u64::from(node.setup() + 2 * node.port().pixels + nodes) + 10;
+    script.wait(2 * array + network);
+    script.finish(
+        "all nodes draw a word; the first one sends its own, those behind it compose, and the last one keeps it",
+    )
 }
 
 /// A texture of 2 x 2 texels and the one above them, as the memory is told: where it is, and what is written.

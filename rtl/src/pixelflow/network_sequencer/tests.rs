@@ -108,10 +108,33 @@ fn a_word_that_nobody_is_set_for_is_an_error() {
     sim.step();
 }
 
+/// It holds up all others until its set-up is over, and is done when they are ready, too.
 #[test]
-#[should_panic(expected = "a word has 1 to 32 bytes")]
-fn a_word_of_no_bytes_is_an_error() {
+fn a_job_of_no_bytes_ends_when_all_are_ready() {
+    let mut sim = started(2, 2);
+    sim.drive(job(Mode::Forward, 0, 0));
+    let mut ready = Vec::new();
+    for go in [0, 0, 0, 0, 0, 0, 1, 0, 0] {
+        ready.push([sim.get_u64(sim.o.ready), sim.get_u64(sim.o.idle)]);
+        sim.step();
+        sim.drive(NetworkSequencerIn { go, ..NONE });
+    }
+    let (busy, set, idle) = ([0, 0], [1, 0], [0, 1]);
+    assert_eq!(ready, [busy, busy, busy, busy, busy, set, set, set, idle]);
+}
+
+#[test]
+#[should_panic(expected = "a job of no bytes forwards")]
+fn a_word_of_no_bytes_is_not_loaded() {
     let mut sim = started(2, 0);
     sim.drive(job(Mode::Load, 0, 0));
+    sim.step();
+}
+
+#[test]
+#[should_panic(expected = "a word has at most 32 bytes")]
+fn a_word_is_not_longer_than_a_bank() {
+    let mut sim = started(2, 0);
+    sim.drive(job(Mode::Load, 0, 33));
     sim.step();
 }

@@ -77,7 +77,7 @@ mod shade;
 pub use average::{SUM_BYTES, add_sample, average, begin_sums};
 pub use clear::{clear, clear_to};
 pub use least_word::{Appearance, Region, Words, appearance, covered, gouraud};
-pub use ports::{await_bank, give_bank, move_word};
+pub use ports::{await_bank, await_texture, give_bank, move_word, start_texture};
 pub use shade::{Light, Material, NO_TEXTURE, Shader, Shading, Texture};
 
 /// The fraction bits of planes.

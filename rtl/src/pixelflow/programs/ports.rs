@@ -19,6 +19,22 @@ pub fn give_bank(bank: u64) -> Instruction<u64> {
     port(Sync::GiveBank, bank)
 }
 
+/// Lets the texture unit, or what else is at its port, begin.
+pub fn start_texture() -> Instruction<u64> {
+    port(Sync::StartTexture, 0)
+}
+
+/// Waits until it has done.
+///
+/// ```
+/// use tilewright_rtl::pixelflow::instruction::Sync;
+/// use tilewright_rtl::pixelflow::programs::{await_texture, start_texture};
+/// assert_eq!([start_texture(), await_texture()].map(|it| it.sync), [Sync::StartTexture as u64, Sync::AwaitTexture as u64]);
+/// ```
+pub fn await_texture() -> Instruction<u64> {
+    port(Sync::AwaitTexture, 0)
+}
+
 /// Copies so many bytes: a clock each.
 ///
 /// ```

@@ -10,14 +10,15 @@
 
 use super::super::fields::shading::*;
 use super::super::fields::{Field, appearance, texture};
-use super::super::instruction::{Instruction, Sync};
+use super::super::instruction::Instruction;
 use super::super::pixel::{Begin, Condition, Function, Mask};
 use super::arithmetic::Writer;
-use super::assembler::{copy, port, set, with_accumulator, with_constant};
+use super::assembler::{copy, set, with_accumulator, with_constant};
 use super::filter;
 use super::light::{Combinations, light};
 use super::normalize::normalize;
 use super::perspective;
+use super::ports::{await_texture, start_texture};
 
 /// A light from far away. Directions are 2^8 times a unit vector (right, down, forward of the eye): a sign and 8 bits each.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -119,7 +120,7 @@ impl Shading<'_> {
         if self.finest().is_some() {
             w.extend(perspective::coordinates(self.word));
             w.extend(perspective::level(self.word));
-            w.push(port(Sync::StartTexture, 0));
+            w.push(start_texture());
         }
         w.0
     }
@@ -153,7 +154,7 @@ impl Shading<'_> {
         let mut w = Writer::default();
         if let Some(finest) = self.finest() {
             w.extend(filter::weights(finest));
-            w.push(port(Sync::AwaitTexture, 0));
+            w.push(await_texture());
             w.extend(filter::trilinear());
             w.extend(filter::base(self.word));
         }

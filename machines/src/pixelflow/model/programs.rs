@@ -1,0 +1,190 @@
+//! Nodes that do what their instructions say, and what they give when: the times of the hardware.
+//!
+//! A frame begins with tick 0, in which each node is told where its instructions are, and each direction of the network shown its first job. The
+//! clock of the arrays has two ticks.
+
+use tilewright_rtl::pixel_planes::schedule::Schedule;
+use tilewright_rtl::pixelflow::array::PixelArray;
+use tilewright_rtl::pixelflow::instruction::{Instruction, Sync};
+use tilewright_rtl::pixelflow::schedule::{step, take};
+
+use super::delays::Delays;
+use super::run::{Given, Run, Shaded, Stored};
+use super::{Arrays, Done, Shading, Turn};
+use crate::pixelflow::costs::Ticks;
+use crate::pixelflow::works::Works;
+
+/// Ticks of the network in a clock of an array.
+const CLOCK: Ticks = 2;
+
+/// What the hardware does, and when.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(in crate::pixelflow) struct Timing {
+    /// Each turn, a region each.
+    pub turns: Vec<Done>,
+    /// When its banks were given.
+    pub given: Vec<Given>,
+    /// When each shader gave its bank for words first, and the holder of the frame its two.
+    pub first_words: Vec<Ticks>,
+    pub first_stores: [Ticks; 2],
+}
+
+/// What the model has to know of a machine.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::pixelflow) struct Built<'a> {
+    pub array: &'a PixelArray,
+    pub shaders: usize,
+    pub side_by_side: bool,
+    /// Ticks of the network's set-up before a word.
+    pub set_up: Ticks,
+    /// Clocks of an array that a shader's texture unit takes for a region, and the frame buffer's memory.
+    pub looks_up: u64,
+    pub loads: u64,
+}
+
+impl Timing {
+    /// From the frame's beginning in hardware to the first instruction at a node's controller: it is told, waits, is fetched.
+    pub const FETCH: Ticks = 3 * CLOCK;
+    /// From the tick behind that in which the network's last byte of a bank passes, to the end of the array's clock in which it is told so, when clocks and
+    /// ticks begin together. It is told at an edge of its own, which may be a tick later.
+    pub const TOLD: Ticks = 2 * CLOCK;
+
+    /// The times of a frame.
+    pub fn new(built: &Built, works: &Works) -> Timing {
+        let array = |port: u64| Array {
+            schedule: Schedule::new(built.side_by_side),
+            latency: built.array.latency().into(),
+            from: Timing::FETCH / CLOCK,
+            banks: [0; 2],
+            port,
+            port_done: 0,
+        };
+        let nodes = ByPrograms {
+            works,
+            rasterizers: vec![array(0); works.shares()],
+            shaders: vec![array(built.looks_up); built.shaders],
+            holder: array(built.loads),
+        };
+        let pixels = Ticks::from(built.array.pixels());
+        let turn = |region: usize| Turn {
+            region: region as u16,
+            composes: works.bytes() * pixels,
+            // How long it works its program says.
+            shades: region.checked_rem(built.shaders).map(|shader| Shading {
+                shader,
+                takes: 0,
+                sends: Works::COLOUR * pixels,
+            }),
+            loads: built.loads * CLOCK,
+        };
+        let turns: Vec<Turn> = (0..works.regions()).map(turn).collect();
+        let run = Run::new(nodes, Delays::of_hardware(built.set_up), &turns, false);
+        let (first_words, first_stores) = (run.first_words(), run.first_stores());
+        let run = run.run();
+        Timing { turns: run.done, given: run.given, first_words, first_stores }
+    }
+}
+
+/// All nodes of a frame.
+struct ByPrograms<'a> {
+    works: &'a Works,
+    rasterizers: Vec<Array>,
+    shaders: Vec<Array>,
+    holder: Array,
+}
+
+impl Arrays for ByPrograms<'_> {
+    fn counts(&self) -> [usize; 2] {
+        [self.rasterizers.len(), self.shaders.len()]
+    }
+
+    fn first_words(&mut self) -> Vec<Ticks> {
+        let program = Works::first(0);
+        self.shaders.iter_mut().map(|shader| shader.run(&program).given[0]).collect()
+    }
+
+    fn first_stores(&mut self) -> [Ticks; 2] {
+        self.holder.run(&self.works.first_of_holder()).given
+    }
+
+    fn draw(&mut self, number: usize, _: &Turn, free: &[Ticks]) -> Vec<Ticks> {
+        let bank = number % 2;
+        let draw = |(share, (array, free)): (usize, (&mut Array, &Ticks))| {
+            array.bank_done(bank, *free);
+            array.run(self.works.program(share, number)).given[bank]
+        };
+        self.rasterizers.iter_mut().zip(free).enumerate().map(draw).collect()
+    }
+
+    fn shade(&mut self, shading: &Shading, arrived: Ticks, sent: Ticks) -> Shaded {
+        let array = &mut self.shaders[shading.shader];
+        array.bank_done(0, arrived);
+        array.bank_done(1, sent);
+        let ran = array.run(self.works.shading(0));
+        Shaded { at: ran.began..ran.given[1], next_word: ran.given[0] }
+    }
+
+    fn load(&mut self, number: usize, _: &Turn, arrived: Ticks) -> Stored {
+        let bank = number % 2;
+        self.holder.bank_done(bank, arrived);
+        let ran = self.holder.run(&self.works.storing(number));
+        let end = CLOCK * self.holder.port_done;
+        Stored { at: end - CLOCK * self.holder.port..end, given: ran.given[bank] }
+    }
+}
+
+/// A node's array, and what it waits for.
+#[derive(Clone)]
+struct Array {
+    schedule: Schedule,
+    /// Clocks from an instruction's end in the controller to its end in the pixels.
+    latency: u64,
+    /// The clock of the first instruction.
+    from: u64,
+    /// The clocks from which on each bank may be awaited, and what the texture port has.
+    banks: [u64; 2],
+    /// The clocks that who is at the texture port takes, and the clock from which on that may be awaited.
+    port: u64,
+    port_done: u64,
+}
+
+/// When a program did what.
+struct Ran {
+    /// Its first instruction was taken.
+    began: Ticks,
+    /// Each bank was given last.
+    given: [Ticks; 2],
+}
+
+impl Array {
+    /// The network has done with a bank before that tick; 0 if it never had it.
+    fn bank_done(&mut self, bank: usize, end: Ticks) {
+        // A flag crosses and is noted: it may be awaited in the clock behind.
+        let told = end.checked_sub(1).map(|last| (last + Timing::TOLD).div_ceil(CLOCK) + 1);
+        self.banks[bank] = told.unwrap_or(0);
+    }
+
+    /// Takes the instructions of a program.
+    fn run(&mut self, program: &[Instruction<u64>]) -> Ran {
+        let mut ran = Ran { began: 0, given: [0; 2] };
+        for (number, instruction) in program.iter().enumerate() {
+            let is = |sync: Sync| instruction.sync == sync as u64;
+            let bank = instruction.c as usize;
+            let bank_is_there = if is(Sync::AwaitBank) { self.banks[bank] } else { 0 };
+            let port_is_done = if is(Sync::AwaitTexture) { self.port_done } else { 0 };
+            let from = self.from.max(bank_is_there).max(port_is_done);
+            let times = take(&mut self.schedule, instruction, &step(instruction), from);
+            if number == 0 {
+                ran.began = CLOCK * times.taken;
+            }
+            let in_pixels = times.ends + self.latency;
+            if is(Sync::GiveBank) {
+                ran.given[bank] = CLOCK * in_pixels;
+            }
+            if is(Sync::StartTexture) {
+                self.port_done = in_pixels + self.port;
+            }
+        }
+        ran
+    }
+}

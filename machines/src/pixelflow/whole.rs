@@ -1,0 +1,307 @@
+//! A whole machine in one simulation, and what happens in it when: with that the model's times are compared.
+//!
+//! The block [`PixelFlow`] has all nodes, with their instruction memories, and the network. What is beside it here are the shaders' texture units, each a
+//! simulation of its own, and the frame buffer's memory at the texture port of who holds the frame: it reads what comes a byte of each chip a clock, and takes as long as
+//! it is told.
+
+use std::collections::VecDeque;
+use std::ops::Range;
+
+use tilewright_rtl::pixelflow::ARRAY;
+use tilewright_rtl::pixelflow::compositor::Mode;
+use tilewright_rtl::pixelflow::instruction::{Instruction, Sync};
+use tilewright_rtl::pixelflow::machine::{PixelFlow, PixelFlowIn, PixelFlowOut};
+use tilewright_rtl::pixelflow::network_sequencer::Job;
+use tilewright_rtl::pixelflow::node::Node;
+use tilewright_rtl::pixelflow::texture_unit::{TextureUnitIn, TextureUnitOut};
+use tilewright_sim::{EngineKind, Simulation};
+
+use super::costs::Ticks;
+use super::hardware::{TextureLookUp, Words};
+use super::model::Built;
+use super::works::Works;
+
+/// What happened when, in ticks from the frame's beginning.
+#[derive(Debug, Default, PartialEq, Eq)]
+pub(super) struct Events {
+    /// Of each node and bank, when it was given.
+    pub given: Vec<[Vec<Ticks>; 2]>,
+    /// Of each node, the words that passed it forth, and back.
+    pub passed: Vec<[Vec<Range<Ticks>>; 2]>,
+    /// Of each node, when it began to wait no longer for a word: its first bank was awaited.
+    pub began: Vec<Vec<Ticks>>,
+    /// When the frame buffer's memory was written.
+    pub stored: Vec<Range<Ticks>>,
+}
+
+/// A machine in simulation.
+pub(super) struct Whole<'a> {
+    works: &'a Works,
+    built: Built<'a>,
+    sim: Simulation<PixelFlowIn, PixelFlowOut>,
+    tick: Ticks,
+    jobs: Vec<[VecDeque<Job<u64>>; 2]>,
+    /// Of each shader.
+    textures: Vec<Simulation<TextureUnitIn, TextureUnitOut>>,
+    /// The clock of the array behind that in which the frame buffer's memory began, if it is at work.
+    storing: Option<u64>,
+    /// What it got of each region.
+    pub came: Vec<Words>,
+    pub seen: Events,
+    /// Bytes of each chip of the word that passes a node.
+    passing: Vec<[u64; 2]>,
+}
+
+impl<'a> Whole<'a> {
+    /// A machine that has its programs and begins.
+    pub fn new(built: Built<'a>, works: &'a Works) -> Whole<'a> {
+        let programs = programs(&built, works);
+        let nodes = programs.len();
+        let longest = programs.iter().map(Vec::len).max().unwrap_or(0) as u32;
+        let (width, height) = (built.array.width(), built.array.height());
+        let node = Node::new(width, height, longest, built.set_up as u32).unwrap();
+        let machine = PixelFlow::new(nodes as u32, node).unwrap();
+        let sim = begun(&machine, &programs, built.side_by_side);
+        let texture = |_| {
+            let textures = works.textures.iter().map(AsRef::as_ref);
+            TextureLookUp::new(built.array, textures, EngineKind::Compiled).unwrap().unit()
+        };
+        let shaders = if works.textures.is_empty() { 0 } else { built.shaders };
+        Whole {
+            works,
+            built,
+            sim,
+            tick: 0,
+            jobs: jobs(&built, works),
+            textures: (0..shaders).map(texture).collect(),
+            storing: None,
+            came: Vec::new(),
+            seen: Events {
+                given: vec![Default::default(); nodes],
+                passed: vec![Default::default(); nodes],
+                began: vec![Vec::new(); nodes],
+                stored: Vec::new(),
+            },
+            passing: vec![[0; 2]; nodes],
+        }
+    }
+
+    /// Until the frame is in the frame buffer.
+    pub fn run(&mut self) {
+        while self.seen.stored.len() < self.works.regions() || self.storing.is_some() {
+            assert!(self.tick < 2_000_000, "it hangs: {:?}", self.seen);
+            self.step();
+        }
+        // The holder's bank is given again.
+        (0..80).for_each(|_| self.step());
+    }
+
+    fn step(&mut self) {
+        self.show_jobs();
+        self.look_at_network();
+        if self.tick % 2 == 1 {
+            self.clock_of_arrays();
+        }
+        self.sim.step();
+        self.tick += 1;
+        if self.tick == 2 {
+            // Every node has been told where its program is.
+            (0..self.jobs.len()).for_each(|node| self.sim.set(self.sim.i.frames[node].valid, false));
+        }
+    }
+
+    fn show_jobs(&mut self) {
+        let sim = &mut self.sim;
+        for (node, jobs) in self.jobs.iter_mut().enumerate() {
+            for (direction, jobs) in jobs.iter_mut().enumerate() {
+                let port = if direction == 0 { sim.i.forth[node] } else { sim.i.back[node] };
+                sim.set(port.valid, !jobs.is_empty());
+                let Some(job) = jobs.front() else { continue };
+                sim.set(port.mode, job.mode);
+                sim.set(port.bank, job.bank);
+                sim.set(port.bytes, job.bytes);
+                if sim.get_u64(port.ready) == 1 {
+                    jobs.pop_front();
+                }
+            }
+        }
+    }
+
+    fn look_at_network(&mut self) {
+        let pixels = u64::from(self.built.array.pixels());
+        let bytes = [self.works.bytes(), self.works.stored()];
+        for (node, passing) in self.passing.iter_mut().enumerate() {
+            for (direction, count) in passing.iter_mut().enumerate() {
+                if self.sim.peek(&format!("u_node{node}.advances{direction}")).unwrap().to_u64() != Some(1) {
+                    continue;
+                }
+                let passed = &mut self.seen.passed[node][direction];
+                if *count == 0 {
+                    passed.push(self.tick..0);
+                }
+                *count = (*count + 1) % (bytes[direction] * pixels);
+                passed.last_mut().unwrap().end = self.tick + 1;
+            }
+        }
+    }
+
+    /// The clock that ends with this tick.
+    fn clock_of_arrays(&mut self) {
+        for node in 0..self.jobs.len() {
+            let mut of = |name: &str| self.sim.peek(&format!("u_node{node}.{name}")).unwrap().to_u64().unwrap();
+            let given = of("given");
+            let is_taken = of("u_dma.instructions_valid") & of("u_dma.instructions_ready") == 1;
+            let awaits = of("u_dma.instructions_sync") == Sync::AwaitBank as u64;
+            if is_taken && awaits && of("u_dma.instructions_c") == 0 {
+                self.seen.began[node].push(self.tick - 1);
+            }
+            for bank in (0..2).filter(|bank| given >> bank & 1 == 1) {
+                self.seen.given[node][bank].push(self.tick + 1);
+            }
+        }
+        let done = u64::from(self.store());
+        let shaders = 1 + self.works.shares();
+        let mut all_done = done;
+        for number in 0..self.textures.len() {
+            all_done |= u64::from(self.look_up(number, shaders + number)) << (shaders + number);
+        }
+        self.sim.set(self.sim.i.textures_done, all_done);
+    }
+
+    fn starts(&mut self, node: usize) -> bool {
+        self.sim.get_u64(self.sim.o.textures_start) >> node & 1 == 1
+    }
+
+    /// A clock of the frame buffer's memory; tells whether it has done.
+    fn store(&mut self) -> bool {
+        let (pixels, bytes) = (u64::from(self.built.array.pixels()), self.works.stored());
+        if let Some(clock) = self.storing.filter(|clock| *clock < bytes * pixels) {
+            let (i, o) = (self.sim.i.textures[0], self.sim.o.texture_seen[0]);
+            self.sim.set(i.pixel, clock % pixels);
+            self.sim.set(i.address, bytes - 1 - clock / pixels);
+            let seen = self.sim.get(o);
+            self.came.last_mut().unwrap().push(seen);
+        }
+        self.storing = self.storing.map(|clock| clock + 1);
+        let is_done = self.storing == Some(self.built.loads);
+        if is_done {
+            self.storing = None;
+            self.seen.stored.last_mut().unwrap().end = self.tick + 1;
+        }
+        if self.starts(0) {
+            assert!(self.storing.is_none() && self.built.loads >= bytes * pixels);
+            self.storing = Some(0);
+            self.came.push(Vec::new());
+            self.seen.stored.push(self.tick + 1..0);
+        }
+        is_done
+    }
+
+    /// A clock of a texture unit; tells whether it has done.
+    fn look_up(&mut self, number: usize, node: usize) -> bool {
+        let start = self.starts(node);
+        let (unit, sim) = (&mut self.textures[number], &mut self.sim);
+        let (port, registers) = (unit.o.port, sim.i.textures[node]);
+        sim.set(registers.pixel, unit.get_u64(port.pixel));
+        sim.set(registers.address, unit.get_u64(port.address));
+        sim.set(registers.writes, unit.get_u64(port.writes));
+        sim.set(registers.bytes, unit.get(port.bytes));
+        unit.set(unit.i.start, start);
+        let seen = sim.get(sim.o.texture_seen[node]);
+        unit.set(unit.i.seen, seen);
+        let is_done = unit.get_u64(unit.o.done) == 1;
+        unit.step();
+        is_done
+    }
+}
+
+/// Writes the programs, and tells the nodes of them: that is tick 0.
+fn begun(
+    machine: &PixelFlow,
+    programs: &[Vec<Instruction<u64>>],
+    side_by_side: bool,
+) -> Simulation<PixelFlowIn, PixelFlowOut> {
+    let mut sim = Simulation::of(machine).unwrap();
+    sim.reset();
+    sim.set(sim.i.side_by_side, side_by_side);
+    sim.set(sim.i.textures_done, 0);
+    let i = sim.i.clone();
+    for node in 0..programs.len() {
+        sim.set(i.textures[node].writes, false);
+        sim.set(i.frames[node].valid, false);
+        [i.forth[node], i.back[node]].into_iter().for_each(|jobs| sim.set(jobs.valid, false));
+    }
+    for address in 0..machine.node().words() as usize {
+        for (store, program) in i.stores.iter().zip(programs) {
+            sim.set(store.writes, address < program.len());
+            sim.set(store.address, address as u64);
+            let Some(instruction) = program.get(address) else { continue };
+            let fields = store.instruction.fields().into_iter().zip(instruction.fields());
+            fields.for_each(|(port, value)| sim.set(port, value));
+        }
+        sim.step_clock(ARRAY, 1);
+    }
+    for (node, program) in programs.iter().enumerate() {
+        sim.set(i.stores[node].writes, false);
+        sim.set(i.frames[node].valid, !program.is_empty());
+        sim.set(i.frames[node].base, 0);
+        sim.set(i.frames[node].length, program.len() as u64);
+    }
+    sim
+}
+
+/// Of each node: the holder of the frame, rasterizers, shaders.
+fn programs(built: &Built, works: &Works) -> Vec<Vec<Instruction<u64>>> {
+    let regions = 0..works.regions();
+    let stores = regions.clone().flat_map(|region| works.storing(region));
+    let mut programs = vec![works.first_of_holder().into_iter().chain(stores).collect::<Vec<_>>()];
+    for share in 0..works.shares() {
+        programs.push(regions.clone().flat_map(|region| works.program(share, region).to_vec()).collect());
+    }
+    for number in 0..built.shaders {
+        let shares = regions.clone().filter(|region| region % built.shaders == number);
+        let shading = shares.flat_map(|region| works.shading(region).to_vec());
+        programs.push(Works::first(0).into_iter().chain(shading).collect());
+    }
+    programs
+}
+
+/// What each node does with the words of both directions.
+fn jobs(built: &Built, works: &Works) -> Vec<[VecDeque<Job<u64>>; 2]> {
+    let rasterizers = works.shares();
+    let nodes = 1 + rasterizers + built.shaders;
+    let mut jobs = vec![[VecDeque::new(), VecDeque::new()]; nodes];
+    let job = |mode: Mode, bank, bytes| Job { mode: mode as u64, bank, bytes };
+    let not_here = job(Mode::Forward, 0, 0);
+    for region in 0..works.regions() {
+        let (own, bytes) = (region as u64 % 2, works.bytes());
+        let shader = region.checked_rem(built.shaders).map(|number| 1 + rasterizers + number);
+        for (node, [forth, back]) in jobs.iter_mut().enumerate() {
+            let is_rasterizer = (1..=rasterizers).contains(&node);
+            let Some(shader) = shader else {
+                back.push_back(match node {
+                    0 => job(Mode::Unload, own, bytes),
+                    _ if node == rasterizers => job(Mode::Load, own, bytes),
+                    _ => job(Mode::Composite, own, bytes),
+                });
+                continue;
+            };
+            forth.push_back(match node {
+                0 => not_here,
+                1 => job(Mode::Load, own, bytes),
+                _ if is_rasterizer => job(Mode::Composite, own, bytes),
+                _ if node == shader => job(Mode::Unload, 0, bytes),
+                _ => job(Mode::Forward, 0, bytes),
+            });
+            back.push_back(match node {
+                0 => job(Mode::Unload, own, Works::COLOUR),
+                _ if node < shader => job(Mode::Forward, 0, Works::COLOUR),
+                _ if node == shader => job(Mode::Load, 1, Works::COLOUR),
+                _ => not_here,
+            });
+        }
+    }
+    jobs
+}
+
+mod tests;

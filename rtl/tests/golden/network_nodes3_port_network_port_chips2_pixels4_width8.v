@@ -1,0 +1,109 @@
+// network_nodes3_port_network_port_chips2_pixels4_width8
+//
+// Connects nodes with each other.
+//
+// Parameters  Network { nodes: 3, port: NetworkPort { chips: 2, pixels: 4, width: 8 } }
+// Latency     1 clock a node; a byte of all pixels takes 4
+// Source      Reducing Latency on PixelFlow, section 3 (PFL-NET)
+// Described   rtl/src/pixelflow/network.rs:72
+`default_nettype none
+
+module network_nodes3_port_network_port_chips2_pixels4_width8 (
+    input  wire        clk,
+    input  wire        rst,
+    // Of each node.
+    input  wire [1:0]  nodes_0_mode,     // What it does: a `Mode`. It stays while a word goes.
+    input  wire        nodes_0_sends,    // If it loads: it sends a byte of each chip.
+    input  wire        nodes_0_first,    // That is the first of a word.
+    input  wire [15:0] nodes_0_own,      // The bytes of its pixels whose turn it is.
+    input  wire [1:0]  nodes_1_mode,
+    input  wire        nodes_1_sends,
+    input  wire        nodes_1_first,
+    input  wire [15:0] nodes_1_own,
+    input  wire [1:0]  nodes_2_mode,
+    input  wire        nodes_2_sends,
+    input  wire        nodes_2_first,
+    input  wire [15:0] nodes_2_own,
+    // To each node.
+    output wire [1:0]  nodes_0_pixel,    // The pixel of each chip whose turn it is.
+    output wire        nodes_0_advances, // A byte of it goes.
+    output wire        nodes_0_unloaded, // The bytes that come are for this node.
+    output wire [15:0] nodes_0_bytes,    // These: one of each chip.
+    output wire [1:0]  nodes_1_pixel,
+    output wire        nodes_1_advances,
+    output wire        nodes_1_unloaded,
+    output wire [15:0] nodes_1_bytes,
+    output wire [1:0]  nodes_2_pixel,
+    output wire        nodes_2_advances,
+    output wire        nodes_2_unloaded,
+    output wire [15:0] nodes_2_bytes
+);
+
+    wire u_port0_downstream_valid;                               // rtl/src/pixelflow/network.rs:76
+    wire u_port0_downstream_first;                               // rtl/src/pixelflow/network.rs:76
+    wire u_port1_downstream_valid;                               // rtl/src/pixelflow/network.rs:76
+    wire u_port1_downstream_first;                               // rtl/src/pixelflow/network.rs:76
+    wire u_port2_downstream_valid;                               // rtl/src/pixelflow/network.rs:76
+    wire u_port2_downstream_first;                               // rtl/src/pixelflow/network.rs:76
+    wire [15:0] u_port2_downstream_bytes;                        // rtl/src/pixelflow/network.rs:76
+
+    network_port_chips2_pixels4_width8 u_port0 (                 // rtl/src/pixelflow/network.rs:76
+        .clk              (clk),
+        .rst              (rst),
+        .mode             (nodes_0_mode),
+        .sends            (nodes_0_sends),
+        .first            (nodes_0_first),
+        .upstream_valid   (1'b0),
+        .upstream_first   (1'b0),
+        .upstream_bytes   (16'd0),
+        .own              (nodes_0_own),
+        .pixel            (nodes_0_pixel),
+        .advances         (nodes_0_advances),
+        .unloaded         (nodes_0_unloaded),
+        .downstream_valid (u_port0_downstream_valid),
+        .downstream_first (u_port0_downstream_first),
+        .downstream_bytes (nodes_1_bytes)
+    );
+
+    network_port_chips2_pixels4_width8 u_port1 (                 // rtl/src/pixelflow/network.rs:76
+        .clk              (clk),
+        .rst              (rst),
+        .mode             (nodes_1_mode),
+        .sends            (nodes_1_sends),
+        .first            (nodes_1_first),
+        .upstream_valid   (u_port0_downstream_valid),
+        .upstream_first   (u_port0_downstream_first),
+        .upstream_bytes   (nodes_1_bytes),
+        .own              (nodes_1_own),
+        .pixel            (nodes_1_pixel),
+        .advances         (nodes_1_advances),
+        .unloaded         (nodes_1_unloaded),
+        .downstream_valid (u_port1_downstream_valid),
+        .downstream_first (u_port1_downstream_first),
+        .downstream_bytes (nodes_2_bytes)
+    );
+
+    network_port_chips2_pixels4_width8 u_port2 (                 // rtl/src/pixelflow/network.rs:76
+        .clk              (clk),
+        .rst              (rst),
+        .mode             (nodes_2_mode),
+        .sends            (nodes_2_sends),
+        .first            (nodes_2_first),
+        .upstream_valid   (u_port1_downstream_valid),
+        .upstream_first   (u_port1_downstream_first),
+        .upstream_bytes   (nodes_2_bytes),
+        .own              (nodes_2_own),
+        .pixel            (nodes_2_pixel),
+        .advances         (nodes_2_advances),
+        .unloaded         (nodes_2_unloaded),
+        .downstream_valid (u_port2_downstream_valid),
+        .downstream_first (u_port2_downstream_first),
+        .downstream_bytes (u_port2_downstream_bytes)
+    );
+
+    assign nodes_0_bytes = 16'd0;
+
+    wire _unused_ok = &{1'b0, u_port2_downstream_valid, u_port2_downstream_first,
+            u_port2_downstream_bytes};
+endmodule
+`default_nettype wire

@@ -1,0 +1,498 @@
+// pixel_flow_nodes3_array_pixel_array_width8_height4_words16_setup2
+//
+// Nodes of PixelFlow on a network of both directions.
+//
+// Parameters  PixelFlow { nodes: 3, node: Node { array: PixelArray { width: 8, height: 4 }, words: 16, setup: 2 } }
+// Latency     1 clock of the network a node; instructions have their own clocks
+// Source      Reducing Latency on PixelFlow, section 3 (PFL-NODE, PFL-NET)
+// Described   rtl/src/pixelflow/machine.rs:114
+`default_nettype none
+
+module pixel_flow_nodes3_array_pixel_array_width8_height4_words16_setup2 (
+    input  wire        array_clk,
+    input  wire        array_rst,
+    input  wire        network_clk,
+    input  wire        network_rst,
+    // Instructions that are written, of each node.
+    input  wire        stores_0_writes,                  // An instruction is written.
+    input  wire [3:0]  stores_0_address,                 // Where.
+    // It.
+    input  wire [1:0]  stores_0_instruction_source,      // Where the operand comes from: a `Source`.
+    input  wire [3:0]  stores_0_instruction_function,    // What the ALU does: a `Function`.
+    input  wire [1:0]  stores_0_instruction_begin,       // The carry that comes into the first byte: a `Begin`.
+    input  wire [1:0]  stores_0_instruction_mask,        // Who writes: a `Mask`.
+    input  wire        stores_0_instruction_accumulates, // Results go to the accumulator.
+    input  wire        stores_0_instruction_stores,      // Results go to memory.
+    // What the last byte's `enabling` and `flagging` look at: a `Condition`.
+    input  wire [1:0]  stores_0_instruction_condition,
+    // What becomes of the enable flags with the last byte: an `Enabling`.
+    input  wire [2:0]  stores_0_instruction_enabling,
+    input  wire [1:0]  stores_0_instruction_flagging,    // What becomes of the flag with the last byte: a `Flagging`.
+    // Bytes of the expression that come before the word; 0 without one.
+    input  wire [2:0]  stores_0_instruction_skip,
+    input  wire [3:0]  stores_0_instruction_length,      // Bytes of the word: 1 to `LONGEST`.
+    // Addresses go down, from the most significant byte on: for shifts to the right.
+    input  wire        stores_0_instruction_descends,
+    input  wire [8:0]  stores_0_instruction_read,        // The address of the first byte that is read.
+    input  wire [8:0]  stores_0_instruction_write,       // The address of the first byte that is written.
+    input  wire [2:0]  stores_0_instruction_sync,        // What it does besides, with the ports: a `Sync`.
+    // Of the expression, in two's complement, relative to the region.
+    input  wire [39:0] stores_0_instruction_a,
+    input  wire [39:0] stores_0_instruction_b,           // Likewise.
+    // Likewise; the constant where there is no expression, from its least significant byte on. Longer words are of its sign.
+    input  wire [39:0] stores_0_instruction_c,
+    input  wire        stores_1_writes,
+    input  wire [3:0]  stores_1_address,
+    input  wire [1:0]  stores_1_instruction_source,
+    input  wire [3:0]  stores_1_instruction_function,
+    input  wire [1:0]  stores_1_instruction_begin,
+    input  wire [1:0]  stores_1_instruction_mask,
+    input  wire        stores_1_instruction_accumulates,
+    input  wire        stores_1_instruction_stores,
+    input  wire [1:0]  stores_1_instruction_condition,
+    input  wire [2:0]  stores_1_instruction_enabling,
+    input  wire [1:0]  stores_1_instruction_flagging,
+    input  wire [2:0]  stores_1_instruction_skip,
+    input  wire [3:0]  stores_1_instruction_length,
+    input  wire        stores_1_instruction_descends,
+    input  wire [8:0]  stores_1_instruction_read,
+    input  wire [8:0]  stores_1_instruction_write,
+    input  wire [2:0]  stores_1_instruction_sync,
+    input  wire [39:0] stores_1_instruction_a,
+    input  wire [39:0] stores_1_instruction_b,
+    input  wire [39:0] stores_1_instruction_c,
+    input  wire        stores_2_writes,
+    input  wire [3:0]  stores_2_address,
+    input  wire [1:0]  stores_2_instruction_source,
+    input  wire [3:0]  stores_2_instruction_function,
+    input  wire [1:0]  stores_2_instruction_begin,
+    input  wire [1:0]  stores_2_instruction_mask,
+    input  wire        stores_2_instruction_accumulates,
+    input  wire        stores_2_instruction_stores,
+    input  wire [1:0]  stores_2_instruction_condition,
+    input  wire [2:0]  stores_2_instruction_enabling,
+    input  wire [1:0]  stores_2_instruction_flagging,
+    input  wire [2:0]  stores_2_instruction_skip,
+    input  wire [3:0]  stores_2_instruction_length,
+    input  wire        stores_2_instruction_descends,
+    input  wire [8:0]  stores_2_instruction_read,
+    input  wire [8:0]  stores_2_instruction_write,
+    input  wire [2:0]  stores_2_instruction_sync,
+    input  wire [39:0] stores_2_instruction_a,
+    input  wire [39:0] stores_2_instruction_b,
+    input  wire [39:0] stores_2_instruction_c,
+    // Frames of them that are to be done.
+    input  wire        frames_0_valid,
+    input  wire [3:0]  frames_0_base,                    // The address of the first.
+    // How many there are; behind the end of the memory comes its beginning.
+    input  wire [4:0]  frames_0_length,
+    input  wire        frames_1_valid,
+    input  wire [3:0]  frames_1_base,
+    input  wire [4:0]  frames_1_length,
+    input  wire        frames_2_valid,
+    input  wire [3:0]  frames_2_base,
+    input  wire [4:0]  frames_2_length,
+    // Evaluator and memory may each have an instruction; while it is low, one begins when the one before has ended.
+    input  wire        side_by_side,
+    // From the texture unit of each node.
+    input  wire [3:0]  textures_0_pixel,                 // The pixel, counted line by line.
+    input  wire [5:0]  textures_0_address,               // The register.
+    input  wire        textures_0_writes,                // It is written.
+    input  wire [15:0] textures_0_bytes,                 // With a byte of each chip.
+    input  wire [3:0]  textures_1_pixel,
+    input  wire [5:0]  textures_1_address,
+    input  wire        textures_1_writes,
+    input  wire [15:0] textures_1_bytes,
+    input  wire [3:0]  textures_2_pixel,
+    input  wire [5:0]  textures_2_address,
+    input  wire        textures_2_writes,
+    input  wire [15:0] textures_2_bytes,
+    input  wire [2:0]  textures_done,                    // The nodes whose texture unit has done.
+    // What each node does with the words that go forth, from the first node to the last.
+    input  wire        forth_0_valid,
+    input  wire [1:0]  forth_0_mode,                     // A `Mode`.
+    input  wire        forth_0_bank,                     // The bank, unless it forwards.
+    // Bytes of a word, 1 to 32; none at a node before the one that loads, which has to be a `Mode::Forward`.
+    input  wire [5:0]  forth_0_bytes,
+    input  wire        forth_1_valid,
+    input  wire [1:0]  forth_1_mode,
+    input  wire        forth_1_bank,
+    input  wire [5:0]  forth_1_bytes,
+    input  wire        forth_2_valid,
+    input  wire [1:0]  forth_2_mode,
+    input  wire        forth_2_bank,
+    input  wire [5:0]  forth_2_bytes,
+    // What it does with those that go back.
+    input  wire        back_0_valid,
+    input  wire [1:0]  back_0_mode,                      // A `Mode`.
+    input  wire        back_0_bank,                      // The bank, unless it forwards.
+    // Bytes of a word, 1 to 32; none at a node before the one that loads, which has to be a `Mode::Forward`.
+    input  wire [5:0]  back_0_bytes,
+    input  wire        back_1_valid,
+    input  wire [1:0]  back_1_mode,
+    input  wire        back_1_bank,
+    input  wire [5:0]  back_1_bytes,
+    input  wire        back_2_valid,
+    input  wire [1:0]  back_2_mode,
+    input  wire        back_2_bank,
+    input  wire [5:0]  back_2_bytes,
+    // To the texture unit of each node: a byte of each chip.
+    output wire [15:0] texture_seen_0,
+    output wire [15:0] texture_seen_1,
+    output wire [15:0] texture_seen_2,
+    output wire [2:0]  textures_start,                   // The nodes whose texture unit begins.
+    // The nodes in which every instruction has ended, but in the pixels.
+    output wire [2:0]  idle,
+    // The nodes that have no job, of each direction.
+    output wire [2:0]  without_job_0,
+    output wire [2:0]  without_job_1,
+    // All nodes are ready for a word of the direction.
+    output wire        go_0,
+    output wire        go_1,
+    // What goes off at the end of each direction.
+    output wire        off_0_valid,                      // There is one.
+    output wire        off_0_first,                      // It is the first of a word.
+    output wire [15:0] off_0_bytes,                      // The bytes.
+    output wire        off_1_valid,
+    output wire        off_1_first,
+    output wire [15:0] off_1_bytes,
+    output wire        frames_0_ready,
+    output wire        frames_1_ready,
+    output wire        frames_2_ready,
+    output wire        forth_0_ready,
+    output wire        forth_1_ready,
+    output wire        forth_2_ready,
+    output wire        back_0_ready,
+    output wire        back_1_ready,
+    output wire        back_2_ready
+);
+
+    wire u_node0_texture_starts;                                 // rtl/src/pixelflow/machine.rs:136
+    wire u_node0_idle;                                           // rtl/src/pixelflow/machine.rs:136
+    wire u_node0_network_0_ready;                                // rtl/src/pixelflow/machine.rs:136
+    wire u_node0_network_0_idle;                                 // rtl/src/pixelflow/machine.rs:136
+    wire forth0_valid;                                           // rtl/src/pixelflow/machine.rs:114
+    wire forth0_first;                                           // rtl/src/pixelflow/machine.rs:114
+    wire [15:0] u_node0_network_0_downstream_bytes;              // rtl/src/pixelflow/machine.rs:136
+    wire u_node0_network_1_ready;                                // rtl/src/pixelflow/machine.rs:136
+    wire u_node0_network_1_idle;                                 // rtl/src/pixelflow/machine.rs:136
+    wire back0_valid;                                            // rtl/src/pixelflow/machine.rs:114
+    wire back0_first;                                            // rtl/src/pixelflow/machine.rs:114
+    wire [15:0] u_node0_network_1_downstream_bytes;              // rtl/src/pixelflow/machine.rs:136
+    wire u_node1_texture_starts;                                 // rtl/src/pixelflow/machine.rs:136
+    wire u_node1_idle;                                           // rtl/src/pixelflow/machine.rs:136
+    wire u_node1_network_0_ready;                                // rtl/src/pixelflow/machine.rs:136
+    wire u_node1_network_0_idle;                                 // rtl/src/pixelflow/machine.rs:136
+    wire forth1_valid;                                           // rtl/src/pixelflow/machine.rs:114
+    wire forth1_first;                                           // rtl/src/pixelflow/machine.rs:114
+    wire [15:0] u_node1_network_0_downstream_bytes;              // rtl/src/pixelflow/machine.rs:136
+    wire u_node1_network_1_ready;                                // rtl/src/pixelflow/machine.rs:136
+    wire u_node1_network_1_idle;                                 // rtl/src/pixelflow/machine.rs:136
+    wire back1_valid;                                            // rtl/src/pixelflow/machine.rs:114
+    wire back1_first;                                            // rtl/src/pixelflow/machine.rs:114
+    wire [15:0] u_node1_network_1_downstream_bytes;              // rtl/src/pixelflow/machine.rs:136
+    wire u_node2_texture_starts;                                 // rtl/src/pixelflow/machine.rs:136
+    wire u_node2_idle;                                           // rtl/src/pixelflow/machine.rs:136
+    wire u_node2_network_0_ready;                                // rtl/src/pixelflow/machine.rs:136
+    wire u_node2_network_0_idle;                                 // rtl/src/pixelflow/machine.rs:136
+    wire forth2_valid;                                           // rtl/src/pixelflow/machine.rs:114
+    wire forth2_first;                                           // rtl/src/pixelflow/machine.rs:114
+    wire [15:0] u_node2_network_0_downstream_bytes;              // rtl/src/pixelflow/machine.rs:136
+    wire u_node2_network_1_ready;                                // rtl/src/pixelflow/machine.rs:136
+    wire u_node2_network_1_idle;                                 // rtl/src/pixelflow/machine.rs:136
+    wire back2_valid;                                            // rtl/src/pixelflow/machine.rs:114
+    wire back2_first;                                            // rtl/src/pixelflow/machine.rs:114
+    wire [15:0] u_node2_network_1_downstream_bytes;              // rtl/src/pixelflow/machine.rs:136
+
+    wire [15:0] u_node0_network_1_upstream_bytes;                // rtl/src/pixelflow/machine.rs:114
+    wire [15:0] u_node1_network_0_upstream_bytes;                // rtl/src/pixelflow/machine.rs:114
+    wire [15:0] u_node1_network_1_upstream_bytes;                // rtl/src/pixelflow/machine.rs:114
+    wire [15:0] u_node2_network_0_upstream_bytes;                // rtl/src/pixelflow/machine.rs:114
+    wire go_forth = u_node0_network_0_ready & u_node1_network_0_ready & u_node2_network_0_ready; // rtl/src/pixelflow/machine.rs:116
+    wire go_back = u_node0_network_1_ready & u_node1_network_1_ready & u_node2_network_1_ready; // rtl/src/pixelflow/machine.rs:116
+    assign textures_start = {u_node2_texture_starts, u_node1_texture_starts, u_node0_texture_starts}; // rtl/src/pixelflow/machine.rs:142
+    assign idle = {u_node2_idle, u_node1_idle, u_node0_idle};    // rtl/src/pixelflow/machine.rs:142
+    assign without_job_0 = {u_node2_network_0_idle, u_node1_network_0_idle, u_node0_network_0_idle}; // rtl/src/pixelflow/machine.rs:142
+    assign without_job_1 = {u_node2_network_1_idle, u_node1_network_1_idle, u_node0_network_1_idle}; // rtl/src/pixelflow/machine.rs:142
+
+    genvar i;
+
+    generate
+        for (i = 0; i < 2; i = i + 1) begin : forth0_bytes_row
+            wire [7:0] forth0_bytes = u_node0_network_0_downstream_bytes[i * 8 +: 8];
+        end
+    endgenerate
+
+    generate
+        for (i = 0; i < 2; i = i + 1) begin : forth1_bytes_row
+            wire [7:0] forth1_bytes = u_node1_network_0_downstream_bytes[i * 8 +: 8];
+        end
+    endgenerate
+
+    generate
+        for (i = 0; i < 2; i = i + 1) begin : forth2_bytes_row
+            wire [7:0] forth2_bytes = u_node2_network_0_downstream_bytes[i * 8 +: 8];
+        end
+    endgenerate
+
+    generate
+        for (i = 0; i < 2; i = i + 1) begin : back0_bytes_row
+            wire [7:0] back0_bytes = u_node0_network_1_downstream_bytes[i * 8 +: 8];
+        end
+    endgenerate
+
+    generate
+        for (i = 0; i < 2; i = i + 1) begin : back1_bytes_row
+            wire [7:0] back1_bytes = u_node1_network_1_downstream_bytes[i * 8 +: 8];
+        end
+    endgenerate
+
+    generate
+        for (i = 0; i < 2; i = i + 1) begin : back2_bytes_row
+            wire [7:0] back2_bytes = u_node2_network_1_downstream_bytes[i * 8 +: 8];
+        end
+    endgenerate
+
+    node_array_pixel_array_width8_height4_words16_setup2 u_node0 ( // rtl/src/pixelflow/machine.rs:136
+        .array_clk                     (array_clk),
+        .array_rst                     (array_rst),
+        .network_clk                   (network_clk),
+        .network_rst                   (network_rst),
+        .store_writes                  (stores_0_writes),
+        .store_address                 (stores_0_address),
+        .store_instruction_source      (stores_0_instruction_source),
+        .store_instruction_function    (stores_0_instruction_function),
+        .store_instruction_begin       (stores_0_instruction_begin),
+        .store_instruction_mask        (stores_0_instruction_mask),
+        .store_instruction_accumulates (stores_0_instruction_accumulates),
+        .store_instruction_stores      (stores_0_instruction_stores),
+        .store_instruction_condition   (stores_0_instruction_condition),
+        .store_instruction_enabling    (stores_0_instruction_enabling),
+        .store_instruction_flagging    (stores_0_instruction_flagging),
+        .store_instruction_skip        (stores_0_instruction_skip),
+        .store_instruction_length      (stores_0_instruction_length),
+        .store_instruction_descends    (stores_0_instruction_descends),
+        .store_instruction_read        (stores_0_instruction_read),
+        .store_instruction_write       (stores_0_instruction_write),
+        .store_instruction_sync        (stores_0_instruction_sync),
+        .store_instruction_a           (stores_0_instruction_a),
+        .store_instruction_b           (stores_0_instruction_b),
+        .store_instruction_c           (stores_0_instruction_c),
+        .frames_valid                  (frames_0_valid),
+        .frames_base                   (frames_0_base),
+        .frames_length                 (frames_0_length),
+        .side_by_side                  (side_by_side),
+        .texture_pixel                 (textures_0_pixel),
+        .texture_address               (textures_0_address),
+        .texture_writes                (textures_0_writes),
+        .texture_bytes                 (textures_0_bytes),
+        .texture_done                  (textures_done[0]),
+        .network_0_jobs_valid          (forth_0_valid),
+        .network_0_jobs_mode           (forth_0_mode),
+        .network_0_jobs_bank           (forth_0_bank),
+        .network_0_jobs_bytes          (forth_0_bytes),
+        .network_0_go                  (go_forth),
+        .network_0_upstream_valid      (1'b0),
+        .network_0_upstream_first      (1'b0),
+        .network_0_upstream_bytes      (16'd0),
+        .network_1_jobs_valid          (back_0_valid),
+        .network_1_jobs_mode           (back_0_mode),
+        .network_1_jobs_bank           (back_0_bank),
+        .network_1_jobs_bytes          (back_0_bytes),
+        .network_1_go                  (go_back),
+        .network_1_upstream_valid      (back1_valid),
+        .network_1_upstream_first      (back1_first),
+        .network_1_upstream_bytes      (u_node0_network_1_upstream_bytes),
+        .texture_seen                  (texture_seen_0),
+        .texture_starts                (u_node0_texture_starts),
+        .idle                          (u_node0_idle),
+        .network_0_ready               (u_node0_network_0_ready),
+        .network_0_idle                (u_node0_network_0_idle),
+        .network_0_downstream_valid    (forth0_valid),
+        .network_0_downstream_first    (forth0_first),
+        .network_0_downstream_bytes    (u_node0_network_0_downstream_bytes),
+        .network_1_ready               (u_node0_network_1_ready),
+        .network_1_idle                (u_node0_network_1_idle),
+        .network_1_downstream_valid    (back0_valid),
+        .network_1_downstream_first    (back0_first),
+        .network_1_downstream_bytes    (u_node0_network_1_downstream_bytes),
+        .frames_ready                  (frames_0_ready),
+        .network_0_jobs_ready          (forth_0_ready),
+        .network_1_jobs_ready          (back_0_ready)
+    );
+
+    node_array_pixel_array_width8_height4_words16_setup2 u_node1 ( // rtl/src/pixelflow/machine.rs:136
+        .array_clk                     (array_clk),
+        .array_rst                     (array_rst),
+        .network_clk                   (network_clk),
+        .network_rst                   (network_rst),
+        .store_writes                  (stores_1_writes),
+        .store_address                 (stores_1_address),
+        .store_instruction_source      (stores_1_instruction_source),
+        .store_instruction_function    (stores_1_instruction_function),
+        .store_instruction_begin       (stores_1_instruction_begin),
+        .store_instruction_mask        (stores_1_instruction_mask),
+        .store_instruction_accumulates (stores_1_instruction_accumulates),
+        .store_instruction_stores      (stores_1_instruction_stores),
+        .store_instruction_condition   (stores_1_instruction_condition),
+        .store_instruction_enabling    (stores_1_instruction_enabling),
+        .store_instruction_flagging    (stores_1_instruction_flagging),
+        .store_instruction_skip        (stores_1_instruction_skip),
+        .store_instruction_length      (stores_1_instruction_length),
+        .store_instruction_descends    (stores_1_instruction_descends),
+        .store_instruction_read        (stores_1_instruction_read),
+        .store_instruction_write       (stores_1_instruction_write),
+        .store_instruction_sync        (stores_1_instruction_sync),
+        .store_instruction_a           (stores_1_instruction_a),
+        .store_instruction_b           (stores_1_instruction_b),
+        .store_instruction_c           (stores_1_instruction_c),
+        .frames_valid                  (frames_1_valid),
+        .frames_base                   (frames_1_base),
+        .frames_length                 (frames_1_length),
+        .side_by_side                  (side_by_side),
+        .texture_pixel                 (textures_1_pixel),
+        .texture_address               (textures_1_address),
+        .texture_writes                (textures_1_writes),
+        .texture_bytes                 (textures_1_bytes),
+        .texture_done                  (textures_done[1]),
+        .network_0_jobs_valid          (forth_1_valid),
+        .network_0_jobs_mode           (forth_1_mode),
+        .network_0_jobs_bank           (forth_1_bank),
+        .network_0_jobs_bytes          (forth_1_bytes),
+        .network_0_go                  (go_forth),
+        .network_0_upstream_valid      (forth0_valid),
+        .network_0_upstream_first      (forth0_first),
+        .network_0_upstream_bytes      (u_node1_network_0_upstream_bytes),
+        .network_1_jobs_valid          (back_1_valid),
+        .network_1_jobs_mode           (back_1_mode),
+        .network_1_jobs_bank           (back_1_bank),
+        .network_1_jobs_bytes          (back_1_bytes),
+        .network_1_go                  (go_back),
+        .network_1_upstream_valid      (back2_valid),
+        .network_1_upstream_first      (back2_first),
+        .network_1_upstream_bytes      (u_node1_network_1_upstream_bytes),
+        .texture_seen                  (texture_seen_1),
+        .texture_starts                (u_node1_texture_starts),
+        .idle                          (u_node1_idle),
+        .network_0_ready               (u_node1_network_0_ready),
+        .network_0_idle                (u_node1_network_0_idle),
+        .network_0_downstream_valid    (forth1_valid),
+        .network_0_downstream_first    (forth1_first),
+        .network_0_downstream_bytes    (u_node1_network_0_downstream_bytes),
+        .network_1_ready               (u_node1_network_1_ready),
+        .network_1_idle                (u_node1_network_1_idle),
+        .network_1_downstream_valid    (back1_valid),
+        .network_1_downstream_first    (back1_first),
+        .network_1_downstream_bytes    (u_node1_network_1_downstream_bytes),
+        .frames_ready                  (frames_1_ready),
+        .network_0_jobs_ready          (forth_1_ready),
+        .network_1_jobs_ready          (back_1_ready)
+    );
+
+    node_array_pixel_array_width8_height4_words16_setup2 u_node2 ( // rtl/src/pixelflow/machine.rs:136
+        .array_clk                     (array_clk),
+        .array_rst                     (array_rst),
+        .network_clk                   (network_clk),
+        .network_rst                   (network_rst),
+        .store_writes                  (stores_2_writes),
+        .store_address                 (stores_2_address),
+        .store_instruction_source      (stores_2_instruction_source),
+        .store_instruction_function    (stores_2_instruction_function),
+        .store_instruction_begin       (stores_2_instruction_begin),
+        .store_instruction_mask        (stores_2_instruction_mask),
+        .store_instruction_accumulates (stores_2_instruction_accumulates),
+        .store_instruction_stores      (stores_2_instruction_stores),
+        .store_instruction_condition   (stores_2_instruction_condition),
+        .store_instruction_enabling    (stores_2_instruction_enabling),
+        .store_instruction_flagging    (stores_2_instruction_flagging),
+        .store_instruction_skip        (stores_2_instruction_skip),
+        .store_instruction_length      (stores_2_instruction_length),
+        .store_instruction_descends    (stores_2_instruction_descends),
+        .store_instruction_read        (stores_2_instruction_read),
+        .store_instruction_write       (stores_2_instruction_write),
+        .store_instruction_sync        (stores_2_instruction_sync),
+        .store_instruction_a           (stores_2_instruction_a),
+        .store_instruction_b           (stores_2_instruction_b),
+        .store_instruction_c           (stores_2_instruction_c),
+        .frames_valid                  (frames_2_valid),
+        .frames_base                   (frames_2_base),
+        .frames_length                 (frames_2_length),
+        .side_by_side                  (side_by_side),
+        .texture_pixel                 (textures_2_pixel),
+        .texture_address               (textures_2_address),
+        .texture_writes                (textures_2_writes),
+        .texture_bytes                 (textures_2_bytes),
+        .texture_done                  (textures_done[2]),
+        .network_0_jobs_valid          (forth_2_valid),
+        .network_0_jobs_mode           (forth_2_mode),
+        .network_0_jobs_bank           (forth_2_bank),
+        .network_0_jobs_bytes          (forth_2_bytes),
+        .network_0_go                  (go_forth),
+        .network_0_upstream_valid      (forth1_valid),
+        .network_0_upstream_first      (forth1_first),
+        .network_0_upstream_bytes      (u_node2_network_0_upstream_bytes),
+        .network_1_jobs_valid          (back_2_valid),
+        .network_1_jobs_mode           (back_2_mode),
+        .network_1_jobs_bank           (back_2_bank),
+        .network_1_jobs_bytes          (back_2_bytes),
+        .network_1_go                  (go_back),
+        .network_1_upstream_valid      (1'b0),
+        .network_1_upstream_first      (1'b0),
+        .network_1_upstream_bytes      (16'd0),
+        .texture_seen                  (texture_seen_2),
+        .texture_starts                (u_node2_texture_starts),
+        .idle                          (u_node2_idle),
+        .network_0_ready               (u_node2_network_0_ready),
+        .network_0_idle                (u_node2_network_0_idle),
+        .network_0_downstream_valid    (forth2_valid),
+        .network_0_downstream_first    (forth2_first),
+        .network_0_downstream_bytes    (u_node2_network_0_downstream_bytes),
+        .network_1_ready               (u_node2_network_1_ready),
+        .network_1_idle                (u_node2_network_1_idle),
+        .network_1_downstream_valid    (back2_valid),
+        .network_1_downstream_first    (back2_first),
+        .network_1_downstream_bytes    (u_node2_network_1_downstream_bytes),
+        .frames_ready                  (frames_2_ready),
+        .network_0_jobs_ready          (forth_2_ready),
+        .network_1_jobs_ready          (back_2_ready)
+    );
+
+    generate
+        for (i = 0; i < 2; i = i + 1) begin : u_node0_network_1_upstream_bytes_of
+            assign u_node0_network_1_upstream_bytes[i * 8 +: 8] = back1_bytes_row[i].back1_bytes;
+        end
+    endgenerate
+    generate
+        for (i = 0; i < 2; i = i + 1) begin : u_node1_network_0_upstream_bytes_of
+            assign u_node1_network_0_upstream_bytes[i * 8 +: 8] = forth0_bytes_row[i].forth0_bytes;
+        end
+    endgenerate
+    generate
+        for (i = 0; i < 2; i = i + 1) begin : u_node1_network_1_upstream_bytes_of
+            assign u_node1_network_1_upstream_bytes[i * 8 +: 8] = back2_bytes_row[i].back2_bytes;
+        end
+    endgenerate
+    generate
+        for (i = 0; i < 2; i = i + 1) begin : u_node2_network_0_upstream_bytes_of
+            assign u_node2_network_0_upstream_bytes[i * 8 +: 8] = forth1_bytes_row[i].forth1_bytes;
+        end
+    endgenerate
+    generate
+        for (i = 0; i < 2; i = i + 1) begin : off_0_bytes_of
+            assign off_0_bytes[i * 8 +: 8] = forth2_bytes_row[i].forth2_bytes;
+        end
+    endgenerate
+    generate
+        for (i = 0; i < 2; i = i + 1) begin : off_1_bytes_of
+            assign off_1_bytes[i * 8 +: 8] = back0_bytes_row[i].back0_bytes;
+        end
+    endgenerate
+
+    assign go_0 = go_forth;
+    assign go_1 = go_back;
+    assign off_0_valid = forth2_valid;
+    assign off_0_first = forth2_first;
+    assign off_1_valid = back0_valid;
+    assign off_1_first = back0_first;
+endmodule
+`default_nettype wire
