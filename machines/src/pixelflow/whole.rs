@@ -236,8 +236,7 @@ fn begun(
             sim.set(store.writes, address < program.len());
             sim.set(store.address, address as u64);
             let Some(instruction) = program.get(address) else { continue };
-            let fields = store.instruction.fields().into_iter().zip(instruction.fields());
-            fields.for_each(|(port, value)| sim.set(port, value));
+            sim.set_record(store.instruction, *instruction);
         }
         sim.step_clock(ARRAY, 1);
     }

@@ -111,41 +111,6 @@ impl Instruction<Width> {
     }
 }
 
-impl<T: Copy> Instruction<T> {
-    /// All of its fields, in the order of their declaration: of an instruction the values for the ports of another one.
-    ///
-    /// ```
-    /// use tilewright_rtl::pixelflow::instruction::Instruction;
-    ///
-    /// assert_eq!(Instruction { c: 7, ..Instruction::NOTHING }.fields()[17], 7);
-    /// ```
-    pub fn fields(&self) -> [T; 18] {
-        let &Instruction { source, function, begin, mask, accumulates, stores, condition, enabling, flagging, .. } =
-            self;
-        let &Instruction { skip, length, descends, read, write, sync, a, b, c, .. } = self;
-        [
-            source,
-            function,
-            begin,
-            mask,
-            accumulates,
-            stores,
-            condition,
-            enabling,
-            flagging,
-            skip,
-            length,
-            descends,
-            read,
-            write,
-            sync,
-            a,
-            b,
-            c,
-        ]
-    }
-}
-
 impl Instruction<u64> {
     /// An instruction of one byte that does nothing, to begin with.
     pub const NOTHING: Instruction<u64> = Instruction {

@@ -1,6 +1,6 @@
 //! Inputs and outputs of a simulation: one, a list, a bundle at a time.
 
-use tilewright_hdl::{Bits, Bundle, Leaf};
+use tilewright_hdl::{Bits, Bundle, Fields, Leaf, Visited};
 
 use crate::testbench::port::{IntoValue, Port};
 use crate::testbench::simulation::{Simulation, in_step};
@@ -66,6 +66,55 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     ) {
         let circuit = &mut self.circuit;
         in_step(list(&self.i), values, |port, value| circuit.set(port, value));
+    }
+
+    /// Sets the inputs of a record, one of the fields of the bundle.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// bundle! {
+    ///     /// A pixel.
+    ///     pub struct Pixel<T> { pub z: T, pub rgb: T }
+    /// }
+    ///
+    /// block! {
+    ///     struct Nearer;
+    ///     in NearerIn { limit: bits(8), pixel: Pixel = Pixel { z: bits(8), rgb: bits(24) } }
+    ///     out NearerOut { rgb: bits(24) }
+    /// }
+    ///
+    /// impl Nearer {
+    ///     fn build(&self, _: Module, i: NearerIn) -> NearerOut {
+    ///         NearerOut { rgb: mux(i.pixel.z.lt(i.limit), i.pixel.rgb, 0) }
+    ///     }
+    /// }
+    ///
+    /// let mut sim = tilewright_sim::Simulation::of(&Nearer)?;
+    /// sim.set(sim.i.limit, 10);
+    /// sim.set_record(sim.i.pixel, Pixel { z: 9, rgb: 0xff00ff });
+    /// assert_eq!(sim.get(sim.o.rgb), 0xff00ff);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    ///
+    /// # Panics
+    ///
+    /// A list in it is not as long as that of the ports; or as [`Simulation::set`].
+    #[track_caller]
+    pub fn set_record<P: Fields<Port>>(&mut self, ports: P, values: P::With<u64>) {
+        let mut given = Vec::new();
+        values.visit(&mut |part| {
+            if let Visited::Leaf(value) = part {
+                given.push(*value);
+            }
+        });
+        let mut sought = Vec::with_capacity(given.len());
+        ports.visit(&mut |part| {
+            if let Visited::Leaf(port) = part {
+                sought.push(*port);
+            }
+        });
+        let circuit = &mut self.circuit;
+        in_step(&sought, given, |port, value| circuit.set(port, value));
     }
 
     /// The values of a list of outputs, one of the fields of the bundle, settled, as numbers.

@@ -21,9 +21,7 @@ fn started(array: &PixelArray, side_by_side: bool) -> Array {
 fn clock(sim: &mut Array, instruction: Option<&Instruction<u64>>) -> bool {
     let i = sim.i.clone();
     sim.set(i.instructions.valid, instruction.is_some());
-    let ports = i.instructions.payload.leaves();
-    let values = instruction.unwrap_or(&Instruction::NOTHING).leaves();
-    ports.into_iter().zip(values).for_each(|((_, port), (_, value))| sim.set(port, value));
+    sim.set_record(i.instructions.payload, *instruction.unwrap_or(&Instruction::NOTHING));
     let taken = instruction.is_some() && sim.get_u64(i.instructions.ready) == 1;
     sim.step_clock(ARRAY, 1);
     taken

@@ -37,9 +37,7 @@ impl Host {
                 sim.set(store.writes, address < program.len());
                 sim.set(store.address, address as u64);
                 let Some(instruction) = program.get(address) else { continue };
-                let values = instruction.leaves();
-                let ports = store.instruction.leaves();
-                ports.into_iter().zip(values).for_each(|((_, port), (_, value))| sim.set(port, value));
+                sim.set_record(store.instruction, *instruction);
             }
             sim.step_clock(ARRAY, 1);
         }

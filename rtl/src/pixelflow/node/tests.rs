@@ -98,8 +98,7 @@ fn started(node: &Node, program: &[Instruction<u64>]) -> Simulation<NodeIn, Node
     sim.set(i.store.writes, 1);
     for (address, instruction) in program.iter().enumerate() {
         sim.set(i.store.address, address as u64);
-        let values = instruction.leaves();
-        i.store.instruction.leaves().into_iter().zip(values).for_each(|((_, port), (_, value))| sim.set(port, value));
+        sim.set_record(i.store.instruction, *instruction);
         sim.step_clock(ARRAY, 1);
     }
     sim.set(i.store.writes, 0);

@@ -15,9 +15,8 @@ fn serve(unit: &TextureUnit, finest: &[u32], registers: &mut Registers) -> u64 {
     sim.reset();
     let i = sim.i;
     for inputs in contents(finest).0 {
-        let written = inputs.write.leaves().into_iter().chain(inputs.describe.leaves());
-        let ports = i.write.leaves().into_iter().chain(i.describe.leaves());
-        ports.zip(written).for_each(|((_, port), (_, value))| sim.set(port, value));
+        sim.set_record(i.write, inputs.write);
+        sim.set_record(i.describe, inputs.describe);
         sim.step();
     }
     sim.set(i.write.valid, 0);
