@@ -1,10 +1,10 @@
 //! What instructions do to a pixel, by definition: for the tests of programs, and of the hardware.
 //!
-//! It is the plain reading of [`instruction`](super::instruction) and [`pixel`](super::pixel), a byte after the other; what the instructions wait for and
-//! when they begin is not here, as it does not change what they do.
+//! It is the plain reading of [`instruction`](super::instruction) and [`pixel`](super::pixel): an instruction controls the pixel in as many clocks as it has bytes, and
+//! [`Pixel::step`] is what happens in one. What instructions wait for and when they begin is not here, as it does not change what they do.
 
 use super::instruction::{COEFFICIENT, Instruction};
-use super::pixel::{Begin, Condition, Enabling, Flagging, Function, Mask, PixelProcessor, Source};
+use super::pixel::{Begin, Condition, Control, Enabling, Flagging, Function, Mask, PixelProcessor, Source};
 use crate::prelude::Codes;
 
 /// A pixel's memory and flags.
@@ -42,7 +42,9 @@ pub struct Pixel {
     /// The flag.
     pub flag: bool,
     /// The enable flags: bit 0 is the top one.
-    pub enable: u8,
+    pub enable: u32,
+    /// How many they are; what is pushed beyond is lost, and what comes up from below is like the lowest.
+    depth: u32,
 }
 
 impl Default for Pixel {
@@ -54,7 +56,13 @@ impl Default for Pixel {
 impl Pixel {
     /// A pixel with zeros everywhere; hardware begins with any.
     pub fn new() -> Pixel {
-        Pixel { memory: [0; PixelProcessor::BYTES as usize], accumulator: 0, carry: false, flag: false, enable: 0 }
+        Pixel::of_depth(PixelProcessor::DEPTH)
+    }
+
+    /// One with so many enable flags, 2 to 32.
+    pub fn of_depth(depth: u32) -> Pixel {
+        let memory = [0; PixelProcessor::BYTES as usize];
+        Pixel { memory, accumulator: 0, carry: false, flag: false, enable: 0, depth }
     }
 
     /// Does what a program does to the pixel at (x, y) of the region.
@@ -64,78 +72,62 @@ impl Pixel {
 
     /// An instruction, where its expression has that value.
     pub fn instruction(&mut self, i: &Instruction<u64>, value: i64) {
-        let byte_of = |word: i64, at: u64| (word >> (8 * at).min(63)) as u8;
-        for byte in 0..i.length {
-            let is_last = byte + 1 == i.length;
-            let constant = byte_of(signed(i.c), byte);
-            let expression = byte_of(value, i.skip + byte);
-            let begin = if byte == 0 { Begin::ALL[i.begin as usize] } else { Begin::Kept };
-            let address = |first: u64| (if i.descends == 1 { first - byte } else { first + byte }) as usize;
-            self.byte(i, begin, [constant, expression], [address(i.read), address(i.write)], is_last);
-        }
+        (0..i.length).for_each(|byte| self.step(&control(i, byte), byte_of(value, i.skip + byte)));
     }
 
-    /// What happens in the clock of a byte: everything sees what the flags were before.
-    fn byte(
-        &mut self,
-        i: &Instruction<u64>,
-        begin: Begin,
-        [constant, expression]: [u8; 2],
-        [read, write]: [usize; 2],
-        is_last: bool,
-    ) {
-        let operand = match Source::ALL[i.source as usize] {
+    /// A clock, in which everything sees what the flags were before.
+    pub fn step(&mut self, c: &Control<u64>, expression: u8) {
+        let (word, constant) = (self.memory[c.read as usize], c.constant as u8);
+        let operand = match Source::ALL[c.source as usize] {
             Source::Constant => constant,
             Source::Expression => expression,
             Source::Accumulator => self.accumulator,
             Source::Multiplicand => self.accumulator * u8::from(self.flag),
         };
-        let carry = match begin {
+        let carry = match Begin::ALL[c.begin as usize] {
             Begin::Kept => self.carry,
             Begin::Zero => false,
             Begin::One => true,
         };
-        let (result, carry) =
-            computed(Function::ALL[i.function as usize], self.memory[read], operand, carry, self.carry);
-        let writes = match Mask::ALL[i.mask as usize] {
+        let (result, carry) = computed(Function::ALL[c.function as usize], word, operand, carry, self.carry);
+        let writes = match Mask::ALL[c.mask as usize] {
             Mask::Nobody => false,
             Mask::Everybody => true,
             Mask::Enabled => self.is_enabled(),
             Mask::Flagged => self.flag,
         };
-        if writes && i.accumulates == 1 {
+        if writes && c.accumulates == 1 {
             self.accumulator = result;
         }
-        if writes && i.stores == 1 {
-            self.memory[write] = result;
+        if writes && c.stores == 1 {
+            self.memory[c.write as usize] = result;
         }
         self.carry = carry;
-        if is_last {
-            let holds = match Condition::ALL[i.condition as usize] {
-                Condition::Positive => operand < 0x80,
-                Condition::Carry => carry,
-                Condition::NoCarry => !carry,
-            };
-            self.flags(Enabling::ALL[i.enabling as usize], Flagging::ALL[i.flagging as usize], holds);
-        }
+        let holds = match Condition::ALL[c.condition as usize] {
+            Condition::Positive => operand < 0x80,
+            Condition::Carry => carry,
+            Condition::NoCarry => !carry,
+        };
+        let enters = if c.by_sign == 1 { expression < 0x80 } else { holds };
+        self.set_flags(Enabling::ALL[c.enabling as usize], enters, Flagging::ALL[c.flagging as usize], holds);
     }
 
-    fn flags(&mut self, enabling: Enabling, flagging: Flagging, holds: bool) {
-        let top = self.is_enabled();
+    fn set_flags(&mut self, enabling: Enabling, enters: bool, flagging: Flagging, holds: bool) {
+        let (top, lowest) = (self.is_enabled(), self.enable & 1 << (self.depth - 1));
         self.flag = match flagging {
             Flagging::Keep => self.flag,
             Flagging::Condition => holds,
             Flagging::EnabledCondition => holds && top,
         };
-        let with_top = |top: bool| self.enable & !1 | u8::from(top);
+        let with_top = |top: bool| self.enable & !1 | u32::from(top);
         self.enable = match enabling {
             Enabling::Keep => self.enable,
             Enabling::Set => with_top(true),
-            Enabling::Replace => with_top(holds),
-            Enabling::Restrict => with_top(top && holds),
-            Enabling::Push => self.enable << 1 | u8::from(top && holds),
+            Enabling::Replace => with_top(enters),
+            Enabling::Restrict => with_top(top && enters),
+            Enabling::Push => (self.enable & !lowest) << 1 | u32::from(top && enters),
             Enabling::Invert => with_top(self.enable & 2 != 0 && !top),
-            Enabling::Pop => self.enable & 0x80 | self.enable >> 1,
+            Enabling::Pop => lowest | self.enable >> 1,
         };
     }
 
@@ -143,6 +135,38 @@ impl Pixel {
     pub fn is_enabled(&self) -> bool {
         self.enable & 1 == 1
     }
+}
+
+/// What an instruction says to the pixels with one of its bytes.
+pub fn control(i: &Instruction<u64>, byte: u64) -> Control<u64> {
+    let at = |address: u64| if i.descends == 1 { address.wrapping_sub(byte) } else { address + byte };
+    let last = |code: u64, none: u64| if byte + 1 == i.length { code } else { none };
+    Control {
+        source: i.source,
+        constant: byte_of(signed(i.c), byte).into(),
+        function: i.function,
+        begin: if byte == 0 { i.begin } else { Begin::Kept.code() },
+        mask: i.mask,
+        accumulates: i.accumulates,
+        stores: i.stores,
+        condition: i.condition,
+        enabling: last(i.enabling, Enabling::Keep.code()),
+        by_sign: is_by_sign(i).into(),
+        flagging: last(i.flagging, Flagging::Keep.code()),
+        read: at(i.read),
+        write: at(i.write),
+    }
+}
+
+/// Whether pixels are enabled by the expression's sign, past the ALU.
+fn is_by_sign(i: &Instruction<u64>) -> bool {
+    let enters = [Enabling::Replace, Enabling::Restrict, Enabling::Push].iter().any(|it| it.code() == i.enabling);
+    enters && i.source == Source::Expression.code() && i.condition == Condition::Positive.code()
+}
+
+/// A byte of a number, which goes on with its sign.
+pub(super) fn byte_of(number: i64, byte: u64) -> u8 {
+    (number >> (8 * byte).min(63)) as u8
 }
 
 /// The result and the carry: of a word's byte `w`, an operand `x`, and the carry `c` that comes in, where `kept` is the one before.
@@ -171,10 +195,7 @@ pub fn expression(i: &Instruction<u64>, x: u32, y: u32) -> i64 {
 }
 
 /// A coefficient in two's complement.
-fn signed(coefficient: u64) -> i64 {
+pub fn signed(coefficient: u64) -> i64 {
     let above = i64::BITS - COEFFICIENT;
     (coefficient << above) as i64 >> above
 }
-
-#[cfg(test)]
-mod tests;

@@ -1,116 +1,14 @@
-//! What instructions do to a pixel, one after another: by definition, for tests.
+//! What a controller makes of instructions, for tests: from their codes, in words of its own.
 
+use super::emulator::control;
 use super::instruction::Instruction;
-use super::pixel::{Begin, Condition, Control, Enabling, Flagging, Function, Mask, PixelProcessor, Source};
+use super::pixel::{Condition, Control, Enabling, Flagging, Function, Mask, Source};
 use crate::pixel_planes::schedule::Step;
 use crate::prelude::Codes;
 
-/// What a processor holds, and what its control makes of it: by the words of [`Control`] and its codes alone.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) struct Pixel {
-    /// With the communication registers.
-    pub memory: Vec<u64>,
-    pub accumulator: u64,
-    pub carry: u64,
-    /// The top one first.
-    pub enable: Vec<u64>,
-    pub flag: u64,
-}
-
-impl Pixel {
-    pub fn new(depth: u32) -> Pixel {
-        let (memory, enable) = (vec![0; PixelProcessor::BYTES as usize], vec![0; depth as usize]);
-        Pixel { memory, accumulator: 0, carry: 0, enable, flag: 0 }
-    }
-
-    pub fn step(&mut self, c: &Control<u64>, expression: u64) {
-        let w = self.memory[c.read as usize];
-        let x = [c.constant, expression, self.accumulator, self.accumulator * self.flag][c.source as usize];
-        let carry = [self.carry, 0, 1][c.begin as usize];
-        let difference = w + (255 - x) + carry;
-        let (result, carry) = match Function::ALL[c.function as usize] {
-            Function::Operand => (x, self.carry),
-            Function::Word => (w, self.carry),
-            Function::Add => ((w + x + carry) % 256, (w + x + carry) / 256),
-            Function::Subtract => (difference % 256, difference / 256),
-            Function::Compare => (x, difference / 256),
-            Function::And => (w & x, self.carry),
-            Function::Or => (w | x, self.carry),
-            Function::ExclusiveOr => (w ^ x, self.carry),
-            Function::ShiftLeft => (w * 2 % 256 + carry, w / 128),
-            Function::ShiftRight => (w / 2 + 128 * carry, w % 2),
-            Function::AddHalved => ((w + x + carry) / 2, (w + x + carry) % 2),
-        };
-        self.carry = carry;
-        let holds = [u64::from(x < 128), carry, 1 - carry][c.condition as usize];
-        let (top, flag) = (self.enable[0], self.flag);
-        self.flag = [flag, holds, holds * top][c.flagging as usize];
-
-        let enters = if c.by_sign == 1 { u64::from(expression < 128) } else { holds };
-        match Enabling::ALL[c.enabling as usize] {
-            Enabling::Keep => {}
-            Enabling::Set => self.enable[0] = 1,
-            Enabling::Replace => self.enable[0] = enters,
-            Enabling::Restrict => self.enable[0] = top * enters,
-            Enabling::Push => {
-                self.enable.insert(0, top * enters);
-                self.enable.pop();
-            }
-            Enabling::Invert => self.enable[0] = self.enable[1] * (1 - top),
-            Enabling::Pop => {
-                self.enable.remove(0);
-                self.enable.push(*self.enable.last().unwrap());
-            }
-        }
-
-        if [0, 1, top, flag][c.mask as usize] == 1 {
-            if c.stores == 1 {
-                self.memory[c.write as usize] = result;
-            }
-            if c.accumulates == 1 {
-                self.accumulator = result;
-            }
-        }
-    }
-}
-
-impl Pixel {
-    /// Does an instruction, whose expression is `value` here.
-    pub fn run(&mut self, instruction: &Instruction<u64>, value: i128) {
-        for (control, byte) in controls(instruction).iter().zip(instruction.skip..) {
-            self.step(control, (value >> (8 * byte)) as u64 & 0xff);
-        }
-    }
-}
-
 /// What a pixel does with each byte of the word, one after another.
 pub(super) fn controls(i: &Instruction<u64>) -> Vec<Control<u64>> {
-    let constant = signed(i.c);
-    let byte = |byte: u64| {
-        let at = |address: u64| if i.descends == 1 { address.wrapping_sub(byte) } else { address + byte };
-        let last = |code: u64, none: u64| if byte + 1 == i.length { code } else { none };
-        Control {
-            source: i.source,
-            constant: (constant >> (8 * byte)) as u64 & 0xff,
-            function: i.function,
-            begin: if byte == 0 { i.begin } else { Begin::Kept.code() },
-            mask: i.mask,
-            accumulates: i.accumulates,
-            stores: i.stores,
-            condition: i.condition,
-            enabling: last(i.enabling, Enabling::Keep.code()),
-            by_sign: u64::from(is_by_sign(i)),
-            flagging: last(i.flagging, Flagging::Keep.code()),
-            read: at(i.read),
-            write: at(i.write),
-        }
-    };
-    (0..i.length).map(byte).collect()
-}
-
-/// A coefficient's number.
-pub(super) fn signed(coefficient: u64) -> i128 {
-    i128::from((coefficient << 24) as i64 >> 24)
+    (0..i.length).map(|byte| control(i, byte)).collect()
 }
 
 fn is_conditional(enabling: u64) -> bool {

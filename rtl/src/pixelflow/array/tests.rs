@@ -3,7 +3,7 @@
 use proptest::prelude::*;
 use tilewright_sim::Simulation;
 
-use super::super::model::{Pixel, signed};
+use super::super::emulator::Pixel;
 use super::super::pixel::{Enabling, Flagging, Function, Mask, Source};
 use super::super::testing::{edge, instructions, processor_time};
 use super::*;
@@ -44,7 +44,7 @@ fn run(sim: &mut Array, array: &PixelArray, program: &[Instruction<u64>], pauses
 
 /// All that a pixel of the circuit holds.
 fn held(sim: &mut Array, array: &PixelArray, x: u32, y: u32) -> Pixel {
-    let mut pixel = Pixel::new(PixelProcessor::DEPTH);
+    let mut pixel = Pixel::new();
     // A row for each chip, which has two lines.
     let place = format!("[{}][{}]", y / 2, y % 2 * array.width() + x);
     let name = |what: &str| format!("u_pixel{place}.{what}");
@@ -54,13 +54,12 @@ fn held(sim: &mut Array, array: &PixelArray, x: u32, y: u32) -> Pixel {
     let memories = [name("memory"), registers("u_bank0"), registers("u_bank1"), registers("u_texture")];
     let ranges = [(0..256u64, 0), (256..288, 256), (288..320, 288), (320..384, 320)];
     for (memory, (range, from)) in memories.iter().zip(ranges) {
-        range.for_each(|at| pixel.memory[at as usize] = byte(sim, memory, at - from));
+        range.for_each(|at| pixel.memory[at as usize] = byte(sim, memory, at - from) as u8);
     }
-    pixel.accumulator = number(sim, "accumulator");
-    pixel.carry = number(sim, "carry");
-    pixel.flag = number(sim, "flag");
-    let enable = number(sim, "enable");
-    pixel.enable = (0..PixelProcessor::DEPTH).map(|flag| enable >> flag & 1).collect();
+    pixel.accumulator = number(sim, "accumulator") as u8;
+    pixel.carry = number(sim, "carry") == 1;
+    pixel.flag = number(sim, "flag") == 1;
+    pixel.enable = number(sim, "enable") as u32;
     pixel
 }
 
@@ -80,11 +79,8 @@ proptest! {
         let mut sim = started(&array, side_by_side);
         run(&mut sim, &array, &program, &pauses);
         for (x, y) in (0..height).flat_map(|y| (0..width).map(move |x| (x, y))) {
-            let mut pixel = Pixel::new(PixelProcessor::DEPTH);
-            for instruction in &program {
-                let [a, b, c] = [instruction.a, instruction.b, instruction.c].map(signed);
-                pixel.run(instruction, a * i128::from(x) + b * i128::from(y) + c);
-            }
+            let mut pixel = Pixel::new();
+            pixel.run(&program, x, y);
             prop_assert_eq!(held(&mut sim, &array, x, y), pixel, "pixel {} of line {}", x, y);
         }
     }

@@ -3,7 +3,8 @@
 use proptest::prelude::*;
 use tilewright_sim::Simulation;
 
-use super::super::model::{controls, effect, signed, step};
+use super::super::emulator::{byte_of, signed};
+use super::super::model::{controls, effect, step};
 use super::super::pixel::Begin;
 use super::super::testing::{edge, instructions, triangle};
 use super::*;
@@ -240,7 +241,7 @@ proptest! {
             if next.source == Source::Expression.code() {
                 first[*begins as usize] = 1;
                 for at in 0..next.skip + next.length {
-                    let sent = [next.a, next.b, next.c].map(|number| (signed(number) >> (8 * at)) as u64 & 0xff);
+                    let sent = [next.a, next.b, next.c].map(|number| byte_of(signed(number), at).into());
                     let out = seen[(begins + at) as usize].coefficients;
                     prop_assert_eq!([out.a, out.b, out.c], sent);
                 }

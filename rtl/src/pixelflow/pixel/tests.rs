@@ -3,7 +3,7 @@
 use proptest::prelude::*;
 use tilewright_sim::Simulation;
 
-use super::super::model::Pixel;
+use super::super::emulator::Pixel;
 use super::*;
 
 type Processor = Simulation<PixelProcessorIn, PixelProcessorOut>;
@@ -139,25 +139,27 @@ proptest! {
         all in prop::collection::vec((controls(), 0..256u64), 1..300),
     ) {
         let mut sim = started(depth);
-        let mut pixel = Pixel::new(depth);
+        let mut pixel = Pixel::of_depth(depth);
         for (control, expression) in all {
             // The registers are outside.
             let is_register = |address: u64| address >= PixelProcessor::REGISTERS.into();
-            let register = if is_register(control.read) { pixel.memory[control.read as usize] } else { 0x5a };
+            let word = u64::from(pixel.memory[control.read as usize]);
+            let register = if is_register(control.read) { word } else { 0x5a };
             sim.drive(PixelProcessorIn { control, expression, register_byte: register });
-            prop_assert_eq!(sim.peek("word").unwrap().to_u64(), Some(pixel.memory[control.read as usize]));
+            prop_assert_eq!(sim.peek("word").unwrap().to_u64(), Some(word));
             let (result, writes) = (sim.get_u64(sim.o.result), sim.get_u64(sim.o.writes_register) == 1);
-            let before = pixel.memory.clone();
-            pixel.step(&control, expression);
+            let before = pixel.memory;
+            pixel.step(&control, expression as u8);
             if writes {
                 prop_assert!(is_register(control.write));
-                prop_assert_eq!(result, pixel.memory[control.write as usize]);
+                prop_assert_eq!(result, u64::from(pixel.memory[control.write as usize]));
             } else {
                 prop_assert_eq!(&before[256..], &pixel.memory[256..]);
             }
             sim.step();
-            let enable = pixel.enable.iter().rev().fold(0, |flags, flag| flags << 1 | flag);
-            let state = [("accumulator", pixel.accumulator), ("carry", pixel.carry), ("enable", enable), ("flag", pixel.flag)];
+            let [carry, flag] = [pixel.carry, pixel.flag].map(u64::from);
+            let (accumulator, enable) = (pixel.accumulator.into(), pixel.enable.into());
+            let state = [("accumulator", accumulator), ("carry", carry), ("enable", enable), ("flag", flag)];
             for (name, expected) in state {
                 prop_assert_eq!(sim.peek(name).unwrap().to_u64(), Some(expected), "{}", name);
             }
