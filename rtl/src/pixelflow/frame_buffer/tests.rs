@@ -192,7 +192,7 @@ fn expect_frames(screen: [u32; 2], shown: &[((u64, bool, bool), u64)]) -> Result
         // It was whole before it was shown, and the one behind it is not older than a frame.
         prop_assert!(chunk[0].1 > number && chunk[0].1 <= number + 2);
         for (at, ((_, first, last), _)) in chunk.iter().enumerate() {
-            prop_assert_eq!((*first, *last), (at == 0, (at + 1) as u32 % screen[0] == 0));
+            prop_assert_eq!((*first, *last), (at == 0, ((at + 1) as u32).is_multiple_of(screen[0])));
         }
     }
     Ok(())
