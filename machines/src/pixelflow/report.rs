@@ -31,9 +31,8 @@ pub struct Report {
     pub rasterizers: Vec<NodeReport>,
     /// Each node that shaded.
     pub shaders: Vec<NodeReport>,
-    /// Clocks of 10 ns in which the array of the node that holds the frame had an instruction, where it adds up samples.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub holder: Option<u64>,
+    /// Clocks of 10 ns in which the array of the node that holds the frame had an instruction, or waited for the frame buffer.
+    pub holder: u64,
     /// Primitives, and how often one is in a region.
     pub primitives: usize,
     /// Likewise.
@@ -75,7 +74,7 @@ pub struct Stage {
 }
 
 impl Report {
-    pub(super) fn new(config: &Config, works: &Works, turns: Vec<Done>, busy: [Vec<u64>; 2]) -> Report {
+    pub(super) fn new(config: &Config, works: &Works, turns: Vec<Done>, busy: [Vec<u64>; 2], holder: u64) -> Report {
         let costs = &config.costs;
         let (transforms, system) = match works.is_shaded() {
             true => (costs.transform, System::Base),
@@ -93,7 +92,7 @@ impl Report {
             array: config.array,
             rasterizers: works.primitives.iter().zip(rasterizers).map(rasterizer).collect(),
             shaders: shaders.into_iter().map(|busy| NodeReport { primitives: 0, busy }).collect(),
-            holder: None,
+            holder,
             primitives: works.primitives.iter().sum(),
             drawn: works.drawn,
             front: ticks(costs.overhead + transforms * most),
@@ -116,6 +115,7 @@ impl Report {
         Report {
             rasterizers: sum(self.rasterizers, next.rasterizers),
             shaders: sum(self.shaders, next.shaders),
+            holder: self.holder + next.holder,
             drawn: self.drawn + next.drawn,
             turns: self.turns.into_iter().chain(next.turns.into_iter().map(moved)).collect(),
             ..next
@@ -160,9 +160,6 @@ impl Report {
         };
         let rasterizing = Stage { name: "rasterizing", busy: longest(&self.rasterizers), from: 0, to: last.rasterized };
         let mut stages = vec![rasterizing, in_turn("composing", |it| &it.composed)];
-        if let Some(clocks) = self.holder {
-            stages.push(stage("adding samples", 2 * clocks, |it| &it.shaded));
-        }
         if !self.shaders.is_empty() {
             stages.push(stage("shading", longest(&self.shaders), |it| &it.shaded));
             stages.push(in_turn("sending colours", |it| &it.sent));
@@ -216,10 +213,8 @@ impl fmt::Display for Report {
             let part = 200.0 * *busy as f64 / self.back().max(1) as f64;
             writeln!(f, "{name:<16}{primitives:>10}{busy:>12}{part:>6.1} %")?;
         }
-        if let Some(busy) = self.holder {
-            let part = 200.0 * busy as f64 / self.back().max(1) as f64;
-            writeln!(f, "{:<16}{:>10}{busy:>12}{part:>6.1} %", "frame's holder", "")?;
-        }
+        let (busy, part) = (self.holder, 200.0 * self.holder as f64 / self.back().max(1) as f64);
+        writeln!(f, "{:<16}{:>10}{busy:>12}{part:>6.1} %", "frame's holder", "")?;
         write!(f, "The frame takes {:.3} ms.", milliseconds(self.latency()))
     }
 }

@@ -52,6 +52,8 @@ pub(super) struct Works {
 impl Works {
     /// Bytes of a colour.
     pub const COLOUR: u64 = 3;
+    /// Where the frame buffer looks for it.
+    const SHOWN: u64 = texture::UV[0].address;
 
     fn empty(config: &Config, rasterizers: u32, [together, rounds]: [usize; 2]) -> Result<Works, ParameterError> {
         let screen = config.screen()?;
@@ -116,6 +118,11 @@ impl Works {
         self.regions() * self.samples()
     }
 
+    /// The region that is drawn in a turn.
+    pub fn region(&self, turn: usize) -> usize {
+        turn / self.together % self.regions()
+    }
+
     /// Which of so many shaders takes what is composed.
     pub fn shader_of(&self, turn: usize, shaders: usize) -> Option<usize> {
         (turn / self.together).checked_rem(shaders)
@@ -138,6 +145,11 @@ impl Works {
 
     pub fn is_shaded(&self) -> bool {
         !self.shading.is_empty()
+    }
+
+    /// Whether the holder of the frame gets depths, with the colours of one sample.
+    pub fn has_depths(&self) -> bool {
+        !self.is_shaded() && !self.adds()
     }
 
     /// Bytes of a word that is composed.
@@ -165,26 +177,34 @@ impl Works {
         [0, 1].map(programs::give_bank)
     }
 
-    /// What it does for a region: what came goes to its texture port, where the frame buffer's memory is, and the bank is free when that has it.
-    pub fn storing(&self, region: usize) -> Vec<Instruction<u64>> {
-        let number = region as u64 % 2;
-        [
-            vec![programs::await_bank(number)],
-            programs::move_word(bank(number), texture::UV[0].address, self.stored()),
-            vec![programs::start_texture(), programs::await_texture(), programs::give_bank(number)],
-        ]
-        .concat()
+    /// What it does when words have come: their colour, or the mean of all samples where they are the last ones, goes to its texture port, where the
+    /// frame buffer is; the bank is free when that has it.
+    pub fn storing(&self, turn: usize) -> Program {
+        let number = self.holders_bank(turn) as u64;
+        let colour = bank(number);
+        let (before, mut program) = match self.adds() {
+            true => (self.before_adding(turn), self.adding(turn, colour)),
+            false => (Vec::new(), programs::move_word(colour, Works::SHOWN, Works::COLOUR)),
+        };
+        if self.ends(turn) {
+            program.extend([programs::start_texture(), programs::await_texture()]);
+        }
+        [before, vec![programs::await_bank(number)], program, vec![programs::give_bank(number)]].concat()
+    }
+
+    /// Whether words come to the holder of the frame in a turn.
+    pub fn comes_to_holder(&self, turn: usize) -> bool {
+        self.ends(turn) || !self.is_shaded()
+    }
+
+    /// Its bank for them, in turns.
+    pub fn holders_bank(&self, turn: usize) -> usize {
+        turn / self.together % 2
     }
 
     /// Bytes of a word that comes to the holder of the frame.
     pub fn stored(&self) -> u64 {
         if self.is_shaded() { Works::COLOUR } else { self.bytes() }
-    }
-
-    /// An array's pixels in parts of the paper's.
-    pub fn part_of_whole_array(&self) -> f64 {
-        let [width, height] = self.array.map(f64::from);
-        width * height / 8192.0
     }
 }
 

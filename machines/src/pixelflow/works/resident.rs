@@ -2,7 +2,6 @@
 
 use tilewright_rtl::parameter::ParameterError;
 use tilewright_rtl::pixelflow::fields::{Field, bank, gouraud, texture};
-use tilewright_rtl::pixelflow::instruction::Instruction;
 use tilewright_rtl::pixelflow::pixel::PixelProcessor;
 use tilewright_rtl::pixelflow::programs::{self, SUM_BYTES, Words as Places};
 use tilewright_scenes::{Edge, Packet, Projection, Size};
@@ -75,29 +74,27 @@ impl Works {
         Ok(works)
     }
 
-    /// What the frame's holder does when words have come: it adds them to the sums of their region, and if that ends it, its colours are the mean.
-    /// They stand where the words did; the bank is given in any case.
-    pub fn holding(&self, turn: usize) -> Program {
-        let (number, sums) = (turn as u64 % 2, self.sums(turn % self.regions()));
-        let colour = bank(number) + gouraud::RGB[2].address;
-        let begin = if turn < self.regions() { programs::begin_sums(sums) } else { Vec::new() };
-        let end = if self.ends(turn) { programs::average(sums, colour) } else { Vec::new() };
-        let wait = vec![programs::await_bank(number)];
-        [begin, wait, programs::add_sample(colour, sums), end, vec![programs::give_bank(number)]].concat()
+    /// The instructions that add a colour to the sums of its region, and if that ends it, leave their mean where the frame buffer looks.
+    pub(super) fn adding(&self, turn: usize, colour: u64) -> Program {
+        let sums = self.sums(turn % self.regions());
+        let mut program = programs::add_sample(colour, sums);
+        if self.ends(turn) {
+            program.extend(programs::average(sums, Works::SHOWN));
+        }
+        program
     }
 
-    /// What it does when the frame's memory has a bank's colours.
-    pub fn free_again(bank: u64) -> [Instruction<u64>; 2] {
-        [programs::await_bank(bank), programs::give_bank(bank)]
+    /// The instructions that begin them, before the first.
+    pub(super) fn before_adding(&self, turn: usize) -> Program {
+        if turn < self.regions() { programs::begin_sums(self.sums(turn)) } else { Vec::new() }
     }
 
-    /// Where a region's sums are: in memory, and behind it in the texture unit's registers, as it has none.
+    /// Where a region's sums are: in memory, and in registers behind those at which the frame buffer looks.
     fn sums(&self, region: usize) -> u64 {
         let in_memory = u64::from(PixelProcessor::REGISTERS) / SUM_BYTES;
-        let Field { address: free, .. } = texture::UV[0];
         match (region as u64).checked_sub(in_memory) {
             None => region as u64 * SUM_BYTES,
-            Some(number) => free + number * SUM_BYTES,
+            Some(number) => Works::SHOWN + Works::COLOUR + number * SUM_BYTES,
         }
     }
 }
@@ -141,6 +138,6 @@ fn there_is_room_for_as_many_regions_as_is_said() {
     let works = Works::empty(&config, 1, [1, 8]).expect("there is such a machine");
     let sums: Vec<u64> = (0..Config::MOST_REGIONS).map(|region| works.sums(region)).collect();
     assert!(sums.windows(2).all(|pair| pair[0] + SUM_BYTES <= pair[1]));
-    assert!(sums.iter().all(|sum| sum + SUM_BYTES <= bank(0) || *sum >= bank(1) + 32));
+    assert!(sums.iter().all(|sum| sum + SUM_BYTES <= bank(0) || *sum >= Works::SHOWN + Works::COLOUR));
     assert!(sums[sums.len() - 1] + SUM_BYTES <= PixelProcessor::BYTES.into());
 }
