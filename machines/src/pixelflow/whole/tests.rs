@@ -4,9 +4,9 @@ use proptest::prelude::*;
 use tilewright_rtl::pixelflow::array::PixelArray;
 use tilewright_rtl::pixelflow::texture_memory::TextureMemory;
 use tilewright_rtl::pixelflow::texture_unit::TextureUnit;
-use tilewright_scenes::deferred::{Samples, project_deferred};
+use tilewright_scenes::deferred::{Samples, Shading, project_deferred};
 use tilewright_scenes::frame::rgb_of;
-use tilewright_scenes::{Scene, Size, golden, project_polygons};
+use tilewright_scenes::{Scene, Size, golden, project_polygons, project_samples};
 
 use super::super::config::Config;
 use super::super::model::Timing;
@@ -109,7 +109,7 @@ fn choices() -> impl Strategy<Value = Choice> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 12, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 8, failure_persistence: None, ..ProptestConfig::default() })]
 
     /// With deferred shading.
     #[test]
@@ -151,6 +151,24 @@ proptest! {
         let Choice { rasterizers, array, side_by_side, .. } = choice;
         let config = Config { nodes: 1 + rasterizers, shaders: 0, array, side_by_side, ..Config::new(size) };
         let works = Works::resident(&config, &[Drawing::of(&config, &polygons.polygons)], scene.background).unwrap();
+        check(choice, size, &works, &golden)?;
+    }
+
+    /// With eight samples one after another, which the holder of the frame adds up.
+    #[test]
+    fn the_model_is_a_frame_of_eight_samples_tick_for_tick(
+        choice in choices(),
+        [width, height] in [6..30u32, 6..20u32],
+        count in 0..9usize,
+    ) {
+        let size = Size::new(width, height).unwrap();
+        let scene = Scene::builtin("star").unwrap();
+        let mut passes = project_samples(&scene, size, Samples::Eight(Shading::EachSample)).unwrap();
+        passes.iter_mut().for_each(|pass| pass.triangles.truncate(count));
+        let golden = golden::render_samples(&passes, scene.background);
+        let Choice { rasterizers, array, side_by_side, .. } = choice;
+        let config = Config { nodes: 1 + rasterizers, shaders: 0, array, side_by_side, ..Config::new(size) };
+        let works = Works::resident(&config, &Drawing::eight(&config, &passes), scene.background).unwrap();
         check(choice, size, &works, &golden)?;
     }
 }
