@@ -87,8 +87,10 @@ impl Machine {
         }
         self.check(deferred.size)?;
         let mut drawn = Vec::new();
-        for pass in &deferred.passes {
-            let config = Config { size: pass.size, ..self.config.clone() };
+        for (number, pass) in deferred.passes.iter().enumerate() {
+            // The second rendering has the instructions of the first.
+            let pre_sort = self.config.pre_sort && number == 0;
+            let config = Config { size: pass.size, pre_sort, ..self.config.clone() };
             let works = Works::deferred(&config, pass, &deferred.shader)?;
             drawn.push(self.run(&works, watch)?);
         }

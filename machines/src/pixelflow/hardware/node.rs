@@ -12,6 +12,7 @@ use super::texture::TextureLookUp;
 use crate::error::Error;
 use crate::pixelflow::costs::Ticks;
 use crate::pixelflow::model::Timing;
+use crate::pixelflow::works::Marks;
 
 /// An array in simulation.
 pub(super) type ArraySimulation = Simulation<PixelArrayIn, PixelArrayOut>;
@@ -80,6 +81,8 @@ pub(in crate::pixelflow) struct Node {
     expected: [VecDeque<Ticks>; 2],
     /// Banks that the network has, as far as the array knows.
     claimed: [bool; 2],
+    /// From when on its next instruction is there.
+    there: Ticks,
     /// What is at its texture port.
     beside: Beside,
 }
@@ -131,6 +134,7 @@ impl Node {
             busy: 0,
             expected: Default::default(),
             claimed: [false; 2],
+            there: 0,
             beside,
         })
     }
@@ -171,12 +175,16 @@ impl Node {
         }
     }
 
-    /// Runs a program until its last instruction is taken.
+    /// Runs a program until its last instruction is taken; from a marked place on no instruction is there before that tick.
     ///
     /// # Errors
     /// [`Error::Simulation`]; [`Error::Differs`]: a bank is given in another tick than is expected.
-    pub fn run(&mut self, program: &[Instruction<u64>]) -> Result<(), Error> {
-        for instruction in program {
+    pub fn run(&mut self, program: &[Instruction<u64>], marks: &Marks) -> Result<(), Error> {
+        let mut marks = marks.iter().peekable();
+        for (number, instruction) in program.iter().enumerate() {
+            while let Some((_, tick)) = marks.next_if(|(place, _)| *place == number) {
+                self.there = *tick;
+            }
             self.put(instruction);
             while !self.advance(Some(instruction))? {}
         }
@@ -254,7 +262,8 @@ impl Node {
         }
         let is_at_rest = self.banks.iter().all(|bank| bank.done == 0) && !self.beside.is_busy();
         let next = self.banks.iter().filter_map(|bank| Some(bank.accesses.front()?.from));
-        let next = next.chain(self.ended.front().map(|(time, _)| *time)).min();
+        let next = next.chain(self.ended.front().map(|(time, _)| *time));
+        let next = next.chain(Some(self.there).filter(|there| *there > self.time)).min();
         if let Some(next) = next.filter(|_| is_at_rest) {
             // An even number of ticks, so that the clocks stay in step.
             self.time += next.saturating_sub(self.time) / 2 * 2;
@@ -271,13 +280,19 @@ impl Node {
 
     /// Whether the network has nothing to do, so that nobody would ever have a bank again.
     fn is_forgotten(&self) -> bool {
-        self.banks.iter().all(|bank| bank.accesses.is_empty()) && self.ended.is_empty() && !self.beside.is_busy()
+        self.banks.iter().all(|bank| bank.accesses.is_empty())
+            && self.ended.is_empty()
+            && !self.beside.is_busy()
+            && self.there <= self.time
     }
 
-    /// Whether an instruction waits for a bank that the network has, or for what is at the texture port.
+    /// Whether an instruction is not there, or waits for a bank that the network has, or for what is at the texture port.
     fn waits(&self, instruction: &Instruction<u64>) -> bool {
         let is = |sync: Sync| instruction.sync == sync as u64;
-        is(Sync::AwaitBank) && self.claimed[instruction.c as usize] || is(Sync::AwaitTexture) && self.beside.is_busy()
+        // A clock begins with an even tick.
+        self.there > self.time & !1
+            || is(Sync::AwaitBank) && self.claimed[instruction.c as usize]
+            || is(Sync::AwaitTexture) && self.beside.is_busy()
     }
 
     fn claim(&mut self, instruction: &Instruction<u64>) {

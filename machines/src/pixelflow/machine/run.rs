@@ -15,7 +15,7 @@ use crate::pixelflow::costs::Ticks;
 use crate::pixelflow::hardware::{Access, Beside, FrameStore, Node, TextureLookUp, Way, Words};
 use crate::pixelflow::model::{Built, Timing};
 use crate::pixelflow::report::Report;
-use crate::pixelflow::works::Works;
+use crate::pixelflow::works::{Marks, Works};
 use crate::threads::{all_threads, each_mut};
 
 /// Turns that rasterizers draw before the network composes them: the words of so many are in memory, or twice as many.
@@ -90,8 +90,8 @@ impl<'a> Run<'a> {
             came: Vec::new(),
         };
         run.schedule();
-        run.holder.node.run(&works.first_of_holder())?;
-        run.shaders.iter_mut().try_for_each(|shader| shader.node.run(&Works::first(0)))?;
+        run.holder.node.run(&works.first_of_holder(), &Marks::new())?;
+        run.shaders.iter_mut().try_for_each(|shader| shader.node.run(&Works::first(0), &Marks::new()))?;
         Ok(run)
     }
 

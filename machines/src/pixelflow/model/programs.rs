@@ -12,7 +12,7 @@ use super::delays::Delays;
 use super::run::{Given, Run, Shaded, Stored};
 use super::{Arrays, Done, Shading, Turn};
 use crate::pixelflow::costs::Ticks;
-use crate::pixelflow::works::Works;
+use crate::pixelflow::works::{Marks, Works};
 
 /// Ticks of the network in a clock of an array.
 const CLOCK: Ticks = 2;
@@ -116,7 +116,7 @@ impl Arrays for ByPrograms<'_> {
         let bank = number % 2;
         let draw = |(share, (array, free)): (usize, (&mut Array, &Ticks))| {
             array.bank_done(bank, *free);
-            array.run(self.works.program(share, number)).given[bank]
+            array.run_marked(self.works.program(share, number), self.works.marks(share, number)).given[bank]
         };
         self.rasterizers.iter_mut().zip(free).enumerate().map(draw).collect()
     }
@@ -173,8 +173,17 @@ impl Array {
 
     /// Takes the instructions of a program.
     fn run(&mut self, program: &[Instruction<u64>]) -> Ran {
+        self.run_marked(program, &Marks::new())
+    }
+
+    /// The same, with those that are not there from the beginning on.
+    fn run_marked(&mut self, program: &[Instruction<u64>], marks: &Marks) -> Ran {
+        let mut marks = marks.iter().peekable();
         let mut ran = Ran { began: 0, given: [0; 2] };
         for (number, instruction) in program.iter().enumerate() {
+            while let Some((_, tick)) = marks.next_if(|(place, _)| *place == number) {
+                self.from = self.from.max(tick.div_ceil(CLOCK));
+            }
             let is = |sync: Sync| instruction.sync == sync as u64;
             let bank = instruction.c as usize;
             let bank_is_there = if is(Sync::AwaitBank) { self.banks[bank] } else { 0 };

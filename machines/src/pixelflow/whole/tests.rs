@@ -9,6 +9,7 @@ use tilewright_scenes::frame::rgb_of;
 use tilewright_scenes::{Scene, Size, golden, project_polygons, project_samples};
 
 use super::super::config::Config;
+use super::super::costs::Costs;
 use super::super::model::Timing;
 use super::super::works::Drawing;
 use super::*;
@@ -100,6 +101,11 @@ fn check(choice: Choice, size: Size, works: &Works, golden: &tilewright_scenes::
     Ok(())
 }
 
+/// A front end that takes no time: here all instructions are there from the beginning on.
+fn at_once() -> Costs {
+    Costs { overhead: 0.0, transform_plain: 0.0, ..Costs::default() }
+}
+
 fn choices() -> impl Strategy<Value = Choice> {
     let array = prop::sample::select(vec![[8, 8], [16, 8], [8, 16]]);
     let set_up = prop_oneof![Just(0), 1..4u64, 30..200u64];
@@ -149,7 +155,7 @@ proptest! {
         polygons.polygons.truncate(count);
         let golden = golden::render(size, &polygons.polygons, scene.background);
         let Choice { rasterizers, array, side_by_side, .. } = choice;
-        let config = Config { nodes: 1 + rasterizers, shaders: 0, array, side_by_side, ..Config::new(size) };
+        let config = Config { nodes: 1 + rasterizers, shaders: 0, array, side_by_side, costs: at_once(), ..Config::new(size) };
         let works = Works::resident(&config, &[Drawing::of(&config, &polygons.polygons)], scene.background).unwrap();
         check(choice, size, &works, &golden)?;
     }
@@ -167,7 +173,7 @@ proptest! {
         passes.iter_mut().for_each(|pass| pass.triangles.truncate(count));
         let golden = golden::render_samples(&passes, scene.background);
         let Choice { rasterizers, array, side_by_side, .. } = choice;
-        let config = Config { nodes: 1 + rasterizers, shaders: 0, array, side_by_side, ..Config::new(size) };
+        let config = Config { nodes: 1 + rasterizers, shaders: 0, array, side_by_side, costs: at_once(), ..Config::new(size) };
         let works = Works::resident(&config, &Drawing::eight(&config, &passes), scene.background).unwrap();
         check(choice, size, &works, &golden)?;
     }

@@ -9,6 +9,7 @@ use tilewright_scenes::{Edge, Packet, Projection, Size};
 use super::{Program, Works, samples_of_eight};
 use crate::error::Error;
 use crate::pixelflow::config::Config;
+use crate::pixelflow::costs::ticks;
 use crate::pixelflow::screen::{Pattern, Screen};
 
 /// Samples of a picture that are to be drawn.
@@ -60,18 +61,41 @@ impl Works {
         for (sample, Drawing { packets, size, pattern }) in samples.iter().enumerate() {
             let screen = Screen::sampled(*size, *pattern, config.array)?;
             let boxes = packets.iter().map(|packet| packet.bounds);
-            works.deal(sample, &screen, boxes, |number, region| {
-                let (packet, corner) = (&packets[number], screen.corner(region));
-                let words = Places { kept: places[region], new: scratch };
-                programs::gouraud(hardware, words, &corner.edges(packet), &corner.surface(packet))
-            });
+            // All at once, in the order in which they come.
+            works.deal(
+                sample,
+                &screen,
+                boxes,
+                |_| sample * regions,
+                |number, region| {
+                    let (packet, corner) = (&packets[number], screen.corner(region));
+                    let words = Places { kept: places[region], new: scratch };
+                    programs::gouraud(hardware, words, &corner.edges(packet), &corner.surface(packet))
+                },
+            );
         }
-        for turns in &mut works.programs {
-            for (sample, regions) in turns.chunks_mut(regions).enumerate() {
-                draw_then_send(sample * regions.len(), regions, &places, background);
-            }
+        for turn in 0..works.turns() {
+            works.send(turn, &places, background);
         }
+        let costs = &config.costs;
+        works.make_one_by_one(|_, _| ticks(costs.overhead), ticks(costs.transform_plain));
         Ok(works)
+    }
+
+    /// A region is sent, after all have been cleared and drawn if it is the first of a sample.
+    fn send(&mut self, turn: usize, places: &[u64], background: [u8; 3]) {
+        let (number, region) = (turn as u64 % 2, self.region(turn));
+        let clear = |place: &u64| programs::clear_to(*place, background);
+        for rasterizer in 0..self.shares() {
+            if region == 0 {
+                let cleared = places[..self.regions()].iter().flat_map(clear).collect();
+                self.put_before(rasterizer, turn, cleared);
+            }
+            let program = &mut self.programs[rasterizer][turn];
+            program.push(programs::await_bank(number));
+            program.extend(programs::move_word(places[region], bank(number), gouraud::BYTES));
+            program.push(programs::give_bank(number));
+        }
     }
 
     /// The instructions that add a colour to the sums of its region, and if that ends it, leave their mean where the frame buffer looks.
@@ -97,22 +121,6 @@ impl Works {
             Some(number) => Works::SHOWN + Works::COLOUR + number * SUM_BYTES,
         }
     }
-}
-
-/// Draws all regions of a sample, and then sends one after another, from a turn on.
-fn draw_then_send(first: usize, regions: &mut [Program], places: &[u64], background: [u8; 3]) {
-    let cleared = places[..regions.len()].iter().flat_map(|place| programs::clear_to(*place, background));
-    let all: Program = cleared.chain(regions.iter_mut().flat_map(std::mem::take)).collect();
-    for (region, program) in regions.iter_mut().enumerate() {
-        let number = (first + region) as u64 % 2;
-        let sent = [
-            vec![programs::await_bank(number)],
-            programs::move_word(places[region], bank(number), gouraud::BYTES),
-            vec![programs::give_bank(number)],
-        ];
-        *program = sent.concat();
-    }
-    regions[0].splice(..0, all);
 }
 
 /// Where the words of each region are, as many as have room beside the network's banks; and room for a new one.
