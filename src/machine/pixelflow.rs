@@ -38,6 +38,9 @@ pub struct PixelFlowOptions {
     /// non-texturing system sample by sample [default: 1]
     #[arg(long, value_name = "N", value_parser = ["1", "8"])]
     samples: Option<String>,
+    /// Shade what the eight samples of a pixel have in common, instead of each: they are drawn one after another, and come to the same shader
+    #[arg(long)]
+    shade_once: bool,
     /// Draw one field of an interlaced display: the even lines of the frame, from line 0 on, or the odd ones
     #[arg(long, value_enum, value_name = "FIELD")]
     field: Option<FieldName>,
@@ -81,13 +84,14 @@ fn array(text: &str) -> Result<[u32; 2], String> {
 impl PixelFlowOptions {
     /// One that is given, if any is.
     pub fn given(&self) -> Option<&'static str> {
-        let PixelFlowOptions { nodes, shaders, array, system, samples, field, stereo, eyes } = self;
+        let PixelFlowOptions { nodes, shaders, array, system, samples, shade_once, field, stereo, eyes } = self;
         first_given([
             ("--nodes", nodes.is_some()),
             ("--shaders", shaders.is_some()),
             ("--array", array.is_some()),
             ("--system", system.is_some()),
             ("--samples", samples.is_some()),
+            ("--shade-once", *shade_once),
             ("--field", field.is_some()),
             ("--stereo", stereo.is_some()),
             ("--eyes", eyes.is_some()),
@@ -126,6 +130,14 @@ impl PixelFlowOptions {
             let sentence = "the non-texturing system has no shaders: leave out --shaders, or pass --system base";
             return Err(Failure::new(Exit::BadInput, sentence));
         }
+        if self.shade_once && self.samples.as_deref() != Some("8") {
+            let sentence = "--shade-once is about the samples of a pixel, and there is one: add --samples 8";
+            return Err(Failure::new(Exit::BadInput, sentence));
+        }
+        if self.shade_once && system == System::NonTexturing {
+            let sentence = "the non-texturing system shades nothing: leave out --shade-once, or pass --system base";
+            return Err(Failure::new(Exit::BadInput, sentence));
+        }
         let field = self.field.map(Field::from);
         field.map_or(Ok(scene.size), |field| field.size(scene.size))?;
         let shaders = self.shaders.unwrap_or(if system == System::Base { usual.shaders } else { 0 });
@@ -143,7 +155,7 @@ impl PixelFlowOptions {
         let (system, samples) = (self.system(), self.samples());
         if config.field.is_some() && samples == Samples::Eight(Shading::EachSample) && system == System::Base {
             let sentence = "the base system draws no --field of --samples 8, but whole frames: leave out one of them, \
-                            or pass --system non-texturing";
+                            add --shade-once, or pass --system non-texturing";
             return Err(Failure::new(Exit::BadInput, sentence));
         }
         let machine = Machine::new(config.clone())?;
@@ -160,7 +172,11 @@ impl PixelFlowOptions {
     }
 
     fn samples(&self) -> Samples {
-        if self.samples.as_deref() == Some("8") { Samples::Eight(Shading::EachSample) } else { Samples::One }
+        match (self.samples.as_deref(), self.shade_once) {
+            (Some("8"), false) => Samples::Eight(Shading::EachSample),
+            (Some("8"), true) => Samples::Eight(Shading::OncePerPixel),
+            _ => Samples::One,
+        }
     }
 }
 

@@ -88,6 +88,20 @@ fn eight_samples_are_drawn_one_after_another_without_textures() {
 }
 
 #[test]
+fn eight_samples_are_shaded_once() {
+    let folder = Folder::with_pyramid();
+    let line = "render pyramid.obj --machine pixelflow --size 24x16 --nodes 4 --shaders 1 --array 16x8 --samples 8 --shade-once";
+    let text = folder.stdout(line);
+    assert!(text.contains("24x16 pixels of 8 samples shaded once in 32 regions of 16x8"), "{text}");
+    assert!(text.ends_with("\nidentical to the golden image\n"), "{text}");
+    // They are the samples of `tilewright golden`.
+    folder.stdout("golden pyramid.obj --size 24x16 --deferred --samples 8 --shade-once -o golden.png");
+    folder.stdout(&format!("{line} --golden golden.png"));
+    let text = folder.stdout(&format!("{line} --field even"));
+    assert!(text.contains("24x8 pixels of the even field of 8 samples shaded once in 16 regions"), "{text}");
+}
+
+#[test]
 fn fields_have_half_the_lines() {
     let folder = Folder::with_pyramid();
     let line = "render pyramid.obj --machine pixelflow --size 32x24 --array 16x8 --nodes 4";
@@ -147,7 +161,9 @@ fn mistakes_are_said() {
     said("--system non-texturing --array 8x8 --size 64x64", "have room for 44");
     said("--system non-texturing --samples 8 --array 8x8 --size 64x64", "have room for 44");
     said("--system non-texturing --samples 8 --size 2048x8", "give a width and a height up to 1024, or one sample");
-    said("--samples 8 --field even", "leave out one of them, or pass --system non-texturing");
+    said("--samples 8 --field even", "leave out one of them, add --shade-once");
+    said("--shade-once", "and there is one: add --samples 8");
+    said("--samples 8 --shade-once --system non-texturing", "shades nothing: leave out --shade-once");
     said("--field odd --size 32x1", "has no odd lines: give a height of 2 or more");
     said("--eyes 1", "add --stereo halved or --stereo sequential");
     said("--stereo halved --nodes 5", "5 nodes have no halves for two eyes: give an even number");
