@@ -24,6 +24,7 @@ Examples:
   tilewright render teapot --machine quadtree --size 32x24 --matrix 8x8 --form pipe:1+stack --test serial
   tilewright render star --machine pixel-planes-5 --size 64x48 --renderers 2 --region 16
   tilewright render star --machine pixelflow --size 64x48 --nodes 4 --shaders 1 --array 32x16
+  tilewright render star --machine pixelflow --size 64x48 --nodes 8 --shaders 2 --array 32x16 --stereo halved
   tilewright render teapot --size 64x48 --processors 2 --vcd run.vcd --scope 'u_gfb.*' --from 10us --to 20us
 
 Exit code 1 means that the frame differs from the golden image, or that with --engine both the engines differ. The report names the first pixel that does, and beside the frame
@@ -76,7 +77,10 @@ impl Render {
             Machine::PixelPlanes => {
                 self.render(&scene, &self.options.pixel_planes.job(&scene, self.options.order.strict)?)
             }
-            Machine::PixelFlow => self.render(&scene, &self.options.pixelflow.job(&scene)?),
+            Machine::PixelFlow => match self.options.pixelflow.stereo_job(&scene)? {
+                Some(job) => self.render(&scene, &job),
+                None => self.render(&scene, &self.options.pixelflow.job(&scene)?),
+            },
         }
     }
 

@@ -115,6 +115,11 @@ impl Camera {
 }
 
 impl View {
+    /// What is to the right in the picture, a unit vector.
+    pub(crate) fn right(&self) -> DVec3 {
+        self.right
+    }
+
     /// A point as (right, down, forward) of the eye, in the mesh's unit.
     pub(crate) fn of_point(&self, p: DVec3) -> DVec3 {
         self.of_direction(p - self.eye)

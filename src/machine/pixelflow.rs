@@ -1,5 +1,7 @@
 //! `--machine pixelflow`.
 
+mod stereo;
+
 use super::figures::{Compared, Figures, state};
 use super::first_given;
 use super::job::{Job, Run};
@@ -8,6 +10,8 @@ use crate::number::number;
 use crate::scene::{deferred, polygons, samples as passes};
 use crate::shell::{Exit, Failure};
 use clap::{Args, ValueEnum};
+pub use stereo::StereoJob;
+use stereo::StereoName;
 use tilewright_machines::pixelflow::{Config, Machine, Report};
 use tilewright_scenes::deferred::{Deferred, Samples, Shading};
 use tilewright_scenes::golden::{fragments, render_deferred_watched, render_samples_watched, render_watched};
@@ -34,9 +38,19 @@ pub struct PixelFlowOptions {
     /// non-texturing system sample by sample [default: 1]
     #[arg(long, value_name = "N", value_parser = ["1", "8"])]
     samples: Option<String>,
+    /// Shade what the eight samples of a pixel have in common, instead of each: they are drawn one after another, and come to the same shader
+    #[arg(long)]
+    shade_once: bool,
     /// Draw one field of an interlaced display: the even lines of the frame, from line 0 on, or the odd ones
     #[arg(long, value_enum, value_name = "FIELD")]
     field: Option<FieldName>,
+    /// Draw a frame for each eye, side by side: both at once, each on half of the nodes, or one after another on all
+    #[arg(long, value_enum, value_name = "HOW")]
+    stereo: Option<StereoName>,
+    /// The distance between the eyes, in the unit of the scene; their lines of sight are parallel
+    /// [default: a thirtieth of the distance to what the camera looks at]
+    #[arg(long, value_name = "DISTANCE", allow_negative_numbers = true)]
+    eyes: Option<f64>,
 }
 
 /// Each second line of a frame.
@@ -70,14 +84,17 @@ fn array(text: &str) -> Result<[u32; 2], String> {
 impl PixelFlowOptions {
     /// One that is given, if any is.
     pub fn given(&self) -> Option<&'static str> {
-        let PixelFlowOptions { nodes, shaders, array, system, samples, field } = self;
+        let PixelFlowOptions { nodes, shaders, array, system, samples, shade_once, field, stereo, eyes } = self;
         first_given([
             ("--nodes", nodes.is_some()),
             ("--shaders", shaders.is_some()),
             ("--array", array.is_some()),
             ("--system", system.is_some()),
             ("--samples", samples.is_some()),
+            ("--shade-once", *shade_once),
             ("--field", field.is_some()),
+            ("--stereo", stereo.is_some()),
+            ("--eyes", eyes.is_some()),
         ])
     }
 
@@ -86,29 +103,61 @@ impl PixelFlowOptions {
     /// # Errors
     /// The scene cannot be set up, or there is no such machine.
     pub fn job(&self, scene: &Scene) -> Result<PixelFlowJob, Failure> {
+        self.frame(scene, self.config(scene)?)
+    }
+
+    /// A scene for both eyes, if that is asked for.
+    ///
+    /// # Errors
+    /// As [`PixelFlowOptions::job`]; or there is no such distance between the eyes.
+    pub fn stereo_job(&self, scene: &Scene) -> Result<Option<StereoJob>, Failure> {
+        match self.stereo {
+            Some(stereo) => StereoJob::new(self, scene, &self.config(scene)?, stereo.into()).map(Some),
+            None if self.eyes.is_some() => {
+                let sentence =
+                    "--eyes is about two frames, and there is one: add --stereo halved or --stereo sequential";
+                Err(Failure::new(Exit::BadInput, sentence))
+            }
+            None => Ok(None),
+        }
+    }
+
+    /// The whole machine.
+    fn config(&self, scene: &Scene) -> Result<Config, Failure> {
         let usual = Config::new(scene.size);
-        let system = self.system.unwrap_or(System::Base);
+        let system = self.system();
         if let (System::NonTexturing, Some(_)) = (system, self.shaders) {
             let sentence = "the non-texturing system has no shaders: leave out --shaders, or pass --system base";
             return Err(Failure::new(Exit::BadInput, sentence));
         }
-        let samples =
-            if self.samples.as_deref() == Some("8") { Samples::Eight(Shading::EachSample) } else { Samples::One };
-        let field = self.field.map(Field::from);
-        if field.is_some() && samples == Samples::Eight(Shading::EachSample) && system == System::Base {
-            let sentence = "the base system draws no --field of --samples 8, but whole frames: leave out one of them, \
-                            or pass --system non-texturing";
+        if self.shade_once && self.samples.as_deref() != Some("8") {
+            let sentence = "--shade-once is about the samples of a pixel, and there is one: add --samples 8";
             return Err(Failure::new(Exit::BadInput, sentence));
         }
+        if self.shade_once && system == System::NonTexturing {
+            let sentence = "the non-texturing system shades nothing: leave out --shade-once, or pass --system base";
+            return Err(Failure::new(Exit::BadInput, sentence));
+        }
+        let field = self.field.map(Field::from);
         field.map_or(Ok(scene.size), |field| field.size(scene.size))?;
         let shaders = self.shaders.unwrap_or(if system == System::Base { usual.shaders } else { 0 });
-        let config = Config {
+        Ok(Config {
             nodes: self.nodes.unwrap_or(usual.nodes),
             shaders,
             field,
             array: self.array.unwrap_or(usual.array),
             ..usual
-        };
+        })
+    }
+
+    /// A frame of a scene, on that machine.
+    fn frame(&self, scene: &Scene, config: Config) -> Result<PixelFlowJob, Failure> {
+        let (system, samples) = (self.system(), self.samples());
+        if config.field.is_some() && samples == Samples::Eight(Shading::EachSample) && system == System::Base {
+            let sentence = "the base system draws no --field of --samples 8, but whole frames: leave out one of them, \
+                            add --shade-once, or pass --system non-texturing";
+            return Err(Failure::new(Exit::BadInput, sentence));
+        }
         let machine = Machine::new(config.clone())?;
         let work = match system {
             System::Base => Work::Deferred(deferred(scene, samples)?),
@@ -116,6 +165,18 @@ impl PixelFlowOptions {
             System::NonTexturing => Work::Samples(passes(scene, samples)?, scene.background),
         };
         Ok(PixelFlowJob { machine, config, work })
+    }
+
+    fn system(&self) -> System {
+        self.system.unwrap_or(System::Base)
+    }
+
+    fn samples(&self) -> Samples {
+        match (self.samples.as_deref(), self.shade_once) {
+            (Some("8"), false) => Samples::Eight(Shading::EachSample),
+            (Some("8"), true) => Samples::Eight(Shading::OncePerPixel),
+            _ => Samples::One,
+        }
     }
 }
 

@@ -2,6 +2,7 @@
 
 use crate::harness::Folder;
 use serde_json::json;
+use tilewright_scenes::Frame;
 
 const SMALL: &str = "render pyramid.obj --machine pixelflow --size 32x24 --nodes 4 --shaders 1 --array 16x8";
 
@@ -85,6 +86,20 @@ fn eight_samples_are_drawn_one_after_another_without_textures() {
 }
 
 #[test]
+fn eight_samples_are_shaded_once() {
+    let folder = Folder::with_pyramid();
+    let line = "render pyramid.obj --machine pixelflow --size 24x16 --nodes 4 --shaders 1 --array 16x8 --samples 8 --shade-once";
+    let text = folder.stdout(line);
+    assert!(text.contains("24x16 pixels of 8 samples shaded once in 32 regions of 16x8"), "{text}");
+    assert!(text.ends_with("\nidentical to the golden image\n"), "{text}");
+    // They are the samples of `tilewright golden`.
+    folder.stdout("golden pyramid.obj --size 24x16 --deferred --samples 8 --shade-once -o golden.png");
+    folder.stdout(&format!("{line} --golden golden.png"));
+    let text = folder.stdout(&format!("{line} --field even"));
+    assert!(text.contains("24x8 pixels of the even field of 8 samples shaded once in 16 regions"), "{text}");
+}
+
+#[test]
 fn fields_have_half_the_lines() {
     let folder = Folder::with_pyramid();
     let line = "render pyramid.obj --machine pixelflow --size 32x24 --array 16x8 --nodes 4";
@@ -96,6 +111,36 @@ fn fields_have_half_the_lines() {
         assert!(parts.iter().all(|part| text.contains(part)), "{text}");
         assert!(text.ends_with("\nidentical to the golden image\n"), "{text}");
     }
+}
+
+#[test]
+fn two_eyes_are_side_by_side() {
+    let folder = Folder::with_pyramid();
+    let line = "render pyramid.obj --machine pixelflow --size 24x16 --array 16x8";
+    let of = |options: &str| {
+        let report = folder.json(&format!("{line} {options} -o both.png --json"));
+        assert_eq!(report["golden"]["identical"], true, "{options}: {report}");
+        assert_eq!(Frame::read_png(folder.path("both.png")).unwrap().size().to_string(), "48x16");
+        report["report"].clone()
+    };
+    let halved = of("--nodes 6 --shaders 2 --stereo halved");
+    assert_eq!(
+        (&halved["stereo"], &halved["left"]["nodes"], &halved["right"]["nodes"]),
+        (&json!("halved"), &json!(3), &json!(3))
+    );
+    let sequential = of("--nodes 4 --system non-texturing --stereo sequential --eyes 0.25");
+    assert_eq!((&sequential["eye_distance"], &sequential["left"]["nodes"]), (&json!(0.25), &json!(4)));
+    assert!(sequential["ends"][0].as_u64() < sequential["ends"][1].as_u64());
+    let text = folder.stdout(&format!("{line} --nodes 4 --system non-texturing --field odd --stereo halved"));
+    for part in [
+        "pyramid: two eyes, ",
+        " apart, both at once, each on half of the nodes\n\nleft eye: PixelFlow, non-texturing system: 24x8 pixels",
+        "\n\nright eye: PixelFlow",
+        " ms for both.\n",
+    ] {
+        assert!(text.contains(part), "{part}: {text}");
+    }
+    assert!(text.ends_with("\nidentical to the golden image\n"), "{text}");
 }
 
 #[test]
@@ -114,8 +159,15 @@ fn mistakes_are_said() {
     said("--system non-texturing --array 8x8 --size 64x64", "have room for 44");
     said("--system non-texturing --samples 8 --array 8x8 --size 64x64", "have room for 44");
     said("--system non-texturing --samples 8 --size 2048x8", "give a width and a height up to 1024, or one sample");
-    said("--samples 8 --field even", "leave out one of them, or pass --system non-texturing");
+    said("--samples 8 --field even", "leave out one of them, add --shade-once");
+    said("--shade-once", "and there is one: add --samples 8");
+    said("--samples 8 --shade-once --system non-texturing", "shades nothing: leave out --shade-once");
     said("--field odd --size 32x1", "has no odd lines: give a height of 2 or more");
+    said("--eyes 1", "add --stereo halved or --stereo sequential");
+    said("--stereo halved --nodes 5", "5 nodes have no halves for two eyes: give an even number");
+    said("--stereo halved --nodes 4 --shaders 2", "in each half, 2 nodes with 1 shaders");
+    said("--stereo sequential --eyes -1", "the distance between the eyes is -1: give a number from 0 on");
+    said("--stereo halved --size 1500x8", "side by side are too wide: give a width up to 1024");
     said("--samples 4", "[possible values: 1, 8]");
     said("--strict", "--strict is an option of quadtree");
     said("--renderers 2", "--renderers is an option of pixel-planes-5");

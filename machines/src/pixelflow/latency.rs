@@ -6,6 +6,8 @@ use serde::Serialize;
 
 use super::costs::Costs;
 
+mod stereo;
+
 /// The software of a machine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub enum System {

@@ -71,15 +71,15 @@ impl Machine {
     /// Renders a frame with deferred shading, by the base system: the picture as the frame buffer has it, and the report.
     ///
     /// Eight samples are two renderings at twice the width and height, one after another, in which every sample is shaded; who holds the frame
-    /// averages them, which takes no time here.
+    /// averages them, which takes no time here. Where they are shaded once, the eight words of a pixel come to the same shader one after another.
     ///
     /// # Errors
     /// [`Error::Parameter`] if the scene is for another screen, or takes what the machine has not; [`Error::Cancelled`]; [`Error::Simulation`];
     /// [`Error::Differs`].
     pub fn render(&self, deferred: &Deferred, watch: &mut Watch) -> Result<(Picture, Report), Error> {
         if deferred.samples == Samples::Eight(Shading::OncePerPixel) {
-            let problem = "eight samples that are shaded once: the hardware of this machine shades each of them";
-            return Err(ParameterError(problem.to_owned()).into());
+            self.check(deferred.size)?;
+            return self.run(&Works::deferred_once(&self.config, &deferred.passes, &deferred.shader)?, watch);
         }
         if deferred.samples != Samples::One && self.config.field.is_some() {
             let problem = "eight samples of a field: where each of them is shaded, this machine draws whole frames";

@@ -7,6 +7,7 @@
 //! | `model` | when each node has done what: the transaction model |
 //! | `simulated` | the systems in that model |
 //! | `machine` | frames on the hardware: `config`, `works`, `hardware`, `report`, `screen` |
+//! | `stereo` | frames of two eyes |
 //! | `costs` | what each step takes |
 //! | `triangles` | random triangles, as the paper counts them |
 //! | `packets`, `constants` | packets and shaders as the programs of a node take them |
@@ -24,6 +25,7 @@ mod packets;
 mod report;
 mod screen;
 mod simulated;
+mod stereo;
 mod triangles;
 #[cfg(test)]
 mod whole;
@@ -41,5 +43,6 @@ pub use packets::Corner;
 pub use report::{NodeReport, Report, Stage};
 pub use screen::{Pattern, Screen};
 pub use simulated::{Choices, Shades, Simulated};
+pub use stereo::{Stereo, StereoReport};
 pub use triangles::Triangles;
 pub use workload::{Boxes, Place, Share, Workload};

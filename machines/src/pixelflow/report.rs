@@ -23,6 +23,9 @@ pub struct Report {
     pub field: Option<&'static str>,
     /// Samples of a pixel.
     pub samples: u32,
+    /// They are shaded once, not each of them.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub shaded_once: bool,
     /// Nodes, with the one that holds the frame.
     pub nodes: u32,
     /// Pixels of an array along x and y.
@@ -92,6 +95,7 @@ impl Report {
             size: [works.size().width(), works.size().height()],
             field: config.field.map(field_name),
             samples: works.samples() as u32,
+            shaded_once: works.shades_once(),
             nodes: config.nodes,
             array: config.array,
             rasterizers: works.primitives.iter().zip(rasterizers).map(rasterizer).collect(),
@@ -191,11 +195,12 @@ impl fmt::Display for Report {
         };
         let field = self.field.map_or_else(String::new, |field| format!(" of the {field} field"));
         let samples = if self.samples > 1 { format!(" of {} samples", self.samples) } else { String::new() };
+        let once = if self.shaded_once { " shaded once" } else { "" };
         let shading = if shade > 0 { format!(", {shade} shade") } else { String::new() };
         let regions = self.turns.len();
         writeln!(
             f,
-            "PixelFlow, {system}: {width}x{height} pixels{field}{samples} in {regions} regions of {across}x{down},"
+            "PixelFlow, {system}: {width}x{height} pixels{field}{samples}{once} in {regions} regions of {across}x{down},"
         )?;
         writeln!(f, "{} nodes: {rasterize} rasterize{shading}, one holds the frame", self.nodes)?;
         writeln!(f, "{} primitives, {} in regions", self.primitives, self.drawn)?;

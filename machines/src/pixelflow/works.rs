@@ -146,6 +146,11 @@ impl Works {
         turn % self.together + 1 == self.together && turn / (self.regions() * self.together) + 1 == self.rounds
     }
 
+    /// Whether a shader has all samples of a region before it shades.
+    pub fn shades_once(&self) -> bool {
+        self.together > 1
+    }
+
     /// Whether the frame's holder adds up what comes.
     pub fn adds(&self) -> bool {
         self.rounds > 1

@@ -7,12 +7,14 @@ use tilewright_machines::pixelflow::constants;
 use tilewright_rtl::pixelflow::emulator::Pixel;
 use tilewright_rtl::pixelflow::fields::{Field, appearance, bank, texture};
 use tilewright_rtl::pixelflow::instruction::{Instruction, Sync};
-use tilewright_rtl::pixelflow::programs::{NO_TEXTURE, Shading};
+use tilewright_rtl::pixelflow::programs::{NO_TEXTURE, Shading, ShadingOnce};
 use tilewright_scenes::Texture;
 use tilewright_scenes::deferred::{Appearance, Parameters, Shader, ShaderLight, ShaderMaterial};
 
 /// Where a pixel's appearance word is.
 pub const WORD: u64 = bank(1);
+/// Where the least word of samples is kept.
+const LEAST: u64 = 160;
 const COLOUR: u64 = bank(0) + 5;
 
 fn read(pixel: &Pixel, field: Field) -> u32 {
@@ -42,28 +44,56 @@ fn look_up(pixel: &mut Pixel, textures: &[Arc<Texture>]) {
     }
 }
 
-/// The colour that the programs give to a word, in a pixel where all else is left from before.
-fn shaded(shader: &Shader, word: Appearance) -> [u8; 3] {
+/// A pixel where all is left from before.
+fn littered() -> Pixel {
     let mut pixel = Pixel::new();
     pixel.memory = std::array::from_fn(|at| (at * 37 + 11) as u8);
     (pixel.flag, pixel.enable, pixel.carry, pixel.accumulator) = (true, 0x55, true, 99);
+    pixel
+}
+
+/// A word comes from the network.
+fn put(pixel: &mut Pixel, word: Appearance) {
     for (j, byte) in word.bytes().into_iter().enumerate() {
         pixel.memory[(WORD + appearance::BYTES) as usize - 1 - j] = byte;
     }
+}
+
+/// The colour that the programs give to a word.
+fn shaded(shader: &Shader, word: Appearance) -> [u8; 3] {
+    let mut pixel = littered();
+    put(&mut pixel, word);
     run(&mut pixel, shader)
+}
+
+/// The colour that they give to eight samples, shaded once.
+fn shaded_once(shader: &Shader, words: &[Appearance; 8]) -> [u8; 3] {
+    let constants = constants(shader);
+    let once = ShadingOnce { shading: Shading { shader: &constants, word: LEAST, colour: COLOUR } };
+    let mut pixel = littered();
+    for (number, word) in words.iter().enumerate() {
+        put(&mut pixel, *word);
+        pixel.run(&once.take(number as u64, WORD), 0, 0);
+    }
+    pixel.run(&once.combine(), 0, 0);
+    parts(&mut pixel, shader, [once.before_texture(), once.under_texture(), once.after_texture()])
 }
 
 /// The colour that the programs give to a pixel with a word.
 pub fn run(pixel: &mut Pixel, shader: &Shader) -> [u8; 3] {
     let constants = constants(shader);
     let programs = Shading { shader: &constants, word: WORD, colour: COLOUR };
-    pixel.run(&programs.before_texture(), 0, 0);
-    let starts = |instruction: &Instruction<u64>| instruction.sync == Sync::StartTexture as u64;
-    if programs.before_texture().iter().any(starts) {
+    parts(pixel, shader, [programs.before_texture(), programs.under_texture(), programs.after_texture()])
+}
+
+/// The colour, after the parts before, beside and behind the texture unit.
+fn parts(pixel: &mut Pixel, shader: &Shader, [before, under, after]: [Vec<Instruction<u64>>; 3]) -> [u8; 3] {
+    pixel.run(&before, 0, 0);
+    if before.iter().any(|instruction| instruction.sync == Sync::StartTexture as u64) {
         look_up(pixel, &shader.textures);
     }
-    pixel.run(&programs.under_texture(), 0, 0);
-    pixel.run(&programs.after_texture(), 0, 0);
+    pixel.run(&under, 0, 0);
+    pixel.run(&after, 0, 0);
     [2, 1, 0].map(|at| pixel.memory[(COLOUR + at) as usize])
 }
 
@@ -150,6 +180,43 @@ proptest! {
                 }
             };
             prop_assert_eq!(shaded(&shader, word), shader.shade(word), "{:?}", word.parameters());
+        }
+    }
+}
+
+/// The samples of a pixel: of 1 to 8 words, some empty.
+fn samples() -> impl Strategy<Value = Vec<Appearance>> {
+    let chosen = proptest::collection::vec((any::<prop::sample::Index>(), prop::bool::weighted(0.2)), 8);
+    let choose = |(words, chosen): (Vec<Appearance>, Vec<(prop::sample::Index, bool)>)| {
+        let one = |(word, is_empty): &(prop::sample::Index, bool)| match is_empty {
+            true => Appearance::EMPTY,
+            false => *word.get(&words),
+        };
+        chosen.iter().map(one).collect()
+    };
+    (proptest::collection::vec(words(), 1..=8), chosen).prop_map(choose).boxed()
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(100) })]
+
+    #[test]
+    fn eight_samples_are_shaded_once_as_the_shader_does(
+        shader in shaders(),
+        samples in proptest::collection::vec((samples(), 1..=3_u8), 20),
+    ) {
+        for (words, materials) in samples {
+            let word = |word: &Appearance| match word.is_empty() {
+                true => *word,
+                false => {
+                    let own = word.parameters();
+                    let material = own.material % materials % shader.materials.len() as u8;
+                    Appearance::from(Parameters { material, ..own })
+                }
+            };
+            let words = std::array::from_fn(|sample| word(&words[sample]));
+            let found = shaded_once(&shader, &words);
+            prop_assert_eq!(found, shader.shade_once(&words), "{:?}", words.map(|word| word.parameters()));
         }
     }
 }

@@ -117,6 +117,32 @@ pub mod texture {
     }
 }
 
+/// What is kept of eight samples that are shaded once: where [`shading`] begins when these have done, and behind it what it leaves alone.
+pub(super) mod samples {
+    use super::{Field, appearance};
+
+    /// Bytes of a sample: its colour, its normal and what tells whether it is empty, as they lie in the word, and the material.
+    pub const BYTES: u64 = 11;
+    /// The colour's and the normal's.
+    pub const SURFACE: u64 = 9;
+    /// In the word and in a sample the first of them.
+    pub const FIRST: u64 = appearance::RGB[2].address;
+
+    /// A field of the word, of a sample by its number.
+    pub const fn of(field: Field, number: u64) -> Field {
+        let at = if field.address == appearance::MATERIAL.address { BYTES - 1 } else { field.address - FIRST };
+        Field::new(BYTES * number + at, field.bytes)
+    }
+
+    /// How many of them something covers.
+    pub const COUNT: u64 = 184;
+    /// What the background adds: blue, green and red.
+    pub const BEHIND: Field = Field::new(185, 3);
+    /// Sums of colours, red first, and of normals.
+    pub const RGB: [Field; 3] = [Field::new(188, 2), Field::new(190, 2), Field::new(192, 2)];
+    pub const NORMAL: [Field; 3] = [Field::new(194, 3), Field::new(197, 3), Field::new(200, 3)];
+}
+
 /// What shading keeps in memory.
 pub(super) mod shading {
     use super::Field;

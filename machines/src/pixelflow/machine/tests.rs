@@ -61,8 +61,31 @@ fn eight_samples_are_the_golden_image() {
     // 40 x 24 pixels, twice.
     assert_eq!(report.turns.len(), 2 * 9);
     assert!(report.turns.windows(2).all(|pair| pair[0].loaded.end <= pair[1].loaded.start));
-    let once = machine.render(&eight(Shading::OncePerPixel), &mut Watch::default());
-    assert!(once.is_err_and(|error| error.to_string().contains("shades each of them")));
+}
+
+#[test]
+fn eight_samples_shaded_once_are_the_golden_image() {
+    let once = Samples::Eight(Shading::OncePerPixel);
+    let draw = |name: &str, [width, height]: [u32; 2], nodes, shaders, field| {
+        let size = Size::new(width, height).unwrap();
+        let deferred = project_deferred(&Scene::builtin(name).unwrap(), size, once).unwrap();
+        let machine = Machine::new(Config { field, ..config(size, nodes, shaders) }).unwrap();
+        let (frame, report) = machine.render(&deferred, &mut Watch::default()).unwrap();
+        let golden = golden::render_deferred(&deferred);
+        let golden = field.map_or(golden.clone(), |field| field.lines(&golden).unwrap());
+        assert_eq!(compare(&frame, &golden).differing, 0, "{name}");
+        report
+    };
+    let report = draw("textured", [36, 12], 5, 2, None);
+    assert_eq!((report.turns.len(), report.samples), (8 * 6, 8));
+    // The eighth sample of a region ends in the frame buffer; a shader takes the others in turn.
+    for turns in report.turns.chunks(8) {
+        assert!(turns[..7].iter().all(|turn| turn.sent.is_empty() && turn.loaded.is_empty()));
+        assert!(!turns[7].sent.is_empty());
+        assert!(turns.windows(2).all(|pair| pair[0].shaded.end <= pair[1].shaded.start));
+    }
+    let report = draw("star", [20, 27], 3, 1, Some(Field::Odd));
+    assert_eq!(report.turns.len(), 8 * 4);
 }
 
 #[test]

@@ -2,10 +2,10 @@
 
 use tilewright_rtl::parameter::ParameterError;
 use tilewright_rtl::pixelflow::fields::{appearance, bank};
-use tilewright_rtl::pixelflow::programs::{self, Shading, Words as Places};
+use tilewright_rtl::pixelflow::programs::{self, Shader, Shading, ShadingOnce, Words as Places};
 use tilewright_scenes::deferred::{self, Pass};
 
-use super::{NEW, Works};
+use super::{NEW, Program, Works, samples_of_eight};
 use crate::error::Error;
 use crate::pixelflow::config::Config;
 use crate::pixelflow::constants::constants;
@@ -15,6 +15,15 @@ use crate::pixelflow::screen::Screen;
 /// Where a shader keeps the words of the region that it shades.
 const SHADED: u64 = 160;
 
+fn shading(shader: &Shader) -> Shading<'_> {
+    Shading { shader, word: SHADED, colour: bank(1) }
+}
+
+/// Shades, with the parts before, beside and behind the texture unit, and gives the colours when there is a bank for them.
+fn sent_colours([before, beside, behind]: [Program; 3]) -> Program {
+    [before, beside, vec![programs::await_bank(1)], behind, vec![programs::give_bank(1)]].concat()
+}
+
 impl Works {
     /// With deferred shading: appearance words of a pass.
     pub fn deferred(config: &Config, pass: &Pass, shader: &deferred::Shader) -> Result<Works, Error> {
@@ -22,18 +31,37 @@ impl Works {
         works.draw(config, 0, &works.screen.clone(), pass);
         works.finish_words(config);
         let shader = constants(shader);
-        let shading = Shading { shader: &shader, word: SHADED, colour: bank(1) };
+        let shading = shading(&shader);
         let program = [
             vec![programs::await_bank(0)],
             programs::move_word(bank(0), SHADED, appearance::BYTES),
             vec![programs::give_bank(0)],
-            shading.before_texture(),
-            shading.under_texture(),
-            vec![programs::await_bank(1)],
-            shading.after_texture(),
-            vec![programs::give_bank(1)],
+            sent_colours([shading.before_texture(), shading.under_texture(), shading.after_texture()]),
         ];
         works.shading = vec![program.concat()];
+        Ok(works)
+    }
+
+    /// With deferred shading, once of eight samples: those of a region come one after another, of two passes at twice the width and height.
+    pub fn deferred_once(config: &Config, passes: &[Pass], shader: &deferred::Shader) -> Result<Works, Error> {
+        let samples: Vec<_> = samples_of_eight(config).collect();
+        let mut works = Works::of_shader(config, shader, samples.len())?;
+        for (sample, (pass, pattern)) in samples.iter().enumerate() {
+            let pass = &passes[*pass];
+            works.draw(config, sample, &Screen::sampled(pass.size, *pattern, config.array)?, pass);
+        }
+        works.finish_words();
+        let shader = constants(shader);
+        let once = ShadingOnce { shading: shading(&shader) };
+        let taken = |number: usize| {
+            let word = once.take(number as u64, bank(0));
+            [vec![programs::await_bank(0)], word, vec![programs::give_bank(0)]].concat()
+        };
+        works.shading = (0..samples.len()).map(taken).collect();
+        let colours = sent_colours([once.before_texture(), once.under_texture(), once.after_texture()]);
+        if let Some(last) = works.shading.last_mut() {
+            last.extend([once.combine(), colours].concat());
+        }
         Ok(works)
     }
 

@@ -45,6 +45,8 @@ fn table() -> Vec<Row> {
     let shading = Shading { shader: &shader, word: bank(0), colour: bank(1) };
     let plain = Material { texture: None, ..SHINY };
     let untextured = Shader { materials: vec![plain], ..shader.clone() };
+    let once = ShadingOnce { shading };
+    let taken: Vec<_> = (0..8).flat_map(|number| once.take(number, bank(0))).collect();
     vec![
         ("clear", clear(bank(0), appearance::BYTES), [21, 21], ""),
         ("gouraud, edges fixed", flat(Edges::Fixed), [32, 28], "paper 62; facts 32"),
@@ -65,6 +67,9 @@ fn table() -> Vec<Row> {
         ("all, without textures", Shading { shader: &untextured, ..shading }.program(), [2188, 2188], ""),
         ("a sample to sums", add_sample(bank(0), 0), [9, 9], ""),
         ("mean of eight", average(0, bank(0)), [18, 18], ""),
+        ("eight samples taken", taken.clone(), [550, 550], ""),
+        ("what they have in common", once.combine(), [499, 499], ""),
+        ("all, once of eight", [taken, once.combine(), once.program()].concat(), [4356, 4356], ""),
     ]
 }
 

@@ -1,0 +1,72 @@
+//! `--stereo`: a frame for each eye.
+
+use super::{PixelFlowJob, PixelFlowOptions};
+use crate::machine::job::{Job, Run};
+use crate::shell::Failure;
+use clap::ValueEnum;
+use tilewright_machines::pixelflow::{Config, Stereo, StereoReport};
+use tilewright_scenes::{Frame, Scene, Size, side_by_side, stereo_size};
+
+/// How the frames of two eyes share the machine.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum StereoName {
+    Halved,
+    Sequential,
+}
+
+impl From<StereoName> for Stereo {
+    fn from(name: StereoName) -> Stereo {
+        match name {
+            StereoName::Halved => Stereo::Halved,
+            StereoName::Sequential => Stereo::Sequential,
+        }
+    }
+}
+
+/// A scene as two eyes see it, and the machine for it.
+pub struct StereoJob {
+    stereo: Stereo,
+    distance: f64,
+    /// Left and right.
+    eyes: [PixelFlowJob; 2],
+    /// Of both frames side by side.
+    size: Size,
+}
+
+impl StereoJob {
+    /// The frames of both eyes, on what of a machine draws one.
+    ///
+    /// # Errors
+    /// The distance between the eyes is none; or what a frame alone can have.
+    pub(super) fn new(
+        options: &PixelFlowOptions,
+        scene: &Scene,
+        machine: &Config,
+        stereo: Stereo,
+    ) -> Result<StereoJob, Failure> {
+        let distance = options.eyes.unwrap_or_else(|| scene.camera.eye_distance());
+        let config = stereo.eye(machine).map_err(tilewright_machines::Error::from)?;
+        let [left, right] = scene.eyes(distance)?;
+        let eyes = [options.frame(&left, config.clone())?, options.frame(&right, config)?];
+        Ok(StereoJob { stereo, distance, size: stereo_size(eyes[0].size())?, eyes })
+    }
+}
+
+impl Job for StereoJob {
+    type Report = StereoReport;
+
+    fn size(&self) -> Size {
+        self.size
+    }
+
+    fn golden(&self) -> Result<Frame, Failure> {
+        let [left, right] = &self.eyes;
+        Ok(side_by_side(&[left.golden()?, right.golden()?])?)
+    }
+
+    fn render(&self, run: &Run) -> Result<(Frame, StereoReport), Failure> {
+        let [left, right] = &self.eyes;
+        let ((left, of_left), (right, of_right)) = (left.render(run)?, right.render(run)?);
+        Ok((side_by_side(&[left, right])?, StereoReport::new(self.stereo, self.distance, [of_left, of_right])))
+    }
+}
