@@ -30,8 +30,8 @@ pub struct PixelFlowOptions {
     /// Pixels of each node's array, which are those of a region; powers of two from 8 to 256 [default: 128x64]
     #[arg(long, value_name = "WxH", value_parser = array)]
     array: Option<[u32; 2]>,
-    /// The software: regions one after another, with deferred shading, or all regions in the pixels' memory, in the colours of vertices
-    /// [default: base]
+    /// The software: regions one after another, with deferred shading; the same, where the front end sorts in a pass of its own and makes instructions while others are
+    /// drawn; or all regions in the pixels' memory, in the colours of vertices [default: base]
     #[arg(long, value_enum, value_name = "SYSTEM")]
     system: Option<System>,
     /// Samples of a pixel; eight are those of two renderings at twice the width and height, which the base system draws region by region, and the
@@ -73,7 +73,15 @@ impl From<FieldName> for Field {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum System {
     Base,
+    PreSorting,
     NonTexturing,
+}
+
+impl System {
+    /// It shades pixels.
+    fn shades(self) -> bool {
+        self != System::NonTexturing
+    }
 }
 
 fn array(text: &str) -> Result<[u32; 2], String> {
@@ -140,11 +148,12 @@ impl PixelFlowOptions {
         }
         let field = self.field.map(Field::from);
         field.map_or(Ok(scene.size), |field| field.size(scene.size))?;
-        let shaders = self.shaders.unwrap_or(if system == System::Base { usual.shaders } else { 0 });
+        let shaders = self.shaders.unwrap_or(if system.shades() { usual.shaders } else { 0 });
         Ok(Config {
             nodes: self.nodes.unwrap_or(usual.nodes),
             shaders,
             field,
+            pre_sort: system == System::PreSorting,
             array: self.array.unwrap_or(usual.array),
             ..usual
         })
@@ -153,14 +162,14 @@ impl PixelFlowOptions {
     /// A frame of a scene, on that machine.
     fn frame(&self, scene: &Scene, config: Config) -> Result<PixelFlowJob, Failure> {
         let (system, samples) = (self.system(), self.samples());
-        if config.field.is_some() && samples == Samples::Eight(Shading::EachSample) && system == System::Base {
+        if config.field.is_some() && samples == Samples::Eight(Shading::EachSample) && system.shades() {
             let sentence = "the base system draws no --field of --samples 8, but whole frames: leave out one of them, \
                             add --shade-once, or pass --system non-texturing";
             return Err(Failure::new(Exit::BadInput, sentence));
         }
         let machine = Machine::new(config.clone())?;
         let work = match system {
-            System::Base => Work::Deferred(deferred(scene, samples)?),
+            System::Base | System::PreSorting => Work::Deferred(deferred(scene, samples)?),
             System::NonTexturing if samples == Samples::One => Work::Resident(polygons(scene)?, scene.background),
             System::NonTexturing => Work::Samples(passes(scene, samples)?, scene.background),
         };

@@ -177,4 +177,23 @@ proptest! {
         let works = Works::resident(&config, &Drawing::eight(&config, &passes), scene.background).unwrap();
         check(choice, size, &works, &golden)?;
     }
+
+    /// With eight samples that are shaded once: all of a pixel come to one shader.
+    #[test]
+    fn the_model_is_a_frame_that_is_shaded_once_tick_for_tick(
+        choice in choices(),
+        [width, height] in [6..20u32, 6..12u32],
+        count in 0..5usize,
+    ) {
+        let size = Size::new(width, height).unwrap();
+        let scene = Scene::builtin("textured").unwrap();
+        let mut deferred = project_deferred(&scene, size, Samples::Eight(Shading::OncePerPixel)).unwrap();
+        deferred.passes.iter_mut().for_each(|pass| pass.packets.truncate(count));
+        let golden = golden::render_deferred(&deferred);
+        let Choice { rasterizers, shaders, array, side_by_side, .. } = choice;
+        let nodes = 1 + rasterizers + shaders;
+        let config = Config { nodes, shaders, array, side_by_side, ..Config::new(size) };
+        let works = Works::deferred_once(&config, &deferred.passes, &deferred.shader).unwrap();
+        check(choice, size, &works, &golden)?;
+    }
 }

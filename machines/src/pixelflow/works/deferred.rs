@@ -50,7 +50,7 @@ impl Works {
             let pass = &passes[*pass];
             works.draw(config, sample, &Screen::sampled(pass.size, *pattern, config.array)?, pass);
         }
-        works.finish_words();
+        works.finish_words(config);
         let shader = constants(shader);
         let once = ShadingOnce { shading: shading(&shader) };
         let taken = |number: usize| {
@@ -93,9 +93,8 @@ impl Works {
 
     /// In each turn words are cleared before, and marked and given behind. If primitives were sorted before, their instructions are made meanwhile.
     fn finish_words(&mut self, config: &Config) {
-        for (rasterizer, turn) in
-            (0..self.shares()).flat_map(|it| (0..self.turns()).map(move |turn| (it, turn))).collect::<Vec<_>>()
-        {
+        let turns = self.turns();
+        for (rasterizer, turn) in (0..self.shares()).flat_map(|it| (0..turns).map(move |turn| (it, turn))) {
             let number = turn as u64 % 2;
             let word = bank(number);
             let clear = [vec![programs::await_bank(number)], programs::clear(word, appearance::BYTES)].concat();
