@@ -120,6 +120,11 @@ fn a_frame_follows_as_soon_as_the_last_unit_lets_it() {
 }
 
 #[test]
+fn distances_are_short() {
+    assert_eq!([0.34051, 1234.56, 0.25, 0.0, 12345.6].map(four_digits), ["0.3405", "1235", "0.2500", "0", "12346"]);
+}
+
+#[test]
 fn mistakes_are_said() {
     let said = |nodes, shaders| {
         let config = Config { nodes, shaders, ..Config::new(Size::VGA) };
