@@ -279,8 +279,7 @@ impl Compared for PixelFlowJob {
             memory_bits: bits(|it| it.memories),
             clocks,
             picoseconds: report.latency() * 5000,
-            time: "from the front end to the last region in the frame buffer, which both take the paper's time"
-                .to_owned(),
+            time: "from the front end, which takes the paper's time, to the last region in the frame buffer".to_owned(),
             tested: report.drawn as u64 * u64::from(width) * u64::from(height),
             drawn,
             at_work: busy as f64 / (clocks.max(1) * nodes) as f64,

@@ -31,6 +31,8 @@ pub struct Config {
     pub shaders: u32,
     /// Pixels of an array along x and y: powers of two from 8 to 256.
     pub array: [u32; 2],
+    /// The software sorts primitives in a pass of its own, and makes their instructions in a second one, while others are drawn (PFL-PRE).
+    pub pre_sort: bool,
     /// The form in which edges are sent.
     pub edges: Edges,
     /// The evaluator may have the next primitive's edges while the memory has what the one before leaves.
@@ -57,6 +59,7 @@ impl Config {
             nodes: 20,
             shaders: 4,
             array: [128, 64],
+            pre_sort: false,
             edges: Edges::Least,
             side_by_side: true,
             set_up: 0,

@@ -182,8 +182,8 @@ trait Arrays {
     fn first_stores(&mut self) -> [Ticks; 2];
     /// All rasterizers draw a turn, each when its bank is free; when they give it to the network.
     fn draw(&mut self, number: usize, turn: &Turn, free: &[Ticks]) -> Vec<Ticks>;
-    /// A shader works on what has arrived by then. Its colours of before were sent by that time.
-    fn shade(&mut self, shading: &Shading, arrived: Ticks, sent: Ticks) -> Shaded;
+    /// A shader works on what has arrived of a turn by then. Its colours of before were sent by that time.
+    fn shade(&mut self, number: usize, shading: &Shading, arrived: Ticks, sent: Ticks) -> Shaded;
     /// What has arrived by then goes into the frame buffer's memory.
     fn load(&mut self, number: usize, turn: &Turn, arrived: Ticks) -> Stored;
 }
@@ -214,7 +214,7 @@ impl Arrays for ByCosts {
         self.rasterizers.iter_mut().zip(free).map(|(it, free)| it.draw(turn.region, *free)).collect()
     }
 
-    fn shade(&mut self, &Shading { shader, takes, .. }: &Shading, arrived: Ticks, _: Ticks) -> Shaded {
+    fn shade(&mut self, _: usize, &Shading { shader, takes, .. }: &Shading, arrived: Ticks, _: Ticks) -> Shaded {
         let at = after([arrived, self.shaders[shader]], takes);
         self.shaders[shader] = at.end;
         // It has another bank for words than for those that it works on.

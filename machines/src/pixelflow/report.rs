@@ -34,16 +34,18 @@ pub struct Report {
     pub rasterizers: Vec<NodeReport>,
     /// Each node that shaded.
     pub shaders: Vec<NodeReport>,
-    /// Clocks of 10 ns in which the array of the node that holds the frame had an instruction, where it adds up samples.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub holder: Option<u64>,
+    /// Clocks of 10 ns in which the array of the node that holds the frame had an instruction, or waited for the frame buffer.
+    pub holder: u64,
     /// Primitives, and how often one is in a region.
     pub primitives: usize,
     /// Likewise.
     pub drawn: usize,
     /// The front end of the rasterizer with most primitives, by the paper's cost of each, in ticks of 5 ns.
     pub front: Ticks,
-    /// When each region, or each sample of one, was where, in ticks from the first instruction on.
+    /// Likewise its second pass, if primitives are sorted in a first one.
+    pub second: Ticks,
+    /// When each region, or each sample of one, was where, in ticks from the first instruction on; from the beginning of the front end where that works
+    /// beside the rest.
     pub turns: Vec<Done>,
 }
 
@@ -78,13 +80,14 @@ pub struct Stage {
 }
 
 impl Report {
-    pub(super) fn new(config: &Config, works: &Works, turns: Vec<Done>, busy: [Vec<u64>; 2]) -> Report {
+    pub(super) fn new(config: &Config, works: &Works, turns: Vec<Done>, busy: [Vec<u64>; 2], holder: u64) -> Report {
         let costs = &config.costs;
-        let (transforms, system) = match works.is_shaded() {
-            true => (costs.transform, System::Base),
-            false => (costs.transform_plain, System::NonTexturing),
+        let (transforms, generates, system) = match (works.is_shaded(), config.pre_sort) {
+            (true, false) => (costs.transform, 0.0, System::Base),
+            (true, true) => (costs.sort, costs.generate, System::PreSort),
+            (false, _) => (costs.transform_plain, 0.0, System::NonTexturing),
         };
-        let most = works.primitives.iter().copied().max().unwrap_or(0) as f64;
+        let most = works.primitives.iter().copied().max().unwrap_or(0) as Ticks;
         let [rasterizers, shaders] = busy;
         let rasterizer = |(&primitives, busy)| NodeReport { primitives, busy };
         Report {
@@ -97,10 +100,11 @@ impl Report {
             array: config.array,
             rasterizers: works.primitives.iter().zip(rasterizers).map(rasterizer).collect(),
             shaders: shaders.into_iter().map(|busy| NodeReport { primitives: 0, busy }).collect(),
-            holder: None,
+            holder,
             primitives: works.primitives.iter().sum(),
             drawn: works.drawn,
-            front: ticks(costs.overhead + transforms * most),
+            front: ticks(costs.overhead) + ticks(transforms) * most,
+            second: ticks(generates) * most,
             turns,
         }
     }
@@ -120,7 +124,11 @@ impl Report {
         Report {
             rasterizers: sum(self.rasterizers, next.rasterizers),
             shaders: sum(self.shaders, next.shaders),
+            holder: self.holder + next.holder,
             drawn: self.drawn + next.drawn,
+            system: self.system,
+            front: self.front,
+            second: self.second,
             turns: self.turns.into_iter().chain(next.turns.into_iter().map(moved)).collect(),
             ..next
         }
@@ -131,13 +139,9 @@ impl Report {
         self.turns.last().map_or(0, |last| last.loaded.end)
     }
 
-    /// Ticks by which all that is simulated is later because of the front end: it is before the rest, or, where nothing is sorted, beside
-    /// rasterization.
+    /// Ticks by which all that is simulated is later because of the front end, if it is before the rest: else its times are in the others.
     pub fn delay(&self) -> Ticks {
-        match self.system {
-            System::NonTexturing => self.front.saturating_sub(self.turns.first().map_or(0, |turn| turn.rasterized)),
-            System::Base | System::PreSort => self.front,
-        }
+        if self.system == System::Base { self.front } else { 0 }
     }
 
     /// Ticks of a frame from its beginning to its last region in the frame buffer.
@@ -164,9 +168,6 @@ impl Report {
         };
         let rasterizing = Stage { name: "rasterizing", busy: longest(&self.rasterizers), from: 0, to: last.rasterized };
         let mut stages = vec![rasterizing, in_turn("composing", |it| &it.composed)];
-        if let Some(clocks) = self.holder {
-            stages.push(stage("adding samples", 2 * clocks, |it| &it.shaded));
-        }
         if !self.shaders.is_empty() {
             stages.push(stage("shading", longest(&self.shaders), |it| &it.shaded));
             stages.push(in_turn("sending colours", |it| &it.sent));
@@ -178,7 +179,8 @@ impl Report {
     /// The stage that works longest, front end and those behind it.
     pub fn limit(&self) -> Stage {
         let front = Stage { name: "front end", busy: self.front, from: 0, to: self.front };
-        self.stages().into_iter().chain([front]).max_by_key(|stage| stage.busy).expect("there is the front end")
+        let second = Stage { name: "second pass", busy: self.second, from: self.front, to: self.front + self.second };
+        self.stages().into_iter().chain([front, second]).max_by_key(|stage| stage.busy).expect("there is the front end")
     }
 }
 
@@ -205,6 +207,10 @@ impl fmt::Display for Report {
         writeln!(f, "\n{:<16}{:>10}{:>10}{:>10}", "stage", "busy us", "from us", "to us")?;
         let us = |ticks: Ticks| ticks as f64 / 200.0;
         writeln!(f, "{:<16}{:>10.2}{:>10.2}{:>10.2}", "front end", us(self.front), 0.0, us(self.front))?;
+        if self.second > 0 {
+            let ends = self.front + self.second;
+            writeln!(f, "{:<16}{:>10.2}{:>10.2}{:>10.2}", "second pass", us(self.second), us(self.front), us(ends))?;
+        }
         for Stage { name, busy, from, to } in self.stages() {
             let [from, to] = [from, to].map(|ticks| us(self.delay() + ticks));
             writeln!(f, "{name:<16}{:>10.2}{from:>10.2}{to:>10.2}", us(busy))?;
@@ -221,10 +227,8 @@ impl fmt::Display for Report {
             let part = 200.0 * *busy as f64 / self.back().max(1) as f64;
             writeln!(f, "{name:<16}{primitives:>10}{busy:>12}{part:>6.1} %")?;
         }
-        if let Some(busy) = self.holder {
-            let part = 200.0 * busy as f64 / self.back().max(1) as f64;
-            writeln!(f, "{:<16}{:>10}{busy:>12}{part:>6.1} %", "frame's holder", "")?;
-        }
+        let (busy, part) = (self.holder, 200.0 * self.holder as f64 / self.back().max(1) as f64);
+        writeln!(f, "{:<16}{:>10}{busy:>12}{part:>6.1} %", "frame's holder", "")?;
         write!(f, "The frame takes {:.3} ms.", milliseconds(self.latency()))
     }
 }

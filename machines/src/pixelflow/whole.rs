@@ -1,14 +1,14 @@
 //! A whole machine in one simulation, and what happens in it when: with that the model's times are compared.
 //!
-//! The block [`PixelFlow`] has all nodes, with their instruction memories, and the network. What is beside it here are the shaders' texture units, each a
-//! simulation of its own, and the frame buffer's memory at the texture port of who holds the frame: it reads what comes a byte of each chip a clock, and takes as long as
-//! it is told.
+//! The block [`PixelFlow`] has all nodes, with their instruction memories, and the network. What is beside it here are the shaders' texture units and the frame buffer,
+//! at the texture port of who holds the frame, each a simulation of its own.
 
 use std::collections::VecDeque;
 use std::ops::Range;
 
 use tilewright_rtl::pixelflow::ARRAY;
 use tilewright_rtl::pixelflow::compositor::Mode;
+use tilewright_rtl::pixelflow::frame_buffer::{FrameBufferIn, FrameBufferOut};
 use tilewright_rtl::pixelflow::instruction::{Instruction, Sync};
 use tilewright_rtl::pixelflow::machine::{PixelFlow, PixelFlowIn, PixelFlowOut};
 use tilewright_rtl::pixelflow::network_sequencer::Job;
@@ -17,7 +17,7 @@ use tilewright_rtl::pixelflow::texture_unit::{TextureUnitIn, TextureUnitOut};
 use tilewright_sim::{EngineKind, Simulation};
 
 use super::costs::Ticks;
-use super::hardware::{TextureLookUp, Words};
+use super::hardware::{FrameStore, TextureLookUp};
 use super::model::Built;
 use super::works::Works;
 
@@ -43,10 +43,8 @@ pub(super) struct Whole<'a> {
     jobs: Vec<[VecDeque<Job<u64>>; 2]>,
     /// Of each shader.
     textures: Vec<Simulation<TextureUnitIn, TextureUnitOut>>,
-    /// The clock of the array behind that in which the frame buffer's memory began, if it is at work.
-    storing: Option<u64>,
-    /// What it got of each region.
-    pub came: Vec<Words>,
+    buffer: Simulation<FrameBufferIn, FrameBufferOut>,
+    is_storing: bool,
     pub seen: Events,
     /// Bytes of each chip of the word that passes a node.
     passing: Vec<[u64; 2]>,
@@ -74,8 +72,8 @@ impl<'a> Whole<'a> {
             tick: 0,
             jobs: jobs(&built, works),
             textures: (0..shaders).map(texture).collect(),
-            storing: None,
-            came: Vec::new(),
+            buffer: FrameStore::new(built.array, works.size(), EngineKind::Compiled).unwrap().unit(),
+            is_storing: false,
             seen: Events {
                 given: vec![Default::default(); nodes],
                 passed: vec![Default::default(); nodes],
@@ -88,7 +86,7 @@ impl<'a> Whole<'a> {
 
     /// Until the frame is in the frame buffer.
     pub fn run(&mut self) {
-        while self.seen.stored.len() < self.works.regions() || self.storing.is_some() {
+        while self.seen.stored.len() < self.works.regions() || self.is_storing {
             assert!(self.tick < 2_000_000, "it hangs: {:?}", self.seen);
             self.step();
         }
@@ -172,29 +170,43 @@ impl<'a> Whole<'a> {
         self.sim.get_u64(self.sim.o.textures_start) >> node & 1 == 1
     }
 
-    /// A clock of the frame buffer's memory; tells whether it has done.
+    /// A clock of the frame buffer; tells whether it has done.
     fn store(&mut self) -> bool {
-        let (pixels, bytes) = (u64::from(self.built.array.pixels()), self.works.stored());
-        if let Some(clock) = self.storing.filter(|clock| *clock < bytes * pixels) {
-            let (i, o) = (self.sim.i.textures[0], self.sim.o.texture_seen[0]);
-            self.sim.set(i.pixel, clock % pixels);
-            self.sim.set(i.address, bytes - 1 - clock / pixels);
-            let seen = self.sim.get(o);
-            self.came.last_mut().unwrap().push(seen);
-        }
-        self.storing = self.storing.map(|clock| clock + 1);
-        let is_done = self.storing == Some(self.built.loads);
+        let start = self.starts(0);
+        let (buffer, sim) = (&mut self.buffer, &mut self.sim);
+        let (port, registers) = (buffer.o.port, sim.i.textures[0]);
+        sim.set(registers.pixel, buffer.get_u64(port.pixel));
+        sim.set(registers.address, buffer.get_u64(port.address));
+        buffer.set(buffer.i.start, start);
+        buffer.set(buffer.i.seen, sim.get(sim.o.texture_seen[0]));
+        let is_done = buffer.get_u64(buffer.o.done) == 1;
+        buffer.step();
         if is_done {
-            self.storing = None;
+            self.is_storing = false;
             self.seen.stored.last_mut().unwrap().end = self.tick + 1;
         }
-        if self.starts(0) {
-            assert!(self.storing.is_none() && self.built.loads >= bytes * pixels);
-            self.storing = Some(0);
-            self.came.push(Vec::new());
+        if start {
+            self.is_storing = true;
             self.seen.stored.push(self.tick + 1..0);
         }
         is_done
+    }
+
+    /// What is shown in the end, line by line.
+    pub fn shown(&mut self) -> Vec<[u8; 3]> {
+        let (buffer, pixels) = (&mut self.buffer, self.works.size().pixels());
+        buffer.set(buffer.i.start, 0);
+        buffer.set(buffer.o.pixels.ready, 1);
+        let mut shown = Vec::new();
+        while shown.len() < pixels {
+            let of = buffer.o.pixels;
+            if buffer.get_u64(of.valid) == 1 {
+                let colour = [of.payload.red, of.payload.green, of.payload.blue];
+                shown.push(colour.map(|port| buffer.get_u64(port) as u8));
+            }
+            buffer.step();
+        }
+        shown
     }
 
     /// A clock of a texture unit; tells whether it has done.
@@ -251,15 +263,15 @@ fn begun(
 
 /// Of each node: the holder of the frame, rasterizers, shaders.
 fn programs(built: &Built, works: &Works) -> Vec<Vec<Instruction<u64>>> {
-    let regions = 0..works.regions();
-    let stores = regions.clone().flat_map(|region| works.storing(region));
+    let turns = 0..works.turns();
+    let stores = turns.clone().filter(|turn| works.comes_to_holder(*turn)).flat_map(|turn| works.storing(turn));
     let mut programs = vec![works.first_of_holder().into_iter().chain(stores).collect::<Vec<_>>()];
     for share in 0..works.shares() {
-        programs.push(regions.clone().flat_map(|region| works.program(share, region).to_vec()).collect());
+        programs.push(turns.clone().flat_map(|turn| works.program(share, turn).to_vec()).collect());
     }
     for number in 0..built.shaders {
-        let shares = regions.clone().filter(|region| region % built.shaders == number);
-        let shading = shares.flat_map(|region| works.shading(region).to_vec());
+        let own = turns.clone().filter(|turn| works.shader_of(*turn, built.shaders) == Some(number));
+        let shading = own.flat_map(|turn| works.shading(turn).to_vec());
         programs.push(Works::first(0).into_iter().chain(shading).collect());
     }
     programs
@@ -270,16 +282,16 @@ fn jobs(built: &Built, works: &Works) -> Vec<[VecDeque<Job<u64>>; 2]> {
     let rasterizers = works.shares();
     let nodes = 1 + rasterizers + built.shaders;
     let mut jobs = vec![[VecDeque::new(), VecDeque::new()]; nodes];
-    let job = |mode: Mode, bank, bytes| Job { mode: mode as u64, bank, bytes };
+    let job = |mode: Mode, bank: usize, bytes| Job { mode: mode as u64, bank: bank as u64, bytes };
     let not_here = job(Mode::Forward, 0, 0);
-    for region in 0..works.regions() {
-        let (own, bytes) = (region as u64 % 2, works.bytes());
-        let shader = region.checked_rem(built.shaders).map(|number| 1 + rasterizers + number);
+    for turn in 0..works.turns() {
+        let (own, bytes, held) = (turn % 2, works.bytes(), works.holders_bank(turn));
+        let shader = works.shader_of(turn, built.shaders).map(|number| 1 + rasterizers + number);
         for (node, [forth, back]) in jobs.iter_mut().enumerate() {
             let is_rasterizer = (1..=rasterizers).contains(&node);
             let Some(shader) = shader else {
                 back.push_back(match node {
-                    0 => job(Mode::Unload, own, bytes),
+                    0 => job(Mode::Unload, held, bytes),
                     _ if node == rasterizers => job(Mode::Load, own, bytes),
                     _ => job(Mode::Composite, own, bytes),
                 });
@@ -292,12 +304,14 @@ fn jobs(built: &Built, works: &Works) -> Vec<[VecDeque<Job<u64>>; 2]> {
                 _ if node == shader => job(Mode::Unload, 0, bytes),
                 _ => job(Mode::Forward, 0, bytes),
             });
-            back.push_back(match node {
-                0 => job(Mode::Unload, own, Works::COLOUR),
-                _ if node < shader => job(Mode::Forward, 0, Works::COLOUR),
-                _ if node == shader => job(Mode::Load, 1, Works::COLOUR),
-                _ => not_here,
-            });
+            if works.ends(turn) {
+                back.push_back(match node {
+                    0 => job(Mode::Unload, held, Works::COLOUR),
+                    _ if node < shader => job(Mode::Forward, 0, Works::COLOUR),
+                    _ if node == shader => job(Mode::Load, 1, Works::COLOUR),
+                    _ => not_here,
+                });
+            }
         }
     }
     jobs

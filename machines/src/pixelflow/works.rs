@@ -9,6 +9,7 @@
 //! | eight, shaded once | all samples of the first region, then all of the second ..: those of a pixel come to one shader |
 
 mod deferred;
+mod front_end;
 mod picture;
 mod resident;
 
@@ -23,6 +24,7 @@ use tilewright_scenes::{PixelBox, Size, Texture};
 use super::config::Config;
 use super::screen::{Pattern, Screen};
 
+pub(super) use front_end::Marks;
 pub(super) use resident::Drawing;
 
 type Program = Vec<Instruction<u64>>;
@@ -40,6 +42,10 @@ pub(super) struct Works {
     rounds: usize,
     /// Of each rasterizer, for each turn.
     programs: Vec<Vec<Program>>,
+    /// Of each rasterizer, for each turn, where in the program the instructions of which primitive begin; and from when on the front end has them, if it makes them one
+    /// by one.
+    starts: Vec<Vec<Vec<(usize, usize)>>>,
+    marks: Vec<Vec<Marks>>,
     /// Of all shaders, for each of the turns of any region; none where colours are composed.
     shading: Vec<Program>,
     /// What they look up.
@@ -52,15 +58,20 @@ pub(super) struct Works {
 impl Works {
     /// Bytes of a colour.
     pub const COLOUR: u64 = 3;
+    /// Where the frame buffer looks for it.
+    const SHOWN: u64 = texture::UV[0].address;
 
     fn empty(config: &Config, rasterizers: u32, [together, rounds]: [usize; 2]) -> Result<Works, ParameterError> {
         let screen = config.screen()?;
+        let turns = screen.count() * together * rounds;
         Ok(Works {
             screen,
             array: config.array,
             together,
             rounds,
-            programs: vec![vec![Vec::new(); screen.count() * together * rounds]; rasterizers as usize],
+            programs: vec![vec![Vec::new(); turns]; rasterizers as usize],
+            starts: vec![vec![Vec::new(); turns]; rasterizers as usize],
+            marks: vec![vec![Vec::new(); turns]; rasterizers as usize],
             shading: Vec::new(),
             textures: Vec::new(),
             primitives: vec![0; rasterizers as usize],
@@ -72,12 +83,13 @@ impl Works {
         Region { size: self.array, edges: config.edges }
     }
 
-    /// Deals primitives to rasterizers in turn, and the instructions of one sample to its turns in the regions that they meet.
+    /// Deals primitives to rasterizers in turn, and the instructions of one sample to the turns of the regions that they meet.
     fn deal(
         &mut self,
         sample: usize,
         screen: &Screen,
         boxes: impl Iterator<Item = PixelBox>,
+        turn: impl Fn(usize) -> usize,
         draw: impl Fn(usize, usize) -> Program,
     ) {
         let rasterizers = self.programs.len();
@@ -87,15 +99,18 @@ impl Works {
             for region in screen.of(&bounds) {
                 let program = draw(number, region);
                 self.drawn += usize::from(!program.is_empty());
-                let turn = self.turn(sample, region);
-                self.programs[number % rasterizers][turn].extend(program);
+                let (rasterizer, turn) = (number % rasterizers, turn(region));
+                let all = &mut self.programs[rasterizer][turn];
+                self.starts[rasterizer][turn].push((all.len(), number));
+                all.extend(program);
             }
         }
     }
 
-    /// The turn in which a sample of a region is drawn.
-    fn turn(&self, sample: usize, region: usize) -> usize {
-        if self.together > 1 { region * self.together + sample } else { sample * self.regions() + region }
+    /// Instructions go before those of a turn.
+    fn put_before(&mut self, rasterizer: usize, turn: usize, before: Program) {
+        self.starts[rasterizer][turn].iter_mut().for_each(|(place, _)| *place += before.len());
+        self.programs[rasterizer][turn].splice(..0, before);
     }
 
     /// Pixels of the frame.
@@ -114,6 +129,11 @@ impl Works {
 
     pub fn turns(&self) -> usize {
         self.regions() * self.samples()
+    }
+
+    /// The region that is drawn in a turn.
+    pub fn region(&self, turn: usize) -> usize {
+        turn / self.together % self.regions()
     }
 
     /// Which of so many shaders takes what is composed.
@@ -145,6 +165,11 @@ impl Works {
         !self.shading.is_empty()
     }
 
+    /// Whether the holder of the frame gets depths, with the colours of one sample.
+    pub fn has_depths(&self) -> bool {
+        !self.is_shaded() && !self.adds()
+    }
+
     /// Bytes of a word that is composed.
     pub fn bytes(&self) -> u64 {
         if self.is_shaded() { appearance::BYTES } else { gouraud::BYTES }
@@ -153,6 +178,11 @@ impl Works {
     /// What a rasterizer does in a turn.
     pub fn program(&self, rasterizer: usize, turn: usize) -> &[Instruction<u64>] {
         &self.programs[rasterizer][turn]
+    }
+
+    /// From when on it can.
+    pub fn marks(&self, rasterizer: usize, turn: usize) -> &Marks {
+        &self.marks[rasterizer][turn]
     }
 
     /// What a shader does in a turn; it ends with its colours if the [turn ends](Works::ends) the region, or else with the room for the next words.
@@ -170,26 +200,34 @@ impl Works {
         [0, 1].map(programs::give_bank)
     }
 
-    /// What it does for a region: what came goes to its texture port, where the frame buffer's memory is, and the bank is free when that has it.
-    pub fn storing(&self, region: usize) -> Vec<Instruction<u64>> {
-        let number = region as u64 % 2;
-        [
-            vec![programs::await_bank(number)],
-            programs::move_word(bank(number), texture::UV[0].address, self.stored()),
-            vec![programs::start_texture(), programs::await_texture(), programs::give_bank(number)],
-        ]
-        .concat()
+    /// What it does when words have come: their colour, or the mean of all samples where they are the last ones, goes to its texture port, where the
+    /// frame buffer is; the bank is free when that has it.
+    pub fn storing(&self, turn: usize) -> Program {
+        let number = self.holders_bank(turn) as u64;
+        let colour = bank(number);
+        let (before, mut program) = match self.adds() {
+            true => (self.before_adding(turn), self.adding(turn, colour)),
+            false => (Vec::new(), programs::move_word(colour, Works::SHOWN, Works::COLOUR)),
+        };
+        if self.ends(turn) {
+            program.extend([programs::start_texture(), programs::await_texture()]);
+        }
+        [before, vec![programs::await_bank(number)], program, vec![programs::give_bank(number)]].concat()
+    }
+
+    /// Whether words come to the holder of the frame in a turn.
+    pub fn comes_to_holder(&self, turn: usize) -> bool {
+        self.ends(turn) || !self.is_shaded()
+    }
+
+    /// Its bank for them, in turns.
+    pub fn holders_bank(&self, turn: usize) -> usize {
+        turn / self.together % 2
     }
 
     /// Bytes of a word that comes to the holder of the frame.
     pub fn stored(&self) -> u64 {
         if self.is_shaded() { Works::COLOUR } else { self.bytes() }
-    }
-
-    /// An array's pixels in parts of the paper's.
-    pub fn part_of_whole_array(&self) -> f64 {
-        let [width, height] = self.array.map(f64::from);
-        width * height / 8192.0
     }
 }
 

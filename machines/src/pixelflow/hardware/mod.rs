@@ -3,9 +3,11 @@
 mod composition;
 mod network;
 mod node;
+mod store;
 mod texture;
 
 pub use composition::composition_time;
 pub(super) use network::Way;
-pub(super) use node::{Access, Node, Words};
+pub(super) use node::{Access, Beside, Node, Words};
+pub(super) use store::FrameStore;
 pub(super) use texture::TextureLookUp;

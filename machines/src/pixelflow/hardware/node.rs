@@ -7,9 +7,15 @@ use tilewright_rtl::pixelflow::array::{PixelArray, PixelArrayIn, PixelArrayOut};
 use tilewright_rtl::pixelflow::instruction::{Instruction, Sync};
 use tilewright_sim::{Bits, EngineKind, Simulation};
 
+use super::store::FrameStore;
 use super::texture::TextureLookUp;
 use crate::error::Error;
 use crate::pixelflow::costs::Ticks;
+use crate::pixelflow::model::Timing;
+use crate::pixelflow::works::Marks;
+
+/// An array in simulation.
+pub(super) type ArraySimulation = Simulation<PixelArrayIn, PixelArrayOut>;
 
 /// The bytes of a region's words, in the order of sending: of all pixels of a chip the first byte, then the second, one of each chip at a time.
 pub(in crate::pixelflow) type Words = Vec<Bits>;
@@ -36,41 +42,73 @@ struct Bank {
     sent: VecDeque<Words>,
 }
 
+impl Beside {
+    /// It is at work.
+    fn is_busy(&self) -> bool {
+        match self {
+            Beside::Nobody => false,
+            Beside::Texture(texture) => texture.is_busy(),
+            Beside::Store(store) => store.is_busy(),
+        }
+    }
+
+    /// It ends in this clock.
+    fn is_ending(&mut self) -> bool {
+        match self {
+            Beside::Store(store) => store.is_ending(),
+            _ => false,
+        }
+    }
+}
+
 /// An array, and the time at which it is.
 pub(in crate::pixelflow) struct Node {
-    sim: Simulation<PixelArrayIn, PixelArrayOut>,
+    /// What errors call it.
+    name: String,
+    sim: ArraySimulation,
     /// Ticks of the network since the beginning, with those that were left out: then nothing in the array changes.
     time: Ticks,
     pixels: u64,
     banks: [Bank; 2],
-    /// When each access ended, and its bank: the array has not yet been told.
+    /// From when on the array is to be told of each access that ended, and its bank.
     ended: VecDeque<(Ticks, usize)>,
     /// Clocks since the array was busy.
     rest: u32,
     latency: u32,
     /// Clocks in which it had an instruction.
     busy: u64,
-    /// From when on the network could have each bank that was given last.
-    given: [Ticks; 2],
+    /// The ticks in which each bank is to be given, by the model.
+    expected: [VecDeque<Ticks>; 2],
     /// Banks that the network has, as far as the array knows.
     claimed: [bool; 2],
-    /// What finds texels, if it has one.
-    texture: Option<TextureLookUp>,
+    /// From when on its next instruction is there.
+    there: Ticks,
+    /// What is at its texture port.
+    beside: Beside,
 }
 
-/// What came of a tick: whether the array took the instruction, and whether it gave a bank.
-#[derive(Default)]
-struct Clock {
-    taken: bool,
-    given: bool,
+/// What is at a texture port.
+pub(in crate::pixelflow) enum Beside {
+    /// Nothing.
+    Nobody,
+    /// What finds texels.
+    Texture(TextureLookUp),
+    /// What is shown.
+    Store(FrameStore),
 }
 
 impl Node {
-    /// A node without textures.
+    /// A node with that at its texture port, in the tick in which its first instruction is there.
     ///
     /// # Errors
     /// [`Error::Simulation`].
-    pub fn new(array: &PixelArray, engine: EngineKind, side_by_side: bool) -> Result<Node, Error> {
+    pub fn new(
+        name: String,
+        array: &PixelArray,
+        engine: EngineKind,
+        side_by_side: bool,
+        beside: Beside,
+    ) -> Result<Node, Error> {
         let mut sim = Simulation::of(array)?.on(engine);
         sim.set(sim.i.instructions.valid, false);
         sim.set(sim.i.side_by_side, side_by_side);
@@ -85,23 +123,20 @@ impl Node {
             sim.try_step()?;
         }
         Ok(Node {
+            name,
             sim,
-            time: 0,
+            time: Timing::FETCH,
             pixels: array.pixels().into(),
             banks: Default::default(),
             ended: VecDeque::new(),
             rest: 0,
             latency: array.latency(),
             busy: 0,
-            given: [0; 2],
+            expected: Default::default(),
             claimed: [false; 2],
-            texture: None,
+            there: 0,
+            beside,
         })
-    }
-
-    /// The same with a texture unit.
-    pub fn with_textures(self, texture: TextureLookUp) -> Node {
-        Node { texture: Some(texture), ..self }
     }
 
     /// The network will do that.
@@ -114,105 +149,150 @@ impl Node {
         self.banks[bank].sent.pop_front()
     }
 
+    /// Whether there are some.
+    pub fn has_sent(&self, bank: usize) -> bool {
+        !self.banks[bank].sent.is_empty()
+    }
+
     /// Clocks in which it had an instruction.
     pub fn busy(&self) -> u64 {
         self.busy
     }
 
-    /// From when on the network could have a bank, when it was given last.
-    pub fn given(&self, bank: usize) -> Ticks {
-        self.given[bank]
+    /// It is to give a bank in that tick, behind all that were said before.
+    pub fn expect(&mut self, bank: usize, tick: Ticks) {
+        self.expected[bank].push_back(tick);
     }
 
-    /// Runs a program that gives a bank with its last instruction; gives the tick from which on the network may have it.
+    /// What the frame buffer shows, if it has one.
     ///
     /// # Errors
     /// [`Error::Simulation`].
-    pub fn run(&mut self, program: &[Instruction<u64>]) -> Result<Ticks, Error> {
-        let mut left = program.iter();
-        let mut shown = left.next();
-        self.put(shown);
-        loop {
-            let Clock { taken, given } = self.advance(shown)?;
-            if taken {
-                shown = left.next();
-                self.put(shown);
-            }
-            if given && shown.is_none() {
-                return Ok(self.time);
-            }
+    pub fn scan(&mut self) -> Result<Vec<[u8; 3]>, Error> {
+        match &mut self.beside {
+            Beside::Store(store) => store.scan(),
+            _ => Ok(Vec::new()),
         }
     }
 
-    /// Lets the network do all that it has to.
+    /// Runs a program until its last instruction is taken; from a marked place on no instruction is there before that tick.
     ///
     /// # Errors
-    /// [`Error::Simulation`].
-    pub fn finish(&mut self) -> Result<(), Error> {
-        while self.banks.iter().any(|bank| !bank.accesses.is_empty()) {
-            self.advance(None)?;
+    /// [`Error::Simulation`]; [`Error::Differs`]: a bank is given in another tick than is expected.
+    pub fn run(&mut self, program: &[Instruction<u64>], marks: &Marks) -> Result<(), Error> {
+        let mut marks = marks.iter().peekable();
+        for (number, instruction) in program.iter().enumerate() {
+            while let Some((_, tick)) = marks.next_if(|(place, _)| *place == number) {
+                self.there = *tick;
+            }
+            self.put(instruction);
+            while !self.advance(Some(instruction))? {}
         }
         Ok(())
     }
 
-    /// Goes on by a tick, or by those in which nothing happens; with every second one the array has a clock, and the instruction before it.
-    fn advance(&mut self, shown: Option<&Instruction<u64>>) -> Result<Clock, Error> {
+    /// Lets the network do all that it has to, and banks be given.
+    ///
+    /// # Errors
+    /// As [`Node::run`].
+    pub fn finish(&mut self) -> Result<(), Error> {
+        while self.banks.iter().any(|bank| !bank.accesses.is_empty()) || self.rest <= self.latency + 2 {
+            self.advance(None)?;
+        }
+        match self.expected.iter().flatten().min() {
+            Some(&tick) => Err(self.differs(0, tick)),
+            None => Ok(()),
+        }
+    }
+
+    fn differs(&self, seen: Ticks, expected: Ticks) -> Error {
+        let signal = "the tick in which a bank is given";
+        Error::Differs { unit: self.name.clone(), signal, clock: self.time / 2, seen, expected }
+    }
+
+    /// Goes on by a tick, or by those in which nothing happens; with every second one the array has a clock, and the instruction before it. Tells
+    /// whether that is taken.
+    fn advance(&mut self, shown: Option<&Instruction<u64>>) -> Result<bool, Error> {
         if !self.is_array_edge() {
             self.tick()?;
-            self.leave_out();
-            return Ok(Clock::default());
+            if shown.is_none_or(|instruction| self.waits(instruction)) {
+                self.leave_out()?;
+            }
+            return Ok(false);
         }
         self.tell_what_ended();
+        if shown.is_some_and(|instruction| self.waits(instruction)) && self.is_forgotten() {
+            return Err(self.differs(0, self.expected.iter().flatten().min().copied().unwrap_or(0)));
+        }
         // An instruction that would wait for a bank is held back: so the controller says that it is idle.
         let shown = shown.filter(|instruction| !self.waits(instruction));
         self.sim.set(self.sim.i.instructions.valid, shown.is_some());
         let taken = shown.filter(|_| self.sim.get_u64(self.sim.i.instructions.ready) == 1);
         let given = self.sim.get_u64(self.sim.o.given.banks);
         self.count(taken.is_some());
-        if let Some(texture) = &mut self.texture {
-            texture.clock(&mut self.sim)?;
+        match &mut self.beside {
+            Beside::Nobody => {}
+            Beside::Texture(texture) => texture.clock(&mut self.sim)?,
+            Beside::Store(store) => store.clock(&mut self.sim)?,
         }
         self.tick()?;
         if let Some(instruction) = taken {
             self.claim(instruction);
         }
         for bank in (0..2).filter(|bank| given >> bank & 1 == 1) {
-            self.given[bank] = self.time;
+            let expected = self.expected[bank].pop_front().unwrap_or(0);
+            if expected != self.time {
+                return Err(self.differs(self.time, expected));
+            }
         }
-        Ok(Clock { taken: taken.is_some(), given: given != 0 })
+        Ok(taken.is_some())
     }
 
     fn is_array_edge(&self) -> bool {
         self.time % 2 == 1
     }
 
-    /// Goes on to the next thing that happens, if the array is at rest: then the network reads what does not change, without a clock.
-    fn leave_out(&mut self) {
-        if self.rest <= self.latency {
-            return;
+    /// Goes on to the next thing that happens, if the array is at rest: then network and frame buffer read what does not change, without a clock of it.
+    fn leave_out(&mut self) -> Result<(), Error> {
+        if self.rest <= self.latency || matches!(&self.beside, Beside::Texture(texture) if texture.is_busy()) {
+            return Ok(());
         }
         while self.is_read_alone() {
-            self.pass();
+            self.pass()?;
         }
-        let is_at_rest = self.banks.iter().all(|bank| bank.done == 0);
+        let is_at_rest = self.banks.iter().all(|bank| bank.done == 0) && !self.beside.is_busy();
         let next = self.banks.iter().filter_map(|bank| Some(bank.accesses.front()?.from));
-        let next = next.chain(self.ended.front().map(|(time, _)| *time)).min();
+        let next = next.chain(self.ended.front().map(|(time, _)| *time));
+        let next = next.chain(Some(self.there).filter(|there| *there > self.time)).min();
         if let Some(next) = next.filter(|_| is_at_rest) {
             // An even number of ticks, so that the clocks stay in step.
             self.time += next.saturating_sub(self.time) / 2 * 2;
         }
+        Ok(())
     }
 
     /// Counts the clock: whether the array rests.
     fn count(&mut self, taken: bool) {
         let is_idle = !taken && self.sim.get_u64(self.sim.o.idle) == 1;
         self.rest = if is_idle { self.rest + 1 } else { 0 };
-        self.busy += u64::from(!is_idle);
+        self.busy += u64::from(!is_idle || self.beside.is_busy());
     }
 
-    /// Whether an instruction waits for a bank that the network has.
+    /// Whether the network has nothing to do, so that nobody would ever have a bank again.
+    fn is_forgotten(&self) -> bool {
+        self.banks.iter().all(|bank| bank.accesses.is_empty())
+            && self.ended.is_empty()
+            && !self.beside.is_busy()
+            && self.there <= self.time
+    }
+
+    /// Whether an instruction is not there, or waits for a bank that the network has, or for what is at the texture port.
     fn waits(&self, instruction: &Instruction<u64>) -> bool {
-        instruction.sync == Sync::AwaitBank as u64 && self.claimed[instruction.c as usize]
+        let is = |sync: Sync| instruction.sync == sync as u64;
+        // A clock begins with an even tick.
+        self.there > self.time & !1
+            || is(Sync::AwaitBank) && self.claimed[instruction.c as usize]
+            || is(Sync::AwaitTexture) && self.beside.is_busy()
     }
 
     fn claim(&mut self, instruction: &Instruction<u64>) {
@@ -222,52 +302,38 @@ impl Node {
     }
 
     /// Puts an instruction before the array.
-    fn put(&mut self, instruction: Option<&Instruction<u64>>) {
-        let Some(instruction) = instruction else { return };
-        let (port, i) = (self.sim.i.instructions.payload, instruction);
-        for (port, value) in [
-            (port.source, i.source),
-            (port.function, i.function),
-            (port.begin, i.begin),
-            (port.mask, i.mask),
-            (port.accumulates, i.accumulates),
-            (port.stores, i.stores),
-            (port.condition, i.condition),
-            (port.enabling, i.enabling),
-            (port.flagging, i.flagging),
-            (port.skip, i.skip),
-            (port.length, i.length),
-            (port.descends, i.descends),
-            (port.read, i.read),
-            (port.write, i.write),
-            (port.sync, i.sync),
-            (port.a, i.a),
-            (port.b, i.b),
-            (port.c, i.c),
-        ] {
-            self.sim.set(port, value);
-        }
+    fn put(&mut self, instruction: &Instruction<u64>) {
+        self.sim.set_record(self.sim.i.instructions.payload, *instruction);
     }
 
-    /// Whether the network reads a bank, writes none, and the array will not be told of anything before two more ticks.
-    fn is_read_alone(&self) -> bool {
-        let is_under_way = |bank: &Bank| bank.accesses.front().is_some_and(|access| access.from <= self.time + 1);
+    /// Whether network or frame buffer reads, nothing is written, and the array will not be told of anything before two more ticks.
+    fn is_read_alone(&mut self) -> bool {
+        let (time, pixels) = (self.time, self.pixels);
+        let is_under_way = |bank: &&Bank| bank.accesses.front().is_some_and(|access| access.from <= time + 1);
         let is_read = |bank: &Bank| {
             let access = bank.accesses.front().expect("it is under way");
-            access.from <= self.time && access.comes.is_none() && bank.done + 2 < access.bytes * self.pixels
+            access.from <= time && access.comes.is_none() && bank.done + 2 < access.bytes * pixels
         };
-        let mut under_way = self.banks.iter().filter(|bank| is_under_way(bank)).peekable();
-        under_way.peek().is_some() && under_way.all(is_read) && self.ended.is_empty()
+        let mut under_way = self.banks.iter().filter(is_under_way).peekable();
+        let some = under_way.peek().is_some() || self.beside.is_busy();
+        let is_told = self.ended.front().is_some_and(|(told, _)| *told <= time + 2);
+        some && under_way.all(is_read) && !is_told && !self.beside.is_ending()
     }
 
-    /// Two ticks of a network that reads, left out but for what it reads.
-    fn pass(&mut self) {
+    /// Two ticks of a network and a clock of a frame buffer that read, left out but for what they read.
+    fn pass(&mut self) -> Result<(), Error> {
         for _ in 0..2 {
             for bank in 0..2 {
                 self.transfer(bank);
             }
             self.time += 1;
         }
+        if let Beside::Store(store) = &mut self.beside {
+            store.clock(&mut self.sim)?;
+        }
+        // The array waits for it.
+        self.busy += u64::from(self.beside.is_busy());
+        Ok(())
     }
 
     /// A tick of the network, and with every second one a clock of the array.
@@ -283,7 +349,7 @@ impl Node {
             }
             bank.done = 0;
             self.sim.set(self.sim.i.network[number].writes, false);
-            self.ended.push_back((self.time, number));
+            self.ended.push_back((Timing::told(self.time), number));
         }
         Ok(())
     }

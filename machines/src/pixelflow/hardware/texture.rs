@@ -2,12 +2,13 @@
 
 use tilewright_rtl::parameter::ParameterError;
 use tilewright_rtl::pixelflow::ARRAY;
-use tilewright_rtl::pixelflow::array::{PixelArray, PixelArrayIn, PixelArrayOut};
+use tilewright_rtl::pixelflow::array::PixelArray;
 use tilewright_rtl::pixelflow::texture_memory::TextureMemory;
 use tilewright_rtl::pixelflow::texture_unit::{TextureUnit, TextureUnitIn, TextureUnitOut};
 use tilewright_scenes::Texture;
 use tilewright_sim::{EngineKind, Simulation};
 
+use super::node::ArraySimulation;
 use crate::error::Error;
 
 /// A texture unit, whose memory has textures.
@@ -81,8 +82,13 @@ impl TextureLookUp {
         self.sim
     }
 
+    /// It is at work.
+    pub fn is_busy(&self) -> bool {
+        self.is_busy
+    }
+
     /// A clock of the unit, before that of its array, which it tells what it has for that.
-    pub fn clock(&mut self, array: &mut Simulation<PixelArrayIn, PixelArrayOut>) -> Result<(), Error> {
+    pub fn clock(&mut self, array: &mut ArraySimulation) -> Result<(), Error> {
         let starts = array.get_u64(array.o.given.texture) == 1;
         if !starts && !self.is_busy {
             array.set(array.i.texture_done, false);

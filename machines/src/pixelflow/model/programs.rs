@@ -12,7 +12,7 @@ use super::delays::Delays;
 use super::run::{Given, Run, Shaded, Stored};
 use super::{Arrays, Done, Shading, Turn};
 use crate::pixelflow::costs::Ticks;
-use crate::pixelflow::works::Works;
+use crate::pixelflow::works::{Marks, Works};
 
 /// Ticks of the network in a clock of an array.
 const CLOCK: Ticks = 2;
@@ -20,7 +20,7 @@ const CLOCK: Ticks = 2;
 /// What the hardware does, and when.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(in crate::pixelflow) struct Timing {
-    /// Each turn, a region each.
+    /// Each turn.
     pub turns: Vec<Done>,
     /// When its banks were given.
     pub given: Vec<Given>,
@@ -49,6 +49,11 @@ impl Timing {
     /// ticks begin together. It is told at an edge of its own, which may be a tick later.
     pub const TOLD: Ticks = 2 * CLOCK;
 
+    /// The tick with which the array's clock begins in which it is told that the network has done with a bank before that tick.
+    pub fn told(end: Ticks) -> Ticks {
+        (end - 1 + Timing::TOLD).next_multiple_of(CLOCK)
+    }
+
     /// The times of a frame.
     pub fn new(built: &Built, works: &Works) -> Timing {
         let array = |port: u64| Array {
@@ -66,18 +71,18 @@ impl Timing {
             holder: array(built.loads),
         };
         let pixels = Ticks::from(built.array.pixels());
-        let turn = |region: usize| Turn {
-            region: region as u16,
-            composes: works.bytes() * pixels,
+        let turn = |number: usize| {
+            let if_ends = |ticks: Ticks| if works.ends(number) { ticks } else { 0 };
             // How long it works its program says.
-            shades: region.checked_rem(built.shaders).map(|shader| Shading {
-                shader,
-                takes: 0,
-                sends: Works::COLOUR * pixels,
-            }),
-            loads: built.loads * CLOCK,
+            let shading = |shader| Shading { shader, takes: 0, sends: if_ends(Works::COLOUR * pixels) };
+            Turn {
+                region: works.region(number) as u16,
+                composes: works.bytes() * pixels,
+                shades: works.shader_of(number, built.shaders).map(shading),
+                loads: if_ends(built.loads * CLOCK),
+            }
         };
-        let turns: Vec<Turn> = (0..works.regions()).map(turn).collect();
+        let turns: Vec<Turn> = (0..works.turns()).map(turn).collect();
         let run = Run::new(nodes, Delays::of_hardware(built.set_up), &turns, false);
         let (first_words, first_stores) = (run.first_words(), run.first_stores());
         let run = run.run();
@@ -111,25 +116,28 @@ impl Arrays for ByPrograms<'_> {
         let bank = number % 2;
         let draw = |(share, (array, free)): (usize, (&mut Array, &Ticks))| {
             array.bank_done(bank, *free);
-            array.run(self.works.program(share, number)).given[bank]
+            array.run_marked(self.works.program(share, number), self.works.marks(share, number)).given[bank]
         };
         self.rasterizers.iter_mut().zip(free).enumerate().map(draw).collect()
     }
 
-    fn shade(&mut self, shading: &Shading, arrived: Ticks, sent: Ticks) -> Shaded {
+    fn shade(&mut self, number: usize, shading: &Shading, arrived: Ticks, sent: Ticks) -> Shaded {
         let array = &mut self.shaders[shading.shader];
         array.bank_done(0, arrived);
         array.bank_done(1, sent);
-        let ran = array.run(self.works.shading(0));
-        Shaded { at: ran.began..ran.given[1], next_word: ran.given[0] }
+        let ran = array.run(self.works.shading(number));
+        // Those of other samples are kept.
+        let end = if self.works.ends(number) { ran.given[1] } else { ran.given[0] };
+        Shaded { at: ran.began..end, next_word: ran.given[0] }
     }
 
     fn load(&mut self, number: usize, _: &Turn, arrived: Ticks) -> Stored {
-        let bank = number % 2;
+        let bank = self.works.holders_bank(number);
         self.holder.bank_done(bank, arrived);
         let ran = self.holder.run(&self.works.storing(number));
-        let end = CLOCK * self.holder.port_done;
-        Stored { at: end - CLOCK * self.holder.port..end, given: ran.given[bank] }
+        let (given, written) = (ran.given[bank], CLOCK * self.holder.port_done);
+        let at = if self.works.ends(number) { written - CLOCK * self.holder.port..written } else { given..given };
+        Stored { at, given }
     }
 }
 
@@ -160,14 +168,22 @@ impl Array {
     /// The network has done with a bank before that tick; 0 if it never had it.
     fn bank_done(&mut self, bank: usize, end: Ticks) {
         // A flag crosses and is noted: it may be awaited in the clock behind.
-        let told = end.checked_sub(1).map(|last| (last + Timing::TOLD).div_ceil(CLOCK) + 1);
-        self.banks[bank] = told.unwrap_or(0);
+        self.banks[bank] = if end == 0 { 0 } else { Timing::told(end) / CLOCK + 1 };
     }
 
     /// Takes the instructions of a program.
     fn run(&mut self, program: &[Instruction<u64>]) -> Ran {
+        self.run_marked(program, &Marks::new())
+    }
+
+    /// The same, with those that are not there from the beginning on.
+    fn run_marked(&mut self, program: &[Instruction<u64>], marks: &Marks) -> Ran {
+        let mut marks = marks.iter().peekable();
         let mut ran = Ran { began: 0, given: [0; 2] };
         for (number, instruction) in program.iter().enumerate() {
+            while let Some((_, tick)) = marks.next_if(|(place, _)| *place == number) {
+                self.from = self.from.max(tick.div_ceil(CLOCK));
+            }
             let is = |sync: Sync| instruction.sync == sync as u64;
             let bank = instruction.c as usize;
             let bank_is_there = if is(Sync::AwaitBank) { self.banks[bank] } else { 0 };

@@ -143,7 +143,7 @@ impl<'a, A: Arrays> Run<'a, A> {
             banks.used_until(words.behind(behind).end);
         }
         let shader = &mut self.shaders[shading.shader];
-        let shaded = self.arrays.shade(shading, words.behind(target - first).end, shader.sent);
+        let shaded = self.arrays.shade(number, shading, words.behind(target - first).end, shader.sent);
         shader.word = shaded.next_word;
         self.given[number].next_word = shaded.next_word;
         self.done[number].composed = words.at;
@@ -179,25 +179,23 @@ impl<'a, A: Arrays> Run<'a, A> {
         self.waiting.pop_front();
         let ended = self.done[number].shaded.end;
         let shading = self.turns[number].shades.expect("what is not shaded does not wait");
-        let (mut sent, mut arrived) = (ended..ended, ended);
-        if shading.sends > 0 {
-            let from = 1 + self.rasterizers.len() + shading.shader;
-            let colours = self.send_back(from, ended, shading.sends);
-            arrived = colours.behind(from).end;
-            self.shaders[shading.shader].sent = colours.at.end;
-            sent = colours.at;
+        if shading.sends == 0 {
+            let done = &mut self.done[number];
+            (done.sent, done.loaded) = (ended..ended, ended..ended);
+            return true;
         }
-        self.done[number].sent = sent;
-        self.load(number, arrived);
+        let from = 1 + self.rasterizers.len() + shading.shader;
+        let colours = self.send_back(from, ended, shading.sends);
+        self.shaders[shading.shader].sent = colours.at.end;
+        self.load(number, colours.behind(from).end);
+        self.done[number].sent = colours.at;
         true
     }
 
     fn load(&mut self, number: usize, arrived: Ticks) {
         let turn = &self.turns[number];
         let stored = self.arrays.load(number, turn, arrived);
-        if turn.loads > 0 {
-            self.store.used_until(stored.given);
-        }
+        self.store.used_until(stored.given);
         self.given[number].stored = stored.given;
         self.done[number].loaded = stored.at;
     }

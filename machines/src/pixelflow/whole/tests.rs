@@ -4,10 +4,12 @@ use proptest::prelude::*;
 use tilewright_rtl::pixelflow::array::PixelArray;
 use tilewright_rtl::pixelflow::texture_memory::TextureMemory;
 use tilewright_rtl::pixelflow::texture_unit::TextureUnit;
-use tilewright_scenes::deferred::{Samples, project_deferred};
-use tilewright_scenes::{Scene, Size, compare, golden, project_polygons};
+use tilewright_scenes::deferred::{Samples, Shading, project_deferred};
+use tilewright_scenes::frame::rgb_of;
+use tilewright_scenes::{Scene, Size, golden, project_polygons, project_samples};
 
 use super::super::config::Config;
+use super::super::costs::Costs;
 use super::super::model::Timing;
 use super::super::works::Drawing;
 use super::*;
@@ -21,33 +23,40 @@ fn modelled(built: &Built, works: &Works) -> Events {
         given: vec![Default::default(); nodes],
         passed: vec![Default::default(); nodes],
         began: vec![Vec::new(); nodes],
-        stored: timing.turns.iter().map(|turn| turn.loaded.clone()).collect(),
+        stored: (0..works.turns())
+            .filter(|turn| works.ends(*turn))
+            .map(|turn| timing.turns[turn].loaded.clone())
+            .collect(),
     };
     events.given[0] = timing.first_stores.map(|given| vec![given]);
     for (number, given) in timing.first_words.iter().enumerate() {
         events.given[1 + rasterizers + number][0].push(*given);
     }
     let later = |at: &Range<Ticks>, nodes: usize| at.start + nodes as Ticks..at.end + nodes as Ticks;
-    for (region, (turn, given)) in timing.turns.iter().zip(&timing.given).enumerate() {
-        events.given[0][region % 2].push(given.stored);
-        for (share, given) in given.words.iter().enumerate() {
-            events.given[1 + share][region % 2].push(*given);
+    for (number, (turn, given)) in timing.turns.iter().zip(&timing.given).enumerate() {
+        if works.comes_to_holder(number) {
+            events.given[0][works.holders_bank(number)].push(given.stored);
         }
-        let Some(number) = region.checked_rem(built.shaders) else {
+        for (share, given) in given.words.iter().enumerate() {
+            events.given[1 + share][number % 2].push(*given);
+        }
+        let Some(shader) = works.shader_of(number, built.shaders) else {
             for node in 0..=rasterizers {
                 events.passed[node][1].push(later(&turn.composed, rasterizers - node));
             }
             continue;
         };
-        let shader = 1 + rasterizers + number;
+        let shader = 1 + rasterizers + shader;
         events.given[shader][0].push(given.next_word);
-        events.given[shader][1].push(turn.shaded.end);
         events.began[shader].push(turn.shaded.start);
         for node in 1..nodes {
             events.passed[node][0].push(later(&turn.composed, node - 1));
         }
-        for node in 0..=shader {
-            events.passed[node][1].push(later(&turn.sent, shader - node));
+        if works.ends(number) {
+            events.given[shader][1].push(turn.shaded.end);
+            for node in 0..=shader {
+                events.passed[node][1].push(later(&turn.sent, shader - node));
+            }
         }
     }
     events
@@ -61,8 +70,6 @@ struct Choice {
     array: [u32; 2],
     set_up: Ticks,
     side_by_side: bool,
-    /// Clocks beyond those in which the frame buffer's memory reads what comes.
-    loads: u64,
 }
 
 /// Compares model, hardware and the golden image.
@@ -76,11 +83,12 @@ fn check(choice: Choice, size: Size, works: &Works, golden: &tilewright_scenes::
         side_by_side: choice.side_by_side,
         set_up: choice.set_up,
         looks_up: unit.clocks(),
-        loads: works.stored() * u64::from(array.pixels()) + choice.loads,
+        loads: FrameStore::hardware(&array, size).unwrap().clocks(),
     };
     let mut whole = Whole::new(built, works);
     whole.run();
-    prop_assert_eq!(compare(&works.picture(&whole.came), golden).differing, 0, "{}", size);
+    let golden: Vec<[u8; 3]> = golden.words.iter().map(|word| rgb_of(*word)).collect();
+    prop_assert_eq!(whole.shown(), golden, "{}", size);
     let (mut seen, modelled) = (whole.seen, modelled(&built, works));
     // Of the others it is not told.
     (0..=works.shares()).for_each(|node| seen.began[node].clear());
@@ -93,24 +101,21 @@ fn check(choice: Choice, size: Size, works: &Works, golden: &tilewright_scenes::
     Ok(())
 }
 
+/// A front end that takes no time: here all instructions are there from the beginning on.
+fn at_once() -> Costs {
+    Costs { overhead: 0.0, transform_plain: 0.0, ..Costs::default() }
+}
+
 fn choices() -> impl Strategy<Value = Choice> {
     let array = prop::sample::select(vec![[8, 8], [16, 8], [8, 16]]);
     let set_up = prop_oneof![Just(0), 1..4u64, 30..200u64];
-    let loads = prop_oneof![Just(0), 0..2000u64, 2000..6000u64];
-    (1..4u32, 1..4u32, array, set_up, any::<bool>(), loads).prop_map(
-        |(rasterizers, shaders, array, set_up, side_by_side, loads)| Choice {
-            rasterizers,
-            shaders,
-            array,
-            set_up,
-            side_by_side,
-            loads,
-        },
-    )
+    (1..4u32, 1..4u32, array, set_up, any::<bool>()).prop_map(|(rasterizers, shaders, array, set_up, side_by_side)| {
+        Choice { rasterizers, shaders, array, set_up, side_by_side }
+    })
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 12, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 8, failure_persistence: None, ..ProptestConfig::default() })]
 
     /// With deferred shading.
     #[test]
@@ -150,8 +155,26 @@ proptest! {
         polygons.polygons.truncate(count);
         let golden = golden::render(size, &polygons.polygons, scene.background);
         let Choice { rasterizers, array, side_by_side, .. } = choice;
-        let config = Config { nodes: 1 + rasterizers, shaders: 0, array, side_by_side, ..Config::new(size) };
+        let config = Config { nodes: 1 + rasterizers, shaders: 0, array, side_by_side, costs: at_once(), ..Config::new(size) };
         let works = Works::resident(&config, &[Drawing::of(&config, &polygons.polygons)], scene.background).unwrap();
+        check(choice, size, &works, &golden)?;
+    }
+
+    /// With eight samples one after another, which the holder of the frame adds up.
+    #[test]
+    fn the_model_is_a_frame_of_eight_samples_tick_for_tick(
+        choice in choices(),
+        [width, height] in [6..30u32, 6..20u32],
+        count in 0..9usize,
+    ) {
+        let size = Size::new(width, height).unwrap();
+        let scene = Scene::builtin("star").unwrap();
+        let mut passes = project_samples(&scene, size, Samples::Eight(Shading::EachSample)).unwrap();
+        passes.iter_mut().for_each(|pass| pass.triangles.truncate(count));
+        let golden = golden::render_samples(&passes, scene.background);
+        let Choice { rasterizers, array, side_by_side, .. } = choice;
+        let config = Config { nodes: 1 + rasterizers, shaders: 0, array, side_by_side, costs: at_once(), ..Config::new(size) };
+        let works = Works::resident(&config, &Drawing::eight(&config, &passes), scene.background).unwrap();
         check(choice, size, &works, &golden)?;
     }
 }

@@ -9,6 +9,7 @@ use super::{NEW, Program, Works, samples_of_eight};
 use crate::error::Error;
 use crate::pixelflow::config::Config;
 use crate::pixelflow::constants::constants;
+use crate::pixelflow::costs::{Ticks, ticks};
 use crate::pixelflow::screen::Screen;
 
 /// Where a shader keeps the words of the region that it shades.
@@ -28,7 +29,7 @@ impl Works {
     pub fn deferred(config: &Config, pass: &Pass, shader: &deferred::Shader) -> Result<Works, Error> {
         let mut works = Works::of_shader(config, shader, 1)?;
         works.draw(config, 0, &works.screen.clone(), pass);
-        works.finish_words();
+        works.finish_words(config);
         let shader = constants(shader);
         let shading = shading(&shader);
         let program = [
@@ -77,21 +78,38 @@ impl Works {
     fn draw(&mut self, config: &Config, sample: usize, screen: &Screen, pass: &Pass) {
         let (hardware, together) = (self.hardware(config), self.together);
         let boxes = pass.packets.iter().map(|packet| packet.triangle.bounds);
-        self.deal(sample, screen, boxes, |number, region| {
-            let (packet, corner) = (&pass.packets[number], screen.corner(region));
-            let words = Places { kept: bank((region * together + sample) as u64 % 2), new: NEW };
-            programs::appearance(hardware, words, &corner.edges(&packet.triangle), &corner.appearance(packet))
-        });
+        self.deal(
+            sample,
+            screen,
+            boxes,
+            |region| region * together + sample,
+            |number, region| {
+                let (packet, corner) = (&pass.packets[number], screen.corner(region));
+                let words = Places { kept: bank((region * together + sample) as u64 % 2), new: NEW };
+                programs::appearance(hardware, words, &corner.edges(&packet.triangle), &corner.appearance(packet))
+            },
+        );
     }
 
-    /// In each turn words are cleared before, and marked and given behind.
-    fn finish_words(&mut self) {
-        for (turn, program) in self.programs.iter_mut().flat_map(|turns| turns.iter_mut().enumerate()) {
+    /// In each turn words are cleared before, and marked and given behind. If primitives were sorted before, their instructions are made meanwhile.
+    fn finish_words(&mut self, config: &Config) {
+        for (rasterizer, turn) in
+            (0..self.shares()).flat_map(|it| (0..self.turns()).map(move |turn| (it, turn))).collect::<Vec<_>>()
+        {
             let number = turn as u64 % 2;
             let word = bank(number);
-            let before = [vec![programs::await_bank(number)], programs::clear(word, appearance::BYTES)].concat();
-            let after = [programs::covered(word), vec![programs::give_bank(number)]].concat();
-            *program = [before, std::mem::take(program), after].concat();
+            let clear = [vec![programs::await_bank(number)], programs::clear(word, appearance::BYTES)].concat();
+            self.put_before(rasterizer, turn, clear);
+            let program = &mut self.programs[rasterizer][turn];
+            program.extend(programs::covered(word));
+            program.push(programs::give_bank(number));
+        }
+        if config.pre_sort {
+            let costs = &config.costs;
+            let sorted = |works: &Works, rasterizer: usize| {
+                ticks(costs.overhead) + ticks(costs.sort) * works.primitives[rasterizer] as Ticks
+            };
+            self.make_one_by_one(sorted, ticks(costs.generate));
         }
     }
 }

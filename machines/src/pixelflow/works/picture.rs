@@ -1,38 +1,34 @@
-//! The picture, of what came of each region.
+//! The picture, of what is shown.
 
 use tilewright_scenes::Frame;
 
 use super::Works;
 use crate::pixelflow::hardware::Words;
 
+/// The greatest depth, where none is known.
+const FAR: u64 = 0xff_ffff;
+
 impl Works {
-    /// The frame, of what came of each region.
-    pub fn picture(&self, came: &[Words]) -> Frame {
-        let size = self.size();
-        let mut words = vec![0; size.pixels()];
-        let (width, height) = (size.width(), size.height());
-        let pixels = 2 * self.array[0] as usize;
-        for (region, came) in came.iter().enumerate() {
-            let [left, top] = self.screen.place(region);
-            for (y, x) in (0..self.array[1]).flat_map(|y| (0..self.array[0]).map(move |x| (y, x))) {
-                if left + x >= width || top + y >= height {
-                    continue;
-                }
-                let (chip, pixel) = (y / 2, (y % 2 * self.array[0] + x) as usize);
-                let bytes = came[pixel..].iter().step_by(pixels).map(|lanes| byte(lanes, chip));
-                words[((top + y) * width + left + x) as usize] = self.word(bytes);
-            }
-        }
-        Frame::from_words(size, words).expect("there is a word of each pixel")
+    /// The frame: the colours that are shown, line by line, and the depths of the words that came of each region, if they had some.
+    pub fn picture(&self, shown: &[[u8; 3]], came: &[Words]) -> Frame {
+        let width = self.size().width();
+        let word = |(number, colour): (usize, &[u8; 3])| {
+            let (x, y) = (number as u32 % width, number as u32 / width);
+            let depth = if came.is_empty() { FAR } else { self.depth(came, x, y) };
+            tilewright_scenes::frame::word(depth as u32, *colour)
+        };
+        let words = shown.iter().enumerate().map(word).collect();
+        Frame::from_words(self.size(), words).expect("there is a word of each pixel")
     }
 
-    /// A pixel of its bytes: depth, a zero and a colour, or a colour alone, which is as far as can be.
-    fn word(&self, bytes: impl Iterator<Item = u64>) -> u64 {
-        let number = bytes.fold(0, |number, byte| number << 8 | byte);
-        match self.is_shaded() || self.adds() {
-            true => 0xff_ffff << 24 | number,
-            false => number >> 32 << 24 | number & 0xff_ffff,
-        }
+    /// The depth of a pixel: the first three bytes of its word.
+    fn depth(&self, came: &[Words], x: u32, y: u32) -> u64 {
+        let [width, height] = self.array;
+        let across = self.size().width().div_ceil(width);
+        let (region, x, y) = (y / height * across + x / width, x % width, y % height);
+        let (chip, pixel, pixels) = (y / 2, (y % 2 * width + x) as usize, 2 * width as usize);
+        let bytes = came[region as usize][pixel..].iter().step_by(pixels).take(3);
+        bytes.fold(0, |depth, lanes| depth << 8 | byte(lanes, chip))
     }
 }
 

@@ -2,7 +2,6 @@
 
 use tilewright_rtl::parameter::ParameterError;
 use tilewright_rtl::pixelflow::fields::{Field, bank, gouraud, texture};
-use tilewright_rtl::pixelflow::instruction::Instruction;
 use tilewright_rtl::pixelflow::pixel::PixelProcessor;
 use tilewright_rtl::pixelflow::programs::{self, SUM_BYTES, Words as Places};
 use tilewright_scenes::{Edge, Packet, Projection, Size};
@@ -10,6 +9,7 @@ use tilewright_scenes::{Edge, Packet, Projection, Size};
 use super::{Program, Works, samples_of_eight};
 use crate::error::Error;
 use crate::pixelflow::config::Config;
+use crate::pixelflow::costs::ticks;
 use crate::pixelflow::screen::{Pattern, Screen};
 
 /// Samples of a picture that are to be drawn.
@@ -61,61 +61,66 @@ impl Works {
         for (sample, Drawing { packets, size, pattern }) in samples.iter().enumerate() {
             let screen = Screen::sampled(*size, *pattern, config.array)?;
             let boxes = packets.iter().map(|packet| packet.bounds);
-            works.deal(sample, &screen, boxes, |number, region| {
-                let (packet, corner) = (&packets[number], screen.corner(region));
-                let words = Places { kept: places[region], new: scratch };
-                programs::gouraud(hardware, words, &corner.edges(packet), &corner.surface(packet))
-            });
+            // All at once, in the order in which they come.
+            works.deal(
+                sample,
+                &screen,
+                boxes,
+                |_| sample * regions,
+                |number, region| {
+                    let (packet, corner) = (&packets[number], screen.corner(region));
+                    let words = Places { kept: places[region], new: scratch };
+                    programs::gouraud(hardware, words, &corner.edges(packet), &corner.surface(packet))
+                },
+            );
         }
-        for turns in &mut works.programs {
-            for (sample, regions) in turns.chunks_mut(regions).enumerate() {
-                draw_then_send(sample * regions.len(), regions, &places, background);
-            }
+        for turn in 0..works.turns() {
+            works.send(turn, &places, background);
         }
+        let costs = &config.costs;
+        works.make_one_by_one(|_, _| ticks(costs.overhead), ticks(costs.transform_plain));
         Ok(works)
     }
 
-    /// What the frame's holder does when words have come: it adds them to the sums of their region, and if that ends it, its colours are the mean.
-    /// They stand where the words did; the bank is given in any case.
-    pub fn holding(&self, turn: usize) -> Program {
-        let (number, sums) = (turn as u64 % 2, self.sums(turn % self.regions()));
-        let colour = bank(number) + gouraud::RGB[2].address;
-        let begin = if turn < self.regions() { programs::begin_sums(sums) } else { Vec::new() };
-        let end = if self.ends(turn) { programs::average(sums, colour) } else { Vec::new() };
-        let wait = vec![programs::await_bank(number)];
-        [begin, wait, programs::add_sample(colour, sums), end, vec![programs::give_bank(number)]].concat()
-    }
-
-    /// What it does when the frame's memory has a bank's colours.
-    pub fn free_again(bank: u64) -> [Instruction<u64>; 2] {
-        [programs::await_bank(bank), programs::give_bank(bank)]
-    }
-
-    /// Where a region's sums are: in memory, and behind it in the texture unit's registers, as it has none.
-    fn sums(&self, region: usize) -> u64 {
-        let in_memory = u64::from(PixelProcessor::REGISTERS) / SUM_BYTES;
-        let Field { address: free, .. } = texture::UV[0];
-        match (region as u64).checked_sub(in_memory) {
-            None => region as u64 * SUM_BYTES,
-            Some(number) => free + number * SUM_BYTES,
+    /// A region is sent, after all have been cleared and drawn if it is the first of a sample.
+    fn send(&mut self, turn: usize, places: &[u64], background: [u8; 3]) {
+        let (number, region) = (turn as u64 % 2, self.region(turn));
+        let clear = |place: &u64| programs::clear_to(*place, background);
+        for rasterizer in 0..self.shares() {
+            if region == 0 {
+                let cleared = places[..self.regions()].iter().flat_map(clear).collect();
+                self.put_before(rasterizer, turn, cleared);
+            }
+            let program = &mut self.programs[rasterizer][turn];
+            program.push(programs::await_bank(number));
+            program.extend(programs::move_word(places[region], bank(number), gouraud::BYTES));
+            program.push(programs::give_bank(number));
         }
     }
-}
 
-/// Draws all regions of a sample, and then sends one after another, from a turn on.
-fn draw_then_send(first: usize, regions: &mut [Program], places: &[u64], background: [u8; 3]) {
-    let cleared = places[..regions.len()].iter().flat_map(|place| programs::clear_to(*place, background));
-    let all: Program = cleared.chain(regions.iter_mut().flat_map(std::mem::take)).collect();
-    for (region, program) in regions.iter_mut().enumerate() {
-        let number = (first + region) as u64 % 2;
-        let sent = [
-            vec![programs::await_bank(number)],
-            programs::move_word(places[region], bank(number), gouraud::BYTES),
-            vec![programs::give_bank(number)],
-        ];
-        *program = sent.concat();
+    /// The instructions that add a colour to the sums of its region, and if that ends it, leave their mean where the frame buffer looks.
+    pub(super) fn adding(&self, turn: usize, colour: u64) -> Program {
+        let sums = self.sums(turn % self.regions());
+        let mut program = programs::add_sample(colour, sums);
+        if self.ends(turn) {
+            program.extend(programs::average(sums, Works::SHOWN));
+        }
+        program
     }
-    regions[0].splice(..0, all);
+
+    /// The instructions that begin them, before the first.
+    pub(super) fn before_adding(&self, turn: usize) -> Program {
+        if turn < self.regions() { programs::begin_sums(self.sums(turn)) } else { Vec::new() }
+    }
+
+    /// Where a region's sums are: in memory, and in registers behind those at which the frame buffer looks.
+    fn sums(&self, region: usize) -> u64 {
+        let in_memory = u64::from(PixelProcessor::REGISTERS) / SUM_BYTES;
+        match (region as u64).checked_sub(in_memory) {
+            None => region as u64 * SUM_BYTES,
+            Some(number) => Works::SHOWN + Works::COLOUR + number * SUM_BYTES,
+        }
+    }
 }
 
 /// Where the words of each region are, as many as have room beside the network's banks; and room for a new one.
@@ -141,6 +146,6 @@ fn there_is_room_for_as_many_regions_as_is_said() {
     let works = Works::empty(&config, 1, [1, 8]).expect("there is such a machine");
     let sums: Vec<u64> = (0..Config::MOST_REGIONS).map(|region| works.sums(region)).collect();
     assert!(sums.windows(2).all(|pair| pair[0] + SUM_BYTES <= pair[1]));
-    assert!(sums.iter().all(|sum| sum + SUM_BYTES <= bank(0) || *sum >= bank(1) + 32));
+    assert!(sums.iter().all(|sum| sum + SUM_BYTES <= bank(0) || *sum >= Works::SHOWN + Works::COLOUR));
     assert!(sums[sums.len() - 1] + SUM_BYTES <= PixelProcessor::BYTES.into());
 }

@@ -1,0 +1,98 @@
+//! The frame buffer in simulation, beside the array whose registers it reads.
+
+use tilewright_rtl::parameter::{ParameterError, Screen};
+use tilewright_rtl::pixelflow::ARRAY;
+use tilewright_rtl::pixelflow::array::PixelArray;
+use tilewright_rtl::pixelflow::frame_buffer::{FrameBuffer, FrameBufferIn, FrameBufferOut};
+use tilewright_scenes::Size;
+use tilewright_sim::{EngineKind, Simulation};
+
+use super::node::ArraySimulation;
+use crate::error::Error;
+
+/// A frame buffer.
+pub(in crate::pixelflow) struct FrameStore {
+    sim: Simulation<FrameBufferIn, FrameBufferOut>,
+    is_busy: bool,
+    pixels: usize,
+}
+
+impl FrameStore {
+    /// That of such a node, for a screen.
+    ///
+    /// # Errors
+    /// There is none.
+    pub fn hardware(array: &PixelArray, size: Size) -> Result<FrameBuffer, ParameterError> {
+        FrameBuffer::new([array.width(), array.height()], Screen::new(size.width(), size.height())?)
+    }
+
+    /// One that is empty.
+    ///
+    /// # Errors
+    /// [`Error::Parameter`]: as [`FrameStore::hardware`]; [`Error::Simulation`].
+    pub fn new(array: &PixelArray, size: Size, engine: EngineKind) -> Result<FrameStore, Error> {
+        let mut sim = Simulation::at(&FrameStore::hardware(array, size)?, ARRAY.period)?.on(engine);
+        sim.set(sim.i.start, false);
+        sim.set(sim.o.pixels.ready, false);
+        sim.try_reset()?;
+        Ok(FrameStore { sim, is_busy: false, pixels: size.pixels() })
+    }
+
+    /// A clock, before that of its array, which it tells what it has for that.
+    ///
+    /// # Errors
+    /// [`Error::Simulation`].
+    pub fn clock(&mut self, array: &mut ArraySimulation) -> Result<(), Error> {
+        let starts = array.get_u64(array.o.given.texture) == 1;
+        if !starts && !self.is_busy {
+            array.set(array.i.texture_done, false);
+            return Ok(());
+        }
+        let (buffer, registers) = (&mut self.sim, array.i.texture);
+        array.set(registers.pixel, buffer.get_u64(buffer.o.port.pixel));
+        array.set(registers.address, buffer.get_u64(buffer.o.port.address));
+        buffer.set(buffer.i.start, starts);
+        buffer.set(buffer.i.seen, array.get(array.o.texture_seen));
+        let is_done = buffer.get_u64(buffer.o.done) == 1;
+        array.set(array.i.texture_done, is_done);
+        buffer.try_step()?;
+        self.is_busy = !is_done;
+        Ok(())
+    }
+
+    /// It is at work.
+    pub fn is_busy(&self) -> bool {
+        self.is_busy
+    }
+
+    /// It ends with the next clock.
+    pub fn is_ending(&mut self) -> bool {
+        self.is_busy && self.sim.get_u64(self.sim.o.done) == 1
+    }
+
+    /// The frame that is shown, line by line, once it has all regions.
+    ///
+    /// # Errors
+    /// [`Error::Simulation`].
+    pub fn scan(&mut self) -> Result<Vec<[u8; 3]>, Error> {
+        let (sim, mut shown) = (&mut self.sim, Vec::with_capacity(self.pixels));
+        sim.set(sim.i.start, false);
+        sim.set(sim.o.pixels.ready, true);
+        // The two frames change places, and the first pixel is read.
+        for _ in 0..self.pixels + 4 {
+            let pixels = sim.o.pixels;
+            if sim.get_u64(pixels.valid) == 1 && shown.len() < self.pixels {
+                let colour = [pixels.payload.red, pixels.payload.green, pixels.payload.blue];
+                shown.push(colour.map(|port| sim.get_u64(port) as u8));
+            }
+            sim.try_step()?;
+        }
+        Ok(shown)
+    }
+
+    /// The circuit itself.
+    #[cfg(test)]
+    pub fn unit(self) -> Simulation<FrameBufferIn, FrameBufferOut> {
+        self.sim
+    }
+}

@@ -1,0 +1,271 @@
+//! A frame on its way: what goes from whom to whom, in the ticks of the model.
+
+use std::collections::{BTreeMap, VecDeque};
+
+use tilewright_rtl::pixelflow::array::PixelArray;
+use tilewright_rtl::pixelflow::texture_memory::TextureMemory;
+use tilewright_rtl::pixelflow::texture_unit::TextureUnit;
+use tilewright_scenes::Frame as Picture;
+use tilewright_sim::EngineKind;
+
+use super::jobs::{Composed, Composition, Job, Target, Worker};
+use crate::error::Error;
+use crate::pixelflow::config::Config;
+use crate::pixelflow::costs::Ticks;
+use crate::pixelflow::hardware::{Access, Beside, FrameStore, Node, TextureLookUp, Way, Words};
+use crate::pixelflow::model::{Built, Timing};
+use crate::pixelflow::report::Report;
+use crate::pixelflow::works::{Marks, Works};
+use crate::threads::{all_threads, each_mut};
+
+/// Turns that rasterizers draw before the network composes them: the words of so many are in memory, or twice as many.
+const TURNS: usize = 8;
+
+/// A frame on its way.
+pub(super) struct Run<'a> {
+    config: &'a Config,
+    works: &'a Works,
+    timing: Timing,
+    rasterizers: Vec<Node>,
+    shaders: Vec<Worker>,
+    holder: Worker,
+    /// Simulations of the network: any of them may send any word.
+    ways: Vec<Way>,
+    /// How many turns rasterizers have drawn, and of how many the words have gone.
+    drawn: usize,
+    gone: usize,
+    /// The turns whose colours each shader will send, in their order, and those whose colours the holder of the frame will get.
+    colours: Vec<VecDeque<usize>>,
+    held: VecDeque<usize>,
+    /// What the network is to compose next.
+    waiting: Vec<Composition>,
+    /// Colours that are there before those of an earlier turn.
+    early: BTreeMap<usize, Words>,
+    /// What the holder of the frame got of each region, where words have depths.
+    came: Vec<Words>,
+}
+
+impl<'a> Run<'a> {
+    /// One that begins.
+    ///
+    /// # Errors
+    /// As [`Machine::render`](super::Machine::render).
+    pub fn new(config: &'a Config, engine: EngineKind, works: &'a Works) -> Result<Run<'a>, Error> {
+        let (array, roles) = (config.pixels()?, config.roles()?);
+        let shaders = if works.is_shaded() { roles.shaders as usize } else { 0 };
+        let built = Built {
+            array: &array,
+            shaders,
+            side_by_side: config.side_by_side,
+            set_up: config.set_up,
+            looks_up: look_up_clocks(&array),
+            loads: FrameStore::hardware(&array, works.size())?.clocks(),
+        };
+        let timing = Timing::new(&built, works);
+        let mut nodes = build(&built, engine, works)?;
+        let shading = nodes.split_off(1 + works.shares());
+        let rasterizers = nodes.split_off(1);
+        let holder = nodes.remove(0);
+
+        let turns =
+            |of: &dyn Fn(usize) -> bool| -> VecDeque<usize> { (0..works.turns()).filter(|turn| of(*turn)).collect() };
+        let is_of = |turn: usize, shader: usize| works.shader_of(turn, shaders) == Some(shader);
+        let held = turns(&|turn| works.comes_to_holder(turn));
+        let shader = |(number, node)| Worker::new(node, turns(&|turn| is_of(turn, number)).len());
+        let ways = (0..all_threads()).map(|_| Way::new(&array, config.nodes as usize, engine));
+        let mut run = Run {
+            config,
+            works,
+            timing,
+            rasterizers,
+            shaders: shading.into_iter().enumerate().map(shader).collect(),
+            holder: Worker::new(holder, held.len()),
+            ways: ways.collect::<Result<_, _>>()?,
+            drawn: 0,
+            gone: 0,
+            colours: (0..shaders).map(|number| turns(&|turn| is_of(turn, number) && works.ends(turn))).collect(),
+            held,
+            waiting: Vec::new(),
+            early: BTreeMap::new(),
+            came: Vec::new(),
+        };
+        run.schedule();
+        run.holder.node.run(&works.first_of_holder(), &Marks::new())?;
+        run.shaders.iter_mut().try_for_each(|shader| shader.node.run(&Works::first(0), &Marks::new()))?;
+        Ok(run)
+    }
+
+    /// Tells all nodes when the network reads their banks, and when they are to give them.
+    fn schedule(&mut self) {
+        let (works, timing) = (self.works, &self.timing);
+        for (shader, tick) in self.shaders.iter_mut().zip(&timing.first_words) {
+            shader.node.expect(0, *tick);
+        }
+        timing.first_stores.iter().enumerate().for_each(|(bank, tick)| self.holder.node.expect(bank, *tick));
+        let first = if works.is_shaded() { 0 } else { self.rasterizers.len() - 1 };
+        for (turn, (done, given)) in timing.turns.iter().zip(&timing.given).enumerate() {
+            let (bank, bytes) = (turn % 2, works.bytes());
+            for (number, node) in self.rasterizers.iter_mut().enumerate() {
+                // A tick from node to node.
+                let from = done.composed.start + first.abs_diff(number) as Ticks;
+                node.access(Access { from, bank, bytes, comes: None });
+                node.expect(bank, given.words[number]);
+            }
+            if let Some(number) = works.shader_of(turn, self.shaders.len()) {
+                let node = &mut self.shaders[number].node;
+                node.expect(0, given.next_word);
+                if works.ends(turn) {
+                    node.access(Access { from: done.sent.start, bank: 1, bytes: Works::COLOUR, comes: None });
+                    node.expect(1, done.shaded.end);
+                }
+            }
+            if works.comes_to_holder(turn) {
+                self.holder.node.expect(works.holders_bank(turn), given.stored);
+            }
+        }
+    }
+
+    /// Simulated ticks until the last region is in the frame buffer that is.
+    pub fn time(&self) -> Ticks {
+        let turns = self.held.front().map_or(self.works.turns(), |turn| *turn);
+        turns.checked_sub(1).map_or(0, |turn| self.timing.turns[turn].loaded.end)
+    }
+
+    /// Lets all nodes and the network go on side by side, each with what the others had for it before; gives how much of the frame is done, or none if it is
+    /// whole.
+    ///
+    /// # Errors
+    /// [`Error::Simulation`]; [`Error::Differs`].
+    pub fn go_on(&mut self) -> Result<Option<f64>, Error> {
+        if self.holder.is_done() {
+            return Ok(None);
+        }
+        let (works, all) = (self.works, self.works.turns());
+        let next = self.drawn..all.min(self.drawn + TURNS);
+        let mut words: Vec<Vec<Composition>> = self.ways.iter().map(|_| Vec::new()).collect();
+        let ways = words.len();
+        self.waiting.drain(..).enumerate().for_each(|(number, word)| words[number % ways].push(word));
+
+        // What takes longest first.
+        let mut jobs: Vec<Job> = vec![Job::Holds(&mut self.holder)];
+        jobs.extend(self.shaders.iter_mut().map(Job::Shades));
+        jobs.extend(self.ways.iter_mut().zip(words).map(|(way, words)| Job::Composes(way, words, Vec::new())));
+        if !next.is_empty() {
+            let draws = |(number, node)| Job::Draws(node, number, next.clone());
+            jobs.extend(self.rasterizers.iter_mut().enumerate().map(draws));
+        }
+        each_mut(&mut jobs, |_, job| job.run(works))?;
+        let composed = |job| if let Job::Composes(_, _, composed) = job { composed } else { Vec::new() };
+        let mut composed: Vec<Composed> = jobs.into_iter().flat_map(composed).collect();
+
+        self.drawn = next.end;
+        composed.sort_by_key(|it| it.turn);
+        composed.into_iter().for_each(|it| self.deliver(it));
+        self.take_what_went();
+        Ok(Some(1.0 - self.held.len() as f64 / all as f64))
+    }
+
+    /// What is composed comes to whom it is for, in the order of turns.
+    fn deliver(&mut self, Composed { turn, target, words }: Composed) {
+        let rasterizers = self.rasterizers.len() as Ticks;
+        match target {
+            Target::Shader(number) => {
+                let from = self.timing.turns[turn].composed.start + rasterizers + number as Ticks;
+                let access = Access { from, bank: 0, bytes: self.works.bytes(), comes: Some(words) };
+                self.shaders[number].gets(turn, access);
+            }
+            Target::Holder => {
+                self.early.insert(turn, words);
+                while let Some((turn, words)) = self.held.front().and_then(|turn| self.early.remove_entry(turn)) {
+                    self.held.pop_front();
+                    self.hold(turn, words);
+                }
+            }
+        }
+    }
+
+    fn hold(&mut self, turn: usize, words: Words) {
+        let (works, done) = (self.works, &self.timing.turns[turn]);
+        let rasterizers = self.rasterizers.len();
+        let from = match works.shader_of(turn, self.shaders.len()) {
+            Some(number) => done.sent.start + (1 + rasterizers + number) as Ticks,
+            None => done.composed.start + rasterizers as Ticks,
+        };
+        if works.has_depths() {
+            self.came.push(words.clone());
+        }
+        let access = Access { from, bank: works.holders_bank(turn), bytes: works.stored(), comes: Some(words) };
+        self.holder.gets(turn, access);
+    }
+
+    /// Words and colours that have gone from their nodes are the network's.
+    fn take_what_went(&mut self) {
+        // Places count from the holder of the frame, or to it.
+        let (last, first_shader) = (self.config.nodes as usize - 1, 1 + self.rasterizers.len());
+        while self.gone < self.drawn && self.rasterizers.iter().all(|node| node.has_sent(self.gone % 2)) {
+            let turn = self.gone;
+            let words = self.rasterizers.iter_mut().map(|node| node.sent(turn % 2).expect("it has sent them"));
+            let own = (1..).zip(words);
+            self.waiting.push(match self.works.shader_of(turn, self.shaders.len()) {
+                Some(number) => {
+                    let (target, to) = (Target::Shader(number), first_shader + number);
+                    Composition { turn, target, own: own.collect(), to }
+                }
+                None => {
+                    let mut own: Vec<_> = own.map(|(place, words)| (last - place, words)).collect();
+                    own.reverse();
+                    Composition { turn, target: Target::Holder, own, to: last }
+                }
+            });
+            self.gone += 1;
+        }
+        for (number, (shader, turns)) in self.shaders.iter_mut().zip(&mut self.colours).enumerate() {
+            while let Some(words) = shader.node.sent(1) {
+                let turn = turns.pop_front().expect("it sends colours of its turns alone");
+                let own = vec![(last - first_shader - number, words)];
+                self.waiting.push(Composition { turn, target: Target::Holder, own, to: last });
+            }
+        }
+    }
+
+    /// The frame that is shown, and the report.
+    ///
+    /// # Errors
+    /// [`Error::Simulation`].
+    pub fn end(mut self) -> Result<(Picture, Report), Error> {
+        let picture = self.works.picture(&self.holder.node.scan()?, &self.came);
+        let rasterizers = self.rasterizers.iter().map(Node::busy).collect();
+        let shaders = self.shaders.iter().map(|shader| shader.node.busy()).collect();
+        let report =
+            Report::new(self.config, self.works, self.timing.turns, [rasterizers, shaders], self.holder.node.busy());
+        Ok((picture, report))
+    }
+}
+
+/// Clocks of a shader's texture unit for a region.
+fn look_up_clocks(array: &PixelArray) -> u64 {
+    let memory = TextureMemory { texels: 2, textures: 2 };
+    TextureUnit { chips: array.chips(), pixels: array.pixels(), memory }.clocks()
+}
+
+/// The holder of the frame, rasterizers and shaders, built on all processors of the computer.
+fn build(built: &Built, engine: EngineKind, works: &Works) -> Result<Vec<Node>, Error> {
+    let (array, rasterizers) = (built.array, works.shares());
+    let mut nodes: Vec<Option<Node>> = (0..1 + rasterizers + built.shaders).map(|_| None).collect();
+    each_mut(&mut nodes, |number, node| {
+        let textures = works.textures.iter().map(AsRef::as_ref);
+        let (name, beside) = match number.checked_sub(1 + rasterizers) {
+            Some(shader) if works.textures.is_empty() => (format!("shader {}", shader + 1), Beside::Nobody),
+            Some(shader) => {
+                (format!("shader {}", shader + 1), Beside::Texture(TextureLookUp::new(array, textures, engine)?))
+            }
+            None if number == 0 => {
+                ("the holder of the frame".to_owned(), Beside::Store(FrameStore::new(array, works.size(), engine)?))
+            }
+            None => (format!("rasterizer {number}"), Beside::Nobody),
+        };
+        *node = Some(Node::new(name, array, engine, built.side_by_side, beside)?);
+        Ok::<(), Error>(())
+    })?;
+    Ok(nodes.into_iter().flatten().collect())
+}
