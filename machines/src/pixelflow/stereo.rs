@@ -7,7 +7,7 @@
 //!
 //! A half is a machine of its own: its part of the nodes and of the network between them, with a node that holds its frame. One after another, the front
 //! end goes on to the right eye while the left eye's frame is drawn, and each unit does as soon as it has done with the left one; so the second
-//! frame runs as it would alone, just later.
+//! frame runs as it would alone, just later. A front end that works beside the rasterizers waits with them.
 
 use serde::Serialize;
 use std::fmt;
@@ -94,7 +94,8 @@ impl StereoReport {
         let second = match stereo {
             Stereo::Halved => right.latency(),
             Stereo::Sequential => {
-                let drawn = (left.delay() + follows(&left, &right)).max(left.front + right.delay());
+                let front_end = left.front + left.second;
+                let drawn = (left.delay() + follows(&left, &right)).max(front_end + right.delay());
                 drawn + right.back()
             }
         };

@@ -96,7 +96,7 @@ fn one_after_another_no_unit_has_both_frames_at_once() {
         let behind = ends[1] - right.back() - left.delay();
         assert!(is_free([left, right], behind), "{work:?}");
         // The front end goes on at once.
-        assert!(behind + left.delay() >= left.front + right.delay(), "{work:?}");
+        assert!(behind + left.delay() >= left.front + left.second + right.delay(), "{work:?}");
         assert!(report.latency() < left.latency() + right.latency(), "{work:?}");
     }
 }

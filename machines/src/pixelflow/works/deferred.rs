@@ -50,7 +50,7 @@ impl Works {
             let pass = &passes[*pass];
             works.draw(config, sample, &Screen::sampled(pass.size, *pattern, config.array)?, pass);
         }
-        works.finish_words();
+        works.finish_words(config);
         let shader = constants(shader);
         let once = ShadingOnce { shading: shading(&shader) };
         let taken = |number: usize| {
