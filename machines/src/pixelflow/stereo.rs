@@ -7,7 +7,7 @@
 //!
 //! A half is a machine of its own: its part of the nodes and of the network between them, with a node that holds its frame. One after another, the front
 //! end goes on to the right eye while the left eye's frame is drawn, and each unit does as soon as it has done with the left one; so the second
-//! frame runs as it would alone, just later.
+//! frame runs as it would alone, just later. A front end that works beside the rasterizers waits with them.
 
 use serde::Serialize;
 use std::fmt;
@@ -94,7 +94,8 @@ impl StereoReport {
         let second = match stereo {
             Stereo::Halved => right.latency(),
             Stereo::Sequential => {
-                let drawn = (left.delay() + follows(&left, &right)).max(left.front + right.delay());
+                let front_end = left.front + left.second;
+                let drawn = (left.delay() + follows(&left, &right)).max(front_end + right.delay());
                 drawn + right.back()
             }
         };
@@ -141,13 +142,19 @@ fn start(report: &Report, of: impl Fn(&Done) -> Range<Ticks>) -> Ticks {
     report.turns.iter().map(of).find(|range| !range.is_empty()).map_or(0, |range| range.start)
 }
 
+/// A number with about four digits that count.
+fn four_digits(number: f64) -> String {
+    let places = if number > 0.0 { 3.0 - number.log10().floor() } else { 0.0 };
+    format!("{number:.*}", places.clamp(0.0, 12.0) as usize)
+}
+
 impl fmt::Display for StereoReport {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let how = match self.stereo {
             Stereo::Halved => "both at once, each on half of the nodes",
             Stereo::Sequential => "one after another on all nodes",
         };
-        writeln!(f, "two eyes, {} apart, {how}\n", self.eye_distance)?;
+        writeln!(f, "two eyes, {} apart, {how}\n", four_digits(self.eye_distance))?;
         writeln!(f, "left eye: {}\n\nright eye: {}\n", self.left, self.right)?;
         let [left, right] = self.ends.map(milliseconds);
         write!(

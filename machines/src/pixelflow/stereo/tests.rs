@@ -96,7 +96,7 @@ fn one_after_another_no_unit_has_both_frames_at_once() {
         let behind = ends[1] - right.back() - left.delay();
         assert!(is_free([left, right], behind), "{work:?}");
         // The front end goes on at once.
-        assert!(behind + left.delay() >= left.front + right.delay(), "{work:?}");
+        assert!(behind + left.delay() >= left.front + left.second + right.delay(), "{work:?}");
         assert!(report.latency() < left.latency() + right.latency(), "{work:?}");
     }
 }
@@ -117,6 +117,11 @@ fn a_frame_follows_as_soon_as_the_last_unit_lets_it() {
         let long = of([0, composed, shaded, 0, loaded], 5);
         assert_eq!(follows(&long, &short), expected);
     }
+}
+
+#[test]
+fn distances_are_short() {
+    assert_eq!([0.34051, 1234.56, 0.25, 0.0, 12345.6].map(four_digits), ["0.3405", "1235", "0.2500", "0", "12346"]);
 }
 
 #[test]
