@@ -13,6 +13,8 @@ mod looking;
 mod looking_on;
 mod nested;
 mod packed;
+mod quiet;
+mod random;
 mod shapes;
 mod store;
 mod units;

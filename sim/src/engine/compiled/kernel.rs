@@ -34,6 +34,9 @@ struct Sum {
 impl Emitter<'_, '_, '_> {
     /// Runs a kernel, or the one of a branch.
     pub(super) fn kernel(&mut self, lanes: u32, kernel: &Kernel) {
+        if !kernel.parts.is_empty() {
+            return kernel.parts.iter().for_each(|part| self.kernel(lanes, part));
+        }
         let Some(switch) = &kernel.switch else { return self.loops(lanes, kernel) };
         self.want(switch.subject);
         let subject = self.scalars.clean(self.builder, switch.subject)[0];

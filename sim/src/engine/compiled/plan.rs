@@ -60,6 +60,8 @@ pub(super) struct Kernel {
     pub descends: bool,
     /// What runs instead.
     pub switch: Option<Box<Switch>>,
+    /// Loops that run instead, one after the other.
+    pub parts: Vec<Kernel>,
 }
 
 /// Kernels to choose from.
