@@ -21,3 +21,4 @@ mod units;
 mod vcd_rows;
 mod watching;
 mod wide;
+mod words;

@@ -190,7 +190,7 @@ impl Emitter<'_, '_, '_> {
     /// Finds the words of memories that have one address in all lanes.
     fn begin_memories(&mut self, strip: &mut Strip, kernel: &Kernel) {
         for &id in &kernel.cells {
-            if let Kind::Word { memory, address } = self.function.cell(id).kind {
+            if let Kind::Word { memory, address } | Kind::WordOf { memory, address, .. } = self.function.cell(id).kind {
                 self.begin_words(strip, memory, address);
             }
         }
