@@ -32,7 +32,7 @@ pub struct Passes {
     pub pack_from: u32,
     /// Work on an array is postponed to one loop.
     pub postpone: bool,
-    /// A choice by one value for all lanes becomes a branch around the loop.
+    /// A choice by one value for all lanes becomes a branch around the loop; loops are parted, and left out where nothing would change.
     pub branch: bool,
     /// Choices between constants become tables, and shifted halves rotations.
     pub lookups: bool,

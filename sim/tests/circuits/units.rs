@@ -6,25 +6,7 @@ use tilewright_hdl::{
 };
 use tilewright_sim::{EngineKind, Passes, Simulation};
 
-/// Numbers at random: xorshift.
-struct Random(u64);
-
-impl Random {
-    fn new(seed: u64) -> Random {
-        Random(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1)
-    }
-
-    fn below(&mut self, limit: u64) -> u64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 >> 11) % limit
-    }
-
-    fn one<T: Copy>(&mut self, of: &[T]) -> T {
-        of[self.below(of.len() as u64) as usize]
-    }
-}
+use crate::random::Random;
 
 bundle! {
     struct LaneIn<T> { go: T, x: T, own: T }

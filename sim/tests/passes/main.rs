@@ -5,6 +5,7 @@ mod front;
 mod functions;
 mod late;
 mod pack;
+mod quiet;
 mod units;
 
 use tilewright_hdl::{Block, elaborate};

@@ -26,9 +26,23 @@ pub(super) fn branch(function: &mut Function, plan: &mut Plan, strips: &Strips) 
     let mut stages = std::mem::take(&mut plan.stages);
     for (&lanes, kernel) in stages.iter_mut().flat_map(|stage| &mut stage.kernels) {
         let times = lanes.div_ceil(strips.strip(lanes)) as usize;
-        split(function, plan, &order, kernel, times, MOST, 4);
+        each(function, plan, &order, kernel, times);
     }
     plan.stages = stages;
+}
+
+/// Splits the kernels that run instead of one, or it itself.
+fn each(function: &mut Function, plan: &mut Plan, order: &[ValueId], kernel: &mut Kernel, times: usize) {
+    let Kernel { parts, switch, .. } = kernel;
+    let instead = parts.iter_mut().chain(switch.iter_mut().flat_map(|switch| &mut switch.kernels));
+    let mut is_split = false;
+    for kernel in instead {
+        each(function, plan, order, kernel, times);
+        is_split = true;
+    }
+    if !is_split {
+        split(function, plan, order, kernel, times, MOST, 4);
+    }
 }
 
 /// Splits a kernel by the value that most of its choices depend on, and the parts again; gives the cells in the end.
@@ -241,7 +255,7 @@ impl<'a> Known<'a> {
         }
         let is_live = |id: &ValueId| wanted.contains(id) && self.function.circuit().constant(*id).is_none();
         cells.retain(is_live);
-        Kernel { cells, sinks, descends: kernel.descends, switch: None }
+        Kernel { cells, sinks, descends: kernel.descends, ..Kernel::default() }
     }
 
     /// A sink as it is then; none if nothing happens.

@@ -147,7 +147,9 @@ impl Shapes<'_> {
             Kind::Pack { of, axis } => more(*of, *axis) && width_of(*of).checked_mul(axis.count) == Some(width),
             Kind::Unpack { of, axis } => less(*of, *axis) && width.checked_mul(axis.count) == Some(width_of(*of)),
             // No program has what only code does.
-            Kind::Gather { .. } | Kind::Slide { .. } | Kind::Word { .. } | Kind::Rotate(..) => false,
+            Kind::Gather { .. } | Kind::Slide { .. } | Kind::Word { .. } | Kind::WordOf { .. } | Kind::Rotate(..) => {
+                false
+            }
         }
     }
 }

@@ -75,6 +75,11 @@ impl Addresses {
                 places[id.index()] = Some(layout.place(cell.lanes, cell.width));
             }
         }
+        // What tells whether a loop is left out is needed by no sink.
+        for &id in &plan.live_out {
+            let cell = function.cell(id);
+            places[id.index()].get_or_insert_with(|| layout.place(cell.lanes, cell.width));
+        }
         for (&new, &of) in &plan.homes {
             places[new.index()] = places[of.index()];
         }

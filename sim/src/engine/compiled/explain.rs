@@ -129,6 +129,14 @@ fn list<'a>(text: &Text, ids: impl IntoIterator<Item = &'a ValueId>) -> String {
 /// What a loop computes and changes; its variants, if it has some.
 fn kernel_text(out: &mut String, text: &mut Text, function: &Function, kernel: &Kernel, depth: usize) {
     let indent = "  ".repeat(depth);
+    if !kernel.parts.is_empty() {
+        let _ = writeln!(out, "in {} loops", kernel.parts.len());
+        for part in &kernel.parts {
+            let _ = write!(out, "{indent}a loop: ");
+            kernel_text(out, text, function, part, depth + 1);
+        }
+        return;
+    }
     if let Some(switch) = &kernel.switch {
         let _ = writeln!(out, "by {}", text.name(switch.subject));
         for (index, variant) in switch.kernels.iter().enumerate() {

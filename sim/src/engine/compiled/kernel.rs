@@ -34,6 +34,9 @@ struct Sum {
 impl Emitter<'_, '_, '_> {
     /// Runs a kernel, or the one of a branch.
     pub(super) fn kernel(&mut self, lanes: u32, kernel: &Kernel) {
+        if !kernel.parts.is_empty() {
+            return kernel.parts.iter().for_each(|part| self.kernel(lanes, part));
+        }
         let Some(switch) = &kernel.switch else { return self.loops(lanes, kernel) };
         self.want(switch.subject);
         let subject = self.scalars.clean(self.builder, switch.subject)[0];
@@ -187,7 +190,7 @@ impl Emitter<'_, '_, '_> {
     /// Finds the words of memories that have one address in all lanes.
     fn begin_memories(&mut self, strip: &mut Strip, kernel: &Kernel) {
         for &id in &kernel.cells {
-            if let Kind::Word { memory, address } = self.function.cell(id).kind {
+            if let Kind::Word { memory, address } | Kind::WordOf { memory, address, .. } = self.function.cell(id).kind {
                 self.begin_words(strip, memory, address);
             }
         }

@@ -1,12 +1,14 @@
 //! Makes of operations across lanes what a loop over strips can do, and of operations what the machine has.
 //!
 //! What remains across lanes is: [`Kind::Broadcast`] of each lane or of a whole row, [`Kind::Stack`] and [`Kind::Lane`] of a
-//! last axis, [`Kind::Reduce`] likewise, [`Kind::Slide`] and [`Kind::Gather`].
+//! last axis, [`Kind::Reduce`] likewise, [`Kind::Slide`], [`Kind::Gather`] and [`Kind::WordOf`].
 
 mod choices;
 mod lanes;
 mod map;
 mod reduce;
+
+use std::collections::BTreeSet;
 
 use tilewright_hdl::Bits;
 use tilewright_hdl::ir::Binary;
@@ -23,6 +25,8 @@ struct Target<'a> {
     strips: &'a Strips,
     memories: &'a [MemoryAt],
     passes: &'a Passes,
+    /// Memories that the function writes to.
+    written: BTreeSet<u32>,
 }
 
 /// Lowers a function. Besides:
@@ -35,7 +39,11 @@ pub(super) fn lower(
     memories: &[MemoryAt],
     passes: &Passes,
 ) -> (Function, Became) {
-    let target = Target { strips, memories, passes };
+    let written = function.sinks.iter().filter_map(|sink| match sink {
+        Sink::Write { memory, .. } => Some(*memory),
+        _ => None,
+    });
+    let target = Target { strips, memories, passes, written: written.collect() };
     let mut lowered = function.rebuild(Rewriter::new(passes), |rewriter, cell| target.lower(rewriter, cell));
     let Function { rewriter, sinks } = &mut lowered.0;
     for sink in sinks {
@@ -68,7 +76,7 @@ impl Target<'_> {
             Kind::Stack { parts, inner } => Some(lanes::stack(rewriter, parts, *inner, lanes, width)),
             Kind::Interleave { parts, axis } => Some(lanes::interleave(rewriter, parts, *axis, lanes, width)),
             Kind::Lane { of, axis, index } => Some(lanes::lane(rewriter, *of, *axis, *index, lanes, width)),
-            Kind::Pick { of, axis, index } => Some(lanes::pick(rewriter, *of, *axis, *index, lanes, width)),
+            Kind::Pick { of, axis, index } => Some(lanes::pick(rewriter, self, *of, *axis, *index, lanes, width)),
             Kind::Pack { of, axis } => Some(lanes::pack(rewriter, self.strips, *of, *axis, lanes, width)),
             Kind::Unpack { of, axis } => Some(lanes::unpack(rewriter, *of, *axis, lanes, width)),
             Kind::Map { of, axis, count, index, edge } => {
@@ -79,6 +87,28 @@ impl Target<'_> {
             _ => None,
         };
         made.unwrap_or_else(|| rewriter.number(cell))
+    }
+
+    /// The lane of a value whose number each lane has in `at`. Of words at one address only those that are taken are read.
+    fn gather(&self, rewriter: &mut Rewriter, of: ValueId, at: ValueId, lanes: u32, width: u32) -> ValueId {
+        let gather = match rewriter.circuit()[of].kind {
+            Kind::Word { memory, address } if lanes > 1 && self.is_still(memory) => {
+                match rewriter.circuit()[address].kind {
+                    Kind::Broadcast { of: address, .. } if rewriter.circuit()[address].lanes == 1 => {
+                        Kind::WordOf { memory, address, at }
+                    }
+                    _ => Kind::Gather { of, at },
+                }
+            }
+            _ => Kind::Gather { of, at },
+        };
+        rewriter.add(gather, lanes, width)
+    }
+
+    /// Whether the words of a memory at an address stand side by side, and stay as long as the function runs.
+    fn is_still(&self, memory: u32) -> bool {
+        let at = &self.memories[memory as usize];
+        at.words.together() && at.width <= 64 && !self.written.contains(&memory)
     }
 
     /// What a memory is written, and where lanes exist.

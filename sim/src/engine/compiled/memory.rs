@@ -89,6 +89,23 @@ impl Emitter<'_, '_, '_> {
         (Span { storage: word as u32 * 8, address, offset: 0, aligned: true }, number)
     }
 
+    /// Reads, for each lane, the word of the lane whose number it has in `from`, at the address that all have.
+    pub(super) fn read_lanes_at(&mut self, strip: &mut Strip, id: ValueId, word: (u32, ValueId), from: ValueId) {
+        let at = self.memories[word.0 as usize];
+        let (start, _) = strip.words[&word];
+        let kind = Type::int(at.element() as u16).expect("an element is an integer");
+        let size = strip.size;
+        let read = |lane| {
+            let number = self.limbs(strip, from, lane)[0];
+            let offset = self.scaled(number, at.words.word);
+            let address = self.builder.ins().iadd(start, offset);
+            let word = self.builder.ins().load(kind, MemFlagsData::trusted(), address, 0);
+            if at.width == 1 { self.builder.ins().band_imm_u(word, 1) } else { word }
+        };
+        let lanes: Vec<Value> = (0..size).map(read).collect();
+        strip.lanes.gather(self.builder, id, at.width, &lanes);
+    }
+
     /// Reads a word for each lane.
     pub(super) fn read_lanes(&mut self, strip: &mut Strip, id: ValueId, memory: u32, address: ValueId) {
         let at = self.memories[memory as usize];

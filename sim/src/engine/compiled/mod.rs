@@ -24,6 +24,7 @@ mod parts;
 mod passes;
 mod plan;
 mod prepare;
+mod quiet;
 mod rows;
 mod scalar;
 mod sequence;

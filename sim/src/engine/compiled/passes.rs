@@ -5,7 +5,7 @@ use super::function::{Became, Function};
 use super::plan::Plan;
 use super::sequence::{self, Step};
 use super::strips::Strips;
-use super::{branch, lower};
+use super::{branch, lower, quiet};
 use crate::engine::Passes;
 
 /// A function, in order.
@@ -39,6 +39,7 @@ pub(super) fn plan(
     let mut plan = Plan::new(&function, &far, passes.postpone);
     look(Seen::Planned(&function, &plan));
     if passes.branch {
+        quiet::quiet(&mut function, &mut plan, strips);
         branch::branch(&mut function, &mut plan, strips);
     }
     look(Seen::Branched(&function, &plan));

@@ -60,6 +60,8 @@ pub(super) struct Kernel {
     pub descends: bool,
     /// What runs instead.
     pub switch: Option<Box<Switch>>,
+    /// Loops that run instead, one after the other.
+    pub parts: Vec<Kernel>,
 }
 
 /// Kernels to choose from.
@@ -175,7 +177,7 @@ struct Ports {
 fn ports(function: &Function, memories: usize) -> Vec<Ports> {
     let mut ports = vec![Ports::default(); memories];
     for (id, cell) in function.circuit().cells() {
-        if let Kind::Word { memory, .. } = cell.kind {
+        if let Kind::Word { memory, .. } | Kind::WordOf { memory, .. } = cell.kind {
             ports[memory as usize].reads.push(id);
         }
     }
@@ -222,7 +224,7 @@ impl Planner<'_> {
     fn by_lane(&self, id: ValueId, operand: ValueId) -> bool {
         let takes_lane = match self.function.cell(id).kind {
             Kind::Gather { of, .. } => operand != of,
-            Kind::Word { .. } | Kind::Reduce { .. } | Kind::Alias(_) => true,
+            Kind::Word { .. } | Kind::WordOf { .. } | Kind::Reduce { .. } | Kind::Alias(_) => true,
             ref kind => kind.is_elementwise(),
         };
         takes_lane && matches!(self.role(operand), Role::Kernel(_) | Role::Packed) && !self.is_apart(operand)

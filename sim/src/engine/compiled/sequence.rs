@@ -51,6 +51,7 @@ pub(super) fn sequence(function: &mut Function, plan: &mut Plan, longest: usize)
 
 fn kernel_weight(kernel: &Kernel) -> usize {
     match &kernel.switch {
+        _ if !kernel.parts.is_empty() => kernel.parts.iter().map(kernel_weight).sum(),
         Some(switch) => switch.kernels.iter().map(kernel_weight).sum(),
         None => kernel.cells.len() + kernel.sinks.len(),
     }
@@ -109,6 +110,7 @@ fn kernel_reads(function: &Function, kernel: &Kernel, visit: &mut dyn FnMut(Valu
         visit(switch.subject);
         switch.kernels.iter().for_each(|kernel| kernel_reads(function, kernel, visit));
     }
+    kernel.parts.iter().for_each(|part| kernel_reads(function, part, visit));
 }
 
 /// All steps, sinks as early as they may be.

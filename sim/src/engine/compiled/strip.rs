@@ -244,6 +244,7 @@ impl Emitter<'_, '_, '_> {
         let cell = self.function.cell(id);
         match &cell.kind {
             Kind::Word { memory, address } => self.read_lanes(strip, id, *memory, *address),
+            Kind::WordOf { memory, address, at } => self.read_lanes_at(strip, id, (*memory, *address), *at),
             // Made available before the loop.
             Kind::Broadcast { .. } if strip.lanes.has(id) => {}
             Kind::Broadcast { of, axis } if axis.inner > 1 => self.tile(strip, id, *of),

@@ -76,7 +76,8 @@ impl Compiled {
         self.shown[id.index()].expect("it is shown").1
     }
 
-    /// What shows a value that is computed. All output ports share a function, as far as they change together.
+    /// What shows a value that is computed. All output ports of up to 64 bits share a function, as far as they change together; wider ones, which
+    /// are often put together from many lanes, have one each.
     #[inline]
     fn view_of(&mut self, id: ValueId) -> usize {
         match &self.shown[id.index()] {
@@ -87,7 +88,8 @@ impl Compiled {
 
     #[cold]
     fn make_view(&mut self, id: ValueId) -> usize {
-        let outputs: Vec<ValueId> = self.program.outputs.iter().map(|port| port.value).collect();
+        let is_narrow = |id: &ValueId| self.program.value(*id).width <= 64;
+        let outputs: Vec<ValueId> = self.program.outputs.iter().map(|port| port.value).filter(is_narrow).collect();
         self.show(if outputs.contains(&id) { &outputs } else { std::slice::from_ref(&id) });
         self.shown[id.index()].expect("it is shown now").0
     }

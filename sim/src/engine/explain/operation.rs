@@ -42,6 +42,9 @@ pub(in crate::engine) fn operation(
         Kind::Rotate(of, left) => format!("{} rotated left by {left}", name(*of)),
         Kind::Read { memory: of, address } => format!("{}[{}]", memory(*of), name(*address)),
         Kind::Word { memory: of, address } => format!("{}[{}] as it stands", memory(*of), name(*address)),
+        Kind::WordOf { memory: of, address, at } => {
+            format!("lane {} of {}[{}] as it stands", name(*at), memory(*of), name(*address))
+        }
         Kind::Broadcast { of, axis } => format!("{} times {}{}", axis.count, name(*of), apart(*axis)),
         Kind::Stack { parts, inner: 1 } => format!("lanes {}", runs(parts, name)),
         Kind::Stack { parts, inner } => format!("groups of {inner} lanes {}", runs(parts, name)),

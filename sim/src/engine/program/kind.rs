@@ -159,6 +159,15 @@ pub enum Kind {
         /// The address.
         address: ValueId,
     },
+    /// Code only: for each lane, the word of the lane of a memory whose number it has, at an address that all have, as it stands there.
+    WordOf {
+        /// The memory, by index: it has lanes.
+        memory: u32,
+        /// The address, in one lane.
+        address: ValueId,
+        /// Which lane, of the result's shape.
+        at: ValueId,
+    },
     /// Code only: the operand rotated to the left.
     Rotate(ValueId, u32),
 }
@@ -223,7 +232,8 @@ macro_rules! each_operand {
             | Kind::Compare(_, _, a, b)
             | Kind::Shift(_, a, b)
             | Kind::Pick { of: a, index: b, .. }
-            | Kind::Gather { of: a, at: b } => {
+            | Kind::Gather { of: a, at: b }
+            | Kind::WordOf { address: a, at: b, .. } => {
                 $visit(a);
                 $visit(b);
             }
@@ -287,6 +297,7 @@ impl Kind {
             | Kind::Alias(_)
             | Kind::Read { .. }
             | Kind::Word { .. }
+            | Kind::WordOf { .. }
             | Kind::Broadcast { .. }
             | Kind::Stack { .. }
             | Kind::Map { .. }

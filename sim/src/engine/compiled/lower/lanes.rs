@@ -6,7 +6,7 @@ use tilewright_hdl::Bits;
 use tilewright_hdl::ir::{Binary, Reduction, Relation};
 
 use super::super::strips::Strips;
-use super::{flags, reduce, table};
+use super::{Target, flags, reduce, table};
 use crate::engine::program::{Axis, Kind, ValueId};
 use crate::engine::rewrite::Rewriter;
 
@@ -90,6 +90,7 @@ pub(super) fn lane(rewriter: &mut Rewriter, of: ValueId, axis: Axis, index: u32,
 /// The lane along an axis that a number says, if there is one.
 pub(super) fn pick(
     rewriter: &mut Rewriter,
+    target: &Target,
     of: ValueId,
     axis: Axis,
     index: ValueId,
@@ -113,7 +114,7 @@ pub(super) fn pick(
     let along = rewriter.add(Kind::Slice(product, 0), lanes, NUMBER);
     let first = table(rewriter, lanes, lanes, NUMBER, |lane| u64::from(axis.at(lane, 0)));
     let at = rewriter.add(Kind::Binary(Binary::Add, along, first), lanes, NUMBER);
-    let picked = rewriter.add(Kind::Gather { of, at }, lanes, width);
+    let picked = target.gather(rewriter, of, at, lanes, width);
     rewriter.add(Kind::Mux { select: inside, on_true: picked, on_false: nothing }, lanes, width)
 }
 

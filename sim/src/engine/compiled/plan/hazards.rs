@@ -38,8 +38,9 @@ pub(super) fn find(planner: &Planner, plan: &mut Plan, needed: &[ValueId]) {
     let mut of_stages: BTreeMap<usize, Others> = BTreeMap::new();
     let mut read = |operand: ValueId, reader: Position, kind: Option<&Kind>| {
         let Some(&writer) = written.get(&operand) else { return };
-        let by_lane =
-            kind.is_none_or(|kind| kind.is_elementwise() || matches!(kind, Kind::Word { .. } | Kind::Reduce { .. }));
+        let by_lane = kind.is_none_or(|kind| {
+            kind.is_elementwise() || matches!(kind, Kind::Word { .. } | Kind::WordOf { .. } | Kind::Reduce { .. })
+        });
         match kind {
             Some(Kind::Slide { by, .. }) if reader == writer => {
                 let seen = shifted.entry(writer).or_default().entry(operand).or_default();

@@ -1,0 +1,98 @@
+//! Loops that are parted, and left out where nothing would change: all is as on the reference engine.
+
+use tilewright_hdl::{
+    Module, ReadUnderWrite, Signal, bit, bits, block, case, constants, elaborate, lit, mux, row, select,
+};
+use tilewright_sim::{EngineKind, Pass, Passes, Simulation, explain};
+
+use crate::random::Random;
+
+block! {
+    /// Rows of registers and of memories, which change by an operation that all lanes share.
+    struct Rows { seed: u64 }
+    in RowsIn { op: bits(3), go: bits(3), x: bits(8) }
+    out RowsOut { some: bits(8), flags: bit() }
+}
+
+impl Rows {
+    fn build(&self, m: Module, i: RowsIn) -> RowsOut {
+        let mut random = Random::new(self.seed);
+        let lanes = random.one(&[300, 512, 1024]);
+        let numbers = constants(bits(8).of(row(lanes)), |lane| u64::from(lane * 37 % 256));
+        let registers: Vec<_> = (0..4)
+            .map(|number| m.reg(&format!("r{number}"), bits(8).of(row(lanes))).reset(random.below(256)))
+            .collect();
+        let flag = m.reg("flag", bit().of(row(lanes))).reset(0);
+        let policy = random.one(&[ReadUnderWrite::Old, ReadUnderWrite::Any]);
+        let memory = m.memory("memory", 4, bits(8).of(row(lanes)), policy).true_dual_port();
+        let word = memory.read_async(i.x.trunc(2));
+        let mut values: Vec<Signal> = registers.iter().map(|register| **register).collect();
+        values.push(numbers);
+        values.push(if random.below(2) == 0 { word } else { registers[0].previous(i.x) });
+        for register in &registers {
+            let next = Rows::next(&mut random, i, **register, *flag, &values);
+            if random.below(2) == 0 {
+                register.next(next);
+            } else {
+                register.when(i.go.bit(random.below(3) as u32), next);
+            }
+        }
+        flag.when(i.go.bit(0), values[random.below(4) as usize].bit(2));
+        for port in 0..2 {
+            let enable = i.go.bit(port) & values[random.below(4) as usize].bit(1);
+            memory.write(enable, i.x.part(2, 2), random.one(&values));
+        }
+        RowsOut { some: registers[1].lane(7) ^ registers[3].lane(9), flags: flag.lane(1) }
+    }
+
+    /// A value made of others.
+    fn value(random: &mut Random, of: &[Signal]) -> Signal {
+        let [a, b, c] = [(); 3].map(|()| random.one(of));
+        match random.below(4) {
+            0 => a + b,
+            1 => a ^ b.rotate_left(3),
+            2 => mux(a.lt(b), b, c),
+            _ => (a & !b) + c,
+        }
+    }
+
+    /// What a register becomes: often what it was.
+    fn next(random: &mut Random, i: RowsIn, stays: Signal, flag: Signal, values: &[Signal]) -> Signal {
+        let [first, second] = [(); 2].map(|()| random.one(values));
+        let value = Rows::value(random, values);
+        let bit = random.below(3) as u32;
+        match random.below(5) {
+            0 => case(i.op, [(2, first), (3, second), (5, value)], stays),
+            1 => case(i.op, [(0, stays), (1, stays), (4, mux(flag, stays, first))], value),
+            2 => mux(i.go.bit(bit), value, stays),
+            3 => select([(i.go.bit(bit), first), (i.op.eq(lit(3, 6)), stays), (flag, second)], stays),
+            _ => select([(i.op.lt(lit(3, 4)) & !i.go.bit(bit), stays), (i.op.bit(1), value)], mux(flag, stays, first)),
+        }
+    }
+}
+
+/// Runs such a circuit on both engines, side by side; tells into how many loops its loop was parted, at the most.
+fn run(seed: u64) -> usize {
+    let design = elaborate(&Rows { seed }).unwrap();
+    let mut random = Random::new(seed ^ 0x5eed);
+    let passes = Passes { longest: random.one(&[500, 30]), looks_after: 5, ..Passes::default() };
+    let mut sim = Simulation::with_passes(&design, &passes).unwrap().seeded(seed % 3).on(EngineKind::Both);
+    let ports = ["op", "go", "x"].map(|name| sim.port(name).unwrap());
+    for step in 0..60 {
+        let go = random.below(8) * random.below(2);
+        for (port, number) in ports.into_iter().zip([random.below(8), go, random.below(256)]) {
+            sim.set(port, number);
+        }
+        let edges = random.one(&[1, 1, 2, 9]);
+        sim.try_run(edges).unwrap_or_else(|error| panic!("{error}, at step {step} of circuit {seed}"));
+    }
+    let branched = explain(&design, &passes).into_iter().find(|it| it.pass == Pass::Branch).unwrap().text;
+    let parts = branched.lines().filter_map(|line| line.split_once(": in ")?.1.strip_suffix(" loops")?.parse().ok());
+    parts.max().unwrap_or(0)
+}
+
+#[test]
+fn loops_in_which_nothing_would_change_are_left_out() {
+    let parts: Vec<usize> = (0..60).map(run).collect();
+    assert!(parts.iter().filter(|parts| **parts > 1).count() > 20, "loops are parted: {parts:?}");
+}
