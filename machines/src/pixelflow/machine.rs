@@ -24,7 +24,7 @@ use super::report::Report;
 use super::works::{Drawing, Works};
 use crate::error::Error;
 use crate::run::Watch;
-use run::Run;
+use run::{Hardware, Run};
 
 /// What progress and errors call a frame.
 const PHASE: &str = "drawing";
@@ -86,13 +86,15 @@ impl Machine {
             return Err(ParameterError(problem.to_owned()).into());
         }
         self.check(deferred.size)?;
-        let mut drawn = Vec::new();
+        let (mut drawn, mut hardware) = (Vec::new(), None);
         for (number, pass) in deferred.passes.iter().enumerate() {
             // The second rendering has the instructions of the first.
             let pre_sort = self.config.pre_sort && number == 0;
             let config = Config { size: pass.size, pre_sort, ..self.config.clone() };
             let works = Works::deferred(&config, pass, &deferred.shader)?;
-            drawn.push(self.run(&works, watch)?);
+            let (picture, report, used) = self.run_on(hardware, &works, watch)?;
+            hardware = Some(used);
+            drawn.push((picture, report));
         }
         let (pictures, reports): (Vec<_>, Vec<_>) = drawn.into_iter().unzip();
         let report = reports.into_iter().reduce(Report::and_then).expect("there is a pass");
@@ -150,7 +152,22 @@ impl Machine {
     }
 
     fn run(&self, works: &Works, watch: &mut Watch) -> Result<(Picture, Report), Error> {
-        let mut run = Run::new(&self.config, self.engine, works)?;
+        let (picture, report, _) = self.run_on(None, works, watch)?;
+        Ok((picture, report))
+    }
+
+    /// Draws on hardware that has drawn another frame of that size, if there is some.
+    fn run_on(
+        &self,
+        hardware: Option<Hardware>,
+        works: &Works,
+        watch: &mut Watch,
+    ) -> Result<(Picture, Report, Hardware), Error> {
+        let hardware = match hardware {
+            Some(used) => used.again()?,
+            None => Hardware::new(&self.config, self.engine, works)?,
+        };
+        let mut run = Run::new(&self.config, hardware, works)?;
         while let Some(done) = run.go_on()? {
             watch.go_on(PHASE, done, run.time() * TICK)?;
         }

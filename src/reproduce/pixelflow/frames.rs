@@ -174,8 +174,8 @@ pub fn checks(frames: &[Drawn], plan: &Plan) -> Vec<Statement> {
 pub fn section(frames: &[Drawn], plan: &Plan) -> Section {
     let [width, height] = plan.array();
     let section = Section::new("Frames").paragraph(format!(
-        "Frames that the circuit drew, clock by clock, on 20 nodes with arrays of {width}x{height} pixel processors: rasterizers, network, shaders and texture units are simulated; \
-         front end and the frame buffer’s memory take the paper’s time. Random triangles fill half of a box each."
+        "Frames that the circuit drew, clock by clock, on 20 nodes with arrays of {width}x{height} pixel processors: rasterizers, network, shaders, texture units and frame buffer are simulated; \
+         the front end takes the paper’s time. Random triangles fill half of a box each."
     ));
     let pictures = frames.iter().filter(|it| matches!(it.spec.which, Which::BuiltIn(..)));
     let section = pictures.fold(section, |section, drawn| section.part(picture(drawn)));
@@ -242,7 +242,7 @@ fn table(frames: &[Drawn]) -> Table {
     let stages = ["rasterizing", "composing", "shading", "sending colours", "frame buffer"];
     let columns = ["frame", "primitives", "in regions", "front end"].into_iter().chain(stages).chain(["latency"]);
     let table = Table::new("frames", "What the stages of each frame were busy with, in ms", columns)
-        .note("Of several nodes, the one that is busy longest. The front end’s time and that of the frame buffer’s memory are the paper’s.");
+        .note("Of several nodes, the one that is busy longest. The front end’s time is the paper’s.");
     frames.iter().fold(table, |table, drawn| {
         let report = &drawn.report;
         let busy = |name: &str| {

@@ -110,12 +110,29 @@ impl Node {
         beside: Beside,
     ) -> Result<Node, Error> {
         let mut sim = Simulation::of(array)?.on(engine);
-        sim.set(sim.i.instructions.valid, false);
         sim.set(sim.i.side_by_side, side_by_side);
         sim.set(sim.i.bank_done, 0);
         sim.set(sim.i.texture_done, false);
         let writes = [sim.i.network[0].writes, sim.i.network[1].writes, sim.i.texture.writes];
         writes.into_iter().for_each(|port| sim.set(port, false));
+        let (pixels, latency) = (array.pixels().into(), array.latency());
+        Node::of(name, sim, [pixels, latency.into()], beside)
+    }
+
+    /// The same for another frame, from its reset on.
+    ///
+    /// # Errors
+    /// [`Error::Simulation`].
+    pub fn again(self) -> Result<Node, Error> {
+        let Node { name, sim, pixels, latency, mut beside, .. } = self;
+        if let Beside::Store(store) = &mut beside {
+            store.reset()?;
+        }
+        Node::of(name, sim, [pixels, latency.into()], beside)
+    }
+
+    fn of(name: String, mut sim: ArraySimulation, [pixels, latency]: [u64; 2], beside: Beside) -> Result<Node, Error> {
+        sim.set(sim.i.instructions.valid, false);
         sim.try_reset()?;
         // The next edges are of the network alone, and those behind them of both.
         let clocks = sim.cycles(ARRAY).expect("there is one");
@@ -126,11 +143,11 @@ impl Node {
             name,
             sim,
             time: Timing::FETCH,
-            pixels: array.pixels().into(),
+            pixels,
             banks: Default::default(),
             ended: VecDeque::new(),
             rest: 0,
-            latency: array.latency(),
+            latency: latency as u32,
             busy: 0,
             expected: Default::default(),
             claimed: [false; 2],
@@ -257,7 +274,8 @@ impl Node {
         if self.rest <= self.latency || matches!(&self.beside, Beside::Texture(texture) if texture.is_busy()) {
             return Ok(());
         }
-        while self.is_read_alone() {
+        let was_there = self.is_there();
+        while self.is_read_alone() && self.is_there() == was_there {
             self.pass()?;
         }
         let is_at_rest = self.banks.iter().all(|bank| bank.done == 0) && !self.beside.is_busy();
@@ -286,11 +304,15 @@ impl Node {
             && self.there <= self.time
     }
 
+    /// Whether the front end has the next instruction in this clock, which begins with an even tick.
+    fn is_there(&self) -> bool {
+        self.there <= self.time & !1
+    }
+
     /// Whether an instruction is not there, or waits for a bank that the network has, or for what is at the texture port.
     fn waits(&self, instruction: &Instruction<u64>) -> bool {
         let is = |sync: Sync| instruction.sync == sync as u64;
-        // A clock begins with an even tick.
-        self.there > self.time & !1
+        !self.is_there()
             || is(Sync::AwaitBank) && self.claimed[instruction.c as usize]
             || is(Sync::AwaitTexture) && self.beside.is_busy()
     }

@@ -31,11 +31,20 @@ impl FrameStore {
     /// # Errors
     /// [`Error::Parameter`]: as [`FrameStore::hardware`]; [`Error::Simulation`].
     pub fn new(array: &PixelArray, size: Size, engine: EngineKind) -> Result<FrameStore, Error> {
-        let mut sim = Simulation::at(&FrameStore::hardware(array, size)?, ARRAY.period)?.on(engine);
-        sim.set(sim.i.start, false);
-        sim.set(sim.o.pixels.ready, false);
-        sim.try_reset()?;
-        Ok(FrameStore { sim, is_busy: false, pixels: size.pixels() })
+        let sim = Simulation::at(&FrameStore::hardware(array, size)?, ARRAY.period)?.on(engine);
+        let mut store = FrameStore { sim, is_busy: false, pixels: size.pixels() };
+        store.reset()?;
+        Ok(store)
+    }
+
+    /// It begins anew.
+    ///
+    /// # Errors
+    /// [`Error::Simulation`].
+    pub fn reset(&mut self) -> Result<(), Error> {
+        self.sim.set(self.sim.i.start, false);
+        self.sim.set(self.sim.o.pixels.ready, false);
+        Ok(self.sim.try_reset()?)
     }
 
     /// A clock, before that of its array, which it tells what it has for that.

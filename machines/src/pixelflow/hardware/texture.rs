@@ -99,10 +99,14 @@ impl TextureLookUp {
         let (port, registers) = (unit.o.port, array.i.texture);
         array.set(registers.pixel, unit.get_u64(port.pixel));
         array.set(registers.address, unit.get_u64(port.address));
-        array.set(registers.writes, unit.get_u64(port.writes));
-        array.set(registers.bytes, unit.get(port.bytes));
+        // In a clock the port is read or written.
+        let writes = unit.get_u64(port.writes) == 1;
+        array.set(registers.writes, writes);
+        match writes {
+            true => array.set(registers.bytes, unit.get(port.bytes)),
+            false => unit.set(unit.i.seen, array.get(array.o.texture_seen)),
+        }
         unit.set(unit.i.start, starts);
-        unit.set(unit.i.seen, array.get(array.o.texture_seen));
         let is_done = unit.get_u64(unit.o.done) == 1;
         array.set(array.i.texture_done, is_done);
         unit.try_step()?;

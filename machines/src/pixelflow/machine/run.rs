@@ -21,15 +21,24 @@ use crate::threads::{all_threads, each_mut};
 /// Turns that rasterizers draw before the network composes them: the words of so many are in memory, or twice as many.
 const TURNS: usize = 8;
 
+/// All nodes, and simulations of the network between them.
+pub(super) struct Hardware {
+    array: PixelArray,
+    /// The holder of the frame, rasterizers and shaders.
+    nodes: Vec<Node>,
+    /// Any of them may send any word.
+    ways: Vec<Way>,
+}
+
 /// A frame on its way.
 pub(super) struct Run<'a> {
     config: &'a Config,
     works: &'a Works,
+    array: PixelArray,
     timing: Timing,
     rasterizers: Vec<Node>,
     shaders: Vec<Worker>,
     holder: Worker,
-    /// Simulations of the network: any of them may send any word.
     ways: Vec<Way>,
     /// How many turns rasterizers have drawn, and of how many the words have gone.
     drawn: usize,
@@ -50,9 +59,12 @@ impl<'a> Run<'a> {
     ///
     /// # Errors
     /// As [`Machine::render`](super::Machine::render).
-    pub fn new(config: &'a Config, engine: EngineKind, works: &'a Works) -> Result<Run<'a>, Error> {
-        let (array, roles) = (config.pixels()?, config.roles()?);
-        let shaders = if works.is_shaded() { roles.shaders as usize } else { 0 };
+    pub fn new(config: &'a Config, hardware: Hardware, works: &'a Works) -> Result<Run<'a>, Error> {
+        let Hardware { array, mut nodes, ways } = hardware;
+        let shading = nodes.split_off(1 + works.shares());
+        let rasterizers = nodes.split_off(1);
+        let holder = nodes.remove(0);
+        let shaders = shading.len();
         let built = Built {
             array: &array,
             shaders,
@@ -62,25 +74,21 @@ impl<'a> Run<'a> {
             loads: FrameStore::hardware(&array, works.size())?.clocks(),
         };
         let timing = Timing::new(&built, works);
-        let mut nodes = build(&built, engine, works)?;
-        let shading = nodes.split_off(1 + works.shares());
-        let rasterizers = nodes.split_off(1);
-        let holder = nodes.remove(0);
 
         let turns =
             |of: &dyn Fn(usize) -> bool| -> VecDeque<usize> { (0..works.turns()).filter(|turn| of(*turn)).collect() };
         let is_of = |turn: usize, shader: usize| works.shader_of(turn, shaders) == Some(shader);
         let held = turns(&|turn| works.comes_to_holder(turn));
         let shader = |(number, node)| Worker::new(node, turns(&|turn| is_of(turn, number)).len());
-        let ways = (0..all_threads()).map(|_| Way::new(&array, config.nodes as usize, engine));
         let mut run = Run {
             config,
             works,
+            array,
             timing,
             rasterizers,
             shaders: shading.into_iter().enumerate().map(shader).collect(),
             holder: Worker::new(holder, held.len()),
-            ways: ways.collect::<Result<_, _>>()?,
+            ways,
             drawn: 0,
             gone: 0,
             colours: (0..shaders).map(|number| turns(&|turn| is_of(turn, number) && works.ends(turn))).collect(),
@@ -228,17 +236,42 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// The frame that is shown, and the report.
+    /// The frame that is shown, and the report; and what has drawn it.
     ///
     /// # Errors
     /// [`Error::Simulation`].
-    pub fn end(mut self) -> Result<(Picture, Report), Error> {
+    pub fn end(mut self) -> Result<(Picture, Report, Hardware), Error> {
         let picture = self.works.picture(&self.holder.node.scan()?, &self.came);
         let rasterizers = self.rasterizers.iter().map(Node::busy).collect();
         let shaders = self.shaders.iter().map(|shader| shader.node.busy()).collect();
-        let report =
-            Report::new(self.config, self.works, self.timing.turns, [rasterizers, shaders], self.holder.node.busy());
-        Ok((picture, report))
+        let held = self.holder.node.busy();
+        let report = Report::new(self.config, self.works, self.timing.turns, [rasterizers, shaders], held);
+        let shaders = self.shaders.into_iter().map(|shader| shader.node);
+        let nodes = [self.holder.node].into_iter().chain(self.rasterizers).chain(shaders).collect();
+        Ok((picture, report, Hardware { array: self.array, nodes, ways: self.ways }))
+    }
+}
+
+impl Hardware {
+    /// What a frame takes.
+    ///
+    /// # Errors
+    /// As [`Machine::render`](super::Machine::render).
+    pub fn new(config: &Config, engine: EngineKind, works: &Works) -> Result<Hardware, Error> {
+        let (array, roles) = (config.pixels()?, config.roles()?);
+        let shaders = if works.is_shaded() { roles.shaders as usize } else { 0 };
+        let nodes = build(&array, engine, config.side_by_side, shaders, works)?;
+        let ways = (0..all_threads()).map(|_| Way::new(&array, config.nodes as usize, engine));
+        Ok(Hardware { ways: ways.collect::<Result<_, _>>()?, array, nodes })
+    }
+
+    /// The same for another frame.
+    ///
+    /// # Errors
+    /// [`Error::Simulation`].
+    pub fn again(self) -> Result<Hardware, Error> {
+        let nodes = self.nodes.into_iter().map(Node::again).collect::<Result<_, _>>()?;
+        Ok(Hardware { nodes, ..self })
     }
 }
 
@@ -248,10 +281,16 @@ fn look_up_clocks(array: &PixelArray) -> u64 {
     TextureUnit { chips: array.chips(), pixels: array.pixels(), memory }.clocks()
 }
 
-/// The holder of the frame, rasterizers and shaders, built on all processors of the computer.
-fn build(built: &Built, engine: EngineKind, works: &Works) -> Result<Vec<Node>, Error> {
-    let (array, rasterizers) = (built.array, works.shares());
-    let mut nodes: Vec<Option<Node>> = (0..1 + rasterizers + built.shaders).map(|_| None).collect();
+/// The holder of the frame, rasterizers and so many shaders, built on all processors of the computer.
+fn build(
+    array: &PixelArray,
+    engine: EngineKind,
+    side_by_side: bool,
+    shaders: usize,
+    works: &Works,
+) -> Result<Vec<Node>, Error> {
+    let rasterizers = works.shares();
+    let mut nodes: Vec<Option<Node>> = (0..1 + rasterizers + shaders).map(|_| None).collect();
     each_mut(&mut nodes, |number, node| {
         let textures = works.textures.iter().map(AsRef::as_ref);
         let (name, beside) = match number.checked_sub(1 + rasterizers) {
@@ -264,7 +303,7 @@ fn build(built: &Built, engine: EngineKind, works: &Works) -> Result<Vec<Node>, 
             }
             None => (format!("rasterizer {number}"), Beside::Nobody),
         };
-        *node = Some(Node::new(name, array, engine, built.side_by_side, beside)?);
+        *node = Some(Node::new(name, array, engine, side_by_side, beside)?);
         Ok::<(), Error>(())
     })?;
     Ok(nodes.into_iter().flatten().collect())

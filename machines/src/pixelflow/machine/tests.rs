@@ -30,8 +30,9 @@ fn a_deferred_frame_is_the_golden_image() {
     let scene = Scene::builtin("star").unwrap();
     let deferred = project_deferred(&scene, size, Samples::One).unwrap();
     let golden = golden::render_deferred(&deferred);
-    for (nodes, shaders) in [(3, 1), (4, 2), (7, 3)] {
-        let machine = Machine::new(config(size, nodes, shaders)).unwrap();
+    // A front end that has all before, or that makes instructions while the network reads.
+    for (nodes, shaders, pre_sort) in [(3, 1, false), (4, 2, false), (7, 3, false), (3, 1, true), (5, 2, true)] {
+        let machine = Machine::new(Config { pre_sort, ..config(size, nodes, shaders) }).unwrap();
         let (frame, report) = machine.render(&deferred, &mut Watch::default()).unwrap();
         assert_eq!(compare(&frame, &golden).differing, 0, "{nodes} nodes");
         assert_eq!(report.turns.len(), 12);
