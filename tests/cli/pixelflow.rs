@@ -46,7 +46,7 @@ fn any_nodes_and_both_systems_draw_the_golden_image() {
     let few = of("--nodes 3 --shaders 1");
     assert!(of("--nodes 7 --shaders 2") < few);
     of("--nodes 2 --system non-texturing");
-    of("--nodes 2 --system non-texturing --array 8x8 --size 16x16 --engine both");
+    of("--nodes 2 --system non-texturing --engine both");
 }
 
 #[test]

@@ -281,7 +281,7 @@ impl Node {
         let is_at_rest = self.banks.iter().all(|bank| bank.done == 0) && !self.beside.is_busy();
         let next = self.banks.iter().filter_map(|bank| Some(bank.accesses.front()?.from));
         let next = next.chain(self.ended.front().map(|(time, _)| *time));
-        let next = next.chain(Some(self.there).filter(|there| *there > self.time)).min();
+        let next = next.chain(Some(self.there).filter(|_| !self.is_there())).min();
         if let Some(next) = next.filter(|_| is_at_rest) {
             // An even number of ticks, so that the clocks stay in step.
             self.time += next.saturating_sub(self.time) / 2 * 2;
@@ -301,7 +301,7 @@ impl Node {
         self.banks.iter().all(|bank| bank.accesses.is_empty())
             && self.ended.is_empty()
             && !self.beside.is_busy()
-            && self.there <= self.time
+            && self.is_there()
     }
 
     /// Whether the front end has the next instruction in this clock, which begins with an even tick.

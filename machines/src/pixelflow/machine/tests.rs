@@ -5,6 +5,7 @@ use tilewright_scenes::deferred::{Samples, project_deferred};
 use tilewright_scenes::{Field, Scene, Size, compare, golden, project_polygons, project_samples};
 
 use super::*;
+use crate::pixelflow::costs::Costs;
 
 fn config(size: Size, nodes: u32, shaders: u32) -> Config {
     Config { nodes, shaders, array: [16, 8], ..Config::new(size) }
@@ -144,7 +145,8 @@ fn sides() -> impl Strategy<Value = [u32; 2]> {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 10, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// Any machine, and any rasterizer for each triangle: they are dealt in turn, so in another order others have them.
+    /// Any machine, and any rasterizer for each triangle: they are dealt in turn, so in another order others have them. Instructions may come while
+    /// others are carried out and words are sent, in any tick.
     #[test]
     fn who_draws_what_does_not_matter(
         array in sides(),
@@ -153,6 +155,7 @@ proptest! {
         [width, height] in [9..50u32, 9..40u32],
         scene in prop_oneof![Just("star"), Just("teapot"), Just("textured")],
         one_at_a_time in any::<bool>(),
+        made in prop::option::of((0..300u64, 0..3000u64)),
         turned in any::<prop::sample::Index>(),
     ) {
         let size = Size::new(width, height).unwrap();
@@ -163,7 +166,10 @@ proptest! {
         packets.rotate_left(turned.index(count));
         packets[..count / 2].reverse();
         let nodes = 1 + rasterizers + shaders;
-        let config = Config { nodes, shaders, array, side_by_side: !one_at_a_time, ..Config::new(size) };
+        let [sort, generate] = made.map_or([0.0; 2], |(sort, generate)| [sort, generate].map(|ticks| ticks as f64 / 200.0));
+        let costs = Costs { sort, generate, ..Costs::default() };
+        let pre_sort = made.is_some();
+        let config = Config { nodes, shaders, array, side_by_side: !one_at_a_time, pre_sort, costs, ..Config::new(size) };
         let (frame, report) = Machine::new(config).unwrap().render(&deferred, &mut Watch::default()).unwrap();
         prop_assert_eq!(compare(&frame, &golden).differing, 0);
         prop_assert_eq!(report.rasterizers.iter().map(|node| node.primitives).sum::<usize>(), count);

@@ -8,8 +8,9 @@ use crate::pixelflow::costs::Ticks;
 /// A direction of the network. Nodes are counted along it.
 pub(super) struct Direction {
     delays: Delays,
-    /// Since when each node has nothing to do there.
-    free: Vec<Ticks>,
+    nodes: usize,
+    /// Since when no node has anything to do there. The last one has its bytes last, and nothing comes to those before the one that loads.
+    free: Ticks,
 }
 
 /// A word that passes.
@@ -30,24 +31,20 @@ impl Passing {
 
 impl Direction {
     pub fn new(delays: Delays, nodes: usize) -> Direction {
-        Direction { delays, free: vec![0; nodes] }
+        Direction { delays, nodes, free: 0 }
     }
 
     /// The first byte of a word would go then: all nodes are free and set up, and the last bank that one of them needs is given at that time.
     pub fn begin(&self, given: Ticks) -> Ticks {
         let Delays { job, set, go, .. } = self.delays;
-        let free = self.free.iter().max().copied().unwrap_or(0);
-        (free + job).max(given + self.delays.given) + set + go
+        (self.free + job).max(given + self.delays.given) + set + go
     }
 
     /// Sends it from a node, for so long.
     pub fn send(&mut self, from: usize, given: Ticks, takes: Ticks) -> Passing {
         let begin = self.begin(given);
         let passing = Passing { at: begin..begin + takes, hop: self.delays.hop };
-        for (number, free) in self.free.iter_mut().enumerate() {
-            // Nothing comes to those before: they have done when all are ready.
-            *free = number.checked_sub(from).map_or(begin, |behind| passing.behind(behind).end);
-        }
+        self.free = passing.behind(self.nodes - 1 - from).end;
         passing
     }
 }
