@@ -162,7 +162,7 @@ mod testbench;
 
 /// The value of a port, as [`Simulation::get`] gives it.
 #[doc(no_inline)]
-pub use tilewright_hdl::Bits;
+pub use tilewright_hdl::{Bits, Bundle};
 
 pub use engine::program;
 pub use engine::{Difference, EngineKind, Explained, Pass, Passes, Unsupported, explain};

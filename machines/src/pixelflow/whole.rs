@@ -8,12 +8,10 @@ use std::ops::Range;
 
 use tilewright_rtl::pixelflow::ARRAY;
 use tilewright_rtl::pixelflow::compositor::Mode;
-use tilewright_rtl::pixelflow::frame_buffer::{FrameBufferIn, FrameBufferOut};
 use tilewright_rtl::pixelflow::instruction::{Instruction, Sync};
 use tilewright_rtl::pixelflow::machine::{PixelFlow, PixelFlowIn, PixelFlowOut};
 use tilewright_rtl::pixelflow::network_sequencer::Job;
 use tilewright_rtl::pixelflow::node::Node;
-use tilewright_rtl::pixelflow::texture_unit::{TextureUnitIn, TextureUnitOut};
 use tilewright_sim::{EngineKind, Simulation};
 
 use super::costs::Ticks;
@@ -42,9 +40,8 @@ pub(super) struct Whole<'a> {
     tick: Ticks,
     jobs: Vec<[VecDeque<Job<u64>>; 2]>,
     /// Of each shader.
-    textures: Vec<Simulation<TextureUnitIn, TextureUnitOut>>,
-    buffer: Simulation<FrameBufferIn, FrameBufferOut>,
-    is_storing: bool,
+    textures: Vec<TextureLookUp>,
+    store: FrameStore,
     pub seen: Events,
     /// Bytes of each chip of the word that passes a node.
     passing: Vec<[u64; 2]>,
@@ -62,7 +59,7 @@ impl<'a> Whole<'a> {
         let sim = begun(&machine, &programs, built.side_by_side);
         let texture = |_| {
             let textures = works.textures.iter().map(AsRef::as_ref);
-            TextureLookUp::new(built.array, textures, EngineKind::Compiled).unwrap().unit()
+            TextureLookUp::new(built.array, textures, EngineKind::Compiled).unwrap()
         };
         let shaders = if works.textures.is_empty() { 0 } else { built.shaders };
         Whole {
@@ -72,8 +69,7 @@ impl<'a> Whole<'a> {
             tick: 0,
             jobs: jobs(&built, works),
             textures: (0..shaders).map(texture).collect(),
-            buffer: FrameStore::new(built.array, works.size(), EngineKind::Compiled).unwrap().unit(),
-            is_storing: false,
+            store: FrameStore::new(built.array, works.size(), EngineKind::Compiled).unwrap(),
             seen: Events {
                 given: vec![Default::default(); nodes],
                 passed: vec![Default::default(); nodes],
@@ -86,7 +82,7 @@ impl<'a> Whole<'a> {
 
     /// Until the frame is in the frame buffer.
     pub fn run(&mut self) {
-        while self.seen.stored.len() < self.works.regions() || self.is_storing {
+        while self.seen.stored.len() < self.works.regions() || self.store.is_busy() {
             assert!(self.tick < 2_000_000, "it hangs: {:?}", self.seen);
             self.step();
         }
@@ -115,9 +111,7 @@ impl<'a> Whole<'a> {
                 let port = if direction == 0 { sim.i.forth[node] } else { sim.i.back[node] };
                 sim.set(port.valid, !jobs.is_empty());
                 let Some(job) = jobs.front() else { continue };
-                sim.set(port.mode, job.mode);
-                sim.set(port.bank, job.bank);
-                sim.set(port.bytes, job.bytes);
+                sim.set_record(port.payload, *job);
                 if sim.get_u64(port.ready) == 1 {
                     jobs.pop_front();
                 }
@@ -157,36 +151,25 @@ impl<'a> Whole<'a> {
                 self.seen.given[node][bank].push(self.tick + 1);
             }
         }
-        let done = u64::from(self.store());
+        let mut all_done = u64::from(self.store());
         let shaders = 1 + self.works.shares();
-        let mut all_done = done;
-        for number in 0..self.textures.len() {
-            all_done |= u64::from(self.look_up(number, shaders + number)) << (shaders + number);
+        for (node, unit) in (shaders..).zip(&mut self.textures) {
+            let starts = starts(&mut self.sim, node);
+            let (registers, seen) = (self.sim.i.textures[node], self.sim.o.texture_seen[node]);
+            all_done |= u64::from(unit.clock(&mut self.sim, registers, seen, starts).unwrap()) << node;
         }
         self.sim.set(self.sim.i.textures_done, all_done);
     }
 
-    fn starts(&mut self, node: usize) -> bool {
-        self.sim.get_u64(self.sim.o.textures_start) >> node & 1 == 1
-    }
-
-    /// A clock of the frame buffer; tells whether it has done.
+    /// A clock of the frame buffer, which is beside node 0; tells whether it has done.
     fn store(&mut self) -> bool {
-        let start = self.starts(0);
-        let (buffer, sim) = (&mut self.buffer, &mut self.sim);
-        let (port, registers) = (buffer.o.port, sim.i.textures[0]);
-        sim.set(registers.pixel, buffer.get_u64(port.pixel));
-        sim.set(registers.address, buffer.get_u64(port.address));
-        buffer.set(buffer.i.start, start);
-        buffer.set(buffer.i.seen, sim.get(sim.o.texture_seen[0]));
-        let is_done = buffer.get_u64(buffer.o.done) == 1;
-        buffer.step();
+        let starts = starts(&mut self.sim, 0);
+        let (registers, seen) = (self.sim.i.textures[0], self.sim.o.texture_seen[0]);
+        let is_done = self.store.clock(&mut self.sim, registers, seen, starts).unwrap();
         if is_done {
-            self.is_storing = false;
             self.seen.stored.last_mut().unwrap().end = self.tick + 1;
         }
-        if start {
-            self.is_storing = true;
+        if starts {
             self.seen.stored.push(self.tick + 1..0);
         }
         is_done
@@ -194,37 +177,13 @@ impl<'a> Whole<'a> {
 
     /// What is shown in the end, line by line.
     pub fn shown(&mut self) -> Vec<[u8; 3]> {
-        let (buffer, pixels) = (&mut self.buffer, self.works.size().pixels());
-        buffer.set(buffer.i.start, 0);
-        buffer.set(buffer.o.pixels.ready, 1);
-        let mut shown = Vec::new();
-        while shown.len() < pixels {
-            let of = buffer.o.pixels;
-            if buffer.get_u64(of.valid) == 1 {
-                let colour = [of.payload.red, of.payload.green, of.payload.blue];
-                shown.push(colour.map(|port| buffer.get_u64(port) as u8));
-            }
-            buffer.step();
-        }
-        shown
+        self.store.scan().unwrap()
     }
+}
 
-    /// A clock of a texture unit; tells whether it has done.
-    fn look_up(&mut self, number: usize, node: usize) -> bool {
-        let start = self.starts(node);
-        let (unit, sim) = (&mut self.textures[number], &mut self.sim);
-        let (port, registers) = (unit.o.port, sim.i.textures[node]);
-        sim.set(registers.pixel, unit.get_u64(port.pixel));
-        sim.set(registers.address, unit.get_u64(port.address));
-        sim.set(registers.writes, unit.get_u64(port.writes));
-        sim.set(registers.bytes, unit.get(port.bytes));
-        unit.set(unit.i.start, start);
-        let seen = sim.get(sim.o.texture_seen[node]);
-        unit.set(unit.i.seen, seen);
-        let is_done = unit.get_u64(unit.o.done) == 1;
-        unit.step();
-        is_done
-    }
+/// A node's program calls what is at its texture port.
+fn starts(sim: &mut Simulation<PixelFlowIn, PixelFlowOut>, node: usize) -> bool {
+    sim.get_u64(sim.o.textures_start) >> node & 1 == 1
 }
 
 /// Writes the programs, and tells the nodes of them: that is tick 0.
@@ -272,7 +231,7 @@ fn programs(built: &Built, works: &Works) -> Vec<Vec<Instruction<u64>>> {
     for number in 0..built.shaders {
         let own = turns.clone().filter(|turn| works.shader_of(*turn, built.shaders) == Some(number));
         let shading = own.flat_map(|turn| works.shading(turn).to_vec());
-        programs.push(Works::first(0).into_iter().chain(shading).collect());
+        programs.push(works.first_of_shader().into_iter().chain(shading).collect());
     }
     programs
 }

@@ -24,7 +24,7 @@ use tilewright_scenes::{PixelBox, Size, Texture};
 use super::config::Config;
 use super::screen::{Pattern, Screen};
 
-pub(super) use front_end::Marks;
+pub(super) use front_end::Mark;
 pub(super) use resident::Drawing;
 
 type Program = Vec<Instruction<u64>>;
@@ -45,7 +45,7 @@ pub(super) struct Works {
     /// Of each rasterizer, for each turn, where in the program the instructions of which primitive begin; and from when on the front end has them, if it makes them one
     /// by one.
     starts: Vec<Vec<Vec<(usize, usize)>>>,
-    marks: Vec<Vec<Marks>>,
+    marks: Vec<Vec<Vec<Mark>>>,
     /// Of all shaders, for each of the turns of any region; none where colours are composed.
     shading: Vec<Program>,
     /// What they look up.
@@ -181,7 +181,7 @@ impl Works {
     }
 
     /// From when on it can.
-    pub fn marks(&self, rasterizer: usize, turn: usize) -> &Marks {
+    pub fn marks(&self, rasterizer: usize, turn: usize) -> &[Mark] {
         &self.marks[rasterizer][turn]
     }
 
@@ -190,9 +190,9 @@ impl Works {
         &self.shading[turn % self.together]
     }
 
-    /// What a node does before the first turn that brings it words in a bank.
-    pub fn first(bank: u64) -> [Instruction<u64>; 1] {
-        [programs::give_bank(bank)]
+    /// What it does before the first one: it has a bank for words.
+    pub fn first_of_shader(&self) -> [Instruction<u64>; 1] {
+        [programs::give_bank(0)]
     }
 
     /// What the holder of the frame does before the first one: it has two banks for what comes.

@@ -1,13 +1,15 @@
 //! The hardware in simulation: arrays, each by itself, and the network between them.
 
+mod beside;
 mod composition;
 mod network;
 mod node;
 mod store;
 mod texture;
 
+pub(super) use beside::Beside;
 pub use composition::composition_time;
 pub(super) use network::Way;
-pub(super) use node::{Access, Beside, Node, Words};
+pub(super) use node::{Access, Node, Words};
 pub(super) use store::FrameStore;
 pub(super) use texture::TextureLookUp;

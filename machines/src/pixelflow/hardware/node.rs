@@ -7,12 +7,11 @@ use tilewright_rtl::pixelflow::array::{PixelArray, PixelArrayIn, PixelArrayOut};
 use tilewright_rtl::pixelflow::instruction::{Instruction, Sync};
 use tilewright_sim::{Bits, EngineKind, Simulation};
 
-use super::store::FrameStore;
-use super::texture::TextureLookUp;
+use super::beside::Beside;
 use crate::error::Error;
 use crate::pixelflow::costs::Ticks;
 use crate::pixelflow::model::Timing;
-use crate::pixelflow::works::Marks;
+use crate::pixelflow::works::Mark;
 
 /// An array in simulation.
 pub(super) type ArraySimulation = Simulation<PixelArrayIn, PixelArrayOut>;
@@ -42,25 +41,6 @@ struct Bank {
     sent: VecDeque<Words>,
 }
 
-impl Beside {
-    /// It is at work.
-    fn is_busy(&self) -> bool {
-        match self {
-            Beside::Nobody => false,
-            Beside::Texture(texture) => texture.is_busy(),
-            Beside::Store(store) => store.is_busy(),
-        }
-    }
-
-    /// It ends in this clock.
-    fn is_ending(&mut self) -> bool {
-        match self {
-            Beside::Store(store) => store.is_ending(),
-            _ => false,
-        }
-    }
-}
-
 /// An array, and the time at which it is.
 pub(in crate::pixelflow) struct Node {
     /// What errors call it.
@@ -87,16 +67,6 @@ pub(in crate::pixelflow) struct Node {
     beside: Beside,
 }
 
-/// What is at a texture port.
-pub(in crate::pixelflow) enum Beside {
-    /// Nothing.
-    Nobody,
-    /// What finds texels.
-    Texture(TextureLookUp),
-    /// What is shown.
-    Store(FrameStore),
-}
-
 impl Node {
     /// A node with that at its texture port, in the tick in which its first instruction is there.
     ///
@@ -115,23 +85,33 @@ impl Node {
         sim.set(sim.i.texture_done, false);
         let writes = [sim.i.network[0].writes, sim.i.network[1].writes, sim.i.texture.writes];
         writes.into_iter().for_each(|port| sim.set(port, false));
-        let (pixels, latency) = (array.pixels().into(), array.latency());
-        Node::of(name, sim, [pixels, latency.into()], beside)
+        let node = Node {
+            name,
+            sim,
+            time: 0,
+            pixels: array.pixels().into(),
+            banks: Default::default(),
+            ended: VecDeque::new(),
+            rest: 0,
+            latency: array.latency(),
+            busy: 0,
+            expected: Default::default(),
+            claimed: [false; 2],
+            there: 0,
+            beside,
+        };
+        node.again()
     }
 
     /// The same for another frame, from its reset on.
     ///
     /// # Errors
     /// [`Error::Simulation`].
-    pub fn again(self) -> Result<Node, Error> {
-        let Node { name, sim, pixels, latency, mut beside, .. } = self;
-        if let Beside::Store(store) = &mut beside {
+    pub fn again(mut self) -> Result<Node, Error> {
+        if let Beside::Store(store) = &mut self.beside {
             store.reset()?;
         }
-        Node::of(name, sim, [pixels, latency.into()], beside)
-    }
-
-    fn of(name: String, mut sim: ArraySimulation, [pixels, latency]: [u64; 2], beside: Beside) -> Result<Node, Error> {
+        let sim = &mut self.sim;
         sim.set(sim.i.instructions.valid, false);
         sim.try_reset()?;
         // The next edges are of the network alone, and those behind them of both.
@@ -139,21 +119,9 @@ impl Node {
         while sim.cycles(ARRAY).expect("there is one") == clocks {
             sim.try_step()?;
         }
-        Ok(Node {
-            name,
-            sim,
-            time: Timing::FETCH,
-            pixels,
-            banks: Default::default(),
-            ended: VecDeque::new(),
-            rest: 0,
-            latency: latency as u32,
-            busy: 0,
-            expected: Default::default(),
-            claimed: [false; 2],
-            there: 0,
-            beside,
-        })
+        let (banks, ended, expected) = (Default::default(), VecDeque::new(), Default::default());
+        let time = Timing::FETCH;
+        Ok(Node { time, banks, ended, rest: 0, busy: 0, expected, claimed: [false; 2], there: 0, ..self })
     }
 
     /// The network will do that.
@@ -196,7 +164,7 @@ impl Node {
     ///
     /// # Errors
     /// [`Error::Simulation`]; [`Error::Differs`]: a bank is given in another tick than is expected.
-    pub fn run(&mut self, program: &[Instruction<u64>], marks: &Marks) -> Result<(), Error> {
+    pub fn run(&mut self, program: &[Instruction<u64>], marks: &[Mark]) -> Result<(), Error> {
         let mut marks = marks.iter().peekable();
         for (number, instruction) in program.iter().enumerate() {
             while let Some((_, tick)) = marks.next_if(|(place, _)| *place == number) {
@@ -216,10 +184,11 @@ impl Node {
         while self.banks.iter().any(|bank| !bank.accesses.is_empty()) || self.rest <= self.latency + 2 {
             self.advance(None)?;
         }
-        match self.expected.iter().flatten().min() {
-            Some(&tick) => Err(self.differs(0, tick)),
-            None => Ok(()),
-        }
+        self.next_expected().map_or(Ok(()), |tick| Err(self.differs(0, tick)))
+    }
+
+    fn next_expected(&self) -> Option<Ticks> {
+        self.expected.iter().flatten().min().copied()
     }
 
     fn differs(&self, seen: Ticks, expected: Ticks) -> Error {
@@ -239,7 +208,7 @@ impl Node {
         }
         self.tell_what_ended();
         if shown.is_some_and(|instruction| self.waits(instruction)) && self.is_forgotten() {
-            return Err(self.differs(0, self.expected.iter().flatten().min().copied().unwrap_or(0)));
+            return Err(self.differs(0, self.next_expected().unwrap_or(0)));
         }
         // An instruction that would wait for a bank is held back: so the controller says that it is idle.
         let shown = shown.filter(|instruction| !self.waits(instruction));
@@ -247,11 +216,7 @@ impl Node {
         let taken = shown.filter(|_| self.sim.get_u64(self.sim.i.instructions.ready) == 1);
         let given = self.sim.get_u64(self.sim.o.given.banks);
         self.count(taken.is_some());
-        match &mut self.beside {
-            Beside::Nobody => {}
-            Beside::Texture(texture) => texture.clock(&mut self.sim)?,
-            Beside::Store(store) => store.clock(&mut self.sim)?,
-        }
+        self.beside.clock(&mut self.sim)?;
         self.tick()?;
         if let Some(instruction) = taken {
             self.claim(instruction);
@@ -271,7 +236,7 @@ impl Node {
 
     /// Goes on to the next thing that happens, if the array is at rest: then network and frame buffer read what does not change, without a clock of it.
     fn leave_out(&mut self) -> Result<(), Error> {
-        if self.rest <= self.latency || matches!(&self.beside, Beside::Texture(texture) if texture.is_busy()) {
+        if self.rest <= self.latency || self.beside.is_writing() {
             return Ok(());
         }
         let was_there = self.is_there();
@@ -350,9 +315,7 @@ impl Node {
             }
             self.time += 1;
         }
-        if let Beside::Store(store) = &mut self.beside {
-            store.clock(&mut self.sim)?;
-        }
+        self.beside.clock(&mut self.sim)?;
         // The array waits for it.
         self.busy += u64::from(self.beside.is_busy());
         Ok(())

@@ -4,10 +4,10 @@ use tilewright_rtl::parameter::{ParameterError, Screen};
 use tilewright_rtl::pixelflow::ARRAY;
 use tilewright_rtl::pixelflow::array::PixelArray;
 use tilewright_rtl::pixelflow::frame_buffer::{FrameBuffer, FrameBufferIn, FrameBufferOut};
+use tilewright_rtl::pixelflow::registers::PortAccess;
 use tilewright_scenes::Size;
-use tilewright_sim::{EngineKind, Simulation};
+use tilewright_sim::{Bundle, EngineKind, Port, Simulation};
 
-use super::node::ArraySimulation;
 use crate::error::Error;
 
 /// A frame buffer.
@@ -47,26 +47,29 @@ impl FrameStore {
         Ok(self.sim.try_reset()?)
     }
 
-    /// A clock, before that of its array, which it tells what it has for that.
+    /// A clock, before that of the array whose registers it reads; tells whether it has done.
     ///
     /// # Errors
     /// [`Error::Simulation`].
-    pub fn clock(&mut self, array: &mut ArraySimulation) -> Result<(), Error> {
-        let starts = array.get_u64(array.o.given.texture) == 1;
+    pub fn clock<I: Bundle, O: Bundle>(
+        &mut self,
+        array: &mut Simulation<I, O>,
+        registers: PortAccess<Port>,
+        seen: Port,
+        starts: bool,
+    ) -> Result<bool, Error> {
         if !starts && !self.is_busy {
-            array.set(array.i.texture_done, false);
-            return Ok(());
+            return Ok(false);
         }
-        let (buffer, registers) = (&mut self.sim, array.i.texture);
+        let buffer = &mut self.sim;
         array.set(registers.pixel, buffer.get_u64(buffer.o.port.pixel));
         array.set(registers.address, buffer.get_u64(buffer.o.port.address));
         buffer.set(buffer.i.start, starts);
-        buffer.set(buffer.i.seen, array.get(array.o.texture_seen));
+        buffer.set(buffer.i.seen, array.get(seen));
         let is_done = buffer.get_u64(buffer.o.done) == 1;
-        array.set(array.i.texture_done, is_done);
         buffer.try_step()?;
         self.is_busy = !is_done;
-        Ok(())
+        Ok(is_done)
     }
 
     /// It is at work.
@@ -97,11 +100,5 @@ impl FrameStore {
             sim.try_step()?;
         }
         Ok(shown)
-    }
-
-    /// The circuit itself.
-    #[cfg(test)]
-    pub fn unit(self) -> Simulation<FrameBufferIn, FrameBufferOut> {
-        self.sim
     }
 }

@@ -3,12 +3,12 @@
 use tilewright_rtl::parameter::ParameterError;
 use tilewright_rtl::pixelflow::ARRAY;
 use tilewright_rtl::pixelflow::array::PixelArray;
+use tilewright_rtl::pixelflow::registers::PortAccess;
 use tilewright_rtl::pixelflow::texture_memory::TextureMemory;
 use tilewright_rtl::pixelflow::texture_unit::{TextureUnit, TextureUnitIn, TextureUnitOut};
 use tilewright_scenes::Texture;
-use tilewright_sim::{EngineKind, Simulation};
+use tilewright_sim::{Bundle, EngineKind, Port, Simulation};
 
-use super::node::ArraySimulation;
 use crate::error::Error;
 
 /// A texture unit, whose memory has textures.
@@ -76,10 +76,10 @@ impl TextureLookUp {
         Ok(())
     }
 
-    /// The unit itself, with its textures.
-    #[cfg(test)]
-    pub fn unit(self) -> Simulation<TextureUnitIn, TextureUnitOut> {
-        self.sim
+    /// Clocks for a region, whatever the textures are.
+    pub fn clocks(array: &PixelArray) -> u64 {
+        let memory = TextureMemory { texels: 2, textures: 2 };
+        TextureUnit { chips: array.chips(), pixels: array.pixels(), memory }.clocks()
     }
 
     /// It is at work.
@@ -87,16 +87,23 @@ impl TextureLookUp {
         self.is_busy
     }
 
-    /// A clock of the unit, before that of its array, which it tells what it has for that.
-    pub fn clock(&mut self, array: &mut ArraySimulation) -> Result<(), Error> {
-        let starts = array.get_u64(array.o.given.texture) == 1;
+    /// A clock of the unit, before that of the array whose registers it reads and writes; tells whether it has done.
+    ///
+    /// # Errors
+    /// [`Error::Simulation`].
+    pub fn clock<I: Bundle, O: Bundle>(
+        &mut self,
+        array: &mut Simulation<I, O>,
+        registers: PortAccess<Port>,
+        seen: Port,
+        starts: bool,
+    ) -> Result<bool, Error> {
         if !starts && !self.is_busy {
-            array.set(array.i.texture_done, false);
-            array.set(array.i.texture.writes, false);
-            return Ok(());
+            array.set(registers.writes, false);
+            return Ok(false);
         }
         let unit = &mut self.sim;
-        let (port, registers) = (unit.o.port, array.i.texture);
+        let port = unit.o.port;
         array.set(registers.pixel, unit.get_u64(port.pixel));
         array.set(registers.address, unit.get_u64(port.address));
         // In a clock the port is read or written.
@@ -104,13 +111,12 @@ impl TextureLookUp {
         array.set(registers.writes, writes);
         match writes {
             true => array.set(registers.bytes, unit.get(port.bytes)),
-            false => unit.set(unit.i.seen, array.get(array.o.texture_seen)),
+            false => unit.set(unit.i.seen, array.get(seen)),
         }
         unit.set(unit.i.start, starts);
         let is_done = unit.get_u64(unit.o.done) == 1;
-        array.set(array.i.texture_done, is_done);
         unit.try_step()?;
         self.is_busy = !is_done;
-        Ok(())
+        Ok(is_done)
     }
 }

@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use crate::error::Error;
 use crate::pixelflow::hardware::{Access, Node, Way, Words};
-use crate::pixelflow::works::{Marks, Works};
+use crate::pixelflow::works::Works;
 
 /// To whom words go.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -92,8 +92,8 @@ impl Job<'_> {
     /// Does it.
     pub fn run(&mut self, works: &Works) -> Result<(), Error> {
         match self {
-            Job::Holds(holder) => holder.go_on(|node, turn| node.run(&works.storing(turn), &Marks::new())),
-            Job::Shades(shader) => shader.go_on(|node, turn| node.run(works.shading(turn), &Marks::new())),
+            Job::Holds(holder) => holder.go_on(|node, turn| node.run(&works.storing(turn), &[])),
+            Job::Shades(shader) => shader.go_on(|node, turn| node.run(works.shading(turn), &[])),
             Job::Composes(way, words, composed) => {
                 for Composition { turn, target, own, to } in words {
                     let own: Vec<(usize, &Words)> = own.iter().map(|(place, words)| (*place, words)).collect();

@@ -3,8 +3,6 @@
 use std::collections::{BTreeMap, VecDeque};
 
 use tilewright_rtl::pixelflow::array::PixelArray;
-use tilewright_rtl::pixelflow::texture_memory::TextureMemory;
-use tilewright_rtl::pixelflow::texture_unit::TextureUnit;
 use tilewright_scenes::Frame as Picture;
 use tilewright_sim::EngineKind;
 
@@ -15,7 +13,7 @@ use crate::pixelflow::costs::Ticks;
 use crate::pixelflow::hardware::{Access, Beside, FrameStore, Node, TextureLookUp, Way, Words};
 use crate::pixelflow::model::{Built, Timing};
 use crate::pixelflow::report::Report;
-use crate::pixelflow::works::{Marks, Works};
+use crate::pixelflow::works::Works;
 use crate::threads::{all_threads, each_mut};
 
 /// Turns that rasterizers draw before the network composes them: the words of so many are in memory, or twice as many.
@@ -70,7 +68,7 @@ impl<'a> Run<'a> {
             shaders,
             side_by_side: config.side_by_side,
             set_up: config.set_up,
-            looks_up: look_up_clocks(&array),
+            looks_up: TextureLookUp::clocks(&array),
             loads: FrameStore::hardware(&array, works.size())?.clocks(),
         };
         let timing = Timing::new(&built, works);
@@ -98,8 +96,8 @@ impl<'a> Run<'a> {
             came: Vec::new(),
         };
         run.schedule();
-        run.holder.node.run(&works.first_of_holder(), &Marks::new())?;
-        run.shaders.iter_mut().try_for_each(|shader| shader.node.run(&Works::first(0), &Marks::new()))?;
+        run.holder.node.run(&works.first_of_holder(), &[])?;
+        run.shaders.iter_mut().try_for_each(|shader| shader.node.run(&works.first_of_shader(), &[]))?;
         Ok(run)
     }
 
@@ -273,12 +271,6 @@ impl Hardware {
         let nodes = self.nodes.into_iter().map(Node::again).collect::<Result<_, _>>()?;
         Ok(Hardware { nodes, ..self })
     }
-}
-
-/// Clocks of a shader's texture unit for a region.
-fn look_up_clocks(array: &PixelArray) -> u64 {
-    let memory = TextureMemory { texels: 2, textures: 2 };
-    TextureUnit { chips: array.chips(), pixels: array.pixels(), memory }.clocks()
 }
 
 /// The holder of the frame, rasterizers and so many shaders, built on all processors of the computer.

@@ -12,7 +12,7 @@ use super::delays::Delays;
 use super::run::{Given, Run, Shaded, Stored};
 use super::{Arrays, Done, Shading, Turn};
 use crate::pixelflow::costs::Ticks;
-use crate::pixelflow::works::{Marks, Works};
+use crate::pixelflow::works::{Mark, Works};
 
 /// Ticks of the network in a clock of an array.
 const CLOCK: Ticks = 2;
@@ -104,19 +104,19 @@ impl Arrays for ByPrograms<'_> {
     }
 
     fn first_words(&mut self) -> Vec<Ticks> {
-        let program = Works::first(0);
-        self.shaders.iter_mut().map(|shader| shader.run(&program).given[0]).collect()
+        let program = self.works.first_of_shader();
+        self.shaders.iter_mut().map(|shader| shader.run(&program, &[]).given[0]).collect()
     }
 
     fn first_stores(&mut self) -> [Ticks; 2] {
-        self.holder.run(&self.works.first_of_holder()).given
+        self.holder.run(&self.works.first_of_holder(), &[]).given
     }
 
     fn draw(&mut self, number: usize, _: &Turn, free: &[Ticks]) -> Vec<Ticks> {
         let bank = number % 2;
         let draw = |(share, (array, free)): (usize, (&mut Array, &Ticks))| {
             array.bank_done(bank, *free);
-            array.run_marked(self.works.program(share, number), self.works.marks(share, number)).given[bank]
+            array.run(self.works.program(share, number), self.works.marks(share, number)).given[bank]
         };
         self.rasterizers.iter_mut().zip(free).enumerate().map(draw).collect()
     }
@@ -125,7 +125,7 @@ impl Arrays for ByPrograms<'_> {
         let array = &mut self.shaders[shading.shader];
         array.bank_done(0, arrived);
         array.bank_done(1, sent);
-        let ran = array.run(self.works.shading(number));
+        let ran = array.run(self.works.shading(number), &[]);
         // Those of other samples are kept.
         let end = if self.works.ends(number) { ran.given[1] } else { ran.given[0] };
         Shaded { at: ran.began..end, next_word: ran.given[0] }
@@ -134,7 +134,7 @@ impl Arrays for ByPrograms<'_> {
     fn load(&mut self, number: usize, _: &Turn, arrived: Ticks) -> Stored {
         let bank = self.works.holders_bank(number);
         self.holder.bank_done(bank, arrived);
-        let ran = self.holder.run(&self.works.storing(number));
+        let ran = self.holder.run(&self.works.storing(number), &[]);
         let (given, written) = (ran.given[bank], CLOCK * self.holder.port_done);
         let at = if self.works.ends(number) { written - CLOCK * self.holder.port..written } else { given..given };
         Stored { at, given }
@@ -171,13 +171,8 @@ impl Array {
         self.banks[bank] = if end == 0 { 0 } else { Timing::told(end) / CLOCK + 1 };
     }
 
-    /// Takes the instructions of a program.
-    fn run(&mut self, program: &[Instruction<u64>]) -> Ran {
-        self.run_marked(program, &Marks::new())
-    }
-
-    /// The same, with those that are not there from the beginning on.
-    fn run_marked(&mut self, program: &[Instruction<u64>], marks: &Marks) -> Ran {
+    /// Takes the instructions of a program; those from a mark on are not there before.
+    fn run(&mut self, program: &[Instruction<u64>], marks: &[Mark]) -> Ran {
         let mut marks = marks.iter().peekable();
         let mut ran = Ran { began: 0, given: [0; 2] };
         for (number, instruction) in program.iter().enumerate() {

@@ -2,8 +2,6 @@
 
 use proptest::prelude::*;
 use tilewright_rtl::pixelflow::array::PixelArray;
-use tilewright_rtl::pixelflow::texture_memory::TextureMemory;
-use tilewright_rtl::pixelflow::texture_unit::TextureUnit;
 use tilewright_scenes::deferred::{Samples, Shading, project_deferred};
 use tilewright_scenes::frame::rgb_of;
 use tilewright_scenes::{Scene, Size, golden, project_polygons, project_samples};
@@ -75,14 +73,12 @@ struct Choice {
 /// Compares model, hardware and the golden image.
 fn check(choice: Choice, size: Size, works: &Works, golden: &tilewright_scenes::Frame) -> Result<(), TestCaseError> {
     let array = PixelArray::new(choice.array[0], choice.array[1]).unwrap();
-    let unit =
-        TextureUnit { chips: array.chips(), pixels: array.pixels(), memory: TextureMemory { texels: 2, textures: 2 } };
     let built = Built {
         array: &array,
         shaders: if works.is_shaded() { choice.shaders as usize } else { 0 },
         side_by_side: choice.side_by_side,
         set_up: choice.set_up,
-        looks_up: unit.clocks(),
+        looks_up: TextureLookUp::clocks(&array),
         loads: FrameStore::hardware(&array, size).unwrap().clocks(),
     };
     let mut whole = Whole::new(built, works);

@@ -5,8 +5,8 @@ use std::collections::HashSet;
 use super::Works;
 use crate::pixelflow::costs::Ticks;
 
-/// Places in a program, each with the tick from which on the front end has the instructions that begin there.
-pub(in crate::pixelflow) type Marks = Vec<(usize, Ticks)>;
+/// A place in a program, and the tick from which on the front end has the instructions that begin there.
+pub(in crate::pixelflow) type Mark = (usize, Ticks);
 
 impl Works {
     /// The front end of each rasterizer begins to make instructions in a tick, and takes so long for each primitive, in the order in which they are needed first.

@@ -60,9 +60,7 @@ impl Host {
                 let port = if direction == 0 { sim.i.forth[number] } else { sim.i.back[number] };
                 sim.set(port.valid, !jobs.is_empty());
                 let Some(job) = jobs.front() else { continue };
-                sim.set(port.mode, job.mode);
-                sim.set(port.bank, job.bank);
-                sim.set(port.bytes, job.bytes);
+                sim.set_record(port.payload, *job);
                 if sim.get_u64(port.ready) == 1 {
                     jobs.pop_front();
                 }

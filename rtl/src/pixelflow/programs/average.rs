@@ -55,7 +55,7 @@ pub(super) fn add(number: Field, sum: Field) -> Vec<Instruction<u64>> {
 ///     pixel.run(&add_sample(colour, sums), 0, 0);
 /// }
 /// pixel.run(&average(sums, colour), 0, 0);
-/// assert_eq!(pixel.memory[colour as usize..][..3], [0, 1, (324 + 4) / 8]);
+/// assert_eq!(pixel.memory[colour as usize..][..3], [0, 1, 41]);
 /// ```
 pub fn average(sums: u64, colour: u64) -> Vec<Instruction<u64>> {
     (0..3).flat_map(|number| eighth(channel(sums, number), Field::new(colour + number, 1))).collect()
