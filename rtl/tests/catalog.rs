@@ -117,6 +117,7 @@ fn the_node_and_its_parts_show_what_their_scenarios_say() {
     assert_eq!(shown("texture-unit", &[], "done"), [0, 1, 0]);
     assert_eq!(shown("pixelflow-frame-buffer", &[], "shown"), [0, 1]);
     assert_eq!(shown("pixelflow-frame-buffer", &[], "region"), [0, 1, 2, 3, 0]);
+    assert_eq!(shown("pixelflow-samples-frame-buffer", &[("width", 8), ("height", 4)], "shown"), [0, 1]);
     let right = shown("texture-memory", &[], "texels[5]");
     assert!(right.windows(3).any(|three| three == [0x22_2222, 0x11_1111, 0x22_2222]));
     assert_eq!(shown("command-dma", &[], "left"), [0, 4, 3, 2, 1, 0, 1, 0]);

@@ -13,8 +13,6 @@ use clap::{Args, ValueEnum};
 pub use stereo::StereoJob;
 use stereo::StereoName;
 use tilewright_machines::pixelflow::{Config, Machine, Report};
-use tilewright_rtl::parameter::Screen;
-use tilewright_rtl::pixelflow::frame_buffer::FrameBuffer;
 use tilewright_scenes::deferred::{Deferred, Samples, Shading};
 use tilewright_scenes::golden::{fragments, render_deferred_watched, render_samples_watched, render_watched};
 use tilewright_scenes::{Field, Frame, Polygons, Projection, Scene, Size};
@@ -266,10 +264,7 @@ impl Compared for PixelFlowJob {
         let nodes = u64::from(report.nodes);
         let pixels = self.config.pixels().map_err(tilewright_machines::Error::from)?;
         let (array, port) = (state(&pixels)?, state(&pixels.network_port())?);
-        let [width, height] = report.size;
-        let screen = Screen::new(width, height).map_err(tilewright_machines::Error::from)?;
-        let buffer = FrameBuffer::new(report.array, screen).map_err(tilewright_machines::Error::from)?;
-        let buffer = state(&buffer)?;
+        let buffer = state(&report.frame_buffer().map_err(tilewright_machines::Error::from)?)?;
         let bits = |of: fn(&tilewright_hdl::ir::State) -> u64| nodes * (of(&array) + 2 * of(&port)) + of(&buffer);
         // An array has a clock for two of the network.
         let clocks = report.latency() / 2;

@@ -15,7 +15,6 @@ mod run;
 
 use tilewright_rtl::parameter::ParameterError;
 use tilewright_scenes::deferred::{Deferred, Samples, Shading};
-use tilewright_scenes::golden::average_eight;
 use tilewright_scenes::{Frame as Picture, Polygons, Projection, Size};
 use tilewright_sim::EngineKind;
 
@@ -24,7 +23,7 @@ use super::report::Report;
 use super::works::{Drawing, Works};
 use crate::error::Error;
 use crate::run::Watch;
-use run::{Hardware, Run};
+use run::Run;
 
 /// What progress and errors call a frame.
 const PHASE: &str = "drawing";
@@ -70,41 +69,24 @@ impl Machine {
 
     /// Renders a frame with deferred shading, by the base system: the picture as the frame buffer has it, and the report.
     ///
-    /// Eight samples are two renderings at twice the width and height, one after another, in which every sample is shaded; who holds the frame
-    /// averages them, which takes no time here. Where they are shaded once, the eight words of a pixel come to the same shader one after another.
+    /// Eight samples are two renderings at twice the width and height, of which each region is drawn after that of the other one. Every sample is shaded, and the
+    /// frame buffer averages those of a pixel. Where they are shaded once, the eight words of a pixel come to the same shader one after another.
     ///
     /// # Errors
     /// [`Error::Parameter`] if the scene is for another screen, or takes what the machine has not; [`Error::Cancelled`]; [`Error::Simulation`];
     /// [`Error::Differs`].
     pub fn render(&self, deferred: &Deferred, watch: &mut Watch) -> Result<(Picture, Report), Error> {
-        if deferred.samples == Samples::Eight(Shading::OncePerPixel) {
-            self.check(deferred.size)?;
-            return self.run(&Works::deferred_once(&self.config, &deferred.passes, &deferred.shader)?, watch);
-        }
-        if deferred.samples != Samples::One && self.config.field.is_some() {
+        self.check(deferred.size)?;
+        let Deferred { passes, shader, .. } = deferred;
+        if deferred.samples == Samples::Eight(Shading::EachSample) && self.config.field.is_some() {
             let problem = "eight samples of a field: where each of them is shaded, this machine draws whole frames";
             return Err(ParameterError(problem.to_owned()).into());
         }
-        self.check(deferred.size)?;
-        let (mut drawn, mut hardware) = (Vec::new(), None);
-        for (number, pass) in deferred.passes.iter().enumerate() {
-            // The second rendering has the instructions of the first.
-            let pre_sort = self.config.pre_sort && number == 0;
-            let config = Config { size: pass.size, pre_sort, ..self.config.clone() };
-            let works = Works::deferred(&config, pass, &deferred.shader)?;
-            let (picture, report, used) = self.run_on(hardware, &works, watch)?;
-            hardware = Some(used);
-            drawn.push((picture, report));
-        }
-        let (pictures, reports): (Vec<_>, Vec<_>) = drawn.into_iter().unzip();
-        let report = reports.into_iter().reduce(Report::and_then).expect("there is a pass");
-        match <[Picture; 2]>::try_from(pictures) {
-            Ok(both) => {
-                let size = [deferred.size.width(), deferred.size.height()];
-                Ok((average_eight(&both), Report { size, samples: 8, ..report }))
-            }
-            Err(mut one) => Ok((one.remove(0), report)),
-        }
+        let works = match deferred.samples {
+            Samples::Eight(Shading::OncePerPixel) => Works::deferred_once(&self.config, passes, shader)?,
+            _ => Works::deferred(&self.config, passes, shader)?,
+        };
+        self.run(&works, watch)
     }
 
     /// Renders a frame by the non-texturing system: all regions are in the pixels' memory, and colours are those of the vertices.
@@ -152,22 +134,7 @@ impl Machine {
     }
 
     fn run(&self, works: &Works, watch: &mut Watch) -> Result<(Picture, Report), Error> {
-        let (picture, report, _) = self.run_on(None, works, watch)?;
-        Ok((picture, report))
-    }
-
-    /// Draws on hardware that has drawn another frame of that size, if there is some.
-    fn run_on(
-        &self,
-        hardware: Option<Hardware>,
-        works: &Works,
-        watch: &mut Watch,
-    ) -> Result<(Picture, Report, Hardware), Error> {
-        let hardware = match hardware {
-            Some(used) => used.again()?,
-            None => Hardware::new(&self.config, self.engine, works)?,
-        };
-        let mut run = Run::new(&self.config, hardware, works)?;
+        let mut run = Run::new(&self.config, self.engine, works)?;
         while let Some(done) = run.go_on()? {
             watch.go_on(PHASE, done, run.time() * TICK)?;
         }

@@ -3,6 +3,8 @@
 use serde::Serialize;
 use std::fmt;
 use std::ops::Range;
+use tilewright_rtl::parameter::{ParameterError, Screen};
+use tilewright_rtl::pixelflow::frame_buffer::FrameBuffer;
 use tilewright_scenes::Field;
 
 use super::config::Config;
@@ -94,7 +96,7 @@ impl Report {
             system,
             size: [works.size().width(), works.size().height()],
             field: config.field.map(field_name),
-            samples: works.samples() as u32,
+            samples: works.samples(),
             shaded_once: works.shades_once(),
             nodes: config.nodes,
             array: config.array,
@@ -109,29 +111,15 @@ impl Report {
         }
     }
 
-    /// Of a rendering and another one behind it, whose instructions follow from the same front end.
-    pub(super) fn and_then(self, next: Report) -> Report {
-        let later = self.back();
-        let moved = |range: Range<Ticks>| later + range.start..later + range.end;
-        let moved = |Done { rasterized, composed, shaded, sent, loaded }: Done| {
-            let [composed, shaded, sent, loaded] = [composed, shaded, sent, loaded].map(moved);
-            Done { rasterized: later + rasterized, composed, shaded, sent, loaded }
-        };
-        let sum = |ones: Vec<NodeReport>, others: Vec<NodeReport>| {
-            let both = |(one, other): (NodeReport, NodeReport)| NodeReport { busy: one.busy + other.busy, ..one };
-            ones.into_iter().zip(others).map(both).collect()
-        };
-        Report {
-            rasterizers: sum(self.rasterizers, next.rasterizers),
-            shaders: sum(self.shaders, next.shaders),
-            holder: self.holder + next.holder,
-            drawn: self.drawn + next.drawn,
-            system: self.system,
-            front: self.front,
-            second: self.second,
-            turns: self.turns.into_iter().chain(next.turns.into_iter().map(moved)).collect(),
-            ..next
-        }
+    /// The circuit that holds such frames.
+    ///
+    /// # Errors
+    /// There is none: not of a frame that was drawn.
+    pub fn frame_buffer(&self) -> Result<FrameBuffer, ParameterError> {
+        let averages = self.samples > 1 && !self.shaders.is_empty() && !self.shaded_once;
+        let of = if averages { FrameBuffer::of_eight_samples } else { FrameBuffer::new };
+        let [width, height] = self.size;
+        of(self.array, Screen::new(width, height)?)
     }
 
     /// Ticks from the first instruction to the last region in the frame buffer.

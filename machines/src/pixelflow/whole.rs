@@ -69,7 +69,7 @@ impl<'a> Whole<'a> {
             tick: 0,
             jobs: jobs(&built, works),
             textures: (0..shaders).map(texture).collect(),
-            store: FrameStore::new(built.array, works.size(), EngineKind::Compiled).unwrap(),
+            store: FrameStore::new(built.array, works, EngineKind::Compiled).unwrap(),
             seen: Events {
                 given: vec![Default::default(); nodes],
                 passed: vec![Default::default(); nodes],
@@ -263,7 +263,7 @@ fn jobs(built: &Built, works: &Works) -> Vec<[VecDeque<Job<u64>>; 2]> {
                 _ if node == shader => job(Mode::Unload, 0, bytes),
                 _ => job(Mode::Forward, 0, bytes),
             });
-            if works.ends(turn) {
+            if works.comes_to_holder(turn) {
                 back.push_back(match node {
                     0 => job(Mode::Unload, held, Works::COLOUR),
                     _ if node < shader => job(Mode::Forward, 0, Works::COLOUR),

@@ -5,13 +5,15 @@
 //! | frame | turns |
 //! |---|---|
 //! | one sample | all regions |
-//! | eight, in the pixels' memory | all regions of the first sample, then all of the second ..; the frame's holder adds up |
+//! | eight, each shaded | four of them are side by side, so a region has a quarter of the pixels: both renderings of the first one, then of the second ..; the frame buffer averages |
 //! | eight, shaded once | all samples of the first region, then all of the second ..: those of a pixel come to one shader |
+//! | eight, in the pixels' memory | all regions of the first sample, then all of the second ..; the frame's holder adds up |
 
 mod deferred;
 mod front_end;
 mod picture;
 mod resident;
+mod samples;
 
 use std::sync::Arc;
 
@@ -26,6 +28,7 @@ use super::screen::{Pattern, Screen};
 
 pub(super) use front_end::Mark;
 pub(super) use resident::Drawing;
+use samples::Samples;
 
 type Program = Vec<Instruction<u64>>;
 
@@ -34,12 +37,10 @@ const NEW: u64 = 0;
 
 /// What is to be done for a frame.
 pub(super) struct Works {
-    /// The pixels of the frame; a turn draws one sample of each in a region.
+    /// What is drawn, a region in each turn: one sample of each pixel, or four side by side.
     screen: Screen,
     array: [u32; 2],
-    /// Turns that a region has one after another, and how often all regions have them.
-    together: usize,
-    rounds: usize,
+    samples: Samples,
     /// Of each rasterizer, for each turn.
     programs: Vec<Vec<Program>>,
     /// Of each rasterizer, for each turn, where in the program the instructions of which primitive begin; and from when on the front end has them, if it makes them one
@@ -61,14 +62,13 @@ impl Works {
     /// Where the frame buffer looks for it.
     const SHOWN: u64 = texture::UV[0].address;
 
-    fn empty(config: &Config, rasterizers: u32, [together, rounds]: [usize; 2]) -> Result<Works, ParameterError> {
+    fn empty(config: &Config, rasterizers: u32, samples: Samples) -> Result<Works, ParameterError> {
         let screen = config.screen()?;
-        let turns = screen.count() * together * rounds;
+        let turns = screen.count() * samples.together() * samples.rounds();
         Ok(Works {
             screen,
             array: config.array,
-            together,
-            rounds,
+            samples,
             programs: vec![vec![Vec::new(); turns]; rasterizers as usize],
             starts: vec![vec![Vec::new(); turns]; rasterizers as usize],
             marks: vec![vec![Vec::new(); turns]; rasterizers as usize],
@@ -115,12 +115,21 @@ impl Works {
 
     /// Pixels of the frame.
     pub fn size(&self) -> Size {
-        self.screen.size()
+        let drawn = self.screen.size();
+        if !self.is_side_by_side() {
+            return drawn;
+        }
+        Size::new(drawn.width() / 2, drawn.height() / 2).expect("it is twice a size")
     }
 
     /// Samples of a pixel.
-    pub fn samples(&self) -> usize {
-        self.together * self.rounds
+    pub fn samples(&self) -> u32 {
+        self.samples.count()
+    }
+
+    /// Whether four samples of a pixel are side by side, and the frame buffer averages them and those of another rendering.
+    pub fn is_side_by_side(&self) -> bool {
+        self.samples == Samples::SideBySide
     }
 
     pub fn regions(&self) -> usize {
@@ -128,32 +137,43 @@ impl Works {
     }
 
     pub fn turns(&self) -> usize {
-        self.regions() * self.samples()
+        self.regions() * self.together() * self.samples.rounds()
     }
 
     /// The region that is drawn in a turn.
     pub fn region(&self, turn: usize) -> usize {
-        turn / self.together % self.regions()
+        turn / self.together() % self.regions()
+    }
+
+    /// Turns that a region has one after another.
+    fn together(&self) -> usize {
+        self.samples.together()
+    }
+
+    /// Which of the words that are shaded, or stored, a turn belongs to.
+    fn word(&self, turn: usize) -> usize {
+        if self.shades_once() { turn / self.together() } else { turn }
     }
 
     /// Which of so many shaders takes what is composed.
     pub fn shader_of(&self, turn: usize, shaders: usize) -> Option<usize> {
-        (turn / self.together).checked_rem(shaders)
+        self.word(turn).checked_rem(shaders)
     }
 
-    /// Whether a turn is the last of its region: then colours go to the frame buffer.
+    /// Whether a turn is the last of its region: then the frame buffer gets it.
     pub fn ends(&self, turn: usize) -> bool {
-        turn % self.together + 1 == self.together && turn / (self.regions() * self.together) + 1 == self.rounds
+        let round = turn / (self.regions() * self.together());
+        turn % self.together() + 1 == self.together() && round + 1 == self.samples.rounds()
     }
 
     /// Whether a shader has all samples of a region before it shades.
     pub fn shades_once(&self) -> bool {
-        self.together > 1
+        self.samples == Samples::ShadedOnce
     }
 
     /// Whether the frame's holder adds up what comes.
     pub fn adds(&self) -> bool {
-        self.rounds > 1
+        self.samples == Samples::InMemory
     }
 
     /// Rasterizers.
@@ -185,9 +205,9 @@ impl Works {
         &self.marks[rasterizer][turn]
     }
 
-    /// What a shader does in a turn; it ends with its colours if the [turn ends](Works::ends) the region, or else with the room for the next words.
+    /// What a shader does in a turn; it ends with colours if [some come](Works::comes_to_holder), or else with the room for the next words.
     pub fn shading(&self, turn: usize) -> &[Instruction<u64>] {
-        &self.shading[turn % self.together]
+        &self.shading[turn % self.shading.len()]
     }
 
     /// What it does before the first one: it has a bank for words.
@@ -201,13 +221,16 @@ impl Works {
     }
 
     /// What it does when words have come: their colour, or the mean of all samples where they are the last ones, goes to its texture port, where the
-    /// frame buffer is; the bank is free when that has it.
+    /// frame buffer is; the bank is free when that has it. Of samples side by side the frame buffer looks for two colours, one behind the other.
     pub fn storing(&self, turn: usize) -> Program {
         let number = self.holders_bank(turn) as u64;
         let colour = bank(number);
         let (before, mut program) = match self.adds() {
             true => (self.before_adding(turn), self.adding(turn, colour)),
-            false => (Vec::new(), programs::move_word(colour, Works::SHOWN, Works::COLOUR)),
+            false => {
+                let behind = if self.is_side_by_side() { turn as u64 % 2 * Works::COLOUR } else { 0 };
+                (Vec::new(), programs::move_word(colour, Works::SHOWN + behind, Works::COLOUR))
+            }
         };
         if self.ends(turn) {
             program.extend([programs::start_texture(), programs::await_texture()]);
@@ -217,12 +240,12 @@ impl Works {
 
     /// Whether words come to the holder of the frame in a turn.
     pub fn comes_to_holder(&self, turn: usize) -> bool {
-        self.ends(turn) || !self.is_shaded()
+        self.ends(turn) || !self.shades_once()
     }
 
     /// Its bank for them, in turns.
     pub fn holders_bank(&self, turn: usize) -> usize {
-        turn / self.together % 2
+        self.word(turn) % 2
     }
 
     /// Bytes of a word that comes to the holder of the frame.

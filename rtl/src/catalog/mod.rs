@@ -52,6 +52,7 @@ pub const ENTRIES: &[Entry] = &[
     pixelflow::TEXTURE_UNIT,
     pixelflow::TEXTURE_MEMORY,
     pixelflow::FRAME_BUFFER,
+    pixelflow::SAMPLES_FRAME_BUFFER,
     pixelflow::NETWORK_SEQUENCER,
     pixelflow::NETWORK,
     pixelflow::NETWORK_PORT,

@@ -131,6 +131,14 @@ pub(super) const FRAME_BUFFER: Entry = Entry {
     scenario: |values| Ok(scenarios::a_frame_is_shown(&frame_buffer(values)?)),
 };
 
+pub(super) const SAMPLES_FRAME_BUFFER: Entry = Entry {
+    name: "pixelflow-samples-frame-buffer",
+    summary: "likewise of eight samples a pixel, whose mean it stores",
+    parameters: &[LINE, Parameter { default: 8, ..LINES }, WIDTH, HEIGHT],
+    design: |values| Ok(elaborate_at(&samples_frame_buffer(values)?, ARRAY.period)?),
+    scenario: |values| Ok(scenarios::a_frame_is_shown(&samples_frame_buffer(values)?)),
+};
+
 pub(super) const NETWORK_SEQUENCER: Entry = Entry {
     name: "network-sequencer",
     summary: "schedules the words of a direction of the network",
@@ -183,6 +191,11 @@ fn sequencer(values: &Values) -> NetworkSequencer {
 fn frame_buffer(values: &Values) -> Result<FrameBuffer, ParameterError> {
     let [line, lines, width, height] = ["line", "lines", "width", "height"].map(|name| values.get_u32(name));
     FrameBuffer::new([line, lines], Screen::new(width, height)?)
+}
+
+fn samples_frame_buffer(values: &Values) -> Result<FrameBuffer, ParameterError> {
+    let [line, lines, width, height] = ["line", "lines", "width", "height"].map(|name| values.get_u32(name));
+    FrameBuffer::of_eight_samples([line, lines], Screen::new(width, height)?)
 }
 
 fn texture_unit(values: &Values) -> TextureUnit {

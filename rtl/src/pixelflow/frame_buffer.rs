@@ -2,10 +2,10 @@
 //!
 //! ```text
 //!              3 bytes of each chip       two chips a clock
-//! registers ====>[ colours of a pixel ]--->[ stored ]--->[ memory of even chips ]---.
-//!                                                   '--->[ memory of odd chips  ]--+v
-//!                                                                                 [ offered ]==> pixels
-//!                                        x, y: the place of the scan ------------------'
+//! registers ==>[ + ]==>[ colours or sums ]--->[ stored ]--->[ memory of even chips ]---.
+//!                ^             |                       '--->[ memory of odd chips  ]--+v
+//!                '-------------' of eight samples                                   [ offered ]==> pixels
+//!                                             x, y: the place of the scan ----------------'
 //! ```
 //!
 //! It stands where a node that shades has its texture unit, and begins when the array says so: then it takes the next region, from the upper left on, line by line of regions.
@@ -17,11 +17,21 @@
 //! | 0 to 2 | reads the colour of pixel p | pixel p - 1 of two chips a clock, |
 //! | 3 and on | | from clock 0 on |
 //!
+//! With eight samples the array has four of each pixel of the screen, in 2 x 2 processors, and each of them two colours: the second one in registers 3 to 5. All of them
+//! are in one chip, so the port brings them one after another in 24 clocks. Three sums of 11 bits a chip go around meanwhile, and an eighth of each is stored, rounded to the nearest
+//! (facts E0: `floor((sum + 4) / 8)`).
+//!
+//! | clock of a turn | reads |
+//! |---|---|
+//! | 0 to 5 | both colours of the upper left sample |
+//! | 6 to 11 | of the upper right one |
+//! | 12 to 23 | likewise of those below |
+//!
 //! There is room for two frames: one is scanned while the other is loaded. When the last region is there, they change places where the scan begins a frame; until
 //! then the first region of the next frame waits. Pixels are a stream, with marks at the beginning of a frame and the end of a line.
 //!
-//! Latency: a turn for each pixel of a chip, and one: with 128 x 64 pixels 4112 clocks, 41.1 us of the 52 that the paper takes. A pixel a clock is scanned, with one between
-//! frames that differ.
+//! Latency: a turn for each pixel that a chip stores, and one: with 128 x 64 pixels 4112 clocks, 41.1 us of the 52 that the paper takes, and with 64 x 32 of eight samples
+//! 1560. A pixel a clock is scanned, with one between frames that differ.
 
 use super::extents;
 use super::registers::PortAccess;
@@ -32,8 +42,10 @@ use crate::prelude::*;
 block! {
     /// Holds the frame of a screen in regions.
     pub struct FrameBuffer {
-        /// Pixels in a line of a region, and its lines: powers of two.
-        region: [u32; 2],
+        /// Processors in a line of its node's array, and its lines: powers of two.
+        array: [u32; 2],
+        /// Samples of a pixel: 1 or 8.
+        samples: u32,
         /// The screen.
         screen: Screen,
     }
@@ -48,7 +60,7 @@ block! {
     out(self) FrameBufferOut {
         /// To the registers.
         port: PortAccess = PortAccess {
-            pixel: below(self.pixels()),
+            pixel: below(self.processors()),
             address: bits(6),
             writes: bit(),
             bytes: bits(8).of(row(self.chips())),
@@ -80,6 +92,14 @@ bundle! {
 const COLOUR: u32 = 3;
 /// Frames that there is room for.
 const FRAMES: u32 = 2;
+/// Bits of a channel.
+const CHANNEL: u32 = 8;
+/// Of eight samples: those along an axis that are side by side, and the colours of each processor.
+const SIDE: u32 = 2;
+const TWO: u32 = 2;
+const EIGHT: u32 = SIDE * SIDE * TWO;
+/// Bits of the sum of a channel of eight.
+const SUM: u32 = CHANNEL + EIGHT.ilog2();
 
 impl FrameBuffer {
     /// One for a screen in regions of `width` x `height` pixels.
@@ -88,34 +108,77 @@ impl FrameBuffer {
     ///
     /// There are no such regions, or they have less than two chips.
     pub fn new([width, height]: [u32; 2], screen: Screen) -> Result<FrameBuffer, ParameterError> {
-        let region = extents(width, height)?;
+        let array = extents(width, height)?;
         if height < 4 {
             return Err(ParameterError(format!(
                 "a region of {height} lines: the frame buffer has a memory for even chips and one for odd ones, of two lines each; give at least 4"
             )));
         }
-        Ok(FrameBuffer { region, screen })
+        Ok(FrameBuffer { array, samples: 1, screen })
+    }
+
+    /// One whose pixels have eight samples each: 2 x 2 processors of an array of `width` x `height` have two each.
+    ///
+    /// ```
+    /// use tilewright_rtl::parameter::Screen;
+    /// use tilewright_rtl::pixelflow::frame_buffer::FrameBuffer;
+    ///
+    /// let buffer = FrameBuffer::of_eight_samples([128, 64], Screen::new(640, 512)?)?;
+    /// assert_eq!((buffer.regions(), buffer.clocks()), ([10, 16], 1560));
+    /// # Ok::<(), tilewright_rtl::parameter::ParameterError>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// There is no such array, or a side has less than 8 processors.
+    pub fn of_eight_samples([width, height]: [u32; 2], screen: Screen) -> Result<FrameBuffer, ParameterError> {
+        let array = extents(width, height)?;
+        if width < 8 || height < 8 {
+            let problem = format!("an array of {width} x {height} with eight samples a pixel: give at least 8 x 8");
+            return Err(ParameterError(problem));
+        }
+        Ok(FrameBuffer { array, samples: EIGHT, screen })
     }
 
     /// Chips of its node.
     pub fn chips(&self) -> u32 {
-        self.region[1] / 2
+        self.array[1] / 2
     }
 
-    /// Pixels of a chip.
-    pub fn pixels(&self) -> u32 {
-        2 * self.region[0]
+    /// Processors of a chip.
+    pub fn processors(&self) -> u32 {
+        2 * self.array[0]
+    }
+
+    /// Processors along a side of a pixel.
+    fn side(&self) -> u32 {
+        if self.samples == 1 { 1 } else { SIDE }
+    }
+
+    /// Pixels of a region along x and y.
+    fn region(&self) -> [u32; 2] {
+        self.array.map(|processors| processors / self.side())
+    }
+
+    /// Pixels that are stored of a chip.
+    fn pixels(&self) -> u32 {
+        self.processors() / (self.side() * self.side())
     }
 
     /// Regions across and down the screen.
     pub fn regions(&self) -> [u32; 2] {
-        let ([width, height], screen) = (self.region, self.screen);
+        let ([width, height], screen) = (self.region(), self.screen);
         [screen.width.div_ceil(width), screen.height.div_ceil(height)]
     }
 
     /// Clocks of a turn, in which a pixel of each chip is read.
     pub fn turn(&self) -> u32 {
-        COLOUR.max(self.chips() / 2)
+        self.bytes().max(self.chips() / 2)
+    }
+
+    /// Bytes that are read for a pixel.
+    fn bytes(&self) -> u32 {
+        COLOUR * self.samples
     }
 
     /// Clocks for a region.
@@ -145,7 +208,8 @@ impl FrameBuffer {
 
     fn build(&self, m: Module, i: FrameBufferIn) -> FrameBufferOut {
         let (chips, pixels, turn, count) = (self.chips(), self.pixels(), self.turn(), self.count());
-        let [even, odd] = ["even", "odd"].map(|name| m.memory(name, self.words(), 8 * COLOUR, ReadUnderWrite::Any));
+        let word = CHANNEL * COLOUR;
+        let [even, odd] = ["even", "odd"].map(|name| m.memory(name, self.words(), word, ReadUnderWrite::Any));
         let shown = m.reg("shown", bit()).reset(0);
         let is_whole = m.reg("is_whole", bit()).reset(0);
         let slot = |frame: Signal, region: Signal| {
@@ -168,11 +232,9 @@ impl FrameBuffer {
         number.when(i.start, 0).when(turn_ends, number + 1);
         region.when(ends, mux(is_last, 0, region + 1));
 
-        net!(reads = runs & clock.lt(COLOUR) & number.lt(pixels));
-        let colours = m.reg("colours", bits(8 * COLOUR).of(row(chips)));
-        net!(gathered = mux(reads, concat(&[i.seen, colours.slice(8..8 * COLOUR)]), *colours));
-        colours.next(gathered);
-        let stored = m.reg("stored", bits(8 * COLOUR).of(row(chips)));
+        net!(reads = runs & clock.lt(self.bytes()) & number.lt(pixels));
+        let gathered = self.gather(m, i.seen, *clock, reads);
+        let stored = m.reg("stored", bits(word).of(row(chips)));
         stored.when(turn_ends, gathered).otherwise(stored.shifted(-2, 0));
         net!(stores = runs & number.ne(0) & clock.lt(chips / 2));
         let before = (number - 1).trunc(below(pixels));
@@ -183,7 +245,7 @@ impl FrameBuffer {
         // The scan, line by line; where it begins a frame the next one may be whole.
         let [across, _] = self.regions();
         let Screen { width: columns, height: lines } = self.screen;
-        let [width, height] = self.region;
+        let [width, height] = self.region();
         let x = m.reg("x", below(columns.max(width))).reset(0);
         let y = m.reg("y", below(lines.max(height))).reset(0);
         let left = m.reg("left", up_to(count)).reset(0);
@@ -205,9 +267,14 @@ impl FrameBuffer {
 
         let (inside, beside) = (x.part(0, below(width)), *x >> width.trailing_zeros());
         net!(scanned = slot(*shown, *left + fitting(beside, left.width())));
-        net!(scans_at = self.address(scanned, *y >> 2, concat(&[y.bit(0), inside])));
+        // Of two lines of processors a chip has two of pixels, or one.
+        let (chip, inside) = match self.side() {
+            1 => (*y >> 1, concat(&[y.bit(0), inside])),
+            _ => (*y, inside),
+        };
+        net!(scans_at = self.address(scanned, chip >> 1, inside));
         let [even, odd] = [even, odd].map(|memory| memory.read_when(*scans, scans_at));
-        let [is_odd, first, last] = [("is_odd", y.bit(1)), ("first", is_first), ("last", line_ends)]
+        let [is_odd, first, last] = [("is_odd", chip.bit(0)), ("first", is_first), ("last", line_ends)]
             .map(|(name, mark)| m.pipe_when(*scans, name, mark));
         let colour = mux(is_odd, odd, even);
         let channel = |number: u32| colour.part(8 * number, 8);
@@ -216,14 +283,43 @@ impl FrameBuffer {
         scans.drive(*has_frame & !changes & (!*arrived | sent));
         arrived.when(*scans, 1).when(sent, 0);
 
-        let nothing = lit(8, 0).of(row(chips));
-        let port = PortAccess {
-            pixel: number.trunc(below(self.pixels())),
-            address: clock.zext(8).trunc(6),
-            writes: lit(1, 0),
-            bytes: nothing,
+        let number = number.trunc(below(self.pixels()));
+        let (pixel, address) = match self.samples {
+            1 => (number, clock.zext(8).trunc(6)),
+            _ => FrameBuffer::place_of_sample(m, number, runs, i.start | turn_ends),
         };
+        let port = PortAccess { pixel, address, writes: lit(1, 0), bytes: lit(8, 0).of(row(chips)) };
         FrameBufferOut { port, done: ends, pixels }
+    }
+
+    /// What is stored of each chip once all is read: its colour, or the mean of all samples.
+    fn gather(&self, m: Module, seen: Signal, clock: Signal, reads: Signal) -> Signal {
+        let of_all = row(self.chips());
+        if self.samples == 1 {
+            let colours = m.reg("colours", bits(CHANNEL * COLOUR).of(of_all));
+            net!(gathered = mux(reads, concat(&[seen, colours.slice(CHANNEL..CHANNEL * COLOUR)]), *colours));
+            colours.next(gathered);
+            return gathered;
+        }
+        // The lowest sum is that of the channel whose turn it is.
+        let sums = m.reg("sums", bits(SUM * COLOUR).of(of_all));
+        let half = lit(SUM, u64::from(EIGHT / 2)).of(of_all);
+        net!(sum = mux(clock.lt(COLOUR), half, sums.part(0, SUM)) + seen.zext(SUM));
+        net!(summed = mux(reads, concat(&[sum, sums.slice(SUM..SUM * COLOUR)]), *sums));
+        sums.next(summed);
+        let mean = |channel: u32| summed.part(channel * SUM + EIGHT.ilog2(), CHANNEL);
+        net!(gathered = concat(&[mean(2), mean(1), mean(0)]));
+        gathered
+    }
+
+    /// The processor whose byte is read of a pixel of eight samples, and the register; from the clock behind `begins` on.
+    fn place_of_sample(m: Module, number: Signal, runs: Signal, begins: Signal) -> (Signal, Signal) {
+        let register = m.reg("register", below(COLOUR * TWO));
+        let sample = m.reg("sample", below(SIDE * SIDE));
+        net!(sample_ends = register.eq(COLOUR * TWO - 1));
+        register.when(begins | (runs & sample_ends), 0).when(runs, register + 1);
+        sample.when(begins, 0).when(runs & sample_ends, sample + 1);
+        (concat(&[sample.bit(1), number, sample.bit(0)]), register.zext(6))
     }
 }
 

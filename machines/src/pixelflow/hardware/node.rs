@@ -85,10 +85,17 @@ impl Node {
         sim.set(sim.i.texture_done, false);
         let writes = [sim.i.network[0].writes, sim.i.network[1].writes, sim.i.texture.writes];
         writes.into_iter().for_each(|port| sim.set(port, false));
-        let node = Node {
+        sim.set(sim.i.instructions.valid, false);
+        sim.try_reset()?;
+        // The next edges are of the network alone, and those behind them of both.
+        let clocks = sim.cycles(ARRAY).expect("there is one");
+        while sim.cycles(ARRAY).expect("there is one") == clocks {
+            sim.try_step()?;
+        }
+        Ok(Node {
             name,
             sim,
-            time: 0,
+            time: Timing::FETCH,
             pixels: array.pixels().into(),
             banks: Default::default(),
             ended: VecDeque::new(),
@@ -99,29 +106,7 @@ impl Node {
             claimed: [false; 2],
             there: 0,
             beside,
-        };
-        node.again()
-    }
-
-    /// The same for another frame, from its reset on.
-    ///
-    /// # Errors
-    /// [`Error::Simulation`].
-    pub fn again(mut self) -> Result<Node, Error> {
-        if let Beside::Store(store) = &mut self.beside {
-            store.reset()?;
-        }
-        let sim = &mut self.sim;
-        sim.set(sim.i.instructions.valid, false);
-        sim.try_reset()?;
-        // The next edges are of the network alone, and those behind them of both.
-        let clocks = sim.cycles(ARRAY).expect("there is one");
-        while sim.cycles(ARRAY).expect("there is one") == clocks {
-            sim.try_step()?;
-        }
-        let (banks, ended, expected) = (Default::default(), VecDeque::new(), Default::default());
-        let time = Timing::FETCH;
-        Ok(Node { time, banks, ended, rest: 0, busy: 0, expected, claimed: [false; 2], there: 0, ..self })
+        })
     }
 
     /// The network will do that.

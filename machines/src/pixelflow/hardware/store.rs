@@ -5,10 +5,10 @@ use tilewright_rtl::pixelflow::ARRAY;
 use tilewright_rtl::pixelflow::array::PixelArray;
 use tilewright_rtl::pixelflow::frame_buffer::{FrameBuffer, FrameBufferIn, FrameBufferOut};
 use tilewright_rtl::pixelflow::registers::PortAccess;
-use tilewright_scenes::Size;
 use tilewright_sim::{Bundle, EngineKind, Port, Simulation};
 
 use crate::error::Error;
+use crate::pixelflow::works::Works;
 
 /// A frame buffer.
 pub(in crate::pixelflow) struct FrameStore {
@@ -18,33 +18,26 @@ pub(in crate::pixelflow) struct FrameStore {
 }
 
 impl FrameStore {
-    /// That of such a node, for a screen.
+    /// That of such a node, for such frames.
     ///
     /// # Errors
     /// There is none.
-    pub fn hardware(array: &PixelArray, size: Size) -> Result<FrameBuffer, ParameterError> {
-        FrameBuffer::new([array.width(), array.height()], Screen::new(size.width(), size.height())?)
+    pub fn hardware(array: &PixelArray, works: &Works) -> Result<FrameBuffer, ParameterError> {
+        let of = if works.is_side_by_side() { FrameBuffer::of_eight_samples } else { FrameBuffer::new };
+        let size = works.size();
+        of([array.width(), array.height()], Screen::new(size.width(), size.height())?)
     }
 
     /// One that is empty.
     ///
     /// # Errors
     /// [`Error::Parameter`]: as [`FrameStore::hardware`]; [`Error::Simulation`].
-    pub fn new(array: &PixelArray, size: Size, engine: EngineKind) -> Result<FrameStore, Error> {
-        let sim = Simulation::at(&FrameStore::hardware(array, size)?, ARRAY.period)?.on(engine);
-        let mut store = FrameStore { sim, is_busy: false, pixels: size.pixels() };
-        store.reset()?;
-        Ok(store)
-    }
-
-    /// It begins anew.
-    ///
-    /// # Errors
-    /// [`Error::Simulation`].
-    pub fn reset(&mut self) -> Result<(), Error> {
-        self.sim.set(self.sim.i.start, false);
-        self.sim.set(self.sim.o.pixels.ready, false);
-        Ok(self.sim.try_reset()?)
+    pub fn new(array: &PixelArray, works: &Works, engine: EngineKind) -> Result<FrameStore, Error> {
+        let mut sim = Simulation::at(&FrameStore::hardware(array, works)?, ARRAY.period)?.on(engine);
+        sim.set(sim.i.start, false);
+        sim.set(sim.o.pixels.ready, false);
+        sim.try_reset()?;
+        Ok(FrameStore { sim, is_busy: false, pixels: works.size().pixels() })
     }
 
     /// A clock, before that of the array whose registers it reads; tells whether it has done.

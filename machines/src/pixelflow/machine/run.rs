@@ -19,20 +19,10 @@ use crate::threads::{all_threads, each_mut};
 /// Turns that rasterizers draw before the network composes them: the words of so many are in memory, or twice as many.
 const TURNS: usize = 8;
 
-/// All nodes, and simulations of the network between them.
-pub(super) struct Hardware {
-    array: PixelArray,
-    /// The holder of the frame, rasterizers and shaders.
-    nodes: Vec<Node>,
-    /// Any of them may send any word.
-    ways: Vec<Way>,
-}
-
 /// A frame on its way.
 pub(super) struct Run<'a> {
     config: &'a Config,
     works: &'a Works,
-    array: PixelArray,
     timing: Timing,
     rasterizers: Vec<Node>,
     shaders: Vec<Worker>,
@@ -57,19 +47,23 @@ impl<'a> Run<'a> {
     ///
     /// # Errors
     /// As [`Machine::render`](super::Machine::render).
-    pub fn new(config: &'a Config, hardware: Hardware, works: &'a Works) -> Result<Run<'a>, Error> {
-        let Hardware { array, mut nodes, ways } = hardware;
+    pub fn new(config: &'a Config, engine: EngineKind, works: &'a Works) -> Result<Run<'a>, Error> {
+        let (array, roles) = (config.pixels()?, config.roles()?);
+        let shaders = if works.is_shaded() { roles.shaders as usize } else { 0 };
+        let mut nodes = build(&array, engine, config.side_by_side, shaders, works)?;
+        // Any of them may send any word.
+        let ways = (0..all_threads()).map(|_| Way::new(&array, config.nodes as usize, engine));
+        let ways = ways.collect::<Result<_, _>>()?;
         let shading = nodes.split_off(1 + works.shares());
         let rasterizers = nodes.split_off(1);
         let holder = nodes.remove(0);
-        let shaders = shading.len();
         let built = Built {
             array: &array,
             shaders,
             side_by_side: config.side_by_side,
             set_up: config.set_up,
             looks_up: TextureLookUp::clocks(&array),
-            loads: FrameStore::hardware(&array, works.size())?.clocks(),
+            loads: FrameStore::hardware(&array, works)?.clocks(),
         };
         let timing = Timing::new(&built, works);
 
@@ -81,7 +75,6 @@ impl<'a> Run<'a> {
         let mut run = Run {
             config,
             works,
-            array,
             timing,
             rasterizers,
             shaders: shading.into_iter().enumerate().map(shader).collect(),
@@ -89,7 +82,9 @@ impl<'a> Run<'a> {
             ways,
             drawn: 0,
             gone: 0,
-            colours: (0..shaders).map(|number| turns(&|turn| is_of(turn, number) && works.ends(turn))).collect(),
+            colours: (0..shaders)
+                .map(|number| turns(&|turn| is_of(turn, number) && works.comes_to_holder(turn)))
+                .collect(),
             held,
             waiting: Vec::new(),
             early: BTreeMap::new(),
@@ -120,7 +115,7 @@ impl<'a> Run<'a> {
             if let Some(number) = works.shader_of(turn, self.shaders.len()) {
                 let node = &mut self.shaders[number].node;
                 node.expect(0, given.next_word);
-                if works.ends(turn) {
+                if works.comes_to_holder(turn) {
                     node.access(Access { from: done.sent.start, bank: 1, bytes: Works::COLOUR, comes: None });
                     node.expect(1, done.shaded.end);
                 }
@@ -234,42 +229,17 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// The frame that is shown, and the report; and what has drawn it.
+    /// The frame that is shown, and the report.
     ///
     /// # Errors
     /// [`Error::Simulation`].
-    pub fn end(mut self) -> Result<(Picture, Report, Hardware), Error> {
+    pub fn end(mut self) -> Result<(Picture, Report), Error> {
         let picture = self.works.picture(&self.holder.node.scan()?, &self.came);
         let rasterizers = self.rasterizers.iter().map(Node::busy).collect();
         let shaders = self.shaders.iter().map(|shader| shader.node.busy()).collect();
         let held = self.holder.node.busy();
         let report = Report::new(self.config, self.works, self.timing.turns, [rasterizers, shaders], held);
-        let shaders = self.shaders.into_iter().map(|shader| shader.node);
-        let nodes = [self.holder.node].into_iter().chain(self.rasterizers).chain(shaders).collect();
-        Ok((picture, report, Hardware { array: self.array, nodes, ways: self.ways }))
-    }
-}
-
-impl Hardware {
-    /// What a frame takes.
-    ///
-    /// # Errors
-    /// As [`Machine::render`](super::Machine::render).
-    pub fn new(config: &Config, engine: EngineKind, works: &Works) -> Result<Hardware, Error> {
-        let (array, roles) = (config.pixels()?, config.roles()?);
-        let shaders = if works.is_shaded() { roles.shaders as usize } else { 0 };
-        let nodes = build(&array, engine, config.side_by_side, shaders, works)?;
-        let ways = (0..all_threads()).map(|_| Way::new(&array, config.nodes as usize, engine));
-        Ok(Hardware { ways: ways.collect::<Result<_, _>>()?, array, nodes })
-    }
-
-    /// The same for another frame.
-    ///
-    /// # Errors
-    /// [`Error::Simulation`].
-    pub fn again(self) -> Result<Hardware, Error> {
-        let nodes = self.nodes.into_iter().map(Node::again).collect::<Result<_, _>>()?;
-        Ok(Hardware { nodes, ..self })
+        Ok((picture, report))
     }
 }
 
@@ -291,7 +261,7 @@ fn build(
                 (format!("shader {}", shader + 1), Beside::Texture(TextureLookUp::new(array, textures, engine)?))
             }
             None if number == 0 => {
-                ("the holder of the frame".to_owned(), Beside::Store(FrameStore::new(array, works.size(), engine)?))
+                ("the holder of the frame".to_owned(), Beside::Store(FrameStore::new(array, works, engine)?))
             }
             None => (format!("rasterizer {number}"), Beside::Nobody),
         };

@@ -60,9 +60,13 @@ fn eight_samples_are_the_golden_image() {
     let machine = Machine::new(config(size, 5, 2)).unwrap();
     let (frame, report) = machine.render(&deferred, &mut Watch::default()).unwrap();
     assert_eq!(compare(&frame, &golden::render_deferred(&deferred)).differing, 0);
-    // 40 x 24 pixels, twice.
-    assert_eq!(report.turns.len(), 2 * 9);
-    assert!(report.turns.windows(2).all(|pair| pair[0].loaded.end <= pair[1].loaded.start));
+    // 40 x 24 pixels, twice: what comes of both renderings of a region is written at once.
+    assert_eq!((report.turns.len(), report.size, report.samples), (2 * 9, [20, 12], 8));
+    let clocks = report.frame_buffer().unwrap().clocks();
+    for turns in report.turns.chunks(2) {
+        assert!(turns.iter().all(|turn| !turn.sent.is_empty()) && turns[0].loaded.is_empty());
+        assert_eq!(turns[1].loaded.end - turns[1].loaded.start, 2 * clocks);
+    }
 }
 
 #[test]

@@ -72,14 +72,14 @@ impl Timing {
         };
         let pixels = Ticks::from(built.array.pixels());
         let turn = |number: usize| {
-            let if_ends = |ticks: Ticks| if works.ends(number) { ticks } else { 0 };
+            let sends = if works.comes_to_holder(number) { Works::COLOUR * pixels } else { 0 };
             // How long it works its program says.
-            let shading = |shader| Shading { shader, takes: 0, sends: if_ends(Works::COLOUR * pixels) };
+            let shading = |shader| Shading { shader, takes: 0, sends };
             Turn {
                 region: works.region(number) as u16,
                 composes: works.bytes() * pixels,
                 shades: works.shader_of(number, built.shaders).map(shading),
-                loads: if_ends(built.loads * CLOCK),
+                loads: if works.ends(number) { built.loads * CLOCK } else { 0 },
             }
         };
         let turns: Vec<Turn> = (0..works.turns()).map(turn).collect();
@@ -127,7 +127,7 @@ impl Arrays for ByPrograms<'_> {
         array.bank_done(1, sent);
         let ran = array.run(self.works.shading(number), &[]);
         // Those of other samples are kept.
-        let end = if self.works.ends(number) { ran.given[1] } else { ran.given[0] };
+        let end = if self.works.comes_to_holder(number) { ran.given[1] } else { ran.given[0] };
         Shaded { at: ran.began..end, next_word: ran.given[0] }
     }
 

@@ -50,7 +50,7 @@ fn modelled(built: &Built, works: &Works) -> Events {
         for node in 1..nodes {
             events.passed[node][0].push(later(&turn.composed, node - 1));
         }
-        if works.ends(number) {
+        if works.comes_to_holder(number) {
             events.given[shader][1].push(turn.shaded.end);
             for node in 0..=shader {
                 events.passed[node][1].push(later(&turn.sent, shader - node));
@@ -79,7 +79,7 @@ fn check(choice: Choice, size: Size, works: &Works, golden: &tilewright_scenes::
         side_by_side: choice.side_by_side,
         set_up: choice.set_up,
         looks_up: TextureLookUp::clocks(&array),
-        loads: FrameStore::hardware(&array, size).unwrap().clocks(),
+        loads: FrameStore::hardware(&array, works).unwrap().clocks(),
     };
     let mut whole = Whole::new(built, works);
     whole.run();
@@ -131,7 +131,7 @@ proptest! {
         let Choice { rasterizers, shaders, array, side_by_side, .. } = choice;
         let nodes = 1 + rasterizers + shaders;
         let config = Config { nodes, shaders, array, side_by_side, ..Config::new(size) };
-        let works = Works::deferred(&config, &deferred.passes[0], &deferred.shader).unwrap();
+        let works = Works::deferred(&config, &deferred.passes, &deferred.shader).unwrap();
         check(choice, size, &works, &golden)?;
     }
 
@@ -171,6 +171,26 @@ proptest! {
         let Choice { rasterizers, array, side_by_side, .. } = choice;
         let config = Config { nodes: 1 + rasterizers, shaders: 0, array, side_by_side, costs: at_once(), ..Config::new(size) };
         let works = Works::resident(&config, &Drawing::eight(&config, &passes), scene.background).unwrap();
+        check(choice, size, &works, &golden)?;
+    }
+
+    /// With eight samples of which each is shaded, and the frame buffer averages them.
+    #[test]
+    fn the_model_is_a_frame_of_samples_side_by_side_tick_for_tick(
+        choice in choices(),
+        [width, height] in [6..15u32, 6..10u32],
+        scene in prop_oneof![Just("star"), Just("textured")],
+        count in 0..9usize,
+    ) {
+        let size = Size::new(width, height).unwrap();
+        let scene = Scene::builtin(scene).unwrap();
+        let mut deferred = project_deferred(&scene, size, Samples::Eight(Shading::EachSample)).unwrap();
+        deferred.passes.iter_mut().for_each(|pass| pass.packets.truncate(count));
+        let golden = golden::render_deferred(&deferred);
+        let Choice { rasterizers, shaders, array, side_by_side, .. } = choice;
+        let nodes = 1 + rasterizers + shaders;
+        let config = Config { nodes, shaders, array, side_by_side, ..Config::new(size) };
+        let works = Works::deferred(&config, &deferred.passes, &deferred.shader).unwrap();
         check(choice, size, &works, &golden)?;
     }
 

@@ -5,7 +5,7 @@ use tilewright_rtl::pixelflow::fields::{appearance, bank};
 use tilewright_rtl::pixelflow::programs::{self, Shader, Shading, ShadingOnce, Words as Places};
 use tilewright_scenes::deferred::{self, Pass};
 
-use super::{NEW, Program, Works, samples_of_eight};
+use super::{NEW, Program, Samples, Works, samples_of_eight};
 use crate::error::Error;
 use crate::pixelflow::config::Config;
 use crate::pixelflow::constants::constants;
@@ -25,10 +25,13 @@ fn sent_colours([before, beside, behind]: [Program; 3]) -> Program {
 }
 
 impl Works {
-    /// With deferred shading: appearance words of a pass.
-    pub fn deferred(config: &Config, pass: &Pass, shader: &deferred::Shader) -> Result<Works, Error> {
-        let mut works = Works::of_shader(config, shader, 1)?;
-        works.draw(config, 0, &works.screen.clone(), pass);
+    /// With deferred shading: appearance words of one pass, or of both of eight samples, region by region.
+    pub fn deferred(config: &Config, passes: &[Pass], shader: &deferred::Shader) -> Result<Works, Error> {
+        let samples = if passes.len() == 1 { Samples::One } else { Samples::SideBySide };
+        let drawn = Config { size: passes[0].size, ..config.clone() };
+        let mut works = Works::of_shader(&drawn, shader, samples)?;
+        let screen = works.screen;
+        passes.iter().enumerate().for_each(|(number, pass)| works.draw(config, number, &screen, pass));
         works.finish_words(config);
         let shader = constants(shader);
         let shading = shading(&shader);
@@ -45,7 +48,7 @@ impl Works {
     /// With deferred shading, once of eight samples: those of a region come one after another, of two passes at twice the width and height.
     pub fn deferred_once(config: &Config, passes: &[Pass], shader: &deferred::Shader) -> Result<Works, Error> {
         let samples: Vec<_> = samples_of_eight(config).collect();
-        let mut works = Works::of_shader(config, shader, samples.len())?;
+        let mut works = Works::of_shader(config, shader, Samples::ShadedOnce)?;
         for (sample, (pass, pattern)) in samples.iter().enumerate() {
             let pass = &passes[*pass];
             works.draw(config, sample, &Screen::sampled(pass.size, *pattern, config.array)?, pass);
@@ -65,18 +68,18 @@ impl Works {
         Ok(works)
     }
 
-    fn of_shader(config: &Config, shader: &deferred::Shader, together: usize) -> Result<Works, Error> {
+    fn of_shader(config: &Config, shader: &deferred::Shader, samples: Samples) -> Result<Works, Error> {
         if config.shaders == 0 {
             return Err(ParameterError("no shaders: deferred shading takes at least one".to_owned()).into());
         }
-        let mut works = Works::empty(config, config.roles()?.rasterizers, [together, 1])?;
+        let mut works = Works::empty(config, config.roles()?.rasterizers, samples)?;
         works.textures = shader.textures.clone();
         Ok(works)
     }
 
     /// Draws a sample, which a screen has, of a pass.
     fn draw(&mut self, config: &Config, sample: usize, screen: &Screen, pass: &Pass) {
-        let (hardware, together) = (self.hardware(config), self.together);
+        let (hardware, together) = (self.hardware(config), self.together());
         let boxes = pass.packets.iter().map(|packet| packet.triangle.bounds);
         self.deal(
             sample,

@@ -6,7 +6,7 @@ use tilewright_rtl::pixelflow::pixel::PixelProcessor;
 use tilewright_rtl::pixelflow::programs::{self, SUM_BYTES, Words as Places};
 use tilewright_scenes::{Edge, Packet, Projection, Size};
 
-use super::{Program, Works, samples_of_eight};
+use super::{Program, Samples, Works, samples_of_eight};
 use crate::error::Error;
 use crate::pixelflow::config::Config;
 use crate::pixelflow::costs::ticks;
@@ -39,13 +39,14 @@ impl<'a> Drawing<'a, [Edge; 3]> {
 }
 
 impl Works {
-    /// With all regions in the pixels' memory, sample after sample.
+    /// With all regions in the pixels' memory, one sample, or eight after each other.
     pub fn resident<E: AsRef<[Edge]>>(
         config: &Config,
         samples: &[Drawing<'_, E>],
         background: [u8; 3],
     ) -> Result<Works, Error> {
-        let mut works = Works::empty(config, config.nodes - 1, [1, samples.len()])?;
+        let of_pixel = if samples.len() == 1 { Samples::One } else { Samples::InMemory };
+        let mut works = Works::empty(config, config.nodes - 1, of_pixel)?;
         let (places, scratch) = resident_words();
         let regions = works.regions();
         if regions > places.len() {
@@ -143,7 +144,7 @@ fn there_is_room_for_as_many_regions_as_is_said() {
     // And for the sums of as many.
     let size = Size::new(8 * Config::MOST_REGIONS as u32, 8).expect("in range");
     let config = Config { array: [8, 8], ..Config::new(size) };
-    let works = Works::empty(&config, 1, [1, 8]).expect("there is such a machine");
+    let works = Works::empty(&config, 1, Samples::InMemory).expect("there is such a machine");
     let sums: Vec<u64> = (0..Config::MOST_REGIONS).map(|region| works.sums(region)).collect();
     assert!(sums.windows(2).all(|pair| pair[0] + SUM_BYTES <= pair[1]));
     assert!(sums.iter().all(|sum| sum + SUM_BYTES <= bank(0) || *sum >= Works::SHOWN + Works::COLOUR));

@@ -12,6 +12,21 @@ fn colour(frame: u64, x: u32, y: u32) -> u64 {
     (frame << 20 ^ u64::from(y) << 10 ^ u64::from(x)).wrapping_mul(0x9e37_79b9) >> 3 & 0xff_ffff
 }
 
+/// The colour of a sample, of eight: where it is on the screen in samples, and of which rendering it is.
+fn sample(frame: u64, x: u32, y: u32, rendering: u32) -> u64 {
+    colour(frame, x, y).wrapping_mul(0x2545_f491) >> (3 * rendering) & 0xff_ffff
+}
+
+/// The colour of a pixel as it is to be shown.
+fn expected(samples: u32, frame: u64, x: u32, y: u32) -> u64 {
+    if samples == 1 {
+        return colour(frame, x, y);
+    }
+    let of_eight = (0..8).map(|it| sample(frame, 2 * x + (it & 1), 2 * y + (it >> 1 & 1), it >> 2)).collect::<Vec<_>>();
+    let mean = |shift: u32| (of_eight.iter().map(|it| it >> shift & 0xff).sum::<u64>() + 4) / 8;
+    mean(16) << 16 | mean(8) << 8 | mean(0)
+}
+
 /// The registers of a node, as the port sees them: a region of a frame.
 struct Registers<'a> {
     buffer: &'a FrameBuffer,
@@ -22,13 +37,17 @@ struct Registers<'a> {
 impl Registers<'_> {
     /// A byte of each chip.
     fn seen(&self, pixel: u64, address: u64) -> Vec<u64> {
-        let FrameBuffer { region: [width, height], .. } = *self.buffer;
+        let FrameBuffer { array: [width, height], samples, .. } = *self.buffer;
         let [across, _] = self.buffer.regions();
         let (left, top) = (self.region % across * width, self.region / across * height);
         let (x, line) = (pixel as u32 % width, pixel as u32 / width);
-        let byte = |chip: u32| match address {
-            0..3 => colour(self.frame, left + x, top + 2 * chip + line) >> (8 * address) & 0xff,
-            _ => 0xee,
+        let byte = |chip: u32| {
+            let (x, y) = (left + x, top + 2 * chip + line);
+            match (samples, address) {
+                (1, 0..3) => colour(self.frame, x, y) >> (8 * address) & 0xff,
+                (8, 0..6) => sample(self.frame, x, y, address as u32 / 3) >> (8 * (address % 3)) & 0xff,
+                _ => 0xee,
+            }
         };
         (0..self.buffer.chips()).map(byte).collect()
     }
@@ -101,6 +120,42 @@ fn a_region_of_8192_pixels_takes_41_12_us() {
 }
 
 #[test]
+fn a_region_of_eight_samples_takes_15_6_us() {
+    let buffer = FrameBuffer::of_eight_samples([128, 64], Screen { width: 640, height: 512 }).unwrap();
+    let mut loaded = Loaded::new(&buffer);
+    loaded.load();
+    loaded.load();
+    assert_eq!((loaded.took.clone(), buffer.clocks()), (vec![1560; 2], 1560));
+}
+
+#[test]
+fn both_colours_of_four_samples_are_summed() {
+    let buffer = FrameBuffer::of_eight_samples([8, 8], Screen { width: 4, height: 4 }).unwrap();
+    let mut loaded = Loaded::new(&buffer);
+    let wave = loaded.sim.record(["clock", "sample", "port_pixel", "port_address", "sum[0]"]);
+    (0..26).for_each(|clock| {
+        loaded.clock(clock == 0, true);
+    });
+    wave.expect(
+        r"
+        clk          |~~\__/~~\__/~~\__/~~\__/~~\__/~~\__/~~\__/~~\__/~~\__/~~\__/~~\__/~~\__/~~\__/~~\__/~~\__/~~\__/
+        clock        | 1   | 0   | 1   | 2   | 3   | 4   | 5   | 6   | 7   | 8   | 9   | a   | b   | c   | d   | e   |
+        sample       | 2   | 0                                 | 1                                 | 2               |
+        port_pixel   | 8   | 0                                 | 1                                 | 8               |
+        port_address | 1   | 0   | 1   | 2   | 3   | 4   | 5   | 0   | 1   | 2   | 3   | 4   | 5   | 0   | 1   | 2   |
+        sum[0]       | e8  | 4                                 | 2b  | ee  | 84  | 6f  | 10b | b4  | ef  | 1ef | 156 |
+
+        clk          |~~\__/~~\__/~~\__/~~\__/~~\__/~~\__/~~\__/~~\__/~~\__/~~\__/
+        clock        | f   | 10  | 11  | 12  | 13  | 14  | 15  | 16  | 17  | 0   |
+        sample       | 2               | 3                                 | 0   |
+        port_pixel   | 8               | 9                                 | 2   |
+        port_address | 3   | 4   | 5   | 0   | 1   | 2   | 3   | 4   | 5   | 0   |
+        sum[0]       | 17f | 24b | 1ca | 226 | 319 | 1ed | 2fa | 392 | 271 | 52  |
+        ",
+    );
+}
+
+#[test]
 fn a_pixel_is_shown_every_clock() {
     let buffer = FrameBuffer::new([2, 4], Screen { width: 2, height: 2 }).unwrap();
     let mut loaded = Loaded::new(&buffer);
@@ -148,8 +203,12 @@ proptest! {
         screen in [1..12_u32, 1..20_u32],
         begins in 1..8_u64,
         (percent, takes) in (0..60_u64, any::<u64>()),
+        has_eight in any::<bool>(),
     ) {
-        let buffer = FrameBuffer::new([1 << width, 1 << height], Screen { width: screen[0], height: screen[1] }).unwrap();
+        let of = if has_eight { FrameBuffer::of_eight_samples } else { FrameBuffer::new };
+        let least = if has_eight { 3 } else { 1 };
+        let array = [1 << width.max(least), 1 << height.max(least)];
+        let buffer = of(array, Screen { width: screen[0], height: screen[1] }).unwrap();
         let mut loaded = Loaded::new(&buffer);
         let mut pauses = Pauses::percent(percent, takes);
         let mut pause = 0;
@@ -169,20 +228,21 @@ proptest! {
             }
             shown.extend(pixel.map(|pixel| (pixel, frame)));
         }
-        expect_frames(screen, &shown)?;
+        expect_frames(&buffer, &shown)?;
     }
 }
 
 /// What was shown, each with the frame that was being loaded: frames 0, 1 and so on, each as often as it likes but the first at least once.
-fn expect_frames(screen: [u32; 2], shown: &[((u64, bool, bool), u64)]) -> Result<(), TestCaseError> {
-    let pixels = (screen[0] * screen[1]) as usize;
+fn expect_frames(buffer: &FrameBuffer, shown: &[((u64, bool, bool), u64)]) -> Result<(), TestCaseError> {
+    let FrameBuffer { screen: Screen { width, height }, samples, .. } = *buffer;
+    let pixels = (width * height) as usize;
     let mut number = 0;
     prop_assert!(shown.len() > 2 * pixels);
     for (scan, chunk) in shown.chunks(pixels).enumerate() {
         let whole = |frame: u64| {
             chunk.iter().enumerate().all(|(at, ((found, _, _), _))| {
-                let (x, y) = (at as u32 % screen[0], at as u32 / screen[0]);
-                *found == colour(frame, x, y)
+                let (x, y) = (at as u32 % width, at as u32 / width);
+                *found == expected(samples, frame, x, y)
             })
         };
         if scan > 0 && !whole(number) {
@@ -192,7 +252,7 @@ fn expect_frames(screen: [u32; 2], shown: &[((u64, bool, bool), u64)]) -> Result
         // It was whole before it was shown, and the one behind it is not older than a frame.
         prop_assert!(chunk[0].1 > number && chunk[0].1 <= number + 2);
         for (at, ((_, first, last), _)) in chunk.iter().enumerate() {
-            prop_assert_eq!((*first, *last), (at == 0, ((at + 1) as u32).is_multiple_of(screen[0])));
+            prop_assert_eq!((*first, *last), (at == 0, ((at + 1) as u32).is_multiple_of(width)));
         }
     }
     Ok(())

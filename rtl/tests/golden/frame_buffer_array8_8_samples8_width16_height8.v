@@ -1,0 +1,202 @@
+// frame_buffer_array8_8_samples8_width16_height8
+//
+// Holds the frame of a screen in regions.
+//
+// Parameters  FrameBuffer { array: [8, 8], samples: 8, screen: Screen { width: 16, height: 8 } }
+// Latency     120 clocks for a region
+// Source      Reducing Latency on PixelFlow, section 4 (PFL-LOAD)
+// Described   rtl/src/pixelflow/frame_buffer.rs:212
+`default_nettype none
+
+module frame_buffer_array8_8_samples8_width16_height8 (
+    input  wire        clk,
+    input  wire        rst,
+    input  wire        start,        // It takes the next region.
+    input  wire [31:0] seen,         // A byte of each chip, at the place that the port says.
+    input  wire        pixels_ready,
+    // To the registers.
+    output wire [3:0]  port_pixel,   // The pixel, counted line by line.
+    output wire [5:0]  port_address, // The register.
+    output wire        port_writes,  // It is written.
+    output wire [31:0] port_bytes,   // With a byte of each chip.
+    output wire        done,         // It has the region.
+    // What is shown.
+    output wire        pixels_valid,
+    output wire [7:0]  pixels_red,   // Its red.
+    output wire [7:0]  pixels_green, // Its green.
+    output wire [7:0]  pixels_blue,  // Its blue.
+    output wire        pixels_first, // It is the first of a frame.
+    output wire        pixels_last   // It is the last of a line.
+);
+
+    reg shown;                                                   // rtl/src/pixelflow/frame_buffer.rs:213
+    reg is_whole;                                                // rtl/src/pixelflow/frame_buffer.rs:214
+    reg busy;                                                    // rtl/src/pixelflow/frame_buffer.rs:221
+    reg [4:0] clock;                                             // rtl/src/pixelflow/frame_buffer.rs:222
+    reg [2:0] pixel;                                             // rtl/src/pixelflow/frame_buffer.rs:223
+    reg [2:0] region;                                            // rtl/src/pixelflow/frame_buffer.rs:224
+    reg [3:0] x;                                                 // rtl/src/pixelflow/frame_buffer.rs:249
+    reg [2:0] y;                                                 // rtl/src/pixelflow/frame_buffer.rs:250
+    reg [3:0] left;                                              // rtl/src/pixelflow/frame_buffer.rs:251
+    reg has_frame;                                               // rtl/src/pixelflow/frame_buffer.rs:252
+    reg arrived;                                                 // rtl/src/pixelflow/frame_buffer.rs:259
+    reg is_odd;                                                  // rtl/src/pixelflow/frame_buffer.rs:278
+    reg first;                                                   // rtl/src/pixelflow/frame_buffer.rs:278
+    reg last;                                                    // rtl/src/pixelflow/frame_buffer.rs:278
+    reg [2:0] register;                                          // rtl/src/pixelflow/frame_buffer.rs:317
+    reg [1:0] sample;                                            // rtl/src/pixelflow/frame_buffer.rs:318
+
+    (* no_rw_check *)
+    reg [23:0] even [0:127];                                     // rtl/src/pixelflow/frame_buffer.rs:212
+    reg [23:0] even_read;                                        // rtl/src/pixelflow/frame_buffer.rs:276
+    (* no_rw_check *)
+    reg [23:0] odd [0:127];                                      // rtl/src/pixelflow/frame_buffer.rs:212
+    reg [23:0] odd_read;                                         // rtl/src/pixelflow/frame_buffer.rs:276
+
+    wire runs = busy & !(is_whole & (region == 3'd0));           // rtl/src/pixelflow/frame_buffer.rs:226
+    wire turn_ends = runs & (clock == 5'd23);                    // rtl/src/pixelflow/frame_buffer.rs:227
+    wire ends = turn_ends & (pixel == 3'd4);                     // rtl/src/pixelflow/frame_buffer.rs:228
+    wire is_last = region == 3'd7;                               // rtl/src/pixelflow/frame_buffer.rs:229
+    wire reads = runs & (clock < 5'd24) & (pixel < 3'd4);        // rtl/src/pixelflow/frame_buffer.rs:235
+    wire stores = runs & (pixel != 3'd0) & (clock < 5'd2);       // rtl/src/pixelflow/frame_buffer.rs:239
+    wire [2:0] stores_at_difference = pixel - 3'd1;              // rtl/src/pixelflow/frame_buffer.rs:240
+    wire [6:0] stores_at_joined = {!shown ? ({1'd0, region} + 4'd8) : {1'd0, region}, 3'd0}; // rtl/src/pixelflow/frame_buffer.rs:205
+    wire [6:0] stores_at_extended = {6'd0, clock[0]};            // rtl/src/pixelflow/frame_buffer.rs:205
+    wire [6:0] stores_at_or = stores_at_joined | {stores_at_extended[4:0], 2'd0}; // rtl/src/pixelflow/frame_buffer.rs:206
+    wire [6:0] stores_at = stores_at_or | {5'd0, stores_at_difference[1:0]}; // rtl/src/pixelflow/frame_buffer.rs:241
+    wire is_first = (x == 4'd0) & (y == 3'd0);                   // rtl/src/pixelflow/frame_buffer.rs:253
+    wire changes = is_first & is_whole;                          // rtl/src/pixelflow/frame_buffer.rs:254
+    wire pixels_taken = arrived & pixels_ready;                  // rtl/src/pixelflow/frame_buffer.rs:282
+    wire scans = has_frame & !changes & (!arrived | pixels_taken); // rtl/src/pixelflow/frame_buffer.rs:260
+    wire line_ends = x == 4'd15;                                 // rtl/src/pixelflow/frame_buffer.rs:261
+    wire frame_ends = y == 3'd7;                                 // rtl/src/pixelflow/frame_buffer.rs:262
+    wire region_ends = y[1:0] == 2'd3;                           // rtl/src/pixelflow/frame_buffer.rs:263
+    wire [3:0] scanned_sum = left + {2'd0, x[3:2]};              // rtl/src/pixelflow/frame_buffer.rs:269
+    wire [3:0] scanned = shown ? (scanned_sum + 4'd8) : scanned_sum; // rtl/src/pixelflow/frame_buffer.rs:269
+    wire [6:0] scans_at_extended = {6'd0, y[1]};                 // rtl/src/pixelflow/frame_buffer.rs:205
+    wire [6:0] scans_at_or = {scanned, 3'd0} | {scans_at_extended[4:0], 2'd0}; // rtl/src/pixelflow/frame_buffer.rs:206
+    wire [6:0] scans_at = scans_at_or | {5'd0, x[1:0]};          // rtl/src/pixelflow/frame_buffer.rs:275
+    wire [23:0] pixels_red_choice = is_odd ? odd_read : even_read; // rtl/src/pixelflow/frame_buffer.rs:279
+    assign pixels_red = pixels_red_choice[23:16];                // rtl/src/pixelflow/frame_buffer.rs:280
+    assign pixels_green = pixels_red_choice[15:8];               // rtl/src/pixelflow/frame_buffer.rs:280
+    assign pixels_blue = pixels_red_choice[7:0];                 // rtl/src/pixelflow/frame_buffer.rs:280
+    wire register_or = start | turn_ends;                        // rtl/src/pixelflow/frame_buffer.rs:289
+    wire sample_ends = register == 3'd5;                         // rtl/src/pixelflow/frame_buffer.rs:319
+    assign port_pixel = {sample[1], pixel[1:0], sample[0]};      // rtl/src/pixelflow/frame_buffer.rs:322
+    assign port_address = {3'd0, register};                      // rtl/src/pixelflow/frame_buffer.rs:322
+
+    genvar i;
+
+    generate
+        for (i = 0; i < 4; i = i + 1) begin : row
+            reg [32:0] sums;
+            reg [23:0] stored;
+            wire [10:0] sum = ((clock < 5'd3) ? 11'd4 : sums[10:0]) + {3'd0, seen[i * 8 +: 8]};
+            wire [32:0] summed = reads ? {sum, sums[32:11]} : sums;
+            wire [23:0] gathered = {summed[32:25], summed[21:14], summed[10:3]};
+            wire [23:0] stored_linked;
+            if (i >= 2) begin : stored_linked_edge
+                assign stored_linked = 24'd0;
+            end else begin : stored_linked_link
+                assign stored_linked = row[i + 2].stored;
+            end
+
+            always @(posedge clk) begin
+                sums <= summed;
+                if (turn_ends) stored <= gathered;
+                else stored <= stored_linked;
+            end
+        end
+    endgenerate
+
+    always @(posedge clk) begin
+        if (stores) even[stores_at] <= row[0].stored;
+        if (scans) even_read <= even[scans_at];
+    end
+
+    always @(posedge clk) begin
+        if (stores) odd[stores_at] <= row[1].stored;
+        if (scans) odd_read <= odd[scans_at];
+    end
+
+    always @(posedge clk) begin
+        if (start | turn_ends) clock <= 5'd0;
+        else if (runs) clock <= clock + 5'd1;
+        if (start) pixel <= 3'd0;
+        else if (turn_ends) pixel <= pixel + 3'd1;
+        if (register_or | (runs & sample_ends)) register <= 3'd0;
+        else if (runs) register <= register + 3'd1;
+        if (register_or) sample <= 2'd0;
+        else if (runs & sample_ends) sample <= sample + 2'd1;
+    end
+
+    always @(posedge clk) begin
+        if (scans) begin
+            is_odd <= y[0];
+            first <= is_first;
+            last <= line_ends;
+        end
+    end
+
+    always @(posedge clk) begin
+        if (rst) begin
+            shown <= 1'b0;
+            is_whole <= 1'b0;
+            busy <= 1'b0;
+            region <= 3'd0;
+            x <= 4'd0;
+            y <= 3'd0;
+            left <= 4'd0;
+            has_frame <= 1'b0;
+            arrived <= 1'b0;
+        end else begin
+            if (changes) shown <= !shown;
+            if (ends & is_last) is_whole <= 1'b1;
+            else if (changes) is_whole <= 1'b0;
+            if (start) busy <= 1'b1;
+            else if (ends) busy <= 1'b0;
+            if (ends) begin
+                if (is_last) region <= 3'd0;
+                else region <= region + 3'd1;
+            end
+            if (scans) begin
+                if (line_ends) x <= 4'd0;
+                else x <= x + 4'd1;
+            end
+            if (scans & line_ends) begin
+                if (frame_ends) y <= 3'd0;
+                else y <= y + 3'd1;
+            end
+            if (scans & line_ends & frame_ends) left <= 4'd0;
+            else if (scans & line_ends & region_ends) left <= left + 4'd4;
+            if (changes) has_frame <= 1'b1;
+            if (scans) arrived <= 1'b1;
+            else if (pixels_taken) arrived <= 1'b0;
+        end
+    end
+
+    assign port_writes = 1'b0;
+    assign port_bytes = 32'd0;
+    assign done = ends;
+    assign pixels_valid = arrived;
+    assign pixels_first = first;
+    assign pixels_last = last;
+
+`ifndef SYNTHESIS
+`ifdef FORMAL
+    always @(posedge clk) begin
+        if (!rst) assume (!start | !busy);                           // rtl/src/pixelflow/frame_buffer.rs:225
+    end
+`else
+    always @(posedge clk) begin
+        if (!rst && !(!start | !busy)) begin                         // rtl/src/pixelflow/frame_buffer.rs:225
+            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the frame buffer begins when it has done", $time);
+            $stop;
+        end
+    end
+`endif
+`endif
+
+    wire _unused_ok = &{1'b0, stores_at_difference[2], stores_at_extended[6:5], scans_at_extended[6:5]};
+endmodule
+`default_nettype wire
