@@ -111,7 +111,8 @@ impl PixelFlowOptions {
     /// # Errors
     /// The scene cannot be set up, or there is no such machine.
     pub fn job(&self, scene: &Scene) -> Result<PixelFlowJob, Failure> {
-        self.frame(scene, self.config(scene)?)
+        let config = self.config(scene)?;
+        self.frame(scene, Machine::new(config.clone())?, config)
     }
 
     /// A scene for both eyes, if that is asked for.
@@ -160,14 +161,13 @@ impl PixelFlowOptions {
     }
 
     /// A frame of a scene, on that machine.
-    fn frame(&self, scene: &Scene, config: Config) -> Result<PixelFlowJob, Failure> {
+    fn frame(&self, scene: &Scene, machine: Machine, config: Config) -> Result<PixelFlowJob, Failure> {
         let (system, samples) = (self.system(), self.samples());
         if config.field.is_some() && samples == Samples::Eight(Shading::EachSample) && system.shades() {
             let sentence = "the base system draws no --field of --samples 8, but whole frames: leave out one of them, \
                             add --shade-once, or pass --system non-texturing";
             return Err(Failure::new(Exit::BadInput, sentence));
         }
-        let machine = Machine::new(config.clone())?;
         let work = match system {
             System::Base | System::PreSorting => Work::Deferred(deferred(scene, samples)?),
             System::NonTexturing if samples == Samples::One => Work::Resident(polygons(scene)?, scene.background),

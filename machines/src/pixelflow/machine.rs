@@ -19,6 +19,7 @@ use tilewright_scenes::{Frame as Picture, Polygons, Projection, Size};
 use tilewright_sim::EngineKind;
 
 use super::config::Config;
+use super::hardware::Spare;
 use super::report::Report;
 use super::works::{Drawing, Works};
 use crate::error::Error;
@@ -49,6 +50,7 @@ const TICK: u64 = 5000;
 pub struct Machine {
     pub(super) config: Config,
     engine: EngineKind,
+    spare: Spare,
 }
 
 impl Machine {
@@ -59,12 +61,22 @@ impl Machine {
     pub fn new(config: Config) -> Result<Machine, Error> {
         config.roles()?;
         config.pixels()?;
-        Ok(Machine { config, engine: EngineKind::Compiled })
+        Ok(Machine { config, engine: EngineKind::Compiled, spare: Spare::default() })
     }
 
     /// The same on another engine.
     pub fn on(self, engine: EngineKind) -> Machine {
-        Machine { engine, ..self }
+        let spare = if engine == self.engine { self.spare } else { Spare::default() };
+        Machine { config: self.config, engine, spare }
+    }
+
+    /// Another machine on the same engine. If its arrays are as large, it simulates those that have drawn a frame of this one, which takes less time than new ones.
+    ///
+    /// # Errors
+    /// As [`Machine::new`].
+    pub fn another(&self, config: Config) -> Result<Machine, Error> {
+        let spare = if config.array == self.config.array { self.spare.clone() } else { Spare::default() };
+        Ok(Machine { engine: self.engine, spare, ..Machine::new(config)? })
     }
 
     /// Renders a frame with deferred shading, by the base system: the picture as the frame buffer has it, and the report.
@@ -134,7 +146,7 @@ impl Machine {
     }
 
     fn run(&self, works: &Works, watch: &mut Watch) -> Result<(Picture, Report), Error> {
-        let mut run = Run::new(&self.config, self.engine, works)?;
+        let mut run = Run::new(&self.config, self.engine, &self.spare, works)?;
         while let Some(done) = run.go_on()? {
             watch.go_on(PHASE, done, run.time() * TICK)?;
         }

@@ -44,7 +44,7 @@ pub struct Report {
     pub drawn: usize,
     /// The front end of the rasterizer with most primitives, by the paper's cost of each, in ticks of 5 ns.
     pub front: Ticks,
-    /// Likewise its second pass, if primitives are sorted in a first one.
+    /// From its end to that of the last rasterizer's second pass, if primitives are sorted in a first one.
     pub second: Ticks,
     /// When each region, or each sample of one, was where, in ticks from the first instruction on; from the beginning of the front end where that works
     /// beside the rest.
@@ -84,12 +84,13 @@ pub struct Stage {
 impl Report {
     pub(super) fn new(config: &Config, works: &Works, turns: Vec<Done>, busy: [Vec<u64>; 2], holder: u64) -> Report {
         let costs = &config.costs;
-        let (transforms, generates, system) = match (works.is_shaded(), config.pre_sort) {
-            (true, false) => (costs.transform, 0.0, System::Base),
-            (true, true) => (costs.sort, costs.generate, System::PreSort),
-            (false, _) => (costs.transform_plain, 0.0, System::NonTexturing),
+        let (transforms, system) = match (works.is_shaded(), config.pre_sort) {
+            (true, false) => (costs.transform, System::Base),
+            (true, true) => (costs.sort, System::PreSort),
+            (false, _) => (costs.transform_plain, System::NonTexturing),
         };
         let most = works.primitives.iter().copied().max().unwrap_or(0) as Ticks;
+        let front = ticks(costs.overhead) + ticks(transforms) * most;
         let [rasterizers, shaders] = busy;
         let rasterizer = |(&primitives, busy)| NodeReport { primitives, busy };
         Report {
@@ -105,8 +106,9 @@ impl Report {
             holder,
             primitives: works.primitives.iter().sum(),
             drawn: works.drawn,
-            front: ticks(costs.overhead) + ticks(transforms) * most,
-            second: ticks(generates) * most,
+            front,
+            // Of what is in no region nothing is made.
+            second: if system == System::PreSort { works.made.saturating_sub(front) } else { 0 },
             turns,
         }
     }

@@ -24,6 +24,7 @@ use tilewright_rtl::pixelflow::programs::{self, Region};
 use tilewright_scenes::{PixelBox, Size, Texture};
 
 use super::config::Config;
+use super::costs::Ticks;
 use super::screen::{Pattern, Screen};
 
 pub(super) use front_end::Mark;
@@ -47,6 +48,8 @@ pub(super) struct Works {
     /// by one.
     starts: Vec<Vec<Vec<(usize, usize)>>>,
     marks: Vec<Vec<Vec<Mark>>>,
+    /// The tick from which on it has all instructions of all rasterizers; 0 if they are there before the frame.
+    pub made: Ticks,
     /// Of all shaders, for each of the turns of any region; none where colours are composed.
     shading: Vec<Program>,
     /// What they look up.
@@ -72,6 +75,7 @@ impl Works {
             programs: vec![vec![Vec::new(); turns]; rasterizers as usize],
             starts: vec![vec![Vec::new(); turns]; rasterizers as usize],
             marks: vec![vec![Vec::new(); turns]; rasterizers as usize],
+            made: 0,
             shading: Vec::new(),
             textures: Vec::new(),
             primitives: vec![0; rasterizers as usize],

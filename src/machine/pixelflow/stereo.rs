@@ -4,7 +4,7 @@ use super::{PixelFlowJob, PixelFlowOptions};
 use crate::machine::job::{Job, Run};
 use crate::shell::Failure;
 use clap::ValueEnum;
-use tilewright_machines::pixelflow::{Config, Stereo, StereoReport};
+use tilewright_machines::pixelflow::{Config, Machine, Stereo, StereoReport};
 use tilewright_scenes::{Frame, Scene, Size, side_by_side, stereo_size};
 
 /// How the frames of two eyes share the machine.
@@ -47,7 +47,9 @@ impl StereoJob {
         let distance = options.eyes.unwrap_or_else(|| scene.camera.eye_distance());
         let config = stereo.eye(machine).map_err(tilewright_machines::Error::from)?;
         let [left, right] = scene.eyes(distance)?;
-        let eyes = [options.frame(&left, config.clone())?, options.frame(&right, config)?];
+        let machine = Machine::new(config.clone())?;
+        let other = machine.another(config.clone())?;
+        let eyes = [options.frame(&left, machine, config.clone())?, options.frame(&right, other, config)?];
         Ok(StereoJob { stereo, distance, size: stereo_size(eyes[0].size())?, eyes })
     }
 }

@@ -4,7 +4,8 @@ use super::plan::Plan;
 use crate::golden;
 use crate::reproduce::right;
 use crate::shell::Failure;
-use tilewright_machines::pixelflow::{Config, Machine, Report, Samples, Shades, Software, System, Triangles};
+use tilewright_machines::pixelflow::milliseconds;
+use tilewright_machines::pixelflow::{Config, Machine, Report, Samples, Shades, Software, Stereo, System, Triangles};
 use tilewright_machines::{Error, Watch};
 use tilewright_report::{Axis, Cell, Chart, Origin, Picture, Rule, Section, Series, Statement, Table};
 use tilewright_scenes::deferred::{self, Deferred, Shader, project_deferred};
@@ -27,6 +28,8 @@ pub struct Spec {
     pub system: System,
     /// None of the non-texturing system.
     pub shaders: u32,
+    /// On half of the nodes, for one of two eyes.
+    pub is_half: bool,
 }
 
 /// A frame of the hardware.
@@ -72,13 +75,14 @@ impl Spec {
     }
 
     /// The system and its shaders, as other figures have it.
-    fn name(&self) -> &'static str {
+    pub fn name(&self) -> &'static str {
         Plan::case(self.system, self.shaders, Samples::One, Shades::EverySample).name()
     }
 
     fn place(&self) -> String {
         let (system, what) = (self.name(), self.what());
-        format!("{what}: {system}")
+        let half = if self.is_half { ", half of the nodes" } else { "" };
+        format!("{what}: {system}{half}")
     }
 
     fn what(&self) -> String {
@@ -89,7 +93,7 @@ impl Spec {
         }
     }
 
-    fn seeds(&self, plan: &Plan) -> Vec<u64> {
+    pub fn seeds(&self, plan: &Plan) -> Vec<u64> {
         if matches!(self.which, Which::Triangles(_)) { vec![plan.effort.seed] } else { Vec::new() }
     }
 }
@@ -110,8 +114,10 @@ impl Drawn {
     }
 
     fn of(spec: Spec, plan: &Plan, watch: &mut Watch) -> Result<Drawn, Failure> {
-        let config = Config { shaders: spec.shaders, array: plan.array(), ..Config::new(plan.size()) };
-        let machine = Machine::new(config)?;
+        let pre_sort = spec.system == System::PreSort;
+        let config = Config { shaders: spec.shaders, array: plan.array(), pre_sort, ..Config::new(plan.size()) };
+        let stereo = if spec.is_half { Stereo::Halved } else { Stereo::Sequential };
+        let machine = Machine::new(stereo.eye(&config).map_err(Error::from)?)?;
         let ((frame, report), golden) = match spec.subject(plan)? {
             Subject::Deferred(deferred) => {
                 (machine.render(&deferred, watch)?, golden::draw(|watch| render_deferred_watched(&deferred, watch))?)
@@ -130,18 +136,33 @@ impl Drawn {
         self.report.rasterizers.iter().map(|node| node.busy).sum()
     }
 
-    /// The paper's formula for as many primitives, in as many regions, in milliseconds.
-    fn formula(&self) -> f64 {
+    /// The paper's formula for as many regions of a primitive.
+    pub fn software(&self) -> Software {
         let case = Plan::case(self.spec.system, self.spec.shaders, Samples::One, Shades::EverySample);
         let overlap = self.report.drawn as f64 / (self.report.primitives as f64).max(1.0);
-        let software = Software { overlap, ..case.formula() };
-        software.latency(self.report.primitives as f64)
+        Software { overlap, ..case.formula() }
     }
+
+    /// Its milliseconds for as many primitives.
+    fn formula(&self) -> f64 {
+        self.software().latency(self.report.primitives as f64)
+    }
+}
+
+/// The frames of random triangles by the system of a frame, on as many nodes; each with its thousands of triangles.
+pub fn of_triangles(frames: &[Drawn], spec: Spec) -> impl Iterator<Item = (f64, &Drawn)> {
+    frames.iter().filter_map(move |it| match it.spec.which {
+        Which::Triangles(count) if it.spec == (Spec { which: it.spec.which, ..spec }) => {
+            Some((count as f64 / 1000.0, it))
+        }
+        _ => None,
+    })
 }
 
 /// What a triangle takes in a region, in microseconds: by what more triangles take more of the base system's arrays; none if they were not drawn.
 pub fn measured(frames: &[Drawn], system: System) -> Option<f64> {
-    let mut of = frames.iter().filter(|it| it.spec.system == system && matches!(it.spec.which, Which::Triangles(_)));
+    let is_of = |spec: &Spec| spec.system == system && !spec.is_half && matches!(spec.which, Which::Triangles(_));
+    let mut of = frames.iter().filter(|it| is_of(&it.spec));
     let first = of.next()?;
     let last = of.rfind(|it| it.spec.shaders == first.spec.shaders)?;
     let (clocks, drawn) =
@@ -205,10 +226,6 @@ fn picture(drawn: &Drawn) -> Picture {
     ))
 }
 
-fn milliseconds(ticks: u64) -> f64 {
-    tilewright_machines::pixelflow::milliseconds(ticks)
-}
-
 /// Latency of thousands of triangles beside the paper's formula.
 fn curves(frames: &[Drawn], plan: &Plan) -> Chart {
     let chart = Chart::new(
@@ -218,17 +235,9 @@ fn curves(frames: &[Drawn], plan: &Plan) -> Chart {
         Axis::linear("latency, ms"),
     )
     .note("The formula has the paper’s time of a triangle, which is longer, and the overlap of the very triangles.");
-    let triangles = |spec: Spec| {
-        frames.iter().filter_map(move |it| match it.spec.which {
-            Which::Triangles(count) if (it.spec.system, it.spec.shaders) == (spec.system, spec.shaders) => {
-                Some((count as f64 / 1000.0, it))
-            }
-            _ => None,
-        })
-    };
     plan.curves().into_iter().fold(chart, |chart, spec| {
-        let formula = triangles(spec).map(|(at, it)| (at, it.formula()));
-        let found = triangles(spec).map(|(at, it)| (at, milliseconds(it.report.latency())));
+        let formula = of_triangles(frames, spec).map(|(at, it)| (at, it.formula()));
+        let found = of_triangles(frames, spec).map(|(at, it)| (at, milliseconds(it.report.latency())));
         chart.series(Series::new(spec.name(), Origin::Formula, formula)).series(Series::new(
             spec.name(),
             Origin::rtl(spec.seeds(plan)),

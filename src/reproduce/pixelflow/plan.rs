@@ -130,13 +130,27 @@ impl Plan {
 
     /// The systems that draw random triangles in the circuit.
     pub fn curves(&self) -> Vec<Spec> {
-        let systems = [(System::Base, 1), (System::Base, 4), (System::NonTexturing, 0)];
-        systems.map(|(system, shaders)| Spec { which: Which::Triangles(0), system, shaders }).to_vec()
+        let systems = [(System::Base, 1), (System::Base, 4), (System::PreSort, 4), (System::NonTexturing, 0)];
+        systems.map(|(system, shaders)| Plan::triangles(system, shaders)).to_vec()
+    }
+
+    /// The systems that draw them for two eyes.
+    pub fn stereo_curves(&self) -> Vec<Spec> {
+        [(System::Base, 4), (System::PreSort, 4)].map(|(system, shaders)| Plan::triangles(system, shaders)).to_vec()
+    }
+
+    fn triangles(system: System, shaders: u32) -> Spec {
+        Spec { which: Which::Triangles(0), system, shaders, is_half: false }
     }
 
     /// All frames that the circuit draws.
     pub fn frames(&self) -> Vec<Spec> {
-        let built_in = |name, samples, system, shaders| Spec { which: Which::BuiltIn(name, samples), system, shaders };
+        let built_in = |name, samples, system, shaders| Spec {
+            which: Which::BuiltIn(name, samples),
+            system,
+            shaders,
+            is_half: false,
+        };
         let pictures = [
             built_in("teapot", 1, System::NonTexturing, 0),
             built_in("textured", 1, System::Base, 4),
@@ -149,6 +163,8 @@ impl Plan {
         let mut counts: Vec<u64> = counts.iter().map(|count| self.effort.at_most(*count)).collect();
         counts.dedup();
         let triangles = |spec: Spec| counts.iter().map(move |count| Spec { which: Which::Triangles(*count), ..spec });
-        pictures.iter().copied().chain(self.curves().into_iter().flat_map(triangles)).collect()
+        let halves = self.stereo_curves().into_iter().map(|spec| Spec { is_half: true, ..spec });
+        let curves = self.curves().into_iter().chain(halves);
+        pictures.iter().copied().chain(curves.flat_map(triangles)).collect()
     }
 }

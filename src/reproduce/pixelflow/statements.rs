@@ -3,13 +3,15 @@
 use super::found::{Composed, Curve, Found};
 use super::frames;
 use super::plan::{Case, EIGHT, GOAL, LATENCIES, Plan};
+use super::stereo;
 use tilewright_machines::pixelflow::{Costs, Nodes, Samples, Shades, Software, System, Workload, crossover, overlap};
 use tilewright_report::{Origin, Rule, Statement, Verdicts};
 
 /// All statements, in the order of the paper.
-pub fn verdicts(found: &Found) -> Verdicts {
+pub fn verdicts(found: &Found, plan: &Plan) -> Verdicts {
+    let stereo = stereo::statements(&found.frames, plan);
     let statements =
-        [constants(found), overlaps(found), memory(), conclusions(found), without_samples(found), crossovers()];
+        [constants(found), overlaps(found), memory(), stereo, conclusions(found), without_samples(found), crossovers()];
     Verdicts::new("statements", "Statements of the paper, each by the rule beneath it")
         .states(statements.into_iter().flatten())
 }

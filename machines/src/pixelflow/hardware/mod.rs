@@ -4,6 +4,7 @@ mod beside;
 mod composition;
 mod network;
 mod node;
+mod spare;
 mod store;
 mod texture;
 
@@ -11,5 +12,6 @@ pub(super) use beside::Beside;
 pub use composition::composition_time;
 pub(super) use network::Way;
 pub(super) use node::{Access, Node, Words};
+pub(super) use spare::Spare;
 pub(super) use store::FrameStore;
 pub(super) use texture::TextureLookUp;

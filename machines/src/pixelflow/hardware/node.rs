@@ -5,7 +5,7 @@ use std::collections::VecDeque;
 use tilewright_rtl::pixelflow::ARRAY;
 use tilewright_rtl::pixelflow::array::{PixelArray, PixelArrayIn, PixelArrayOut};
 use tilewright_rtl::pixelflow::instruction::{Instruction, Sync};
-use tilewright_sim::{Bits, EngineKind, Simulation};
+use tilewright_sim::{Bits, Simulation};
 
 use super::beside::Beside;
 use crate::error::Error;
@@ -68,18 +68,17 @@ pub(in crate::pixelflow) struct Node {
 }
 
 impl Node {
-    /// A node with that at its texture port, in the tick in which its first instruction is there.
+    /// A node of such an array with that at its texture port, in the tick in which its first instruction is there.
     ///
     /// # Errors
     /// [`Error::Simulation`].
     pub fn new(
         name: String,
         array: &PixelArray,
-        engine: EngineKind,
+        mut sim: ArraySimulation,
         side_by_side: bool,
         beside: Beside,
     ) -> Result<Node, Error> {
-        let mut sim = Simulation::of(array)?.on(engine);
         sim.set(sim.i.side_by_side, side_by_side);
         sim.set(sim.i.bank_done, 0);
         sim.set(sim.i.texture_done, false);
@@ -107,6 +106,11 @@ impl Node {
             there: 0,
             beside,
         })
+    }
+
+    /// Its array, for another frame.
+    pub fn into_array(self) -> ArraySimulation {
+        self.sim
     }
 
     /// The network will do that.

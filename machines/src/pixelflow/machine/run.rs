@@ -10,7 +10,7 @@ use super::jobs::{Composed, Composition, Job, Target, Worker};
 use crate::error::Error;
 use crate::pixelflow::config::Config;
 use crate::pixelflow::costs::Ticks;
-use crate::pixelflow::hardware::{Access, Beside, FrameStore, Node, TextureLookUp, Way, Words};
+use crate::pixelflow::hardware::{Access, Beside, FrameStore, Node, Spare, TextureLookUp, Way, Words};
 use crate::pixelflow::model::{Built, Timing};
 use crate::pixelflow::report::Report;
 use crate::pixelflow::works::Works;
@@ -22,6 +22,7 @@ const TURNS: usize = 8;
 /// A frame on its way.
 pub(super) struct Run<'a> {
     config: &'a Config,
+    spare: &'a Spare,
     works: &'a Works,
     timing: Timing,
     rasterizers: Vec<Node>,
@@ -47,10 +48,10 @@ impl<'a> Run<'a> {
     ///
     /// # Errors
     /// As [`Machine::render`](super::Machine::render).
-    pub fn new(config: &'a Config, engine: EngineKind, works: &'a Works) -> Result<Run<'a>, Error> {
+    pub fn new(config: &'a Config, engine: EngineKind, spare: &'a Spare, works: &'a Works) -> Result<Run<'a>, Error> {
         let (array, roles) = (config.pixels()?, config.roles()?);
         let shaders = if works.is_shaded() { roles.shaders as usize } else { 0 };
-        let mut nodes = build(&array, engine, config.side_by_side, shaders, works)?;
+        let mut nodes = build(&array, (engine, spare), config.side_by_side, shaders, works)?;
         // Any of them may send any word.
         let ways = (0..all_threads()).map(|_| Way::new(&array, config.nodes as usize, engine));
         let ways = ways.collect::<Result<_, _>>()?;
@@ -74,6 +75,7 @@ impl<'a> Run<'a> {
         let shader = |(number, node)| Worker::new(node, turns(&|turn| is_of(turn, number)).len());
         let mut run = Run {
             config,
+            spare,
             works,
             timing,
             rasterizers,
@@ -239,6 +241,9 @@ impl<'a> Run<'a> {
         let shaders = self.shaders.iter().map(|shader| shader.node.busy()).collect();
         let held = self.holder.node.busy();
         let report = Report::new(self.config, self.works, self.timing.turns, [rasterizers, shaders], held);
+        let shaders = self.shaders.into_iter().map(|shader| shader.node);
+        let nodes = [self.holder.node].into_iter().chain(self.rasterizers).chain(shaders);
+        nodes.for_each(|node| self.spare.keep(node.into_array()));
         Ok((picture, report))
     }
 }
@@ -246,7 +251,7 @@ impl<'a> Run<'a> {
 /// The holder of the frame, rasterizers and so many shaders, built on all processors of the computer.
 fn build(
     array: &PixelArray,
-    engine: EngineKind,
+    (engine, spare): (EngineKind, &Spare),
     side_by_side: bool,
     shaders: usize,
     works: &Works,
@@ -265,7 +270,7 @@ fn build(
             }
             None => (format!("rasterizer {number}"), Beside::Nobody),
         };
-        *node = Some(Node::new(name, array, engine, side_by_side, beside)?);
+        *node = Some(Node::new(name, array, spare.take(array, engine)?, side_by_side, beside)?);
         Ok::<(), Error>(())
     })?;
     Ok(nodes.into_iter().flatten().collect())

@@ -52,6 +52,24 @@ fn a_textured_frame_is_the_golden_image() {
 }
 
 #[test]
+fn arrays_that_have_drawn_a_frame_draw_others() {
+    let size = Size::new(20, 12).unwrap();
+    let textured = Scene::builtin("textured").unwrap();
+    let deferred = project_deferred(&textured, size, Samples::One).unwrap();
+    let polygons = project_polygons(&textured, size).unwrap();
+    let first = Machine::new(config(size, 5, 2)).unwrap();
+    let alone = first.render(&deferred, &mut Watch::default()).unwrap();
+    for _ in 0..2 {
+        // More nodes than there are spare arrays, then fewer.
+        let resident = first.another(config(size, 7, 0)).unwrap();
+        let (frame, _) = resident.render_resident(&polygons, textured.background, &mut Watch::default()).unwrap();
+        let golden = golden::render(size, &polygons.polygons, textured.background);
+        assert_eq!(compare(&frame, &golden).differing, 0);
+        assert_eq!(first.render(&deferred, &mut Watch::default()).unwrap(), alone);
+    }
+}
+
+#[test]
 fn eight_samples_are_the_golden_image() {
     let size = Size::new(20, 12).unwrap();
     let scene = Scene::builtin("textured").unwrap();

@@ -21,6 +21,7 @@ impl Works {
                     marks.push((*place, made));
                 }
             }
+            self.made = self.made.max(made);
         }
     }
 }
