@@ -110,14 +110,15 @@ fn shader(plan: &Plan) -> Result<Shader, Failure> {
 impl Drawn {
     /// Draws all frames.
     pub fn all(plan: &Plan, watch: &mut Watch) -> Result<Vec<Drawn>, Failure> {
-        plan.frames().into_iter().map(|spec| Drawn::of(spec, plan, watch)).collect()
+        let machine = Machine::new(Config { array: plan.array(), ..Config::new(plan.size()) })?;
+        plan.frames().into_iter().map(|spec| Drawn::of(spec, &machine, plan, watch)).collect()
     }
 
-    fn of(spec: Spec, plan: &Plan, watch: &mut Watch) -> Result<Drawn, Failure> {
+    fn of(spec: Spec, machine: &Machine, plan: &Plan, watch: &mut Watch) -> Result<Drawn, Failure> {
         let pre_sort = spec.system == System::PreSort;
         let config = Config { shaders: spec.shaders, array: plan.array(), pre_sort, ..Config::new(plan.size()) };
         let stereo = if spec.is_half { Stereo::Halved } else { Stereo::Sequential };
-        let machine = Machine::new(stereo.eye(&config).map_err(Error::from)?)?;
+        let machine = machine.another(stereo.eye(&config).map_err(Error::from)?)?;
         let ((frame, report), golden) = match spec.subject(plan)? {
             Subject::Deferred(deferred) => {
                 (machine.render(&deferred, watch)?, golden::draw(|watch| render_deferred_watched(&deferred, watch))?)
@@ -249,7 +250,8 @@ fn curves(frames: &[Drawn], plan: &Plan) -> Chart {
 /// What each stage of each frame took.
 fn table(frames: &[Drawn]) -> Table {
     let stages = ["rasterizing", "composing", "shading", "sending colours", "frame buffer"];
-    let columns = ["frame", "primitives", "in regions", "front end"].into_iter().chain(stages).chain(["latency"]);
+    let columns =
+        ["frame", "primitives", "in regions", "front end", "second pass"].into_iter().chain(stages).chain(["latency"]);
     let table = Table::new("frames", "What the stages of each frame were busy with, in ms", columns)
         .note("Of several nodes, the one that is busy longest. The front end’s time is the paper’s.");
     frames.iter().fold(table, |table, drawn| {
@@ -259,7 +261,8 @@ fn table(frames: &[Drawn]) -> Table {
             stage.map_or(Cell::from("–"), |stage| Cell::Number(milliseconds(stage.busy)))
         };
         let counts = [report.primitives as f64, report.drawn as f64, milliseconds(report.front)];
-        let cells = [Cell::from(drawn.spec.place())].into_iter().chain(counts.map(Cell::Number));
+        let second = if report.second > 0 { Cell::Number(milliseconds(report.second)) } else { Cell::from("–") };
+        let cells = [Cell::from(drawn.spec.place())].into_iter().chain(counts.map(Cell::Number)).chain([second]);
         table.row(cells.chain(stages.map(busy)).chain([Cell::Number(milliseconds(report.latency()))]))
     })
 }

@@ -16,7 +16,7 @@ pub const LATENCIES: [f64; 5] = [30.0, 35.0, 40.0, 60.0, 80.0];
 pub const GOAL: [f64; 3] = [30.0, 35.0, 40.0];
 
 /// Random triangles of a frame of the circuit.
-const TRIANGLES: [u64; 4] = [1000, 2000, 4000, 8000];
+const TRIANGLES: [u64; 3] = [1000, 3000, 8000];
 const FEW_TRIANGLES: [u64; 2] = [100, 300];
 
 /// A system on 20 nodes, as the paper's figures have it.
@@ -134,9 +134,9 @@ impl Plan {
         systems.map(|(system, shaders)| Plan::triangles(system, shaders)).to_vec()
     }
 
-    /// The systems that draw them for two eyes.
-    pub fn stereo_curves(&self) -> Vec<Spec> {
-        [(System::Base, 4), (System::PreSort, 4)].map(|(system, shaders)| Plan::triangles(system, shaders)).to_vec()
+    /// The system that draws them for two eyes.
+    pub fn stereo(&self) -> Spec {
+        Plan::triangles(System::Base, 4)
     }
 
     fn triangles(system: System, shaders: u32) -> Spec {
@@ -163,8 +163,7 @@ impl Plan {
         let mut counts: Vec<u64> = counts.iter().map(|count| self.effort.at_most(*count)).collect();
         counts.dedup();
         let triangles = |spec: Spec| counts.iter().map(move |count| Spec { which: Which::Triangles(*count), ..spec });
-        let halves = self.stereo_curves().into_iter().map(|spec| Spec { is_half: true, ..spec });
-        let curves = self.curves().into_iter().chain(halves);
+        let curves = self.curves().into_iter().chain([Spec { is_half: true, ..self.stereo() }]);
         pictures.iter().copied().chain(curves.flat_map(triangles)).collect()
     }
 }

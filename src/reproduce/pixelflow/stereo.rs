@@ -50,8 +50,8 @@ fn latencies(frames: &[Drawn], plan: &Plan) -> Chart {
         Axis::linear("until both are there, ms"),
     )
     .note("The formula has the paper’s time of a triangle, and the overlap of the very triangles.");
-    let curves = plan.stereo_curves().into_iter().flat_map(|spec| WAYS.map(|way| (spec, way)));
-    curves.fold(chart, |chart, (spec, (stereo, how))| {
+    let spec = plan.stereo();
+    WAYS.into_iter().fold(chart, |chart, (stereo, how)| {
         let (name, both) = (format!("{}, {how}", spec.name()), drawn(frames, spec, stereo));
         let points = |of: fn(&Both) -> f64| both.iter().map(move |it| (it.thousands, of(it))).collect::<Vec<_>>();
         chart.series(Series::new(name.clone(), Origin::Formula, points(|it| it.formula))).series(Series::new(
@@ -84,7 +84,7 @@ fn crossings() -> Table {
 
 /// What the paper expects.
 pub fn statements(frames: &[Drawn], plan: &Plan) -> Vec<Statement> {
-    let spec = plan.stereo_curves()[0];
+    let spec = plan.stereo();
     let [halved, sequential] = WAYS.map(|(stereo, _)| drawn(frames, spec, stereo));
     let ratios = |of: fn(&Both) -> f64| {
         let ratio = |(halved, sequential): (&Both, &Both)| {

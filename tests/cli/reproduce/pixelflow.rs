@@ -24,11 +24,14 @@ fn a_report_is_whole() {
         "textured-1.png",
         "frames-latency.csv",
         "frames.csv",
+        "stereo-latency.csv",
+        "stereo-crossings.csv",
     ];
     let report = whole_page(&folder, QUICK, &parts);
     assert!(report["holds"].as_u64().unwrap() > 15, "{report}");
     latencies_stand_beside_formulas_with_their_seed(&folder);
     the_circuits_frames_are_timed(&folder);
+    two_eyes_have_halves_or_all_nodes(&folder);
     the_papers_numbers_are_judged(&folder);
     folder.stdout("reproduce pixelflow -o other --primitives 3000 --seed 2");
     let [one, other] = ["report", "other"].map(|report| folder.read(format!("{report}/figure-4.csv")));
@@ -49,16 +52,35 @@ fn latencies_stand_beside_formulas_with_their_seed(folder: &Folder) {
 
 fn the_circuits_frames_are_timed(folder: &Folder) {
     let rows: Vec<_> = lines(folder, "report/frames.csv").collect();
-    // Two pictures, and three systems with 100 and 300 triangles.
-    assert_eq!(rows.len(), 2 + 3 * 2);
+    // Two pictures, and four systems with 100 and 300 triangles; and one of them on half of the nodes.
+    assert_eq!(rows.len(), 2 + 5 * 2);
     let number = |row: usize, column: usize| rows[row][column].parse::<f64>().unwrap();
     for (row, cells) in rows.iter().enumerate() {
         let latency = number(row, cells.len() - 1);
-        assert!(latency > number(row, 4) && latency < 3.0, "{cells:?}");
+        assert!(latency > number(row, 5) && latency < 3.0, "{cells:?}");
+        assert_eq!(cells[4] == "–", !cells[0].contains("pre-sort"), "{cells:?}");
     }
     // Of the base system with one shader more triangles take more, and in more regions.
     assert!((number(2, 1), number(3, 1)) == (100.0, 300.0) && number(3, 2) > number(3, 1), "{rows:?}");
-    assert!(number(3, 4) > number(2, 4), "{rows:?}");
+    assert!(number(3, 5) > number(2, 5), "{rows:?}");
+    // So do they on half of the nodes, where each rasterizer has twice as many.
+    assert!(rows[11][0].ends_with("half of the nodes") && number(11, 5) > 1.5 * number(5, 5), "{rows:?}");
+}
+
+fn two_eyes_have_halves_or_all_nodes(folder: &Folder) {
+    let rows = rows(folder, "report/stereo-latency.csv");
+    // 100 and 300 triangles of each eye, both ways.
+    assert_eq!(rows.len(), 2 * 2);
+    for cells in &rows {
+        let [formula, circuit] = [2, 5].map(|column| cells[column].parse::<f64>().unwrap());
+        // Arrays are 64 times smaller than the paper's.
+        assert!(circuit > 0.1 && circuit < formula, "{cells:?}");
+    }
+    let crossings: Vec<_> = lines(folder, "report/stereo-crossings.csv").collect();
+    // Five systems, of one sample and of eight.
+    assert_eq!(crossings.len(), 5 * 2);
+    let base = crossings.iter().find(|cells| cells[..2] == ["base 4", "one"]).unwrap();
+    assert_eq!((&base[4][..], base[2].parse::<f64>().unwrap() < base[3].parse::<f64>().unwrap()), ("13849", true));
 }
 
 fn the_papers_numbers_are_judged(folder: &Folder) {
@@ -79,5 +101,5 @@ fn the_papers_numbers_are_judged(folder: &Folder) {
         "cannot be compared: nothing was found",
     );
     let checks: Vec<_> = lines(folder, "report/checks.csv").collect();
-    assert!(checks.len() == 30 && checks.iter().all(|cells| cells.last().unwrap() == "holds"), "{checks:?}");
+    assert!(checks.len() == 34 && checks.iter().all(|cells| cells.last().unwrap() == "holds"), "{checks:?}");
 }
