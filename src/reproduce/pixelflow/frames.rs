@@ -81,7 +81,7 @@ impl Spec {
 
     fn place(&self) -> String {
         let (system, what) = (self.name(), self.what());
-        let half = if self.is_half { ", half of the nodes" } else { "" };
+        let half = if self.is_half { " on half of the nodes" } else { "" };
         format!("{what}: {system}{half}")
     }
 

@@ -5,8 +5,7 @@ use super::plan::Plan;
 use tilewright_machines::pixelflow::{Samples, Shades, Stereo, StereoReport, milliseconds};
 use tilewright_report::{Axis, Cell, Chart, Origin, Rule, Section, Series, Statement, Table};
 
-const WAYS: [(Stereo, &str); 2] =
-    [(Stereo::Halved, "both at once, on halves"), (Stereo::Sequential, "one after another")];
+const WAYS: [(Stereo, &str); 2] = [(Stereo::Halved, "at once on halves"), (Stereo::Sequential, "one after another")];
 
 /// Both eyes' frames.
 struct Both {
@@ -52,7 +51,7 @@ fn latencies(frames: &[Drawn], plan: &Plan) -> Chart {
     .note("The formula has the paper’s time of a triangle, and the overlap of the very triangles.");
     let spec = plan.stereo();
     WAYS.into_iter().fold(chart, |chart, (stereo, how)| {
-        let (name, both) = (format!("{}, {how}", spec.name()), drawn(frames, spec, stereo));
+        let (name, both) = (format!("{} {how}", spec.name()), drawn(frames, spec, stereo));
         let points = |of: fn(&Both) -> f64| both.iter().map(move |it| (it.thousands, of(it))).collect::<Vec<_>>();
         chart.series(Series::new(name.clone(), Origin::Formula, points(|it| it.formula))).series(Series::new(
             name,
