@@ -65,19 +65,10 @@ impl Addresses {
     pub fn new(function: &Function, plan: &Plan, state: impl Iterator<Item = Place>, layout: &mut Layout) -> Addresses {
         let mut places: Vec<Option<Place>> = state.map(Some).collect();
         places.resize(function.circuit().len(), None);
-        let mut tables = Vec::new();
-        for id in function.needed() {
-            let cell = function.cell(id);
-            if function.is_table(id) {
-                tables.push(id);
-            }
-            if function.is_table(id) || plan.live_out.contains(&id) {
-                places[id.index()] = Some(layout.place(cell.lanes, cell.width));
-            }
-        }
-        // What tells whether a loop is left out is needed by no sink.
-        for &id in &plan.live_out {
-            let cell = function.cell(id);
+        let tables: Vec<ValueId> = function.needed().into_iter().filter(|id| function.is_table(*id)).collect();
+        let own = plan.live_out.iter().filter(|id| !plan.homes.contains_key(id));
+        for id in tables.iter().chain(own) {
+            let cell = function.cell(*id);
             places[id.index()].get_or_insert_with(|| layout.place(cell.lanes, cell.width));
         }
         for (&new, &of) in &plan.homes {
