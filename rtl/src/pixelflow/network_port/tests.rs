@@ -24,7 +24,7 @@ struct Chain {
 impl Chain {
     /// Of so many nodes that have words.
     fn new(port: &NetworkPort, nodes: usize) -> Chain {
-        let ports = (0..=nodes).map(|_| Simulation::at(port, TRANSFER).unwrap()).collect();
+        let ports = (0..=nodes).map(|node| Simulation::at(port, TRANSFER).unwrap().seeded(node as u64)).collect();
         let unloaded = vec![vec![Vec::new(); port.pixels as usize]; port.chips as usize];
         Chain { ports, words: Vec::new(), passed: vec![0; nodes + 1], unloaded, unloaded_at: None, clock: 0 }
     }
