@@ -123,7 +123,11 @@ impl PixelArray {
         let PixelArrayIn { instructions, side_by_side, bank_done, texture_done, .. } = i;
         let controller = ArrayControllerIn { instructions, side_by_side, bank_done, texture_done };
         let controller = array.instance("u_controller", &ArrayController { width, height }, controller);
-        let evaluator = LinearEvaluatorIn { coefficients: controller.coefficients, first: controller.first };
+        let evaluator = LinearEvaluatorIn {
+            coefficients: controller.coefficients,
+            first: controller.first,
+            sends: controller.sends,
+        };
         let evaluator = array.instance("u_evaluator", &LinearEvaluator { width, height }, evaluator);
 
         let control = controller.control;

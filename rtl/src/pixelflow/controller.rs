@@ -66,6 +66,8 @@ block! {
         coefficients: Coefficients = Coefficients { a: bits(8), b: bits(8), c: bits(8) },
         /// They are the first bytes of an expression.
         first: bit(),
+        /// They are bytes of an expression.
+        sends: bit(),
         /// To the pixels.
         control: Control = Control::widths(),
         /// To network and texture unit, with the pixels' control: at the edge behind it is what the instructions so far have written.
@@ -153,6 +155,8 @@ impl ArrayController {
             .map(|(name, coefficient)| slot::byte_by_byte(m, name, evaluator_begins, coefficient));
         let first = m.reg("first", bit()).reset(0);
         first.next(evaluator_begins & needs.expression);
+        let sends = m.reg("sends", bit()).reset(0);
+        sends.when(evaluator_begins, needs.expression).when(evaluator.ends, 0);
 
         // Both slots control the pixels, one of them ALU and memory.
         m.assert(
@@ -175,6 +179,7 @@ impl ArrayController {
         ArrayControllerOut {
             coefficients: Coefficients { a, b, c: evaluator.constant },
             first: *first,
+            sends: *sends,
             control,
             given,
             idle: !next.valid & evaluator.left.eq(0) & memory.left.eq(0),

@@ -158,10 +158,14 @@ pub fn control(i: &Instruction<u64>, byte: u64) -> Control<u64> {
     }
 }
 
-/// Whether pixels are enabled by the expression's sign, past the ALU.
-fn is_by_sign(i: &Instruction<u64>) -> bool {
-    let enters = [Enabling::Replace, Enabling::Restrict, Enabling::Push].iter().any(|it| it.code() == i.enabling);
-    enters && i.source == Source::Expression.code() && i.condition == Condition::Positive.code()
+/// Whether pixels are enabled by a condition.
+pub(super) fn is_conditional(enabling: u64) -> bool {
+    [Enabling::Replace, Enabling::Restrict, Enabling::Push].iter().any(|it| it.code() == enabling)
+}
+
+/// Whether they are by the expression's sign, past the ALU.
+pub(super) fn is_by_sign(i: &Instruction<u64>) -> bool {
+    is_conditional(i.enabling) && i.source == Source::Expression.code() && i.condition == Condition::Positive.code()
 }
 
 /// A byte of a number, which goes on with its sign.

@@ -18,6 +18,8 @@
 //! a byte of it with the top bits of the byte before. Each pixel adds what its place in the chip has and what its chip has: one adder a
 //! pixel, and few others.
 //!
+//! Where no byte of an expression is, nodes stay as they are: a mark that goes down the trees with the bytes is their registers' enable.
+//!
 //! All is exact modulo 2 to the number of bits that are sent, so signs and fractions are those of the integers (facts E0).
 //!
 //! Latency 1 clock more than the larger tree has levels; a byte of each pixel a clock, and expressions right behind one another.
@@ -46,6 +48,8 @@ block! {
         },
         /// These are the first bytes of an expression.
         first: bit(),
+        /// They are bytes of an expression, which come without a pause: the nodes that have none stay as they are.
+        sends: bit(),
     }
     out(self) LinearEvaluatorOut {
         /// A byte of the expression at each pixel, a row for each chip: its upper line, and then its lower one.
@@ -69,6 +73,7 @@ impl LinearEvaluator {
         let Coefficients { a, b, c } = i.coefficients;
         let sent = Sent {
             first: delays(m, "first", levels, i.first, true),
+            sends: delays(m, "sends", levels, i.sends, true),
             a: delays(m, "a", levels + 1, a, false),
             b: delays(m, "b", levels + 1, b, false),
         };
@@ -82,12 +87,11 @@ impl LinearEvaluator {
             added.iter().zip(0..).fold(root.of(row(1)), |parents, (&(coefficient, places), level)| {
                 let at = (begins + level) as usize;
                 let weighted = sent.weighted(coefficient, places, at);
-                children(m, &format!("{name}{level}"), parents, weighted, sent.first[at])
+                children(m, &format!("{name}{level}"), parents, weighted, sent.marks(at))
             })
         };
         let (places, chip) = (tree("pixel", c, &in_chip), tree("chip", lit(8, 0), &of_chips));
-        let first = sent.first[levels as usize].of(grid(chips, pixels));
-        let value = sum(m, "value", places.to_rows(chips), chip.to_columns(pixels), first);
+        let value = sum(m, "value", places.to_rows(chips), chip.to_columns(pixels), sent.marks(levels as usize));
         LinearEvaluatorOut { value }
     }
 }
@@ -95,11 +99,24 @@ impl LinearEvaluator {
 /// What is sent, and what was some clocks ago.
 struct Sent {
     first: Vec<Signal>,
+    sends: Vec<Signal>,
     a: Vec<Signal>,
     b: Vec<Signal>,
 }
 
+/// What bytes are: the first ones of an expression, any of one.
+#[derive(Clone, Copy)]
+struct Marks {
+    first: Signal,
+    sends: Signal,
+}
+
 impl Sent {
+    /// What the bytes are that were sent so many clocks ago.
+    fn marks(&self, clocks: usize) -> Marks {
+        Marks { first: self.first[clocks], sends: self.sends[clocks] }
+    }
+
     /// A byte of a coefficient that is shifted by so many places, so many clocks after it was sent: with the top bits of the byte before.
     fn weighted(&self, coefficient: &[Signal], places: u32, clocks: usize) -> Signal {
         let (byte, before) = (coefficient[clocks], coefficient[clocks + 1]);
@@ -111,10 +128,10 @@ impl Sent {
 }
 
 /// The sums of a level's nodes, a clock later: those of their parents, and of right children with the coefficient.
-fn children(m: Module, name: &str, parents: Signal, weighted: Signal, first: Signal) -> Signal {
+fn children(m: Module, name: &str, parents: Signal, weighted: Signal, marks: Marks) -> Signal {
     let nodes = 2 * parents.count();
     let is_right = constants(bits(8).of(row(nodes)), |node| u64::from(node % 2) * 0xff);
-    sum(m, name, parents.take(nodes, |node| node / 2), is_right & weighted, first.of(row(nodes)))
+    sum(m, name, parents.take(nodes, |node| node / 2), is_right & weighted, marks)
 }
 
 /// The signal, and the same some clocks later each, up to so many. What is a mark does not come before it is sent.
@@ -130,11 +147,13 @@ fn delays(m: Module, name: &str, clocks: u32, signal: Signal, is_mark: bool) -> 
 }
 
 /// The sum of words that come byte by byte, a clock later.
-fn sum(m: Module, name: &str, left: Signal, right: Signal, first: Signal) -> Signal {
-    let carry = m.reg(&format!("{name}_carry"), bit().of(left.shape()));
-    let total = left + right + (*carry & !first).zext(8);
-    carry.next(((left & right) | ((left | right) & !total)).msb());
-    m.pipe(&format!("{name}_sum"), total)
+fn sum(m: Module, name: &str, left: Signal, right: Signal, marks: Marks) -> Signal {
+    let register = |of: &str, width: Width| m.reg(&format!("{name}_{of}"), width.of(left.shape()));
+    let (carry, sum) = (register("carry", bit()), register("sum", bits(8)));
+    let total = left + right + (*carry & !marks.first).zext(8);
+    carry.enable(marks.sends).next(((left & right) | ((left | right) & !total)).msb());
+    sum.enable(marks.sends).next(total);
+    *sum
 }
 
 #[cfg(test)]

@@ -1,22 +1,14 @@
 //! What a controller makes of instructions, for tests: from their codes, in words of its own.
 
-use super::emulator::control;
+use super::emulator::{control, is_by_sign, is_conditional};
 use super::instruction::Instruction;
-use super::pixel::{Condition, Control, Enabling, Flagging, Function, Mask, Source};
+use super::pixel::{Control, Enabling, Flagging, Function, Mask, Source};
 use crate::pixel_planes::schedule::Step;
 use crate::prelude::Codes;
 
 /// What a pixel does with each byte of the word, one after another.
 pub(super) fn controls(i: &Instruction<u64>) -> Vec<Control<u64>> {
     (0..i.length).map(|byte| control(i, byte)).collect()
-}
-
-fn is_conditional(enabling: u64) -> bool {
-    [Enabling::Replace, Enabling::Restrict, Enabling::Push].iter().any(|code| code.code() == enabling)
-}
-
-fn is_by_sign(i: &Instruction<u64>) -> bool {
-    is_conditional(i.enabling) && i.source == Source::Expression.code() && i.condition == Condition::Positive.code()
 }
 
 /// What it takes of a controller: the table of [`controller`](super::controller), in words of its own.

@@ -5,7 +5,7 @@
 // Parameters  LinearEvaluator { width: 8, height: 4 }
 // Latency     5 clocks from a coefficient's byte to the expression's at each pixel
 // Source      Reducing Latency on PixelFlow, section 3 (PFL-NODE)
-// Described   rtl/src/pixelflow/linear_evaluator.rs:124
+// Described   rtl/src/pixelflow/linear_evaluator.rs:141
 `default_nettype none
 
 module linear_evaluator_width8_height4 (
@@ -16,27 +16,33 @@ module linear_evaluator_width8_height4 (
     input  wire [7:0]   coefficients_b, // Of what is added from a line to the next.
     input  wire [7:0]   coefficients_c, // Of the value at column 0 of line 0.
     input  wire         first,          // These are the first bytes of an expression.
+    // They are bytes of an expression, which come without a pause: the nodes that have none stay as they are.
+    input  wire         sends,
     // A byte of the expression at each pixel, a row for each chip: its upper line, and then its lower one.
     output wire [255:0] value
 );
 
-    reg first1;                                                  // rtl/src/pixelflow/linear_evaluator.rs:124
-    reg first2;                                                  // rtl/src/pixelflow/linear_evaluator.rs:124
-    reg first3;                                                  // rtl/src/pixelflow/linear_evaluator.rs:124
-    reg first4;                                                  // rtl/src/pixelflow/linear_evaluator.rs:124
-    reg [7:0] a1;                                                // rtl/src/pixelflow/linear_evaluator.rs:124
-    reg [7:0] a2;                                                // rtl/src/pixelflow/linear_evaluator.rs:124
-    reg [7:0] a3;                                                // rtl/src/pixelflow/linear_evaluator.rs:124
-    reg [7:0] a4;                                                // rtl/src/pixelflow/linear_evaluator.rs:124
-    reg [7:0] a5;                                                // rtl/src/pixelflow/linear_evaluator.rs:124
-    reg [7:0] b1;                                                // rtl/src/pixelflow/linear_evaluator.rs:124
-    reg [7:0] b2;                                                // rtl/src/pixelflow/linear_evaluator.rs:124
-    reg [7:0] b3;                                                // rtl/src/pixelflow/linear_evaluator.rs:124
-    reg [7:0] b4;                                                // rtl/src/pixelflow/linear_evaluator.rs:124
-    reg [7:0] b5;                                                // rtl/src/pixelflow/linear_evaluator.rs:124
-    reg [7:0] chip_root1;                                        // rtl/src/pixelflow/linear_evaluator.rs:124
-    reg [7:0] chip_root2;                                        // rtl/src/pixelflow/linear_evaluator.rs:124
-    reg [7:0] chip_root3;                                        // rtl/src/pixelflow/linear_evaluator.rs:124
+    reg first1;                                                  // rtl/src/pixelflow/linear_evaluator.rs:141
+    reg first2;                                                  // rtl/src/pixelflow/linear_evaluator.rs:141
+    reg first3;                                                  // rtl/src/pixelflow/linear_evaluator.rs:141
+    reg first4;                                                  // rtl/src/pixelflow/linear_evaluator.rs:141
+    reg sends1;                                                  // rtl/src/pixelflow/linear_evaluator.rs:141
+    reg sends2;                                                  // rtl/src/pixelflow/linear_evaluator.rs:141
+    reg sends3;                                                  // rtl/src/pixelflow/linear_evaluator.rs:141
+    reg sends4;                                                  // rtl/src/pixelflow/linear_evaluator.rs:141
+    reg [7:0] a1;                                                // rtl/src/pixelflow/linear_evaluator.rs:141
+    reg [7:0] a2;                                                // rtl/src/pixelflow/linear_evaluator.rs:141
+    reg [7:0] a3;                                                // rtl/src/pixelflow/linear_evaluator.rs:141
+    reg [7:0] a4;                                                // rtl/src/pixelflow/linear_evaluator.rs:141
+    reg [7:0] a5;                                                // rtl/src/pixelflow/linear_evaluator.rs:141
+    reg [7:0] b1;                                                // rtl/src/pixelflow/linear_evaluator.rs:141
+    reg [7:0] b2;                                                // rtl/src/pixelflow/linear_evaluator.rs:141
+    reg [7:0] b3;                                                // rtl/src/pixelflow/linear_evaluator.rs:141
+    reg [7:0] b4;                                                // rtl/src/pixelflow/linear_evaluator.rs:141
+    reg [7:0] b5;                                                // rtl/src/pixelflow/linear_evaluator.rs:141
+    reg [7:0] chip_root1;                                        // rtl/src/pixelflow/linear_evaluator.rs:141
+    reg [7:0] chip_root2;                                        // rtl/src/pixelflow/linear_evaluator.rs:141
+    reg [7:0] chip_root3;                                        // rtl/src/pixelflow/linear_evaluator.rs:141
 
     genvar i;
     genvar j;
@@ -53,8 +59,11 @@ module linear_evaluator_width8_height4 (
             wire [7:0] pixel0_carry_or = (coefficients_c & pixel0_carry_and) | pixel0_carry_and_2;
 
             always @(posedge clk) begin
-                pixel0_carry <= pixel0_carry_or[7];
-                pixel0_sum <= pixel0_carry_sum;
+                if (sends) pixel0_carry <= pixel0_carry_or[7];
+            end
+
+            always @(posedge clk) begin
+                if (sends) pixel0_sum <= pixel0_carry_sum;
             end
             wire _unused_lane = &{1'b0, pixel0_carry_or[6:0]};
         end
@@ -72,8 +81,11 @@ module linear_evaluator_width8_height4 (
             wire [7:0] pixel1_carry_or = (pixel0_carry_row[i / 2].pixel0_sum & pixel1_carry_and) | pixel1_carry_and_2;
 
             always @(posedge clk) begin
-                pixel1_carry <= pixel1_carry_or[7];
-                pixel1_sum <= pixel1_carry_sum;
+                if (sends1) pixel1_carry <= pixel1_carry_or[7];
+            end
+
+            always @(posedge clk) begin
+                if (sends1) pixel1_sum <= pixel1_carry_sum;
             end
             wire _unused_lane = &{1'b0, pixel1_carry_or[6:0]};
         end
@@ -91,8 +103,11 @@ module linear_evaluator_width8_height4 (
             wire [7:0] pixel2_carry_or = (pixel1_carry_row[i / 2].pixel1_sum & pixel2_carry_and) | pixel2_carry_and_2;
 
             always @(posedge clk) begin
-                pixel2_carry <= pixel2_carry_or[7];
-                pixel2_sum <= pixel2_carry_sum;
+                if (sends2) pixel2_carry <= pixel2_carry_or[7];
+            end
+
+            always @(posedge clk) begin
+                if (sends2) pixel2_sum <= pixel2_carry_sum;
             end
             wire _unused_lane = &{1'b0, pixel2_carry_or[6:0]};
         end
@@ -110,8 +125,11 @@ module linear_evaluator_width8_height4 (
             wire [7:0] pixel3_carry_or = (pixel2_carry_row[i / 2].pixel2_sum & pixel3_carry_and) | pixel3_carry_and_2;
 
             always @(posedge clk) begin
-                pixel3_carry <= pixel3_carry_or[7];
-                pixel3_sum <= pixel3_carry_sum;
+                if (sends3) pixel3_carry <= pixel3_carry_or[7];
+            end
+
+            always @(posedge clk) begin
+                if (sends3) pixel3_sum <= pixel3_carry_sum;
             end
             wire _unused_lane = &{1'b0, pixel3_carry_or[6:0]};
         end
@@ -129,8 +147,11 @@ module linear_evaluator_width8_height4 (
             wire [7:0] chip0_carry_or = (chip_root3 & chip0_carry_and) | chip0_carry_and_2;
 
             always @(posedge clk) begin
-                chip0_carry <= chip0_carry_or[7];
-                chip0_sum <= chip0_carry_sum;
+                if (sends3) chip0_carry <= chip0_carry_or[7];
+            end
+
+            always @(posedge clk) begin
+                if (sends3) chip0_sum <= chip0_carry_sum;
             end
             wire _unused_lane = &{1'b0, chip0_carry_or[6:0]};
         end
@@ -147,8 +168,11 @@ module linear_evaluator_width8_height4 (
                 wire [7:0] value_carry_or = (pixel3_carry_row[j].pixel3_sum & chip0_carry_row[i].chip0_sum) | value_carry_and;
 
                 always @(posedge clk) begin
-                    value_carry <= value_carry_or[7];
-                    value_sum <= value_carry_sum;
+                    if (sends4) value_carry <= value_carry_or[7];
+                end
+
+                always @(posedge clk) begin
+                    if (sends4) value_sum <= value_carry_sum;
                 end
                 wire _unused_lane = &{1'b0, value_carry_or[6:0]};
             end
@@ -185,11 +209,19 @@ module linear_evaluator_width8_height4 (
             first2 <= 1'b0;
             first3 <= 1'b0;
             first4 <= 1'b0;
+            sends1 <= 1'b0;
+            sends2 <= 1'b0;
+            sends3 <= 1'b0;
+            sends4 <= 1'b0;
         end else begin
             first1 <= first;
             first2 <= first1;
             first3 <= first2;
             first4 <= first3;
+            sends1 <= sends;
+            sends2 <= sends1;
+            sends3 <= sends2;
+            sends4 <= sends3;
         end
     end
 

@@ -1,6 +1,6 @@
 //! Handles of ports, and what may be put into one.
 
-use tilewright_hdl::{Bits, Leaf};
+use tilewright_hdl::{Bits, Leaf, limbs_for};
 
 /// An input or output port of a simulation; the leaf of the bundles `sim.i` and `sim.o`.
 ///
@@ -22,7 +22,7 @@ pub struct Port {
 
 impl Leaf for Port {}
 
-/// What a signal of some width can be set to: an integer, a `bool` or [`Bits`].
+/// What a signal of some width can be set to: an integer, a `bool`, [`Bits`], or the limbs of a value.
 ///
 /// A negative integer is taken in two's complement. Nothing is cut off: a value that does not fit is an error.
 ///
@@ -32,6 +32,8 @@ impl Leaf for Port {}
 ///
 /// assert_eq!((-1).into_value(4), Ok(Bits::new(4, 15)));
 /// assert_eq!(16.into_value(4), Err("cannot hold 16".to_owned()));
+/// // 64 bits each, the lowest first.
+/// assert_eq!([5_u64, 1][..].into_value(65), Ok(Bits::from_u128(65, 1 << 64 | 5)));
 /// ```
 pub trait IntoValue {
     /// The value in `width` bits, or a sentence's end such as `cannot hold 300`.
@@ -52,6 +54,13 @@ pub trait IntoValue {
     /// The value as a number that needs no more than 64 bits and is not negative, if it is one and has no width of its own.
     #[doc(hidden)]
     fn to_limb(&self) -> Option<u64> {
+        None
+    }
+
+    /// The limbs of the value, if it is one of that width and stands somewhere.
+    #[doc(hidden)]
+    fn limbs_of(&self, width: u32) -> Option<&[u64]> {
+        let _ = width;
         None
     }
 }
@@ -130,11 +139,35 @@ impl IntoValue for Bits {
             false => Err(format!("is set to {self}, of {} bits: resize the value", self.width())),
         }
     }
+
+    fn limbs_of(&self, width: u32) -> Option<&[u64]> {
+        (self.width() == width).then(|| self.limbs())
+    }
 }
 
 impl IntoValue for &Bits {
     fn into_value(self, width: u32) -> Result<Bits, String> {
         self.clone().into_value(width)
+    }
+
+    fn limbs_of(&self, width: u32) -> Option<&[u64]> {
+        (**self).limbs_of(width)
+    }
+}
+
+impl IntoValue for &[u64] {
+    fn into_value(self, width: u32) -> Result<Bits, String> {
+        let bits = Bits::from_limbs(width, self);
+        match bits.limbs() == self {
+            true => Ok(bits),
+            false => Err(format!("is set to limbs {self:x?}: it takes {} of 64 bits", bits.limbs().len())),
+        }
+    }
+
+    fn limbs_of(&self, width: u32) -> Option<&[u64]> {
+        let unused = (64 - width % 64) % 64;
+        let is_whole = self.len() == limbs_for(width) && self.last().is_some_and(|top| top.leading_zeros() >= unused);
+        is_whole.then_some(self)
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use tilewright_hdl::{Bits, Design, top_mask};
+use tilewright_hdl::{Bits, Design, limbs_for, top_mask};
 
 use crate::engine::program::{self, Program, Triggers, ValueId};
 use crate::engine::{EngineKind, Passes, Slot, Started, lane};
@@ -133,8 +133,12 @@ impl Running {
     }
 
     #[track_caller]
-    #[cold]
     fn set_bits(&mut self, port: Port, value: impl IntoValue) {
+        let input = self.program.inputs.get(port.index as usize);
+        // What stands somewhere need not be copied.
+        if let Some(limbs) = input.and_then(|input| value.limbs_of(self.program.value(input.value).width)) {
+            return self.write(port, limbs);
+        }
         let bits = self.fitting(port, value);
         self.write(port, bits.limbs());
     }
@@ -262,6 +266,14 @@ impl Running {
     fn other_number(&mut self, port: Port, run: u32) -> u64 {
         let number = self.other_bits(port, run).to_u64();
         number.unwrap_or_else(|| panic!("output `{}` does not fit 64 bits: use `read`", self.declared(port).path))
+    }
+
+    /// The limbs of a port in one run.
+    #[track_caller]
+    pub fn limbs(&mut self, port: Port, run: u32) -> &[u64] {
+        let &Wired { value, width, .. } = self.wired(port);
+        let count = limbs_for(width);
+        &self.engine.read(value)[run as usize * count..][..count]
     }
 
     /// A lane of a value.

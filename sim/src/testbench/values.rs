@@ -189,6 +189,22 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         self.circuit.get(port, 0)
     }
 
+    /// As [`Simulation::get`], as limbs of 64 bits, the lowest first: who looks at a wide port in each clock gets no copy.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// sim.set(sim.i.enable, 1);
+    /// sim.run(5);
+    /// assert_eq!(sim.limbs(sim.o.count), [5]);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    #[track_caller]
+    #[inline]
+    pub fn limbs(&mut self, port: Port) -> &[u64] {
+        self.circuit.limbs(port, 0)
+    }
+
     /// As [`Simulation::get`], for a port of up to 64 bits.
     ///
     /// ```

@@ -15,6 +15,7 @@ mod nested;
 mod packed;
 mod quiet;
 mod random;
+mod rows_together;
 mod shapes;
 mod store;
 mod units;

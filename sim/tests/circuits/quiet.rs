@@ -96,3 +96,41 @@ fn loops_in_which_nothing_would_change_are_left_out() {
     let parts: Vec<usize> = (0..60).map(run).collect();
     assert!(parts.iter().filter(|parts| **parts > 1).count() > 20, "loops are parted: {parts:?}");
 }
+
+block! {
+    /// Two writes to the same words, and a sum of what a register only sometimes becomes.
+    struct Apart;
+    in ApartIn { writes: bits(2), at: bits(2), adds: bit(), x: bits(8) }
+    out ApartOut { word: bits(8), total: bits(8) }
+}
+
+impl Apart {
+    fn build(&self, m: Module, i: ApartIn) -> ApartOut {
+        let lanes = row(512);
+        let numbers = constants(bits(8).of(lanes), |lane| u64::from(lane % 251));
+        let memory = m.memory("memory", 4, bits(8).of(lanes), ReadUnderWrite::Any).true_dual_port();
+        let kept = m.reg("kept", bits(8).of(lanes)).reset(1);
+        let sum = *kept + numbers;
+        memory.write(i.writes.bit(0).of(lanes), i.at, sum);
+        memory.write(i.writes.bit(1).of(lanes), i.at, numbers ^ i.x);
+        kept.when(i.adds, sum);
+        let total = m.pipe("total_before", (sum ^ i.x).sum().trunc(8));
+        ApartOut { word: memory.read_async(i.at).lane(100), total }
+    }
+}
+
+/// The later write wins, and the sum is of each clock, though parts of the loop are left out.
+#[test]
+fn parts_keep_their_order_and_what_others_take_of_them() {
+    let design = elaborate(&Apart).unwrap();
+    let branched = explain(&design, &Passes::default()).into_iter().find(|it| it.pass == Pass::Branch).unwrap().text;
+    assert!(branched.contains(": in 2 loops"), "the loop is parted:\n{branched}");
+    let (mut random, mut sim) = (Random::new(3), Simulation::of(&Apart).unwrap().on(EngineKind::Both));
+    for _ in 0..100 {
+        for (port, limit) in [(sim.i.writes, 4), (sim.i.at, 4), (sim.i.adds, 2), (sim.i.x, 256)] {
+            sim.set(port, random.below(limit));
+        }
+        sim.try_step().unwrap_or_else(|error| panic!("{error}"));
+        sim.get(sim.o.word);
+    }
+}

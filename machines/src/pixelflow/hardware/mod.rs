@@ -6,10 +6,12 @@ mod network;
 mod node;
 mod store;
 mod texture;
+mod words;
 
 pub(super) use beside::Beside;
 pub use composition::composition_time;
 pub(super) use network::Way;
-pub(super) use node::{Access, Node, Words};
+pub(super) use node::{Access, Node};
 pub(super) use store::FrameStore;
 pub(super) use texture::TextureLookUp;
+pub(super) use words::Words;

@@ -4,7 +4,7 @@ use tilewright_rtl::pixelflow::TRANSFER;
 use tilewright_rtl::pixelflow::array::PixelArray;
 use tilewright_rtl::pixelflow::compositor::Mode;
 use tilewright_rtl::pixelflow::network::{Network, NetworkIn, NetworkOut};
-use tilewright_sim::{Bits, EngineKind, Simulation};
+use tilewright_sim::{EngineKind, Simulation};
 
 use super::Words;
 use crate::error::Error;
@@ -13,6 +13,7 @@ use crate::error::Error;
 pub(in crate::pixelflow) struct Way {
     sim: Simulation<NetworkIn, NetworkOut>,
     nodes: usize,
+    chips: u32,
     /// Pixels of a chip.
     pixels: usize,
 }
@@ -28,7 +29,7 @@ impl Way {
             sim.set(node.first, false);
         }
         sim.try_reset()?;
-        Ok(Way { sim, nodes, pixels: array.pixels() as usize })
+        Ok(Way { sim, nodes, chips: array.chips(), pixels: array.pixels() as usize })
     }
 
     /// Sends words from the first node that has some to another one behind all of them; the others compose. Gives what that one gets.
@@ -46,7 +47,7 @@ impl Way {
             self.sim.set(nodes[*number].mode, mode as u64);
         }
         self.sim.set(nodes[to].mode, Mode::Unload as u64);
-        let mut came: Vec<Bits> = Vec::with_capacity(length);
+        let mut came = Words::new(self.chips, length);
         let target = self.sim.o.nodes[to];
         // Until the last byte has left the network.
         for tick in 0..length + self.nodes - first {
@@ -58,7 +59,7 @@ impl Way {
             self.sim.set(nodes[first].sends, tick < length);
             self.sim.set(nodes[first].first, tick < self.pixels);
             if self.sim.get_u64(target.unloaded) == 1 {
-                came.push(self.sim.get(target.bytes));
+                came.push(self.sim.limbs(target.bytes));
             }
             self.sim.try_step()?;
         }

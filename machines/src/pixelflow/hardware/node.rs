@@ -5,9 +5,10 @@ use std::collections::VecDeque;
 use tilewright_rtl::pixelflow::ARRAY;
 use tilewright_rtl::pixelflow::array::{PixelArray, PixelArrayIn, PixelArrayOut};
 use tilewright_rtl::pixelflow::instruction::{Instruction, Sync};
-use tilewright_sim::{Bits, EngineKind, Simulation};
+use tilewright_sim::{EngineKind, Simulation};
 
 use super::beside::Beside;
+use super::words::Words;
 use crate::error::Error;
 use crate::pixelflow::costs::Ticks;
 use crate::pixelflow::model::Timing;
@@ -15,9 +16,6 @@ use crate::pixelflow::works::Mark;
 
 /// An array in simulation.
 pub(super) type ArraySimulation = Simulation<PixelArrayIn, PixelArrayOut>;
-
-/// The bytes of a region's words, in the order of sending: of all pixels of a chip the first byte, then the second, one of each chip at a time.
-pub(in crate::pixelflow) type Words = Vec<Bits>;
 
 /// What the network does with a bank, from some tick on: a byte of each chip a tick.
 #[derive(Debug)]
@@ -36,7 +34,7 @@ struct Bank {
     accesses: VecDeque<Access>,
     /// Of the first access, how many ticks are done, and what went.
     done: Ticks,
-    went: Words,
+    went: Option<Words>,
     /// Words that went before.
     sent: VecDeque<Words>,
 }
@@ -48,6 +46,8 @@ pub(in crate::pixelflow) struct Node {
     sim: ArraySimulation,
     /// Ticks of the network since the beginning, with those that were left out: then nothing in the array changes.
     time: Ticks,
+    chips: u32,
+    /// Pixels of a chip.
     pixels: u64,
     banks: [Bank; 2],
     /// From when on the array is to be told of each access that ended, and its bank.
@@ -89,6 +89,7 @@ impl Node {
             name,
             sim,
             time: 0,
+            chips: array.chips(),
             pixels: array.pixels().into(),
             banks: Default::default(),
             ended: VecDeque::new(),
@@ -328,10 +329,8 @@ impl Node {
         self.time += 1;
         for number in (0..2).filter(|number| ends[*number]) {
             let bank = &mut self.banks[number];
-            let (access, went) = (bank.accesses.pop_front(), std::mem::take(&mut bank.went));
-            if access.is_some_and(|access| access.comes.is_none()) {
-                bank.sent.push_back(went);
-            }
+            bank.accesses.pop_front();
+            bank.sent.extend(bank.went.take());
             bank.done = 0;
             self.sim.set(self.sim.i.network[number].writes, false);
             self.ended.push_back((Timing::told(self.time), number));
@@ -360,10 +359,14 @@ impl Node {
         }
         self.sim.set(port.pixel, pixel);
         match &access.comes {
-            None => bank.went.push(self.sim.get(self.sim.o.network_seen[number])),
+            None => {
+                let all = access.bytes * self.pixels;
+                let went = bank.went.get_or_insert_with(|| Words::new(self.chips, all as usize));
+                went.push(self.sim.limbs(self.sim.o.network_seen[number]));
+            }
             Some(words) => {
                 self.sim.set(port.writes, true);
-                self.sim.set(port.bytes, &words[bank.done as usize]);
+                self.sim.set(port.bytes, words.get(bank.done as usize).expect("they are whole"));
             }
         }
         bank.done += 1;

@@ -65,7 +65,7 @@ impl FrameStore {
         array.set(registers.pixel, buffer.get_u64(buffer.o.port.pixel));
         array.set(registers.address, buffer.get_u64(buffer.o.port.address));
         buffer.set(buffer.i.start, starts);
-        buffer.set(buffer.i.seen, array.get(seen));
+        buffer.set(buffer.i.seen, array.limbs(seen));
         let is_done = buffer.get_u64(buffer.o.done) == 1;
         buffer.try_step()?;
         self.is_busy = !is_done;

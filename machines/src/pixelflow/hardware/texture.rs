@@ -110,8 +110,8 @@ impl TextureLookUp {
         let writes = unit.get_u64(port.writes) == 1;
         array.set(registers.writes, writes);
         match writes {
-            true => array.set(registers.bytes, unit.get(port.bytes)),
-            false => unit.set(unit.i.seen, array.get(seen)),
+            true => array.set(registers.bytes, unit.limbs(port.bytes)),
+            false => unit.set(unit.i.seen, array.limbs(seen)),
         }
         unit.set(unit.i.start, starts);
         let is_done = unit.get_u64(unit.o.done) == 1;

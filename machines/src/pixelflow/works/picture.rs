@@ -27,13 +27,6 @@ impl Works {
         let across = self.size().width().div_ceil(width);
         let (region, x, y) = (y / height * across + x / width, x % width, y % height);
         let (chip, pixel, pixels) = (y / 2, (y % 2 * width + x) as usize, 2 * width as usize);
-        let bytes = came[region as usize][pixel..].iter().step_by(pixels).take(3);
-        bytes.fold(0, |depth, lanes| depth << 8 | byte(lanes, chip))
+        (0..3).fold(0, |depth, byte| depth << 8 | came[region as usize].byte(pixel + byte * pixels, chip))
     }
-}
-
-/// A byte of a row.
-fn byte(lanes: &tilewright_sim::Bits, lane: u32) -> u64 {
-    let lane = lane as usize;
-    lanes.limbs()[lane / 8] >> (8 * (lane % 8)) & 0xff
 }

@@ -161,10 +161,14 @@ pub(super) fn two_expressions(evaluator: &LinearEvaluator) -> Scenario {
     for expression in [[0x00c0, 0, 0x0105], [0xffff, 2, 1]] {
         for byte in 0..2 {
             let [a, b, c] = expression.map(|number| number >> (8 * byte) & 0xff);
-            script.clock(&LinearEvaluatorIn { coefficients: Coefficients { a, b, c }, first: u64::from(byte == 0) });
+            script.clock(&LinearEvaluatorIn {
+                coefficients: Coefficients { a, b, c },
+                first: u64::from(byte == 0),
+                sends: 1,
+            });
         }
     }
-    script.clock(&LinearEvaluatorIn { coefficients: Coefficients { a: 0, b: 0, c: 0 }, first: 0 });
+    script.clock(&LinearEvaluatorIn { coefficients: Coefficients { a: 0, b: 0, c: 0 }, first: 0, sends: 0 });
     script.wait(u64::from(evaluator.latency()));
     script.finish("0xc0 x + 0x105, and right behind it -x + 2 y + 1, in two bytes each, the lower one first")
 }

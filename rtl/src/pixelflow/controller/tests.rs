@@ -236,11 +236,12 @@ proptest! {
         prop_assert_eq!(taken, times.iter().map(|it| it.taken).collect::<Vec<_>>());
 
         let mut expected = vec![Control::NOTHING; seen.len()];
-        let mut first = vec![0; seen.len()];
+        let (mut first, mut sends) = (vec![0; seen.len()], vec![0; seen.len()]);
         for (next, Times { begins, .. }) in program.iter().zip(&times) {
             if next.source == Source::Expression.code() {
                 first[*begins as usize] = 1;
                 for at in 0..next.skip + next.length {
+                    sends[(begins + at) as usize] = 1;
                     let sent = [next.a, next.b, next.c].map(|number| byte_of(signed(number), at).into());
                     let out = seen[(begins + at) as usize].coefficients;
                     prop_assert_eq!([out.a, out.b, out.c], sent);
@@ -258,7 +259,7 @@ proptest! {
             }
         }
         for (clock, (out, expected)) in seen.iter().zip(&expected).enumerate() {
-            prop_assert_eq!(out.first, first[clock], "clock {}", clock);
+            prop_assert_eq!([out.first, out.sends], [first[clock], sends[clock]], "clock {}", clock);
             prop_assert_eq!(effect(&out.control), effect(expected), "clock {}", clock);
             prop_assert_eq!([out.given.banks, out.given.texture], [0, 0]);
         }

@@ -25,7 +25,8 @@ fn expect_sums(evaluator: LinearEvaluator, all: &[Sent]) {
         if let Some(&(Sent { coefficients, bytes, .. }, clock)) = clocks.get(time) {
             let byte = |number: u64| if clock < bytes { number >> (8 * clock) & 0xff } else { 0xff };
             let [a, b, c] = coefficients.map(byte);
-            sim.drive(LinearEvaluatorIn { coefficients: Coefficients { a, b, c }, first: u64::from(clock == 0) });
+            let [first, sends] = [clock == 0, clock < bytes].map(u64::from);
+            sim.drive(LinearEvaluatorIn { coefficients: Coefficients { a, b, c }, first, sends });
         }
         let seen = time.checked_sub(evaluator.latency() as usize).map(|sent| &clocks[sent]);
         if let Some(&(Sent { coefficients: [a, b, c], bytes, .. }, clock)) =
@@ -46,25 +47,27 @@ fn expect_sums(evaluator: LinearEvaluator, all: &[Sent]) {
 fn each_level_takes_a_clock() {
     let mut sim = Simulation::of(&LinearEvaluator { width: 4, height: 2 }).unwrap();
     sim.reset();
-    let wave = sim.record(["first", "coefficients_a", "coefficients_c", "value[0][0]", "value[0][3]", "value[0][7]"]);
-    // 0x00c0 x + 0x0010 y + 0x0105, and right behind it -x - 1.
-    for (a, b, c) in [(0x00c0, 0x0010, 0x0105), (0xffff, 0, 0xffff), (0, 0, 0)] {
+    let wave =
+        sim.record(["first", "sends", "coefficients_a", "coefficients_c", "value[0][0]", "value[0][3]", "value[0][7]"]);
+    // 0x00c0 x + 0x0010 y + 0x0105, and right behind it -x - 1; and then nothing.
+    for (a, b, c, sends) in [(0x00c0, 0x0010, 0x0105, 1), (0xffff, 0, 0xffff, 1), (0, 0, 0, 0)] {
         for byte in 0..2 {
             let [a, b, c] = [a, b, c].map(|number: u64| number >> (8 * byte) & 0xff);
-            sim.drive(LinearEvaluatorIn { coefficients: Coefficients { a, b, c }, first: u64::from(byte == 0) });
+            sim.drive(LinearEvaluatorIn { coefficients: Coefficients { a, b, c }, first: u64::from(byte == 0), sends });
             sim.step();
         }
     }
-    sim.run(2);
+    sim.run(4);
     wave.expect(
         r"
-        clk            |~~\_/~~\_/~~\_/~~\_/~~\_/~~\_/~~\_/~~\_/
-        first          |~~~~\____/~~~~\____/~~~~\_______________
-        coefficients_a | c0 | 0  | ff      | 0                 |
-        coefficients_c | 5  | 1  | ff      | 0                 |
-        value[0][0]    | 0                 | 5  | 1  | ff      |
-        value[0][3]    | 0                 | 45 | 3  | fc | ff |
-        value[0][7]    | 0                 | 55 | 3  | fc | ff |
+        clk            |~~\_/~~\_/~~\_/~~\_/~~\_/~~\_/~~\_/~~\_/~~\_/~~\_/
+        first          |~~~~\____/~~~~\____/~~~~\_________________________
+        sends          |~~~~~~~~~~~~~~~~~~~\______________________________
+        coefficients_a | c0 | 0  | ff      | 0                           |
+        coefficients_c | 5  | 1  | ff      | 0                           |
+        value[0][0]    | 0                 | 5  | 1  | ff                |
+        value[0][3]    | 0                 | 45 | 3  | fc | ff           |
+        value[0][7]    | 0                 | 55 | 3  | fc | ff           |
         ",
     );
 }

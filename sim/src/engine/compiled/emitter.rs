@@ -65,19 +65,10 @@ impl Addresses {
     pub fn new(function: &Function, plan: &Plan, state: impl Iterator<Item = Place>, layout: &mut Layout) -> Addresses {
         let mut places: Vec<Option<Place>> = state.map(Some).collect();
         places.resize(function.circuit().len(), None);
-        let mut tables = Vec::new();
-        for id in function.needed() {
-            let cell = function.cell(id);
-            if function.is_table(id) {
-                tables.push(id);
-            }
-            if function.is_table(id) || plan.live_out.contains(&id) {
-                places[id.index()] = Some(layout.place(cell.lanes, cell.width));
-            }
-        }
-        // What tells whether a loop is left out is needed by no sink.
-        for &id in &plan.live_out {
-            let cell = function.cell(id);
+        let tables: Vec<ValueId> = function.needed().into_iter().filter(|id| function.is_table(*id)).collect();
+        let own = plan.live_out.iter().filter(|id| !plan.homes.contains_key(id));
+        for id in tables.iter().chain(own) {
+            let cell = function.cell(*id);
             places[id.index()].get_or_insert_with(|| layout.place(cell.lanes, cell.width));
         }
         for (&new, &of) in &plan.homes {
@@ -243,6 +234,12 @@ impl<'a, 'b, 'c> Emitter<'a, 'b, 'c> {
                 let (base, at) = (self.base(place), offset(place.lane(*index)));
                 self.scalars.load(self.builder, id, place.width, place.integer(), base, at);
             }
+            // Its limbs are the lanes.
+            Kind::Pack { of, .. } => {
+                let place = self.addresses.of(*of);
+                let base = self.base(place);
+                self.scalars.load(self.builder, id, cell.width, 64, base, offset(place.offset));
+            }
             Kind::Gather { of, at } => {
                 self.want(*at);
                 let number = self.scalars.clean(self.builder, *at)[0];
@@ -257,45 +254,6 @@ impl<'a, 'b, 'c> Emitter<'a, 'b, 'c> {
                 self.scalars.evaluate(self.builder, id, kind, cell.width);
             }
         }
-    }
-
-    /// Stores single values, or the lanes of shorter arrays, side by side.
-    fn pack(&mut self, id: ValueId) {
-        let Kind::Stack { parts, .. } = &self.function.cell(id).kind else { unreachable!("only these are packed") };
-        let place = self.addresses.of(id);
-        let outer = self.function.cell(parts[0]).lanes;
-        for (i, &part) in parts.iter().enumerate() {
-            for lane in 0..outer {
-                let at = offset(place.lane(lane * parts.len() as u32 + i as u32));
-                let value = match outer {
-                    1 => {
-                        self.want(part);
-                        part
-                    }
-                    _ => self.element(part, lane),
-                };
-                self.scalars.store(self.builder, value, place.integer(), self.state, at);
-            }
-        }
-    }
-
-    /// One lane, known now, of an array, as a value of one lane.
-    fn element(&mut self, of: ValueId, lane: u32) -> ValueId {
-        let id = self.id();
-        match &self.function.cell(of).kind {
-            Kind::Const(bits) => self.scalars.constant(self.builder, id, bits),
-            Kind::Broadcast { of: plain, .. } if self.function.cell(*plain).lanes == 1 => {
-                self.want(*plain);
-                return *plain;
-            }
-            Kind::Broadcast { of: row, axis } if axis.inner > 1 => return self.element(*row, lane % axis.inner),
-            _ => {
-                let place = self.addresses.of(of);
-                let (base, at) = (self.base(place), offset(place.lane(lane)));
-                self.scalars.load(self.builder, id, place.width, place.integer(), base, at);
-            }
-        }
-        id
     }
 
     /// What a sink of single values says.

@@ -54,7 +54,7 @@ pub(super) fn element(width: u32) -> u32 {
 }
 
 /// Bits of an element that a lane of an array of so many is stored in.
-fn storage(strips: &Strips, lanes: u32, width: u32) -> u32 {
+pub(super) fn storage(strips: &Strips, lanes: u32, width: u32) -> u32 {
     match lanes {
         1 => limbs_for(width) as u32 * 64,
         _ => element(width).max(128 / strips.strip(lanes)),

@@ -73,12 +73,12 @@ impl Target<'_> {
                 choices::rotation(rewriter.circuit(), parts).map(|rotation| rewriter.add(rotation, lanes, width))
             }
             Kind::Broadcast { of, axis } => Some(lanes::broadcast(rewriter, *of, *axis, lanes, width)),
-            Kind::Stack { parts, inner } => Some(lanes::stack(rewriter, parts, *inner, lanes, width)),
+            Kind::Stack { parts, inner } => Some(lanes::stack(rewriter, self.strips, parts, *inner, lanes, width)),
             Kind::Interleave { parts, axis } => Some(lanes::interleave(rewriter, parts, *axis, lanes, width)),
             Kind::Lane { of, axis, index } => Some(lanes::lane(rewriter, *of, *axis, *index, lanes, width)),
             Kind::Pick { of, axis, index } => Some(lanes::pick(rewriter, self, *of, *axis, *index, lanes, width)),
             Kind::Pack { of, axis } => Some(lanes::pack(rewriter, self.strips, *of, *axis, lanes, width)),
-            Kind::Unpack { of, axis } => Some(lanes::unpack(rewriter, *of, *axis, lanes, width)),
+            Kind::Unpack { of, axis } => Some(lanes::unpack(rewriter, self.strips, *of, *axis, lanes, width)),
             Kind::Map { of, axis, count, index, edge } => {
                 let map = map::Map { of: *of, axis: *axis, count: *count, index: *index, edge: *edge };
                 Some(map::map(rewriter, &map, lanes, width))

@@ -33,6 +33,7 @@ mod store;
 mod strip;
 mod strips;
 mod target;
+mod together;
 mod units;
 mod until;
 mod view;

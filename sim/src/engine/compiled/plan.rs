@@ -153,9 +153,11 @@ impl Plan {
 /// Arrays that somebody looks at otherwise than lane by lane.
 fn looked_at(function: &Function, needed: &[ValueId]) -> BTreeSet<ValueId> {
     let of = needed.iter().filter_map(|&id| match function.cell(id).kind {
-        Kind::Slide { of, .. } | Kind::Gather { of, .. } | Kind::Lane { of, .. } | Kind::Broadcast { of, .. } => {
-            Some(of)
-        }
+        Kind::Slide { of, .. }
+        | Kind::Gather { of, .. }
+        | Kind::Lane { of, .. }
+        | Kind::Broadcast { of, .. }
+        | Kind::Pack { of, .. } => Some(of),
         _ => None,
     });
     let shown = function.sinks.iter().filter_map(|sink| match sink {
@@ -207,7 +209,7 @@ impl Planner<'_> {
             Kind::Const(_) => Role::Constant,
             Kind::State => Role::Resident,
             _ if self.function.is_table(id) => Role::Resident,
-            Kind::Stack { .. } => Role::Packed,
+            Kind::Stack { .. } | Kind::Unpack { .. } => Role::Packed,
             Kind::Broadcast { of, axis }
                 if (axis.inner > 1 || self.function.cell(*of).lanes == 1) && !self.looked_at.contains(&id) =>
             {

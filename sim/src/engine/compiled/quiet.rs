@@ -47,7 +47,7 @@ fn guard(function: &mut Function, plan: &Plan, kernel: &mut Kernel, times: usize
     let mut is_guarded = false;
     for part in &mut parts {
         let cells = function.circuit().len();
-        let may_rest = !part.cells.iter().any(|id| is_kept(function, plan, *id));
+        let may_rest = !part.cells.iter().any(|id| plan.live_out.contains(id));
         let mut stays = if may_rest { Stays::new(function, plan).all(&part.sinks) } else { Holds::Never };
         let cost = function.circuit().len() - cells;
         if cost * WORTH > (part.cells.len() + part.sinks.len()) * times {
@@ -67,11 +67,6 @@ fn guard(function: &mut Function, plan: &Plan, kernel: &mut Kernel, times: usize
         1 => kernel.switch = parts.remove(0).switch,
         _ => kernel.parts = parts,
     }
-}
-
-/// Whether somebody outside its loop takes a value.
-fn is_kept(function: &Function, plan: &Plan, id: ValueId) -> bool {
-    plan.live_out.contains(&id) || matches!(function.cell(id).kind, Kind::Reduce { .. })
 }
 
 /// What a part of a loop does.
@@ -130,7 +125,7 @@ fn parts(function: &Function, plan: &Plan, kernel: &Kernel) -> Vec<Kernel> {
         sink.for_each_operand(|operand| part.take(function, plan, &inside, operand));
         add(part);
     }
-    for &id in kernel.cells.iter().filter(|id| is_kept(function, plan, **id)) {
+    for &id in kernel.cells.iter().filter(|id| plan.live_out.contains(id)) {
         let mut part = Part::default();
         part.take(function, plan, &inside, id);
         add(part);
@@ -168,7 +163,7 @@ impl Part {
             if !inside.contains(&id) || !seen.insert(id) {
                 continue;
             }
-            if is_kept(function, plan, id) || !matches!(kind, Kind::Broadcast { .. }) {
+            if plan.live_out.contains(&id) || !matches!(kind, Kind::Broadcast { .. }) {
                 self.cells.insert(id);
             }
             if let Kind::Word { memory, .. } = kind {

@@ -69,7 +69,8 @@ impl Builder<'_> {
         let wire = m.wire(&net_name, layout.clone());
         wire.drive(mux(enable, found.clone(), select(arms![found.head.any_one() => register.clone()], 0)));
         self.push(d, narrow(layout.unpack(wire.pack()).pack()));
-        self.push_fields(d, &found);
+        // What looks a record up by another one of a pipeline is a stage behind it.
+        self.push_fields(d, &found.any_stage());
 
         let accepts = found.head.any_one();
         let start = found.cleared(|start| [start.head, start.pairs[1].low]).called(&pipe_name);

@@ -5,6 +5,7 @@ use std::ops::RangeInclusive;
 use tilewright_hdl::Bits;
 use tilewright_hdl::ir::{Binary, Reduction, Relation};
 
+use super::super::layout::storage;
 use super::super::strips::Strips;
 use super::{Target, flags, reduce, table};
 use crate::engine::program::{Axis, Kind, ValueId};
@@ -37,9 +38,23 @@ pub(super) fn broadcast(rewriter: &mut Rewriter, of: ValueId, axis: Axis, lanes:
     }
 }
 
+/// From how many rows on code copies them, one behind the other, instead of choosing one of them in each lane.
+const COPIED: usize = 4;
+
 /// Lanes put together along an axis that is not the last.
-pub(super) fn stack(rewriter: &mut Rewriter, parts: &[ValueId], inner: u32, lanes: u32, width: u32) -> ValueId {
-    if inner == 1 {
+pub(super) fn stack(
+    rewriter: &mut Rewriter,
+    strips: &Strips,
+    parts: &[ValueId],
+    inner: u32,
+    lanes: u32,
+    width: u32,
+) -> ValueId {
+    let element = storage(strips, lanes, width);
+    let are_rows = parts.len() as u32 * inner == lanes && parts.len() >= COPIED;
+    let are_vectors = (inner * element).is_multiple_of(128) && element == storage(strips, inner, width);
+    let are_known = parts.iter().all(|part| rewriter.circuit().constant(*part).is_some());
+    if inner == 1 || (are_rows && are_vectors && !are_known) {
         return rewriter.add(Kind::Stack { parts: parts.to_vec(), inner }, lanes, width);
     }
     let axis = Axis { count: parts.len() as u32, inner };
@@ -128,6 +143,10 @@ pub(super) fn pack(
     width: u32,
 ) -> ValueId {
     let part = width / axis.count;
+    let is_known = rewriter.circuit().constant(of).is_some();
+    if lanes == 1 && are_limbs(strips, axis, part) && !is_known {
+        return rewriter.add(Kind::Pack { of, axis }, lanes, width);
+    }
     if part == 1 && lanes == 1 && TOGETHER.contains(&width) {
         // Each lane has a bit of its own, and none but that.
         let wide = rewriter.add(Kind::Extend(of, true), width, width);
@@ -141,8 +160,18 @@ pub(super) fn pack(
 }
 
 /// Parts of a value in lanes.
-pub(super) fn unpack(rewriter: &mut Rewriter, of: ValueId, axis: Axis, lanes: u32, width: u32) -> ValueId {
+pub(super) fn unpack(
+    rewriter: &mut Rewriter,
+    strips: &Strips,
+    of: ValueId,
+    axis: Axis,
+    lanes: u32,
+    width: u32,
+) -> ValueId {
     let whole = rewriter.circuit()[of].width;
+    if lanes == axis.count && are_limbs(strips, axis, width) {
+        return rewriter.add(Kind::Unpack { of, axis }, lanes, width);
+    }
     if width == 1 && axis.inner == 1 && TOGETHER.contains(&whole) {
         // Each lane looks at a bit of its own.
         let word = broadcast(rewriter, of, axis, lanes, whole);
@@ -152,7 +181,13 @@ pub(super) fn unpack(rewriter: &mut Rewriter, of: ValueId, axis: Axis, lanes: u3
     }
     let mut part = |index: u32| rewriter.add(Kind::Slice(of, index * width), lanes / axis.count, width);
     let parts: Vec<ValueId> = (0..axis.count).map(&mut part).collect();
-    stack(rewriter, &parts, axis.inner, lanes, width)
+    stack(rewriter, strips, &parts, axis.inner, lanes, width)
+}
+
+/// Whether all lanes along an axis, each of so many bits, stand in memory as the limbs of the value that they are the parts of.
+fn are_limbs(strips: &Strips, axis: Axis, width: u32) -> bool {
+    let Axis { count, inner } = axis;
+    inner == 1 && count > 1 && storage(strips, count, width) == width && (count * width).is_multiple_of(64)
 }
 
 /// The bits of a word of which each lane takes, or gives, one of its own.
