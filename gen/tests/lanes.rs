@@ -98,6 +98,12 @@ fn comparisons_with_constants_of_the_lanes() {
     assert!(text.contains("$signed({2'd0, x[i * 2 +: 2]}) >= $signed("), "{text}");
 }
 
+/// Constants are known through all that lanes take of lanes, or a linter says that a comparison is constant.
+#[test]
+fn comparisons_with_constants_of_other_lanes() {
+    clean(vec![modules::passed_constants()]);
+}
+
 /// Lanes that are never written, enabled or chosen are driven all the same, as every linter wants.
 #[test]
 fn constants_of_the_lanes_that_decide() {

@@ -1,9 +1,73 @@
-//! Comparisons, signed where what is compared is.
+//! Comparisons, signed where what is compared is; and what to write in place of `a == b`.
 
 use crate::ir::{Kind, Op, Relation};
 use crate::operand::Operand;
 use crate::shaping::level;
 use crate::signal::Signal;
+
+/// Nothing: `==` and `<` would have to say it while the circuit is described.
+#[diagnostic::on_unimplemented(
+    message = "signals are not compared by `==`, `<` and their like, which give a `bool`",
+    label = "the values are not known yet",
+    note = "a signal that says it is `a.eq(b)`, `a.ne(b)`, `a.lt(b)`, `a.le(b)`, `a.gt(b)` or `a.ge(b)`; of a code of an enum, `a.is(code)`"
+)]
+pub trait KnownNow {}
+
+/// With what is on the right of `==`: of another type than the left, or rustc says no more than that both cannot be compared.
+#[derive(Debug)]
+pub struct Comparison<R>(R);
+
+/// Two, so that rustc takes none of them for what is meant.
+#[diagnostic::do_not_recommend]
+impl KnownNow for Comparison<[(); 0]> {}
+#[diagnostic::do_not_recommend]
+impl KnownNow for Comparison<[(); 1]> {}
+
+/// `==` and `<` of a handle, which lead to [`KnownNow`]. Such an implementation has methods, too: `eq(&self, ..)`, before which the
+/// handle's own come only if they take `&self`.
+macro_rules! not_compared {
+    ($ty:ty) => {
+        impl<R> PartialEq<R> for $ty
+        where
+            $crate::compare::Comparison<R>: $crate::compare::KnownNow,
+        {
+            fn eq(&self, _: &R) -> bool {
+                unreachable!("nothing is compared by it")
+            }
+        }
+
+        impl<R> PartialOrd<R> for $ty
+        where
+            $crate::compare::Comparison<R>: $crate::compare::KnownNow,
+        {
+            fn partial_cmp(&self, _: &R) -> Option<std::cmp::Ordering> {
+                unreachable!("nothing is compared by it")
+            }
+        }
+    };
+}
+
+/// As [`not_compared`], of what is read as a signal, with the signal's comparisons.
+macro_rules! compared_as_signal {
+    ($ty:ty) => {
+        $crate::compare::not_compared!($ty);
+
+        #[doc(hidden)]
+        impl $ty {
+            $crate::compare::compared_as_signal!(eq ne lt le gt ge);
+        }
+    };
+    ($($relation:ident)*) => {$(
+        #[track_caller]
+        pub fn $relation(&self, right: impl $crate::operand::Operand) -> $crate::Signal {
+            $crate::Signal::$relation(self, right)
+        }
+    )*};
+}
+
+pub(crate) use {compared_as_signal, not_compared};
+
+not_compared!(Signal);
 
 impl Signal {
     #[track_caller]
@@ -32,7 +96,7 @@ impl Signal {
     /// # });
     /// ```
     #[track_caller]
-    pub fn eq(self, right: impl Operand) -> Signal {
+    pub fn eq(&self, right: impl Operand) -> Signal {
         self.relate(Relation::Eq, right)
     }
 
@@ -47,7 +111,7 @@ impl Signal {
     /// # });
     /// ```
     #[track_caller]
-    pub fn ne(self, right: impl Operand) -> Signal {
+    pub fn ne(&self, right: impl Operand) -> Signal {
         self.relate(Relation::Ne, right)
     }
 
@@ -61,7 +125,7 @@ impl Signal {
     /// # });
     /// ```
     #[track_caller]
-    pub fn lt(self, right: impl Operand) -> Signal {
+    pub fn lt(&self, right: impl Operand) -> Signal {
         self.relate(Relation::Lt, right)
     }
 
@@ -76,7 +140,7 @@ impl Signal {
     /// # });
     /// ```
     #[track_caller]
-    pub fn le(self, right: impl Operand) -> Signal {
+    pub fn le(&self, right: impl Operand) -> Signal {
         self.relate(Relation::Le, right)
     }
 
@@ -90,7 +154,7 @@ impl Signal {
     /// # });
     /// ```
     #[track_caller]
-    pub fn gt(self, right: impl Operand) -> Signal {
+    pub fn gt(&self, right: impl Operand) -> Signal {
         self.relate(Relation::Gt, right)
     }
 
@@ -104,7 +168,7 @@ impl Signal {
     /// # });
     /// ```
     #[track_caller]
-    pub fn ge(self, right: impl Operand) -> Signal {
+    pub fn ge(&self, right: impl Operand) -> Signal {
         self.relate(Relation::Ge, right)
     }
 }

@@ -1,6 +1,7 @@
 //! Registers.
 
 use crate::bits::Bits;
+use crate::compare::compared_as_signal;
 use crate::elaboration;
 use crate::ir::{Init, NodeId, Op};
 use crate::loc::Loc;
@@ -45,6 +46,7 @@ impl<V> Deref for Reg<V> {
 }
 
 operators!(Reg);
+compared_as_signal!(Reg);
 reads_as_signal!(Reg);
 
 impl Reg {

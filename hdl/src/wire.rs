@@ -1,5 +1,6 @@
 //! Forward wires: a net that is read before its driver is described, as a ready signal is.
 
+use crate::compare::compared_as_signal;
 use crate::elaboration;
 use crate::ir::NodeId;
 use crate::loc::Loc;
@@ -36,6 +37,7 @@ impl<V> Deref for Wire<V> {
 }
 
 operators!(Wire);
+compared_as_signal!(Wire);
 reads_as_signal!(Wire);
 
 impl Wire {

@@ -17,9 +17,16 @@ pub fn build(m: Module, a: Signal, pair: Pair) {
     let _ = a + pair;
     let _: Signal = mux(true, a, a);
     m.reg(TEXT, a);
+    let count = m.reg(TEXT, 8);
+    let _ = a == pair.x;
+    let _ = *count != 3;
+    let _ = count == 3;
+    let _ = a < count;
+    assert!(pair.y >= 1);
 }
 const TEXT: &str = stringify!(words);
 ";
+const NOT_COMPARED: &str = "signals are not compared by `==`, `<` and their like, which give a `bool`";
 
 #[test]
 fn rustc_says_what_to_write() {
@@ -31,6 +38,11 @@ fn rustc_says_what_to_write() {
         ("let _ = a * 2.5;", "a `{float}` is neither a signal nor a number", "an integer"),
         ("let _ = a + pair;", "a `Pair` is neither a signal nor a number", "of a record, name a field"),
         ("mux(true, a, a);", "a `bool` is no signal", "that always holds is `lit(1, 1)`"),
+        ("let _ = a == pair.x;", NOT_COMPARED, "is `a.eq(b)`"),
+        ("let _ = *count != 3;", NOT_COMPARED, "`a.ne(b)`"),
+        ("let _ = count == 3;", NOT_COMPARED, "is `a.eq(b)`"),
+        ("let _ = a < count;", NOT_COMPARED, "`a.lt(b)`"),
+        ("assert!(pair.y >= 1);", NOT_COMPARED, "`a.ge(b)`"),
         ("m.reg(TEXT, a);", "`tilewright_hdl::Signal` is no width", "a width is a number of bits"),
     ] {
         let found =
@@ -49,7 +61,12 @@ fn what_it_names_compiles() {
         .replace("a * 2.5", "a * 2")
         .replace("a + pair", "a + pair.x")
         .replace("mux(true,", "mux(lit(1, 1),")
-        .replace("m.reg(TEXT, a);", "let _ = m.reg(TEXT, a.width());");
+        .replace("m.reg(TEXT, a);", "let _ = m.reg(TEXT, a.width());")
+        .replace("a == pair.x", "a.eq(pair.x)")
+        .replace("*count != 3", "count.ne(3)")
+        .replace("count == 3", "count.eq(3)")
+        .replace("a < count", "a.lt(count)")
+        .replace("assert!(pair.y >= 1);", "let _ = pair.y.ge(1);");
     assert_eq!(compile(&right), "");
 }
 

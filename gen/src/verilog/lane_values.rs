@@ -44,21 +44,37 @@ fn along(shape: Shape, values: &[Bits]) -> Option<LaneConstants> {
     is_by_column.then(|| Pattern::of(by_column).map(|pattern| LaneConstants::Along(1, pattern)))?
 }
 
-/// The value of every lane, also behind a name.
+/// The value of every lane, also behind names and of what lanes take of other lanes.
 pub fn values(module: &Module, id: NodeId) -> Option<Vec<Bits>> {
-    let shape = module.shape(id);
-    match &module.node(id).op {
-        Op::Wire(of) | Op::QuasiStatic(of, _) => values(module, *of),
-        Op::Const(value) => Some(vec![value.clone(); shape.lanes() as usize]),
-        Op::Broadcast { of, axis } => {
-            let inner = values(module, *of)?;
-            Some((0..shape.lanes()).map(|lane| inner[shape.across(*axis, lane) as usize].clone()).collect())
-        }
-        Op::Stack { parts, axis } => {
-            let parts = parts.iter().map(|part| values(module, *part)).collect::<Option<Vec<_>>>()?;
-            let lane = |lane| parts[shape.along(*axis, lane) as usize][shape.across(*axis, lane) as usize].clone();
-            Some((0..shape.lanes()).map(lane).collect())
-        }
-        _ => None,
+    (0..module.shape(id).lanes()).map(|lane| value(module, id, lane)).collect()
+}
+
+/// The value of one lane. It comes from one lane of one node at a time, so this ends where lanes chain, too.
+fn value(module: &Module, mut id: NodeId, mut lane: u32) -> Option<Bits> {
+    loop {
+        let shape = module.shape(id);
+        let place = |axis: u32| (shape.along(axis, lane), shape.across(axis, lane));
+        (id, lane) = match &module.node(id).op {
+            Op::Const(value) => return Some(value.clone()),
+            Op::Wire(of) | Op::QuasiStatic(of, _) => (*of, lane),
+            Op::Broadcast { of, axis } => (*of, shape.across(*axis, lane)),
+            Op::Stack { parts, axis } => {
+                let (along, across) = place(*axis);
+                (parts[along as usize], across)
+            }
+            Op::Interleave { parts, axis } => {
+                let (along, across) = place(*axis);
+                let (count, part) = (parts.len() as u32, parts[along as usize % parts.len()]);
+                (part, module.shape(part).lane(*axis, along / count, across))
+            }
+            Op::Map { of, axis, index, edge } => {
+                let ((along, across), from) = (place(*axis), module.shape(*of));
+                match index.source(along, from.extent(*axis)) {
+                    Some(along) => (*of, from.lane(*axis, along, across)),
+                    None => ((*edge)?, across),
+                }
+            }
+            _ => return None,
+        };
     }
 }

@@ -131,6 +131,9 @@ impl Now<'_> {
             Op::Compare { relation: Relation::Ge, operands: [a, b], .. } => {
                 u64::from(self.value(*a, lane) >= self.value(*b, lane))
             }
+            Op::Compare { relation: Relation::Lt, signed: false, operands: [a, b] } => {
+                u64::from(self.value(*a, lane) < self.value(*b, lane))
+            }
             Op::Mux { select, on_true, on_false } => {
                 let chosen = if self.value(*select, lane) == 1 { on_true } else { on_false };
                 self.value(*chosen, lane)

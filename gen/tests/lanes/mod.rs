@@ -381,3 +381,24 @@ pub fn shifted_out() -> Module {
     }
     b.module.clone()
 }
+
+/// Comparisons with constants that lanes take of others: every second one of two rows that are woven, the next one of a row of a grid.
+pub fn passed_constants() -> Module {
+    let b = &mut Build::new("passed_constants");
+    let x = b.input("x", 2, Shape::Row(4));
+    let (even, odd) = (list(b, 2, &[3, 1, 2, 0]), list(b, 2, &[0, 1, 3, 2]));
+    let woven = b.node(Op::Interleave { parts: vec![even, odd], axis: 0 }, 2, Shape::Row(8));
+    let index = Affine { mul: 2, add: 1, div: 1 };
+    let second = b.node(Op::Map { of: woven, axis: 0, index, edge: None }, 2, Shape::Row(4));
+    let grid = b.stack(&[even, odd], 0);
+    let (index, edge) = (Affine { mul: 1, add: 1, div: 1 }, list(b, 2, &[3, 0]));
+    let next = b.node(Op::Map { of: grid, axis: 1, index, edge: Some(edge) }, 2, Shape::Grid(2, 4));
+    let rows = b.broadcast(x, 0, 2);
+    for (name, relation, operands, shape) in
+        [("less", Relation::Lt, [second, x], Shape::Row(4)), ("reached", Relation::Ge, [rows, next], Shape::Grid(2, 4))]
+    {
+        let output = b.node(Op::Compare { relation, signed: false, operands }, 1, shape);
+        b.output(name, output);
+    }
+    b.module.clone()
+}

@@ -125,6 +125,7 @@ impl ImageGenerationController {
         let control = Control { enabling: of_tree.enabling, captures: of_tree.captures, ..of_memory };
         let sent = Sent { control, plane: memory.is_word & memory.saves() };
         let Sent { control, plane } = self.later(m, sent);
+        m.assert(control.source.is_code() & control.enabling.is_code(), "what pixels choose by is a code");
 
         self.state_what_instructions_are(m, &next, &decoded);
         let save = Save { claim: next.taken & decoded.saves, region: c.trunc(REGION_BITS), plane };

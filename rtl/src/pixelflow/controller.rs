@@ -169,6 +169,11 @@ impl ArrayController {
         let [here, there] = [evaluator.given(), memory.given()];
         let given = Given { banks: here.banks | there.banks, texture: here.texture | there.texture };
         let Sent { control, given } = self.later(m, Sent { control, given });
+        let Control { source, function, begin, condition, enabling, flagging, .. } = control;
+        m.assert(
+            are_codes(&[source, function, begin, condition, enabling, flagging]),
+            "what pixels choose by is a code",
+        );
 
         state_what_instructions_are(m, &next, &needs);
         ArrayControllerOut {
@@ -239,9 +244,14 @@ fn state_what_instructions_are(m: Module, next: &Taken<Instruction>, needs: &Nee
         mux(next.descends, (first + 1).ge(length), (first + length).le(PixelProcessor::BYTES))
     };
     state(is_inside(next.read) & is_inside(next.write), "a word is within the memory of 384 bytes");
-    let is_code = next.source.is_code() & next.function.is_code() & next.begin.is_code() & next.condition.is_code();
-    let is_code = is_code & next.enabling.is_code() & next.flagging.is_code() & next.sync.is_code();
-    state(is_code, "each field has a code that there is");
+    let Instruction { source, function, begin, condition, enabling, flagging, sync, .. } = **next;
+    let fields = [source, function, begin, condition, enabling, flagging, sync];
+    state(are_codes(&fields), "each field has a code that there is");
+}
+
+/// Each of these has a code that there is.
+fn are_codes(fields: &[Signal]) -> Signal {
+    fields.iter().fold(lit(1, 1), |all, field| all & field.is_code())
 }
 
 #[cfg(test)]

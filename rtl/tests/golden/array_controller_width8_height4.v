@@ -168,85 +168,85 @@ module array_controller_width8_height4 (
     reg [8:0] waiting_read;                                      // rtl/src/pixelflow/controller.rs:127
     reg [8:0] waiting_write;                                     // rtl/src/pixelflow/controller.rs:127
     reg [39:0] waiting_constant;                                 // rtl/src/pixelflow/controller.rs:127
-    reg [1:0] banks_under_way;                                   // rtl/src/pixelflow/controller.rs:206
-    reg texture_under_way;                                       // rtl/src/pixelflow/controller.rs:207
+    reg [1:0] banks_under_way;                                   // rtl/src/pixelflow/controller.rs:211
+    reg texture_under_way;                                       // rtl/src/pixelflow/controller.rs:212
     reg [39:0] a;                                                // rtl/src/pixelflow/controller/slot.rs:168
     reg [39:0] b;                                                // rtl/src/pixelflow/controller/slot.rs:168
-    reg [1:0] sent1_control_source;                              // rtl/src/pixelflow/controller.rs:188
-    reg [7:0] sent1_control_constant;                            // rtl/src/pixelflow/controller.rs:188
-    reg [3:0] sent1_control_function;                            // rtl/src/pixelflow/controller.rs:188
-    reg [1:0] sent1_control_begin;                               // rtl/src/pixelflow/controller.rs:188
-    reg [1:0] sent1_control_mask;                                // rtl/src/pixelflow/controller.rs:188
-    reg sent1_control_accumulates;                               // rtl/src/pixelflow/controller.rs:188
-    reg sent1_control_stores;                                    // rtl/src/pixelflow/controller.rs:188
-    reg [1:0] sent1_control_condition;                           // rtl/src/pixelflow/controller.rs:188
-    reg [2:0] sent1_control_enabling;                            // rtl/src/pixelflow/controller.rs:188
-    reg sent1_control_by_sign;                                   // rtl/src/pixelflow/controller.rs:188
-    reg [1:0] sent1_control_flagging;                            // rtl/src/pixelflow/controller.rs:188
-    reg [8:0] sent1_control_read;                                // rtl/src/pixelflow/controller.rs:188
-    reg [8:0] sent1_control_write;                               // rtl/src/pixelflow/controller.rs:188
-    reg [1:0] sent1_given_banks;                                 // rtl/src/pixelflow/controller.rs:188
-    reg sent1_given_texture;                                     // rtl/src/pixelflow/controller.rs:188
-    reg [1:0] sent2_control_source;                              // rtl/src/pixelflow/controller.rs:188
-    reg [7:0] sent2_control_constant;                            // rtl/src/pixelflow/controller.rs:188
-    reg [3:0] sent2_control_function;                            // rtl/src/pixelflow/controller.rs:188
-    reg [1:0] sent2_control_begin;                               // rtl/src/pixelflow/controller.rs:188
-    reg [1:0] sent2_control_mask;                                // rtl/src/pixelflow/controller.rs:188
-    reg sent2_control_accumulates;                               // rtl/src/pixelflow/controller.rs:188
-    reg sent2_control_stores;                                    // rtl/src/pixelflow/controller.rs:188
-    reg [1:0] sent2_control_condition;                           // rtl/src/pixelflow/controller.rs:188
-    reg [2:0] sent2_control_enabling;                            // rtl/src/pixelflow/controller.rs:188
-    reg sent2_control_by_sign;                                   // rtl/src/pixelflow/controller.rs:188
-    reg [1:0] sent2_control_flagging;                            // rtl/src/pixelflow/controller.rs:188
-    reg [8:0] sent2_control_read;                                // rtl/src/pixelflow/controller.rs:188
-    reg [8:0] sent2_control_write;                               // rtl/src/pixelflow/controller.rs:188
-    reg [1:0] sent2_given_banks;                                 // rtl/src/pixelflow/controller.rs:188
-    reg sent2_given_texture;                                     // rtl/src/pixelflow/controller.rs:188
-    reg [1:0] sent3_control_source;                              // rtl/src/pixelflow/controller.rs:188
-    reg [7:0] sent3_control_constant;                            // rtl/src/pixelflow/controller.rs:188
-    reg [3:0] sent3_control_function;                            // rtl/src/pixelflow/controller.rs:188
-    reg [1:0] sent3_control_begin;                               // rtl/src/pixelflow/controller.rs:188
-    reg [1:0] sent3_control_mask;                                // rtl/src/pixelflow/controller.rs:188
-    reg sent3_control_accumulates;                               // rtl/src/pixelflow/controller.rs:188
-    reg sent3_control_stores;                                    // rtl/src/pixelflow/controller.rs:188
-    reg [1:0] sent3_control_condition;                           // rtl/src/pixelflow/controller.rs:188
-    reg [2:0] sent3_control_enabling;                            // rtl/src/pixelflow/controller.rs:188
-    reg sent3_control_by_sign;                                   // rtl/src/pixelflow/controller.rs:188
-    reg [1:0] sent3_control_flagging;                            // rtl/src/pixelflow/controller.rs:188
-    reg [8:0] sent3_control_read;                                // rtl/src/pixelflow/controller.rs:188
-    reg [8:0] sent3_control_write;                               // rtl/src/pixelflow/controller.rs:188
-    reg [1:0] sent3_given_banks;                                 // rtl/src/pixelflow/controller.rs:188
-    reg sent3_given_texture;                                     // rtl/src/pixelflow/controller.rs:188
-    reg [1:0] sent4_control_source;                              // rtl/src/pixelflow/controller.rs:188
-    reg [7:0] sent4_control_constant;                            // rtl/src/pixelflow/controller.rs:188
-    reg [3:0] sent4_control_function;                            // rtl/src/pixelflow/controller.rs:188
-    reg [1:0] sent4_control_begin;                               // rtl/src/pixelflow/controller.rs:188
-    reg [1:0] sent4_control_mask;                                // rtl/src/pixelflow/controller.rs:188
-    reg sent4_control_accumulates;                               // rtl/src/pixelflow/controller.rs:188
-    reg sent4_control_stores;                                    // rtl/src/pixelflow/controller.rs:188
-    reg [1:0] sent4_control_condition;                           // rtl/src/pixelflow/controller.rs:188
-    reg [2:0] sent4_control_enabling;                            // rtl/src/pixelflow/controller.rs:188
-    reg sent4_control_by_sign;                                   // rtl/src/pixelflow/controller.rs:188
-    reg [1:0] sent4_control_flagging;                            // rtl/src/pixelflow/controller.rs:188
-    reg [8:0] sent4_control_read;                                // rtl/src/pixelflow/controller.rs:188
-    reg [8:0] sent4_control_write;                               // rtl/src/pixelflow/controller.rs:188
-    reg [1:0] sent4_given_banks;                                 // rtl/src/pixelflow/controller.rs:188
-    reg sent4_given_texture;                                     // rtl/src/pixelflow/controller.rs:188
-    reg [1:0] sent5_control_source;                              // rtl/src/pixelflow/controller.rs:188
-    reg [7:0] sent5_control_constant;                            // rtl/src/pixelflow/controller.rs:188
-    reg [3:0] sent5_control_function;                            // rtl/src/pixelflow/controller.rs:188
-    reg [1:0] sent5_control_begin;                               // rtl/src/pixelflow/controller.rs:188
-    reg [1:0] sent5_control_mask;                                // rtl/src/pixelflow/controller.rs:188
-    reg sent5_control_accumulates;                               // rtl/src/pixelflow/controller.rs:188
-    reg sent5_control_stores;                                    // rtl/src/pixelflow/controller.rs:188
-    reg [1:0] sent5_control_condition;                           // rtl/src/pixelflow/controller.rs:188
-    reg [2:0] sent5_control_enabling;                            // rtl/src/pixelflow/controller.rs:188
-    reg sent5_control_by_sign;                                   // rtl/src/pixelflow/controller.rs:188
-    reg [1:0] sent5_control_flagging;                            // rtl/src/pixelflow/controller.rs:188
-    reg [8:0] sent5_control_read;                                // rtl/src/pixelflow/controller.rs:188
-    reg [8:0] sent5_control_write;                               // rtl/src/pixelflow/controller.rs:188
-    reg [1:0] sent5_given_banks;                                 // rtl/src/pixelflow/controller.rs:188
-    reg sent5_given_texture;                                     // rtl/src/pixelflow/controller.rs:188
+    reg [1:0] sent1_control_source;                              // rtl/src/pixelflow/controller.rs:193
+    reg [7:0] sent1_control_constant;                            // rtl/src/pixelflow/controller.rs:193
+    reg [3:0] sent1_control_function;                            // rtl/src/pixelflow/controller.rs:193
+    reg [1:0] sent1_control_begin;                               // rtl/src/pixelflow/controller.rs:193
+    reg [1:0] sent1_control_mask;                                // rtl/src/pixelflow/controller.rs:193
+    reg sent1_control_accumulates;                               // rtl/src/pixelflow/controller.rs:193
+    reg sent1_control_stores;                                    // rtl/src/pixelflow/controller.rs:193
+    reg [1:0] sent1_control_condition;                           // rtl/src/pixelflow/controller.rs:193
+    reg [2:0] sent1_control_enabling;                            // rtl/src/pixelflow/controller.rs:193
+    reg sent1_control_by_sign;                                   // rtl/src/pixelflow/controller.rs:193
+    reg [1:0] sent1_control_flagging;                            // rtl/src/pixelflow/controller.rs:193
+    reg [8:0] sent1_control_read;                                // rtl/src/pixelflow/controller.rs:193
+    reg [8:0] sent1_control_write;                               // rtl/src/pixelflow/controller.rs:193
+    reg [1:0] sent1_given_banks;                                 // rtl/src/pixelflow/controller.rs:193
+    reg sent1_given_texture;                                     // rtl/src/pixelflow/controller.rs:193
+    reg [1:0] sent2_control_source;                              // rtl/src/pixelflow/controller.rs:193
+    reg [7:0] sent2_control_constant;                            // rtl/src/pixelflow/controller.rs:193
+    reg [3:0] sent2_control_function;                            // rtl/src/pixelflow/controller.rs:193
+    reg [1:0] sent2_control_begin;                               // rtl/src/pixelflow/controller.rs:193
+    reg [1:0] sent2_control_mask;                                // rtl/src/pixelflow/controller.rs:193
+    reg sent2_control_accumulates;                               // rtl/src/pixelflow/controller.rs:193
+    reg sent2_control_stores;                                    // rtl/src/pixelflow/controller.rs:193
+    reg [1:0] sent2_control_condition;                           // rtl/src/pixelflow/controller.rs:193
+    reg [2:0] sent2_control_enabling;                            // rtl/src/pixelflow/controller.rs:193
+    reg sent2_control_by_sign;                                   // rtl/src/pixelflow/controller.rs:193
+    reg [1:0] sent2_control_flagging;                            // rtl/src/pixelflow/controller.rs:193
+    reg [8:0] sent2_control_read;                                // rtl/src/pixelflow/controller.rs:193
+    reg [8:0] sent2_control_write;                               // rtl/src/pixelflow/controller.rs:193
+    reg [1:0] sent2_given_banks;                                 // rtl/src/pixelflow/controller.rs:193
+    reg sent2_given_texture;                                     // rtl/src/pixelflow/controller.rs:193
+    reg [1:0] sent3_control_source;                              // rtl/src/pixelflow/controller.rs:193
+    reg [7:0] sent3_control_constant;                            // rtl/src/pixelflow/controller.rs:193
+    reg [3:0] sent3_control_function;                            // rtl/src/pixelflow/controller.rs:193
+    reg [1:0] sent3_control_begin;                               // rtl/src/pixelflow/controller.rs:193
+    reg [1:0] sent3_control_mask;                                // rtl/src/pixelflow/controller.rs:193
+    reg sent3_control_accumulates;                               // rtl/src/pixelflow/controller.rs:193
+    reg sent3_control_stores;                                    // rtl/src/pixelflow/controller.rs:193
+    reg [1:0] sent3_control_condition;                           // rtl/src/pixelflow/controller.rs:193
+    reg [2:0] sent3_control_enabling;                            // rtl/src/pixelflow/controller.rs:193
+    reg sent3_control_by_sign;                                   // rtl/src/pixelflow/controller.rs:193
+    reg [1:0] sent3_control_flagging;                            // rtl/src/pixelflow/controller.rs:193
+    reg [8:0] sent3_control_read;                                // rtl/src/pixelflow/controller.rs:193
+    reg [8:0] sent3_control_write;                               // rtl/src/pixelflow/controller.rs:193
+    reg [1:0] sent3_given_banks;                                 // rtl/src/pixelflow/controller.rs:193
+    reg sent3_given_texture;                                     // rtl/src/pixelflow/controller.rs:193
+    reg [1:0] sent4_control_source;                              // rtl/src/pixelflow/controller.rs:193
+    reg [7:0] sent4_control_constant;                            // rtl/src/pixelflow/controller.rs:193
+    reg [3:0] sent4_control_function;                            // rtl/src/pixelflow/controller.rs:193
+    reg [1:0] sent4_control_begin;                               // rtl/src/pixelflow/controller.rs:193
+    reg [1:0] sent4_control_mask;                                // rtl/src/pixelflow/controller.rs:193
+    reg sent4_control_accumulates;                               // rtl/src/pixelflow/controller.rs:193
+    reg sent4_control_stores;                                    // rtl/src/pixelflow/controller.rs:193
+    reg [1:0] sent4_control_condition;                           // rtl/src/pixelflow/controller.rs:193
+    reg [2:0] sent4_control_enabling;                            // rtl/src/pixelflow/controller.rs:193
+    reg sent4_control_by_sign;                                   // rtl/src/pixelflow/controller.rs:193
+    reg [1:0] sent4_control_flagging;                            // rtl/src/pixelflow/controller.rs:193
+    reg [8:0] sent4_control_read;                                // rtl/src/pixelflow/controller.rs:193
+    reg [8:0] sent4_control_write;                               // rtl/src/pixelflow/controller.rs:193
+    reg [1:0] sent4_given_banks;                                 // rtl/src/pixelflow/controller.rs:193
+    reg sent4_given_texture;                                     // rtl/src/pixelflow/controller.rs:193
+    reg [1:0] sent5_control_source;                              // rtl/src/pixelflow/controller.rs:193
+    reg [7:0] sent5_control_constant;                            // rtl/src/pixelflow/controller.rs:193
+    reg [3:0] sent5_control_function;                            // rtl/src/pixelflow/controller.rs:193
+    reg [1:0] sent5_control_begin;                               // rtl/src/pixelflow/controller.rs:193
+    reg [1:0] sent5_control_mask;                                // rtl/src/pixelflow/controller.rs:193
+    reg sent5_control_accumulates;                               // rtl/src/pixelflow/controller.rs:193
+    reg sent5_control_stores;                                    // rtl/src/pixelflow/controller.rs:193
+    reg [1:0] sent5_control_condition;                           // rtl/src/pixelflow/controller.rs:193
+    reg [2:0] sent5_control_enabling;                            // rtl/src/pixelflow/controller.rs:193
+    reg sent5_control_by_sign;                                   // rtl/src/pixelflow/controller.rs:193
+    reg [1:0] sent5_control_flagging;                            // rtl/src/pixelflow/controller.rs:193
+    reg [8:0] sent5_control_read;                                // rtl/src/pixelflow/controller.rs:193
+    reg [8:0] sent5_control_write;                               // rtl/src/pixelflow/controller.rs:193
+    reg [1:0] sent5_given_banks;                                 // rtl/src/pixelflow/controller.rs:193
+    reg sent5_given_texture;                                     // rtl/src/pixelflow/controller.rs:193
 
     wire expression = instructions_source == SOURCE_EXPRESSION;  // rtl/src/pixelflow/controller.rs:101
     wire on_enable_or = (instructions_enabling != ENABLING_KEEP) | (instructions_mask == MASK_ENABLED); // rtl/src/pixelflow/controller.rs:112
@@ -271,9 +271,9 @@ module array_controller_width8_height4 (
     wire both_end = evaluator_ends & memory_ends & !waits;       // rtl/src/pixelflow/controller.rs:135
     wire in_turn = (side_by_side & (instructions_sync == SYNC_NOTHING)) | both_end; // rtl/src/pixelflow/controller.rs:137
     wire may_and = (on_evaluator ? evaluator_may : memory_may) & in_turn; // rtl/src/pixelflow/controller.rs:138
-    wire [1:0] bank_is_out_and = banks_under_way & {instructions_c[0], !instructions_c[0]}; // rtl/src/pixelflow/controller.rs:215
-    wire bank_is_out = bank_is_out_and != 2'd0;                  // rtl/src/pixelflow/controller.rs:215
-    wire waits_for_bank = (instructions_sync == SYNC_AWAIT_BANK) & bank_is_out; // rtl/src/pixelflow/controller.rs:216
+    wire [1:0] bank_is_out_and = banks_under_way & {instructions_c[0], !instructions_c[0]}; // rtl/src/pixelflow/controller.rs:220
+    wire bank_is_out = bank_is_out_and != 2'd0;                  // rtl/src/pixelflow/controller.rs:220
+    wire waits_for_bank = (instructions_sync == SYNC_AWAIT_BANK) & bank_is_out; // rtl/src/pixelflow/controller.rs:221
     wire may_inverse = !(waits_for_bank | ((instructions_sync == SYNC_AWAIT_TEXTURE) & texture_under_way)); // rtl/src/pixelflow/controller.rs:138
     wire may = may_and & may_inverse;                            // rtl/src/pixelflow/controller.rs:138
     assign instructions_ready = may;                             // rtl/src/pixelflow/controller.rs:139
@@ -283,10 +283,10 @@ module array_controller_width8_height4 (
     wire memory_is_word = (memory_left != 5'd0) & (memory_left <= {1'd0, memory_length}); // rtl/src/pixelflow/controller/slot.rs:108
     wire instructions_taken = instructions_valid & may;          // rtl/src/pixelflow/controller.rs:139
     wire [1:0] banks_under_way_joined = {instructions_c[0], !instructions_c[0]}; // rtl/src/pixelflow/controller/slot.rs:77
-    wire banks_under_way_and = instructions_taken & (instructions_sync == SYNC_GIVE_BANK); // rtl/src/pixelflow/controller.rs:224
-    wire [1:0] banks_under_way_choice = banks_under_way_and ? banks_under_way_joined : 2'd0; // rtl/src/pixelflow/controller.rs:224
-    wire assumed_equal = (banks_under_way & banks_under_way_joined) == 2'd0; // rtl/src/pixelflow/controller.rs:227
-    wire assumed_or = (instructions_sync != SYNC_START_TEXTURE) | !texture_under_way; // rtl/src/pixelflow/controller.rs:228
+    wire banks_under_way_and = instructions_taken & (instructions_sync == SYNC_GIVE_BANK); // rtl/src/pixelflow/controller.rs:229
+    wire [1:0] banks_under_way_choice = banks_under_way_and ? banks_under_way_joined : 2'd0; // rtl/src/pixelflow/controller.rs:229
+    wire assumed_equal = (banks_under_way & banks_under_way_joined) == 2'd0; // rtl/src/pixelflow/controller.rs:232
+    wire assumed_or = (instructions_sync != SYNC_START_TEXTURE) | !texture_under_way; // rtl/src/pixelflow/controller.rs:233
     wire evaluator_action_gives_equal = instructions_sync == SYNC_GIVE_BANK; // rtl/src/pixelflow/controller/slot.rs:61
     wire [1:0] evaluator_action_bank_joined = {instructions_c[0], !instructions_c[0]}; // rtl/src/pixelflow/controller/slot.rs:77
     wire evaluator_action_starts_equal = instructions_sync == SYNC_START_TEXTURE; // rtl/src/pixelflow/controller/slot.rs:63
@@ -304,19 +304,22 @@ module array_controller_width8_height4 (
     wire sent1_given_texture_and = evaluator_is_word & (evaluator_left == 5'd1) & evaluator_action_starts; // rtl/src/pixelflow/controller/slot.rs:162
     wire sent1_given_banks_and_2 = memory_is_word & (memory_left == 5'd1) & memory_action_gives; // rtl/src/pixelflow/controller/slot.rs:162
     wire sent1_given_texture_and_2 = memory_is_word & (memory_left == 5'd1) & memory_action_starts; // rtl/src/pixelflow/controller/slot.rs:162
-    wire assumed_and = (instructions_length != 4'd0) & (instructions_length <= 4'd8); // rtl/src/pixelflow/controller.rs:234
-    wire assumed_at_least = ({1'd0, instructions_read} + 10'd1) >= {6'd0, instructions_length}; // rtl/src/pixelflow/controller.rs:239
-    wire assumed_at_most = ({1'd0, instructions_read} + {6'd0, instructions_length}) <= 10'd384; // rtl/src/pixelflow/controller.rs:239
-    wire assumed_choice = instructions_descends ? assumed_at_least : assumed_at_most; // rtl/src/pixelflow/controller.rs:239
-    wire assumed_at_least_2 = ({1'd0, instructions_write} + 10'd1) >= {6'd0, instructions_length}; // rtl/src/pixelflow/controller.rs:239
-    wire assumed_at_most_2 = ({1'd0, instructions_write} + {6'd0, instructions_length}) <= 10'd384; // rtl/src/pixelflow/controller.rs:239
-    wire assumed_choice_2 = instructions_descends ? assumed_at_least_2 : assumed_at_most_2; // rtl/src/pixelflow/controller.rs:239
-    wire assumed_and_5 = (instructions_function <= FUNCTION_ADD_HALVED) & (instructions_begin <= BEGIN_ONE); // rtl/src/pixelflow/controller.rs:242
-    wire assumed_and_4 = assumed_and_5 & (instructions_condition <= CONDITION_NO_CARRY); // rtl/src/pixelflow/controller.rs:242
-    wire assumed_and_3 = assumed_and_4 & (instructions_enabling <= ENABLING_POP); // rtl/src/pixelflow/controller.rs:243
-    wire assumed_and_2 = assumed_and_3 & (instructions_flagging <= FLAGGING_ENABLED_CONDITION); // rtl/src/pixelflow/controller.rs:243
-    wire idle_and = !instructions_valid & (evaluator_left == 5'd0); // rtl/src/pixelflow/controller.rs:180
-    assign idle = idle_and & (memory_left == 5'd0);              // rtl/src/pixelflow/controller.rs:180
+    wire asserted_and_4 = (sent5_control_function <= FUNCTION_ADD_HALVED) & (sent5_control_begin <= BEGIN_ONE); // rtl/src/pixelflow/controller.rs:254
+    wire asserted_and_3 = asserted_and_4 & (sent5_control_condition <= CONDITION_NO_CARRY); // rtl/src/pixelflow/controller.rs:254
+    wire asserted_and_2 = asserted_and_3 & (sent5_control_enabling <= ENABLING_POP); // rtl/src/pixelflow/controller.rs:254
+    wire assumed_and = (instructions_length != 4'd0) & (instructions_length <= 4'd8); // rtl/src/pixelflow/controller.rs:239
+    wire assumed_at_least = ({1'd0, instructions_read} + 10'd1) >= {6'd0, instructions_length}; // rtl/src/pixelflow/controller.rs:244
+    wire assumed_at_most = ({1'd0, instructions_read} + {6'd0, instructions_length}) <= 10'd384; // rtl/src/pixelflow/controller.rs:244
+    wire assumed_choice = instructions_descends ? assumed_at_least : assumed_at_most; // rtl/src/pixelflow/controller.rs:244
+    wire assumed_at_least_2 = ({1'd0, instructions_write} + 10'd1) >= {6'd0, instructions_length}; // rtl/src/pixelflow/controller.rs:244
+    wire assumed_at_most_2 = ({1'd0, instructions_write} + {6'd0, instructions_length}) <= 10'd384; // rtl/src/pixelflow/controller.rs:244
+    wire assumed_choice_2 = instructions_descends ? assumed_at_least_2 : assumed_at_most_2; // rtl/src/pixelflow/controller.rs:244
+    wire assumed_and_5 = (instructions_function <= FUNCTION_ADD_HALVED) & (instructions_begin <= BEGIN_ONE); // rtl/src/pixelflow/controller.rs:254
+    wire assumed_and_4 = assumed_and_5 & (instructions_condition <= CONDITION_NO_CARRY); // rtl/src/pixelflow/controller.rs:254
+    wire assumed_and_3 = assumed_and_4 & (instructions_enabling <= ENABLING_POP); // rtl/src/pixelflow/controller.rs:254
+    wire assumed_and_2 = assumed_and_3 & (instructions_flagging <= FLAGGING_ENABLED_CONDITION); // rtl/src/pixelflow/controller.rs:254
+    wire idle_and = !instructions_valid & (evaluator_left == 5'd0); // rtl/src/pixelflow/controller.rs:185
+    assign idle = idle_and & (memory_left == 5'd0);              // rtl/src/pixelflow/controller.rs:185
 
     always @(posedge clk) begin
         if (evaluator_begins) begin
@@ -727,21 +730,22 @@ module array_controller_width8_height4 (
 `ifndef SYNTHESIS
 `ifdef FORMAL
     always @(posedge clk) begin
-        if (!rst) assume (!instructions_taken | ((instructions_sync != SYNC_GIVE_BANK) | assumed_equal)); // rtl/src/pixelflow/controller.rs:226
-        if (!rst) assume (!instructions_taken | assumed_or);         // rtl/src/pixelflow/controller.rs:226
+        if (!rst) assume (!instructions_taken | ((instructions_sync != SYNC_GIVE_BANK) | assumed_equal)); // rtl/src/pixelflow/controller.rs:231
+        if (!rst) assume (!instructions_taken | assumed_or);         // rtl/src/pixelflow/controller.rs:231
         if (!rst) assert (!(asserted_and & evaluator_is_word & memory_is_word)); // rtl/src/pixelflow/controller.rs:162
-        if (!rst) assume (!instructions_taken | assumed_and);        // rtl/src/pixelflow/controller.rs:233
-        if (!rst) assume (!instructions_taken | (expression | (instructions_skip == 3'd0))); // rtl/src/pixelflow/controller.rs:233
-        if (!rst) assume (!instructions_taken | (assumed_choice & assumed_choice_2)); // rtl/src/pixelflow/controller.rs:233
-        if (!rst) assume (!instructions_taken | (assumed_and_2 & (instructions_sync <= SYNC_START_TEXTURE))); // rtl/src/pixelflow/controller.rs:233
+        if (!rst) assert (asserted_and_2 & (sent5_control_flagging <= FLAGGING_ENABLED_CONDITION)); // rtl/src/pixelflow/controller.rs:173
+        if (!rst) assume (!instructions_taken | assumed_and);        // rtl/src/pixelflow/controller.rs:238
+        if (!rst) assume (!instructions_taken | (expression | (instructions_skip == 3'd0))); // rtl/src/pixelflow/controller.rs:238
+        if (!rst) assume (!instructions_taken | (assumed_choice & assumed_choice_2)); // rtl/src/pixelflow/controller.rs:238
+        if (!rst) assume (!instructions_taken | (assumed_and_2 & (instructions_sync <= SYNC_START_TEXTURE))); // rtl/src/pixelflow/controller.rs:238
     end
 `else
     always @(posedge clk) begin
-        if (!rst && !(!instructions_taken | ((instructions_sync != SYNC_GIVE_BANK) | assumed_equal))) begin // rtl/src/pixelflow/controller.rs:226
+        if (!rst && !(!instructions_taken | ((instructions_sync != SYNC_GIVE_BANK) | assumed_equal))) begin // rtl/src/pixelflow/controller.rs:231
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a bank is given when the network has done with it", $time);
             $stop;
         end
-        if (!rst && !(!instructions_taken | assumed_or)) begin       // rtl/src/pixelflow/controller.rs:226
+        if (!rst && !(!instructions_taken | assumed_or)) begin       // rtl/src/pixelflow/controller.rs:231
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the texture unit begins when it has done", $time);
             $stop;
         end
@@ -749,19 +753,23 @@ module array_controller_width8_height4 (
             $display("FAIL: time %0t: %m: of two instructions one has the memory", $time);
             $stop;
         end
-        if (!rst && !(!instructions_taken | assumed_and)) begin      // rtl/src/pixelflow/controller.rs:233
+        if (!rst && !(asserted_and_2 & (sent5_control_flagging <= FLAGGING_ENABLED_CONDITION))) begin // rtl/src/pixelflow/controller.rs:173
+            $display("FAIL: time %0t: %m: what pixels choose by is a code", $time);
+            $stop;
+        end
+        if (!rst && !(!instructions_taken | assumed_and)) begin      // rtl/src/pixelflow/controller.rs:238
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a word has 1 to 8 bytes", $time);
             $stop;
         end
-        if (!rst && !(!instructions_taken | (expression | (instructions_skip == 3'd0)))) begin // rtl/src/pixelflow/controller.rs:233
+        if (!rst && !(!instructions_taken | (expression | (instructions_skip == 3'd0)))) begin // rtl/src/pixelflow/controller.rs:238
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: only of an expression bytes are skipped", $time);
             $stop;
         end
-        if (!rst && !(!instructions_taken | (assumed_choice & assumed_choice_2))) begin // rtl/src/pixelflow/controller.rs:233
+        if (!rst && !(!instructions_taken | (assumed_choice & assumed_choice_2))) begin // rtl/src/pixelflow/controller.rs:238
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a word is within the memory of 384 bytes", $time);
             $stop;
         end
-        if (!rst && !(!instructions_taken | (assumed_and_2 & (instructions_sync <= SYNC_START_TEXTURE)))) begin // rtl/src/pixelflow/controller.rs:233
+        if (!rst && !(!instructions_taken | (assumed_and_2 & (instructions_sync <= SYNC_START_TEXTURE)))) begin // rtl/src/pixelflow/controller.rs:238
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: each field has a code that there is", $time);
             $stop;
         end
@@ -770,7 +778,7 @@ module array_controller_width8_height4 (
 `endif
 
     wire _unused_ok = &{1'b0, memory_action_enabling, memory_action_by_sign, memory_action_on_memory,
-            assumed_equal, assumed_or, asserted_and, assumed_and, assumed_choice,
-            assumed_choice_2, assumed_and_2};
+            assumed_equal, assumed_or, asserted_and, asserted_and_2, assumed_and,
+            assumed_choice, assumed_choice_2, assumed_and_2};
 endmodule
 `default_nettype wire

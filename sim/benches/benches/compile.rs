@@ -3,7 +3,7 @@
 
 use std::time::Instant;
 
-use tilewright_hdl::{Block, Module, Signal, Width, bits, bundle};
+use tilewright_hdl::{Block, Module, Signal, bits, block, bundle};
 use tilewright_sim::Simulation;
 
 bundle! {
@@ -11,21 +11,17 @@ bundle! {
     struct Out<T> { y: T }
 }
 
-/// So many operations on values of that width, each on the two before it, with a register after every eighth.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Flat {
-    operations: u32,
-    width: u32,
+block! {
+    /// So many operations on values of that width, each on the two before it, with a register after every eighth.
+    struct Flat {
+        operations: u32,
+        width: u32,
+    }
+    in(self) = In { x: bits(self.width) };
+    out(self) = Out { y: bits(self.width) };
 }
 
-impl Block for Flat {
-    type In = In;
-    type Out = Out;
-
-    fn inputs(&self) -> In<Width> {
-        In { x: bits(self.width) }
-    }
-
+impl Flat {
     fn build(&self, m: Module, i: In) -> Out {
         let (mut before, mut last) = (i.x, !i.x);
         for number in 0..self.operations {
@@ -47,21 +43,17 @@ fn operation(number: u32, a: Signal, b: Signal) -> Signal {
     }
 }
 
-/// An array of such blocks.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Lanes {
-    lanes: u32,
-    flat: Flat,
+block! {
+    /// An array of such blocks.
+    struct Lanes {
+        lanes: u32,
+        flat: Flat,
+    }
+    in(self) = In { x: bits(self.flat.width) };
+    out(self) = Out { y: bits(self.flat.width) };
 }
 
-impl Block for Lanes {
-    type In = In;
-    type Out = Out;
-
-    fn inputs(&self) -> In<Width> {
-        In { x: bits(self.flat.width) }
-    }
-
+impl Lanes {
     fn build(&self, m: Module, i: In) -> Out {
         Out { y: m.array("u_lane", self.lanes, &self.flat, |a| In { x: a.y.previous(i.x) }).y.xor_all() }
     }

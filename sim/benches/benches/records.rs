@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use tilewright_blocks::StreamBlocks;
-use tilewright_hdl::{Block, Module, Signal, Width, bits, bundle, constants, elaborate, row};
+use tilewright_hdl::{Module, Signal, bits, block, bundle, constants, elaborate, row};
 use tilewright_sim::{Passes, Simulation};
 
 /// Cycles of a measurement.
@@ -11,23 +11,16 @@ const CYCLES: u64 = 20_000;
 
 bundle! {
     struct Job<T> { a: T, b: T, x: T, y: T, flag: T }
-    struct UnitIn<T> { seed: T }
-    struct UnitOut<T> { sum: T }
-    struct TopOut<T> { csum: T }
 }
 
-/// A queue between who makes records of a counter and who adds up their fields.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Unit;
+block! {
+    /// A queue between who makes records of a counter and who adds up their fields.
+    struct Unit;
+    in UnitIn { seed: bits(32) }
+    out UnitOut { sum: bits(32) }
+}
 
-impl Block for Unit {
-    type In = UnitIn;
-    type Out = UnitOut;
-
-    fn inputs(&self) -> UnitIn<Width> {
-        UnitIn { seed: bits(32) }
-    }
-
+impl Unit {
     fn build(&self, m: Module, i: UnitIn) -> UnitOut {
         let count = m.reg("count", 32).reset(0);
         let number = *count + i.seed;
@@ -45,18 +38,15 @@ impl Block for Unit {
     }
 }
 
-/// So many of them.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Units {
-    count: u32,
+block! {
+    /// So many of them.
+    struct Units {
+        count: u32,
+    }
+    out TopOut { csum: bits(32) }
 }
 
-impl Block for Units {
-    type In = ();
-    type Out = TopOut;
-
-    fn inputs(&self) {}
-
+impl Units {
     fn build(&self, m: Module, (): ()) -> TopOut {
         let seed: Signal = constants(bits(32).of(row(self.count)), |lane| u64::from(lane) * 77_777);
         let units = m.array("u_unit", self.count, &Unit, |_| UnitIn { seed });

@@ -7,9 +7,14 @@ use super::*;
 
 type Dma = Simulation<CommandDmaIn, CommandDmaOut>;
 
-/// An instruction that is told from others by its coefficients.
+/// An instruction that is told from others by every field, whatever it means.
 fn numbered(number: u64) -> Instruction<u64> {
-    Instruction { a: number, b: 3 * number, c: (1 << 40) - 1 - number, length: 1 + number % 8, ..Instruction::NOTHING }
+    let mut state = number;
+    let fields = Instruction::widths().map(|width| {
+        state = (state + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+        state >> (64 - width.bits())
+    });
+    Instruction { a: number, ..fields }
 }
 
 /// With instruction n at address n.
@@ -22,7 +27,8 @@ fn started(words: u32) -> Dma {
         sim.drive(CommandDmaIn { store, frames });
         sim.step();
     }
-    sim.set(sim.i.store.writes, 0);
+    // What is not written is neither the last one nor nothing.
+    sim.drive(CommandDmaIn { store: Store { writes: 0, address: 0, instruction: numbered(1000) }, frames });
     sim
 }
 

@@ -24,7 +24,7 @@ struct Chain {
 impl Chain {
     /// Of so many nodes that have words.
     fn new(port: &NetworkPort, nodes: usize) -> Chain {
-        let ports = (0..=nodes).map(|_| Simulation::at(port, TRANSFER).unwrap()).collect();
+        let ports = (0..=nodes).map(|node| Simulation::at(port, TRANSFER).unwrap().seeded(node as u64)).collect();
         let unloaded = vec![vec![Vec::new(); port.pixels as usize]; port.chips as usize];
         Chain { ports, words: Vec::new(), passed: vec![0; nodes + 1], unloaded, unloaded_at: None, clock: 0 }
     }
@@ -42,7 +42,9 @@ impl Chain {
                 Mode::Unload
             };
             sim.set(sim.i.mode, mode.code());
-            sim.set(sim.i.upstream.valid, false);
+            // What comes meanwhile is nothing.
+            sim.set(sim.i.upstream.valid, node > 0);
+            sim.set(sim.i.sends, node == 0);
             sim.reset();
         }
         self.passed.fill(0);
@@ -63,20 +65,22 @@ impl Chain {
         for (node, sim) in self.ports.iter_mut().enumerate() {
             let (i, o) = (sim.i, sim.o);
             let downstream = [sim.get_u64(o.downstream.valid), sim.get_u64(o.downstream.first)];
-            let downstream = (downstream, sim.lanes(o.downstream.bytes));
-            let ([valid, first], bytes) =
-                upstream.replace(downstream).unwrap_or(([0, 0], vec![0; self.unloaded.len()]));
+            let sent = (downstream, sim.lanes(o.downstream.bytes));
+            let ([valid, first], bytes) = upstream.replace(sent).unwrap_or(([0, 0], vec![0; self.unloaded.len()]));
             sim.set(i.upstream.valid, valid);
             sim.set(i.upstream.first, first);
             sim.set_lanes(i.upstream.bytes, bytes.clone());
             let byte = self.passed[node] / pixels;
             sim.set(i.sends, sends & (node == 0));
-            sim.set(i.first, byte == 0);
+            // Only who loads says which byte is the first.
+            sim.set(i.first, (byte == 0) == (node == 0));
             let pixel = sim.get_u64(o.pixel) as usize;
             if let Some(words) = self.words.get(node) {
                 let own: Vec<u64> = words.iter().map(|chip| chip[pixel].get(byte).copied().unwrap_or(0)).collect();
                 sim.set_lanes(i.own, own);
             }
+            let still = [sim.get_u64(o.downstream.valid), sim.get_u64(o.downstream.first)];
+            assert_eq!(still, downstream, "a register is between the ports");
             self.passed[node] += sim.get_u64(o.advances) as usize;
             if sim.get_u64(o.unloaded) == 1 {
                 self.unloaded.iter_mut().zip(bytes).for_each(|(chip, byte)| chip[pixel].push(byte));

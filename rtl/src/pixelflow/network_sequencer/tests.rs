@@ -12,8 +12,9 @@ fn started(pixels: u32, setup: u32) -> Sequencer {
     sim
 }
 
+/// What stands where no job is offered need be none that can be taken.
 const NONE: NetworkSequencerIn<u64> = NetworkSequencerIn {
-    jobs: Stream { valid: 0, ready: 0, payload: Job { mode: 0, bank: 0, bytes: 1 } },
+    jobs: Stream { valid: 0, ready: 0, payload: Job { mode: Mode::Load as u64, bank: 0, bytes: 0 } },
     given: 0,
     go: 0,
     pixel: 0,
@@ -129,6 +130,16 @@ fn a_word_of_no_bytes_is_not_loaded() {
     let mut sim = started(2, 0);
     sim.drive(job(Mode::Load, 0, 0));
     sim.step();
+}
+
+#[test]
+fn a_word_may_fill_a_bank() {
+    let mut sim = started(2, 0);
+    sim.drive(NetworkSequencerIn { jobs: Stream { valid: 0, ..job(Mode::Load, 0, 33).jobs }, ..NONE });
+    sim.step();
+    sim.drive(job(Mode::Load, 0, 32));
+    sim.step();
+    assert_eq!([sim.get_u64(sim.o.address), sim.get_u64(sim.o.bank)], [31, 1]);
 }
 
 #[test]

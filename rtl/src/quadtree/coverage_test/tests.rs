@@ -140,6 +140,22 @@ proptest! {
     }
 }
 
+/// A polygon that covers one pixel, by its bounds alone: of the quarters without it one is beyond two bounds at once.
+#[test]
+fn a_quarter_beyond_two_bounds_fails_as_one_beyond_one_does() {
+    let raster = first(small());
+    for [x, y] in [[0, 0], [6, 0], [0, 6], [6, 6]] {
+        let polygon = Convex { edges: vec![[0, 0, 1]; 3], bounds: [x, y, x, y], ..triangle() };
+        let expected = parts(&raster, &polygon, raster.root(), 1);
+        assert_eq!(expected.len(), 1);
+        for test in [Test::Serial, Test::Parallel] {
+            let unit = CoverageTest { format: small(), test, from: 2, sizes: 1 };
+            let (found, _) = divide(&unit, vec![raster.work(&polygon, raster.root())], 1, NO_STALLS);
+            assert_eq!(found, expected);
+        }
+    }
+}
+
 #[test]
 fn clocks_in_which_a_part_waits_are_counted_apart() {
     let raster = first(small());

@@ -75,6 +75,7 @@ fn a_triangle_takes_4_clocks_and_its_root_waits_for_the_receiver() {
         idle          |_______________________________________/~~~~~~~~
         ",
     );
+    assert_eq!(sim.get_u64(sim.o.tally.stalled), 2);
 }
 
 #[test]

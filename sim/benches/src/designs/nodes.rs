@@ -10,8 +10,7 @@
 //!
 //! What it asks of a simulator: not to compute what stays as it is.
 
-use tilewright_hdl::ir::About;
-use tilewright_hdl::{Block, Module, Width, below, bit, bits, bundle, constants, lit, mux};
+use tilewright_hdl::{Module, below, bit, bits, block, constants, lit, mux};
 use tilewright_rtl::parameter::ParameterError;
 
 use super::{BenchOut, Regions};
@@ -21,11 +20,13 @@ const SIDE: u32 = 32;
 /// Clocks of a turn, about as many as a region takes.
 const TURN: u64 = 1 << 13;
 
-/// Renderers, one of them busy at a time.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct Nodes {
-    count: u32,
-    node: Node,
+block! {
+    /// Renderers with their programs, one of them busy at a time.
+    pub struct Nodes {
+        count: u32,
+        node: Node,
+    }
+    out = BenchOut { csum: bits(32) };
 }
 
 impl Nodes {
@@ -37,13 +38,6 @@ impl Nodes {
     pub fn new(count: u32) -> Result<Nodes, ParameterError> {
         Ok(Nodes { count, node: Node { regions: Regions::new(SIDE)? } })
     }
-}
-
-impl Block for Nodes {
-    type In = ();
-    type Out = BenchOut;
-
-    fn inputs(&self) {}
 
     fn build(&self, m: Module, (): ()) -> BenchOut {
         let clock = m.reg("clock", below(TURN)).reset(0);
@@ -55,50 +49,22 @@ impl Block for Nodes {
         let nodes = m.array("u_node", self.count, &self.node, |_| NodeIn { is_busy: number.eq(*turn) });
         BenchOut { csum: nodes.csum.to_vec().into_iter().fold(lit(32, 0), |all, one| all.rotate_left(1) ^ one) }
     }
-
-    fn name(&self) -> String {
-        format!("nodes_n{}", self.count)
-    }
-
-    fn about(&self) -> About {
-        About {
-            summary: format!("{} renderers of {SIDE} x {SIDE} pixels, one of them busy at a time.", self.count),
-            ..About::default()
-        }
-    }
 }
 
-bundle! {
-    /// The inputs of a node.
-    struct NodeIn<T> {
+block! {
+    /// A renderer with its program.
+    struct Node {
+        regions: Regions,
+    }
+    in NodeIn {
         /// Its renderer is sent instructions.
-        is_busy: T,
+        is_busy: bit(),
     }
+    out = BenchOut { csum: bits(32) };
 }
 
-/// A renderer with its program.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Node {
-    regions: Regions,
-}
-
-impl Block for Node {
-    type In = NodeIn;
-    type Out = BenchOut;
-
-    fn inputs(&self) -> NodeIn<Width> {
-        NodeIn { is_busy: bit() }
-    }
-
+impl Node {
     fn build(&self, m: Module, i: NodeIn) -> BenchOut {
         self.regions.work(m, i.is_busy)
-    }
-
-    fn name(&self) -> String {
-        format!("node_s{SIDE}")
-    }
-
-    fn about(&self) -> About {
-        About { summary: format!("A renderer of {SIDE} x {SIDE} pixels with its program."), ..About::default() }
     }
 }

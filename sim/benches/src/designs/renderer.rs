@@ -9,8 +9,7 @@
 //!
 //! What it asks of a simulator: thousands of processors of one bit under one instruction, a tree that feeds them, and what decodes instructions.
 
-use tilewright_hdl::ir::About;
-use tilewright_hdl::{Block, Module, ReadUnderWrite, Signal, below, bits, bundle, cat, lit, mux};
+use tilewright_hdl::{Module, ReadUnderWrite, Signal, below, bits, block, bundle, cat, lit, mux};
 use tilewright_rtl::parameter::ParameterError;
 use tilewright_rtl::pixel_planes::instruction::Instruction;
 use tilewright_rtl::pixel_planes::programs::{Expression, Surface, clear, save, smooth_least};
@@ -24,10 +23,13 @@ const TRIANGLES: u32 = 40;
 /// Instructions that wait.
 const QUEUE: u32 = 16;
 
-/// Regions on a renderer.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct Regions {
-    renderer: Renderer,
+block! {
+    /// Regions, one after another, on a renderer of Pixel-planes 5.
+    pub struct Regions {
+        renderer: Renderer,
+    }
+    source = "Pixel-planes 5, section I.3.2.1 (PP5-ARCH)";
+    out = BenchOut { csum: bits(32) };
 }
 
 impl Regions {
@@ -67,29 +69,9 @@ impl Regions {
         csum.when(plane.taken | sent, csum.rotate_left(1) + pixels + instruction);
         BenchOut { csum: *csum }
     }
-}
-
-impl Block for Regions {
-    type In = ();
-    type Out = BenchOut;
-
-    fn inputs(&self) {}
 
     fn build(&self, m: Module, (): ()) -> BenchOut {
         self.work(m, lit(1, 1))
-    }
-
-    fn name(&self) -> String {
-        format!("regions_s{}", self.renderer.side())
-    }
-
-    fn about(&self) -> About {
-        let side = self.renderer.side();
-        About {
-            summary: format!("Regions of {side} x {side} pixels, one after another, on a renderer of Pixel-planes 5."),
-            source: "Pixel-planes 5, section I.3.2.1 (PP5-ARCH)".to_owned(),
-            ..About::default()
-        }
     }
 }
 

@@ -2,26 +2,21 @@
 //!
 //! What it asks of a simulator: as many multipliers as the grid has cells, all alike, each fed by its neighbours on two sides.
 
-use tilewright_hdl::ir::About;
-use tilewright_hdl::{Block, Module, Signal, Width, bit, bits, constants, grid, mux, row};
+use tilewright_hdl::{Module, Signal, bit, bits, block, constants, grid, mux, row};
 
 use super::{BenchIn, BenchOut};
 
-/// `size` x `size` cells, and a checksum of all their sums.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct Systolic {
-    /// The side of the grid, at least 1.
-    pub size: u32,
+block! {
+    /// A systolic array of cells, each a multiplier and an adder, and a checksum of all their sums.
+    pub struct Systolic {
+        /// The side of the grid, at least 1.
+        pub size: u32,
+    }
+    in = BenchIn { rst: bit() };
+    out = BenchOut { csum: bits(32) };
 }
 
-impl Block for Systolic {
-    type In = BenchIn;
-    type Out = BenchOut;
-
-    fn inputs(&self) -> BenchIn<Width> {
-        BenchIn { rst: bit() }
-    }
-
+impl Systolic {
     fn build(&self, m: Module, i: BenchIn) -> BenchOut {
         let cells = grid(self.size, self.size);
         // What enters a side: a row of generators that start at numbers of their own.
@@ -40,10 +35,5 @@ impl Block for Systolic {
         let csum = m.reg("csum", 32);
         csum.next(mux(i.rst, 0, csum.rotate_left(3) + sum.xor_all().zext(32)));
         BenchOut { csum: csum.value() }
-    }
-
-    fn about(&self) -> About {
-        let summary = format!("A systolic array of {0} x {0} cells, each a multiplier and an adder.", self.size);
-        About { summary, ..About::default() }
     }
 }

@@ -6,28 +6,23 @@
 mod processor;
 mod program;
 
-use tilewright_hdl::ir::About;
-use tilewright_hdl::{Block, Module, Width, bit, bits, constants, mux};
+use tilewright_hdl::{Module, bit, bits, block, constants, mux};
 
 use super::{BenchIn, BenchOut};
 use crate::word::seed;
 pub use processor::{Processor, ProcessorIn, ProcessorOut};
 
-/// The processors, and a checksum of all that they write.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct Core {
-    /// How many, at least 1.
-    pub processors: u32,
+block! {
+    /// Processors that sort and mix words, and a checksum of all that they write.
+    pub struct Core {
+        /// How many, at least 1.
+        pub processors: u32,
+    }
+    in = BenchIn { rst: bit() };
+    out = BenchOut { csum: bits(32) };
 }
 
-impl Block for Core {
-    type In = BenchIn;
-    type Out = BenchOut;
-
-    fn inputs(&self) -> BenchIn<Width> {
-        BenchIn { rst: bit() }
-    }
-
+impl Core {
     fn build(&self, m: Module, i: BenchIn) -> BenchOut {
         let processors = m.array("u_processor", self.processors, &Processor, |_| ProcessorIn {
             rst: i.rst,
@@ -37,9 +32,5 @@ impl Block for Core {
         let csum = m.reg("csum", 32);
         csum.next(mux(i.rst, 0, csum.rotate_left(3) + folded.expect("an array has a lane")));
         BenchOut { csum: csum.value() }
-    }
-
-    fn about(&self) -> About {
-        About { summary: format!("{} processors that sort and mix words.", self.processors), ..About::default() }
     }
 }

@@ -12,8 +12,7 @@
 mod frame_buffer;
 mod merger;
 
-use tilewright_hdl::ir::About;
-use tilewright_hdl::{Block, Fields, Module, Width, bit, bits, bundle, cat, constants, lit, mux};
+use tilewright_hdl::{Fields, Module, Width, bit, bits, block, bundle, cat, constants, lit, mux};
 
 use crate::word::seed;
 use frame_buffer::{FrameBuffer, FrameBufferIn};
@@ -38,30 +37,25 @@ fn pixel() -> Pixel<Width> {
     Pixel { valid: bit(), rgb: bits(24), z: bits(24) }
 }
 
-/// The chain.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct Pim {
-    /// Merging units, at least 1.
-    pub stages: u32,
-    /// Patches of 4x4 pixels in a row of the screen, from 5.
-    pub columns: u32,
-    /// Rows of patches, from 2.
-    pub rows: u32,
+block! {
+    /// A chain of merging units with local frame buffers that draw at random.
+    pub struct Pim {
+        /// Merging units, at least 1.
+        pub stages: u32,
+        /// Patches of 4x4 pixels in a row of the screen, from 5.
+        pub columns: u32,
+        /// Rows of patches, from 2.
+        pub rows: u32,
+    }
+    latency(self) = format!("{} clocks from the first frame buffer to the checksum", 4 * self.stages + 1);
+    in = BenchIn { rst: bit() };
+    out = BenchOut { csum: bits(32) };
 }
 
 impl Pim {
     /// A chain of so many units for 640x480 pixels.
     pub fn new(stages: u32) -> Pim {
         Pim { stages, columns: 160, rows: 120 }
-    }
-}
-
-impl Block for Pim {
-    type In = BenchIn;
-    type Out = BenchOut;
-
-    fn inputs(&self) -> BenchIn<Width> {
-        BenchIn { rst: bit() }
     }
 
     fn build(&self, m: Module, i: BenchIn) -> BenchOut {
@@ -81,56 +75,31 @@ impl Block for Pim {
         csum.next(mux(i.rst, 0, sum));
         BenchOut { csum: csum.value() }
     }
-
-    fn about(&self) -> About {
-        About {
-            summary: format!("{} merging units with local frame buffers that draw at random.", self.stages),
-            latency: format!("{} clocks from the first frame buffer to the checksum", 4 * self.stages + 1),
-            ..About::default()
-        }
-    }
 }
 
-bundle! {
-    /// The inputs of [`Stage`].
-    struct StageIn<T> {
-        rst: T,
+block! {
+    /// A merger and its local frame buffer.
+    struct Stage {
+        frame_buffer: FrameBuffer,
+    }
+    in(self) StageIn {
+        rst: bit(),
         /// Of the random generator.
-        seed: T,
+        seed: bits(32),
         /// Where the scan starts.
-        start_x: T,
+        start_x: bits(self.frame_buffer.x_width()),
         /// From the preceding stage.
-        left: Pixel<T>,
+        left: Pixel = pixel(),
     }
-
-    /// The outputs of [`Stage`].
-    struct StageOut<T> {
-        merged: Pixel<T>,
+    out StageOut {
+        merged: Pixel = pixel(),
     }
 }
 
-/// A merger and its local frame buffer.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Stage {
-    frame_buffer: FrameBuffer,
-}
-
-impl Block for Stage {
-    type In = StageIn;
-    type Out = StageOut;
-
-    fn inputs(&self) -> StageIn<Width> {
-        let FrameBufferIn { rst, seed, start_x } = self.frame_buffer.inputs();
-        StageIn { rst, seed, start_x, left: pixel() }
-    }
-
+impl Stage {
     fn build(&self, m: Module, i: StageIn) -> StageOut {
         let StageIn { rst, seed, start_x, left } = i;
         let right = m.instance("u_frame_buffer", &self.frame_buffer, FrameBufferIn { rst, seed, start_x }).pixel;
         StageOut { merged: m.instance("u_merger", &Merger, MergerIn { left, right }).nearer }
-    }
-
-    fn name(&self) -> String {
-        "pim_stage".to_owned()
     }
 }

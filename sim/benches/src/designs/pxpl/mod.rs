@@ -12,18 +12,21 @@
 mod axis;
 mod pixel;
 
-use tilewright_hdl::{Block, Module, Signal, Width, bit, cat, grid, ir::About, lit, mux, net, select};
+use tilewright_hdl::{Module, Signal, bit, bits, block, cat, grid, lit, mux, net, one_of, select};
 
 use super::{BenchIn, BenchOut};
 use crate::word::xorshift;
 use axis::{Axis, AxisIn};
 use pixel::{BITS, Operation, Pixel, PixelIn};
 
-/// The square.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct Pxpl {
-    /// Processors in a row, and rows; a power of two from 8 to 256.
-    pub edge: u32,
+block! {
+    /// A square of processors of one bit, fed by a serial tree.
+    pub struct Pxpl {
+        /// Processors in a row, and rows; a power of two from 8 to 256.
+        pub edge: u32,
+    }
+    in = BenchIn { rst: bit() };
+    out = BenchOut { csum: bits(32) };
 }
 
 /// What is done one after another, for 32 clocks each.
@@ -38,14 +41,7 @@ const PROGRAM: [Operation; 8] = [
     Operation::Everybody,
 ];
 
-impl Block for Pxpl {
-    type In = BenchIn;
-    type Out = BenchOut;
-
-    fn inputs(&self) -> BenchIn<Width> {
-        BenchIn { rst: bit() }
-    }
-
+impl Pxpl {
     fn build(&self, m: Module, i: BenchIn) -> BenchOut {
         let (edge, rst) = (self.edge, i.rst);
         let random = m.reg("random", 32);
@@ -70,7 +66,7 @@ impl Block for Pxpl {
             reg.when(rst, 0).otherwise(value);
             *reg
         };
-        let now = m.reg("operation", tilewright_hdl::one_of::<Operation>());
+        let now = m.reg("operation", one_of::<Operation>());
         now.when(rst, Operation::Nothing).otherwise(next);
         let (read, write) = (held("read", within(read)), held("write", within(read + 37)));
         let [a, b, c] = [("a", 3), ("b", 7), ("c", 23)].map(|(name, at)| held(name, random.bit(at)));
@@ -101,12 +97,5 @@ impl Block for Pxpl {
         let csum = m.reg("csum", 32);
         csum.when(rst, 0).otherwise(csum.rotate_left(1) + (low ^ high) + cat![lit(31, 0), odd]);
         BenchOut { csum: *csum }
-    }
-
-    fn about(&self) -> About {
-        About {
-            summary: format!("{0} x {0} processors of one bit, fed by a serial tree.", self.edge),
-            ..About::default()
-        }
     }
 }

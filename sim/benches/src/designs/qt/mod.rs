@@ -4,51 +4,40 @@
 
 mod unit;
 
-use tilewright_hdl::ir::About;
-use tilewright_hdl::{Block, Module, Signal, Width, bit, bits, constants, lit, mux};
+use tilewright_hdl::{Module, Signal, bit, bits, block, constants, lit, mux};
 
 use super::{BenchIn, BenchOut};
 use crate::word::seed;
 use unit::{Unit, UnitIn, UnitOut};
 
-/// The units, and a checksum of what they find.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct Qt {
-    /// How many, at least 1.
-    pub units: u32,
-    /// Whether each is a module of its own, so that nothing is replicated.
-    pub apart: bool,
+block! {
+    /// Units that find the pixels of random triangles by quadtree, and a checksum of what they find.
+    pub struct Qt {
+        /// How many, at least 1.
+        pub units: u32,
+        /// Whether each is a module of its own, so that nothing is replicated.
+        pub apart: bool,
+    }
+    in = BenchIn { rst: bit() };
+    out = BenchOut { csum: bits(32) };
 }
 
-/// A unit whose seed is fixed.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Seeded(u32);
-
-impl Block for Seeded {
-    type In = BenchIn;
-    type Out = UnitOut;
-
-    fn inputs(&self) -> BenchIn<Width> {
-        BenchIn { rst: bit() }
+block! {
+    /// A unit whose seed is fixed.
+    struct Seeded {
+        number: u32,
     }
+    in = BenchIn { rst: bit() };
+    out = UnitOut { hash: bits(32) };
+}
 
+impl Seeded {
     fn build(&self, m: Module, i: BenchIn) -> UnitOut {
-        Unit.build(m, UnitIn { rst: i.rst, seed: lit(32, seed(self.0)) })
-    }
-
-    fn name(&self) -> String {
-        format!("qt_unit_{}", self.0)
+        Unit.build(m, UnitIn { rst: i.rst, seed: lit(32, seed(self.number)) })
     }
 }
 
-impl Block for Qt {
-    type In = BenchIn;
-    type Out = BenchOut;
-
-    fn inputs(&self) -> BenchIn<Width> {
-        BenchIn { rst: bit() }
-    }
-
+impl Qt {
     fn build(&self, m: Module, i: BenchIn) -> BenchOut {
         let hashes: Vec<Signal> = match self.apart {
             false => {
@@ -60,7 +49,7 @@ impl Block for Qt {
             }
             true => {
                 let unit =
-                    |number| m.instance(&format!("u_unit{number}"), &Seeded(number), BenchIn { rst: i.rst }).hash;
+                    |number| m.instance(&format!("u_unit{number}"), &Seeded { number }, BenchIn { rst: i.rst }).hash;
                 (0..self.units).map(unit).collect()
             }
         };
@@ -68,12 +57,5 @@ impl Block for Qt {
         let csum = m.reg("csum", 32);
         csum.next(mux(i.rst, 0, csum.rotate_left(3) + folded.expect("an array has a lane")));
         BenchOut { csum: csum.value() }
-    }
-
-    fn about(&self) -> About {
-        About {
-            summary: format!("{} units that find the pixels of random triangles by quadtree.", self.units),
-            ..About::default()
-        }
     }
 }

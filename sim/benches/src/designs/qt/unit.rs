@@ -60,7 +60,7 @@ impl Edge {
 }
 
 impl Unit {
-    fn build(&self, m: Module, i: UnitIn) -> UnitOut {
+    pub(super) fn build(&self, m: Module, i: UnitIn) -> UnitOut {
         let rst = i.rst;
         let random = m.reg("random", 32);
         random.next(mux(rst, i.seed, xorshift(*random)));

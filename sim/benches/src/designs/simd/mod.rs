@@ -18,31 +18,26 @@ mod processor;
 mod row;
 mod sequencer;
 
-use tilewright_hdl::ir::About;
-use tilewright_hdl::{Block, Module, Width, bit, bits, constants, lit, mux};
+use tilewright_hdl::{Module, bit, bits, block, constants, lit, mux};
 
 use super::{BenchIn, BenchOut};
 use row::{Row, RowIn};
-use sequencer::{Sequencer, SequencerIn};
+use sequencer::{Plane, Sequencer, SequencerIn};
 
-/// The array.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct Simd {
-    /// Processors in a row, and rows; from 1 to 256.
-    pub edge: u32,
+block! {
+    /// A square of processors under one instruction.
+    pub struct Simd {
+        /// Processors in a row, and rows; from 1 to 256.
+        pub edge: u32,
+    }
+    in = BenchIn { rst: bit() };
+    out = BenchOut { csum: bits(32) };
 }
 
-impl Block for Simd {
-    type In = BenchIn;
-    type Out = BenchOut;
-
-    fn inputs(&self) -> BenchIn<Width> {
-        BenchIn { rst: bit() }
-    }
-
+impl Simd {
     fn build(&self, m: Module, i: BenchIn) -> BenchOut {
         let issued = m.instance("u_sequencer", &Sequencer, SequencerIn { rst: i.rst });
-        let [a, b, c] = issued.coefficients;
+        let Plane { a, b, c } = issued.plane;
         let columns: Vec<_> = (0..self.edge).map(|x| a.times(lit(8, x.into())).trunc(8) + c).collect();
         let rows = m.array("u_row", self.edge, &Row { processors: self.edge }, |_| RowIn {
             rst: i.rst,
@@ -56,9 +51,5 @@ impl Block for Simd {
         let sum = csum.rotate_left(1) + folded.expect("an array has a lane").zext(32);
         csum.next(mux(i.rst, 0, sum));
         BenchOut { csum: csum.value() }
-    }
-
-    fn about(&self) -> About {
-        About { summary: format!("{0} x {0} processors under one instruction.", self.edge), ..About::default() }
     }
 }

@@ -1,6 +1,6 @@
 //! Where the instructions come from: opcodes from a short program, operands from a random generator.
 
-use tilewright_hdl::{Block, Module, Width, bit, bundle, case, mux};
+use tilewright_hdl::{Module, bit, bits, block, case, mux};
 
 use super::instruction::{Instruction, Opcode, Opcode::*};
 use crate::word::xorshift;
@@ -42,32 +42,24 @@ const PROGRAM: [Opcode; 32] = [
     Xor,
 ];
 
-bundle! {
-    /// The inputs of [`Sequencer`].
-    pub struct SequencerIn<T> {
-        pub rst: T,
+block! {
+    /// Issues an instruction every clock.
+    pub struct Sequencer;
+    in SequencerIn {
+        rst: bit(),
     }
-
-    /// The outputs of [`Sequencer`].
-    pub struct SequencerOut<T> {
-        pub instruction: Instruction<T>,
-        /// a, b and c of the plane a x + b y + c, a clock after the address of the instruction's operand.
-        pub coefficients: [T; 3],
+    out SequencerOut {
+        instruction: Instruction = Instruction::widths(),
+        /// The plane a x + b y + c, a clock after the address of the instruction's operand.
+        plane: pub struct Plane {
+            a: bits(8),
+            b: bits(8),
+            c: bits(8),
+        },
     }
 }
 
-/// Issues an instruction every clock.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct Sequencer;
-
-impl Block for Sequencer {
-    type In = SequencerIn;
-    type Out = SequencerOut;
-
-    fn inputs(&self) -> SequencerIn<Width> {
-        SequencerIn { rst: bit() }
-    }
-
+impl Sequencer {
     fn build(&self, m: Module, i: SequencerIn) -> SequencerOut {
         let (pc, random) = (m.reg("pc", 5), m.reg("random", 32));
         pc.next(mux(i.rst, 0, pc + 1));
@@ -81,11 +73,7 @@ impl Block for Sequencer {
                 write_address: m.pipe("write_address", random.slice(8..16)),
                 constant: m.pipe("constant", random.slice(16..24)),
             },
-            coefficients: [("a", 24), ("b", 4), ("c", 12)].map(|(name, low)| m.pipe(name, random.slice(low..low + 8))),
+            plane: m.pipe("plane", Plane { a: random.part(24, 8), b: random.part(4, 8), c: random.part(12, 8) }),
         }
-    }
-
-    fn name(&self) -> String {
-        "simd_sequencer".to_owned()
     }
 }

@@ -18,8 +18,7 @@
 mod host;
 mod painter;
 
-use tilewright_hdl::ir::About;
-use tilewright_hdl::{Block, Fields, Module, Signal, bits, constants, stack};
+use tilewright_hdl::{Fields, Module, Signal, bits, block, constants, stack};
 use tilewright_rtl::clocks::{MERGE, PE};
 use tilewright_rtl::lfb::Patches;
 use tilewright_rtl::parameter::{ParameterError, Screen};
@@ -30,14 +29,17 @@ use crate::word::seed;
 use host::{Host, HostIn};
 use painter::{Painter, PainterIn};
 
-/// Frames on a VC-1.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct Vc1Frames {
-    vc1: Vc1,
-    patches: Patches,
-    processors: u32,
-    /// Patches that a painter draws for a frame.
-    painted: u32,
+block! {
+    /// Frame after frame on a VC-1 whose processors draw at random.
+    pub struct Vc1Frames {
+        vc1: Vc1,
+        patches: Patches,
+        processors: u32,
+        /// Patches that a painter draws for a frame.
+        painted: u32,
+    }
+    source = "VC-1, section 3.3 (VC1-FLOW, VC1-LFB, VC1-PIM, VC1-GFB)";
+    out = BenchOut { csum: bits(32) };
 }
 
 impl Vc1Frames {
@@ -63,13 +65,6 @@ impl Vc1Frames {
         const SWAPS: u64 = 14;
         4 * (self.vc1.gfb().merge_clocks() + SWAPS)
     }
-}
-
-impl Block for Vc1Frames {
-    type In = ();
-    type Out = BenchOut;
-
-    fn inputs(&self) {}
 
     fn build(&self, m: Module, (): ()) -> BenchOut {
         let (pe, merge) = (m.on(PE), m.on(MERGE));
@@ -106,18 +101,5 @@ impl Block for Vc1Frames {
             idle[number].drive(processor.idle);
         }
         BenchOut { csum: host.csum }
-    }
-
-    fn name(&self) -> String {
-        let Screen { width, height } = self.patches.screen();
-        format!("vc1_frames_n{}_{width}x{height}", self.processors)
-    }
-
-    fn about(&self) -> About {
-        About {
-            summary: format!("Frame after frame on a VC-1 with {} processors that draw at random.", self.processors),
-            source: "VC-1, section 3.3 (VC1-FLOW, VC1-LFB, VC1-PIM, VC1-GFB)".to_owned(),
-            ..About::default()
-        }
     }
 }
