@@ -15,7 +15,7 @@ enum Next {
 }
 
 /// The ports of a bundle, in order.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(crate) struct PortOrder(Vec<Next>);
 
 impl PortOrder {

@@ -50,6 +50,15 @@ impl Running {
     pub fn new(design: &Design, runs: u32, passes: &Passes) -> Running {
         let program = Arc::new(program::compile_lanes(design, runs, passes));
         let engine = Started::new(program.clone(), EngineKind::default(), vec![0; runs as usize]);
+        Running::started(program, engine)
+    }
+
+    /// The same at its start, with the same engine and seeds.
+    pub fn another(&self) -> Running {
+        Running::started(self.program.clone(), self.engine.again(self.engine.chosen(), self.engine.seeds.clone()))
+    }
+
+    fn started(program: Arc<Program>, engine: Started) -> Running {
         let ports = program.inputs.iter().chain(&program.outputs).map(|port| {
             let width = program.value(port.value).width;
             let is_set = width <= 64 && port.triggers != Triggers::NONE;

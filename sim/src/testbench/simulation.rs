@@ -129,6 +129,24 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         Ok(Simulation { i, o, circuit: Running::new(design, runs, passes), inputs })
     }
 
+    /// Another simulation of the circuit, at time 0, on the same engine and with the same seed: the block is not elaborated again.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// let mut first = Simulation::of(&Counter)?;
+    /// first.set(first.i.enable, 1);
+    /// first.run(5);
+    /// let mut second = first.another();
+    /// second.set(second.i.enable, 1);
+    /// second.run(2);
+    /// assert_eq!((first.get_u64(first.o.count), second.get_u64(second.o.count)), (5, 2));
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    pub fn another(&self) -> Self {
+        let (i, o, inputs) = (self.i.clone(), self.o.clone(), self.inputs.clone());
+        Simulation { i, o, circuit: self.circuit.another(), inputs }
+    }
+
     /// The same circuit at time 0, with registers that a reset does not set and memories of unknown contents filled
     /// from `seed`, deterministically; 0 means zeros, as does not calling this. Inputs become zero.
     ///

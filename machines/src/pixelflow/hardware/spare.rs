@@ -1,7 +1,7 @@
 //! Arrays in simulation that have drawn a frame: to make one anew takes longer than a small frame.
 
 use std::fmt;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use tilewright_rtl::pixelflow::array::PixelArray;
 use tilewright_sim::{EngineKind, Simulation};
@@ -11,7 +11,14 @@ use crate::error::Error;
 
 /// Arrays of one size on one engine that nobody uses; copies of it are the same ones.
 #[derive(Clone, Default)]
-pub(in crate::pixelflow) struct Spare(Arc<Mutex<Vec<ArraySimulation>>>);
+pub(in crate::pixelflow) struct Spare(Arc<Mutex<Arrays>>);
+
+#[derive(Default)]
+struct Arrays {
+    /// The one that all others are made like.
+    first: Option<ArraySimulation>,
+    free: Vec<ArraySimulation>,
+}
 
 impl Spare {
     /// One of them, or a new one; it has to be reset.
@@ -19,13 +26,24 @@ impl Spare {
     /// # Errors
     /// [`Error::Simulation`].
     pub fn take(&self, array: &PixelArray, engine: EngineKind) -> Result<ArraySimulation, Error> {
-        let spare = self.0.lock().unwrap_or_else(PoisonError::into_inner).pop();
-        spare.map_or_else(|| Ok(Simulation::of(array)?.on(engine)), Ok)
+        let mut arrays = self.lock();
+        if let Some(spare) = arrays.free.pop() {
+            return Ok(spare);
+        }
+        let first = match arrays.first.take() {
+            Some(first) => first,
+            None => Simulation::of(array)?.on(engine),
+        };
+        Ok(arrays.first.insert(first).another())
     }
 
     /// Another frame may use it.
     pub fn keep(&self, array: ArraySimulation) {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner).push(array);
+        self.lock().free.push(array);
+    }
+
+    fn lock(&self) -> MutexGuard<'_, Arrays> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 
