@@ -62,9 +62,9 @@ pub(super) fn composed_and_unloaded(port: &NetworkPort) -> Scenario {
                 upstream: Transfer {
                     valid: Bits::new(1, comes),
                     first: Bits::new(1, comes & first),
-                    bytes: in_each_chip(port, upstream),
+                    bytes: in_each_chip(port.chips, port.width, upstream),
                 },
-                own: in_each_chip(port, own),
+                own: in_each_chip(port.chips, port.width, own),
             });
         }
     }
@@ -91,7 +91,7 @@ pub(super) fn from_the_first_to_the_last(network: &Network) -> Scenario {
                 mode: Bits::new(2, mode.code()),
                 sends: Bits::new(1, u64::from(number == 0 && turn.is_some())),
                 first: Bits::new(1, first),
-                own: in_each_chip(port, own),
+                own: in_each_chip(port.chips, port.width, own),
             }
         };
         script.clock_bits(&NetworkIn { nodes: (0..nodes).map(node).collect() });
@@ -99,9 +99,9 @@ pub(super) fn from_the_first_to_the_last(network: &Network) -> Scenario {
     script.finish("words of two bytes: the first node sends, those behind it compose, and the last one has the least")
 }
 
-fn in_each_chip(port: &NetworkPort, byte: u64) -> Bits {
-    let byte = Bits::new(port.width, byte);
-    (1..port.chips).fold(byte.clone(), |bytes, _| bytes.concat(&byte))
+fn in_each_chip(chips: u32, width: u32, byte: u64) -> Bits {
+    let byte = Bits::new(width, byte);
+    (1..chips).fold(byte.clone(), |bytes, _| bytes.concat(&byte))
 }
 
 /// A byte of depth inside an edge, in the bank that the network has next.
@@ -376,15 +376,18 @@ pub(super) fn a_region_of_texels(unit: &TextureUnit) -> Scenario {
 }
 
 pub(super) fn a_frame_is_shown(buffer: &FrameBuffer) -> Scenario {
-    let chips = buffer.chips();
-    let bytes = |byte: u64| (1..chips).fold(Bits::new(8, byte), |bytes, _| bytes.concat(&Bits::new(8, byte)));
-    let inputs = |start: u64, byte: u64| FrameBufferIn { start: Bits::new(1, start), seen: bytes(byte) };
+    let inputs = |start: u64, byte: u64| FrameBufferIn {
+        start: Bits::new(1, start),
+        seen: in_each_chip(buffer.chips(), 8, byte),
+    };
     let mut script = Script::new(buffer, ARRAY.period);
     script.ready("pixels", true);
-    let [across, down] = buffer.regions();
-    for region in 0..u64::from(across * down).min(4) {
+    let ([across, down], clocks) = (buffer.regions(), buffer.clocks());
+    // Of a large array one takes long enough.
+    let regions = u64::from(across * down).min((1000 / clocks).clamp(1, 4));
+    for region in 0..regions {
         script.clock_bits(&inputs(1, 0));
-        (0..buffer.clocks().min(200)).for_each(|clock| script.clock_bits(&inputs(0, (0x40 * region + clock) & 0xff)));
+        (0..clocks).for_each(|clock| script.clock_bits(&inputs(0, (0x40 * region + clock) & 0xff)));
     }
     script.clock_bits(&inputs(0, 0));
     script.wait(40);
