@@ -94,10 +94,10 @@ const COLOUR: u32 = 3;
 const FRAMES: u32 = 2;
 /// Bits of a channel.
 const CHANNEL: u32 = 8;
-/// Of eight samples: those along an axis that are side by side, and the colours of each processor.
+/// Of eight samples: those along an axis that are side by side, and the renderings, of each of which a processor has a colour.
 const SIDE: u32 = 2;
-const TWO: u32 = 2;
-const EIGHT: u32 = SIDE * SIDE * TWO;
+const RENDERINGS: u32 = 2;
+const EIGHT: u32 = SIDE * SIDE * RENDERINGS;
 /// Bits of the sum of a channel of eight.
 const SUM: u32 = CHANNEL + EIGHT.ilog2();
 
@@ -314,9 +314,9 @@ impl FrameBuffer {
 
     /// The processor whose byte is read of a pixel of eight samples, and the register; from the clock behind `begins` on.
     fn place_of_sample(m: Module, number: Signal, runs: Signal, begins: Signal) -> (Signal, Signal) {
-        let register = m.reg("register", below(COLOUR * TWO));
+        let register = m.reg("register", below(COLOUR * RENDERINGS));
         let sample = m.reg("sample", below(SIDE * SIDE));
-        net!(sample_ends = register.eq(COLOUR * TWO - 1));
+        net!(sample_ends = register.eq(COLOUR * RENDERINGS - 1));
         register.when(begins | (runs & sample_ends), 0).when(runs, register + 1);
         sample.when(begins, 0).when(runs & sample_ends, sample + 1);
         (concat(&[sample.bit(1), number, sample.bit(0)]), register.zext(6))
