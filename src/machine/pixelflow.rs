@@ -264,7 +264,7 @@ impl Compared for PixelFlowJob {
         let nodes = u64::from(report.nodes);
         let pixels = self.config.pixels().map_err(tilewright_machines::Error::from)?;
         let (array, port) = (state(&pixels)?, state(&pixels.network_port())?);
-        let buffer = state(&report.frame_buffer().map_err(tilewright_machines::Error::from)?)?;
+        let buffer = state(&report.frame_buffer)?;
         let bits = |of: fn(&tilewright_hdl::ir::State) -> u64| nodes * (of(&array) + 2 * of(&port)) + of(&buffer);
         // An array has a clock for two of the network.
         let clocks = report.latency() / 2;

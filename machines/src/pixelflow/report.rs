@@ -3,7 +3,7 @@
 use serde::Serialize;
 use std::fmt;
 use std::ops::Range;
-use tilewright_rtl::parameter::{ParameterError, Screen};
+use tilewright_rtl::parameter::ParameterError;
 use tilewright_rtl::pixelflow::frame_buffer::FrameBuffer;
 use tilewright_scenes::Field;
 
@@ -36,6 +36,9 @@ pub struct Report {
     pub rasterizers: Vec<NodeReport>,
     /// Each node that shaded.
     pub shaders: Vec<NodeReport>,
+    /// The circuit that holds the frame.
+    #[serde(skip)]
+    pub frame_buffer: FrameBuffer,
     /// Clocks of 10 ns in which the array of the node that holds the frame had an instruction, or waited for the frame buffer.
     pub holder: u64,
     /// Primitives, and how often one is in a region.
@@ -82,7 +85,13 @@ pub struct Stage {
 }
 
 impl Report {
-    pub(super) fn new(config: &Config, works: &Works, turns: Vec<Done>, busy: [Vec<u64>; 2], holder: u64) -> Report {
+    pub(super) fn new(
+        config: &Config,
+        works: &Works,
+        turns: Vec<Done>,
+        busy: [Vec<u64>; 2],
+        holder: u64,
+    ) -> Result<Report, ParameterError> {
         let costs = &config.costs;
         let (transforms, system) = match (works.is_shaded(), config.pre_sort) {
             (true, false) => (costs.transform, System::Base),
@@ -93,7 +102,7 @@ impl Report {
         let front = ticks(costs.overhead) + ticks(transforms) * most;
         let [rasterizers, shaders] = busy;
         let rasterizer = |(&primitives, busy)| NodeReport { primitives, busy };
-        Report {
+        Ok(Report {
             system,
             size: [works.size().width(), works.size().height()],
             field: config.field.map(field_name),
@@ -103,6 +112,7 @@ impl Report {
             array: config.array,
             rasterizers: works.primitives.iter().zip(rasterizers).map(rasterizer).collect(),
             shaders: shaders.into_iter().map(|busy| NodeReport { primitives: 0, busy }).collect(),
+            frame_buffer: works.frame_buffer()?,
             holder,
             primitives: works.primitives.iter().sum(),
             drawn: works.drawn,
@@ -110,18 +120,7 @@ impl Report {
             // Of what is in no region nothing is made.
             second: if system == System::PreSort { works.made.saturating_sub(front) } else { 0 },
             turns,
-        }
-    }
-
-    /// The circuit that holds such frames.
-    ///
-    /// # Errors
-    /// There is none: not of a frame that was drawn.
-    pub fn frame_buffer(&self) -> Result<FrameBuffer, ParameterError> {
-        let averages = self.samples > 1 && !self.shaders.is_empty() && !self.shaded_once;
-        let of = if averages { FrameBuffer::of_eight_samples } else { FrameBuffer::new };
-        let [width, height] = self.size;
-        of(self.array, Screen::new(width, height)?)
+        })
     }
 
     /// Ticks from the first instruction to the last region in the frame buffer.

@@ -69,7 +69,7 @@ impl<'a> Whole<'a> {
             tick: 0,
             jobs: jobs(&built, works),
             textures: (0..shaders).map(texture).collect(),
-            store: FrameStore::new(built.array, works, EngineKind::Compiled).unwrap(),
+            store: FrameStore::new(works, EngineKind::Compiled).unwrap(),
             seen: Events {
                 given: vec![Default::default(); nodes],
                 passed: vec![Default::default(); nodes],
@@ -224,14 +224,14 @@ fn begun(
 fn programs(built: &Built, works: &Works) -> Vec<Vec<Instruction<u64>>> {
     let turns = 0..works.turns();
     let stores = turns.clone().filter(|turn| works.comes_to_holder(*turn)).flat_map(|turn| works.storing(turn));
-    let mut programs = vec![works.first_of_holder().into_iter().chain(stores).collect::<Vec<_>>()];
+    let mut programs = vec![Works::first_of_holder().into_iter().chain(stores).collect::<Vec<_>>()];
     for share in 0..works.shares() {
         programs.push(turns.clone().flat_map(|turn| works.program(share, turn).to_vec()).collect());
     }
     for number in 0..built.shaders {
         let own = turns.clone().filter(|turn| works.shader_of(*turn, built.shaders) == Some(number));
         let shading = own.flat_map(|turn| works.shading(turn).to_vec());
-        programs.push(works.first_of_shader().into_iter().chain(shading).collect());
+        programs.push(Works::first_of_shader().into_iter().chain(shading).collect());
     }
     programs
 }

@@ -17,8 +17,9 @@ mod samples;
 
 use std::sync::Arc;
 
-use tilewright_rtl::parameter::ParameterError;
+use tilewright_rtl::parameter::{self, ParameterError};
 use tilewright_rtl::pixelflow::fields::{appearance, bank, gouraud, texture};
+use tilewright_rtl::pixelflow::frame_buffer::FrameBuffer;
 use tilewright_rtl::pixelflow::instruction::Instruction;
 use tilewright_rtl::pixelflow::programs::{self, Region};
 use tilewright_scenes::{PixelBox, Size, Texture};
@@ -126,6 +127,16 @@ impl Works {
         Size::new(drawn.width() / 2, drawn.height() / 2).expect("it is twice a size")
     }
 
+    /// The circuit that holds the frame.
+    ///
+    /// # Errors
+    /// There is none.
+    pub fn frame_buffer(&self) -> Result<FrameBuffer, ParameterError> {
+        let of = if self.is_side_by_side() { FrameBuffer::of_eight_samples } else { FrameBuffer::new };
+        let size = self.size();
+        of(self.array, parameter::Screen::new(size.width(), size.height())?)
+    }
+
     /// Samples of a pixel.
     pub fn samples(&self) -> u32 {
         self.samples.count()
@@ -215,12 +226,12 @@ impl Works {
     }
 
     /// What it does before the first one: it has a bank for words.
-    pub fn first_of_shader(&self) -> [Instruction<u64>; 1] {
+    pub fn first_of_shader() -> [Instruction<u64>; 1] {
         [programs::give_bank(0)]
     }
 
     /// What the holder of the frame does before the first one: it has two banks for what comes.
-    pub fn first_of_holder(&self) -> [Instruction<u64>; 2] {
+    pub fn first_of_holder() -> [Instruction<u64>; 2] {
         [0, 1].map(programs::give_bank)
     }
 

@@ -1,9 +1,7 @@
 //! The frame buffer in simulation, beside the array whose registers it reads.
 
-use tilewright_rtl::parameter::{ParameterError, Screen};
 use tilewright_rtl::pixelflow::ARRAY;
-use tilewright_rtl::pixelflow::array::PixelArray;
-use tilewright_rtl::pixelflow::frame_buffer::{FrameBuffer, FrameBufferIn, FrameBufferOut};
+use tilewright_rtl::pixelflow::frame_buffer::{FrameBufferIn, FrameBufferOut};
 use tilewright_rtl::pixelflow::registers::PortAccess;
 use tilewright_sim::{Bundle, EngineKind, Port, Simulation};
 
@@ -18,22 +16,12 @@ pub(in crate::pixelflow) struct FrameStore {
 }
 
 impl FrameStore {
-    /// That of such a node, for such frames.
-    ///
-    /// # Errors
-    /// There is none.
-    pub fn hardware(array: &PixelArray, works: &Works) -> Result<FrameBuffer, ParameterError> {
-        let of = if works.is_side_by_side() { FrameBuffer::of_eight_samples } else { FrameBuffer::new };
-        let size = works.size();
-        of([array.width(), array.height()], Screen::new(size.width(), size.height())?)
-    }
-
     /// One that is empty.
     ///
     /// # Errors
-    /// [`Error::Parameter`]: as [`FrameStore::hardware`]; [`Error::Simulation`].
-    pub fn new(array: &PixelArray, works: &Works, engine: EngineKind) -> Result<FrameStore, Error> {
-        let mut sim = Simulation::at(&FrameStore::hardware(array, works)?, ARRAY.period)?.on(engine);
+    /// [`Error::Parameter`]: as [`Works::frame_buffer`]; [`Error::Simulation`].
+    pub fn new(works: &Works, engine: EngineKind) -> Result<FrameStore, Error> {
+        let mut sim = Simulation::at(&works.frame_buffer()?, ARRAY.period)?.on(engine);
         sim.set(sim.i.start, false);
         sim.set(sim.o.pixels.ready, false);
         sim.try_reset()?;

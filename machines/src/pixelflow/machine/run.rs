@@ -64,7 +64,7 @@ impl<'a> Run<'a> {
             side_by_side: config.side_by_side,
             set_up: config.set_up,
             looks_up: TextureLookUp::clocks(&array),
-            loads: FrameStore::hardware(&array, works)?.clocks(),
+            loads: works.frame_buffer()?.clocks(),
         };
         let timing = Timing::new(&built, works);
 
@@ -93,8 +93,8 @@ impl<'a> Run<'a> {
             came: Vec::new(),
         };
         run.schedule();
-        run.holder.node.run(&works.first_of_holder(), &[])?;
-        run.shaders.iter_mut().try_for_each(|shader| shader.node.run(&works.first_of_shader(), &[]))?;
+        run.holder.node.run(&Works::first_of_holder(), &[])?;
+        run.shaders.iter_mut().try_for_each(|shader| shader.node.run(&Works::first_of_shader(), &[]))?;
         Ok(run)
     }
 
@@ -240,7 +240,7 @@ impl<'a> Run<'a> {
         let rasterizers = self.rasterizers.iter().map(Node::busy).collect();
         let shaders = self.shaders.iter().map(|shader| shader.node.busy()).collect();
         let held = self.holder.node.busy();
-        let report = Report::new(self.config, self.works, self.timing.turns, [rasterizers, shaders], held);
+        let report = Report::new(self.config, self.works, self.timing.turns, [rasterizers, shaders], held)?;
         let shaders = self.shaders.into_iter().map(|shader| shader.node);
         let nodes = [self.holder.node].into_iter().chain(self.rasterizers).chain(shaders);
         nodes.for_each(|node| self.spare.keep(node.into_array()));
@@ -266,7 +266,7 @@ fn build(
                 (format!("shader {}", shader + 1), Beside::Texture(TextureLookUp::new(array, textures, engine)?))
             }
             None if number == 0 => {
-                ("the holder of the frame".to_owned(), Beside::Store(FrameStore::new(array, works, engine)?))
+                ("the holder of the frame".to_owned(), Beside::Store(FrameStore::new(works, engine)?))
             }
             None => (format!("rasterizer {number}"), Beside::Nobody),
         };

@@ -104,12 +104,12 @@ impl Arrays for ByPrograms<'_> {
     }
 
     fn first_words(&mut self) -> Vec<Ticks> {
-        let program = self.works.first_of_shader();
+        let program = Works::first_of_shader();
         self.shaders.iter_mut().map(|shader| shader.run(&program, &[]).given[0]).collect()
     }
 
     fn first_stores(&mut self) -> [Ticks; 2] {
-        self.holder.run(&self.works.first_of_holder(), &[]).given
+        self.holder.run(&Works::first_of_holder(), &[]).given
     }
 
     fn draw(&mut self, number: usize, _: &Turn, free: &[Ticks]) -> Vec<Ticks> {

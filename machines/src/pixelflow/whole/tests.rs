@@ -79,7 +79,7 @@ fn check(choice: Choice, size: Size, works: &Works, golden: &tilewright_scenes::
         side_by_side: choice.side_by_side,
         set_up: choice.set_up,
         looks_up: TextureLookUp::clocks(&array),
-        loads: FrameStore::hardware(&array, works).unwrap().clocks(),
+        loads: works.frame_buffer().unwrap().clocks(),
     };
     let mut whole = Whole::new(built, works);
     whole.run();
