@@ -67,12 +67,16 @@ pub enum Refused {
     Itself(String),
 }
 
-/// Runs the benches of all designs together: for each, nothing if it passed, else what it printed.
+/// Seconds of processor time for benches that come to an end: more than they need.
+pub const PATIENCE: u64 = 300;
+
+/// Runs the benches of all designs together: for each, nothing if it passed, else what it printed. Icarus is ended after so many seconds of
+/// processor time.
 ///
 /// # Errors
 ///
 /// The tool does not run them; one design is enough for that.
-pub fn run(tool: Tool, designs: &[Printed]) -> Result<Vec<Option<String>>, Refused> {
+pub fn run(tool: Tool, designs: &[Printed], seconds: u64) -> Result<Vec<Option<String>>, Refused> {
     let folder = TempDir::with_prefix("tilewright-cosim-").expect("a temporary folder can be made");
     // Designs may share modules, of one text.
     let mut files: BTreeMap<&str, &str> = BTreeMap::new();
@@ -97,7 +101,7 @@ pub fn run(tool: Tool, designs: &[Printed]) -> Result<Vec<Option<String>>, Refus
     writeln!(text, "module all_benches;\n{instances}endmodule").expect("a string takes text");
     std::fs::write(folder.path().join("all_benches.v"), text).expect("a file can be written");
     let output = match tool {
-        Tool::Icarus => icarus(&folder, designs.len())?,
+        Tool::Icarus => icarus(&folder, seconds)?,
         Tool::Verilator => verilator(&folder)?,
     };
     Ok(verdicts(&output, designs))
@@ -148,21 +152,15 @@ fn verdicts(output: &str, designs: &[Printed]) -> Vec<Option<String>> {
     designs.iter().enumerate().map(verdict).collect()
 }
 
-fn icarus(folder: &TempDir, designs: usize) -> Result<String, Refused> {
+fn icarus(folder: &TempDir, seconds: u64) -> Result<String, Refused> {
     let compile = ["-g2005", "-s", "all_benches", "-o", "all_benches.vvp", "all_benches.v"];
     let (succeeded, output) = execute(folder, Command::new("iverilog").args(compile));
     if !succeeded {
         return Err(Refused::Verilog(output));
     }
-    let patience = PATIENCE + designs as u64 / DESIGNS_A_SECOND;
-    let (succeeded, output) = execute(folder, limited("vvp", patience).args(["-n", "all_benches.vvp"]));
+    let (succeeded, output) = execute(folder, limited("vvp", seconds).args(["-n", "all_benches.vvp"]));
     if succeeded { Ok(output) } else { Err(Refused::Itself(output)) }
 }
-
-/// Seconds of processor time that a batch may take, and designs for which it may take another: a hundred take about a second. Chains of
-/// lanes whose values pass each other may make Icarus compute for ever: it has them anew for each change on the way.
-const PATIENCE: u64 = 5;
-const DESIGNS_A_SECOND: u64 = 4;
 
 /// A program that is ended when it has had so many seconds of processor time: on a busy computer it takes longer, but no more of that.
 pub(crate) fn limited(program: impl AsRef<OsStr>, seconds: u64) -> Command {

@@ -89,6 +89,12 @@ enum Verdict {
     Unusable,
 }
 
+/// Seconds of processor time that so many random designs may take: a hundred take about a second. Chains of lanes whose values pass
+/// each other may make Icarus compute for ever: it has them anew for each change on the way.
+fn patience(designs: usize) -> u64 {
+    5 + designs as u64 / 4
+}
+
 impl Campaign {
     /// So many designs against Icarus, with sizes and jobs that suit two processors.
     pub fn icarus(seed: u64, designs: u64) -> Campaign {
@@ -173,7 +179,7 @@ impl Campaign {
 
     /// What became of each design; a batch that the tool refuses is halved until the culprit is alone.
     fn compare(&self, printed: &[Printed]) -> Vec<Verdict> {
-        match batch::run(self.tool, printed) {
+        match batch::run(self.tool, printed, patience(printed.len())) {
             Ok(verdicts) => {
                 let verdict = |differs: Option<String>| differs.map_or(Verdict::Agrees, Verdict::Differs);
                 verdicts.into_iter().map(verdict).collect()

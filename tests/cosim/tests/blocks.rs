@@ -1,5 +1,7 @@
 //! The scenario of every block of the catalogues, repeated by Icarus, Verilator and Yosys.
 
+use std::iter;
+use std::sync::Mutex;
 use tilewright_cosim::batch::{self, Tool};
 use tilewright_cosim::check::Run;
 use tilewright_gen::{VerilogFile, tools};
@@ -61,16 +63,32 @@ fn no_linter_complains_of_any_block() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
+/// Blocks that a simulator gets at once. Compiling what Verilator makes of all of them takes gigabytes.
+const TOGETHER: usize = 12;
+
 fn replayed_by(tool: Tool) {
     if !tool.is_here() {
         return;
     }
     let blocks = blocks();
+    let groups = Mutex::new(blocks.chunks(TOGETHER));
+    let next = || groups.lock().expect("no other thread panics while it has it").next();
+    let work = || iter::from_fn(next).flat_map(|group| differing(tool, group)).collect::<Vec<_>>();
+    let wrong = std::thread::scope(|scope| {
+        let other = scope.spawn(work);
+        [work(), other.join().expect("it does not panic")].concat()
+    });
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// What a simulator says of the blocks whose scenario it does not repeat.
+fn differing(tool: Tool, blocks: &[(String, Design, Run)]) -> Vec<String> {
     let printed: Vec<_> = blocks.iter().map(|(_, _, run)| run.printed.clone()).collect();
-    let verdicts = batch::run(tool, &printed).unwrap();
-    for ((name, ..), wrong) in blocks.iter().zip(verdicts) {
-        assert!(wrong.is_none(), "{} differs on the scenario of {name}:\n{}", tool.name(), wrong.unwrap_or_default());
-    }
+    let verdicts = batch::run(tool, &printed, batch::PATIENCE).unwrap();
+    let differing = blocks.iter().zip(verdicts).filter_map(|((name, ..), wrong)| {
+        wrong.map(|wrong| format!("{} differs on the scenario of {name}:\n{wrong}", tool.name()))
+    });
+    differing.collect()
 }
 
 #[test]

@@ -21,7 +21,7 @@ fn compare_in(tool: Tool, widths: impl IntoIterator<Item = u32>) {
     }
     let widths: Vec<u32> = widths.into_iter().collect();
     let printed: Vec<_> = widths.iter().map(|width| matrix::printed(*width).unwrap()).collect();
-    let verdicts = batch::run(tool, &printed).unwrap();
+    let verdicts = batch::run(tool, &printed, batch::PATIENCE).unwrap();
     for (width, wrong) in widths.iter().zip(verdicts) {
         assert!(wrong.is_none(), "{} differs at {width} bits:\n{}", tool.name(), wrong.unwrap_or_default());
     }

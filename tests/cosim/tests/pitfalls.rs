@@ -223,7 +223,7 @@ fn avoided_in(tool: Tool) {
         return;
     }
     let printed: Vec<Printed> = PITFALLS.iter().map(Pitfall::printed).collect();
-    let verdicts = batch::run(tool, &printed).unwrap();
+    let verdicts = batch::run(tool, &printed, batch::PATIENCE).unwrap();
     for (pitfall, wrong) in PITFALLS.iter().zip(verdicts) {
         assert!(wrong.is_none(), "{pitfall:?} in {}:\n{}", tool.name(), wrong.unwrap_or_default());
     }
