@@ -98,7 +98,7 @@ mod tests {
             Polygon { polygon, ..packet }
         });
         let counts = Counts { polygons: 3, drawn: 2, ..Counts::default() };
-        Polygons { size, polygons: polygons.collect(), vertices: vertices.to_vec(), counts }
+        Polygons { size, polygons: polygons.collect(), vertices: vertices.to_vec(), spheres: Vec::new(), counts }
     }
 
     #[test]

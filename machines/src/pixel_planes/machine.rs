@@ -118,6 +118,9 @@ impl Machine {
             let problem = format!("polygons of {} pixels, on a machine of {size}: set them up for that", polygons.size);
             return Err(ParameterError(problem).into());
         }
+        if !polygons.spheres.is_empty() {
+            return Err(ParameterError("spheres: this machine evaluates no quadratics".to_owned()).into());
+        }
         let bins = regions.bins(&polygons.vertices, Binner::Tight);
         let mut order: Vec<usize> = (0..bins.len()).collect();
         // Stable: of equal ones the lower number is first.
