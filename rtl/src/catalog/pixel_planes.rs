@@ -144,7 +144,7 @@ fn ring(values: &Values) -> Result<Ring, ParameterError> {
 }
 
 fn controller(values: &Values) -> Result<ImageGenerationController, ParameterError> {
-    Ok(ImageGenerationController { side: side(values.get_u32("side"))? })
+    Ok(ImageGenerationController { side: side(values.get_u32("side"))?, quadratic: false })
 }
 
 fn linear_tree(values: &Values) -> Result<LinearTree, ParameterError> {
