@@ -88,6 +88,8 @@ fn the_renderer_and_its_parts_show_what_their_scenarios_say() {
     assert_eq!(shown("pixel-processor", &[], "flag"), [0, 1]);
     // At column 3 of line 0 there is 3, and right behind it -2.
     assert_eq!(shown("linear-tree", &[], "value[0][3]")[..4], [0, 1, 0, 1]);
+    // There is 9, and right behind it -2.
+    assert_eq!(shown("quadratic-tree", &[], "value[0][3]")[..6], [0, 1, 0, 1, 0, 1]);
     for side in [8, 16] {
         for (queue, region) in [(16, 3), (1, 3)] {
             assert_eq!(shown("renderer", &[("side", side), ("queue", queue)], "planes_region"), [0, region]);

@@ -39,6 +39,7 @@ pub const ENTRIES: &[Entry] = &[
     pixel_planes::RENDERER,
     pixel_planes::IMAGE_GENERATION_CONTROLLER,
     pixel_planes::LINEAR_TREE,
+    pixel_planes::QUADRATIC_TREE,
     pixel_planes::PIXEL_PROCESSOR,
     pixel_planes::BACKING_STORE,
     pixel_planes::REGION_ALLOCATOR,

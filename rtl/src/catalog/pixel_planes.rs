@@ -6,7 +6,7 @@ use tilewright_hdl::elaborate_at;
 
 use self::scenarios::{
     a_region, a_triangle, all_regions, by_turns, four_free, one_after_another, two_expressions, two_lines,
-    write_add_and_compare,
+    two_quadratics, write_add_and_compare,
 };
 use super::shared::{HEIGHT, WIDTH};
 use super::{Entry, Parameter, Values};
@@ -18,6 +18,7 @@ use crate::pixel_planes::frame_buffer::FrameBuffer;
 use crate::pixel_planes::linear_tree::LinearTree;
 use crate::pixel_planes::machine::PixelPlanes5;
 use crate::pixel_planes::pixel::PixelProcessor;
+use crate::pixel_planes::quadratic_tree::QuadraticTree;
 use crate::pixel_planes::renderer::Renderer;
 use crate::pixel_planes::ring::Ring;
 use crate::pixel_planes::{PERIOD, side};
@@ -88,6 +89,14 @@ pub(super) const LINEAR_TREE: Entry = Entry {
     scenario: |values| Ok(two_expressions(&linear_tree(values)?)),
 };
 
+pub(super) const QUADRATIC_TREE: Entry = Entry {
+    name: "quadratic-tree",
+    summary: "evaluates A x + B y + C + D x^2 + E x y + F y^2 at all pixels, a bit a clock",
+    parameters: &[SIDE],
+    design: |values| Ok(elaborate_at(&quadratic_tree(values)?, PERIOD)?),
+    scenario: |values| Ok(two_quadratics(&quadratic_tree(values)?)),
+};
+
 pub(super) const PIXEL_PROCESSOR: Entry = Entry {
     name: "pixel-processor",
     summary: "a full adder of one bit, two flags and 208 bits of memory",
@@ -135,11 +144,15 @@ fn ring(values: &Values) -> Result<Ring, ParameterError> {
 }
 
 fn controller(values: &Values) -> Result<ImageGenerationController, ParameterError> {
-    Ok(ImageGenerationController { side: side(values.get_u32("side"))? })
+    Ok(ImageGenerationController { side: side(values.get_u32("side"))?, quadratic: false })
 }
 
 fn linear_tree(values: &Values) -> Result<LinearTree, ParameterError> {
     Ok(LinearTree { side: side(values.get_u32("side"))? })
+}
+
+fn quadratic_tree(values: &Values) -> Result<QuadraticTree, ParameterError> {
+    Ok(QuadraticTree { side: side(values.get_u32("side"))? })
 }
 
 fn backing_store(values: &Values) -> Result<BackingStore, ParameterError> {

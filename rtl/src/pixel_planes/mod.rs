@@ -18,6 +18,7 @@
 //! | file | what is in it |
 //! |---|---|
 //! | [`linear_tree`] | A x + B y + C at all pixels |
+//! | [`quadratic_tree`] | A x + B y + C + D x² + E x y + F y² at all pixels |
 //! | [`pixel`] | a pixel's adder, flags and memory |
 //! | [`instruction`] | the instructions, and the microcode of each operation |
 //! | [`controller`] | what takes instructions and controls tree and pixels |
@@ -37,6 +38,7 @@ use crate::prelude::{ParameterError, Period};
 
 pub mod allocator;
 pub mod backing_store;
+mod bit_serial;
 pub mod controller;
 pub mod fields;
 pub mod frame_buffer;
@@ -47,6 +49,7 @@ pub mod machine;
 mod model;
 pub mod pixel;
 pub mod programs;
+pub mod quadratic_tree;
 pub mod renderer;
 pub mod ring;
 pub mod schedule;

@@ -117,7 +117,7 @@ fn surface() -> impl Strategy<Value = (Surface, u32)> {
 
 /// Instructions that a renderer of that side takes, on a small part of the memory, so that they meet each other's words.
 pub(super) fn instructions(side: u32) -> impl Strategy<Value = Instruction<u64>> {
-    const LAST: usize = Operation::ALL.len() - 1;
+    const LAST: usize = Operation::Save as usize;
     let levels = u64::from(side.trailing_zeros());
     let length = prop_oneof![4 => 1..12u64, 1 => 1..65u64];
     let address = || prop_oneof![1..24u64, Just(100)];

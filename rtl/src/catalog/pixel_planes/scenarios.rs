@@ -15,6 +15,7 @@ use crate::pixel_planes::linear_tree::{Coefficients, LinearTree, LinearTreeIn};
 use crate::pixel_planes::machine::{PixelPlanes5, PixelPlanes5In};
 use crate::pixel_planes::pixel::{Control, Mask, PixelProcessor, PixelProcessorIn, Source};
 use crate::pixel_planes::programs::{Expression, Surface, clear, flat_strict, save, smooth_least};
+use crate::pixel_planes::quadratic_tree::{Curve, QuadraticTree, QuadraticTreeIn};
 use crate::pixel_planes::renderer::{Renderer, RendererIn};
 use crate::pixel_planes::ring::{Ring, RingIn};
 
@@ -158,6 +159,24 @@ pub(super) fn two_expressions(tree: &LinearTree) -> Scenario {
     script.clock(&LinearTreeIn { coefficients: Coefficients { a: 0, b: 0, c: 0 }, first: 0 });
     script.wait(u64::from(tree.latency()));
     script.finish("x, and right behind it -x + 2 y + 1, the least significant bit first")
+}
+
+pub(super) fn two_quadratics(tree: &QuadraticTree) -> Scenario {
+    let bits = (2 * tree.levels()).max(4);
+    let inputs = |[a, b, c, d, e, f]: [u64; 6], first: bool| QuadraticTreeIn {
+        coefficients: Coefficients { a, b, c },
+        curve: Curve { d, e, f },
+        first: first.into(),
+    };
+    let mut script = Script::new(tree, PERIOD);
+    for expression in [[0, 0, 0, 1, 0, 0], [2, 0, 1, u64::MAX, 1, 3]] {
+        for bit in 0..bits {
+            script.clock(&inputs(expression.map(|number| number >> bit & 1), bit == 0));
+        }
+    }
+    script.clock(&inputs([0; 6], false));
+    script.wait(u64::from(tree.latency()));
+    script.finish("x^2, and right behind it 2 x + 1 - x^2 + x y + 3 y^2, the least significant bit first")
 }
 
 pub(super) fn write_add_and_compare() -> Scenario {

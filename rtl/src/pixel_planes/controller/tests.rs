@@ -14,7 +14,7 @@ use super::*;
 type Controller = Simulation<ImageGenerationControllerIn, ImageGenerationControllerOut>;
 
 fn started(side: u32) -> Controller {
-    let mut sim = Simulation::of(&ImageGenerationController { side }).unwrap();
+    let mut sim = Simulation::of(&ImageGenerationController { side, quadratic: false }).unwrap();
     sim.reset();
     sim.set(sim.i.store_free, 1);
     sim.set(sim.i.side_by_side, 1);
@@ -212,7 +212,7 @@ proptest! {
         seed in any::<u64>(),
     ) {
         const LATE: u64 = 6;
-        let mut sim = Simulation::of(&ImageGenerationController { side: 8 }).unwrap().seeded(seed);
+        let mut sim = Simulation::of(&ImageGenerationController { side: 8, quadratic: false }).unwrap().seeded(seed);
         sim.reset();
         sim.set(sim.i.store_free, 1);
         sim.set(sim.i.side_by_side, u64::from(side_by_side));
