@@ -85,7 +85,7 @@ fn without_spheres(scene: &Scene) -> Result<(), Failure> {
     if scene.spheres.is_empty() {
         return Ok(());
     }
-    let sentence = "the scene has spheres, which no machine draws: `tilewright golden` has the picture";
+    let sentence = "the scene has spheres, which pixel-planes-5 alone draws: use `tilewright render` with --machine pixel-planes-5";
     Err(Failure::new(Exit::BadInput, sentence))
 }
 

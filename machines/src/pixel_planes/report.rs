@@ -247,9 +247,11 @@ impl Report {
 
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Built { width, height, renderers, side, queue, ring, strict, side_by_side, edges, geometry, .. } =
-            self.machine;
-        writeln!(f, "pixel-planes-5, {renderers} renderers of {side}x{side} pixels: {width}x{height} pixels,")?;
+        let Built {
+            width, height, renderers, side, queue, ring, strict, side_by_side, edges, quadratic, geometry, ..
+        } = self.machine;
+        let tree = if quadratic { " with quadratic trees" } else { "" };
+        writeln!(f, "pixel-planes-5, {renderers} renderers of {side}x{side} pixels{tree}: {width}x{height} pixels,")?;
         let rule = if strict { "strict" } else { "the least word stays" };
         let manner = if side_by_side { "side by side" } else { "one at a time" };
         let edges = match edges {
