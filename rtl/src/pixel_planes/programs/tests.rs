@@ -120,7 +120,8 @@ proptest! {
         let fits = |bits: u32| range.iter().all(|value| (-(1 << (bits - 1))..1 << (bits - 1)).contains(value));
         if let Some(test) = test {
             let bits = test.skip as u32 + 1;
-            prop_assert!(fits(bits) && (bits <= side.trailing_zeros() || !fits(bits - 1)), "{} bits", bits);
+            let levels = side.trailing_zeros();
+            prop_assert!(fits(bits) && bits >= levels && (bits == levels || !fits(bits - 1)), "{} bits", bits);
         }
     }
 
