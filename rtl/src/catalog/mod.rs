@@ -37,6 +37,7 @@ pub const ENTRIES: &[Entry] = &[
     pixel_planes::PIXEL_PLANES_5,
     pixel_planes::RING,
     pixel_planes::RENDERER,
+    pixel_planes::QUADRATIC_RENDERER,
     pixel_planes::IMAGE_GENERATION_CONTROLLER,
     pixel_planes::LINEAR_TREE,
     pixel_planes::QUADRATIC_TREE,

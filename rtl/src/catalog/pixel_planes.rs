@@ -5,7 +5,7 @@ mod scenarios;
 use tilewright_hdl::elaborate_at;
 
 use self::scenarios::{
-    a_region, a_triangle, all_regions, by_turns, four_free, one_after_another, two_expressions, two_lines,
+    a_region, a_sphere, a_triangle, all_regions, by_turns, four_free, one_after_another, two_expressions, two_lines,
     two_quadratics, write_add_and_compare,
 };
 use super::shared::{HEIGHT, WIDTH};
@@ -49,10 +49,18 @@ const RATE: Parameter = Parameter {
     meaning: "bits that the ring brings in a clock: 125 are 5 Gbit/s",
 };
 
+const QUADRATIC: Parameter = Parameter {
+    name: "quadratic",
+    default: 0,
+    min: 0,
+    max: 1,
+    meaning: "0 where all expressions are linear, 1 where some are quadratic",
+};
+
 pub(super) const PIXEL_PLANES_5: Entry = Entry {
     name: "pixel-planes-5",
     summary: "Pixel-planes 5 without its geometry processors: renderers, ring, allocator and frame buffer",
-    parameters: &[WIDTH, HEIGHT, FEW_RENDERERS, SIDE, INSTRUCTIONS, RATE],
+    parameters: &[WIDTH, HEIGHT, FEW_RENDERERS, SIDE, INSTRUCTIONS, RATE, QUADRATIC],
     design: |values| Ok(elaborate_at(&machine(values)?, PERIOD)?),
     scenario: |values| Ok(all_regions(&machine(values)?, values.get_u32("rate"))),
 };
@@ -73,10 +81,18 @@ pub(super) const RENDERER: Entry = Entry {
     scenario: |values| Ok(a_triangle(&renderer(values)?)),
 };
 
+pub(super) const QUADRATIC_RENDERER: Entry = Entry {
+    name: "quadratic-renderer",
+    summary: "a renderer that evaluates quadratics, and so draws spheres",
+    parameters: &[Parameter { default: 4, ..SIDE }, INSTRUCTIONS],
+    design: |values| Ok(elaborate_at(&renderer(values)?.quadratic(), PERIOD)?),
+    scenario: |values| Ok(a_sphere(&renderer(values)?.quadratic())),
+};
+
 pub(super) const IMAGE_GENERATION_CONTROLLER: Entry = Entry {
     name: "image-generation-controller",
-    summary: "takes instructions, and controls the linear tree and all pixels",
-    parameters: &[SIDE],
+    summary: "takes instructions, and controls the tree and all pixels",
+    parameters: &[SIDE, QUADRATIC],
     design: |values| Ok(elaborate_at(&controller(values)?, PERIOD)?),
     scenario: |values| Ok(one_after_another(&controller(values)?)),
 };
@@ -136,7 +152,8 @@ fn renderer(values: &Values) -> Result<Renderer, ParameterError> {
 fn machine(values: &Values) -> Result<PixelPlanes5, ParameterError> {
     let [width, height, renderers, side, queue, rate] =
         ["width", "height", "renderers", "side", "queue", "rate"].map(|name| values.get_u32(name));
-    PixelPlanes5::new(Screen::new(width, height)?, renderers, side, queue, rate)
+    let linear = PixelPlanes5::new(Screen::new(width, height)?, renderers, side, queue, rate)?;
+    Ok(if is_quadratic(values) { linear.quadratic() } else { linear })
 }
 
 fn ring(values: &Values) -> Result<Ring, ParameterError> {
@@ -144,7 +161,11 @@ fn ring(values: &Values) -> Result<Ring, ParameterError> {
 }
 
 fn controller(values: &Values) -> Result<ImageGenerationController, ParameterError> {
-    Ok(ImageGenerationController { side: side(values.get_u32("side"))?, quadratic: false })
+    Ok(ImageGenerationController { side: side(values.get_u32("side"))?, quadratic: is_quadratic(values) })
+}
+
+fn is_quadratic(values: &Values) -> bool {
+    values.get_u32("quadratic") == 1
 }
 
 fn linear_tree(values: &Values) -> Result<LinearTree, ParameterError> {

@@ -5,7 +5,7 @@
 //!                  |         |-------------->| tree slot       |------------------------------> tree
 //! instructions ===>| [micro- |               | coefficients >> |----.
 //!                  |   code] |               '-----------------'    |  control of pixels
-//!                  |         |               .-----------------.    +--->[ 2 log2 S clocks ]--> pixels
+//!                  |         |               .-----------------.    +--->[ lag of the tree ]--> pixels
 //!                  |         |--->[waiting]->| memory slot     |----'
 //!                  '---------'               | constant >>     |
 //!                                            '-----------------'
@@ -161,7 +161,7 @@ impl ImageGenerationController {
     fn curve(&self, m: Module, next: &Taken<Instruction>, is_expression: Signal) -> Vec<Curve> {
         let is_curve = next.operation.is(Operation::Curve);
         if !self.quadratic {
-            m.assume(next.taken.implies(!is_curve), "a curve comes to a controller of a quadratic tree");
+            m.assume(next.taken.implies(!is_curve), "only the controller of a quadratic tree takes a curve");
             return Vec::new();
         }
         let comes = next.taken & is_curve;

@@ -83,7 +83,7 @@ bundle! {
         /// Where the word that is written begins.
         pub write: T,
         /// Of the expression, in two's complement, relative to the region; `c` is the constant where there is no expression. Longer words are
-        /// of the same sign.
+        /// of the same sign. Of a curve they are `d`, `e` and `f`.
         pub coefficients: Coefficients<T>,
     }
 }

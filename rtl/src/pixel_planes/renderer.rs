@@ -1,13 +1,15 @@
 //! The renderer: S x S pixels that compute under one instruction stream, and the region that they drew before (PP5-ARCH, PP5-UT).
 //!
 //! ```text
-//! instructions ==>[ queue ]==>[ controller ]--->[ linear tree ]--.
+//! instructions ==>[ queue ]==>[ controller ]--->[     tree    ]--.
 //!                                   |   ^                        v
 //!                                   |   '-- free --.   [ pixel processors ]
 //!                                   |              |             | word
 //!                                   '-- save -->[ backing store ]<'
 //!                                                      '=========================> planes
 //! ```
+//!
+//! The tree is a [linear](super::linear_tree) or a [quadratic](super::quadratic_tree) one.
 //!
 //! It is at rest where no bit of an instruction was sent for [`Renderer::REST`] clocks and no plane is taken: then nothing in it changes.
 //!
@@ -60,6 +62,9 @@ impl Renderer {
     pub const MOST: u32 = 4096;
     /// So many clocks after an instruction's last bit nothing of it is on its way any more: the coefficients have been shifted out, but for
     /// their signs, and their sums have gone through the tree to the pixels.
+    ///
+    /// Of a quadratic tree of 256 x 256 pixels that takes 88: from its first bit on a coefficient changes for 39 clocks, the longest way has 39 registers, and on
+    /// it are 17 sums whose carries may change a clock after; an instruction has 8 bits or more.
     pub const REST: u64 = 96;
 
     /// A renderer of regions of that side, a power of two from 2 to 256, with a queue of so many instructions.

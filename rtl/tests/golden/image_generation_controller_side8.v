@@ -630,7 +630,7 @@ module image_generation_controller_side8 (
 `else
     always @(posedge clk) begin
         if (!rst && !(!instructions_taken | (instructions_operation != OPERATION_CURVE))) begin // rtl/src/pixel_planes/controller.rs:164
-            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a curve comes to a controller of a quadratic tree", $time);
+            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: only the controller of a quadratic tree takes a curve", $time);
             $stop;
         end
         if (!rst && (asserted_and & memory_is_word)) begin           // rtl/src/pixel_planes/controller.rs:140

@@ -5,7 +5,7 @@
 // Parameters  Renderer { side: 8, queue: 16, quadratic: false }
 // Latency     a primitive takes the clocks of its instructions, a region that is sent 48 clocks a line
 // Source      Pixel-planes 5, section I.3.2.1 (PP5-ARCH, PP5-UT)
-// Described   rtl/src/pixel_planes/renderer.rs:120
+// Described   rtl/src/pixel_planes/renderer.rs:125
 `default_nettype none
 
 module renderer_side8_queue16 (
@@ -39,38 +39,38 @@ module renderer_side8_queue16 (
     output wire        instructions_ready
 );
 
-    wire u_queue_out_valid;                                      // rtl/src/pixel_planes/renderer.rs:120
-    wire [153:0] u_queue_out_payload;                            // rtl/src/pixel_planes/renderer.rs:120
-    wire u_controller_coefficients_a;                            // rtl/src/pixel_planes/renderer.rs:125
-    wire u_controller_coefficients_b;                            // rtl/src/pixel_planes/renderer.rs:125
-    wire u_controller_coefficients_c;                            // rtl/src/pixel_planes/renderer.rs:125
-    wire u_controller_first;                                     // rtl/src/pixel_planes/renderer.rs:125
-    wire [1:0] u_controller_control_source;                      // rtl/src/pixel_planes/renderer.rs:125
-    wire u_controller_control_constant;                          // rtl/src/pixel_planes/renderer.rs:125
-    wire u_controller_control_adds;                              // rtl/src/pixel_planes/renderer.rs:125
-    wire u_controller_control_first;                             // rtl/src/pixel_planes/renderer.rs:125
-    wire [1:0] u_controller_control_mask;                        // rtl/src/pixel_planes/renderer.rs:125
-    wire u_controller_control_compares;                          // rtl/src/pixel_planes/renderer.rs:125
-    wire u_controller_control_gates;                             // rtl/src/pixel_planes/renderer.rs:125
-    wire [2:0] u_controller_control_enabling;                    // rtl/src/pixel_planes/renderer.rs:125
-    wire u_controller_control_captures;                          // rtl/src/pixel_planes/renderer.rs:125
-    wire [7:0] u_controller_control_read;                        // rtl/src/pixel_planes/renderer.rs:125
-    wire [7:0] u_controller_control_write;                       // rtl/src/pixel_planes/renderer.rs:125
-    wire u_controller_save_claim;                                // rtl/src/pixel_planes/renderer.rs:125
-    wire [15:0] u_controller_save_region;                        // rtl/src/pixel_planes/renderer.rs:125
-    wire u_controller_save_plane;                                // rtl/src/pixel_planes/renderer.rs:125
-    wire u_controller_instructions_ready;                        // rtl/src/pixel_planes/renderer.rs:125
-    wire [63:0] u_tree_value;                                    // rtl/src/pixel_planes/renderer.rs:132
-    wire store_free;                                             // rtl/src/pixel_planes/renderer.rs:122
+    wire u_queue_out_valid;                                      // rtl/src/pixel_planes/renderer.rs:125
+    wire [153:0] u_queue_out_payload;                            // rtl/src/pixel_planes/renderer.rs:125
+    wire u_controller_coefficients_a;                            // rtl/src/pixel_planes/renderer.rs:130
+    wire u_controller_coefficients_b;                            // rtl/src/pixel_planes/renderer.rs:130
+    wire u_controller_coefficients_c;                            // rtl/src/pixel_planes/renderer.rs:130
+    wire u_controller_first;                                     // rtl/src/pixel_planes/renderer.rs:130
+    wire [1:0] u_controller_control_source;                      // rtl/src/pixel_planes/renderer.rs:130
+    wire u_controller_control_constant;                          // rtl/src/pixel_planes/renderer.rs:130
+    wire u_controller_control_adds;                              // rtl/src/pixel_planes/renderer.rs:130
+    wire u_controller_control_first;                             // rtl/src/pixel_planes/renderer.rs:130
+    wire [1:0] u_controller_control_mask;                        // rtl/src/pixel_planes/renderer.rs:130
+    wire u_controller_control_compares;                          // rtl/src/pixel_planes/renderer.rs:130
+    wire u_controller_control_gates;                             // rtl/src/pixel_planes/renderer.rs:130
+    wire [2:0] u_controller_control_enabling;                    // rtl/src/pixel_planes/renderer.rs:130
+    wire u_controller_control_captures;                          // rtl/src/pixel_planes/renderer.rs:130
+    wire [7:0] u_controller_control_read;                        // rtl/src/pixel_planes/renderer.rs:130
+    wire [7:0] u_controller_control_write;                       // rtl/src/pixel_planes/renderer.rs:130
+    wire u_controller_save_claim;                                // rtl/src/pixel_planes/renderer.rs:130
+    wire [15:0] u_controller_save_region;                        // rtl/src/pixel_planes/renderer.rs:130
+    wire u_controller_save_plane;                                // rtl/src/pixel_planes/renderer.rs:130
+    wire u_controller_instructions_ready;                        // rtl/src/pixel_planes/renderer.rs:130
+    wire [63:0] u_tree_value;                                    // rtl/src/pixel_planes/renderer.rs:137
+    wire store_free;                                             // rtl/src/pixel_planes/renderer.rs:127
 
-    wire [63:0] u_store_word;                                    // rtl/src/pixel_planes/renderer.rs:136
-    assign takes = u_queue_out_valid & u_controller_instructions_ready; // rtl/src/pixel_planes/renderer.rs:121
+    wire [63:0] u_store_word;                                    // rtl/src/pixel_planes/renderer.rs:141
+    assign takes = u_queue_out_valid & u_controller_instructions_ready; // rtl/src/pixel_planes/renderer.rs:126
 
     genvar i;
     genvar j;
 
     generate
-        for (i = 0; i < 8; i = i + 1) begin : u_pixel                // rtl/src/pixel_planes/renderer.rs:136
+        for (i = 0; i < 8; i = i + 1) begin : u_pixel                // rtl/src/pixel_planes/renderer.rs:141
             for (j = 0; j < 8; j = j + 1) begin : col
                 wire word;
 
@@ -94,7 +94,7 @@ module renderer_side8_queue16 (
         end
     endgenerate
 
-    fifo_depth16_width154_storage_registers u_queue (            // rtl/src/pixel_planes/renderer.rs:120
+    fifo_depth16_width154_storage_registers u_queue (            // rtl/src/pixel_planes/renderer.rs:125
         .clk          (clk),
         .rst          (rst),
         .into_valid   (instructions_valid),
@@ -105,7 +105,7 @@ module renderer_side8_queue16 (
         .into_ready   (instructions_ready)
     );
 
-    image_generation_controller_side8 u_controller (             // rtl/src/pixel_planes/renderer.rs:125
+    image_generation_controller_side8 u_controller (             // rtl/src/pixel_planes/renderer.rs:130
         .clk                         (clk),
         .rst                         (rst),
         .instructions_valid          (u_queue_out_valid),
@@ -141,7 +141,7 @@ module renderer_side8_queue16 (
         .instructions_ready          (u_controller_instructions_ready)
     );
 
-    linear_tree_side8 u_tree (                                   // rtl/src/pixel_planes/renderer.rs:132
+    linear_tree_side8 u_tree (                                   // rtl/src/pixel_planes/renderer.rs:137
         .clk            (clk),
         .rst            (rst),
         .coefficients_a (u_controller_coefficients_a),
@@ -151,7 +151,7 @@ module renderer_side8_queue16 (
         .value          (u_tree_value)
     );
 
-    backing_store_side8 u_store (                                // rtl/src/pixel_planes/renderer.rs:140
+    backing_store_side8 u_store (                                // rtl/src/pixel_planes/renderer.rs:145
         .clk           (clk),
         .rst           (rst),
         .save_claim    (u_controller_save_claim),

@@ -14,7 +14,9 @@ use crate::pixel_planes::instruction::Instruction;
 use crate::pixel_planes::linear_tree::{Coefficients, LinearTree, LinearTreeIn};
 use crate::pixel_planes::machine::{PixelPlanes5, PixelPlanes5In};
 use crate::pixel_planes::pixel::{Control, Mask, PixelProcessor, PixelProcessorIn, Source};
-use crate::pixel_planes::programs::{Expression, Surface, clear, flat_strict, save, smooth_least};
+use crate::pixel_planes::programs::{
+    Expression, Quadratic, SMOOTH_LEAST, Surface, clear, flat_strict, save, smooth_least,
+};
 use crate::pixel_planes::quadratic_tree::{Curve, QuadraticTree, QuadraticTreeIn};
 use crate::pixel_planes::renderer::{Renderer, RendererIn};
 use crate::pixel_planes::ring::{Ring, RingIn};
@@ -42,7 +44,32 @@ fn clocks(instruction: &Instruction<u64>) -> u64 {
 
 pub(super) fn a_triangle(renderer: &Renderer) -> Scenario {
     let side = renderer.side();
-    let program = [clear(0x10_20_30), smooth_least(side, &triangle(side), &surface()), save(3)].concat();
+    let triangle = smooth_least(side, &triangle(side), &surface());
+    drawn(
+        renderer,
+        &triangle,
+        "a region is cleared, a triangle with planes of colour is drawn in it, and it is saved and sent",
+    )
+}
+
+pub(super) fn a_sphere(renderer: &Renderer) -> Scenario {
+    let side = i64::from(renderer.side());
+    let inside = Quadratic { a: 0, b: 0, c: 9 * side * side / 64, d: -1, e: 0, f: -1 };
+    // From so much at its edge, in the middle as much more.
+    let over = |edge: i64, more: i64| {
+        let times = (more << 16) / inside.c.max(1);
+        let over = Quadratic { c: (edge << 16) + inside.c * times, ..inside.times(times) };
+        over.moved([-side / 2, -side / 2])
+    };
+    let surface = Surface { z: over(1000, -500), rgb: [over(0x40, 0x80), over(0x40, 0xb0), over(0x40, 0)] };
+    let sphere = SMOOTH_LEAST.draw_sphere(renderer.side(), &inside.moved([-side / 2, -side / 2]), &surface);
+    drawn(renderer, &sphere, "a region is cleared, a sphere is drawn in it, and it is saved and sent")
+}
+
+/// A region that is cleared, drawn so, and saved.
+fn drawn(renderer: &Renderer, primitive: &[Instruction<u64>], says: &'static str) -> Scenario {
+    let side = renderer.side();
+    let program = [&clear(0x10_20_30), primitive, &save(3)].concat();
     let instructions =
         |valid, instruction| RendererIn { instructions: Stream::of(valid, instruction), side_by_side: 1 };
     let mut script = Script::new(renderer, PERIOD);
@@ -57,8 +84,8 @@ pub(super) fn a_triangle(renderer: &Renderer) -> Scenario {
     }
     script.clock(&instructions(0, program[0]));
     // Of a large region the first lines are enough.
-    script.wait(program.iter().map(clocks).sum::<u64>() + 30 + u64::from(WORD.bits * side.min(8)));
-    script.finish("a region is cleared, a triangle with planes of colour is drawn in it, and it is saved and sent")
+    script.wait(program.iter().map(clocks).sum::<u64>() + 30 + u64::from(renderer.lag() + WORD.bits * side.min(8)));
+    script.finish(says)
 }
 
 pub(super) fn all_regions(machine: &PixelPlanes5, rate: u32) -> Scenario {

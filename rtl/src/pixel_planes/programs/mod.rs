@@ -51,6 +51,17 @@
 //! | `smooth_least` | polygons of 8 edges | own | 350 | | 303 | |
 //! | `smooth_least` | polygons of 8 edges | least | 280 | | 233 | |
 //!
+//! A [sphere](Program::draw_sphere) has one quadratic in place of the edges, and quadratics as planes (PP5-ARCH, facts C). With n bits of its silhouette, all planes
+//! bent, N is, as `cargo test -p tilewright-rtl --lib a_sphere_takes` holds it:
+//!
+//! | program | one at a time | side by side |
+//! |---|---|---|
+//! | `flat` | n + 26 | n + 3 |
+//! | `flat_strict` | n + 90 | n + 44, at least 72 |
+//! | `flat_least` | n + 114 | 96 |
+//! | `smooth_strict` | n + 141 | n + 118 |
+//! | `smooth_least` | n + 165 | n + 118, at least 147 |
+//!
 //! ```
 //! use tilewright_rtl::pixel_planes::programs::{Expression, clear, flat, save};
 //!
