@@ -44,7 +44,7 @@ pub struct RegionReport {
     pub renderer: usize,
     /// Primitives in its bin.
     pub primitives: u64,
-    /// Those of them that an edge does not keep out of it.
+    /// Those of them that no edge, and no outline of a sphere, keeps out of it.
     pub drawn: u64,
     /// The clock in which the renderer got it.
     pub begun: u64,

@@ -26,7 +26,10 @@ impl Image {
     pub fn new(s: DVec3, r: f64, middle: DVec2, scale: f64) -> Image {
         let aside = DVec2::new(s.x, s.y);
         let h = aside.dot(aside).sqrt();
-        let outward = if h > 0.0 { aside / h } else { DVec2::X };
+        // Scaled first, so that squares do not vanish.
+        let largest = aside.abs().max_element();
+        let scaled = if largest > 0.0 { aside / largest } else { DVec2::X };
+        let outward = scaled / scaled.dot(scaled).sqrt();
         let across = DVec2::new(-outward.y, outward.x);
         let v = (s.z - r) * (s.z + r);
         let (e, root) = ((v + h * h).sqrt(), v.sqrt());

@@ -5,7 +5,7 @@ mod packet;
 mod setup;
 
 pub use packet::{Quadratic, SpherePacket};
-pub use setup::{LEAST_HALF_WIDTH, MOST_HALF_WIDTH, MOST_RATIO, VALUE_BITS};
+pub use setup::VALUE_BITS;
 
 pub(crate) use image::Shade;
 pub(crate) use setup::{Seen, Unseen, set_up};

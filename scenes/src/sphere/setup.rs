@@ -12,11 +12,11 @@ use glam::{DVec2, DVec3};
 /// Bits of the magnitude of [`SpherePacket::inside`] at the pixels that a machine may ask for.
 pub const VALUE_BITS: u32 = 38;
 /// The longest half axis of an ellipse, in pixels.
-pub const MOST_HALF_WIDTH: f64 = 512.0;
+const MOST_HALF_WIDTH: f64 = 512.0;
 /// The shortest, in pixels: a smaller ellipse is not drawn.
-pub const LEAST_HALF_WIDTH: f64 = 1.0 / 16.0;
+const LEAST_HALF_WIDTH: f64 = 1.0 / 16.0;
 /// How many times as long as wide an ellipse may be.
-pub const MOST_RATIO: f64 = 4.0;
+const MOST_RATIO: f64 = 4.0;
 /// Pixels beside an ellipse's box at which a machine may ask for values: a region's side and 1 less.
 const BESIDE: i64 = 255;
 /// Parts of a pixel by which rounding may move a silhouette, where the bits allow it.

@@ -64,6 +64,9 @@ fn spheres_are_golden_for_all_numbers_of_renderers_and_sizes_of_regions() {
                 let report = drawn("molecule", size, |it| Config { renderers, side, strict, side_by_side, ..it });
                 let spheres = report.programs.last().expect("there are some");
                 assert_eq!(spheres.program, program);
+                // Spheres are charged as polygons are.
+                let (transform, set_up) = (report.geometry.transform, report.geometry.set_up);
+                assert_eq!((transform, set_up), (631 * 1224, 500 * report.primitives));
                 assert!(spheres.primitives >= 24 && report.machine.quadratic, "{spheres:?}");
             }
         }
