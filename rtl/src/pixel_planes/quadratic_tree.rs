@@ -20,7 +20,7 @@
 //! coefficients, of the same form, and that is what the right child has. The y tree goes on in the same way with c and b of each column, and F in the place
 //! of D.
 //!
-//! Half a span is a power of two, so [h] is a shift, which is a delay. A level takes 2 clocks for c, 1 for a and for b; one line for all levels brings D, one E and
+//! Half a span is a power of two, so `[h]` is a shift, which is a delay. A level takes 2 clocks for c, 1 for a and for b; one line for all levels brings D, one E and
 //! one F. With this each stream comes to each level as late as the shift there wants it, as in the [linear tree](super::linear_tree): there is no other delay
 //! than those before the roots.
 //!

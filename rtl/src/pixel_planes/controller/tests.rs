@@ -313,7 +313,7 @@ proptest! {
 fn a_curve_is_of_the_next_expression_alone_whatever_comes_between() {
     let mut sim = started_with(ImageGenerationController { side: 2, quadratic: true });
     let wave = sim.record(["instructions_ready", "tree_left", "first", "coefficients_c", "curve_0_d", "curve_0_f"]);
-    let curve = Coefficients { a: 0b011, b: 0, c: 0b110 };
+    let curve = Coefficients { a: 0b101_0011, b: 0, c: 0b11_0110 };
     let program = [
         Instruction { coefficients: curve, ..instruction(Operation::Curve, 0, 1, 0) },
         instruction(Operation::Flag, 0, 1, 0),
