@@ -9,7 +9,8 @@ use serde::Serialize;
 use std::ops::ControlFlow;
 use std::path::PathBuf;
 use tilewright_scenes::deferred::{Deferred, Samples, Shading};
-use tilewright_scenes::{Counts, Frame, Projection, Scene, golden};
+use tilewright_scenes::golden::Rule;
+use tilewright_scenes::{Counts, Frame, Polygons, Projection, Scene, golden};
 
 /// Renders a scene with the plain software rasterizer: the golden image
 #[derive(Args)]
@@ -19,6 +20,7 @@ Examples:
   tilewright golden teapot --quiet -o - > golden.png
   tilewright golden wireframe -o lines.png
   tilewright golden ter1k --size 320x240 -o small.png --json
+  tilewright golden molecule -o spheres.png
   tilewright golden textured --deferred --samples 8 -o textures.png")]
 pub struct Golden {
     #[command(flatten)]
@@ -45,9 +47,10 @@ struct Report {
     format: u32,
     scene: String,
     size: [u32; 2],
-    /// With the lines.
+    /// With the lines and spheres.
     polygons: u32,
     lines: u32,
+    spheres: u32,
     /// In one pass; eight samples take two.
     packets: usize,
     /// Of all words, depth and colour; 16 hexadecimal digits. Frames of deferred shading or of several samples have the greatest depths.
@@ -81,6 +84,8 @@ impl Style {
 enum Picture {
     /// In one pass, or in two for eight samples.
     Gouraud(Vec<Projection>),
+    /// In one pass, with spheres.
+    Spheres(Polygons),
     Deferred(Deferred),
 }
 
@@ -100,6 +105,7 @@ impl Golden {
             size: [frame.size().width(), frame.size().height()],
             polygons: counts.polygons,
             lines: counts.lines,
+            spheres: counts.spheres,
             packets: picture.packets(),
             checksum: format!("{:016x}", frame.checksum()),
             style: self.style(),
@@ -122,6 +128,14 @@ impl Golden {
             let sentence = "--shade-once is about the samples of a pixel, and there is one: add --samples 8";
             return Err(Failure::new(Exit::BadInput, sentence));
         }
+        if !scene.spheres.is_empty() {
+            if self.deferred || self.samples == "8" {
+                let sentence = "the scene has spheres, which are drawn in the colours of vertices, a sample a pixel: \
+                                leave out --deferred and --samples";
+                return Err(Failure::new(Exit::BadInput, sentence));
+            }
+            return Ok(Picture::Spheres(scene::polygons_and_spheres(scene)?));
+        }
         let shading = if self.shade_once { Shading::OncePerPixel } else { Shading::EachSample };
         let samples = if self.samples == "8" { Samples::Eight(shading) } else { Samples::One };
         Ok(match self.deferred {
@@ -141,6 +155,9 @@ impl Picture {
     fn draw(&self, background: [u8; 3]) -> Result<Frame, Failure> {
         match self {
             Picture::Gouraud(passes) => draw(|watch| golden::render_samples_watched(passes, background, watch)),
+            Picture::Spheres(polygons) => {
+                draw(|watch| golden::render_polygons_watched(polygons, Rule::Least, background, watch))
+            }
             Picture::Deferred(deferred) => draw(|watch| golden::render_deferred_watched(deferred, watch)),
         }
     }
@@ -149,6 +166,7 @@ impl Picture {
     fn packets(&self) -> usize {
         match self {
             Picture::Gouraud(passes) => passes[0].triangles.len(),
+            Picture::Spheres(polygons) => polygons.polygons.len() + polygons.spheres.len(),
             Picture::Deferred(deferred) => deferred.passes[0].packets.len(),
         }
     }
@@ -157,6 +175,7 @@ impl Picture {
     fn counts(&self) -> Counts {
         match self {
             Picture::Gouraud(passes) => passes[0].counts,
+            Picture::Spheres(polygons) => polygons.counts,
             Picture::Deferred(deferred) => deferred.counts,
         }
     }

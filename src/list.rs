@@ -42,6 +42,7 @@ struct SceneItem {
     name: &'static str,
     polygons: usize,
     lines: usize,
+    spheres: usize,
     size: [u32; 2],
 }
 
@@ -92,7 +93,8 @@ fn machine(machine: Machine) -> MachineItem {
 fn scene(name: &'static str) -> Option<SceneItem> {
     let scene = Scene::builtin(name)?;
     let (polygons, lines) = (scene.mesh.triangles().len(), scene.mesh.lines().len());
-    Some(SceneItem { name, polygons, lines, size: [scene.size.width(), scene.size.height()] })
+    let spheres = scene.spheres.len();
+    Some(SceneItem { name, polygons, lines, spheres, size: [scene.size.width(), scene.size.height()] })
 }
 
 fn block(entry: &Entry) -> Result<BlockItem, CatalogError> {
@@ -130,9 +132,10 @@ fn write_table(text: &mut String, lists: &Lists) -> std::fmt::Result {
         }
     }
     writeln!(text, "\nScenes (tilewright render NAME), or the path of an .obj or a .toml file")?;
-    for SceneItem { name, polygons, lines, size: [width, height] } in &lists.scenes {
+    for SceneItem { name, polygons, lines, spheres, size: [width, height] } in &lists.scenes {
         let (count, what) = if *polygons == 0 { (lines, "lines") } else { (polygons, "polygons") };
-        writeln!(text, "  {name:wide$}  {count:>6} {what}, {width}x{height} pixels")?;
+        let spheres = if *spheres == 0 { String::new() } else { format!(" and {spheres} spheres") };
+        writeln!(text, "  {name:wide$}  {count:>6} {what}{spheres}, {width}x{height} pixels")?;
     }
     writeln!(text, "\nBlocks (tilewright wave NAME, tilewright verilog NAME), each with its scenario and parameters")?;
     for BlockItem { name, summary, scenario, parameters } in &lists.blocks {

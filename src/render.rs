@@ -23,6 +23,7 @@ Examples:
   tilewright render star --machine quadtree --size 64x48
   tilewright render teapot --machine quadtree --size 32x24 --matrix 8x8 --form pipe:1+stack --test serial
   tilewright render star --machine pixel-planes-5 --size 64x48 --renderers 2 --region 16
+  tilewright render molecule --machine pixel-planes-5 --size 160x120 --region 32
   tilewright render star --machine pixelflow --size 64x48 --nodes 4 --shaders 1 --array 32x16
   tilewright render star --machine pixelflow --size 64x48 --nodes 8 --shaders 2 --array 32x16 --stereo halved
   tilewright render teapot --size 64x48 --processors 2 --vcd run.vcd --scope 'u_gfb.*' --from 10us --to 20us

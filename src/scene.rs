@@ -1,6 +1,6 @@
 //! The scene that a command is given, and the size of the frame.
 
-use crate::shell::{Failure, terminal};
+use crate::shell::{Exit, Failure, terminal};
 use clap::Args;
 use std::ffi::OsString;
 use std::sync::{Mutex, PoisonError};
@@ -31,8 +31,9 @@ impl SceneArguments {
 /// Sets the triangles of a scene up; passes on what was odd about its files, and if nothing of it is to be seen.
 ///
 /// # Errors
-/// The scene's camera or lights are no good, or nothing is in front of the camera.
+/// The scene's camera or lights are no good, nothing is in front of the camera, or there are spheres.
 pub fn triangles(scene: &Scene) -> Result<Projection, Failure> {
+    without_spheres(scene)?;
     let projection = scene.project()?;
     warn(scene, projection.warning());
     Ok(projection)
@@ -43,6 +44,15 @@ pub fn triangles(scene: &Scene) -> Result<Projection, Failure> {
 /// # Errors
 /// As [`triangles`].
 pub fn polygons(scene: &Scene) -> Result<Polygons, Failure> {
+    without_spheres(scene)?;
+    polygons_and_spheres(scene)
+}
+
+/// Sets the faces and the spheres of a scene up.
+///
+/// # Errors
+/// As [`triangles`], but for spheres; and a sphere is too near, too large or too slender.
+pub fn polygons_and_spheres(scene: &Scene) -> Result<Polygons, Failure> {
     let polygons = project_polygons(scene, scene.size)?;
     warn(scene, polygons.warning());
     Ok(polygons)
@@ -53,6 +63,7 @@ pub fn polygons(scene: &Scene) -> Result<Polygons, Failure> {
 /// # Errors
 /// As [`triangles`]; or the frame is too large for so many samples.
 pub fn samples(scene: &Scene, samples: Samples) -> Result<Vec<Projection>, Failure> {
+    without_spheres(scene)?;
     let passes = project_samples(scene, scene.size, samples)?;
     warn(scene, passes[0].warning());
     Ok(passes)
@@ -63,9 +74,19 @@ pub fn samples(scene: &Scene, samples: Samples) -> Result<Vec<Projection>, Failu
 /// # Errors
 /// As [`triangles`]; or a texture cannot be read, or the frame is too large for so many samples.
 pub fn deferred(scene: &Scene, samples: Samples) -> Result<Deferred, Failure> {
+    without_spheres(scene)?;
     let deferred = project_deferred(scene, scene.size, samples)?;
     warn(scene, deferred.warning());
     Ok(deferred)
+}
+
+/// That there is no sphere in a scene, for machines that draw none.
+fn without_spheres(scene: &Scene) -> Result<(), Failure> {
+    if scene.spheres.is_empty() {
+        return Ok(());
+    }
+    let sentence = "the scene has spheres, which pixel-planes-5 alone draws: use `tilewright render` with --machine pixel-planes-5";
+    Err(Failure::new(Exit::BadInput, sentence))
 }
 
 fn warn(scene: &Scene, warning: Option<String>) {

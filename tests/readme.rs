@@ -61,10 +61,12 @@ fn the_comparison_is_the_commands() {
 
 #[test]
 fn the_report_of_pixel_planes_5_is_the_frames() {
-    let (_, shown) = block("text", "--machine pixel-planes-5").split_once('\n').unwrap();
-    let printed = tilewright("render teapot --machine pixel-planes-5 --renderers 16");
-    for part in shown.split("\n..\n") {
-        assert_part(&printed, part);
+    for scene in ["teapot", "molecule"] {
+        let (_, shown) = block("text", &format!("render {scene} --machine pixel-planes-5")).split_once('\n').unwrap();
+        let printed = tilewright(&format!("render {scene} --machine pixel-planes-5 --renderers 16"));
+        for part in shown.split("\n..\n") {
+            assert_part(&printed, part);
+        }
     }
 }
 
@@ -78,11 +80,14 @@ fn the_report_of_pixelflow_is_the_frames() {
 }
 
 #[test]
-fn the_picture_is_the_golden_image() {
+fn the_pictures_are_the_golden_images() {
     let folder = tempfile::tempdir().unwrap();
     let golden = folder.path().join("golden.png");
-    tilewright(&format!("golden teapot -o {}", golden.display()));
-    let [drawn, shown] = [golden.as_path(), Path::new("docs/teapot.png")].map(|path| Frame::read_png(path).unwrap());
-    // Releases of the encoder differ in the bytes.
-    assert!(compare_colours(&drawn, &shown).is_equal(), "docs/teapot.png is another picture");
+    for scene in ["teapot", "molecule"] {
+        tilewright(&format!("golden {scene} -o {}", golden.display()));
+        let shown = format!("docs/{scene}.png");
+        let [drawn, kept] = [golden.as_path(), Path::new(&shown)].map(|path| Frame::read_png(path).unwrap());
+        // Releases of the encoder differ in the bytes.
+        assert!(compare_colours(&drawn, &kept).is_equal(), "{shown} is another picture");
+    }
 }

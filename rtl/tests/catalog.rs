@@ -88,12 +88,23 @@ fn the_renderer_and_its_parts_show_what_their_scenarios_say() {
     assert_eq!(shown("pixel-processor", &[], "flag"), [0, 1]);
     // At column 3 of line 0 there is 3, and right behind it -2.
     assert_eq!(shown("linear-tree", &[], "value[0][3]")[..4], [0, 1, 0, 1]);
+    // There is 9, and right behind it -2.
+    assert_eq!(shown("quadratic-tree", &[], "value[0][3]")[..6], [0, 1, 0, 1, 0, 1]);
     for side in [8, 16] {
         for (queue, region) in [(16, 3), (1, 3)] {
             assert_eq!(shown("renderer", &[("side", side), ("queue", queue)], "planes_region"), [0, region]);
         }
         assert_eq!(shown("renderer", &[("side", side)], "store_free")[..2], [1, 0]);
     }
+    for side in [2, 4, 8] {
+        for (queue, region) in [(16, 3), (1, 3)] {
+            assert_eq!(shown("quadratic-renderer", &[("side", side), ("queue", queue)], "planes_region"), [0, region]);
+        }
+    }
+    // Two curves of the silhouette and the depth, and two of the colours that have one.
+    assert_eq!(shown("quadratic-renderer", &[], "u_controller.curve_waits"), [0, 1, 0, 1, 0, 1, 0, 1, 0]);
+    assert_eq!(shown("image-generation-controller", &[("quadratic", 1)], "curve_0_d"), [0]);
+    assert_eq!(shown("pixel-planes-5", &[("quadratic", 1)], "plane_goes")[..3], [0, 1, 0]);
     assert_eq!(shown("backing-store", &[], "free"), [1, 0, 1]);
     assert_eq!(shown("region-allocator", &[], "region"), [0, 100, 101, 102, 103, 200, 0]);
     assert_eq!(shown("frame-buffer", &[], "words[0]"), [0, 0x1234, 0x8000_0000_0001]);

@@ -5,7 +5,7 @@
 use std::process::ExitCode;
 use std::time::Instant;
 use tilewright_scenes::deferred::{Samples, Shading, project_deferred};
-use tilewright_scenes::{Scene, SceneError, builtin, golden};
+use tilewright_scenes::{Scene, SceneError, builtin, golden, project_polygons};
 
 fn main() -> ExitCode {
     match measure() {
@@ -15,6 +15,17 @@ fn main() -> ExitCode {
             ExitCode::from(2)
         }
     }
+}
+
+/// What is there to be measured of a scene with spheres.
+fn spheres(scene: &Scene) -> Result<(), SceneError> {
+    let polygons = project_polygons(scene, scene.size)?;
+    let frame = golden::render_polygons(&polygons, golden::Rule::Least, scene.background);
+    frame.write_png(std::env::temp_dir().join(format!("{}.png", scene.name)))?;
+    println!("{} at {}\n  {:?}", scene.name, scene.size, polygons.counts);
+    println!("  {} pixels drawn", golden::fragments_of(&polygons));
+    println!("  mesh checksum {:#018x}, frame checksum {:#018x}", scene.mesh.checksum(), frame.checksum());
+    Ok(())
 }
 
 fn measure() -> Result<(), SceneError> {
@@ -28,6 +39,10 @@ fn measure() -> Result<(), SceneError> {
         scene.warnings.iter().for_each(|warning| println!("{warning}"));
         let (name, size) = (&scene.name, scene.size);
         let made = begun.elapsed();
+        if !scene.spheres.is_empty() {
+            spheres(&scene)?;
+            continue;
+        }
         let projection = scene.project()?;
         let projected = begun.elapsed();
         let triangles = &projection.triangles;

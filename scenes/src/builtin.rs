@@ -1,8 +1,9 @@
-//! The built-in scenes: those of the VC-1 paper, with exactly its polygon counts (facts D, VC1-SCENE), two of lines, and one with
-//! textures.
+//! The built-in scenes: those of the VC-1 paper, with exactly its polygon counts (facts D, VC1-SCENE), two of lines, one with
+//! textures, and one of spheres.
 //!
 //! Cameras are the ones of facts D; light and background are ours.
 
+pub mod molecule;
 pub mod star;
 pub mod teapot;
 pub mod terrain;
@@ -16,7 +17,7 @@ use crate::size::Size;
 use glam::{DVec3, dvec3};
 
 /// The built-in scenes' names.
-pub const NAMES: [&str; 6] = ["teapot", "ter1k", "ter250", "wireframe", "star", "textured"];
+pub const NAMES: [&str; 7] = ["teapot", "ter1k", "ter250", "wireframe", "star", "textured", "molecule"];
 
 /// A built-in scene, or `None` if there is none of that name.
 pub fn scene(name: &str) -> Option<Scene> {
@@ -27,10 +28,15 @@ pub fn scene(name: &str) -> Option<Scene> {
         "wireframe" => (teapot::faces(4).wireframe(), teapot_camera()),
         "star" => (star::mesh(), star_camera()),
         "textured" => (textured::mesh(), textured_camera()),
+        "molecule" => (molecule::mesh(), molecule_camera()),
         _ => return None,
     };
     let scene = with_defaults(name, mesh, camera);
-    Some(if name == "textured" { Scene { lighting: textured::lighting(), ..scene } } else { scene })
+    Some(match name {
+        "textured" => Scene { lighting: textured::lighting(), ..scene },
+        "molecule" => Scene { spheres: molecule::spheres(), lighting: molecule::lighting(), ..scene },
+        _ => scene,
+    })
 }
 
 impl Scene {
@@ -45,6 +51,7 @@ pub(crate) fn with_defaults(name: &str, mesh: Mesh, camera: Camera) -> Scene {
     Scene {
         name: name.to_owned(),
         mesh,
+        spheres: Vec::new(),
         lighting: default_lighting(&camera),
         camera,
         background: BACKGROUND,
@@ -80,6 +87,10 @@ fn star_camera() -> Camera {
 
 fn textured_camera() -> Camera {
     Camera { eye: dvec3(0.6, -11.0, 5.2), target: dvec3(0.2, 0.0, 1.0), up: DVec3::Z, fov: 36.0 }
+}
+
+fn molecule_camera() -> Camera {
+    Camera { eye: molecule::MIDDLE + dvec3(1.6, -7.0, 11.0), target: molecule::MIDDLE, up: DVec3::Z, fov: 34.0 }
 }
 
 /// 62 km out and 38 km up from the middle of the map, which is 79.75 km square and lies on the plane z = 0.

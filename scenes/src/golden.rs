@@ -5,9 +5,11 @@
 
 mod deferred;
 mod samples;
+mod spheres;
 
 pub use deferred::{render_deferred, render_deferred_watched, visible};
 pub use samples::{average_eight, render_samples, render_samples_watched};
+pub use spheres::{Rule, fragments_of, render_polygons, render_polygons_watched};
 
 use crate::frame::{Frame, depth_of, rgb_of, word};
 use crate::packet::*;
@@ -80,6 +82,30 @@ pub fn render_strict_watched<E: AsRef<[Edge]>>(
     draw_watched(Frame::blank(size, background), packets, nearest, watch)
 }
 
+/// What covers pixels.
+trait Primitive {
+    /// No pixel that it covers is outside.
+    fn bounds(&self) -> PixelBox;
+    /// Whether it covers that pixel.
+    fn covers(&self, x: u32, y: u32) -> bool;
+    /// The word there.
+    fn word(&self, x: u32, y: u32) -> u64;
+}
+
+impl<E: AsRef<[Edge]>> Primitive for Packet<E> {
+    fn bounds(&self) -> PixelBox {
+        self.bounds
+    }
+
+    fn covers(&self, x: u32, y: u32) -> bool {
+        self.covers(x, y)
+    }
+
+    fn word(&self, x: u32, y: u32) -> u64 {
+        self.word(x, y)
+    }
+}
+
 /// What a pixel keeps of its word and a fragment: the smaller.
 fn least(kept: u64, fragment: u64) -> u64 {
     kept.min(fragment)
@@ -105,7 +131,7 @@ fn draw_watched<E: AsRef<[Edge]>>(
     Some(frame)
 }
 
-fn draw<E: AsRef<[Edge]>>(frame: &mut Frame, packet: &Packet<E>, keep: impl Fn(u64, u64) -> u64) {
+fn draw(frame: &mut Frame, packet: &impl Primitive, keep: impl Fn(u64, u64) -> u64) {
     each_fragment(frame.size(), packet, |pixel, fragment| {
         let kept = &mut frame.words[pixel];
         *kept = keep(*kept, fragment);
@@ -173,9 +199,9 @@ pub fn fragments<E: AsRef<[Edge]>>(size: Size, packets: &[Packet<E>]) -> u64 {
     count
 }
 
-/// Calls `visit(pixel index, word)` for every pixel that the polygon covers.
-fn each_fragment<E: AsRef<[Edge]>>(size: Size, packet: &Packet<E>, mut visit: impl FnMut(usize, u64)) {
-    let bounds = packet.bounds;
+/// Calls `visit(pixel index, word)` for every pixel that the primitive covers.
+fn each_fragment(size: Size, packet: &impl Primitive, mut visit: impl FnMut(usize, u64)) {
+    let bounds = packet.bounds();
     // A packet set up for a larger screen is cut to this one.
     for y in bounds.top..=bounds.bottom.min(size.height() - 1) {
         for x in bounds.left..=bounds.right.min(size.width() - 1) {

@@ -27,6 +27,7 @@ mod scene;
 mod screen;
 mod setup;
 mod size;
+pub mod sphere;
 mod stereo;
 mod texture;
 mod visible;

@@ -60,7 +60,7 @@ impl Scene {
 
 fn obj_scene(path: &Path, size: Size) -> Result<Scene, SceneError> {
     let loaded = obj::load(path, false)?;
-    let camera = framing_camera(&loaded.mesh, OBJ_UP, FRAMING_FOV, size);
+    let camera = framing_camera(loaded.mesh.bounding_box(), OBJ_UP, FRAMING_FOV, size);
     let scene = with_defaults(&stem(path), loaded.mesh, camera);
     Ok(Scene { size, files: loaded.files, warnings: loaded.warnings, ..scene })
 }

@@ -97,6 +97,15 @@ impl Mesh {
         Mesh::empty(positions).with_lines(lines)
     }
 
+    /// A mesh without a triangle or a line, for a scene of spheres alone.
+    ///
+    /// ```
+    /// assert!(tilewright_scenes::Mesh::none().positions().is_empty());
+    /// ```
+    pub fn none() -> Mesh {
+        Mesh::empty(Vec::new())
+    }
+
     /// The same mesh with these lines.
     ///
     /// ```
@@ -188,7 +197,7 @@ impl Mesh {
         &self.normals
     }
 
-    /// Triangles in order of submission; at least one, unless there are lines.
+    /// Triangles in order of submission; at least one, unless there are lines, or this is [`Mesh::none`].
     pub fn triangles(&self) -> &[MeshTriangle] {
         &self.triangles
     }

@@ -20,15 +20,18 @@ use crate::scene::Scene;
 use crate::screen::{Clipped, Screen};
 use crate::setup::{set_up, signed_area2};
 use crate::size::Size;
+use crate::sphere::{self, Seen, Shade, SpherePacket, Unseen};
 use glam::{DVec2, DVec3};
 
 /// What becomes of a scene's polygons; every polygon is counted once, in `drawn` or in one of the four fields after it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Counts {
-    /// Triangles of the mesh, or its faces; and its lines, which are polygons, too.
+    /// Triangles of the mesh, or its faces; and its lines and the spheres, which are polygons, too.
     pub polygons: u32,
     /// Lines among the polygons.
     pub lines: u32,
+    /// Spheres among the polygons.
+    pub spheres: u32,
     /// Polygons with at least one packet.
     pub drawn: u32,
     /// Polygons wholly nearer than the near plane, or behind the eye.
@@ -58,7 +61,7 @@ pub struct Projection {
     pub counts: Counts,
 }
 
-/// A scene on a screen, in polygons.
+/// A scene on a screen, in polygons and spheres.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Polygons {
     /// The screen.
@@ -68,7 +71,9 @@ pub struct Polygons {
     pub polygons: Vec<Polygon>,
     /// The vertices that each packet was set up from, in the same order as `polygons`: of a line its two ends.
     pub vertices: Vec<Vec<ScreenVertex>>,
-    /// What became of the faces.
+    /// The packets of spheres in order of submission, after the polygons.
+    pub spheres: Vec<SpherePacket>,
+    /// What became of the faces, lines and spheres.
     pub counts: Counts,
 }
 
@@ -85,7 +90,8 @@ impl Scene {
 /// Projects a scene onto a screen.
 ///
 /// # Errors
-/// [`SceneError`] if the camera or the lights are no good, or if nothing of the mesh is in front of the camera.
+/// [`SceneError`] if the camera or the lights are no good, if nothing of the mesh is in front of the camera, or if there are spheres, which are not made of
+/// triangles.
 pub fn project(scene: &Scene, size: Size) -> Result<Projection, SceneError> {
     project_sample(scene, size, [0, 0])
 }
@@ -101,6 +107,7 @@ pub fn project_sample(scene: &Scene, size: Size, shift: [i32; 2]) -> Result<Proj
             "give numbers from -16 to 16",
         ));
     }
+    scene.without_spheres()?;
     let front = Front::new(scene, size, shift)?;
     let mut triangles = Vec::with_capacity(scene.mesh.triangles().len());
     let mut vertices = Vec::with_capacity(scene.mesh.triangles().len());
@@ -128,10 +135,11 @@ pub fn project_samples(scene: &Scene, size: Size, samples: Samples) -> Result<Ve
 /// are: snapping their corners takes them out of their plane by more than a unit of depth.
 ///
 /// # Errors
-/// As [`project`].
+/// As [`project`], but for spheres; and if one is too near, too large or too slender, as [the page of spheres](crate::sphere) says.
 pub fn project_polygons(scene: &Scene, size: Size) -> Result<Polygons, SceneError> {
     let front = Front::new(scene, size, [0, 0])?;
-    let mut all = Polygons { size, polygons: Vec::new(), vertices: Vec::new(), counts: Counts::default() };
+    let mut all =
+        Polygons { size, polygons: Vec::new(), vertices: Vec::new(), spheres: Vec::new(), counts: Counts::default() };
     let mut first = 0;
     for (number, face) in (0..).zip(scene.mesh.faces()) {
         all.counts.polygons += 1;
@@ -150,6 +158,11 @@ pub fn project_polygons(scene: &Scene, size: Size) -> Result<Polygons, SceneErro
             Err(outside) => all.counts.leave_out(outside),
         }
     }
+    let shade = Shade::new(&front.lighting, |direction| front.view.of_direction(direction));
+    for (i, sphere) in scene.spheres.iter().enumerate() {
+        let middle = front.view.of_point(sphere.centre);
+        all.submit_sphere(sphere::set_up(i, sphere, middle, &front.screen, &shade)?);
+    }
     Ok(all)
 }
 
@@ -163,6 +176,22 @@ impl Polygons {
         for (vertices, packet) in parts {
             self.polygons.push(Polygon { polygon: number, ..packet });
             self.vertices.push(vertices);
+        }
+    }
+
+    /// Takes a sphere that has been set up, and counts what became of it.
+    fn submit_sphere(&mut self, seen: Seen) {
+        let number = self.counts.polygons;
+        self.counts.polygons += 1;
+        self.counts.spheres += 1;
+        match seen {
+            Err(Unseen::Behind) => self.counts.behind += 1,
+            Err(Unseen::OffScreen) => self.counts.off_screen += 1,
+            Err(Unseen::BetweenCentres) => self.counts.between_centres += 1,
+            Ok(packet) => {
+                self.counts.drawn += 1;
+                self.spheres.push(SpherePacket { polygon: number, ..packet });
+            }
         }
     }
 
@@ -237,6 +266,7 @@ pub(crate) struct Front<'a> {
 impl Front<'_> {
     pub(crate) fn new(scene: &Scene, size: Size, shift: [i32; 2]) -> Result<Front<'_>, SceneError> {
         scene.lighting.check()?;
+        scene.spheres.iter().enumerate().try_for_each(|(i, sphere)| sphere.check(i))?;
         let view = scene.camera.view()?;
         let seen: Vec<DVec3> = scene.mesh.positions().iter().map(|&p| view.of_point(p)).collect();
         let screen = Screen::new(scene, &seen, view, size, shift)?;

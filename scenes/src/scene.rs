@@ -1,9 +1,10 @@
-//! A scene: mesh, camera, light, background and size.
+//! A scene: mesh, spheres, camera, light, background and size.
 
 use crate::camera::Camera;
 use crate::light::Lighting;
 use crate::mesh::Mesh;
 use crate::size::Size;
+use crate::sphere::Sphere;
 use std::path::PathBuf;
 
 /// Everything a frame is made from.
@@ -11,8 +12,10 @@ use std::path::PathBuf;
 pub struct Scene {
     /// A built-in scene's name, or a file's without its folder and extension.
     pub name: String,
-    /// The triangles.
+    /// The triangles and lines.
     pub mesh: Mesh,
+    /// The spheres, in order of submission, after all of the mesh.
+    pub spheres: Vec<Sphere>,
     /// Where they are seen from.
     pub camera: Camera,
     /// How they are lit.

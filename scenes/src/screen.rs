@@ -6,7 +6,7 @@ use crate::error::SceneError;
 use crate::packet::*;
 use crate::scene::Scene;
 use crate::size::Size;
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
 /// The error of a scene of which nothing is in front of the eye, or `None` if something is; what is wrong with the camera itself
 /// is an error of its own.
@@ -14,14 +14,16 @@ pub(crate) fn nothing_in_front(scene: &Scene) -> Result<Option<SceneError>, Scen
     let view = scene.camera.view()?;
     let positions = scene.mesh.positions().iter();
     let seen: Vec<DVec3> = positions.map(|&p| view.of_point(p)).collect();
-    Ok((depth_range(scene, &seen).1 == 0.0).then(|| behind(scene)))
+    Ok((depth_range(scene, &seen, view).1 == 0.0).then(|| behind(scene)))
 }
 
 fn behind(scene: &Scene) -> SceneError {
     SceneError::invalid(
         format!(
-            "nothing of the mesh is in front of the camera at {} looking towards {}",
-            scene.camera.eye, scene.camera.target
+            "nothing of the {} is in front of the camera at {} looking towards {}",
+            if scene.spheres.is_empty() { "mesh" } else { "scene" },
+            scene.camera.eye,
+            scene.camera.target
         ),
         "move the eye or the target",
     )
@@ -31,14 +33,19 @@ fn behind(scene: &Scene) -> SceneError {
 const DEPTH_RATIO: f64 = 4096.0;
 
 /// The least and the greatest distance along the line of sight of what is in front of the eye; far is 0 if nothing is, and near is 0
-/// if a triangle or a line passes the eye.
-fn depth_range(scene: &Scene, seen: &[DVec3]) -> (f64, f64) {
+/// if anything passes the eye.
+fn depth_range(scene: &Scene, seen: &[DVec3], view: View) -> (f64, f64) {
     let triangles = scene.mesh.triangles().iter().map(|triangle| &triangle.positions[..]);
     let lines = scene.mesh.lines().iter().map(|line| &line.positions[..]);
-    triangles.chain(lines).fold((f64::INFINITY, 0.0), |(near, far): (f64, f64), corners| {
+    let of_mesh = triangles.chain(lines).map(|corners| {
         let distances = corners.iter().map(|&i| seen[i as usize].z);
-        let nearest = distances.clone().fold(f64::INFINITY, f64::min);
-        let farthest = distances.fold(f64::NEG_INFINITY, f64::max);
+        (distances.clone().fold(f64::INFINITY, f64::min), distances.fold(f64::NEG_INFINITY, f64::max))
+    });
+    let of_spheres = scene.spheres.iter().map(|sphere| {
+        let distance = view.of_point(sphere.centre).z;
+        (distance - sphere.radius, distance + sphere.radius)
+    });
+    of_mesh.chain(of_spheres).fold((f64::INFINITY, 0.0), |(near, far): (f64, f64), (nearest, farthest)| {
         if farthest > 0.0 { (near.min(nearest.max(0.0)), far.max(farthest)) } else { (near, far) }
     })
 }
@@ -73,7 +80,7 @@ impl Screen {
         size: Size,
         shift: [i32; 2],
     ) -> Result<Screen, SceneError> {
-        let (nearest, far) = depth_range(scene, seen);
+        let (nearest, far) = depth_range(scene, seen, view);
         if far == 0.0 {
             return Err(behind(scene));
         }
@@ -104,6 +111,31 @@ impl Screen {
                 plane(0.0, -scale, bottom - centre[1]),
             ],
         })
+    }
+
+    /// In pixels.
+    pub(crate) fn size(&self) -> Size {
+        self.size
+    }
+
+    /// Its middle, in pixels.
+    pub(crate) fn middle(&self) -> DVec2 {
+        DVec2::from_array(self.centre)
+    }
+
+    /// Pixels per unit of right/forward.
+    pub(crate) fn scale(&self) -> f64 {
+        self.scale
+    }
+
+    /// The least distance, along the line of sight.
+    pub(crate) fn near(&self) -> f64 {
+        self.near
+    }
+
+    /// far / (far - near).
+    pub(crate) fn depth_scale(&self) -> f64 {
+        self.depth_scale
     }
 
     /// The part of a convex polygon that is beyond the near plane and, where it leaves the guard band, inside that: three vertices at

@@ -1,7 +1,8 @@
 //! Whether a picture shows anything, said before it is rendered.
 
-use crate::packet::{Edge, Packet};
+use crate::packet::{Edge, Packet, PixelBox};
 use crate::project::{Counts, Polygons, Projection};
+use crate::sphere::SpherePacket;
 
 impl Projection {
     /// A sentence if no triangle and no line covers a pixel, so that the picture would hold the background alone; `None` if one does.
@@ -11,9 +12,10 @@ impl Projection {
 }
 
 impl Polygons {
-    /// A sentence if no polygon and no line covers a pixel, so that the picture would hold the background alone; `None` if one does.
+    /// A sentence if no polygon, line or sphere covers a pixel, so that the picture would hold the background alone; `None` if one does.
     pub fn warning(&self) -> Option<String> {
-        self.counts.warning(&self.polygons)
+        let is_seen = |sphere: &SpherePacket| any_pixel(sphere.bounds, |x, y| sphere.covers(x, y));
+        if self.spheres.iter().any(is_seen) { None } else { self.counts.warning(&self.polygons) }
     }
 }
 
@@ -42,25 +44,33 @@ impl Counts {
         ))
     }
 
-    /// How many polygons and lines there are, such as `3 polygons and 1 line`.
+    /// How many polygons, lines and spheres there are, such as `3 polygons and 1 line`.
     ///
     /// ```
     /// use tilewright_scenes::Counts;
     ///
     /// assert_eq!(Counts { polygons: 3, ..Counts::default() }.of_each_kind(), "3 polygons");
     /// assert_eq!(Counts { polygons: 3, lines: 2, ..Counts::default() }.of_each_kind(), "1 polygon and 2 lines");
+    /// assert_eq!(Counts { polygons: 9, lines: 2, spheres: 1, ..Counts::default() }.of_each_kind(), "6 polygons, 2 lines and 1 sphere");
     /// ```
     pub fn of_each_kind(&self) -> String {
         let number = |count: u32, what: &str| if count == 1 { format!("1 {what}") } else { format!("{count} {what}s") };
-        match (self.polygons.saturating_sub(self.lines), self.lines) {
-            (polygons, 0) => number(polygons, "polygon"),
-            (0, lines) => number(lines, "line"),
-            (polygons, lines) => format!("{} and {}", number(polygons, "polygon"), number(lines, "line")),
+        let faces = self.polygons.saturating_sub(self.lines + self.spheres);
+        let kinds = [(faces, "polygon"), (self.lines, "line"), (self.spheres, "sphere")];
+        let mut kinds: Vec<String> =
+            kinds.into_iter().filter(|(count, _)| *count > 0).map(|(count, what)| number(count, what)).collect();
+        match kinds.pop() {
+            None => number(0, "polygon"),
+            Some(last) if kinds.is_empty() => last,
+            Some(last) => format!("{} and {last}", kinds.join(", ")),
         }
     }
 }
 
 fn covers_a_pixel<E: AsRef<[Edge]>>(packet: &Packet<E>) -> bool {
-    let b = packet.bounds;
-    (b.top..=b.bottom).any(|y| (b.left..=b.right).any(|x| packet.covers(x, y)))
+    any_pixel(packet.bounds, |x, y| packet.covers(x, y))
+}
+
+fn any_pixel(b: PixelBox, is_covered: impl Fn(u32, u32) -> bool) -> bool {
+    (b.top..=b.bottom).any(|y| (b.left..=b.right).any(|x| is_covered(x, y)))
 }

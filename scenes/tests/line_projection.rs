@@ -26,6 +26,7 @@ fn scene(mesh: Mesh, distance: f64) -> Scene {
     Scene {
         name: "test".into(),
         mesh,
+        spheres: Vec::new(),
         camera: Camera { eye: dvec3(0.0, 0.0, distance), target: DVec3::ZERO, up: DVec3::Y, fov: 90.0 },
         lighting: Lighting { ambient: 0.0, lights: Vec::new() },
         background: [0; 3],
@@ -87,6 +88,7 @@ fn each_fate_is_counted() {
     let scene = scene(lines(ends.as_flattened()), 4.0);
     let expected = Counts {
         polygons: 7,
+        spheres: 0,
         lines: 7,
         drawn: 2,
         behind: 1,

@@ -3,7 +3,7 @@
 use proptest::prelude::*;
 use std::fs;
 use std::path::{Path, PathBuf};
-use tilewright_scenes::{Frame, Scene, Size, golden, project};
+use tilewright_scenes::{Frame, Scene, Size, golden, project, project_polygons};
 
 fn path(name: &str) -> PathBuf {
     let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("no_panic");
@@ -18,6 +18,9 @@ fn try_out(path: &Path) -> Result<(), TestCaseError> {
             let size = Size::new(16, 12).unwrap();
             if let Ok(p) = project(&scene, size) {
                 golden::render(size, &p.triangles, scene.background);
+            }
+            if let Ok(p) = project_polygons(&scene, size) {
+                golden::render_polygons(&p, golden::Rule::Least, scene.background);
             }
         }
         Err(error) => {
@@ -53,7 +56,7 @@ fn obj_line() -> impl Strategy<Value = String> {
 }
 
 fn toml_line() -> impl Strategy<Value = String> {
-    let key = "(mesh|wireframe|size|background|ambient|camera|light|surface|surface.texture|surface.specular|surface.shininess|camera.eye|camera.fov|camera.up|camera.target|\\[camera\\]|\\[\\[light\\]\\]|toward|intensity|[a-z]{1,3})";
+    let key = "(mesh|wireframe|size|background|ambient|camera|light|surface|surface.texture|surface.specular|surface.shininess|camera.eye|camera.fov|camera.up|camera.target|\\[camera\\]|\\[\\[light\\]\\]|\\[\\[sphere\\]\\]|sphere|centre|radius|colour|toward|intensity|[a-z]{1,3})";
     let number = prop_oneof![
         (-9i64..3000).prop_map(|i| i.to_string()),
         any::<f64>().prop_map(|x| format!("{x:?}")),
@@ -66,6 +69,10 @@ fn toml_line() -> impl Strategy<Value = String> {
         Just("true".to_owned()),
         Just("{ eye = [1, 2, 3], fov = 1e-300 }".to_owned()),
         Just("[{ toward = [1, 0, 0], intensity = 1 }]".to_owned()),
+        (any::<f64>(), any::<f64>())
+            .prop_map(|(x, r)| format!("[{{ centre = [{x:?}, 0, 0], radius = {r:?}, colour = [9, 9, 9] }}]")),
+        (-3.0..3.0f64, 1e-9..9.0f64)
+            .prop_map(|(x, r)| format!("[{{ centre = [{x:?}, 0, 0], radius = {r:?}, colour = [9, 9, 9] }}]")),
     ];
     (key, value).prop_map(
         |(key, value)| {

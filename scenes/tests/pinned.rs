@@ -4,6 +4,7 @@
 //! New values are printed by `cargo run --release -p tilewright-scenes --example measure`, which also leaves the pictures in the
 //! folder for temporary files: look at them before you pin them.
 
+use tilewright_scenes::golden::{Rule, render_polygons};
 use tilewright_scenes::{Counts, Scene, golden, project_polygons};
 
 struct Pinned {
@@ -100,4 +101,15 @@ fn textured() {
             ..Counts::default()
         },
     });
+}
+
+#[test]
+fn molecule() {
+    let scene = Scene::builtin("molecule").expect("a built-in scene");
+    let polygons = project_polygons(&scene, scene.size).expect("a built-in scene projects");
+    let frame = render_polygons(&polygons, Rule::Least, scene.background);
+    let counts = Counts { polygons: 1224, spheres: 24, drawn: 1219, between_centres: 5, ..Counts::default() };
+    assert_eq!(polygons.counts, counts);
+    assert_eq!(scene.mesh.checksum(), 0x6b05_d643_8291_6038, "the mesh");
+    assert_eq!(frame.checksum(), 0x1236_680a_65a7_593c, "the frame");
 }

@@ -19,6 +19,7 @@ fn scene(mesh: Mesh, distance: f64) -> Scene {
     Scene {
         name: "test".into(),
         mesh,
+        spheres: Vec::new(),
         camera: Camera { eye: dvec3(0.0, 0.0, distance), target: DVec3::ZERO, up: DVec3::Y, fov: 90.0 },
         lighting: Lighting { ambient: 1.0, lights: Vec::new() },
         background: [0; 3],

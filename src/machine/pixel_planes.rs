@@ -5,13 +5,13 @@ use super::first_given;
 use super::job::{Job, Run};
 use crate::golden;
 use crate::number::number;
-use crate::scene::polygons;
+use crate::scene::polygons_and_spheres;
 use crate::shell::{Exit, Failure};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, value_parser};
 use tilewright_machines::pixel_planes::{Config, Edges, Machine, RendererReport, Report};
 use tilewright_rtl::pixel_planes::PERIOD;
-use tilewright_scenes::golden::{fragments, render_strict_watched, render_watched};
+use tilewright_scenes::golden::{Rule, fragments_of, render_polygons_watched};
 use tilewright_scenes::{Frame, Polygons, Scene, Size};
 
 /// Its options.
@@ -65,7 +65,7 @@ impl PixelPlanesOptions {
     /// # Errors
     /// The scene cannot be set up, or there is no such machine.
     pub fn job(&self, scene: &Scene, strict: bool) -> Result<PixelPlanesJob, Failure> {
-        let scene_polygons = polygons(scene)?;
+        let scene_polygons = polygons_and_spheres(scene)?;
         let usual = Config::new(scene_polygons.size);
         let config = Config {
             renderers: self.renderers.unwrap_or(usual.renderers),
@@ -75,6 +75,7 @@ impl PixelPlanesOptions {
             side_by_side: !self.one_at_a_time,
             edges: self.edges.unwrap_or(usual.edges),
             strict,
+            quadratic: !scene.spheres.is_empty(),
             ..usual
         };
         Ok(PixelPlanesJob {
@@ -104,11 +105,8 @@ impl Job for PixelPlanesJob {
     }
 
     fn golden(&self) -> Result<Frame, Failure> {
-        let Polygons { size, polygons, .. } = &self.polygons;
-        golden::draw(|watch| match self.strict {
-            true => render_strict_watched(*size, polygons, self.background, watch),
-            false => render_watched(*size, polygons, self.background, watch),
-        })
+        let rule = if self.strict { Rule::Strict } else { Rule::Least };
+        golden::draw(|watch| render_polygons_watched(&self.polygons, rule, self.background, watch))
     }
 
     fn render(&self, run: &Run) -> Result<(Frame, Report), Failure> {
@@ -142,7 +140,7 @@ impl Compared for PixelPlanesJob {
             ),
             tested: report.tested(),
             // Its pixels count nothing.
-            drawn: fragments(self.polygons.size, &self.polygons.polygons),
+            drawn: fragments_of(&self.polygons),
             at_work: working as f64 / (clocks.max(1) * report.renderers.len() as u64) as f64,
             limit: limit.unit.to_string(),
             limit_share: limit.clocks as f64 / clocks.max(1) as f64,

@@ -19,6 +19,7 @@ mod places;
 mod quadtree;
 mod render;
 mod reproduce;
+mod spheres;
 mod standard_output;
 mod terminal;
 mod verilog;

@@ -14,7 +14,7 @@ fn the_report_counts_primitives_regions_and_clocks() {
     let report = &report["report"];
     let expected = json!({
         "width": 32, "height": 24, "renderers": 2, "side": 16, "queue": 64, "ring": 5000,
-        "strict": false, "side_by_side": true, "edges": "least", "geometry": 32,
+        "strict": false, "side_by_side": true, "edges": "least", "quadratic": false, "geometry": 32,
         "costs": {"transform": 631, "set_up": 500, "bin": 30, "instruction": 12},
     });
     assert_eq!(report["machine"], expected);

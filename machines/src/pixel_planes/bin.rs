@@ -5,14 +5,32 @@
 
 use tilewright_rtl::pixel_planes::instruction::Instruction;
 use tilewright_rtl::pixel_planes::programs::{
-    Expression, FLAT_LEAST, FLAT_STRICT, Program, SMOOTH_LEAST, SMOOTH_STRICT, Surface, clear, save,
+    Expression, FLAT_LEAST, FLAT_STRICT, Program, Quadratic, SMOOTH_LEAST, SMOOTH_STRICT, Surface, clear, save,
 };
 use tilewright_scenes::packet::{COLOUR_PLANE_BITS, FRACTION_BITS};
+use tilewright_scenes::sphere::{self, SpherePacket};
 use tilewright_scenes::{Edge, PixelBox, Plane, Polygon, Polygons};
 
-use super::clocks::{Clocked, Tally};
+use super::clocks::{Clocked, SPHERE_LEAST, SPHERE_STRICT, Tally};
 use super::config::Config;
+use super::outline::Binner;
 use super::regions::Regions;
+
+/// The bins of all regions: the numbers of their primitives in order of submission. Spheres, by their boxes, have the numbers after those of the polygons.
+pub(super) fn bins(regions: &Regions, polygons: &Polygons) -> Vec<Vec<u32>> {
+    let mut bins = regions.bins(&polygons.vertices, Binner::Tight);
+    for (number, sphere) in (polygons.polygons.len() as u32..).zip(&polygons.spheres) {
+        regions.of_box(&sphere.bounds).for_each(|region| bins[region].push(number));
+    }
+    bins
+}
+
+/// The polygon of the scene that a primitive of that number is of.
+pub(super) fn polygon_of(polygons: &Polygons, number: u32) -> u32 {
+    let number = number as usize;
+    let sphere = || polygons.spheres[number - polygons.polygons.len()].polygon;
+    polygons.polygons.get(number).map_or_else(sphere, |polygon| polygon.polygon)
+}
 
 /// A region, and the machine whose renderer draws it.
 #[derive(Clone, Copy, Debug)]
@@ -54,6 +72,29 @@ impl<'a> Bin<'a> {
             None => Surface { z, rgb: polygon.rgb.each_ref().map(|plane| self.plane(plane)) },
         };
         program.draw(self.config.side, self.config.edges, &edges, &surface)
+    }
+
+    /// What draws a sphere, and what that is called: nothing if no pixel of it is in the region.
+    fn draw_sphere(&self, sphere: &SpherePacket) -> (&'static str, Vec<Instruction<u64>>) {
+        let (name, program) =
+            if self.config.strict { (SPHERE_STRICT, &SMOOTH_STRICT) } else { (SPHERE_LEAST, &SMOOTH_LEAST) };
+        let corner = [self.pixels.left, self.pixels.top].map(i64::from);
+        let here =
+            |&sphere::Quadratic { d, e, f, a, b, c }: &sphere::Quadratic| Quadratic { a, b, c, d, e, f }.moved(corner);
+        let surface = Surface { z: here(&sphere.z), rgb: sphere.rgb.each_ref().map(here) };
+        (name, program.draw_sphere(self.config.side, &here(&sphere.inside), &surface))
+    }
+
+    /// What draws the primitive of that number, with the name of the program.
+    fn primitive(&self, polygons: &Polygons, number: u32) -> (&'static str, Vec<Instruction<u64>>) {
+        let number = number as usize;
+        match polygons.polygons.get(number) {
+            Some(polygon) => {
+                let program = self.program(polygon);
+                (program.name, self.draw(program, polygon))
+            }
+            None => self.draw_sphere(&polygons.spheres[number - polygons.polygons.len()]),
+        }
     }
 
     /// What sends the region, when the one before is sent.
@@ -123,17 +164,16 @@ impl Work {
     /// Of the primitives of those numbers.
     pub fn new(bin: &Bin, numbers: &[u32], polygons: &Polygons, background: [u8; 3]) -> Work {
         let drawn = numbers.iter().map(|&number| {
-            let polygon = &polygons.polygons[number as usize];
-            let program = bin.program(polygon);
-            (number, program, bin.draw(program, polygon))
+            let (program, instructions) = bin.primitive(polygons, number);
+            (number, program, instructions)
         });
         Work::of(bin, drawn, background)
     }
 
-    /// Of primitives, each with its number, program and instructions.
+    /// Of primitives, each with its number, its program's name, and its instructions.
     pub fn of(
         bin: &Bin,
-        primitives: impl Iterator<Item = (u32, &'static Program, Vec<Instruction<u64>>)>,
+        primitives: impl Iterator<Item = (u32, &'static str, Vec<Instruction<u64>>)>,
         background: [u8; 3],
     ) -> Work {
         let mut clocked = Clocked::new(bin.config.side_by_side);

@@ -10,14 +10,20 @@ use tilewright_rtl::pixel_planes::programs::Program;
 use tilewright_rtl::pixel_planes::schedule::{Schedule, Step};
 use tilewright_scenes::Polygons;
 
-use super::bin::{Bin, Work};
+use super::bin::{Bin, Work, bins};
 use super::config::Config;
-use super::outline::Binner;
+
+/// What a program that draws spheres strictly is called: `smooth_strict` with quadratics.
+pub const SPHERE_STRICT: &str = "sphere_strict";
+/// What one is called that keeps the least word: `smooth_least` with quadratics.
+pub const SPHERE_LEAST: &str = "sphere_least";
+/// Those that draw polygons.
+const POLYGONS: usize = Program::PRIMITIVES.len();
 
 /// The clocks of the primitives that one program draws.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct ProgramClocks {
-    /// The program's name.
+    /// The program's name; of spheres [`SPHERE_STRICT`] or [`SPHERE_LEAST`].
     pub program: &'static str,
     /// Primitives that it draws, each as often as it is drawn in a region.
     pub primitives: u64,
@@ -29,8 +35,8 @@ pub struct ProgramClocks {
 
 impl ProgramClocks {
     /// Of no primitive.
-    fn none(program: &Program) -> ProgramClocks {
-        ProgramClocks { program: program.name, primitives: 0, clocks: 0, most: 0 }
+    fn none(program: &'static str) -> ProgramClocks {
+        ProgramClocks { program, primitives: 0, clocks: 0, most: 0 }
     }
 
     /// Clocks of a primitive on the mean, N; 0 where there is none.
@@ -45,13 +51,15 @@ impl ProgramClocks {
     }
 }
 
-/// The clocks of all programs that draw primitives, in the order of [`Program::PRIMITIVES`].
+/// The clocks of all programs that draw primitives, in the order of [`Program::PRIMITIVES`], and then of spheres.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Tally([ProgramClocks; Program::PRIMITIVES.len()]);
+pub struct Tally([ProgramClocks; POLYGONS + 2]);
 
 impl Default for Tally {
     fn default() -> Tally {
-        Tally(Program::PRIMITIVES.map(ProgramClocks::none))
+        let polygons = Program::PRIMITIVES.map(|program| program.name);
+        let names = [&polygons[..], &[SPHERE_STRICT, SPHERE_LEAST]].concat();
+        Tally(std::array::from_fn(|number| ProgramClocks::none(names[number])))
     }
 }
 
@@ -90,12 +98,12 @@ impl Clocked {
     }
 
     /// Takes a primitive; gives its clocks. All begin with what needs the tree alone, so it does not matter what the next one is.
-    pub fn primitive(&mut self, program: &Program, instructions: &[Instruction<u64>]) -> u64 {
+    pub fn primitive(&mut self, program: &'static str, instructions: &[Instruction<u64>]) -> u64 {
         let begun = self.schedule.tree_free();
         self.region(instructions);
         let clocks = self.schedule.tree_free() - begun;
         if !instructions.is_empty() {
-            self.tally.count(ProgramClocks { program: program.name, primitives: 1, clocks, most: clocks });
+            self.tally.count(ProgramClocks { program, primitives: 1, clocks, most: clocks });
         }
         clocks
     }
@@ -122,7 +130,7 @@ impl Clocked {
 pub fn scene_clocks(config: &Config, polygons: &Polygons) -> Result<Tally, ParameterError> {
     let regions = config.regions()?;
     let mut tally = Tally::default();
-    for (region, numbers) in regions.bins(&polygons.vertices, Binner::Tight).iter().enumerate() {
+    for (region, numbers) in bins(&regions, polygons).iter().enumerate() {
         let bin = Bin::new(region, &regions, config);
         tally.add(Work::new(&bin, numbers, polygons, [0; 3]).programs);
     }

@@ -42,6 +42,8 @@ pub struct Config {
     pub side_by_side: bool,
     /// The form in which edges are sent.
     pub edges: Edges,
+    /// Renderers evaluate quadratics, as spheres need.
+    pub quadratic: bool,
     /// Geometry processors: 1 to [`Config::MOST_GEOMETRY`].
     pub geometry: u32,
     /// What their program costs.
@@ -73,6 +75,7 @@ impl Config {
             strict: false,
             side_by_side: true,
             edges: Edges::Least,
+            quadratic: false,
             geometry: 2 * renderers,
             costs,
         }
@@ -102,7 +105,8 @@ impl Config {
             return Err(ParameterError(format!("{asked} renderers: a machine has from 1 to {most}")));
         }
         self.regions()?;
-        Renderer::new(self.side, self.queue)
+        let renderer = Renderer::new(self.side, self.queue)?;
+        Ok(if self.quadratic { renderer.quadratic() } else { renderer })
     }
 
     /// That there is such a number of geometry processors.
@@ -141,14 +145,17 @@ impl Config {
     /// As [`Config::ring`] and [`Config::frame_buffer`].
     pub fn hardware(&self) -> Result<PixelPlanes5, ParameterError> {
         let screen = Screen::new(self.size.width(), self.size.height())?;
-        PixelPlanes5::new(screen, self.renderers, self.side, self.queue, Ring::bits_a_clock(self.ring)?)
+        let rate = Ring::bits_a_clock(self.ring)?;
+        let machine = PixelPlanes5::new(screen, self.renderers, self.side, self.queue, rate)?;
+        Ok(if self.quadratic { machine.quadratic() } else { machine })
     }
 
     /// As a report shows it.
     pub(crate) fn built(&self) -> Built {
-        let Config { size, renderers, side, queue, ring, strict, side_by_side, edges, geometry, costs } = *self;
+        let Config { size, renderers, side, queue, ring, strict, side_by_side, edges, quadratic, geometry, costs } =
+            *self;
         let (width, height, edges) = (size.width(), size.height(), edges.name());
-        Built { width, height, renderers, side, queue, ring, strict, side_by_side, edges, geometry, costs }
+        Built { width, height, renderers, side, queue, ring, strict, side_by_side, edges, quadratic, geometry, costs }
     }
 }
 
@@ -173,6 +180,8 @@ pub struct Built {
     pub side_by_side: bool,
     /// The form in which edges are sent: `fixed`, `own` or `least`.
     pub edges: &'static str,
+    /// Whether renderers evaluate quadratics.
+    pub quadratic: bool,
     /// Geometry processors.
     pub geometry: u32,
     /// Clocks of their program's steps.

@@ -12,7 +12,7 @@
 use serde::Serialize;
 use tilewright_scenes::Polygons;
 
-use super::bin::Work;
+use super::bin::{Work, polygon_of};
 
 /// Clocks of a geometry processor for each step of its program.
 ///
@@ -25,7 +25,7 @@ use super::bin::Work;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct GeometryCosts {
-    /// Transformation, lighting and clipping of a polygon, drawn or not.
+    /// Transformation, lighting and clipping of a polygon, drawn or not; a sphere is charged as one, which is a choice.
     pub transform: u64,
     /// Set-up of a primitive that is left of it.
     pub set_up: u64,
@@ -66,10 +66,14 @@ impl GeometryReport {
             *of += cost;
         };
         (0..polygons.counts.polygons).for_each(|polygon| take(polygon, &mut report.transform, costs.transform));
-        polygons.polygons.iter().for_each(|primitive| take(primitive.polygon, &mut report.set_up, costs.set_up));
+        let primitives = 0..(polygons.polygons.len() + polygons.spheres.len()) as u32;
+        primitives.for_each(|primitive| take(polygon_of(polygons, primitive), &mut report.set_up, costs.set_up));
         for (primitive, instructions) in works.iter().flat_map(|work| &work.made) {
-            let polygon = polygons.polygons[*primitive as usize].polygon;
-            take(polygon, &mut report.binning, costs.bin + u64::from(*instructions) * costs.instruction);
+            take(
+                polygon_of(polygons, *primitive),
+                &mut report.binning,
+                costs.bin + u64::from(*instructions) * costs.instruction,
+            );
         }
         GeometryReport { clocks: clocks.into_iter().max().unwrap_or(0), ..report }
     }
@@ -98,7 +102,7 @@ mod tests {
             Polygon { polygon, ..packet }
         });
         let counts = Counts { polygons: 3, drawn: 2, ..Counts::default() };
-        Polygons { size, polygons: polygons.collect(), vertices: vertices.to_vec(), counts }
+        Polygons { size, polygons: polygons.collect(), vertices: vertices.to_vec(), spheres: Vec::new(), counts }
     }
 
     #[test]

@@ -9,12 +9,11 @@ use tilewright_rtl::pixel_planes::{PERIOD, fields};
 use tilewright_scenes::{Frame, PixelBox, Polygons};
 use tilewright_sim::{EngineKind, IntoValue};
 
-use super::bin::{Bin, Work};
+use super::bin::{Bin, Work, bins};
 use super::config::Config;
 use super::geometry::GeometryReport;
 use super::hardware::{Course, Frames};
 use super::model::{Model, RendererTiming, Step, Timing};
-use super::outline::Binner;
 use super::regions::Regions;
 use super::report::Report;
 use crate::error::Error;
@@ -66,7 +65,7 @@ impl Machine {
     /// Renders a frame: the picture as the frame buffer has it, and the report.
     ///
     /// # Errors
-    /// [`Error::Parameter`] if the polygons are of another screen; [`Error::Cancelled`]; [`Error::Simulation`]; [`Error::Differs`].
+    /// [`Error::Parameter`] if the polygons are of another screen, or there are spheres and the renderers are not [quadratic](Config::quadratic); [`Error::Cancelled`]; [`Error::Simulation`]; [`Error::Differs`].
     pub fn render(
         &self,
         polygons: &Polygons,
@@ -81,7 +80,8 @@ impl Machine {
         watch.report(PHASE, 1.0);
         let Config { geometry, costs, .. } = &self.config;
         let geometry = GeometryReport::new(*geometry, costs, polygons, &works);
-        Ok((frame, Report::new(self.config.built(), polygons.polygons.len(), geometry, &works, &timing)))
+        let primitives = polygons.polygons.len() + polygons.spheres.len();
+        Ok((frame, Report::new(self.config.built(), primitives, geometry, &works, &timing)))
     }
 
     /// The clocks of a frame by the transaction-level model alone, which are those of [`Machine::render`]; regions are told in the order in
@@ -118,7 +118,11 @@ impl Machine {
             let problem = format!("polygons of {} pixels, on a machine of {size}: set them up for that", polygons.size);
             return Err(ParameterError(problem).into());
         }
-        let bins = regions.bins(&polygons.vertices, Binner::Tight);
+        if !polygons.spheres.is_empty() && !self.config.quadratic {
+            let problem = "spheres, on a machine whose renderers evaluate no quadratics: build one that does";
+            return Err(ParameterError(problem.to_owned()).into());
+        }
+        let bins = bins(regions, polygons);
         let mut order: Vec<usize> = (0..bins.len()).collect();
         // Stable: of equal ones the lower number is first.
         order.sort_by_key(|&region| std::cmp::Reverse(bins[region].len()));

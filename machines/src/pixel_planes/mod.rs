@@ -32,7 +32,7 @@ mod table;
 mod vectors;
 
 pub use allocator::{Allocation, Renderer, allocate};
-pub use clocks::{ProgramClocks, Tally, scene_clocks};
+pub use clocks::{ProgramClocks, SPHERE_LEAST, SPHERE_STRICT, Tally, scene_clocks};
 pub use config::{Built, Config};
 pub use drawing::Drawing;
 pub use formulas::{

@@ -128,6 +128,24 @@ impl Regions {
         regions
     }
 
+    /// The numbers of the regions that a box of pixels on the screen meets, ascending.
+    ///
+    /// ```
+    /// use tilewright_machines::pixel_planes::Regions;
+    /// use tilewright_scenes::{PixelBox, Size};
+    ///
+    /// let regions = Regions::new(Size::VGA, 128)?;
+    /// let met = regions.of_box(&PixelBox { left: 127, top: 200, right: 128, bottom: 256 });
+    /// assert_eq!(met.collect::<Vec<_>>(), [5, 6, 10, 11]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn of_box(&self, pixels: &PixelBox) -> impl Iterator<Item = usize> + use<> {
+        let (side, across) = (self.side, self.columns());
+        let columns = pixels.left / side..=pixels.right / side;
+        let rows = pixels.top / side..=pixels.bottom / side;
+        rows.flat_map(move |row| columns.clone().map(move |column| (row * across + column) as usize))
+    }
+
     /// The bins of all regions: each has the numbers of its primitives, in order of submission. A primitive is its vertices, as
     /// [`Outline::of`] takes them.
     ///

@@ -44,7 +44,7 @@ pub struct RegionReport {
     pub renderer: usize,
     /// Primitives in its bin.
     pub primitives: u64,
-    /// Those of them that an edge does not keep out of it.
+    /// Those of them that no edge, and no outline of a sphere, keeps out of it.
     pub drawn: u64,
     /// The clock in which the renderer got it.
     pub begun: u64,
@@ -247,9 +247,11 @@ impl Report {
 
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Built { width, height, renderers, side, queue, ring, strict, side_by_side, edges, geometry, .. } =
-            self.machine;
-        writeln!(f, "pixel-planes-5, {renderers} renderers of {side}x{side} pixels: {width}x{height} pixels,")?;
+        let Built {
+            width, height, renderers, side, queue, ring, strict, side_by_side, edges, quadratic, geometry, ..
+        } = self.machine;
+        let tree = if quadratic { " with quadratic trees" } else { "" };
+        writeln!(f, "pixel-planes-5, {renderers} renderers of {side}x{side} pixels{tree}: {width}x{height} pixels,")?;
         let rule = if strict { "strict" } else { "the least word stays" };
         let manner = if side_by_side { "side by side" } else { "one at a time" };
         let edges = match edges {

@@ -157,7 +157,7 @@ impl Primitives<'_> {
         for (region, numbers) in self.bins.iter().enumerate() {
             let bin = Bin::new(region, &regions, &config);
             let draw = |number: u32| bin.draw(program, &self.polygons[number as usize]);
-            let drawn = numbers.iter().map(|&number| (number, program, draw(number)));
+            let drawn = numbers.iter().map(|&number| (number, program.name, draw(number)));
             tally.add(Work::of(&bin, drawn, [0; 3]).programs);
         }
         Ok(tally.used().next().map_or(0.0, |it| it.mean()))
@@ -168,7 +168,7 @@ impl Primitives<'_> {
 pub(super) fn steady_clocks(program: &Program, instructions: &[Instruction<u64>], side_by_side: bool) -> u64 {
     const MANY: usize = 8;
     let mut clocked = Clocked::new(side_by_side);
-    (0..MANY).map(|_| clocked.primitive(program, instructions)).last().expect("there are many")
+    (0..MANY).map(|_| clocked.primitive(program.name, instructions)).last().expect("there are many")
 }
 
 impl fmt::Display for Kind {

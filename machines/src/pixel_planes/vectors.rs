@@ -86,7 +86,7 @@ impl Vectors {
         let (polygons, vertices): (Vec<_>, Vec<_>) = (0..count).filter_map(packet).unzip();
         let (all, drawn) = (count as u32, polygons.len() as u32);
         let counts = Counts { polygons: all, lines: all, drawn, between_centres: all - drawn, ..Counts::default() };
-        Polygons { size, polygons, vertices, counts }
+        Polygons { size, polygons, vertices, spheres: Vec::new(), counts }
     }
 
     /// From one end to the other, in 1/16 pixel.

@@ -104,7 +104,7 @@ impl Machine {
     /// Renders a frame by the non-texturing system: all regions are in the pixels' memory, and colours are those of the vertices.
     ///
     /// # Errors
-    /// As [`Machine::render`]; [`Error::Parameter`] also if the screen has more regions than fit.
+    /// As [`Machine::render`]; [`Error::Parameter`] also if the screen has more regions than fit, or there are spheres.
     pub fn render_resident(
         &self,
         polygons: &Polygons,
@@ -112,6 +112,9 @@ impl Machine {
         watch: &mut Watch,
     ) -> Result<(Picture, Report), Error> {
         self.check(polygons.size)?;
+        if !polygons.spheres.is_empty() {
+            return Err(ParameterError("spheres: this machine evaluates no quadratics".to_owned()).into());
+        }
         let works = Works::resident(&self.config, &[Drawing::of(&self.config, &polygons.polygons)], background)?;
         self.run(&works, watch)
     }

@@ -100,7 +100,7 @@ impl Triangles {
         };
         let (polygons, vertices): (Vec<_>, Vec<_>) = (0..count).filter_map(packet).unzip();
         let counts = counts(count, polygons.len());
-        Polygons { size: self.size, polygons, vertices, counts }
+        Polygons { size: self.size, polygons, vertices, spheres: Vec::new(), counts }
     }
 }
 

@@ -5,8 +5,8 @@ mod scenarios;
 use tilewright_hdl::elaborate_at;
 
 use self::scenarios::{
-    a_region, a_triangle, all_regions, by_turns, four_free, one_after_another, two_expressions, two_lines,
-    write_add_and_compare,
+    a_region, a_sphere, a_triangle, all_regions, by_turns, four_free, one_after_another, two_expressions, two_lines,
+    two_quadratics, write_add_and_compare,
 };
 use super::shared::{HEIGHT, WIDTH};
 use super::{Entry, Parameter, Values};
@@ -18,6 +18,7 @@ use crate::pixel_planes::frame_buffer::FrameBuffer;
 use crate::pixel_planes::linear_tree::LinearTree;
 use crate::pixel_planes::machine::PixelPlanes5;
 use crate::pixel_planes::pixel::PixelProcessor;
+use crate::pixel_planes::quadratic_tree::QuadraticTree;
 use crate::pixel_planes::renderer::Renderer;
 use crate::pixel_planes::ring::Ring;
 use crate::pixel_planes::{PERIOD, side};
@@ -48,10 +49,18 @@ const RATE: Parameter = Parameter {
     meaning: "bits that the ring brings in a clock: 125 are 5 Gbit/s",
 };
 
+const QUADRATIC: Parameter = Parameter {
+    name: "quadratic",
+    default: 0,
+    min: 0,
+    max: 1,
+    meaning: "0 where all expressions are linear, 1 where some are quadratic",
+};
+
 pub(super) const PIXEL_PLANES_5: Entry = Entry {
     name: "pixel-planes-5",
     summary: "Pixel-planes 5 without its geometry processors: renderers, ring, allocator and frame buffer",
-    parameters: &[WIDTH, HEIGHT, FEW_RENDERERS, SIDE, INSTRUCTIONS, RATE],
+    parameters: &[WIDTH, HEIGHT, FEW_RENDERERS, SIDE, INSTRUCTIONS, RATE, QUADRATIC],
     design: |values| Ok(elaborate_at(&machine(values)?, PERIOD)?),
     scenario: |values| Ok(all_regions(&machine(values)?, values.get_u32("rate"))),
 };
@@ -72,10 +81,18 @@ pub(super) const RENDERER: Entry = Entry {
     scenario: |values| Ok(a_triangle(&renderer(values)?)),
 };
 
+pub(super) const QUADRATIC_RENDERER: Entry = Entry {
+    name: "quadratic-renderer",
+    summary: "a renderer that evaluates quadratics, and so draws spheres",
+    parameters: &[Parameter { default: 4, ..SIDE }, INSTRUCTIONS],
+    design: |values| Ok(elaborate_at(&renderer(values)?.quadratic(), PERIOD)?),
+    scenario: |values| Ok(a_sphere(&renderer(values)?.quadratic())),
+};
+
 pub(super) const IMAGE_GENERATION_CONTROLLER: Entry = Entry {
     name: "image-generation-controller",
-    summary: "takes instructions, and controls the linear tree and all pixels",
-    parameters: &[SIDE],
+    summary: "takes instructions, and controls the tree and all pixels",
+    parameters: &[SIDE, QUADRATIC],
     design: |values| Ok(elaborate_at(&controller(values)?, PERIOD)?),
     scenario: |values| Ok(one_after_another(&controller(values)?)),
 };
@@ -86,6 +103,14 @@ pub(super) const LINEAR_TREE: Entry = Entry {
     parameters: &[SIDE],
     design: |values| Ok(elaborate_at(&linear_tree(values)?, PERIOD)?),
     scenario: |values| Ok(two_expressions(&linear_tree(values)?)),
+};
+
+pub(super) const QUADRATIC_TREE: Entry = Entry {
+    name: "quadratic-tree",
+    summary: "evaluates A x + B y + C + D x^2 + E x y + F y^2 at all pixels, a bit a clock",
+    parameters: &[SIDE],
+    design: |values| Ok(elaborate_at(&quadratic_tree(values)?, PERIOD)?),
+    scenario: |values| Ok(two_quadratics(&quadratic_tree(values)?)),
 };
 
 pub(super) const PIXEL_PROCESSOR: Entry = Entry {
@@ -127,7 +152,8 @@ fn renderer(values: &Values) -> Result<Renderer, ParameterError> {
 fn machine(values: &Values) -> Result<PixelPlanes5, ParameterError> {
     let [width, height, renderers, side, queue, rate] =
         ["width", "height", "renderers", "side", "queue", "rate"].map(|name| values.get_u32(name));
-    PixelPlanes5::new(Screen::new(width, height)?, renderers, side, queue, rate)
+    let linear = PixelPlanes5::new(Screen::new(width, height)?, renderers, side, queue, rate)?;
+    Ok(if is_quadratic(values) { linear.quadratic() } else { linear })
 }
 
 fn ring(values: &Values) -> Result<Ring, ParameterError> {
@@ -135,11 +161,19 @@ fn ring(values: &Values) -> Result<Ring, ParameterError> {
 }
 
 fn controller(values: &Values) -> Result<ImageGenerationController, ParameterError> {
-    Ok(ImageGenerationController { side: side(values.get_u32("side"))? })
+    Ok(ImageGenerationController { side: side(values.get_u32("side"))?, quadratic: is_quadratic(values) })
+}
+
+fn is_quadratic(values: &Values) -> bool {
+    values.get_u32("quadratic") == 1
 }
 
 fn linear_tree(values: &Values) -> Result<LinearTree, ParameterError> {
     Ok(LinearTree { side: side(values.get_u32("side"))? })
+}
+
+fn quadratic_tree(values: &Values) -> Result<QuadraticTree, ParameterError> {
+    Ok(QuadraticTree { side: side(values.get_u32("side"))? })
 }
 
 fn backing_store(values: &Values) -> Result<BackingStore, ParameterError> {

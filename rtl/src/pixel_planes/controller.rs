@@ -5,7 +5,7 @@
 //!                  |         |-------------->| tree slot       |------------------------------> tree
 //! instructions ===>| [micro- |               | coefficients >> |----.
 //!                  |   code] |               '-----------------'    |  control of pixels
-//!                  |         |               .-----------------.    +--->[ 2 log2 S clocks ]--> pixels
+//!                  |         |               .-----------------.    +--->[ lag of the tree ]--> pixels
 //!                  |         |--->[waiting]->| memory slot     |----'
 //!                  '---------'               | constant >>     |
 //!                                            '-----------------'
@@ -23,12 +23,16 @@
 //!
 //! Coefficients are loaded at the edge at which an instruction begins, so the array never waits while the queue has an instruction (PP5-UT).
 //!
+//! A curve, which takes the tree for a clock, waits in registers of its own for the next expression, and its bits go out with that one's: there are such registers
+//! where the tree is a [quadratic](super::quadratic_tree) one, and the control of pixels is 4 log2 S clocks late.
+//!
 //! Latency 1 clock from an instruction to its first bits, which go to the tree; the control of pixels is as late as the expression.
 
 use self::slot::{Order, Slot};
 use super::instruction::{Instruction, LONGEST, Microcode, Operation};
 use super::linear_tree::{Coefficients, LinearTree};
 use super::pixel::{Control, PixelProcessor, Source};
+use super::quadratic_tree::{Curve, QuadraticTree};
 use super::{REGION_BITS, fields};
 use crate::prelude::*;
 
@@ -39,10 +43,12 @@ block! {
     pub struct ImageGenerationController {
         /// Pixels in a line of a region, and lines; a power of two.
         pub side: u32,
+        /// Whether it takes [curves](Operation::Curve), for a [quadratic tree](super::quadratic_tree).
+        pub quadratic: bool,
     }
     latency(self) = format!(
         "1 clock to the coefficients' bits, {} to the control of pixels; the next instruction begins with the last bit",
-        1 + self.tree().latency(),
+        1 + self.lag(),
     );
     source = "Pixel-planes 5, section I.3.2.1 (PP5-UT)";
     in(self) ImageGenerationControllerIn {
@@ -56,6 +62,8 @@ block! {
     out(self) ImageGenerationControllerOut {
         /// To the tree.
         coefficients: Coefficients = Coefficients { a: bit(), b: bit(), c: bit() },
+        /// To a quadratic tree, with them; 0 of a linear expression.
+        curve: [Curve = Curve { d: bit(), e: bit(), f: bit() }; u32::from(self.quadratic)],
         /// They are the first bits of an expression.
         first: bit(),
         /// To the pixels.
@@ -80,8 +88,17 @@ bundle! {
 }
 
 impl ImageGenerationController {
-    fn tree(&self) -> LinearTree {
-        LinearTree { side: self.side }
+    /// Clocks from a coefficient's bit to the expression's at each pixel.
+    ///
+    /// ```
+    /// use tilewright_rtl::pixel_planes::controller::ImageGenerationController;
+    ///
+    /// let lag = |quadratic| ImageGenerationController { side: 128, quadratic }.lag();
+    /// assert_eq!([false, true].map(lag), [14, 28]);
+    /// ```
+    pub fn lag(&self) -> u32 {
+        let &ImageGenerationController { side, quadratic } = self;
+        if quadratic { QuadraticTree { side }.latency() } else { LinearTree { side }.latency() }
     }
 
     fn build(&self, m: Module, i: ImageGenerationControllerIn) -> ImageGenerationControllerOut {
@@ -115,6 +132,7 @@ impl ImageGenerationController {
         let Coefficients { a, b, c } = next.coefficients;
         let [a, b] =
             [("a", a), ("b", b)].map(|(name, coefficient)| slot::bit_by_bit(m, name, tree_begins, coefficient));
+        let curve = self.curve(m, &next, decoded.source.is(Source::Expression));
         let first = m.reg("first", bit()).reset(0);
         first.next(tree_begins & decoded.source.is(Source::Expression));
 
@@ -131,6 +149,7 @@ impl ImageGenerationController {
         let save = Save { claim: next.taken & decoded.saves, region: c.trunc(REGION_BITS), plane };
         ImageGenerationControllerOut {
             coefficients: Coefficients { a, b, c: tree.constant },
+            curve,
             first: *first,
             control,
             save,
@@ -138,9 +157,31 @@ impl ImageGenerationController {
         }
     }
 
+    /// The bits of a curve, with those of the expression after it.
+    fn curve(&self, m: Module, next: &Taken<Instruction>, is_expression: Signal) -> Vec<Curve> {
+        let is_curve = next.operation.is(Operation::Curve);
+        if !self.quadratic {
+            m.assume(next.taken.implies(!is_curve), "only the controller of a quadratic tree takes a curve");
+            return Vec::new();
+        }
+        let comes = next.taken & is_curve;
+        let expression = next.taken & is_expression;
+        let waits = m.reg("curve_waits", bit()).reset(0);
+        waits.when(comes, 1).when(expression, 0);
+        let goes = m.reg("curve_goes", bit()).reset(0);
+        goes.when(comes, 0).when(expression, waits);
+        let Coefficients { a: d, b: e, c: f } = next.coefficients;
+        let [d, e, f] = [("d", d), ("e", e), ("f", f)].map(|(name, coefficient)| {
+            let bits = m.reg(name, coefficient.width());
+            bits.when(comes, coefficient).when(goes, (bits.signed() >> 1).bits());
+            bits.bit(0) & goes
+        });
+        vec![Curve { d, e, f }]
+    }
+
     /// The same, as much later as the tree is with an expression.
     fn later(&self, m: Module, sent: Sent) -> Sent {
-        (1..=self.tree().latency()).fold(sent, |sent, clock| {
+        (1..=self.lag()).fold(sent, |sent, clock| {
             let register = m.reg(&format!("sent{clock}"), Sent { control: Control::widths(), plane: bit() }).reset(0);
             register.next(sent);
             register.value()
@@ -158,7 +199,7 @@ impl ImageGenerationController {
         let end = up_to(2 * PixelProcessor::BITS);
         let is_inside = |first: Signal| (first.zext(end) + next.length.zext(end)).le(PixelProcessor::BITS);
         state(is_inside(next.read) & is_inside(next.write), "a word is within the memory of 208 bits");
-        let levels = self.tree().levels();
+        let levels = self.side.trailing_zeros();
         state(is_expression.implies(clocks.ge(levels)), "an expression has as many bits as each tree has levels");
         state(is_expression | next.skip.eq(0), "only of an expression bits are skipped");
     }

@@ -9,6 +9,9 @@
 //! the memory is taken                             |-----------------------------|   read, read + 1, ..  write, write + 1, ..
 //! ```
 //!
+//! Expressions are linear, A x + B y + C, but for one that a [`Curve`](Operation::Curve) comes before: then D x² + E x y + F y² is added. A curve takes the tree for a
+//! clock, in a renderer that evaluates quadratics; no other takes it.
+//!
 //! So the memory is free for the instruction before while an expression's lower bits are on their way, and an expression is never interrupted. A
 //! test looks at a sign, which is a word of one bit.
 
@@ -55,6 +58,8 @@ codes! {
         CopyFlagged,
         /// A word of 48 bits is sent to the backing store, as that of the region whose number the constant is.
         Save,
+        /// The next expression is quadratic: `a`, `b` and `c` of this are its `d`, `e` and `f`. Those after it are linear again.
+        Curve,
     }
 }
 
@@ -78,7 +83,7 @@ bundle! {
         /// Where the word that is written begins.
         pub write: T,
         /// Of the expression, in two's complement, relative to the region; `c` is the constant where there is no expression. Longer words are
-        /// of the same sign.
+        /// of the same sign. Of a curve they are `d`, `e` and `f`.
         pub coefficients: Coefficients<T>,
     }
 }
@@ -188,6 +193,7 @@ impl Operation {
             Operation::Copy => writing(Source::Memory, Mask::Everybody),
             Operation::CopyFlagged => writing(Source::Memory, Mask::Flagged),
             Operation::Save => Microcode { saves: 1, ..writing(Source::Memory, Mask::Nobody) },
+            Operation::Curve => enabling(Source::Constant, Enabling::Keep),
         }
     }
 }

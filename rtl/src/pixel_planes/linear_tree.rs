@@ -19,6 +19,7 @@
 //!
 //! Latency 2 log2 S clocks; a bit of each pixel a clock, and expressions right behind one another.
 
+use super::bit_serial::{beginnings, delayed, is_right, shifted, sum};
 use crate::prelude::*;
 
 block! {
@@ -78,27 +79,6 @@ impl LinearTree {
     }
 }
 
-/// Which of the nodes of a level are right children.
-fn is_right(nodes: u32) -> Signal {
-    constants(bit().of(row(nodes)), |node| u64::from(node % 2))
-}
-
-/// The beginnings of expressions, at the first level, at the second, and so on: a clock later each. There are none before the first that is sent.
-fn beginnings(m: Module, levels: u32, first: Signal) -> Vec<Signal> {
-    let mut beginnings = vec![first];
-    for level in 1..levels {
-        let later = m.reg(&format!("first{level}"), bit()).reset(0);
-        later.next(beginnings[level as usize - 1]);
-        beginnings.push(*later);
-    }
-    beginnings
-}
-
-/// The bit, so many clocks later.
-fn delayed(m: Module, name: &str, clocks: u32, bit: Signal) -> Signal {
-    (1..=clocks).fold(bit, |bit, clock| m.pipe(&format!("{name}{clock}"), bit))
-}
-
 /// A coefficient on its way to the levels of a tree.
 struct Axis<'a> {
     name: &'static str,
@@ -112,23 +92,9 @@ impl Axis<'_> {
     /// The sums of a level's nodes, a clock later: those of their parents, and of right children with the coefficient.
     fn children(&self, m: Module, level: u32, parents: Signal, is_right: Signal) -> Signal {
         let named = |what: &str| format!("{}_{what}{level}", self.name);
-        let adds = is_right & self.weighted(m, level);
-        let carry = m.reg(&named("carry"), bit().of(parents.shape()));
-        let carried = carry & !self.first[level as usize];
-        carry.next((parents & adds) | (carried & (parents | adds)));
-        m.pipe(&named("sum"), parents ^ adds ^ carried)
-    }
-
-    /// The coefficient as a level adds it. From the beginning of an expression until the coefficient's first bit comes there are zeros, as of a
-    /// shift.
-    fn weighted(&self, m: Module, level: u32) -> Signal {
-        let (first, comes) = (self.first[level as usize], self.first[self.first.len() - 1]);
-        if level as usize + 1 == self.first.len() {
-            return self.coefficient;
-        }
-        let has_come = m.reg(&format!("{}_has_come{level}", self.name), bit()).reset(0);
-        has_come.when(first, 0).when(comes, 1);
-        self.coefficient & (comes | (has_come & !first))
+        let lowest = self.first.len() as u32 - 1;
+        let adds = is_right & shifted(m, &named("has_come"), self.first, [level, lowest], self.coefficient);
+        sum(m, [&named("sum"), &named("carry")], self.first[level as usize], parents, adds)
     }
 }
 

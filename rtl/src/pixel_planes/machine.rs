@@ -43,6 +43,8 @@ block! {
         queue: u32,
         /// Bits that the ring brings in a clock.
         rate: u32,
+        /// Whether the renderers' expressions may be quadratic.
+        quadratic: bool,
     }
     latency = "the clocks of the renderer that is done last; 1 clock to read a line";
     source = "Pixel-planes 5, section I.3.2.1 (PP5-ARCH, PP5-UT)";
@@ -98,7 +100,13 @@ impl PixelPlanes5 {
         Renderer::new(side, queue)?;
         Ring::new(renderers, side, rate)?;
         FrameBuffer::new(screen, side)?;
-        Ok(PixelPlanes5 { screen, renderers, side, queue, rate })
+        Ok(PixelPlanes5 { screen, renderers, side, queue, rate, quadratic: false })
+    }
+
+    /// The same, with renderers that [evaluate quadratics](Renderer::quadratic).
+    #[must_use]
+    pub fn quadratic(self) -> PixelPlanes5 {
+        PixelPlanes5 { quadratic: true, ..self }
     }
 
     /// How many renderers there are.
@@ -113,7 +121,8 @@ impl PixelPlanes5 {
 
     fn build(&self, m: Module, i: PixelPlanes5In) -> PixelPlanes5Out {
         let &PixelPlanes5 { renderers, side, queue, rate, .. } = self;
-        let renderer = Renderer::new(side, queue).expect("it was made once");
+        let linear = Renderer::new(side, queue).expect("it was made once");
+        let renderer = if self.quadratic { linear.quadratic() } else { linear };
         let ring = Ring::new(renderers, side, rate).expect("it was made once");
         let numbers = 0..renderers;
         let finished: Vec<_> =

@@ -13,11 +13,13 @@
 //! ```
 //!
 //! A renderer draws a region of S x S pixels of the screen, and then another one. All coefficients are relative to the region: whoever makes
-//! them has `c` at the region's upper left pixel, `c + a x0 + b y0`, so the hardware knows no place on the screen.
+//! them has `c` at the region's upper left pixel, `c + a x0 + b y0`, so the hardware knows no place on the screen. With a quadratic tree in place of the linear one
+//! a renderer draws spheres, too.
 //!
 //! | file | what is in it |
 //! |---|---|
 //! | [`linear_tree`] | A x + B y + C at all pixels |
+//! | [`quadratic_tree`] | A x + B y + C + D x² + E x y + F y² at all pixels |
 //! | [`pixel`] | a pixel's adder, flags and memory |
 //! | [`instruction`] | the instructions, and the microcode of each operation |
 //! | [`controller`] | what takes instructions and controls tree and pixels |
@@ -28,7 +30,7 @@
 //! | [`frame_buffer`] | puts regions together to a picture |
 //! | [`machine`] | renderers, ring, allocator and frame buffer |
 //! | [`fields`] | what is where in a pixel's memory |
-//! | [`programs`] | the instructions that draw triangles, polygons and vectors |
+//! | [`programs`] | the instructions that draw triangles, polygons, vectors and spheres |
 //! | [`schedule`] | the clocks in which a controller takes them |
 //!
 //! All sums are exact modulo powers of two, so bit-serial evaluation gives the integers of the contract bit for bit (facts E0).
@@ -37,6 +39,7 @@ use crate::prelude::{ParameterError, Period};
 
 pub mod allocator;
 pub mod backing_store;
+mod bit_serial;
 pub mod controller;
 pub mod fields;
 pub mod frame_buffer;
@@ -47,6 +50,7 @@ pub mod machine;
 mod model;
 pub mod pixel;
 pub mod programs;
+pub mod quadratic_tree;
 pub mod renderer;
 pub mod ring;
 pub mod schedule;

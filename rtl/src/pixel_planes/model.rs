@@ -67,7 +67,7 @@ impl Pixel {
             Operation::CompareConstant => self.flag = new < kept,
             Operation::Copy => write_if(true, kept),
             Operation::CopyFlagged => write_if(flag, kept),
-            Operation::Save => {}
+            Operation::Save | Operation::Curve => {}
         }
     }
 }
@@ -75,6 +75,8 @@ impl Pixel {
 /// A region, and those that were saved.
 pub(super) struct Model {
     side: u32,
+    /// What the next expression has of x², x y and y².
+    curve: [i128; 3],
     /// Line by line.
     pub pixels: Vec<Pixel>,
     /// The numbers of regions, and the words of their pixels.
@@ -83,7 +85,7 @@ pub(super) struct Model {
 
 impl Model {
     pub fn new(side: u32) -> Model {
-        Model { side, pixels: vec![Pixel::new(); (side * side) as usize], saved: Vec::new() }
+        Model { side, curve: [0; 3], pixels: vec![Pixel::new(); (side * side) as usize], saved: Vec::new() }
     }
 
     pub fn run(&mut self, instruction: &Instruction<u64>) {
@@ -94,10 +96,15 @@ impl Model {
             let words = self.pixels.iter().map(|pixel| pixel.word(instruction.read, instruction.length)).collect();
             self.saved.push((c as u64, words));
         }
+        if operation == Operation::Curve {
+            self.curve = [a, b, c];
+        }
         let on_expression = operation.microcode().source == super::pixel::Source::Expression.code();
+        let [d, e, f] = if on_expression { std::mem::take(&mut self.curve) } else { [0; 3] };
         for (number, pixel) in (0..).zip(&mut self.pixels) {
             let [x, y] = [number % self.side, number / self.side].map(i128::from);
-            pixel.run(operation, instruction, if on_expression { a * x + b * y + c } else { c });
+            let value = a * x + b * y + c + d * x * x + e * x * y + f * y * y;
+            pixel.run(operation, instruction, if on_expression { value } else { c });
         }
     }
 }

@@ -1,13 +1,15 @@
 //! The renderer: S x S pixels that compute under one instruction stream, and the region that they drew before (PP5-ARCH, PP5-UT).
 //!
 //! ```text
-//! instructions ==>[ queue ]==>[ controller ]--->[ linear tree ]--.
+//! instructions ==>[ queue ]==>[ controller ]--->[     tree    ]--.
 //!                                   |   ^                        v
 //!                                   |   '-- free --.   [ pixel processors ]
 //!                                   |              |             | word
 //!                                   '-- save -->[ backing store ]<'
 //!                                                      '=========================> planes
 //! ```
+//!
+//! The tree is a [linear](super::linear_tree) or a [quadratic](super::quadratic_tree) one.
 //!
 //! It is at rest where no bit of an instruction was sent for [`Renderer::REST`] clocks and no plane is taken: then nothing in it changes.
 //!
@@ -21,6 +23,7 @@ use super::controller::{ImageGenerationController, ImageGenerationControllerIn};
 use super::instruction::Instruction;
 use super::linear_tree::{LinearTree, LinearTreeIn};
 use super::pixel::{PixelProcessor, PixelProcessorIn};
+use super::quadratic_tree::{QuadraticTree, QuadraticTreeIn};
 use super::{fields, side};
 use crate::prelude::*;
 
@@ -31,6 +34,8 @@ block! {
         side: u32,
         /// Instructions that its queue holds.
         queue: u32,
+        /// Whether its expressions may be quadratic.
+        quadratic: bool,
     }
     latency = "a primitive takes the clocks of its instructions, a region that is sent 48 clocks a line";
     source = "Pixel-planes 5, section I.3.2.1 (PP5-ARCH, PP5-UT)";
@@ -47,7 +52,7 @@ block! {
         room: bit(),
         /// Its controller takes an instruction from the queue in this clock.
         takes: bit(),
-        /// Every instruction has ended, but in the pixels, which are 2 log2 S clocks behind: it can be given another region.
+        /// Every instruction has ended, but in the pixels, which are [lag](Renderer::lag) clocks behind: it can be given another region.
         idle: bit(),
     }
 }
@@ -57,6 +62,9 @@ impl Renderer {
     pub const MOST: u32 = 4096;
     /// So many clocks after an instruction's last bit nothing of it is on its way any more: the coefficients have been shifted out, but for
     /// their signs, and their sums have gone through the tree to the pixels.
+    ///
+    /// Of a quadratic tree of 256 x 256 pixels that takes 88: from its first bit on a coefficient changes for 39 clocks, the longest way has 39 registers, and on
+    /// it are 17 sums whose carries may change a clock after; an instruction has 8 bits or more.
     pub const REST: u64 = 96;
 
     /// A renderer of regions of that side, a power of two from 2 to 256, with a queue of so many instructions.
@@ -69,7 +77,35 @@ impl Renderer {
             let most = Renderer::MOST;
             return Err(ParameterError(format!("a queue of {queue} instructions: it has to hold from 1 to {most}")));
         }
-        Ok(Renderer { side: side(pixels)?, queue })
+        Ok(Renderer { side: side(pixels)?, queue, quadratic: false })
+    }
+
+    /// The same, with a [quadratic tree](super::quadratic_tree) in place of the linear one: it takes [curves](super::instruction::Operation::Curve), too.
+    ///
+    /// ```
+    /// use tilewright_rtl::pixel_planes::renderer::Renderer;
+    ///
+    /// let linear = Renderer::new(128, 16)?;
+    /// assert_eq!([linear.lag(), linear.quadratic().lag()], [14, 28]);
+    /// # Ok::<(), tilewright_rtl::parameter::ParameterError>(())
+    /// ```
+    #[must_use]
+    pub fn quadratic(self) -> Renderer {
+        Renderer { quadratic: true, ..self }
+    }
+
+    /// Whether its expressions may be quadratic.
+    pub fn is_quadratic(&self) -> bool {
+        self.quadratic
+    }
+
+    /// Clocks from a bit that its controller sends to the pixels: 2 log2 S of a linear tree, 4 log2 S of a quadratic one.
+    pub fn lag(&self) -> u32 {
+        self.controller().lag()
+    }
+
+    fn controller(&self) -> ImageGenerationController {
+        ImageGenerationController { side: self.side, quadratic: self.quadratic }
     }
 
     /// Pixels in a line of a region, and lines.
@@ -83,7 +119,7 @@ impl Renderer {
     }
 
     fn build(&self, m: Module, i: RendererIn) -> RendererOut {
-        let Renderer { side, queue } = *self;
+        let Renderer { side, queue, .. } = *self;
         let pixels = grid(side, side);
         let room = i.instructions.ready;
         let instructions = m.fifo("u_queue", queue, i.instructions);
@@ -91,12 +127,17 @@ impl Renderer {
         let store_free = m.wire("store_free", bit());
         let control =
             ImageGenerationControllerIn { instructions, side_by_side: i.side_by_side, store_free: *store_free };
-        let controller = m.instance("u_controller", &ImageGenerationController { side }, control);
+        let controller = m.instance("u_controller", &self.controller(), control);
 
-        let tree = LinearTreeIn { coefficients: controller.coefficients, first: controller.first };
-        let tree = m.instance("u_tree", &LinearTree { side }, tree);
+        let (coefficients, first) = (controller.coefficients, controller.first);
+        let expression = match controller.curve[..] {
+            [curve] => {
+                m.instance("u_tree", &QuadraticTree { side }, QuadraticTreeIn { coefficients, curve, first }).value
+            }
+            _ => m.instance("u_tree", &LinearTree { side }, LinearTreeIn { coefficients, first }).value,
+        };
         let control = controller.control.map(|field| field.of(pixels));
-        let pixel = PixelProcessorIn { control, expression: tree.value };
+        let pixel = PixelProcessorIn { control, expression };
         let pixel = m.array("u_pixel", pixels, &PixelProcessor, |_| pixel);
 
         let number = controller.control.write.trunc(below(fields::WORD.bits));

@@ -5,7 +5,7 @@ use proptest::prelude::*;
 use super::instruction::{Instruction, Operation};
 use super::linear_tree::Coefficients;
 use super::pixel::Source;
-use super::programs::{Expression, Surface};
+use super::programs::{Expression, Quadratic, Surface};
 use crate::prelude::Codes;
 
 /// A polygon relative to a region.
@@ -26,22 +26,90 @@ impl Primitive {
     pub fn covers(&self, x: u32, y: u32) -> bool {
         self.edges.iter().all(|edge| at(edge, x, y) >= 0)
     }
+}
 
-    pub fn depth(&self, x: u32, y: u32) -> u64 {
-        (at(&self.surface.z, x, y) as u64 >> 16) & 0xff_ffff
+/// What is inside of a quadratic, relative to a region.
+#[derive(Debug, Clone)]
+pub(super) struct Sphere {
+    pub inside: Quadratic,
+    pub surface: Surface<Quadratic>,
+    /// Its colour where it has no planes of colour.
+    pub rgb: u32,
+}
+
+/// Whatever is drawn.
+#[derive(Debug, Clone)]
+pub(super) enum Shape {
+    Polygon(Primitive),
+    Sphere(Sphere),
+}
+
+/// The value of a quadratic at a pixel.
+pub(super) fn value(&Quadratic { a, b, c, d, e, f }: &Quadratic, x: u32, y: u32) -> i128 {
+    let [x, y] = [x, y].map(i128::from);
+    let terms = [(a, x), (b, y), (c, 1), (d, x * x), (e, x * y), (f, y * y)];
+    terms.iter().map(|(coefficient, times)| i128::from(*coefficient) * times).sum()
+}
+
+impl Shape {
+    pub fn covers(&self, x: u32, y: u32) -> bool {
+        match self {
+            Shape::Polygon(polygon) => polygon.covers(x, y),
+            Shape::Sphere(sphere) => value(&sphere.inside, x, y) >= 0,
+        }
+    }
+
+    fn surface(&self) -> (Surface<Quadratic>, u32) {
+        match self {
+            Shape::Polygon(Primitive { surface: Surface { z, rgb: planes }, rgb, .. }) => {
+                (Surface { z: (*z).into(), rgb: planes.map(Quadratic::from) }, *rgb)
+            }
+            Shape::Sphere(Sphere { surface, rgb, .. }) => (*surface, *rgb),
+        }
+    }
+
+    fn depth(&self, x: u32, y: u32) -> u64 {
+        (value(&self.surface().0.z, x, y) >> 16) as u64 & 0xff_ffff
     }
 
     /// Its word with planes of colour.
     pub fn smooth_word(&self, x: u32, y: u32) -> u64 {
-        let channel = |plane: &Expression| (at(plane, x, y) as u64 >> 16) & 0xff;
-        let rgb = self.surface.rgb.iter().map(channel).reduce(|high, low| high << 8 | low);
+        let channel = |plane: Quadratic| (value(&plane, x, y) >> 16) as u64 & 0xff;
+        let rgb = self.surface().0.rgb.map(channel).into_iter().reduce(|high, low| high << 8 | low);
         self.depth(x, y) << 24 | rgb.expect("three channels")
     }
 
     /// Its word in one colour.
     pub fn flat_word(&self, x: u32, y: u32) -> u64 {
-        self.depth(x, y) << 24 | u64::from(self.rgb)
+        self.depth(x, y) << 24 | u64::from(self.surface().1)
     }
+}
+
+/// Spheres that go through a region of that side, or miss it, and quadratics at random whose values there fit 40 bits.
+pub(super) fn spheres(side: u32) -> BoxedStrategy<Sphere> {
+    let side = i64::from(side);
+    let centre = prop::array::uniform2(-side / 2..side * 3 / 2);
+    let ellipse = (centre, 0..side, 1..5000i64, -1000..1000i64).prop_map(|([x, y], radius, scale, across)| {
+        let (d, e, f) = (-scale, across * scale / 1000, -scale);
+        Quadratic { a: 0, b: 0, c: scale * radius * radius, d, e, f }.moved([-x, -y])
+    });
+    let least = -(1i64 << 39) / (6 * side * side);
+    let any = prop::array::uniform6(prop_oneof![2 => least..-least, 1 => -9..10i64])
+        .prop_map(move |[a, b, c, d, e, f]| Quadratic { a: a * side, b: b * side, c: c * side * side, d, e, f });
+    let inside = prop_oneof![2 => ellipse, 1 => any];
+    let rgb = prop_oneof![Just(0x10_20_30), 0..1u32 << 24];
+    (inside, quadratic(), prop::array::uniform3(quadratic()), rgb)
+        .prop_map(|(inside, z, planes, rgb)| Sphere { inside, surface: Surface { z, rgb: planes }, rgb })
+        .boxed()
+}
+
+/// A plane that differs little from one sphere to the next, or any.
+fn quadratic() -> BoxedStrategy<Quadratic> {
+    let coarse = prop_oneof![Just(0), Just(1i64 << 16), Just(3i64 << 16)];
+    let any = prop_oneof![1 => -(1i64 << 39)..1 << 39, 1 => Just(0)];
+    prop_oneof![2 => prop::array::uniform6(coarse), 1 => prop::array::uniform6(any)]
+        .prop_map(|[a, b, c, d, e, f]| Quadratic { a, b, c, d, e, f })
+        .boxed()
 }
 
 /// The reduced edge from a point to another, in 1/16 pixel, which is inside to the right of it as one looks along it, y downward (DES-EDGE).
@@ -115,19 +183,21 @@ fn surface() -> impl Strategy<Value = (Surface, u32)> {
         .prop_map(|(z, rgb_planes, rgb)| (Surface { z, rgb: rgb_planes }, rgb))
 }
 
-/// Instructions that a renderer of that side takes, on a small part of the memory, so that they meet each other's words.
-pub(super) fn instructions(side: u32) -> impl Strategy<Value = Instruction<u64>> {
-    const LAST: usize = Operation::ALL.len() - 1;
+/// Instructions that a renderer of that side takes, on a small part of the memory, so that they meet each other's words; with curves, if it evaluates quadratics.
+pub(super) fn instructions(side: u32, quadratic: bool) -> impl Strategy<Value = Instruction<u64>> {
+    const LAST: usize = Operation::Save as usize;
+    let curves = if quadratic { 6 } else { 0 };
     let levels = u64::from(side.trailing_zeros());
     let length = prop_oneof![4 => 1..12u64, 1 => 1..65u64];
     let address = || prop_oneof![1..24u64, Just(100)];
     let coefficient = || prop_oneof![0..1u64 << 40, 0..64u64, (0..64u64).prop_map(|number| (1 << 40) - 1 - number)];
     let coefficients = prop::array::uniform3(coefficient());
-    (0..LAST, 0..20u64, length, address(), address(), coefficients).prop_map(
+    (0..LAST + curves, 0..20u64, length, address(), address(), coefficients).prop_map(
         move |(operation, skip, length, read, write, [a, b, c])| {
-            let operation = Operation::ALL[operation];
+            let operation = if operation < LAST { Operation::ALL[operation] } else { Operation::Curve };
             let on_expression = operation.microcode().source == Source::Expression.code();
-            let is_alone = matches!(operation, Operation::Enable | Operation::Disable | Operation::Flag);
+            let is_alone =
+                matches!(operation, Operation::Enable | Operation::Disable | Operation::Flag | Operation::Curve);
             let length = if is_alone { 1 } else { length };
             let skip = if on_expression { skip.max(levels.saturating_sub(length)) } else { 0 };
             // Words that overlap are worked on bit by bit: then what is read of them is what was written just before.

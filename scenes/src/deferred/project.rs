@@ -67,6 +67,7 @@ pub struct Pass {
 /// As [`crate::project`]; and if a texture could not be read, there are more than 256 lights, or the screen is too large for eight
 /// samples.
 pub fn project_deferred(scene: &Scene, size: Size, samples: Samples) -> Result<Deferred, SceneError> {
+    scene.without_spheres()?;
     let default = || Cow::Owned(Materials::plain(Material::default(), scene.mesh.triangles().len()));
     let materials = scene.mesh.materials().map_or_else(default, Cow::Borrowed);
     let shader = shader(scene, &materials, scene.camera.view()?)?;

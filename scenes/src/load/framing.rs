@@ -1,8 +1,9 @@
 //! The camera that frames a mesh by itself.
 
 use crate::camera::Camera;
-use crate::mesh::Mesh;
+use crate::mesh::{BoundingBox, Mesh};
 use crate::size::Size;
+use crate::sphere::Sphere;
 use glam::{DVec3, dvec3};
 
 /// Field of view of the camera that frames a mesh by itself, in degrees.
@@ -12,10 +13,18 @@ pub(super) const FRAMING_FOV: f64 = 35.0;
 pub(super) const OBJ_UP: DVec3 = DVec3::Y;
 const OBJ_DIRECTION: DVec3 = dvec3(0.45, 0.35, 1.0);
 
-/// A camera that shows the whole of an OBJ file's mesh.
-pub(super) fn framing_camera(mesh: &Mesh, up: DVec3, fov: f64, size: Size) -> Camera {
+/// The box round a mesh and spheres.
+pub(super) fn bounding_box(mesh: &Mesh, spheres: &[Sphere]) -> BoundingBox {
+    spheres.iter().fold(mesh.bounding_box(), |BoundingBox { min, max }, Sphere { centre, radius, .. }| BoundingBox {
+        min: min.min(*centre - *radius),
+        max: max.max(*centre + *radius),
+    })
+}
+
+/// A camera that shows the whole of what such a box is round.
+pub(super) fn framing_camera(bounds: BoundingBox, up: DVec3, fov: f64, size: Size) -> Camera {
     // If up is turned, the direction turns with it: over the same shoulder, wherever the shoulder is.
     let direction =
         if up.z.abs() > up.y.abs() { dvec3(OBJ_DIRECTION.x, -OBJ_DIRECTION.z, OBJ_DIRECTION.y) } else { OBJ_DIRECTION };
-    Camera::framing(mesh.bounding_box(), direction, up, fov, size)
+    Camera::framing(bounds, direction, up, fov, size)
 }

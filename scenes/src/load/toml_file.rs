@@ -1,21 +1,22 @@
-//! Scene files: a mesh, and what is to differ from the defaults, in TOML.
+//! Scene files: a mesh, spheres, and what is to differ from the defaults, in TOML.
 //! The keys are in the crate's README. Every mistake is reported with its line and column; unknown keys are mistakes.
 
-use super::framing::{FRAMING_FOV, OBJ_UP, framing_camera};
+use super::framing::{FRAMING_FOV, OBJ_UP, bounding_box, framing_camera};
 use super::names::{nearest, stem};
 use super::obj::{self, Loaded};
-use super::toml_values::{Keys, Table, Vector, lights};
+use super::toml_values::{Keys, Table, Vector, tables};
 use crate::builtin::{self, default_lighting, with_defaults};
 use crate::camera::Part;
 use crate::error::SceneError;
 use crate::input::{self, read_lines};
 use crate::light::Light;
 use crate::material::{Material, Materials};
-use crate::mesh::representable;
+use crate::mesh::{Mesh, representable};
 use crate::quote::{brief, quote, shown};
 use crate::scene::Scene;
 use crate::screen::nothing_in_front;
 use crate::size::Size;
+use crate::sphere::Sphere;
 use crate::texture::{GENERATED, Texture, file};
 use glam::DVec3;
 use serde::Deserialize;
@@ -27,7 +28,7 @@ use toml::Spanned;
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct SceneTable {
-    mesh: Spanned<String>,
+    mesh: Option<Spanned<String>>,
     #[serde(default)]
     wireframe: bool,
     size: Option<Spanned<Vector<i64, 2>>>,
@@ -37,8 +38,10 @@ struct SceneTable {
     camera: Table<CameraTable>,
     #[serde(default)]
     surface: Table<SurfaceTable>,
-    #[serde(default, deserialize_with = "lights")]
+    #[serde(default, deserialize_with = "tables")]
     light: Option<Vec<Table<LightTable>>>,
+    #[serde(default, deserialize_with = "tables")]
+    sphere: Option<Vec<Table<SphereTable>>>,
 }
 
 #[derive(Deserialize, Default)]
@@ -55,6 +58,14 @@ struct CameraTable {
 struct LightTable {
     toward: Spanned<Vector<f64, 3>>,
     intensity: Spanned<f64>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct SphereTable {
+    centre: Spanned<Vector<f64, 3>>,
+    radius: Spanned<f64>,
+    colour: Spanned<Vector<i64, 3>>,
 }
 
 #[derive(Deserialize, Default)]
@@ -90,6 +101,10 @@ impl CameraTable {
     }
 }
 
+impl Keys for SphereTable {
+    const HEAD: &str = "`[[sphere]]` above each sphere";
+}
+
 impl Keys for LightTable {
     const HEAD: &str = "`[[light]]` above each light";
 }
@@ -123,15 +138,7 @@ impl Source<'_> {
         self.set_camera(&table.camera.0, &mut scene)?;
         self.set_surface(&table.surface.0, &mut scene)?;
         if let Some(background) = &table.background {
-            let channels = background.as_ref().0.map(u8::try_from);
-            let [Ok(r), Ok(g), Ok(b)] = channels else {
-                return Err(self.error(
-                    background.span(),
-                    format!("the background is {:?}", background.as_ref().0),
-                    "give red, green and blue from 0 to 255",
-                ));
-            };
-            scene.background = [r, g, b];
+            scene.background = self.colour("background", background)?;
         }
         if let Some(ambient) = &table.ambient {
             scene.lighting.ambient = *ambient.as_ref();
@@ -152,7 +159,8 @@ impl Source<'_> {
         }
         if let Some(error) = nothing_in_front(&scene)? {
             let place = table.camera.0.blame(Part::Eye);
-            self.place(place.unwrap_or(table.mesh.span()), Err(error))?;
+            let place = place.or(table.mesh.as_ref().map(Spanned::span));
+            self.place(place.unwrap_or(0..0), Err(error))?;
         }
         Ok(scene)
     }
@@ -161,24 +169,59 @@ impl Source<'_> {
     fn base(&self, table: &SceneTable, asked: Option<Size>) -> Result<Scene, SceneError> {
         let own = table.size.as_ref().map(|size| self.size(size)).transpose()?;
         let size = asked.or(own);
-        let name = table.mesh.as_ref();
+        let spheres = self.spheres(table)?;
+        let name = table.mesh.as_ref().map_or("", |mesh| mesh.as_ref());
         let mut scene = match builtin::scene(name) {
             Some(scene) if table.wireframe => Scene { mesh: scene.mesh.wireframe(), ..scene },
             Some(scene) => scene,
             None => {
-                let Loaded { mesh, files, warnings } = self.mesh(&table.mesh, table.wireframe)?;
+                let Loaded { mesh, files, warnings } = match &table.mesh {
+                    Some(mesh) => self.mesh(mesh, table.wireframe)?,
+                    None => Loaded { mesh: Mesh::none(), files: Vec::new(), warnings: Vec::new() },
+                };
                 let camera = &table.camera.0;
                 // What these are good for is checked with the rest of the camera.
                 let up = camera.up.as_ref().map_or(OBJ_UP, |up| DVec3::from_array(up.as_ref().0));
                 let fov = camera.fov.as_ref().map_or(FRAMING_FOV, |fov| *fov.as_ref());
-                let framing = framing_camera(&mesh, up, fov, size.unwrap_or(Size::VGA));
+                let framing = framing_camera(bounding_box(&mesh, &spheres), up, fov, size.unwrap_or(Size::VGA));
                 let mut scene = with_defaults(name, mesh, framing);
                 (scene.files, scene.warnings) = (files, warnings);
                 scene
             }
         };
         scene.size = size.unwrap_or(scene.size);
+        scene.spheres.extend(spheres);
         Ok(scene)
+    }
+
+    fn spheres(&self, table: &SceneTable) -> Result<Vec<Sphere>, SceneError> {
+        let tables = table.sphere.as_deref().unwrap_or_default();
+        if table.mesh.is_none() && tables.is_empty() {
+            return Err(self.error(0..0, "missing key `mesh`, and no `[[sphere]]`", "add one of them"));
+        }
+        let sphere = |(i, Table(table)): (usize, &Table<SphereTable>)| {
+            self.vector(&table.centre)?;
+            let sphere = Sphere {
+                centre: DVec3::from_array(table.centre.as_ref().0),
+                radius: *table.radius.as_ref(),
+                colour: self.colour("colour", &table.colour)?,
+            };
+            self.place(table.radius.span(), sphere.check(i))?;
+            Ok(sphere)
+        };
+        tables.iter().enumerate().map(sphere).collect()
+    }
+
+    /// The colour under that key.
+    fn colour(&self, key: &str, given: &Spanned<Vector<i64, 3>>) -> Result<[u8; 3], SceneError> {
+        let [Ok(r), Ok(g), Ok(b)] = given.as_ref().0.map(u8::try_from) else {
+            return Err(self.error(
+                given.span(),
+                format!("the {key} is {:?}", given.as_ref().0),
+                "give red, green and blue from 0 to 255",
+            ));
+        };
+        Ok([r, g, b])
     }
 
     fn mesh(&self, name: &Spanned<String>, wireframe: bool) -> Result<Loaded, SceneError> {

@@ -64,17 +64,17 @@ impl<'de, T: Deserialize<'de> + Keys> Visitor<'de> for OneTable<T> {
 }
 
 /// A list of tables; a single one is a likely slip and gets a sentence of its own.
-pub(super) fn lights<'de, D, T>(from: D) -> Result<Option<Vec<Table<T>>>, D::Error>
+pub(super) fn tables<'de, D, T>(from: D) -> Result<Option<Vec<Table<T>>>, D::Error>
 where
     D: Deserializer<'de>,
     T: Deserialize<'de> + Keys,
 {
-    from.deserialize_any(Lights(PhantomData)).map(Some)
+    from.deserialize_any(Tables(PhantomData)).map(Some)
 }
 
-struct Lights<T>(PhantomData<T>);
+struct Tables<T>(PhantomData<T>);
 
-impl<'de, T: Deserialize<'de> + Keys> Visitor<'de> for Lights<T> {
+impl<'de, T: Deserialize<'de> + Keys> Visitor<'de> for Tables<T> {
     type Value = Vec<Table<T>>;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -86,6 +86,7 @@ impl<'de, T: Deserialize<'de> + Keys> Visitor<'de> for Lights<T> {
     }
 
     fn visit_map<A: MapAccess<'de>>(self, _: A) -> Result<Self::Value, A::Error> {
-        Err(A::Error::custom("`light` is one table, expected `[[light]]` above each light"))
+        let key = T::HEAD.split(['[', ']']).find(|part| part.len() > 1).unwrap_or_default();
+        Err(A::Error::custom(format_args!("`{key}` is one table, expected {}", T::HEAD)))
     }
 }

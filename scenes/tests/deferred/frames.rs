@@ -21,6 +21,9 @@ fn deferred(name: &str, size: Size, samples: Samples) -> Deferred {
 fn depths_are_those_of_the_gouraud_frame() {
     for name in builtin::NAMES {
         let scene = Scene::builtin(name).unwrap();
+        if !scene.spheres.is_empty() {
+            continue;
+        }
         let (projection, deferred) = (project(&scene, small()).unwrap(), deferred(name, small(), Samples::One));
         assert_eq!(projection.counts, deferred.counts, "{name}");
         let frame = golden::render(small(), &projection.triangles, scene.background);

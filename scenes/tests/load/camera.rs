@@ -134,6 +134,7 @@ fn a_sliver_that_misses_every_centre_is_a_warning_too() {
 fn a_warning_counts_every_fate() {
     let counts = Counts {
         polygons: 31,
+        spheres: 0,
         lines: 0,
         behind: 1,
         off_screen: 2,

@@ -2,7 +2,8 @@
 
 use crate::{TRIANGLE, folder, load, toml_error};
 use glam::dvec3;
-use tilewright_scenes::Scene;
+use tilewright_scenes::sphere::Sphere;
+use tilewright_scenes::{Mesh, Scene, project_polygons};
 
 #[test]
 fn a_scene_file_says_what_differs() {
@@ -33,10 +34,28 @@ fn a_scene_file_says_what_differs() {
 }
 
 #[test]
+fn spheres_need_no_mesh_and_are_framed() {
+    let sphere = "[[sphere]]\ncentre = [5, 6, 7]\nradius = 2\ncolour = [10, 20, 255]\n";
+    let both = format!("mesh = 'mesh.obj'\n{sphere}{sphere}");
+    let folder = folder("spheres", &[("mesh.obj", TRIANGLE), ("alone.toml", sphere), ("both.toml", &both)]);
+    let alone = load(&folder.join("alone.toml")).unwrap();
+    assert_eq!(alone.spheres, [Sphere { centre: dvec3(5.0, 6.0, 7.0), radius: 2.0, colour: [10, 20, 255] }]);
+    assert_eq!((alone.camera.target, &alone.mesh), (dvec3(5.0, 6.0, 7.0), &Mesh::none()));
+    let both = load(&folder.join("both.toml")).unwrap();
+    assert_eq!((both.spheres.len(), both.mesh.triangles().len()), (2, 1));
+    assert_eq!(both.camera.target, dvec3(3.5, 4.0, 4.5));
+    for scene in [alone, both] {
+        let polygons = project_polygons(&scene, scene.size).unwrap();
+        assert_eq!((polygons.spheres.len(), polygons.warning()), (scene.spheres.len(), None));
+    }
+}
+
+#[test]
 fn bad_scene_files_are_refused_with_their_place() {
     let mesh = |rest: &str| format!("mesh = 'mesh.obj'\n{rest}");
     let camera = |rest: &str| mesh(&format!("[camera]\n{rest}"));
     let light = |rest: &str| mesh(&format!("[[light]]\n{rest}"));
+    let sphere = |rest: &str| mesh(&format!("[[sphere]]\n{rest}"));
     let cases = [
         ("syntax", mesh("size = [640,\n"), "scene.toml:2:13: unclosed array: write `]`"),
         (
@@ -46,7 +65,7 @@ fn bad_scene_files_are_refused_with_their_place() {
         ),
         ("type", mesh("size = 'large'"), "scene.toml:2:8: invalid type: string \"large\": write an array of length 2"),
         ("twice", mesh("size = [6, 4]\nsize = [6, 4]"), "scene.toml:3:1: duplicate key: correct the TOML"),
-        ("no_mesh", "size = [6, 4]".into(), "scene.toml:1:1: missing key `mesh`: add it"),
+        ("no_mesh", "size = [6, 4]".into(), "scene.toml:1:1: missing key `mesh`, and no `[[sphere]]`: add one of them"),
         (
             "zero",
             mesh("size = [0, 480]"),
@@ -177,6 +196,47 @@ fn bad_scene_files_are_refused_with_their_place() {
             "scene.toml:2:9: invalid type: integer `1`: write `[[light]]` above each light",
         ),
         (
+            "sphere_number",
+            mesh("sphere = 1"),
+            "scene.toml:2:10: invalid type: integer `1`: write `[[sphere]]` above each sphere",
+        ),
+        (
+            "one_sphere",
+            "[sphere]\ncentre = [0, 0, 1]\nradius = 1\ncolour = [1, 2, 3]".into(),
+            "scene.toml:1:1: `sphere` is one table: write `[[sphere]]` above each sphere",
+        ),
+        ("no_radius", sphere("centre = [0, 0, 1]"), "scene.toml:2:1: missing key `radius`: add it"),
+        (
+            "weight",
+            sphere("weight = 3"),
+            "scene.toml:3:1: unknown key `weight`: write one of `centre`, `radius`, `colour`",
+        ),
+        (
+            "small",
+            sphere("centre = [0, 0, 1]\nradius = 0\ncolour = [1, 2, 3]"),
+            "scene.toml:4:10: the radius of sphere 1 is 0: give a number above 0, from 1e-100 to less than 1e100",
+        ),
+        (
+            "second",
+            sphere("centre = [0, 0, 1]\nradius = 1\ncolour = [1, 2, 3]\n[[sphere]]\ncentre = [0, 1, 1]\nradius = nan\ncolour = [1, 2, 3]"),
+            "scene.toml:8:10: the radius of sphere 2 is NaN: give a number above 0, from 1e-100 to less than 1e100",
+        ),
+        (
+            "centre",
+            sphere("centre = [0, inf, 1]\nradius = 1\ncolour = [1, 2, 3]"),
+            "scene.toml:3:10: [0.0, inf, 1.0] is not a point or a direction: give three finite numbers below 1e100",
+        ),
+        (
+            "colour",
+            sphere("centre = [0, 0, 1]\nradius = 1\ncolour = [1, 2, -3]"),
+            "scene.toml:5:10: the colour is [1, 2, -3]: give red, green and blue from 0 to 255",
+        ),
+        (
+            "hidden",
+            "camera.eye = [0, 0, 9]\ncamera.target = [0, 0, 20]\n[[sphere]]\ncentre = [0, 0, 1]\nradius = 1\ncolour = [1, 2, 3]".into(),
+            "scene.toml:1:14: nothing of the scene is in front of the camera at [0, 0, 9] looking towards [0, 0, 20]: move the eye or the target",
+        ),
+        (
             "lost",
             "mesh = 'lost.obj'".into(),
             "scene.toml:1:8: there is no mesh lost.obj: the path is relative to the scene file's folder; correct it",
@@ -184,12 +244,12 @@ fn bad_scene_files_are_refused_with_their_place() {
         (
             "kind",
             "\nmesh = 'teepot'".into(),
-            "scene.toml:2:8: the mesh `teepot` is neither an .obj file nor a built-in scene: did you mean `teapot`? Name an .obj file, or one of teapot, ter1k, ter250, wireframe, star, textured",
+            "scene.toml:2:8: the mesh `teepot` is neither an .obj file nor a built-in scene: did you mean `teapot`? Name an .obj file, or one of teapot, ter1k, ter250, wireframe, star, textured, molecule",
         ),
         (
             "other",
             "mesh = 'dragon'".into(),
-            "scene.toml:1:8: the mesh `dragon` is neither an .obj file nor a built-in scene: name an .obj file, or one of teapot, ter1k, ter250, wireframe, star, textured",
+            "scene.toml:1:8: the mesh `dragon` is neither an .obj file nor a built-in scene: name an .obj file, or one of teapot, ter1k, ter250, wireframe, star, textured, molecule",
         ),
     ];
     for (name, text, sentence) in cases {

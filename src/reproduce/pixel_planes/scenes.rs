@@ -89,7 +89,13 @@ fn squares(size: Size, places: impl Iterator<Item = ([i32; 2], i32)>) -> Polygon
     };
     let (polygons, vertices): (Vec<_>, Vec<_>) = (0..).zip(places).map(one).unzip();
     let count = polygons.len() as u32;
-    Polygons { size, polygons, vertices, counts: Counts { polygons: count, drawn: count, ..Counts::default() } }
+    Polygons {
+        size,
+        polygons,
+        vertices,
+        spheres: Vec::new(),
+        counts: Counts { polygons: count, drawn: count, ..Counts::default() },
+    }
 }
 
 #[cfg(test)]

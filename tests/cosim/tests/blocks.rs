@@ -12,8 +12,8 @@ use tilewright_hdl::catalog::Entry;
 const OTHER: &[(&str, u64)] =
     &[("width", 9), ("height", 5), ("units", 2), ("overhead", 3), ("renderers", 5), ("chips", 3), ("pixels", 5)];
 
-/// Larger ones where it has to be a power of two.
-const LARGER: &[(&str, u64)] = &[("side", 16), ("line", 16), ("lines", 8)];
+/// Sizes that have to be powers of two: twice the default.
+const DOUBLED: &[&str] = &["side", "line", "lines"];
 
 /// Those of the machines, and those that any design uses.
 fn entries() -> impl Iterator<Item = &'static Entry> {
@@ -24,9 +24,14 @@ fn has(entry: &Entry, parameter: &str) -> bool {
     entry.parameters.iter().any(|it| it.name == parameter)
 }
 
-/// Those of the sizes that a block has.
-fn sizes(entry: &Entry, all: &[&[(&'static str, u64)]]) -> Vec<(&'static str, u64)> {
-    all.concat().into_iter().filter(|(name, _)| has(entry, name)).collect()
+/// Those of the small sizes that a block has.
+fn small(entry: &Entry) -> impl Iterator<Item = (&'static str, u64)> {
+    OTHER.iter().copied().filter(|(name, _)| has(entry, name))
+}
+
+fn doubled(entry: &Entry) -> impl Iterator<Item = (&'static str, u64)> {
+    let parameters = entry.parameters.iter().filter(|it| DOUBLED.contains(&it.name));
+    parameters.map(|it| (it.name, 2 * it.default))
 }
 
 /// A block with such sizes in its scenario, by name.
@@ -42,11 +47,11 @@ fn block(entry: &Entry, set: Vec<(&str, u64)>) -> (String, Design, Run) {
 /// Each block by name, with its defaults, and with other sizes if it has sizes.
 fn blocks() -> Vec<(String, Design, Run)> {
     let mut blocks = Vec::new();
-    for (name, _) in OTHER.iter().chain(LARGER) {
+    for name in OTHER.iter().map(|(name, _)| name).chain(DOUBLED) {
         assert!(entries().any(|entry| has(entry, name)), "no block has a {name}");
     }
     for entry in entries() {
-        let other = sizes(entry, &[OTHER, LARGER]);
+        let other: Vec<_> = small(entry).chain(doubled(entry)).collect();
         blocks.push(block(entry, Vec::new()));
         blocks.extend((!other.is_empty()).then(|| block(entry, other)));
     }
@@ -103,7 +108,7 @@ fn verilator_repeats_every_scenario() {
 
 /// Each block, in uneven sizes but not in larger ones: Yosys looks at every bit of every signal, which takes minutes.
 fn blocks_in_one_size() -> impl Iterator<Item = (String, Design, Run)> {
-    entries().map(|entry| block(entry, sizes(entry, &[OTHER])))
+    entries().map(|entry| block(entry, small(entry).collect()))
 }
 
 #[test]

@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 
 use proptest::prelude::*;
+use tilewright_rtl::pixel_planes::instruction::Operation;
 use tilewright_rtl::pixel_planes::linear_tree::Coefficients;
 use tilewright_rtl::pixel_planes::programs::{clear, flat, save};
 use tilewright_scenes::Size;
@@ -53,16 +54,20 @@ fn a_model_that_is_wrong_by_a_clock_is_found() {
 }
 
 /// How many variables but the clock change in some clocks of a renderer, which begin so many clocks after the last bit of a program.
-fn changes_after(rest: u64, coefficient: u64) -> usize {
+fn changes_after(rest: u64, quadratic: bool, coefficient: u64) -> usize {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("rest.vcd");
-    let mut sim = Simulation::at(&Renderer::new(16, 8).expect("it can be built"), PERIOD).expect("it can be built");
+    let linear = Renderer::new(16, 8).expect("it can be built");
+    let renderer = if quadratic { linear.quadratic() } else { linear };
+    let mut sim = Simulation::at(&renderer, PERIOD).expect("it can be built");
     sim.try_reset().expect("no assertion");
     sim.set(sim.i.side_by_side, true);
     sim.set(sim.o.planes.ready, true);
     let coefficients = Coefficients { a: coefficient, b: coefficient >> 1, c: coefficient >> 2 };
-    let program = program().into_iter().map(|it| Instruction { coefficients, ..it });
-    for instruction in program.filter(|it| it.microcode().saves == 0) {
+    let curve = Instruction { operation: Operation::Curve as u64, skip: 0, length: 1, read: 0, write: 0, coefficients };
+    let bent = |it: Instruction<u64>| [curve, it].into_iter().skip(usize::from(!quadratic));
+    let program = program().into_iter().flat_map(bent).map(|it| Instruction { coefficients, ..it });
+    for instruction in program.filter(|it| it.microcode().on_tree == 1) {
         show(&mut sim, &instruction);
         sim.set(sim.i.instructions.valid, true);
         while sim.get_u64(sim.i.instructions.ready) == 0 {
@@ -90,12 +95,14 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 6, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
-    fn at_rest_nothing_changes(coefficient in 0..1u64 << 40) {
-        prop_assert_eq!(changes_after(Renderer::REST, coefficient), 0);
+    fn at_rest_nothing_changes(quadratic in any::<bool>(), coefficient in 0..1u64 << 40) {
+        prop_assert_eq!(changes_after(Renderer::REST, quadratic, coefficient), 0);
     }
 }
 
 #[test]
 fn before_that_something_does() {
-    assert!(changes_after(1, 0x80_1234_5678) > 0);
+    for (quadratic, clocks) in [(false, 40), (true, 55)] {
+        assert!(changes_after(clocks, quadratic, 0x80_1234_5678) > 0);
+    }
 }

@@ -1,27 +1,34 @@
 //! Frames of small machines, beside the golden image.
 
-use tilewright_scenes::golden::{render, render_strict};
-use tilewright_scenes::{Scene, Size, compare, project_polygons};
+use proptest::prelude::*;
+use tilewright_scenes::golden::{Rule, render_polygons};
+use tilewright_scenes::packet::FARTHEST_VERTEX;
+use tilewright_scenes::sphere::Sphere;
+use tilewright_scenes::{Camera, Mesh, Polygon, Scene, ScreenVertex, Size, compare, project_polygons, set_up};
 
 use super::*;
 use crate::pixel_planes::model::Model;
 use crate::pixel_planes::report::{RegionReport, Unit};
-use crate::pixel_planes::{Edges, allocate, scene_clocks};
+use crate::pixel_planes::{Edges, SPHERE_LEAST, SPHERE_STRICT, allocate, scene_clocks};
 
 /// A scene's frame and report, which is that of the golden rasterizer.
 fn drawn(name: &str, size: (u32, u32), config: impl Fn(Config) -> Config) -> Report {
     let scene = Scene::builtin(name).expect("a built-in scene");
     let polygons = project_polygons(&scene, Size::new(size.0, size.1).expect("in range")).expect("in front");
-    let config = config(Config::new(polygons.size));
-    let golden = match config.strict {
-        true => render_strict(polygons.size, &polygons.polygons, scene.background),
-        false => render(polygons.size, &polygons.polygons, scene.background),
-    };
-    let machine = Machine::new(config).expect("it can be built");
-    let (frame, report) = machine.render(&polygons, scene.background, &mut Watch::default()).expect("nobody stops it");
-    let comparison = compare(&frame, &golden);
-    assert_eq!(comparison.differing, 0, "{name} {size:?}: {comparison:?}");
+    let usual = Config { quadratic: !scene.spheres.is_empty(), ..Config::new(polygons.size) };
+    let (differing, report) = beside_golden(&polygons, config(usual));
+    assert_eq!(differing, 0, "{name} {size:?}");
     report
+}
+
+/// The pixels that differ from the golden rasterizer's, and the report.
+fn beside_golden(polygons: &Polygons, config: Config) -> (u64, Report) {
+    const BACKGROUND: [u8; 3] = [24, 28, 44];
+    let rule = if config.strict { Rule::Strict } else { Rule::Least };
+    let golden = render_polygons(polygons, rule, BACKGROUND);
+    let machine = Machine::new(config).expect("it can be built");
+    let (frame, report) = machine.render(polygons, BACKGROUND, &mut Watch::default()).expect("nobody stops it");
+    (compare(&frame, &golden).differing, report)
 }
 
 #[test]
@@ -45,6 +52,86 @@ fn all_forms_of_edges_draw_the_same_and_the_least_is_the_fastest() {
         report.renderers.iter().map(|it| it.busy).sum::<u64>()
     });
     assert!(least < own && own < fixed, "{least}, {own}, {fixed}");
+}
+
+#[test]
+fn spheres_are_golden_for_all_numbers_of_renderers_and_sizes_of_regions() {
+    for (renderers, side, size) in
+        [(1, 32, (40, 30)), (32, 16, (40, 30)), (5, 8, (40, 30)), (2, 64, (80, 60)), (2, 128, (80, 60))]
+    {
+        for (strict, program) in [(false, SPHERE_LEAST), (true, SPHERE_STRICT)] {
+            for side_by_side in [false, true] {
+                let report = drawn("molecule", size, |it| Config { renderers, side, strict, side_by_side, ..it });
+                let spheres = report.programs.last().expect("there are some");
+                assert_eq!(spheres.program, program);
+                // Spheres are charged as polygons are.
+                let (transform, set_up) = (report.geometry.transform, report.geometry.set_up);
+                assert_eq!((transform, set_up), (631 * 1224, 500 * report.primitives));
+                assert!(spheres.primitives >= 24 && report.machine.quadratic, "{spheres:?}");
+            }
+        }
+    }
+    // Programs without a sphere are the same on such a machine, but for the way to the pixels.
+    let of = |quadratic| drawn("teapot", (40, 30), |it| Config { renderers: 2, side: 16, quadratic, ..it });
+    let (linear, quadratic) = (of(false), of(true));
+    assert_eq!(linear.programs, quadratic.programs);
+    assert!(!linear.to_string().contains("quadratic") && quadratic.to_string().contains("pixels with quadratic trees"));
+}
+
+/// A scene of spheres alone, each with its middle at (w, right, up) of the eye.
+fn spheres_alone(all: &[(f64, f64, f64, f64, [u8; 3])], size: Size) -> Polygons {
+    let sphere = |&(w, y, z, radius, colour): &(f64, f64, f64, f64, [u8; 3])| Sphere {
+        centre: [w, y, z].into(),
+        radius,
+        colour,
+    };
+    let camera = Camera { eye: [0.0; 3].into(), target: [1.0, 0.0, 0.0].into(), up: [0.0, 0.0, 1.0].into(), fov: 60.0 };
+    let star = Scene::builtin("star").expect("a built-in scene");
+    let scene = Scene { mesh: Mesh::none(), spheres: all.iter().map(sphere).collect(), camera, ..star };
+    project_polygons(&scene, size).expect("in front")
+}
+
+/// Among triangles, all of random places, depths and colours.
+fn spheres_and_triangles() -> impl Strategy<Value = Polygons> {
+    let sphere = (2.0..20.0f64, -0.5..0.5f64, -0.4..0.4f64, 0.01..0.3f64, any::<[u8; 3]>());
+    let sphere = sphere.prop_map(|(w, y, z, radius, colour)| (w, y * w, z * w, radius * w, colour));
+    let corner = (-200..1200i32, -200..900i32, 1..1u32 << 24, any::<[u8; 3]>());
+    let corner = corner.prop_map(|(x, y, z, rgb)| ScreenVertex { x, y, z: z.min(FARTHEST_VERTEX), rgb });
+    let triangles = prop::collection::vec(prop::array::uniform3(corner), 0..8);
+    (prop::collection::vec(sphere, 1..8), triangles).prop_map(|(spheres, triangles)| {
+        let made = spheres_alone(&spheres, Size::new(64, 48).expect("in range"));
+        let drawn = triangles.iter().filter_map(|corners| Some((set_up(corners, made.size)?.into(), corners.to_vec())));
+        let (polygons, vertices): (Vec<Polygon>, Vec<_>) = drawn.unzip();
+        Polygons { polygons, vertices, ..made }
+    })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 24, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn random_spheres_among_triangles_are_golden(
+        polygons in spheres_and_triangles(),
+        renderers in 1..4u32,
+        side in prop::sample::select(vec![8, 16, 32]),
+        (strict, side_by_side) in (any::<bool>(), any::<bool>()),
+    ) {
+        let config = Config { renderers, side, strict, side_by_side, quadratic: true, ..Config::new(polygons.size) };
+        let (differing, _) = beside_golden(&polygons, config);
+        prop_assert_eq!(differing, 0);
+    }
+}
+
+/// The largest regions, and a sphere with the greatest values in them.
+#[test]
+fn a_small_sphere_in_a_large_region_is_golden() {
+    let all = [(10.0, -2.0, 1.0, 0.03, [200, 250, 255]), (10.0, 0.3, -2.0, 0.5, [9, 99, 255])];
+    let polygons = spheres_alone(&all, Size::new(270, 256).expect("in range"));
+    for side in [128, 256] {
+        let config = Config { renderers: 2, side, quadratic: true, ..Config::new(polygons.size) };
+        let (differing, report) = beside_golden(&polygons, config);
+        assert_eq!((differing, report.binned()), (0, if side == 128 { 3 } else { 2 }), "{report}");
+    }
 }
 
 /// The clocks of primitives are those of the schedule; a region takes its own beside them, and waits for its save.
@@ -130,6 +217,11 @@ fn a_machine_that_cannot_be_is_refused() {
     assert!(refused(Config { side: 4, ..usual.clone() }).contains("8 to 256"));
     assert!(refused(Config { queue: 0, ..usual.clone() }).contains("from 1 to 4096"));
     assert!(refused(Config { ring: 5001, ..usual }).contains("a multiple of 40 from 40 to 327680"));
+    let scene = Scene::builtin("molecule").expect("a built-in scene");
+    let polygons = project_polygons(&scene, scene.size).expect("in front");
+    let linear = Machine::new(Config::new(scene.size)).expect("it can be built");
+    let error = linear.render(&polygons, [0; 3], &mut Watch::default()).expect_err("it is refused").to_string();
+    assert_eq!(error, "spheres, on a machine whose renderers evaluate no quadratics: build one that does");
 }
 
 #[test]

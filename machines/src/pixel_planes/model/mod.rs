@@ -58,6 +58,8 @@ pub use timing::{RegionTiming, RendererTiming, RingTiming, Starved, Timing};
 pub struct Model {
     config: Config,
     ring: tilewright_rtl::pixel_planes::ring::Ring,
+    /// Clocks from the controller of a renderer to its pixels.
+    lag: u32,
 }
 
 impl Model {
@@ -72,8 +74,8 @@ impl Model {
     /// # Errors
     /// There is no such machine.
     pub fn new(config: &Config) -> Result<Model, ParameterError> {
-        config.renderer()?;
-        Ok(Model { config: config.clone(), ring: config.ring()? })
+        let lag = config.renderer()?.lag();
+        Ok(Model { config: config.clone(), ring: config.ring()?, lag })
     }
 
     /// Clocks of a primitive of so many instructions among others of its kind, N, and those of a region beside N for each of them, while nobody waits:
@@ -134,7 +136,7 @@ impl<'a, P: AsRef<[Step]>> Run<'a, P> {
         Run {
             regions,
             allocator: Allocator::new(renderers as usize, regions.len()),
-            renderers: (0..renderers).map(|_| Renderer::new(side, queue, side_by_side)).collect(),
+            renderers: (0..renderers).map(|_| Renderer::new(side, queue, model.lag, side_by_side)).collect(),
             ring: Ring::new(&model.ring, renderers as usize),
         }
     }

@@ -1,7 +1,6 @@
 //! A renderer: its queue, its controller, and the backing store that sends what it drew before.
 
 use tilewright_rtl::pixel_planes::fields;
-use tilewright_rtl::pixel_planes::linear_tree::LinearTree;
 use tilewright_rtl::pixel_planes::schedule::{Schedule, Step};
 
 use super::timing::RendererTiming;
@@ -26,13 +25,14 @@ pub(super) struct Renderer<'a> {
 }
 
 impl<'a> Renderer<'a> {
-    pub fn new(side: u32, queue: u32, side_by_side: bool) -> Renderer<'a> {
+    /// With pixels that are `lag` clocks behind its controller.
+    pub fn new(side: u32, queue: u32, lag: u32, side_by_side: bool) -> Renderer<'a> {
         let word = fields::WORD.bits;
         Renderer {
             queue: queue as usize,
             planes: (side * word) as usize,
             // Its bits have gone through the pixels' pipeline, and the first plane is read.
-            save_to_plane: u64::from(LinearTree { side }.latency() + word + 1),
+            save_to_plane: u64::from(lag + word + 1),
             controller: Schedule::new(side_by_side),
             steps: [].iter(),
             given: 0,

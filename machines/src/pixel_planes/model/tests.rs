@@ -61,7 +61,8 @@ fn idle(timing: &RendererTiming) -> Vec<u64> {
 fn simulate(config: &Config, regions: &[Vec<Instruction<u64>>]) -> Handshakes {
     let Config { renderers, side, queue, .. } = *config;
     let screen = Screen::new(side * regions.len() as u32, side).unwrap();
-    let machine = PixelPlanes5::new(screen, renderers, side, queue, config.ring().unwrap().rate()).unwrap();
+    let linear = PixelPlanes5::new(screen, renderers, side, queue, config.ring().unwrap().rate()).unwrap();
+    let machine = if config.quadratic { linear.quadratic() } else { linear };
     let mut sim = Simulation::of(&machine).unwrap();
     sim.reset();
     let count = renderers as usize;
@@ -153,10 +154,10 @@ fn programs() -> impl Strategy<Value = Vec<Vec<Instruction<u64>>>> {
 
 fn configs() -> impl Strategy<Value = Config> {
     let ring = prop_oneof![2 => 1..40u32, 3 => 40..160u32, 2 => 160..1000u32].prop_map(|bits| 40 * bits);
-    (1..5u32, prop::sample::select(vec![8, 16]), 1..9u32, ring, any::<bool>()).prop_map(
-        |(renderers, side, queue, ring, side_by_side)| {
+    (1..5u32, prop::sample::select(vec![8, 16]), 1..9u32, ring, any::<[bool; 2]>()).prop_map(
+        |(renderers, side, queue, ring, [side_by_side, quadratic])| {
             let size = Size::new(64, 64).unwrap();
-            Config { renderers, side, queue, ring, side_by_side, ..Config::new(size) }
+            Config { renderers, side, queue, ring, side_by_side, quadratic, ..Config::new(size) }
         },
     )
 }
@@ -169,7 +170,10 @@ proptest! {
     fn the_model_is_the_hardware_clock_for_clock(config in configs(), regions in programs()) {
         let regions: Vec<Vec<_>> = (0..).zip(regions).map(|(number, mut program)| {
             program.last_mut().unwrap().coefficients.c = number;
-            program
+            // A curve before every other expression.
+            let curve = Instruction { operation: Operation::Curve as u64, skip: 0, length: 1, read: 0, write: 0, ..program[0] };
+            let is_curved = |it: &Instruction<u64>| config.quadratic && it.skip % 2 == 1;
+            program.into_iter().flat_map(|it| is_curved(&it).then_some(curve).into_iter().chain([it])).collect()
         }).collect();
         prop_assert_eq!(Handshakes::of(&modelled(&config, &regions)), simulate(&config, &regions));
     }

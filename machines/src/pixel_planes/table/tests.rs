@@ -12,7 +12,8 @@ use super::*;
 /// The clocks from the first instruction of a primitive to that of the next, of the last of some equal ones, in the hardware.
 fn simulated_clocks(instructions: &[Instruction<u64>], side_by_side: bool) -> u64 {
     const MANY: usize = 8;
-    let mut sim = Simulation::at(&ImageGenerationController { side: 128 }, PERIOD).expect("it can be built");
+    let mut sim =
+        Simulation::at(&ImageGenerationController { side: 128, quadratic: false }, PERIOD).expect("it can be built");
     sim.set(sim.i.store_free, 1);
     sim.set(sim.i.side_by_side, u64::from(side_by_side));
     sim.reset();

@@ -14,7 +14,10 @@ use crate::pixel_planes::instruction::Instruction;
 use crate::pixel_planes::linear_tree::{Coefficients, LinearTree, LinearTreeIn};
 use crate::pixel_planes::machine::{PixelPlanes5, PixelPlanes5In};
 use crate::pixel_planes::pixel::{Control, Mask, PixelProcessor, PixelProcessorIn, Source};
-use crate::pixel_planes::programs::{Expression, Surface, clear, flat_strict, save, smooth_least};
+use crate::pixel_planes::programs::{
+    Expression, Quadratic, SMOOTH_LEAST, Surface, clear, flat_strict, save, smooth_least,
+};
+use crate::pixel_planes::quadratic_tree::{Curve, QuadraticTree, QuadraticTreeIn};
 use crate::pixel_planes::renderer::{Renderer, RendererIn};
 use crate::pixel_planes::ring::{Ring, RingIn};
 
@@ -41,7 +44,32 @@ fn clocks(instruction: &Instruction<u64>) -> u64 {
 
 pub(super) fn a_triangle(renderer: &Renderer) -> Scenario {
     let side = renderer.side();
-    let program = [clear(0x10_20_30), smooth_least(side, &triangle(side), &surface()), save(3)].concat();
+    let triangle = smooth_least(side, &triangle(side), &surface());
+    drawn(
+        renderer,
+        &triangle,
+        "a region is cleared, a triangle with planes of colour is drawn in it, and it is saved and sent",
+    )
+}
+
+pub(super) fn a_sphere(renderer: &Renderer) -> Scenario {
+    let side = i64::from(renderer.side());
+    let inside = Quadratic { a: 0, b: 0, c: 9 * side * side / 64, d: -1, e: 0, f: -1 };
+    // From so much at its edge, in the middle as much more.
+    let over = |edge: i64, more: i64| {
+        let times = (more << 16) / inside.c.max(1);
+        let over = Quadratic { c: (edge << 16) + inside.c * times, ..inside.times(times) };
+        over.moved([-side / 2, -side / 2])
+    };
+    let surface = Surface { z: over(1000, -500), rgb: [over(0x40, 0x80), over(0x40, 0xb0), over(0x40, 0)] };
+    let sphere = SMOOTH_LEAST.draw_sphere(renderer.side(), &inside.moved([-side / 2, -side / 2]), &surface);
+    drawn(renderer, &sphere, "a region is cleared, a sphere is drawn in it, and it is saved and sent")
+}
+
+/// A region that is cleared, drawn so, and saved.
+fn drawn(renderer: &Renderer, primitive: &[Instruction<u64>], says: &'static str) -> Scenario {
+    let side = renderer.side();
+    let program = [&clear(0x10_20_30), primitive, &save(3)].concat();
     let instructions =
         |valid, instruction| RendererIn { instructions: Stream::of(valid, instruction), side_by_side: 1 };
     let mut script = Script::new(renderer, PERIOD);
@@ -56,8 +84,8 @@ pub(super) fn a_triangle(renderer: &Renderer) -> Scenario {
     }
     script.clock(&instructions(0, program[0]));
     // Of a large region the first lines are enough.
-    script.wait(program.iter().map(clocks).sum::<u64>() + 30 + u64::from(WORD.bits * side.min(8)));
-    script.finish("a region is cleared, a triangle with planes of colour is drawn in it, and it is saved and sent")
+    script.wait(program.iter().map(clocks).sum::<u64>() + 30 + u64::from(renderer.lag() + WORD.bits * side.min(8)));
+    script.finish(says)
 }
 
 pub(super) fn all_regions(machine: &PixelPlanes5, rate: u32) -> Scenario {
@@ -158,6 +186,24 @@ pub(super) fn two_expressions(tree: &LinearTree) -> Scenario {
     script.clock(&LinearTreeIn { coefficients: Coefficients { a: 0, b: 0, c: 0 }, first: 0 });
     script.wait(u64::from(tree.latency()));
     script.finish("x, and right behind it -x + 2 y + 1, the least significant bit first")
+}
+
+pub(super) fn two_quadratics(tree: &QuadraticTree) -> Scenario {
+    let bits = (2 * tree.levels()).max(4);
+    let inputs = |[a, b, c, d, e, f]: [u64; 6], first: bool| QuadraticTreeIn {
+        coefficients: Coefficients { a, b, c },
+        curve: Curve { d, e, f },
+        first: first.into(),
+    };
+    let mut script = Script::new(tree, PERIOD);
+    for expression in [[0, 0, 0, 1, 0, 0], [2, 0, 1, u64::MAX, 1, 3]] {
+        for bit in 0..bits {
+            script.clock(&inputs(expression.map(|number| number >> bit & 1), bit == 0));
+        }
+    }
+    script.clock(&inputs([0; 6], false));
+    script.wait(u64::from(tree.latency()));
+    script.finish("x^2, and right behind it 2 x + 1 - x^2 + x y + 3 y^2, the least significant bit first")
 }
 
 pub(super) fn write_add_and_compare() -> Scenario {

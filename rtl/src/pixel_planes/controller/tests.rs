@@ -5,7 +5,7 @@ use tilewright_sim::Simulation;
 
 use super::super::pixel::{Enabling, Mask};
 use super::super::programs::{
-    Edges, Expression, FLAT, FLAT_LEAST, FLAT_STRICT, Program, SMOOTH_LEAST, SMOOTH_STRICT, Surface, save,
+    Edges, Expression, FLAT, FLAT_LEAST, FLAT_STRICT, Program, Quadratic, SMOOTH_LEAST, SMOOTH_STRICT, Surface, save,
 };
 use super::super::schedule::{Schedule, Step, Times};
 use super::super::testing::instructions;
@@ -14,7 +14,11 @@ use super::*;
 type Controller = Simulation<ImageGenerationControllerIn, ImageGenerationControllerOut>;
 
 fn started(side: u32) -> Controller {
-    let mut sim = Simulation::of(&ImageGenerationController { side }).unwrap();
+    started_with(ImageGenerationController { side, quadratic: false })
+}
+
+fn started_with(controller: ImageGenerationController) -> Controller {
+    let mut sim = Simulation::of(&controller).unwrap();
     sim.reset();
     sim.set(sim.i.store_free, 1);
     sim.set(sim.i.side_by_side, 1);
@@ -166,8 +170,13 @@ fn a_region_is_saved_when_the_store_is_free() {
 
 /// Clocks from the first instruction of a primitive to that of the next, when many of a kind come (PP5-UT).
 fn clocks(program: &[Instruction<u64>], side_by_side: u64) -> u64 {
+    clocks_of(false, program, side_by_side)
+}
+
+/// The same, of a controller that may take curves.
+fn clocks_of(quadratic: bool, program: &[Instruction<u64>], side_by_side: u64) -> u64 {
     const MANY: usize = 6;
-    let mut sim = started(128);
+    let mut sim = started_with(ImageGenerationController { side: 128, quadratic });
     sim.set(sim.i.side_by_side, side_by_side);
     let taken = run(&mut sim, &vec![program.to_vec(); MANY].concat(), 2000);
     assert_eq!(taken.len(), MANY * program.len());
@@ -207,12 +216,13 @@ proptest! {
     /// Each bit of each instruction in its clock, and nothing in all others.
     #[test]
     fn every_bit_comes_in_its_clock(
-        program in prop::collection::vec(instructions(8), 1..30),
+        (quadratic, program) in any::<bool>()
+            .prop_flat_map(|quadratic| (Just(quadratic), prop::collection::vec(instructions(8, quadratic), 1..30))),
         side_by_side in any::<bool>(),
         seed in any::<u64>(),
     ) {
-        const LATE: u64 = 6;
-        let mut sim = Simulation::of(&ImageGenerationController { side: 8 }).unwrap().seeded(seed);
+        let late = if quadratic { 12 } else { 6 };
+        let mut sim = Simulation::of(&ImageGenerationController { side: 8, quadratic }).unwrap().seeded(seed);
         sim.reset();
         sim.set(sim.i.store_free, 1);
         sim.set(sim.i.side_by_side, u64::from(side_by_side));
@@ -220,7 +230,7 @@ proptest! {
         let times: Vec<Times> = Step::of(&program).iter().map(|step| schedule.take(step)).collect();
         let end = times.iter().map(|it| it.ends).max().unwrap();
         let mut seen = Vec::new();
-        let taken = watched(&mut sim, &program, end + LATE + 2, |_, out| seen.push(out));
+        let taken = watched(&mut sim, &program, end + late + 2, |_, out| seen.push(out));
         prop_assert_eq!(taken, times.iter().map(|it| it.taken).collect::<Vec<_>>());
 
         let nothing = Control {
@@ -230,21 +240,28 @@ proptest! {
         // What a clock's pixels do, so far as anything comes of it.
         let mut expected = vec![nothing; seen.len()];
         let mut first = vec![0; seen.len()];
+        let mut curve = [0; 3];
         for (next, Times { begins, .. }) in program.iter().zip(&times) {
             let code = Operation::ALL[next.operation as usize].microcode();
             let is_expression = code.source == Source::Expression.code();
+            let Coefficients { a, b, c } = next.coefficients;
+            let bends = if is_expression { std::mem::take(&mut curve) } else { [0; 3] };
+            if next.operation == Operation::Curve.code() {
+                curve = [a, b, c];
+            }
             for at in 0..next.skip + next.length {
                 let clock = (begins + at) as usize;
                 if is_expression {
                     first[clock] = u64::from(at == 0);
-                    let Coefficients { a, b, c } = next.coefficients;
-                    let sent = [a, b, c].map(|number| ((number << 24) as i64 >> 24 >> at.min(63)) as u64 & 1);
+                    let bit = |number: u64| ((number << 24) as i64 >> 24 >> at.min(63)) as u64 & 1;
                     let out = seen[clock].coefficients;
-                    prop_assert_eq!([out.a, out.b, out.c], sent);
+                    prop_assert_eq!([out.a, out.b, out.c], [a, b, c].map(bit));
+                    let curves: Vec<_> = seen[clock].curve.iter().map(|out| [out.d, out.e, out.f]).collect();
+                    prop_assert_eq!(curves, vec![bends.map(bit); usize::from(quadratic)]);
                 }
                 let Some(bit) = at.checked_sub(next.skip) else { continue };
                 let is_last = bit + 1 == next.length;
-                let control = &mut expected[clock + LATE as usize];
+                let control = &mut expected[clock + late as usize];
                 if code.on_memory == 1 {
                     *control = Control {
                         source: code.source,
@@ -286,9 +303,59 @@ proptest! {
             prop_assert_eq!(does(out.control), does(*expected), "clock {}", clock);
             prop_assert_eq!([out.save.plane, out.save.claim], [0, 0]);
             // Nothing is left of what was before the reset.
-            prop_assert!(clock as u64 >= LATE || out.control == nothing, "clock {}", clock);
+            prop_assert!(clock as u64 >= late || out.control == nothing, "clock {}", clock);
         }
         prop_assert_eq!(seen.last().unwrap().idle, 1);
+    }
+}
+
+#[test]
+fn a_curve_is_of_the_next_expression_alone_whatever_comes_between() {
+    let mut sim = started_with(ImageGenerationController { side: 2, quadratic: true });
+    let wave = sim.record(["instructions_ready", "tree_left", "first", "coefficients_c", "curve_0_d", "curve_0_f"]);
+    let curve = Coefficients { a: 0b101_0011, b: 0, c: 0b11_0110 };
+    let program = [
+        Instruction { coefficients: curve, ..instruction(Operation::Curve, 0, 1, 0) },
+        instruction(Operation::Flag, 0, 1, 0),
+        instruction(Operation::Fill, 0, 2, 30),
+        instruction(Operation::Evaluate, 0, 4, 0),
+        instruction(Operation::Test, 2, 1, 0),
+    ];
+    run(&mut sim, &program, 12);
+    wave.expect(
+        r"
+        clk                |~\_/~\_/~\_/~\_/~\_/~\_/~\_/~\_/~\_/~\_/~\_/~\_/
+        instructions_ready |~~~~~~~~~~~\___/~~~\___________/~~~\_______/~~~~
+        tree_left          | 0 | 1     | 0     | 4 | 3 | 2 | 1 | 3 | 2 | 1 |
+        first              |___________________/~~~\___________/~~~\________
+        coefficients_c     |_______/~~~\___/~~~~~~~\___/~~~\___/~~~\___/~~~~
+        curve_0_d          |___________________/~~~~~~~\____________________
+        curve_0_f          |_______________________/~~~~~~~\________________
+        ",
+    );
+}
+
+/// A sphere in 128 x 128 pixels: the bits of its silhouette, the words of its planes, and a clock for each curve.
+#[test]
+fn a_sphere_takes_the_clocks_of_its_silhouette_and_its_planes() {
+    const SIDE: u32 = 128;
+    let sphere = Quadratic { a: 0, b: 0, c: 60 * 60, d: -1, e: 0, f: -1 }.moved([-64, -64]);
+    let z = Quadratic { c: 1000 << 16, ..sphere.times(-9000) };
+    let surface = Surface { z, rgb: [sphere.times(3000); 3] };
+    let flat = Surface::of_one_colour(z, 0xff);
+    for n in [24, 37] {
+        let inside = sphere.times(1 << (n - 14));
+        assert_eq!(inside.bits(SIDE), n);
+        let n = u64::from(n);
+        let both = |program: &Program| {
+            let program = program.draw_sphere(SIDE, &inside, if program.is_flat { &flat } else { &surface });
+            [0, 1].map(|side_by_side| clocks_of(true, &program, side_by_side))
+        };
+        assert_eq!(both(&FLAT), [n + 26, n + 3]);
+        assert_eq!(both(&FLAT_STRICT), [n + 90, (n + 44).max(72)]);
+        assert_eq!(both(&FLAT_LEAST), [n + 114, 96]);
+        assert_eq!(both(&SMOOTH_STRICT), [n + 141, n + 118]);
+        assert_eq!(both(&SMOOTH_LEAST), [n + 165, (n + 118).max(147)]);
     }
 }
 
@@ -336,4 +403,10 @@ fn a_word_that_reaches_beyond_the_memory_is_an_error() {
 #[should_panic(expected = "what comes is an operation")]
 fn a_code_that_is_no_operation_is_an_error() {
     taken_wrongly(Instruction { operation: 31, ..instruction(Operation::Fill, 0, 1, 0) });
+}
+
+#[test]
+#[should_panic(expected = "only the controller of a quadratic tree takes a curve")]
+fn a_curve_for_a_linear_tree_is_an_error() {
+    taken_wrongly(instruction(Operation::Curve, 0, 1, 0));
 }

@@ -7,8 +7,9 @@ use proptest::prelude::*;
 use tilewright_sim::Simulation;
 
 use super::super::model::Model;
+use super::super::programs::SMOOTH_LEAST;
 use super::super::programs::{clear, save, smooth_least};
-use super::super::testing::{Primitive, primitives};
+use super::super::testing::{primitives, spheres};
 use super::*;
 
 const SIDE: u32 = 8;
@@ -56,21 +57,27 @@ fn draw(
     sim
 }
 
+/// The instructions of a triangle, or of a sphere, if renderers evaluate quadratics.
+fn drawings(quadratic: bool) -> impl Strategy<Value = Vec<Instruction<u64>>> {
+    let triangle = primitives(SIDE).prop_map(|it| smooth_least(SIDE, &it.edges, &it.surface));
+    let sphere = spheres(SIDE).prop_map(|it| SMOOTH_LEAST.draw_sphere(SIDE, &it.inside, &it.surface));
+    prop_oneof![1 => triangle, u32::from(quadratic) => sphere]
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 10, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn each_region_is_what_its_instructions_mean(
-        regions in prop::collection::vec(prop::collection::vec(primitives(SIDE), 0..4), 1..6),
+        (quadratic, regions) in any::<bool>()
+            .prop_flat_map(|quadratic| (Just(quadratic), prop::collection::vec(prop::collection::vec(drawings(quadratic), 0..4), 1..6))),
         (renderers, queue, rate) in (1..4u32, 1..9u32, prop_oneof![1..40u32, 100..600u32]),
         side_by_side in any::<bool>(),
     ) {
         let screen = Screen::new(SIDE * regions.len() as u32, SIDE).unwrap();
-        let machine = PixelPlanes5::new(screen, renderers, SIDE, queue, rate).unwrap();
-        let program = |primitives: &Vec<Primitive>| {
-            primitives.iter().flat_map(|it| smooth_least(SIDE, &it.edges, &it.surface)).collect::<Vec<_>>()
-        };
-        let regions: Vec<Vec<_>> = regions.iter().map(program).collect();
+        let linear = PixelPlanes5::new(screen, renderers, SIDE, queue, rate).unwrap();
+        let machine = if quadratic { linear.quadratic() } else { linear };
+        let regions: Vec<Vec<_>> = regions.iter().map(|drawings| drawings.concat()).collect();
         let mut sim = draw(&machine, &regions, side_by_side);
         for (number, region) in (0u64..).zip(&regions) {
             let mut model = Model::new(SIDE);

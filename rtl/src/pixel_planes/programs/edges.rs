@@ -94,6 +94,6 @@ pub(super) fn bits(number: i64) -> u32 {
 }
 
 /// The sign of an expression, whose values are numbers of so many bits.
-fn sign(operation: Operation, edge: &Expression, bits: u32) -> Instruction<u64> {
+pub(super) fn sign(operation: Operation, edge: &Expression, bits: u32) -> Instruction<u64> {
     Instruction { skip: (bits - 1).into(), coefficients: modular(edge), ..alone(operation) }
 }

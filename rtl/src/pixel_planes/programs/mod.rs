@@ -51,6 +51,17 @@
 //! | `smooth_least` | polygons of 8 edges | own | 350 | | 303 | |
 //! | `smooth_least` | polygons of 8 edges | least | 280 | | 233 | |
 //!
+//! A [sphere](Program::draw_sphere) has one quadratic in place of the edges, and quadratics as planes (PP5-ARCH, facts C). With n bits of its silhouette, all planes
+//! bent, N is, as `cargo test -p tilewright-rtl --lib a_sphere_takes` holds it:
+//!
+//! | program | one at a time | side by side |
+//! |---|---|---|
+//! | `flat` | n + 26 | n + 3 |
+//! | `flat_strict` | n + 90 | n + 44, at least 72 |
+//! | `flat_least` | n + 114 | 96 |
+//! | `smooth_strict` | n + 141 | n + 118 |
+//! | `smooth_least` | n + 165 | n + 118, at least 147 |
+//!
 //! ```
 //! use tilewright_rtl::pixel_planes::programs::{Expression, clear, flat, save};
 //!
@@ -72,6 +83,7 @@ mod flat;
 mod flat_least;
 mod flat_strict;
 pub mod half_plane;
+mod quadratic;
 mod save;
 mod smooth_least;
 mod smooth_strict;
@@ -81,6 +93,7 @@ pub use edges::Edges;
 pub use flat::{FLAT, flat};
 pub use flat_least::{FLAT_LEAST, flat_least};
 pub use flat_strict::{FLAT_STRICT, flat_strict};
+pub use quadratic::Quadratic;
 pub use save::{SAVE, save};
 pub use smooth_least::{SMOOTH_LEAST, smooth_least};
 pub use smooth_strict::{SMOOTH_STRICT, smooth_strict};
@@ -92,25 +105,26 @@ pub type Expression = Coefficients<i64>;
 /// The fraction bits of planes.
 const FRACTION: u32 = 16;
 
-/// The planes of a primitive.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Surface {
+/// The planes of a primitive; of a sphere they are [quadratics](Quadratic).
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Surface<E = Expression> {
     /// Depth.
-    pub z: Expression,
+    pub z: E,
     /// Red, green and blue.
-    pub rgb: [Expression; 3],
+    pub rgb: [E; 3],
 }
 
-impl Surface {
+impl<E: Copy + From<Expression> + Into<Quadratic>> Surface<E> {
     /// A surface of one colour.
-    pub fn of_one_colour(z: Expression, rgb: u32) -> Surface {
+    pub fn of_one_colour(z: E, rgb: u32) -> Surface<E> {
         let [_, rgb @ ..] = rgb.to_be_bytes();
-        Surface { z, rgb: rgb.map(|channel| Expression { a: 0, b: 0, c: i64::from(channel) << FRACTION }) }
+        let plane = |channel: u8| Expression { a: 0, b: 0, c: i64::from(channel) << FRACTION };
+        Surface { z, rgb: rgb.map(|channel| plane(channel).into()) }
     }
 
     /// Its colour at the upper left pixel, which is that of all where planes of colour have no slope.
     pub fn colour(&self) -> u32 {
-        let [r, g, b] = self.rgb.map(|plane| (plane.c >> FRACTION) as u8);
+        let [r, g, b] = self.rgb.map(|plane| (plane.into().c >> FRACTION) as u8);
         u32::from_be_bytes([0, r, g, b])
     }
 }
@@ -198,9 +212,14 @@ impl Step {
         Step { operation: Operation::CopyFlagged, operand: Operand::Nothing, read: field.new_value(), write: field }
     }
 
-    fn instruction(&self, number: i64, surface: &Surface) -> Instruction<u64> {
-        let constant = |c| (0, Expression { a: 0, b: 0, c });
-        let plane = |plane| (FRACTION, plane);
+    /// Its instruction, and a curve before it if that needs one.
+    fn instructions<E: Copy + Into<Quadratic>>(
+        &self,
+        number: i64,
+        surface: &Surface<E>,
+    ) -> impl Iterator<Item = Instruction<u64>> {
+        let constant = |c| (0, Expression { a: 0, b: 0, c }.into());
+        let plane = |plane: E| (FRACTION, plane.into());
         let [red, green, blue] = surface.rgb;
         let (skip, expression) = match self.operand {
             Operand::Nothing => constant(0),
@@ -211,14 +230,15 @@ impl Step {
             Operand::Number => constant(number),
             Operand::Farthest => constant(-1),
         };
-        Instruction {
+        let instruction = Instruction {
             operation: self.operation.code(),
             skip: skip.into(),
             length: self.write.bits.into(),
             read: self.read.address.into(),
             write: self.write.address.into(),
-            coefficients: modular(&expression),
-        }
+            coefficients: modular(&expression.linear()),
+        };
+        expression.curve().into_iter().chain([instruction])
     }
 }
 
@@ -231,7 +251,39 @@ impl Program {
     ///
     /// What is first needs the tree alone: so the clocks of a primitive do not depend on how the next one begins.
     pub fn draw(&self, side: u32, form: Edges, edges: &[Expression], surface: &Surface) -> Vec<Instruction<u64>> {
-        let Some(mut program) = form.tests(side, edges) else { return Vec::new() };
+        form.tests(side, edges).map_or_else(Vec::new, |tests| self.behind(tests, surface))
+    }
+
+    /// The instructions that draw a sphere, or what else is inside where one quadratic is 0 or more, in a region of `side` x `side` pixels, all coefficients
+    /// [relative to that](Quadratic::moved). None if it leaves nothing of it there. They need a renderer that [evaluates
+    /// quadratics](super::renderer::Renderer::quadratic); what is linear needs no [`Curve`](Operation::Curve).
+    ///
+    /// The values of `inside` in the region fit 40 bits in two's complement.
+    ///
+    /// ```
+    /// use tilewright_rtl::pixel_planes::programs::{Expression, Quadratic, SMOOTH_LEAST, Surface};
+    ///
+    /// // 9 - (x - 3)² - (y - 4)² >= 0, and it is nearest in the middle.
+    /// let inside = Quadratic { a: 6, b: 8, c: 9 - 9 - 16, d: -1, e: 0, f: -1 };
+    /// let z = Quadratic { c: 1000 << 16, ..inside.times(-(1 << 16)) };
+    /// let grey = Expression { a: 0, b: 0, c: 0x80 << 16 }.into();
+    /// let program = SMOOTH_LEAST.draw_sphere(8, &inside, &Surface { z, rgb: [grey; 3] });
+    /// // A curve and the sign of -23 to 9, three colours without a curve, a curve and the depth, and what is kept.
+    /// let clocks: Vec<u64> = program.iter().map(|instruction| instruction.skip + instruction.length).collect();
+    /// assert_eq!(clocks, [1, 6, 24, 24, 24, 1, 40, 48]);
+    /// // Right of it there is nothing.
+    /// assert!(SMOOTH_LEAST.draw_sphere(8, &inside.moved([8, 0]), &Surface { z: z.moved([8, 0]), rgb: [grey; 3] }).is_empty());
+    /// ```
+    pub fn draw_sphere(&self, side: u32, inside: &Quadratic, surface: &Surface<Quadratic>) -> Vec<Instruction<u64>> {
+        inside.test(side).map_or_else(Vec::new, |test| self.behind(test, surface))
+    }
+
+    /// The program behind the tests of what is inside.
+    fn behind<E: Copy + From<Expression> + Into<Quadratic>>(
+        &self,
+        mut program: Vec<Instruction<u64>>,
+        surface: &Surface<E>,
+    ) -> Vec<Instruction<u64>> {
         if self.edges == EdgeUse::EnableAndFlag {
             match program.last_mut() {
                 Some(last) if last.operation == Operation::Test.code() => last.operation = Operation::TestLast.code(),
@@ -243,8 +295,12 @@ impl Program {
     }
 
     /// The instructions of all steps.
-    fn with(&self, number: i64, surface: &Surface) -> impl Iterator<Item = Instruction<u64>> {
-        self.steps.iter().map(move |step| step.instruction(number, surface))
+    fn with<E: Copy + Into<Quadratic>>(
+        &self,
+        number: i64,
+        surface: &Surface<E>,
+    ) -> impl Iterator<Item = Instruction<u64>> {
+        self.steps.iter().flat_map(move |step| step.instructions(number, surface))
     }
 
     /// The instructions of a program that is done to a region.

@@ -2,7 +2,7 @@
 
 use proptest::prelude::*;
 
-use super::super::testing::{Primitive, at};
+use super::super::testing::{Primitive, at, spheres, value};
 use super::edges::range;
 use super::*;
 
@@ -46,6 +46,39 @@ fn all_programs_have_the_edges_first_and_take_the_tree_alone_for_them() {
 }
 
 #[test]
+fn a_sphere_is_its_test_and_the_steps_of_a_program_with_curves_where_they_bend() {
+    let inside = Quadratic { a: 6, b: 8, c: -16, d: -1, e: 0, f: -1 };
+    let (plane, bent) = (Quadratic::from(edge(1, 2, 3)), Quadratic { e: 5, ..edge(1, 2, 3).into() });
+    let drawn = |program: &Program, inside: &Quadratic, z, green| {
+        names(&program.draw_sphere(8, inside, &Surface { z, rgb: [plane, green, plane] }))
+    };
+    assert_eq!(drawn(&FLAT, &inside, bent, plane), ["Curve", "TestFirst", "Flag", "FillFlagged"]);
+    assert_eq!(
+        drawn(&FLAT_LEAST, &inside, bent, plane),
+        ["Curve", "TestFirst", "CompareConstant", "Curve", "CompareOn", "CopyFlagged", "FillFlagged"]
+    );
+    assert_eq!(
+        drawn(&SMOOTH_STRICT, &inside, plane, bent),
+        [
+            "Curve",
+            "TestFirst",
+            "Compare",
+            "EvaluateFlagged",
+            "Curve",
+            "EvaluateFlagged",
+            "EvaluateFlagged",
+            "CopyFlagged"
+        ]
+    );
+    // All of the region is inside, nothing is, and what is inside is a half-plane.
+    assert_eq!(drawn(&FLAT, &Quadratic { c: 90, ..inside }, plane, plane), ["Enable", "Flag", "FillFlagged"]);
+    assert_eq!(drawn(&FLAT, &Quadratic { c: -26, ..inside }, plane, plane), [""; 0]);
+    assert_eq!(drawn(&FLAT, &edge(1, 0, -3).into(), plane, plane), ["TestFirst", "Flag", "FillFlagged"]);
+    let curve = FLAT.draw_sphere(8, &inside, &Surface::of_one_colour(plane, 0))[0];
+    assert_eq!(curve.coefficients, Coefficients { a: (1 << 40) - 1, b: 0, c: (1 << 40) - 1 });
+}
+
+#[test]
 fn one_colour_is_that_of_planes_without_a_slope() {
     for rgb in [0, 0x12_34_56, 0xff_ff_ff, 0x80_00_7f] {
         assert_eq!(Surface::of_one_colour(edge(0, 0, 0), rgb).colour(), rgb);
@@ -64,6 +97,47 @@ fn a_sign_has_as_many_bits_as_the_values_in_the_region() {
     assert_eq!(bits(128, edge(65_535, 65_535, -127 * 65_535)), [25, 24, 8]);
     assert_eq!(bits(128, edge(65_535, 65_535, -1)), [25, 25, 9]);
     assert_eq!(bits(128, edge(-64, 65, 0)), [25, 15, 15]);
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 300, failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// Of all pixels, of whatever form; and the bit that is looked at is the sign.
+    #[test]
+    fn a_quadratic_has_its_range_and_its_sign_in_a_region(
+        (side, sphere) in prop::sample::select(vec![2, 4, 8, 16, 32]).prop_flat_map(|side| (Just(side), spheres(side))),
+    ) {
+        let inside = sphere.inside;
+        let pixels: Vec<(u32, u32)> = (0..side).flat_map(|y| (0..side).map(move |x| (x, y))).collect();
+        let values = pixels.iter().map(|(x, y)| value(&inside, *x, *y));
+        let range = [values.clone().min().unwrap(), values.max().unwrap()];
+        prop_assert_eq!(inside.range(side).map(i128::from), range);
+        let program = FLAT.draw_sphere(side, &inside, &Surface::of_one_colour(inside, 0));
+        let test = program.iter().find(|it| it.operation == Operation::TestFirst.code());
+        prop_assert_eq!(test.map_or(0, |test| test.skip as u32 + 1), inside.bits(side));
+        prop_assert_eq!(program.is_empty(), range[1] < 0);
+        // No bit less tells it, but for the levels of the trees.
+        let fits = |bits: u32| range.iter().all(|value| (-(1 << (bits - 1))..1 << (bits - 1)).contains(value));
+        if let Some(test) = test {
+            let bits = test.skip as u32 + 1;
+            let levels = side.trailing_zeros();
+            prop_assert!(fits(bits) && bits >= levels && (bits == levels || !fits(bits - 1)), "{} bits", bits);
+        }
+    }
+
+    #[test]
+    fn a_quadratic_is_the_same_wherever_it_is_moved(
+        coefficients in prop::array::uniform6(-(1i64 << 40)..1 << 40),
+        [x0, y0] in prop::array::uniform2(-4096..4096i64),
+        [x, y] in prop::array::uniform2(0..256u32),
+    ) {
+        let [a, b, c, d, e, f] = coefficients;
+        let any = Quadratic { a, b, c, d, e, f };
+        let moved = any.moved([-x0, -y0]).moved([x0 + i64::from(x), y0]).moved([0, y.into()]);
+        prop_assert_eq!(i128::from(moved.c), value(&any, x, y));
+        prop_assert_eq!(i128::from(any.at(x.into(), y.into())), value(&any, x, y));
+        prop_assert_eq!(any.moved([x0, y0]).moved([-x0, -y0]), any);
+    }
 }
 
 proptest! {

@@ -7,16 +7,17 @@ use super::super::instruction::Operation;
 use super::super::linear_tree::Coefficients;
 use super::super::model::Model;
 use super::super::programs::{
-    Edges, Expression, FLAT, FLAT_LEAST, FLAT_STRICT, Program, SMOOTH_LEAST, SMOOTH_STRICT, Surface, clear, save,
-    smooth_least,
+    Edges, Expression, FLAT, FLAT_LEAST, FLAT_STRICT, Program, Quadratic, SMOOTH_LEAST, SMOOTH_STRICT, Surface, clear,
+    save, smooth_least,
 };
-use super::super::testing::{Primitive, instructions, polygons, primitives};
+use super::super::testing::{Primitive, Shape, Sphere, instructions, polygons, primitives, spheres};
 use super::super::{PERIOD, SIDE};
 use super::*;
 
-/// How both sides behave.
+/// Which renderer it is, and how both sides behave.
 #[derive(Debug, Clone, Copy)]
 struct Manner {
+    quadratic: bool,
     side_by_side: bool,
     queue: u32,
     /// How often sender and receiver pause, in percent.
@@ -26,13 +27,15 @@ struct Manner {
 
 fn manners() -> impl Strategy<Value = Manner> {
     let percent = || prop_oneof![Just(0), 1..60u64];
-    (any::<bool>(), 1..6u32, [percent(), percent()], any::<u64>())
-        .prop_map(|(side_by_side, queue, pauses, seed)| Manner { side_by_side, queue, pauses, seed })
+    (any::<[bool; 2]>(), 1..6u32, [percent(), percent()], any::<u64>()).prop_map(
+        |([quadratic, side_by_side], queue, pauses, seed)| Manner { quadratic, side_by_side, queue, pauses, seed },
+    )
 }
 
 /// Runs instructions in a renderer; gives the regions that it sends, each with the words of its pixels line by line.
 fn sent(side: u32, instructions: &[Instruction<u64>], manner: Manner) -> Vec<(u64, Vec<u64>)> {
-    let renderer = Renderer::new(side, manner.queue).unwrap();
+    let linear = Renderer::new(side, manner.queue).unwrap();
+    let renderer = if manner.quadratic { linear.quadratic() } else { linear };
     let mut sim = Simulation::of(&renderer).unwrap().seeded(manner.seed);
     sim.reset();
     sim.set(sim.i.side_by_side, u64::from(manner.side_by_side));
@@ -97,14 +100,14 @@ fn all_memory() -> Vec<Instruction<u64>> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 16, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 24, failure_persistence: None, ..ProptestConfig::default() })]
 
     /// Whatever overlaps, memory and flags are as if each instruction began when the one before has ended.
     #[test]
     fn instructions_do_what_they_do_one_after_another(
-        (side, program) in prop::sample::select(vec![2, 4, 8])
-            .prop_flat_map(|side| (Just(side), prop::collection::vec(instructions(side), 1..60))),
-        manner in manners(),
+        (side, program, manner) in (prop::sample::select(vec![2, 4, 8]), manners()).prop_flat_map(|(side, manner)| {
+            (Just(side), prop::collection::vec(instructions(side, manner.quadratic), 1..60), Just(manner))
+        }),
     ) {
         // In the end the flags are in the memory, too.
         let enable = Instruction { skip: 7, ..constant(Operation::EvaluateEnabled, 207, 1) };
@@ -120,15 +123,23 @@ proptest! {
 #[derive(Debug, Clone, Copy)]
 struct Rule {
     program: &'static Program,
-    word: fn(&Primitive, u32, u32) -> u64,
+    word: fn(&Shape, u32, u32) -> u64,
     keeps: fn(u64, u64) -> u64,
 }
 
 impl Rule {
-    fn draw(&self, side: u32, form: Edges, primitive: &Primitive) -> Vec<Instruction<u64>> {
-        let Primitive { edges, surface, rgb } = primitive;
-        let flat = Surface::of_one_colour(surface.z, *rgb);
-        self.program.draw(side, form, edges, if self.program.is_flat { &flat } else { surface })
+    fn draw(&self, side: u32, form: Edges, shape: &Shape) -> Vec<Instruction<u64>> {
+        let program = self.program;
+        match shape {
+            Shape::Polygon(Primitive { edges, surface, rgb }) => {
+                let flat = Surface::of_one_colour(surface.z, *rgb);
+                program.draw(side, form, edges, if program.is_flat { &flat } else { surface })
+            }
+            Shape::Sphere(Sphere { inside, surface, rgb }) => {
+                let flat = Surface::of_one_colour(surface.z, *rgb);
+                program.draw_sphere(side, inside, if program.is_flat { &flat } else { surface })
+            }
+        }
     }
 }
 
@@ -137,47 +148,56 @@ fn nearest(kept: u64, new: u64) -> u64 {
 }
 
 const RULES: [Rule; 5] = [
-    Rule { program: &FLAT, word: |p, _, _| u64::from(p.rgb), keeps: |kept, new| kept >> 24 << 24 | new },
-    Rule { program: &FLAT_STRICT, word: Primitive::flat_word, keeps: nearest },
-    Rule { program: &FLAT_LEAST, word: Primitive::flat_word, keeps: u64::min },
-    Rule { program: &SMOOTH_STRICT, word: Primitive::smooth_word, keeps: nearest },
-    Rule { program: &SMOOTH_LEAST, word: Primitive::smooth_word, keeps: u64::min },
+    Rule {
+        program: &FLAT,
+        word: |shape, x, y| shape.flat_word(x, y) & 0xff_ffff,
+        keeps: |kept, new| kept >> 24 << 24 | new,
+    },
+    Rule { program: &FLAT_STRICT, word: Shape::flat_word, keeps: nearest },
+    Rule { program: &FLAT_LEAST, word: Shape::flat_word, keeps: u64::min },
+    Rule { program: &SMOOTH_STRICT, word: Shape::smooth_word, keeps: nearest },
+    Rule { program: &SMOOTH_LEAST, word: Shape::smooth_word, keeps: u64::min },
 ];
 
-/// Triangles, and polygons of up to eight edges.
-fn any_primitive(side: u32) -> impl Strategy<Value = Primitive> {
-    prop_oneof![primitives(side), polygons(side)]
+/// Triangles, and polygons of up to eight edges; spheres, if the renderer evaluates quadratics.
+fn any_shape(side: u32, quadratic: bool) -> impl Strategy<Value = Shape> {
+    prop_oneof![
+        1 => primitives(side).prop_map(Shape::Polygon),
+        1 => polygons(side).prop_map(Shape::Polygon),
+        if quadratic { 4 } else { 0 } => spheres(side).prop_map(Shape::Sphere),
+    ]
 }
 
 /// The words of a region by the contract: a plain loop over pixels.
-fn drawn(side: u32, background: u32, rule: Rule, primitives: &[Primitive]) -> Vec<u64> {
+fn drawn(side: u32, background: u32, rule: Rule, shapes: &[Shape]) -> Vec<u64> {
     let pixels = (0..side).flat_map(|y| (0..side).map(move |x| (x, y)));
     let word = |(x, y)| {
-        let fragments = primitives.iter().filter(|p| p.covers(x, y)).map(|p| (rule.word)(p, x, y));
+        let fragments = shapes.iter().filter(|shape| shape.covers(x, y)).map(|shape| (rule.word)(shape, x, y));
         fragments.fold(0xff_ffff << 24 | u64::from(background), rule.keeps)
     };
     pixels.map(word).collect()
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 14, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 24, failure_persistence: None, ..ProptestConfig::default() })]
 
     /// Regions one after another, each read while the next is drawn.
     #[test]
     fn a_region_is_what_the_contract_says(
-        (side, regions) in prop_oneof![Just(8u32), Just(16)]
-            .prop_flat_map(|side| (Just(side), prop::collection::vec(prop::collection::vec(any_primitive(side), 0..8), 1..4))),
+        (side, regions, manner) in (prop_oneof![Just(8u32), Just(16)], manners()).prop_flat_map(|(side, manner)| {
+            let shapes = prop::collection::vec(any_shape(side, manner.quadratic), 0..8);
+            (Just(side), prop::collection::vec(shapes, 1..4), Just(manner))
+        }),
         rule in prop::sample::select(RULES.to_vec()),
         form in prop::sample::select(Edges::ALL.to_vec()),
-        manner in manners(),
     ) {
         let mut program = Vec::new();
         let mut expected = Vec::new();
-        for (number, primitives) in (40..).zip(&regions) {
+        for (number, shapes) in (40..).zip(&regions) {
             program.extend(clear(0x10_20_30));
-            program.extend(primitives.iter().flat_map(|primitive| rule.draw(side, form, primitive)));
+            program.extend(shapes.iter().flat_map(|shape| rule.draw(side, form, shape)));
             program.extend(save(number));
-            expected.push((number.into(), drawn(side, 0x10_20_30, rule, primitives)));
+            expected.push((number.into(), drawn(side, 0x10_20_30, rule, shapes)));
         }
         prop_assert_eq!(sent(side, &program, manner), expected);
     }
@@ -199,10 +219,36 @@ fn a_region_of_128_x_128_pixels_is_what_the_contract_says() {
     ];
     let program = primitives.iter().flat_map(|primitive| smooth_least(SIDE, &primitive.edges, &primitive.surface));
     let program = [clear(0x20_40_60), program.collect(), save(5)].concat();
-    let words = drawn(SIDE, 0x20_40_60, RULES[4], &primitives);
+    let words = drawn(SIDE, 0x20_40_60, RULES[4], &primitives.map(Shape::Polygon));
     let far = words.iter().filter(|word| **word >> 24 == 0xff_ffff).count();
     assert!((2000..8000).contains(&far), "{far} pixels are of the background");
-    let manner = Manner { side_by_side: true, queue: 16, pauses: [0, 0], seed: 1 };
+    let manner = Manner { quadratic: false, side_by_side: true, queue: 16, pauses: [0, 0], seed: 1 };
+    assert_eq!(sent(SIDE, &program, manner), [(5, words)]);
+}
+
+/// The machine's own size, with spheres that go through each other.
+#[test]
+fn spheres_in_a_region_of_128_x_128_pixels_are_what_the_contract_says() {
+    let ball = |[x, y]: [i64; 2], radius: i64, depth: i64, shades: [i64; 3]| {
+        let inside = Quadratic { a: 0, b: 0, c: radius * radius, d: -1, e: 0, f: -1 };
+        let over =
+            |at_edge: i64, times: i64| Quadratic { c: inside.c * times + (at_edge << 16), ..inside.times(times) };
+        let surface = Surface { z: over(depth, -9000), rgb: shades.map(|shade| over(30, shade)) };
+        let moved = |of: Quadratic| of.moved([-x, -y]);
+        let surface = Surface { z: moved(surface.z), rgb: surface.rgb.map(moved) };
+        Sphere { inside: moved(inside.times(1 << 22)), surface, rgb: 0 }
+    };
+    let balls = [
+        ball([50, 60], 45, 900, [5000, 900, 0]),
+        ball([90, 70], 40, 880, [0, 4000, 7000]),
+        ball([120, 0], 30, 870, [1; 3]),
+    ];
+    let draw = |ball: &Sphere| SMOOTH_LEAST.draw_sphere(SIDE, &ball.inside, &ball.surface);
+    let program = [clear(0x20_40_60), balls.iter().flat_map(draw).collect(), save(5)].concat();
+    let words = drawn(SIDE, 0x20_40_60, RULES[4], &balls.map(Shape::Sphere));
+    let far = words.iter().filter(|word| **word >> 24 == 0xff_ffff).count();
+    assert!((4000..10_000).contains(&far), "{far} pixels are of the background");
+    let manner = Manner { quadratic: true, side_by_side: true, queue: 16, pauses: [0, 0], seed: 1 };
     assert_eq!(sent(SIDE, &program, manner), [(5, words)]);
 }
 
@@ -278,6 +324,8 @@ fn there_is_no_renderer_of_any_other_side() {
     }
     assert_eq!(complaint(8, 0), "a queue of 0 instructions: it has to hold from 1 to 4096");
     for side in (1..9).map(|level| 1 << level) {
-        assert_eq!(elaborate(&Renderer::new(side, 8).unwrap()).unwrap().modules().len(), 6);
+        for renderer in [Renderer::new(side, 8).unwrap(), Renderer::new(side, 8).unwrap().quadratic()] {
+            assert_eq!(elaborate(&renderer).unwrap().modules().len(), 6);
+        }
     }
 }
