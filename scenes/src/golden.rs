@@ -62,7 +62,7 @@ pub fn render_watched<E: AsRef<[Edge]>>(
     background: [u8; 3],
     watch: impl FnMut(f64) -> ControlFlow<()>,
 ) -> Option<Frame> {
-    draw_watched(Frame::blank(size, background), packets, least, watch)
+    draw_watched(Frame::blank(size, background), packets, [0, packets.len()], least, watch)
 }
 
 /// Renders packets with the strict rule: depth alone decides, and of equal depths the first submitted stays (facts E0).
@@ -79,11 +79,11 @@ pub fn render_strict_watched<E: AsRef<[Edge]>>(
     background: [u8; 3],
     watch: impl FnMut(f64) -> ControlFlow<()>,
 ) -> Option<Frame> {
-    draw_watched(Frame::blank(size, background), packets, nearest, watch)
+    draw_watched(Frame::blank(size, background), packets, [0, packets.len()], nearest, watch)
 }
 
 /// What covers pixels.
-trait Primitive {
+pub(crate) trait Primitive {
     /// No pixel that it covers is outside.
     fn bounds(&self) -> PixelBox;
     /// Whether it covers that pixel.
@@ -116,17 +116,19 @@ fn nearest(kept: u64, fragment: u64) -> u64 {
     if depth_of(fragment) < depth_of(kept) { fragment } else { kept }
 }
 
-fn draw_watched<E: AsRef<[Edge]>>(
+/// Draws primitives, of which there were so many before, and of all so many.
+fn draw_watched(
     mut frame: Frame,
-    packets: &[Packet<E>],
+    primitives: &[impl Primitive],
+    [before, count]: [usize; 2],
     keep: impl Fn(u64, u64) -> u64 + Copy,
     mut watch: impl FnMut(f64) -> ControlFlow<()>,
 ) -> Option<Frame> {
-    for (done, packet) in packets.iter().enumerate() {
-        if watch(done as f64 / packets.len() as f64).is_break() {
+    for (done, primitive) in (before..).zip(primitives) {
+        if watch(done as f64 / count as f64).is_break() {
             return None;
         }
-        draw(&mut frame, packet, keep);
+        draw(&mut frame, primitive, keep);
     }
     Some(frame)
 }

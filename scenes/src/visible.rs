@@ -1,8 +1,8 @@
 //! Whether a picture shows anything, said before it is rendered.
 
-use crate::packet::{Edge, Packet, PixelBox};
+use crate::golden::Primitive;
+use crate::packet::{Edge, Packet};
 use crate::project::{Counts, Polygons, Projection};
-use crate::sphere::SpherePacket;
 
 impl Projection {
     /// A sentence if no triangle and no line covers a pixel, so that the picture would hold the background alone; `None` if one does.
@@ -14,8 +14,7 @@ impl Projection {
 impl Polygons {
     /// A sentence if no polygon, line or sphere covers a pixel, so that the picture would hold the background alone; `None` if one does.
     pub fn warning(&self) -> Option<String> {
-        let is_seen = |sphere: &SpherePacket| any_pixel(sphere.bounds, |x, y| sphere.covers(x, y));
-        if self.spheres.iter().any(is_seen) { None } else { self.counts.warning(&self.polygons) }
+        if self.spheres.iter().any(covers_a_pixel) { None } else { self.counts.warning(&self.polygons) }
     }
 }
 
@@ -67,10 +66,7 @@ impl Counts {
     }
 }
 
-fn covers_a_pixel<E: AsRef<[Edge]>>(packet: &Packet<E>) -> bool {
-    any_pixel(packet.bounds, |x, y| packet.covers(x, y))
-}
-
-fn any_pixel(b: PixelBox, is_covered: impl Fn(u32, u32) -> bool) -> bool {
-    (b.top..=b.bottom).any(|y| (b.left..=b.right).any(|x| is_covered(x, y)))
+fn covers_a_pixel(primitive: &impl Primitive) -> bool {
+    let b = primitive.bounds();
+    (b.top..=b.bottom).any(|y| (b.left..=b.right).any(|x| primitive.covers(x, y)))
 }

@@ -25,11 +25,27 @@ pub(super) fn bins(regions: &Regions, polygons: &Polygons) -> Vec<Vec<u32>> {
     bins
 }
 
-/// The polygon of the scene that a primitive of that number is of.
-pub(super) fn polygon_of(polygons: &Polygons, number: u32) -> u32 {
-    let number = number as usize;
-    let sphere = || polygons.spheres[number - polygons.polygons.len()].polygon;
-    polygons.polygons.get(number).map_or_else(sphere, |polygon| polygon.polygon)
+/// What has a number in [`bins`].
+pub(super) enum Primitive<'a> {
+    Polygon(&'a Polygon),
+    Sphere(&'a SpherePacket),
+}
+
+impl<'a> Primitive<'a> {
+    /// That of a number.
+    pub fn of(polygons: &'a Polygons, number: u32) -> Primitive<'a> {
+        let number = number as usize;
+        let sphere = || Primitive::Sphere(&polygons.spheres[number - polygons.polygons.len()]);
+        polygons.polygons.get(number).map_or_else(sphere, Primitive::Polygon)
+    }
+
+    /// The polygon of the scene that it is of.
+    pub fn polygon(&self) -> u32 {
+        match self {
+            Primitive::Polygon(polygon) => polygon.polygon,
+            Primitive::Sphere(sphere) => sphere.polygon,
+        }
+    }
 }
 
 /// A region, and the machine whose renderer draws it.
@@ -85,15 +101,14 @@ impl<'a> Bin<'a> {
         (name, program.draw_sphere(self.config.side, &here(&sphere.inside), &surface))
     }
 
-    /// What draws the primitive of that number, with the name of the program.
-    fn primitive(&self, polygons: &Polygons, number: u32) -> (&'static str, Vec<Instruction<u64>>) {
-        let number = number as usize;
-        match polygons.polygons.get(number) {
-            Some(polygon) => {
+    /// What draws a primitive, with the name of the program.
+    fn primitive(&self, primitive: &Primitive) -> (&'static str, Vec<Instruction<u64>>) {
+        match primitive {
+            Primitive::Polygon(polygon) => {
                 let program = self.program(polygon);
                 (program.name, self.draw(program, polygon))
             }
-            None => self.draw_sphere(&polygons.spheres[number - polygons.polygons.len()]),
+            Primitive::Sphere(sphere) => self.draw_sphere(sphere),
         }
     }
 
@@ -164,7 +179,7 @@ impl Work {
     /// Of the primitives of those numbers.
     pub fn new(bin: &Bin, numbers: &[u32], polygons: &Polygons, background: [u8; 3]) -> Work {
         let drawn = numbers.iter().map(|&number| {
-            let (program, instructions) = bin.primitive(polygons, number);
+            let (program, instructions) = bin.primitive(&Primitive::of(polygons, number));
             (number, program, instructions)
         });
         Work::of(bin, drawn, background)

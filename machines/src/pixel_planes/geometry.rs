@@ -12,7 +12,7 @@
 use serde::Serialize;
 use tilewright_scenes::Polygons;
 
-use super::bin::{Work, polygon_of};
+use super::bin::{Primitive, Work};
 
 /// Clocks of a geometry processor for each step of its program.
 ///
@@ -66,14 +66,12 @@ impl GeometryReport {
             *of += cost;
         };
         (0..polygons.counts.polygons).for_each(|polygon| take(polygon, &mut report.transform, costs.transform));
+        let polygon_of = |primitive: u32| Primitive::of(polygons, primitive).polygon();
         let primitives = 0..(polygons.polygons.len() + polygons.spheres.len()) as u32;
-        primitives.for_each(|primitive| take(polygon_of(polygons, primitive), &mut report.set_up, costs.set_up));
+        primitives.for_each(|primitive| take(polygon_of(primitive), &mut report.set_up, costs.set_up));
         for (primitive, instructions) in works.iter().flat_map(|work| &work.made) {
-            take(
-                polygon_of(polygons, *primitive),
-                &mut report.binning,
-                costs.bin + u64::from(*instructions) * costs.instruction,
-            );
+            let cost = costs.bin + u64::from(*instructions) * costs.instruction;
+            take(polygon_of(*primitive), &mut report.binning, cost);
         }
         GeometryReport { clocks: clocks.into_iter().max().unwrap_or(0), ..report }
     }

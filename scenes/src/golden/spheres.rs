@@ -1,6 +1,6 @@
 //! Golden frames of polygons and spheres: of a sphere, too, each pixel of its box is looked at, with all products formed directly.
 
-use super::{Primitive, draw, each_fragment, fragments, least, nearest};
+use super::{Primitive, draw_watched, each_fragment, fragments, least, nearest};
 use crate::frame::{Frame, word};
 use crate::packet::*;
 use crate::project::Polygons;
@@ -75,18 +75,9 @@ pub fn render_polygons_watched(
         Rule::Least => least,
         Rule::Strict => nearest,
     };
-    let mut frame = Frame::blank(*size, background);
     let count = polygons.len() + spheres.len();
-    let mut go_on = |done: usize| (!watch(done as f64 / count as f64).is_break()).then_some(());
-    for (done, polygon) in polygons.iter().enumerate() {
-        go_on(done)?;
-        draw(&mut frame, polygon, keep);
-    }
-    for (done, sphere) in spheres.iter().enumerate() {
-        go_on(polygons.len() + done)?;
-        draw(&mut frame, sphere, keep);
-    }
-    Some(frame)
+    let frame = draw_watched(Frame::blank(*size, background), polygons, [0, count], keep, &mut watch)?;
+    draw_watched(frame, spheres, [polygons.len(), count], keep, watch)
 }
 
 /// The pixels that polygons and spheres cover, each as often as it is covered, as [`fragments`] counts them.
