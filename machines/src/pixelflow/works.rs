@@ -15,6 +15,7 @@ mod picture;
 mod resident;
 mod samples;
 
+use std::convert::Infallible;
 use std::sync::Arc;
 
 use tilewright_rtl::parameter::{self, ParameterError};
@@ -27,6 +28,7 @@ use tilewright_scenes::{PixelBox, Size, Texture};
 use super::config::Config;
 use super::costs::Ticks;
 use super::screen::{Pattern, Screen};
+use crate::threads::each_mut;
 
 pub(super) use front_end::Mark;
 pub(super) use resident::Drawing;
@@ -34,6 +36,8 @@ use samples::Samples;
 
 type Program = Vec<Instruction<u64>>;
 
+/// How many programs are made one after another.
+const SHARE: usize = 64;
 /// Room for a new word.
 const NEW: u64 = 0;
 
@@ -95,20 +99,23 @@ impl Works {
         screen: &Screen,
         boxes: impl Iterator<Item = PixelBox>,
         turn: impl Fn(usize) -> usize,
-        draw: impl Fn(usize, usize) -> Program,
+        draw: impl Fn(usize, usize) -> Program + Sync,
     ) {
         let rasterizers = self.programs.len();
+        let mut met: Vec<Met> = Vec::new();
         for (number, bounds) in boxes.enumerate() {
             // The same ones for each sample.
             self.primitives[number % rasterizers] += usize::from(sample == 0);
-            for region in screen.of(&bounds) {
-                let program = draw(number, region);
-                self.drawn += usize::from(!program.is_empty());
-                let (rasterizer, turn) = (number % rasterizers, turn(region));
-                let all = &mut self.programs[rasterizer][turn];
-                self.starts[rasterizer][turn].push((all.len(), number));
-                all.extend(program);
-            }
+            let regions = screen.of(&bounds).into_iter();
+            met.extend(regions.map(|region| Met { number, region, program: Program::new() }));
+        }
+        draw_each(&mut met, draw);
+        for Met { number, region, program } in met {
+            self.drawn += usize::from(!program.is_empty());
+            let (rasterizer, turn) = (number % rasterizers, turn(region));
+            let all = &mut self.programs[rasterizer][turn];
+            self.starts[rasterizer][turn].push((all.len(), number));
+            all.extend(program);
         }
     }
 
@@ -267,6 +274,23 @@ impl Works {
     pub fn stored(&self) -> u64 {
         if self.is_shaded() { Works::COLOUR } else { self.bytes() }
     }
+}
+
+/// A primitive and a region that it meets, with what is to be done there.
+struct Met {
+    number: usize,
+    region: usize,
+    program: Program,
+}
+
+/// Makes the program of each, on all processors of the computer.
+fn draw_each(met: &mut [Met], draw: impl Fn(usize, usize) -> Program + Sync) {
+    let mut shares: Vec<&mut [Met]> = met.chunks_mut(SHARE).collect();
+    let drawn = each_mut(&mut shares, |_, share| {
+        share.iter_mut().for_each(|met| met.program = draw(met.number, met.region));
+        Ok::<(), Infallible>(())
+    });
+    let Ok(()) = drawn;
 }
 
 /// Where eight samples are in a picture at twice the width and height: the first of two has four of them, as has the second.

@@ -135,6 +135,10 @@ const COMPARED: u32 = 64;
 const ALL_EVERY: u64 = 256;
 
 impl Engine for Lockstep {
+    fn versions(&self) -> u64 {
+        self.other.versions()
+    }
+
     fn left_out(&self) -> u64 {
         self.other.left_out()
     }

@@ -179,6 +179,11 @@ pub(crate) trait Engine: Send {
         0
     }
 
+    /// How many versions of loops have been made for what came often.
+    fn versions(&self) -> u64 {
+        0
+    }
+
     /// Prepares for these values being read together.
     fn watch(&mut self, _values: &[ValueId]) {}
 

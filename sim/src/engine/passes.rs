@@ -49,6 +49,10 @@ pub struct Passes {
     pub looks_after: u64,
     /// From how many operations on a function is cut into several.
     pub longest: usize,
+    /// How often a combination of numbers that choose what all lanes of a loop do has to come, until there is a version of the loop for it.
+    pub versions_after: u32,
+    /// How many operations on vectors such a loop has, at the least.
+    pub versions_from: usize,
     /// How many lanes values of an instance of an array have, at the most, from which on the instances run one by one, as units, of which those
     /// are left out that have nothing to do.
     pub apart_from: u32,
@@ -78,6 +82,8 @@ impl Default for Passes {
             held_after: 50_000,
             looks_after: 300,
             longest: 500,
+            versions_after: 32,
+            versions_from: 4096,
             apart_from: 64,
             apart_single: 200,
             guarded: cfg!(debug_assertions),
@@ -112,6 +118,8 @@ impl Passes {
             held_after: u64::MAX,
             looks_after: u64::MAX,
             longest: usize::MAX,
+            versions_after: u32::MAX,
+            versions_from: usize::MAX,
             apart_from: u32::MAX,
             apart_single: usize::MAX,
             guarded: cfg!(debug_assertions),

@@ -237,6 +237,38 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         self.circuit.engine.left_out()
     }
 
+    /// How many versions of loops over lanes have been made so far: each for numbers that came often of the single values which choose
+    /// what all lanes do, as an instruction does (`sim/docs/engine.md`). 0 on an engine that makes no code.
+    ///
+    /// ```
+    /// use tilewright_hdl::{Module, bits, block, case, elaborate, row};
+    ///
+    /// block! {
+    ///     /// Sums that add one of two numbers, or nothing.
+    ///     struct Sums;
+    ///     in SumsIn { op: bits(2), other: bits(1), x: bits(8), y: bits(8) }
+    ///     out SumsOut { last: bits(8) }
+    /// }
+    ///
+    /// impl Sums {
+    ///     fn build(&self, m: Module, i: SumsIn) -> SumsOut {
+    ///         let sum = m.reg("sum", bits(8).of(row(4096))).reset(0);
+    ///         let number = case(i.other, [(0, i.x)], i.y).of(row(4096)) ^ sum.previous(i.x);
+    ///         sum.next(case(i.op, [(1, *sum + number), (2, *sum ^ number)], *sum));
+    ///         SumsOut { last: sum.lane(4095) }
+    ///     }
+    /// }
+    ///
+    /// let mut sim = tilewright_sim::Simulation::of(&Sums)?;
+    /// sim.set(sim.i.op, 1);
+    /// sim.run(1000);
+    /// println!("{} versions", sim.versions());
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    pub fn versions(&self) -> u64 {
+        self.circuit.engine.versions()
+    }
+
     /// As on a machine that no code can be generated for, for that reason.
     #[doc(hidden)]
     pub fn without_code(mut self, reason: &str) -> Self {

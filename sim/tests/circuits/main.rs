@@ -20,6 +20,7 @@ mod shapes;
 mod store;
 mod units;
 mod vcd_rows;
+mod versions;
 mod watching;
 mod wide;
 mod words;

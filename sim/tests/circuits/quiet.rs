@@ -75,7 +75,8 @@ impl Rows {
 fn run(seed: u64) -> usize {
     let design = elaborate(&Rows { seed }).unwrap();
     let mut random = Random::new(seed ^ 0x5eed);
-    let passes = Passes { longest: random.one(&[500, 30]), looks_after: 5, ..Passes::default() };
+    let (longest, versions_after) = (random.one(&[500, 30]), random.one(&[1, 3, 32]));
+    let passes = Passes { longest, looks_after: 5, versions_after, versions_from: 100, ..Passes::default() };
     let mut sim = Simulation::with_passes(&design, &passes).unwrap().seeded(seed % 3).on(EngineKind::Both);
     let ports = ["op", "go", "x"].map(|name| sim.port(name).unwrap());
     for step in 0..60 {

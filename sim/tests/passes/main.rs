@@ -7,6 +7,7 @@ mod late;
 mod pack;
 mod quiet;
 mod units;
+mod versions;
 
 use tilewright_hdl::{Block, elaborate};
 use tilewright_sim::{Pass, Passes, explain};

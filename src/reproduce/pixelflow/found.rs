@@ -151,7 +151,9 @@ impl Curve {
 
 /// The most primitives of a frame that takes no longer, to 1 in 500; none if it takes more than are tried, or the least frame takes longer.
 fn within(case: &Case, software: &Software, latency: f64, plan: &Plan) -> Result<Option<u64>, ParameterError> {
-    let is_within = |primitives| Ok(case.simulate(software, primitives, plan.effort.seed)?.latency <= latency);
+    let is_within = |primitives| {
+        case.simulate(software, primitives, plan.effort.seed).map(|simulated| simulated.latency <= latency)
+    };
     if !is_within(0)? || is_within(plan.most())? {
         return Ok(None);
     }

@@ -69,7 +69,7 @@ impl fmt::Display for Tally {
 ///
 /// The engines differ, or the simulator does not take the design.
 fn run(design: &Design, stimulus: &Stimulus) -> u64 {
-    let usual = Passes { held_after: 3, looks_after: 2, ..Passes::default() };
+    let usual = Passes { held_after: 3, looks_after: 2, versions_after: 2, versions_from: 0, ..Passes::default() };
     let passes = if stimulus.seed.is_multiple_of(2) { usual } else { passes(stimulus.seed / 2) };
     // Of half of the designs, the instances of each array run one by one.
     let passes = match stimulus.seed / 4 % 2 {

@@ -85,7 +85,8 @@ pub struct Run {
 
 /// All passes but one, or none at all; code for held inputs and functions that are cut early, no memory near.
 pub(crate) fn passes(seed: u64) -> Passes {
-    let mut passes = Passes { held_after: 3, looks_after: 2, longest: 20, near: 0, pack_from: 8, ..Passes::default() };
+    let versions = Passes { versions_after: 2, versions_from: 0, ..Passes::default() };
+    let mut passes = Passes { held_after: 3, looks_after: 2, longest: 20, near: 0, pack_from: 8, ..versions };
     match seed % 13 {
         0 => passes = Passes::none(),
         1 => passes.siblings = false,

@@ -40,7 +40,7 @@ impl<'a> Drawing<'a, [Edge; 3]> {
 
 impl Works {
     /// With all regions in the pixels' memory, one sample, or eight after each other.
-    pub fn resident<E: AsRef<[Edge]>>(
+    pub fn resident<E: AsRef<[Edge]> + Sync>(
         config: &Config,
         samples: &[Drawing<'_, E>],
         background: [u8; 3],

@@ -9,6 +9,8 @@ use tilewright_hdl::Bits;
 use super::function::{Function, Sink, happening};
 use super::plan::{Kernel, Plan, Switch};
 use super::strips::Strips;
+use super::versions::Versioned;
+use crate::engine::Passes;
 use crate::engine::program::{Cell, Circuit, Kind, ValueId};
 
 /// The widest value that is branched on.
@@ -20,29 +22,27 @@ const WORTH: usize = 24;
 /// Cells that the variants of a kernel may have together.
 const MOST: usize = 8000;
 
+/// The same for kernels that may get versions: the frequent cases are theirs.
+const MOST_BESIDE_VERSIONS: usize = 3000;
+
 /// Gives kernels branches where it pays.
-pub(super) fn branch(function: &mut Function, plan: &mut Plan, strips: &Strips) {
+pub(super) fn branch(function: &mut Function, plan: &mut Plan, strips: &Strips, passes: &Passes) {
     let order = function.needed();
     let mut stages = std::mem::take(&mut plan.stages);
     for (&lanes, kernel) in stages.iter_mut().flat_map(|stage| &mut stage.kernels) {
         let times = lanes.div_ceil(strips.strip(lanes)) as usize;
-        each(function, plan, &order, kernel, times);
+        kernel.for_each_leaf(&mut |kernel| {
+            let versioned = Versioned::new(function, kernel, lanes, times, passes);
+            let most = if versioned.is_some() { MOST_BESIDE_VERSIONS } else { MOST };
+            split(function, plan, &order, kernel, times, most, 4);
+            if let Some(versioned) = versioned.filter(|_| has_choices(function, kernel)) {
+                kernel.versioned = Some(plan.versioned.len());
+                versioned.store_what_it_takes(function, plan);
+                plan.versioned.push(versioned);
+            }
+        });
     }
     plan.stages = stages;
-}
-
-/// Splits the kernels that run instead of one, or it itself.
-fn each(function: &mut Function, plan: &mut Plan, order: &[ValueId], kernel: &mut Kernel, times: usize) {
-    let Kernel { parts, switch, .. } = kernel;
-    let instead = parts.iter_mut().chain(switch.iter_mut().flat_map(|switch| &mut switch.kernels));
-    let mut is_split = false;
-    for kernel in instead {
-        each(function, plan, order, kernel, times);
-        is_split = true;
-    }
-    if !is_split {
-        split(function, plan, order, kernel, times, MOST, 4);
-    }
 }
 
 /// Splits a kernel by the value that most of its choices depend on, and the parts again; gives the cells in the end.
@@ -59,14 +59,14 @@ fn split(
     let Some(subject) = (depth > 0).then(|| dominant(function, kernel)).flatten() else { return whole };
     let width = function.cell(subject).width;
     let (cells, sinks) = (function.circuit().len(), function.sinks.len());
-    let cone = cone(function.circuit(), order, subject);
+    let cone = cone(function.circuit(), order, &[subject]);
     function.rewriter.vary();
     let mut kernels: Vec<Kernel> = Vec::new();
     let mut moved = Vec::new();
     let mut table = Vec::new();
     let mut remaining = 0;
     for number in 0..1u64 << width {
-        let mut known = Known::new(function, &cone, subject, number);
+        let mut known = Known::new(function, &cone, &[(subject, number)]);
         let variant = known.kernel(plan, kernel, &mut moved);
         remaining += variant.cells.len() + variant.sinks.len();
         let index = kernels.iter().position(|other| same(function, other, &variant));
@@ -97,6 +97,13 @@ fn split(
     most - left
 }
 
+/// Whether single values still choose in what runs instead of a kernel.
+fn has_choices(function: &Function, kernel: &mut Kernel) -> bool {
+    let mut has = false;
+    kernel.for_each_leaf(&mut |kernel| has |= !choosing(function, kernel).is_empty());
+    has
+}
+
 /// Whether two kernels do the same.
 fn same(function: &Function, a: &Kernel, b: &Kernel) -> bool {
     let sinks =
@@ -106,6 +113,12 @@ fn same(function: &Function, a: &Kernel, b: &Kernel) -> bool {
 
 /// The single value that most choices of a kernel depend on.
 fn dominant(function: &Function, kernel: &Kernel) -> Option<ValueId> {
+    let scores = choosing(function, kernel).into_iter();
+    scores.max_by_key(|&(id, score)| (score, std::cmp::Reverse(id))).map(|(id, _)| id)
+}
+
+/// The single values that choices of a kernel depend on, each with the number of its choices.
+pub(super) fn choosing(function: &Function, kernel: &Kernel) -> BTreeMap<ValueId, usize> {
     let mut scores: BTreeMap<ValueId, usize> = BTreeMap::new();
     let mut score = |id: ValueId, weight: usize| {
         if let Kind::Broadcast { of, .. } = function.cell(id).kind
@@ -129,7 +142,7 @@ fn dominant(function: &Function, kernel: &Kernel) -> Option<ValueId> {
             _ => {}
         }
     }
-    scores.into_iter().max_by_key(|&(id, score)| (score, std::cmp::Reverse(id))).map(|(id, _)| id)
+    scores
 }
 
 /// The one value that a single value is computed from, if it is small enough; else the value itself, if that is.
@@ -155,21 +168,21 @@ fn root(function: &Function, id: ValueId) -> Option<ValueId> {
     }
 }
 
-/// The single values that depend on one, each after its operands.
-fn cone(circuit: &Circuit, order: &[ValueId], subject: ValueId) -> Vec<ValueId> {
-    let mut inside = FxHashSet::from_iter([subject]);
+/// The single values that depend on others, each after its operands.
+pub(super) fn cone(circuit: &Circuit, order: &[ValueId], subjects: &[ValueId]) -> Vec<ValueId> {
+    let mut inside: FxHashSet<ValueId> = subjects.iter().copied().collect();
     let depends = |id: &ValueId| {
         let Cell { kind, lanes, .. } = &circuit[*id];
         let mut depends = false;
         kind.for_each_operand(|operand| depends |= inside.contains(&operand));
-        let depends = depends && *lanes == 1 && *id != subject;
+        let depends = depends && *lanes == 1 && !subjects.contains(id);
         depends && inside.insert(*id)
     };
     order.iter().copied().filter(depends).collect()
 }
 
-/// What is known when the subject is a certain number.
-struct Known<'a> {
+/// What is known when subjects are certain numbers.
+pub(super) struct Known<'a> {
     function: &'a mut Function,
     /// Single values that are known then, as constants.
     singles: FxHashMap<ValueId, ValueId>,
@@ -178,11 +191,13 @@ struct Known<'a> {
 }
 
 impl<'a> Known<'a> {
-    /// `cone` has the single values that depend on the subject, each after its operands.
-    fn new(function: &'a mut Function, cone: &[ValueId], subject: ValueId, number: u64) -> Known<'a> {
-        let bits = Bits::from_limbs(function.cell(subject).width, &[number]);
-        let constant = function.rewriter.constant(bits, 1);
-        let mut singles = FxHashMap::from_iter([(subject, constant)]);
+    /// `cone` has the single values that depend on the subjects, each after its operands.
+    pub fn new(function: &'a mut Function, cone: &[ValueId], subjects: &[(ValueId, u64)]) -> Known<'a> {
+        let constant = |&(subject, number): &(ValueId, u64)| {
+            let bits = Bits::from_limbs(function.cell(subject).width, &[number]);
+            (subject, function.rewriter.constant(bits, 1))
+        };
+        let mut singles: FxHashMap<ValueId, ValueId> = subjects.iter().map(constant).collect();
         for &id in cone {
             let mut cell = function.cell(id).clone();
             cell.kind.rewrite(|operand| *operand = singles.get(operand).copied().unwrap_or(*operand));
@@ -210,7 +225,7 @@ impl<'a> Known<'a> {
     }
 
     /// The kernel as it is then. Cells that others read from memory get new ids, to be stored at the place of the old.
-    fn kernel(&mut self, plan: &Plan, kernel: &Kernel, moved: &mut Vec<(ValueId, ValueId)>) -> Kernel {
+    pub fn kernel(&mut self, plan: &Plan, kernel: &Kernel, moved: &mut Vec<(ValueId, ValueId)>) -> Kernel {
         let mut cells = Vec::new();
         let (mut wanted, mut seen) = (FxHashSet::default(), FxHashSet::default());
         for &id in &kernel.cells {

@@ -88,6 +88,14 @@ impl<'f> FunctionBuilder<'f> {
         self.func.dfg.inst_results(call).first().copied()
     }
 
+    /// Calls a function of generated code, which takes this from the stack at the most.
+    pub fn call_code(&mut self, address: Value, arguments: &[Value], stack: usize) {
+        let signature = signature(self.func.signature.call_conv, arguments.len(), true);
+        let signature = self.func.import_signature(signature);
+        self.ins().call_indirect(signature, address, arguments);
+        self.stack_of_called = self.stack_of_called.max(stack);
+    }
+
     /// The address of the scratch memory.
     pub fn scratch(&self) -> Value {
         self.scratch

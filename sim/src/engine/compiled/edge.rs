@@ -125,18 +125,18 @@ impl Compiled {
             }
         } else {
             self.make_ready(index, code);
-            left = self.call(code, count);
+            left = self.call_with_versions(code, count);
         }
         self.change(changed);
         Done { edges: count - left, changed }
     }
 
     fn make_ready(&mut self, index: usize, code: Code) {
+        let mut count = self.edges_until_versions();
         let edge = &mut self.edges[index];
         let &[clock] = edge.rising.as_slice() else { return };
-        let mut count = u64::MAX;
         if edge.special.is_none() && self.special > 0 && !self.inputs.is_empty() {
-            count = self.program.passes.held_after.saturating_sub(edge.quiet);
+            count = count.min(self.program.passes.held_after.saturating_sub(edge.quiet));
             edge.quiet += count;
         }
         let (is_only, changes) = (self.resets.len() == 1, edge.changes);

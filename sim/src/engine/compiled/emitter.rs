@@ -10,6 +10,7 @@ use super::plan::Plan;
 use super::scalar::{Scalar, Scalars};
 use super::sequence::Step;
 use super::strips::Strips;
+use super::versions::TableAt;
 use crate::engine::program::{Kind, ValueId};
 
 /// A memory as code sees it.
@@ -51,6 +52,7 @@ impl MemoryAt {
 }
 
 /// Where everything is.
+#[derive(Clone)]
 pub(super) struct Addresses {
     /// Per cell: where it is stored, if it is.
     pub places: Vec<Option<Place>>,
@@ -105,6 +107,8 @@ pub(super) struct Emitter<'a, 'b, 'c> {
     unit: Value,
     /// Where code notes that it has written to a memory, if it does.
     wrote: Option<usize>,
+    /// Per loop that may get versions: where they are, if they are looked up.
+    pub(super) versions: &'a [TableAt],
     /// Values of one lane.
     pub(super) scalars: Scalars,
     /// The next id that no cell has.
@@ -125,8 +129,28 @@ impl<'a, 'b, 'c> Emitter<'a, 'b, 'c> {
     ) -> Self {
         let fresh = function.circuit().len() as u32;
         let (scalars, changed) = (Scalars::default(), Vec::new());
-        let (unit, wrote) = (state, None);
-        Emitter { function, plan, addresses, memories, strips, builder, state, unit, wrote, scalars, fresh, changed }
+        let (unit, wrote, versions) = (state, None, [].as_slice());
+        Emitter {
+            function,
+            plan,
+            addresses,
+            memories,
+            strips,
+            builder,
+            state,
+            unit,
+            wrote,
+            versions,
+            scalars,
+            fresh,
+            changed,
+        }
+    }
+
+    /// Versions of loops are looked up there.
+    pub fn with_versions(mut self, versions: &'a [TableAt]) -> Self {
+        self.versions = versions;
+        self
     }
 
     /// The code is a unit's, whose address this is, and notes at `wrote` that it has written to a memory.

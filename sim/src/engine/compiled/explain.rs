@@ -110,7 +110,7 @@ fn planned(program: &Program, function: &Function, plan: &Plan, names: &Names) -
         for (lanes, kernel) in stage.loops() {
             let order = if kernel.descends { ", the last first" } else { "" };
             let _ = write!(out, "  loop over {lanes} lanes{order}: ");
-            kernel_text(&mut out, &mut text, function, kernel, 2);
+            kernel_text(&mut out, &mut text, (function, plan), kernel, 2);
         }
     }
     if !plan.live_out.is_empty() {
@@ -127,13 +127,17 @@ fn list<'a>(text: &Text, ids: impl IntoIterator<Item = &'a ValueId>) -> String {
 }
 
 /// What a loop computes and changes; its variants, if it has some.
-fn kernel_text(out: &mut String, text: &mut Text, function: &Function, kernel: &Kernel, depth: usize) {
+fn kernel_text(out: &mut String, text: &mut Text, of: (&Function, &Plan), kernel: &Kernel, depth: usize) {
+    let (function, plan) = of;
     let indent = "  ".repeat(depth);
+    if let Some(index) = kernel.versioned {
+        let _ = write!(out, "in versions by {}; else ", list(text, &plan.versioned[index].subjects));
+    }
     if !kernel.parts.is_empty() {
         let _ = writeln!(out, "in {} loops", kernel.parts.len());
         for part in &kernel.parts {
             let _ = write!(out, "{indent}a loop: ");
-            kernel_text(out, text, function, part, depth + 1);
+            kernel_text(out, text, of, part, depth + 1);
         }
         return;
     }
@@ -143,7 +147,7 @@ fn kernel_text(out: &mut String, text: &mut Text, function: &Function, kernel: &
             let numbers = (0..).zip(&switch.table).filter(|(_, kernel)| **kernel == index);
             let numbers: Vec<String> = numbers.map(|(number, _): (usize, _)| number.to_string()).collect();
             let _ = write!(out, "{indent}{}: ", numbers.join(", "));
-            kernel_text(out, text, function, variant, depth + 1);
+            kernel_text(out, text, of, variant, depth + 1);
         }
         return;
     }

@@ -58,6 +58,11 @@ impl Code {
         unsafe { (self.entry)(state, argument, scratch) }
     }
 
+    /// Where it is, if it takes no more than so much of the stack.
+    pub fn address_within(self, stack: usize) -> Option<usize> {
+        (self.stack <= stack).then_some(self.entry as usize)
+    }
+
     /// What a function calls calls it.
     pub fn is_called(self, b: &mut FunctionBuilder) {
         b.stack_of_called = b.stack_of_called.max(self.stack);

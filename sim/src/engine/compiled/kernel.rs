@@ -32,8 +32,16 @@ struct Sum {
 }
 
 impl Emitter<'_, '_, '_> {
-    /// Runs a kernel, or the one of a branch.
+    /// Runs a kernel, or a version of it.
     pub(super) fn kernel(&mut self, lanes: u32, kernel: &Kernel) {
+        match kernel.versioned.filter(|_| !self.versions.is_empty()) {
+            Some(index) => self.version_or(index, |emitter| emitter.branched(lanes, kernel)),
+            None => self.branched(lanes, kernel),
+        }
+    }
+
+    /// Runs a kernel, or the one of a branch.
+    fn branched(&mut self, lanes: u32, kernel: &Kernel) {
         if !kernel.parts.is_empty() {
             return kernel.parts.iter().for_each(|part| self.kernel(lanes, part));
         }

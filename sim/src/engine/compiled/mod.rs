@@ -36,6 +36,7 @@ mod target;
 mod together;
 mod units;
 mod until;
+mod versions;
 mod view;
 mod words;
 
@@ -62,6 +63,7 @@ use strips::Strips;
 pub use target::Unsupported;
 use units::Apart;
 use until::Stopping;
+use versions::Versions;
 pub(crate) use view::Slot;
 use view::{NO_VIEW, View};
 
@@ -121,6 +123,10 @@ pub(crate) struct Compiled {
     again: Option<Code>,
     stopping: Vec<Stopping>,
     rows: Vec<Rows>,
+    /// Per function with loops that may get versions.
+    versions: Vec<Versions>,
+    /// How many versions there are.
+    versions_made: u64,
     /// What has changed since views were last marked stale.
     pending: Triggers,
     /// Counts how often what they show, or where they leave it, was another.
@@ -187,6 +193,8 @@ impl Compiled {
             again: None,
             stopping: Vec::new(),
             rows: Vec::new(),
+            versions: Vec::new(),
+            versions_made: 0,
             pending: Triggers::NONE,
             version: 0,
             shown: vec![None; program.circuit.len()],
@@ -349,6 +357,10 @@ impl Engine for Compiled {
         }
         let edges = 1 + self.until_edges(rising, count - 1, until);
         Ok((Done { edges, ..first }, until.holds(self.read(until.value))))
+    }
+
+    fn versions(&self) -> u64 {
+        self.versions_made
     }
 
     fn left_out(&self) -> u64 {

@@ -40,7 +40,7 @@ pub(super) fn plan(
     look(Seen::Planned(&function, &plan));
     if passes.branch {
         quiet::quiet(&mut function, &mut plan, strips);
-        branch::branch(&mut function, &mut plan, strips);
+        branch::branch(&mut function, &mut plan, strips, passes);
     }
     look(Seen::Branched(&function, &plan));
     let pieces = sequence::sequence(&mut function, &mut plan, passes.longest);

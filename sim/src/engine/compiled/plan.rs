@@ -10,6 +10,7 @@ mod hazards;
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::function::{Function, Sink};
+use super::versions::Versioned;
 use crate::engine::program::{Kind, ValueId};
 
 /// The order of a function.
@@ -23,6 +24,8 @@ pub(super) struct Plan {
     pub hazards: BTreeSet<ValueId>,
     /// Cells of a branch, and those at whose place they are stored.
     pub homes: BTreeMap<ValueId, ValueId>,
+    /// Loops that may get versions.
+    pub versioned: Vec<Versioned>,
 }
 
 /// A part of a function.
@@ -62,6 +65,20 @@ pub(super) struct Kernel {
     pub switch: Option<Box<Switch>>,
     /// Loops that run instead, one after the other.
     pub parts: Vec<Kernel>,
+    /// What it is among the loops that may get versions, by index in [`Plan::versioned`].
+    pub versioned: Option<usize>,
+}
+
+impl Kernel {
+    /// Calls `visit` with each loop that runs instead of it, or itself.
+    pub fn for_each_leaf(&mut self, visit: &mut dyn FnMut(&mut Kernel)) {
+        let Kernel { parts, switch, .. } = self;
+        if parts.is_empty() && switch.is_none() {
+            return visit(self);
+        }
+        let instead = parts.iter_mut().chain(switch.iter_mut().flat_map(|switch| &mut switch.kernels));
+        instead.for_each(|kernel| kernel.for_each_leaf(visit));
+    }
 }
 
 /// Kernels to choose from.

@@ -13,6 +13,8 @@ use super::plan::Plan;
 use super::sequence::Step;
 use super::strips::Strips;
 use super::units::Guard;
+use super::versions::{TableAt, Versions};
+use crate::engine::Passes;
 use crate::engine::program::{Kind, ValueId};
 
 /// A function in order, and where its values are.
@@ -22,6 +24,8 @@ pub(super) struct Prepared {
     /// The steps of each function that it takes.
     pieces: Vec<Vec<Step>>,
     pub addresses: Addresses,
+    /// Per loop that may get versions: where they are looked up.
+    versions: Vec<TableAt>,
     /// The units whose part is done after it.
     pub guards: Vec<Guard>,
     /// What must hold is asked for also while edges are not to check assertions.
@@ -69,6 +73,11 @@ impl Prepared {
             })
     }
 
+    /// What versions of its loops are made of.
+    fn to_versions(&self) -> Versions {
+        Versions::new(&self.function, &self.plan, &self.addresses, &self.versions)
+    }
+
     fn emitter<'a, 'b, 'c>(
         &'a self,
         memories: &'a [MemoryAt],
@@ -76,7 +85,8 @@ impl Prepared {
         builder: &'c mut FunctionBuilder<'b>,
         state: Value,
     ) -> Emitter<'a, 'b, 'c> {
-        Emitter::new(&self.function, &self.plan, &self.addresses, memories, strips, builder, state)
+        let emitter = Emitter::new(&self.function, &self.plan, &self.addresses, memories, strips, builder, state);
+        emitter.with_versions(&self.versions)
     }
 }
 
@@ -85,7 +95,8 @@ impl Compiled {
     pub(super) fn prepare(&mut self, function: &Function, given: &[Place]) -> Prepared {
         let state: Vec<Place> = self.places.iter().filter_map(|place| *place).chain(given.iter().copied()).collect();
         let memories = std::mem::take(&mut self.memories);
-        let prepared = self.prepare_of(function, state.into_iter(), &memories);
+        let passes = self.program.clone();
+        let prepared = self.prepare_of(function, state.into_iter(), &memories, &passes.passes);
         self.memories = memories;
         prepared
     }
@@ -96,15 +107,17 @@ impl Compiled {
         function: &Function,
         state: impl Iterator<Item = Place>,
         memories: &[MemoryAt],
+        passes: &Passes,
     ) -> Prepared {
         let Planned { function, plan, pieces } =
-            passes::plan(function, &self.layout.strips, memories, &self.program.passes, &mut |_| {});
+            passes::plan(function, &self.layout.strips, memories, passes, &mut |_| {});
+        let versions = plan.versioned.iter().map(|_| TableAt::new(&mut self.layout)).collect();
         let addresses = Addresses::new(&function, &plan, state, &mut self.layout);
         self.state.grow(self.layout.size);
         for &table in &addresses.tables {
             self.fill(&function, table, addresses.places[table.index()].expect("a table has a place"));
         }
-        Prepared { function, plan, pieces, addresses, guards: Vec::new(), is_always_asked: false }
+        Prepared { function, plan, pieces, addresses, versions, guards: Vec::new(), is_always_asked: false }
     }
 
     /// Makes a function that does what these functions say, one after the other, so many times; it ends where something
@@ -222,6 +235,8 @@ impl Compiled {
         });
         self.memories = memories.to_vec();
         self.scratch.grow(self.jit.scratch * 8);
+        let versioned = parts.iter().filter(|part| !part.versions.is_empty());
+        self.versions.extend(versioned.map(Prepared::to_versions));
         code
     }
 

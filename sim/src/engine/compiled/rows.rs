@@ -68,7 +68,7 @@ impl Compiled {
         let Rows { next, limbs, ref store, .. } = self.rows[index];
         self.state.put(next, &[store.address() as u64]);
         let count = count.min(room);
-        let edges = count - self.call(code, count);
+        let edges = count - self.call_with_versions(code, count);
         let changed = self.edges[edge].changes;
         self.edges[edge].pass(edges);
         if edges > 0 {

@@ -88,13 +88,13 @@ fn for_each_read(function: &Function, plan: &Plan, step: Step, mut visit: impl F
                 visit(of);
             }
         }),
-        Step::Kernel(stage, lanes) => kernel_reads(function, &plan.stages[stage].kernels[&lanes], &mut visit),
+        Step::Kernel(stage, lanes) => kernel_reads(function, plan, &plan.stages[stage].kernels[&lanes], &mut visit),
         // What stays as it is where it is not enabled is its own.
         Step::Sink(index) => function.sinks[index].for_each_operand(&mut visit),
     }
 }
 
-fn kernel_reads(function: &Function, kernel: &Kernel, visit: &mut dyn FnMut(ValueId)) {
+fn kernel_reads(function: &Function, plan: &Plan, kernel: &Kernel, visit: &mut dyn FnMut(ValueId)) {
     let mut look = |id: ValueId| {
         visit(id);
         if let Kind::Broadcast { of, .. } = function.cell(id).kind {
@@ -106,11 +106,14 @@ fn kernel_reads(function: &Function, kernel: &Kernel, visit: &mut dyn FnMut(Valu
         function.cell(id).kind.for_each_operand(&mut look);
     }
     kernel.sinks.iter().for_each(|&sink| function.sinks[sink].for_each_operand(&mut look));
+    if let Some(index) = kernel.versioned {
+        plan.versioned[index].subjects.iter().for_each(|subject| visit(*subject));
+    }
     if let Some(switch) = &kernel.switch {
         visit(switch.subject);
-        switch.kernels.iter().for_each(|kernel| kernel_reads(function, kernel, visit));
+        switch.kernels.iter().for_each(|kernel| kernel_reads(function, plan, kernel, visit));
     }
-    kernel.parts.iter().for_each(|part| kernel_reads(function, part, visit));
+    kernel.parts.iter().for_each(|part| kernel_reads(function, plan, part, visit));
 }
 
 /// All steps, sinks as early as they may be.

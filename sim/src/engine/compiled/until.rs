@@ -51,7 +51,7 @@ impl Compiled {
         };
         let Stopping { number, code, .. } = self.stopping[index];
         self.state.put(number, until.number.limbs());
-        self.call(code, count)
+        self.call_with_versions(code, count)
     }
 
     fn make_stopping(&mut self, edge: usize, held: &Held, until: &Until) -> Stopping {

@@ -21,6 +21,7 @@ use super::function::{Function, Sink};
 use super::jit::Code;
 use super::layout::{Layout, Place};
 use super::prepare::Prepared;
+use crate::engine::Passes;
 use crate::engine::program::{Kind, Program, UnitId, ValueId};
 use run::{Changes, Crossing, Running, Span, Task};
 pub(super) use split::{From, Part, Split, Units, split};
@@ -256,7 +257,9 @@ impl Compiled {
 
     /// Code for a unit.
     fn compile_unit(&mut self, function: &Function, places: &[Place], memories: &[MemoryAt]) -> Vec<Code> {
-        let prepared = self.prepare_of(function, places.iter().copied(), memories);
+        // Its code is that of all units that do the same, and would look versions up in a table of its own.
+        let passes = Passes { versions_after: u32::MAX, ..self.program.passes.clone() };
+        let prepared = self.prepare_of(function, places.iter().copied(), memories, &passes);
         let wrote = self.apart.as_ref().expect("there are units").wrote.offset;
         self.compile_pieces(&prepared, memories, Some(wrote))
     }
