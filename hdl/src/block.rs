@@ -13,7 +13,8 @@ use crate::loc::Loc;
 use crate::module::{Module, declare, port_name};
 use crate::module_name::module_name;
 use crate::names;
-use crate::problem::Problems;
+use crate::problem::{Problem, Problems};
+use crate::ranges::OutOfRange;
 use crate::shaping::sound_shape;
 use crate::signal::Signal;
 use crate::stream::{Origin, backwards, leave, untaken};
@@ -82,6 +83,28 @@ pub trait Block: Debug + Clone + Eq + Hash + 'static {
     /// assert_eq!(Adder { width: 12 }.inputs().b.bits(), 12);
     /// ```
     fn inputs(&self) -> <Self::In as Bundle>::Of<Width>;
+
+    /// Whether each parameter is in its range: `ranges` of [`block!`](crate::block!). Of a block that is not in them, nothing else is asked.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// block! {
+    ///     struct Queue { depth: u32 }
+    ///     ranges { depth: 1.. }
+    /// }
+    /// # impl Queue {
+    /// #     fn build(&self, _: Module, (): ()) {}
+    /// # }
+    ///
+    /// assert!(Queue { depth: 1 }.check().is_ok() && Queue { depth: 0 }.check().is_err());
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// The first parameter that is out of its range.
+    fn check(&self) -> Result<(), OutOfRange> {
+        Ok(())
+    }
 
     /// Describes the block.
     ///
@@ -332,6 +355,9 @@ pub(crate) fn elaborate_module<B: Block>(block: &B, loc: Loc) -> Elaborated {
     let cached = elaboration::with(|e| e.known.get(block).map(|id| (id, e.shapes[id.0 as usize].clone())));
     if let Some((id, outputs)) = cached {
         return Elaborated { id, outputs };
+    }
+    if let Err(problem) = block.check() {
+        elaboration::stop(Problem::new(loc, problem.to_string()));
     }
     let parameters = format!("{block:?}");
     elaboration::with(|e| {

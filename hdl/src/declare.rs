@@ -56,13 +56,39 @@ use crate::width::Width;
 ///
 /// The clauses come in any order, and none has to be there. One whose expressions say `self` has `(self)` behind its first word, as macros
 /// cannot lend that word: `latency(self) = format!("{} clocks", self.clocks());`. A latency that is one number needs no clause: it is counted
-/// ([`Design::latencies`](crate::Design::latencies)). A port is
+/// ([`Design::latencies`](crate::Design::latencies)). A parameter for which not every value makes a block has its range in `ranges`, with
+/// the reason if it is not plain. Elaboration asks for it; who wants to know before has the method `checked`:
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// block! {
+///     /// A screen's picture in pages.
+///     pub struct Pages { width: u32, height: u32, pages: u32 }
+///     ranges(self) {
+///         width: 1..=2048,
+///         height: 1..=2048,
+///         /// A page holds a pixel or more.
+///         pages: 2..=self.width * self.height,
+///     }
+/// }
+/// # impl Pages {
+/// #     fn build(&self, _: Module, (): ()) {}
+/// # }
+///
+/// let pages = |pages| Pages { width: 4, height: 2, pages }.checked();
+/// assert_eq!(pages(8)?.pages, 8);
+/// let problem: OutOfRange = pages(9).unwrap_err();
+/// assert_eq!(problem.to_string(), "`pages` of `Pages` is 9: it has to be from 2 to 8. A page holds a pixel or more.");
+/// # Ok::<(), OutOfRange>(())
+/// ```
+///
+/// A port is
 ///
 /// | written | which is |
 /// |---|---|
 /// | `take: bit()` | a signal, or lanes of one: `bits(8).of(row(4))` |
 /// | `scan: ScanControl { restart: bit(), enable: bit() }.on(MERGE)` | a record |
-/// | `host: pub struct Host { start: bit(), swap: bit() }.on(MERGE)` | a record that is declared here, its fields once, each with its own documentation |
+/// | `host: pub struct Host { start: bit(), swap: bit() }.on(MERGE)` | a record that is declared here, its fields once, each with its own documentation; `jobs: stream(pub struct Job { page: bits(4) })` likewise |
 /// | `preset: Position = self.position()` | a record whose widths some expression gives |
 /// | `samples: [bits(48); self.units]`, `nearest: [Position = self.position(); 4]`, `jobs: [stream(bits(8)); 3]` | a list, as a `Vec` |
 /// | `jobs: stream(bits(8))`, `jobs: stream(Job { page: bits(4), last: bit() })`, `jobs: stream(Job = self.job())` | a [`Stream`](crate::Stream) of signals or of records |
@@ -90,7 +116,7 @@ macro_rules! block {
         #[derive(Debug, Clone, PartialEq, Eq, Hash)]
         $vis struct $name;
 
-        $crate::block! { @clauses [[$([$($attribute)*])*] [$vis] $name []] [""] [""] [] [] $($clauses)* }
+        $crate::block! { @clauses [[$([$($attribute)*])*] [$vis] $name [] []] [""] [""] [] [] $($clauses)* }
     };
     ($(#[$($attribute:tt)*])* $vis:vis struct $name:ident $(<$($of:ident: $first:ident $(+ $bound:ident)*),+>)? {
         $($fields:tt)*
@@ -100,11 +126,19 @@ macro_rules! block {
         $vis struct $name $(<$($of: $first $(+ $bound)*),+>)? { $($fields)* }
 
         $crate::block! {
-            @clauses [[$([$($attribute)*])*] [$vis] $name [$($($of: [$first $($bound)*])+)?]] [""] [""] [] [] $($clauses)*
+            @clauses [[$([$($attribute)*])*] [$vis] $name [$($($of: [$first $($bound)*])+)?] []] [""] [""] [] [] $($clauses)*
         }
     };
 
-    // The clauses, one after another: the latency, the source, the inputs and the outputs.
+    // The clauses, one after another: the ranges of parameters, the latency, the source, the inputs and the outputs.
+    (@clauses [$attributes:tt $vis:tt $name:ident $of:tt []] $latency:tt $source:tt $in:tt $out:tt ranges $(($this:ident))? {
+        $($(#[$($said:tt)*])* $parameter:ident: $range:expr),* $(,)?
+    } $($rest:tt)*) => {
+        $crate::block! {
+            @clauses [$attributes $vis $name $of [[$($this)?] $({[$([$($said)*])*] $parameter [$range]})*]]
+            $latency $source $in $out $($rest)*
+        }
+    };
     (@clauses $block:tt $latency:tt $source:tt $in:tt $out:tt latency $(($this:ident))? = $said:expr; $($rest:tt)*) => {
         $crate::block! { @clauses $block [$($this)? $said] $source $in $out $($rest)* }
     };
@@ -143,6 +177,20 @@ macro_rules! block {
                 [$([$($said)*])*] $port [$record<T>] [$record { $($field: $width),* } $(.on($clock))?]
             }]
             [$($($more)*)?] $($state)*
+        }
+    };
+    (@ports $of:tt [$($done:tt)*] [
+        $(#[$($said:tt)*])* $port:ident: stream($vis:vis struct $record:ident {
+            $($(#[$($field_said:tt)*])* $field:ident: $width:expr),* $(,)?
+        }) $(.on($clock:expr))? $(, $($more:tt)*)?
+    ] $($state:tt)*) => {
+        $crate::bundle! {
+            $(#[$($said)*])*
+            $vis struct $record<T> { $($(#[$($field_said)*])* $vis $field: T),* }
+        }
+        $crate::block! {
+            @stream [$record { $($field: $width),* }] [$($clock)?] [] [$([$($said)*])*] $port
+            @ports $of [$($done)*] [$($($more)*)?] $($state)*
         }
     };
     (@ports $of:tt [$($done:tt)*] [
@@ -235,16 +283,19 @@ macro_rules! block {
     };
 
     // All is known.
-    (@clauses [[$([$($attribute:tt)*])*] $vis:tt $name:ident [$($of:ident: [$($bound:ident)+])*]]
+    (@clauses [[$([$($attribute:tt)*])*] $vis:tt $name:ident [$($of:ident: [$($bound:ident)+])*] $ranges:tt]
         $latency:tt [$source:expr] $in:tt $out:tt
     ) => {
         $crate::block! { @bundle $vis "The inputs of [`" $name $in }
         $crate::block! { @bundle $vis "The outputs of [`" $name $out }
 
+        $crate::block! { @checked $ranges $vis $name [$($of: [$($bound)+])*] }
+
         impl<$($of),*> $crate::Block for $name<$($of),*>
         where $($of: $($bound +)+ ::std::fmt::Debug + Clone + Eq + ::std::hash::Hash + 'static),* {
             $crate::block! { @inputs $in }
             $crate::block! { @outputs $out }
+            $crate::block! { @ranges $ranges }
             $crate::block! { @about [$([$($attribute)*])*] $latency [$source] }
 
             fn build(&self, m: $crate::Module, i: Self::In) -> Self::Out {
@@ -308,6 +359,36 @@ macro_rules! block {
             let mut widths = Vec::new();
             $($(widths.extend($crate::declared(stringify!($port), &$width));)?)*
             widths
+        }
+    };
+
+    (@checked [] $($rest:tt)*) => {};
+    (@checked $ranges:tt [$vis:vis] $name:ident [$($of:ident: [$($bound:ident)+])*]) => {
+        #[allow(dead_code)]
+        impl<$($of),*> $name<$($of),*>
+        where $($of: $($bound +)+ ::std::fmt::Debug + Clone + Eq + ::std::hash::Hash + 'static),* {
+            /// The block, if its parameters are in their ranges.
+            ///
+            /// # Errors
+            ///
+            /// The first parameter that is not.
+            $vis fn checked(self) -> Result<Self, $crate::OutOfRange> {
+                $crate::Block::check(&self).map(|()| self)
+            }
+        }
+    };
+
+    (@ranges []) => {};
+    (@ranges [[] $($parameters:tt)*]) => { $crate::block! { @ranges [[self] $($parameters)*] } };
+    (@ranges [[$this:ident] $({[$([$($said:tt)*])*] $parameter:ident [$range:expr]})*]) => {
+        fn check(&$this) -> Result<(), $crate::OutOfRange> {
+            $($crate::in_range::<Self, _>(
+                stringify!($parameter),
+                &$this.$parameter,
+                $range,
+                &[$($crate::doc_line!($($said)*)),*],
+            )?;)*
+            Ok(())
         }
     };
 

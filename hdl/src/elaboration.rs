@@ -15,6 +15,7 @@ use std::any::{Any, TypeId};
 use std::cell::RefCell;
 use std::collections::{BTreeMap, HashMap};
 use std::hash::Hash;
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::rc::Rc;
 use std::sync::atomic::{AtomicU32, Ordering};
 
@@ -70,6 +71,15 @@ impl Drop for Guard {
     }
 }
 
+/// What unwinds to [`run`] from a description that cannot go on.
+struct Stopped;
+
+/// Reports a problem after which there is nothing to go on with, not even something to stand in.
+pub(crate) fn stop(problem: Problem) -> ! {
+    with(|e| e.report(problem));
+    resume_unwind(Box::new(Stopped))
+}
+
 /// Runs `describe` with a fresh arena and gives what it left there.
 pub(crate) fn run(describe: impl FnOnce()) -> Result<Elaboration, Problems> {
     CURRENT.with_borrow_mut(|current| {
@@ -89,7 +99,11 @@ pub(crate) fn run(describe: impl FnOnce()) -> Result<Elaboration, Problems> {
         });
     });
     let guard = Guard;
-    describe();
+    if let Err(panic) = catch_unwind(AssertUnwindSafe(describe))
+        && !panic.is::<Stopped>()
+    {
+        resume_unwind(panic);
+    }
     let ended = CURRENT.with_borrow_mut(Option::take).expect("the arena lives until its guard drops");
     drop(guard);
     if ended.problems.is_empty() { Ok(ended) } else { Err(Problems(ended.problems)) }

@@ -29,6 +29,7 @@
 //! | to say | write |
 //! |---|---|
 //! | a block | [`block!`], and its `build` |
+//! | which parameters there are blocks of | `ranges(self) { depth: 2..=self.words }` in [`block!`] |
 //! | a port | its name and width in [`block!`]: [`bit`]`()`, [`bits`]`(n)`, [`below`]`(n)`, [`up_to`]`(n)`, or a record of these |
 //! | an expression | `+ - & \| ^ ! << >>` and methods of [`Signal`]; integers take the width of what they meet |
 //! | a change of width | [`zext`](Signal::zext) [`sext`](Signal::sext) [`trunc`](Signal::trunc) [`slice`](Signal::slice) [`part`](Signal::part) [`bit`](Signal::bit) [`cat!`] [`repeat`](Signal::repeat) |
@@ -36,7 +37,7 @@
 //! | signed arithmetic | [`Signal::signed`], [`Width::signed`]: both sides of an operator are, or neither |
 //! | a named net | `net!(at_end = ..)`, or [`Signal::named`] |
 //! | a net read before it is driven | [`Module::wire`] |
-//! | a register | [`Module::reg`], then [`reset`](Reg::reset), [`enable`](Reg::enable), [`next`](Reg::next) or [`when`](Reg::when); [`Module::pipe`] for a pipeline stage |
+//! | a register | [`Module::reg`], then [`reset`](Reg::reset), [`enable`](Reg::enable), [`next`](Reg::next) or [`when`](Reg::when); [`Module::pipe`] for a pipeline stage, [`Module::toggle`] for a bit that turns over |
 //! | a pipeline | [`Module::stages`] of a record, [`Module::stream_stages`] between streams; [`any_stage`](Signal::any_stage) where two stages are to meet |
 //! | a state machine | [`codes!`], [`Module::fsm`], [`StateReg::next`], whose [`Moves`] say what happens at a transition |
 //! | a memory | [`Module::memory`], [`Mem::read`], [`Mem::read_async`], [`Mem::write`] |
@@ -97,6 +98,7 @@ mod past;
 mod problem;
 mod property;
 mod radix;
+mod ranges;
 mod record;
 pub mod recording;
 mod register;
@@ -143,6 +145,9 @@ pub use operand::Value;
 pub use operand::{IntoSignal, Operand, ShiftAmount};
 pub use problem::{Problem, Problems};
 pub use radix::{Radix, Written, binary, hex};
+pub use ranges::OutOfRange;
+#[doc(hidden)]
+pub use ranges::in_range;
 pub use record::RecordUpdates;
 #[doc(hidden)]
 pub use record::{named, pack, unpack};

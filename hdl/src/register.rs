@@ -281,7 +281,21 @@ impl Reg {
     }
 }
 
-/// What a register takes, and when: made by [`Reg::when`]. It says all, so a register has one such chain.
+/// What a register takes, and when: made by [`Reg::when`]. It says all, so a register has one such chain. It reads as the register, so one that
+/// does not look at itself may be declared with it:
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let example = tilewright_sim::traced(|m| {
+/// let count = m.reg("count", 3).reset(0);
+/// count.next(count + 1);
+/// let busy = m.reg("busy", 1).reset(0).when(count.eq(2), 1).when(count.eq(4), 0);
+/// net!(served = mux(busy, count + 1, 0));
+/// # });
+/// assert_eq!(example.values("served"), [0, 0, 0, 4, 5, 0]);
+/// ```
+///
+/// A chain may be made in a loop:
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -289,7 +303,7 @@ impl Reg {
 /// let count = m.reg("count", 4).reset(0);
 /// let mut updates = count.when(count.eq(9), 0);
 /// for (at, skip_to) in [(2, 5), (6, 8)] {
-///     updates = updates.when(count.eq(at), skip_to); // a chain may be made in a loop
+///     updates = updates.when(count.eq(at), skip_to);
 /// }
 /// updates.otherwise(count + 1);
 /// # });
@@ -301,6 +315,18 @@ pub struct Updates {
     /// The choice; none if the register is another module's, which is a problem already.
     chain: Option<NodeId>,
 }
+
+impl Deref for Updates {
+    type Target = Signal;
+
+    fn deref(&self) -> &Signal {
+        &self.register.signal
+    }
+}
+
+operators!(Updates);
+compared_as_signal!(Updates);
+reads_as_signal!(Updates);
 
 impl Updates {
     /// Takes `value` where `condition`, 1 bit, is high and no condition before it is.

@@ -3,11 +3,12 @@
 use std::ops::{AddAssign, BitAndAssign, BitOrAssign, BitXorAssign, SubAssign};
 
 use crate::ir::{Binary, Op, Unary};
+use crate::module::Module;
 use crate::operand::{IntoSignal, Operand};
 use crate::select::{concat, condition};
 use crate::shaping::level;
 use crate::signal::Signal;
-use crate::width::IntoWidth;
+use crate::width::{IntoWidth, bit};
 
 macro_rules! assignments {
     ($($trait:ident $method:ident $op:tt)*) => {$(
@@ -92,5 +93,25 @@ impl Signal {
         let [this, other] = level([this, other], "implies");
         let not = Signal::make(Op::Unary(Unary::Not, this.id()), 1, this.shape);
         Signal::make(Op::Binary(Binary::Or, not.id(), other.id()), 1, this.shape)
+    }
+}
+
+impl Module {
+    /// A bit that turns over at each edge where `turns`, 1 bit, is high, 0 after a reset: which of two buffers is in front, say.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # let example = tilewright_sim::traced(|m| {
+    /// let count = m.reg("count", 2).reset(0);
+    /// count.next(count + 1);
+    /// let front = m.toggle("front", count.eq(2));
+    /// m.assert(front.implies(!m.rose(front) | count.eq(3)), "it turns behind the edge");
+    /// # });
+    /// assert_eq!(example.values("front"), [0, 0, 0, 1, 1, 1, 1, 0]);
+    /// ```
+    #[track_caller]
+    pub fn toggle(self, name: &str, turns: impl IntoSignal) -> Signal {
+        let held = self.reg(name, bit()).reset(0);
+        *held.when(turns, !held)
     }
 }

@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use tilewright_hdl::OutOfRange;
 use tilewright_hdl::catalog::CatalogError;
 
 /// A parameter for which there is no hardware; one sentence that says why, and what would do.
@@ -15,6 +16,12 @@ impl fmt::Display for ParameterError {
 }
 
 impl std::error::Error for ParameterError {}
+
+impl From<OutOfRange> for ParameterError {
+    fn from(problem: OutOfRange) -> ParameterError {
+        ParameterError(problem.to_string())
+    }
+}
 
 impl From<ParameterError> for CatalogError {
     fn from(ParameterError(sentence): ParameterError) -> CatalogError {

@@ -22,7 +22,7 @@ const CASES: &[(&str, &[&str])] = &[
     ("render teapot --pages 0", &["give a whole number from 1 to 262144"]),
     ("bench --rounds 0", &["'0' for '--rounds <N>': give a whole number from 1 to 1000"]),
     ("render teapot --patch 5", &["'5'", "4, 8, 16"]),
-    ("render teapot --size 64x48 --pages 1", &["1 pages", "from 2 to 192"]),
+    ("render teapot --size 64x48 --pages 1", &["`pages`", "is 1:", "from 2 to 192"]),
     ("render teapot --size 64x48 --pages 3", &["ran out of its 3 image memory pages", "pass --pages"]),
     ("render teapot --machine vc2", &["'vc2'", "'vc1'"]),
     (

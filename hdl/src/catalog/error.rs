@@ -3,6 +3,7 @@
 use std::fmt;
 
 use crate::problem::Problems;
+use crate::ranges::OutOfRange;
 
 /// Why an entry cannot be had.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -50,6 +51,12 @@ impl fmt::Display for CatalogError {
 }
 
 impl std::error::Error for CatalogError {}
+
+impl From<OutOfRange> for CatalogError {
+    fn from(problem: OutOfRange) -> CatalogError {
+        CatalogError::Parameters(problem.to_string())
+    }
+}
 
 impl From<Problems> for CatalogError {
     fn from(problems: Problems) -> CatalogError {

@@ -5,6 +5,7 @@ use crate::data::{Fits, value_of_field};
 use crate::operand::{IntoSignal, Value};
 use crate::register::{Reg, Updates};
 use crate::select::condition;
+use std::ops::Deref;
 
 /// A register of a record is one register for each field, named `entry_page` for the field `page` of `entry`. All of them are
 /// enabled and updated together.
@@ -184,7 +185,7 @@ impl<B: Bundle> Reg<B> {
     }
 }
 
-/// What a register of a record takes, and when: made by its [`when`](Reg::when).
+/// What a register of a record takes, and when: made by its [`when`](Reg::when). It reads as the register, as [`Updates`] does.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -201,6 +202,14 @@ impl<B: Bundle> Reg<B> {
 pub struct RecordUpdates<B> {
     register: Reg<B>,
     fields: Vec<Updates>,
+}
+
+impl<B> Deref for RecordUpdates<B> {
+    type Target = B;
+
+    fn deref(&self) -> &B {
+        &self.register
+    }
 }
 
 impl<B: Bundle> RecordUpdates<B> {

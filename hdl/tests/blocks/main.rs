@@ -113,8 +113,16 @@ block! {
         places: stream(Position { x: bits(3), y: bits(4) }).on(FAST),
         others: stream(Position = Position { x: bits(5), y: bits(6) }),
         many: [stream(bits(2)); self.count],
+        /// What is asked for.
+        asked: stream(struct Asked {
+            /// Which one.
+            number: up_to(self.count),
+            again: bit(),
+        }).on(FAST),
     }
     out StreamsOut {
+        /// What was asked for.
+        answers: stream(struct Answer { which: bits(3) }),
         sent: stream(bits(8)),
         sent_fast: stream(_),
         sent_places: stream(Position = _),
@@ -125,7 +133,14 @@ block! {
 
 impl Streams {
     fn build(&self, _: Module, i: StreamsIn) -> StreamsOut {
-        StreamsOut { sent: i.words, sent_fast: i.fast, sent_places: i.places, sent_others: i.others, sent_many: i.many }
+        StreamsOut {
+            answers: i.asked.with(Answer { which: cat!(i.asked.number, i.asked.again) }),
+            sent: i.words,
+            sent_fast: i.fast,
+            sent_places: i.places,
+            sent_others: i.others,
+            sent_many: i.many,
+        }
     }
 }
 
@@ -181,14 +196,16 @@ block! {
     struct Wheel<U: Unit> {
         of: PhantomData<U>,
         way: Way,
+        first: u64,
     }
+    ranges { first: ..=U::MOST }
     in WheelIn { turn: bit() }
     out WheelOut { at: up_to(U::MOST) }
 }
 
 impl<U: Unit> Wheel<U> {
     fn build(&self, m: Module, i: WheelIn) -> WheelOut {
-        let at = m.reg("at", up_to(U::MOST)).reset(0);
+        let at = m.reg("at", up_to(U::MOST)).reset(self.first);
         let next = match self.way {
             Way::Left => at - 1,
             Way::Right => at + 1,
@@ -266,14 +283,19 @@ fn every_form_of_a_stream() {
         names.join(", "),
         "words_valid 1, words_payload 8, fast_valid 1, fast_payload 2, places_valid 1, places_x 3, places_y 4, \
          others_valid 1, others_x 5, others_y 6, many_0_valid 1, many_0_payload 2, many_1_valid 1, many_1_payload 2, \
-         sent_ready 1, sent_fast_ready 1, sent_places_ready 1, sent_others_ready 1, sent_many_0_ready 1, \
+         asked_valid 1, asked_number 2, asked_again 1, answers_ready 1, sent_ready 1, sent_fast_ready 1, sent_places_ready 1, sent_others_ready 1, sent_many_0_ready 1, \
          sent_many_1_ready 1, \
-         sent_valid 1, sent_payload 8, sent_fast_valid 1, sent_fast_payload 2, sent_places_valid 1, sent_places_x 3, \
+         answers_valid 1, answers_which 3, sent_valid 1, sent_payload 8, sent_fast_valid 1, sent_fast_payload 2, sent_places_valid 1, sent_places_x 3, \
          sent_places_y 4, sent_others_valid 1, sent_others_x 5, sent_others_y 6, sent_many_0_valid 1, \
          sent_many_0_payload 2, sent_many_1_valid 1, sent_many_1_payload 2, words_ready 1, fast_ready 1, places_ready 1, \
-         others_ready 1, many_0_ready 1, many_1_ready 1"
+         others_ready 1, many_0_ready 1, many_1_ready 1, asked_ready 1"
     );
-    assert_eq!(top.about.inputs["words"], "Words.");
+    let about = &top.about;
+    assert_eq!(
+        [&about.inputs["words"], &about.inputs["asked"], &about.inputs["asked.number"]],
+        ["Words.", "What is asked for.", "Which one."]
+    );
+    assert_eq!(about.outputs["answers"], "What was asked for.");
 }
 
 #[test]
@@ -300,8 +322,8 @@ fn a_block_of_a_type() {
     }
     impl Clockwork {
         fn build(&self, m: Module, ClockworkIn { turn }: ClockworkIn) -> ClockworkOut {
-            let hours = Wheel::<Hours> { of: PhantomData, way: Way::Left };
-            let seconds = Wheel::<Seconds> { of: PhantomData, way: Way::Left };
+            let hours = Wheel::<Hours> { of: PhantomData, way: Way::Left, first: 0 };
+            let seconds = Wheel::<Seconds> { of: PhantomData, way: Way::Left, first: 0 };
             ClockworkOut {
                 hours: m.instance("u_hours", &hours, WheelIn { turn }).at,
                 seconds: m.instance("u_seconds", &seconds, WheelIn { turn }).at,
@@ -310,5 +332,8 @@ fn a_block_of_a_type() {
     }
     let design = elaborate(&Clockwork).unwrap();
     let names: Vec<_> = design.modules().iter().map(|module| module.name.as_str()).collect();
-    assert_eq!(names, ["wheel_hours_way_left", "wheel_seconds_way_left", "clockwork"]);
+    assert_eq!(names, ["wheel_hours_way_left_first0", "wheel_seconds_way_left_first0", "clockwork"]);
+    let wheel = |first| Wheel::<Hours> { of: PhantomData, way: Way::Left, first }.checked();
+    assert!(wheel(23).is_ok());
+    assert_eq!(wheel(24).unwrap_err().to_string(), "`first` of `Wheel` is 24: it has to be at most 23");
 }

@@ -14,6 +14,7 @@ mod loops;
 mod names;
 mod outputs;
 mod properties;
+mod ranges;
 mod records;
 mod reports;
 mod shapes;

@@ -1,7 +1,7 @@
 //! The sizes of a VC-1, with the paper's as defaults.
 
 use serde::Serialize;
-use tilewright_rtl::lfb::Patches;
+use tilewright_rtl::lfb::{LfbUnit, Patches};
 use tilewright_rtl::parameter::{ParameterError, Screen};
 use tilewright_rtl::vc1::Vc1;
 use tilewright_scenes::Size;
@@ -60,7 +60,8 @@ impl Config {
     /// A parameter is out of range.
     pub fn hardware(&self) -> Result<Vc1, ParameterError> {
         self.check()?;
-        Vc1::new(self.patches()?, self.pages()?, self.processors)
+        let lfb = LfbUnit { patches: self.patches()?, pages: self.pages()? }.checked()?;
+        Ok(Vc1 { lfb, processors: self.processors }.checked()?)
     }
 
     /// As a report shows it.

@@ -29,7 +29,11 @@ pub(crate) struct Moment {
 impl Hardware {
     pub fn new(machine: &Vc1) -> Result<Hardware, Error> {
         let sim = Simulation::of(machine)?;
-        Ok(Hardware { at_port: vec![None; sim.i.processors.len()], round_clocks: machine.gfb().merge_clocks(), sim })
+        Ok(Hardware {
+            at_port: vec![None; sim.i.processors.len()],
+            round_clocks: machine.gfb().sequencer().merge_clocks(),
+            sim,
+        })
     }
 
     /// Resets everything, and gives the colour of a pixel that nothing covers.

@@ -29,7 +29,7 @@ pub(super) const GFB_SEQUENCER: Entry = Entry {
 
 fn gfb_unit(values: &Values) -> Result<GfbUnit, CatalogError> {
     let screen = Screen::new(values.get_u32("width"), values.get_u32("height"))?;
-    Ok(GfbUnit::new(screen, values.get_u32("units"), values.get_u32("overhead"))?)
+    Ok(GfbUnit { screen, units: values.get_u32("units"), overhead: values.get_u32("overhead") })
 }
 
 fn two_rounds(gfb: &GfbUnit) -> Scenario {
@@ -38,7 +38,7 @@ fn two_rounds(gfb: &GfbUnit) -> Scenario {
     for merged in [21, 42] {
         script.clock(&GfbUnitIn { host: host(1, 0, 0), merged });
         script.clock(&GfbUnitIn { host: host(0, 0, 0), merged });
-        script.wait(gfb.merge_clocks() + 4);
+        script.wait(gfb.sequencer().merge_clocks() + 4);
         script.clock(&GfbUnitIn { host: host(0, 1, 0), merged });
         (0..4).for_each(|pixel| script.clock(&GfbUnitIn { host: host(0, 0, pixel), merged }));
     }

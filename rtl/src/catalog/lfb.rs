@@ -137,13 +137,14 @@ fn a_frame(counter: &ScanCounter, position: u32) -> Scenario {
 
 fn lfb_unit(values: &Values) -> Result<LfbUnit, CatalogError> {
     let screen = Screen::new(values.get_u32("width"), values.get_u32("height"))?;
-    Ok(LfbUnit::new(Patches::new(screen, values.get_u32("patch"))?, values.get_u32("pages"))?)
+    let patches = Patches::new(screen, values.get_u32("patch"))?;
+    Ok(LfbUnit { patches, pages: values.get_u32("pages") }.checked()?)
 }
 
 fn draw_swap_and_send(unit: &LfbUnit) -> Scenario {
     let mut script = Script::new(unit, PE.period);
-    let screen = unit.patches().screen();
-    let edge = u64::from(unit.patches().edge());
+    let screen = unit.patches.screen();
+    let edge = u64::from(unit.patches.edge());
     let idle = LfbUnitIn {
         request: Request { valid: 0, x: 0, y: 0, word: EMPTY },
         clear: Clear { valid: 0, patch: 0 },

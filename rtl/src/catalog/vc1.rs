@@ -6,7 +6,7 @@ use super::shared::{HEIGHT, PAGES, PATCH, WIDTH};
 use super::{CatalogError, Entry, Parameter, Values};
 use crate::clocks::{MERGE, PE};
 use crate::gfb::Host;
-use crate::lfb::{Clear, Patches, Request};
+use crate::lfb::{Clear, LfbUnit, Patches, Request};
 use crate::parameter::Screen;
 use crate::vc1::{ProcessorIn, SWAP_CLOCKS, Vc1, Vc1In};
 
@@ -27,12 +27,14 @@ pub(super) const VC1: Entry = Entry {
 fn vc1(values: &Values) -> Result<Vc1, CatalogError> {
     let screen = Screen::new(values.get_u32("width"), values.get_u32("height"))?;
     let patches = Patches::new(screen, values.get_u32("patch"))?;
-    Ok(Vc1::new(patches, values.get_u32("pages"), values.get_u32("processors"))?)
+    let lfb = LfbUnit { patches, pages: values.get_u32("pages") }.checked()?;
+    Ok(Vc1 { lfb, processors: values.get_u32("processors") }.checked()?)
 }
 
 fn a_frame(vc1: &Vc1) -> Scenario {
-    let gfb = vc1.gfb();
-    let Screen { width, height } = gfb.screen();
+    let merge_clocks = vc1.gfb().sequencer().merge_clocks();
+    let screen = vc1.lfb.patches.screen();
+    let Screen { width, height } = screen;
     let [last_x, last_y] = [width - 1, height - 1].map(u64::from);
 
     let processor = ProcessorIn {
@@ -43,7 +45,7 @@ fn a_frame(vc1: &Vc1) -> Scenario {
     };
     let host = Host { start: 0, swap: 0, read_address: 0, background: 0xffffff_102030 };
     let all = |of: &dyn Fn(u64) -> ProcessorIn<u64>| Vc1In {
-        processors: (0..gfb.units().into()).map(of).collect(),
+        processors: (0..vc1.processors.into()).map(of).collect(),
         gfb: host,
     };
     let idle = all(&|_| processor);
@@ -59,9 +61,9 @@ fn a_frame(vc1: &Vc1) -> Scenario {
     script.in_clocks_of(MERGE.period);
     script.hold(&idle, SWAP_CLOCKS);
     script.clock(&Vc1In { gfb: Host { start: 1, ..host }, ..idle.clone() });
-    script.hold(&idle, gfb.merge_clocks() + 4);
+    script.hold(&idle, merge_clocks + 4);
     script.clock(&Vc1In { gfb: Host { swap: 1, ..host }, ..idle.clone() });
-    for read_address in [0, 1, u64::from(gfb.screen().pixels()) - 1] {
+    for read_address in [0, 1, u64::from(screen.pixels()) - 1] {
         script.hold(&Vc1In { gfb: Host { read_address, ..host }, ..idle.clone() }, 2);
     }
     script.finish(

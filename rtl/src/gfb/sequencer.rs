@@ -32,12 +32,13 @@ block! {
     /// Leads a merging round over the screen, through a chain of merging units.
     pub struct GfbSequencer {
         /// The screen: M x N pixels.
-        pub(super) screen: Screen,
-        /// The merging units of the chain: n, at least 1.
-        pub(super) units: u32,
-        /// Clocks of overhead after each scan line: beta, at least 1.
-        pub(super) overhead: u32,
+        pub screen: Screen,
+        /// The merging units of the chain: n.
+        pub units: u32,
+        /// Clocks of overhead after each scan line: beta.
+        pub overhead: u32,
     }
+    ranges { units: 1.., overhead: 1.. }
     latency(self) = format!("a round of {} clocks", self.merge_clocks());
     source = "VC-1, section 3.3, T_m (VC1-TM)";
     in GfbSequencerIn {
@@ -71,7 +72,6 @@ impl GfbSequencer {
 
     fn build(&self, m: Module, i: GfbSequencerIn) -> GfbSequencerOut {
         let Screen { width, height } = self.screen;
-        let pixel = below(self.screen.pixels());
         let drain = STAGES * self.units;
 
         // The parts of the round.
@@ -102,13 +102,13 @@ impl GfbSequencer {
 
         // The pixels that enter the chain, and those that have gone through all of it.
         net!(enable = round.is(Round::Prime) | round.is(Round::Line) | round.is(Round::Drain));
-        let feed = m.reg("feed", pixel).reset(0);
+        let feed = m.reg("feed", below(self.screen.pixels())).reset(0);
         feed.when(begins, 0).when(enable, feed + 1);
         let way = SCAN_LATENCY + drain;
         let until_stored = m.reg("until_stored", up_to(way)).reset(0);
         net!(stores = enable & until_stored.eq(0));
         until_stored.when(begins, way).when(enable & !stores, until_stored - 1);
-        let store = m.reg("store", pixel).reset(0);
+        let store = m.reg("store", below(self.screen.pixels())).reset(0);
         store.when(begins, 0).when(stores, store + 1);
 
         let clocks = m.reg("clocks", up_to(self.merge_clocks())).reset(0);
@@ -127,6 +127,7 @@ mod tests {
     use tilewright_sim::Simulation;
 
     use super::*;
+    use crate::gfb::GfbUnit;
 
     /// A round on a screen of 3 x 2 pixels with an overhead of 2 clocks and one merging unit.
     #[test]
@@ -208,6 +209,15 @@ mod tests {
             let t_m = (width + overhead) * height + 4 * units;
             assert_eq!(round(Screen { width, height }, units, overhead), u64::from(t_m), "{width} x {height}");
         }
+    }
+
+    #[test]
+    fn a_chain_of_no_units_and_a_line_without_overhead_are_refused_in_a_sentence() {
+        let problem = |units, overhead| {
+            elaborate(&GfbUnit { screen: Screen::VC1, units, overhead }).unwrap_err().0[0].message.clone()
+        };
+        assert_eq!(problem(0, 20), "`units` of `GfbSequencer` is 0: it has to be at least 1");
+        assert_eq!(problem(16, 0), "`overhead` of `GfbSequencer` is 0: it has to be at least 1");
     }
 
     /// Whether the scan advances, clock by clock of a round: 2 clocks until the first pixel enters the chain, then T_m.

@@ -26,11 +26,14 @@ use crate::prelude::*;
 block! {
     /// A double-buffered frame buffer with depth: leads the scan, feeds the chain of merging units and keeps what comes out of it.
     pub struct GfbUnit {
-        screen: Screen,
-        units: u32,
-        overhead: u32,
+        /// The screen: M x N pixels.
+        pub screen: Screen,
+        /// The merging units of the chain: n.
+        pub units: u32,
+        /// Clocks of overhead after each scan line: beta.
+        pub overhead: u32,
     }
-    latency(self) = format!("a round of {} clocks", self.merge_clocks());
+    latency(self) = format!("a round of {} clocks", self.sequencer().merge_clocks());
     source = "VC-1, section 3.3, global frame buffer (VC1-GFB, VC1-TM, VC1-CLR3)";
     in(self) GfbUnitIn {
         /// What the host says.
@@ -57,7 +60,7 @@ block! {
             /// The next or present round is the first since the banks were swapped.
             first_round: bit(),
             /// The clocks of the round so far, or of the last one, from the first pixel that entered the chain.
-            clocks: up_to(self.merge_clocks()),
+            clocks: up_to(self.sequencer().merge_clocks()),
         },
         /// To every unit of the chain.
         scan: ScanControl { restart: bit(), enable: bit() },
@@ -67,40 +70,9 @@ block! {
 }
 
 impl GfbUnit {
-    /// A frame buffer for a screen of M x N pixels and a chain of n merging units, with beta clocks of overhead after each
-    /// scan line (VC1-TM).
-    ///
-    /// # Errors
-    ///
-    /// There are no merging units, or no overhead.
-    pub fn new(screen: Screen, units: u32, overhead: u32) -> Result<GfbUnit, ParameterError> {
-        if units == 0 || overhead == 0 {
-            return Err(ParameterError(format!(
-                "a global frame buffer for {units} merging units with {overhead} clocks of overhead after a scan line: \
-                 each has to be at least 1"
-            )));
-        }
-        Ok(GfbUnit { screen, units, overhead })
-    }
-
-    /// The screen.
-    pub fn screen(&self) -> Screen {
-        self.screen
-    }
-
-    /// The number of merging units in the chain.
-    pub fn units(&self) -> u32 {
-        self.units
-    }
-
-    /// The unit's sequencer.
+    /// What leads its rounds of merging.
     pub fn sequencer(&self) -> GfbSequencer {
         GfbSequencer { screen: self.screen, units: self.units, overhead: self.overhead }
-    }
-
-    /// T_m, the clocks of a merging round (VC1-TM).
-    pub fn merge_clocks(&self) -> u64 {
-        self.sequencer().merge_clocks()
     }
 
     fn build(&self, m: Module, i: GfbUnitIn) -> GfbUnitOut {
@@ -110,14 +82,12 @@ impl GfbUnit {
 
         // The lowest bit of an address tells the banks apart. No read meets a write: what is on display is not filled, and a
         // pixel is fed long before it is stored.
-        let filled = m.reg("filled_bank", 1).reset(0);
-        filled.when(swap, !filled);
+        let filled = m.toggle("filled_bank", swap);
         let banks = m.memory("banks", 2 * self.screen.pixels(), WORD, ReadUnderWrite::Any);
         banks.write(round.stores, cat![round.store, filled], i.merged);
         net!(read_word = banks.read(cat![read_address, !filled]));
 
-        let first_round = m.reg("first_round", 1).reset(1);
-        first_round.when(swap, 1).when(round.ends, 0);
+        let first_round = m.reg("first_round", 1).reset(1).when(swap, 1).when(round.ends, 0);
         net!(old = banks.read_when(round.scan.enable, cat![round.feed, filled]));
         let left = m.pipe_when(round.scan.enable, "left", mux(first_round, background, old));
 
@@ -147,14 +117,20 @@ mod tests {
         merge_clocks: usize,
     }
 
+    fn unit(width: u32, height: u32, units: u32, overhead: u32) -> GfbUnit {
+        GfbUnit { screen: Screen { width, height }, units, overhead }
+    }
+
     impl Bench {
         /// From any values in the banks, and in registers without a reset.
         fn new(gfb: &GfbUnit, seed: u64) -> Bench {
             let mut sim = Simulation::of(gfb).unwrap().seeded(seed);
             sim.reset();
             sim.set(sim.i.host.background, BLANK);
-            let chain = VecDeque::from(vec![0; (STAGES * gfb.units) as usize]);
-            Bench { sim, chain, pixels: gfb.screen.pixels() as usize, merge_clocks: gfb.merge_clocks() as usize }
+            let GfbUnit { screen, units, .. } = *gfb;
+            let chain = VecDeque::from(vec![0; (STAGES * units) as usize]);
+            let merge_clocks = gfb.sequencer().merge_clocks() as usize;
+            Bench { sim, chain, pixels: screen.pixels() as usize, merge_clocks }
         }
 
         fn swap(&mut self) {
@@ -199,7 +175,7 @@ mod tests {
 
     #[test]
     fn a_later_round_feeds_the_chain_with_what_the_first_has_stored() {
-        let mut bench = Bench::new(&GfbUnit::new(Screen { width: 3, height: 1 }, 1, 1).unwrap(), 7);
+        let mut bench = Bench::new(&unit(3, 1, 1, 1), 7);
         bench.round(&[5, 6, 7]);
         let wave = bench.sim.record(["scan_restart", "scan_enable", "left", "merged", "u_sequencer.stores"]);
         bench.round(&[9, 1, 9]);
@@ -218,7 +194,7 @@ mod tests {
     #[test]
     fn a_swap_or_a_start_during_a_round_is_an_error() {
         for (start, swap) in [(0, 1), (1, 0), (1, 1)] {
-            let mut sim = Bench::new(&GfbUnit::new(Screen { width: 2, height: 2 }, 1, 1).unwrap(), 7).sim;
+            let mut sim = Bench::new(&unit(2, 2, 1, 1), 7).sim;
             sim.set(sim.i.host.start, 1);
             sim.step();
             sim.set(sim.i.host.start, start);
@@ -226,15 +202,6 @@ mod tests {
             let problem = sim.try_step().unwrap_err().to_string();
             assert!(problem.contains("the banks are swapped and a round is started between rounds"), "{problem}");
         }
-    }
-
-    #[test]
-    fn a_unit_that_cannot_be_is_refused_in_a_sentence() {
-        assert_eq!(
-            GfbUnit::new(Screen::VC1, 16, 0).unwrap_err().to_string(),
-            "a global frame buffer for 16 merging units with 0 clocks of overhead after a scan line: \
-             each has to be at least 1"
-        );
     }
 
     proptest! {
@@ -247,7 +214,7 @@ mod tests {
             frames in prop::collection::vec(prop::collection::vec(prop::collection::vec(0..2 * BLANK, 40), 1..4), 1..4),
             seed in any::<u64>(),
         ) {
-            let gfb = GfbUnit::new(Screen { width, height }, units, overhead).unwrap();
+            let gfb = unit(width, height, units, overhead);
             let mut bench = Bench::new(&gfb, seed);
             let mut displayed = None;
             for rounds in &frames {
@@ -261,7 +228,7 @@ mod tests {
                         let same = seen.chunks(bench.pixels).all(|chunk| chunk == &Vec::as_slice(displayed)[..chunk.len()]);
                         prop_assert!(same, "the picture on display changes");
                     }
-                    prop_assert_eq!(bench.sim.get(bench.sim.o.view.clocks), gfb.merge_clocks());
+                    prop_assert_eq!(bench.sim.get(bench.sim.o.view.clocks), gfb.sequencer().merge_clocks());
                     filled.iter_mut().zip(image).for_each(|(old, new)| *old = *new.min(old));
                 }
                 bench.swap();

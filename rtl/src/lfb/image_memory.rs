@@ -97,13 +97,11 @@ impl ImageMemory {
         let nearer = front.pipe_when(stage.is(Stage2::Compare), "nearer", word.lt(old_word));
         memory.on(PE).write(stage.is(Stage2::Write) & nearer, address, word);
 
-        let back = m.on(MERGE);
         net!(send_address = cat!(i.send.page, i.send.offset, i.send.buffer));
         net!(take = i.send.enable & i.send.resident);
         net!(taken_word = memory.on(MERGE).read_when(take, send_address));
         memory.on(MERGE).write(take, send_address, empty());
-        let resident = back.reg("resident", 1).reset(0);
-        resident.when(i.send.enable, i.send.resident);
+        let resident = m.on(MERGE).reg("resident", 1).reset(0).when(i.send.enable, i.send.resident);
         ImageMemoryOut { ready: can_accept, idle: stage.is(Stage2::Idle), sent: mux(resident, taken_word, empty()) }
     }
 }

@@ -27,14 +27,6 @@ use crate::prelude::*;
 /// The clocks that a clear takes.
 const CLEAR_CLOCKS: u64 = 3;
 
-bundle! {
-    /// A patch of which the processor wants something: its page, or its entry cleared.
-    pub struct Wanted<T> {
-        /// Its number.
-        pub patch: T,
-    }
-}
-
 codes! {
     /// The clocks of a look-up.
     enum Stage1 { Idle, Read, Examine, Allocate, Found, Overflow }
@@ -52,7 +44,12 @@ block! {
     source = "VC-1, section 3.3, patch table (VC1-PT, VC1-ACC)";
     in(self) PatchTableIn {
         /// A request for the page of a patch.
-        look_up: stream(Wanted { patch: below(self.patches) }).on(PE),
+        ///
+        /// The record is a patch of which the processor wants something: its page, or its entry cleared.
+        look_up: stream(pub struct Wanted {
+            /// Its number.
+            patch: below(self.patches),
+        }).on(PE),
         /// A request to clear an entry. If a look-up is accepted at the same edge, the clear comes first.
         clear: stream(Wanted { patch: below(self.patches) }).on(PE),
         /// The front buffer, 0 or 1.
@@ -129,12 +126,11 @@ impl PatchTable {
 
         m.cover("a look-up finds no free page", moves.enters(Overflow));
 
-        let page = m.reg("page", below(self.pages));
-        page.when(stage.is(Examine), mux(entry.resident, entry.page, free.page));
-        table.on(PE).write(allocate | clear.taken, address, Entry { resident: allocate, page: *page });
+        let page = m.pipe_when(stage.is(Examine), "page", mux(entry.resident, entry.page, free.page));
+        table.on(PE).write(allocate | clear.taken, address, Entry { resident: allocate, page });
         net!(scan_entry = table.on(MERGE).read_when(i.scan.enable, cat!(i.scan.patch, i.scan.buffer)));
         let (overflow, idle, found) = (stage.is(Overflow), stage.is(Idle), stage.is(Found));
-        PatchTableOut { overflow, idle, pages_used: free.used, found, page: *page, scan_entry }
+        PatchTableOut { overflow, idle, pages_used: free.used, found, page, scan_entry }
     }
 }
 

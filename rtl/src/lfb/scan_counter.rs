@@ -19,7 +19,7 @@
 use crate::prelude::*;
 
 /// How far a scan counter runs ahead of the succeeding one, in pixels.
-pub const LEAD: u32 = 4;
+const LEAD: u32 = crate::merger::STAGES;
 
 codes! {
     /// Where the counter is in respect of the whole frame after the restart.
@@ -52,9 +52,8 @@ impl ScanCounter {
     /// The preset of the counter at a position of the chain; 0 is the first, fed by the global frame buffer. The chain
     /// has at most a quarter as many positions as the screen has pixels.
     pub fn preset(screen: Screen, position: u32) -> Position<u64> {
-        let frame = u64::from(screen.pixels());
-        let behind = u64::from(LEAD) * u64::from(position) % frame;
-        let pixel = (frame - behind) % frame;
+        // So many pixels before the first one, which stand at the end of the frame before.
+        let pixel = (-i64::from(LEAD * position)).rem_euclid(screen.pixels().into()) as u64;
         Position { x: pixel % u64::from(screen.width), y: pixel / u64::from(screen.width) }
     }
 

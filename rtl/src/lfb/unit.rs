@@ -34,8 +34,14 @@ use crate::prelude::*;
 block! {
     /// A virtual local frame buffer: a full screen in the pages of a part of its memory.
     pub struct LfbUnit {
-        patches: Patches,
-        pages: u32,
+        /// The patches of its screen.
+        pub patches: Patches,
+        /// Pages in each of the two buffers.
+        pub pages: u32,
+    }
+    ranges(self) {
+        /// A patch of the screen has one page at most.
+        pages: 2..=self.patches.count(),
     }
     latency = "an access every 3 or 4 clocks; 2 clocks of the merger from the scan counter to the word";
     source = "VC-1, section 3.3, local frame buffer (VC1-LFB, VC1-ACC, VC1-SCAN, VC1-CLR1)";
@@ -84,55 +90,32 @@ block! {
 }
 
 impl LfbUnit {
-    /// A unit with that many pages in each of its two buffers.
-    ///
-    /// # Errors
-    ///
-    /// There are fewer than 2 pages, or more than patches.
-    pub fn new(patches: Patches, pages: u32) -> Result<LfbUnit, ParameterError> {
-        if (2..=patches.count()).contains(&pages) {
-            return Ok(LfbUnit { patches, pages });
-        }
-        Err(ParameterError(format!(
-            "a local frame buffer of {pages} pages: it has to have from 2 to {}, a page for each patch of the screen",
-            patches.count()
-        )))
-    }
-
-    /// The patches of its screen.
-    pub fn patches(&self) -> &Patches {
-        &self.patches
-    }
-
     fn build(&self, m: Module, i: LfbUnitIn) -> LfbUnitOut {
         let (pe, merge) = (m.on(PE), m.on(MERGE));
 
         // Which buffer is in front, as the processor knows it and as the merger knows it.
-        let front = pe.reg("front", bit()).reset(0);
-        front.when(i.swap, !front);
-        let merge_front = merge.synchronize("merge_front", *front);
+        let front = pe.toggle("front", i.swap);
+        let merge_front = merge.synchronize("merge_front", front);
         let known_front = pe.synchronize("known_front", merge_front);
         net!(settled = known_front.eq(front));
         net!(back = !merge_front);
 
         // The scan: a clock for the patch table, a clock for the image memory.
-        let scan = i.scan;
         let counter = ScanCounter { screen: self.patches.screen() };
-        let counted = merge.instance("u_scan_counter", &counter, ScanCounterIn { scan, preset: i.preset });
+        let counted = merge.instance("u_scan_counter", &counter, ScanCounterIn { scan: i.scan, preset: i.preset });
         let sought = self.patches.locate(counted.pixel);
-        let armed = merge.reg("sought_armed", bit()).reset(0);
-        armed.when(scan.restart, 0).when(scan.enable, counted.armed);
-        let offset = merge.pipe_when(scan.enable, "sought_offset", sought.offset);
-        let buffer = merge.pipe_when(scan.enable, "sought_buffer", back);
+        let armed =
+            merge.reg("sought_armed", bit()).reset(0).when(i.scan.restart, 0).when(i.scan.enable, counted.armed);
+        let offset = merge.pipe_when(i.scan.enable, "sought_offset", sought.offset);
+        let buffer = merge.pipe_when(i.scan.enable, "sought_buffer", back);
 
         // The processor's request: its patch is looked up, the rest waits beside.
         let wanted = self.patches.locate(Position { x: i.request.x, y: i.request.y });
         let (look_up, accept) = pe.offer(i.request.valid, Wanted { patch: wanted.patch });
         let (clear, _) = pe.offer(i.clear.valid, Wanted { patch: i.clear.patch });
-        let seek = ScanLookUp { enable: scan.enable, patch: sought.patch, buffer: back };
+        let seek = ScanLookUp { enable: i.scan.enable, patch: sought.patch, buffer: back };
         let table = PatchTable { patches: self.patches.count(), pages: self.pages };
-        let asked =
-            PatchTableIn { look_up, clear, front: *front, settled, restart: i.swap, resume: i.resume, scan: seek };
+        let asked = PatchTableIn { look_up, clear, front, settled, restart: i.swap, resume: i.resume, scan: seek };
         let table = m.instance("u_patch_table", &table, asked);
         let wanted_offset = pe.pipe_when(accept, "wanted_offset", wanted.offset);
         let word = pe.pipe_when(accept, "wanted_word", i.request.word);
@@ -140,9 +123,9 @@ impl LfbUnit {
         // A pixel sought before the buffers were swapped is not sent: its page may belong to another patch by now.
         net!(resident = armed & table.scan_entry.resident & buffer.eq(back));
         let draw = Draw { valid: table.found, page: table.page, offset: wanted_offset, word };
-        let send = SendPixel { enable: scan.enable, resident, page: table.scan_entry.page, offset, buffer: back };
+        let send = SendPixel { enable: i.scan.enable, resident, page: table.scan_entry.page, offset, buffer: back };
         let image = ImageMemory { pages: self.pages, page_pixels: self.patches.pixels() };
-        let image = m.instance("u_image_memory", &image, ImageMemoryIn { draw, front: *front, send });
+        let image = m.instance("u_image_memory", &image, ImageMemoryIn { draw, front, send });
         let idle = table.idle & image.idle;
         pe.assume(i.swap.implies(table.overflow | idle), "the buffers are swapped when idle or in overflow");
         pe.assume(i.swap.implies(settled), "the buffers are not swapped again before the merger has followed");

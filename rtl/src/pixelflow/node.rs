@@ -238,9 +238,8 @@ impl Side {
 fn turned(here: Module, there: Module, name: &str, marks: Signal) -> Signal {
     let mut bits = Vec::new();
     for bit in (0..marks.width()).rev() {
-        let flag = there.reg(&format!("{name}_flag{bit}"), self::bit()).reset(0);
-        flag.when(marks.bit(bit), !*flag);
-        let flag = here.synchronize(&format!("{name}_here{bit}"), *flag);
+        let flag = there.toggle(&format!("{name}_flag{bit}"), marks.bit(bit));
+        let flag = here.synchronize(&format!("{name}_here{bit}"), flag);
         let before = here.reg(&format!("{name}_before{bit}"), self::bit()).reset(0);
         before.next(flag);
         bits.push(flag ^ *before);

@@ -102,8 +102,7 @@ impl QuadtreeGenerator {
         let format = self.format();
         let matrix = format.matrix();
         let each = row(matrix.processors());
-        let back = m.reg("back", bit()).reset(0);
-        back.when(i.swap, !back);
+        let back = m.toggle("back", i.swap);
 
         // The broadcast: those that have the packet already wait for the others.
         let packets = m.fifo("u_queue", self.video_processor.queues.broadcast, i.packets);
@@ -127,7 +126,7 @@ impl QuadtreeGenerator {
             packets: copies,
             place: constants(places, |lane| format.place_of(lane % p, lane / p)),
             strict: i.strict,
-            back: *back,
+            back,
             scan: *scan,
         });
         let control = VideoControllerIn { show: i.show, words: processors.word };

@@ -30,7 +30,7 @@
 //! A processor that swaps during a round loses nothing (VC1-SW4): what the scan has passed already is sent in the next round.
 
 use crate::gfb::{GfbUnit, GfbUnitIn, Host, View};
-use crate::lfb::{Clear, LfbUnit, LfbUnitIn, LfbUnitOut, Patches, Request, ScanCounter};
+use crate::lfb::{Clear, LfbUnit, LfbUnitIn, LfbUnitOut, Request, ScanCounter};
 use crate::merger::{ImageMerger, ImageMergerIn, STAGES};
 use crate::prelude::*;
 
@@ -71,10 +71,16 @@ bundle! {
 block! {
     /// The frame buffer subsystem of a VC-1: virtual local frame buffers, pipelined image merger, global frame buffer.
     pub struct Vc1 {
-        lfb: LfbUnit,
-        processors: u32,
+        /// The local frame buffer of each processor.
+        pub lfb: LfbUnit,
+        /// How many processors there are.
+        pub processors: u32,
     }
-    latency(self) = format!("a round of merging takes {} clocks", self.gfb().merge_clocks());
+    ranges(self) {
+        /// Each scan counter runs 4 pixels ahead of the succeeding one.
+        processors: 1..=self.lfb.patches.screen().pixels() / STAGES,
+    }
+    latency(self) = format!("a round of merging takes {} clocks", self.gfb().sequencer().merge_clocks());
     source = "VC-1, section 3.3 (VC1-LFB, VC1-PIM, VC1-GFB)";
     in(self) Vc1In {
         /// Of each processor.
@@ -91,24 +97,9 @@ block! {
 }
 
 impl Vc1 {
-    /// The subsystem for a screen of such patches, with that many pages in each of the two buffers of every processor.
-    ///
-    /// # Errors
-    ///
-    /// The pages do not suit the screen; no processors, or more than a quarter of the screen's pixels, as each scan counter
-    /// runs 4 pixels ahead of the succeeding one.
-    pub fn new(patches: Patches, pages: u32, processors: u32) -> Result<Vc1, ParameterError> {
-        let most = patches.screen().pixels() / STAGES;
-        if !(1..=most).contains(&processors) {
-            return Err(ParameterError(format!("{processors} processors: this screen allows from 1 to {most}")));
-        }
-        Ok(Vc1 { lfb: LfbUnit::new(patches, pages)?, processors })
-    }
-
     /// Its global frame buffer unit.
     pub fn gfb(&self) -> GfbUnit {
-        let screen = self.lfb.patches().screen();
-        GfbUnit::new(screen, self.processors, OVERHEAD).expect("there are processors, and there is an overhead")
+        GfbUnit { screen: self.lfb.patches.screen(), units: self.processors, overhead: OVERHEAD }
     }
 
     /// The widths of what a processor says.
@@ -119,7 +110,7 @@ impl Vc1 {
 
     fn build(&self, m: Module, i: Vc1In) -> Vc1Out {
         let merge = m.on(MERGE);
-        let screen = self.lfb.patches().screen();
+        let screen = self.lfb.patches.screen();
 
         let merged = merge.wire("merged", WORD);
         let gfb = merge.instance("u_gfb", &self.gfb(), GfbUnitIn { host: i.gfb, merged: *merged });

@@ -5,6 +5,7 @@ use tilewright_sim::{Port, Simulation, Testbench, monitor};
 
 use super::*;
 use crate::clocks::PE;
+use crate::lfb::Patches;
 use crate::parameter::Screen;
 
 const EMPTY: u64 = (1 << 48) - 1;
@@ -24,11 +25,11 @@ struct Machine {
 impl Machine {
     fn new(screen: Screen, edge: u32, pages: u32, processors: u32) -> Machine {
         let patches = Patches::new(screen, edge).unwrap();
-        let vc1 = Vc1::new(patches, pages, processors).unwrap();
+        let vc1 = Vc1 { lfb: LfbUnit { patches, pages }, processors };
         let mut sim = Simulation::of(&vc1).unwrap();
         sim.reset();
         sim.set(sim.i.gfb.background, BLANK);
-        let (patches, merge_clocks) = (patches.count(), vc1.gfb().merge_clocks());
+        let (patches, merge_clocks) = (patches.count(), vc1.gfb().sequencer().merge_clocks());
         Machine { sim, screen, patches, merge_clocks, overflows: 0 }
     }
 
@@ -143,6 +144,16 @@ fn blank(screen: Screen) -> Vec<u64> {
 }
 
 #[test]
+fn a_chain_longer_than_a_frame_is_refused_in_a_sentence() {
+    let lfb = LfbUnit { patches: Patches::new(Screen { width: 16, height: 8 }, 4).unwrap(), pages: 8 };
+    assert!(Vc1 { lfb: lfb.clone(), processors: 32 }.checked().is_ok());
+    assert_eq!(
+        Vc1 { lfb, processors: 33 }.checked().unwrap_err().to_string(),
+        "`processors` of `Vc1` is 33: it has to be from 1 to 32. Each scan counter runs 4 pixels ahead of the succeeding one."
+    );
+}
+
+#[test]
 fn a_round_takes_t_m() {
     for (width, height, processors) in [(16, 8, 1), (16, 8, 16), (33, 5, 3), (8, 8, 16)] {
         let screen = Screen { width, height };
@@ -151,8 +162,8 @@ fn a_round_takes_t_m() {
         assert_eq!(machine.merge(), t_m, "{width} x {height}, {processors} processors");
         assert_eq!(machine.merge_clocks, t_m);
     }
-    let full = Vc1::new(Patches::new(Screen::VC1, 4).unwrap(), 4096, 16).unwrap();
-    assert_eq!(full.gfb().merge_clocks(), 316_864);
+    let full = Vc1 { lfb: LfbUnit { patches: Patches::new(Screen::VC1, 4).unwrap(), pages: 4096 }, processors: 16 };
+    assert_eq!(full.gfb().sequencer().merge_clocks(), 316_864);
 }
 
 #[test]

@@ -6,7 +6,7 @@
 // Parameters  GfbUnit { screen: Screen { width: 16, height: 8 }, units: 4, overhead: 20 }
 // Latency     a round of 304 clocks
 // Source      VC-1, section 3.3, global frame buffer (VC1-GFB, VC1-TM, VC1-CLR3)
-// Described   rtl/src/gfb/unit.rs:108
+// Described   rtl/src/gfb/unit.rs:80
 `default_nettype none
 
 module gfb_unit_width16_height8_units4_overhead20 (
@@ -32,20 +32,20 @@ module gfb_unit_width16_height8_units4_overhead20 (
     output reg  [47:0] left               // To the left end of the chain.
 );
 
-    reg filled_bank;                                             // rtl/src/gfb/unit.rs:113
-    reg first_round;                                             // rtl/src/gfb/unit.rs:119
+    reg filled_bank;                                             // rtl/src/gfb/unit.rs:85
+    reg first_round;                                             // rtl/src/gfb/unit.rs:90
 
     (* no_rw_check *)
-    reg [47:0] banks [0:255];                                    // rtl/src/gfb/unit.rs:115
-    reg [47:0] read_word;                                        // rtl/src/gfb/unit.rs:117
-    reg [47:0] old;                                              // rtl/src/gfb/unit.rs:121
+    reg [47:0] banks [0:255];                                    // rtl/src/gfb/unit.rs:86
+    reg [47:0] read_word;                                        // rtl/src/gfb/unit.rs:88
+    reg [47:0] old;                                              // rtl/src/gfb/unit.rs:91
 
-    wire [6:0] u_sequencer_feed;                                 // rtl/src/gfb/unit.rs:108
-    wire u_sequencer_stores;                                     // rtl/src/gfb/unit.rs:108
-    wire [6:0] u_sequencer_store;                                // rtl/src/gfb/unit.rs:108
-    wire u_sequencer_ends;                                       // rtl/src/gfb/unit.rs:108
+    wire [6:0] u_sequencer_feed;                                 // rtl/src/gfb/unit.rs:80
+    wire u_sequencer_stores;                                     // rtl/src/gfb/unit.rs:80
+    wire [6:0] u_sequencer_store;                                // rtl/src/gfb/unit.rs:80
+    wire u_sequencer_ends;                                       // rtl/src/gfb/unit.rs:80
 
-    gfb_sequencer_width16_height8_units4_overhead20 u_sequencer ( // rtl/src/gfb/unit.rs:108
+    gfb_sequencer_width16_height8_units4_overhead20 u_sequencer ( // rtl/src/gfb/unit.rs:80
         .clk          (clk),
         .rst          (rst),
         .start        (host_start),
@@ -89,11 +89,11 @@ module gfb_unit_width16_height8_units4_overhead20 (
 `ifndef SYNTHESIS
 `ifdef FORMAL
     always @(posedge clk) begin
-        if (!rst) assume (!(host_swap | host_start) | !view_busy);   // rtl/src/gfb/unit.rs:109
+        if (!rst) assume (!(host_swap | host_start) | !view_busy);   // rtl/src/gfb/unit.rs:81
     end
 `else
     always @(posedge clk) begin
-        if (!rst && !(!(host_swap | host_start) | !view_busy)) begin // rtl/src/gfb/unit.rs:109
+        if (!rst && !(!(host_swap | host_start) | !view_busy)) begin // rtl/src/gfb/unit.rs:81
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the banks are swapped and a round is started between rounds", $time);
             $stop;
         end

@@ -40,13 +40,13 @@ module image_memory_pages4_page_pixels16 (
     reg [6:0] drawn_address;                                     // rtl/src/lfb/image_memory.rs:94
     reg [47:0] drawn_word;                                       // rtl/src/lfb/image_memory.rs:95
     reg nearer;                                                  // rtl/src/lfb/image_memory.rs:97
-    reg resident;                                                // rtl/src/lfb/image_memory.rs:105
+    reg resident;                                                // rtl/src/lfb/image_memory.rs:104
 
     /* verilator lint_off MULTIDRIVEN */ // written by two clocks
     reg [47:0] words [0:127];                                    // rtl/src/lfb/image_memory.rs:80
     /* verilator lint_on MULTIDRIVEN */
     reg [47:0] old_word;                                         // rtl/src/lfb/image_memory.rs:96
-    reg [47:0] taken_word;                                       // rtl/src/lfb/image_memory.rs:103
+    reg [47:0] taken_word;                                       // rtl/src/lfb/image_memory.rs:102
 
     initial begin : words_contents
         integer i;
@@ -55,10 +55,10 @@ module image_memory_pages4_page_pixels16 (
 
     wire can_accept = (stage2 == STAGE2_IDLE) | (stage2 == STAGE2_WRITE); // rtl/src/lfb/image_memory.rs:84
     wire accept = draw_valid & can_accept;                       // rtl/src/lfb/image_memory.rs:85
-    wire [6:0] send_address = {send_page, send_offset, send_buffer}; // rtl/src/lfb/image_memory.rs:101
-    wire take = send_enable & send_resident;                     // rtl/src/lfb/image_memory.rs:102
-    assign idle = stage2 == STAGE2_IDLE;                         // rtl/src/lfb/image_memory.rs:107
-    assign sent = resident ? taken_word : 48'hffffffffffff;      // rtl/src/lfb/image_memory.rs:107
+    wire [6:0] send_address = {send_page, send_offset, send_buffer}; // rtl/src/lfb/image_memory.rs:100
+    wire take = send_enable & send_resident;                     // rtl/src/lfb/image_memory.rs:101
+    assign idle = stage2 == STAGE2_IDLE;                         // rtl/src/lfb/image_memory.rs:105
+    assign sent = resident ? taken_word : 48'hffffffffffff;      // rtl/src/lfb/image_memory.rs:105
 
     always @(posedge pe_clk) begin
         if ((stage2 == STAGE2_WRITE) & nearer) words[drawn_address] <= drawn_word;

@@ -5,7 +5,7 @@
 // Parameters  LfbUnit { patches: Patches { screen: Screen { width: 16, height: 8 }, edge: 4 }, pages: 4 }
 // Latency     an access every 3 or 4 clocks; 2 clocks of the merger from the scan counter to the word
 // Source      VC-1, section 3.3, local frame buffer (VC1-LFB, VC1-ACC, VC1-SCAN, VC1-CLR1)
-// Described   rtl/src/lfb/unit.rs:111
+// Described   rtl/src/lfb/unit.rs:97
 `default_nettype none
 
 module lfb_unit_width16_height8_edge4_pages4 (
@@ -38,37 +38,37 @@ module lfb_unit_width16_height8_edge4_pages4 (
     output wire [47:0] word           // The pixel sent to the merging unit.
 );
 
-    reg front;                                                   // rtl/src/lfb/unit.rs:111
-    (* ASYNC_REG = "TRUE" *) reg merge_front_meta;               // rtl/src/lfb/unit.rs:113
-    (* ASYNC_REG = "TRUE" *) reg merge_front;                    // rtl/src/lfb/unit.rs:113
-    (* ASYNC_REG = "TRUE" *) reg known_front_meta;               // rtl/src/lfb/unit.rs:114
-    (* ASYNC_REG = "TRUE" *) reg known_front;                    // rtl/src/lfb/unit.rs:114
-    reg sought_armed;                                            // rtl/src/lfb/unit.rs:123
-    reg [3:0] sought_offset;                                     // rtl/src/lfb/unit.rs:125
-    reg sought_buffer;                                           // rtl/src/lfb/unit.rs:126
-    reg [3:0] wanted_offset;                                     // rtl/src/lfb/unit.rs:137
-    reg [47:0] wanted_word;                                      // rtl/src/lfb/unit.rs:138
+    reg front;                                                   // rtl/src/lfb/unit.rs:97
+    (* ASYNC_REG = "TRUE" *) reg merge_front_meta;               // rtl/src/lfb/unit.rs:98
+    (* ASYNC_REG = "TRUE" *) reg merge_front;                    // rtl/src/lfb/unit.rs:98
+    (* ASYNC_REG = "TRUE" *) reg known_front_meta;               // rtl/src/lfb/unit.rs:99
+    (* ASYNC_REG = "TRUE" *) reg known_front;                    // rtl/src/lfb/unit.rs:99
+    reg sought_armed;                                            // rtl/src/lfb/unit.rs:108
+    reg [3:0] sought_offset;                                     // rtl/src/lfb/unit.rs:109
+    reg sought_buffer;                                           // rtl/src/lfb/unit.rs:110
+    reg [3:0] wanted_offset;                                     // rtl/src/lfb/unit.rs:120
+    reg [47:0] wanted_word;                                      // rtl/src/lfb/unit.rs:121
 
-    wire [3:0] u_scan_counter_pixel_x;                           // rtl/src/lfb/unit.rs:121
-    wire [2:0] u_scan_counter_pixel_y;                           // rtl/src/lfb/unit.rs:121
-    wire u_scan_counter_armed;                                   // rtl/src/lfb/unit.rs:121
-    wire u_patch_table_idle;                                     // rtl/src/lfb/unit.rs:136
-    wire u_patch_table_found;                                    // rtl/src/lfb/unit.rs:136
-    wire [1:0] u_patch_table_page;                               // rtl/src/lfb/unit.rs:136
-    wire u_patch_table_scan_entry_resident;                      // rtl/src/lfb/unit.rs:136
-    wire [1:0] u_patch_table_scan_entry_page;                    // rtl/src/lfb/unit.rs:136
-    wire u_image_memory_ready;                                   // rtl/src/lfb/unit.rs:145
-    wire u_image_memory_idle;                                    // rtl/src/lfb/unit.rs:145
+    wire [3:0] u_scan_counter_pixel_x;                           // rtl/src/lfb/unit.rs:105
+    wire [2:0] u_scan_counter_pixel_y;                           // rtl/src/lfb/unit.rs:105
+    wire u_scan_counter_armed;                                   // rtl/src/lfb/unit.rs:105
+    wire u_patch_table_idle;                                     // rtl/src/lfb/unit.rs:119
+    wire u_patch_table_found;                                    // rtl/src/lfb/unit.rs:119
+    wire [1:0] u_patch_table_page;                               // rtl/src/lfb/unit.rs:119
+    wire u_patch_table_scan_entry_resident;                      // rtl/src/lfb/unit.rs:119
+    wire [1:0] u_patch_table_scan_entry_page;                    // rtl/src/lfb/unit.rs:119
+    wire u_image_memory_ready;                                   // rtl/src/lfb/unit.rs:128
+    wire u_image_memory_idle;                                    // rtl/src/lfb/unit.rs:128
 
-    wire settled = known_front == front;                         // rtl/src/lfb/unit.rs:115
-    wire back = !merge_front;                                    // rtl/src/lfb/unit.rs:116
+    wire settled = known_front == front;                         // rtl/src/lfb/unit.rs:100
+    wire back = !merge_front;                                    // rtl/src/lfb/unit.rs:101
     wire [3:0] u_patch_table_scan_patch_product = {3'd0, u_scan_counter_pixel_y[2]} * 4'd4; // rtl/src/lfb/patches.rs:90
     wire [3:0] u_patch_table_look_up_patch_product = {3'd0, request_y[2]} * 4'd4; // rtl/src/lfb/patches.rs:90
-    wire wanted_offset_enable = request_valid & ready;           // rtl/src/lfb/unit.rs:130
-    wire resident = sought_armed & u_patch_table_scan_entry_resident & (sought_buffer == back); // rtl/src/lfb/unit.rs:141
-    assign idle = u_patch_table_idle & u_image_memory_idle;      // rtl/src/lfb/unit.rs:146
+    wire wanted_offset_enable = request_valid & ready;           // rtl/src/lfb/unit.rs:114
+    wire resident = sought_armed & u_patch_table_scan_entry_resident & (sought_buffer == back); // rtl/src/lfb/unit.rs:124
+    assign idle = u_patch_table_idle & u_image_memory_idle;      // rtl/src/lfb/unit.rs:129
 
-    scan_counter_width16_height8 u_scan_counter (                // rtl/src/lfb/unit.rs:121
+    scan_counter_width16_height8 u_scan_counter (                // rtl/src/lfb/unit.rs:105
         .clk          (merge_clk),
         .rst          (merge_rst),
         .scan_restart (scan_restart),
@@ -80,7 +80,7 @@ module lfb_unit_width16_height8_edge4_pages4 (
         .armed        (u_scan_counter_armed)
     );
 
-    patch_table_patches8_pages4 u_patch_table (                  // rtl/src/lfb/unit.rs:136
+    patch_table_patches8_pages4 u_patch_table (                  // rtl/src/lfb/unit.rs:119
         .pe_clk              (pe_clk),
         .pe_rst              (pe_rst),
         .merge_clk           (merge_clk),
@@ -106,7 +106,7 @@ module lfb_unit_width16_height8_edge4_pages4 (
         .clear_ready         (clear_ready)
     );
 
-    image_memory_pages4_page_pixels16 u_image_memory (           // rtl/src/lfb/unit.rs:145
+    image_memory_pages4_page_pixels16 u_image_memory (           // rtl/src/lfb/unit.rs:128
         .pe_clk        (pe_clk),
         .pe_rst        (pe_rst),
         .merge_clk     (merge_clk),
@@ -168,16 +168,16 @@ module lfb_unit_width16_height8_edge4_pages4 (
 `ifndef SYNTHESIS
 `ifdef FORMAL
     always @(posedge pe_clk) begin
-        if (!pe_rst) assume (!swap | (overflow | idle));             // rtl/src/lfb/unit.rs:147
-        if (!pe_rst) assume (!swap | settled);                       // rtl/src/lfb/unit.rs:148
+        if (!pe_rst) assume (!swap | (overflow | idle));             // rtl/src/lfb/unit.rs:130
+        if (!pe_rst) assume (!swap | settled);                       // rtl/src/lfb/unit.rs:131
     end
 `else
     always @(posedge pe_clk) begin
-        if (!pe_rst && !(!swap | (overflow | idle))) begin           // rtl/src/lfb/unit.rs:147
+        if (!pe_rst && !(!swap | (overflow | idle))) begin           // rtl/src/lfb/unit.rs:130
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the buffers are swapped when idle or in overflow", $time);
             $stop;
         end
-        if (!pe_rst && !(!swap | settled)) begin                     // rtl/src/lfb/unit.rs:148
+        if (!pe_rst && !(!swap | settled)) begin                     // rtl/src/lfb/unit.rs:131
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the buffers are not swapped again before the merger has followed", $time);
             $stop;
         end

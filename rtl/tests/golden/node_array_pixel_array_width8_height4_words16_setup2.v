@@ -95,22 +95,22 @@ module node_array_pixel_array_width8_height4_words16_setup2 (
 );
 
     reg done_flag1;                                              // rtl/src/pixelflow/node.rs:241
-    (* ASYNC_REG = "TRUE" *) reg done_here1_meta;                // rtl/src/pixelflow/node.rs:243
-    (* ASYNC_REG = "TRUE" *) reg done_here1;                     // rtl/src/pixelflow/node.rs:243
-    reg done_before1;                                            // rtl/src/pixelflow/node.rs:244
+    (* ASYNC_REG = "TRUE" *) reg done_here1_meta;                // rtl/src/pixelflow/node.rs:242
+    (* ASYNC_REG = "TRUE" *) reg done_here1;                     // rtl/src/pixelflow/node.rs:242
+    reg done_before1;                                            // rtl/src/pixelflow/node.rs:243
     reg done_flag0;                                              // rtl/src/pixelflow/node.rs:241
-    (* ASYNC_REG = "TRUE" *) reg done_here0_meta;                // rtl/src/pixelflow/node.rs:243
-    (* ASYNC_REG = "TRUE" *) reg done_here0;                     // rtl/src/pixelflow/node.rs:243
-    reg done_before0;                                            // rtl/src/pixelflow/node.rs:244
+    (* ASYNC_REG = "TRUE" *) reg done_here0_meta;                // rtl/src/pixelflow/node.rs:242
+    (* ASYNC_REG = "TRUE" *) reg done_here0;                     // rtl/src/pixelflow/node.rs:242
+    reg done_before0;                                            // rtl/src/pixelflow/node.rs:243
     reg [1:0] held;                                              // rtl/src/pixelflow/node.rs:164
     reg given_flag1;                                             // rtl/src/pixelflow/node.rs:241
-    (* ASYNC_REG = "TRUE" *) reg given_here1_meta;               // rtl/src/pixelflow/node.rs:243
-    (* ASYNC_REG = "TRUE" *) reg given_here1;                    // rtl/src/pixelflow/node.rs:243
-    reg given_before1;                                           // rtl/src/pixelflow/node.rs:244
+    (* ASYNC_REG = "TRUE" *) reg given_here1_meta;               // rtl/src/pixelflow/node.rs:242
+    (* ASYNC_REG = "TRUE" *) reg given_here1;                    // rtl/src/pixelflow/node.rs:242
+    reg given_before1;                                           // rtl/src/pixelflow/node.rs:243
     reg given_flag0;                                             // rtl/src/pixelflow/node.rs:241
-    (* ASYNC_REG = "TRUE" *) reg given_here0_meta;               // rtl/src/pixelflow/node.rs:243
-    (* ASYNC_REG = "TRUE" *) reg given_here0;                    // rtl/src/pixelflow/node.rs:243
-    reg given_before0;                                           // rtl/src/pixelflow/node.rs:244
+    (* ASYNC_REG = "TRUE" *) reg given_here0_meta;               // rtl/src/pixelflow/node.rs:242
+    (* ASYNC_REG = "TRUE" *) reg given_here0;                    // rtl/src/pixelflow/node.rs:242
+    reg given_before0;                                           // rtl/src/pixelflow/node.rs:243
 
     wire u_dma_instructions_valid;                               // rtl/src/pixelflow/node.rs:160
     wire [1:0] u_dma_instructions_source;                        // rtl/src/pixelflow/node.rs:160
@@ -161,7 +161,7 @@ module node_array_pixel_array_width8_height4_words16_setup2 (
     wire [15:0] u_array_network_0_bytes;                         // rtl/src/pixelflow/node.rs:179
     wire [15:0] u_array_network_1_bytes;                         // rtl/src/pixelflow/node.rs:179
     wire [1:0] done = u_sequencer0_done | u_sequencer1_done;     // rtl/src/pixelflow/node.rs:162
-    wire [1:0] held_joined = {given_here1 ^ given_before1, given_here0 ^ given_before0}; // rtl/src/pixelflow/node.rs:248
+    wire [1:0] held_joined = {given_here1 ^ given_before1, given_here0 ^ given_before0}; // rtl/src/pixelflow/node.rs:247
     wire u_array_network_0_writes_and = u_port1_unloaded & u_sequencer1_bank[0]; // rtl/src/pixelflow/node.rs:232
     wire u_array_network_0_writes_and_2 = u_port0_unloaded & u_sequencer0_bank[0]; // rtl/src/pixelflow/node.rs:232
     wire u_array_network_1_writes_and = u_port1_unloaded & u_sequencer1_bank[1]; // rtl/src/pixelflow/node.rs:232

@@ -5,7 +5,7 @@
 // Parameters  ScanCounter { screen: Screen { width: 16, height: 8 } }
 // Latency     1 clock
 // Source      VC-1, section 3.3, scan counter (VC1-SCAN)
-// Described   rtl/src/lfb/scan_counter.rs:68
+// Described   rtl/src/lfb/scan_counter.rs:67
 `default_nettype none
 
 module scan_counter_width16_height8 (
@@ -28,15 +28,15 @@ module scan_counter_width16_height8 (
     localparam [1:0] PASS_FRAME  = 2'd1;
     localparam [1:0] PASS_AFTER  = 2'd2;
 
-    reg [3:0] x;                                                 // rtl/src/lfb/scan_counter.rs:68
-    reg [2:0] y;                                                 // rtl/src/lfb/scan_counter.rs:69
-    reg [1:0] pass;                                              // rtl/src/lfb/scan_counter.rs:70
+    reg [3:0] x;                                                 // rtl/src/lfb/scan_counter.rs:67
+    reg [2:0] y;                                                 // rtl/src/lfb/scan_counter.rs:68
+    reg [1:0] pass;                                              // rtl/src/lfb/scan_counter.rs:69
 
-    wire line_end = scan_enable & (x == 4'd15);                  // rtl/src/lfb/scan_counter.rs:71
-    wire last_line = y == 3'd7;                                  // rtl/src/lfb/scan_counter.rs:72
-    wire frame_end = line_end & last_line;                       // rtl/src/lfb/scan_counter.rs:73
-    wire at_start = (preset_x == 4'd0) & (preset_y == 3'd0);     // rtl/src/lfb/scan_counter.rs:77
-    assign armed = pass == PASS_FRAME;                           // rtl/src/lfb/scan_counter.rs:84
+    wire line_end = scan_enable & (x == 4'd15);                  // rtl/src/lfb/scan_counter.rs:70
+    wire last_line = y == 3'd7;                                  // rtl/src/lfb/scan_counter.rs:71
+    wire frame_end = line_end & last_line;                       // rtl/src/lfb/scan_counter.rs:72
+    wire at_start = (preset_x == 4'd0) & (preset_y == 3'd0);     // rtl/src/lfb/scan_counter.rs:76
+    assign armed = pass == PASS_FRAME;                           // rtl/src/lfb/scan_counter.rs:83
 
     always @(posedge clk) begin
         if (rst) begin
@@ -68,18 +68,18 @@ module scan_counter_width16_height8 (
 `ifndef SYNTHESIS
 `ifdef FORMAL
     always @(posedge clk) begin
-        if (!rst) cover (frame_end & (pass == PASS_FRAME));          // rtl/src/lfb/scan_counter.rs:83
-        if (!rst) assert (pass <= PASS_AFTER);                       // rtl/src/lfb/scan_counter.rs:78
+        if (!rst) cover (frame_end & (pass == PASS_FRAME));          // rtl/src/lfb/scan_counter.rs:82
+        if (!rst) assert (pass <= PASS_AFTER);                       // rtl/src/lfb/scan_counter.rs:77
     end
 `else
     reg is_covered;
     initial is_covered = 1'b0;
     always @(posedge clk) begin
-        if (!rst && (frame_end & (pass == PASS_FRAME)) && !is_covered) begin // rtl/src/lfb/scan_counter.rs:83
+        if (!rst && (frame_end & (pass == PASS_FRAME)) && !is_covered) begin // rtl/src/lfb/scan_counter.rs:82
             $display("COVER: time %0t: %m: a whole frame is sent", $time);
             is_covered <= 1'b1;
         end
-        if (!rst && !(pass <= PASS_AFTER)) begin                     // rtl/src/lfb/scan_counter.rs:78
+        if (!rst && !(pass <= PASS_AFTER)) begin                     // rtl/src/lfb/scan_counter.rs:77
             $display("FAIL: time %0t: %m: `pass` is a code of `Pass`", $time);
             $stop;
         end

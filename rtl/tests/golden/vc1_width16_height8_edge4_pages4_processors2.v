@@ -6,7 +6,7 @@
 // Parameters  Vc1 { lfb: LfbUnit { patches: Patches { screen: Screen { width: 16, height: 8 }, edge: 4 }, pages: 4 }, processors: 2 }
 // Latency     a round of merging takes 296 clocks
 // Source      VC-1, section 3.3 (VC1-LFB, VC1-PIM, VC1-GFB)
-// Described   rtl/src/vc1/mod.rs:124
+// Described   rtl/src/vc1/mod.rs:115
 `default_nettype none
 
 module vc1_width16_height8_edge4_pages4_processors2 (
@@ -59,10 +59,10 @@ module vc1_width16_height8_edge4_pages4_processors2 (
     output wire [8:0]  gfb_clocks
 );
 
-    wire u_gfb_scan_restart;                                     // rtl/src/vc1/mod.rs:125
-    wire u_gfb_scan_enable;                                      // rtl/src/vc1/mod.rs:125
-    wire [47:0] u_gfb_left;                                      // rtl/src/vc1/mod.rs:125
-    wire [47:0] merged;                                          // rtl/src/vc1/mod.rs:124
+    wire u_gfb_scan_restart;                                     // rtl/src/vc1/mod.rs:116
+    wire u_gfb_scan_enable;                                      // rtl/src/vc1/mod.rs:116
+    wire [47:0] u_gfb_left;                                      // rtl/src/vc1/mod.rs:116
+    wire [47:0] merged;                                          // rtl/src/vc1/mod.rs:115
 
     genvar i;
 
@@ -75,7 +75,7 @@ module vc1_width16_height8_edge4_pages4_processors2 (
     wire [1:0] u_lfb_swap = {processors_1_swap, processors_0_swap};
     wire [1:0] u_lfb_resume = {processors_1_resume, processors_0_resume};
     generate
-        for (i = 0; i < 2; i = i + 1) begin : u_lfb                  // rtl/src/vc1/mod.rs:127
+        for (i = 0; i < 2; i = i + 1) begin : u_lfb                  // rtl/src/vc1/mod.rs:118
             wire ready;
             wire clear_ready;
             wire overflow;
@@ -120,7 +120,7 @@ module vc1_width16_height8_edge4_pages4_processors2 (
         end
     endgenerate
 
-    gfb_unit_width16_height8_units2_overhead20 u_gfb (           // rtl/src/vc1/mod.rs:125
+    gfb_unit_width16_height8_units2_overhead20 u_gfb (           // rtl/src/vc1/mod.rs:116
         .clk               (merge_clk),
         .rst               (merge_rst),
         .host_start        (gfb_start),
@@ -137,7 +137,7 @@ module vc1_width16_height8_edge4_pages4_processors2 (
         .left              (u_gfb_left)
     );
 
-    image_merger_units2 u_merger (                               // rtl/src/vc1/mod.rs:136
+    image_merger_units2 u_merger (                               // rtl/src/vc1/mod.rs:127
         .clk       (merge_clk),
         .left      (u_gfb_left),
         .samples_0 (u_lfb[0].word),

@@ -53,7 +53,7 @@ struct Bench {
 
 impl Bench {
     fn new(screen: Screen, edge: u32, pages: u32, position: u32) -> Bench {
-        let unit = LfbUnit::new(Patches::new(screen, edge).unwrap(), pages).unwrap();
+        let unit = LfbUnit { patches: Patches::new(screen, edge).unwrap(), pages };
         // Registers without a reset start with any value.
         let mut sim = Simulation::of(&unit).unwrap().seeded(7);
         sim.reset();
@@ -330,9 +330,19 @@ fn a_request_is_under_way_until_its_word_is_written() {
 fn every_size_elaborates() {
     for edge in [4, 8, 16] {
         for pages in [2, 75, 600, 1200] {
-            elaborate(&LfbUnit::new(Patches::new(Screen::VC1, edge).unwrap(), pages).unwrap()).unwrap();
+            elaborate(&LfbUnit { patches: Patches::new(Screen::VC1, edge).unwrap(), pages }).unwrap();
         }
     }
+}
+
+#[test]
+fn a_page_for_each_patch_is_the_most() {
+    let unit = |pages| LfbUnit { patches: Patches::new(Screen { width: 16, height: 8 }, 4).unwrap(), pages }.checked();
+    assert!(unit(2).is_ok() && unit(8).is_ok() && unit(1).is_err());
+    assert_eq!(
+        unit(9).unwrap_err().to_string(),
+        "`pages` of `LfbUnit` is 9: it has to be from 2 to 8. A patch of the screen has one page at most."
+    );
 }
 
 /// What the processor does next.

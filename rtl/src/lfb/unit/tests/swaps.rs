@@ -30,7 +30,7 @@ fn the_table_is_free_when_the_merger_has_followed_a_swap() {
 #[test]
 fn after_a_reset_the_table_is_free_and_stays_free() {
     for wait in 0..16 {
-        let unit = LfbUnit::new(Patches::new(SMALL, 4).unwrap(), 30).unwrap();
+        let unit = LfbUnit { patches: Patches::new(SMALL, 4).unwrap(), pages: 30 };
         let mut sim = Simulation::of(&unit).unwrap().seeded(wait);
         // At the start, and at any time after a swap.
         for swap in [1, 0] {

@@ -20,7 +20,7 @@ mod painter;
 
 use tilewright_hdl::{Fields, Module, Signal, bits, block, constants, stack};
 use tilewright_rtl::clocks::{MERGE, PE};
-use tilewright_rtl::lfb::Patches;
+use tilewright_rtl::lfb::{LfbUnit, Patches};
 use tilewright_rtl::parameter::{ParameterError, Screen};
 use tilewright_rtl::vc1::{Vc1, Vc1In};
 
@@ -56,14 +56,16 @@ impl Vc1Frames {
             return Err(ParameterError(format!("a screen of {width}x{height} pixels: take multiples of 4")));
         }
         let pages = (patches.count() / 4).clamp(2, 4096);
-        Ok(Vc1Frames { vc1: Vc1::new(patches, pages, processors)?, patches, processors, painted: pages.div_ceil(4) })
+        let lfb = LfbUnit { patches, pages }.checked()?;
+        let vc1 = Vc1 { lfb, processors }.checked()?;
+        Ok(Vc1Frames { vc1, patches, processors, painted: pages.div_ceil(4) })
     }
 
     /// How many cycles there are from a frame to the next, where drawing takes less time than merging: T_m (VC1-TM) and the
     /// swaps, in clocks of the merger, with 4 instants for each at which one or both of its clocks rise.
     pub fn frame_cycles(&self) -> u64 {
         const SWAPS: u64 = 14;
-        4 * (self.vc1.gfb().merge_clocks() + SWAPS)
+        4 * (self.vc1.gfb().sequencer().merge_clocks() + SWAPS)
     }
 
     fn build(&self, m: Module, (): ()) -> BenchOut {

@@ -1,0 +1,72 @@
+//! Parameters that are out of their ranges.
+
+use crate::common::*;
+use tilewright_hdl::*;
+
+block! {
+    /// Holds words.
+    struct Queue {
+        depth: u32,
+        width: u32,
+        gap: i32,
+        /// In thousandths.
+        r#loop: u16,
+    }
+    in(self) QueueIn { word: bits(self.width) }
+    ranges(self) {
+        depth: 2..=8,
+        /// A word has bits,
+        /// and [`u64`] holds it.
+        ///
+        /// So do tests.
+        width: 1..65,
+        gap: ..=-1,
+        r#loop: ..1000,
+    }
+    out QueueOut { shown: _ }
+}
+
+impl Queue {
+    fn build(&self, m: Module, i: QueueIn) -> QueueOut {
+        let most = self.width - 1;
+        QueueOut { shown: m.pipe("held", i.word) & lit(i.word.width(), most.into()) }
+    }
+}
+
+const QUEUE: Queue = Queue { depth: 2, width: 8, gap: -1, r#loop: 0 };
+
+#[test]
+fn the_first_parameter_out_of_its_range_is_named_with_what_would_do() {
+    assert_eq!(QUEUE.clone().checked(), Ok(QUEUE));
+    let problem = |queue: Queue| queue.checked().unwrap_err().to_string();
+    assert_eq!(problem(Queue { depth: 9, ..QUEUE }), "`depth` of `Queue` is 9: it has to be from 2 to 8");
+    assert_eq!(
+        problem(Queue { width: 65, ..QUEUE }),
+        "`width` of `Queue` is 65: it has to be at least 1 and below 65. A word has bits, and `u64` holds it."
+    );
+    assert_eq!(problem(Queue { gap: 0, ..QUEUE }), "`gap` of `Queue` is 0: it has to be at most -1");
+    assert_eq!(problem(Queue { r#loop: 1000, ..QUEUE }), "`loop` of `Queue` is 1000: it has to be below 1000");
+}
+
+#[test]
+fn a_block_out_of_its_ranges_is_not_built() {
+    expect(
+        |m, i| {
+            let sum = i.a + i.b;
+            m.instance("u_queue", &Queue { width: 0, depth: 0, ..QUEUE }, QueueIn { word: sum }).shown
+        },
+        "`+` needs equal widths: `a` has 8 bits, `b` has 7 bits
+         --> [let sum = i.a + i.b;]
+         `a` is made at [In { a: bits(8), b: bits(7), c: bit() }]
+         `b` is made at [In { a: bits(8), b: bits(7), c: bit() }]
+         help: widen the narrow side with `.zext(8)` or `.sext(8)`, or cut the wide one with `.trunc(7)`
+
+         `depth` of `Queue` is 0: it has to be from 2 to 8
+         --> [m.instance(\"u_queue\", &Queue { width: 0, depth: 0, ..QUEUE }, QueueIn { word: sum }).shown]
+
+         2 problems in this description",
+    );
+    let problems = elaborate(&Queue { width: 0, depth: 0, ..QUEUE }).unwrap_err();
+    assert_eq!(problems.0.len(), 1, "{problems}");
+    elaborate(&QUEUE).expect("the arena was cleared");
+}
